@@ -1,0 +1,61 @@
+/* fmath.h -- single-precision mathematics that gives the same bits everywhere.
+ *
+ * No libm: each function is a fixed sequence of IEEE additions, multiplications, divisions and
+ * square roots, so that gcc, clang, every optimisation level and every CPU agree to the last bit
+ * (with -ffp-contract=off). Angles are radians. Non-finite arguments are a caller's bug. */
+#ifndef KINGYO_CORE_BASE_FMATH_H
+#define KINGYO_CORE_BASE_FMATH_H
+
+#define F_PI 3.14159265f
+#define F_TAU 6.28318531f
+#define F_DEG (F_PI / 180.0f) /* Multiply degrees by this to get radians. */
+
+/* Correctly rounded: an instruction on every target with an FPU. */
+static inline float f_sqrt(float x)
+{
+    return __builtin_sqrtf(x);
+}
+
+static inline float f_abs(float x)
+{
+    return __builtin_fabsf(x);
+}
+
+static inline float f_min(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+static inline float f_max(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+static inline float f_clamp(float x, float low, float high)
+{
+    return f_min(f_max(x, low), high);
+}
+
+static inline float f_lerp(float a, float b, float t)
+{
+    return a + (b - a) * t;
+}
+
+/* 0 below `low`, 1 above `high`, a cubic with flat ends between; low < high. */
+static inline float f_smoothstep(float low, float high, float x)
+{
+    const float t = f_clamp((x - low) / (high - low), 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+float f_floor(float x);            /* |x| < 2^31. */
+float f_sin(float x);              /* |error| < 2e-6 for |x| < 1000. */
+float f_cos(float x);              /* As f_sin. */
+float f_atan2(float y, float x);   /* (-pi, pi], |error| < 3e-6; (0, 0) gives 0. */
+float f_acos(float x);             /* Clamps x to [-1, 1] first; |error| < 1e-4. */
+float f_exp(float x);              /* Relative error < 3e-6; saturates outside [-87, 88]. */
+float f_ln(float x);               /* x > 0, normal; absolute error < 3e-6 for x in [1e-6, 1e6]. */
+float f_wrap_angle(float x);       /* The same direction in [-pi, pi). */
+int f_is_finite(float x);
+
+#endif

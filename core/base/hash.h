@@ -1,0 +1,21 @@
+/* hash.h -- FNV-1a over values, to tell whether two states or two files are the same.
+ *
+ * Values go in little-endian and field by field, so that padding and byte order never count. */
+#ifndef KINGYO_CORE_BASE_HASH_H
+#define KINGYO_CORE_BASE_HASH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/base/vec.h"
+
+#define HASH_START 0xcbf29ce484222325ull
+
+uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size);
+uint64_t hash_u32(uint64_t hash, uint32_t value);
+uint64_t hash_u64(uint64_t hash, uint64_t value);
+uint64_t hash_float(uint64_t hash, float value); /* By bits: -0 and 0 differ. */
+uint64_t hash_vec3(uint64_t hash, vec3 value);
+uint64_t hash_floats(uint64_t hash, const float *values, size_t count);
+
+#endif

@@ -1,0 +1,46 @@
+/* rng.h -- random numbers that are looked up, not drawn.
+ *
+ * A value depends only on (seed, tick, who, purpose), never on how many were asked for before, so
+ * the order of work cannot change the game. Each use has its own enum rng_purpose. */
+#ifndef KINGYO_CORE_BASE_RNG_H
+#define KINGYO_CORE_BASE_RNG_H
+
+#include <stdint.h>
+
+struct rng_key {
+    uint32_t seed, tick, who, purpose;
+};
+
+uint32_t rng_u32(struct rng_key key);
+float rng_unit(struct rng_key key);                          /* Uniform in [0, 1). */
+float rng_range(struct rng_key key, float low, float high);  /* Uniform in [low, high). */
+float rng_normal(struct rng_key key);                        /* Mean 0, deviation 1, within +-6. */
+
+/* One list for the whole core, so that no two uses share a purpose by accident. */
+enum rng_purpose {
+    RNG_FISH_PLACE_X = 1,
+    RNG_FISH_PLACE_Y,
+    RNG_FISH_PLACE_Z,
+    RNG_FISH_YAW,
+    RNG_FISH_AGE,
+    RNG_FISH_STAMINA,
+    RNG_FISH_LOOK,
+    RNG_FISH_GAIT,
+    RNG_FISH_DURATION,
+    RNG_FISH_TURN,
+    RNG_FISH_AVOID_SIDE,
+    RNG_FISH_ESCAPE,
+    RNG_FISH_DEPTH,
+    RNG_SHEET_STRENGTH,
+    RNG_SHEET_SLAP,
+    RNG_SHEET_SPOT,
+    RNG_BOT_REACTION,
+    RNG_BOT_TREMOR,
+    RNG_BOT_CHOICE,
+    RNG_ROUND_SEED,
+    RNG_WATER_DROP,
+    RNG_SOUND,
+    RNG_TEST,
+};
+
+#endif

@@ -1,0 +1,27 @@
+/* vec.c -- the one place where angles become axes. */
+#include "core/base/vec.h"
+
+struct basis basis_from_angles(struct angles angles)
+{
+    const float cy = f_cos(angles.yaw_rad), sy = f_sin(angles.yaw_rad);
+    const float cp = f_cos(angles.pitch_rad), sp = f_sin(angles.pitch_rad);
+    const float cr = f_cos(angles.roll_rad), sr = f_sin(angles.roll_rad);
+    const vec3 right = v3(cy, 0.0f, -sy);          /* after yaw alone */
+    const vec3 back = v3(sy * cp, -sp, cy * cp);   /* after yaw and pitch */
+    const vec3 up = v3_cross(back, right);
+    return (struct basis){
+        .right = v3_mad(v3_scale(right, cr), up, -sr),
+        .up = v3_mad(v3_scale(up, cr), right, sr),
+        .back = back,
+    };
+}
+
+vec3 basis_to_world(const struct basis *basis, vec3 body)
+{
+    return v3_mad(v3_mad(v3_scale(basis->right, body.x), basis->up, body.y), basis->back, body.z);
+}
+
+vec3 basis_to_body(const struct basis *basis, vec3 world)
+{
+    return v3(v3_dot(basis->right, world), v3_dot(basis->up, world), v3_dot(basis->back, world));
+}

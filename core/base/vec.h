@@ -1,0 +1,96 @@
+/* vec.h -- vectors and orientations of the world.
+ *
+ * World: right-handed, origin at the centre of the still water surface, +x to the player's right,
+ * +y up, +z toward the player. A body (fish or poi) looks along its own -z, right is +x, up +y.
+ * Orientation is yaw about +y (0 faces -z, positive turns left), then pitch (positive lifts the
+ * nose), then roll (positive lowers the right side). */
+#ifndef KINGYO_CORE_BASE_VEC_H
+#define KINGYO_CORE_BASE_VEC_H
+
+#include "core/base/fmath.h"
+
+typedef struct {
+    float x, y, z;
+} vec3;
+
+struct angles {
+    float yaw_rad, pitch_rad, roll_rad;
+};
+
+/* Orthonormal axes of a body in the world; `back` is its own +z, so it looks along -back. */
+struct basis {
+    vec3 right, up, back;
+};
+
+static inline vec3 v3(float x, float y, float z)
+{
+    return (vec3){ x, y, z };
+}
+
+static inline vec3 v3_add(vec3 a, vec3 b)
+{
+    return v3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+static inline vec3 v3_sub(vec3 a, vec3 b)
+{
+    return v3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+static inline vec3 v3_scale(vec3 a, float s)
+{
+    return v3(a.x * s, a.y * s, a.z * s);
+}
+
+/* a + b * s */
+static inline vec3 v3_mad(vec3 a, vec3 b, float s)
+{
+    return v3(a.x + b.x * s, a.y + b.y * s, a.z + b.z * s);
+}
+
+static inline float v3_dot(vec3 a, vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline vec3 v3_cross(vec3 a, vec3 b)
+{
+    return v3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+static inline float v3_length(vec3 a)
+{
+    return f_sqrt(v3_dot(a, a));
+}
+
+/* The unit vector along `a`; `otherwise` where `a` is shorter than 1 nm and has no direction. */
+static inline vec3 v3_normalize_or(vec3 a, vec3 otherwise)
+{
+    const float length = v3_length(a);
+    return length > 1e-9f ? v3_scale(a, 1.0f / length) : otherwise;
+}
+
+static inline vec3 v3_lerp(vec3 a, vec3 b, float t)
+{
+    return v3_mad(a, v3_sub(b, a), t);
+}
+
+/* `a` shortened to at most `length_max` >= 0, direction kept. */
+static inline vec3 v3_limit(vec3 a, float length_max)
+{
+    const float length = v3_length(a);
+    return length > length_max ? v3_scale(a, length_max / length) : a;
+}
+
+static inline int v3_is_finite(vec3 a)
+{
+    return f_is_finite(a.x) && f_is_finite(a.y) && f_is_finite(a.z);
+}
+
+struct basis basis_from_angles(struct angles angles);
+
+/* Body coordinates to world directions, and back. */
+vec3 basis_to_world(const struct basis *basis, vec3 body);
+vec3 basis_to_body(const struct basis *basis, vec3 world);
+
+#endif

@@ -1,0 +1,128 @@
+/* core.c -- the order of a tick, written down in one place. */
+#include "core/core.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/poi/catch.h"
+
+#define POI_GRADE 6u /* What stalls hand out most. */
+
+enum core_error core_init(struct core *core, const struct core_config *config)
+{
+    if (config->preset >= TANK_PRESET_COUNT || config->fish_count > TANK_FISH_MAX ||
+        config->language >= LANGUAGE_COUNT ||
+        (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600))) {
+        return CORE_ERR_RANGE;
+    }
+    const struct tank_preset *preset = tank_preset(config->preset);
+    const uint32_t fish_count = config->fish_count ? config->fish_count : preset->fish_count;
+    memset(core, 0, sizeof *core);
+    core->config = *config;
+    tank_init(&core->tank, config->preset, fish_count, config->seed);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        poi_init(&core->poi[i], POI_GRADE, v3(0.0f, 0.05f, 0.0f), config->seed + i);
+    }
+    bowl_init(&core->bowl[0], preset->bowl_m);
+    game_init(&core->game, config);
+    return CORE_OK;
+}
+
+/* [0, 1]: how far the ring is over the mouth of its bowl, and clear of the water. */
+static float over_bowl(const struct poi *poi, const struct bowl *bowl)
+{
+    if (!bowl->present) {
+        return 0.0f;
+    }
+    const float dx = poi->position_m.x - bowl->position_m.x;
+    const float dz = poi->position_m.z - bowl->position_m.z;
+    const float near = f_sqrt(dx * dx + dz * dz) / (BOWL_RADIUS_M + POI_RADIUS_M);
+    return (1.0f - f_smoothstep(0.45f, 0.95f, near)) * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+}
+
+static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TANK_OBSTACLE_MAX])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (core->poi[i].link != POI_LINK_ABSENT) {
+            out[count++] = poi_obstacle(&core->poi[i]);
+        }
+        if (core->bowl[i].present) {
+            out[count++] = bowl_obstacle(&core->bowl[i]);
+        }
+    }
+    return count;
+}
+
+static void tick_pois(struct core *core, const struct poi_target targets[POI_MAX],
+                      const uint8_t live[POI_MAX], struct output *output)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        output->poi[i] = (struct poi_force){ 0 };
+        if (live[i]) {
+            const float over = over_bowl(&core->poi[i], &core->bowl[i]);
+            poi_tick(&core->poi[i], &targets[i], &core->tank, over, &output->poi[i]);
+        }
+    }
+}
+
+static void tick_water(struct core *core, const uint8_t live[POI_MAX])
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (live[i]) {
+            poi_stir(&core->poi[i], &core->tank.water, core->tank.size_m);
+        }
+    }
+    if (core->tick % 2u == 0) {
+        water_step(&core->tank.water, core->tank.size_m);
+    }
+}
+
+static void tick_fish(struct core *core)
+{
+    struct obstacle obstacles[TANK_OBSTACLE_MAX];
+    const uint32_t count = gather_obstacles(core, obstacles);
+    tank_tick(&core->tank, core->tick, obstacles, count);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        bowl_tick(&core->bowl[i], i, &core->tank, core->tick);
+    }
+}
+
+void core_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct poi_target targets[POI_MAX];
+    uint8_t live[POI_MAX];
+    uint32_t landed[POI_MAX] = { 0 };
+
+    game_tick(core, input, output, targets, live);
+    tick_pois(core, targets, live, output);
+    tick_water(core, live);
+    tick_fish(core);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (live[i]) {
+            landed[i] = catch_tick(&core->poi[i], i, &core->tank, &core->bowl[i], core->tick, output).landed;
+        }
+    }
+    game_score(core, landed, output);
+    core->tick++;
+}
+
+uint64_t core_hash_quick(const struct core *core)
+{
+    uint64_t hash = hash_u32(HASH_START, core->tick);
+    hash = game_hash(hash, &core->game);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hash = poi_hash_quick(hash, &core->poi[i]);
+        hash = hash_u32(hash, core->bowl[i].fish_count);
+    }
+    return tank_hash_quick(hash, &core->tank);
+}
+
+uint64_t core_hash(const struct core *core)
+{
+    uint64_t hash = core_hash_quick(core);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hash = poi_hash(hash, &core->poi[i]);
+    }
+    return tank_hash(hash, &core->tank);
+}

@@ -1,0 +1,64 @@
+/* core.h -- the whole stall as one value.
+ *
+ * The caller owns `struct core`. It holds no pointers, so assignment is a snapshot, and equal seeds
+ * and inputs give equal hashes on every board. The core never calls out: it turns one `struct input`
+ * into changes of itself and lines appended to `struct output`. */
+#ifndef KINGYO_CORE_CORE_H
+#define KINGYO_CORE_CORE_H
+
+#include <stdint.h>
+
+#include "core/game/game.h"
+#include "core/input.h"
+#include "core/output.h"
+#include "core/poi/bowl.h"
+#include "core/poi/poi.h"
+#include "core/scene.h"
+#include "core/tank/tank.h"
+
+#define KINGYO_VERSION "0.1.0"
+
+enum core_error {
+    CORE_OK = 0,
+    CORE_ERR_RANGE = -1, /* A config field lies outside its documented range. */
+};
+
+struct core_config {
+    uint32_t seed;       /* Any value. */
+    uint8_t preset;      /* enum tank_preset_id */
+    uint32_t fish_count; /* 0: the preset's own; else 1 .. TANK_FISH_MAX. */
+    uint8_t language;    /* enum language */
+    uint32_t round_s;    /* 0: 60 s; else 10 .. 600. */
+    uint32_t best_today; /* What the store remembers; shown, and beaten. */
+};
+
+struct core {
+    uint32_t tick;
+    struct core_config config;
+    struct game game;
+    struct poi poi[POI_MAX];
+    struct bowl bowl[POI_MAX];
+    struct tank tank;
+};
+
+/* 1 MiB is what the smallest board keeps for it, with the scene beside it in as much again. */
+_Static_assert(sizeof(struct core) <= 1024u * 1024u, "the core's state outgrew its budget");
+_Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its budget");
+
+/* Fills `core` with a fresh stall in attract mode. On an error it is untouched. */
+enum core_error core_init(struct core *core, const struct core_config *config);
+
+/* Advances one tick, in this order and no other: game -> poi -> water -> fish -> catch -> score. */
+void core_tick(struct core *core, const struct input *input, struct output *output);
+
+/* Rebuilds the whole picture; reads the state, never changes it. */
+void core_scene(const struct core *core, struct scene *scene);
+
+/* Over every simulated field, padding excluded. */
+uint64_t core_hash(const struct core *core);
+
+/* Over what moves each tick (game, pois, fish), without the paper's cells and the ripples: a tenth
+ * of the work, for a digest of every tick in a recording. */
+uint64_t core_hash_quick(const struct core *core);
+
+#endif

@@ -1,0 +1,55 @@
+/* input.h -- everything the world tells the core, for exactly one tick.
+ *
+ * The frame loop fills one `struct input` per owed tick; a recorded game is the list of them. What a
+ * device answers (a record now on disk, a poi unplugged) comes in here as data, never as a call.
+ * Zero is a valid input: nothing pressed, no poi. */
+#ifndef KINGYO_CORE_INPUT_H
+#define KINGYO_CORE_INPUT_H
+
+#include <stdint.h>
+
+#include "core/base/vec.h"
+
+#define CORE_TICK_HZ 120u /* The only step length there is. Two ticks a frame at 60 Hz. */
+#define CORE_TICK_S (1.0f / 120.0f)
+
+#define POI_MAX 4u /* Players at one tank, as at a real stall. */
+
+enum input_button {
+    INPUT_START = 1u << 0,
+    INPUT_LEFT = 1u << 1,
+    INPUT_RIGHT = 1u << 2,
+    INPUT_OK = 1u << 3,
+    INPUT_LANGUAGE = 1u << 4,
+    INPUT_TEST = 1u << 5,
+    INPUT_BUTTON_ALL = (1u << 6) - 1u,
+};
+
+enum poi_link {
+    POI_LINK_ABSENT = 0, /* No such controller. */
+    POI_LINK_LOST = 1,   /* It was here; the poi waits where it is. */
+    POI_LINK_LIVE = 2,   /* `target` is fresh. */
+    POI_LINK_BOT = 3,    /* The core's own bot holds this poi. */
+};
+
+/* Where a hand wants the ring's centre to be. The poi is pulled there by a spring and may lag. */
+struct poi_target {
+    vec3 position_m;      /* World; any finite value, clamped to the reach of an arm by the core. */
+    struct angles angles; /* Yaw 0: handle toward the player. Pitch > 0 lifts the far edge. */
+};
+
+struct poi_input {
+    uint8_t link;            /* enum poi_link */
+    uint8_t has_wrist;       /* 0: the controller cannot turn; the core turns the poi over the bowl. */
+    struct poi_target target; /* Ignored unless link is POI_LINK_LIVE. */
+};
+
+struct input {
+    uint32_t held;            /* enum input_button levels. */
+    uint32_t pressed;         /* Edges; each press is in exactly one tick's input. */
+    uint32_t coin_count;      /* Coins since the last tick, each in exactly one tick's input. */
+    uint32_t record_saved_id; /* Newest output.record id known to be on disk; 0 is none. */
+    struct poi_input poi[POI_MAX];
+};
+
+#endif

@@ -1,0 +1,29 @@
+/* bowl.h -- the bowl that floats at the player's hand and keeps what was caught. */
+#ifndef KINGYO_CORE_POI_BOWL_H
+#define KINGYO_CORE_POI_BOWL_H
+
+#include <stdint.h>
+
+#include "core/scene.h"
+#include "core/tank/tank.h"
+
+#define BOWL_RADIUS_M 0.075f /* The federation allows a bowl of 160 mm at most. */
+#define BOWL_DEPTH_M 0.055f
+
+struct bowl {
+    uint8_t present;
+    vec3 position_m;     /* Centre of the mouth, a little above the water. */
+    uint32_t fish_count; /* In it now. */
+};
+
+void bowl_init(struct bowl *bowl, vec3 position_m);
+
+/* Moves the fish that are in it: small circles under a small sky. */
+void bowl_tick(const struct bowl *bowl, uint32_t bowl_index, struct tank *tank, uint32_t tick);
+
+/* Pours every fish back into the tank, beside the bowl and under it. */
+void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
+
+struct obstacle bowl_obstacle(const struct bowl *bowl);
+
+#endif

@@ -1,0 +1,108 @@
+/* scene.h -- what there is to see, rebuilt from the state once per frame.
+ *
+ * Plain data with no pointers, so a scene can be kept, compared or drawn on another thread. */
+#ifndef KINGYO_CORE_SCENE_H
+#define KINGYO_CORE_SCENE_H
+
+#include <stdint.h>
+
+#include "core/input.h"
+#include "core/view.h"
+#include "core/base/vec.h"
+
+#define SCENE_FISH_MAX 2048u /* As TANK_FISH_MAX. */
+#define SCENE_KEY_MAX 8u     /* As MORPH_KEY_MAX: key shapes that one fish may blend. */
+#define SHEET_SIDE 32u       /* Cells along each side of the paper's square: 2.5 mm at 80 mm. */
+#define RIPPLE_X 128u        /* Cells of the water surface, left to right ... */
+#define RIPPLE_Z 80u         /* ... and back to front; about 7 mm in the festival tank. */
+
+enum scene_place {
+    SCENE_IN_TANK = 0,
+    SCENE_ON_POI = 1,
+    SCENE_IN_BOWL = 2,
+};
+
+struct scene_fish {
+    vec3 position_m;         /* Centre of the body box. */
+    struct angles angles;
+    float length_m;          /* Total length, snout to tail tip. */
+    float tail_phase_rad;    /* Of the travelling body wave; [0, 2 pi). */
+    float tail_amplitude;    /* 0 still .. 1 full cruising stroke .. 1.5 escape. */
+    float bend_rad;          /* Whole-body bend of a turn; positive bends the tail to its right. */
+    float weight[SCENE_KEY_MAX]; /* Blend of the species' key shapes; >= 0, sum 1. */
+    float maturity;          /* [0, 1] along the colour keys. */
+    uint32_t look;           /* Random bits that choose the individual's pattern and colours. */
+    uint8_t place;           /* enum scene_place */
+};
+
+struct scene_poi {
+    uint8_t present;
+    uint8_t owner;           /* Player index, chooses the ring's colour. */
+    vec3 position_m;         /* Ring centre. */
+    struct angles angles;
+    float ring_radius_m;     /* Inner: the paper's edge. */
+    float sag_m;             /* Depth of the paper's belly, along -up; negative bulges upward. */
+    float paper_left;        /* [0, 1] area that is still there. */
+    uint8_t wetness[SHEET_SIDE * SHEET_SIDE];   /* 0 dry .. 255 wet; row 0 is the far edge (-z). */
+    uint8_t integrity[SHEET_SIDE * SHEET_SIDE]; /* 255 whole .. 1 nearly torn, 0 hole. */
+};
+
+struct scene_bowl {
+    uint8_t present;
+    uint8_t owner;
+    vec3 position_m;         /* Centre of the mouth. */
+    float radius_m;          /* Of the mouth. */
+    float depth_m;
+    uint32_t fish_count;
+};
+
+enum scene_phase {
+    PHASE_ATTRACT = 0,
+    PHASE_READY = 1,  /* A few seconds to take the poi. */
+    PHASE_ROUND = 2,
+    PHASE_RESULT = 3,
+};
+
+/* What the stall calls to the player. The words are the renderer's, in the scene's language. */
+enum scene_hint {
+    HINT_NONE = 0,
+    HINT_START,       /* Press to play. */
+    HINT_MOVE,        /* Move the poi over a fish. */
+    HINT_DIP,         /* Hold the button to dip. */
+    HINT_LIFT,        /* Let go to lift. */
+    HINT_BOWL,        /* Carry it to the bowl. */
+    HINT_TILT,        /* The wheel tilts the poi. */
+    HINT_SLOWLY,      /* Haste tears paper. */
+    HINT_TORN,        /* The paper is gone. */
+    HINT_LOST_POI,    /* The controller is away; the round waits. */
+    HINT_COUNT,
+};
+
+enum language {
+    LANGUAGE_JA = 0,
+    LANGUAGE_EN = 1,
+    LANGUAGE_COUNT,
+};
+
+struct scene {
+    uint32_t tick;
+    struct view view;
+    vec3 tank_size_m;        /* Inner width (x), water depth (y), breadth (z). */
+    float wall_height_m;     /* Floor to rim; more than the water is deep. */
+
+    uint32_t fish_count;     /* <= SCENE_FISH_MAX */
+    struct scene_fish fish[SCENE_FISH_MAX];
+    struct scene_poi poi[POI_MAX];
+    struct scene_bowl bowl[POI_MAX];
+    int8_t slope[RIPPLE_Z][RIPPLE_X][2]; /* Surface slope (x, z) * 508: +-127 is +-0.25. */
+
+    uint8_t phase;           /* enum scene_phase */
+    uint8_t language;        /* enum language */
+    uint8_t hint;            /* enum scene_hint */
+    float phase_s;           /* Since the phase began. */
+    float seconds_left;      /* Of the round; counts down in READY too. */
+    uint32_t caught[POI_MAX];
+    uint32_t best_today;
+};
+
+#endif

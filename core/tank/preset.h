@@ -1,0 +1,29 @@
+/* preset.h -- tanks as data. Nothing in the code asks which preset it runs. */
+#ifndef KINGYO_CORE_TANK_PRESET_H
+#define KINGYO_CORE_TANK_PRESET_H
+
+#include <stdint.h>
+
+#include "core/base/vec.h"
+#include "core/view.h"
+
+enum tank_preset_id {
+    TANK_PRESET_FESTIVAL = 0, /* The stall: mixed ages in a tank that fills a screen. */
+    TANK_PRESET_COUNT,
+};
+
+struct tank_preset {
+    const char *name;
+    vec3 size_m;               /* Inner width (x), water depth (y), breadth (z). */
+    float wall_height_m;       /* Floor to rim. */
+    uint32_t fish_count;
+    float age_days_min, age_days_max; /* Uniform between; lengths follow from the growth curve. */
+    float stamina_min, stamina_max;   /* [0, 1] at the start, uniform. */
+    vec3 bowl_m;               /* Mouth centre of the first player's bowl. */
+    struct view view;
+};
+
+/* `id` < TANK_PRESET_COUNT. */
+const struct tank_preset *tank_preset(uint8_t id);
+
+#endif

@@ -1,0 +1,56 @@
+/* tank.h -- the water, the shoal that swims in it, and what stands in their way.
+ *
+ * Axes: origin at the centre of the still surface, +x right, +y up, +z toward the player. */
+#ifndef KINGYO_CORE_TANK_TANK_H
+#define KINGYO_CORE_TANK_TANK_H
+
+#include <stdint.h>
+
+#include "core/scene.h"
+#include "core/tank/fish.h"
+#include "core/tank/grid.h"
+#include "core/tank/preset.h"
+#include "core/tank/water.h"
+
+#define TANK_FISH_MAX 2048u /* 1,500 is the densest tank offered; a power of two above it. */
+#define TANK_OBSTACLE_MAX (2u * POI_MAX)
+_Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
+
+enum obstacle_kind {
+    OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across. Frightens when it moves. */
+    OBSTACLE_BOWL, /* A floating bowl's hull: half an ellipsoid hanging below the surface. */
+};
+
+/* What fish must swim round this tick. The poi and the bowls describe themselves this way. */
+struct obstacle {
+    uint8_t kind;      /* enum obstacle_kind */
+    vec3 centre_m;
+    vec3 normal;       /* Unit; a disc's up. */
+    vec3 velocity_m_s;
+    float radius_m;    /* Outer. */
+    float depth_m;     /* Of a bowl's hull below its mouth. */
+};
+
+struct tank {
+    uint32_t seed;
+    uint8_t preset;    /* enum tank_preset_id */
+    vec3 size_m;
+    float wall_height_m;
+    uint32_t fish_count;
+    struct fish fish[TANK_FISH_MAX];
+    struct grid grid;  /* Rebuilt each tick; scratch that no hash covers. */
+    struct water water;
+};
+
+/* Fills `tank` with still water and `fish_count` (1 .. TANK_FISH_MAX) fish that do not overlap. */
+void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
+
+/* One tick of every fish that swims (held and bowl fish are moved by core/poi).
+ * `obstacle_count` <= TANK_OBSTACLE_MAX. */
+void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacles,
+               uint32_t obstacle_count);
+
+uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Fish and water. */
+uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Fish poses and gaits alone. */
+
+#endif

@@ -1,0 +1,28 @@
+/* view.c -- a pinhole camera. */
+#include "core/view.h"
+
+#define RAY_LENGTH_MAX_M 4.0f /* Farther than any tank. */
+
+struct basis view_basis(const struct view *view)
+{
+    const vec3 back = v3_normalize_or(v3_sub(view->eye_m, view->target_m), v3(0.0f, 0.0f, 1.0f));
+    const vec3 right =
+        v3_normalize_or(v3_cross(v3(0.0f, 1.0f, 0.0f), back), v3(1.0f, 0.0f, 0.0f));
+    return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
+}
+
+float view_half_height_tan(const struct view *view, float aspect)
+{
+    return view->half_height_tan * f_max(1.0f, view->aspect_min / aspect);
+}
+
+vec3 view_point_on_plane(const struct view *view, float aspect, float x, float y, float height_m)
+{
+    const struct basis axes = view_basis(view);
+    const float tan_y = view_half_height_tan(view, aspect);
+    const vec3 ray = v3_normalize_or(
+        basis_to_world(&axes, v3(x * tan_y * aspect, y * tan_y, -1.0f)), axes.back);
+    const float drop = view->eye_m.y - height_m;
+    const float reach = ray.y < -1e-4f ? f_min(drop / -ray.y, RAY_LENGTH_MAX_M) : RAY_LENGTH_MAX_M;
+    return v3_mad(view->eye_m, ray, reach);
+}

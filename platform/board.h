@@ -1,0 +1,34 @@
+/* board.h -- what main() asks of the one board that was linked in (make BOARD=name). */
+#ifndef KINGYO_PLATFORM_BOARD_H
+#define KINGYO_PLATFORM_BOARD_H
+
+#include <stdint.h>
+
+#include "platform/hal.h"
+
+enum board_poi {
+    BOARD_POI_AUTO = 0, /* The board's best: a mouse on the desktop. */
+    BOARD_POI_MOUSE,
+    BOARD_POI_PAD,
+    BOARD_POI_USB,
+    BOARD_POI_BOT,
+};
+
+struct board_options {
+    uint8_t poi;               /* enum board_poi */
+    uint8_t off_screen;        /* Render without a screen, for pictures. */
+    uint8_t full_screen;
+    uint32_t width, height;    /* Window or picture size in pixels; 0 is the board's own. */
+    uint8_t mute;
+    const char *data_dir;      /* Where the store lives; null keeps nothing. */
+    struct view view;          /* Where a pointer device's rays start. */
+};
+
+/* Wires real drivers where there are devices and null drivers where there are none. Never fails:
+ * what is missing says so through describe(). */
+void board_open(struct hal *hal, const struct board_options *options);
+
+/* Whether a screen can be opened at all. When not, `why` (`why_size` bytes) gets one line. */
+int board_has_screen(char *why, size_t why_size);
+
+#endif

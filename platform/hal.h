@@ -1,0 +1,133 @@
+/* hal.h -- one small table of functions per device, written for whoever writes the next driver.
+ *
+ * The frame loop (platform/kiosk/kiosk.c) is the only caller, from one thread. No call ever waits.
+ * A driver exports one constructor that pairs its ops with its state. 0 or a count is success; a
+ * negative enum hal_error is an event to count and survive, never a bug. A device that is not there
+ * has a null driver (drivers/null.c), so no pointer here is ever null. */
+#ifndef KINGYO_PLATFORM_HAL_H
+#define KINGYO_PLATFORM_HAL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/input.h"
+#include "core/output.h"
+#include "core/scene.h"
+
+enum hal_error {
+    HAL_OK = 0,
+    HAL_ERR_IO = -1,   /* Failed this time; ask again next frame. */
+    HAL_ERR_GONE = -2, /* Unplugged or vanished; open() again to look for it. */
+    HAL_ERR_BUSY = -3, /* Not now; the same request next frame is right. */
+    HAL_ERR_NONE = -4, /* There is no such device in this kiosk (the null driver's answer). */
+};
+
+/* Every device says in one line what it is, or what is missing and what to do about it:
+ * "mouse (SDL x11)", "no sound: SDL found no audio device; plug one in or set SDL_AUDIODRIVER". */
+#define HAL_TEXT_SIZE 160u
+
+/* Monotonic, any epoch. */
+struct hal_clock_ops {
+    uint64_t (*now_ns)(void *self);
+};
+
+/* Pixels of the newest presented frame, top row first. */
+struct hal_image {
+    uint32_t width, height;
+    uint8_t *rgb;        /* Caller's buffer of `size` bytes. */
+    size_t size;
+};
+
+/* What the windowing system said since the last poll. */
+struct display_events {
+    uint8_t quit;        /* The window was closed, or the session ends. */
+    uint8_t lost;        /* The display is gone; nothing can be shown any more. */
+};
+
+struct hal_display_ops {
+    int (*open)(void *self);
+    int (*poll)(void *self, struct display_events *out);
+    int (*present)(void *self, const struct scene *scene);
+    int (*toggle_full_screen)(void *self);
+    /* Copies the picture last presented; HAL_ERR_IO when `image` is too small for it. */
+    int (*capture)(void *self, struct hal_image *image);
+    void (*close)(void *self);
+    const char *(*describe)(void *self);
+};
+
+/* One decoded reading of a hand: a pose and when it arrived. */
+struct poi_sample {
+    uint64_t time_ns;         /* Arrival, on the clock of hal_clock_ops. */
+    uint8_t has_wrist;
+    struct poi_target target;
+};
+#define HAL_POI_SAMPLES_MAX 64u /* 1,000 Hz reports over a 16 ms frame, with room for a slow one. */
+
+struct hal_poi_ops {
+    int (*open)(void *self);  /* Also reopens after HAL_ERR_GONE. */
+    /* Copies at most `max` samples since the last poll, oldest first; returns how many. */
+    int (*poll)(void *self, struct poi_sample *out, uint32_t max);
+    int (*feel)(void *self, const struct poi_force *force); /* The reaction on the hand. */
+    const char *(*describe)(void *self);
+};
+
+/* Levels now, and the edges since the last poll, debounced: a 20 ms coin pulse is not lost. */
+struct button_sample {
+    uint32_t held, pressed;   /* enum input_button */
+    uint32_t coin_count;
+    uint8_t quit;             /* A desktop's quit key; a cabinet has none. */
+    uint8_t full_screen;      /* A desktop's full-screen key was pressed. */
+};
+
+struct hal_buttons_ops {
+    int (*poll)(void *self, struct button_sample *out);
+    const char *(*describe)(void *self);
+};
+
+struct hal_lamps_ops {
+    int (*set_start)(void *self, int lit);
+    const char *(*describe)(void *self);
+};
+
+struct hal_audio_ops {
+    int (*open)(void *self);
+    int (*play)(void *self, const struct sound_event *event);
+    const char *(*describe)(void *self);
+    void (*close)(void *self);
+};
+
+struct hal_storage_ops {
+    int (*open)(void *self);
+    int (*best_today)(void *self, uint32_t *out);              /* At start. */
+    int (*save)(void *self, const struct round_record *record); /* Copies; HAL_ERR_BUSY: next frame. */
+    uint32_t (*saved_id)(void *self);                          /* Newest id known to be on disk. */
+    const char *(*describe)(void *self);
+    void (*close)(void *self);
+};
+
+struct hal_watchdog_ops {
+    void (*kick)(void *self);
+    const char *(*describe)(void *self);
+};
+
+struct hal_clock { const struct hal_clock_ops *ops; void *self; };
+struct hal_display { const struct hal_display_ops *ops; void *self; };
+struct hal_poi { const struct hal_poi_ops *ops; void *self; };
+struct hal_buttons { const struct hal_buttons_ops *ops; void *self; };
+struct hal_lamps { const struct hal_lamps_ops *ops; void *self; };
+struct hal_audio { const struct hal_audio_ops *ops; void *self; };
+struct hal_storage { const struct hal_storage_ops *ops; void *self; };
+struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
+
+struct hal {
+    struct hal_clock clock;
+    struct hal_display display;
+    struct hal_poi poi[POI_MAX];
+    struct hal_buttons buttons;
+    struct hal_lamps lamps;
+    struct hal_audio audio;
+    struct hal_storage storage;
+    struct hal_watchdog watchdog;
+};
+
+#endif
