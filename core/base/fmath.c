@@ -39,7 +39,8 @@ float f_wrap_angle(float x)
 static float sin_core(float x)
 {
     const float s = x * x;
-    return x * (1.0f - s * (1.0f / 6.0f - s * (1.0f / 120.0f - s * (1.0f / 5040.0f - s * (1.0f / 362880.0f)))));
+    const float high = 1.0f / 120.0f - s * (1.0f / 5040.0f - s * (1.0f / 362880.0f));
+    return x * (1.0f - s * (1.0f / 6.0f - s * high));
 }
 
 static float cos_core(float x)
@@ -83,8 +84,8 @@ static float atan_unit(float x)
     const float offset = x > 0.41421356f ? F_PI / 4.0f : 0.0f;
     const float t = x > 0.41421356f ? (x - 1.0f) / (x + 1.0f) : x;
     const float s = t * t;
-    const float p = 1.0f - s * (1.0f / 3.0f - s * (0.2f - s * (1.0f / 7.0f - s * (1.0f / 9.0f - s / 11.0f))));
-    return offset + t * p;
+    const float high = 1.0f / 7.0f - s * (1.0f / 9.0f - s / 11.0f);
+    return offset + t * (1.0f - s * (1.0f / 3.0f - s * (0.2f - s * high)));
 }
 
 float f_atan2(float y, float x)
@@ -110,7 +111,8 @@ float f_exp(float x)
     const float c = f_clamp(x, -87.0f, 88.0f);
     const float n = f_floor(c * 1.44269504f + 0.5f);
     const float r = (c - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 in two parts */
-    const float p = 1.0f + r * (1.0f + r * (0.5f + r * (1.0f / 6.0f + r * (1.0f / 24.0f + r * (1.0f / 120.0f + r * (1.0f / 720.0f))))));
+    const float high = 1.0f / 6.0f + r * (1.0f / 24.0f + r * (1.0f / 120.0f + r * (1.0f / 720.0f)));
+    const float p = 1.0f + r * (1.0f + r * (0.5f + r * high));
     return p * float_of((uint32_t)((int32_t)n + 127) << 23);
 }
 
@@ -125,6 +127,7 @@ float f_ln(float x)
     }
     const float t = (m - 1.0f) / (m + 1.0f); /* ln m = 2 atanh t, |t| < 0.172 */
     const float s = t * t;
-    const float p = 2.0f * t * (1.0f + s * (1.0f / 3.0f + s * (0.2f + s * (1.0f / 7.0f + s / 9.0f))));
+    const float high = 0.2f + s * (1.0f / 7.0f + s / 9.0f);
+    const float p = 2.0f * t * (1.0f + s * (1.0f / 3.0f + s * high));
     return p + (float)exponent * 0.693147181f;
 }

