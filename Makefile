@@ -1,22 +1,43 @@
 # Kingyo -- a goldfish-scooping stall in a box.
 #
 # Two commands do everything on a fresh machine: `make run` and `make test`. `make help` lists the rest.
+# V=1 shows whole commands; BUILD=dir builds elsewhere (one folder per compiler and option set).
 
 BOARD ?= desktop
 BUILD ?= build
-CC ?= gcc
+ifeq ($(origin CC),default)
+CC := gcc
+endif
 OPT ?= -O2
 
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
+.DELETE_ON_ERROR:
+MAKEFLAGS += --no-builtin-rules
+
+ifeq ($(V),1)
+say :=
+Q :=
+else
+say = @printf '  %-5s %s\n'
+Q := @
+endif
+# $(call step,CC,what): one quiet line per step; V=1 shows the command instead.
+step = $(if $(say),$(say) '$(1)' '$(2)',@:)
 
 WARN := -Wall -Wextra -Wconversion -Wshadow -Werror -Wmissing-prototypes -Wstrict-prototypes -Wvla
-BASE_CFLAGS := -std=c17 $(OPT) -g $(WARN) -ffp-contract=off -I. -I$(BUILD)/generated -MMD -MP
-CORE_CFLAGS := $(BASE_CFLAGS) -ffreestanding -fno-math-errno -fno-stack-protector
-# Lazy, so that `make help` and `make setup` work before pkg-config is there.
-LIBS_SHELL = pkg-config --cflags sdl2 glesv2 sqlite3
-HOST_CFLAGS = $(BASE_CFLAGS) -D_GNU_SOURCE $(shell $(LIBS_SHELL)) -DKINGYO_BOARD=\"$(BOARD)\"
-HOST_LIBS = $(shell pkg-config --libs sdl2 glesv2 sqlite3) -lm -lpthread
+BASE_CFLAGS := -std=c17 $(OPT) -g $(WARN) -ffp-contract=off -I. -I$(BUILD)/generated
+DEP_FLAGS = -MMD -MP
+CORE_CFLAGS := $(BASE_CFLAGS) -ffreestanding -fno-math-errno -fno-stack-protector -fstack-usage
+HOST_CFLAGS = $(BASE_CFLAGS) -D_GNU_SOURCE $(LIB_CFLAGS) -DKINGYO_BOARD=\"$(BOARD)\"
+HOST_LIBS = $(LIB_LIBS) -lm -lpthread
+TEST_CFLAGS = $(HOST_CFLAGS)
+
+# Asked for once, and only when something is compiled, so that `make help` and the set-up work on a
+# machine that has no pkg-config yet. Libraries' headers are the system's: our warnings are for us.
+PACKAGES := sdl2 glesv2 egl sqlite3
+LIB_CFLAGS = $(eval LIB_CFLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags $(PACKAGES))))$(LIB_CFLAGS)
+LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS)
 
 CORE_SRC := $(wildcard core/*.c core/*/*.c)
 PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c)
@@ -31,45 +52,60 @@ KIOSK_OBJ = $(KIOSK_SRC:%.c=$(BUILD)/%.o)
 CTL_OBJ = $(CTL_SRC:%.c=$(BUILD)/%.o)
 DRIVER_OBJ = $(DRIVER_SRC:%.c=$(BUILD)/%.o)
 BOARD_OBJ = $(BOARD_SRC:%.c=$(BUILD)/%.o)
+# Everything around the core but the two main()s: programs and tests take from it what they call.
+SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(BOARD_OBJ))
 
-# What each part adds of its own: baked assets, tests, board files.
+# What each part adds of its own: board files and set-up, baked assets, tests, figures.
+-include board/board.mk
 -include assets/bake/bake.mk
 -include tests/tests.mk
--include board/board.mk
+-include tests/bench/bench.mk
 
 ## help: this list
 help:
-	@echo 'Kingyo: make run plays, make test tests. Every task:'
-	@grep -hE '^## [a-z-]+:' $(MAKEFILE_LIST) | sed 's/^## /  make /' | awk -F': ' '{printf "%-24s %s\n", $$1, $$2}'
+	@echo 'Kingyo: `make run` plays, `make test` tests. Every task:'
+	@sed -nE 's/^## ([a-z0-9-]+): (.*)/\1\t\2/p' $(MAKEFILE_LIST) | sort | awk -F'\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
+	@echo 'Settings: V=1 (whole commands), BUILD=dir, CC=clang, OPT=-O0, BOARD=name.'
 
 ## build: the kiosk (build/kingyo) and the operator's command line (build/kingyoctl)
 build: $(BUILD)/kingyo $(BUILD)/kingyoctl
 
-$(BUILD)/kingyo: $(KIOSK_OBJ) $(PLATFORM_OBJ) $(DRIVER_OBJ) $(BOARD_OBJ) $(BUILD)/core.a
-	$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+## clang: the same with clang, in build-clang/
+clang:
+	+@$(MAKE) --no-print-directory BUILD=build-clang CC=clang build
 
-$(BUILD)/kingyoctl: $(CTL_OBJ) $(PLATFORM_OBJ) $(DRIVER_OBJ) $(filter-out %/main.o,$(KIOSK_OBJ)) $(BOARD_OBJ) $(BUILD)/core.a
-	$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+$(BUILD)/kingyo: $(BUILD)/platform/kiosk/main.o $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+$(BUILD)/kingyoctl: $(CTL_OBJ) $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
 $(BUILD)/core.a: $(CORE_OBJ)
+$(BUILD)/shell.a: $(SHELL_OBJ)
+$(BUILD)/%.a:
+	$(call step,AR,$@)
 	@rm -f $@
-	ar rcs $@ $^
+	$(Q)ar rcs $@ $^
 
 $(BUILD)/core/%.o: core/%.c | generated
 	@mkdir -p $(@D)
-	$(CC) $(CORE_CFLAGS) -c -o $@ $<
+	$(call step,CC,$<)
+	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
 $(BUILD)/%.o: %.c | generated
 	@mkdir -p $(@D)
-	$(CC) $(HOST_CFLAGS) -c -o $@ $<
+	$(call step,CC,$<)
+	$(Q)$(CC) $(HOST_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
 # Filled by assets/bake/bake.mk: what must exist before anything that includes it compiles.
 generated:
 
 ## clean: removes everything that was built
 clean:
-	rm -rf $(BUILD)
+	rm -rf build build-clang $(BUILD)
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell [ -d $(BUILD) ] && find $(BUILD) -name '*.d')
 
-.PHONY: help build generated clean
+.PHONY: help build clang generated clean

@@ -1,0 +1,60 @@
+#!/bin/bash
+# run.sh RESULTS PROGRAM... -- runs test programs that speak TAP and sums them up.
+#
+# One line a program as it ends, the whole text of those that fail, then `<n> passed, <n> failed`
+# alone on the last line. Programs run side by side, one for each core; a name that begins with @
+# runs alone, after the others, because it measures or drives a whole machine. Exits 1 on any failure.
+set -u
+export CMOCKA_MESSAGE_OUTPUT=TAP
+limit_s=${TEST_LIMIT_S:-240}
+
+run_one() { # RESULTS PROGRAM
+    local name log begin seconds status passed failed skipped
+    name=$(basename "$2" .sh)
+    log=$1/$name.tap
+    begin=$EPOCHREALTIME
+    timeout --kill-after=5 "$limit_s" "$2" >"$log" 2>&1 </dev/null
+    status=$?
+    seconds=$(awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')
+    skipped=$(grep -ciE '^\s*ok\b.*# skip' "$log")
+    passed=$(($(grep -cE '^\s*ok\b' "$log") - skipped))
+    failed=$(grep -cE '^\s*not ok\b' "$log")
+    if [ "$failed" -eq 0 ] && { [ $status -ne 0 ] || [ $((passed + skipped)) -eq 0 ]; }; then
+        failed=1 # It crashed, ran too long or tested nothing.
+    fi
+    echo "$passed $failed $skipped" >"$1/$name.count"
+    if [ "$failed" -eq 0 ]; then
+        printf '  ok    %-28s %4d passed  %6s s\n' "$name" "$passed" "$seconds"
+        grep -iE '^\s*ok\b.*# skip' "$log" | sed 's/^\s*ok[ 0-9]*-*/        skipped:/'
+    else
+        printf '  FAIL  %-28s %4d passed, %d failed  %6s s\n' "$name" "$passed" "$failed" "$seconds"
+        [ $status -eq 124 ] && echo "        stopped after $limit_s s"
+        [ $status -gt 1 ] && [ $status -ne 124 ] && echo "        exit status $status"
+        tail -n 60 "$log" | sed 's/^/        /'
+    fi
+    return 0
+}
+export -f run_one
+export limit_s
+
+results=$1
+shift
+mkdir -p "$results"
+rm -f "$results"/*.count
+side=() alone=()
+for program in "$@"; do
+    case $program in
+    @*) alone+=("${program#@}") ;;
+    *) side+=("$program") ;;
+    esac
+done
+if [ ${#side[@]} -gt 0 ]; then
+    printf '%s\0' "${side[@]}" | xargs -0 -P "$(nproc)" -I{} bash -c 'run_one "$@"' run "$results" {}
+fi
+for program in "${alone[@]}"; do
+    run_one "$results" "$program"
+done
+total=$(cat "$results"/*.count 2>/dev/null | awk '{ p += $1; f += $2 } END { print p + 0, f + 0 }')
+echo
+echo "${total% *} passed, ${total#* } failed"
+[ "${total#* }" -eq 0 ] && [ "${total% *}" -gt 0 ]
