@@ -100,7 +100,7 @@ struct scene {
     uint8_t language;        /* enum language */
     uint8_t hint;            /* enum scene_hint */
     float phase_s;           /* Since the phase began. */
-    float seconds_left;      /* Of the round; counts down in READY too. */
+    float seconds_left;      /* Of the round; in READY, until it begins; else 0. */
     uint32_t caught[POI_MAX];
     uint32_t best_today;
 };

@@ -6,6 +6,8 @@
 
 #include "core/input.h"
 
+#define BOT_NO_PREY 0xffffu
+
 enum bot_stage {
     BOT_LOOK = 0,
     BOT_APPROACH,
@@ -18,9 +20,11 @@ enum bot_stage {
 
 struct bot {
     uint8_t stage;        /* enum bot_stage */
-    uint16_t prey;        /* Index of the fish it is after. */
+    uint16_t prey;        /* Index of the fish it is after, or BOT_NO_PREY. */
     uint32_t stage_tick;  /* When the stage began. */
+    uint32_t think_tick;  /* When it looks and decides again. */
     struct poi_target hand; /* Where its hand is now: moves no faster than an arm. */
+    vec3 velocity_m_s;    /* Of the hand. */
     vec3 aim_m;           /* Where it wants the hand to be. */
     struct angles aim_angles;
 };

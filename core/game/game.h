@@ -5,21 +5,38 @@
 #include <stdint.h>
 
 #include "core/game/bot.h"
+#include "core/game/hints.h"
 #include "core/input.h"
 #include "core/output.h"
 #include "core/scene.h"
 
+#define GAME_READY_TICKS (3u * CORE_TICK_HZ)    /* To take the poi and find the bowl. */
+#define GAME_RESULT_TICKS (12u * CORE_TICK_HZ)  /* To read the result and call a friend. */
+#define GAME_GONE_TICKS (3u * CORE_TICK_HZ)     /* To see the hole before the result covers it. */
+#define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)     /* START in the result: not the last press. */
+#define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* A dip is easier to do by accident. */
+#define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ) /* Nobody comes back: the round ends. */
+#define GAME_DIP_Y_M (-0.010f) /* A hand that goes below this from above dips. */
+
 struct game {
-    uint8_t phase;      /* enum scene_phase */
-    uint8_t language;   /* enum language */
-    uint8_t hint;       /* enum scene_hint */
-    uint32_t phase_tick; /* When the phase began. */
+    uint8_t phase;       /* enum scene_phase */
+    uint8_t language;    /* enum language */
+    uint8_t bot_played;  /* Some poi of this round was the bot's. */
+    uint32_t phase_tick; /* When the phase began; shifted while the round's clock waits. */
+    uint32_t round_tick; /* When the round began, never shifted. */
+    uint32_t lost_ticks; /* How long the clock has waited without a break. */
+    uint32_t gone_tick;  /* When the last paper went; 0 while some holds. */
     uint32_t round_s;
     uint32_t round_count; /* Rounds begun; seeds the next poi's paper. */
     uint32_t caught[POI_MAX];
     uint32_t best_today;
     uint32_t record_id;
-    uint8_t bot_played; /* Some poi of this round was the bot's. */
+    uint8_t handed[POI_MAX];         /* Has got its fresh paper for this round. */
+    uint8_t holder[POI_MAX];         /* enum poi_link: who held the poi in the last tick. */
+    uint32_t grip_tick[POI_MAX];     /* When that holder took it. */
+    struct poi_target hand[POI_MAX]; /* Where the poi's hand was in the last tick. */
+    float live_y_m[POI_MAX];         /* Of the last live target; the dip is its way down. */
+    struct hints hints;
     struct bot bot[POI_MAX];
 };
 
@@ -36,6 +53,9 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
 
 /* The last step of a tick: what was landed counts. */
 void game_score(struct core *core, const uint32_t landed[POI_MAX], struct output *output);
+
+/* Seconds of the round that are left; in READY, until it begins; else 0. */
+float game_seconds_left(const struct game *game, uint32_t tick);
 
 uint64_t game_hash(uint64_t hash, const struct game *game);
 

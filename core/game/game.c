@@ -1,0 +1,416 @@
+/* game.c -- the phases of the stall, the hands on the pois, the score. */
+#include "core/game/game.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/base/rng.h"
+#include "core/core.h"
+#include "core/game/paper.h"
+
+#define ROUND_S_DEFAULT 60u
+#define LAST_SECONDS 5u          /* Each with its tick. */
+#define CLEAR_Y_M 0.035f         /* Pois are held above this while nothing may be scooped. */
+#define GRIP_TICKS 84u           /* 0.7 s from one hand to the next. */
+#define SWAP_TICKS (2u * CORE_TICK_HZ) /* The attract bot gets a new poi so long after a torn one. */
+#define REACH_SIDE_M 0.20f       /* Beyond the walls ... */
+#define REACH_HEIGHT_M 0.35f     /* ... and above the water that an arm reaches. */
+#define GRADE_STALL 6u           /* What stalls hand out most. */
+
+static int plays(const struct core *core, uint32_t index)
+{
+    return core->bowl[index].present && core->poi[index].link != POI_LINK_ABSENT;
+}
+
+static int held_by_someone(const struct core *core, uint32_t index)
+{
+    return plays(core, index) && core->poi[index].link != POI_LINK_LOST;
+}
+
+static void enter(struct core *core, uint8_t phase)
+{
+    core->game.phase = phase;
+    core->game.phase_tick = core->tick;
+}
+
+/* ---- Paper and fish ------------------------------------------------------------------------- */
+
+/* Fish that lie on a poi go back into the water under it. */
+static void release_fish(struct core *core, uint32_t index)
+{
+    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
+        struct fish *fish = &core->tank.fish[i];
+        if (fish->gait == GAIT_HELD && fish->holder == index) {
+            fish->gait = GAIT_SWIM;
+            fish->position_m.y = f_min(fish->position_m.y, -0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m);
+        }
+    }
+}
+
+/* A new poi in the same place. `series` tells the papers of rounds and of attract apart. */
+static void hand_out(struct core *core, uint32_t index, uint32_t number, uint32_t series)
+{
+    struct poi *poi = &core->poi[index];
+    const uint8_t link = poi->link;
+    const struct angles angles = poi->angles;
+    const uint32_t seed = rng_u32(
+        (struct rng_key){ core->config.seed, number, index + POI_MAX * series, RNG_ROUND_SEED });
+    release_fish(core, index);
+    poi_init(poi, GRADE_STALL, poi->position_m, seed);
+    poi->link = link;
+    poi->angles = angles;
+    core->game.handed[index] = 1;
+}
+
+static void start_round(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    if (game->phase == PHASE_ATTRACT) {
+        hints_init(&game->hints); /* From the result it is the same player, who knows. */
+    }
+    enter(core, PHASE_READY);
+    game->round_count++;
+    game->bot_played = 0;
+    game->gone_tick = 0;
+    game->lost_ticks = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->caught[i] = 0;
+        game->handed[i] = 0;
+        bowl_pour_back(&core->bowl[i], i, &core->tank);
+    }
+    output_sound(output, SOUND_START, 1.0f, 0.0f);
+}
+
+/* ---- Phases --------------------------------------------------------------------------------- */
+
+static int any_dipped(const struct core *core, const struct input *input)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (core->bowl[i].present && input->poi[i].link == POI_LINK_LIVE &&
+            core->game.live_y_m[i] >= GAME_DIP_Y_M &&
+            input->poi[i].target.position_m.y < GAME_DIP_Y_M) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void tick_attract(struct core *core, const struct input *input, struct output *output)
+{
+    struct game *game = &core->game;
+    if ((input->pressed & INPUT_START) || any_dipped(core, input)) {
+        start_round(core, output);
+        return;
+    }
+    if (game->gone_tick == 0 && !paper_can_hold(&core->poi[0].sheet)) {
+        game->gone_tick = core->tick;
+    }
+    if (game->gone_tick != 0 && core->tick - game->gone_tick >= SWAP_TICKS &&
+        core->poi[0].immersed <= 0.0f) {
+        hand_out(core, 0, core->tick, 1);
+        bowl_pour_back(&core->bowl[0], 0, &core->tank);
+        game->gone_tick = 0;
+    }
+}
+
+/* Each poi gets its paper as soon as it is clear of the water, so that nothing jumps. */
+static void tick_ready(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    const uint32_t elapsed = core->tick - game->phase_tick;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!game->handed[i] && (core->poi[i].immersed <= 0.0f || elapsed >= GAME_READY_TICKS / 2u)) {
+            hand_out(core, i, game->round_count, 0);
+        }
+    }
+    if (elapsed >= GAME_READY_TICKS) {
+        enter(core, PHASE_ROUND);
+        game->round_tick = core->tick;
+        output_sound(output, SOUND_START, 0.8f, 0.0f);
+    }
+}
+
+static void finish_round(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    uint32_t total = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        total += game->caught[i];
+        if (!game->bot_played && game->caught[i] > game->best_today) {
+            game->best_today = game->caught[i];
+        }
+    }
+    game->record_id++;
+    output->record = (struct round_record){
+        .id = game->record_id,
+        .seed = core->config.seed,
+        .start_tick = game->round_tick,
+        .end_tick = core->tick,
+        .caught = total,
+        .by_bot = game->bot_played,
+    };
+    enter(core, PHASE_RESULT);
+    output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
+}
+
+/* The clock waits while a controller is away and nobody else plays. */
+static int clock_waits(struct core *core)
+{
+    int lost = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (held_by_someone(core, i)) {
+            core->game.lost_ticks = 0;
+            return 0;
+        }
+        lost |= plays(core, i);
+    }
+    core->game.lost_ticks += lost ? 1u : 0u;
+    return lost;
+}
+
+static int all_paper_gone(const struct core *core)
+{
+    int papers = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (plays(core, i)) {
+            papers++;
+            if (paper_can_hold(&core->poi[i].sheet)) {
+                return 0;
+            }
+        }
+    }
+    return papers > 0;
+}
+
+static void tick_round(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->bot_played |= (uint8_t)(plays(core, i) && core->poi[i].link == POI_LINK_BOT);
+    }
+    if (clock_waits(core)) {
+        game->phase_tick++;
+        if (game->lost_ticks > GAME_LOST_TICKS_MAX) {
+            finish_round(core, output);
+        }
+        return;
+    }
+    const uint32_t total = game->round_s * CORE_TICK_HZ;
+    const uint32_t left = total - (core->tick - game->phase_tick);
+    if (game->gone_tick == 0 && all_paper_gone(core)) {
+        game->gone_tick = core->tick;
+        output_sound(output, SOUND_GONE, 1.0f, 0.0f);
+    }
+    if (left == 0 || (game->gone_tick != 0 && core->tick - game->gone_tick >= GAME_GONE_TICKS)) {
+        finish_round(core, output);
+    } else if (left % CORE_TICK_HZ == 0 && left <= LAST_SECONDS * CORE_TICK_HZ) {
+        output_sound(output, SOUND_TICK, 1.0f, 0.0f);
+    }
+}
+
+static void tick_result(struct core *core, const struct input *input, struct output *output)
+{
+    struct game *game = &core->game;
+    const uint32_t elapsed = core->tick - game->phase_tick;
+    if (((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
+        (any_dipped(core, input) && elapsed >= GAME_AGAIN_DIP_TICKS)) {
+        start_round(core, output);
+    } else if (elapsed >= GAME_RESULT_TICKS) {
+        enter(core, PHASE_ATTRACT);
+        game->gone_tick = 0;
+        bowl_pour_back(&core->bowl[0], 0, &core->tank);
+    }
+}
+
+static void tick_phase(struct core *core, const struct input *input, struct output *output)
+{
+    switch (core->game.phase) {
+    case PHASE_ATTRACT:
+        tick_attract(core, input, output);
+        break;
+    case PHASE_READY:
+        tick_ready(core, output);
+        break;
+    case PHASE_ROUND:
+        tick_round(core, output);
+        break;
+    default:
+        tick_result(core, input, output);
+        break;
+    }
+}
+
+/* ---- Hands ---------------------------------------------------------------------------------- */
+
+/* In attract the stall's own bot plays on the first poi, whoever holds a controller. */
+static uint8_t link_now(const struct core *core, const struct input *input, uint32_t index)
+{
+    if (core->game.phase == PHASE_ATTRACT) {
+        return index == 0 ? POI_LINK_BOT : POI_LINK_ABSENT;
+    }
+    return input->poi[index].link;
+}
+
+static struct poi_target within_reach(const struct core *core, struct poi_target target)
+{
+    const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
+    const float depth_m = 0.5f * core->tank.size_m.z + REACH_SIDE_M;
+    const int scooping = core->game.phase == PHASE_ROUND || core->game.phase == PHASE_ATTRACT;
+    const float low_m = scooping ? -core->tank.size_m.y : CLEAR_Y_M;
+    CORE_ASSERT(v3_is_finite(target.position_m));
+    target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
+    target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
+    target.position_m.z = f_clamp(target.position_m.z, -depth_m, depth_m);
+    return target;
+}
+
+/* From the old hand to the new one: the share that is taken over each tick grows from 0 to 1. */
+static struct poi_target blend(struct poi_target from, struct poi_target to, float share)
+{
+    return (struct poi_target){
+        .position_m = v3_lerp(from.position_m, to.position_m, share),
+        .angles = { f_lerp(from.angles.yaw_rad, to.angles.yaw_rad, share),
+                    f_lerp(from.angles.pitch_rad, to.angles.pitch_rad, share),
+                    f_lerp(from.angles.roll_rad, to.angles.roll_rad, share) },
+    };
+}
+
+static void take_hold(struct core *core, uint32_t index, uint8_t link)
+{
+    struct game *game = &core->game;
+    if (game->holder[index] == link) {
+        return;
+    }
+    if (link == POI_LINK_BOT) {
+        bot_init(&game->bot[index]);
+        game->bot[index].hand = game->hand[index];
+    }
+    game->holder[index] = link;
+    game->grip_tick[index] = core->tick;
+}
+
+static void tick_hand(struct core *core, const struct input *input, uint32_t index)
+{
+    struct game *game = &core->game;
+    struct poi_target wanted = game->hand[index]; /* A lost poi stays where it is. */
+    if (core->poi[index].link == POI_LINK_BOT) {
+        wanted = bot_tick(&game->bot[index], core, index);
+    } else if (core->poi[index].link == POI_LINK_LIVE) {
+        wanted = input->poi[index].target;
+    }
+    const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
+    const float share = age < 1.0f ? age * age * age : 1.0f;
+    game->hand[index] = blend(game->hand[index], within_reach(core, wanted), share);
+}
+
+static void tick_hands(struct core *core, const struct input *input,
+                       struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        live[i] = (uint8_t)plays(core, i);
+        if (live[i]) {
+            take_hold(core, i, core->poi[i].link);
+            tick_hand(core, input, i);
+        } else {
+            core->game.holder[i] = POI_LINK_ABSENT;
+        }
+        targets[i] = core->game.hand[i];
+        core->game.live_y_m[i] = input->poi[i].link == POI_LINK_LIVE
+                                     ? input->poi[i].target.position_m.y
+                                     : -1.0f; /* No way down from a hand that was not there. */
+    }
+}
+
+static void tick_links(struct core *core, const struct input *input)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        core->poi[i].link = link_now(core, input, i);
+    }
+}
+
+/* ---- Public --------------------------------------------------------------------------------- */
+
+void game_init(struct game *game, const struct core_config *config)
+{
+    memset(game, 0, sizeof *game);
+    game->phase = PHASE_ATTRACT;
+    game->language = config->language;
+    game->round_s = config->round_s ? config->round_s : ROUND_S_DEFAULT;
+    game->best_today = config->best_today;
+    hints_init(&game->hints);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->hand[i].position_m = v3(0.0f, 0.10f, 0.0f);
+        game->live_y_m[i] = -1.0f;
+        bot_init(&game->bot[i]);
+        game->bot[i].hand = game->hand[i];
+    }
+}
+
+void game_tick(struct core *core, const struct input *input, struct output *output,
+               struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
+{
+    struct game *game = &core->game;
+    if (input->pressed & INPUT_LANGUAGE) {
+        game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
+    }
+    if (input->record_saved_id > game->record_id) {
+        game->record_id = input->record_saved_id; /* The store remembers earlier days. */
+    }
+    tick_links(core, input);
+    tick_phase(core, input, output);
+    tick_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
+    tick_hands(core, input, targets, live);
+    hints_tick(&game->hints, core);
+    output->start_lamp = game->phase == PHASE_ATTRACT && core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
+}
+
+void game_score(struct core *core, const uint32_t landed[POI_MAX], struct output *output)
+{
+    (void)output;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (core->game.phase == PHASE_ROUND) {
+            core->game.caught[i] += landed[i];
+        }
+    }
+}
+
+float game_seconds_left(const struct game *game, uint32_t tick)
+{
+    const uint32_t elapsed = tick - game->phase_tick;
+    uint32_t total = 0;
+    if (game->phase == PHASE_READY) {
+        total = GAME_READY_TICKS;
+    } else if (game->phase == PHASE_ROUND) {
+        total = game->round_s * CORE_TICK_HZ;
+    }
+    return elapsed < total ? (float)(total - elapsed) * CORE_TICK_S : 0.0f;
+}
+
+static uint64_t hash_target(uint64_t hash, const struct poi_target *target)
+{
+    hash = hash_vec3(hash, target->position_m);
+    hash = hash_float(hash, target->angles.yaw_rad);
+    hash = hash_float(hash, target->angles.pitch_rad);
+    return hash_float(hash, target->angles.roll_rad);
+}
+
+uint64_t game_hash(uint64_t hash, const struct game *game)
+{
+    const uint32_t words[] = { game->phase,      game->language,    game->bot_played,
+                               game->phase_tick, game->round_tick,  game->lost_ticks,
+                               game->gone_tick,  game->round_s,     game->round_count,
+                               game->best_today, game->record_id };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hash = hash_u32(hash, game->caught[i]);
+        hash = hash_u32(hash, game->handed[i]);
+        hash = hash_u32(hash, game->holder[i]);
+        hash = hash_u32(hash, game->grip_tick[i]);
+        hash = hash_target(hash, &game->hand[i]);
+        hash = hash_float(hash, game->live_y_m[i]);
+        hash = bot_hash(hash, &game->bot[i]);
+    }
+    return hints_hash(hash, &game->hints);
+}

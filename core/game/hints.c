@@ -1,0 +1,130 @@
+/* hints.c -- rules from what the player does to what would help now. */
+#include "core/game/hints.h"
+
+#include "core/base/hash.h"
+#include "core/core.h"
+
+#define LOOK_TICKS 12u            /* Rules look ten times a second. */
+#define MOVED_M 0.15f             /* So far a hand has tried to move the poi. */
+#define HASTE_M_S 0.35f           /* Faster than this through water is haste ... */
+#define HASTE_CELLS 3u            /* ... when so many cells tear within a look. */
+#define HASTE_TICKS (3u * CORE_TICK_HZ)
+#define TILT_RAD 0.15f            /* A wrist that turned on purpose. */
+#define ABOVE_M 0.045f            /* Fish within this of the ring's axis, and a hand above, are over it. */
+
+#define BIT(hint) (1u << (hint))
+
+/* Urgent lines need not wait until the last one was read. */
+static int is_urgent(uint8_t hint)
+{
+    return hint == HINT_TORN || hint == HINT_LOST_POI;
+}
+
+struct view_of_fish {
+    int held;  /* Some fish lies on the poi. */
+    int above; /* Some fish swims over it. */
+};
+
+static struct view_of_fish look_at_fish(const struct core *core)
+{
+    struct view_of_fish view = { 0 };
+    const vec3 centre = core->poi[0].position_m;
+    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
+        const struct fish *fish = &core->tank.fish[i];
+        const vec3 d = v3_sub(fish->position_m, centre);
+        view.held |= fish->gait == GAIT_HELD && fish->holder == 0;
+        view.above |= fish->gait < GAIT_HELD && d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M && d.y > 0.0f;
+    }
+    return view;
+}
+
+/* What the last tenth of a second taught or tore. */
+static void observe(struct hints *hints, const struct core *core, struct view_of_fish fish)
+{
+    const struct poi *poi = &core->poi[0];
+    const float speed_m_s = v3_length(poi->velocity_m_s);
+    hints->moved_m = f_min(hints->moved_m + speed_m_s * CORE_TICK_S * (float)LOOK_TICKS, 1.0f);
+    hints->learned |= hints->moved_m > MOVED_M ? BIT(HINT_MOVE) : 0u;
+    hints->learned |= poi->immersed > 0.5f ? BIT(HINT_MOVE) | BIT(HINT_DIP) : 0u;
+    hints->learned |= fish.held && poi->immersed <= 0.0f ? BIT(HINT_LIFT) : 0u;
+    hints->learned |= core->game.caught[0] > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
+    hints->learned |=
+        f_abs(core->game.hand[0].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
+    if (poi->sheet.paper_cells + HASTE_CELLS <= hints->paper_cells && speed_m_s > HASTE_M_S) {
+        hints->haste_tick = core->tick;
+    }
+    hints->paper_cells = poi->sheet.paper_cells;
+}
+
+/* The lesson: the first thing not done yet that fits the moment. */
+static uint8_t lesson(const struct hints *hints, const struct core *core, struct view_of_fish fish)
+{
+    const uint32_t missing = ~hints->learned;
+    if (hints->haste_tick != 0 && core->tick - hints->haste_tick < HASTE_TICKS) {
+        return HINT_SLOWLY;
+    }
+    if (fish.held && core->poi[0].immersed <= 0.0f && (missing & BIT(HINT_BOWL))) {
+        return HINT_BOWL;
+    }
+    if (core->poi[0].immersed > 0.5f) {
+        return fish.above && (missing & BIT(HINT_LIFT)) ? HINT_LIFT : HINT_NONE;
+    }
+    if (missing & BIT(HINT_MOVE)) {
+        return HINT_MOVE;
+    }
+    if (missing & BIT(HINT_DIP)) {
+        return HINT_DIP;
+    }
+    return core->game.caught[0] > 0 && (missing & BIT(HINT_TILT)) ? HINT_TILT : HINT_NONE;
+}
+
+static uint8_t wanted(const struct hints *hints, const struct core *core, struct view_of_fish fish)
+{
+    const struct game *game = &core->game;
+    switch (game->phase) {
+    case PHASE_ATTRACT:
+        return HINT_START;
+    case PHASE_RESULT:
+        return core->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? HINT_START : HINT_NONE;
+    default:
+        break;
+    }
+    if (core->poi[0].link == POI_LINK_LOST || core->poi[0].link == POI_LINK_ABSENT) {
+        return HINT_LOST_POI;
+    }
+    if (game->phase == PHASE_ROUND && game->gone_tick != 0) {
+        return HINT_TORN;
+    }
+    return core->poi[0].link == POI_LINK_BOT ? HINT_NONE : lesson(hints, core, fish);
+}
+
+void hints_init(struct hints *hints)
+{
+    *hints = (struct hints){ 0 };
+}
+
+void hints_tick(struct hints *hints, const struct core *core)
+{
+    const int edge = core->tick == core->game.phase_tick; /* A new phase speaks at once. */
+    if (!edge && core->tick % LOOK_TICKS != 0) {
+        return;
+    }
+    const struct view_of_fish fish = look_at_fish(core);
+    observe(hints, core, fish);
+    const uint8_t next = wanted(hints, core, fish);
+    if (next != hints->shown &&
+        (edge || is_urgent(next) || core->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
+        hints->shown = next;
+        hints->shown_tick = core->tick;
+    }
+}
+
+uint64_t hints_hash(uint64_t hash, const struct hints *hints)
+{
+    hash = hash_u32(hash, hints->shown);
+    hash = hash_u32(hash, hints->shown_tick);
+    hash = hash_u32(hash, hints->learned);
+    hash = hash_u32(hash, hints->haste_tick);
+    hash = hash_u32(hash, hints->paper_cells);
+    return hash_float(hash, hints->moved_m);
+}

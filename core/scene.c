@@ -1,0 +1,126 @@
+/* scene.c -- the picture, rebuilt from the state: nothing here is remembered. */
+#include "core/base/mem.h"
+#include "core/core.h"
+#include "core/morph/morph.h"
+
+#define COLOUR_START_DAYS 50.0f /* Keepers see the first red at 50 to 60 days ... */
+#define COLOUR_FULL_DAYS 120.0f /* ... and clear red within three to four months. */
+
+static uint8_t place_of(uint8_t gait)
+{
+    switch (gait) {
+    case GAIT_HELD:
+        return SCENE_ON_POI;
+    case GAIT_BOWL:
+        return SCENE_IN_BOWL;
+    default:
+        return SCENE_IN_TANK;
+    }
+}
+
+static void show_fish(const struct fish *fish, struct scene_fish *out)
+{
+    out->position_m = fish->position_m;
+    out->angles = fish->angles;
+    out->length_m = fish->length_m;
+    out->tail_phase_rad = fish->tail_phase_rad;
+    out->tail_amplitude = fish->tail_amplitude;
+    out->bend_rad = fish->bend_rad;
+    out->maturity = f_smoothstep(COLOUR_START_DAYS, COLOUR_FULL_DAYS, fish->age_days);
+    out->look = fish->look;
+    out->place = place_of(fish->gait);
+    morph_weights(&species_wakin, morph_progress(&species_wakin, fish->length_m), out->weight);
+}
+
+/* Cells beyond the ring take the value of the paper beside them, so that a renderer may filter. */
+static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_COUNT])
+{
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        uint8_t *line = cells + row * SHEET_SIDE;
+        const uint8_t *state = sheet->state + row * SHEET_SIDE;
+        uint32_t first = 0;
+        while (first < SHEET_SIDE && state[first] == CELL_OUTSIDE) {
+            first++;
+        }
+        if (first == SHEET_SIDE) {
+            continue; /* A row without paper has nothing to spread. */
+        }
+        uint32_t last = SHEET_SIDE - 1u;
+        while (state[last] == CELL_OUTSIDE) {
+            last--;
+        }
+        memset(line, line[first], first);
+        memset(line + last, line[last], SHEET_SIDE - last);
+    }
+}
+
+static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
+{
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        const int is_paper = sheet->state[i] == CELL_PAPER;
+        const float whole = f_clamp(1.0f - sheet->damage[i], 0.0f, 1.0f);
+        out->wetness[i] = (uint8_t)(int32_t)(f_clamp(sheet->wetness[i], 0.0f, 1.0f) * 255.0f);
+        out->integrity[i] = is_paper ? (uint8_t)(1 + (int32_t)(whole * 254.0f)) : 0;
+    }
+    spread_to_rim(sheet, out->wetness);
+    spread_to_rim(sheet, out->integrity);
+}
+
+static void show_poi(const struct poi *poi, uint32_t index, struct scene_poi *out)
+{
+    out->present = poi->link != POI_LINK_ABSENT;
+    out->owner = (uint8_t)index;
+    if (!out->present) {
+        return;
+    }
+    out->position_m = poi->position_m;
+    out->angles = poi->angles;
+    out->ring_radius_m = POI_RADIUS_M;
+    out->sag_m = poi->sheet.sag_m;
+    out->paper_left = sheet_left(&poi->sheet);
+    show_sheet(&poi->sheet, out);
+}
+
+static void show_bowl(const struct bowl *bowl, uint32_t index, struct scene_bowl *out)
+{
+    *out = (struct scene_bowl){
+        .present = bowl->present,
+        .owner = (uint8_t)index,
+        .position_m = bowl->position_m,
+        .radius_m = BOWL_RADIUS_M,
+        .depth_m = BOWL_DEPTH_M,
+        .fish_count = bowl->fish_count,
+    };
+}
+
+static void show_game(const struct core *core, struct scene *scene)
+{
+    const struct game *game = &core->game;
+    scene->phase = game->phase;
+    scene->language = game->language;
+    scene->hint = game->hints.shown;
+    scene->phase_s = (float)(core->tick - game->phase_tick) * CORE_TICK_S;
+    scene->seconds_left = game_seconds_left(game, core->tick);
+    scene->best_today = game->best_today;
+    memcpy(scene->caught, game->caught, sizeof scene->caught);
+}
+
+void core_scene(const struct core *core, struct scene *scene)
+{
+    const struct tank *tank = &core->tank;
+    const struct tank_preset *preset = tank_preset(tank->preset);
+    scene->tick = core->tick;
+    scene->view = preset->view;
+    scene->tank_size_m = tank->size_m;
+    scene->wall_height_m = tank->wall_height_m;
+    scene->fish_count = tank->fish_count;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        show_fish(&tank->fish[i], &scene->fish[i]);
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        show_poi(&core->poi[i], i, &scene->poi[i]);
+        show_bowl(&core->bowl[i], i, &scene->bowl[i]);
+    }
+    water_slopes(&tank->water, tank->size_m, scene->slope);
+    show_game(core, scene);
+}
