@@ -1,0 +1,24 @@
+# shaders.mk -- turns assets/shaders/fish.vert.glsl into the C string shader_fish_vert, and so on.
+
+SHADERS := $(sort $(wildcard assets/shaders/*.glsl))
+SHADER_DIR := $(BUILD)/generated
+SHADER_NAME = shader_$(subst .,_,$(basename $(notdir $(1))))
+GENERATED_OBJ += $(SHADER_DIR)/shaders.o
+
+generated: $(SHADER_DIR)/shaders.h
+
+$(SHADER_DIR)/shaders.h: $(SHADERS) assets/bake/shaders.mk
+	@mkdir -p $(@D)
+	$(Q){ echo '/* Made from assets/shaders by assets/bake/shaders.mk. */'; \
+	  $(foreach s,$(SHADERS),echo 'extern const char $(call SHADER_NAME,$(s))[];';) } > $@
+
+# Comments stay: they cost nothing, and the line that a driver complains about is the file's own.
+$(SHADER_DIR)/shaders.c: $(SHADERS) assets/bake/shaders.mk
+	@mkdir -p $(@D)
+	$(Q){ echo '#include "shaders.h"'; \
+	  $(foreach s,$(SHADERS),echo 'const char $(call SHADER_NAME,$(s))[] ='; \
+	    sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/    "/' -e 's/$$/\\n"/' $(s); echo '    ;';) } > $@
+
+$(SHADER_DIR)/shaders.o: $(SHADER_DIR)/shaders.c $(SHADER_DIR)/shaders.h
+	$(call step,CC,$<)
+	$(Q)$(CC) $(HOST_CFLAGS) -c -o $@ $<

@@ -1,0 +1,235 @@
+/* display_gl.c -- window, context and events; the picture itself is renderer.c's. */
+#include "platform/render/display_gl.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/render/x11_guard.h"
+
+#define WINDOW_WIDTH 1280
+#define WINDOW_HEIGHT 720
+
+static void on_broken(void *context)
+{
+    struct display_gl *const display = context;
+    if (display->lost) {
+        return;
+    }
+    display->lost = true;
+    if (display->on_lost) {
+        display->on_lost(display->on_lost_context);
+    }
+}
+
+static int fail(struct display_gl *display, const char *what, const char *why)
+{
+    snprintf(display->text, sizeof display->text, "no picture: %s: %s", what, why);
+    return HAL_ERR_GONE;
+}
+
+/* A second open(), after HAL_ERR_GONE, starts from nothing again. */
+static void release(struct display_gl *display)
+{
+    if (display->context && !display->lost) {
+        renderer_close(&display->renderer);
+        SDL_GL_DeleteContext(display->context);
+    }
+    if (display->window && !display->lost) {
+        SDL_DestroyWindow(display->window);
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    }
+    display->context = NULL;
+    display->window = NULL;
+    display->has_shown = false;
+}
+
+static int create_window(struct display_gl *display)
+{
+    const struct display_gl_config *const config = &display->config;
+    const int width = config->width ? (int)config->width : WINDOW_WIDTH;
+    const int height = config->height ? (int)config->height : WINDOW_HEIGHT;
+    Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE;
+    if (config->full_screen && !config->off_screen) {
+        flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+    }
+    if (config->off_screen) {
+        SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
+    }
+    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+        return fail(display, "SDL video does not start", SDL_GetError());
+    }
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+    SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
+    SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 24);
+    display->window = SDL_CreateWindow(config->title ? config->title : "Kingyo",
+                                       SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
+                                       height, flags);
+    if (!display->window) {
+        const int error = fail(display, "SDL opens no window", SDL_GetError());
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+        return error;
+    }
+    display->full_screen = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+    return HAL_OK;
+}
+
+static int create_context(struct display_gl *display)
+{
+    display->context = SDL_GL_CreateContext(display->window);
+    if (!display->context) {
+        return fail(display, "no OpenGL ES 3.0 context", SDL_GetError());
+    }
+    if (SDL_GL_SetSwapInterval(display->config.off_screen ? 0 : 1) != 0) {
+        SDL_ClearError(); /* Some drivers have no say in it; the frame loop paces itself. */
+    }
+    int width = 0;
+    int height = 0;
+    SDL_GL_GetDrawableSize(display->window, &width, &height);
+    const struct renderer_config wanted = {
+        .width = (uint32_t)width,
+        .height = (uint32_t)height,
+        .scene_scale = display->config.scene_scale,
+        .samples = display->config.samples,
+    };
+    if (renderer_open(&display->renderer, &wanted) != HAL_OK) {
+        return fail(display, "renderer", renderer_error(&display->renderer));
+    }
+    return HAL_OK;
+}
+
+static int display_open(void *self)
+{
+    struct display_gl *const display = self;
+    release(display);
+    display->lost = false;
+    int error = create_window(display);
+    if (error == HAL_OK) {
+        x11_guard(display->window, on_broken, display);
+        error = create_context(display);
+    }
+    if (error != HAL_OK) {
+        release(display);
+        return error;
+    }
+    renderer_describe(&display->renderer, display->text, sizeof display->text);
+    return HAL_OK;
+}
+
+/* Takes SDL's window and quit events out of the queue; the rest is for the drivers of other
+ * devices. */
+static int display_poll(void *self, struct display_events *out)
+{
+    struct display_gl *const display = self;
+    *out = (struct display_events){ 0 };
+    if (display->lost || !display->window) {
+        out->lost = 1;
+        return HAL_ERR_GONE;
+    }
+    SDL_PumpEvents();
+    SDL_Event event;
+    while (SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_QUIT, SDL_QUIT) > 0) {
+        out->quit = 1;
+    }
+    while (SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_WINDOWEVENT, SDL_WINDOWEVENT) > 0) {
+        if (event.window.event == SDL_WINDOWEVENT_CLOSE) {
+            out->quit = 1;
+        }
+    }
+    out->lost = display->lost; /* Pumping may have been what noticed. */
+    return display->lost ? HAL_ERR_GONE : HAL_OK;
+}
+
+static int follow_size(struct display_gl *display)
+{
+    int width = 0;
+    int height = 0;
+    SDL_GL_GetDrawableSize(display->window, &width, &height);
+    if (width <= 0 || height <= 0) {
+        return HAL_ERR_IO; /* Minimised: nothing to draw on, and nothing wrong. */
+    }
+    if (renderer_resize(&display->renderer, (uint32_t)width, (uint32_t)height) != HAL_OK) {
+        return fail(display, "resize", renderer_error(&display->renderer));
+    }
+    return HAL_OK;
+}
+
+static int display_present(void *self, const struct scene *scene)
+{
+    struct display_gl *const display = self;
+    if (display->lost || !display->context) {
+        return HAL_ERR_GONE;
+    }
+    const int error = follow_size(display);
+    if (error != HAL_OK) {
+        return error;
+    }
+    display->shown = *scene;
+    display->has_shown = true;
+    renderer_draw(&display->renderer, scene);
+    SDL_GL_SwapWindow(display->window);
+    if (!display->lost && !renderer_is_alive(&display->renderer)) {
+        fail(display, "frame", renderer_error(&display->renderer));
+        on_broken(display);
+    }
+    return display->lost ? HAL_ERR_GONE : HAL_OK;
+}
+
+static int display_toggle_full_screen(void *self)
+{
+    struct display_gl *const display = self;
+    if (display->lost || !display->window) {
+        return HAL_ERR_GONE;
+    }
+    const Uint32 mode = display->full_screen ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP;
+    if (SDL_SetWindowFullscreen(display->window, mode) != 0) {
+        return HAL_ERR_IO;
+    }
+    display->full_screen = !display->full_screen;
+    return HAL_OK;
+}
+
+static int display_capture(void *self, struct hal_image *image)
+{
+    struct display_gl *const display = self;
+    if (display->lost || !display->context) {
+        return HAL_ERR_GONE;
+    }
+    if (!display->has_shown) {
+        return HAL_ERR_IO;
+    }
+    renderer_draw(&display->renderer, &display->shown);
+    return renderer_read(&display->renderer, image);
+}
+
+static void display_close(void *self)
+{
+    release(self);
+}
+
+static const char *display_describe(void *self)
+{
+    const struct display_gl *const display = self;
+    return display->text[0] ? display->text : "no picture: not opened";
+}
+
+struct hal_display display_gl_device(struct display_gl *display)
+{
+    static const struct hal_display_ops ops = {
+        .open = display_open,
+        .poll = display_poll,
+        .present = display_present,
+        .toggle_full_screen = display_toggle_full_screen,
+        .capture = display_capture,
+        .close = display_close,
+        .describe = display_describe,
+    };
+    return (struct hal_display){ .ops = &ops, .self = display };
+}
+
+void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context)
+{
+    display->on_lost = hook;
+    display->on_lost_context = context;
+}

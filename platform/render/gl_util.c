@@ -1,0 +1,249 @@
+/* gl_util.c -- programs, textures, buffers and targets. */
+#include "platform/render/gl_util.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "shaders.h"
+
+#define LOG_SIZE 512
+#define NAME_SIZE 32
+
+void gl_fail(struct gl_status *status, const char *format, ...)
+{
+    if (!gl_is_well(status)) {
+        return;
+    }
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(status->text, sizeof status->text, format, arguments);
+    va_end(arguments);
+    for (char *c = status->text; *c; c++) {
+        if (*c == '\n') {
+            *c = ' '; /* Drivers answer in paragraphs; we promise a line. */
+        }
+    }
+}
+
+bool gl_is_well(const struct gl_status *status)
+{
+    return status->text[0] == '\0';
+}
+
+static GLuint compile(struct gl_status *status, const char *name, GLenum kind, const char *defines,
+                      const char *source)
+{
+    const char *const parts[] = { "#version 300 es\n", defines, shader_common, source };
+    const GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 4, parts, NULL);
+    glCompileShader(shader);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        char log[LOG_SIZE] = "no log";
+        glGetShaderInfoLog(shader, LOG_SIZE, NULL, log);
+        gl_fail(status, "shader %s (%s) does not compile: %s", name,
+                kind == GL_VERTEX_SHADER ? "vertex" : "fragment", log);
+    }
+    return shader;
+}
+
+static void assign_samplers(GLuint program, const char *samplers)
+{
+    char name[NAME_SIZE];
+    GLint unit = 0;
+    glUseProgram(program);
+    while (*samplers) {
+        const size_t length = strcspn(samplers, " ");
+        snprintf(name, sizeof name, "%.*s", (int)length, samplers);
+        glUniform1i(glGetUniformLocation(program, name), unit++);
+        samplers += length + (samplers[length] == ' ');
+    }
+}
+
+GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
+                  const char *vertex, const char *fragment, const char *samplers)
+{
+    const GLuint shaders[2] = {
+        compile(status, name, GL_VERTEX_SHADER, defines, vertex),
+        compile(status, name, GL_FRAGMENT_SHADER, defines, fragment),
+    };
+    const GLuint program = glCreateProgram();
+    for (int i = 0; i < 2; i++) {
+        glAttachShader(program, shaders[i]);
+        glDeleteShader(shaders[i]); /* Lives on as long as the program does. */
+    }
+    glLinkProgram(program);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!linked) {
+        char log[LOG_SIZE] = "no log";
+        glGetProgramInfoLog(program, LOG_SIZE, NULL, log);
+        gl_fail(status, "shader %s does not link: %s", name, log);
+        glDeleteProgram(program);
+        return 0;
+    }
+    const GLuint block = glGetUniformBlockIndex(program, "Frame");
+    if (block != GL_INVALID_INDEX) {
+        glUniformBlockBinding(program, block, 0);
+    }
+    assign_samplers(program, samplers);
+    return program;
+}
+
+static uint32_t mipmap_levels(uint32_t width, uint32_t height)
+{
+    uint32_t levels = 1;
+    while (width > 1 || height > 1) {
+        width /= 2;
+        height /= 2;
+        levels++;
+    }
+    return levels;
+}
+
+static void set_sampling(GLenum kind, bool mipmaps, GLenum wrap)
+{
+    const GLint edge = (GLint)(wrap ? wrap : GL_CLAMP_TO_EDGE);
+    const GLint minify = mipmaps ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR;
+    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER, minify);
+    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(kind, GL_TEXTURE_WRAP_S, edge);
+    glTexParameteri(kind, GL_TEXTURE_WRAP_T, edge);
+}
+
+GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
+{
+    const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    const GLsizei width = (GLsizei)desc->width;
+    const GLsizei height = (GLsizei)desc->height;
+    const GLsizei layers = (GLsizei)desc->layers;
+    const GLsizei levels =
+        desc->mipmaps ? (GLsizei)mipmap_levels(desc->width, desc->height) : 1;
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    gl_bind_texture(0, kind, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (layers) {
+        glTexStorage3D(kind, levels, desc->internal_format, width, height, layers);
+    } else {
+        glTexStorage2D(kind, levels, desc->internal_format, width, height);
+    }
+    if (desc->pixels && layers) {
+        glTexSubImage3D(kind, 0, 0, 0, 0, width, height, layers, desc->format, GL_UNSIGNED_BYTE,
+                        desc->pixels);
+    } else if (desc->pixels) {
+        glTexSubImage2D(kind, 0, 0, 0, width, height, desc->format, GL_UNSIGNED_BYTE, desc->pixels);
+    }
+    if (desc->mipmaps) {
+        glGenerateMipmap(kind);
+    }
+    set_sampling(kind, desc->mipmaps, desc->wrap);
+    const GLenum error = glGetError();
+    if (error != GL_NO_ERROR) {
+        gl_fail(status, "texture %s (%ux%u): OpenGL error 0x%x", name, desc->width, desc->height,
+                error);
+    }
+    return texture;
+}
+
+GLuint gl_buffer(GLenum target, const void *data, size_t size)
+{
+    GLuint buffer = 0;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(target, buffer);
+    glBufferData(target, (GLsizeiptr)size, data, data ? GL_STATIC_DRAW : GL_STREAM_DRAW);
+    return buffer;
+}
+
+static GLuint renderbuffer(GLenum format, const struct gl_target_desc *desc)
+{
+    GLuint buffer = 0;
+    const GLsizei samples = desc->samples > 1 ? (GLsizei)desc->samples : 0;
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, (GLsizei)desc->width,
+                                     (GLsizei)desc->height);
+    return buffer;
+}
+
+static void check_complete(struct gl_status *status, const char *name,
+                           const struct gl_target_desc *desc)
+{
+    const GLenum answer = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (answer != GL_FRAMEBUFFER_COMPLETE) {
+        gl_fail(status, "target %s (%ux%u, %u samples) is incomplete: OpenGL status 0x%x", name,
+                desc->width, desc->height, desc->samples, answer);
+    }
+}
+
+void gl_target_open(struct gl_status *status, const char *name, struct gl_target *target,
+                    const struct gl_target_desc *desc)
+{
+    *target = (struct gl_target){ .width = desc->width, .height = desc->height };
+    target->texture = gl_texture(status, name,
+                                 &(struct gl_texture_desc){ .internal_format = desc->internal_format,
+                                                            .width = desc->width,
+                                                            .height = desc->height,
+                                                            .wrap = desc->wrap });
+    glGenFramebuffers(1, &target->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture, 0);
+    if (desc->samples > 1) {
+        check_complete(status, name, desc);
+        target->resolve = target->framebuffer;
+        glGenFramebuffers(1, &target->framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+        target->color = renderbuffer(desc->internal_format, desc);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                  target->color);
+    }
+    if (desc->depth) {
+        target->depth = renderbuffer(GL_DEPTH_COMPONENT24, desc);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                  target->depth);
+    }
+    check_complete(status, name, desc);
+}
+
+void gl_target_close(struct gl_target *target)
+{
+    const GLuint framebuffers[2] = { target->framebuffer, target->resolve };
+    const GLuint buffers[2] = { target->color, target->depth };
+    glDeleteFramebuffers(2, framebuffers); /* The name 0 is ignored, here and below. */
+    glDeleteRenderbuffers(2, buffers);
+    glDeleteTextures(1, &target->texture);
+    *target = (struct gl_target){ 0 };
+}
+
+void gl_target_bind(const struct gl_target *target)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    glViewport(0, 0, (GLsizei)target->width, (GLsizei)target->height);
+}
+
+void gl_target_resolve(const struct gl_target *target)
+{
+    if (!target->resolve) {
+        return;
+    }
+    const GLint width = (GLint)target->width;
+    const GLint height = (GLint)target->height;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target->resolve);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture)
+{
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(kind, texture);
+}
+
+void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t offset)
+{
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, (GLsizei)stride,
+                          (const void *)offset);
+}

@@ -1,0 +1,78 @@
+/* gl_util.h -- the few OpenGL ES 3 chores every pass shares, with one way to report failure.
+ *
+ * Builders never stop half-way: they remember the first failure in `struct gl_status` and return the
+ * name 0, which OpenGL ignores. Whoever builds a whole looks at the status once, at the end. */
+#ifndef KINGYO_PLATFORM_RENDER_GL_UTIL_H
+#define KINGYO_PLATFORM_RENDER_GL_UTIL_H
+
+#include <GLES3/gl3.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "platform/hal.h"
+
+#define GL_UNIT_MAX 5u /* Texture units that any one program reads. */
+
+/* The first failure, in one line that says what and where; empty while all is well. */
+struct gl_status {
+    char text[HAL_TEXT_SIZE];
+};
+
+/* Keeps the first message only; later ones follow from it. */
+void gl_fail(struct gl_status *status, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+bool gl_is_well(const struct gl_status *status);
+
+/* Compiles and links. `defines` (may be "") is put in front of both sources, after the version line
+ * and the common block. `samplers` names up to GL_UNIT_MAX samplers, separated by spaces, that get
+ * units 0, 1, .. in that order. Binds the block `Frame` to point 0. */
+GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
+                  const char *vertex, const char *fragment, const char *samplers);
+
+struct gl_texture_desc {
+    GLenum internal_format, format; /* Both of 8-bit components. */
+    uint32_t width, height;
+    uint32_t layers;      /* 0: a plain 2D texture; else an array. */
+    const uint8_t *pixels; /* Null: contents undefined. */
+    bool mipmaps;
+    GLenum wrap;          /* 0: GL_CLAMP_TO_EDGE. */
+};
+
+GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc);
+
+/* A buffer of `size` bytes; `data` may be null for one that is filled every frame. */
+GLuint gl_buffer(GLenum target, const void *data, size_t size);
+
+/* Where a pass draws: a framebuffer and its size in pixels. */
+struct gl_target {
+    GLuint framebuffer;
+    uint32_t width, height;
+    GLuint color;         /* Texture, or renderbuffer when `samples` > 1. */
+    GLuint depth;         /* Renderbuffer or 0. */
+    GLuint resolve;       /* Texture's framebuffer that gl_target_resolve() fills, or 0. */
+    GLuint texture;       /* What later passes sample. */
+};
+
+struct gl_target_desc {
+    GLenum internal_format;  /* GL_RGBA8, GL_R8. */
+    uint32_t width, height;
+    uint32_t samples;        /* 0, 1: none. */
+    bool depth;
+    GLenum wrap;             /* 0: GL_CLAMP_TO_EDGE. */
+};
+
+void gl_target_open(struct gl_status *status, const char *name, struct gl_target *target,
+                    const struct gl_target_desc *desc);
+void gl_target_close(struct gl_target *target);
+void gl_target_bind(const struct gl_target *target);
+
+/* Makes `texture` hold what was drawn; nothing to do without multisampling. */
+void gl_target_resolve(const struct gl_target *target);
+
+void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture);
+
+/* Describes the floats of an interleaved buffer, bound to GL_ARRAY_BUFFER now. */
+void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t offset);
+
+#endif

@@ -1,0 +1,47 @@
+/* renderer.h -- draws one scene; the order of a frame is in renderer.c and nowhere else.
+ *
+ * Needs a current OpenGL ES 3.0 context and nothing of SDL. The picture is a function of the scene
+ * and the size alone: drawing a scene twice gives the same pixels on the same machine. */
+#ifndef KINGYO_PLATFORM_RENDER_RENDERER_H
+#define KINGYO_PLATFORM_RENDER_RENDERER_H
+
+#include "core/scene.h"
+#include "platform/hal.h"
+#include "platform/render/gl_util.h"
+#include "platform/render/quality.h"
+
+struct renderer_config {
+    uint32_t width, height;  /* Pixels, > 0. */
+    float scene_scale;       /* As struct display_gl_config. */
+    uint32_t samples;
+};
+
+struct renderer {
+    struct gl_status status;
+    struct quality quality;
+    uint32_t width, height;
+    char gl_name[HAL_TEXT_SIZE / 2];
+};
+
+/* Makes every program, texture and buffer. HAL_ERR_GONE: renderer_error() says why. */
+int renderer_open(struct renderer *renderer, const struct renderer_config *config);
+void renderer_close(struct renderer *renderer);
+
+/* Follows the window; free when nothing changed. HAL_ERR_GONE when the new targets fail. */
+int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
+
+/* Draws into the default framebuffer and leaves the swap to the caller. */
+void renderer_draw(struct renderer *renderer, const struct scene *scene);
+
+/* Copies the default framebuffer, top row first; before a swap. HAL_ERR_IO: `image` is too small. */
+int renderer_read(struct renderer *renderer, struct hal_image *image);
+
+/* False once OpenGL has reported a lost device or memory; renderer_error() says which. */
+bool renderer_is_alive(struct renderer *renderer);
+
+const char *renderer_error(const struct renderer *renderer);
+
+/* "OpenGL ES 3.2 llvmpipe, 1280x720, scene 0.75x, floor 0.5x" */
+void renderer_describe(const struct renderer *renderer, char *out, size_t size);
+
+#endif
