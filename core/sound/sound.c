@@ -95,9 +95,10 @@ static float string_next(struct synth_voice *voice, const struct sound_recipe *r
 static void string_pluck(struct synth_voice *voice, float hz)
 {
     float mean = 0.0f;
-    voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz + 0.5f);
-    CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
     float smooth = 0.0f;
+    /* Averaging two neighbours delays by half a frame: the line is that much shorter, to the frame. */
+    voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz);
+    CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
     for (uint32_t i = 0; i < voice->string_count; i++) {
         smooth += 0.5f * (noise_next(&voice->noise) - smooth);
         voice->string[i] = smooth;
