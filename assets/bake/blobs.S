@@ -1,0 +1,17 @@
+/* blobs.S -- the baked bytes, linked as constants. The assembler finds them by its include path. */
+    .macro blob name
+    .global asset_\name
+    .balign 16
+asset_\name:
+    .incbin "\name\().bin"
+    .endm
+
+    .section .rodata
+    blob caustics
+    blob patterns
+    blob environment
+    blob wood
+    blob paper
+    blob font
+
+    .section .note.GNU-stack,"",%progbits

@@ -1,0 +1,112 @@
+/* caustics.c -- light that a moving water surface gathers into bright threads on the floor.
+ *
+ * Sunlight is traced, not faked: a fine grid of rays goes through a surface made of whole-number waves,
+ * each ray is bent along the slope and leaves its light where it lands. Whole waves per tile and whole
+ * turns per loop make the result repeat in x, y and time without a seam. Phases are counted in whole
+ * steps of one table, so nothing drifts and nothing is rounded differently on another machine. */
+#include "assets/bake/bake.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "assets/bake/noise.h"
+
+#define WAVES 28
+#define RAYS_PER_TEXEL 4u               /* Along each side: 16 rays a texel keep the cells smooth. */
+#define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
+#define WAVE_NUMBER_MIN 2.0f            /* Cycles per tile ... */
+#define WAVE_NUMBER_MAX 8.5f
+#define FOCUS 0.0145f                   /* Tiles a ray moves per unit of slope: the depth. */
+#define EXPOSURE 0.30f                  /* Light 1 (flat water) becomes 1 - exp(-0.30). */
+
+struct wave {
+    int32_t kx, ky;    /* Cycles per tile. */
+    int32_t turns;     /* Cycles per loop; its sign is the direction. */
+    uint32_t phase;    /* Steps of 1 / RAYS of a turn. */
+    float slope_x, slope_y;
+};
+
+/* Longer waves are slower in cycles and higher; directions are random, but balanced in pairs. */
+static void choose_waves(struct wave waves[WAVES])
+{
+    uint32_t random = 4711;
+    for (uint32_t i = 0; i < WAVES; i++) {
+        float k;
+        do {
+            waves[i].kx = (int32_t)(random01(&random) * 19.0f) - 9;
+            waves[i].ky = (int32_t)(random01(&random) * 19.0f) - 9;
+            k = sqrtf((float)(waves[i].kx * waves[i].kx + waves[i].ky * waves[i].ky));
+        } while (k < WAVE_NUMBER_MIN || k > WAVE_NUMBER_MAX);
+        waves[i].turns = (i % 2u == 0 ? 1 : -1) * (k > 6.0f ? 2 : 1);
+        waves[i].phase = (uint32_t)(random01(&random) * (float)RAYS);
+        const float slope = powf(k, -0.85f);
+        waves[i].slope_x = slope * (float)waves[i].kx / k;
+        waves[i].slope_y = slope * (float)waves[i].ky / k;
+    }
+}
+
+static void fill_cosines(float cosine[RAYS])
+{
+    for (uint32_t i = 0; i < RAYS; i++) {
+        cosine[i] = cosf((float)i * (TAU / (float)RAYS));
+    }
+}
+
+/* Leaves one ray's light on the four texels around where it lands. */
+static void leave_light(float *light, float x, float y)
+{
+    const float fx = floorf(x), fy = floorf(y), tx = x - fx, ty = y - fy;
+    const uint32_t mask = CAUSTICS_SIZE - 1u;
+    const uint32_t left = (uint32_t)(int32_t)fx & mask, right = (left + 1u) & mask;
+    const uint32_t top = (uint32_t)(int32_t)fy & mask, bottom = (top + 1u) & mask;
+    light[top * CAUSTICS_SIZE + left] += (1.0f - tx) * (1.0f - ty);
+    light[top * CAUSTICS_SIZE + right] += tx * (1.0f - ty);
+    light[bottom * CAUSTICS_SIZE + left] += (1.0f - tx) * ty;
+    light[bottom * CAUSTICS_SIZE + right] += tx * ty;
+}
+
+static void trace_row(float *light, const float *cosine, const struct wave waves[WAVES],
+                      uint32_t row, uint32_t frame)
+{
+    static float shift_x[RAYS], shift_y[RAYS];
+    memset(shift_x, 0, sizeof shift_x);
+    memset(shift_y, 0, sizeof shift_y);
+    for (uint32_t i = 0; i < WAVES; i++) {
+        const struct wave *wave = &waves[i];
+        uint32_t phase = wave->phase + (uint32_t)wave->ky * row +
+                         (uint32_t)wave->turns * (frame * (RAYS / CAUSTICS_FRAMES));
+        for (uint32_t x = 0; x < RAYS; x++) {
+            const float c = cosine[phase & (RAYS - 1u)];
+            shift_x[x] += c * wave->slope_x;
+            shift_y[x] += c * wave->slope_y;
+            phase += (uint32_t)wave->kx;
+        }
+    }
+    const float reach = FOCUS * (float)CAUSTICS_SIZE;
+    for (uint32_t x = 0; x < RAYS; x++) {
+        leave_light(light, ((float)x + 0.5f) / (float)RAYS_PER_TEXEL + reach * shift_x[x],
+                    ((float)row + 0.5f) / (float)RAYS_PER_TEXEL + reach * shift_y[x]);
+    }
+}
+
+void bake_caustics(uint8_t *r8)
+{
+    static float cosine[RAYS];
+    static struct wave waves[WAVES];
+    const uint32_t texels = CAUSTICS_SIZE * CAUSTICS_SIZE;
+    float *light = bake_alloc(texels * sizeof *light);
+    fill_cosines(cosine);
+    choose_waves(waves);
+    for (uint32_t frame = 0; frame < CAUSTICS_FRAMES; frame++) {
+        memset(light, 0, texels * sizeof *light);
+        for (uint32_t row = 0; row < RAYS; row++) {
+            trace_row(light, cosine, waves, row, frame);
+        }
+        for (uint32_t i = 0; i < texels; i++) {
+            const float flat = light[i] / (float)(RAYS_PER_TEXEL * RAYS_PER_TEXEL);
+            r8[frame * texels + i] = to_u8(1.0f - expf(-EXPOSURE * flat));
+        }
+    }
+    free(light);
+}

@@ -1,0 +1,83 @@
+/* environment.c -- what the water mirrors: a summer night over the stall, and its lanterns.
+ *
+ * A paraboloid map of the upper half space, so that a shader needs no trigonometry: a direction
+ * (x, y, z) with y >= 0 is at uv = 0.5 + 0.5 * (x, z) / (1 + y). The middle is the zenith, row 0 is the
+ * far side (-z), which is where a player sees the water reflect. */
+#include "assets/bake/bake.h"
+
+#include <math.h>
+
+#include "assets/bake/noise.h"
+
+struct colour {
+    float r, g, b;
+};
+
+static void glow(struct colour *at, struct colour light, float amount)
+{
+    at->r += light.r * amount;
+    at->g += light.g * amount;
+    at->b += light.b * amount;
+}
+
+/* Two strings of lanterns hang across the far side, one over the player's head. */
+static void add_lanterns(struct colour *at, float x, float y, float z)
+{
+    static const struct colour paper = { 1.0f, 0.56f, 0.22f }, red = { 1.0f, 0.26f, 0.12f };
+    static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f }, { -0.45f, 0.80f, 6.0f },
+                                      { 0.35f, 0.90f, 5.0f } }; /* z, height, how many */
+    for (uint32_t row = 0; row < 3; row++) {
+        const int32_t count = (int32_t)rows[row][2];
+        for (int32_t i = 0; i < count; i++) {
+            const float t = ((float)i + 0.5f) / (float)count * 2.0f - 1.0f;
+            const float lx = t * 1.1f, lz = rows[row][0];
+            const float ly = rows[row][1] - 0.16f * (1.0f - t * t) + 0.03f * hash01(i, 1, row);
+            const float inv = 1.0f / sqrtf(lx * lx + ly * ly + lz * lz);
+            const float dx = x - lx * inv, dy = (y - ly * inv) * 0.82f, dz = z - lz * inv;
+            const float d2 = dx * dx + dy * dy + dz * dz;
+            const struct colour light = hash01(i, 7, row) < 0.35f ? red : paper;
+            glow(at, light, 1.25f * ramp(0.0105f, 0.0045f, d2));
+            glow(at, light, 0.26f * expf(-d2 * 26.0f));
+        }
+    }
+}
+
+static struct colour sky(float x, float y, float z)
+{
+    const float low = expf(-3.2f * y);
+    const float cloud = noise2_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
+    struct colour at = { 0.018f, 0.030f, 0.085f };
+    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low);            /* The fair's own light. */
+    glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f }, ramp(0.45f, 0.75f, cloud) * (1.0f - low));
+    return at;
+}
+
+/* The beam and the edge of the striped awning over the far side of the stall. */
+static void add_awning(struct colour *at, float x, float y, float z)
+{
+    const float up = y / fmaxf(-z, 0.02f); /* Tangent of the height angle, straight ahead. */
+    const float inside = z < 0.0f ? ramp(0.22f, 0.25f, up) * ramp(0.42f, 0.39f, up) : 0.0f;
+    const float stripe = ramp(-0.12f, 0.12f, sinf(x / fmaxf(-z, 0.02f) * 14.0f));
+    at->r = mix(at->r, mix(0.30f, 0.34f, stripe), inside);
+    at->g = mix(at->g, mix(0.045f, 0.27f, stripe), inside);
+    at->b = mix(at->b, mix(0.04f, 0.20f, stripe), inside);
+}
+
+void bake_environment(uint8_t *rgb8)
+{
+    for (uint32_t row = 0; row < ENVIRONMENT_SIZE; row++) {
+        for (uint32_t column = 0; column < ENVIRONMENT_SIZE; column++) {
+            const float px = ((float)column + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
+            const float pz = ((float)row + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
+            const float r2 = fminf(px * px + pz * pz, 1.0f); /* Corners repeat the horizon. */
+            const float y = (1.0f - r2) / (1.0f + r2), x = px * (1.0f + y), z = pz * (1.0f + y);
+            struct colour at = sky(x, y, z);
+            add_awning(&at, x, y, z);
+            add_lanterns(&at, x, y, z);
+            uint8_t *texel = rgb8 + (row * ENVIRONMENT_SIZE + column) * 3u;
+            texel[0] = to_u8(at.r);
+            texel[1] = to_u8(at.g);
+            texel[2] = to_u8(at.b);
+        }
+    }
+}

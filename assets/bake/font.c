@@ -1,0 +1,325 @@
+/* font.c -- packs the glyphs that the stall's words need into one signed distance field.
+ *
+ * assets/text/fonts.txt says which font draws which keys. A font gets its base set and every
+ * character of those keys in every language, so a new word brings its own glyphs. */
+#include "assets/bake/bake.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <stb/stb_truetype.h>
+
+#define GLYPHS_MAX 2048u
+#define FONT_PADDING 10 /* Atlas pixels around a glyph: as far as FONT_EDGE / FONT_STEP reaches. */
+#define KEY_PATTERNS_MAX 32u
+
+struct glyph {
+    uint32_t code;
+    int index;      /* In the font file. */
+    uint8_t *field; /* width x height distances. */
+    int width, height, left_px, top_px;
+    uint32_t x, y;  /* In the atlas. */
+};
+
+struct face {
+    char name[32], path[512], base[16];
+    char patterns[KEY_PATTERNS_MAX][32];
+    uint32_t pattern_count;
+    float em_px, scale;
+    stbtt_fontinfo info;
+    struct glyph *glyphs;
+    uint32_t glyph_count;
+};
+
+static void read_face(struct face *face, char *line, const char *path, uint32_t number)
+{
+    char *rest = NULL;
+    const char *word[4];
+    for (uint32_t i = 0; i < 4; i++) {
+        word[i] = strtok_r(i == 0 ? line : NULL, " \t", &rest);
+        if (word[i] == NULL) {
+            bake_fail("%s:%u: expected `name em-pixels set file keys...`", path, number);
+        }
+    }
+    snprintf(face->name, sizeof face->name, "%s", word[0]);
+    snprintf(face->base, sizeof face->base, "%s", word[2]);
+    snprintf(face->path, sizeof face->path, "%s", word[3]);
+    face->em_px = strtof(word[1], NULL);
+    if (!(face->em_px >= 8.0f && face->em_px <= 256.0f)) {
+        bake_fail("%s:%u: em of %s pixels is not in 8 .. 256", path, number, word[1]);
+    }
+    for (char *key = strtok_r(NULL, " \t", &rest); key; key = strtok_r(NULL, " \t", &rest)) {
+        if (face->pattern_count == KEY_PATTERNS_MAX) {
+            bake_fail("%s:%u: more than %u keys", path, number, KEY_PATTERNS_MAX);
+        }
+        snprintf(face->patterns[face->pattern_count++], sizeof face->patterns[0], "%s", key);
+    }
+}
+
+static uint32_t read_faces(struct face faces[FONT_MAX], const char *path)
+{
+    size_t size;
+    char *rest = NULL, *bytes = (char *)bake_read(path, &size);
+    uint32_t count = 0, number = 1;
+    for (char *at = bytes; at != NULL; at = rest, number++) {
+        rest = strchr(at, '\n');
+        if (rest != NULL) {
+            *rest++ = 0;
+        }
+        if (*at == 0 || *at == '#') {
+            continue;
+        }
+        if (count == FONT_MAX) {
+            bake_fail("%s:%u: more than %u fonts (FONT_MAX)", path, number, FONT_MAX);
+        }
+        read_face(&faces[count++], at, path, number);
+    }
+    free(bytes);
+    return count;
+}
+
+static int matches(const char *pattern, const char *key)
+{
+    if (strcmp(pattern, "*") == 0) {
+        return 1;
+    }
+    while (*pattern != 0 && *key != 0 && (*pattern == '?' || *pattern == *key)) {
+        pattern++, key++;
+    }
+    return *pattern == 0 && *key == 0;
+}
+
+static int draws_key(const struct face *face, const char *key)
+{
+    for (uint32_t i = 0; i < face->pattern_count; i++) {
+        if (matches(face->patterns[i], key)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void open_face(struct face *face)
+{
+    FILE *file = fopen(face->path, "rb");
+    if (file == NULL) {
+        bake_fail("font %s: cannot read %s: %s; `make setup` installs the fonts", face->name,
+                  face->path, strerror(errno));
+    }
+    fclose(file);
+    size_t size;
+    const uint8_t *bytes = bake_read(face->path, &size); /* stb_truetype reads it to the end. */
+    const int offset = stbtt_GetFontOffsetForIndex(bytes, 0);
+    if (size < 12 || offset < 0 || !stbtt_InitFont(&face->info, bytes, offset)) {
+        bake_fail("font %s: %s is not a TrueType font", face->name, face->path);
+    }
+    face->scale = stbtt_ScaleForMappingEmToPixels(&face->info, face->em_px);
+    face->glyphs = bake_alloc(GLYPHS_MAX * sizeof *face->glyphs);
+}
+
+/* False when the font has no such character. Adding one twice adds it once. */
+static int add_glyph(struct face *face, uint32_t code)
+{
+    for (uint32_t i = 0; i < face->glyph_count; i++) {
+        if (face->glyphs[i].code == code) {
+            return 1;
+        }
+    }
+    const int index = stbtt_FindGlyphIndex(&face->info, (int)code);
+    if (index == 0 || face->glyph_count == GLYPHS_MAX) {
+        return 0;
+    }
+    face->glyphs[face->glyph_count++] = (struct glyph){ .code = code, .index = index };
+    return 1;
+}
+
+static void add_base(struct face *face)
+{
+    const int all = strcmp(face->base, "ascii") == 0;
+    if (!all && strcmp(face->base, "digits") != 0) {
+        bake_fail("font %s: the glyph set is `ascii` or `digits`, not `%s`", face->name, face->base);
+    }
+    for (uint32_t code = all ? 0x20 : '0'; code <= (all ? 0x7eu : '9'); code++) {
+        if (!add_glyph(face, code)) {
+            bake_fail("font %s (%s) lacks the ASCII character `%c`", face->name, face->path,
+                      (char)code);
+        }
+    }
+}
+
+static void add_words(struct face *face, const struct text_file *file)
+{
+    for (uint32_t i = 0; i < file->count; i++) {
+        const struct text_line *line = &file->lines[i];
+        if (!draws_key(face, line->key)) {
+            continue;
+        }
+        const char *at = line->words, *start = at;
+        for (int32_t code = utf8_next(&at); code != 0; code = utf8_next(&at)) {
+            if (!add_glyph(face, (uint32_t)code)) {
+                bake_fail("font %s (%s) lacks `%.*s` (U+%04X), which %s:%u uses", face->name,
+                          face->path, (int)(at - start), start, (unsigned)code, file->path,
+                          line->line);
+            }
+            start = at;
+        }
+    }
+}
+
+static int by_code(const void *a, const void *b)
+{
+    const struct glyph *left = a, *right = b;
+    return left->code < right->code ? -1 : left->code > right->code;
+}
+
+static void draw_face(struct face *face)
+{
+    qsort(face->glyphs, face->glyph_count, sizeof *face->glyphs, by_code);
+    for (uint32_t i = 0; i < face->glyph_count; i++) {
+        struct glyph *glyph = &face->glyphs[i];
+        glyph->field = stbtt_GetGlyphSDF(&face->info, face->scale, glyph->index, FONT_PADDING,
+                                         FONT_EDGE, (float)FONT_STEP, &glyph->width, &glyph->height,
+                                         &glyph->left_px, &glyph->top_px);
+        if (glyph->field == NULL) {
+            glyph->width = glyph->height = 0;
+        }
+    }
+}
+
+static int by_height(const void *a, const void *b)
+{
+    const struct glyph *left = *(struct glyph *const *)a, *right = *(struct glyph *const *)b;
+    if (left->height != right->height) {
+        return right->height - left->height;
+    }
+    return left->code < right->code ? -1 : left->code > right->code;
+}
+
+/* Rows of falling height, filled left to right. Returns the atlas height, a multiple of 4. */
+static uint32_t pack(struct glyph **glyphs, uint32_t count)
+{
+    qsort(glyphs, count, sizeof *glyphs, by_height);
+    uint32_t x = 0, y = 0, row_height = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t width = (uint32_t)glyphs[i]->width, height = (uint32_t)glyphs[i]->height;
+        if (x + width > FONT_ATLAS_WIDTH) {
+            x = 0;
+            y += row_height;
+            row_height = 0;
+        }
+        glyphs[i]->x = x;
+        glyphs[i]->y = y;
+        x += width;
+        row_height = height > row_height ? height : row_height;
+    }
+    return (y + row_height + 3u) & ~3u;
+}
+
+static void write_atlas(struct glyph **glyphs, uint32_t count, uint32_t atlas_height,
+                        const char *path)
+{
+    uint8_t *atlas = bake_alloc((size_t)FONT_ATLAS_WIDTH * atlas_height);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct glyph *glyph = glyphs[i];
+        for (int row = 0; row < glyph->height; row++) {
+            memcpy(atlas + (size_t)(glyph->y + (uint32_t)row) * FONT_ATLAS_WIDTH + glyph->x,
+                   glyph->field + row * glyph->width, (size_t)glyph->width);
+        }
+    }
+    bake_write(path, atlas, (size_t)FONT_ATLAS_WIDTH * atlas_height);
+    free(atlas);
+}
+
+static void write_glyph(FILE *file, const struct face *face, const struct glyph *glyph)
+{
+    int advance, bearing;
+    stbtt_GetGlyphHMetrics(&face->info, glyph->index, &advance, &bearing);
+    fprintf(file, "    { 0x%04x, %u, %u, %d, %d, %.5ff, %.5ff, %.5ff },\n", glyph->code, glyph->x,
+            glyph->y, glyph->width, glyph->height, (double)((float)glyph->left_px / face->em_px),
+            (double)((float)glyph->top_px / face->em_px),
+            (double)((float)advance * face->scale / face->em_px));
+}
+
+static float cap_em(const struct face *face)
+{
+    int left, bottom, right, top;
+    if (!stbtt_GetCodepointBox(&face->info, '0', &left, &bottom, &right, &top)) {
+        return 0.7f;
+    }
+    return (float)top * face->scale / face->em_px;
+}
+
+static void write_tables(struct face *faces, uint32_t count, const char *path)
+{
+    FILE *file = bake_open(path);
+    fputs("/* fonts.c -- where each glyph lies in asset_font; written by assets/bake. */\n"
+          "#include \"fonts.h\"\n",
+          file);
+    for (uint32_t i = 0; i < count; i++) {
+        fprintf(file, "\nstatic const struct font_glyph %s_glyphs[] = {\n", faces[i].name);
+        for (uint32_t k = 0; k < faces[i].glyph_count; k++) {
+            write_glyph(file, &faces[i], &faces[i].glyphs[k]);
+        }
+        fputs("};\n", file);
+    }
+    fputs("\nconst struct font asset_fonts[FONT_COUNT] = {\n", file);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct face *face = &faces[i];
+        int ascent, descent, gap;
+        stbtt_GetFontVMetrics(&face->info, &ascent, &descent, &gap);
+        fprintf(file, "    { \"%s\", %s_glyphs, %u, %.1ff, %.5ff, %.5ff, %.5ff },\n", face->name,
+                face->name, face->glyph_count, (double)face->em_px,
+                (double)((float)ascent * face->scale / face->em_px),
+                (double)((float)-descent * face->scale / face->em_px), (double)cap_em(face));
+    }
+    fputs("};\n", file);
+    bake_close(file, path);
+}
+
+static void write_ids(const struct face *faces, uint32_t count, uint32_t atlas_height,
+                      const char *path)
+{
+    FILE *file = bake_open(path);
+    fputs("/* fonts.h -- the baked fonts; written by assets/bake from assets/text/fonts.txt. */\n"
+          "#ifndef KINGYO_GENERATED_FONTS_H\n#define KINGYO_GENERATED_FONTS_H\n\n"
+          "#include \"assets/font.h\"\n\nenum font_id {\n",
+          file);
+    for (uint32_t i = 0; i < count; i++) {
+        fputs("    FONT_", file);
+        for (const char *c = faces[i].name; *c != 0; c++) {
+            fputc(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c, file);
+        }
+        fputs(",\n", file);
+    }
+    fprintf(file,
+            "    FONT_COUNT,\n};\n\n#define ASSET_FONT_HEIGHT %uu\n"
+            "extern const struct font asset_fonts[FONT_COUNT];\n\n#endif\n",
+            atlas_height);
+    bake_close(file, path);
+}
+
+void font_bake(const struct text_file files[TEXT_LANGUAGES], const char *directory,
+               const struct font_output *output)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/fonts.txt", directory);
+    static struct face faces[FONT_MAX];
+    static struct glyph *all[FONT_MAX * GLYPHS_MAX];
+    const uint32_t count = read_faces(faces, path);
+    uint32_t glyph_count = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        open_face(&faces[i]);
+        add_base(&faces[i]);
+        for (uint32_t k = 0; k < TEXT_LANGUAGES; k++) {
+            add_words(&faces[i], &files[k]);
+        }
+        draw_face(&faces[i]);
+        for (uint32_t k = 0; k < faces[i].glyph_count; k++) {
+            all[glyph_count++] = &faces[i].glyphs[k];
+        }
+    }
+    const uint32_t atlas_height = pack(all, glyph_count);
+    write_atlas(all, glyph_count, atlas_height, output->atlas_path);
+    write_tables(faces, count, output->table_path);
+    write_ids(faces, count, atlas_height, output->header_path);
+}

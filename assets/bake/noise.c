@@ -1,0 +1,74 @@
+/* noise.c -- repeatable noise and small numeric helpers for the bakers. */
+#include "assets/bake/noise.h"
+
+#include <math.h>
+
+static uint32_t scramble(uint32_t h)
+{
+    h = (h ^ (h >> 16)) * 0x7feb352du;
+    h = (h ^ (h >> 15)) * 0x846ca68bu;
+    return h ^ (h >> 16);
+}
+
+float hash01(int32_t x, int32_t y, uint32_t seed)
+{
+    const uint32_t h = scramble((uint32_t)x + scramble((uint32_t)y + scramble(seed + 1u)));
+    return (float)(h >> 8) / 16777216.0f;
+}
+
+float random01(uint32_t *state)
+{
+    *state += 0x9e3779b9u;
+    return (float)(scramble(*state) >> 8) / 16777216.0f;
+}
+
+float clamp01(float x)
+{
+    return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x;
+}
+
+float mix(float a, float b, float t)
+{
+    return a + (b - a) * t;
+}
+
+float ramp(float from, float to, float x)
+{
+    const float t = clamp01((x - from) / (to - from));
+    return t * t * (3.0f - 2.0f * t);
+}
+
+uint8_t to_u8(float x01)
+{
+    return (uint8_t)(clamp01(x01) * 255.0f + 0.5f);
+}
+
+static int32_t wrap(int32_t x, int32_t period)
+{
+    const int32_t rest = x % period;
+    return rest < 0 ? rest + period : rest;
+}
+
+float noise2(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed)
+{
+    const int32_t x0 = (int32_t)floorf(x), y0 = (int32_t)floorf(y);
+    const float tx = ramp(0.0f, 1.0f, x - (float)x0), ty = ramp(0.0f, 1.0f, y - (float)y0);
+    const int32_t left = wrap(x0, period_x), right = wrap(x0 + 1, period_x);
+    const int32_t top = wrap(y0, period_y), bottom = wrap(y0 + 1, period_y);
+    return mix(mix(hash01(left, top, seed), hash01(right, top, seed), tx),
+               mix(hash01(left, bottom, seed), hash01(right, bottom, seed), tx), ty);
+}
+
+float noise2_sum(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed,
+                 uint32_t octaves)
+{
+    float sum = 0.0f, weight = 0.5f, total = 0.0f;
+    for (uint32_t i = 0; i < octaves; i++) {
+        sum += weight * noise2(x, y, period_x, period_y, seed + i);
+        total += weight;
+        weight *= 0.5f;
+        x *= 2.0f, y *= 2.0f;
+        period_x *= 2, period_y *= 2;
+    }
+    return sum / total;
+}

@@ -1,0 +1,195 @@
+/* text.c -- reads the stall's words and turns them into an enum and a table.
+ *
+ * A text file is `key = words` lines; `#` starts a comment line. The first language gives the order. */
+#include "assets/bake/bake.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const language_names[TEXT_LANGUAGES] = { "ja", "en" };
+
+int32_t utf8_next(const char **at)
+{
+    const unsigned char *s = (const unsigned char *)*at;
+    if (s[0] == 0) {
+        return 0;
+    }
+    const uint32_t tail = s[0] < 0x80u ? 0u : s[0] < 0xc2u ? 4u : s[0] < 0xe0u ? 1u
+                        : s[0] < 0xf0u ? 2u : s[0] < 0xf5u ? 3u : 4u;
+    *at += 1;
+    if (tail > 3u) {
+        return -1;
+    }
+    int32_t code = tail == 0 ? s[0] : s[0] & (0x3f >> tail);
+    for (uint32_t i = 1; i <= tail; i++) {
+        if ((s[i] & 0xc0) != 0x80) {
+            return -1;
+        }
+        code = code * 64 + (s[i] & 0x3f);
+        *at += 1;
+    }
+    return code;
+}
+
+static char *trim(char *s)
+{
+    while (isspace((unsigned char)*s)) {
+        s++;
+    }
+    char *end = s + strlen(s);
+    while (end > s && isspace((unsigned char)end[-1])) {
+        *--end = 0;
+    }
+    return s;
+}
+
+static int is_key(const char *key)
+{
+    return *key != 0 && key[strspn(key, "abcdefghijklmnopqrstuvwxyz0123456789_")] == 0;
+}
+
+static const struct text_line *find_key(const struct text_file *file, const char *key)
+{
+    for (uint32_t i = 0; i < file->count; i++) {
+        if (strcmp(file->lines[i].key, key) == 0) {
+            return &file->lines[i];
+        }
+    }
+    return NULL;
+}
+
+static void add_line(struct text_file *file, char *line, uint32_t number)
+{
+    char *equals = strchr(line, '=');
+    if (equals == NULL) {
+        bake_fail("%s:%u: expected `key = words`", file->path, number);
+    }
+    *equals = 0;
+    char *key = trim(line), *words = trim(equals + 1);
+    if (!is_key(key)) {
+        bake_fail("%s:%u: `%s` is not a key (a-z, 0-9 and _)", file->path, number, key);
+    }
+    if (*words == 0) {
+        bake_fail("%s:%u: `%s` has no words", file->path, number, key);
+    }
+    const struct text_line *twin = find_key(file, key);
+    if (twin != NULL) {
+        bake_fail("%s:%u: `%s` is already on line %u", file->path, number, key, twin->line);
+    }
+    if (file->count == TEXT_KEYS_MAX) {
+        bake_fail("%s:%u: more than %u keys (TEXT_KEYS_MAX)", file->path, number, TEXT_KEYS_MAX);
+    }
+    file->lines[file->count++] = (struct text_line){ .key = key, .words = words, .line = number };
+}
+
+static void check_line(const struct text_file *file, const struct text_line *line)
+{
+    const char *at = line->words;
+    for (int32_t code = utf8_next(&at); code != 0; code = utf8_next(&at)) {
+        if (code < 0x20) {
+            bake_fail("%s:%u: `%s` holds bytes that are not UTF-8 text", file->path, line->line,
+                      line->key);
+        }
+    }
+}
+
+/* The lines point into the file's bytes, which live as long as the bake does. */
+static void read_file(struct text_file *file, const char *directory, const char *language)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s.txt", directory, language);
+    const size_t path_size = strlen(path) + 1;
+    char *kept = bake_alloc(path_size);
+    memcpy(kept, path, path_size);
+    file->path = kept;
+    size_t size;
+    char *at = (char *)bake_read(path, &size);
+    for (uint32_t number = 1; at != NULL; number++) {
+        char *end = strchr(at, '\n');
+        if (end != NULL) {
+            *end++ = 0;
+        }
+        char *line = trim(at);
+        if (*line != 0 && *line != '#') {
+            add_line(file, line, number);
+            check_line(file, &file->lines[file->count - 1]);
+        }
+        at = end;
+    }
+}
+
+static void check_same_keys(const struct text_file *has, const struct text_file *lacks)
+{
+    for (uint32_t i = 0; i < has->count; i++) {
+        if (find_key(lacks, has->lines[i].key) == NULL) {
+            bake_fail("%s lacks `%s`, which is at %s:%u", lacks->path, has->lines[i].key, has->path,
+                      has->lines[i].line);
+        }
+    }
+}
+
+void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory)
+{
+    for (uint32_t i = 0; i < TEXT_LANGUAGES; i++) {
+        read_file(&files[i], directory, language_names[i]);
+    }
+    for (uint32_t i = 1; i < TEXT_LANGUAGES; i++) {
+        check_same_keys(&files[0], &files[i]);
+        check_same_keys(&files[i], &files[0]);
+    }
+}
+
+void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *path)
+{
+    FILE *file = bake_open(path);
+    fputs("/* text_keys.h -- every phrase of the stall by name; written by assets/bake from "
+          "assets/text. */\n#ifndef KINGYO_GENERATED_TEXT_KEYS_H\n"
+          "#define KINGYO_GENERATED_TEXT_KEYS_H\n\nenum text_key {\n",
+          file);
+    for (uint32_t i = 0; i < files[0].count; i++) {
+        fputs("    TEXT_", file);
+        for (const char *c = files[0].lines[i].key; *c != 0; c++) {
+            fputc(toupper((unsigned char)*c), file);
+        }
+        fputs(",\n", file);
+    }
+    fprintf(file,
+            "    TEXT_COUNT,\n};\n\n/* By enum language, then enum text_key; UTF-8. */\n"
+            "extern const char *const text_table[%u][TEXT_COUNT];\n\n#endif\n",
+            TEXT_LANGUAGES);
+    bake_close(file, path);
+}
+
+static void write_quoted(FILE *file, const char *words)
+{
+    fputs("        \"", file);
+    for (const char *c = words; *c != 0; c++) {
+        if (*c == '"' || *c == '\\') {
+            fputc('\\', file);
+        }
+        fputc(*c, file);
+        if (*c == '?') {
+            fputs("\"\"", file); /* No trigraphs. */
+        }
+    }
+    fputs("\",\n", file);
+}
+
+void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *path)
+{
+    FILE *file = bake_open(path);
+    fprintf(file,
+            "/* text_table.c -- the stall's words; written by assets/bake from assets/text. */\n"
+            "#include \"text_keys.h\"\n\nconst char *const text_table[%u][TEXT_COUNT] = {\n",
+            TEXT_LANGUAGES);
+    for (uint32_t i = 0; i < TEXT_LANGUAGES; i++) {
+        fprintf(file, "    { /* %s */\n", language_names[i]);
+        for (uint32_t k = 0; k < files[0].count; k++) {
+            write_quoted(file, find_key(&files[i], files[0].lines[k].key)->words);
+        }
+        fputs("    },\n", file);
+    }
+    fputs("};\n", file);
+    bake_close(file, path);
+}

@@ -1,0 +1,68 @@
+/* wood.c -- planks of the tank's rim and the stall's deck: grain along x, knots, dark joints. */
+#include "assets/bake/bake.h"
+
+#include <math.h>
+
+#include "assets/bake/noise.h"
+
+#define PLANKS 4u
+#define PLANK_HEIGHT (WOOD_SIZE / PLANKS)
+#define KNOTS 2u
+
+struct knot {
+    float x, y, radius; /* Texels; y from the plank's top. */
+};
+
+static struct knot knot_of(uint32_t plank, uint32_t i)
+{
+    const int32_t id = (int32_t)(plank * KNOTS + i);
+    return (struct knot){ .x = hash01(id, 0, 5) * (float)WOOD_SIZE,
+                          .y = (0.2f + 0.6f * hash01(id, 1, 5)) * (float)PLANK_HEIGHT,
+                          .radius = 2.5f + 3.5f * hash01(id, 2, 5) };
+}
+
+/* How far the grain bends around the knots, and how deep inside one a texel lies. */
+static float bend(uint32_t plank, float x, float y, float *core)
+{
+    float shift = 0.0f;
+    *core = 0.0f;
+    for (uint32_t i = 0; i < KNOTS; i++) {
+        const struct knot knot = knot_of(plank, i);
+        float dx = x - knot.x;
+        dx -= (float)WOOD_SIZE * roundf(dx / (float)WOOD_SIZE);
+        const float dy = y - knot.y, far2 = (dx * dx * 0.16f + dy * dy) / (knot.radius * knot.radius);
+        shift += (dy >= 0.0f ? 1.0f : -1.0f) * knot.radius * expf(-far2 * 0.22f);
+        *core = fmaxf(*core, expf(-far2 * 1.6f));
+    }
+    return shift;
+}
+
+/* Growth rings cut lengthwise: a slow wandering height, cut into sharp-edged seasons. */
+static float grain(uint32_t plank, float x, float y, float *core)
+{
+    const float shifted = y - bend(plank, x, y, core);
+    const float u = x / (float)WOOD_SIZE, seed = (float)plank * 37.0f;
+    const float wander = 5.0f * noise2_sum(u * 4.0f, shifted / 24.0f + seed, 4, 4096, 21, 3);
+    const float ring = shifted * 0.30f + wander + seed;
+    const float season = ring - floorf(ring);
+    const float late = ramp(0.45f, 0.97f, season) * ramp(1.0f, 0.97f, season);
+    const float pores = noise2(u * 48.0f, y * 1.3f + seed, 48, 4096, 33);
+    const float fibre = noise2_sum(u * 12.0f, y * 0.9f + seed, 12, 4096, 27, 2);
+    return 0.70f - 0.30f * late + 0.22f * (fibre - 0.5f) - 0.20f * ramp(0.72f, 0.95f, pores);
+}
+
+void bake_wood(uint8_t *r8)
+{
+    for (uint32_t row = 0; row < WOOD_SIZE; row++) {
+        const uint32_t plank = row / PLANK_HEIGHT;
+        const float y = (float)(row % PLANK_HEIGHT) + 0.5f;
+        const float to_edge = fminf(y, (float)PLANK_HEIGHT - y);
+        const float joint = 0.42f + 0.58f * ramp(0.4f, 3.2f, to_edge);
+        const float tone = 0.18f * (hash01((int32_t)plank, 9, 3) - 0.5f);
+        for (uint32_t column = 0; column < WOOD_SIZE; column++) {
+            float core;
+            const float light = grain(plank, (float)column + 0.5f, y, &core);
+            r8[row * WOOD_SIZE + column] = to_u8((light + tone - 0.42f * core) * joint);
+        }
+    }
+}

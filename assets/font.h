@@ -1,0 +1,28 @@
+/* font.h -- a font as the bake leaves it: a table of glyphs over one shared distance field.
+ *
+ * The atlas (asset_font, R8) holds each glyph's signed distance to its outline: ASSET_FONT_EDGE is on
+ * the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. Lengths are in
+ * ems, +y down from the baseline, so a size in pixels is the only thing a caller multiplies by. */
+#ifndef KINGYO_ASSETS_FONT_H
+#define KINGYO_ASSETS_FONT_H
+
+#include <stdint.h>
+
+struct font_glyph {
+    uint32_t code;          /* Unicode code point. */
+    uint16_t x, y;          /* Top left corner in the atlas, in atlas pixels ... */
+    uint16_t width, height; /* ... and size; 0 for a glyph without ink, such as the space. */
+    float left_em, top_em;  /* From the pen on the baseline to that corner. */
+    float advance_em;       /* How far the pen moves on. */
+};
+
+struct font {
+    const char *name;
+    const struct font_glyph *glyphs; /* Ordered by `code`. */
+    uint32_t glyph_count;
+    float em_px;                     /* Atlas pixels of one em. */
+    float ascent_em, descent_em;     /* Both positive; their sum is a line's height. */
+    float cap_em;                    /* Height of a capital or a digit: what looks centred. */
+};
+
+#endif

@@ -1,0 +1,38 @@
+/* ui.h -- the words and signs over the tank: title, countdown, score, hints, results.
+ *
+ * Drawn from the scene alone, in the scene's language, as one batch of textured quads with one
+ * shader: letters are distance fields and shapes are formulas, so all is sharp at every size. The
+ * layout scales with the screen, from 720p to 4K and upright, and keeps the tank's middle free
+ * while a round is played.
+ *
+ * The caller owns `struct ui` (about 200 KB, no pointers) and a current OpenGL ES 3.0 context.
+ * Nothing is allocated by us after ui_init(). */
+#ifndef KINGYO_PLATFORM_RENDER_UI_H
+#define KINGYO_PLATFORM_RENDER_UI_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/scene.h"
+#include "platform/render/ui_batch.h"
+
+struct ui {
+    struct ui_batch batch;
+    uint32_t program, vertex_array, vertex_buffer, index_buffer; /* OpenGL names. */
+    uint32_t font_texture, paper_texture;
+    int32_t screen_uniform;
+};
+
+/* Compiles the shader and uploads font and paper. Returns 1, or 0 with one line in `why`. */
+int ui_init(struct ui *ui, char *why, size_t why_size);
+
+/* Draws over what is in the bound framebuffer, into (0, 0, width_px, height_px); both > 0.
+ * Expects no state of its own. Leaves: blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test,
+ * depth writes and face culling off, scissor and stencil as they were; its own program, vertex
+ * array 0, texture unit 0 active with units 0 and 1 bound; the viewport covering the rectangle. */
+void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px);
+
+/* Frees the OpenGL objects; the same context must be current. */
+void ui_close(struct ui *ui);
+
+#endif
