@@ -24,19 +24,30 @@ enum species_part {
     PART_COUNT,
 };
 
+/* Body: u from the snout 0 to the tail root 1; v round the girth, 0 at the back, over the right
+ * flank, 0.5 at the belly, over the left flank to 1 at the back again (its seam column is doubled).
+ * Fins: u from the leading ray 0 to the last 1 (tail: top to bottom), v from root 0 to tip 1.
+ * Eyes: u from the centre 0 to the rim 1; v is the body's v of that side, for the skin around it. */
 struct species_vertex {
-    float u, v;      /* Body: u snout 0 .. tail root 1, v round the girth from the back. Fins: v root
-                        0 .. tip 1. */
+    float u, v;
     uint8_t part;    /* enum species_part */
-    uint8_t flex;    /* 0 .. 255: how far a fin's point trails the water. */
+    uint8_t flex;    /* 0 .. 255: how far a fin's point trails the water; 0 on body and eyes. */
 };
 
+/* Triangles are counter-clockwise seen from outside. Body and eyes are closed from outside; a fin is
+ * a sheet of one layer of vertices whose triangles come twice, once in each winding, so that back
+ * faces may be culled: a renderer turns a fin's normal toward the viewer (part >= PART_TAIL). */
 struct species_mesh {
-    uint32_t vertex_count, index_count; /* Triangles are counter-clockwise seen from outside. */
+    uint32_t vertex_count, index_count;
     const struct species_vertex *vertices;
     const vec3 *positions[MORPH_KEY_MAX]; /* One per key; unit length. */
     const vec3 *normals[MORPH_KEY_MAX];   /* Unit. */
     const uint16_t *indices;
+};
+
+/* How a key is painted, 0xRRGGBB in sRGB; patterns of an individual lie over it. */
+struct species_tint {
+    uint32_t back, flank, belly, fin;
 };
 
 /* A knot of the deformation graph: progress, then each key's weight (sum 1, each >= 0). */
@@ -56,6 +67,7 @@ struct species {
     uint32_t key_count;                      /* 3 .. MORPH_KEY_MAX */
     const char *key_names[MORPH_KEY_MAX];
     float key_length_m[MORPH_KEY_MAX];       /* True length at each key; rising. */
+    struct species_tint key_tint[MORPH_KEY_MAX];
     struct growth growth;
     uint32_t knot_count;
     struct graph_knot knots[CURVE_KNOT_MAX]; /* Progress rises from 0 to 1. */
