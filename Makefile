@@ -57,8 +57,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 
 # What each part adds of its own: board files and set-up, baked assets, tests, figures.
 -include board/board.mk
--include assets/bake/bake.mk
--include assets/bake/shaders.mk
+-include $(wildcard assets/bake/*.mk)
 -include tests/tests.mk
 -include tests/bench/bench.mk
 

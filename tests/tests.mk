@@ -24,4 +24,18 @@ $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/shell.a $(BUILD)/core
 unit: $(filter $(BUILD)/tests/unit/test_$(ONLY)%,$(UNIT))
 	@tests/run.sh $(RESULTS) $^
 
-.PHONY: unit
+## boundaries: proves who may include and call whom, from the compiler's own output
+boundaries: includes symbols
+	@echo '  ok    the core stands alone, drivers see hal.h and contracts, only board/ and main wire'
+
+includes: | generated
+	@CC='$(CC)' BUILD='$(BUILD)' CORE_CFLAGS='$(CORE_CFLAGS)' HOST_CFLAGS='$(HOST_CFLAGS)' \
+	    tests/boundaries/includes.sh
+
+symbols: $(BUILD)/core.o
+	@tests/boundaries/symbols.sh $<
+
+$(BUILD)/core.o: $(CORE_OBJ)
+	$(Q)$(LD) -r -o $@ $^
+
+.PHONY: unit boundaries includes symbols

@@ -1,0 +1,45 @@
+#!/bin/bash
+# includes.sh -- who may include whom, from the compiler's own list of what each file really pulls in.
+#
+# Run by `make boundaries`, which passes CC, CORE_CFLAGS and HOST_CFLAGS. Headers are asked as well as
+# sources, so that one nobody includes yet is held to the rule too. One line per breach; exit 1 on any.
+set -u
+own_include=$($CC -print-file-name=include)
+[ -d "$own_include" ] || own_include=$($CC -print-resource-dir)/include # clang calls it so
+freestanding='(float|iso646|limits|stdalign|stdarg|stdbool|stddef|stdint|stdint-gcc|stdnoreturn|__stddef_[a-z_]+|__stdarg_[a-z_]+)\.h'
+contracts='core/(input|output|scene|view)\.h|core/base/[a-z_0-9]+\.h'
+
+# Prints `file included` pairs, paths relative to the top, for the sources on standard input.
+pairs() { # FLAGS...
+    local file
+    while read -r file; do
+        $CC "$@" -M "$file" 2>&1 | tr -s ' \\' '\n' |
+            awk -v file="$file" 'NF && $1 !~ /:$/ && $1 != file { print file, $1 }'
+        [ "${PIPESTATUS[0]}" -eq 0 ] || echo "$file (the compiler cannot read it)"
+    done
+}
+
+# Keeps the pairs whose second part does not match, and says which rule it breaks.
+breach() { # ALLOWED RULE
+    awk -v allowed="^($1)\$" -v rule="$2" '$2 !~ allowed { print $1 ": includes " $2 " -- " rule }'
+}
+
+core_rule='core includes only core and the freestanding headers'
+driver_rule="a driver includes only platform/hal.h, the core's contracts, drivers and libraries"
+shell_rule='only board/ and main wire drivers and boards'
+
+breaches=$({
+    # shellcheck disable=SC2086
+    find core -name '*.[ch]' | sort | pairs $CORE_CFLAGS |
+        breach "(core|$BUILD/generated)/.*|$own_include/$freestanding" "$core_rule"
+    # shellcheck disable=SC2086
+    find drivers -name '*.[ch]' 2>/dev/null | sort | pairs $HOST_CFLAGS |
+        breach "platform/hal\.h|$contracts|drivers/.*|/.*" "$driver_rule"
+    # shellcheck disable=SC2086
+    find platform -name '*.[ch]' ! -path '*/main.c' | sort | pairs $HOST_CFLAGS |
+        breach "(core|platform|assets|$BUILD/generated)/.*|/.*" "$shell_rule"
+})
+if [ -n "$breaches" ]; then
+    echo "$breaches"
+    exit 1
+fi
