@@ -28,16 +28,19 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     return CORE_OK;
 }
 
-/* [0, 1]: how far the ring is over the mouth of its bowl, and clear of the water. */
-static float over_bowl(const struct poi *poi, const struct bowl *bowl)
+/* Horizontal, toward the bowl; its length in [0, 1] says how far the ring is over its mouth and clear
+ * of the water. A controller with a wrist tips by itself. */
+static vec3 tip_over_bowl(const struct poi *poi, const struct bowl *bowl, const struct poi_input *input)
 {
-    if (!bowl->present) {
-        return 0.0f;
+    if (!bowl->present || (poi->link == POI_LINK_LIVE && input->has_wrist)) {
+        return v3(0.0f, 0.0f, 0.0f);
     }
-    const float dx = poi->position_m.x - bowl->position_m.x;
-    const float dz = poi->position_m.z - bowl->position_m.z;
-    const float near = f_sqrt(dx * dx + dz * dz) / (BOWL_RADIUS_M + POI_RADIUS_M);
-    return (1.0f - f_smoothstep(0.45f, 0.95f, near)) * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+    const vec3 way = v3(bowl->position_m.x - poi->position_m.x, 0.0f,
+                        bowl->position_m.z - poi->position_m.z);
+    const float near = v3_length(way) / (BOWL_RADIUS_M + POI_RADIUS_M);
+    const float over = (1.0f - f_smoothstep(0.45f, 0.95f, near)) *
+                       (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+    return v3_scale(v3_normalize_or(way, v3(1.0f, 0.0f, 0.0f)), over);
 }
 
 static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TANK_OBSTACLE_MAX])
@@ -54,14 +57,15 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
     return count;
 }
 
-static void tick_pois(struct core *core, const struct poi_target targets[POI_MAX],
-                      const uint8_t live[POI_MAX], struct output *output)
+static void tick_pois(struct core *core, const struct input *input,
+                      const struct poi_target targets[POI_MAX], const uint8_t live[POI_MAX],
+                      struct output *output)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
         if (live[i]) {
-            const float over = over_bowl(&core->poi[i], &core->bowl[i]);
-            poi_tick(&core->poi[i], &targets[i], &core->tank, over, &output->poi[i]);
+            const vec3 tip = tip_over_bowl(&core->poi[i], &core->bowl[i], &input->poi[i]);
+            poi_tick(&core->poi[i], &targets[i], &core->tank, tip, &output->poi[i]);
         }
     }
 }
@@ -95,7 +99,7 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
     uint32_t landed[POI_MAX] = { 0 };
 
     game_tick(core, input, output, targets, live);
-    tick_pois(core, targets, live, output);
+    tick_pois(core, input, targets, live, output);
     tick_water(core, live);
     tick_fish(core);
     for (uint32_t i = 0; i < POI_MAX; i++) {

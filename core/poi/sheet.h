@@ -1,7 +1,8 @@
 /* sheet.h -- the paper of a poi: cells that each carry wetness, strength and damage.
  *
  * A square of SHEET_SIDE x SHEET_SIDE cells spans the ring; cells outside the ring do not exist.
- * Column 0 is the left edge (-x of the poi), row 0 the far edge (-z). */
+ * Column 0 is the left edge (-x of the poi), row 0 the far edge (-z). A tear starts where tension,
+ * raised at a wet edge, the ring or a hole, meets weak paper, and grows from cell to cell. */
 #ifndef KINGYO_CORE_POI_SHEET_H
 #define KINGYO_CORE_POI_SHEET_H
 
@@ -11,26 +12,44 @@
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
 #define SHEET_LOAD_MAX 16u /* Footprints a tick; more fish than this on one poi spill at the rim. */
+#define SHEET_GRADE_MIN 4u /* Strong. */
+#define SHEET_GRADE_MAX 7u /* Weak. */
 
 enum sheet_cell_state {
     CELL_OUTSIDE = 0, /* Beyond the ring. */
     CELL_PAPER = 1,
     CELL_HOLE = 2,
+    CELL_TEARING = 3, /* Tore in this tick; a hole from the next, so that order does not matter. */
+};
+
+/* What a mill sells under a number. Line tensions are forces per width of paper. */
+struct paper_grade {
+    float areal_kg_m2;
+    float dry_n_m, wet_n_m; /* Ultimate line tension. */
+    float stiffness_n_m;    /* Wet, Young's modulus times thickness. */
 };
 
 /* A round patch that presses on the paper: a body, a tail, a snout. */
 struct sheet_load {
     float x_m, z_m;     /* Of its centre, in the poi's plane. */
-    float diameter_m;
+    float diameter_m;   /* > 0 */
     float force_n;      /* Along the normal, either sign. */
 };
 
+/* Which half-plane of the poi's plane is under water: cells with x * cx + z * cz < limit_m get wet. */
+struct sheet_wetting {
+    float x, z, limit_m;
+};
+
 struct sheet {
-    uint8_t grade;      /* 4 strong .. 7 weak. */
+    uint8_t grade;      /* SHEET_GRADE_MIN .. SHEET_GRADE_MAX */
+    uint8_t touched;    /* Some cell has been under water. */
     float radius_m;
+    float fibre_x, fibre_z;           /* Unit: the way most fibres run; tears like to follow it. */
     float wetness[SHEET_CELL_COUNT];  /* [0, 1] */
     float damage[SHEET_CELL_COUNT];   /* [0, 1); a hole at 1. */
     float strength[SHEET_CELL_COUNT]; /* This specimen's factor on the grade's strength, near 1. */
+    float strength_min;               /* Of all cells. */
     uint8_t state[SHEET_CELL_COUNT];  /* enum sheet_cell_state */
     uint32_t paper_cells;             /* CELL_PAPER left ... */
     uint32_t paper_cells_new;         /* ... and at the start. */
@@ -40,16 +59,23 @@ struct sheet {
 /* What one tick did to the paper. */
 struct sheet_events {
     uint32_t cells_torn;
-    float tension_max_n_m;
+    float tension_max_n_m; /* Of membrane and footprints, without stress concentration. */
 };
 
+/* `grade` in SHEET_GRADE_MIN .. SHEET_GRADE_MAX, else it asserts. */
+const struct paper_grade *sheet_grade(uint8_t grade);
+
+/* Clamped circular membrane (Hencky, nu = 0.3) under |pressure|: line tension at its centre and at
+ * its edge (N/m), and the depth of its belly (m). */
+float sheet_tension_centre(const struct paper_grade *grade, float pressure_pa, float radius_m);
+float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, float radius_m);
+float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m);
+
+/* A dry, whole sheet; weak spots, fibre and strength are this `seed`'s own. */
 void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t seed);
 
-/* One tick. `pressure_pa` acts along the normal on all paper. `wet` says which half-plane of the
- * poi's plane is under water: cells with wet.x * x + wet.z * z < wet.limit get wet. */
-struct sheet_wetting {
-    float x, z, limit_m;
-};
+/* One tick. `pressure_pa` acts along the normal on all paper, positive toward +up.
+ * `load_count` <= SHEET_LOAD_MAX. */
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
                                const struct sheet_load *loads, uint32_t load_count);
 

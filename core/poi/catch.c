@@ -1,0 +1,374 @@
+/* catch.c -- riders come, ride, fall and land. */
+#include "core/poi/catch.h"
+
+#include "core/base/panic.h"
+#include "core/base/rng.h"
+#include "core/poi/contact.h"
+#include "core/poi/disc.h"
+#include "core/poi/pose.h"
+
+#define LEVEL_MIN 0.35f       /* A steeper poi (70 degrees) takes nobody up. */
+#define STAND_SHARE 1.05f     /* Water over the paper, in body heights, in which a fish still stands ... */
+#define FLOAT_SHARE 1.50f     /* ... and in which a rider floats off. */
+#define BODY_FOOT_M 0.020f    /* Footprint of a body, against a tail's 2 to 5 mm. */
+#define LIFT_OFF_M_S2 0.5f    /* Pulled from the paper by more than this, it flies. */
+#define FALL_HOME_M_S 1.5f    /* Sideways at most, when it fell beyond a wall. */
+#define SLAP_EVERY_TICKS 8u   /* Sounds of one kind, at most this often. */
+#define TEAR_EVERY_TICKS 14u
+
+struct scoop {                /* What one tick's work shares. */
+    struct poi *poi;
+    uint32_t poi_index;
+    struct tank *tank;
+    struct bowl *bowl;
+    struct output *output;
+    uint32_t tick;
+    struct basis axes;
+    struct ride ride;
+    float pan;
+    uint32_t landed;
+};
+
+/* ---- Sounds --------------------------------------------------------------------------------- */
+
+static int time_for(uint32_t *last, uint32_t now, uint32_t every)
+{
+    if (now - *last < every && *last != 0) {
+        return 0;
+    }
+    *last = now;
+    return 1;
+}
+
+static void sound_ring(const struct scoop *scoop)
+{
+    struct poi *poi = scoop->poi;
+    const float gain = f_clamp(0.25f + 0.9f * f_abs(poi->splash_m_s), 0.0f, 1.0f);
+    if (poi->splash_m_s > 0.0f) {
+        output_sound(scoop->output, SOUND_DIP, gain, scoop->pan);
+    } else if (poi->splash_m_s < 0.0f) {
+        output_sound(scoop->output, SOUND_LIFT, gain, scoop->pan);
+    }
+    if (poi->strain.cells_torn > 0 && time_for(&poi->tear_tick, scoop->tick, TEAR_EVERY_TICKS)) {
+        const float torn = f_clamp(0.4f + 0.03f * (float)poi->strain.cells_torn, 0.0f, 1.0f);
+        output_sound(scoop->output, SOUND_TEAR, torn, scoop->pan);
+    }
+}
+
+static void sound_slap(const struct scoop *scoop, float force_n)
+{
+    if (force_n > 0.004f && time_for(&scoop->poi->slap_tick, scoop->tick, SLAP_EVERY_TICKS)) {
+        output_sound(scoop->output, SOUND_SLAP, f_clamp(8.0f * force_n, 0.1f, 1.0f), scoop->pan);
+    }
+}
+
+/* ---- Back to the water ---------------------------------------------------------------------- */
+
+/* Level again, under the surface, inside the walls, and in a hurry. */
+static void set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
+{
+    const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float room_x = 0.5f * (tank->size_m.x - fish->length_m);
+    const float room_z = 0.5f * (tank->size_m.z - fish->length_m);
+    fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
+    fish->position_m.z = f_clamp(fish->position_m.z, -room_z, room_z);
+    fish->position_m.y = f_clamp(fish->position_m.y, half - tank->size_m.y, -half);
+    fish->velocity_m_s = v3_limit(velocity_m_s, 0.5f);
+    fish->angles.pitch_rad = 0.0f;
+    fish->angles.roll_rad = 0.0f;
+    fish->heading_rad = fish->angles.yaw_rad;
+    fish->depth_goal_m = f_max(-0.6f * tank->size_m.y, half - tank->size_m.y);
+    fish->gait = GAIT_BURST;
+    fish->gait_left_s = 0.6f;
+    fish->speed_m_s = 4.0f * fish->length_m;
+    fish->alarm = 1.0f;
+}
+
+static void into_bowl(struct scoop *scoop, struct fish *fish)
+{
+    fish->gait = GAIT_BOWL;
+    fish->holder = (uint8_t)scoop->poi_index;
+    fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);
+    scoop->bowl->fish_count++;
+    scoop->landed++;
+    output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
+}
+
+static void remove_rider(struct poi *poi, uint32_t which)
+{
+    CORE_ASSERT(which < poi->rider_count);
+    poi->rider_count--;
+    poi->riders[which] = poi->riders[poi->rider_count];
+}
+
+/* ---- Falling -------------------------------------------------------------------------------- */
+
+static void let_fall(const struct scoop *scoop, struct rider *rider)
+{
+    const vec3 slide = v3(rider->slide_x_m_s, 0.0f, rider->slide_z_m_s);
+    rider->state = RIDER_FALLING;
+    rider->slap_s = 0.0f;
+    rider->fall_m_s = v3_add(scoop->poi->velocity_m_s, basis_to_world(&scoop->axes, slide));
+}
+
+static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
+{
+    const float dx = now_m.x - bowl->position_m.x, dz = now_m.z - bowl->position_m.z;
+    return bowl->present && before_m.y > bowl->position_m.y && now_m.y <= bowl->position_m.y &&
+           dx * dx + dz * dz < BOWL_RADIUS_M * BOWL_RADIUS_M;
+}
+
+/* Beyond a wall it is led back: fish that jump out of a stall's tank are put back, too. */
+static float homeward(float at_m, float room_m)
+{
+    const float out = at_m - f_clamp(at_m, -room_m, room_m);
+    return -f_clamp(out / CORE_TICK_S, -FALL_HOME_M_S, FALL_HOME_M_S);
+}
+
+/* Returns whether the fall is over. */
+static int fall(struct scoop *scoop, struct rider *rider)
+{
+    struct fish *fish = &scoop->tank->fish[rider->fish];
+    const vec3 size = scoop->tank->size_m;
+    const vec3 before = fish->position_m;
+    const vec3 home = v3(homeward(before.x, 0.5f * (size.x - fish->length_m)), 0.0f,
+                         homeward(before.z, 0.5f * (size.z - fish->length_m)));
+    rider->fall_m_s.y -= GRAVITY_M_S2 * CORE_TICK_S;
+    fish->velocity_m_s = v3_add(rider->fall_m_s, home);
+    fish->position_m = v3_mad(before, fish->velocity_m_s, CORE_TICK_S);
+    fish->tail_amplitude = 1.0f;
+    if (through_mouth(scoop->bowl, before, fish->position_m)) {
+        into_bowl(scoop, fish);
+        return 1;
+    }
+    if (fish->position_m.y > -0.5f * FISH_WIDTH_PER_LENGTH * fish->length_m) {
+        return 0;
+    }
+    water_press(&scoop->tank->water, size, fish->position_m, 0.4f * fish->length_m, 0.004f);
+    output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
+    set_free(scoop->tank, fish, rider->fall_m_s);
+    return 1;
+}
+
+/* ---- Riding --------------------------------------------------------------------------------- */
+
+/* Height of the paper's plane under a point of it. */
+static float paper_y(const struct scoop *scoop, float x_m, float z_m)
+{
+    return scoop->poi->position_m.y + x_m * scoop->axes.right.y + z_m * scoop->axes.back.y;
+}
+
+/* How much of a rider's weight is out of the water. */
+static float dryness(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
+{
+    const float thick = FISH_WIDTH_PER_LENGTH * fish->length_m;
+    const float low = paper_y(scoop, rider->x_m, rider->z_m);
+    return f_clamp((low + thick) / thick, 0.0f, 1.0f);
+}
+
+static int floats_off(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
+{
+    const float depth = -paper_y(scoop, rider->x_m, rider->z_m);
+    return depth > FLOAT_SHARE * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+}
+
+static int leaves_paper(const struct scoop *scoop, const struct rider *rider)
+{
+    const float square = rider->x_m * rider->x_m + rider->z_m * rider->z_m;
+    if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
+        return 1;
+    }
+    return square < POI_RADIUS_M * POI_RADIUS_M && !sheet_holds(&scoop->poi->sheet, rider->x_m, rider->z_m);
+}
+
+/* Returns whether the rider is gone. */
+static int ride(struct scoop *scoop, struct rider *rider)
+{
+    struct fish *fish = &scoop->tank->fish[rider->fish];
+    const float dry = dryness(scoop, rider, fish);
+    sound_slap(scoop, rider_tick(rider, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick));
+    const vec3 before = fish->position_m;
+    rider_pose(rider, scoop->poi->position_m, &scoop->axes, fish);
+    fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
+    if (floats_off(scoop, rider, fish)) {
+        set_free(scoop->tank, fish, fish->velocity_m_s);
+        return 1;
+    }
+    if (leaves_paper(scoop, rider) || scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2) {
+        let_fall(scoop, rider);
+    }
+    return 0;
+}
+
+static void ride_all(struct scoop *scoop)
+{
+    uint32_t i = 0;
+    while (i < scoop->poi->rider_count) {
+        struct rider *rider = &scoop->poi->riders[i];
+        CORE_ASSERT(rider->fish < scoop->tank->fish_count);
+        const int gone = rider->state == RIDER_FALLING ? fall(scoop, rider) : ride(scoop, rider);
+        if (gone) {
+            remove_rider(scoop->poi, i);
+        } else {
+            i++;
+        }
+    }
+}
+
+/* ---- Taking up ------------------------------------------------------------------------------ */
+
+static int can_stand(const struct scoop *scoop, vec3 place, const struct fish *fish)
+{
+    const float depth = -paper_y(scoop, place.x, place.z);
+    return depth > STAND_SHARE * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+}
+
+static void take_up(struct scoop *scoop, uint32_t index)
+{
+    struct poi *poi = scoop->poi;
+    struct fish *fish = &scoop->tank->fish[index];
+    const vec3 place = basis_to_body(&scoop->axes, v3_sub(fish->position_m, poi->position_m));
+    if (poi->rider_count == POI_RIDER_MAX || scoop->axes.up.y < LEVEL_MIN || can_stand(scoop, place, fish)) {
+        return;
+    }
+    const struct basis body = basis_from_angles(fish->angles);
+    const vec3 tail = basis_to_body(&scoop->axes, body.back);
+    const vec3 back = basis_to_body(&scoop->axes, body.right);
+    const vec3 speed = basis_to_body(&scoop->axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
+    const struct rng_key key = { poi->seed, scoop->tick, index, RNG_SHEET_SLAP };
+    poi->riders[poi->rider_count++] = (struct rider){
+        .fish = (uint16_t)index,
+        .state = RIDER_LYING,
+        .side = back.y > 0.0f ? 1 : -1,
+        .x_m = place.x,
+        .z_m = place.z,
+        .height_m = f_max(place.y, 0.0f),
+        .slide_x_m_s = f_clamp(speed.x, -0.2f, 0.2f),
+        .slide_z_m_s = f_clamp(speed.z, -0.2f, 0.2f),
+        .heading_rad = f_atan2(tail.x, tail.z),
+        .vigour = 0.5f + 0.5f * fish->stamina,
+        .rest_s = 0.05f + 0.2f * rng_unit(key),
+    };
+    fish->gait = GAIT_HELD;
+    fish->holder = (uint8_t)scoop->poi_index;
+}
+
+static int is_rider(const struct poi *poi, uint32_t index)
+{
+    for (uint32_t i = 0; i < poi->rider_count; i++) {
+        if (poi->riders[i].fish == index) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A rider whose fish someone else moved on (a new round) is no rider any more. */
+static void forget_strangers(struct scoop *scoop)
+{
+    uint32_t i = 0;
+    while (i < scoop->poi->rider_count) {
+        const struct fish *fish = &scoop->tank->fish[scoop->poi->riders[i].fish];
+        if (fish->gait == GAIT_HELD && fish->holder == scoop->poi_index) {
+            i++;
+        } else {
+            remove_rider(scoop->poi, i);
+        }
+    }
+}
+
+static void meet_all(struct scoop *scoop)
+{
+    scoop->poi->floor_m = -scoop->tank->size_m.y;
+    for (uint32_t i = 0; i < scoop->tank->fish_count; i++) {
+        struct fish *fish = &scoop->tank->fish[i];
+        if (fish->gait == GAIT_BOWL) {
+            continue;
+        }
+        if (fish->gait != GAIT_HELD) {
+            if (contact_fish(scoop->poi, &scoop->axes, i, scoop->tank)) {
+                take_up(scoop, i);
+            }
+        } else if (fish->holder == scoop->poi_index && !is_rider(scoop->poi, i)) {
+            set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
+        }
+    }
+}
+
+/* ---- Loads ---------------------------------------------------------------------------------- */
+
+static void add_load(struct poi *poi, struct sheet_load load)
+{
+    if (poi->load_count < SHEET_LOAD_MAX && load.force_n != 0.0f) {
+        poi->loads[poi->load_count++] = load;
+    }
+}
+
+/* A tail that is off the paper slaps the air; its body takes the kick on ten times the area. */
+static void add_slap(struct poi *poi, const struct rider *rider, const struct fish *fish)
+{
+    float x, z;
+    rider_tail(rider, fish->length_m, &x, &z);
+    if (rider->slap_s <= 0.0f) {
+        return;
+    }
+    if (sheet_holds(&poi->sheet, x, z)) {
+        add_load(poi, (struct sheet_load){ x, z, rider->slap_d_m, -rider->slap_n });
+    } else {
+        add_load(poi, (struct sheet_load){ rider->x_m, rider->z_m, BODY_FOOT_M, -rider->slap_n });
+    }
+}
+
+/* Slaps first: they are what tears. */
+static void gather_loads(struct scoop *scoop)
+{
+    struct poi *poi = scoop->poi;
+    poi->load_count = 0;
+    poi->riders_kg = 0.0f;
+    for (uint32_t i = 0; i < poi->rider_count; i++) {
+        if (poi->riders[i].state == RIDER_LYING) {
+            add_slap(poi, &poi->riders[i], &scoop->tank->fish[poi->riders[i].fish]);
+        }
+    }
+    for (uint32_t i = 0; i < poi->rider_count; i++) {
+        const struct rider *rider = &poi->riders[i];
+        const struct fish *fish = &scoop->tank->fish[rider->fish];
+        if (rider->state == RIDER_LYING) {
+            const float mass = fish_mass_kg(fish->length_m) * dryness(scoop, rider, fish);
+            const float force = mass * scoop->ride.pull_m_s2.y;
+            poi->riders_kg += mass;
+            add_load(poi, (struct sheet_load){ rider->x_m, rider->z_m, BODY_FOOT_M, f_min(force, 0.0f) });
+        }
+    }
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+struct catch_result catch_tick(struct poi *poi, uint32_t poi_index, struct tank *tank,
+                               struct bowl *bowl, uint32_t tick, struct output *output)
+{
+    CORE_ASSERT(poi_index < POI_MAX);
+    const struct basis axes = basis_from_angles(poi->angles);
+    const vec3 pull = v3_sub(v3(0.0f, -GRAVITY_M_S2, 0.0f), poi->acceleration_m_s2);
+    struct scoop scoop = {
+        .poi = poi,
+        .poi_index = poi_index,
+        .tank = tank,
+        .bowl = bowl,
+        .output = output,
+        .tick = tick,
+        .axes = axes,
+        .ride = { .pull_m_s2 = basis_to_body(&axes, pull),
+                  .uphill_x = axes.right.y,
+                  .uphill_z = axes.back.y,
+                  .radius_m = POI_RADIUS_M,
+                  .outer_m = POI_OUTER_RADIUS_M },
+        .pan = f_clamp(2.0f * poi->position_m.x / tank->size_m.x, -1.0f, 1.0f),
+    };
+    forget_strangers(&scoop);
+    sound_ring(&scoop);
+    ride_all(&scoop);
+    meet_all(&scoop);
+    gather_loads(&scoop);
+    return (struct catch_result){ .landed = scoop.landed };
+}

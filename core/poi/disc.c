@@ -1,0 +1,51 @@
+/* disc.c -- C_N of a low-aspect wing at small angles and of a bluff disc at large ones. */
+#include "core/poi/disc.h"
+
+#include "core/base/fmath.h"
+
+#define CN_BROADSIDE 1.17f       /* Bluff disc; 1.12 to 1.17 in the literature. */
+#define CN_PER_SINE 2.0f         /* Circular wing at small angles: 1.79 per radian, and rising. */
+#define NU_M2_S 1.0e-6f          /* Water at 20 C. */
+#define ENTRY_HALF_M 0.005f      /* Half the depth over which a level disc goes under. */
+#define OPEN_DEPTH_M 0.06f       /* 1.5 radii below the surface a disc no longer feels it. */
+
+float disc_immersed(float radius_m, float centre_y_m, float up_y)
+{
+    const float slope = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
+    const float half = f_max(radius_m * slope, ENTRY_HALF_M);
+    const float t = f_clamp(-centre_y_m / half, -1.0f, 1.0f);
+    const float asin_t = 0.5f * F_PI - f_acos(t);
+    return f_clamp(0.5f + (t * f_sqrt(1.0f - t * t) + asin_t) / F_PI, 0.0f, 1.0f);
+}
+
+float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed)
+{
+    const float open = (8.0f / 3.0f) * WATER_KG_M3 * radius_m * radius_m * radius_m;
+    const float depth = f_clamp(-centre_y_m / OPEN_DEPTH_M, 0.0f, 1.0f);
+    return open * immersed * (0.5f + 0.5f * depth);
+}
+
+float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s)
+{
+    const float half_rho_area = 0.5f * WATER_KG_M3 * F_PI * radius_m * radius_m;
+    const float square = normal_m_s * normal_m_s + plane_m_s * plane_m_s;
+    const float speed = f_sqrt(square);
+    /* F = rho/2 A min(1.17 V^2, 2 |v_n| V); divided by |v_n|, only where that is not small. */
+    const float slender = CN_PER_SINE * speed;
+    const float normal = f_abs(normal_m_s);
+    if (CN_PER_SINE * normal <= CN_BROADSIDE * speed) {
+        return half_rho_area * slender;
+    }
+    return half_rho_area * CN_BROADSIDE * square / normal;
+}
+
+float disc_edge_n_s_m(float radius_m, float plane_m_s)
+{
+    const float speed = f_abs(plane_m_s);
+    if (speed < 1e-4f) {
+        return 0.0f;
+    }
+    const float reynolds = speed * 2.0f * radius_m / NU_M2_S;
+    const float friction = 1.328f / f_sqrt(reynolds);
+    return friction * 0.5f * WATER_KG_M3 * 2.0f * F_PI * radius_m * radius_m * speed;
+}

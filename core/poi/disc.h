@@ -1,0 +1,25 @@
+/* disc.h -- the water's hold on a thin tilted disc.
+ *
+ * Coefficients come as force per speed, so that a caller can add them to the left side of an
+ * implicit step: drag then slows a poi and can never throw it back, at any speed. */
+#ifndef KINGYO_CORE_POI_DISC_H
+#define KINGYO_CORE_POI_DISC_H
+
+#define WATER_KG_M3 1000.0f
+#define GRAVITY_M_S2 9.81f
+
+/* [0, 1]: the share of a disc's area under the still surface. `up_y` is the vertical part of its
+ * unit normal. A level disc goes under over 10 mm: its paper bellies and takes air along. */
+float disc_immersed(float radius_m, float centre_y_m, float up_y);
+
+/* Added mass along the normal, (8/3) rho a^3 in the open; half of it at the surface. */
+float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed);
+
+/* Normal force / normal speed for a fully immersed disc (N s/m). C_N = min(1.17, 2 sin alpha), alpha
+ * the angle between its plane and its velocity; both speeds are relative to the water. */
+float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s);
+
+/* Friction along the plane / speed along the plane (N s/m), both faces, laminar plate. */
+float disc_edge_n_s_m(float radius_m, float plane_m_s);
+
+#endif

@@ -1,0 +1,349 @@
+/* poi.c -- the ring: hand, water, walls. */
+#include "core/poi/poi.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/poi/disc.h"
+#include "core/poi/pose.h"
+
+/* The hand. One stiffness; damping grows with the water that has to move along, so that the spring
+ * is critically damped along the normal under water and lags a moving hand by damping / stiffness:
+ * 22 ms in air, 42 ms broadside under water. */
+#define HAND_N_M 400.0f
+#define HAND_LAG_AIR_S 0.0225f
+#define HAND_N_MAX 20.0f         /* What a wrist gives; the poi yields beyond it. */
+#define EDGE_ADDED_KG 0.010f     /* Water that the ring drags along its plane. */
+#define TURN_RAD_S 80.0f         /* Wrist: lags by 25 ms. */
+#define GRIP_M 0.130f            /* Ring centre to the hand, along the handle. */
+
+#define REACH_SIDE_M 0.15f       /* Beyond the walls, over the rim. */
+#define REACH_HEIGHT_M 0.30f
+#define FLOOR_GAP_M 0.003f       /* The ring is thick; its paper must not be pinched. */
+
+#define TIP_RAD (55.0f * F_DEG)  /* Steep enough for a fish to roll over the ring. */
+#define TIP_PER_S 3.0f
+
+/* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at
+ * 30 Hz, must not become blows of water. */
+#define FEEL_TAU_S 0.030f
+#define FEEL_M_S2_MAX 6.0f       /* A stop at a wall is the ring's, not the paper's. */
+
+#define FILM_KG 0.003f           /* Water that wet paper keeps, ... */
+#define DRAIN_TAU_S 0.15f        /* divided by the sine of the tilt, for what is more; */
+#define SEEP_TAU_S 6.0f          /* level, it seeps through. */
+#define UNDER_POOL_KG 0.015f     /* Upside down the 3 mm ring is a bowl. */
+
+void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
+{
+    CORE_ASSERT(v3_is_finite(position_m));
+    memset(poi, 0, sizeof *poi);
+    poi->seed = seed;
+    poi->position_m = position_m;
+    poi->floor_m = -1.0f;
+    sheet_init(&poi->sheet, grade, POI_RADIUS_M, seed);
+    poi->immersed = disc_immersed(POI_RADIUS_M, position_m.y, 1.0f);
+}
+
+/* ---- The wrist ------------------------------------------------------------------------------ */
+
+static void tip_over(struct poi *poi, vec3 tip)
+{
+    const float goal = f_clamp(v3_length(tip), 0.0f, 1.0f);
+    if (poi->tip < 0.02f && goal > 0.0f) {
+        poi->tip_toward = v3_normalize_or(v3(tip.x, 0.0f, tip.z), v3(1.0f, 0.0f, 0.0f));
+    }
+    const float step = TIP_PER_S * CORE_TICK_S;
+    poi->tip += f_clamp(goal - poi->tip, -step, step);
+}
+
+/* The hand's angles, tipped toward the bowl. */
+static struct angles wanted_angles(const struct poi *poi, struct angles angles)
+{
+    if (poi->tip <= 0.0f) {
+        return angles;
+    }
+    const vec3 axis = v3_cross(v3(0.0f, 1.0f, 0.0f), poi->tip_toward);
+    const struct basis held = basis_from_angles(angles);
+    const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
+    const struct basis tipped = pose_turn(&held, axis, TIP_RAD * eased);
+    return pose_angles(&tipped);
+}
+
+/* Critically damped, implicit: stable at any stiffness. */
+static void turn_angle(float *angle, float *speed, float goal)
+{
+    const float error = f_wrap_angle(goal - *angle);
+    const float w = TURN_RAD_S, dt = CORE_TICK_S;
+    *speed = (*speed + dt * w * w * error) / (1.0f + 2.0f * w * dt + w * w * dt * dt);
+    *angle = f_wrap_angle(*angle + dt * *speed);
+}
+
+static void turn(struct poi *poi, struct angles goal)
+{
+    turn_angle(&poi->angles.yaw_rad, &poi->angular_velocity_rad_s.x, goal.yaw_rad);
+    turn_angle(&poi->angles.pitch_rad, &poi->angular_velocity_rad_s.y, goal.pitch_rad);
+    turn_angle(&poi->angles.roll_rad, &poi->angular_velocity_rad_s.z, goal.roll_rad);
+}
+
+/* ---- Hand against water --------------------------------------------------------------------- */
+
+struct pull {
+    vec3 hand_n;        /* On the ring, world. */
+    vec3 water_n;       /* On the ring, world: drag and slam, without added mass. */
+    float normal_n;     /* The part of water_n along +up, all of it on the paper. */
+    float added_kg;
+};
+
+/* One axis of the ring: mass m, drag D v, spring k (bounded) and damper c, backward Euler. */
+static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float stiffness_n_m,
+                        float damping_n_s_m, float other_n)
+{
+    const float dt = CORE_TICK_S;
+    return (mass_kg * speed_m_s + dt * (spring_n + other_n)) /
+           (mass_kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
+}
+
+/* A spring stretched beyond HAND_N_MAX pulls with that and no more. */
+static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
+{
+    const vec3 full = v3_scale(stretch_m, HAND_N_M);
+    const int capped = v3_dot(full, full) > HAND_N_MAX * HAND_N_MAX;
+    *stiffness_n_m = capped ? 0.0f : HAND_N_M;
+    return v3_limit(full, HAND_N_MAX);
+}
+
+/* Water that starts to move with a disc that goes under: v dm/dt. Leaving, it is left behind. */
+static float slam_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
+{
+    if (immersed <= poi->immersed) {
+        return 0.0f;
+    }
+    const float share = (immersed - poi->immersed) / f_max(immersed, 1e-3f);
+    return -normal_m_s * added_kg * share / CORE_TICK_S;
+}
+
+static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed)
+{
+    const vec3 v = basis_to_body(axes, poi->velocity_m_s);
+    const float plane = f_sqrt(v.x * v.x + v.z * v.z);
+    const float whole = 0.15f + 0.85f * sheet_left(&poi->sheet); /* A torn poi is a ring. */
+    const float added = whole * disc_added_mass_kg(POI_RADIUS_M, poi->position_m.y, immersed);
+    const float drag_n = whole * immersed * disc_normal_n_s_m(POI_RADIUS_M, v.y, plane);
+    const float drag_p = immersed * disc_edge_n_s_m(POI_RADIUS_M, plane);
+    const float air = 1.0f - immersed;
+    const float load_kg = POI_MASS_KG + poi->water_kg + poi->riders_kg;
+    const vec3 weight = basis_to_body(axes, v3(0.0f, -GRAVITY_M_S2 * load_kg * air, 0.0f));
+    const float slam = slam_n(poi, immersed, added, v.y);
+
+    float k;
+    const vec3 spring = basis_to_body(axes, spring_force(v3_sub(target_m, poi->position_m), &k));
+    const float c_plane = HAND_N_M * HAND_LAG_AIR_S;
+    const float c_normal = f_max(c_plane, 2.0f * f_sqrt(HAND_N_M * (POI_MASS_KG + added)));
+    const float m_plane = load_kg + EDGE_ADDED_KG * immersed, m_normal = load_kg + added;
+    const vec3 next = v3(axis_speed(m_plane, v.x, spring.x, k, c_plane + drag_p, weight.x),
+                         axis_speed(m_normal, v.y, spring.y, k, c_normal + drag_n, weight.y + slam),
+                         axis_speed(m_plane, v.z, spring.z, k, c_plane + drag_p, weight.z));
+    const vec3 stretch = v3_scale(next, k * CORE_TICK_S);
+    const vec3 hand = v3(spring.x - stretch.x - c_plane * next.x, spring.y - stretch.y - c_normal * next.y,
+                         spring.z - stretch.z - c_plane * next.z);
+    const vec3 water = v3(-drag_p * next.x, slam - drag_n * next.y, -drag_p * next.z);
+    const vec3 velocity = basis_to_world(axes, next);
+    const vec3 change = v3_scale(v3_sub(velocity, poi->velocity_m_s), 1.0f / CORE_TICK_S);
+    const vec3 felt = v3_lerp(poi->acceleration_m_s2, v3_limit(change, 8.0f * FEEL_M_S2_MAX),
+                              CORE_TICK_S / (FEEL_TAU_S + CORE_TICK_S));
+    poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
+    poi->velocity_m_s = velocity;
+    return (struct pull){ .hand_n = basis_to_world(axes, hand),
+                          .water_n = basis_to_world(axes, water),
+                          .normal_n = water.y,
+                          .added_kg = added };
+}
+
+/* ---- Walls ---------------------------------------------------------------------------------- */
+
+/* Keeps one coordinate within limits; what ran into them stops. */
+static void keep(float *place, float *speed, float low, float high)
+{
+    if (*place < low) {
+        *place = low;
+        *speed = f_max(*speed, 0.0f);
+    } else if (*place > high) {
+        *place = high;
+        *speed = f_min(*speed, 0.0f);
+    }
+}
+
+/* Half the ring's extent along a world axis on which its normal has the part `n`. */
+static float half_extent(float n)
+{
+    return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) + 0.5f * POI_THICKNESS_M * f_abs(n);
+}
+
+/* Inside the walls it stays inside; only with its lowest edge over the rim may it pass. A ring that
+ * comes down outside rests on the rim. */
+static void yield(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
+{
+    const float low = half_extent(up.y);
+    const float rim = tank->wall_height_m - tank->size_m.y;
+    const vec3 room = v3(0.5f * tank->size_m.x - half_extent(up.x), 0.0f,
+                         0.5f * tank->size_m.z - half_extent(up.z));
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    const float floor = f_max(low + FLOOR_GAP_M - tank->size_m.y, poi->floor_m);
+    keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
+    if (at->y - low < rim) {
+        const int was_inside = f_abs(before_m.x) <= room.x + 1e-4f && f_abs(before_m.z) <= room.z + 1e-4f;
+        const int is_inside = f_abs(at->x) <= room.x && f_abs(at->z) <= room.z;
+        if (!is_inside && !was_inside && before_m.y - low >= rim - 1e-3f) {
+            keep(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
+        } else {
+            keep(&at->x, &speed->x, -room.x, room.x);
+            keep(&at->z, &speed->z, -room.z, room.z);
+        }
+    }
+    const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
+    const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
+    keep(&at->x, &speed->x, -reach_x, reach_x);
+    keep(&at->z, &speed->z, -reach_z, reach_z);
+}
+
+/* ---- Paper ---------------------------------------------------------------------------------- */
+
+/* What bears on the paper, toward +up: drag and slam, water that must be accelerated along, and out
+ * of the tank the weight of water and fish. */
+static float pressure(const struct poi *poi, const struct pull *pull, vec3 up, float immersed)
+{
+    const float whole = f_max(0.15f, sheet_left(&poi->sheet));
+    const float area = whole * F_PI * POI_RADIUS_M * POI_RADIUS_M;
+    const float lift = v3_dot(poi->acceleration_m_s2, up);
+    const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area;
+    const float burden_kg = (paper_kg + poi->water_kg + poi->riders_kg) * (1.0f - immersed);
+    const float force = pull->normal_n - pull->added_kg * lift - burden_kg * (GRAVITY_M_S2 * up.y + lift);
+    return force / area;
+}
+
+static void carry_water(struct poi *poi, vec3 up)
+{
+    const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up.y * up.y));
+    const float left = sheet_left(&poi->sheet);
+    if (poi->immersed > 0.05f) {
+        const float belly = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * f_max(0.0f, poi->sheet.sag_m);
+        const float pool = up.y > 0.0f ? belly * WATER_KG_M3 * up.y * up.y : UNDER_POOL_KG;
+        poi->water_kg = left * (FILM_KG + f_min(pool, UNDER_POOL_KG));
+        return;
+    }
+    const float film = left * FILM_KG;
+    const float holes = 1.0f - left;
+    const float more = f_max(0.0f, poi->water_kg - film);
+    const float rate = tilt_sine / DRAIN_TAU_S + 8.0f * holes + 1.0f / SEEP_TAU_S;
+    poi->water_kg = f_min(poi->water_kg, film) + more / (1.0f + rate * CORE_TICK_S);
+}
+
+static void strain_paper(struct poi *poi, const struct pull *pull, const struct basis *axes)
+{
+    poi->pressure_pa = pressure(poi, pull, axes->up, poi->immersed);
+    const struct sheet_wetting wet = { axes->right.y, axes->back.y, -poi->position_m.y };
+    poi->strain = sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
+    carry_water(poi, axes->up);
+}
+
+/* ---- Public --------------------------------------------------------------------------------- */
+
+static void note_splash(struct poi *poi, float immersed)
+{
+    poi->splash_m_s = 0.0f;
+    if (poi->immersed <= 0.0f && immersed > 0.0f) {
+        poi->splash_m_s = v3_length(poi->velocity_m_s) + 0.01f;
+        poi->dips++;
+    } else if (poi->immersed > 0.0f && immersed <= 0.0f) {
+        poi->splash_m_s = -v3_length(poi->velocity_m_s) - 0.01f;
+    }
+}
+
+void poi_tick(struct poi *poi, const struct poi_target *target, const struct tank *tank, vec3 tip,
+              struct poi_force *force)
+{
+    CORE_ASSERT(v3_is_finite(target->position_m));
+    CORE_ASSERT(f_is_finite(target->angles.yaw_rad));
+    CORE_ASSERT(f_is_finite(target->angles.pitch_rad));
+    CORE_ASSERT(f_is_finite(target->angles.roll_rad));
+    tip_over(poi, tip);
+    turn(poi, wanted_angles(poi, target->angles));
+
+    const struct basis axes = basis_from_angles(poi->angles);
+    const vec3 before_m = poi->position_m;
+    const float immersed = disc_immersed(POI_RADIUS_M, before_m.y, axes.up.y);
+    const struct pull pull = pull_ring(poi, target->position_m, &axes, immersed);
+    note_splash(poi, immersed);
+    poi->immersed = immersed;
+    poi->position_m = v3_mad(before_m, poi->velocity_m_s, CORE_TICK_S);
+    yield(poi, tank, before_m, axes.up);
+    strain_paper(poi, &pull, &axes);
+
+    force->force_n = v3_scale(pull.hand_n, -1.0f);
+    force->torque_n_m = v3_cross(v3_scale(axes.back, -GRIP_M), pull.water_n);
+}
+
+void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m)
+{
+    const float depth = -poi->position_m.y;
+    const float heave = poi->velocity_m_s.y * CORE_TICK_S;
+    if (poi->immersed > 0.0f && poi->immersed < 1.0f) {
+        const float sweep = v3_length(poi->velocity_m_s) * CORE_TICK_S;
+        const float press = f_clamp(0.5f * sweep - 0.5f * heave, -0.004f, 0.004f);
+        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press);
+    } else if (poi->immersed >= 1.0f) {
+        const float press = -0.5f * heave * f_exp(-depth / 0.03f);
+        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, f_clamp(press, -0.003f, 0.003f));
+    }
+}
+
+struct obstacle poi_obstacle(const struct poi *poi)
+{
+    const struct basis axes = basis_from_angles(poi->angles);
+    return (struct obstacle){
+        .kind = OBSTACLE_DISC,
+        .centre_m = poi->position_m,
+        .normal = axes.up,
+        .velocity_m_s = poi->velocity_m_s,
+        .radius_m = POI_OUTER_RADIUS_M,
+    };
+}
+
+uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
+{
+    hash = hash_u32(hash, poi->link);
+    hash = hash_vec3(hash, poi->position_m);
+    hash = hash_vec3(hash, poi->velocity_m_s);
+    hash = hash_vec3(hash, v3(poi->angles.yaw_rad, poi->angles.pitch_rad, poi->angles.roll_rad));
+    hash = hash_float(hash, poi->immersed);
+    hash = hash_u32(hash, poi->sheet.paper_cells);
+    hash = hash_u32(hash, poi->rider_count);
+    return hash_u32(hash, poi->dips);
+}
+
+uint64_t poi_hash(uint64_t hash, const struct poi *poi)
+{
+    const float values[] = { poi->splash_m_s, poi->water_kg,    poi->tip,
+                             poi->floor_m,    poi->pressure_pa, poi->riders_kg };
+    hash = poi_hash_quick(hash, poi);
+    hash = hash_u32(hash, poi->seed);
+    hash = hash_vec3(hash, poi->angular_velocity_rad_s);
+    hash = hash_vec3(hash, poi->acceleration_m_s2);
+    hash = hash_vec3(hash, poi->tip_toward);
+    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
+    hash = hash_u32(hash, poi->slap_tick);
+    hash = hash_u32(hash, poi->tear_tick);
+    for (uint32_t i = 0; i < poi->rider_count; i++) {
+        hash = rider_hash(hash, &poi->riders[i]);
+    }
+    for (uint32_t i = 0; i < poi->load_count; i++) {
+        const struct sheet_load *load = &poi->loads[i];
+        hash = hash_vec3(hash, v3(load->x_m, load->diameter_m, load->z_m));
+        hash = hash_float(hash, load->force_n);
+    }
+    for (uint32_t i = 0; i < TANK_FISH_MAX / 32u; i++) {
+        hash = hash_u32(hash_u32(hash, poi->near_bits[i]), poi->above_bits[i]);
+    }
+    return sheet_hash(hash, &poi->sheet);
+}

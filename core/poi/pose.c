@@ -1,0 +1,47 @@
+/* pose.c -- see vec.h for the order of the turns. */
+#include "core/poi/pose.h"
+
+struct angles pose_angles(const struct basis *axes)
+{
+    const vec3 forward = v3_scale(axes->back, -1.0f);
+    const float level = f_sqrt(forward.x * forward.x + forward.z * forward.z);
+    struct angles angles = { .pitch_rad = f_atan2(forward.y, level) };
+    if (level > 1e-4f) {
+        angles.yaw_rad = f_atan2(-forward.x, -forward.z);
+    } else { /* Straight up or down: yaw and roll are one turn; give it all to yaw. */
+        angles.yaw_rad = f_atan2(-axes->right.z, axes->right.x);
+    }
+    const struct basis flat = basis_from_angles((struct angles){ angles.yaw_rad, angles.pitch_rad, 0.0f });
+    angles.roll_rad = f_atan2(v3_dot(axes->up, flat.right), v3_dot(axes->up, flat.up));
+    return angles;
+}
+
+/* Rodrigues' formula. */
+static vec3 turn(vec3 v, vec3 axis, float sine, float cosine)
+{
+    const vec3 across = v3_cross(axis, v);
+    const vec3 along = v3_scale(axis, v3_dot(axis, v) * (1.0f - cosine));
+    return v3_add(v3_mad(v3_scale(v, cosine), across, sine), along);
+}
+
+struct basis pose_turn(const struct basis *axes, vec3 axis, float angle_rad)
+{
+    const float sine = f_sin(angle_rad), cosine = f_cos(angle_rad);
+    return (struct basis){
+        .right = turn(axes->right, axis, sine, cosine),
+        .up = turn(axes->up, axis, sine, cosine),
+        .back = turn(axes->back, axis, sine, cosine),
+    };
+}
+
+struct basis pose_look(vec3 forward, vec3 up)
+{
+    const vec3 back = v3_scale(forward, -1.0f);
+    const vec3 spare = f_abs(forward.y) < 0.9f ? v3(0.0f, 1.0f, 0.0f) : v3(1.0f, 0.0f, 0.0f);
+    vec3 right = v3_cross(up, back);
+    if (v3_dot(right, right) < 1e-8f) {
+        right = v3_cross(spare, back);
+    }
+    right = v3_normalize_or(right, v3(1.0f, 0.0f, 0.0f));
+    return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
+}

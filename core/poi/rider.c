@@ -1,0 +1,184 @@
+/* rider.c -- a wet fish on wet paper. */
+#include "core/poi/rider.h"
+
+#include "core/base/hash.h"
+#include "core/base/rng.h"
+#include "core/input.h"
+#include "core/poi/disc.h"
+#include "core/poi/pose.h"
+
+#define LIE_RAD (80.0f * F_DEG)  /* Flat on its side, but for the fins under it. */
+#define LIE_PER_S 8.0f
+#define STICK 0.36f              /* Static friction of skin on wet paper: slides from 20 degrees. */
+#define SLIP 0.20f               /* Once it slides. */
+#define WALL_STICK 0.84f         /* The ring is 3 mm high: a fish rolls over it from 40 degrees ... */
+#define WALL_JUMP_M_S 0.45f      /* ... or in a rush. */
+#define WALL_MARGIN_M 0.004f     /* Centre to ring when the belly touches it. */
+#define SLAP_S 0.020f
+#define SLAP_M_S2_MIN 10.0f      /* Tail pulse: body mass times this ... */
+#define SLAP_M_S2_MAX 30.0f
+#define SLAP_N_MAX 0.15f
+#define CALM_TAU_S 3.0f          /* Out of water it tires, */
+#define CALM_HEAD_UP 2.5f        /* and sooner with its head up. */
+#define FLOP_M_S 0.10f           /* A slap also throws the fish about. */
+#define VIGOUR_MIN 0.08f         /* It never quite gives up. */
+
+enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_COUNT };
+
+static float draw(const struct rider *rider, uint32_t seed, uint32_t tick, uint32_t which)
+{
+    const uint32_t who = rider->fish * DRAW_COUNT + which;
+    return rng_unit((struct rng_key){ seed, tick, who, RNG_SHEET_SLAP });
+}
+
+float fish_mass_kg(float length_m)
+{
+    return 2.10e-5f * f_exp(3.0598f * f_ln(100.0f * length_m));
+}
+
+float fish_half_extent_m(const struct fish *fish, vec3 direction)
+{
+    const float x = 0.5f * FISH_WIDTH_PER_LENGTH * direction.x;
+    const float y = 0.5f * FISH_HEIGHT_PER_LENGTH * direction.y;
+    const float z = 0.5f * direction.z;
+    return fish->length_m * f_sqrt(x * x + y * y + z * z);
+}
+
+void rider_tail(const struct rider *rider, float length_m, float *x_m, float *z_m)
+{
+    *x_m = rider->x_m + 0.42f * length_m * f_sin(rider->heading_rad);
+    *z_m = rider->z_m + 0.42f * length_m * f_cos(rider->heading_rad);
+}
+
+/* ---- Slaps ---------------------------------------------------------------------------------- */
+
+static void throw_about(struct rider *rider, float strength, uint32_t seed, uint32_t tick)
+{
+    const float turn = 2.0f * draw(rider, seed, tick, DRAW_TURN) - 1.0f;
+    rider->heading_rad = f_wrap_angle(rider->heading_rad + 0.5f * strength * turn);
+    rider->slide_x_m_s -= FLOP_M_S * strength * f_sin(rider->heading_rad + turn);
+    rider->slide_z_m_s -= FLOP_M_S * strength * f_cos(rider->heading_rad + turn);
+}
+
+/* Trains of slaps at 5 to 10 Hz with pauses that grow as it calms down. */
+static float begin_slap(struct rider *rider, const struct fish *fish, uint32_t seed, uint32_t tick)
+{
+    const float push =
+        f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw(rider, seed, tick, DRAW_FORCE)) * rider->vigour;
+    const int pause = draw(rider, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * rider->vigour;
+    rider->slap_s = SLAP_S;
+    rider->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
+    rider->slap_d_m = f_lerp(0.002f, 0.005f, draw(rider, seed, tick, DRAW_FOOT));
+    rider->rest_s = f_lerp(0.1f, 0.2f, draw(rider, seed, tick, DRAW_GAP)) + (pause ? 0.5f : 0.0f);
+    throw_about(rider, rider->vigour, seed, tick);
+    return rider->slap_n;
+}
+
+static float slap(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry,
+                  uint32_t seed, uint32_t tick)
+{
+    const float nose_x = -f_sin(rider->heading_rad), nose_z = -f_cos(rider->heading_rad);
+    const float head_up = nose_x * ride->uphill_x + nose_z * ride->uphill_z;
+    const float tire = head_up > 0.25f ? CALM_HEAD_UP : 1.0f;
+    rider->vigour += (VIGOUR_MIN - rider->vigour) * dry * tire * CORE_TICK_S / CALM_TAU_S;
+    rider->rest_s -= CORE_TICK_S;
+    rider->slap_s = f_max(0.0f, rider->slap_s - CORE_TICK_S);
+    if (rider->rest_s > 0.0f || dry < 0.3f) {
+        return 0.0f;
+    }
+    return begin_slap(rider, fish, seed, tick);
+}
+
+/* ---- Sliding -------------------------------------------------------------------------------- */
+
+static void slide(struct rider *rider, const struct ride *ride, float dry)
+{
+    const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;
+    const float pull_x = ride->pull_m_s2.x * dry, pull_z = ride->pull_m_s2.z * dry;
+    const float pull = f_sqrt(pull_x * pull_x + pull_z * pull_z);
+    const float speed = f_sqrt(rider->slide_x_m_s * rider->slide_x_m_s +
+                               rider->slide_z_m_s * rider->slide_z_m_s);
+    if (speed < 0.01f && pull <= STICK * press) {
+        rider->slide_x_m_s = rider->slide_z_m_s = 0.0f;
+        return;
+    }
+    /* Friction and the water's drag as one implicit factor: they stop a fish, never turn it back. */
+    const float brake = SLIP * press / f_max(speed, 0.01f) + 6.0f * (1.0f - dry);
+    const float keep = 1.0f / (1.0f + CORE_TICK_S * brake);
+    rider->slide_x_m_s = (rider->slide_x_m_s + pull_x * CORE_TICK_S) * keep;
+    rider->slide_z_m_s = (rider->slide_z_m_s + pull_z * CORE_TICK_S) * keep;
+    rider->x_m += rider->slide_x_m_s * CORE_TICK_S;
+    rider->z_m += rider->slide_z_m_s * CORE_TICK_S;
+}
+
+/* The ring's wall stops a body unless it is steep or in a rush. */
+static void meet_wall(struct rider *rider, const struct ride *ride)
+{
+    const float r = f_sqrt(rider->x_m * rider->x_m + rider->z_m * rider->z_m);
+    const float wall = ride->radius_m - WALL_MARGIN_M;
+    if (r < wall || r > ride->radius_m) {
+        return;
+    }
+    const float out_x = rider->x_m / r, out_z = rider->z_m / r;
+    const float pull = out_x * ride->pull_m_s2.x + out_z * ride->pull_m_s2.z;
+    const float rush = out_x * rider->slide_x_m_s + out_z * rider->slide_z_m_s;
+    if (pull > WALL_STICK * -ride->pull_m_s2.y || rush > WALL_JUMP_M_S || rush <= 0.0f) {
+        return;
+    }
+    rider->slide_x_m_s -= rush * out_x;
+    rider->slide_z_m_s -= rush * out_z;
+    rider->x_m = wall * out_x;
+    rider->z_m = wall * out_z;
+}
+
+/* On its side it is half its width high, upright half its height. */
+static void settle(struct rider *rider, const struct fish *fish, float dry)
+{
+    const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
+    rider->lie += (dry - rider->lie) * step;
+    const float tilt = LIE_RAD * rider->lie;
+    const float rest = fish_half_extent_m(fish, v3(f_sin(tilt), f_cos(tilt), 0.0f));
+    rider->height_m += (rest - rider->height_m) * f_min(1.0f, 2.0f * step);
+}
+
+float rider_tick(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry,
+                 uint32_t seed, uint32_t key_tick)
+{
+    const float force_n = slap(rider, fish, ride, dry, seed, key_tick);
+    slide(rider, ride, dry);
+    meet_wall(rider, ride);
+    settle(rider, fish, dry);
+    return force_n;
+}
+
+void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_axes, struct fish *fish)
+{
+    const float sine = f_sin(rider->heading_rad), cosine = f_cos(rider->heading_rad);
+    const float tilt = LIE_RAD * rider->lie;
+    const float across = f_sin(tilt) * (float)rider->side;
+    const vec3 nose = v3(-sine, 0.0f, -cosine);
+    const vec3 back = v3(-cosine * across, f_cos(tilt), sine * across);
+    const struct basis axes =
+        pose_look(basis_to_world(poi_axes, nose), basis_to_world(poi_axes, back));
+    const vec3 place = basis_to_world(poi_axes, v3(rider->x_m, rider->height_m, rider->z_m));
+    fish->position_m = v3_add(poi_m, place);
+    fish->angles = pose_angles(&axes);
+    const float beat = rider->slap_s > 0.0f ? 1.0f : 0.15f;
+    fish->tail_amplitude += (beat * rider->vigour - fish->tail_amplitude) * 0.3f;
+    fish->tail_phase_rad += F_TAU * 8.0f * CORE_TICK_S * (0.1f + rider->vigour);
+    fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
+    const float bend = rider->slap_s > 0.0f ? (float)rider->side * 4.0f * rider->slap_n : 0.0f;
+    fish->bend_rad += (f_clamp(bend * 6.0f, -0.8f, 0.8f) - fish->bend_rad) * 0.25f;
+}
+
+uint64_t rider_hash(uint64_t hash, const struct rider *rider)
+{
+    const float values[] = { rider->x_m,         rider->z_m,         rider->height_m, rider->slide_x_m_s,
+                             rider->slide_z_m_s, rider->heading_rad, rider->lie,      rider->vigour,
+                             rider->rest_s,      rider->slap_s,      rider->slap_n,   rider->slap_d_m };
+    hash = hash_u32(hash, rider->fish);
+    hash = hash_u32(hash, rider->state);
+    hash = hash_u32(hash, (uint32_t)(rider->side + 1));
+    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
+    return hash_vec3(hash, rider->fall_m_s);
+}
