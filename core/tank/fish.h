@@ -4,11 +4,14 @@
 
 #include <stdint.h>
 
-#include "core/base/vec.h"
+#include "core/tank/box.h"
 
-/* The body box of the 2013 thesis is 5 x 2 x 1 cm; height and width scale with the length. */
+/* The body box of the 2013 thesis is 5 x 2 x 1 cm; a wakin's is a little slimmer than that. */
 #define FISH_HEIGHT_PER_LENGTH 0.36f
 #define FISH_WIDTH_PER_LENGTH 0.20f
+
+/* A body whose top stands so far out of the water is in the air; a ripple is not. */
+#define FISH_AIRBORNE_M 0.003f
 
 enum fish_gait {
     GAIT_REST = 0,
@@ -31,7 +34,10 @@ struct fish {
     vec3 position_m;   /* Centre of the body box, world. */
     vec3 velocity_m_s; /* World; true motion of the last tick, pushes included. */
     struct angles angles;
-    float speed_m_s;   /* Wanted along the nose by the gait, >= 0. */
+    float speed_m_s;   /* Along the nose, by its own fins, >= 0. */
+    float climb_m_s;   /* Up, by swim bladder, fins and pitch. */
+    float yaw_rate_rad_s;
+    vec3 push_m_s;     /* Neighbours' nearness pushes it so (the thesis' repulsion). */
     float age_days;
     float length_m;    /* Total length; from the growth curve at `age_days`. */
     float stamina;     /* [0, 1]; 0 is exhausted. */
@@ -46,8 +52,23 @@ struct fish {
     float heading_rad; /* Yaw it turns toward, at a bounded rate. */
     float avoid_left_s;
     float avoid_turn;  /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
+    float brake;       /* [0, 1] of its speed that a fish ahead leaves it. */
     float depth_goal_m; /* Wanted y, < 0. */
     float alarm;       /* [0, 1] fright that the poi left behind; fades. */
 };
+
+/* Whether this module moves it: not held by a poi, not in a bowl. */
+static inline int fish_swims(const struct fish *fish)
+{
+    return fish->gait != GAIT_HELD && fish->gait != GAIT_BOWL;
+}
+
+struct box fish_box(const struct fish *fish);
+
+/* Unit vector along the nose. */
+vec3 fish_forward(const struct fish *fish);
+
+uint64_t fish_hash(uint64_t hash, const struct fish *fish);       /* Every field. */
+uint64_t fish_hash_quick(uint64_t hash, const struct fish *fish); /* Pose and gait. */
 
 #endif

@@ -7,29 +7,16 @@
 #include <stdint.h>
 
 #include "core/scene.h"
+#include "core/tank/crowd.h"
 #include "core/tank/fish.h"
-#include "core/tank/grid.h"
+#include "core/tank/obstacle.h"
 #include "core/tank/preset.h"
 #include "core/tank/water.h"
 
 #define TANK_FISH_MAX 2048u /* 1,500 is the densest tank offered; a power of two above it. */
 #define TANK_OBSTACLE_MAX (2u * POI_MAX)
+_Static_assert(TANK_FISH_MAX == GRID_FISH_MAX, "every fish has a place in the grid");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
-
-enum obstacle_kind {
-    OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across. Frightens when it moves. */
-    OBSTACLE_BOWL, /* A floating bowl's hull: half an ellipsoid hanging below the surface. */
-};
-
-/* What fish must swim round this tick. The poi and the bowls describe themselves this way. */
-struct obstacle {
-    uint8_t kind;      /* enum obstacle_kind */
-    vec3 centre_m;
-    vec3 normal;       /* Unit; a disc's up. */
-    vec3 velocity_m_s;
-    float radius_m;    /* Outer. */
-    float depth_m;     /* Of a bowl's hull below its mouth. */
-};
 
 struct tank {
     uint32_t seed;
@@ -38,8 +25,9 @@ struct tank {
     float wall_height_m;
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
-    struct grid grid;  /* Rebuilt each tick; scratch that no hash covers. */
+    float space;       /* [0.2, 1] of full personal space that this crowd leaves; fixed at the start. */
     struct water water;
+    struct crowd crowd; /* Rebuilt each tick; scratch that no hash covers. */
 };
 
 /* Fills `tank` with still water and `fish_count` (1 .. TANK_FISH_MAX) fish that do not overlap. */

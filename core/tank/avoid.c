@@ -1,0 +1,153 @@
+/* avoid.c -- the three kinds of meeting and the ways out of them. */
+#include "core/tank/avoid.h"
+
+#include "core/base/rng.h"
+#include "core/input.h"
+
+#define COS_20_DEG 0.93969262f
+#define COS_45_DEG 0.70710678f
+#define STRAIGHT_CHANCE 0.9f     /* Side meetings: the sensible way. */
+#define YAW_TIME_S 0.5f          /* Then pitch (section 3.4). */
+#define PITCH_TIME_S 0.5f
+#define CLOSING_MIN_M_S 0.006f   /* Slower drifts are repulsion's work. */
+#define HORIZON_S 2.0f           /* Nobody gives way to what is farther off. */
+#define YAW_RATE_RAD_S (180.0f * F_DEG)
+#define LEAD_RAD (75.0f * F_DEG) /* The heading runs at most so far ahead of the nose. */
+/* Headroom that section 3.3 leaves: 7.5 - 5.25 cm/s, in lengths of its 5 cm fish. */
+#define REPULSION_LENGTHS_PER_S 0.45f
+#define REPULSION_RANGE 0.2f     /* 1 cm of 5. */
+
+static float flat_cos(vec3 a, vec3 b)
+{
+    const float aa = a.x * a.x + a.z * a.z, bb = b.x * b.x + b.z * b.z;
+    return (a.x * b.x + a.z * b.z) / f_sqrt(f_max(aa * bb, 1e-12f));
+}
+
+/* > 0: `to` points to the left of `forward`, seen from above. */
+static float leftness(vec3 forward, vec3 to)
+{
+    return to.x * forward.z - to.z * forward.x;
+}
+
+static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party *b, uint32_t seed,
+                          uint32_t second)
+{
+    const uint32_t low = a->index < b->index ? a->index : b->index;
+    const uint32_t high = a->index < b->index ? b->index : a->index;
+    return rng_u32((struct rng_key){ seed, second, low | high << 16, RNG_FISH_AVOID_SIDE });
+}
+
+static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
+{
+    const float side = draw & 1u ? 1.0f : -1.0f; /* Each to its own left, or each to its own right. */
+    pair->a.turn = side;
+    pair->b.turn = side;
+}
+
+/* Only the one behind gives way. */
+static void meet_rear_end(struct avoid_pair *pair, float a_faces, uint32_t draw)
+{
+    struct avoid_advice *follower = a_faces > 0.0f ? &pair->a : &pair->b;
+    struct avoid_advice *leader = a_faces > 0.0f ? &pair->b : &pair->a;
+    follower->turn = draw & 1u ? 1.0f : -1.0f;
+    leader->kind = MEET_NONE;
+}
+
+/* The hitter passes behind the struck, which swings its tail clear; one time in ten both err. */
+static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
+                      vec3 struck_forward, vec3 to_struck, uint32_t draw)
+{
+    const float sense = (float)(draw >> 8) * (1.0f / 16777216.0f) < STRAIGHT_CHANCE ? 1.0f : -1.0f;
+    const float runs_left = leftness(hitter_forward, struck_forward);
+    const float hit_on_left = leftness(struck_forward, v3_scale(to_struck, -1.0f));
+    hitter->turn = runs_left > 0.0f ? -sense : sense;
+    struck->turn = hit_on_left > 0.0f ? -sense : sense;
+}
+
+struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
+                             uint32_t seed, uint32_t second)
+{
+    struct avoid_pair pair = { 0 };
+    const vec3 apart = v3_sub(b->position_m, a->position_m);
+    const vec3 to_b = v3_normalize_or(apart, v3(1.0f, 0.0f, 0.0f));
+    const float a_faces = v3_dot(a->forward, to_b), b_faces = -v3_dot(b->forward, to_b);
+    const float closing_m_s = a_faces * a->speed_m_s + b_faces * b->speed_m_s;
+    if (closing_m_s < CLOSING_MIN_M_S || gap_m > HORIZON_S * closing_m_s) {
+        return pair;
+    }
+    const float along = flat_cos(a->forward, b->forward);
+    if (along > COS_20_DEG && f_max(a_faces, b_faces) < COS_45_DEG) {
+        return pair; /* Side by side. */
+    }
+    const uint32_t draw = pair_draw(a, b, seed, second);
+    const float a_rises = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1.0f : -1.0f;
+    const uint8_t kind = along > COS_20_DEG ? MEET_REAR_END : along < -COS_20_DEG ? MEET_HEAD_ON : MEET_SIDE;
+    pair.a = (struct avoid_advice){ kind, f_max(gap_m, 0.0f) / closing_m_s, 0.0f, a_rises };
+    pair.b = (struct avoid_advice){ kind, f_max(gap_m, 0.0f) / closing_m_s, 0.0f, -a_rises };
+    if (kind == MEET_REAR_END) {
+        meet_rear_end(&pair, a_faces, draw);
+    } else if (kind == MEET_HEAD_ON) {
+        meet_head_on(&pair, draw);
+    } else if (a_faces >= b_faces) {
+        meet_side(&pair.a, a->forward, &pair.b, b->forward, to_b, draw);
+    } else {
+        meet_side(&pair.b, b->forward, &pair.a, a->forward, v3_scale(to_b, -1.0f), draw);
+    }
+    return pair;
+}
+
+/* Upper fish go up unless the surface is near, lower ones down unless the floor is. */
+static float possible_rise(const struct fish *fish, float rise, float water_depth_m)
+{
+    const float room_m = 1.0f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float above_floor_m = fish->position_m.y + water_depth_m;
+    if (rise > 0.0f) {
+        return -fish->position_m.y < room_m ? -1.0f : 1.0f;
+    }
+    return above_floor_m < room_m ? 1.0f : -1.0f;
+}
+
+static void yaw_away(struct fish *fish)
+{
+    const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad) +
+                            fish->avoid_turn * YAW_RATE_RAD_S * CORE_TICK_S;
+    fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + f_clamp(ahead_rad, -LEAD_RAD, LEAD_RAD));
+}
+
+static void begin_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
+{
+    const uint8_t was = fish->avoiding;
+    fish->avoiding = AVOID_NONE;
+    if (was == AVOID_PITCH) {
+        fish->depth_goal_m = f_lerp(fish->depth_goal_m, fish->position_m.y, 0.7f); /* Stay parted. */
+    } else if (advice->kind != MEET_NONE && was == AVOID_YAW) {
+        fish->avoiding = AVOID_PITCH;
+        fish->avoid_left_s = PITCH_TIME_S;
+        fish->avoid_turn = possible_rise(fish, advice->rise, water_depth_m);
+    } else if (advice->kind != MEET_NONE) {
+        fish->avoiding = AVOID_YAW;
+        fish->avoid_left_s = YAW_TIME_S;
+        fish->avoid_turn = advice->turn;
+    }
+}
+
+void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
+{
+    const int meets = advice->kind != MEET_NONE;
+    /* A fish ahead takes speed away at once; it comes back over a third of a second. */
+    const float free = meets && advice->kind != MEET_HEAD_ON ? f_clamp(advice->contact_s / 0.8f, 0.3f, 1.0f) : 1.0f;
+    fish->brake = f_min(free, fish->brake + 3.0f * CORE_TICK_S);
+    fish->avoid_left_s -= (meets ? 1.0f : 3.0f) * CORE_TICK_S; /* Once clear, it is soon forgotten. */
+    if (fish->avoiding == AVOID_NONE || fish->avoid_left_s <= 0.0f) {
+        begin_or_end(fish, advice, water_depth_m);
+    }
+    if (fish->avoiding == AVOID_YAW && meets) {
+        yaw_away(fish);
+    }
+}
+
+float avoid_repulsion_m_s(float gap_m, float length_m)
+{
+    const float near = 1.0f - f_clamp(gap_m / (REPULSION_RANGE * length_m), 0.0f, 1.0f);
+    return REPULSION_LENGTHS_PER_S * length_m * near * near;
+}

@@ -1,0 +1,48 @@
+/* avoid.h -- how two fish that come too near give way: head-on, from the side, from behind.
+ *
+ * The 2013 thesis, section 3.4. Where it is silent: only fish that approach each other meet; who is
+ * struck turns away from the side it is struck on; of several meetings the soonest counts. */
+#ifndef KINGYO_CORE_TANK_AVOID_H
+#define KINGYO_CORE_TANK_AVOID_H
+
+#include "core/tank/fish.h"
+
+enum meeting_kind {
+    MEET_NONE = 0, /* Not approaching, or at walking pace. */
+    MEET_HEAD_ON,  /* Headings within 20 degrees of opposite. */
+    MEET_REAR_END, /* Headings within 20 degrees of equal, the other ahead. */
+    MEET_SIDE,
+};
+
+/* One side of a pair. */
+struct avoid_party {
+    vec3 position_m;
+    vec3 forward;    /* Unit, along the nose. */
+    float speed_m_s;
+    uint32_t index;
+};
+
+/* What a party should do. Zero `kind` is nothing. */
+struct avoid_advice {
+    uint8_t kind;    /* enum meeting_kind */
+    float contact_s; /* Time to contact at this pace. */
+    float turn;      /* -1 right, +1 left, 0 keep straight. */
+    float rise;      /* -1 down, +1 up: should turning not do within 0.5 s. */
+};
+
+struct avoid_pair {
+    struct avoid_advice a, b;
+};
+
+/* `gap_m` is between the bodies. `seed` and `second` fix the pair's one shared draw. */
+struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
+                             uint32_t seed, uint32_t second);
+
+/* One tick of giving way by the soonest of this tick's advice. */
+void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float water_depth_m);
+
+/* The thesis' repulsion (named, never written down): wanted speed apart for two bodies whose gap is
+ * `gap_m`, for the smaller of them `length_m` long; 0 beyond a fifth of its length. */
+float avoid_repulsion_m_s(float gap_m, float length_m);
+
+#endif

@@ -1,0 +1,123 @@
+/* box.c -- separating axes, with the frames' cosines computed once for all of them. */
+#include "core/tank/box.h"
+
+struct frame {
+    vec3 axis[3];
+    float half[3];
+};
+
+static struct frame frame_of(const struct box *box)
+{
+    return (struct frame){
+        .axis = { box->axes.right, box->axes.up, box->axes.back },
+        .half = { box->half_m.x, box->half_m.y, box->half_m.z },
+    };
+}
+
+/* Keeps the axis that shows the widest gap. */
+static void keep_widest(struct box_gap *gap, float body_m, float space_m, vec3 axis, float offset)
+{
+    gap->space_m = f_max(gap->space_m, space_m);
+    if (body_m > gap->body_m) {
+        gap->body_m = body_m;
+        gap->axis = offset < 0.0f ? v3_scale(axis, -1.0f) : axis;
+    }
+}
+
+struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
+{
+    const struct frame fa = frame_of(a), fb = frame_of(b);
+    const vec3 d = v3_sub(b->centre_m, a->centre_m);
+    struct box_gap gap = { .body_m = -1e9f, .space_m = -1e9f, .axis = { 0.0f, 1.0f, 0.0f } };
+    float cosine[3][3];
+    for (int i = 0; i < 3; i++) {
+        float shadow = 0.0f, spread = 0.0f;
+        for (int j = 0; j < 3; j++) {
+            cosine[i][j] = f_abs(v3_dot(fa.axis[i], fb.axis[j]));
+            shadow += cosine[i][j] * fb.half[j];
+            spread += cosine[i][j];
+        }
+        const float offset = v3_dot(d, fa.axis[i]);
+        const float body = f_abs(offset) - fa.half[i] - shadow;
+        keep_widest(&gap, body, body - margin_a_m - margin_b_m * spread, fa.axis[i], offset);
+        if (gap.space_m > 0.0f) {
+            return gap;
+        }
+    }
+    for (int j = 0; j < 3; j++) {
+        float shadow = 0.0f, spread = 0.0f;
+        for (int i = 0; i < 3; i++) {
+            shadow += cosine[i][j] * fa.half[i];
+            spread += cosine[i][j];
+        }
+        const float offset = v3_dot(d, fb.axis[j]);
+        const float body = f_abs(offset) - fb.half[j] - shadow;
+        keep_widest(&gap, body, body - margin_b_m - margin_a_m * spread, fb.axis[j], offset);
+        if (gap.space_m > 0.0f) {
+            return gap;
+        }
+    }
+    return gap;
+}
+
+static float shadow_m(const struct frame *frame, vec3 axis)
+{
+    return f_abs(v3_dot(frame->axis[0], axis)) * frame->half[0] +
+           f_abs(v3_dot(frame->axis[1], axis)) * frame->half[1] +
+           f_abs(v3_dot(frame->axis[2], axis)) * frame->half[2];
+}
+
+float box_depth_m(const struct box *a, const struct box *b)
+{
+    const struct box_gap faces = box_gap(a, 0.0f, b, 0.0f);
+    const struct frame fa = frame_of(a), fb = frame_of(b);
+    const vec3 d = v3_sub(b->centre_m, a->centre_m);
+    float gap_m = faces.body_m;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const vec3 edge = v3_cross(fa.axis[i], fb.axis[j]);
+            const float length = v3_length(edge);
+            if (length < 1e-3f) { /* Parallel edges: a face normal has said it already. */
+                continue;
+            }
+            const vec3 axis = v3_scale(edge, 1.0f / length);
+            gap_m = f_max(gap_m, f_abs(v3_dot(d, axis)) - shadow_m(&fa, axis) - shadow_m(&fb, axis));
+        }
+    }
+    return f_max(0.0f, -gap_m);
+}
+
+vec3 box_extent_m(const struct box *box)
+{
+    const struct frame frame = frame_of(box);
+    return v3(shadow_m(&frame, v3(1.0f, 0.0f, 0.0f)), shadow_m(&frame, v3(0.0f, 1.0f, 0.0f)),
+              shadow_m(&frame, v3(0.0f, 0.0f, 1.0f)));
+}
+
+/* A point inside leaves through the nearest face; `p` in the box's frame. */
+static vec3 clear_from_inside(vec3 p, vec3 half, float radius_m)
+{
+    const float x = half.x - f_abs(p.x), y = half.y - f_abs(p.y), z = half.z - f_abs(p.z);
+    if (x <= y && x <= z) {
+        return v3(p.x > 0.0f ? -x - radius_m : x + radius_m, 0.0f, 0.0f);
+    }
+    if (y <= z) {
+        return v3(0.0f, p.y > 0.0f ? -y - radius_m : y + radius_m, 0.0f);
+    }
+    return v3(0.0f, 0.0f, p.z > 0.0f ? -z - radius_m : z + radius_m);
+}
+
+vec3 box_clear_point(const struct box *box, vec3 point_m, float radius_m)
+{
+    const vec3 p = basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
+    const vec3 h = box->half_m;
+    const vec3 nearest = v3(f_clamp(p.x, -h.x, h.x), f_clamp(p.y, -h.y, h.y), f_clamp(p.z, -h.z, h.z));
+    const vec3 away = v3_sub(nearest, p); /* From the point to the box. */
+    const float distance = v3_length(away);
+    if (distance >= radius_m) {
+        return v3(0.0f, 0.0f, 0.0f);
+    }
+    const vec3 move = distance > 1e-6f ? v3_scale(away, (radius_m - distance) / distance)
+                                       : clear_from_inside(p, h, radius_m);
+    return basis_to_world(&box->axes, move);
+}

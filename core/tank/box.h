@@ -1,0 +1,36 @@
+/* box.h -- oriented boxes: how far apart two of them are, or how deep they overlap.
+ *
+ * The separating-axis theorem: two boxes are apart exactly when some face normal of one of them, or
+ * some cross product of an edge of each, shows a gap between their shadows. */
+#ifndef KINGYO_CORE_TANK_BOX_H
+#define KINGYO_CORE_TANK_BOX_H
+
+#include "core/base/vec.h"
+
+struct box {
+    vec3 centre_m;
+    struct basis axes;
+    vec3 half_m; /* Along right, up, back. */
+};
+
+struct box_gap {
+    float body_m;  /* > 0: the boxes are at least so far apart; < 0: they seem to overlap so deep. */
+    float space_m; /* The same for the boxes grown by their margins. */
+    vec3 axis;     /* Unit, from a toward b: the direction that parts them soonest. */
+};
+
+/* Judges by the six face normals alone. Exact for boxes that share an up axis, as level fish do; for
+ * pitched ones it may call a near miss an overlap, never an overlap a miss. `space_m` > 0 ends the
+ * search at once: the other members are then not meaningful. */
+struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m);
+
+/* By all fifteen axes: the length of the shortest translation that parts the boxes, 0 when apart. */
+float box_depth_m(const struct box *a, const struct box *b);
+
+/* Half the size of the upright box that holds `box`. */
+vec3 box_extent_m(const struct box *box);
+
+/* The least move of the box that takes it `radius_m` > 0 away from `point_m`; zero when it is. */
+vec3 box_clear_point(const struct box *box, vec3 point_m, float radius_m);
+
+#endif

@@ -1,0 +1,210 @@
+/* crowd.c -- pair search over the grid, and position-based separation of what it finds. */
+#include "core/tank/crowd.h"
+
+#include "core/base/panic.h"
+
+#define SPACE_PER_LENGTH 0.2f   /* 2013 thesis, section 3.4: 1 cm round a fish of 5 cm. */
+#define SPACE_FILL 0.35f        /* Of the water; fuller, and nobody's space would ever be free. */
+#define CONTACT_GAP_M 0.002f    /* Nearer pairs may come to touch while others are parted. */
+#define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
+#define PART_ROUNDS 6
+#define PART_STEP_MAX_M 0.012f  /* A tick; a poi at 1.4 m/s shoves no harder. */
+
+float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m)
+{
+    const float grown = 1.0f + 2.0f * SPACE_PER_LENGTH;
+    float volume_m3 = 0.0f;
+    for (uint32_t i = 0; i < fish_count; i++) {
+        const float l = fish[i].length_m;
+        volume_m3 += l * l * l * grown * (FISH_HEIGHT_PER_LENGTH + 2.0f * SPACE_PER_LENGTH) *
+                     (FISH_WIDTH_PER_LENGTH + 2.0f * SPACE_PER_LENGTH);
+    }
+    const float fill = volume_m3 / (tank_size_m.x * tank_size_m.y * tank_size_m.z);
+    if (fill <= SPACE_FILL) {
+        return 1.0f;
+    }
+    return f_clamp(f_exp(f_ln(SPACE_FILL / fill) / 3.0f), 0.2f, 1.0f);
+}
+
+static struct crowd_body body_of(const struct fish *fish, uint16_t index, float space)
+{
+    struct crowd_body body = { .fish = index, .speed_m_s = fish->speed_m_s };
+    body.box = fish_box(fish);
+    body.centre_m = fish->position_m;
+    body.margin_m = space * SPACE_PER_LENGTH * fish->length_m;
+    body.extent_m = box_extent_m(&body.box);
+    body.forward = v3_scale(body.box.axes.back, -1.0f);
+    struct box room = body.box;
+    room.half_m = v3_add(room.half_m, v3(body.margin_m, body.margin_m, body.margin_m));
+    body.reach_m = v3_length(room.half_m);
+    body.slab_m = f_abs(room.axes.right.y) * room.half_m.x + f_abs(room.axes.up.y) * room.half_m.y +
+                  f_abs(room.axes.back.y) * room.half_m.z;
+    body.airborne = fish->position_m.y + body.extent_m.y > FISH_AIRBORNE_M;
+    return body;
+}
+
+void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space)
+{
+    CORE_ASSERT(fish_count <= GRID_FISH_MAX);
+    crowd->count = 0;
+    for (uint32_t i = 0; i < fish_count; i++) {
+        if (fish_swims(&fish[i])) {
+            crowd->body[crowd->count++] = body_of(&fish[i], (uint16_t)i, space);
+        }
+    }
+}
+
+static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
+{
+    if (advice->kind != MEET_NONE && (kept->kind == MEET_NONE || advice->contact_s < kept->contact_s)) {
+        *kept = *advice;
+    }
+}
+
+static struct avoid_party party_of(const struct crowd_body *body)
+{
+    return (struct avoid_party){ body->box.centre_m, body->forward, body->speed_m_s, body->fish };
+}
+
+/* Full to the side, half along the body: a fish pushed from behind does not shoot ahead. */
+static void push_apart(struct crowd_body *body, vec3 axis, float speed_m_s)
+{
+    const float along = v3_dot(axis, body->forward);
+    const vec3 push = v3_mad(axis, body->forward, -0.5f * along);
+    body->push_m_s = v3_mad(body->push_m_s, push, speed_m_s);
+}
+
+static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second_body, uint32_t seed,
+                      uint32_t second)
+{
+    struct crowd_body *a = &crowd->body[first], *b = &crowd->body[second_body];
+    const struct box_gap gap = box_gap(&a->box, a->margin_m, &b->box, b->margin_m);
+    if (gap.space_m > 0.0f) {
+        return;
+    }
+    const struct avoid_party pa = party_of(a), pb = party_of(b);
+    const struct avoid_pair advice = avoid_meet(&pa, &pb, gap.body_m, seed, second);
+    take_advice(&a->advice, &advice.a);
+    take_advice(&b->advice, &advice.b);
+    const float length_m = 2.0f * f_min(a->box.half_m.z, b->box.half_m.z);
+    const float apart_m_s = avoid_repulsion_m_s(gap.body_m, length_m);
+    push_apart(a, gap.axis, -apart_m_s);
+    push_apart(b, gap.axis, apart_m_s);
+    crowd->overlap_count += gap.body_m < 0.0f;
+    if (gap.body_m < CONTACT_GAP_M && crowd->contact_count < CROWD_CONTACT_MAX) {
+        crowd->contact[crowd->contact_count][0] = (uint16_t)first;
+        crowd->contact[crowd->contact_count++][1] = (uint16_t)second_body;
+    }
+}
+
+static int may_meet(const struct crowd_near *a, const struct crowd_near *b)
+{
+    const vec3 d = v3_sub(b->centre_m, a->centre_m);
+    const float reach_m = a->reach_m + b->reach_m;
+    return v3_dot(d, d) < reach_m * reach_m && f_abs(d.y) < a->slab_m + b->slab_m;
+}
+
+/* Item `k` against the items [from, to) of the cells' order. */
+static void meet_range(struct crowd *crowd, uint32_t k, uint32_t from, uint32_t to, uint32_t seed,
+                       uint32_t second)
+{
+    const struct crowd_near me = crowd->near[k];
+    for (uint32_t other = from; other < to; other++) {
+        if (may_meet(&me, &crowd->near[other])) {
+            meet_pair(crowd, crowd->grid.item[k], crowd->grid.item[other], seed, second);
+        }
+    }
+}
+
+/* Half of the 3 x 3 cells: the rest of its own, the one to the right, the three of the next row. */
+static void meet_cell(struct crowd *crowd, uint32_t column, uint32_t row, uint32_t seed, uint32_t second)
+{
+    const struct grid *grid = &crowd->grid;
+    const uint32_t cell = row * grid->columns + column;
+    const uint32_t right = column + 1u < grid->columns ? cell + 1u : cell;
+    const uint32_t left = column > 0 ? cell - 1u : cell;
+    const int has_next = row + 1u < grid->rows;
+    for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1u]; k++) {
+        /* A row's cells follow each other, so a range of cells is a range of items. */
+        meet_range(crowd, k, k + 1u, grid->start[right + 1u], seed, second);
+        if (has_next) {
+            meet_range(crowd, k, grid->start[left + grid->columns],
+                       grid->start[right + grid->columns + 1u], seed, second);
+        }
+    }
+}
+
+void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t second)
+{
+    float reach_m = 0.01f;
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        reach_m = f_max(reach_m, crowd->body[i].reach_m);
+    }
+    grid_layout(&crowd->grid, tank_size_m.x, tank_size_m.z, 2.0f * reach_m);
+    grid_fill(&crowd->grid, &crowd->body[0].centre_m, sizeof crowd->body[0], crowd->count);
+    for (uint32_t k = 0; k < crowd->count; k++) {
+        const struct crowd_body *body = &crowd->body[crowd->grid.item[k]];
+        crowd->near[k] = (struct crowd_near){ body->centre_m, body->reach_m, body->slab_m };
+    }
+    crowd->contact_count = 0;
+    crowd->overlap_count = 0;
+    for (uint32_t row = 0; row < crowd->grid.rows; row++) {
+        for (uint32_t column = 0; column < crowd->grid.columns; column++) {
+            meet_cell(crowd, column, row, seed, second);
+        }
+    }
+}
+
+static void keep_inside(struct crowd_body *body, const struct tank_bounds *bounds)
+{
+    const vec3 low = v3_add(bounds->low_m, body->extent_m), high = v3_sub(bounds->high_m, body->extent_m);
+    vec3 *p = &body->box.centre_m;
+    p->x = f_clamp(p->x, low.x, high.x);
+    p->z = f_clamp(p->z, low.z, high.z);
+    p->y = f_max(p->y, low.y);
+    if (!body->airborne) {
+        p->y = f_min(p->y, high.y);
+    }
+}
+
+static void part_pair(struct crowd_body *a, struct crowd_body *b, const struct tank_bounds *bounds)
+{
+    const struct box_gap gap = box_gap(&a->box, SKIN_M, &b->box, SKIN_M);
+    if (gap.body_m >= 0.0f || gap.space_m > 0.0f) {
+        return;
+    }
+    const float depth_m = f_min(SKIN_M - gap.body_m, PART_STEP_MAX_M);
+    const float mass_a = a->box.half_m.z * a->box.half_m.z * a->box.half_m.z;
+    const float mass_b = b->box.half_m.z * b->box.half_m.z * b->box.half_m.z;
+    const float share_a = mass_b / (mass_a + mass_b);
+    a->box.centre_m = v3_mad(a->box.centre_m, gap.axis, -depth_m * share_a);
+    b->box.centre_m = v3_mad(b->box.centre_m, gap.axis, depth_m * (1.0f - share_a));
+    keep_inside(a, bounds);
+    keep_inside(b, bounds);
+}
+
+static void part_obstacles(struct crowd *crowd, const struct obstacle *obstacles, uint32_t obstacle_count)
+{
+    for (uint32_t o = 0; o < obstacle_count; o++) {
+        for (uint32_t i = 0; i < crowd->count; i++) {
+            struct box *box = &crowd->body[i].box;
+            box->centre_m = v3_add(box->centre_m, v3_limit(obstacle_clear(&obstacles[o], box), PART_STEP_MAX_M));
+        }
+    }
+}
+
+void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds,
+                const struct obstacle *obstacles, uint32_t obstacle_count)
+{
+    for (int round = 0; round < PART_ROUNDS; round++) {
+        if (round % 3 == 0) {
+            part_obstacles(crowd, obstacles, obstacle_count);
+            for (uint32_t i = 0; i < crowd->count; i++) {
+                keep_inside(&crowd->body[i], bounds);
+            }
+        }
+        for (uint32_t c = 0; c < crowd->contact_count; c++) {
+            part_pair(&crowd->body[crowd->contact[c][0]], &crowd->body[crowd->contact[c][1]], bounds);
+        }
+    }
+}

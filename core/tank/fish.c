@@ -1,0 +1,47 @@
+/* fish.c -- a fish's box and its hash. */
+#include "core/tank/fish.h"
+
+#include "core/base/hash.h"
+
+struct box fish_box(const struct fish *fish)
+{
+    const float half_m = 0.5f * fish->length_m;
+    return (struct box){
+        .centre_m = fish->position_m,
+        .axes = basis_from_angles(fish->angles),
+        .half_m = { half_m * FISH_WIDTH_PER_LENGTH, half_m * FISH_HEIGHT_PER_LENGTH, half_m },
+    };
+}
+
+vec3 fish_forward(const struct fish *fish)
+{
+    const float cos_pitch = f_cos(fish->angles.pitch_rad);
+    return v3(-f_sin(fish->angles.yaw_rad) * cos_pitch, f_sin(fish->angles.pitch_rad),
+              -f_cos(fish->angles.yaw_rad) * cos_pitch);
+}
+
+uint64_t fish_hash_quick(uint64_t hash, const struct fish *fish)
+{
+    hash = hash_vec3(hash, fish->position_m);
+    hash = hash_float(hash, fish->angles.yaw_rad);
+    hash = hash_float(hash, fish->angles.pitch_rad);
+    hash = hash_float(hash, fish->angles.roll_rad);
+    return hash_u32(hash, fish->gait);
+}
+
+uint64_t fish_hash(uint64_t hash, const struct fish *fish)
+{
+    const float values[] = {
+        fish->speed_m_s,    fish->climb_m_s,    fish->yaw_rate_rad_s, fish->age_days,
+        fish->length_m,     fish->stamina,      fish->tail_phase_rad, fish->tail_beat_hz,
+        fish->tail_amplitude, fish->bend_rad,   fish->gait_left_s,    fish->heading_rad,
+        fish->avoid_left_s, fish->avoid_turn,   fish->brake,          fish->depth_goal_m,
+        fish->alarm,
+    };
+    hash = fish_hash_quick(hash, fish);
+    hash = hash_vec3(hash, fish->velocity_m_s);
+    hash = hash_vec3(hash, fish->push_m_s);
+    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
+    hash = hash_u32(hash, fish->look);
+    return hash_u32(hash, (uint32_t)fish->avoiding << 8 | fish->holder);
+}

@@ -1,0 +1,172 @@
+/* gait.c -- the choice of gait by stamina, and the speeds that follow. */
+#include "core/tank/gait.h"
+
+#include "core/base/rng.h"
+#include "core/input.h"
+
+/* Section 3.2: stamina per second; the thesis' -1, -0.2 and +0.1 of 100. */
+#define BURST_COST_PER_S 0.010f
+#define SWIM_COST_PER_S 0.002f
+#define REST_GAIN_PER_S 0.001f
+#define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
+
+/* Section 3.3, halved there for the crowd, as body lengths of its 5 cm fish. */
+#define BURST_LENGTHS_PER_S 3.0f
+#define SWIM_LENGTHS_PER_S 1.05f  /* Preferred, 5.25 cm/s. */
+#define DRIFT_LENGTHS_PER_S 0.10f /* At most, while resting: 0.5 cm/s. */
+
+/* C-start: 8 to 10 lengths a second at the peak, then a decaying dash. */
+#define ESCAPE_LENGTHS_MIN 8.0f
+#define ESCAPE_LENGTHS_MAX 10.0f
+#define ESCAPE_PEAK_S 0.12f
+#define ESCAPE_TIME_S 0.70f
+#define ESCAPE_AWAY_CHANCE 0.77f /* Mirjany & Faber: 77 % of open-field starts. */
+
+/* Beat and glide: over a cycle the mean stays the gait's speed. */
+#define CYCLE_TICKS_MIN 84u /* 0.7 s, and up to 0.53 s more by individual. */
+#define BEAT_SHARE 0.45f
+#define BEAT_SPEED 1.32f
+#define GLIDE_SPEED 0.62f
+
+struct gait_chance gait_chance(float stamina)
+{
+    if (stamina <= 0.0f) {
+        return (struct gait_chance){ 0.0f, 0.0f, 1.0f };
+    }
+    const float tired = 1.0f - stamina;
+    return (struct gait_chance){
+        .burst = 0.1f - tired / 10.0f,                           /* eq. 3.1 */
+        .swim = 0.5f - 2.0f * tired / 5.0f,                      /* eq. 3.2 */
+        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f,      /* eq. 3.3 */
+    };
+}
+
+static struct rng_key key(struct gait_luck luck, enum rng_purpose purpose)
+{
+    return (struct rng_key){ luck.seed, luck.tick, luck.fish, purpose };
+}
+
+float gait_depth_m(float stamina, float water_depth_m)
+{
+    /* 18, 13, 8 and 3 cm of the thesis' 20 cm. */
+    const float share = stamina >= 0.75f ? 0.90f : stamina >= 0.50f ? 0.65f : stamina >= 0.25f ? 0.40f : 0.15f;
+    return -share * water_depth_m;
+}
+
+/* The thesis changes the heading with the gait but not by how much; a snap to any of 360 degrees is
+ * no fish, so: a bell of 45 degrees, and a sharp turn at a burst. */
+static float turn_rad(enum fish_gait gait, struct gait_luck luck)
+{
+    const float bell = rng_normal(key(luck, RNG_FISH_TURN));
+    if (gait == GAIT_BURST) {
+        const float sharp = rng_range(key(luck, RNG_FISH_ESCAPE), 60.0f, 120.0f) * F_DEG;
+        return bell < 0.0f ? -sharp : sharp;
+    }
+    return bell * (gait == GAIT_SWIM ? 45.0f : 12.0f) * F_DEG;
+}
+
+void gait_enter(struct fish *fish, enum fish_gait gait, struct gait_luck luck, float water_depth_m)
+{
+    const struct rng_key time = key(luck, RNG_FISH_DURATION);
+    const float spread = 0.13f * water_depth_m * rng_normal(key(luck, RNG_FISH_DEPTH));
+    const float margin_m = 0.6f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    fish->gait = (uint8_t)gait;
+    fish->gait_left_s = gait == GAIT_BURST ? rng_range(time, 1.0f, 3.0f) : rng_range(time, 5.0f, 20.0f);
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck));
+    fish->depth_goal_m = f_clamp(gait_depth_m(fish->stamina, water_depth_m) + spread,
+                                 margin_m - water_depth_m, -margin_m);
+}
+
+static void choose(struct fish *fish, struct gait_luck luck, float water_depth_m)
+{
+    const struct gait_chance chance = gait_chance(fish->stamina);
+    const float draw = rng_unit(key(luck, RNG_FISH_GAIT));
+    const enum fish_gait gait = draw < chance.burst                ? GAIT_BURST
+                                : draw < chance.burst + chance.swim ? GAIT_SWIM
+                                                                    : GAIT_REST;
+    gait_enter(fish, gait, luck, water_depth_m);
+}
+
+static float stamina_per_s(uint8_t gait)
+{
+    switch (gait) {
+    case GAIT_BURST:
+        return -BURST_COST_PER_S;
+    case GAIT_SWIM:
+        return -SWIM_COST_PER_S;
+    case GAIT_ESCAPE:
+        return -ESCAPE_COST_PER_S;
+    default:
+        return REST_GAIN_PER_S;
+    }
+}
+
+void gait_tick(struct fish *fish, struct gait_luck luck, float water_depth_m)
+{
+    fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * CORE_TICK_S, 0.0f, 1.0f);
+    fish->gait_left_s -= CORE_TICK_S;
+    if (fish->gait_left_s > 0.0f) {
+        return;
+    }
+    if (fish->gait == GAIT_ESCAPE) { /* It does not stop dead where it got away to. */
+        gait_enter(fish, GAIT_SWIM, luck, water_depth_m);
+        fish->gait_left_s = rng_range(key(luck, RNG_FISH_DURATION), 1.0f, 3.0f);
+        return;
+    }
+    choose(fish, luck, water_depth_m);
+}
+
+void gait_escape(struct fish *fish, vec3 from_m, struct gait_luck luck)
+{
+    const float away_x = fish->position_m.x - from_m.x, away_z = fish->position_m.z - from_m.z;
+    const float away_rad = f_atan2(-away_x, -away_z);
+    const float stray_rad = rng_range(key(luck, RNG_FISH_TURN), -45.0f, 45.0f) * F_DEG;
+    const int toward = rng_unit(key(luck, RNG_FISH_ESCAPE)) >= ESCAPE_AWAY_CHANCE;
+    fish->gait = GAIT_ESCAPE;
+    fish->gait_left_s = ESCAPE_TIME_S + rng_range(key(luck, RNG_FISH_DURATION), 0.0f, 0.25f);
+    /* Those that err go past the poi rather than into it. */
+    const float side_rad = stray_rad < 0.0f ? -100.0f * F_DEG : 100.0f * F_DEG;
+    fish->heading_rad = f_wrap_angle(away_rad + (toward ? side_rad : stray_rad));
+    fish->avoiding = AVOID_NONE;
+    fish->alarm = 0.2f;
+}
+
+/* Each fish has its own rhythm. */
+static uint32_t cycle_ticks(const struct fish *fish)
+{
+    return CYCLE_TICKS_MIN + (fish->look >> 8 & 63u);
+}
+
+int gait_beats(const struct fish *fish, uint32_t tick)
+{
+    if (fish->gait == GAIT_SWIM) {
+        const uint32_t ticks = cycle_ticks(fish);
+        return (float)((tick + (fish->look >> 14 & 255u)) % ticks) < BEAT_SHARE * (float)ticks;
+    }
+    return fish->gait == GAIT_BURST ||
+           (fish->gait == GAIT_ESCAPE && fish->gait_left_s > ESCAPE_TIME_S - ESCAPE_PEAK_S);
+}
+
+float gait_speed_m_s(const struct fish *fish, uint32_t tick)
+{
+    const float able = fish->length_m * (0.8f + 0.2f * fish->stamina); /* Section 3.3, h = H / 100. */
+    const int beats = gait_beats(fish, tick);
+    const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
+    switch (fish->gait) {
+    case GAIT_BURST:
+        return able * BURST_LENGTHS_PER_S;
+    case GAIT_SWIM:
+        return able * SWIM_LENGTHS_PER_S * (beats ? BEAT_SPEED : GLIDE_SPEED);
+    case GAIT_ESCAPE:
+        return able * (beats ? f_lerp(ESCAPE_LENGTHS_MIN, ESCAPE_LENGTHS_MAX, keen) : 2.0f);
+    default:
+        return able * DRIFT_LENGTHS_PER_S * keen;
+    }
+}
+
+float gait_run_up_s(float length_m)
+{
+    const float log10_length_cm = f_ln(100.0f * length_m) * 0.434294482f;
+    /* 1 - exp(-3) is 0.95. A fry below 1 cm has no logarithm to speak of. */
+    return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
+}

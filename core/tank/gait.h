@@ -1,0 +1,44 @@
+/* gait.h -- burst, swim or rest: what a fish does next, for how long, and what it costs.
+ *
+ * The 2013 thesis, sections 3.2 and 3.3, with stamina h in [0, 1] where the thesis counts 0 .. 100. */
+#ifndef KINGYO_CORE_TANK_GAIT_H
+#define KINGYO_CORE_TANK_GAIT_H
+
+#include "core/tank/fish.h"
+
+/* Chances of the next gait at stamina h; they sum to 1. */
+struct gait_chance {
+    float burst, swim, rest;
+};
+
+struct gait_chance gait_chance(float stamina);
+
+/* What every gait decision draws its numbers from. */
+struct gait_luck {
+    uint32_t seed, tick, fish;
+};
+
+/* Enters a gait: its duration, a new heading about the old one, a depth by stamina. `water_depth_m`
+ * is the tank's. */
+void gait_enter(struct fish *fish, enum fish_gait gait, struct gait_luck luck, float water_depth_m);
+
+/* One tick: pays stamina, and chooses anew when the time is up. */
+void gait_tick(struct fish *fish, struct gait_luck luck, float water_depth_m);
+
+/* The escape from what is at `from_m`: mostly away, over in less than a second. */
+void gait_escape(struct fish *fish, vec3 from_m, struct gait_luck luck);
+
+/* Speed along the nose that the gait asks for now, m/s: by gait, stamina, length, and where in the
+ * cycle of beats and glide the fish is. */
+float gait_speed_m_s(const struct fish *fish, uint32_t tick);
+
+/* Time constant of the run-up: 95 % of the speed is there after the thesis' T_d (eq. 2.3). */
+float gait_run_up_s(float length_m);
+
+/* Whether its tail drives (else it glides): koi and goldfish beat and coast in turn. */
+int gait_beats(const struct fish *fish, uint32_t tick);
+
+/* Wanted y for a stamina, < 0: lively fish keep low (section 3.6). Bands are fractions of the depth. */
+float gait_depth_m(float stamina, float water_depth_m);
+
+#endif

@@ -1,0 +1,41 @@
+/* obstacle.h -- what the poi and the bowls are to a fish: hulls to keep out of, and a fright. */
+#ifndef KINGYO_CORE_TANK_OBSTACLE_H
+#define KINGYO_CORE_TANK_OBSTACLE_H
+
+#include <stdint.h>
+
+#include "core/tank/fish.h"
+
+enum obstacle_kind {
+    OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across. Frightens when it moves. */
+    OBSTACLE_BOWL, /* A floating bowl's hull: half an ellipsoid hanging below the surface. */
+};
+
+/* What fish must swim round this tick. The poi and the bowls describe themselves this way. */
+struct obstacle {
+    uint8_t kind;      /* enum obstacle_kind */
+    vec3 centre_m;
+    vec3 normal;       /* Unit; a disc's up. */
+    vec3 velocity_m_s;
+    float radius_m;    /* Outer. */
+    float depth_m;     /* Of a bowl's hull below its mouth. */
+};
+
+/* A disc's ring is a torus of this thickness; the sheet inside it is the poi's own business. */
+#define RING_TUBE_PER_RADIUS 0.07f
+
+/* The least move that takes the fish's box off the ring or the hull; zero when it is clear. */
+vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box);
+
+/* How near the fish is to the whole disc, sheet included. */
+float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
+
+/* What a disc's motion adds to the alarm of a fish in one tick: nothing below 0.15 m/s or beyond
+ * 8 cm; a start within 60 to 150 ms when it rushes in. */
+float obstacle_alarm(const struct obstacle *disc, vec3 position_m);
+
+/* Wanted sidestep, m/s, horizontal: fish beside a slowly moving disc drift out of its way, those
+ * over or under its sheet do not. */
+vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m);
+
+#endif

@@ -1,0 +1,185 @@
+/* swim.c -- steering at bounded rates, so that every path is a smooth arc. */
+#include "core/tank/swim.h"
+
+#include "core/base/rng.h"
+#include "core/input.h"
+
+#define DT CORE_TICK_S
+#define GRAVITY_M_S2 9.81f
+
+/* Yaw: rates by gait (design; the thesis gives none). */
+#define TURN_RATE_REST (45.0f * F_DEG)
+#define TURN_RATE_SWIM (150.0f * F_DEG)
+#define TURN_RATE_AVOID (180.0f * F_DEG)
+#define TURN_RATE_BURST (360.0f * F_DEG)
+#define TURN_RATE_ESCAPE (1500.0f * F_DEG) /* A C-start turns 100 degrees in 60 to 80 ms. */
+
+#define WANDER_TICKS 108u               /* A new whim each 0.9 s ... */
+#define WANDER_RATE (28.0f * F_DEG)     /* ... of so many radians a second, one deviation. */
+
+#define CLIMB_MAX_M_S 0.03f
+#define CLIMB_GAIN_PER_S 0.6f
+#define PITCH_MAX (24.0f * F_DEG)
+#define GLIDE_TAU_S 0.55f               /* Koi: drag while gliding is a quarter of that in a burst. */
+
+static float ease(float from, float to, float tau_s)
+{
+    return from + (to - from) * f_min(1.0f, DT / tau_s);
+}
+
+void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index)
+{
+    if (fish->gait != GAIT_SWIM) {
+        return;
+    }
+    const uint32_t now = tick + (fish->look & 127u); /* Whims of a crowd must not change in step. */
+    const uint32_t whim = now / WANDER_TICKS;
+    const float t = (float)(now % WANDER_TICKS) / (float)WANDER_TICKS;
+    const struct rng_key from = { seed, whim, index, RNG_FISH_WANDER };
+    const struct rng_key to = { seed, whim + 1u, index, RNG_FISH_WANDER };
+    /* Uniform in +-1.73 has deviation 1. */
+    const float rate = f_lerp(rng_range(from, -1.73f, 1.73f), rng_range(to, -1.73f, 1.73f),
+                              t * t * (3.0f - 2.0f * t));
+    fish->heading_rad += rate * WANDER_RATE * DT;
+}
+
+/* Leaves the wall gently: the part of the course that runs into it fades, then turns inward. */
+static void turn_inward(struct fish *fish, vec3 normal, float weight)
+{
+    const float x = -f_sin(fish->heading_rad), z = -f_cos(fish->heading_rad);
+    const float into = x * normal.x + z * normal.z;
+    const float along = x * -normal.z + z * normal.x;
+    if (into < -0.2f) {
+        return;
+    }
+    /* Head on, it must choose a side, and keeps it. */
+    const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : (fish->look & 1u ? 1.0f : -1.0f);
+    const float new_into = into - (into + 0.3f) * weight;
+    const float new_along = along + side * weight * 0.5f * f_max(into, 0.0f);
+    const float gx = new_into * normal.x - new_along * normal.z;
+    const float gz = new_into * normal.z + new_along * normal.x;
+    const float goal_rad = f_atan2(-gx, -gz);
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + f_wrap_angle(goal_rad - fish->heading_rad) * 0.15f);
+}
+
+void swim_shun(struct fish *fish, vec3 normal, float gap_m)
+{
+    const float range_m = 0.5f * fish->length_m + 0.8f * fish->speed_m_s + 0.015f;
+    const float free_m = gap_m - 0.45f * fish->length_m;
+    if (free_m < range_m) {
+        turn_inward(fish, normal, 1.0f - f_clamp(free_m / range_m, 0.0f, 1.0f));
+    }
+}
+
+void swim_shun_walls(struct fish *fish, vec3 size_m)
+{
+    const vec3 p = fish->position_m;
+    const float near_x = 0.5f * size_m.x - f_abs(p.x), near_z = 0.5f * size_m.z - f_abs(p.z);
+    swim_shun(fish, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
+    swim_shun(fish, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
+}
+
+static float turn_rate_max(const struct fish *fish)
+{
+    switch (fish->gait) {
+    case GAIT_ESCAPE:
+        return TURN_RATE_ESCAPE;
+    case GAIT_BURST:
+        return TURN_RATE_BURST;
+    case GAIT_SWIM:
+        return fish->avoiding == AVOID_YAW ? TURN_RATE_AVOID : TURN_RATE_SWIM;
+    default:
+        return TURN_RATE_REST;
+    }
+}
+
+static void turn(struct fish *fish)
+{
+    const int starts = fish->gait == GAIT_ESCAPE;
+    const float error_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
+    const float rate_max = turn_rate_max(fish);
+    const float wanted = f_clamp(error_rad * (starts ? 25.0f : 3.0f), -rate_max, rate_max);
+    fish->yaw_rate_rad_s = ease(fish->yaw_rate_rad_s, wanted, starts ? 0.015f : 0.12f);
+    fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
+    /* It banks into the turn a little, as fish with a high back do. */
+    const float bank_rad = f_clamp(-0.07f * fish->yaw_rate_rad_s, -0.2f, 0.2f);
+    fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, 0.2f);
+}
+
+static void climb(struct fish *fish)
+{
+    const float off_m = fish->depth_goal_m - fish->position_m.y;
+    const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
+    const float wanted = fish->avoiding == AVOID_PITCH
+                             ? fish->avoid_turn * CLIMB_MAX_M_S
+                             : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
+    fish->climb_m_s = ease(fish->climb_m_s, wanted, 0.35f);
+    /* The nose follows the course; a fish that hangs still hardly tilts. */
+    const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
+    fish->angles.pitch_rad = ease(fish->angles.pitch_rad, f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX), 0.3f);
+}
+
+void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
+{
+    turn(fish);
+    climb(fish);
+    const float goal_m_s = speed_goal_m_s * (fish->gait == GAIT_ESCAPE ? 1.0f : fish->brake);
+    const float start_tau_s = fish->gait == GAIT_ESCAPE ? 0.03f : run_up_s;
+    const float glide_tau_s = fish->gait == GAIT_ESCAPE ? 0.25f : GLIDE_TAU_S;
+    fish->speed_m_s = ease(fish->speed_m_s, goal_m_s, goal_m_s > fish->speed_m_s ? start_tau_s : glide_tau_s);
+    const vec3 flat = v3(-f_sin(fish->angles.yaw_rad), 0.0f, -f_cos(fish->angles.yaw_rad));
+    vec3 velocity = v3_add(v3_scale(flat, fish->speed_m_s), fish->push_m_s);
+    velocity.y += fish->climb_m_s;
+    fish->position_m = v3_mad(fish->position_m, velocity, DT);
+}
+
+int swim_fall(struct fish *fish)
+{
+    const float half_m = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const struct box box = fish_box(fish);
+    const float emerged_m = fish->position_m.y + box_extent_m(&box).y;
+    if (emerged_m <= FISH_AIRBORNE_M) {
+        return 0;
+    }
+    const float wet = f_clamp((half_m - fish->position_m.y) / (2.0f * half_m), 0.0f, 1.0f);
+    vec3 v = fish->velocity_m_s;
+    v.y -= GRAVITY_M_S2 * (1.0f - wet) * DT;
+    v = v3_scale(v, 1.0f - f_min(0.9f, 12.0f * wet * DT)); /* Water stops it within a length. */
+    v.y = wet > 0.5f ? f_min(v.y, -0.12f) : v.y;           /* And it wants down. */
+    fish->position_m = v3_mad(fish->position_m, v, DT);
+    fish->velocity_m_s = v;
+    fish->angles.roll_rad = ease(fish->angles.roll_rad, 0.0f, 0.15f);
+    fish->angles.pitch_rad = ease(fish->angles.pitch_rad, -10.0f * F_DEG, 0.2f);
+    fish->speed_m_s = 0.0f;
+    fish->climb_m_s = v.y;
+    return 1;
+}
+
+/* Bainbridge 1958 and its low-speed end: f = U / 0.6 L up to 4 L/s, 4/3 (U / L + 1) above. */
+static float beat_hz(float lengths_per_s)
+{
+    return lengths_per_s < 4.0f ? f_max(0.5f, lengths_per_s / 0.6f) : 4.0f / 3.0f * (lengths_per_s + 1.0f);
+}
+
+/* The stroke widens up to 5 Hz and then keeps its width; a glide lets the tail trail. */
+static float stroke(float hz, int beats)
+{
+    const float wide = f_clamp(0.15f + 0.85f * (hz - 0.5f) / 1.5f, 0.15f, 1.0f);
+    const float most = f_clamp(1.0f + (hz - 5.0f) / 8.0f, 1.0f, 1.5f);
+    return beats ? f_min(wide * most, 1.5f) : 0.15f + 0.35f * (wide - 0.15f);
+}
+
+void swim_settle(struct fish *fish, vec3 moved_m, int beats)
+{
+    fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
+    const float along_m_s = v3_length(v3_sub(fish->velocity_m_s, v3_scale(fish->push_m_s, 0.5f)));
+    const float hz = beat_hz(along_m_s / fish->length_m);
+    fish->tail_beat_hz = ease(fish->tail_beat_hz, hz, fish->gait == GAIT_ESCAPE ? 0.03f : 0.15f);
+    fish->tail_amplitude =
+        ease(fish->tail_amplitude, stroke(fish->tail_beat_hz, beats), fish->gait == GAIT_ESCAPE ? 0.03f : 0.2f);
+    const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
+    fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
+    /* In a left turn the tail lies to the left, along the arc behind it. */
+    const float bend_rad = f_clamp(-0.20f * fish->yaw_rate_rad_s, -1.0f, 1.0f);
+    fish->bend_rad = ease(fish->bend_rad, bend_rad, fish->gait == GAIT_ESCAPE ? 0.02f : 0.08f);
+}

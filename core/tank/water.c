@@ -1,0 +1,133 @@
+/* water.c -- a damped wave equation on a grid of cells, with walls that send waves back.
+ *
+ * Steps of 1/60 s over cells of about 7 mm. Waves run at 0.23 m/s, the slowest that ripples on real
+ * water have (capillary-gravity minimum), which also keeps the explicit scheme stable. */
+#include "core/tank/water.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+
+#define WAVE_SPEED_M_S 0.23f
+#define STEP_S (1.0f / 60.0f)
+#define WAVE_KEEP 0.986f       /* Of the velocity a step: waves fade in about a second. */
+#define LEVEL_KEEP 0.9985f     /* Of the height a step: the level comes back to 0. */
+#define COURANT_MAX 0.45f      /* (c dt / dx)^2 along each axis; the scheme diverges at 0.5 + 0.5. */
+#define HEIGHT_MAX_M 0.02f     /* Higher waves would leave a tank that stands 6 cm above the water. */
+#define SLOPE_SCALE 508.0f     /* scene.h: +-127 is +-0.25. */
+
+void water_init(struct water *water)
+{
+    memset(water, 0, sizeof *water);
+}
+
+/* 1 at the centre, a raised rim, 0 from the radius on; its volume is zero, as water's must be. */
+static float press_profile(float s)
+{
+    return s < 1.0f ? (1.0f - s) * (1.0f - s) * (1.0f - 4.0f * s) : 0.0f;
+}
+
+/* First and last cell whose centre can lie within `radius` of `at`, both in cells; empty when first
+ * is the greater. */
+struct span {
+    int32_t first, last;
+};
+
+static struct span span_of(float at, float radius, int32_t count)
+{
+    const float low = f_clamp(at - radius, -1.0f, (float)count);
+    const float high = f_clamp(at + radius, -1.0f, (float)count);
+    const struct span span = { (int32_t)f_floor(low), (int32_t)f_floor(high) };
+    return (struct span){ span.first < 0 ? 0 : span.first, span.last >= count ? count - 1 : span.last };
+}
+
+/* Both layers move, so the push itself carries no velocity and waves start from rest. */
+void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m)
+{
+    if (f_abs(point_m.x) > 0.5f * size_m.x || f_abs(point_m.z) > 0.5f * size_m.z) {
+        return;
+    }
+    const float dx = size_m.x / (float)RIPPLE_X, dz = size_m.z / (float)RIPPLE_Z;
+    const float reach_m = f_max(radius_m, 1.5f * f_max(dx, dz)); /* No smaller than the grid shows. */
+    const float at_x = (point_m.x + 0.5f * size_m.x) / dx - 0.5f;
+    const float at_z = (point_m.z + 0.5f * size_m.z) / dz - 0.5f;
+    const struct span columns = span_of(at_x, reach_m / dx, (int32_t)RIPPLE_X);
+    const struct span rows = span_of(at_z, reach_m / dz, (int32_t)RIPPLE_Z);
+    for (int32_t row = rows.first; row <= rows.last; row++) {
+        for (int32_t column = columns.first; column <= columns.last; column++) {
+            const float x = ((float)column - at_x) * dx, z = ((float)row - at_z) * dz;
+            const float push = depth_m * press_profile((x * x + z * z) / (reach_m * reach_m));
+            for (int layer = 0; layer < 2; layer++) {
+                float *height = &water->height_m[layer][row][column];
+                *height = f_clamp(*height - push, -HEIGHT_MAX_M, HEIGHT_MAX_M);
+            }
+        }
+    }
+}
+
+static float next_height(float now, float before, float curve)
+{
+    return LEVEL_KEEP * now + WAVE_KEEP * (now - before) + curve;
+}
+
+static void step_row(float *restrict next, const float *restrict now, const float *restrict above,
+                     const float *restrict below, float kx, float kz)
+{
+    const int32_t end = (int32_t)RIPPLE_X - 1;
+    for (int32_t i = 1; i < end; i++) {
+        const float curve = kx * (now[i - 1] - 2.0f * now[i] + now[i + 1]) +
+                            kz * (above[i] - 2.0f * now[i] + below[i]);
+        next[i] = next_height(now[i], next[i], curve);
+    }
+    /* A wall mirrors the water: the cell beyond it is the cell before it. */
+    next[0] = next_height(now[0], next[0],
+                          kx * (now[1] - now[0]) + kz * (above[0] - 2.0f * now[0] + below[0]));
+    next[end] = next_height(now[end], next[end], kx * (now[end - 1] - now[end]) +
+                                                     kz * (above[end] - 2.0f * now[end] + below[end]));
+}
+
+static float courant(float cell_m)
+{
+    const float c = WAVE_SPEED_M_S * STEP_S / cell_m;
+    return f_min(c * c, COURANT_MAX);
+}
+
+void water_step(struct water *water, vec3 size_m)
+{
+    const float kx = courant(size_m.x / (float)RIPPLE_X), kz = courant(size_m.z / (float)RIPPLE_Z);
+    const uint32_t last = RIPPLE_Z - 1u;
+    float(*now)[RIPPLE_X] = water->height_m[water->newest];
+    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Holds the step before. */
+    for (uint32_t row = 0; row <= last; row++) {
+        const float *above = now[row == 0 ? 0 : row - 1u];
+        const float *below = now[row == last ? last : row + 1u];
+        step_row(next[row], now[row], above, below, kx, kz);
+    }
+    water->newest = (uint8_t)(1u - water->newest);
+}
+
+static int8_t slope_byte(float slope)
+{
+    return (int8_t)f_clamp(slope * SLOPE_SCALE, -127.0f, 127.0f);
+}
+
+void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2])
+{
+    const float per_x = 0.5f * (float)RIPPLE_X / size_m.x, per_z = 0.5f * (float)RIPPLE_Z / size_m.z;
+    const float(*height)[RIPPLE_X] = water->height_m[water->newest];
+    for (uint32_t row = 0; row < RIPPLE_Z; row++) {
+        const float *above = height[row == 0 ? 0 : row - 1u];
+        const float *below = height[row == RIPPLE_Z - 1u ? row : row + 1u];
+        for (uint32_t column = 0; column < RIPPLE_X; column++) {
+            const uint32_t left = column == 0 ? 0 : column - 1u;
+            const uint32_t right = column == RIPPLE_X - 1u ? column : column + 1u;
+            slope[row][column][0] = slope_byte((height[row][right] - height[row][left]) * per_x);
+            slope[row][column][1] = slope_byte((below[column] - above[column]) * per_z);
+        }
+    }
+}
+
+uint64_t water_hash(uint64_t hash, const struct water *water)
+{
+    hash = hash_u32(hash, water->newest);
+    return hash_floats(hash, &water->height_m[0][0][0], 2u * RIPPLE_Z * RIPPLE_X);
+}
