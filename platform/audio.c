@@ -1,0 +1,96 @@
+/* audio.c -- SDL asks for sound, the synthesiser makes it. */
+#include "platform/audio.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <SDL.h>
+
+/* On SDL's audio thread. */
+static void render(void *context, Uint8 *bytes, int size)
+{
+    struct audio *audio = context;
+    unsigned taken = atomic_load(&audio->taken);
+    while (taken != atomic_load(&audio->pushed)) {
+        synth_play(&audio->synth, &audio->queue[taken % AUDIO_QUEUE_MAX]);
+        atomic_store(&audio->taken, ++taken);
+    }
+    const uint32_t frame_count = (uint32_t)size / (2u * (uint32_t)sizeof(int16_t));
+    synth_render(&audio->synth, (int16_t *)(void *)bytes, frame_count);
+}
+
+static int audio_open(void *self)
+{
+    struct audio *audio = self;
+    if (audio->device) {
+        return HAL_OK;
+    }
+    const SDL_AudioSpec wanted = {
+        .freq = (int)SYNTH_RATE_HZ,
+        .format = AUDIO_S16SYS,
+        .channels = 2,
+        .samples = AUDIO_FRAME_COUNT,
+        .callback = render,
+        .userdata = audio,
+    };
+    synth_init(&audio->synth);
+    if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
+        /* No changes allowed: SDL converts to whatever the card wants. */
+        audio->device = SDL_OpenAudioDevice(NULL, 0, &wanted, NULL, 0);
+        if (audio->device) {
+            snprintf(audio->text, sizeof audio->text, "sound through SDL %s",
+                     SDL_GetCurrentAudioDriver());
+            SDL_PauseAudioDevice(audio->device, 0);
+            return HAL_OK;
+        }
+        SDL_QuitSubSystem(SDL_INIT_AUDIO);
+    }
+    snprintf(audio->text, sizeof audio->text,
+             "no sound: %.70s; plug a sound device in or set SDL_AUDIODRIVER", SDL_GetError());
+    return HAL_ERR_NONE;
+}
+
+static int audio_play(void *self, const struct sound_event *event)
+{
+    struct audio *audio = self;
+    if (!audio->device) {
+        return HAL_ERR_NONE;
+    }
+    if (SDL_GetAudioDeviceStatus(audio->device) == SDL_AUDIO_STOPPED) {
+        return HAL_ERR_GONE;
+    }
+    const unsigned pushed = atomic_load(&audio->pushed);
+    if (pushed - atomic_load(&audio->taken) == AUDIO_QUEUE_MAX) {
+        return HAL_ERR_BUSY; /* The card asks for nothing: a sound this late is better lost. */
+    }
+    audio->queue[pushed % AUDIO_QUEUE_MAX] = *event;
+    atomic_store(&audio->pushed, pushed + 1);
+    return HAL_OK;
+}
+
+static const char *audio_describe(void *self)
+{
+    const struct audio *audio = self;
+    return audio->text[0] ? audio->text : "no sound: not opened";
+}
+
+static void audio_close(void *self)
+{
+    struct audio *audio = self;
+    if (audio->device) {
+        SDL_CloseAudioDevice(audio->device);
+        SDL_QuitSubSystem(SDL_INIT_AUDIO);
+        audio->device = 0;
+    }
+}
+
+struct hal_audio audio_device(struct audio *audio)
+{
+    static const struct hal_audio_ops ops = {
+        .open = audio_open,
+        .play = audio_play,
+        .describe = audio_describe,
+        .close = audio_close,
+    };
+    return (struct hal_audio){ .ops = &ops, .self = audio };
+}

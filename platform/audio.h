@@ -1,0 +1,31 @@
+/* audio.h -- the stall's voice: SDL's audio device plays the core's synthesiser.
+ *
+ * play() puts an event into a ring and never waits; SDL's audio thread takes it out, starts the voice
+ * and renders. No device is no error that anybody hears: describe() says so and the kiosk is silent. */
+#ifndef KINGYO_PLATFORM_AUDIO_H
+#define KINGYO_PLATFORM_AUDIO_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "core/sound/sound.h"
+#include "platform/hal.h"
+
+#define AUDIO_QUEUE_MAX 64u   /* Four frames' worth of OUTPUT_SOUND_MAX; the device asks each frame. */
+#define AUDIO_FRAME_COUNT 512u /* Asked for at a time: 11 ms, less than one displayed frame. */
+
+/* The caller owns it and leaves it zero. It stays at its address while open. */
+struct audio {
+    uint32_t device;      /* SDL's id; 0: silent. */
+    struct synth synth;   /* The audio thread's alone once the device runs. */
+    char text[HAL_TEXT_SIZE];
+
+    /* One writer (the frame loop) and one reader (the audio thread): indexes only grow. */
+    struct sound_event queue[AUDIO_QUEUE_MAX];
+    atomic_uint pushed, taken;
+};
+
+struct hal_audio audio_device(struct audio *audio);
+
+#endif

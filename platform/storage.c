@@ -1,0 +1,349 @@
+/* storage.c -- finished rounds go to SQLite behind a bounded queue. */
+#include "platform/storage.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#define RETRY_S 1           /* Between two tries at a card that refused. */
+#define BUSY_MS 2000        /* Another program (kingyoctl, a backup) may hold the file this long. */
+#define SET_ASIDE_MAX 1000u /* Damaged files that may lie beside the good one. */
+
+/* A rollback journal, not WAL: one small write a minute, and no extra file has to survive for the
+ * last one to count. EXTRA also syncs the folder after the journal is gone, so that a power cut
+ * cannot bring the journal back and undo a round that saved_id() has named. */
+static const char schema[] = "PRAGMA journal_mode = DELETE;"
+                             "PRAGMA synchronous = EXTRA;"
+                             "CREATE TABLE IF NOT EXISTS rounds ("
+                             " number INTEGER PRIMARY KEY," /* Over all runs of the kiosk. */
+                             " id INTEGER NOT NULL,"        /* Within one run. */
+                             " seed INTEGER NOT NULL,"
+                             " start_tick INTEGER NOT NULL,"
+                             " end_tick INTEGER NOT NULL,"
+                             " caught INTEGER NOT NULL,"
+                             " by_bot INTEGER NOT NULL,"
+                             " ended_at INTEGER NOT NULL);"; /* Unix time, seconds. */
+
+static const char insert_round[] =
+    "INSERT INTO rounds (id, seed, start_tick, end_tick, caught, by_bot, ended_at)"
+    " VALUES (?, ?, ?, ?, ?, ?, ?)";
+
+static const char select_best_today[] =
+    "SELECT coalesce(max(caught), 0) FROM rounds WHERE by_bot = 0 AND ended_at >="
+    " CAST(strftime('%s', 'now', 'localtime', 'start of day', 'utc') AS INTEGER)";
+
+static void say(struct storage *storage, const char *what, const char *why, const char *advice)
+{
+    snprintf(storage->text, sizeof storage->text, "%.68s: %.44s; %.40s", what, why, advice);
+}
+
+/* ---- opening ------------------------------------------------------------------------------ */
+
+static void close_database(struct storage *storage)
+{
+    sqlite3_finalize(storage->insert);
+    sqlite3_close(storage->db);
+    storage->insert = NULL;
+    storage->db = NULL;
+}
+
+/* SQLITE_OK, or why the file cannot be used. SQLite finds most damage only when asked to look. */
+static int check_database(sqlite3 *db)
+{
+    sqlite3_stmt *check = NULL;
+    int code = sqlite3_prepare_v2(db, "PRAGMA quick_check(1)", -1, &check, NULL);
+    if (code == SQLITE_OK) {
+        code = sqlite3_step(check);
+        if (code == SQLITE_ROW) {
+            const unsigned char *verdict = sqlite3_column_text(check, 0);
+            const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
+            code = good ? SQLITE_OK : SQLITE_CORRUPT;
+        }
+    }
+    sqlite3_finalize(check);
+    return code;
+}
+
+/* Before the thread has the connection. */
+static int read_best_today(struct storage *storage)
+{
+    sqlite3_stmt *select = NULL;
+    int code = sqlite3_prepare_v2(storage->db, select_best_today, -1, &select, NULL);
+    if (code == SQLITE_OK) {
+        code = sqlite3_step(select);
+        if (code == SQLITE_ROW) {
+            storage->best_today = (uint32_t)sqlite3_column_int64(select, 0);
+            code = SQLITE_OK;
+        }
+    }
+    sqlite3_finalize(select);
+    return code;
+}
+
+static int open_database(struct storage *storage)
+{
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+    int code = sqlite3_open_v2(storage->path, &storage->db, flags, NULL);
+    if (code == SQLITE_OK) {
+        sqlite3_busy_timeout(storage->db, BUSY_MS);
+        code = check_database(storage->db);
+    }
+    if (code == SQLITE_OK) {
+        code = sqlite3_exec(storage->db, schema, NULL, NULL, NULL);
+    }
+    if (code == SQLITE_OK) {
+        code = sqlite3_prepare_v3(storage->db, insert_round, -1, SQLITE_PREPARE_PERSISTENT,
+                                  &storage->insert, NULL);
+    }
+    if (code == SQLITE_OK) {
+        code = read_best_today(storage);
+    }
+    if (code != SQLITE_OK) {
+        close_database(storage);
+    }
+    return code;
+}
+
+/* A journal belongs to its file: left behind, it would be played into the fresh one. */
+static void set_journal_aside(const struct storage *storage)
+{
+    char from[sizeof storage->path + 16], to[sizeof storage->set_aside + 16];
+    snprintf(from, sizeof from, "%s-journal", storage->path);
+    snprintf(to, sizeof to, "%s-journal", storage->set_aside);
+    rename(from, to);
+}
+
+/* Renames the damaged file to the first free kingyo.db.damaged-N. */
+static bool set_aside(struct storage *storage)
+{
+    for (unsigned n = 1; n <= SET_ASIDE_MAX; n++) {
+        snprintf(storage->set_aside, sizeof storage->set_aside, "%s.damaged-%u", storage->path, n);
+        if (access(storage->set_aside, F_OK) != 0) {
+            if (rename(storage->path, storage->set_aside) == 0) {
+                set_journal_aside(storage);
+                return true;
+            }
+            break;
+        }
+    }
+    storage->set_aside[0] = '\0';
+    return false;
+}
+
+/* Makes the folder when only its last part is missing: a mistyped path should not grow a tree. */
+static bool folder_is_there(struct storage *storage)
+{
+    if (mkdir(storage->dir, 0750) == 0 || errno == EEXIST) {
+        struct stat info;
+        if (stat(storage->dir, &info) == 0 && S_ISDIR(info.st_mode)) {
+            return true;
+        }
+        errno = ENOTDIR;
+    }
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "no store: %.56s", storage->dir);
+    say(storage, what, strerror(errno), "make that folder and restart");
+    return false;
+}
+
+/* ---- the thread --------------------------------------------------------------------------- */
+
+static int write_round(struct storage *storage, const struct storage_slot *slot)
+{
+    sqlite3_stmt *insert = storage->insert;
+    const struct round_record *record = &slot->record;
+    const int64_t values[] = { record->id,       record->seed,   record->start_tick,
+                               record->end_tick, record->caught, record->by_bot,
+                               slot->ended_s };
+    for (int i = 0; i < (int)(sizeof values / sizeof values[0]); i++) {
+        sqlite3_bind_int64(insert, i + 1, values[i]);
+    }
+    const int code = sqlite3_step(insert); /* Its own transaction: synced when it is done. */
+    sqlite3_reset(insert);
+    return code == SQLITE_DONE ? SQLITE_OK : code;
+}
+
+/* Writes what is queued, oldest first, and stops at the first refusal. */
+static void drain(struct storage *storage)
+{
+    unsigned written = atomic_load(&storage->written);
+    while (written != atomic_load(&storage->pushed)) {
+        const struct storage_slot *slot = &storage->queue[written % STORAGE_QUEUE_MAX];
+        const int code = write_round(storage, slot);
+        atomic_store(&storage->error, code);
+        if (code != SQLITE_OK) {
+            return;
+        }
+        atomic_store(&storage->saved_id, slot->record.id);
+        atomic_store(&storage->written, ++written);
+    }
+}
+
+static void wait_for_work(struct storage *storage)
+{
+    if (atomic_load(&storage->written) == atomic_load(&storage->pushed)) {
+        while (sem_wait(&storage->wake) != 0 && errno == EINTR) {
+        }
+        return;
+    }
+    struct timespec until;
+    clock_gettime(CLOCK_REALTIME, &until); /* What sem_timedwait measures by. */
+    until.tv_sec += RETRY_S;
+    sem_timedwait(&storage->wake, &until);
+}
+
+static void *writer(void *context)
+{
+    struct storage *storage = context;
+    while (!atomic_load(&storage->stop)) {
+        wait_for_work(storage);
+        drain(storage);
+    }
+    return NULL;
+}
+
+/* The thread takes no signals: those that end the kiosk are the main thread's to see. */
+static bool start_writer(struct storage *storage)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    sem_init(&storage->wake, 0, 0);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    storage->running = pthread_create(&storage->thread, NULL, writer, storage) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return storage->running;
+}
+
+/* ---- the device --------------------------------------------------------------------------- */
+
+/* Whether the path of the file is known; when not, `text` says why. */
+static bool find_file(struct storage *storage)
+{
+    if (!storage->dir) {
+        say(storage, "no store", "no folder was named", "give one with --data DIR");
+        return false;
+    }
+    const int length =
+        snprintf(storage->path, sizeof storage->path, "%s/" STORAGE_FILE, storage->dir);
+    if (length < 0 || (size_t)length >= sizeof storage->path) {
+        say(storage, "no store", "the folder's path is too long", "name a shorter one");
+        return false;
+    }
+    return folder_is_there(storage);
+}
+
+static int storage_open(void *self)
+{
+    struct storage *storage = self;
+    if (storage->running) {
+        return HAL_OK;
+    }
+    if (!find_file(storage)) {
+        return storage->dir ? HAL_ERR_IO : HAL_ERR_NONE;
+    }
+    sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
+    int code = open_database(storage);
+    if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && set_aside(storage)) {
+        code = open_database(storage);
+    }
+    if (code == SQLITE_OK && start_writer(storage)) {
+        return HAL_OK;
+    }
+    const char *why = code != SQLITE_OK ? sqlite3_errstr(code) : "no thread to be had";
+    close_database(storage);
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "no store: %.56s", storage->path);
+    say(storage, what, why, "rounds are not kept");
+    return HAL_ERR_IO;
+}
+
+static int storage_best_today(void *self, uint32_t *out)
+{
+    const struct storage *storage = self;
+    if (!storage->running) {
+        return HAL_ERR_NONE;
+    }
+    *out = storage->best_today;
+    return HAL_OK;
+}
+
+static int storage_save(void *self, const struct round_record *record)
+{
+    struct storage *storage = self;
+    if (!storage->running) {
+        return HAL_ERR_NONE;
+    }
+    if (record->id <= storage->accepted_id) {
+        return HAL_OK;
+    }
+    const unsigned pushed = atomic_load(&storage->pushed);
+    if (pushed - atomic_load(&storage->written) == STORAGE_QUEUE_MAX) {
+        return HAL_ERR_BUSY;
+    }
+    storage->queue[pushed % STORAGE_QUEUE_MAX] =
+        (struct storage_slot){ .record = *record, .ended_s = time(NULL) };
+    storage->accepted_id = record->id;
+    atomic_store(&storage->pushed, pushed + 1);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+static uint32_t storage_saved_id(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->saved_id);
+}
+
+static const char *storage_describe(void *self)
+{
+    struct storage *storage = self;
+    if (!storage->running) {
+        return storage->text[0] ? storage->text : "no store: not opened";
+    }
+    const int error = atomic_load(&storage->error);
+    if (error != SQLITE_OK) {
+        say(storage, "store", sqlite3_errstr(error), "free some space; it is tried each second");
+    } else if (storage->set_aside[0]) {
+        const char *name = strrchr(storage->set_aside, '/') + 1;
+        snprintf(storage->text, sizeof storage->text,
+                 "%.80s (a fresh one: the old was damaged and is now %.30s)", storage->path, name);
+    } else {
+        snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
+    }
+    return storage->text;
+}
+
+static void storage_close(void *self)
+{
+    struct storage *storage = self;
+    if (!storage->running) {
+        return;
+    }
+    atomic_store(&storage->stop, true);
+    sem_post(&storage->wake);
+    pthread_join(storage->thread, NULL);
+    drain(storage); /* What came while the thread was leaving. */
+    sem_destroy(&storage->wake);
+    close_database(storage);
+    storage->running = false;
+    atomic_store(&storage->stop, false);
+}
+
+struct hal_storage storage_device(struct storage *storage)
+{
+    static const struct hal_storage_ops ops = {
+        .open = storage_open,
+        .best_today = storage_best_today,
+        .save = storage_save,
+        .saved_id = storage_saved_id,
+        .describe = storage_describe,
+        .close = storage_close,
+    };
+    return (struct hal_storage){ .ops = &ops, .self = storage };
+}

@@ -1,0 +1,59 @@
+/* storage.h -- the store of finished rounds: one SQLite file, written by its own thread.
+ *
+ * A frame never waits for a card: save() puts a record into one of STORAGE_QUEUE_MAX slots and comes
+ * back, the thread writes and syncs it, and saved_id() then names it. A card that is slow, full or
+ * busy is tried again each second while the slots fill; when they are full, save() says HAL_ERR_BUSY
+ * and the core's record waits in its output. A damaged file is set aside under a new name, never
+ * repaired in place and never deleted, and a fresh one begins. */
+#ifndef KINGYO_PLATFORM_STORAGE_H
+#define KINGYO_PLATFORM_STORAGE_H
+
+#include <pthread.h>
+#include <semaphore.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "platform/hal.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+#define STORAGE_FILE "kingyo.db"
+#define STORAGE_PATH_SIZE 512u
+/* A round takes 10 s at least: 16 of them are minutes of a card that does not answer. */
+#define STORAGE_QUEUE_MAX 16u
+/* All the memory that SQLite may ever have, in bytes; it needs about 0.3 MiB of it. */
+#define STORAGE_HEAP_MAX (8 * 1024 * 1024)
+
+/* The caller owns it, sets `dir` and leaves the rest zero. It stays at its address while open. */
+struct storage {
+    const char *dir;      /* Where the file lives; must outlive this. Null: nothing is kept. */
+
+    struct sqlite3 *db;   /* The thread's alone once it runs. */
+    struct sqlite3_stmt *insert;
+    uint32_t best_today;  /* As the file said at open(); bots do not count. */
+    char path[STORAGE_PATH_SIZE];
+    char set_aside[STORAGE_PATH_SIZE + 32]; /* Where a damaged file went; empty: none was. */
+    char text[HAL_TEXT_SIZE];
+
+    pthread_t thread;
+    sem_t wake;
+    bool running;
+    atomic_bool stop;
+    atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
+
+    /* One writer (the frame loop) and one reader (the thread): indexes only grow. */
+    struct storage_slot {
+        struct round_record record;
+        int64_t ended_s;  /* Unix time when save() took it. */
+    } queue[STORAGE_QUEUE_MAX];
+    atomic_uint pushed, written;
+    uint32_t accepted_id; /* Newest id that save() took, so that asking twice keeps one. */
+    atomic_uint saved_id;
+};
+
+/* open() may wait for the disk, once, before the first frame; close() writes what is queued. */
+struct hal_storage storage_device(struct storage *storage);
+
+#endif

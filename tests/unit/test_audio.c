@@ -1,0 +1,121 @@
+/* test_audio.c -- what the core calls out is heard; with no sound device the kiosk is silent, no more. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <SDL.h>
+#include <cmocka.h>
+
+#include "platform/audio.h"
+
+static struct audio audio;
+
+static int silence_before(void **state)
+{
+    (void)state;
+    memset(&audio, 0, sizeof audio);
+    return 0;
+}
+
+static int close_after(void **state)
+{
+    (void)state;
+    const struct hal_audio device = audio_device(&audio);
+    device.ops->close(device.self);
+    return 0;
+}
+
+/* The loudest sample in a file of them; 0 is silence. */
+static int loudest(const char *path)
+{
+    int16_t samples[1024];
+    int peak = 0;
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    for (size_t count; (count = fread(samples, sizeof samples[0], 1024, file)) > 0;) {
+        for (size_t i = 0; i < count; i++) {
+            peak = abs(samples[i]) > peak ? abs(samples[i]) : peak;
+        }
+    }
+    fclose(file);
+    return peak;
+}
+
+/* SDL's `disk` driver writes what a card would have played. */
+static int heard_through_sdl(int play_something)
+{
+    char path[] = "/tmp/kingyo-sound-XXXXXX";
+    close(mkstemp(path));
+    setenv("SDL_AUDIODRIVER", "disk", 1);
+    setenv("SDL_DISKAUDIOFILE", path, 1);
+    const struct hal_audio device = audio_device(&audio);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_non_null(strstr(device.ops->describe(device.self), "disk"));
+    if (play_something) {
+        const struct sound_event event = { .sound = SOUND_CATCH, .gain = 1.0f };
+        assert_int_equal(device.ops->play(device.self, &event), HAL_OK);
+    }
+    SDL_Delay(200);
+    device.ops->close(device.self);
+    const int peak = loudest(path);
+    unlink(path);
+    return peak;
+}
+
+static void test_a_sound_reaches_the_device(void **state)
+{
+    (void)state;
+    assert_true(heard_through_sdl(1) > 1000);
+}
+
+static void test_no_sound_is_silence(void **state)
+{
+    (void)state;
+    assert_int_equal(heard_through_sdl(0), 0);
+}
+
+static void test_no_device_is_said_in_one_line(void **state)
+{
+    (void)state;
+    setenv("SDL_AUDIODRIVER", "nonesuch", 1);
+    const struct hal_audio device = audio_device(&audio);
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_NONE);
+    const char *text = device.ops->describe(device.self);
+    assert_non_null(strstr(text, "no sound"));
+    assert_null(strchr(text, '\n'));
+    const struct sound_event event = { .sound = SOUND_DIP, .gain = 1.0f };
+    assert_int_equal(device.ops->play(device.self, &event), HAL_ERR_NONE);
+}
+
+static void test_a_card_that_asks_for_nothing_never_holds_a_frame(void **state)
+{
+    (void)state;
+    setenv("SDL_AUDIODRIVER", "dummy", 1);
+    const struct hal_audio device = audio_device(&audio);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    SDL_PauseAudioDevice(audio.device, 1);
+    SDL_Delay(50); /* A request that was under way ends. */
+    const struct sound_event event = { .sound = SOUND_DIP, .gain = 1.0f };
+    for (uint32_t i = 0; i < AUDIO_QUEUE_MAX; i++) {
+        assert_int_equal(device.ops->play(device.self, &event), HAL_OK);
+    }
+    assert_int_equal(device.ops->play(device.self, &event), HAL_ERR_BUSY);
+}
+
+#define WITH_AUDIO(test) cmocka_unit_test_setup_teardown(test, silence_before, close_after)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        WITH_AUDIO(test_a_sound_reaches_the_device),
+        WITH_AUDIO(test_no_sound_is_silence),
+        WITH_AUDIO(test_no_device_is_said_in_one_line),
+        WITH_AUDIO(test_a_card_that_asks_for_nothing_never_holds_a_frame),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

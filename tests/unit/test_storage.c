@@ -1,0 +1,349 @@
+/* test_storage.c -- finished rounds survive; a bad disk is a line of text, never a dead kiosk. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "platform/storage.h"
+
+struct stall {
+    char dir[64];
+    char file[96];
+    struct storage storage;
+    struct hal_storage device;
+};
+
+static void pause_ms(long ms)
+{
+    nanosleep(&(struct timespec){ .tv_nsec = ms * 1000000L }, NULL);
+}
+
+static int set_up(void **state)
+{
+    struct stall *stall = calloc(1, sizeof *stall);
+    strcpy(stall->dir, "/tmp/kingyo-store-XXXXXX");
+    if (!mkdtemp(stall->dir)) {
+        return -1;
+    }
+    snprintf(stall->file, sizeof stall->file, "%s/" STORAGE_FILE, stall->dir);
+    stall->storage.dir = stall->dir;
+    stall->device = storage_device(&stall->storage);
+    *state = stall;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    struct stall *stall = *state;
+    stall->device.ops->close(stall->device.self);
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf %s", stall->dir);
+    const int failed = system(command);
+    free(stall);
+    return failed;
+}
+
+static int open_store(struct stall *stall)
+{
+    return stall->device.ops->open(stall->device.self);
+}
+
+static int save(struct stall *stall, uint32_t id, uint32_t caught, uint8_t by_bot)
+{
+    const struct round_record record = { .id = id,          .seed = 7,        .start_tick = 120,
+                                         .end_tick = 7320, .caught = caught, .by_bot = by_bot };
+    return stall->device.ops->save(stall->device.self, &record);
+}
+
+static uint32_t saved_id(struct stall *stall)
+{
+    return stall->device.ops->saved_id(stall->device.self);
+}
+
+static const char *text(struct stall *stall)
+{
+    return stall->device.ops->describe(stall->device.self);
+}
+
+/* Up to 5 s: a syncing disk is slow, a lost record never comes. */
+static void wait_until_saved(struct stall *stall, uint32_t id)
+{
+    for (int i = 0; i < 500 && saved_id(stall) < id; i++) {
+        pause_ms(10);
+    }
+    assert_int_equal(saved_id(stall), id);
+}
+
+static void reopen(struct stall *stall)
+{
+    stall->device.ops->close(stall->device.self);
+    memset(&stall->storage, 0, sizeof stall->storage);
+    stall->storage.dir = stall->dir;
+    assert_int_equal(open_store(stall), HAL_OK);
+}
+
+/* What another program reads in the file: the result of a query with one number. */
+static int ask(const struct stall *stall, const char *query)
+{
+    sqlite3 *db;
+    sqlite3_stmt *statement;
+    assert_int_equal(sqlite3_open_v2(stall->file, &db, SQLITE_OPEN_READONLY, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_prepare_v2(db, query, -1, &statement, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
+    const int answer = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    sqlite3_close(db);
+    return answer;
+}
+
+static void write_file(const char *path, const char *bytes, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    fclose(file);
+}
+
+static void test_a_saved_round_is_on_disk_with_every_field(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    assert_int_equal(saved_id(stall), 0);
+    assert_int_equal(save(stall, 1, 5, 0), HAL_OK);
+    wait_until_saved(stall, 1);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds WHERE id = 1 AND seed = 7 AND"
+                                " start_tick = 120 AND end_tick = 7320 AND caught = 5 AND"
+                                " by_bot = 0 AND abs(ended_at - strftime('%s', 'now')) < 60"),
+                     1);
+}
+
+static void test_the_best_of_today_is_a_persons(void **state)
+{
+    struct stall *stall = *state;
+    uint32_t best = 99;
+    assert_int_equal(open_store(stall), HAL_OK);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_OK);
+    assert_int_equal(best, 0);
+    save(stall, 1, 3, 0);
+    save(stall, 2, 4, 0);
+    save(stall, 3, 40, 1); /* a bot's */
+    wait_until_saved(stall, 3);
+    reopen(stall);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_OK);
+    assert_int_equal(best, 4);
+}
+
+static void test_yesterdays_rounds_are_not_todays_best(void **state)
+{
+    struct stall *stall = *state;
+    uint32_t best = 99;
+    assert_int_equal(open_store(stall), HAL_OK);
+    save(stall, 1, 8, 0);
+    wait_until_saved(stall, 1);
+    stall->device.ops->close(stall->device.self);
+    sqlite3 *db;
+    sqlite3_open(stall->file, &db);
+    assert_int_equal(sqlite3_exec(db, "UPDATE rounds SET ended_at = ended_at - 86400", 0, 0, 0), 0);
+    sqlite3_close(db);
+    reopen(stall);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_OK);
+    assert_int_equal(best, 0);
+}
+
+static void test_a_round_asked_for_every_frame_is_kept_once(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    for (int frame = 0; frame < 100; frame++) {
+        assert_int_equal(save(stall, 1, 2, 0), HAL_OK);
+    }
+    wait_until_saved(stall, 1);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 1);
+}
+
+static void test_the_ids_of_two_days_do_not_clash(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    save(stall, 1, 2, 0);
+    wait_until_saved(stall, 1);
+    reopen(stall);
+    assert_int_equal(saved_id(stall), 0); /* The core counts anew; so does what is saved. */
+    save(stall, 1, 6, 0);
+    wait_until_saved(stall, 1);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds WHERE id = 1"), 2);
+}
+
+static void test_closing_writes_what_is_queued(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    for (uint32_t id = 1; id <= 5; id++) {
+        assert_int_equal(save(stall, id, id, 0), HAL_OK);
+    }
+    stall->device.ops->close(stall->device.self);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 5);
+}
+
+/* Another program holds the file: save() never waits, a full queue is busy, nothing is lost. */
+static void test_a_card_that_does_not_answer_never_holds_a_frame(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    sqlite3 *other;
+    sqlite3_open(stall->file, &other);
+    assert_int_equal(sqlite3_exec(other, "BEGIN EXCLUSIVE", 0, 0, 0), SQLITE_OK);
+
+    struct timespec before, after;
+    clock_gettime(CLOCK_MONOTONIC, &before);
+    uint32_t id = 1;
+    while (id <= STORAGE_QUEUE_MAX) {
+        assert_int_equal(save(stall, id, id, 0), HAL_OK);
+        id++;
+    }
+    assert_int_equal(save(stall, id, id, 0), HAL_ERR_BUSY);
+    clock_gettime(CLOCK_MONOTONIC, &after);
+    const double ms = (double)(after.tv_sec - before.tv_sec) * 1e3 +
+                      (double)(after.tv_nsec - before.tv_nsec) * 1e-6;
+    assert_true(ms < 100.0); /* 17 calls; waiting for the file would take 2 s. */
+    assert_int_equal(saved_id(stall), 0);
+
+    sqlite3_exec(other, "ROLLBACK", 0, 0, 0);
+    sqlite3_close(other);
+    wait_until_saved(stall, STORAGE_QUEUE_MAX);
+    assert_int_equal(save(stall, id, id, 0), HAL_OK);
+    wait_until_saved(stall, id);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), (int)id);
+}
+
+static void test_a_new_folder_is_made_but_not_a_whole_path(void **state)
+{
+    struct stall *stall = *state;
+    char dir[96];
+    snprintf(dir, sizeof dir, "%s/new", stall->dir);
+    stall->storage.dir = dir;
+    assert_int_equal(open_store(stall), HAL_OK);
+    stall->device.ops->close(stall->device.self);
+
+    memset(&stall->storage, 0, sizeof stall->storage);
+    snprintf(dir, sizeof dir, "%s/no/such", stall->dir);
+    stall->storage.dir = dir;
+    assert_int_equal(open_store(stall), HAL_ERR_IO);
+    assert_non_null(strstr(text(stall), dir));
+    assert_non_null(strstr(text(stall), "make that folder"));
+}
+
+static void test_a_folder_that_cannot_be_written_is_one_line(void **state)
+{
+    struct stall *stall = *state;
+    stall->storage.dir = "/proc"; /* Refuses root too. */
+    assert_int_equal(open_store(stall), HAL_ERR_IO);
+    assert_non_null(strstr(text(stall), "/proc"));
+    assert_null(strchr(text(stall), '\n'));
+    uint32_t best;
+    assert_int_equal(save(stall, 1, 1, 0), HAL_ERR_NONE);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_ERR_NONE);
+    assert_int_equal(saved_id(stall), 0);
+}
+
+static void test_no_folder_at_all_is_said(void **state)
+{
+    struct stall *stall = *state;
+    stall->storage.dir = NULL;
+    assert_int_equal(open_store(stall), HAL_ERR_NONE);
+    assert_non_null(strstr(text(stall), "--data"));
+}
+
+static void test_a_file_that_is_no_database_is_set_aside(void **state)
+{
+    struct stall *stall = *state;
+    char junk[4096], aside[128];
+    memset(junk, 'x', sizeof junk);
+    write_file(stall->file, junk, sizeof junk);
+    assert_int_equal(open_store(stall), HAL_OK);
+    assert_non_null(strstr(text(stall), "damaged"));
+    snprintf(aside, sizeof aside, "%s.damaged-1", stall->file);
+    struct stat info;
+    assert_int_equal(stat(aside, &info), 0);
+    assert_int_equal(info.st_size, sizeof junk); /* Kept, not emptied. */
+    save(stall, 1, 1, 0);
+    wait_until_saved(stall, 1);
+}
+
+static void test_damage_inside_the_file_is_found_and_set_aside(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    for (uint32_t id = 1; id <= 8; id++) {
+        save(stall, id, id, 0);
+    }
+    wait_until_saved(stall, 8);
+    stall->device.ops->close(stall->device.self);
+    FILE *file = fopen(stall->file, "r+b");
+    assert_non_null(file);
+    fseek(file, 4096, SEEK_SET); /* The first page of the table. */
+    for (int i = 0; i < 64; i++) {
+        fputc(0xff, file);
+    }
+    fclose(file);
+    reopen(stall);
+    assert_non_null(strstr(text(stall), "damaged-1"));
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 0);
+}
+
+static void test_a_second_damaged_file_does_not_replace_the_first(void **state)
+{
+    struct stall *stall = *state;
+    char first[128], second[128];
+    snprintf(first, sizeof first, "%s.damaged-1", stall->file);
+    snprintf(second, sizeof second, "%s.damaged-2", stall->file);
+    write_file(first, "kept", 4);
+    write_file(stall->file, "this was never a database", 25);
+    assert_int_equal(open_store(stall), HAL_OK);
+    struct stat info;
+    assert_int_equal(stat(first, &info), 0);
+    assert_int_equal(info.st_size, 4);
+    assert_int_equal(access(second, F_OK), 0);
+}
+
+static void test_sqlite_has_a_hard_limit_on_memory(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    assert_int_equal(sqlite3_hard_heap_limit64(-1), STORAGE_HEAP_MAX);
+    save(stall, 1, 1, 0);
+    wait_until_saved(stall, 1);
+    assert_true(sqlite3_memory_highwater(0) < STORAGE_HEAP_MAX / 8);
+}
+
+#define IN_A_FOLDER(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        IN_A_FOLDER(test_a_saved_round_is_on_disk_with_every_field),
+        IN_A_FOLDER(test_the_best_of_today_is_a_persons),
+        IN_A_FOLDER(test_yesterdays_rounds_are_not_todays_best),
+        IN_A_FOLDER(test_a_round_asked_for_every_frame_is_kept_once),
+        IN_A_FOLDER(test_the_ids_of_two_days_do_not_clash),
+        IN_A_FOLDER(test_closing_writes_what_is_queued),
+        IN_A_FOLDER(test_a_card_that_does_not_answer_never_holds_a_frame),
+        IN_A_FOLDER(test_a_new_folder_is_made_but_not_a_whole_path),
+        IN_A_FOLDER(test_a_folder_that_cannot_be_written_is_one_line),
+        IN_A_FOLDER(test_no_folder_at_all_is_said),
+        IN_A_FOLDER(test_a_file_that_is_no_database_is_set_aside),
+        IN_A_FOLDER(test_damage_inside_the_file_is_found_and_set_aside),
+        IN_A_FOLDER(test_a_second_damaged_file_does_not_replace_the_first),
+        IN_A_FOLDER(test_sqlite_has_a_hard_limit_on_memory),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
