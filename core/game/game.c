@@ -11,7 +11,7 @@
 #define ROUND_S_DEFAULT 60u
 #define LAST_SECONDS 5u          /* Each with its tick. */
 #define CLEAR_Y_M 0.035f         /* Pois are held above this while nothing may be scooped. */
-#define GRIP_TICKS 84u           /* 0.7 s from one hand to the next. */
+#define GRIP_TICKS 144u          /* 1.2 s from one hand to the next: 1 m/s across the tank. */
 #define SWAP_TICKS (2u * CORE_TICK_HZ) /* The attract bot gets a new poi so long after a torn one. */
 #define REACH_SIDE_M 0.20f       /* Beyond the walls ... */
 #define REACH_HEIGHT_M 0.35f     /* ... and above the water that an arm reaches. */
@@ -299,8 +299,9 @@ static void tick_hand(struct core *core, const struct input *input, uint32_t ind
         wanted = input->poi[index].target;
     }
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
-    const float share = age < 1.0f ? age * age * age : 1.0f;
-    game->hand[index] = blend(game->hand[index], within_reach(core, wanted), share);
+    wanted = within_reach(core, wanted);
+    game->hand[index] =
+        age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
 }
 
 static void tick_hands(struct core *core, const struct input *input,

@@ -50,10 +50,20 @@ static void observe(struct hints *hints, const struct core *core, struct view_of
     hints->learned |= core->game.caught[0] > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
     hints->learned |=
         f_abs(core->game.hand[0].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
-    if (poi->sheet.paper_cells + HASTE_CELLS <= hints->paper_cells && speed_m_s > HASTE_M_S) {
+    if (hints->haste_cells >= HASTE_CELLS) {
         hints->haste_tick = core->tick;
     }
-    hints->paper_cells = poi->sheet.paper_cells;
+    hints->haste_cells = 0;
+}
+
+/* Cells that went while the ring moved too fast; between two looks speed may come and go. */
+static void watch_haste(struct hints *hints, const struct poi *poi)
+{
+    const uint32_t now = poi->sheet.paper_cells;
+    if (now < hints->paper_cells && v3_length(poi->velocity_m_s) > HASTE_M_S) {
+        hints->haste_cells += hints->paper_cells - now;
+    }
+    hints->paper_cells = now;
 }
 
 /* The lesson: the first thing not done yet that fits the moment. */
@@ -92,10 +102,16 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     if (core->poi[0].link == POI_LINK_LOST || core->poi[0].link == POI_LINK_ABSENT) {
         return HINT_LOST_POI;
     }
-    if (game->phase == PHASE_ROUND && game->gone_tick != 0) {
+    if (game->gone_tick != 0) {
         return HINT_TORN;
     }
-    return core->poi[0].link == POI_LINK_BOT ? HINT_NONE : lesson(hints, core, fish);
+    if (core->poi[0].link == POI_LINK_BOT) {
+        return HINT_NONE;
+    }
+    if (game->phase == PHASE_READY) {
+        return hints->learned & BIT(HINT_MOVE) ? HINT_NONE : HINT_MOVE;
+    }
+    return lesson(hints, core, fish);
 }
 
 void hints_init(struct hints *hints)
@@ -105,6 +121,7 @@ void hints_init(struct hints *hints)
 
 void hints_tick(struct hints *hints, const struct core *core)
 {
+    watch_haste(hints, &core->poi[0]);
     const int edge = core->tick == core->game.phase_tick; /* A new phase speaks at once. */
     if (!edge && core->tick % LOOK_TICKS != 0) {
         return;
@@ -125,6 +142,7 @@ uint64_t hints_hash(uint64_t hash, const struct hints *hints)
     hash = hash_u32(hash, hints->shown_tick);
     hash = hash_u32(hash, hints->learned);
     hash = hash_u32(hash, hints->haste_tick);
+    hash = hash_u32(hash, hints->haste_cells);
     hash = hash_u32(hash, hints->paper_cells);
     return hash_float(hash, hints->moved_m);
 }

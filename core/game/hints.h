@@ -14,7 +14,8 @@ struct hints {
     uint32_t shown_tick;  /* Since when. */
     uint32_t learned;     /* Bit (1 << enum scene_hint): done by this player. */
     uint32_t haste_tick;  /* When haste last tore the paper; 0 never. */
-    uint32_t paper_cells; /* Of poi 0 at the last look. */
+    uint32_t haste_cells; /* Torn in haste since the last look. */
+    uint32_t paper_cells; /* Of poi 0 in the last tick. */
     float moved_m;        /* Way of poi 0 in this round, up to what counts as moved. */
 };
 
