@@ -33,21 +33,10 @@ static void enter(struct core *core, uint8_t phase)
     core->game.phase_tick = core->tick;
 }
 
-/* ---- Paper and fish ------------------------------------------------------------------------- */
+/* ---- Paper ---------------------------------------------------------------------------------- */
 
-/* Fish that lie on a poi go back into the water under it. */
-static void release_fish(struct core *core, uint32_t index)
-{
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        struct fish *fish = &core->tank.fish[i];
-        if (fish->gait == GAIT_HELD && fish->holder == index) {
-            fish->gait = GAIT_SWIM;
-            fish->position_m.y = f_min(fish->position_m.y, -0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m);
-        }
-    }
-}
-
-/* A new poi in the same place. `series` tells the papers of rounds and of attract apart. */
+/* A new poi in the same place; fish that lay on the old one fall into the water. `series` tells the
+ * papers of rounds and of attract apart. */
 static void hand_out(struct core *core, uint32_t index, uint32_t number, uint32_t series)
 {
     struct poi *poi = &core->poi[index];
@@ -55,7 +44,6 @@ static void hand_out(struct core *core, uint32_t index, uint32_t number, uint32_
     const struct angles angles = poi->angles;
     const uint32_t seed = rng_u32(
         (struct rng_key){ core->config.seed, number, index + POI_MAX * series, RNG_ROUND_SEED });
-    release_fish(core, index);
     poi_init(poi, GRADE_STALL, poi->position_m, seed);
     poi->link = link;
     poi->angles = angles;

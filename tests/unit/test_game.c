@@ -556,8 +556,13 @@ static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(voi
     core.bowl[0].fish_count = 1;
     core.tank.fish[1].gait = GAIT_HELD;
     core.tank.fish[1].holder = 0;
-    start_with_a_hand();
-    step();
+    core.poi[0].riders[0].fish = 1;
+    core.poi[0].rider_count = 1;
+    hold_at(ABOVE_M);
+    input.pressed = INPUT_START;
+    core_tick(&core, &input, &output);
+    input.pressed = 0;
+    core_tick(&core, &input, &output);
     assert_int_equal(core.bowl[0].fish_count, 0);
     assert_true(core.tank.fish[0].gait < GAIT_HELD);
     assert_true(core.tank.fish[1].gait < GAIT_HELD);
