@@ -1,12 +1,11 @@
 /* ui.h -- the words and signs over the tank: title, countdown, score, hints, results.
  *
- * Drawn from the scene alone, in the scene's language, as one batch of textured quads with one
- * shader: letters are distance fields and shapes are formulas, so all is sharp at every size. The
- * layout scales with the screen, from 720p to 4K and upright, and keeps the tank's middle free
- * while a round is played.
+ * Drawn from the scene alone, in the scene's language, as one batch of quads with one shader: letters
+ * are distance fields and shapes are formulas, so all is sharp at every size. The layout scales with
+ * the screen, from 720p to 4K and upright, and keeps the tank's middle free while a round is played.
  *
- * The caller owns `struct ui` (about 200 KB, no pointers) and a current OpenGL ES 3.0 context.
- * Nothing is allocated by us after ui_init(). */
+ * The caller owns `struct ui` (about 150 KB, no pointers) and a current OpenGL ES 3.0 context. After
+ * ui_init() nothing is allocated by us. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_H
 #define KINGYO_PLATFORM_RENDER_UI_H
 
@@ -15,9 +14,11 @@
 
 #include "core/scene.h"
 #include "platform/render/ui_batch.h"
+#include "platform/render/ui_screens.h"
 
 struct ui {
     struct ui_batch batch;
+    struct ui_memory memory;
     uint32_t program, vertex_array, vertex_buffer, index_buffer; /* OpenGL names. */
     uint32_t font_texture, paper_texture;
     int32_t screen_uniform;
@@ -27,9 +28,9 @@ struct ui {
 int ui_init(struct ui *ui, char *why, size_t why_size);
 
 /* Draws over what is in the bound framebuffer, into (0, 0, width_px, height_px); both > 0.
- * Expects no state of its own. Leaves: blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test,
- * depth writes and face culling off, scissor and stencil as they were; its own program, vertex
- * array 0, texture unit 0 active with units 0 and 1 bound; the viewport covering the rectangle. */
+ * Needs no state but the bound framebuffer. Leaves behind: the viewport on that rectangle, blending
+ * on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off, depth writes on (as OpenGL
+ * starts), scissor off, its program current, vertex array 0, and textures on units 0 and 1. */
 void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px);
 
 /* Frees the OpenGL objects; the same context must be current. */

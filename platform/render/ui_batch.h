@@ -7,71 +7,78 @@
 
 #include <stdint.h>
 
-/* The longest screen (results, English, four players) needs about 300. */
-#define UI_QUADS_MAX 768u
+#include "platform/render/text.h"
 
+#define UI_QUADS_MAX 640u /* The longest screen (attract, English) needs about 300; a test knows. */
+
+/* What the shader draws in a quad, and what `shape` holds for it. */
 enum ui_kind {
-    UI_GLYPH = 0,  /* Distance field letter with an outline. */
-    UI_PANEL = 1,  /* Rounded box with a border. */
-    UI_RING = 2,   /* Arc of a ring, clockwise from the top. */
-    UI_GLOW = 3,   /* Soft round light or shade. */
-    UI_WASHI = 4,  /* Rounded box of paper with fibres. */
-    UI_WAVES = 5,  /* Rounded box with a faint pattern of waves. */
-    UI_LANTERN = 6, /* Paper lantern's body: ribs and an inner light. */
+    UI_GLYPH = 0,   /* grow, outline, softness (atlas pixels), screen pixels per atlas pixel */
+    UI_PANEL = 1,   /* half width, half height, corner radius, border */
+    UI_WASHI = 2,   /* ... of paper with fibres */
+    UI_WAVES = 3,   /* ... of cloth with a faint pattern of waves */
+    UI_RING = 4,    /* outer radius, width, part [0, 1] in `fill` clockwise from the top, rest `line` */
+    UI_GLOW = 5,    /* half width, half height, 1: adds light, 0: covers */
+    UI_LANTERN = 6, /* half width, half height, light [0, 1] */
+    UI_FISH = 7,    /* half width, half height, tail's swing [-1, 1] */
+    UI_POI = 8,     /* ring radius, paper left [0, 1] */
 };
 
 struct ui_vertex {
-    float x, y;        /* Pixels. */
-    float u, v;        /* Glyph: texels of the atlas. Shape: pixels from its centre. */
-    float shape[4];    /* Meaning by kind; see the shader in ui.c. */
-    uint8_t fill[4];   /* Straight alpha. */
-    uint8_t line[4];   /* Outline or border. */
-    float kind;        /* enum ui_kind */
+    float x, y;      /* Pixels. */
+    float u, v;      /* Glyph: atlas texels. Shape: pixels from its centre. */
+    float shape[4];
+    uint8_t fill[4]; /* Straight alpha. */
+    uint8_t line[4]; /* Outline, border, or second colour. */
+    float kind;      /* enum ui_kind */
 };
 
 struct ui_batch {
-    struct ui_vertex vertices[UI_QUADS_MAX * 4u];
+    struct ui_vertex vertices[UI_QUADS_MAX * 4u]; /* Top left, top right, bottom left, bottom right. */
     uint32_t quad_count;
     uint32_t dropped_count; /* Quads that found no room: a test holds this at 0. */
-    float opacity;          /* Multiplies every colour added from now on. */
+    float opacity;          /* [0, 1], of everything added from now on. */
 };
 
 struct ui_box {
     float x, y, width, height;
 };
 
+struct ui_shape {
+    struct ui_box box;
+    enum ui_kind kind;
+    float shape[4];       /* The half sizes are filled in from `box` where the kind wants them. */
+    uint32_t fill, line;
+    float lean_px;        /* The lower edge hangs this far to the right: cloth in the wind. */
+};
+
 /* Empties the batch; opacity 1. */
 void ui_batch_clear(struct ui_batch *batch);
 
-/* A box with round corners; `border_px` 0 is none. Its soft edge stays inside `box`. */
-struct ui_panel {
-    struct ui_box box;
-    float radius_px, border_px;
+/* Any kind but UI_GLYPH. The whole shape, soft edge included, stays inside its box. */
+void ui_shape(struct ui_batch *batch, const struct ui_shape *shape);
+
+struct ui_text {
+    enum font_id font;
+    float size_px;       /* Of an em. */
+    float align;         /* 0: x is the left end, 0.5 the middle, 1 the right end. */
+    float spacing_em;
+    float weight_em;     /* Thickens strokes on each side. */
+    float outline_em;    /* Around the strokes, in `line`; 0 is none. */
+    float soft_em;       /* The outline fades out over this much more: a shadow, or a light. */
     uint32_t fill, line;
-    enum ui_kind kind; /* UI_PANEL, UI_WASHI or UI_WAVES. */
+    float fit_px;        /* Shrinks the text to this width; 0 does not. */
 };
-void ui_panel(struct ui_batch *batch, const struct ui_panel *panel);
 
-/* A ring of outer radius `radius_px`; `part` [0, 1] of it is `fill`, the rest is `line`. */
-struct ui_ring {
-    float x, y, radius_px, width_px, part;
-    uint32_t fill, line;
-};
-void ui_ring(struct ui_batch *batch, const struct ui_ring *ring);
+/* Draws one line with its baseline at `y`; returns its width in pixels. */
+float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
+              const char *words);
 
-/* Strongest in the middle of `box`, gone at its edge. */
-void ui_glow(struct ui_batch *batch, struct ui_box box, uint32_t colour);
+/* The width that ui_text() would return, and the size in pixels it would use. */
+float ui_text_width(const struct ui_text *style, const char *words);
+float ui_text_size(const struct ui_text *style, const char *words);
 
-/* The lantern's body fills `box`; `light` [0, 1] is how bright it burns. */
-void ui_lantern(struct ui_batch *batch, struct ui_box box, uint32_t paper, float light);
-
-/* A glyph's rectangle; `weight_em`, `outline_px` as in text_draw(). */
-struct ui_glyph {
-    struct ui_box box, texels;
-    float grow, outline;     /* Atlas pixels: of the letter, and of its outline beyond that. */
-    float texel_px;          /* Screen pixels per atlas pixel. */
-    uint32_t fill, line;
-};
-void ui_glyph(struct ui_batch *batch, const struct ui_glyph *glyph);
+/* The baseline that centres capitals and digits on `y`. */
+float ui_text_middle(const struct ui_text *style, float y);
 
 #endif

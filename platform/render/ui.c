@@ -1,0 +1,172 @@
+/* ui.c -- puts the batch on the screen: one program, one vertex buffer, one call. */
+#include "platform/render/ui.h"
+
+#include <GLES3/gl3.h>
+#include <stdio.h>
+
+#include "assets.h"
+#include "fonts.h"
+#include "platform/render/ui_shader.h"
+
+#define INDICES_PER_QUAD 6u
+
+_Static_assert(UI_QUADS_MAX * 4u <= 65536u, "indices are 16 bits wide");
+
+static GLuint compile(GLenum stage, const char *const *sources, GLsizei count, char *why,
+                      size_t why_size)
+{
+    const GLuint shader = glCreateShader(stage);
+    GLint ok = 0;
+    glShaderSource(shader, count, sources, NULL);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (!ok) {
+        char log[256] = "";
+        glGetShaderInfoLog(shader, sizeof log, NULL, log);
+        snprintf(why, why_size, "user interface shader: %.200s", log);
+        glDeleteShader(shader);
+        return 0;
+    }
+    return shader;
+}
+
+static int link_program(struct ui *ui, GLuint vertex, GLuint fragment, char *why, size_t why_size)
+{
+    GLint ok = 0;
+    ui->program = glCreateProgram();
+    glAttachShader(ui->program, vertex);
+    glAttachShader(ui->program, fragment);
+    glLinkProgram(ui->program);
+    glGetProgramiv(ui->program, GL_LINK_STATUS, &ok);
+    if (!ok) {
+        snprintf(why, why_size, "user interface shader does not link");
+    }
+    return ok;
+}
+
+static int make_program(struct ui *ui, char *why, size_t why_size)
+{
+    /* The numbers of the distance field go in right after the #version line. */
+    char head[128];
+    snprintf(head, sizeof head, "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n",
+             ASSET_FONT_EDGE, ASSET_FONT_STEP);
+    const char *const fragment_parts[2] = { head, ui_fragment_source };
+    const GLuint vertex = compile(GL_VERTEX_SHADER, &ui_vertex_source, 1, why, why_size);
+    const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_parts, 2, why, why_size);
+    const int ok = vertex != 0 && fragment != 0 && link_program(ui, vertex, fragment, why, why_size);
+    glDeleteShader(vertex); /* Name 0 is ignored; the program keeps what it uses. */
+    glDeleteShader(fragment);
+    if (!ok) {
+        return 0;
+    }
+    glUseProgram(ui->program);
+    glUniform1i(glGetUniformLocation(ui->program, "font"), 0);
+    glUniform1i(glGetUniformLocation(ui->program, "paper"), 1);
+    glUniform2f(glGetUniformLocation(ui->program, "font_texel"), 1.0f / (float)ASSET_FONT_WIDTH,
+                1.0f / (float)ASSET_FONT_HEIGHT);
+    ui->screen_uniform = glGetUniformLocation(ui->program, "to_clip");
+    return 1;
+}
+
+static GLuint make_texture(const uint8_t *texels, uint32_t width, uint32_t height, GLint wrap)
+{
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_R8, (GLsizei)width, (GLsizei)height);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, (GLsizei)width, (GLsizei)height, GL_RED,
+                    GL_UNSIGNED_BYTE, texels);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    return texture;
+}
+
+static void add_attribute(GLuint location, GLint count, GLenum type, size_t offset)
+{
+    const GLboolean normalized = type == GL_UNSIGNED_BYTE;
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, type, normalized, sizeof(struct ui_vertex),
+                          (const void *)offset);
+}
+
+/* Every quad's indices are known beforehand; only vertices change from frame to frame. */
+static void make_buffers(struct ui *ui)
+{
+    static uint16_t indices[UI_QUADS_MAX * INDICES_PER_QUAD];
+    static const uint16_t corners[INDICES_PER_QUAD] = { 0, 2, 1, 1, 2, 3 };
+    for (uint32_t i = 0; i < UI_QUADS_MAX * INDICES_PER_QUAD; i++) {
+        indices[i] = (uint16_t)(i / INDICES_PER_QUAD * 4u + corners[i % INDICES_PER_QUAD]);
+    }
+    glGenVertexArrays(1, &ui->vertex_array);
+    glGenBuffers(1, &ui->vertex_buffer);
+    glGenBuffers(1, &ui->index_buffer);
+    glBindVertexArray(ui->vertex_array);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, ui->index_buffer);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof indices, indices, GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
+    add_attribute(0, 2, GL_FLOAT, offsetof(struct ui_vertex, x));
+    add_attribute(1, 2, GL_FLOAT, offsetof(struct ui_vertex, u));
+    add_attribute(2, 4, GL_FLOAT, offsetof(struct ui_vertex, shape));
+    add_attribute(3, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, fill));
+    add_attribute(4, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, line));
+    add_attribute(5, 1, GL_FLOAT, offsetof(struct ui_vertex, kind));
+    glBindVertexArray(0);
+}
+
+int ui_init(struct ui *ui, char *why, size_t why_size)
+{
+    *ui = (struct ui){ 0 };
+    if (!make_program(ui, why, why_size)) {
+        ui_close(ui);
+        return 0;
+    }
+    glActiveTexture(GL_TEXTURE0);
+    ui->font_texture =
+        make_texture(asset_font, ASSET_FONT_WIDTH, ASSET_FONT_HEIGHT, GL_CLAMP_TO_EDGE);
+    ui->paper_texture = make_texture(asset_paper, ASSET_PAPER_SIZE, ASSET_PAPER_SIZE, GL_REPEAT);
+    make_buffers(ui);
+    return 1;
+}
+
+void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px)
+{
+    ui_screens(&ui->batch, &ui->memory, scene, width_px, height_px);
+    glViewport(0, 0, (GLsizei)width_px, (GLsizei)height_px);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(ui->program);
+    glUniform2f(ui->screen_uniform, 2.0f / width_px, -2.0f / height_px);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, ui->paper_texture);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, ui->font_texture);
+    glBindVertexArray(ui->vertex_array);
+    glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
+    /* A fresh store each frame, so that the driver need not wait for the last frame's drawing. */
+    glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
+    glBufferSubData(GL_ARRAY_BUFFER, 0,
+                    (GLsizeiptr)(ui->batch.quad_count * 4u * sizeof(struct ui_vertex)),
+                    ui->batch.vertices);
+    glDrawElements(GL_TRIANGLES, (GLsizei)(ui->batch.quad_count * INDICES_PER_QUAD),
+                   GL_UNSIGNED_SHORT, NULL);
+    glBindVertexArray(0);
+}
+
+void ui_close(struct ui *ui)
+{
+    glDeleteProgram(ui->program);
+    glDeleteVertexArrays(1, &ui->vertex_array);
+    glDeleteBuffers(1, &ui->vertex_buffer);
+    glDeleteBuffers(1, &ui->index_buffer);
+    glDeleteTextures(1, &ui->font_texture);
+    glDeleteTextures(1, &ui->paper_texture);
+    *ui = (struct ui){ 0 };
+}

@@ -1,0 +1,130 @@
+/* ui_batch.c -- fills the list of quads: shapes, and text as one quad a letter. */
+#include "platform/render/ui_batch.h"
+
+#include "assets.h"
+
+/* Atlas pixels that an outline may reach: beyond it the distance field is flat. */
+#define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
+
+void ui_batch_clear(struct ui_batch *batch)
+{
+    batch->quad_count = 0;
+    batch->dropped_count = 0;
+    batch->opacity = 1.0f;
+}
+
+static void unpack(uint8_t out[4], uint32_t colour, float opacity)
+{
+    out[0] = (uint8_t)(colour >> 24);
+    out[1] = (uint8_t)(colour >> 16);
+    out[2] = (uint8_t)(colour >> 8);
+    out[3] = (uint8_t)((float)(colour & 0xffu) * opacity + 0.5f);
+}
+
+/* Four vertices that share everything but their corner; null when the batch is full. */
+static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
+{
+    if (batch->opacity <= 0.0f) {
+        return NULL;
+    }
+    if (batch->quad_count == UI_QUADS_MAX) {
+        batch->dropped_count++;
+        return NULL;
+    }
+    struct ui_vertex *quad = &batch->vertices[batch->quad_count++ * 4u];
+    for (uint32_t i = 0; i < 4u; i++) {
+        const float right = (float)(i & 1u), down = (float)(i >> 1);
+        quad[i].x = shape->box.x + shape->box.width * right + shape->lean_px * down;
+        quad[i].y = shape->box.y + shape->box.height * down;
+        quad[i].u = shape->box.width * (right - 0.5f);
+        quad[i].v = shape->box.height * (down - 0.5f);
+        for (uint32_t k = 0; k < 4u; k++) {
+            quad[i].shape[k] = shape->shape[k];
+        }
+        unpack(quad[i].fill, shape->fill, batch->opacity);
+        unpack(quad[i].line, shape->line, batch->opacity);
+        quad[i].kind = (float)shape->kind;
+    }
+    return quad;
+}
+
+void ui_shape(struct ui_batch *batch, const struct ui_shape *shape)
+{
+    struct ui_shape whole = *shape;
+    if (shape->kind != UI_RING && shape->kind != UI_POI) {
+        whole.shape[0] = 0.5f * shape->box.width;
+        whole.shape[1] = 0.5f * shape->box.height;
+    }
+    add_quad(batch, &whole);
+}
+
+float ui_text_width(const struct ui_text *style, const char *words)
+{
+    return text_width_em(style->font, words, style->spacing_em) * ui_text_size(style, words);
+}
+
+float ui_text_size(const struct ui_text *style, const char *words)
+{
+    const float width_px = text_width_em(style->font, words, style->spacing_em) * style->size_px;
+    const int too_wide = style->fit_px > 0.0f && width_px > style->fit_px;
+    return too_wide ? style->size_px * style->fit_px / width_px : style->size_px;
+}
+
+float ui_text_middle(const struct ui_text *style, float y)
+{
+    return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
+}
+
+static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
+                      float y, const struct font_glyph *glyph)
+{
+    const float em = asset_fonts[style->font].em_px, texel_px = size_px / em;
+    struct ui_shape shape = { .kind = UI_GLYPH, .fill = style->fill, .line = style->line };
+    shape.box.x = x + glyph->left_em * size_px;
+    shape.box.y = y + glyph->top_em * size_px;
+    shape.box.width = (float)glyph->width * texel_px;
+    shape.box.height = (float)glyph->height * texel_px;
+    shape.shape[0] = style->weight_em * em;
+    shape.shape[1] = style->outline_em * em;
+    shape.shape[2] = style->soft_em * em;
+    shape.shape[3] = texel_px;
+    const float left = REACH_PX - shape.shape[0] - shape.shape[1];
+    shape.shape[2] = shape.shape[2] < left ? shape.shape[2] : left > 0.0f ? left : 0.0f;
+    struct ui_vertex *quad = add_quad(batch, &shape);
+    for (uint32_t i = 0; quad != NULL && i < 4u; i++) {
+        quad[i].u = (float)(glyph->x + ((i & 1u) != 0 ? glyph->width : 0u));
+        quad[i].v = (float)(glyph->y + ((i & 2u) != 0 ? glyph->height : 0u));
+    }
+}
+
+static void add_line(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
+                     float y, const char *words)
+{
+    for (uint32_t code = text_next(&words); code != 0; code = text_next(&words)) {
+        const struct font_glyph *glyph = text_glyph_or_mark(style->font, code);
+        if (glyph == NULL) {
+            continue;
+        }
+        if (glyph->width > 0) {
+            add_glyph(batch, style, size_px, x, y, glyph);
+        }
+        x += (glyph->advance_em + style->spacing_em) * size_px;
+    }
+}
+
+float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
+              const char *words)
+{
+    const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
+    const float left = x - style->align * width_px;
+    if (style->outline_em + style->soft_em > 0.0f) { /* First, so that no outline covers a letter. */
+        struct ui_text outline = *style;
+        outline.fill = 0;
+        add_line(batch, &outline, size_px, left, y, words);
+    }
+    struct ui_text letters = *style;
+    letters.line = 0;
+    letters.outline_em = letters.soft_em = 0.0f;
+    add_line(batch, &letters, size_px, left, y, words);
+    return width_px;
+}

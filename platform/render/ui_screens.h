@@ -1,0 +1,23 @@
+/* ui_screens.h -- what stands where in each phase of the game. Knows no OpenGL. */
+#ifndef KINGYO_PLATFORM_RENDER_UI_SCREENS_H
+#define KINGYO_PLATFORM_RENDER_UI_SCREENS_H
+
+#include <stdint.h>
+
+#include "core/scene.h"
+#include "platform/render/ui_batch.h"
+
+/* What was shown last, so that a change can be eased in. Zero is a valid start. */
+struct ui_memory {
+    uint32_t hint_tick;          /* When the hint last changed ... */
+    uint32_t caught_tick;        /* ... and the first player's catch. */
+    uint32_t caught;
+    uint32_t best_before;        /* Today's best as the round began. */
+    uint8_t hint;
+};
+
+/* Fills `batch` (cleared first) with the whole screen of `scene`. Both sizes > 0. */
+void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
+                float width_px, float height_px);
+
+#endif

@@ -1,0 +1,187 @@
+/* ui_shots.c -- pictures of every screen of the user interface, for eyes.
+ *
+ *   build/tests/golden/ui_shots OUT [BACKDROP.png]
+ *
+ * Draws each phase in both languages at three sizes, off screen, over a backdrop (a still of the tank,
+ * or plain water), and writes OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. Also says what one screen costs. */
+#include <GLES3/gl3.h>
+#include <SDL.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+#include "platform/render/ui.h"
+
+#define WIDTH_MAX 3840
+#define HEIGHT_MAX 2160
+#define COST_DRAWS 20
+
+struct shot {
+    const char *name;
+    uint8_t phase, hint;
+    float phase_s, seconds_left;
+    uint32_t caught, best;
+    float paper_left;
+    uint8_t players;
+};
+
+static const struct shot shots[] = {
+    { "attract", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1 },
+    { "ready", PHASE_READY, HINT_MOVE, 0.85f, 2.15f, 0, 12, 1.0f, 1 },
+    { "go", PHASE_ROUND, HINT_DIP, 0.4f, 59.6f, 0, 12, 1.0f, 1 },
+    { "round", PHASE_ROUND, HINT_TILT, 30.0f, 30.0f, 7, 12, 0.66f, 4 },
+    { "torn", PHASE_ROUND, HINT_TORN, 52.0f, 7.5f, 13, 12, 0.0f, 1 },
+    { "result", PHASE_RESULT, HINT_NONE, 2.4f, 0.0f, 13, 13, 0.0f, 1 },
+    { "again", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 4, 12, 0.4f, 1 },
+};
+
+static const int sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 720, 1280 } };
+
+static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t language)
+{
+    memset(scene, 0, sizeof *scene);
+    scene->tick = 1000;
+    scene->phase = shot->phase;
+    scene->hint = shot->hint;
+    scene->phase_s = shot->phase_s;
+    scene->seconds_left = shot->seconds_left;
+    scene->best_today = shot->best;
+    scene->language = language;
+    for (uint32_t i = 0; i < shot->players; i++) {
+        scene->poi[i].present = 1;
+        scene->poi[i].paper_left = i == 0 ? shot->paper_left : 0.9f - 0.2f * (float)i;
+        scene->caught[i] = i == 0 ? shot->caught : 2u * i;
+    }
+}
+
+static int open_context(void)
+{
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+        return 0;
+    }
+    SDL_Window *window = SDL_CreateWindow("ui", 0, 0, 64, 64, SDL_WINDOW_OPENGL);
+    return window != NULL && SDL_GL_CreateContext(window) != NULL;
+}
+
+static GLuint make_target(GLsizei width, GLsizei height)
+{
+    GLuint framebuffer, colour;
+    glGenFramebuffers(1, &framebuffer);
+    glGenTextures(1, &colour);
+    glBindTexture(GL_TEXTURE_2D, colour);
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour, 0);
+    return framebuffer;
+}
+
+/* Covers the target with the middle of the backdrop, scaled to fill it. */
+static void draw_backdrop(GLuint source, int source_width, int source_height, int width, int height)
+{
+    glClearColor(0.10f, 0.42f, 0.52f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (source == 0) {
+        return;
+    }
+    const float scale = (float)height / (float)source_height;
+    const int used = (int)((float)width / scale) < source_width ? (int)((float)width / scale)
+                                                                : source_width;
+    const int left = (source_width - used) / 2;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    glBlitFramebuffer(left, 0, left + used, source_height, 0, 0, width, height,
+                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+static GLuint load_backdrop(const char *path, int *width, int *height)
+{
+    stbi_set_flip_vertically_on_load(1);
+    unsigned char *pixels = path != NULL ? stbi_load(path, width, height, NULL, 4) : NULL;
+    if (pixels == NULL) {
+        return 0;
+    }
+    const GLuint framebuffer = make_target(*width, *height);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, *width, *height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    stbi_image_free(pixels);
+    return framebuffer;
+}
+
+static int write_picture(const char *path, int width, int height)
+{
+    static uint8_t pixels[WIDTH_MAX * HEIGHT_MAX * 4];
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    for (int i = 0; i < width * height; i++) {
+        pixels[i * 4 + 3] = 255;
+    }
+    stbi_flip_vertically_on_write(1);
+    return stbi_write_png(path, width, height, 4, pixels, width * 4);
+}
+
+static void say_cost(struct ui *ui, const struct scene *scene, const char *name, int width, int height)
+{
+    glFinish();
+    const Uint64 start = SDL_GetPerformanceCounter();
+    for (int i = 0; i < COST_DRAWS; i++) {
+        ui_draw(ui, scene, (float)width, (float)height);
+    }
+    glFinish();
+    const double ticks = (double)(SDL_GetPerformanceCounter() - start);
+    printf("%-8s %4dx%-4d %3u quads %6.2f ms\n", name, width, height, ui->batch.quad_count,
+           1e3 * ticks / (double)SDL_GetPerformanceFrequency() / COST_DRAWS);
+}
+
+int main(int count, char **arguments)
+{
+    static struct ui ui;
+    static struct scene scene;
+    char why[256];
+    SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
+    if (count < 2 || count > 3) {
+        fputs("usage: ui_shots OUT [BACKDROP.png]\n", stderr);
+        return 2;
+    }
+    if (!open_context()) {
+        fprintf(stderr, "ui_shots: no OpenGL ES 3 context: %s\n", SDL_GetError());
+        return 1;
+    }
+    if (!ui_init(&ui, why, sizeof why)) {
+        fprintf(stderr, "ui_shots: %s\n", why);
+        return 1;
+    }
+    int back_width = 0, back_height = 0;
+    const GLuint backdrop = load_backdrop(count > 2 ? arguments[2] : NULL, &back_width, &back_height);
+    for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
+        const int width = sizes[s][0], height = sizes[s][1];
+        const GLuint target = make_target(width, height);
+        for (size_t i = 0; i < sizeof shots / sizeof *shots; i++) {
+            for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+                char path[512];
+                fill_scene(&scene, &shots[i], language);
+                ui.memory = (struct ui_memory){ .hint = shots[i].hint, .caught = shots[i].caught,
+                                                .best_before = 12, .hint_tick = 800 };
+                glBindFramebuffer(GL_FRAMEBUFFER, target);
+                if (language == 0) {
+                    say_cost(&ui, &scene, shots[i].name, width, height);
+                }
+                draw_backdrop(backdrop, back_width, back_height, width, height);
+                glBindFramebuffer(GL_FRAMEBUFFER, target);
+                ui_draw(&ui, &scene, (float)width, (float)height);
+                snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", arguments[1], shots[i].name,
+                         language == 0 ? "ja" : "en", width, height);
+                if (!write_picture(path, width, height)) {
+                    fprintf(stderr, "ui_shots: cannot write %s\n", path);
+                    return 74;
+                }
+            }
+        }
+    }
+    ui_close(&ui);
+    return 0;
+}
