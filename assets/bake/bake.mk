@@ -51,5 +51,3 @@ $(GENERATED)/blobs.o: assets/bake/blobs.S $(BLOBS)
 $(GENERATED)/%.o: $(GENERATED)/%.c | generated
 	$(call step,CC,$<)
 	$(Q)$(CC) $(HOST_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
-
--include assets/bake/species.mk

@@ -1,0 +1,48 @@
+/* species.c -- bake_species IN.txt OUT.c: turns a species' text into the core's constant tables.
+ *
+ * Exit 0 for done, 2 for wrong usage, 65 for a text that is no species, 74 for files. */
+#include "assets/bake/species.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum { EXIT_USAGE = 2, EXIT_DATA = 65, EXIT_IO = 74 };
+
+static int complain(const char *path)
+{
+    fprintf(stderr, "%s: %s\n", path, strerror(errno));
+    return EXIT_IO;
+}
+
+static int bake(const struct species_text *species, const char *path)
+{
+    static struct loft lofts[SPECIES_LOD_COUNT];
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        species_loft(species, &species_detail[lod], &lofts[lod]);
+    }
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        return complain(path);
+    }
+    const bool whole = species_write(file, species, lofts);
+    if (fclose(file) != 0 || !whole) {
+        return complain(path);
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    static struct species_text species;
+    if (argc != 3) {
+        fprintf(stderr, "usage: %s SPECIES.txt OUT.c\n", argv[0]);
+        return EXIT_USAGE;
+    }
+    FILE *file = fopen(argv[1], "r");
+    if (!file) {
+        return complain(argv[1]);
+    }
+    const bool good = species_read(file, argv[1], &species);
+    fclose(file);
+    return good ? bake(&species, argv[2]) : EXIT_DATA;
+}

@@ -1,0 +1,91 @@
+/* species.h -- a species as a maker writes it, and the shapes that the bake lofts from it.
+ *
+ * Build-time code for the building machine: it may use libm and the heap, the core may not. All
+ * lengths of a drawing are fractions of standard length (snout to tail root), x from the snout
+ * backward, y up from the body's axis. assets/species/README.md explains every word to makers. */
+#ifndef KINGYO_ASSETS_BAKE_SPECIES_H
+#define KINGYO_ASSETS_BAKE_SPECIES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "core/morph/species.h"
+
+#define NAME_MAX_SIZE 32
+#define STATION_MAX 24 /* More would be a scan, not a drawing. */
+#define RAY_MAX 12
+#define MESH_VERTEX_MAX 1024
+#define MESH_INDEX_MAX 8192
+
+/* A cross section: a superellipse of the given height and width, its centre `offset` above the axis. */
+struct station {
+    float x, depth, width, offset, exponent;
+};
+
+/* One fin ray at `at` (0 .. 1 along the fin's base): its length and where it points, in degrees.
+ * What `sweep` and `side` turn from is the fin's own: see fin_direction() in species_loft.c. */
+struct ray {
+    float at, length, sweep_deg, side_deg;
+};
+
+struct fin {
+    float start, end; /* The base, along the body; of the tail: its height, bottom to top. */
+    float girth;      /* Where a paired fin sits, 0 back .. 0.5 belly. */
+    float curl_deg;   /* How far a ray has bent on at its tip. */
+    uint32_t ray_count;
+    struct ray rays[RAY_MAX];
+};
+
+struct eye {
+    float x, y, diameter, bulge; /* `bulge`: how far it stands out, of its diameter. */
+};
+
+struct key_text {
+    char name[NAME_MAX_SIZE];
+    float length_m;
+    uint32_t station_count;
+    struct station stations[STATION_MAX];
+    struct eye eye;
+    struct fin fins[PART_COUNT]; /* By part; PART_BODY and PART_EYE stay empty. */
+    struct species_tint tint;
+};
+
+struct species_text {
+    char id[NAME_MAX_SIZE];
+    struct growth growth;
+    uint32_t key_count, knot_count;
+    struct key_text keys[MORPH_KEY_MAX];
+    struct graph_knot knots[CURVE_KNOT_MAX];
+};
+
+/* One level of detail: how many rings and spokes the body has, rays and points along each fin. */
+struct detail {
+    uint32_t rings, spokes;
+    uint32_t eye_rings, eye_spokes;
+    struct { uint32_t across, along; } fins[PART_COUNT];
+};
+
+struct loft {
+    uint32_t vertex_count, index_count;
+    struct species_vertex vertices[MESH_VERTEX_MAX];
+    vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX];
+    vec3 normals[MORPH_KEY_MAX][MESH_VERTEX_MAX];
+    uint16_t indices[MESH_INDEX_MAX];
+};
+
+/* Near, then far. */
+extern const struct detail species_detail[SPECIES_LOD_COUNT];
+
+/* Reads a whole species file. On bad input prints one line 'PATH:LINE: what' and answers false. */
+bool species_read(FILE *file, const char *path, struct species_text *species);
+
+/* Makes every key's shape on one topology, scaled to unit total length. */
+void species_loft(const struct species_text *species, const struct detail *detail,
+                  struct loft *loft);
+
+/* Writes the C source of `struct species species_ID`. False when the file did not take it all. */
+bool species_write(FILE *file, const struct species_text *species,
+                   const struct loft lofts[SPECIES_LOD_COUNT]);
+
+#endif
