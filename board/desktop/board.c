@@ -1,0 +1,116 @@
+/* board.c -- the desktop: a window, a mouse for a poi, keys for buttons, what sound and disk there is.
+ *
+ * The one place that knows every driver, and the one home of their state. */
+#include "platform/board.h"
+
+#include <SDL.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "drivers/buttons_keyboard.h"
+#include "drivers/null.h"
+#include "drivers/poi_mouse.h"
+#include "platform/clock.h"
+#include "platform/render/display_gl.h"
+#include "platform/watchdog.h"
+
+static struct {
+    struct display_gl display;
+    struct poi_mouse mouse;
+    struct buttons_keyboard keyboard;
+    struct watchdog watchdog;
+    char display_text[HAL_TEXT_SIZE];
+} devices;
+
+/* Events that no driver takes would fill SDL's queue over a long day. */
+static void ignore_foreign_events(void)
+{
+    static const Uint32 foreign[] = {
+        SDL_FINGERDOWN,       SDL_FINGERUP,          SDL_FINGERMOTION,    SDL_DOLLARGESTURE,
+        SDL_DOLLARRECORD,     SDL_MULTIGESTURE,      SDL_CLIPBOARDUPDATE, SDL_DROPFILE,
+        SDL_DROPTEXT,         SDL_DROPBEGIN,         SDL_DROPCOMPLETE,    SDL_DISPLAYEVENT,
+        SDL_AUDIODEVICEADDED, SDL_AUDIODEVICEREMOVED, SDL_SYSWMEVENT,     SDL_LOCALECHANGED,
+        SDL_RENDER_TARGETS_RESET, SDL_RENDER_DEVICE_RESET,
+    };
+    for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
+        SDL_EventState(foreign[i], SDL_IGNORE);
+    }
+}
+
+static void open_display(struct hal *hal, const struct board_options *options)
+{
+    struct display_gl *display = &devices.display;
+    display->config = (struct display_gl_config){
+        .width = options->width,
+        .height = options->height,
+        .full_screen = options->full_screen != 0,
+        .off_screen = options->off_screen != 0,
+        .title = "Kingyo",
+    };
+    hal->display = display_gl_device(display);
+    if (hal->display.ops->open(display) != HAL_OK) {
+        snprintf(devices.display_text, sizeof devices.display_text, "%.*s",
+                 (int)sizeof devices.display_text - 1, hal->display.ops->describe(display));
+        hal->display = null_display(devices.display_text);
+        return;
+    }
+    ignore_foreign_events();
+}
+
+static const char *missing_poi(uint8_t poi)
+{
+    return poi == BOARD_POI_USB ? "no USB poi: this build has no driver for one; the mouse plays instead"
+           : poi == BOARD_POI_PAD ? "no pad: this build has no driver for one; the mouse plays instead"
+                                  : NULL;
+}
+
+static void open_hands(struct hal *hal, const struct board_options *options)
+{
+    if (options->poi == BOARD_POI_BOT || options->off_screen) {
+        return;
+    }
+    const uint32_t width = options->width ? options->width : 1280;
+    const uint32_t height = options->height ? options->height : 720;
+    poi_mouse_init(&devices.mouse, hal->clock, &options->view, width, height);
+    hal->poi[0] = poi_mouse_device(&devices.mouse);
+    hal->poi[1] = null_poi(missing_poi(options->poi));
+    hal->buttons = buttons_keyboard_device(&devices.keyboard);
+}
+
+static void open_watchdog(struct hal *hal)
+{
+    const char *usec = getenv("WATCHDOG_USEC");
+    if (watchdog_init(&devices.watchdog, hal->clock, getenv("NOTIFY_SOCKET"),
+                      usec ? strtoull(usec, NULL, 10) : 0) == HAL_OK) {
+        hal->watchdog = watchdog_device(&devices.watchdog);
+    }
+}
+
+void board_open(struct hal *hal, const struct board_options *options)
+{
+    *hal = null_hal();
+    hal->clock = clock_device();
+    open_display(hal, options);
+    open_hands(hal, options);
+    open_watchdog(hal);
+}
+
+int board_has_screen(char *why, size_t why_size)
+{
+    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+        const char *hint = getenv("DISPLAY") || getenv("WAYLAND_DISPLAY")
+                               ? "the display does not answer"
+                               : "neither DISPLAY nor WAYLAND_DISPLAY is set, and no screen is plugged in";
+        snprintf(why, why_size, "%s (SDL: %s)", hint, SDL_GetError());
+        return 0;
+    }
+    const char *driver = SDL_GetCurrentVideoDriver();
+    const int has_screen = driver && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0;
+    if (!has_screen) {
+        snprintf(why, why_size, "SDL's video driver is '%s', which shows nothing",
+                 driver ? driver : "none");
+    }
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    return has_screen;
+}

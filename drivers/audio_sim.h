@@ -1,0 +1,14 @@
+/* audio_sim.h -- counts what would have been heard. */
+#ifndef KINGYO_DRIVERS_AUDIO_SIM_H
+#define KINGYO_DRIVERS_AUDIO_SIM_H
+
+#include "platform/hal.h"
+
+struct audio_sim {
+    uint32_t played[SOUND_COUNT];
+    uint8_t fails; /* Set: every play answers HAL_ERR_IO. */
+};
+
+struct hal_audio audio_sim_device(struct audio_sim *sim);
+
+#endif

@@ -1,0 +1,198 @@
+/* null.c -- absence as a device: nothing is shown, felt, heard or kept, and nothing fails. */
+#include "drivers/null.h"
+
+/* `self` of a null device is its line of text; the ops never write through it. */
+static const char *null_describe(void *self)
+{
+    return self;
+}
+
+static void *line_self(const char *line)
+{
+    return (void *)(uintptr_t)(line ? line : "");
+}
+
+static int null_open(void *self)
+{
+    (void)self;
+    return HAL_ERR_NONE;
+}
+
+static void null_close(void *self)
+{
+    (void)self;
+}
+
+static int null_display_poll(void *self, struct display_events *out)
+{
+    (void)self;
+    *out = (struct display_events){ 0 };
+    return HAL_ERR_NONE;
+}
+
+static int null_present(void *self, const struct scene *scene)
+{
+    (void)self;
+    (void)scene;
+    return HAL_ERR_NONE;
+}
+
+static int null_capture(void *self, struct hal_image *image)
+{
+    (void)self;
+    (void)image;
+    return HAL_ERR_NONE;
+}
+
+struct hal_display null_display(const char *line)
+{
+    static const struct hal_display_ops ops = {
+        .open = null_open,
+        .poll = null_display_poll,
+        .present = null_present,
+        .toggle_full_screen = null_open,
+        .capture = null_capture,
+        .close = null_close,
+        .describe = null_describe,
+    };
+    return (struct hal_display){ .ops = &ops, .self = line_self(line) };
+}
+
+static int null_poi_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    (void)self;
+    (void)out;
+    (void)max;
+    return HAL_ERR_NONE;
+}
+
+static int null_feel(void *self, const struct poi_force *force)
+{
+    (void)self;
+    (void)force;
+    return HAL_ERR_NONE;
+}
+
+struct hal_poi null_poi(const char *line)
+{
+    static const struct hal_poi_ops ops = {
+        .open = null_open,
+        .poll = null_poi_poll,
+        .feel = null_feel,
+        .describe = null_describe,
+    };
+    return (struct hal_poi){ .ops = &ops, .self = line_self(line) };
+}
+
+static int null_buttons_poll(void *self, struct button_sample *out)
+{
+    (void)self;
+    *out = (struct button_sample){ 0 };
+    return HAL_ERR_NONE;
+}
+
+struct hal_buttons null_buttons(const char *line)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = null_buttons_poll,
+        .describe = null_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = line_self(line) };
+}
+
+static int null_set_start(void *self, int lit)
+{
+    (void)self;
+    (void)lit;
+    return HAL_ERR_NONE;
+}
+
+struct hal_lamps null_lamps(const char *line)
+{
+    static const struct hal_lamps_ops ops = {
+        .set_start = null_set_start,
+        .describe = null_describe,
+    };
+    return (struct hal_lamps){ .ops = &ops, .self = line_self(line) };
+}
+
+static int null_play(void *self, const struct sound_event *event)
+{
+    (void)self;
+    (void)event;
+    return HAL_ERR_NONE;
+}
+
+struct hal_audio null_audio(const char *line)
+{
+    static const struct hal_audio_ops ops = {
+        .open = null_open,
+        .play = null_play,
+        .describe = null_describe,
+        .close = null_close,
+    };
+    return (struct hal_audio){ .ops = &ops, .self = line_self(line) };
+}
+
+static int null_best_today(void *self, uint32_t *out)
+{
+    (void)self;
+    *out = 0;
+    return HAL_ERR_NONE;
+}
+
+static int null_save(void *self, const struct round_record *record)
+{
+    (void)self;
+    (void)record;
+    return HAL_ERR_NONE;
+}
+
+static uint32_t null_saved_id(void *self)
+{
+    (void)self;
+    return 0;
+}
+
+struct hal_storage null_storage(const char *line)
+{
+    static const struct hal_storage_ops ops = {
+        .open = null_open,
+        .best_today = null_best_today,
+        .save = null_save,
+        .saved_id = null_saved_id,
+        .describe = null_describe,
+        .close = null_close,
+    };
+    return (struct hal_storage){ .ops = &ops, .self = line_self(line) };
+}
+
+struct hal_watchdog null_watchdog(const char *line)
+{
+    static const struct hal_watchdog_ops ops = { .kick = null_close, .describe = null_describe };
+    return (struct hal_watchdog){ .ops = &ops, .self = line_self(line) };
+}
+
+static uint64_t null_now_ns(void *self)
+{
+    (void)self;
+    return 0;
+}
+
+struct hal null_hal(void)
+{
+    static const struct hal_clock_ops clock_ops = { .now_ns = null_now_ns };
+    struct hal hal = {
+        .clock = { .ops = &clock_ops, .self = NULL },
+        .display = null_display(NULL),
+        .buttons = null_buttons(NULL),
+        .lamps = null_lamps(NULL),
+        .audio = null_audio(NULL),
+        .storage = null_storage(NULL),
+        .watchdog = null_watchdog(NULL),
+    };
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hal.poi[i] = null_poi(NULL);
+    }
+    return hal;
+}

@@ -1,0 +1,104 @@
+/* poi_sim.c -- the simulated twin of the mouse poi. */
+#include "drivers/poi_sim.h"
+
+void poi_sim_init(struct poi_sim *sim, struct hal_clock clock, const struct view *view)
+{
+    *sim = (struct poi_sim){
+        .clock = clock,
+        .unplug_at = POI_SIM_NEVER,
+        .jump_at = POI_SIM_NEVER,
+    };
+    pointer_poi_init(&sim->pointer, view);
+}
+
+static uint64_t sim_now_ns(const struct poi_sim *sim)
+{
+    return sim->clock.ops->now_ns(sim->clock.self);
+}
+
+static int poi_sim_open(void *self)
+{
+    struct poi_sim *sim = self;
+    sim->open_count++;
+    if (sim->gone && sim_now_ns(sim) >= sim->replug_ns) {
+        sim->gone = 0;
+        sim->unplug_at = POI_SIM_NEVER;
+    }
+    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+}
+
+static struct poi_sample sample_now(struct poi_sim *sim, uint64_t time_ns)
+{
+    return (struct poi_sample){
+        .time_ns = time_ns,
+        .target = pointer_poi_target(&sim->pointer, time_ns),
+    };
+}
+
+static struct pointer_report take_report(struct poi_sim *sim)
+{
+    struct pointer_report report = sim->reports[sim->next];
+    if (sim->next == sim->jump_at) {
+        report.x_px = (float)report.width_px;
+        report.y_px = 0.0f;
+    }
+    sim->next++;
+    return report;
+}
+
+/* The device's answer at each poll ends in a sample of now: a pointer at rest is still a hand, and a
+ * stroke goes on between two reports. */
+static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct poi_sim *sim = self;
+    const uint64_t now_ns = sim_now_ns(sim);
+    uint32_t count = 0;
+    if (sim->gone) {
+        return HAL_ERR_GONE;
+    }
+    if (now_ns >= sim->silent_from_ns && now_ns < sim->silent_to_ns) {
+        return 0;
+    }
+    while (sim->next < sim->report_count && sim->reports[sim->next].time_ns <= now_ns) {
+        if (sim->next >= sim->unplug_at) {
+            sim->gone = 1;
+            return HAL_ERR_GONE;
+        }
+        const uint32_t index = sim->next;
+        const struct pointer_report report = take_report(sim);
+        const int twice = sim->double_every > 0 && index % sim->double_every == 0;
+        for (int i = 0; i <= twice; i++) {
+            if (pointer_poi_report(&sim->pointer, &report) && count + 1 < max) {
+                out[count++] = sample_now(sim, report.time_ns);
+            }
+        }
+    }
+    if (count < max) {
+        out[count++] = sample_now(sim, now_ns);
+    }
+    return (int)count;
+}
+
+static int poi_sim_feel(void *self, const struct poi_force *force)
+{
+    struct poi_sim *sim = self;
+    sim->felt = *force;
+    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+}
+
+static const char *poi_sim_describe(void *self)
+{
+    (void)self;
+    return "simulated mouse";
+}
+
+struct hal_poi poi_sim_device(struct poi_sim *sim)
+{
+    static const struct hal_poi_ops ops = {
+        .open = poi_sim_open,
+        .poll = poi_sim_poll,
+        .feel = poi_sim_feel,
+        .describe = poi_sim_describe,
+    };
+    return (struct hal_poi){ .ops = &ops, .self = sim };
+}

@@ -1,0 +1,119 @@
+/* pointer_poi.c -- the manner of playing with a mouse. */
+#include "drivers/pointer_poi.h"
+
+/* The wheel clicks, the hand does not: the tilt follows within about three time constants. */
+#define TILT_TAU_S 0.06f
+
+/* The far edge leads into the water and out of it, in proportion to the ring's speed. The pointer's
+ * ray runs away from the player as it goes down, so this turns the paper toward its own course, and
+ * less water is pushed by it: what a practised hand does. */
+#define SLANT_MAX_RAD (24.0f * F_DEG)
+#define SLANT_AT_M_S 0.45f
+
+struct stroke {
+    float height_m, speed_m_s, acceleration_m_s2;
+};
+
+static float seconds_between(uint64_t from_ns, uint64_t to_ns)
+{
+    return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
+}
+
+/* The quintic with the given start (place, speed, acceleration) that ends at rest. */
+static struct stroke stroke_at(const struct pointer_poi *pointer, uint64_t time_ns)
+{
+    const float total = pointer->stroke_s;
+    const float t = seconds_between(pointer->stroke_ns, time_ns);
+    if (t >= total) {
+        return (struct stroke){ .height_m = pointer->to_m };
+    }
+    const float distance = pointer->to_m - pointer->from_m;
+    const float v = pointer->from_m_s * total;
+    const float a = 0.5f * pointer->from_m_s2 * total * total;
+    const float c3 = 10.0f * distance - 6.0f * v - 3.0f * a;
+    const float c4 = -15.0f * distance + 8.0f * v + 3.0f * a;
+    const float c5 = 6.0f * distance - 3.0f * v - a;
+    const float s = t / total;
+    return (struct stroke){
+        .height_m = pointer->from_m + s * (v + s * (a + s * (c3 + s * (c4 + s * c5)))),
+        .speed_m_s =
+            (v + s * (2.0f * a + s * (3.0f * c3 + s * (4.0f * c4 + s * 5.0f * c5)))) / total,
+        .acceleration_m_s2 =
+            (2.0f * a + s * (6.0f * c3 + s * (12.0f * c4 + s * 20.0f * c5))) / (total * total),
+    };
+}
+
+static void begin_stroke(struct pointer_poi *pointer, uint64_t time_ns, int down)
+{
+    const struct stroke now = stroke_at(pointer, time_ns);
+    pointer->from_m = now.height_m;
+    pointer->from_m_s = now.speed_m_s;
+    pointer->from_m_s2 = now.acceleration_m_s2;
+    pointer->to_m = down ? POINTER_DIP_M : POINTER_HOVER_M;
+    pointer->stroke_s = down ? POINTER_DOWN_S : POINTER_UP_S;
+    pointer->stroke_ns = time_ns;
+}
+
+static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
+{
+    const float dt = seconds_between(pointer->time_ns, time_ns);
+    const float left = f_exp(-f_min(dt / TILT_TAU_S, 50.0f));
+    pointer->tilt_rad = f_lerp(pointer->tilt_goal_rad, pointer->tilt_rad, left);
+    if (time_ns > pointer->time_ns) {
+        pointer->time_ns = time_ns;
+    }
+}
+
+void pointer_poi_init(struct pointer_poi *pointer, const struct view *view)
+{
+    *pointer = (struct pointer_poi){
+        .view = *view,
+        .aspect = 16.0f / 9.0f,
+        .from_m = POINTER_HOVER_M,
+        .to_m = POINTER_HOVER_M,
+    };
+}
+
+static int report_is_usable(const struct pointer_report *report)
+{
+    return f_is_finite(report->x_px) && f_is_finite(report->y_px) &&
+           f_is_finite(report->wheel_notches) && report->width_px > 0 && report->height_px > 0;
+}
+
+int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report)
+{
+    if (!report_is_usable(report)) {
+        return 0;
+    }
+    move_to_time(pointer, report->time_ns);
+    const float width = (float)report->width_px;
+    const float height = (float)report->height_px;
+    pointer->aspect = width / height;
+    pointer->ndc_x = f_clamp(2.0f * report->x_px / width - 1.0f, -1.0f, 1.0f);
+    pointer->ndc_y = f_clamp(1.0f - 2.0f * report->y_px / height, -1.0f, 1.0f);
+    const uint32_t changed = pointer->buttons ^ report->buttons;
+    pointer->buttons = report->buttons;
+    if (changed & POINTER_DIP) {
+        begin_stroke(pointer, pointer->time_ns, (report->buttons & POINTER_DIP) != 0);
+    }
+    const float turn = report->wheel_notches * POINTER_TILT_STEP_RAD;
+    pointer->tilt_goal_rad =
+        f_clamp(pointer->tilt_goal_rad + turn, -POINTER_TILT_MAX_RAD, POINTER_TILT_MAX_RAD);
+    if (changed & report->buttons & POINTER_LEVEL) {
+        pointer->tilt_goal_rad = 0.0f;
+    }
+    return 1;
+}
+
+struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_ns)
+{
+    move_to_time(pointer, time_ns);
+    const struct stroke stroke = stroke_at(pointer, pointer->time_ns);
+    const float slant = SLANT_MAX_RAD * f_min(1.0f, f_abs(stroke.speed_m_s) / SLANT_AT_M_S);
+    return (struct poi_target){
+        .position_m = view_point_on_plane(&pointer->view, pointer->aspect, pointer->ndc_x,
+                                          pointer->ndc_y, stroke.height_m),
+        .angles.pitch_rad = f_clamp(pointer->tilt_rad - slant, -POINTER_TILT_MAX_RAD - SLANT_MAX_RAD,
+                                    POINTER_TILT_MAX_RAD),
+    };
+}

@@ -1,0 +1,61 @@
+/* pointer_poi.h -- turns what a pointer reports (pixels, buttons, wheel) into where a hand is.
+ *
+ * Pure: no device, no clock, no library. The mouse, its simulated twin and the fuzzers meet here.
+ * A pointer has two axes and a hand has six, so the rest is a manner of playing: holding the left
+ * button lets the ring down along a smooth stroke, letting go brings it up, the wheel tilts it, the
+ * right button levels it. The ring's centre stays under the pointer at every height, because the
+ * pointer's ray is cut with the plane at the ring's present height. */
+#ifndef KINGYO_DRIVERS_POINTER_POI_H
+#define KINGYO_DRIVERS_POINTER_POI_H
+
+#include <stdint.h>
+
+#include "platform/hal.h"
+
+enum pointer_button {
+    POINTER_DIP = 1u << 0,   /* Left: down while held. */
+    POINTER_LEVEL = 1u << 1, /* Right: back to level. */
+};
+
+/* Everything a pointer can say at one moment; levels, but for the wheel. */
+struct pointer_report {
+    uint64_t time_ns;
+    float x_px, y_px;                  /* From the window's top left corner; any finite value. */
+    uint32_t width_px, height_px;      /* Of the window; 0 means that nothing is known yet. */
+    uint32_t buttons;                  /* enum pointer_button levels. */
+    float wheel_notches;               /* Since the last report; away from the user is positive. */
+};
+
+#define POINTER_HOVER_M 0.035f         /* Over the water: clear of ripples, near enough to aim. */
+#define POINTER_DIP_M (-0.050f)        /* Under it: where the fish of a 10 .. 20 cm tank cruise. */
+#define POINTER_DOWN_S 0.25f
+#define POINTER_UP_S 0.35f             /* Slower than down: a wet sheet carries the pool on it. */
+#define POINTER_TILT_STEP_RAD (7.5f * F_DEG) /* One notch of the wheel ... */
+#define POINTER_TILT_MAX_RAD (60.0f * F_DEG) /* ... of at most eight either way. */
+
+struct pointer_poi {
+    struct view view;
+
+    float ndc_x, ndc_y, aspect; /* The pointer on the screen, -1 .. 1; the window's width / height. */
+    uint32_t buttons;
+    uint64_t time_ns;           /* Of the newest report or sample. */
+
+    /* The present stroke: a quintic from where the ring was when the button changed. */
+    uint64_t stroke_ns;
+    float stroke_s;             /* Its duration; 0 before the first. */
+    float from_m, from_m_s, from_m_s2, to_m;
+
+    float tilt_rad, tilt_goal_rad;
+};
+
+/* A pointer at the middle of the window, the ring level and hovering. `view` is copied. */
+void pointer_poi_init(struct pointer_poi *pointer, const struct view *view);
+
+/* Takes one report. One that is older than the last counts as now; one with a non-finite number or
+ * an empty window is refused: 0, and nothing changes. */
+int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report);
+
+/* Where the hand is at `time_ns`, which never goes back. Always finite. */
+struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_ns);
+
+#endif

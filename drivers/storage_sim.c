@@ -1,0 +1,64 @@
+/* storage_sim.c -- a card with moods. */
+#include "drivers/storage_sim.h"
+
+static int storage_sim_open(void *self)
+{
+    (void)self;
+    return HAL_OK;
+}
+
+static int storage_sim_best_today(void *self, uint32_t *out)
+{
+    const struct storage_sim *sim = self;
+    *out = sim->best_today;
+    return HAL_OK;
+}
+
+static int storage_sim_save(void *self, const struct round_record *record)
+{
+    struct storage_sim *sim = self;
+    if (sim->busy_left > 0) {
+        sim->busy_left--;
+        sim->refused_count++;
+        return HAL_ERR_BUSY;
+    }
+    if (sim->fail_left > 0) {
+        sim->fail_left--;
+        sim->refused_count++;
+        return HAL_ERR_IO;
+    }
+    sim->record = *record;
+    sim->accepted_count++;
+    sim->polls_since = 0;
+    return HAL_OK;
+}
+
+static uint32_t storage_sim_saved_id(void *self)
+{
+    struct storage_sim *sim = self;
+    return sim->polls_since++ >= sim->delay_polls ? sim->record.id : 0;
+}
+
+static const char *storage_sim_describe(void *self)
+{
+    (void)self;
+    return "simulated store";
+}
+
+static void storage_sim_close(void *self)
+{
+    (void)self;
+}
+
+struct hal_storage storage_sim_device(struct storage_sim *sim)
+{
+    static const struct hal_storage_ops ops = {
+        .open = storage_sim_open,
+        .best_today = storage_sim_best_today,
+        .save = storage_sim_save,
+        .saved_id = storage_sim_saved_id,
+        .describe = storage_sim_describe,
+        .close = storage_sim_close,
+    };
+    return (struct hal_storage){ .ops = &ops, .self = sim };
+}

@@ -1,0 +1,20 @@
+/* storage_sim.h -- a store in memory that can be busy, fail, and take its time to be durable. */
+#ifndef KINGYO_DRIVERS_STORAGE_SIM_H
+#define KINGYO_DRIVERS_STORAGE_SIM_H
+
+#include "platform/hal.h"
+
+struct storage_sim {
+    struct round_record record; /* As last accepted. */
+    uint32_t accepted_count;
+    uint32_t refused_count;
+    uint32_t busy_left;         /* This many saves are answered HAL_ERR_BUSY first. */
+    uint32_t fail_left;         /* Then this many HAL_ERR_IO. */
+    uint32_t delay_polls;       /* Calls of saved_id until an accepted record is on disk. */
+    uint32_t polls_since;
+    uint32_t best_today;
+};
+
+struct hal_storage storage_sim_device(struct storage_sim *sim);
+
+#endif

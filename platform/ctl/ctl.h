@@ -1,0 +1,26 @@
+/* ctl.h -- what the commands of `kingyoctl` share. One file per command. */
+#ifndef KINGYO_PLATFORM_CTL_CTL_H
+#define KINGYO_PLATFORM_CTL_CTL_H
+
+#include <stdint.h>
+
+#include "platform/kiosk/options.h"
+
+struct ctl_command {
+    const char *name;
+    const char *summary;
+    const char *usage; /* What `kingyoctl NAME --help` prints, without the summary. */
+    /* argv[0] is the first word behind the command's name; --help was already answered. */
+    enum exit_code (*run)(int argc, const char *const *argv);
+};
+
+extern const struct ctl_command ctl_play, ctl_replay;
+
+/* One line on standard error, "kingyoctl COMMAND: ...", and EXIT_USAGE. */
+__attribute__((format(printf, 2, 3)))
+enum exit_code ctl_usage(const char *command, const char *format, ...);
+
+/* A whole number from `min` to `max`: 1, else 0. */
+int ctl_number(const char *text, uint32_t min, uint32_t max, uint32_t *out);
+
+#endif

@@ -1,0 +1,88 @@
+/* main.c -- `kingyoctl`: the command line for operators, fish makers and researchers. */
+#include <ctype.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/core.h"
+#include "platform/ctl/ctl.h"
+
+static const struct ctl_command *const commands[] = { &ctl_play, &ctl_replay };
+
+enum exit_code ctl_usage(const char *command, const char *format, ...)
+{
+    va_list arguments;
+    fprintf(stderr, "kingyoctl %s: ", command);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    return EXIT_USAGE;
+}
+
+int ctl_number(const char *text, uint32_t min, uint32_t max, uint32_t *out)
+{
+    char *end = NULL;
+    if (!text || !isdigit((unsigned char)text[0])) {
+        return 0;
+    }
+    errno = 0;
+    const unsigned long long value = strtoull(text, &end, 0);
+    if (errno != 0 || *end != '\0' || value < min || value > max) {
+        return 0;
+    }
+    *out = (uint32_t)value;
+    return 1;
+}
+
+static void print_help(void)
+{
+    puts("kingyoctl COMMAND: looks into a goldfish stall without opening it.\n");
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        printf("  %-8s %s\n", commands[i]->name, commands[i]->summary);
+    }
+    puts("\n'kingyoctl COMMAND --help' says more. Exit code: 0 fine; 1 checked, and not so; 2 wrong usage;\n"
+         "65 bad data; 74 a path that cannot be read or written.");
+}
+
+static int is_help(const char *word)
+{
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+}
+
+static enum exit_code run_command(const struct ctl_command *command, int argc,
+                                  const char *const *argv)
+{
+    for (int i = 0; i < argc; i++) {
+        if (is_help(argv[i])) {
+            printf("kingyoctl %s: %s\n\n%s", command->name, command->summary, command->usage);
+            return EXIT_OK;
+        }
+    }
+    return command->run(argc, argv);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) {
+        fputs("kingyoctl: a command is missing; --help lists them\n", stderr);
+        return EXIT_USAGE;
+    }
+    if (is_help(argv[1])) {
+        print_help();
+        return EXIT_OK;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("kingyoctl %s\n", KINGYO_VERSION);
+        return EXIT_OK;
+    }
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        if (strcmp(commands[i]->name, argv[1]) == 0) {
+            return (int)run_command(commands[i], argc - 2, (const char *const *)argv + 2);
+        }
+    }
+    fprintf(stderr, "kingyoctl: unknown command '%.100s'; --help lists them\n", argv[1]);
+    return EXIT_USAGE;
+}

@@ -1,0 +1,152 @@
+/* replay.c -- `kingyoctl replay`: what is in a recording, and whether it is true. */
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "platform/ctl/ctl.h"
+#include "platform/kiosk/replayer.h"
+
+static const char name[] = "replay";
+
+static enum exit_code tell_problem(const char *path, const struct replay_problem *problem)
+{
+    fprintf(stderr, "kingyoctl replay: %s: byte %llu: %s\n", path,
+            (unsigned long long)problem->offset, problem->text);
+    return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
+}
+
+/* ---- info ----------------------------------------------------------------------------------- */
+
+static enum exit_code info(const char *path, int as_json)
+{
+    static struct replay_reader reader;
+    struct replay_totals totals;
+    if (replay_scan(&reader, path, &totals)) {
+        return tell_problem(path, &reader.problem);
+    }
+    const struct core_config *config = &reader.header.config;
+    const double seconds = (double)totals.ticks / CORE_TICK_HZ;
+    const unsigned long long hash = totals.hash;
+    if (as_json) {
+        printf("{\"format\": %u, \"program\": \"%s\", \"seed\": %u, \"fish\": %u, \"round_s\": %u, "
+               "\"ticks\": %u, \"seconds\": %.3f, \"rounds\": %u, \"caught\": %u, "
+               "\"hash\": \"%016llx\"}\n",
+               REPLAY_VERSION, reader.header.program, config->seed, config->fish_count,
+               config->round_s, totals.ticks, seconds, totals.rounds, totals.caught, hash);
+    } else {
+        printf("recorded by  Kingyo %s, format %u\nseed         %u\nlength       %.1f s, %u ticks\n"
+               "rounds       %u\ncaught       %u\nstate hash   %016llx\n",
+               reader.header.program, REPLAY_VERSION, config->seed, seconds, totals.ticks,
+               totals.rounds, totals.caught, hash);
+    }
+    return EXIT_OK;
+}
+
+/* ---- verify --------------------------------------------------------------------------------- */
+
+/* Each ten minutes of play, and only where somebody looks. */
+static void tell_progress(uint32_t ticks, uint32_t total)
+{
+    if (ticks % (600u * CORE_TICK_HZ) == 0 && isatty(STDERR_FILENO)) {
+        fprintf(stderr, "\r%u of %u s", ticks / CORE_TICK_HZ, total / CORE_TICK_HZ);
+    }
+}
+
+static void recompute(struct replayer *replayer, struct core *core, uint32_t total)
+{
+    static struct input input;
+    static struct output output;
+    const struct kiosk_source source = replayer_source(replayer);
+    const struct kiosk_tap tap = replayer_tap(replayer);
+    while (!replayer->difference.found && source.next(source.self, &input)) {
+        output.sound_count = 0;
+        core_tick(core, &input, &output);
+        tap.tick(tap.self, &input, core);
+        tell_progress(replayer->totals.ticks, total);
+    }
+}
+
+static enum exit_code tell_verdict(const char *path, const struct replayer *replayer, double took_s)
+{
+    const struct replay_difference *difference = &replayer->difference;
+    const struct replay_totals *totals = &replayer->totals;
+    if (replayer->damaged) {
+        return tell_problem(path, &replayer->reader.problem);
+    }
+    if (difference->found) {
+        printf("%s: tick %u (second %.3f) is the first that differs: recorded %s %0*llx, computed %0*llx\n",
+               path, difference->tick, (double)difference->tick / CORE_TICK_HZ,
+               difference->is_full ? "state" : "digest", difference->is_full ? 16 : 8,
+               (unsigned long long)difference->recorded, difference->is_full ? 16 : 8,
+               (unsigned long long)difference->computed);
+        return EXIT_NOT_SO;
+    }
+    printf("%s: true: %u ticks, %u rounds, %u caught, hash %016llx, %.0f times real time\n", path,
+           totals->ticks, totals->rounds, totals->caught,
+           (unsigned long long)replayer->reader.totals.hash,
+           took_s > 0.0 ? (double)totals->ticks / CORE_TICK_HZ / took_s : 0.0);
+    return EXIT_OK;
+}
+
+static double now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static enum exit_code verify(const char *path)
+{
+    static struct replayer replayer;
+    static struct core core;
+    struct core_config config;
+    struct replay_totals totals;
+    const double begin_s = now_s();
+    if (replay_scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
+        return tell_problem(path, &replayer.reader.problem);
+    }
+    if (core_init(&core, &config) != CORE_OK) {
+        fprintf(stderr, "kingyoctl replay: %s: byte 32: this program has no such stall\n", path);
+        return EXIT_BAD_DATA;
+    }
+    if (strcmp(replayer.reader.header.program, KINGYO_VERSION) != 0) {
+        fprintf(stderr, "kingyoctl replay: %s: recorded by version %s, recomputed by %s\n", path,
+                replayer.reader.header.program, KINGYO_VERSION);
+    }
+    recompute(&replayer, &core, totals.ticks);
+    replayer_end(&replayer);
+    return tell_verdict(path, &replayer, now_s() - begin_s);
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    const char *path = NULL;
+    int as_json = 0;
+    if (argc < 1 || (strcmp(argv[0], "info") != 0 && strcmp(argv[0], "verify") != 0)) {
+        return ctl_usage(name, "expected 'info FILE' or 'verify FILE'; --help says more");
+    }
+    const int is_info = strcmp(argv[0], "info") == 0;
+    for (int i = 1; i < argc; i++) {
+        if (is_info && strcmp(argv[i], "--json") == 0) {
+            as_json = 1;
+        } else if (argv[i][0] == '-' || path) {
+            return ctl_usage(name, "%s: '%.100s' is one too many", argv[0], argv[i]);
+        } else {
+            path = argv[i];
+        }
+    }
+    if (!path) {
+        return ctl_usage(name, "%s: a FILE is missing", argv[0]);
+    }
+    return is_info ? info(path, as_json) : verify(path);
+}
+
+const struct ctl_command ctl_replay = {
+    .name = name,
+    .summary = "what is in a recording, and whether it is true",
+    .usage = "  kingyoctl replay info FILE [--json]   length, rounds, catch and hash, from the file alone\n"
+             "  kingyoctl replay verify FILE          plays it again at full speed, without a screen, and\n"
+             "                                        names the first tick that differs (exit 1)\n",
+    .run = run,
+};

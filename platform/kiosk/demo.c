@@ -1,0 +1,232 @@
+/* demo.c -- what `kingyo` does where there is no screen, and what the README's pictures are made by. */
+#include "platform/kiosk/demo.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/tank/preset.h"
+#include "drivers/buttons_sim.h"
+#include "drivers/clock_sim.h"
+#include "drivers/null.h"
+#include "platform/board.h"
+#include "platform/clock.h"
+#include "platform/kiosk/contact_sheet.h"
+#include "platform/png.h"
+
+#define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
+#define NS_PER_S 1000000000ull
+#define START_NS 1500000000ull   /* The attract picture first, then the round. */
+#define BEFORE_ROUND_S 5u        /* Attract and the seconds to take the poi. */
+#define ROUND_S_MIN 10u
+#define FOLDER_DEFAULT "out/demo"
+#define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
+
+struct demo {
+    struct session *session;
+    struct clock_sim clock;
+    struct buttons_sim buttons;
+    const char *folder;
+    struct contact_sheet sheet;
+    uint64_t end_ns;
+    uint32_t shots;
+    uint32_t width, height;  /* Of the pictures, as the display made them. */
+    int failed;              /* A picture could not be made or written. */
+};
+
+/* The board's display, but time, buttons and poi are ours and nothing is heard or kept. */
+static void wire(struct demo *demo)
+{
+    static const struct button_event press[] = {
+        { .time_ns = START_NS, .pressed = INPUT_START },
+        { .time_ns = START_NS + 200000000ull, .released = INPUT_START },
+    };
+    struct hal *hal = &demo->session->hal;
+    const struct options *options = &demo->session->options;
+    const struct board_options board = {
+        .poi = BOARD_POI_BOT,
+        .off_screen = 1,
+        .width = options->width ? options->width : 1280,
+        .height = options->height ? options->height : 720,
+        .mute = 1,
+        .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
+    };
+    board_open(hal, &board);
+    const struct hal_display display = hal->display;
+    *hal = null_hal();
+    hal->display = display;
+    hal->clock = clock_sim_device(&demo->clock);
+    demo->buttons = (struct buttons_sim){
+        .clock = hal->clock,
+        .events = press,
+        .event_count = sizeof press / sizeof press[0],
+    };
+    hal->buttons = buttons_sim_device(&demo->buttons);
+}
+
+static enum exit_code begin(struct demo *demo)
+{
+    const struct options *options = &demo->session->options;
+    const uint32_t round_s = options->demo_s > BEFORE_ROUND_S ? options->demo_s - BEFORE_ROUND_S : 0;
+    struct kiosk_config config = {
+        .core = {
+            .seed = options->has_seed ? options->seed : DEMO_SEED,
+            .preset = TANK_PRESET_FESTIVAL,
+            .fish_count = options->fish_count,
+            .language = options->language,
+            .round_s = round_s > ROUND_S_MIN ? round_s : ROUND_S_MIN,
+        },
+        .bot = { 1 },
+        .stopwatch = clock_device(),
+    };
+    demo->end_ns = options->demo_s * NS_PER_S;
+    return session_begin(demo->session, &config);
+}
+
+/* ---- Pictures ------------------------------------------------------------------------------- */
+
+static int plan_sheet(struct demo *demo, const struct hal_image *image)
+{
+    demo->width = image->width;
+    demo->height = image->height;
+    demo->sheet.rgb = malloc(contact_sheet_plan(&demo->sheet, image->width, image->height));
+    if (!demo->sheet.rgb) {
+        fprintf(stderr, "kingyo: no memory for the contact sheet\n");
+        return -1;
+    }
+    contact_sheet_clear(&demo->sheet);
+    return 0;
+}
+
+static void take_shot(struct demo *demo)
+{
+    char path[PATH_SIZE];
+    struct hal_image image;
+    snprintf(path, sizeof path, "%s/shot-%02u.png", demo->folder, demo->shots + 1);
+    if (session_shot(demo->session, path, &image) || (!demo->sheet.rgb && plan_sheet(demo, &image))) {
+        demo->failed = 1;
+        return;
+    }
+    contact_sheet_put(&demo->sheet, demo->shots, image.rgb, image.width, image.height);
+    demo->shots++;
+}
+
+/* The pictures lie in the middles of equal parts of the time. */
+static int shot_is_due(const struct demo *demo)
+{
+    const uint64_t due_ns = demo->end_ns * (2 * demo->shots + 1) / (2 * SHEET_PICTURES);
+    return !demo->failed && demo->shots < SHEET_PICTURES && demo->clock.now_ns >= due_ns;
+}
+
+static void write_sheet(struct demo *demo)
+{
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/contact-sheet.png", demo->folder);
+    const int error =
+        demo->sheet.rgb
+            ? png_write(path, demo->sheet.rgb, demo->sheet.width, demo->sheet.height)
+            : 0;
+    if (error) {
+        fprintf(stderr, "kingyo: %s: cannot write: %s\n", path, strerror(-error));
+        demo->failed = 1;
+    }
+    free(demo->sheet.rgb);
+}
+
+/* ---- The run -------------------------------------------------------------------------------- */
+
+/* One line that is rewritten on a terminal, a line each five seconds elsewhere. */
+static void tell_progress(const struct demo *demo)
+{
+    const int on_terminal = isatty(STDERR_FILENO);
+    const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
+    if (demo->clock.now_ns % step_ns == 0 && demo->clock.now_ns > 0) {
+        fprintf(stderr, "%sdemo: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
+                (double)demo->clock.now_ns / (double)NS_PER_S,
+                (double)demo->end_ns / (double)NS_PER_S, demo->shots, on_terminal ? "" : "\n");
+    }
+}
+
+static enum kiosk_end run(struct demo *demo)
+{
+    struct session *session = demo->session;
+    enum kiosk_end end = KIOSK_RUNS;
+    while (end == KIOSK_RUNS && demo->clock.now_ns < demo->end_ns && !*session->stop) {
+        end = kiosk_frame(&session->kiosk, &session->hal);
+        if (end == KIOSK_RUNS && shot_is_due(demo)) {
+            take_shot(demo);
+        }
+        demo->clock.now_ns += FRAME_NS;
+        tell_progress(demo);
+    }
+    if (isatty(STDERR_FILENO)) {
+        fputc('\n', stderr);
+    }
+    return end;
+}
+
+static double ms(uint64_t ns)
+{
+    return (double)ns * 1e-6;
+}
+
+static void print_summary(const struct demo *demo)
+{
+    const struct session *session = demo->session;
+    const struct kiosk *kiosk = &session->kiosk;
+    const struct timing *frame = &kiosk->work_time;
+    const double ticks = kiosk->core.tick > 0 ? kiosk->core.tick : 1;
+    const double share = frame->sum_ns > 0 ? (double)kiosk->core_ns / (double)frame->sum_ns : 0.0;
+    printf("Kingyo %s: %.0f s played by the bot, seed %u, %u fish\n", KINGYO_VERSION,
+           (double)kiosk->core.tick / CORE_TICK_HZ, kiosk->core.config.seed,
+           kiosk->core.tank.fish_count);
+    printf("  fish caught   %u\n", kiosk->scene.caught[0]);
+    printf("  paper left    %.0f %%\n", 100.0 * (double)kiosk->scene.poi[0].paper_left);
+    printf("  ticks         %u, %llu dropped\n", kiosk->core.tick,
+           (unsigned long long)kiosk->pace.dropped);
+    printf("  frames        %llu of %ux%u; frame time median %.1f ms, p99 %.1f ms\n",
+           (unsigned long long)kiosk->frames, demo->width, demo->height,
+           ms(timing_quantile_ns(frame, 0.5)), ms(timing_quantile_ns(frame, 0.99)));
+    printf("  core          %.1f %% of the frame; %.3f ms a tick\n", 100.0 * share,
+           ms(kiosk->core_ns) / ticks);
+    printf("  state hash    %016llx\n", (unsigned long long)core_hash(&kiosk->core));
+    printf("  drawn by      %s\n", session->hal.display.ops->describe(session->hal.display.self));
+    if (demo->shots > 0) {
+        printf("  pictures      %s/contact-sheet.png and %u shots beside it\n", demo->folder,
+               demo->shots);
+    } else {
+        printf("  pictures      none\n");
+    }
+}
+
+enum exit_code demo_run(struct session *session)
+{
+    static const char *const no_picture = "kingyo: no picture can be made here\n";
+    struct demo demo = { .session = session };
+    demo.folder = session->options.shots[0] ? session->options.shots : FOLDER_DEFAULT;
+    enum exit_code code = session_make_folder(demo.folder);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    wire(&demo);
+    code = session_make_room(session, 8192, 8192 / 16 * 9);
+    if (code == EXIT_OK) {
+        code = begin(&demo);
+    }
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const enum kiosk_end end = run(&demo);
+    if (demo.shots == 0) {
+        fputs(no_picture, stderr);
+    }
+    write_sheet(&demo);
+    print_summary(&demo);
+    code = session_end(session);
+    session->hal.display.ops->close(session->hal.display.self);
+    if (code == EXIT_OK && (demo.failed || demo.shots == 0 || end == KIOSK_DISPLAY_LOST)) {
+        code = EXIT_NOT_SO;
+    }
+    return code;
+}

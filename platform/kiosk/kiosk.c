@@ -1,0 +1,278 @@
+/* kiosk.c -- one frame, one direction: sample, step, present. The core never calls out. */
+#include "platform/kiosk/kiosk.h"
+
+#include <string.h>
+
+#define RETRY_NS 1000000000ull /* A lost poi, a failed save: once a second is often enough. */
+
+/* HAL_ERR_NONE is the null driver's answer and BUSY a matter of patience; the rest are faults. */
+static int is_fault(int result)
+{
+    return result < 0 && result != HAL_ERR_NONE && result != HAL_ERR_BUSY;
+}
+
+static uint64_t clock_ns(struct hal_clock clock)
+{
+    return clock.ops ? clock.ops->now_ns(clock.self) : 0;
+}
+
+static void open_hand(struct kiosk_hand *hand, const struct hal_poi *poi, uint32_t *faults)
+{
+    const int result = poi->ops->open(poi->self);
+    hand->link = result == HAL_OK ? POI_LINK_LIVE
+                 : result == HAL_ERR_NONE ? POI_LINK_ABSENT
+                                          : POI_LINK_LOST;
+    *faults += (uint32_t)is_fault(result);
+}
+
+enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
+                           const struct kiosk_config *config)
+{
+    memset(kiosk, 0, sizeof *kiosk);
+    kiosk->config = *config;
+    const enum core_error error = core_init(&kiosk->core, &config->core);
+    if (error != CORE_OK) {
+        return error;
+    }
+    const uint64_t now_ns = clock_ns(hal->clock);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        open_hand(&kiosk->hands[i], &hal->poi[i], &kiosk->faults.poi);
+        kiosk->hands[i].retry_ns = now_ns + RETRY_NS;
+    }
+    core_scene(&kiosk->core, &kiosk->scene);
+    return CORE_OK;
+}
+
+static void lose_hand(struct kiosk_hand *hand, uint64_t now_ns)
+{
+    hand->link = POI_LINK_LOST;
+    hand->retry_ns = now_ns + RETRY_NS;
+    resample_reset(&hand->path);
+}
+
+static void look_for_hand(struct kiosk *kiosk, struct kiosk_hand *hand, const struct hal_poi *poi,
+                          uint64_t now_ns)
+{
+    if (now_ns >= hand->retry_ns) {
+        hand->retry_ns = now_ns + RETRY_NS;
+        if (poi->ops->open(poi->self) == HAL_OK) {
+            hand->link = POI_LINK_LIVE;
+        } else {
+            kiosk->faults.poi++;
+        }
+    }
+}
+
+static void sample_hand(struct kiosk *kiosk, struct kiosk_hand *hand, const struct hal_poi *poi,
+                        uint64_t now_ns)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    if (hand->link == POI_LINK_LOST) {
+        look_for_hand(kiosk, hand, poi, now_ns);
+    }
+    if (hand->link != POI_LINK_LIVE) {
+        return;
+    }
+    const int result = poi->ops->poll(poi->self, samples, HAL_POI_SAMPLES_MAX);
+    kiosk->faults.poi += (uint32_t)is_fault(result);
+    if (result == HAL_ERR_GONE) {
+        lose_hand(hand, now_ns);
+    }
+    for (int i = 0; i < result; i++) {
+        kiosk->faults.poi += (uint32_t)!resample_push(&hand->path, &samples[i]);
+        hand->has_wrist = samples[i].has_wrist;
+        hand->was_seen = 1;
+    }
+}
+
+static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct button_sample buttons = { 0 };
+    hal->buttons.ops->poll(hal->buttons.self, &buttons);
+    kiosk->input.held = buttons.held & (uint32_t)INPUT_BUTTON_ALL;
+    kiosk->input.pressed |= buttons.pressed & (uint32_t)INPUT_BUTTON_ALL;
+    kiosk->input.coin_count += buttons.coin_count;
+    if (buttons.full_screen) {
+        hal->display.ops->toggle_full_screen(hal->display.self);
+    }
+    if (buttons.quit) {
+        kiosk->end = KIOSK_QUIT;
+    }
+}
+
+/* The only reads from devices. The display comes first: it pumps the queue that a desktop's mouse and
+ * keyboard take their events from. */
+static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct display_events events = { 0 };
+    hal->display.ops->poll(hal->display.self, &events);
+    if (events.quit) {
+        kiosk->end = KIOSK_QUIT;
+    }
+    if (events.lost) {
+        kiosk->end = KIOSK_DISPLAY_LOST;
+    }
+    sample_buttons(kiosk, hal);
+    const uint64_t now_ns = clock_ns(hal->clock);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        sample_hand(kiosk, &kiosk->hands[i], &hal->poi[i], now_ns);
+    }
+    kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
+}
+
+/* A controller that never gave a reading is not here yet; one that gave some and stopped is away. */
+static uint8_t link_of(const struct kiosk_hand *hand)
+{
+    if (hand->link == POI_LINK_LIVE && hand->path.count > 0) {
+        return POI_LINK_LIVE;
+    }
+    return hand->was_seen ? POI_LINK_LOST : POI_LINK_ABSENT;
+}
+
+/* The part of the input that each tick has for itself: one pose a tick, none used twice. */
+static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct kiosk_hand *hand = &kiosk->hands[i];
+        struct poi_input *poi = &kiosk->input.poi[i];
+        poi->link = kiosk->config.bot[i] ? POI_LINK_BOT : link_of(hand);
+        poi->has_wrist = hand->has_wrist;
+        if (hand->path.count > 0) {
+            poi->target = resample_at(&hand->path, index, tick_count);
+        }
+    }
+}
+
+/* 0 when there is no input to run the tick with. */
+static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
+{
+    if (!kiosk->config.source.next) {
+        pose_hands(kiosk, index, tick_count);
+        return 1;
+    }
+    if (!kiosk->config.source.next(kiosk->config.source.self, &kiosk->input)) {
+        kiosk->end = KIOSK_SOURCE_END;
+        return 0;
+    }
+    return 1;
+}
+
+static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
+{
+    const struct kiosk_tap *tap = &kiosk->config.tap;
+    uint32_t done = 0;
+    kiosk->output.sound_count = 0;
+    while (done < tick_count && prepare_tick(kiosk, done, tick_count)) {
+        core_tick(&kiosk->core, &kiosk->input, &kiosk->output);
+        if (tap->tick) {
+            tap->tick(tap->self, &kiosk->input, &kiosk->core);
+        }
+        kiosk->input.pressed = 0; /* One press, one tick. */
+        kiosk->input.coin_count = 0;
+        done++;
+    }
+    if (done > 0) {
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            resample_end(&kiosk->hands[i].path);
+        }
+        core_scene(&kiosk->core, &kiosk->scene);
+    }
+    return done;
+}
+
+static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
+{
+    for (uint32_t i = 0; i < kiosk->output.sound_count; i++) {
+        const int result = hal->audio.ops->play(hal->audio.self, &kiosk->output.sounds[i]);
+        kiosk->faults.audio += (uint32_t)is_fault(result);
+    }
+}
+
+static void present_lamps(struct kiosk *kiosk, const struct hal *hal)
+{
+    if (kiosk->output.start_lamp != kiosk->start_lamp) {
+        const int result = hal->lamps.ops->set_start(hal->lamps.self, kiosk->output.start_lamp);
+        kiosk->faults.lamps += (uint32_t)is_fault(result);
+        kiosk->start_lamp = kiosk->output.start_lamp;
+    }
+}
+
+static void present_forces(struct kiosk *kiosk, const struct hal *hal)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (kiosk->hands[i].link == POI_LINK_LIVE) {
+            const int result = hal->poi[i].ops->feel(hal->poi[i].self, &kiosk->output.poi[i]);
+            kiosk->faults.poi += (uint32_t)is_fault(result);
+        }
+    }
+}
+
+/* Offers the newest record until the store takes it: busy, next frame; failed, in a second. A store
+ * that is not there never will. A replay's rounds were saved when they were played. */
+static void present_record(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct round_record *record = &kiosk->output.record;
+    if (kiosk->config.source.next || record->id == kiosk->accepted_id ||
+        record->id == kiosk->input.record_saved_id) {
+        return;
+    }
+    const uint64_t now_ns = clock_ns(hal->clock);
+    if (now_ns < kiosk->save_retry_ns) {
+        return;
+    }
+    const int result = hal->storage.ops->save(hal->storage.self, record);
+    if (result == HAL_OK || result == HAL_ERR_NONE) {
+        kiosk->accepted_id = record->id;
+    } else if (result != HAL_ERR_BUSY) {
+        kiosk->faults.storage++;
+        kiosk->save_retry_ns = now_ns + RETRY_NS;
+    }
+}
+
+/* The only writes to devices. The picture comes last: it may wait for the screen, and a sound should
+ * not wait with it. */
+static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
+{
+    if (tick_count > 0) {
+        present_sounds(kiosk, hal);
+        present_lamps(kiosk, hal);
+        present_forces(kiosk, hal);
+        present_record(kiosk, hal);
+    }
+    const int result = hal->display.ops->present(hal->display.self, &kiosk->scene);
+    kiosk->faults.display += (uint32_t)is_fault(result);
+    if (result == HAL_ERR_GONE) {
+        kiosk->end = KIOSK_DISPLAY_LOST;
+    }
+}
+
+static uint64_t stopwatch_ns(const struct kiosk *kiosk)
+{
+    return clock_ns(kiosk->config.stopwatch);
+}
+
+static void begin_frame(struct kiosk *kiosk)
+{
+    const uint64_t now_ns = stopwatch_ns(kiosk);
+    if (kiosk->frames > 0) {
+        timing_add(&kiosk->frame_time, now_ns - kiosk->frame_begin_ns);
+    }
+    kiosk->frame_begin_ns = now_ns;
+    kiosk->frames++;
+}
+
+enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
+{
+    begin_frame(kiosk);
+    const uint32_t tick_due = pace_ticks_due(&kiosk->pace, clock_ns(hal->clock));
+    sample_devices(kiosk, hal);
+    const uint64_t core_begin_ns = stopwatch_ns(kiosk);
+    const uint32_t tick_count = run_ticks(kiosk, tick_due);
+    kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
+    present(kiosk, hal, tick_count);
+    if (tick_count > 0) {
+        hal->watchdog.ops->kick(hal->watchdog.self); /* A hung core restarts the kiosk. */
+    }
+    timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);
+    return kiosk->end;
+}

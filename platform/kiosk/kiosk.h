@@ -1,0 +1,86 @@
+/* kiosk.h -- the frame loop: sample the devices, run the owed ticks, present. One direction.
+ *
+ * The caller owns `struct kiosk` (about 1.5 MB: put it in static storage). After kiosk_init nothing
+ * here allocates, and no call waits but the display's, for the screen. */
+#ifndef KINGYO_PLATFORM_KIOSK_KIOSK_H
+#define KINGYO_PLATFORM_KIOSK_KIOSK_H
+
+#include <stdint.h>
+
+#include "core/core.h"
+#include "platform/hal.h"
+#include "platform/kiosk/pace.h"
+#include "platform/kiosk/resample.h"
+#include "platform/kiosk/timing.h"
+
+/* Sees each tick's input and the state after it: the recorder. Must not change either. */
+struct kiosk_tap {
+    void (*tick)(void *self, const struct input *input, const struct core *core);
+    void *self;
+};
+
+/* Gives each tick's input in place of the devices: the replayer. */
+struct kiosk_source {
+    int (*next)(void *self, struct input *out); /* 1, or 0 when there is no more. */
+    void *self;
+};
+
+struct kiosk_config {
+    struct core_config core;
+    uint8_t bot[POI_MAX];       /* These poi are held by the core's bot, whatever device there is. */
+    struct hal_clock stopwatch; /* Real time, for the figures only; never reaches the core. */
+    struct kiosk_tap tap;       /* Null function: none. */
+    struct kiosk_source source; /* Null function: the devices play. */
+};
+
+enum kiosk_end {
+    KIOSK_RUNS = 0,
+    KIOSK_QUIT,         /* A quit key, a closed window, the session's end. */
+    KIOSK_DISPLAY_LOST, /* Nothing can be shown any more. */
+    KIOSK_SOURCE_END,   /* The replay is over. */
+};
+
+/* What went wrong and was survived, since the start. */
+struct kiosk_faults {
+    uint32_t poi, display, audio, storage, lamps;
+};
+
+/* One player's controller, as the loop sees it. */
+struct kiosk_hand {
+    struct resampler path;
+    uint64_t retry_ns;  /* When a lost one is looked for again. */
+    uint8_t link;       /* enum poi_link, but never BOT. */
+    uint8_t has_wrist;
+    uint8_t was_seen;   /* It gave a reading once. */
+};
+
+struct kiosk {
+    struct kiosk_config config;
+    struct core core;
+    struct input input;    /* Of the next tick; edges wait in it until one tick has seen them. */
+    struct output output;
+    struct scene scene;
+    struct pace pace;
+    struct kiosk_hand hands[POI_MAX];
+    uint32_t accepted_id;  /* Newest record that the store took, or will never take. */
+    uint64_t save_retry_ns;
+    uint8_t start_lamp;
+    uint8_t end;           /* enum kiosk_end */
+
+    uint64_t frames;
+    struct kiosk_faults faults;
+    struct timing frame_time; /* Begin to begin, on the stopwatch. */
+    struct timing work_time;  /* Begin to end of kiosk_frame. */
+    uint64_t core_ns;         /* Spent in ticks and scene. */
+    uint64_t frame_begin_ns;
+};
+
+/* A fresh stall. Opens the poi; the board has opened the rest. CORE_ERR_RANGE: a config field is out of
+ * range, and `kiosk` is not to be used. */
+enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
+                           const struct kiosk_config *config);
+
+/* One displayed frame. Returns enum kiosk_end; after anything but KIOSK_RUNS call it no more. */
+enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
+
+#endif

@@ -1,0 +1,150 @@
+/* main.c -- `kingyo`: reads what is asked, finds out whether there is a screen, opens the stall. */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/board.h"
+#include "platform/kiosk/demo.h"
+#include "platform/kiosk/options.h"
+#include "platform/kiosk/play.h"
+#include "platform/kiosk/session.h"
+#include "platform/panic.h"
+
+static volatile sig_atomic_t stop;
+
+static void on_signal(int number)
+{
+    (void)number;
+    stop = 1;
+}
+
+static void catch_signals(void)
+{
+    struct sigaction action = { .sa_handler = on_signal };
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    signal(SIGPIPE, SIG_IGN);
+}
+
+static void warn(const char *line)
+{
+    fprintf(stderr, "kingyo: %s\n", line);
+}
+
+/* The stall is Japanese, and speaks English where the machine does not speak Japanese. The
+ * demonstration does not ask the machine: it is the same everywhere. */
+static uint8_t machine_language(void)
+{
+    static const char *const names[] = { "LC_ALL", "LC_MESSAGES", "LANG" };
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        const char *value = getenv(names[i]);
+        if (value && value[0]) {
+            return strncmp(value, "ja", 2) == 0 ? LANGUAGE_JA : LANGUAGE_EN;
+        }
+    }
+    return LANGUAGE_EN;
+}
+
+/* The command line names the configuration file, which is read first, and then wins over it. */
+static enum exit_code read_options(struct options *options, int argc, char **argv)
+{
+    char error[OPTIONS_ERROR_MAX];
+    const char *const *words = (const char *const *)argv;
+    *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
+    if (options_parse(options, argc, words, error)) {
+        warn(error);
+        return EXIT_USAGE;
+    }
+    if (options->config[0]) {
+        char path[OPTIONS_PATH_MAX];
+        memcpy(path, options->config, sizeof path);
+        *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
+        const int failed = options_read_config(options, path, warn);
+        if (failed) {
+            fprintf(stderr, "kingyo: %s: cannot read: %s\n", path, strerror(-failed));
+            return EXIT_IO;
+        }
+        if (options_parse(options, argc, words, error)) {
+            warn(error);
+            return EXIT_USAGE;
+        }
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code check_folders(const struct options *options)
+{
+    const char *const folders[] = { options->data, options->shots };
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
+        const enum exit_code code =
+            folders[i][0] ? session_make_folder(folders[i]) : EXIT_OK;
+        if (code != EXIT_OK) {
+            return code;
+        }
+    }
+    return EXIT_OK;
+}
+
+static void last_wish(void *self)
+{
+    struct session *session = self;
+    if (session->options.record[0]) {
+        recorder_end(&session->recorder);
+    }
+}
+
+static enum exit_code run(struct session *session)
+{
+    char why[HAL_TEXT_SIZE];
+    struct options *options = &session->options;
+    if (options->demo) {
+        return demo_run(session);
+    }
+    if (!board_has_screen(why, sizeof why)) {
+        printf("No screen: %s. The bot plays, and pictures are written.\n", why);
+        fflush(stdout);
+        return demo_run(session);
+    }
+    const uint8_t spoken = options->language;
+    options->language = options->has_language ? spoken : machine_language();
+    if (!play_open(session)) {
+        const struct hal_display *display = &session->hal.display;
+        printf("No screen: %s. The bot plays, and pictures are written.\n",
+               display->ops->describe(display->self));
+        fflush(stdout);
+        options->language = spoken;
+        return demo_run(session);
+    }
+    return play_run(session);
+}
+
+int main(int argc, char **argv)
+{
+    static struct session session; /* Megabytes: not for the stack. */
+    session.stop = &stop;
+    session.recorder.writer.fd = -1;
+    enum exit_code code = read_options(&session.options, argc, argv);
+    if (code != EXIT_OK) {
+        return (int)code;
+    }
+    if (session.options.help) {
+        options_print_help();
+        return EXIT_OK;
+    }
+    if (session.options.version) {
+        printf("kingyo %s\n", KINGYO_VERSION);
+        return EXIT_OK;
+    }
+    catch_signals();
+    panic_prepare(last_wish, &session);
+    code = check_folders(&session.options);
+    if (code == EXIT_OK) {
+        code = session_check(&session);
+    }
+    if (code == EXIT_OK) {
+        code = run(&session);
+    }
+    return (int)code;
+}

@@ -1,0 +1,54 @@
+/* options.h -- what the command line and the configuration file ask of `kingyo`. Pure but for the
+ * file. */
+#ifndef KINGYO_PLATFORM_KIOSK_OPTIONS_H
+#define KINGYO_PLATFORM_KIOSK_OPTIONS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define OPTIONS_PATH_MAX 1024u
+#define OPTIONS_ERROR_MAX 256u
+#define OPTIONS_DEMO_S 20u
+#define OPTIONS_DEMO_S_MIN 5u
+#define OPTIONS_DEMO_S_MAX 600u
+
+/* The exit codes of both programs. */
+enum exit_code {
+    EXIT_OK = 0,
+    EXIT_NOT_SO = 1,    /* Checked, and not so; or the display was lost. */
+    EXIT_USAGE = 2,
+    EXIT_BAD_DATA = 65, /* As sysexits.h: EX_DATAERR ... */
+    EXIT_IO = 74,       /* ... and EX_IOERR. */
+};
+
+struct options {
+    uint8_t help, version;
+    uint8_t demo;                  /* Play to files, off screen ... */
+    uint32_t demo_s;               /* ... for so long. */
+    uint32_t width, height;        /* Of the window; 0: full screen. */
+    uint8_t poi;                   /* enum board_poi */
+    uint8_t has_language, language; /* enum language */
+    uint8_t has_seed;
+    uint32_t seed;
+    uint32_t fish_count;           /* 0: the preset's own. */
+    char record[OPTIONS_PATH_MAX]; /* Each "" when not asked for. */
+    char replay[OPTIONS_PATH_MAX];
+    char shots[OPTIONS_PATH_MAX];
+    char data[OPTIONS_PATH_MAX];
+    char config[OPTIONS_PATH_MAX];
+};
+
+/* Sets what `argv` says on top of what `options` holds. 0, or -1 and one line in `error`. */
+int options_parse(struct options *options, int argc, const char *const *argv,
+                  char error[OPTIONS_ERROR_MAX]);
+
+/* Reads "key = value" lines: the keys are the options' names, '#' begins a comment. A line that cannot be
+ * used is told through `warn` (may be null) and skipped: a typing mistake must not keep a stall closed.
+ * 0, or a negative errno when the file cannot be read. */
+int options_read_config(struct options *options, const char *path,
+                        void (*warn)(const char *line));
+
+/* What --help prints. */
+void options_print_help(void);
+
+#endif

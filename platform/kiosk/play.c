@@ -1,0 +1,165 @@
+/* play.c -- opens the board, runs the frame loop, closes the board. */
+#include "platform/kiosk/play.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "core/tank/preset.h"
+#include "platform/board.h"
+#include "platform/clock.h"
+
+#define SHOT_TICKS (5u * CORE_TICK_HZ)
+#define SHOT_WIDTH_MAX 4096u
+#define SHOT_HEIGHT_MAX 2304u
+
+/* A display that waits for its screen paces the loop. One that does not wait (no vertical sync, no
+ * screen at all) is held to 60 frames a second; nothing faster than 4 ms has waited for a screen. */
+#define UNPACED_NS 4000000ull
+#define FRAME_NS 16666667ull
+
+/* Where scores live when nobody says: the user's data folder. "" when there is none. */
+static void default_data_folder(char out[OPTIONS_PATH_MAX])
+{
+    const char *data = getenv("XDG_DATA_HOME");
+    const char *home = getenv("HOME");
+    if (data && data[0] == '/') {
+        snprintf(out, OPTIONS_PATH_MAX, "%s/kingyo", data);
+    } else if (home && home[0] == '/') {
+        snprintf(out, OPTIONS_PATH_MAX, "%s/.local/share/kingyo", home);
+    }
+}
+
+static void tell_device(const char *name, const char *line)
+{
+    if (line && line[0]) {
+        printf("  %-9s %s\n", name, line);
+    }
+}
+
+static void tell_devices(const struct hal *hal)
+{
+    printf("Kingyo %s\n", KINGYO_VERSION);
+    tell_device("display", hal->display.ops->describe(hal->display.self));
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        tell_device("poi", hal->poi[i].ops->describe(hal->poi[i].self));
+    }
+    tell_device("buttons", hal->buttons.ops->describe(hal->buttons.self));
+    tell_device("lamps", hal->lamps.ops->describe(hal->lamps.self));
+    tell_device("sound", hal->audio.ops->describe(hal->audio.self));
+    tell_device("store", hal->storage.ops->describe(hal->storage.self));
+    tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
+    fflush(stdout);
+}
+
+int play_open(struct session *session)
+{
+    struct options *options = &session->options;
+    struct display_events events;
+    if (!options->data[0]) {
+        default_data_folder(options->data);
+    }
+    const struct board_options board = {
+        .poi = options->poi,
+        .full_screen = options->width == 0,
+        .width = options->width,
+        .height = options->height,
+        .data_dir = options->data[0] ? options->data : NULL,
+        .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
+    };
+    board_open(&session->hal, &board);
+    const struct hal_display *display = &session->hal.display;
+    return display->ops->poll(display->self, &events) != HAL_ERR_NONE;
+}
+
+static enum exit_code begin(struct session *session)
+{
+    const struct options *options = &session->options;
+    const struct hal_storage *storage = &session->hal.storage;
+    uint32_t best_today = 0;
+    storage->ops->best_today(storage->self, &best_today);
+    struct kiosk_config config = {
+        .core = {
+            .seed = options->has_seed ? options->seed : (uint32_t)time(NULL),
+            .preset = TANK_PRESET_FESTIVAL,
+            .fish_count = options->fish_count,
+            .language = options->language,
+            .best_today = best_today,
+        },
+        .bot = { options->poi == BOARD_POI_BOT },
+        .stopwatch = clock_device(),
+    };
+    return session_begin(session, &config);
+}
+
+static void shoot_if_due(struct session *session, uint32_t *shots)
+{
+    char path[OPTIONS_PATH_MAX + 32];
+    struct hal_image image;
+    if (session->options.shots[0] && session->kiosk.core.tick >= (*shots + 1) * SHOT_TICKS) {
+        snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++*shots);
+        session_shot(session, path, &image);
+    }
+}
+
+static enum kiosk_end run(struct session *session)
+{
+    const struct hal_clock clock = clock_device();
+    enum kiosk_end end = KIOSK_RUNS;
+    uint32_t shots = 0;
+    while (end == KIOSK_RUNS && !*session->stop) {
+        const uint64_t begin_ns = clock.ops->now_ns(clock.self);
+        end = kiosk_frame(&session->kiosk, &session->hal);
+        shoot_if_due(session, &shots);
+        if (clock.ops->now_ns(clock.self) - begin_ns < UNPACED_NS) {
+            clock_sleep_until(begin_ns + FRAME_NS);
+        }
+    }
+    return end;
+}
+
+static void close_devices(const struct hal *hal)
+{
+    hal->audio.ops->close(hal->audio.self);
+    hal->storage.ops->close(hal->storage.self);
+    hal->display.ops->close(hal->display.self);
+}
+
+static void tell_end(const struct session *session, enum kiosk_end end)
+{
+    const struct kiosk *kiosk = &session->kiosk;
+    const struct kiosk_faults *faults = &kiosk->faults;
+    const uint32_t sum =
+        faults->poi + faults->display + faults->audio + faults->storage + faults->lamps;
+    if (end == KIOSK_DISPLAY_LOST) {
+        fprintf(stderr, "kingyo: the display was lost after %u s: %s\n",
+                kiosk->core.tick / CORE_TICK_HZ,
+                session->hal.display.ops->describe(session->hal.display.self));
+    }
+    printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
+           (unsigned long long)kiosk->frames,
+           (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
+           (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
+           (unsigned long long)kiosk->pace.dropped, sum);
+}
+
+enum exit_code play_run(struct session *session)
+{
+    enum exit_code code = EXIT_OK;
+    if (session->options.shots[0]) {
+        code = session_make_room(session, SHOT_WIDTH_MAX, SHOT_HEIGHT_MAX);
+    }
+    if (code == EXIT_OK) {
+        code = begin(session);
+    }
+    if (code != EXIT_OK) {
+        close_devices(&session->hal);
+        return code;
+    }
+    tell_devices(&session->hal);
+    const enum kiosk_end end = run(session);
+    tell_end(session, end);
+    code = session_end(session);
+    close_devices(&session->hal);
+    return code == EXIT_OK && end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO : code;
+}

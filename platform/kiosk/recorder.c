@@ -1,0 +1,45 @@
+/* recorder.c -- a tap on the frame loop. */
+#include "platform/kiosk/recorder.h"
+
+#include <string.h>
+
+void recorder_count(struct replay_totals *totals, uint32_t caught[POI_MAX],
+                    const struct core *core)
+{
+    totals->ticks++;
+    totals->rounds = core->game.round_count;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (core->game.caught[i] > caught[i]) {
+            totals->caught += core->game.caught[i] - caught[i];
+        }
+        caught[i] = core->game.caught[i];
+    }
+}
+
+int recorder_begin(struct recorder *recorder, const char *path, const struct core *core)
+{
+    memset(&recorder->totals, 0, sizeof recorder->totals);
+    memset(recorder->caught, 0, sizeof recorder->caught);
+    recorder->core = core;
+    return replay_create(&recorder->writer, path, &core->config, core_hash(core));
+}
+
+static void recorder_tick(void *self, const struct input *input, const struct core *core)
+{
+    struct recorder *recorder = self;
+    recorder_count(&recorder->totals, recorder->caught, core);
+    if (replay_wants_hash(&recorder->writer)) {
+        recorder->totals.hash = core_hash(core);
+    }
+    replay_add(&recorder->writer, input, (uint32_t)core_hash_quick(core), &recorder->totals);
+}
+
+struct kiosk_tap recorder_tap(struct recorder *recorder)
+{
+    return (struct kiosk_tap){ .tick = recorder_tick, .self = recorder };
+}
+
+int recorder_end(struct recorder *recorder)
+{
+    return replay_finish(&recorder->writer, core_hash(recorder->core));
+}

@@ -1,0 +1,28 @@
+/* recorder.h -- writes what the core is told and what it makes of it, as the game is played. */
+#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_H
+#define KINGYO_PLATFORM_KIOSK_RECORDER_H
+
+#include "platform/kiosk/kiosk.h"
+#include "platform/replay.h"
+
+struct recorder {
+    struct replay_writer writer;
+    struct replay_totals totals;
+    uint32_t caught[POI_MAX]; /* The scores after the last tick, to see them rise. */
+    const struct core *core;  /* Hashed once more for the last, begun second. */
+};
+
+/* Counts rounds begun and fish landed up to and with this tick. A score that fell began anew. */
+void recorder_count(struct replay_totals *totals, uint32_t caught[POI_MAX],
+                    const struct core *core);
+
+/* Begins a recording of `core`, which is fresh and outlives it. 0 or a negative errno. */
+int recorder_begin(struct recorder *recorder, const char *path, const struct core *core);
+
+/* What the frame loop calls with each tick. */
+struct kiosk_tap recorder_tap(struct recorder *recorder);
+
+/* Writes the begun second. 0 or the negative errno that the recording ended with, now or before. */
+int recorder_end(struct recorder *recorder);
+
+#endif

@@ -1,0 +1,92 @@
+/* resample.c -- a polyline in time, walked in equal steps. */
+#include "platform/kiosk/resample.h"
+
+#include "core/base/panic.h"
+
+void resample_reset(struct resampler *resampler)
+{
+    resampler->count = 0;
+}
+
+static int target_is_finite(const struct poi_target *target)
+{
+    return v3_is_finite(target->position_m) && f_is_finite(target->angles.yaw_rad) &&
+           f_is_finite(target->angles.pitch_rad) && f_is_finite(target->angles.roll_rad);
+}
+
+static void drop_second(struct resampler *resampler)
+{
+    for (uint32_t i = 2; i < resampler->count; i++) {
+        resampler->path[i - 1] = resampler->path[i];
+    }
+    resampler->count--;
+}
+
+int resample_push(struct resampler *resampler, const struct poi_sample *sample)
+{
+    if (!target_is_finite(&sample->target)) {
+        return 0;
+    }
+    struct poi_sample next = *sample;
+    if (resampler->count > 0) {
+        const uint64_t newest_ns = resampler->path[resampler->count - 1].time_ns;
+        if (next.time_ns <= newest_ns) {
+            next.time_ns = newest_ns; /* Time along the path never goes back. */
+            resampler->count -= resampler->count > 1;
+        }
+    }
+    if (resampler->count == RESAMPLE_MAX) {
+        drop_second(resampler);
+    }
+    resampler->path[resampler->count++] = next;
+    return 1;
+}
+
+static float angle_between(float from_rad, float to_rad, float t)
+{
+    return from_rad + f_wrap_angle(to_rad - from_rad) * t;
+}
+
+static struct poi_target target_between(const struct poi_target *from, const struct poi_target *to,
+                                        float t)
+{
+    return (struct poi_target){
+        .position_m = v3_lerp(from->position_m, to->position_m, t),
+        .angles = {
+            .yaw_rad = angle_between(from->angles.yaw_rad, to->angles.yaw_rad, t),
+            .pitch_rad = angle_between(from->angles.pitch_rad, to->angles.pitch_rad, t),
+            .roll_rad = angle_between(from->angles.roll_rad, to->angles.roll_rad, t),
+        },
+    };
+}
+
+struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
+                              uint32_t tick_count)
+{
+    CORE_ASSERT(resampler->count > 0);
+    CORE_ASSERT(index < tick_count);
+    const struct poi_sample *path = resampler->path;
+    const uint32_t last = resampler->count - 1;
+    const uint64_t begin_ns = path[0].time_ns;
+    if (index + 1 == tick_count || path[last].time_ns <= begin_ns) {
+        return path[last].target;
+    }
+    const uint64_t span_ns = path[last].time_ns - begin_ns;
+    const uint64_t time_ns = begin_ns + span_ns * (index + 1) / tick_count;
+    uint32_t next = 1;
+    while (next < last && path[next].time_ns < time_ns) {
+        next++;
+    }
+    const uint64_t from_ns = path[next - 1].time_ns;
+    const uint64_t gap_ns = path[next].time_ns - from_ns; /* 0 only in a path of a few ns. */
+    const float t = gap_ns > 0 ? (float)(time_ns - from_ns) / (float)gap_ns : 1.0f;
+    return target_between(&path[next - 1].target, &path[next].target, t);
+}
+
+void resample_end(struct resampler *resampler)
+{
+    if (resampler->count > 1) {
+        resampler->path[0] = resampler->path[resampler->count - 1];
+        resampler->count = 1;
+    }
+}

@@ -1,0 +1,157 @@
+/* session.c -- recording, replay and pictures around the frame loop. */
+#include "platform/kiosk/session.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "platform/png.h"
+
+static enum exit_code tell_problem(const char *path, const struct replay_problem *problem)
+{
+    fprintf(stderr, "kingyo: %s: byte %llu: %s\n", path, (unsigned long long)problem->offset,
+            problem->text);
+    return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
+}
+
+enum exit_code session_check(struct session *session)
+{
+    struct replay_totals totals;
+    struct replay_reader *reader = &session->replayer.reader;
+    const char *path = session->options.replay;
+    if (path[0] && replay_scan(reader, path, &totals)) {
+        return tell_problem(path, &reader->problem);
+    }
+    return EXIT_OK;
+}
+
+enum exit_code session_begin(struct session *session, struct kiosk_config *config)
+{
+    const char *record = session->options.record;
+    const char *replay = session->options.replay;
+    if (replay[0]) {
+        if (replayer_begin(&session->replayer, replay, &config->core)) {
+            return tell_problem(replay, &session->replayer.reader.problem);
+        }
+        config->source = replayer_source(&session->replayer);
+        config->tap = replayer_tap(&session->replayer);
+    } else if (record[0]) {
+        config->tap = recorder_tap(&session->recorder);
+    }
+    if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
+        fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",
+                replay[0] ? replay : "options");
+        return replay[0] ? EXIT_BAD_DATA : EXIT_USAGE;
+    }
+    const int error =
+        record[0] ? recorder_begin(&session->recorder, record, &session->kiosk.core) : 0;
+    if (error) {
+        fprintf(stderr, "kingyo: %s: cannot record: %s\n", record, strerror(-error));
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code end_recording(struct session *session)
+{
+    const char *path = session->options.record;
+    const int error = recorder_end(&session->recorder);
+    const struct replay_totals *saved = &session->recorder.writer.saved;
+    if (error) {
+        fprintf(stderr, "kingyo: %s: recording stopped after %u s: %s\n", path,
+                saved->ticks / CORE_TICK_HZ, strerror(-error));
+        return EXIT_IO;
+    }
+    printf("recorded %.1f s to %s\n", (double)saved->ticks / CORE_TICK_HZ, path);
+    return EXIT_OK;
+}
+
+static enum exit_code end_replay(struct session *session)
+{
+    struct replayer *replayer = &session->replayer;
+    const char *path = session->options.replay;
+    replayer_end(replayer);
+    if (replayer->damaged) {
+        return tell_problem(path, &replayer->reader.problem);
+    }
+    if (replayer->difference.found) {
+        fprintf(stderr, "kingyo: %s: this play is not the recorded one from tick %u on; "
+                        "'kingyoctl replay verify' says more\n",
+                path, replayer->difference.tick);
+        return EXIT_NOT_SO;
+    }
+    printf("replayed %.1f s of %s, every tick as recorded\n",
+           (double)replayer->totals.ticks / CORE_TICK_HZ, path);
+    return EXIT_OK;
+}
+
+enum exit_code session_end(struct session *session)
+{
+    free(session->rgb);
+    session->rgb = NULL;
+    return session->options.record[0]   ? end_recording(session)
+           : session->options.replay[0] ? end_replay(session)
+                                        : EXIT_OK;
+}
+
+/* ---- Folders and pictures ------------------------------------------------------------------- */
+
+static int make_folders(char *path)
+{
+    for (char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        if (mkdir(path, 0755) != 0 && errno != EEXIST) {
+            return -errno;
+        }
+        *slash = '/';
+    }
+    return mkdir(path, 0755) != 0 && errno != EEXIST ? -errno : 0;
+}
+
+enum exit_code session_make_folder(const char *path)
+{
+    char copy[OPTIONS_PATH_MAX];
+    struct stat status;
+    snprintf(copy, sizeof copy, "%s", path);
+    int error = make_folders(copy);
+    if (!error && stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
+        error = -ENOTDIR;
+    }
+    if (!error && access(path, W_OK | X_OK) != 0) {
+        error = -errno;
+    }
+    if (error) {
+        fprintf(stderr, "kingyo: %s: cannot write there: %s\n", path, strerror(-error));
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+enum exit_code session_make_room(struct session *session, uint32_t width, uint32_t height)
+{
+    session->rgb_size = (size_t)width * height * 3;
+    session->rgb = malloc(session->rgb_size);
+    if (!session->rgb) {
+        fprintf(stderr, "kingyo: no memory for pictures of %ux%u\n", width, height);
+        return EXIT_NOT_SO;
+    }
+    return EXIT_OK;
+}
+
+int session_shot(struct session *session, const char *path, struct hal_image *image)
+{
+    const struct hal_display *display = &session->hal.display;
+    *image = (struct hal_image){ .rgb = session->rgb, .size = session->rgb_size };
+    if (display->ops->capture(display->self, image) != HAL_OK) {
+        fprintf(stderr, "kingyo: the display gives no picture\n");
+        return -1;
+    }
+    const int error = path ? png_write(path, image->rgb, image->width, image->height) : 0;
+    if (error) {
+        fprintf(stderr, "kingyo: %s: cannot write: %s\n", path, strerror(-error));
+    }
+    return error ? -1 : 0;
+}

@@ -1,0 +1,27 @@
+/* panic.c -- one line, the recording, and out. Not through exit(): nothing else is to be trusted. */
+#include "platform/panic.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/panic.h"
+
+static void (*wish)(void *self);
+static void *wish_self;
+
+void panic_prepare(void (*last_wish)(void *self), void *self)
+{
+    wish = last_wish;
+    wish_self = self;
+}
+
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "kingyo: panic: %s:%d: not so: %s\n", file, line, condition);
+    if (wish) {
+        void (*const last_wish)(void *self) = wish;
+        wish = NULL; /* A panic in here must not come back. */
+        last_wish(wish_self);
+    }
+    abort();
+}

@@ -1,0 +1,138 @@
+/* replay.h -- a play on disk: the inputs, and what the core made of them.
+ *
+ * All numbers are little-endian. A file is one header, then chunks of at most one second, then one end
+ * mark, and nothing after it:
+ *
+ *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
+ *            zero-filled), core_config as 6 u32 (seed, preset, fish_count, language, round_s,
+ *            best_today), u64 sum of the 56 bytes before it
+ *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
+ *            caught, u64 core_hash after the last tick, payload, u64 sum
+ *   end      "ENDS", u32 tick count, u32 rounds begun, u32 fish caught, u64 core_hash, u64 sum
+ *   payload  a tick after the other: the input as a difference from the tick before (replay_codec.c),
+ *            then the low 32 bits of core_hash_quick after the tick
+ *
+ * A sum is FNV-1a over the bytes before it in its part, started from the sum of the part before, so
+ * that no part can be altered, swapped or left out unseen. The end mark is written with each chunk, in
+ * one write over the last end mark: a recording in progress is whole up to its last second, and a play
+ * that ends by pulling the plug loses at most that. */
+#ifndef KINGYO_PLATFORM_REPLAY_H
+#define KINGYO_PLATFORM_REPLAY_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/core.h"
+#include "core/input.h"
+
+#define REPLAY_VERSION 1u
+#define REPLAY_HEADER_SIZE 64u
+#define REPLAY_CHUNK_HEAD_SIZE 32u
+#define REPLAY_END_SIZE 32u
+#define REPLAY_SUM_SIZE 8u
+#define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
+#define REPLAY_PROGRAM_SIZE 16u
+
+/* One tick at most: mask, buttons, edges, coins, saved id, four poi of a mask, a link and six floats,
+ * and the digest. */
+#define REPLAY_TICK_SIZE_MAX (1u + 4u * 4u + POI_MAX * (1u + 1u + 6u * 4u) + 4u)
+#define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
+
+/* What the header says. */
+struct replay_header {
+    struct core_config config;
+    char program[REPLAY_PROGRAM_SIZE]; /* KINGYO_VERSION of the recorder; zero-terminated. */
+};
+
+/* What a part's end says of everything up to there. */
+struct replay_totals {
+    uint32_t ticks, rounds, caught;
+    uint64_t hash; /* core_hash */
+};
+
+/* ---- Codec (replay_codec.c), pure ---- */
+
+uint32_t replay_get_u32(const uint8_t *bytes);
+uint64_t replay_get_u64(const uint8_t *bytes);
+void replay_put_u32(uint8_t *bytes, uint32_t value);
+void replay_put_u64(uint8_t *bytes, uint64_t value);
+
+/* Writes `input` as what changed since `before`, at most REPLAY_TICK_SIZE_MAX - 4 bytes; returns how
+ * many. */
+size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out);
+
+/* Reads one input into `input`, which holds the tick before. Returns the bytes used, or 0 when they end
+ * early or say what no recorder writes: then `input` is as it was. */
+size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size);
+
+/* ---- Writer (replay_writer.c) ---- */
+
+struct replay_writer {
+    int fd;                  /* -1: not open, or given up. */
+    int error;               /* errno of what made it give up, or 0. */
+    uint64_t offset;         /* Of the end mark. */
+    uint64_t sum;            /* Of the last whole chunk. */
+    struct input last;
+    struct replay_totals totals, saved; /* Of the ticks so far; of those on disk. */
+    uint32_t chunk_ticks;
+    size_t payload_size;
+    uint8_t bytes[REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE];
+};
+
+/* Begins a file at `path` (one that is there is replaced). `first_hash` is core_hash of the fresh core.
+ * 0, or a negative errno and nothing is open. */
+int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
+                  uint64_t first_hash);
+
+/* Adds a tick; with the last of a second, writes. `hash` is asked for only when replay_wants_hash().
+ * A write that fails leaves the file whole as it was and stops the recording: `error` says why. */
+void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
+                const struct replay_totals *totals);
+int replay_wants_hash(const struct replay_writer *writer);
+
+/* Writes what is left of the last second. `hash` is core_hash now. 0 or the negative errno that the
+ * recording ended with. */
+int replay_finish(struct replay_writer *writer, uint64_t hash);
+
+/* ---- Reader (replay_reader.c) ---- */
+
+#define REPLAY_PROBLEM_SIZE 120u
+
+/* Why a file cannot be used. `is_io`: it could not be read at all (exit 74); else its bytes are not a
+ * whole recording (exit 65). */
+struct replay_problem {
+    int is_io;
+    uint64_t offset;
+    char text[REPLAY_PROBLEM_SIZE];
+};
+
+struct replay_reader {
+    int fd;
+    uint64_t offset;         /* Of the next part. */
+    uint64_t sum;
+    struct replay_header header;
+    struct replay_totals totals; /* Said by the chunk that is being read, or by the end. */
+    struct input input;
+    uint32_t digest;         /* Of the tick that replay_next gave last. */
+    uint32_t tick;           /* How many replay_next gave. */
+    uint32_t chunk_left;     /* Ticks of the chunk still to give. */
+    size_t payload_size, payload_used;
+    uint8_t ended;
+    struct replay_problem problem;
+    uint8_t bytes[REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE];
+};
+
+/* 0, or -1 with `problem` filled and nothing open. */
+int replay_open(struct replay_reader *reader, const char *path);
+
+/* The next tick: 1 with `input` and `digest` filled, 0 at the end mark, -1 with `problem` filled. When
+ * chunk_left is 0 after a tick, `totals` hold for the core after that tick. */
+int replay_next(struct replay_reader *reader, struct input *input);
+
+void replay_close(struct replay_reader *reader);
+
+/* Reads a whole file and checks every byte. 0 with `totals` of all, or -1 with `reader->problem`.
+ * `reader` is closed afterwards; its header remains. */
+int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals);
+
+#endif

@@ -1,0 +1,257 @@
+/* replay_reader.c -- believes nothing: every byte of a recording is checked before it is used. */
+#include "platform/replay.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/hash.h"
+#include "platform/replay_format.h"
+
+#define TICK_SIZE_MIN 5u /* A mask that says 'as before', and the digest. */
+
+/* Fills `problem`, closes the file, returns -1. */
+__attribute__((format(printf, 4, 5)))
+static int refuse(struct replay_reader *reader, int is_io, uint64_t offset, const char *format, ...)
+{
+    va_list arguments;
+    reader->problem = (struct replay_problem){ .is_io = is_io, .offset = offset };
+    va_start(arguments, format);
+    vsnprintf(reader->problem.text, sizeof reader->problem.text, format, arguments);
+    va_end(arguments);
+    replay_close(reader);
+    return -1;
+}
+
+/* Reads exactly `size` bytes at the reader's offset plus `ahead`. */
+static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, uint64_t ahead,
+                      const char *what)
+{
+    const uint64_t begin = reader->offset + ahead;
+    size_t done = 0;
+    while (done < size) {
+        const ssize_t got = pread(reader->fd, out + done, size - done, (off_t)(begin + done));
+        if (got < 0 && errno == EINTR) {
+            continue;
+        }
+        if (got < 0) {
+            return refuse(reader, 1, begin + done, "cannot read: %s", strerror(errno));
+        }
+        if (got == 0) {
+            return refuse(reader, 0, begin + done, "the file ends in the middle of %s", what);
+        }
+        done += (size_t)got;
+    }
+    return 0;
+}
+
+static int read_header(struct replay_reader *reader)
+{
+    uint8_t *bytes = reader->bytes;
+    if (read_bytes(reader, bytes, REPLAY_HEADER_SIZE, 0, "its header")) {
+        return -1;
+    }
+    if (memcmp(bytes, REPLAY_MAGIC, 8) != 0) {
+        return refuse(reader, 0, 0, "not a recording of Kingyo");
+    }
+    const uint32_t version = replay_get_u32(bytes + HEADER_VERSION) & 0xffffu;
+    if (version != REPLAY_VERSION) {
+        return refuse(reader, 0, HEADER_VERSION, "format version %u; this program reads version %u",
+                      version, REPLAY_VERSION);
+    }
+    reader->sum = hash_bytes(HASH_START, bytes, HEADER_SUM);
+    if (reader->sum != replay_get_u64(bytes + HEADER_SUM)) {
+        return refuse(reader, 0, HEADER_SUM, "the header was altered");
+    }
+    if (replay_get_u32(bytes + HEADER_VERSION) >> 16 != REPLAY_HEADER_SIZE ||
+        replay_get_u32(bytes + HEADER_TICK_HZ) != CORE_TICK_HZ ||
+        bytes[HEADER_PROGRAM + REPLAY_PROGRAM_SIZE - 1] != 0 ||
+        replay_get_u32(bytes + HEADER_CONFIG + 4) > UINT8_MAX ||
+        replay_get_u32(bytes + HEADER_CONFIG + 12) > UINT8_MAX) {
+        return refuse(reader, 0, HEADER_SIZE_FIELD, "the header says what this program never writes");
+    }
+    const uint8_t *config = bytes + HEADER_CONFIG;
+    reader->header.config = (struct core_config){
+        .seed = replay_get_u32(config),
+        .preset = (uint8_t)replay_get_u32(config + 4),
+        .fish_count = replay_get_u32(config + 8),
+        .language = (uint8_t)replay_get_u32(config + 12),
+        .round_s = replay_get_u32(config + 16),
+        .best_today = replay_get_u32(config + 20),
+    };
+    memcpy(reader->header.program, bytes + HEADER_PROGRAM, REPLAY_PROGRAM_SIZE);
+    reader->offset = REPLAY_HEADER_SIZE;
+    return 0;
+}
+
+int replay_open(struct replay_reader *reader, const char *path)
+{
+    struct stat status;
+    memset(reader, 0, sizeof *reader);
+    /* Non-blocking, so that a pipe with nobody behind it cannot hold us. */
+    reader->fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (reader->fd < 0) {
+        return refuse(reader, 1, 0, "cannot open: %s", strerror(errno));
+    }
+    if (fstat(reader->fd, &status) != 0) {
+        return refuse(reader, 1, 0, "cannot read: %s", strerror(errno));
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return refuse(reader, 0, 0, "not a recording of Kingyo but a %s",
+                      S_ISDIR(status.st_mode) ? "folder" : "device or pipe");
+    }
+    if (status.st_size == 0) {
+        return refuse(reader, 0, 0, "the file is empty");
+    }
+    return read_header(reader);
+}
+
+static int read_end(struct replay_reader *reader)
+{
+    uint8_t *end = reader->bytes;
+    uint8_t beyond;
+    if (read_bytes(reader, end, REPLAY_END_SIZE, 0, "its end mark")) {
+        return -1;
+    }
+    if (hash_bytes(reader->sum, end, END_SUM) != replay_get_u64(end + END_SUM)) {
+        return refuse(reader, 0, reader->offset, "the end mark was altered");
+    }
+    const struct replay_totals totals = {
+        .ticks = replay_get_u32(end + END_TICKS),
+        .rounds = replay_get_u32(end + END_ROUNDS),
+        .caught = replay_get_u32(end + END_CAUGHT),
+        .hash = replay_get_u64(end + END_HASH),
+    };
+    const int same = totals.ticks == reader->tick && totals.rounds == reader->totals.rounds &&
+                     totals.caught == reader->totals.caught &&
+                     (reader->tick == 0 || totals.hash == reader->totals.hash);
+    if (!same) {
+        return refuse(reader, 0, reader->offset, "the end mark does not agree with the last second");
+    }
+    const uint64_t size = reader->offset + REPLAY_END_SIZE;
+    if (pread(reader->fd, &beyond, 1, (off_t)size) != 0) {
+        return refuse(reader, 0, size, "there is more after the end mark");
+    }
+    reader->totals = totals;
+    reader->ended = 1;
+    return 0;
+}
+
+static int chunk_head_is_possible(const struct replay_reader *reader, uint32_t tick_count)
+{
+    return tick_count > 0 && tick_count <= REPLAY_CHUNK_TICKS &&
+           replay_get_u32(reader->bytes + CHUNK_FIRST_TICK) == reader->tick &&
+           reader->payload_size >= (size_t)tick_count * TICK_SIZE_MIN &&
+           reader->payload_size <= (size_t)tick_count * REPLAY_TICK_SIZE_MAX;
+}
+
+static int read_chunk(struct replay_reader *reader)
+{
+    uint8_t *head = reader->bytes;
+    if (read_bytes(reader, head, REPLAY_CHUNK_HEAD_SIZE, 0, "a second's head")) {
+        return -1;
+    }
+    const uint32_t tick_count = replay_get_u32(head + CHUNK_TICK_COUNT);
+    reader->payload_size = replay_get_u32(head + CHUNK_PAYLOAD_SIZE);
+    if (!chunk_head_is_possible(reader, tick_count)) {
+        return refuse(reader, 0, reader->offset, "the head of second %u was altered",
+                      reader->tick / CORE_TICK_HZ);
+    }
+    const size_t summed = REPLAY_CHUNK_HEAD_SIZE + reader->payload_size;
+    if (read_bytes(reader, head + REPLAY_CHUNK_HEAD_SIZE, reader->payload_size + REPLAY_SUM_SIZE,
+                   REPLAY_CHUNK_HEAD_SIZE, "a second")) {
+        return -1;
+    }
+    reader->sum = hash_bytes(reader->sum, head, summed);
+    if (reader->sum != replay_get_u64(head + summed)) {
+        return refuse(reader, 0, reader->offset, "second %u was altered",
+                      reader->tick / CORE_TICK_HZ);
+    }
+    reader->totals = (struct replay_totals){
+        .ticks = reader->tick + tick_count,
+        .rounds = replay_get_u32(head + CHUNK_ROUNDS),
+        .caught = replay_get_u32(head + CHUNK_CAUGHT),
+        .hash = replay_get_u64(head + CHUNK_HASH),
+    };
+    reader->chunk_left = tick_count;
+    reader->payload_used = 0;
+    return 0;
+}
+
+/* A chunk or the end. */
+static int read_part(struct replay_reader *reader)
+{
+    uint8_t tag[4];
+    if (read_bytes(reader, tag, sizeof tag, 0, "itself: no end mark")) {
+        return -1;
+    }
+    if (memcmp(tag, REPLAY_END_TAG, sizeof tag) == 0) {
+        return read_end(reader);
+    }
+    if (memcmp(tag, REPLAY_CHUNK_TAG, sizeof tag) == 0) {
+        return read_chunk(reader);
+    }
+    return refuse(reader, 0, reader->offset, "neither a second nor the end mark stands here");
+}
+
+int replay_next(struct replay_reader *reader, struct input *input)
+{
+    if (reader->fd < 0) {
+        return -1;
+    }
+    if (reader->chunk_left == 0 && !reader->ended && read_part(reader)) {
+        return -1;
+    }
+    if (reader->ended) {
+        return 0;
+    }
+    const uint8_t *payload = reader->bytes + REPLAY_CHUNK_HEAD_SIZE;
+    const size_t left = reader->payload_size - reader->payload_used;
+    const size_t used = replay_decode_input(&reader->input, payload + reader->payload_used, left);
+    const uint64_t at = reader->offset + REPLAY_CHUNK_HEAD_SIZE + reader->payload_used;
+    if (used == 0 || left - used < 4) {
+        return refuse(reader, 0, at, "tick %u says what no recorder writes", reader->tick);
+    }
+    reader->digest = replay_get_u32(payload + reader->payload_used + used);
+    reader->payload_used += used + 4;
+    reader->tick++;
+    reader->chunk_left--;
+    if (reader->chunk_left == 0) {
+        if (reader->payload_used != reader->payload_size) {
+            return refuse(reader, 0, at, "second %u holds more than its ticks",
+                          (reader->tick - 1) / CORE_TICK_HZ);
+        }
+        reader->offset += REPLAY_CHUNK_HEAD_SIZE + reader->payload_size + REPLAY_SUM_SIZE;
+    }
+    *input = reader->input;
+    return 1;
+}
+
+void replay_close(struct replay_reader *reader)
+{
+    if (reader->fd >= 0) {
+        close(reader->fd);
+    }
+    reader->fd = -1;
+}
+
+int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals)
+{
+    struct input input;
+    int more;
+    if (replay_open(reader, path)) {
+        return -1;
+    }
+    do {
+        more = replay_next(reader, &input);
+    } while (more == 1);
+    if (more == 0) {
+        *totals = reader->totals;
+        replay_close(reader);
+    }
+    return more;
+}

@@ -1,0 +1,88 @@
+/* watchdog.c -- READY=1 after the first frame, then WATCHDOG=1 a few times a deadline. */
+#include "platform/watchdog.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#define PERIOD_DEFAULT_NS 1000000000u
+#define KICKS_PER_DEADLINE 4u /* Three may be lost or late. */
+
+static int notify_address(struct sockaddr_un *address, socklen_t *size, const char *path)
+{
+    const size_t length = path ? strlen(path) : 0;
+    if (length < 2 || length >= sizeof address->sun_path || (path[0] != '/' && path[0] != '@')) {
+        return HAL_ERR_NONE;
+    }
+    memset(address, 0, sizeof *address);
+    address->sun_family = AF_UNIX;
+    memcpy(address->sun_path, path, length);
+    if (path[0] == '@') {
+        address->sun_path[0] = '\0'; /* Linux' abstract names begin with a zero byte. */
+    }
+    *size = (socklen_t)(offsetof(struct sockaddr_un, sun_path) + length);
+    return HAL_OK;
+}
+
+int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,
+                  uint64_t usec)
+{
+    struct sockaddr_un address;
+    socklen_t size;
+    *watchdog = (struct watchdog){ .clock = clock, .socket_fd = -1 };
+    if (notify_address(&address, &size, notify_socket) != HAL_OK) {
+        return HAL_ERR_NONE;
+    }
+    watchdog->socket_fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    if (watchdog->socket_fd < 0 ||
+        connect(watchdog->socket_fd, (const struct sockaddr *)&address, size) != 0) {
+        if (watchdog->socket_fd >= 0) {
+            close(watchdog->socket_fd);
+        }
+        watchdog->socket_fd = -1;
+        return HAL_ERR_NONE;
+    }
+    watchdog->period_ns = usec > 0 ? usec * 1000u / KICKS_PER_DEADLINE : PERIOD_DEFAULT_NS;
+    snprintf(watchdog->text, sizeof watchdog->text, "watchdog: service manager at %.100s",
+             notify_socket);
+    return HAL_OK;
+}
+
+static void watchdog_say(const struct watchdog *watchdog, const char *line)
+{
+    /* A manager that is away for a moment is asked again with the next kick. */
+    const ssize_t sent = send(watchdog->socket_fd, line, strlen(line), MSG_NOSIGNAL);
+    (void)sent;
+}
+
+static void watchdog_kick(void *self)
+{
+    struct watchdog *watchdog = self;
+    const uint64_t now_ns = watchdog->clock.ops->now_ns(watchdog->clock.self);
+    if (!watchdog->told_ready) {
+        watchdog_say(watchdog, "READY=1");
+        watchdog->told_ready = 1;
+    } else if (now_ns - watchdog->last_kick_ns < watchdog->period_ns) {
+        return;
+    } else {
+        watchdog_say(watchdog, "WATCHDOG=1");
+    }
+    watchdog->last_kick_ns = now_ns;
+}
+
+static const char *watchdog_describe(void *self)
+{
+    const struct watchdog *watchdog = self;
+    return watchdog->text;
+}
+
+struct hal_watchdog watchdog_device(struct watchdog *watchdog)
+{
+    static const struct hal_watchdog_ops ops = {
+        .kick = watchdog_kick,
+        .describe = watchdog_describe,
+    };
+    return (struct hal_watchdog){ .ops = &ops, .self = watchdog };
+}
