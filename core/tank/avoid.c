@@ -9,8 +9,11 @@
 #define STRAIGHT_CHANCE 0.9f     /* Side meetings: the sensible way. */
 #define YAW_TIME_S 0.5f          /* Then pitch (section 3.4). */
 #define PITCH_TIME_S 0.5f
-#define CLOSING_MIN_M_S 0.006f   /* Slower drifts are repulsion's work. */
-#define HORIZON_S 2.0f           /* Nobody gives way to what is farther off. */
+#define CLOSING_MIN_M_S 0.010f   /* Slower drifts are repulsion's work. */
+#define HORIZON_S 0.8f           /* Nobody gives way to what is farther off. */
+#define STOP_TIME_S 0.35f
+#define BRAKE_MIN 0.15f
+#define MISS_PER_LENGTH 0.3f     /* Of both lengths; half a length is nose to tail. */
 #define YAW_RATE_RAD_S (180.0f * F_DEG)
 #define LEAD_RAD (75.0f * F_DEG) /* The heading runs at most so far ahead of the nose. */
 /* Headroom that section 3.3 leaves: 7.5 - 5.25 cm/s, in lengths of its 5 cm fish. */
@@ -64,15 +67,38 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     struck->turn = hit_on_left > 0.0f ? -sense : sense;
 }
 
+/* Whether straight courses would bring the bodies near: fish that pass clear need not give way. */
+static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart)
+{
+    const vec3 v = v3_sub(v3_scale(b->forward, b->speed_m_s), v3_scale(a->forward, a->speed_m_s));
+    const float when_s = -v3_dot(apart, v) / f_max(v3_dot(v, v), 1e-6f);
+    const vec3 miss = v3_mad(apart, v, when_s);
+    const float lengths_m = a->length_m + b->length_m;
+    const float wide_m = MISS_PER_LENGTH * lengths_m;
+    return f_abs(miss.y) < 0.6f * FISH_HEIGHT_PER_LENGTH * lengths_m &&
+           miss.x * miss.x + miss.z * miss.z < wide_m * wide_m;
+}
+
+/* A gap that closes in less than STOP_TIME_S takes speed from who swims into it. */
+static float brake_for(const struct avoid_party *party, float faces, float gap_m, float closing_m_s)
+{
+    if (faces < 0.3f || closing_m_s <= 0.0f) {
+        return 1.0f;
+    }
+    return f_clamp(gap_m / (STOP_TIME_S * closing_m_s), BRAKE_MIN, 1.0f);
+}
+
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              uint32_t seed, uint32_t second)
 {
-    struct avoid_pair pair = { 0 };
+    struct avoid_pair pair = { .brake_a = 1.0f, .brake_b = 1.0f };
     const vec3 apart = v3_sub(b->position_m, a->position_m);
     const vec3 to_b = v3_normalize_or(apart, v3(1.0f, 0.0f, 0.0f));
     const float a_faces = v3_dot(a->forward, to_b), b_faces = -v3_dot(b->forward, to_b);
     const float closing_m_s = a_faces * a->speed_m_s + b_faces * b->speed_m_s;
-    if (closing_m_s < CLOSING_MIN_M_S || gap_m > HORIZON_S * closing_m_s) {
+    pair.brake_a = brake_for(a, a_faces, gap_m, closing_m_s);
+    pair.brake_b = brake_for(b, b_faces, gap_m, closing_m_s);
+    if (closing_m_s < CLOSING_MIN_M_S || gap_m > HORIZON_S * closing_m_s || !courses_cross(a, b, apart)) {
         return pair;
     }
     const float along = flat_cos(a->forward, b->forward);
@@ -131,12 +157,10 @@ static void begin_or_end(struct fish *fish, const struct avoid_advice *advice, f
     }
 }
 
-void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
+void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake, float water_depth_m)
 {
     const int meets = advice->kind != MEET_NONE;
-    /* A fish ahead takes speed away at once; it comes back over a third of a second. */
-    const float free = meets && advice->kind != MEET_HEAD_ON ? f_clamp(advice->contact_s / 0.8f, 0.3f, 1.0f) : 1.0f;
-    fish->brake = f_min(free, fish->brake + 3.0f * CORE_TICK_S);
+    fish->brake = f_min(brake, fish->brake + 3.0f * CORE_TICK_S); /* Back in a third of a second. */
     fish->avoid_left_s -= (meets ? 1.0f : 3.0f) * CORE_TICK_S; /* Once clear, it is soon forgotten. */
     if (fish->avoiding == AVOID_NONE || fish->avoid_left_s <= 0.0f) {
         begin_or_end(fish, advice, water_depth_m);

@@ -14,46 +14,41 @@ static struct frame frame_of(const struct box *box)
     };
 }
 
-/* Keeps the axis that shows the widest gap. */
-static void keep_widest(struct box_gap *gap, float body_m, float space_m, vec3 axis, float offset)
+/* Tries one face normal: its owner's half size and margin against the other's shadow along it. */
+static int try_axis(struct box_gap *gap, vec3 d, vec3 axis, float half_m, float margin_m,
+                    const float other_half[3], float other_margin_m, float c0, float c1, float c2)
 {
-    gap->space_m = f_max(gap->space_m, space_m);
+    const float offset = v3_dot(d, axis);
+    const float shadow = c0 * other_half[0] + c1 * other_half[1] + c2 * other_half[2];
+    const float body_m = f_abs(offset) - half_m - shadow;
+    gap->space_m = f_max(gap->space_m, body_m - margin_m - other_margin_m * (c0 + c1 + c2));
     if (body_m > gap->body_m) {
         gap->body_m = body_m;
         gap->axis = offset < 0.0f ? v3_scale(axis, -1.0f) : axis;
     }
+    return gap->space_m > 0.0f;
 }
 
+/* Sides first, then nose and tail: that is how fish that are near but apart are mostly parted. */
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
 {
+    static const int order[3] = { 0, 2, 1 };
     const struct frame fa = frame_of(a), fb = frame_of(b);
     const vec3 d = v3_sub(b->centre_m, a->centre_m);
     struct box_gap gap = { .body_m = -1e9f, .space_m = -1e9f, .axis = { 0.0f, 1.0f, 0.0f } };
-    float cosine[3][3];
-    for (int i = 0; i < 3; i++) {
-        float shadow = 0.0f, spread = 0.0f;
+    float c[3][3];
+    for (int n = 0; n < 3; n++) {
+        const int i = order[n];
         for (int j = 0; j < 3; j++) {
-            cosine[i][j] = f_abs(v3_dot(fa.axis[i], fb.axis[j]));
-            shadow += cosine[i][j] * fb.half[j];
-            spread += cosine[i][j];
+            c[i][j] = f_abs(v3_dot(fa.axis[i], fb.axis[j]));
         }
-        const float offset = v3_dot(d, fa.axis[i]);
-        const float body = f_abs(offset) - fa.half[i] - shadow;
-        keep_widest(&gap, body, body - margin_a_m - margin_b_m * spread, fa.axis[i], offset);
-        if (gap.space_m > 0.0f) {
+        if (try_axis(&gap, d, fa.axis[i], fa.half[i], margin_a_m, fb.half, margin_b_m, c[i][0], c[i][1], c[i][2])) {
             return gap;
         }
     }
-    for (int j = 0; j < 3; j++) {
-        float shadow = 0.0f, spread = 0.0f;
-        for (int i = 0; i < 3; i++) {
-            shadow += cosine[i][j] * fa.half[i];
-            spread += cosine[i][j];
-        }
-        const float offset = v3_dot(d, fb.axis[j]);
-        const float body = f_abs(offset) - fb.half[j] - shadow;
-        keep_widest(&gap, body, body - margin_b_m - margin_a_m * spread, fb.axis[j], offset);
-        if (gap.space_m > 0.0f) {
+    for (int n = 0; n < 3; n++) {
+        const int j = order[n];
+        if (try_axis(&gap, d, fb.axis[j], fb.half[j], margin_b_m, fa.half, margin_a_m, c[0][j], c[1][j], c[2][j])) {
             return gap;
         }
     }

@@ -5,6 +5,8 @@
 
 #define SPACE_PER_LENGTH 0.2f   /* 2013 thesis, section 3.4: 1 cm round a fish of 5 cm. */
 #define SPACE_FILL 0.35f        /* Of the water; fuller, and nobody's space would ever be free. */
+#define ROOM_GAP_M 0.005f       /* A tail sweeps so far in a few ticks of a hard turn. */
+#define ROOM_MIN 0.2f
 #define CONTACT_GAP_M 0.002f    /* Nearer pairs may come to touch while others are parted. */
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
 #define PART_ROUNDS 6
@@ -28,7 +30,7 @@ float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m
 
 static struct crowd_body body_of(const struct fish *fish, uint16_t index, float space)
 {
-    struct crowd_body body = { .fish = index, .speed_m_s = fish->speed_m_s };
+    struct crowd_body body = { .fish = index, .speed_m_s = fish->speed_m_s, .brake = 1.0f, .room = 1.0f };
     body.box = fish_box(fish);
     body.centre_m = fish->position_m;
     body.margin_m = space * SPACE_PER_LENGTH * fish->length_m;
@@ -63,7 +65,8 @@ static void take_advice(struct avoid_advice *kept, const struct avoid_advice *ad
 
 static struct avoid_party party_of(const struct crowd_body *body)
 {
-    return (struct avoid_party){ body->box.centre_m, body->forward, body->speed_m_s, body->fish };
+    return (struct avoid_party){ body->box.centre_m, body->forward, body->speed_m_s,
+                                 2.0f * body->box.half_m.z, body->fish };
 }
 
 /* Full to the side, half along the body: a fish pushed from behind does not shoot ahead. */
@@ -86,6 +89,11 @@ static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second_body,
     const struct avoid_pair advice = avoid_meet(&pa, &pb, gap.body_m, seed, second);
     take_advice(&a->advice, &advice.a);
     take_advice(&b->advice, &advice.b);
+    a->brake = f_min(a->brake, advice.brake_a);
+    b->brake = f_min(b->brake, advice.brake_b);
+    const float room = f_clamp(gap.body_m / ROOM_GAP_M, ROOM_MIN, 1.0f);
+    a->room = f_min(a->room, room);
+    b->room = f_min(b->room, room);
     const float length_m = 2.0f * f_min(a->box.half_m.z, b->box.half_m.z);
     const float apart_m_s = avoid_repulsion_m_s(gap.body_m, length_m);
     push_apart(a, gap.axis, -apart_m_s);

@@ -27,6 +27,7 @@ struct crowd_body {
     vec3 forward;
     float speed_m_s;
     struct avoid_advice advice;
+    float brake, room; /* As in struct fish. */
     vec3 push_m_s;
     uint16_t fish;     /* Index in the tank. */
     uint8_t airborne;  /* Above the surface: the surface does not hold it. */

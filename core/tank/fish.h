@@ -53,6 +53,7 @@ struct fish {
     float avoid_left_s;
     float avoid_turn;  /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
     float brake;       /* [0, 1] of its speed that a fish ahead leaves it. */
+    float room;        /* [0, 1] of its turning rate that bodies at its sides leave it. */
     float depth_goal_m; /* Wanted y, < 0. */
     float alarm;       /* [0, 1] fright that the poi left behind; fades. */
 };

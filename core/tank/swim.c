@@ -20,6 +20,7 @@
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
+#define BRAKE_TAU_S 0.08f               /* With spread pectorals. */
 #define GLIDE_TAU_S 0.55f               /* Koi: drag while gliding is a quarter of that in a burst. */
 
 static float ease(float from, float to, float tau_s)
@@ -43,40 +44,44 @@ void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index
     fish->heading_rad += rate * WANDER_RATE * DT;
 }
 
-/* Leaves the wall gently: the part of the course that runs into it fades, then turns inward. */
-static void turn_inward(struct fish *fish, vec3 normal, float weight)
+void swim_shun_add(struct swim_shun *shun, const struct fish *fish, vec3 normal, float gap_m)
 {
-    const float x = -f_sin(fish->heading_rad), z = -f_cos(fish->heading_rad);
-    const float into = x * normal.x + z * normal.z;
-    const float along = x * -normal.z + z * normal.x;
-    if (into < -0.2f) {
-        return;
-    }
-    /* Head on, it must choose a side, and keeps it. */
-    const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : (fish->look & 1u ? 1.0f : -1.0f);
-    const float new_into = into - (into + 0.3f) * weight;
-    const float new_along = along + side * weight * 0.5f * f_max(into, 0.0f);
-    const float gx = new_into * normal.x - new_along * normal.z;
-    const float gz = new_into * normal.z + new_along * normal.x;
-    const float goal_rad = f_atan2(-gx, -gz);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + f_wrap_angle(goal_rad - fish->heading_rad) * 0.15f);
+    const float range_m = 0.2f * fish->length_m + 0.5f * fish->speed_m_s + 0.005f;
+    const float weight = 1.0f - f_clamp((gap_m - 0.45f * fish->length_m) / range_m, 0.0f, 1.0f);
+    shun->into = v3_mad(shun->into, normal, weight);
+    shun->weight = f_max(shun->weight, weight);
 }
 
-void swim_shun(struct fish *fish, vec3 normal, float gap_m)
-{
-    const float range_m = 0.5f * fish->length_m + 0.8f * fish->speed_m_s + 0.015f;
-    const float free_m = gap_m - 0.45f * fish->length_m;
-    if (free_m < range_m) {
-        turn_inward(fish, normal, 1.0f - f_clamp(free_m / range_m, 0.0f, 1.0f));
-    }
-}
-
-void swim_shun_walls(struct fish *fish, vec3 size_m)
+void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, vec3 size_m)
 {
     const vec3 p = fish->position_m;
     const float near_x = 0.5f * size_m.x - f_abs(p.x), near_z = 0.5f * size_m.z - f_abs(p.z);
-    swim_shun(fish, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
-    swim_shun(fish, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
+    swim_shun_add(shun, fish, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
+    swim_shun_add(shun, fish, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
+}
+
+/* The part of the course that runs into the surface fades, then turns a little away from it. */
+void swim_shun_turn(struct fish *fish, const struct swim_shun *shun)
+{
+    if (shun->weight <= 0.0f) {
+        return;
+    }
+    const vec3 normal = v3_normalize_or(shun->into, v3(1.0f, 0.0f, 0.0f));
+    const float x = -f_sin(fish->heading_rad), z = -f_cos(fish->heading_rad);
+    const float into = x * normal.x + z * normal.z;
+    const float along = x * -normal.z + z * normal.x;
+    if (into < -0.15f) {
+        return;
+    }
+    /* Head on, it must choose a side, and keeps it. */
+    const float own_side = fish->look & 1u ? 1.0f : -1.0f;
+    const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : own_side;
+    const float new_into = into - (into + 0.15f) * shun->weight;
+    const float new_along = along + side * shun->weight * 0.5f * f_max(into, 0.0f);
+    const float gx = new_into * normal.x - new_along * normal.z;
+    const float gz = new_into * normal.z + new_along * normal.x;
+    const float off_rad = f_wrap_angle(f_atan2(-gx, -gz) - fish->heading_rad);
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + 0.15f * off_rad);
 }
 
 static float turn_rate_max(const struct fish *fish)
@@ -97,7 +102,7 @@ static void turn(struct fish *fish)
 {
     const int starts = fish->gait == GAIT_ESCAPE;
     const float error_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
-    const float rate_max = turn_rate_max(fish);
+    const float rate_max = turn_rate_max(fish) * (starts ? 1.0f : fish->room);
     const float wanted = f_clamp(error_rad * (starts ? 25.0f : 3.0f), -rate_max, rate_max);
     fish->yaw_rate_rad_s = ease(fish->yaw_rate_rad_s, wanted, starts ? 0.015f : 0.12f);
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
@@ -125,7 +130,7 @@ void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
     climb(fish);
     const float goal_m_s = speed_goal_m_s * (fish->gait == GAIT_ESCAPE ? 1.0f : fish->brake);
     const float start_tau_s = fish->gait == GAIT_ESCAPE ? 0.03f : run_up_s;
-    const float glide_tau_s = fish->gait == GAIT_ESCAPE ? 0.25f : GLIDE_TAU_S;
+    const float glide_tau_s = fish->gait == GAIT_ESCAPE ? 0.25f : f_lerp(BRAKE_TAU_S, GLIDE_TAU_S, fish->brake);
     fish->speed_m_s = ease(fish->speed_m_s, goal_m_s, goal_m_s > fish->speed_m_s ? start_tau_s : glide_tau_s);
     const vec3 flat = v3(-f_sin(fish->angles.yaw_rad), 0.0f, -f_cos(fish->angles.yaw_rad));
     vec3 velocity = v3_add(v3_scale(flat, fish->speed_m_s), fish->push_m_s);
@@ -136,6 +141,9 @@ void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
 int swim_fall(struct fish *fish)
 {
     const float half_m = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    if (fish->position_m.y < -0.55f * fish->length_m) { /* No pose of it reaches the surface. */
+        return 0;
+    }
     const struct box box = fish_box(fish);
     const float emerged_m = fish->position_m.y + box_extent_m(&box).y;
     if (emerged_m <= FISH_AIRBORNE_M) {
@@ -169,9 +177,20 @@ static float stroke(float hz, int beats)
     return beats ? f_min(wide * most, 1.5f) : 0.15f + 0.35f * (wide - 0.15f);
 }
 
+/* A fish that runs into something does not go on swimming at it. */
+static void lose_blocked_speed(struct fish *fish)
+{
+    const vec3 flat = v3(-f_sin(fish->angles.yaw_rad), 0.0f, -f_cos(fish->angles.yaw_rad));
+    const float true_m_s = f_max(0.0f, v3_dot(v3_sub(fish->velocity_m_s, fish->push_m_s), flat));
+    if (true_m_s < fish->speed_m_s) {
+        fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, 0.25f);
+    }
+}
+
 void swim_settle(struct fish *fish, vec3 moved_m, int beats)
 {
     fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
+    lose_blocked_speed(fish);
     const float along_m_s = v3_length(v3_sub(fish->velocity_m_s, v3_scale(fish->push_m_s, 0.5f)));
     const float hz = beat_hz(along_m_s / fish->length_m);
     fish->tail_beat_hz = ease(fish->tail_beat_hz, hz, fish->gait == GAIT_ESCAPE ? 0.03f : 0.15f);

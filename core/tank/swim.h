@@ -7,12 +7,21 @@
 /* Gives the heading a slow, smooth wander of its own; drawn from (seed, tick, fish). */
 void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index);
 
-/* Bends the heading away from a surface that faces it: `normal` (unit, horizontal) points into the
- * surface, `gap_m` is from the fish's centre to it. */
-void swim_shun(struct fish *fish, vec3 normal, float gap_m);
+/* What a fish would run into: every near surface adds to it, so that a corner is one thing to leave
+ * and not two walls that send it back and forth. Zero is open water. */
+struct swim_shun {
+    vec3 into;    /* Sum of horizontal unit normals into the surfaces, by weight. */
+    float weight; /* [0, 1] of the nearest. */
+};
 
-/* Walls of a tank of `size_m`. */
-void swim_shun_walls(struct fish *fish, vec3 size_m);
+/* `normal` (unit, horizontal) points into a surface, `gap_m` from the fish's centre. */
+void swim_shun_add(struct swim_shun *shun, const struct fish *fish, vec3 normal, float gap_m);
+
+/* The walls of a tank of `size_m`. */
+void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, vec3 size_m);
+
+/* Bends the heading along the surfaces and a little away from them. */
+void swim_shun_turn(struct fish *fish, const struct swim_shun *shun);
 
 /* Turns, speeds up or glides, climbs, and moves one tick. `speed_goal_m_s` is what the gait asks. */
 void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s);

@@ -13,6 +13,7 @@
 #define START_ROUNDS_MAX 200u
 #define ALARM_FADE_PER_S 0.6f
 #define ALARM_START_MIN 0.45f /* The timid start at this alarm, the bold at 0.9. */
+#define PUSH_SHARE 0.10f      /* A tick: pushes come and go within a twelfth of a second. */
 #define HULL_SHUN_DEPTH_M 0.01f /* A fish that passes deeper below a bowl than this need not turn. */
 
 static struct tank_bounds tank_bounds(const struct tank *tank)
@@ -59,6 +60,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_preset *pres
     fish.angles.yaw_rad = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
     fish.heading_rad = fish.angles.yaw_rad;
     fish.brake = 1.0f;
+    fish.room = 1.0f;
     fish.tail_beat_hz = 0.5f;
     fish.tail_amplitude = 0.15f;
     fish.tail_phase_rad = (float)(fish.look & 1023u) * (F_TAU / 1024.0f);
@@ -110,7 +112,7 @@ void tank_init(struct tank *tank, uint8_t preset_id, uint32_t fish_count, uint32
     spread_out(tank);
 }
 
-static void shun_bowl(struct fish *fish, const struct obstacle *bowl)
+static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const struct obstacle *bowl)
 {
     const float half_m = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
     const float bottom_m = bowl->centre_m.y - bowl->depth_m;
@@ -119,21 +121,31 @@ static void shun_bowl(struct fish *fish, const struct obstacle *bowl)
     }
     const vec3 to = v3(bowl->centre_m.x - fish->position_m.x, 0.0f, bowl->centre_m.z - fish->position_m.z);
     const vec3 normal = v3_normalize_or(to, v3(1.0f, 0.0f, 0.0f));
-    swim_shun(fish, normal, v3_length(to) - bowl->radius_m);
+    swim_shun_add(shun, fish, normal, v3_length(to) - bowl->radius_m);
 }
 
-/* Sees what is in the way, and takes fright or steps aside. */
+/* Turns away from walls and bowls. */
+static void shun(struct fish *fish, vec3 size_m, const struct obstacle *obstacles, uint32_t obstacle_count)
+{
+    struct swim_shun all = { 0 };
+    swim_shun_walls(&all, fish, size_m);
+    for (uint32_t i = 0; i < obstacle_count; i++) {
+        if (obstacles[i].kind == OBSTACLE_BOWL) {
+            shun_bowl(&all, fish, &obstacles[i]);
+        }
+    }
+    swim_shun_turn(fish, &all);
+}
+
+/* Takes fright at the poi, or steps aside. */
 static void feel(struct fish *fish, struct gait_luck luck, const struct obstacle *obstacles,
                  uint32_t obstacle_count)
 {
     const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
     fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * CORE_TICK_S);
     for (uint32_t i = 0; i < obstacle_count; i++) {
-        if (obstacles[i].kind == OBSTACLE_BOWL) {
-            shun_bowl(fish, &obstacles[i]);
-            continue;
-        }
-        fish->push_m_s = v3_add(fish->push_m_s, obstacle_sidestep_m_s(&obstacles[i], fish->position_m));
+        const vec3 aside_m_s = obstacle_sidestep_m_s(&obstacles[i], fish->position_m);
+        fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, PUSH_SHARE);
         fish->alarm = f_min(1.0f, fish->alarm + obstacle_alarm(&obstacles[i], fish->position_m));
         if (fish->gait != GAIT_ESCAPE && fish->alarm > ALARM_START_MIN * (1.0f + boldness)) {
             gait_escape(fish, obstacles[i].centre_m, luck);
@@ -155,7 +167,7 @@ static void act(struct tank *tank, uint32_t index, uint32_t tick, const struct o
     feel(fish, luck, obstacles, obstacle_count);
     gait_tick(fish, luck, tank->size_m.y);
     swim_wander(fish, tank->seed, tick, index);
-    swim_shun_walls(fish, tank->size_m);
+    shun(fish, tank->size_m, obstacles, obstacle_count);
     swim_move(fish, gait_speed_m_s(fish, tick), gait_run_up_s(fish->length_m));
 }
 
@@ -166,10 +178,11 @@ static void settle(struct tank *tank, uint32_t tick, const vec3 *before)
         const struct crowd_body *body = &tank->crowd.body[i];
         struct fish *fish = &tank->fish[body->fish];
         fish->position_m = body->box.centre_m;
-        fish->push_m_s = v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), 0.1f);
+        fish->push_m_s = v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
         swim_settle(fish, v3_sub(fish->position_m, before[body->fish]), gait_beats(fish, tick));
+        fish->room = f_min(body->room, fish->room + 2.0f * CORE_TICK_S);
         if (fish->gait != GAIT_ESCAPE) {
-            avoid_tick(fish, &body->advice, tank->size_m.y);
+            avoid_tick(fish, &body->advice, body->brake, tank->size_m.y);
         }
     }
 }
