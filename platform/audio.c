@@ -1,6 +1,7 @@
 /* audio.c -- SDL asks for sound, the synthesiser makes it. */
 #include "platform/audio.h"
 
+#include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -19,6 +20,26 @@ static void render(void *context, Uint8 *bytes, int size)
     synth_render(&audio->synth, (int16_t *)(void *)bytes, frame_count);
 }
 
+static void say_nothing(const char *file, int line, const char *function, int error,
+                        const char *format, ...)
+{
+    (void)file, (void)line, (void)function, (void)error, (void)format;
+}
+
+/* SDL loads ALSA's library at run time, and that writes eight lines to standard error where there is
+ * no card. describe() says it in one. */
+static void quiet_alsa(void)
+{
+    typedef void handler(const char *, int, const char *, int, const char *, ...);
+    int (*set_handler)(handler *);
+    void *library = dlopen("libasound.so.2", RTLD_LAZY);
+    void *symbol = library ? dlsym(library, "snd_lib_error_set_handler") : NULL;
+    if (symbol) {
+        memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX allows it, C has no cast for it. */
+        set_handler(say_nothing);
+    }
+}
+
 static int audio_open(void *self)
 {
     struct audio *audio = self;
@@ -33,6 +54,7 @@ static int audio_open(void *self)
         .callback = render,
         .userdata = audio,
     };
+    quiet_alsa();
     synth_init(&audio->synth);
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
         /* No changes allowed: SDL converts to whatever the card wants. */

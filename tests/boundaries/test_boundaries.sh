@@ -1,0 +1,63 @@
+#!/bin/bash
+# test_boundaries.sh -- `make boundaries` fails when one bad line is added, for every rule it proves.
+#
+# Works in a copy of the tree. BUILD is the folder that make uses; what is built there is copied too,
+# so that only the file with the bad line is compiled again. Speaks TAP.
+set -u
+BUILD=${BUILD:-build}
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+tar cf - --exclude="$BUILD/tests" --exclude="$BUILD/results" --exclude='*.a' Makefile core platform drivers \
+    board assets tests "$BUILD" | tar xf - -C "$copy"
+count=0
+
+ok() { # STATUS TEXT
+    count=$((count + 1))
+    [ "$1" -eq 0 ] && echo "ok $count - $2" || echo "not ok $count - $2"
+}
+
+boundaries() {
+    make -C "$copy" --no-print-directory BUILD="$BUILD" boundaries 2>&1
+}
+
+# Adds LINE to the end of FILE and expects a refusal that names FILE (or its object) and RULE.
+refuses() { # FILE LINE RULE TEXT
+    local file=$copy/$1 said status
+    mkdir -p "$(dirname "$file")"
+    local had=0
+    [ -f "$file" ] && had=1 && cp -p "$file" "$copy/kept"
+    printf '%s\n' "$2" >>"$file"
+    said=$(boundaries)
+    status=$?
+    [ $status -ne 0 ] && grep -q "${1%.*}" <<<"$said" && grep -q -- "$3" <<<"$said"
+    status=$?
+    ok $status "$4"
+    [ $status -eq 0 ] || sed 's/^/# /' <<<"$said" | tail -15
+    if [ $had -eq 1 ]; then mv "$copy/kept" "$file"; else rm "$file"; fi
+}
+
+said=$(boundaries)
+status=$?
+ok $status 'the tree as it is keeps every rule'
+[ $status -eq 0 ] || sed 's/^/# /' <<<"$said"
+
+any_of() { find "$1" -name "$2" ! -name main.c | sort | head -1; }
+driver=$(any_of drivers '*.c')
+render=$(any_of platform/render '*.c')
+
+core='includes only core'
+refuses core/view.c '#include <stdio.h>' "$core" 'the core may not include a hosted header'
+refuses core/view.c '#include <math.h>' "$core" 'nor the mathematics library'
+refuses core/view.c '#include "platform/hal.h"' "$core" 'nor the platform'
+refuses core/unused.h '#include <stdlib.h>' "$core" 'nor may a header that nobody includes yet'
+refuses core/view.c 'float kept_busy(float x); float sinf(float); float kept_busy(float x) { return sinf(x); }' \
+    'sinf: needed by' 'the core may not call libm, declared by hand or not'
+refuses core/view.c 'void *hoard(void); void *malloc(unsigned long); void *hoard(void) { return malloc(1); }' \
+    'malloc: needed by' 'nor allocate'
+refuses "${driver:-drivers/a.c}" '#include "core/core.h"' 'a driver includes only' \
+    "a driver may not see the core's state"
+refuses "${driver:-drivers/a.c}" '#include "platform/board.h"' 'a driver includes only' 'nor the board'
+refuses drivers/unused.h '#include "platform/render/renderer.h"' 'a driver includes only' 'nor the renderer'
+refuses "$render" "#include \"$(any_of drivers '*.h')\"" 'only board/ and main' \
+    'the platform may not name a driver'
+echo "1..$count"
