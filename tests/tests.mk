@@ -10,6 +10,41 @@ UNIT_SHELL := $(UNIT_SHELL_SRC:%.c=$(BUILD)/%)
 UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
+-include tests/replay/replay.mk
+
+# Whole-machine tests run alone, after those that only compute (tests/run.sh).
+TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh)
+TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
+TEST_PROGRAMS := $(UNIT) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
+
+## test: sets the machine up, builds and runs every test; the last line counts them
+test:
+	@board/setup.sh test
+	+@$(MAKE) --no-print-directory -j$(JOBS) tests
+	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
+
+## tests: builds what `make test` runs, without running it
+tests: build $(UNIT) $(VARIANT_BIN) $(BUILD)/core.o
+
+## check: what a change must pass before it is kept: boundaries, tests, sizes
+check: boundaries
+	+@$(MAKE) --no-print-directory test
+	+@$(MAKE) --no-print-directory sizes
+
+## unit: the unit tests alone; `make unit ONLY=tank` runs test_tank*
+unit: $(filter $(BUILD)/tests/unit/test_$(ONLY)%,$(UNIT))
+	@tests/run.sh $(RESULTS) $^
+
+## test-e2e: the end-to-end tests alone: a virtual screen, the real kiosk, a real pointer
+test-e2e: build
+	@board/setup.sh test
+	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_ALONE)
+
+## test-fresh: both commands on minimal Debian 12 and 13 roots; needs root, a mirror and minutes
+test-fresh:
+	@board/setup.sh dev
+	@tests/fresh/fresh.sh $(RELEASES)
+
 $(UNIT_CORE): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
@@ -19,10 +54,6 @@ $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/shell.a $(BUILD)/core
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka $(HOST_LIBS)
 
 .SECONDARY: $(UNIT:%=%.o) $(BUILD)/tests/unit/panic.o
-
-## unit: the unit tests alone; `make unit ONLY=tank` runs test_tank*
-unit: $(filter $(BUILD)/tests/unit/test_$(ONLY)%,$(UNIT))
-	@tests/run.sh $(RESULTS) $^
 
 ## boundaries: proves who may include and call whom, from the compiler's own output
 boundaries: includes symbols
@@ -38,4 +69,16 @@ symbols: $(BUILD)/core.o
 $(BUILD)/core.o: $(CORE_OBJ)
 	$(Q)$(LD) -r -o $@ $^
 
-.PHONY: unit boundaries includes symbols
+## sizes: structs, code, constants and the deepest stack frames of the core
+sizes: $(BUILD)/tests/sizes $(BUILD)/core.o
+	@tests/sizes.sh $(BUILD)
+
+$(BUILD)/tests/sizes: $(BUILD)/tests/sizes.o
+	$(Q)$(CC) -o $@ $^
+
+## lint: shell scripts by shellcheck, C by a second look of clang's
+lint:
+	@board/setup.sh dev
+	@shellcheck $$(git ls-files '*.sh') .ci/run && echo '  ok    shellcheck'
+
+.PHONY: test tests check unit test-e2e test-fresh boundaries includes symbols sizes lint

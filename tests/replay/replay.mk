@@ -1,0 +1,38 @@
+# replay.mk -- the same half-minute of the core from every compiler and level, against the golden hashes.
+
+VARIANTS := gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3
+VARIANT_BIN := $(VARIANTS:%=$(BUILD)/variants/%/state_hash) $(BUILD)/variants/sanitized/state_hash
+VARIANT_CORE = $(CORE_SRC) $(GENERATED_CORE_OBJ:$(BUILD)/%.o=%.c)
+VARIANT_FLAGS := $(subst $(OPT) -g,,$(CORE_CFLAGS)) -w
+
+# $(call variant,NAME,COMPILER AND LEVEL): the whole core once more, in its own folder.
+define variant
+$(BUILD)/variants/$(1)/state_hash: $$(VARIANT_CORE:%.c=$(BUILD)/variants/$(1)/%.o) \
+                                   $(BUILD)/variants/$(1)/tests/replay/state_hash.o
+	$$(Q)$(2) -o $$@ $$^
+
+$(BUILD)/variants/$(1)/generated/%.o: $(BUILD)/generated/%.c | generated
+	@mkdir -p $$(@D)
+	$$(Q)$(2) $$(VARIANT_FLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
+
+$(BUILD)/variants/$(1)/core/%.o: core/%.c | generated
+	@mkdir -p $$(@D)
+	$$(Q)$(2) $$(VARIANT_FLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
+
+$(BUILD)/variants/$(1)/tests/replay/state_hash.o: tests/replay/state_hash.c | generated
+	@mkdir -p $$(@D)
+	$$(call step,CC,the core with $(1))
+	$$(Q)$(2) -std=c17 -I. -I$(BUILD)/generated -ffp-contract=off $$(DEP_FLAGS) -c -o $$@ $$<
+endef
+
+$(foreach v,$(VARIANTS),$(eval $(call variant,$(v),$(subst -O, -O,$(v)))))
+# What the language leaves undefined would be a bug that no hash shows yet.
+SANITIZE := gcc -O1 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
+$(eval $(call variant,sanitized,$(SANITIZE)))
+
+## golden: accepts the core's present behaviour as the known good, after a change that meant to move it
+golden: $(BUILD)/variants/gcc-O2/state_hash
+	$< > tests/replay/golden.txt
+	@git --no-pager diff --stat -- tests/replay/golden.txt 2>/dev/null || true
+
+.PHONY: golden
