@@ -80,7 +80,7 @@ static int courses_cross(const struct avoid_party *a, const struct avoid_party *
 }
 
 /* A gap that closes in less than STOP_TIME_S takes speed from who swims into it. */
-static float brake_for(const struct avoid_party *party, float faces, float gap_m, float closing_m_s)
+static float brake_for(float faces, float gap_m, float closing_m_s)
 {
     if (faces < 0.3f || closing_m_s <= 0.0f) {
         return 1.0f;
@@ -96,8 +96,8 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     const vec3 to_b = v3_normalize_or(apart, v3(1.0f, 0.0f, 0.0f));
     const float a_faces = v3_dot(a->forward, to_b), b_faces = -v3_dot(b->forward, to_b);
     const float closing_m_s = a_faces * a->speed_m_s + b_faces * b->speed_m_s;
-    pair.brake_a = brake_for(a, a_faces, gap_m, closing_m_s);
-    pair.brake_b = brake_for(b, b_faces, gap_m, closing_m_s);
+    pair.brake_a = brake_for(a_faces, gap_m, closing_m_s);
+    pair.brake_b = brake_for(b_faces, gap_m, closing_m_s);
     if (closing_m_s < CLOSING_MIN_M_S || gap_m > HORIZON_S * closing_m_s || !courses_cross(a, b, apart)) {
         return pair;
     }
