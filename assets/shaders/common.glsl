@@ -1,12 +1,23 @@
-// Put in front of every shader: precisions and the one block of figures that all passes share.
+// Put in front of every shader: precisions, the figures that all passes share, and the water.
 precision highp float;
 precision mediump int;
 precision mediump sampler2DArray;
 
 layout(std140) uniform Frame {
     mat4 view_projection;
-    vec4 eye;        // World position; w: seconds since the start, wrapped.
-    vec4 tank;       // Half width, depth, half breadth, height of the rim above the water.
-    vec4 screen;     // 1 / width, 1 / height of the target; z: absorption, 1 / m; w: caustic frame.
-    vec4 shadow;     // World x, z to the shadow map's -1 .. 1; zw: light's drift, m per m of height.
+    vec4 eye;        // World position; w: seconds, wrapped at an hour.
+    vec4 tank;       // Half width, water depth, half breadth, rim height above the water.
+    vec4 screen;     // 1 / width, 1 / height of the screen; z: absorption, 1 / m; w: caustic layer.
+    vec4 shadow;     // xy: world x, z to -1 .. 1 of the shadow map; zw: its drift, m per m of height.
+    vec4 bend;       // xy: screen fraction per unit of surface slope, in x and in z.
 };
+
+const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
+const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // From anything to the stall's lamps.
+const float CAUSTIC_TILES = 3.6;                       // Per metre.
+
+// What is left of light that went `path_m` through water: red goes first, but never all of it.
+vec3 water_passes(float path_m)
+{
+    return exp(-max(path_m, 0.0) * screen.z * vec3(1.25, 0.55, 0.45));
+}

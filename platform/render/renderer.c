@@ -26,36 +26,255 @@ static void name_context(struct renderer *renderer)
     }
 }
 
+static uint32_t scaled(uint32_t size, float scale)
+{
+    const float pixels = (float)size * scale + 0.5f;
+    return pixels < 1.0f ? 1u : (uint32_t)pixels;
+}
+
+static void open_targets(struct renderer *renderer)
+{
+    const struct quality *const quality = &renderer->quality;
+    const uint32_t width = renderer->width;
+    const uint32_t height = renderer->height;
+    gl_target_open(&renderer->status, "ground", &renderer->ground,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = scaled(width, quality->floor_scale),
+                                             .height = scaled(height, quality->floor_scale) });
+    gl_target_open(&renderer->status, "life", &renderer->life,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = scaled(width, quality->scene_scale),
+                                             .height = scaled(height, quality->scene_scale),
+                                             .samples = quality->samples,
+                                             .depth = true });
+    if (quality->samples > 1) {
+        gl_target_open(&renderer->status, "screen", &renderer->screen,
+                       &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                                 .width = width,
+                                                 .height = height,
+                                                 .samples = quality->samples,
+                                                 .depth = true });
+    }
+}
+
+static void close_targets(struct renderer *renderer)
+{
+    gl_target_close(&renderer->ground);
+    gl_target_close(&renderer->life);
+    gl_target_close(&renderer->screen);
+}
+
+static void open_passes(struct renderer *renderer)
+{
+    struct gl_status *const status = &renderer->status;
+    frame_open(&renderer->frame);
+    textures_open(status, &renderer->textures);
+    light_pass_open(status, &renderer->light);
+    basin_pass_open(status, &renderer->basin);
+    fish_pass_open(status, &renderer->fish);
+    poi_pass_open(status, &renderer->poi);
+    bowl_pass_open(status, &renderer->bowl);
+}
+
 int renderer_open(struct renderer *renderer, const struct renderer_config *config)
 {
     GLint samples_max = 1;
-    *renderer = (struct renderer){ .width = config->width, .height = config->height };
+    memset(renderer, 0, sizeof *renderer);
+    renderer->width = config->width;
+    renderer->height = config->height;
     glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
     renderer->quality = quality_choose(gl_string(GL_RENDERER), config->scene_scale, config->samples,
                                        (uint32_t)samples_max);
     name_context(renderer);
+    open_passes(renderer);
+    open_targets(renderer);
     return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
 }
 
 void renderer_close(struct renderer *renderer)
 {
-    *renderer = (struct renderer){ 0 };
+    close_targets(renderer);
+    bowl_pass_close(&renderer->bowl);
+    poi_pass_close(&renderer->poi);
+    fish_pass_close(&renderer->fish);
+    basin_pass_close(&renderer->basin);
+    light_pass_close(&renderer->light);
+    textures_close(&renderer->textures);
+    frame_close(&renderer->frame);
 }
 
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
 {
+    if (width == renderer->width && height == renderer->height) {
+        return HAL_OK;
+    }
     renderer->width = width;
     renderer->height = height;
-    return HAL_OK;
+    close_targets(renderer);
+    open_targets(renderer);
+    return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
+}
+
+static void step_done(const struct renderer *renderer, enum render_step step)
+{
+    if (renderer->on_step) {
+        renderer->on_step(renderer->on_step_context, step);
+    }
+}
+
+/* The interface leaves its own state behind, as do other drawers in the context. */
+static void reset_state(void)
+{
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+    glFrontFace(GL_CCW);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+static void prepare(struct renderer *renderer, const struct scene *scene)
+{
+    frame_begin(&renderer->frame, scene, renderer->width, renderer->height);
+    fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
+    basin_pass_prepare(&renderer->basin, scene);
+    poi_pass_prepare(&renderer->poi, scene);
+    step_done(renderer, STEP_PREPARE);
+}
+
+static void draw_light(const struct renderer *renderer, const struct scene *scene)
+{
+    light_pass_caustics(&renderer->light, &renderer->textures);
+    light_pass_shadows(&renderer->light, scene, &renderer->fish, &renderer->poi);
+    step_done(renderer, STEP_LIGHT);
+}
+
+static void draw_ground(const struct renderer *renderer)
+{
+    gl_target_bind(&renderer->ground);
+    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* Refraction may look a little past the walls. */
+    glClear(GL_COLOR_BUFFER_BIT);
+    basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
+                      renderer->light.shadows.texture);
+    step_done(renderer, STEP_GROUND);
+}
+
+/* Everything below the surface but the tank: opaque bodies, then what lets light through, from the
+ * bottom up. */
+static void draw_life(const struct renderer *renderer, const struct scene *scene)
+{
+    const GLuint caustics = renderer->light.caustics.texture;
+    gl_target_bind(&renderer->life);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    for (enum fish_group group = FISH_FAR; group <= FISH_ON_POI; group++) {
+        fish_pass_bodies(&renderer->fish, group, &renderer->textures, caustics);
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->bowl[i].present) {
+            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics);
+        }
+        if (poi_is_below(&scene->poi[i])) {
+            poi_pass_frame(&renderer->poi, &scene->poi[i]);
+        }
+    }
+    fish_pass_fins(&renderer->fish, FISH_FAR, caustics);
+    fish_pass_fins(&renderer->fish, FISH_NEAR, caustics);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (poi_is_below(&scene->poi[i])) {
+            poi_pass_paper(&renderer->poi, &scene->poi[i], i, &renderer->textures);
+        }
+    }
+    fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
+    gl_target_resolve(&renderer->life);
+    step_done(renderer, STEP_LIFE);
+}
+
+static void bind_screen(const struct renderer *renderer)
+{
+    if (renderer->screen.framebuffer) {
+        gl_target_bind(&renderer->screen);
+    } else {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, (GLsizei)renderer->width, (GLsizei)renderer->height);
+    }
+}
+
+/* The water writes depth, so what is drawn after it shows only above it; each bowl's mouth is then
+ * opened again, and the rim comes last because it may stand before a bowl. */
+static void draw_surface(const struct renderer *renderer, const struct scene *scene)
+{
+    bind_screen(renderer);
+    glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    basin_pass_water(&renderer->basin, &renderer->textures, renderer->ground.texture,
+                     renderer->life.texture);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->bowl[i].present) {
+            bowl_pass_hole(&renderer->bowl, &scene->bowl[i]);
+        }
+    }
+    basin_pass_deck(&renderer->basin, &renderer->textures);
+    step_done(renderer, STEP_SURFACE);
+}
+
+static void draw_above(const struct renderer *renderer, const struct scene *scene)
+{
+    const GLuint caustics = renderer->light.caustics.texture;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->bowl[i].present) {
+            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics);
+        }
+        if (poi_is_above(&scene->poi[i])) {
+            poi_pass_frame(&renderer->poi, &scene->poi[i]);
+        }
+    }
+    fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, &renderer->textures, caustics);
+    fish_pass_bodies(&renderer->fish, FISH_ON_POI, &renderer->textures, caustics);
+    fish_pass_fins(&renderer->fish, FISH_IN_BOWL, caustics);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->bowl[i].present) {
+            bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
+        }
+        if (poi_is_above(&scene->poi[i])) {
+            poi_pass_paper(&renderer->poi, &scene->poi[i], i, &renderer->textures);
+        }
+    }
+    fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
+    glDisable(GL_DEPTH_TEST);
+    step_done(renderer, STEP_ABOVE);
+}
+
+/* Brings a multisampled picture to the default framebuffer. */
+static void finish_screen(const struct renderer *renderer)
+{
+    const struct gl_target *const screen = &renderer->screen;
+    if (!screen->framebuffer) {
+        return;
+    }
+    const GLint width = (GLint)renderer->width;
+    const GLint height = (GLint)renderer->height;
+    gl_target_resolve(screen);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, screen->resolve);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
 }
 
 void renderer_draw(struct renderer *renderer, const struct scene *scene)
 {
-    const float calm = scene->phase == PHASE_ATTRACT ? 0.9f : 1.0f;
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, (GLsizei)renderer->width, (GLsizei)renderer->height);
-    glClearColor(0.16f * calm, 0.56f * calm, 0.66f * calm, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    reset_state();
+    prepare(renderer, scene);
+    draw_light(renderer, scene);
+    draw_ground(renderer);
+    draw_life(renderer, scene);
+    draw_surface(renderer, scene);
+    draw_above(renderer, scene);
+    finish_screen(renderer);
+    step_done(renderer, STEP_UI);
 }
 
 int renderer_read(struct renderer *renderer, struct hal_image *image)

@@ -7,8 +7,14 @@
 
 #include "core/scene.h"
 #include "platform/hal.h"
-#include "platform/render/gl_util.h"
+#include "platform/render/basin_pass.h"
+#include "platform/render/bowl_pass.h"
+#include "platform/render/fish_pass.h"
+#include "platform/render/frame_block.h"
+#include "platform/render/light_pass.h"
+#include "platform/render/poi_pass.h"
 #include "platform/render/quality.h"
+#include "platform/render/textures.h"
 
 struct renderer_config {
     uint32_t width, height;  /* Pixels, > 0. */
@@ -16,11 +22,35 @@ struct renderer_config {
     uint32_t samples;
 };
 
+/* The steps of a frame, for whoever measures them. */
+enum render_step {
+    STEP_PREPARE = 0, /* Sorting and uploads. */
+    STEP_LIGHT,       /* Caustics and shadows. */
+    STEP_GROUND,      /* Floor and walls. */
+    STEP_LIFE,        /* Fish, and what of poi and bowl is under water. */
+    STEP_SURFACE,     /* Water, rim and counter. */
+    STEP_ABOVE,       /* Bowls, pois and fish out of the water. */
+    STEP_UI,
+    STEP_COUNT,
+};
+
 struct renderer {
     struct gl_status status;
     struct quality quality;
     uint32_t width, height;
     char gl_name[HAL_TEXT_SIZE / 2];
+    struct frame frame;
+    struct textures textures;
+    struct light_pass light;
+    struct basin_pass basin;
+    struct fish_pass fish;
+    struct poi_pass poi;
+    struct bowl_pass bowl;
+    struct gl_target ground, life;
+    struct gl_target screen; /* Only with multisampling; else the default framebuffer itself. */
+    /* Called after each step, when set: a bench puts glFinish() and a clock there. */
+    void (*on_step)(void *context, enum render_step step);
+    void *on_step_context;
 };
 
 /* Makes every program, texture and buffer. HAL_ERR_GONE: renderer_error() says why. */

@@ -1,0 +1,44 @@
+in vec3 world;
+in vec3 face;
+in vec2 shell;
+uniform vec4 mouth;
+uniform vec4 form;
+uniform vec4 paint;
+uniform sampler2D caustics;
+out vec4 color;
+
+#ifdef WATER
+void main()
+{
+    vec3 view = normalize(eye.xyz - world);
+    vec2 d = (world.xz - mouth.xz) / mouth.w;
+    float r = length(d);
+    vec2 ring = d * 0.035 * sin(r * 24.0 - eye.w * 5.0);
+    vec3 n = normalize(vec3(ring.x, 1.0, ring.y));
+    float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
+    shine = pow(shine, 90.0);
+    float away = 1.0 - max(dot(n, view), 0.0);
+    float alpha = 0.16 + 0.5 * away * away * away;
+    color = vec4(vec3(0.30, 0.58, 0.64) * alpha + shine * 0.5, alpha);
+}
+#else
+void main()
+{
+    vec3 n = normalize(face);
+    vec3 view = normalize(eye.xyz - world);
+    float lit = 0.55 + 0.48 * max(dot(n, LAMP_DIRECTION), 0.0);
+    vec3 enamel = vec3(0.95, 0.955, 0.94);
+    float band = smoothstep(0.90, 0.925, shell.y);
+    float stripe = smoothstep(0.012, 0.004, abs(shell.y - 0.84)) * (1.0 - shell.x);
+    vec3 tint = mix(enamel, paint.rgb, max(band, 0.8 * stripe));
+    float inside = 1.0 - shell.x;
+    float light = texture(caustics, world.xz * CAUSTIC_TILES * 1.6).r;
+    tint *= lit * mix(1.0, 0.55 + 0.45 * shell.y, inside * 0.65);
+    tint *= 1.0 + inside * (light - 0.25) * 0.35 * (1.0 - smoothstep(0.55, 0.75, shell.y));
+    float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
+    tint += pow(shine, 40.0) * 0.45;
+    float depth = inside > 0.5 ? 0.0 : -world.y;
+    vec3 left = water_passes(depth * 1.2);
+    color = vec4(mix(WATER_COLOR, tint, left), 1.0);
+}
+#endif

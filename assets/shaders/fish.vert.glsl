@@ -1,0 +1,146 @@
+// A fish: its key shapes blended, then bent, then waved along the spine, then placed.
+//
+// KEYS attributes of 8 bytes hold a key's vertex each: xyz the position, w the normal, folded on an
+// octahedron in two bytes. FIN chooses fins, else body and eyes.
+layout(location = 0) in vec4 key_0;
+layout(location = 1) in vec4 key_1;
+layout(location = 2) in vec4 key_2;
+#if KEYS > 3
+layout(location = 3) in vec4 key_3;
+#endif
+#if KEYS > 4
+layout(location = 4) in vec4 key_4;
+#endif
+#if KEYS > 5
+layout(location = 5) in vec4 key_5;
+#endif
+#if KEYS > 6
+layout(location = 6) in vec4 key_6;
+#endif
+#if KEYS > 7
+layout(location = 7) in vec4 key_7;
+#endif
+layout(location = 8) in vec4 surface;      // u, v, part / 255, flex.
+layout(location = 9) in vec4 place;        // World position; w: length, m.
+layout(location = 10) in vec4 right_phase; // Body axes in the world, with the wave's phase ...
+layout(location = 11) in vec4 up_amplitude; // ... and amplitude.
+layout(location = 12) in vec4 weights_low; // Of keys 0 .. 3,
+layout(location = 13) in vec4 weights_high; // and 4 .. 7.
+layout(location = 14) in vec4 character;   // Bend, maturity, pattern layer, hue; all but bend 0 .. 1.
+
+uniform sampler2D caustics;
+
+out vec4 skin;         // u, v, pattern layer, part.
+out vec3 gain;         // Light times what the water lets through,
+out vec3 haze;         // and what water and gloss add.
+flat out vec4 traits;  // Maturity, hue, seed, share of the youngest shapes.
+
+const float WAVE_NUMBER = 6.0;   // rad per body length: a little over one length a wave.
+const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
+
+vec3 unfold_normal(float folded)
+{
+    float code = folded * 32767.0 + 32767.0;
+    float high = floor(code / 256.0);
+    vec2 f = vec2(high, code - high * 256.0) / 127.0 - 1.0;
+    vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
+    float t = max(-n.z, 0.0);
+    n.xy -= vec2(n.x >= 0.0 ? t : -t, n.y >= 0.0 ? t : -t);
+    return n;
+}
+
+void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
+{
+    p += key.xyz * weight;
+    n += unfold_normal(key.w) * weight;
+}
+
+void main()
+{
+    vec3 p = vec3(0.0);
+    vec3 n = vec3(0.0);
+    blend(key_0, weights_low.x, p, n);
+    blend(key_1, weights_low.y, p, n);
+    blend(key_2, weights_low.z, p, n);
+#if KEYS > 3
+    blend(key_3, weights_low.w, p, n);
+#endif
+#if KEYS > 4
+    blend(key_4, weights_high.x, p, n);
+#endif
+#if KEYS > 5
+    blend(key_5, weights_high.y, p, n);
+#endif
+#if KEYS > 6
+    blend(key_6, weights_high.z, p, n);
+#endif
+#if KEYS > 7
+    blend(key_7, weights_high.w, p, n);
+#endif
+
+    // The travelling wave: its envelope over the body is the measured one of cruising carp-like fish.
+    float t = p.z + 0.5;
+    float flex = surface.w;
+    float amplitude = up_amplitude.w;
+    float phase = right_phase.w - WAVE_NUMBER * t;
+    float envelope = amplitude * (0.02 - 0.0825 * t + 0.1625 * t * t);
+    float envelope_slope = amplitude * (-0.0825 + 0.325 * t);
+    float wave = sin(phase);
+    float side = envelope * wave;
+    float side_slope = envelope_slope * wave - envelope * WAVE_NUMBER * cos(phase);
+
+    // The turn: the spine as an arc of constant curvature.
+    float s = t - PIVOT;
+    float turn = character.x * s;
+    float shorten = 1.0 - turn * turn / 6.0;
+    float x = side + 0.5 * turn * s * shorten;
+    float z = PIVOT - 0.5 + s * shorten;
+    float angle = turn + side_slope;
+    float c = cos(angle);
+    float d = sin(angle);
+
+    // Fins trail behind the water that the body pushes, and never hold quite still.
+    float idle = sin(eye.w * 5.0 + right_phase.w * 0.5 + place.x * 40.0 + p.x * 12.0);
+    float trail = flex * (0.045 * amplitude * sin(phase - 1.3) + 0.010 * idle);
+#ifdef FIN
+    p.y += trail * 0.5;
+#endif
+    p = vec3(x + p.x * c + trail, p.y, z - p.x * d);
+    n = vec3(n.x * c + n.z * d, n.y, n.z * c - n.x * d);
+
+    vec3 right = right_phase.xyz;
+    vec3 up = up_amplitude.xyz;
+    vec3 back = cross(right, up);
+    vec3 world = place.xyz + place.w * (right * p.x + up * p.y + back * p.z);
+    n = normalize(right * n.x + up * n.y + back * n.z);
+    gl_Position = view_projection * vec4(world, 1.0);
+
+    // All light is per vertex: at these sizes a pixel would not tell.
+    vec3 view = normalize(eye.xyz - world);
+#ifdef FIN
+    n = dot(n, view) < 0.0 ? -n : n;
+#endif
+    float depth = -world.y;
+    float facing = max(dot(n, view), 0.0);
+    float wet = step(0.0, world.y);
+    float diffuse = 0.46 + 0.66 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
+    float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
+    float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
+    vec3 left = water_passes(depth * 1.2);
+#ifdef FIN
+    float gloss = 0.0;
+    light *= 0.75 + 0.25 * smoothstep(0.0, 0.42, facing);
+#else
+    float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
+    shine *= shine;
+    shine *= shine;
+    shine *= shine;
+    shine *= shine;
+    float gloss = shine * (0.42 + 0.75 * wet);
+    light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
+#endif
+    gain = light * left;
+    haze = WATER_COLOR * (1.0 - left) + gloss * vec3(1.0, 0.95, 0.86);
+    skin = vec4(surface.xy, character.z, surface.z * 255.0);
+    traits = vec4(character.yw, fract(character.w * 17.31), weights_low.x);
+}

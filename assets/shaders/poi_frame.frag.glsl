@@ -1,0 +1,17 @@
+in vec3 world;
+in vec3 face;
+uniform vec4 paint;
+out vec4 color;
+
+void main()
+{
+    vec3 n = normalize(face);
+    vec3 view = normalize(eye.xyz - world);
+    float lit = 0.52 + 0.55 * max(dot(n, LAMP_DIRECTION), 0.0);
+    float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
+    shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+    float edge = 1.0 - max(dot(n, view), 0.0);
+    vec3 tint = paint.rgb * lit + vec3(1.0, 0.95, 0.9) * (0.55 * shine) + paint.rgb * edge * edge * 0.25;
+    vec3 left = water_passes(-world.y * 1.2);
+    color = vec4(mix(WATER_COLOR, tint, left), 1.0);
+}

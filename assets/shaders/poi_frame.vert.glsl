@@ -1,0 +1,13 @@
+// Ring and handle: a solid of plastic, carried by its pose.
+layout(location = 0) in vec3 position;  // In ring radii.
+layout(location = 1) in vec3 normal;
+uniform mat4 pose;
+out vec3 world;
+out vec3 face;
+
+void main()
+{
+    world = (pose * vec4(position, 1.0)).xyz;
+    face = normalize(mat3(pose) * normal);
+    gl_Position = view_projection * vec4(world, 1.0);
+}

@@ -1,0 +1,39 @@
+in vec3 world;
+in vec3 face;
+in vec2 at;
+uniform vec4 paper;
+uniform sampler2DArray sheet;   // r: wetness, g: integrity, b: paper is there.
+uniform sampler2D fibres;
+out vec4 color;
+
+void main()
+{
+    vec3 cell = texture(sheet, vec3(at, paper.y)).rgb;
+    float fibre = texture(fibres, at * 1.7).r;
+    float solid = cell.b + (fibre - 0.5) * 0.55;
+    if (solid < 0.5) {
+        discard;
+    }
+    float wet = smoothstep(0.05, 0.75, cell.r);
+    float worn = 1.0 - cell.g;
+    // Torn paper curls: its lip catches light, and the fold behind it keeps some shade.
+    float lip = (1.0 - smoothstep(0.5, 0.78, solid)) * (1.0 - step(0.995, cell.b));
+    float fold = smoothstep(0.60, 0.82, solid) * (1.0 - smoothstep(0.82, 1.0, solid))
+        * (1.0 - step(0.995, cell.b));
+    vec3 n = normalize(face);
+    vec3 view = normalize(eye.xyz - world);
+    float lit = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
+    vec3 dry = vec3(1.0, 0.975, 0.925) * (0.90 + 0.14 * fibre);
+    vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.86 + 0.22 * fibre);
+    vec3 tint = mix(dry, soaked, wet) * lit;
+    tint *= 1.0 - 0.30 * fold;
+    tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.75 * lip);
+    float alpha = mix(0.95, 0.40 + 0.20 * fibre, wet) * (1.0 - 0.28 * worn * wet);
+    alpha = mix(alpha, 0.95, max(lip, 0.35 * fold));
+    float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
+    shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+    float above = step(0.0, world.y);
+    tint += shine * wet * above * 0.35;
+    vec3 left = water_passes(-world.y * 1.2);
+    color = vec4(mix(WATER_COLOR, tint, left) * alpha, alpha);
+}

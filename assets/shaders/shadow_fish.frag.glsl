@@ -1,0 +1,9 @@
+in vec2 lens;
+in float strength;
+out vec4 color;
+
+void main()
+{
+    float k = max(1.0 - dot(lens, lens) * 0.55, 0.0);
+    color = vec4(k * k * strength);
+}

@@ -1,0 +1,32 @@
+// What is below, seen through the waves, and the stall's lanterns mirrored in them.
+in vec3 world;
+uniform sampler2D ground;       // Floor and walls, coarse.
+uniform sampler2D life;         // What swims, premultiplied.
+uniform sampler2D slopes;
+uniform sampler2D environment;
+out vec4 color;
+
+void main()
+{
+    vec2 slope = texture(slopes, world.xz / tank.xz * 0.5 + 0.5).rg * 0.502 - 0.252;
+    vec2 at = gl_FragCoord.xy * screen.xy + slope * bend.xy;
+    vec4 swims = texture(life, at);
+    vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
+
+    vec3 view = normalize(eye.xyz - world);
+    vec3 normal = normalize(vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5));
+    float facing = dot(normal, view);
+    vec3 mirror = 2.0 * facing * normal - view;
+    float away = 1.0 - facing;
+    float away2 = away * away;
+    float fresnel = 0.02 + 0.98 * away2 * away2 * away;
+    vec3 lanterns = texture(environment, mirror.xz * 0.9 + world.xz * 0.7 + 0.5).rgb;
+    float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
+    glint *= glint; glint *= glint; glint *= glint; glint *= glint;
+    glint *= glint; glint *= glint; glint *= glint; glint *= glint;
+    float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
+    float line = 1.0 - smoothstep(0.0, 0.004, edge);  // The meniscus at the walls.
+    below *= 1.0 + (slope.x + slope.y) * 0.55;
+    color = vec4(below + lanterns * (fresnel * 1.15 + 0.025)
+        + glint * vec3(0.55, 0.48, 0.36) + line * vec3(0.10, 0.13, 0.14), 1.0);
+}

@@ -1,0 +1,9 @@
+// The still surface; its waves are all in the slopes.
+layout(location = 0) in vec3 corner;
+out vec3 world;
+
+void main()
+{
+    world = vec3(corner.x * tank.x, 0.0, corner.z * tank.z);
+    gl_Position = view_projection * vec4(world, 1.0);
+}

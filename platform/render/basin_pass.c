@@ -1,0 +1,160 @@
+/* basin_pass.c -- see basin_pass.h. */
+#include "platform/render/basin_pass.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "shaders.h"
+
+/* Corners are in steps that the vertex shaders stretch to the tank: see tank.vert.glsl and
+ * deck.vert.glsl. */
+struct corner {
+    float position[3], normal[3];
+};
+
+struct face {
+    float a[3], b[3], c[3], d[3]; /* Around the face. */
+    float normal[3];
+};
+
+enum part { PART_FLOOR, PART_WALLS, PART_SURFACE, PART_DECK, PART_END };
+
+#define UP { 0.0f, 1.0f, 0.0f }
+#define VERTICES_PER_FACE 6u
+
+static const struct face faces[] = {
+    /* Floor */
+    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, -1, 1 }, { -1, -1, 1 }, UP },
+    /* Walls: far, near, left, right */
+    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 0, -1 }, { -1, 0, -1 }, { 0, 0, 1 } },
+    { { -1, -1, 1 }, { 1, -1, 1 }, { 1, 0, 1 }, { -1, 0, 1 }, { 0, 0, -1 } },
+    { { -1, -1, -1 }, { -1, -1, 1 }, { -1, 0, 1 }, { -1, 0, -1 }, { 1, 0, 0 } },
+    { { 1, -1, -1 }, { 1, -1, 1 }, { 1, 0, 1 }, { 1, 0, -1 }, { -1, 0, 0 } },
+    /* Surface */
+    { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
+    /* Counter: far, near, left, right */
+    { { -3, -1, -3 }, { 3, -1, -3 }, { 3, -1, -2 }, { -3, -1, -2 }, UP },
+    { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
+    { { -3, -1, -2 }, { -2, -1, -2 }, { -2, -1, 2 }, { -3, -1, 2 }, UP },
+    { { 2, -1, -2 }, { 3, -1, -2 }, { 3, -1, 2 }, { 2, -1, 2 }, UP },
+    /* Rim, inside: far, left, right; the near one faces away from the player */
+    { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { 0, 0, 1 } },
+    { { -1, 0, -1 }, { -1, 0, 1 }, { -1, 1, 1 }, { -1, 1, -1 }, { 1, 0, 0 } },
+    { { 1, 0, -1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, -1 }, { -1, 0, 0 } },
+    /* Rim, outside: near */
+    { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
+    /* Rim, top: far, near, left, right */
+    { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
+    { { -2, 1, 1 }, { 2, 1, 1 }, { 2, 1, 2 }, { -2, 1, 2 }, UP },
+    { { -2, 1, -1 }, { -1, 1, -1 }, { -1, 1, 1 }, { -2, 1, 1 }, UP },
+    { { 1, 1, -1 }, { 2, 1, -1 }, { 2, 1, 1 }, { 1, 1, 1 }, UP },
+};
+#define FACE_COUNT (sizeof faces / sizeof *faces)
+
+static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, FACE_COUNT };
+
+static struct corner *put_corner(struct corner *out, const float position[3], const float normal[3])
+{
+    memcpy(out->position, position, sizeof out->position);
+    memcpy(out->normal, normal, sizeof out->normal);
+    return out + 1;
+}
+
+static void upload_faces(struct basin_pass *pass)
+{
+    struct corner corners[FACE_COUNT * VERTICES_PER_FACE];
+    struct corner *out = corners;
+    for (uint32_t i = 0; i < FACE_COUNT; i++) {
+        const struct face *const face = &faces[i];
+        const float *const around[VERTICES_PER_FACE] = { face->a, face->b, face->c,
+                                                         face->a, face->c, face->d };
+        for (uint32_t k = 0; k < VERTICES_PER_FACE; k++) {
+            out = put_corner(out, around[k], face->normal);
+        }
+    }
+    glGenVertexArrays(1, &pass->vertex_array);
+    glBindVertexArray(pass->vertex_array);
+    pass->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, corners, sizeof corners);
+    gl_attribute_floats(0, 3, sizeof *corners, offsetof(struct corner, position));
+    gl_attribute_floats(1, 3, sizeof *corners, offsetof(struct corner, normal));
+    glBindVertexArray(0);
+}
+
+static void draw_part(const struct basin_pass *pass, enum part part)
+{
+    const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;
+    const GLint end = part_faces[part + 1] * (GLint)VERTICES_PER_FACE;
+    glBindVertexArray(pass->vertex_array);
+    glDrawArrays(GL_TRIANGLES, first, end - first);
+}
+
+void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
+{
+    pass->floor_program = gl_program(status, "floor", "#define FLOOR\n", shader_tank_vert,
+                                     shader_tank_frag, "caustics shadows");
+    pass->wall_program =
+        gl_program(status, "walls", "", shader_tank_vert, shader_tank_frag, "caustics");
+    pass->deck_program =
+        gl_program(status, "deck", "", shader_deck_vert, shader_deck_frag, "wood");
+    pass->water_program = gl_program(status, "water", "", shader_water_vert, shader_water_frag,
+                                     "ground life slopes environment");
+    upload_faces(pass);
+    pass->slope_texture = gl_texture(status, "slopes",
+                                     &(struct gl_texture_desc){ .internal_format = GL_RG8,
+                                                                .format = GL_RG,
+                                                                .width = RIPPLE_X,
+                                                                .height = RIPPLE_Z });
+}
+
+void basin_pass_close(struct basin_pass *pass)
+{
+    glDeleteProgram(pass->floor_program);
+    glDeleteProgram(pass->wall_program);
+    glDeleteProgram(pass->deck_program);
+    glDeleteProgram(pass->water_program);
+    glDeleteVertexArrays(1, &pass->vertex_array);
+    glDeleteBuffers(1, &pass->vertex_buffer);
+    glDeleteTextures(1, &pass->slope_texture);
+}
+
+void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
+{
+    for (uint32_t z = 0; z < RIPPLE_Z; z++) {
+        for (uint32_t x = 0; x < RIPPLE_X; x++) {
+            pass->slopes[z][x][0] = (uint8_t)(scene->slope[z][x][0] + 128);
+            pass->slopes[z][x][1] = (uint8_t)(scene->slope[z][x][1] + 128);
+        }
+    }
+    gl_bind_texture(0, GL_TEXTURE_2D, pass->slope_texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, RIPPLE_X, RIPPLE_Z, GL_RG, GL_UNSIGNED_BYTE,
+                    pass->slopes);
+}
+
+void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, caustics);
+    gl_bind_texture(1, GL_TEXTURE_2D, shadows);
+    glUseProgram(pass->floor_program);
+    draw_part(pass, PART_FLOOR);
+    glUseProgram(pass->wall_program);
+    draw_part(pass, PART_WALLS);
+}
+
+void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
+    glUseProgram(pass->deck_program);
+    draw_part(pass, PART_DECK);
+}
+
+void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
+                      GLuint life)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, ground);
+    gl_bind_texture(1, GL_TEXTURE_2D, life);
+    gl_bind_texture(2, GL_TEXTURE_2D, pass->slope_texture);
+    gl_bind_texture(3, GL_TEXTURE_2D, textures->environment);
+    glUseProgram(pass->water_program);
+    draw_part(pass, PART_SURFACE);
+}

@@ -1,0 +1,29 @@
+/* basin_pass.h -- the tank itself: floor and walls below, rim and counter above, and the water. */
+#ifndef KINGYO_PLATFORM_RENDER_BASIN_PASS_H
+#define KINGYO_PLATFORM_RENDER_BASIN_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/textures.h"
+
+struct basin_pass {
+    GLuint floor_program, wall_program, deck_program, water_program;
+    GLuint vertex_array, vertex_buffer;
+    GLuint slope_texture;
+    uint8_t slopes[RIPPLE_Z][RIPPLE_X][2]; /* As the scene's, with 128 for level. */
+};
+
+void basin_pass_open(struct gl_status *status, struct basin_pass *pass);
+void basin_pass_close(struct basin_pass *pass);
+
+/* Uploads the surface's slopes. */
+void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
+
+/* Floor and walls; no depth needed. */
+void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
+
+/* Rim and counter, then the surface over `ground` and `life`; both write depth. */
+void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
+void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
+                      GLuint life);
+
+#endif

@@ -1,0 +1,26 @@
+/* bowl_pass.h -- the floating bowls, with their own water and what swims in it. */
+#ifndef KINGYO_PLATFORM_RENDER_BOWL_PASS_H
+#define KINGYO_PLATFORM_RENDER_BOWL_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/shape.h"
+
+struct bowl_part {
+    GLuint program;
+    GLint mouth, form, paint;
+};
+
+struct bowl_pass {
+    struct bowl_part shell_part, hole_part, water_part;
+    struct shape_buffers shell, disc;
+};
+
+void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);
+void bowl_pass_close(struct bowl_pass *pass);
+
+/* Takes the tank's surface out of the depth buffer where the bowl holds it off. */
+void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
+void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
+void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
+
+#endif

@@ -1,0 +1,126 @@
+/* fish_mesh.c -- see fish_mesh.h. */
+#include "platform/render/fish_mesh.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define KEY_SIZE 8u
+#define SURFACE_SIZE 4u
+
+static int16_t fraction(float x)
+{
+    const float scaled = f_clamp(x, -1.0f, 1.0f) * 32767.0f;
+    return (int16_t)(scaled + (scaled < 0.0f ? -0.5f : 0.5f));
+}
+
+static uint8_t byte(float x)
+{
+    return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+/* A unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1, as one number that
+ * survives being a 16-bit fraction: -32767 .. 32257. */
+static int16_t fold_normal(vec3 n)
+{
+    const float sum = f_max(f_abs(n.x) + f_abs(n.y) + f_abs(n.z), 1e-6f);
+    float x = n.x / sum;
+    float y = n.y / sum;
+    if (n.z < 0.0f) {
+        const float flat_x = (1.0f - f_abs(y)) * (x >= 0.0f ? 1.0f : -1.0f);
+        y = (1.0f - f_abs(x)) * (y >= 0.0f ? 1.0f : -1.0f);
+        x = flat_x;
+    }
+    const int32_t high = (int32_t)((x + 1.0f) * 127.0f + 0.5f);
+    const int32_t low = (int32_t)((y + 1.0f) * 127.0f + 0.5f);
+    return (int16_t)(high * 256 + low - 32767);
+}
+
+static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
+                        uint32_t index)
+{
+    for (uint32_t key = 0; key < key_count; key++, out += KEY_SIZE) {
+        const vec3 p = source->positions[key][index];
+        const int16_t words[4] = { fraction(p.x), fraction(p.y), fraction(p.z),
+                                   fold_normal(source->normals[key][index]) };
+        memcpy(out, words, sizeof words);
+    }
+    const struct species_vertex *const vertex = &source->vertices[index];
+    const uint8_t surface[SURFACE_SIZE] = { byte(vertex->u), byte(vertex->v), vertex->part,
+                                            vertex->flex };
+    memcpy(out, surface, sizeof surface);
+}
+
+static bool is_fin(const struct species_mesh *source, uint32_t triangle)
+{
+    const uint8_t part = source->vertices[source->indices[triangle * 3u]].part;
+    return part != PART_BODY && part != PART_EYE;
+}
+
+/* Copies the triangles that are (or are not) of fins; returns how many indices that made. */
+static uint32_t gather(uint16_t *out, const struct species_mesh *source, bool fins)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < source->index_count / 3u; i++) {
+        if (is_fin(source, i) == fins) {
+            memcpy(out + count, source->indices + i * 3u, 3u * sizeof *out);
+            count += 3u;
+        }
+    }
+    return count;
+}
+
+static void describe_vertex(uint32_t key_count)
+{
+    const GLsizei stride = (GLsizei)(key_count * KEY_SIZE + SURFACE_SIZE);
+    for (uint32_t key = 0; key < key_count; key++) {
+        glEnableVertexAttribArray(key);
+        glVertexAttribPointer(key, 4, GL_SHORT, GL_TRUE, stride,
+                              (const void *)(size_t)(key * KEY_SIZE));
+    }
+    glEnableVertexAttribArray(FISH_ATTRIBUTE_SURFACE);
+    glVertexAttribPointer(FISH_ATTRIBUTE_SURFACE, SURFACE_SIZE, GL_UNSIGNED_BYTE, GL_TRUE, stride,
+                          (const void *)(size_t)(key_count * KEY_SIZE));
+}
+
+void fish_mesh_open(struct gl_status *status, struct fish_mesh *mesh,
+                    const struct species_mesh *source, uint32_t key_count)
+{
+    const size_t stride = key_count * KEY_SIZE + SURFACE_SIZE;
+    uint8_t *const vertices = malloc(source->vertex_count * stride);
+    uint16_t *const indices = malloc(source->index_count * sizeof *indices);
+    if (!vertices || !indices) {
+        gl_fail(status, "fish mesh: out of memory");
+    } else {
+        for (uint32_t i = 0; i < source->vertex_count; i++) {
+            pack_vertex(vertices + i * stride, source, key_count, i);
+        }
+        const uint32_t body = gather(indices, source, false);
+        const uint32_t fins = gather(indices + body, source, true);
+        glGenVertexArrays(1, &mesh->vertex_array);
+        glBindVertexArray(mesh->vertex_array);
+        mesh->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, vertices, source->vertex_count * stride);
+        describe_vertex(key_count);
+        mesh->index_buffer =
+            gl_buffer(GL_ELEMENT_ARRAY_BUFFER, indices, (body + fins) * sizeof *indices);
+        mesh->body_index_count = (GLsizei)body;
+        mesh->fin_index_count = (GLsizei)fins;
+        glBindVertexArray(0);
+    }
+    free(vertices);
+    free(indices);
+}
+
+void fish_mesh_close(struct fish_mesh *mesh)
+{
+    const GLuint names[2] = { mesh->vertex_buffer, mesh->index_buffer };
+    glDeleteVertexArrays(1, &mesh->vertex_array);
+    glDeleteBuffers(2, names);
+    *mesh = (struct fish_mesh){ 0 };
+}
+
+void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count)
+{
+    const size_t first = fins ? (size_t)mesh->body_index_count * sizeof(uint16_t) : 0u;
+    glDrawElementsInstanced(GL_TRIANGLES, fins ? mesh->fin_index_count : mesh->body_index_count,
+                            GL_UNSIGNED_SHORT, (const void *)first, instance_count);
+}

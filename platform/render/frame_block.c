@@ -1,0 +1,129 @@
+/* frame_block.c -- camera, light and water in numbers. */
+#include "platform/render/frame_block.h"
+
+#include <string.h>
+
+#include "assets.h"
+
+#define NEAR_M 0.05f
+#define FAR_M 8.0f
+#define CAUSTIC_LAYERS_HZ 11.0f   /* A loop of 32 layers in about three seconds. */
+#define SECONDS_WRAP_TICKS (3600u * CORE_TICK_HZ)
+#define SHADOW_MARGIN 1.06f       /* Shadows of fish at a wall end on the wall's side of the map. */
+#define SHADOW_DRIFT_X 0.26f      /* The lamps hang to the right and behind the player: */
+#define SHADOW_DRIFT_Z 0.16f      /* tangents of the light that reaches the floor. */
+
+/* The colour of the water is a look, not a depth gauge: a shallow tank is as blue as a deep one. */
+#define ABSORPTION_OVER_DEPTH 0.55f
+
+/* Displacement of what is seen, in depths per slope: refraction's 0.25 and a little for the eye. */
+#define REFRACTION 0.36f
+
+static void multiply(float out[16], const float a[16], const float b[16])
+{
+    for (int column = 0; column < 4; column++) {
+        for (int row = 0; row < 4; row++) {
+            float sum = 0.0f;
+            for (int k = 0; k < 4; k++) {
+                sum += a[k * 4 + row] * b[column * 4 + k];
+            }
+            out[column * 4 + row] = sum;
+        }
+    }
+}
+
+static void look(float out[16], const struct basis *axes, vec3 eye)
+{
+    const float m[16] = {
+        axes->right.x, axes->up.x, axes->back.x, 0.0f, axes->right.y, axes->up.y, axes->back.y,
+        0.0f, axes->right.z, axes->up.z, axes->back.z, 0.0f, -v3_dot(axes->right, eye),
+        -v3_dot(axes->up, eye), -v3_dot(axes->back, eye), 1.0f,
+    };
+    memcpy(out, m, sizeof m);
+}
+
+static void project(float out[16], float tan_y, float aspect)
+{
+    memset(out, 0, 16 * sizeof *out);
+    out[0] = 1.0f / (tan_y * aspect);
+    out[5] = 1.0f / tan_y;
+    out[10] = (FAR_M + NEAR_M) / (NEAR_M - FAR_M);
+    out[11] = -1.0f;
+    out[14] = 2.0f * FAR_M * NEAR_M / (NEAR_M - FAR_M);
+}
+
+static void set(float out[4], float x, float y, float z, float w)
+{
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+    out[3] = w;
+}
+
+void frame_open(struct frame *frame)
+{
+    frame->buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof frame->block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame->buffer);
+}
+
+void frame_close(struct frame *frame)
+{
+    glDeleteBuffers(1, &frame->buffer);
+}
+
+static void set_camera(struct frame *frame, const struct view *view, float aspect, float height)
+{
+    float rotation[16];
+    float projection[16];
+    const struct basis axes = view_basis(view);
+    const float tan_y = view_half_height_tan(view, aspect);
+    look(rotation, &axes, view->eye_m);
+    project(projection, tan_y, aspect);
+    multiply(frame->block.view_projection, projection, rotation);
+    frame->view.eye_m = view->eye_m;
+    frame->view.focal_px = 0.5f * height / tan_y;
+}
+
+/* How far the picture below moves on the screen when the surface tilts: one metre at the target,
+ * seen through the camera. Good to a few per cent over the whole tank. */
+static void set_bend(struct frame *frame, const struct scene *scene, float aspect)
+{
+    const struct view *const view = &scene->view;
+    const struct basis axes = view_basis(view);
+    const float distance = v3_length(v3_sub(view->eye_m, view->target_m));
+    const float half_height_m = view_half_height_tan(view, aspect) * distance;
+    const float shift_m = REFRACTION * scene->tank_size_m.y;
+    set(frame->block.bend, 0.5f * shift_m / (half_height_m * aspect),
+        0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f, 0.0f);
+}
+
+void frame_begin(struct frame *frame, const struct scene *scene, uint32_t width, uint32_t height)
+{
+    struct frame_block *const block = &frame->block;
+    const float aspect = (float)width / (float)height;
+    const float seconds = (float)(scene->tick % SECONDS_WRAP_TICKS) * CORE_TICK_S;
+    const float layers = seconds * CAUSTIC_LAYERS_HZ;
+    const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
+    const vec3 size = scene->tank_size_m;
+    set_camera(frame, &scene->view, aspect, (float)height);
+    set_bend(frame, scene, aspect);
+    set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z, seconds);
+    set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z, scene->wall_height_m - size.y);
+    set(block->screen, 1.0f / (float)width, 1.0f / (float)height, ABSORPTION_OVER_DEPTH / size.y,
+        layers - loops * (float)ASSET_CAUSTICS_FRAMES);
+    set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
+        SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
+    glBindBuffer(GL_UNIFORM_BUFFER, frame->buffer);
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof *block, block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame->buffer);
+}
+
+void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale)
+{
+    const struct basis axes = basis_from_angles(angles);
+    const vec3 columns[3] = { axes.right, axes.up, axes.back };
+    for (int i = 0; i < 3; i++) {
+        set(out + i * 4, columns[i].x * scale, columns[i].y * scale, columns[i].z * scale, 0.0f);
+    }
+    set(out + 12, position_m.x, position_m.y, position_m.z, 1.0f);
+}

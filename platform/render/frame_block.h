@@ -1,0 +1,41 @@
+/* frame_block.h -- the figures of one frame that every shader may read, as the block `Frame`.
+ *
+ * The layout mirrors assets/shaders/common.glsl (std140). */
+#ifndef KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
+#define KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
+
+#include "core/scene.h"
+#include "platform/render/gl_util.h"
+
+struct frame_block {
+    float view_projection[16]; /* Column-major. */
+    float eye[4];
+    float tank[4];
+    float screen[4];
+    float shadow[4];
+    float bend[4];
+};
+_Static_assert(sizeof(struct frame_block) == 144, "the block has the layout of common.glsl");
+
+/* What C code needs of the camera besides the block. */
+struct frame_view {
+    vec3 eye_m;
+    float focal_px; /* Pixels that one metre spans at one metre's distance. */
+};
+
+struct frame {
+    GLuint buffer;
+    struct frame_block block;
+    struct frame_view view;
+};
+
+void frame_open(struct frame *frame);
+void frame_close(struct frame *frame);
+
+/* Computes the block for `scene` on a screen of `width` x `height` > 0 pixels and uploads it. */
+void frame_begin(struct frame *frame, const struct scene *scene, uint32_t width, uint32_t height);
+
+/* A body's pose as a column-major matrix: `scale` metres per unit along each of its axes. */
+void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale);
+
+#endif

@@ -1,0 +1,27 @@
+/* light_pass.h -- what falls on the floor: this moment's caustics, and everyone's shadow. */
+#ifndef KINGYO_PLATFORM_RENDER_LIGHT_PASS_H
+#define KINGYO_PLATFORM_RENDER_LIGHT_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/fish_pass.h"
+#include "platform/render/poi_pass.h"
+#include "platform/render/textures.h"
+
+struct light_pass {
+    GLuint caustics_program, fish_program, disc_program;
+    GLint disc_pose, disc_softness;
+    GLuint no_attributes, casters; /* Vertex arrays. */
+    struct gl_target caustics;     /* A tile; repeats. */
+    struct gl_target shadows;      /* The floor from above; 0 is lit. */
+};
+
+void light_pass_open(struct gl_status *status, struct light_pass *pass);
+void light_pass_close(struct light_pass *pass);
+
+void light_pass_caustics(const struct light_pass *pass, const struct textures *textures);
+
+/* After fish_pass_prepare() and poi_pass_prepare(). */
+void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
+                        const struct fish_pass *fish, const struct poi_pass *poi);
+
+#endif

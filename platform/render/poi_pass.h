@@ -1,0 +1,36 @@
+/* poi_pass.h -- the scoops: ring, handle, and a paper whose wet cells and holes are the sheet's own. */
+#ifndef KINGYO_PLATFORM_RENDER_POI_PASS_H
+#define KINGYO_PLATFORM_RENDER_POI_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/frame_block.h"
+#include "platform/render/shape.h"
+#include "platform/render/textures.h"
+
+struct poi_pass {
+    GLuint frame_program, paper_program;
+    GLint frame_pose, frame_paint, paper_pose, paper_paper;
+    struct shape_buffers solid, disc;
+    GLuint sheet_texture;                            /* Array, a layer a player. */
+    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];       /* Wetness, integrity, presence, unused. */
+};
+
+/* Players' colours, for what belongs to each; `owner` < POI_MAX. */
+const float *poi_paint(uint8_t owner);
+
+void poi_pass_open(struct gl_status *status, struct poi_pass *pass);
+void poi_pass_close(struct poi_pass *pass);
+
+/* Uploads the sheets. */
+void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene);
+
+/* Whether any of the poi can be below (above) the surface. */
+bool poi_is_below(const struct scene_poi *poi);
+bool poi_is_above(const struct scene_poi *poi);
+
+/* Both want a target with depth; papers blend. */
+void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi);
+void poi_pass_paper(const struct poi_pass *pass, const struct scene_poi *poi, uint32_t index,
+                    const struct textures *textures);
+
+#endif

@@ -1,0 +1,39 @@
+/* shape.h -- small solids, built from formulas when the renderer opens. */
+#ifndef KINGYO_PLATFORM_RENDER_SHAPE_H
+#define KINGYO_PLATFORM_RENDER_SHAPE_H
+
+#include "core/base/vec.h"
+#include "platform/render/gl_util.h"
+
+#define SHAPE_VERTEX_MAX 3072u /* The bowl, the largest, has about 1,800. */
+#define SHAPE_INDEX_MAX 16384u
+
+struct shape_vertex {
+    vec3 position, normal;
+    float u, v;
+};
+
+/* A solid in the making; about 130 KiB, for the stack of an open(). */
+struct shape {
+    uint32_t vertex_count, index_count;
+    struct shape_vertex vertices[SHAPE_VERTEX_MAX];
+    uint16_t indices[SHAPE_INDEX_MAX];
+};
+
+/* A solid on the graphics side: attribute 0 position, 1 normal, 2 (u, v). */
+struct shape_buffers {
+    GLuint vertex_array, vertex_buffer, index_buffer;
+    GLsizei index_count;
+};
+
+/* Appends a grid of `columns` x `rows` vertices, >= 2 each, wherever `point` puts them; normals from
+ * its neighbours. Fronts face where columns turn counter-clockwise into rows. */
+typedef struct shape_vertex (*shape_point)(float u, float v, const void *context);
+void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_point point,
+                const void *context);
+
+void shape_upload(const struct shape *shape, struct shape_buffers *buffers);
+void shape_close(struct shape_buffers *buffers);
+void shape_draw(const struct shape_buffers *buffers);
+
+#endif

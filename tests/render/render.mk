@@ -1,0 +1,12 @@
+# render.mk -- a look at the picture without playing.
+
+$(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(PLATFORM_OBJ) $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+## shot: a picture of the stall in out/shot.png; ARGS="--seconds 9 --size 1920x1080 --passes -o FILE"
+shot: $(BUILD)/tests/render/shot
+	@mkdir -p out
+	@$< $(ARGS)
+
+.PHONY: shot

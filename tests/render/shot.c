@@ -1,0 +1,182 @@
+/* shot.c -- plays the stall for a while without a screen and keeps a picture, or times the passes.
+ *
+ * A developer's eye: `make shot ARGS="--seconds 12 --size 1920x1080 -o shot.png"`. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "platform/render/display_gl.h"
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wmissing-prototypes"
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+#define PIXELS_MAX (3840u * 2160u)
+#define PASS_FRAMES 40u
+
+struct options {
+    float seconds, scale;
+    uint32_t width, height, samples, fish, seed, every;
+    uint8_t start, english, passes;
+    const char *out;
+};
+
+static struct core core;
+static struct scene scene;
+static struct display_gl display;
+static uint8_t pixels[PIXELS_MAX * 3u];
+
+static double now_ms(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
+}
+
+static struct options parse(int argc, char **argv)
+{
+    struct options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png" };
+    for (int i = 1; i < argc; i++) {
+        const char *const value = i + 1 < argc ? argv[i + 1] : "";
+        const char *const name = argv[i];
+        if (!strcmp(name, "--start")) {
+            o.start = 1;
+        } else if (!strcmp(name, "--en")) {
+            o.english = 1;
+        } else if (!strcmp(name, "--passes")) {
+            o.passes = 1;
+        } else if (!strcmp(name, "--seconds")) {
+            o.seconds = strtof(value, NULL);
+        } else if (!strcmp(name, "--scale")) {
+            o.scale = strtof(value, NULL);
+        } else if (!strcmp(name, "--samples")) {
+            o.samples = (uint32_t)strtoul(value, NULL, 10);
+        } else if (!strcmp(name, "--fish")) {
+            o.fish = (uint32_t)strtoul(value, NULL, 10);
+        } else if (!strcmp(name, "--seed")) {
+            o.seed = (uint32_t)strtoul(value, NULL, 10);
+        } else if (!strcmp(name, "--size")) {
+            sscanf(value, "%ux%u", &o.width, &o.height);
+        } else if (!strcmp(name, "-o")) {
+            o.out = value;
+        }
+    }
+    return o;
+}
+
+static void play(const struct options *options)
+{
+    const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
+                                        .fish_count = options->fish,
+                                        .language =
+                                            options->english ? LANGUAGE_EN : LANGUAGE_JA };
+    struct output output = { 0 };
+    if (core_init(&core, &config) != CORE_OK) {
+        exit(2);
+    }
+    const uint32_t ticks = (uint32_t)(options->seconds * (float)CORE_TICK_HZ);
+    for (uint32_t i = 0; i < ticks; i++) {
+        struct input input = { 0 };
+        input.poi[0].link = POI_LINK_BOT;
+        if (options->start && i == 60u) {
+            input.pressed = INPUT_START;
+        }
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+    }
+    core_scene(&core, &scene);
+}
+
+struct meter {
+    double last, sums[STEP_COUNT];
+};
+
+static void on_step(void *context, enum render_step step)
+{
+    struct meter *const meter = context;
+    glFinish();
+    const double now = now_ms();
+    meter->sums[step] += now - meter->last;
+    meter->last = now;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void time_passes(const struct hal_display *device)
+{
+    static const char *const names[STEP_COUNT] = { "prepare", "light", "ground", "life",
+                                                   "surface", "above", "ui" };
+    struct meter meter = { 0 };
+    double frames[PASS_FRAMES];
+    for (uint32_t i = 0; i < PASS_FRAMES; i++) {
+        const double start = now_ms();
+        device->ops->present(device->self, &scene);
+        glFinish();
+        frames[i] = now_ms() - start;
+    }
+    qsort(frames, PASS_FRAMES, sizeof *frames, by_value);
+    display.renderer.on_step = on_step;
+    display.renderer.on_step_context = &meter;
+    for (uint32_t i = 0; i < PASS_FRAMES; i++) {
+        glFinish();
+        meter.last = now_ms();
+        device->ops->present(device->self, &scene);
+    }
+    display.renderer.on_step = NULL;
+    for (uint32_t i = 0; i < STEP_COUNT; i++) {
+        printf("%-8s %6.2f ms\n", names[i], meter.sums[i] / PASS_FRAMES);
+    }
+    printf("%-8s %6.2f ms median, %.2f best, %.2f worst of %u\n", "frame",
+           frames[PASS_FRAMES / 2], frames[0], frames[PASS_FRAMES - 1], PASS_FRAMES);
+}
+
+int main(int argc, char **argv)
+{
+    const struct options options = parse(argc, argv);
+    display.config = (struct display_gl_config){ .width = options.width,
+                                                 .height = options.height,
+                                                 .off_screen = true,
+                                                 .scene_scale = options.scale,
+                                                 .samples = options.samples };
+    const struct hal_display device = display_gl_device(&display);
+    play(&options);
+    const double before = now_ms();
+    if (device.ops->open(device.self) != HAL_OK) {
+        fprintf(stderr, "%s\n", device.ops->describe(device.self));
+        return 1;
+    }
+    printf("%s (opened in %.0f ms)\n", device.ops->describe(device.self), now_ms() - before);
+    device.ops->present(device.self, &scene);
+    if (options.passes) {
+        time_passes(&device);
+    }
+    struct hal_image image = { .rgb = pixels, .size = sizeof pixels };
+    if (device.ops->capture(device.self, &image) != HAL_OK ||
+        !stbi_write_png(options.out, (int)image.width, (int)image.height, 3, pixels,
+                        (int)image.width * 3)) {
+        fprintf(stderr, "no picture at %s\n", options.out);
+        return 1;
+    }
+    device.ops->close(device.self);
+    return 0;
+}
+
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "%s:%d: %s\n", file, line, condition);
+    abort();
+}
