@@ -1,34 +1,39 @@
-/* bot.c -- the art of the stall as rules: wet the paper at a slant, glide under a calm fish with the
- * paper along its way, lift slowly with the far edge up, empty over the bowl. */
+/* bot.c -- the art of the stall as rules: wait for a calm fish, wet the paper at a slant, glide under
+ * with the paper along its way, lift slowly with the far edge up, empty over the bowl. */
 #include "core/game/bot.h"
 
 #include "core/base/hash.h"
 #include "core/base/rng.h"
 #include "core/core.h"
+#include "core/game/aim.h"
 #include "core/game/paper.h"
 
 /* An arm that is not in a hurry. */
-#define ARM_M_S 0.45f
-#define ARM_M_S2 3.0f
-#define ARM_PULL_PER_S 7.0f      /* How eagerly the remaining way becomes speed. */
+#define ARM_M_S 0.40f
+#define ARM_M_S2 2.5f
+#define ARM_PULL_PER_S 6.0f     /* How eagerly the remaining way becomes speed. */
 #define WRIST_RAD_S 2.6f
-#define DIP_M_S 0.20f
-#define GLIDE_M_S 0.14f
-#define LIFT_M_S 0.19f
+#define WRIST_PULL_PER_S 9.0f
+#define DIP_M_S 0.17f
+#define GLIDE_M_S 0.10f
+#define LIFT_M_S 0.18f
+#define CARRY_M_S 0.34f
 #define TREMOR_M 0.0006f
 
-#define HOVER_M 0.060f           /* Over the water while it looks. */
-#define UNDER_M 0.028f           /* The ring's depth below the fish. */
-#define BACK_M 0.060f            /* It enters so far on the player's side of the fish. */
-#define FLOOR_GAP_M 0.012f
-#define WALL_GAP_M 0.070f
-#define SLANT_RAD (-35.0f * F_DEG) /* Far edge down: the ring cuts the water edgewise. */
-#define CRADLE_RAD (6.0f * F_DEG)  /* Far edge up: the fish slides toward the hand. */
-#define TIP_RAD (-75.0f * F_DEG)
+#define HOVER_Y_M 0.065f        /* Over the water while it looks and carries. */
+#define CRADLE_RAD (7.0f * F_DEG) /* Far edge up: water runs off, the fish lies against the rim. */
+#define THERE_M 0.012f          /* Near enough, for a hand. */
+#define ERROR_M 0.007f          /* How well it aims. */
 
-#define THINK_TICKS_MIN 18u      /* 150 ms ... */
-#define THINK_TICKS_MAX 30u      /* ... to 250 ms between two looks. */
-#define FORESIGHT_S 0.20f        /* How far ahead of a look it leads a moving fish. */
+#define THINK_TICKS_MIN 18u     /* 150 ms ... */
+#define THINK_TICKS_MAX 30u     /* ... to 250 ms between two looks. */
+#define LOOK_S 0.5f             /* Nobody chooses faster. */
+#define WATCH_S_MIN 0.35f
+#define WATCH_S_MAX 1.1f
+#define PATIENCE_S 3.0f         /* With a fish that does not come to rest. */
+#define CALM_M_S 0.06f
+#define LOST_M 0.09f            /* A fish that is farther from the ring is not followed. */
+#define DRIP_S 0.35f            /* It lets the water run off before it carries. */
 
 static float stage_s(const struct bot *bot, const struct core *core)
 {
@@ -39,169 +44,158 @@ static void go(struct bot *bot, const struct core *core, uint8_t stage)
 {
     bot->stage = stage;
     bot->stage_tick = core->tick;
-    bot->think_tick = core->tick;
+    bot->think_tick = core->tick + 1u;
 }
 
-/* ---- Choosing ------------------------------------------------------------------------------- */
-
-static float crowding(const struct tank *tank, uint32_t index)
+static float distance_to_aim(const struct bot *bot)
 {
-    float crowd = 0.0f;
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        const vec3 d = v3_sub(tank->fish[i].position_m, tank->fish[index].position_m);
-        if (i != index && v3_dot(d, d) < 0.06f * 0.06f) {
-            crowd += 1.0f;
-        }
-    }
-    return crowd;
+    return v3_length(v3_sub(bot->aim_m, bot->hand.position_m));
 }
 
-static int reachable(const struct core *core, uint32_t poi_index, const struct fish *fish)
+/* One draw in [0, 1) for each dip of each poi. */
+static float luck(const struct core *core, uint32_t index, uint32_t which)
 {
-    const vec3 p = fish->position_m;
-    const struct bowl *bowl = &core->bowl[poi_index];
-    const float dx = p.x - bowl->position_m.x;
-    const float dz = p.z - bowl->position_m.z;
-    const float clear_m = BOWL_RADIUS_M + POI_OUTER_RADIUS_M + 0.03f;
-    return fish->gait < GAIT_HELD && fish->gait != GAIT_ESCAPE &&
-           f_abs(p.x) < 0.5f * core->tank.size_m.x - WALL_GAP_M &&
-           f_abs(p.z) < 0.5f * core->tank.size_m.z - WALL_GAP_M &&
-           p.y > -core->tank.size_m.y + UNDER_M + FLOOR_GAP_M &&
-           (!bowl->present || dx * dx + dz * dz > clear_m * clear_m);
+    const struct poi *poi = &core->poi[index];
+    return rng_unit((struct rng_key){ core->config.seed ^ poi->seed, poi->dips, which, RNG_BOT_CHOICE });
 }
 
-/* What a look costs: depth, speed, way and weight all speak against a fish. */
-static float cost_of(const struct bot *bot, const struct fish *fish)
+/* How far this try will miss what it aims at. */
+static vec3 miss(const struct core *core, uint32_t index)
 {
-    const vec3 way = v3_sub(fish->position_m, bot->hand.position_m);
-    return -6.0f * fish->position_m.y + 4.0f * v3_length(fish->velocity_m_s) +
-           1.2f * f_sqrt(way.x * way.x + way.z * way.z) + 6.0f * fish->length_m + fish->alarm;
-}
-
-static uint16_t choose(const struct bot *bot, const struct core *core, uint32_t poi_index)
-{
-    uint16_t best = BOT_NO_PREY;
-    float best_cost = 1e9f;
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        const struct fish *fish = &core->tank.fish[i];
-        if (!reachable(core, poi_index, fish)) {
-            continue;
-        }
-        const float cost = cost_of(bot, fish);
-        if (cost < best_cost && cost + 0.1f * crowding(&core->tank, i) < best_cost) {
-            best = (uint16_t)i;
-            best_cost = cost + 0.1f * crowding(&core->tank, i);
-        }
-    }
-    return best;
+    return v3(ERROR_M * (2.0f * luck(core, index, 0) - 1.0f), 0.0f,
+              ERROR_M * (2.0f * luck(core, index, 1) - 1.0f));
 }
 
 /* ---- Stages --------------------------------------------------------------------------------- */
 
-static vec3 foresee(const struct core *core, uint16_t prey, float ahead_s)
-{
-    const struct fish *fish = &core->tank.fish[prey];
-    return v3_mad(fish->position_m, fish->velocity_m_s, ahead_s);
-}
-
-static float glide_y_m(const struct core *core, vec3 fish_m)
-{
-    return f_max(fish_m.y - UNDER_M, -core->tank.size_m.y + FLOOR_GAP_M);
-}
-
-static int has_fish(const struct core *core, uint32_t index)
-{
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        if (core->tank.fish[i].gait == GAIT_HELD && core->tank.fish[i].holder == index) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 static void look(struct bot *bot, const struct core *core, uint32_t index)
 {
-    bot->aim_m.y = HOVER_M;
-    bot->aim_angles = (struct angles){ 0.0f, 0.5f * SLANT_RAD, 0.0f };
-    bot->prey = choose(bot, core, index);
-    if (bot->prey != BOT_NO_PREY && paper_can_hold(&core->poi[index].sheet)) {
+    bot->aim_m.y = HOVER_Y_M;
+    bot->aim_angles = (struct angles){ bot->yaw_rad, 0.3f * AIM_SLANT_RAD, 0.0f };
+    if (stage_s(bot, core) < LOOK_S || !paper_can_hold(&core->poi[index].sheet)) {
+        return;
+    }
+    bot->prey = aim_choose(core, index, bot->hand.position_m, &bot->yaw_rad);
+    if (bot->prey != AIM_NO_FISH) {
         go(bot, core, BOT_APPROACH);
     }
 }
 
+/* Both before the dip: the hand keeps over the entry as the fish moves on. */
+static int keep_over_entry(struct bot *bot, const struct core *core, uint32_t index)
+{
+    struct way_in way;
+    const uint8_t gait = core->tank.fish[bot->prey].gait;
+    if (gait >= GAIT_HELD || gait == GAIT_ESCAPE ||
+        !aim_way_in(core, index, bot->prey, bot->yaw_rad, &way)) {
+        go(bot, core, BOT_LOOK);
+        return 0;
+    }
+    bot->aim_m = v3_add(way.entry_m, miss(core, index));
+    bot->aim_angles = (struct angles){ bot->yaw_rad, AIM_SLANT_RAD, 0.0f };
+    return 1;
+}
+
 static void approach(struct bot *bot, const struct core *core, uint32_t index)
 {
-    const struct fish *fish = &core->tank.fish[bot->prey];
-    if (!reachable(core, index, fish) || stage_s(bot, core) > 3.0f) {
-        go(bot, core, BOT_LOOK);
+    if (keep_over_entry(bot, core, index) && distance_to_aim(bot) < 2.0f * THERE_M) {
+        go(bot, core, BOT_WATCH);
+    }
+}
+
+static void watch(struct bot *bot, const struct core *core, uint32_t index)
+{
+    if (!keep_over_entry(bot, core, index)) {
         return;
     }
-    const vec3 there = foresee(core, bot->prey, FORESIGHT_S);
-    bot->aim_m = v3(there.x, 0.045f, there.z + BACK_M);
-    bot->aim_angles = (struct angles){ 0.0f, SLANT_RAD, 0.0f };
-    const vec3 way = v3_sub(bot->aim_m, bot->hand.position_m);
-    if (v3_length(way) < 0.015f) {
+    const float wait_s = f_lerp(WATCH_S_MIN, WATCH_S_MAX, luck(core, index, 2));
+    const int calm = v3_length(core->tank.fish[bot->prey].velocity_m_s) < CALM_M_S;
+    if (stage_s(bot, core) > PATIENCE_S) {
+        go(bot, core, BOT_LOOK);
+    } else if (stage_s(bot, core) > wait_s && calm && distance_to_aim(bot) < THERE_M) {
         go(bot, core, BOT_DIP);
     }
 }
 
+/* From here on no way back but up: what fled is let go, what swims over the ring is taken. */
+static int keep_prey(struct bot *bot, const struct core *core, uint32_t index)
+{
+    const struct fish *fish = &core->tank.fish[bot->prey];
+    const vec3 d = v3_sub(fish->position_m, core->poi[index].position_m);
+    if (fish->gait < GAIT_HELD && fish->gait != GAIT_ESCAPE && d.x * d.x + d.z * d.z < LOST_M * LOST_M) {
+        return 1;
+    }
+    bot->prey = aim_over_ring(core, index, 0.5f * LOST_M);
+    return bot->prey != AIM_NO_FISH;
+}
+
 static void dip(struct bot *bot, const struct core *core, uint32_t index)
 {
-    (void)index;
-    const vec3 there = foresee(core, bot->prey, FORESIGHT_S);
-    bot->aim_m = v3(there.x, glide_y_m(core, there), there.z + 0.5f * BACK_M);
-    bot->aim_angles = (struct angles){ 0.0f, SLANT_RAD, 0.0f };
-    if (bot->hand.position_m.y < bot->aim_m.y + 0.01f || stage_s(bot, core) > 1.5f) {
+    struct way_in way;
+    (void)aim_way_in(core, index, bot->prey, bot->yaw_rad, &way);
+    bot->aim_m = v3_add(way.stop_m, miss(core, index));
+    bot->aim_angles = (struct angles){ bot->yaw_rad, AIM_SLANT_RAD, 0.0f };
+    if (core->tank.fish[bot->prey].gait == GAIT_ESCAPE) {
+        go(bot, core, keep_prey(bot, core, index) ? BOT_GLIDE : BOT_LIFT);
+    } else if (distance_to_aim(bot) < THERE_M || stage_s(bot, core) > 1.8f) {
         go(bot, core, BOT_GLIDE);
     }
 }
 
 static void glide(struct bot *bot, const struct core *core, uint32_t index)
 {
-    (void)index;
-    const vec3 there = foresee(core, bot->prey, FORESIGHT_S);
-    bot->aim_m = v3(there.x, glide_y_m(core, there), there.z);
-    bot->aim_angles = (struct angles){ 0.0f, 0.0f, 0.0f };
-    const vec3 way = v3_sub(core->tank.fish[bot->prey].position_m, bot->hand.position_m);
-    if (way.x * way.x + way.z * way.z < 0.014f * 0.014f || stage_s(bot, core) > 2.5f) {
+    struct way_in way;
+    if (!keep_prey(bot, core, index)) {
+        go(bot, core, BOT_LIFT);
+        return;
+    }
+    (void)aim_way_in(core, index, bot->prey, bot->yaw_rad, &way);
+    bot->aim_m = v3_add(way.under_m, miss(core, index));
+    bot->aim_angles = (struct angles){ bot->yaw_rad, 0.0f, 0.0f };
+    if (distance_to_aim(bot) < THERE_M || stage_s(bot, core) > 1.6f) {
         go(bot, core, BOT_LIFT);
     }
 }
 
 static void lift(struct bot *bot, const struct core *core, uint32_t index)
 {
-    bot->aim_m.y = HOVER_M;
-    bot->aim_angles = (struct angles){ 0.0f, CRADLE_RAD, 0.0f };
-    if (bot->hand.position_m.y > HOVER_M - 0.01f && core->poi[index].immersed <= 0.0f) {
-        go(bot, core, has_fish(core, index) ? BOT_CARRY : BOT_LOOK);
+    const struct poi *poi = &core->poi[index];
+    bot->aim_m.y = HOVER_Y_M;
+    bot->aim_angles = (struct angles){ bot->yaw_rad, CRADLE_RAD, 0.0f };
+    if (poi->immersed <= 0.0f && bot->hand.position_m.y > HOVER_Y_M - THERE_M) {
+        go(bot, core, poi->rider_count > 0 ? BOT_CARRY : BOT_LOOK);
     }
 }
 
+/* The handle comes back toward the player on the way. The stall's rule for wristless hands tips the
+ * poi over the bowl; the bot has none. */
 static void carry(struct bot *bot, const struct core *core, uint32_t index)
 {
     const struct bowl *bowl = &core->bowl[index];
-    bot->aim_m = v3(bowl->position_m.x, bowl->position_m.y + 0.05f, bowl->position_m.z);
-    const vec3 way = v3_sub(bot->aim_m, bot->hand.position_m);
-    if (!has_fish(core, index)) {
+    if (stage_s(bot, core) > DRIP_S) {
+        bot->yaw_rad = 0.3f;
+        bot->aim_m = v3(bowl->position_m.x, bowl->position_m.y + 0.05f, bowl->position_m.z);
+        bot->aim_angles = (struct angles){ bot->yaw_rad, CRADLE_RAD, 0.0f };
+    }
+    if (core->poi[index].rider_count == 0) {
         go(bot, core, BOT_LOOK);
-    } else if (v3_length(way) < 0.02f) {
+    } else if (stage_s(bot, core) > DRIP_S && distance_to_aim(bot) < 2.0f * THERE_M) {
         go(bot, core, BOT_TIP);
     }
 }
 
 static void tip(struct bot *bot, const struct core *core, uint32_t index)
 {
-    bot->aim_angles = (struct angles){ 0.0f, TIP_RAD, 0.0f };
-    if (!has_fish(core, index) || stage_s(bot, core) > 2.0f) {
+    if (core->poi[index].rider_count == 0 || stage_s(bot, core) > 2.0f) {
         go(bot, core, BOT_LOOK);
     }
 }
 
 static void think(struct bot *bot, const struct core *core, uint32_t index)
 {
-    static void (*const stages[])(struct bot *, const struct core *, uint32_t) = {
-        [BOT_LOOK] = look, [BOT_APPROACH] = approach, [BOT_DIP] = dip, [BOT_GLIDE] = glide,
-        [BOT_LIFT] = lift, [BOT_CARRY] = carry,       [BOT_TIP] = tip,
+    static void (*const stages[BOT_STAGE_COUNT])(struct bot *, const struct core *, uint32_t) = {
+        [BOT_LOOK] = look,   [BOT_APPROACH] = approach, [BOT_WATCH] = watch, [BOT_DIP] = dip,
+        [BOT_GLIDE] = glide, [BOT_LIFT] = lift,         [BOT_CARRY] = carry, [BOT_TIP] = tip,
     };
     const struct rng_key key = { core->config.seed, core->tick, index, RNG_BOT_REACTION };
     bot->think_tick =
@@ -220,6 +214,9 @@ static float speed_max_m_s(uint8_t stage)
         return GLIDE_M_S;
     case BOT_LIFT:
         return LIFT_M_S;
+    case BOT_CARRY:
+    case BOT_TIP:
+        return CARRY_M_S;
     default:
         return ARM_M_S;
     }
@@ -228,7 +225,7 @@ static float speed_max_m_s(uint8_t stage)
 static float turn(float now_rad, float aim_rad)
 {
     const float step = WRIST_RAD_S * CORE_TICK_S;
-    return now_rad + f_clamp(0.08f * (aim_rad - now_rad), -step, step);
+    return now_rad + f_clamp(WRIST_PULL_PER_S * CORE_TICK_S * (aim_rad - now_rad), -step, step);
 }
 
 static void move(struct bot *bot)
@@ -256,13 +253,15 @@ static void rest(struct bot *bot, const struct core *core)
 {
     go(bot, core, BOT_LOOK);
     bot->aim_m = v3(0.0f, 0.09f, 0.15f * core->tank.size_m.z);
-    bot->aim_angles = (struct angles){ 0.0f, 0.5f * SLANT_RAD, 0.0f };
+    bot->aim_angles = (struct angles){ bot->yaw_rad, 0.3f * AIM_SLANT_RAD, 0.0f };
 }
+
+/* ---- Public --------------------------------------------------------------------------------- */
 
 void bot_init(struct bot *bot)
 {
-    *bot = (struct bot){ .prey = BOT_NO_PREY };
-    bot->hand.position_m = v3(0.0f, HOVER_M, 0.0f);
+    *bot = (struct bot){ .prey = AIM_NO_FISH };
+    bot->hand.position_m = v3(0.0f, HOVER_Y_M, 0.0f);
     bot->aim_m = bot->hand.position_m;
 }
 
@@ -286,6 +285,7 @@ uint64_t bot_hash(uint64_t hash, const struct bot *bot)
     hash = hash_u32(hash, bot->prey);
     hash = hash_u32(hash, bot->stage_tick);
     hash = hash_u32(hash, bot->think_tick);
+    hash = hash_float(hash, bot->yaw_rad);
     hash = hash_vec3(hash, bot->hand.position_m);
     hash = hash_float(hash, bot->hand.angles.yaw_rad);
     hash = hash_float(hash, bot->hand.angles.pitch_rad);

@@ -6,26 +6,27 @@
 
 #include "core/input.h"
 
-#define BOT_NO_PREY 0xffffu
-
 enum bot_stage {
-    BOT_LOOK = 0,
-    BOT_APPROACH,
-    BOT_DIP,
-    BOT_GLIDE,
+    BOT_LOOK = 0, /* Hovers and chooses. */
+    BOT_APPROACH, /* Over the water, to where the slide begins. */
+    BOT_WATCH,    /* Waits there until the fish is calm: a still shadow frightens nobody. */
+    BOT_DIP,      /* Slides in along the slanted paper. */
+    BOT_GLIDE,    /* Levels off and goes under the fish. */
     BOT_LIFT,
     BOT_CARRY,
     BOT_TIP,
+    BOT_STAGE_COUNT,
 };
 
 struct bot {
-    uint8_t stage;        /* enum bot_stage */
-    uint16_t prey;        /* Index of the fish it is after, or BOT_NO_PREY. */
-    uint32_t stage_tick;  /* When the stage began. */
-    uint32_t think_tick;  /* When it looks and decides again. */
+    uint8_t stage;          /* enum bot_stage */
+    uint16_t prey;          /* Index of the fish it is after, or AIM_NO_FISH. */
+    uint32_t stage_tick;    /* When the stage began. */
+    uint32_t think_tick;    /* When it looks and decides again. */
+    float yaw_rad;          /* How it holds the handle for this fish. */
     struct poi_target hand; /* Where its hand is now: moves no faster than an arm. */
-    vec3 velocity_m_s;    /* Of the hand. */
-    vec3 aim_m;           /* Where it wants the hand to be. */
+    vec3 velocity_m_s;      /* Of the hand. */
+    vec3 aim_m;             /* Where it wants the hand to be. */
     struct angles aim_angles;
 };
 
