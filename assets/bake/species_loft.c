@@ -22,10 +22,10 @@ typedef struct {
 } point3;
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
-    { .rings = 19, .spokes = 14, .eye_rings = 2, .eye_spokes = 8,
+    { .rings = 21, .spokes = 12, .eye_rings = 2, .eye_spokes = 8,
       .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 7, 3 }, [PART_ANAL] = { 4, 3 },
                 [PART_PECTORAL] = { 4, 3 }, [PART_PELVIC] = { 3, 3 } } },
-    { .rings = 8, .spokes = 6, .eye_rings = 1, .eye_spokes = 5,
+    { .rings = 7, .spokes = 8, .eye_rings = 1, .eye_spokes = 5,
       .fins = { [PART_TAIL] = { 5, 3 }, [PART_DORSAL] = { 4, 2 }, [PART_ANAL] = { 3, 2 },
                 [PART_PECTORAL] = { 3, 2 }, [PART_PELVIC] = { 3, 2 } } },
 };
