@@ -44,7 +44,7 @@ PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c)
 KIOSK_SRC := $(wildcard platform/kiosk/*.c)
 CTL_SRC := $(wildcard platform/ctl/*.c)
 DRIVER_SRC := $(wildcard drivers/*.c)
-BOARD_SRC := $(wildcard board/$(BOARD)/*.c)
+BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 
 CORE_OBJ = $(CORE_SRC:%.c=$(BUILD)/%.o) $(GENERATED_CORE_OBJ)
 PLATFORM_OBJ = $(PLATFORM_SRC:%.c=$(BUILD)/%.o) $(GENERATED_OBJ)

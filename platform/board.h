@@ -28,6 +28,11 @@ struct board_options {
  * what is missing says so through describe(). */
 void board_open(struct hal *hal, const struct board_options *options);
 
+/* The board's display off screen, START pressed once at `start_ns`, no hands, no sound, no store, and
+ * a clock that begins at 0 and that only board_rehearsal_advance() moves: the same on every machine. */
+void board_open_rehearsal(struct hal *hal, const struct board_options *options, uint64_t start_ns);
+void board_rehearsal_advance(uint64_t ns);
+
 /* Whether a screen can be opened at all. When not, `why` (`why_size` bytes) gets one line. */
 int board_has_screen(char *why, size_t why_size);
 

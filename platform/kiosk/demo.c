@@ -7,9 +7,6 @@
 #include <unistd.h>
 
 #include "core/tank/preset.h"
-#include "drivers/buttons_sim.h"
-#include "drivers/clock_sim.h"
-#include "drivers/null.h"
 #include "platform/board.h"
 #include "platform/clock.h"
 #include "platform/kiosk/contact_sheet.h"
@@ -25,44 +22,23 @@
 
 struct demo {
     struct session *session;
-    struct clock_sim clock;
-    struct buttons_sim buttons;
     const char *folder;
     struct contact_sheet sheet;
-    uint64_t end_ns;
+    uint64_t now_ns, end_ns;
     uint32_t shots;
     uint32_t width, height;  /* Of the pictures, as the display made them. */
     int failed;              /* A picture could not be made or written. */
 };
 
-/* The board's display, but time, buttons and poi are ours and nothing is heard or kept. */
 static void wire(struct demo *demo)
 {
-    static const struct button_event press[] = {
-        { .time_ns = START_NS, .pressed = INPUT_START },
-        { .time_ns = START_NS + 200000000ull, .released = INPUT_START },
-    };
-    struct hal *hal = &demo->session->hal;
     const struct options *options = &demo->session->options;
     const struct board_options board = {
-        .poi = BOARD_POI_BOT,
-        .off_screen = 1,
         .width = options->width ? options->width : 1280,
         .height = options->height ? options->height : 720,
-        .mute = 1,
         .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
     };
-    board_open(hal, &board);
-    const struct hal_display display = hal->display;
-    *hal = null_hal();
-    hal->display = display;
-    hal->clock = clock_sim_device(&demo->clock);
-    demo->buttons = (struct buttons_sim){
-        .clock = hal->clock,
-        .events = press,
-        .event_count = sizeof press / sizeof press[0],
-    };
-    hal->buttons = buttons_sim_device(&demo->buttons);
+    board_open_rehearsal(&demo->session->hal, &board, START_NS);
 }
 
 static enum exit_code begin(struct demo *demo)
@@ -116,7 +92,7 @@ static void take_shot(struct demo *demo)
 static int shot_is_due(const struct demo *demo)
 {
     const uint64_t due_ns = demo->end_ns * (2 * demo->shots + 1) / (2 * SHEET_PICTURES);
-    return !demo->failed && demo->shots < SHEET_PICTURES && demo->clock.now_ns >= due_ns;
+    return !demo->failed && demo->shots < SHEET_PICTURES && demo->now_ns >= due_ns;
 }
 
 static void write_sheet(struct demo *demo)
@@ -141,9 +117,9 @@ static void tell_progress(const struct demo *demo)
 {
     const int on_terminal = isatty(STDERR_FILENO);
     const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
-    if (demo->clock.now_ns % step_ns == 0 && demo->clock.now_ns > 0) {
+    if (demo->now_ns % step_ns == 0 && demo->now_ns > 0) {
         fprintf(stderr, "%sdemo: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
-                (double)demo->clock.now_ns / (double)NS_PER_S,
+                (double)demo->now_ns / (double)NS_PER_S,
                 (double)demo->end_ns / (double)NS_PER_S, demo->shots, on_terminal ? "" : "\n");
     }
 }
@@ -152,12 +128,13 @@ static enum kiosk_end run(struct demo *demo)
 {
     struct session *session = demo->session;
     enum kiosk_end end = KIOSK_RUNS;
-    while (end == KIOSK_RUNS && demo->clock.now_ns < demo->end_ns && !*session->stop) {
+    while (end == KIOSK_RUNS && demo->now_ns < demo->end_ns && !*session->stop) {
         end = kiosk_frame(&session->kiosk, &session->hal);
         if (end == KIOSK_RUNS && shot_is_due(demo)) {
             take_shot(demo);
         }
-        demo->clock.now_ns += FRAME_NS;
+        board_rehearsal_advance(FRAME_NS);
+        demo->now_ns += FRAME_NS;
         tell_progress(demo);
     }
     if (isatty(STDERR_FILENO)) {
