@@ -1,4 +1,4 @@
-/* ui.c -- puts the batch on the screen: one program, one vertex buffer, one call. */
+/* ui.c -- puts the batch on the screen: one vertex buffer, one call for each run of a kind. */
 #include "platform/render/ui.h"
 
 #include <GLES3/gl3.h>
@@ -30,42 +30,53 @@ static GLuint compile(GLenum stage, const char *const *sources, GLsizei count, c
     return shader;
 }
 
-static int link_program(struct ui *ui, GLuint vertex, GLuint fragment, char *why, size_t why_size)
+static GLuint link_program(GLuint vertex, GLuint fragment, char *why, size_t why_size)
 {
+    const GLuint program = glCreateProgram();
     GLint ok = 0;
-    ui->program = glCreateProgram();
-    glAttachShader(ui->program, vertex);
-    glAttachShader(ui->program, fragment);
-    glLinkProgram(ui->program);
-    glGetProgramiv(ui->program, GL_LINK_STATUS, &ok);
+    glAttachShader(program, vertex);
+    glAttachShader(program, fragment);
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
     if (!ok) {
         snprintf(why, why_size, "user interface shader does not link");
-    }
-    return ok;
-}
-
-static int make_program(struct ui *ui, char *why, size_t why_size)
-{
-    /* The numbers of the distance field go in right after the #version line. */
-    char head[128];
-    snprintf(head, sizeof head, "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n",
-             ASSET_FONT_EDGE, ASSET_FONT_STEP);
-    const char *const fragment_parts[2] = { head, ui_fragment_source };
-    const GLuint vertex = compile(GL_VERTEX_SHADER, &ui_vertex_source, 1, why, why_size);
-    const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_parts, 2, why, why_size);
-    const int ok = vertex != 0 && fragment != 0 && link_program(ui, vertex, fragment, why, why_size);
-    glDeleteShader(vertex); /* Name 0 is ignored; the program keeps what it uses. */
-    glDeleteShader(fragment);
-    if (!ok) {
+        glDeleteProgram(program);
         return 0;
     }
-    glUseProgram(ui->program);
-    glUniform1i(glGetUniformLocation(ui->program, "font"), 0);
-    glUniform1i(glGetUniformLocation(ui->program, "paper"), 1);
-    glUniform2f(glGetUniformLocation(ui->program, "font_texel"), 1.0f / (float)ASSET_FONT_WIDTH,
-                1.0f / (float)ASSET_FONT_HEIGHT);
-    ui->screen_uniform = glGetUniformLocation(ui->program, "to_clip");
-    return 1;
+    return program;
+}
+
+static GLuint make_program(GLuint vertex, const char *body, char *why, size_t why_size)
+{
+    char numbers[128];
+    snprintf(numbers, sizeof numbers,
+             "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n", ASSET_FONT_EDGE,
+             ASSET_FONT_STEP);
+    const char *const parts[3] = { numbers, ui_fragment_head, body };
+    const GLuint fragment = compile(GL_FRAGMENT_SHADER, parts, 3, why, why_size);
+    const GLuint program = fragment != 0 ? link_program(vertex, fragment, why, why_size) : 0;
+    glDeleteShader(fragment); /* Name 0 is ignored; the program keeps what it uses. */
+    if (program != 0) {
+        glUseProgram(program);
+        glUniform1i(glGetUniformLocation(program, "font"), 0);
+        glUniform1i(glGetUniformLocation(program, "paper"), 1);
+        glUniform2f(glGetUniformLocation(program, "font_texel"), 1.0f / (float)ASSET_FONT_WIDTH,
+                    1.0f / (float)ASSET_FONT_HEIGHT);
+    }
+    return program;
+}
+
+static int make_programs(struct ui *ui, char *why, size_t why_size)
+{
+    const GLuint vertex = compile(GL_VERTEX_SHADER, &ui_vertex_source, 1, why, why_size);
+    int ok = vertex != 0;
+    for (uint32_t i = 0; ok && i < UI_KIND_COUNT; i++) {
+        ui->programs[i] = make_program(vertex, ui_fragment_sources[i], why, why_size);
+        ok = ui->programs[i] != 0;
+        ui->to_clip[i] = ok ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
+    }
+    glDeleteShader(vertex);
+    return ok;
 }
 
 static GLuint make_texture(const uint8_t *texels, uint32_t width, uint32_t height, GLint wrap)
@@ -113,14 +124,13 @@ static void make_buffers(struct ui *ui)
     add_attribute(2, 4, GL_FLOAT, offsetof(struct ui_vertex, shape));
     add_attribute(3, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, fill));
     add_attribute(4, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, line));
-    add_attribute(5, 1, GL_FLOAT, offsetof(struct ui_vertex, kind));
     glBindVertexArray(0);
 }
 
 int ui_init(struct ui *ui, char *why, size_t why_size)
 {
     *ui = (struct ui){ 0 };
-    if (!make_program(ui, why, why_size)) {
+    if (!make_programs(ui, why, why_size)) {
         ui_close(ui);
         return 0;
     }
@@ -132,9 +142,8 @@ int ui_init(struct ui *ui, char *why, size_t why_size)
     return 1;
 }
 
-void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px)
+static void set_state(const struct ui *ui, float width_px, float height_px)
 {
-    ui_screens(&ui->batch, &ui->memory, scene, width_px, height_px);
     glViewport(0, 0, (GLsizei)width_px, (GLsizei)height_px);
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
@@ -142,27 +151,49 @@ void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float hei
     glDisable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glUseProgram(ui->program);
-    glUniform2f(ui->screen_uniform, 2.0f / width_px, -2.0f / height_px);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, ui->paper_texture);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, ui->font_texture);
     glBindVertexArray(ui->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
+}
+
+/* The quads from `first` on that share a kind, in one call. Returns the next quad. */
+static uint32_t draw_run(const struct ui *ui, uint32_t first, float width_px, float height_px)
+{
+    const uint8_t kind = ui->batch.kinds[first];
+    uint32_t end = first + 1u;
+    while (end < ui->batch.quad_count && ui->batch.kinds[end] == kind) {
+        end++;
+    }
+    glUseProgram(ui->programs[kind]);
+    glUniform2f(ui->to_clip[kind], 2.0f / width_px, -2.0f / height_px);
+    glDrawElements(GL_TRIANGLES, (GLsizei)((end - first) * INDICES_PER_QUAD), GL_UNSIGNED_SHORT,
+                   (const void *)(first * INDICES_PER_QUAD * sizeof(uint16_t)));
+    return end;
+}
+
+void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px)
+{
+    ui_screens(&ui->batch, &ui->memory, scene, width_px, height_px);
+    set_state(ui, width_px, height_px);
     /* A fresh store each frame, so that the driver need not wait for the last frame's drawing. */
     glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0,
                     (GLsizeiptr)(ui->batch.quad_count * 4u * sizeof(struct ui_vertex)),
                     ui->batch.vertices);
-    glDrawElements(GL_TRIANGLES, (GLsizei)(ui->batch.quad_count * INDICES_PER_QUAD),
-                   GL_UNSIGNED_SHORT, NULL);
+    for (uint32_t quad = 0; quad < ui->batch.quad_count;) {
+        quad = draw_run(ui, quad, width_px, height_px);
+    }
     glBindVertexArray(0);
 }
 
 void ui_close(struct ui *ui)
 {
-    glDeleteProgram(ui->program);
+    for (uint32_t i = 0; i < UI_KIND_COUNT; i++) {
+        glDeleteProgram(ui->programs[i]);
+    }
     glDeleteVertexArrays(1, &ui->vertex_array);
     glDeleteBuffers(1, &ui->vertex_buffer);
     glDeleteBuffers(1, &ui->index_buffer);

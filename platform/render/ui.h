@@ -1,7 +1,7 @@
 /* ui.h -- the words and signs over the tank: title, countdown, score, hints, results.
  *
- * Drawn from the scene alone, in the scene's language, as one batch of quads with one shader: letters
- * are distance fields and shapes are formulas, so all is sharp at every size. The layout scales with
+ * Drawn from the scene alone, in the scene's language, as one batch of quads: letters are
+ * distance fields and shapes are formulas, so all is sharp at every size. The layout scales with
  * the screen, from 720p to 4K and upright, and keeps the tank's middle free while a round is played.
  *
  * The caller owns `struct ui` (about 150 KB, no pointers) and a current OpenGL ES 3.0 context. After
@@ -19,18 +19,19 @@
 struct ui {
     struct ui_batch batch;
     struct ui_memory memory;
-    uint32_t program, vertex_array, vertex_buffer, index_buffer; /* OpenGL names. */
+    uint32_t programs[UI_KIND_COUNT]; /* OpenGL names, from here on. */
+    int32_t to_clip[UI_KIND_COUNT];   /* Where each program takes the screen's size. */
+    uint32_t vertex_array, vertex_buffer, index_buffer;
     uint32_t font_texture, paper_texture;
-    int32_t screen_uniform;
 };
 
-/* Compiles the shader and uploads font and paper. Returns 1, or 0 with one line in `why`. */
+/* Compiles the shaders and uploads font and paper. Returns 1, or 0 with one line in `why`. */
 int ui_init(struct ui *ui, char *why, size_t why_size);
 
 /* Draws over what is in the bound framebuffer, into (0, 0, width_px, height_px); both > 0.
  * Needs no state but the bound framebuffer. Leaves behind: the viewport on that rectangle, blending
  * on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off, depth writes on (as OpenGL
- * starts), scissor off, its program current, vertex array 0, and textures on units 0 and 1. */
+ * starts), scissor off, one of its programs current, vertex array 0, and textures on units 0 and 1. */
 void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px);
 
 /* Frees the OpenGL objects; the same context must be current. */

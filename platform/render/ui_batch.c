@@ -31,6 +31,7 @@ static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape 
         batch->dropped_count++;
         return NULL;
     }
+    batch->kinds[batch->quad_count] = (uint8_t)shape->kind;
     struct ui_vertex *quad = &batch->vertices[batch->quad_count++ * 4u];
     for (uint32_t i = 0; i < 4u; i++) {
         const float right = (float)(i & 1u), down = (float)(i >> 1);
@@ -43,7 +44,6 @@ static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape 
         }
         unpack(quad[i].fill, shape->fill, batch->opacity);
         unpack(quad[i].line, shape->line, batch->opacity);
-        quad[i].kind = (float)shape->kind;
     }
     return quad;
 }

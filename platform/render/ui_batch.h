@@ -1,4 +1,4 @@
-/* ui_batch.h -- a fixed list of quads, filled in painter's order and drawn in one call.
+/* ui_batch.h -- a fixed list of quads, filled and drawn in painter's order.
  *
  * Pixels, origin at the top left, +y down. Colours are 0xRRGGBBAA, straight alpha. Knows no OpenGL,
  * so layouts are tested without a screen. */
@@ -22,6 +22,7 @@ enum ui_kind {
     UI_LANTERN = 6, /* half width, half height, light [0, 1] */
     UI_FISH = 7,    /* half width, half height, tail's swing [-1, 1] */
     UI_POI = 8,     /* ring radius, paper left [0, 1] */
+    UI_KIND_COUNT,
 };
 
 struct ui_vertex {
@@ -30,11 +31,11 @@ struct ui_vertex {
     float shape[4];
     uint8_t fill[4]; /* Straight alpha. */
     uint8_t line[4]; /* Outline, border, or second colour. */
-    float kind;      /* enum ui_kind */
 };
 
 struct ui_batch {
     struct ui_vertex vertices[UI_QUADS_MAX * 4u]; /* Top left, top right, bottom left, bottom right. */
+    uint8_t kinds[UI_QUADS_MAX];  /* enum ui_kind of each quad. */
     uint32_t quad_count;
     uint32_t dropped_count; /* Quads that found no room: a test holds this at 0. */
     float opacity;          /* [0, 1], of everything added from now on. */

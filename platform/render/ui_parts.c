@@ -59,13 +59,25 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
             text_words(frame->language, TEXT_LANTERN));
 }
 
+/* One width of cloth: two loops over the pole, the cloth, and a white hem. */
 static void noren_strip(const struct ui_frame *frame, struct ui_box box, uint32_t index)
 {
     const float u = frame->unit;
     const float lean = u * 3.0f * sinf(frame->time_s * 0.9f + (float)index * 0.8f);
+    for (uint32_t i = 0; i < 2u; i++) {
+        const struct ui_box loop = { box.x + box.width * (0.18f + 0.54f * (float)i),
+                                     box.y - 21.0f * u, box.width * 0.10f, 26.0f * u };
+        ui_shape(frame->batch, &(struct ui_shape){ .box = loop, .kind = UI_PANEL,
+                                                   .fill = 0x2b3878ffu, .line = 0x0b1030ffu,
+                                                   .shape = { 0, 0, 3.0f * u, 1.2f * u } });
+    }
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WAVES, .fill = UI_INDIGO,
                                                .line = 0x0b1030ffu, .lean_px = lean,
                                                .shape = { 0, 0, 9.0f * u, 1.5f * u } });
+    const struct ui_box hem = { box.x + lean * 0.93f + 5.0f * u, box.y + box.height * 0.935f,
+                                box.width - 10.0f * u, 2.5f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = hem, .kind = UI_PANEL, .fill = 0xfff6e2b0u,
+                                               .shape = { 0, 0, 1.2f * u } });
 }
 
 static void noren_title(const struct ui_frame *frame, float left, float top, float width,
@@ -105,16 +117,16 @@ void ui_noren(const struct ui_frame *frame, float lift)
     const float height = fminf(0.235f * frame->height, width / (float)NOREN_STRIPS * 0.98f);
     const float left = 0.5f * (frame->width - width), strip = width / (float)NOREN_STRIPS;
     const float top = 24.0f * u - lift * (height + 200.0f * u);
-    for (uint32_t i = 0; i < NOREN_STRIPS; i++) {
-        noren_strip(frame,
-                    (struct ui_box){ left + strip * (float)i + u, top - 6.0f * u, strip - 2.0f * u,
-                                     height + 6.0f * u },
-                    i);
-    }
     const struct ui_box pole = { left - 130.0f * u, top - 9.0f * u, width + 260.0f * u, 15.0f * u };
     ui_shape(frame->batch, &(struct ui_shape){ .box = pole, .kind = UI_WASHI, .fill = 0x8a5a34ffu,
                                                .line = 0x3a2214ffu,
                                                .shape = { 0, 0, 7.0f * u, 2.0f * u } });
+    for (uint32_t i = 0; i < NOREN_STRIPS; i++) {
+        noren_strip(frame,
+                    (struct ui_box){ left + strip * (float)i + u, top + 9.0f * u, strip - 2.0f * u,
+                                     height - 9.0f * u },
+                    i);
+    }
     noren_title(frame, left, top, width, height);
     ui_hang_lantern(frame, left - 64.0f * u, top, 118.0f * u, 0.0f);
     ui_hang_lantern(frame, left + width + 64.0f * u, top, 118.0f * u, 2.0f);

@@ -9,7 +9,7 @@
 #define UI_VERMILION 0xd9402affu
 #define UI_GOLD 0xe8b85cffu
 #define UI_GOLD_DIM 0xe8b85c80u
-#define UI_WASHI_WHITE 0xf7eedbffu
+#define UI_WASHI_WHITE 0xfbf2ddffu
 #define UI_INK 0x241a20ffu
 #define UI_INK_SOFT 0x5a4648ffu
 #define UI_SHADE 0x060818c0u

@@ -136,11 +136,13 @@ static void attract(const struct ui_frame *frame, const struct scene *scene)
 
 /* ---- Ready ---------------------------------------------------------------------------------- */
 
-static void big_word(const struct ui_frame *frame, float y, float size_px, float alpha,
-                     const char *words)
+static void big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
+                     float alpha, const char *words)
 {
-    const struct ui_text text = { .font = FONT_BRUSH, .size_px = size_px, .align = 0.5f,
-                                  .weight_em = 0.024f, .outline_em = 0.012f, .soft_em = 0.035f,
+    const struct ui_text text = { .font = font, .size_px = size_px, .align = 0.5f,
+                                  .weight_em = font == FONT_BRUSH ? 0.024f : 0.0f,
+                                  .spacing_em = font == FONT_BRUSH ? -0.14f : 0.0f,
+                                  .outline_em = 0.014f, .soft_em = 0.035f,
                                   .fill = 0xfff6e2ffu, .line = 0x9c1f14ffu,
                                   .fit_px = frame->width - 48.0f * frame->unit };
     struct ui_text fitted = text;
@@ -168,7 +170,7 @@ static void ready(const struct ui_frame *frame, const struct scene *scene, float
     if (whole >= 1.0f) {
         char digit[2] = { (char)('0' + (int)fminf(whole, 9.0f)), 0 };
         const float pop = 1.0f + 0.35f * (1.0f - ui_smooth(0.0f, 0.25f, gone));
-        big_word(frame, y, 190.0f * u * pop, 1.0f - ui_smooth(0.82f, 1.0f, gone), digit);
+        big_word(frame, FONT_STALL, y, 190.0f * u * pop, 1.0f - ui_smooth(0.82f, 1.0f, gone), digit);
     }
     const struct ui_text word = { .font = FONT_STALL, .size_px = 44.0f * u, .align = 0.5f,
                                   .outline_em = 0.03f, .soft_em = 0.1f, .fill = 0xfff6e2ffu,
@@ -248,18 +250,22 @@ static void time_ring(const struct ui_frame *frame, const struct scene *scene, f
 
 static void state_plate(const struct ui_frame *frame, const struct scene *scene)
 {
-    const float u = frame->unit, width = 318.0f * u, height = 88.0f * u;
-    const float left = frame->width - 18.0f * u - width, top = 16.0f * u, y = top + 0.5f * height;
+    const float u = frame->unit, height = 88.0f * u, top = 16.0f * u, y = top + 0.5f * height;
+    const struct ui_text label = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD,
+                                   .fit_px = 88.0f * u };
+    const char *paper = text_words(frame->language, TEXT_PAPER_LEFT);
+    const char *time = text_words(frame->language, TEXT_TIME_LEFT);
+    const float paper_width = ui_text_width(&label, paper), time_width = ui_text_width(&label, time);
+    const float width = paper_width + time_width + 224.0f * u;
+    const float left = frame->width - 18.0f * u - width, baseline = ui_text_middle(&label, y);
     plate(frame, (struct ui_box){ left, top, width, height });
-    const struct ui_text label = { .font = FONT_STALL, .size_px = 28.0f * u, .align = 1.0f,
-                                   .fill = UI_GOLD, .fit_px = 78.0f * u };
-    poi_sign(frame, left + 112.0f * u, y - 8.0f * u, 25.0f * u, scene->poi[0].paper_left,
-             player_colours[0]);
-    ui_text(frame->batch, &label, left + 80.0f * u, ui_text_middle(&label, y),
-            text_words(frame->language, TEXT_PAPER_LEFT));
-    ui_text(frame->batch, &label, left + 228.0f * u, ui_text_middle(&label, y),
-            text_words(frame->language, TEXT_TIME_LEFT));
-    time_ring(frame, scene, left + 272.0f * u, y);
+    float x = left + 20.0f * u;
+    ui_text(frame->batch, &label, x, baseline, paper);
+    x += paper_width + 38.0f * u;
+    poi_sign(frame, x, y - 9.0f * u, 26.0f * u, scene->poi[0].paper_left, player_colours[0]);
+    x += 58.0f * u;
+    ui_text(frame->batch, &label, x, baseline, time);
+    time_ring(frame, scene, x + time_width + 50.0f * u, y);
 }
 
 static void play(const struct ui_frame *frame, const struct scene *scene,
@@ -273,7 +279,8 @@ static void play(const struct ui_frame *frame, const struct scene *scene,
     if (scene->phase_s < 1.0f) {
         const float out = 1.0f - ui_smooth(0.55f, 1.0f, scene->phase_s);
         const float grow = 1.0f + 0.25f * ui_smooth(0.0f, 1.0f, scene->phase_s);
-        big_word(frame, 0.44f * frame->height, 150.0f * frame->unit * grow, out,
+        big_word(frame, frame->language == LANGUAGE_JA ? FONT_BRUSH : FONT_STALL,
+                 0.44f * frame->height, 150.0f * frame->unit * grow, out,
                  text_words(frame->language, TEXT_GO));
     }
     hint_ribbon(frame, scene, (float)(scene->tick - memory->hint_tick) * CORE_TICK_S);
@@ -281,14 +288,23 @@ static void play(const struct ui_frame *frame, const struct scene *scene,
 
 /* ---- Result --------------------------------------------------------------------------------- */
 
-static uint32_t grade_of(uint32_t caught)
+struct grade {
+    uint32_t at_least;           /* Fish. A stall's guest takes three to five home. */
+    enum text_key praise, words;
+};
+
+static const struct grade *grade_of(uint32_t caught)
 {
-    static const uint32_t at_least[GRADES] = { 0, 1, 3, 6, 10, 15 };
+    static const struct grade grades[GRADES] = {
+        { 0, TEXT_GRADE_0, TEXT_GRADE_0_WORDS },  { 1, TEXT_GRADE_1, TEXT_GRADE_1_WORDS },
+        { 3, TEXT_GRADE_2, TEXT_GRADE_2_WORDS },  { 6, TEXT_GRADE_3, TEXT_GRADE_3_WORDS },
+        { 10, TEXT_GRADE_4, TEXT_GRADE_4_WORDS }, { 15, TEXT_GRADE_5, TEXT_GRADE_5_WORDS },
+    };
     uint32_t grade = 0;
-    while (grade + 1u < GRADES && caught >= at_least[grade + 1u]) {
+    while (grade + 1u < GRADES && caught >= grades[grade + 1u].at_least) {
         grade++;
     }
-    return grade;
+    return &grades[grade];
 }
 
 /* The seal that a proud stallkeeper stamps on a record. */
@@ -317,7 +333,7 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
     const struct ui_text digits = { .font = FONT_STALL, .size_px = 116.0f * u, .fill = UI_INK };
     const struct ui_text unit = { .font = FONT_STALL, .size_px = 48.0f * u, .fill = UI_INK_SOFT };
     const char *words = text_words(frame->language, TEXT_UNIT);
-    const float fish = 130.0f * u, gap = 22.0f * u;
+    const float fish = 164.0f * u, gap = 20.0f * u;
     const float number_width = ui_text_width(&digits, number);
     const float whole = fish + number_width + ui_text_width(&unit, words) + 2.0f * gap;
     const float left = x - 0.5f * whole, baseline = ui_text_middle(&digits, y);
@@ -329,10 +345,10 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
 static void card(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;
-    const struct ui_box shade = { box.x - 60.0f * u, box.y - 30.0f * u, box.width + 120.0f * u,
-                                  box.height + 90.0f * u };
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = shade, .kind = UI_GLOW, .fill = 0x05061cd0u });
+    const struct ui_box shade = { box.x - 3.0f * u, box.y + 5.0f * u, box.width + 6.0f * u,
+                                  box.height + 6.0f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c70u,
+                                               .shape = { 0, 0, 17.0f * u } });
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
                                                .fill = UI_WASHI_WHITE, .line = 0xb98d3cffu,
                                                .shape = { 0, 0, 14.0f * u, 3.0f * u } });
@@ -347,13 +363,14 @@ static void card(const struct ui_frame *frame, struct ui_box box)
 static void result_words(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width;
-    const uint32_t grade = grade_of(scene->caught[0]);
+    const struct grade *grade = grade_of(scene->caught[0]);
     const int brush = frame->language == LANGUAGE_JA;
     const struct ui_text heading = { .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f,
                                      .fill = UI_INK_SOFT };
     const struct ui_text praise = { .font = brush ? FONT_BRUSH : FONT_STALL, .align = 0.5f,
                                     .size_px = (brush ? 104.0f : 76.0f) * u,
-                                    .weight_em = brush ? 0.022f : 0.0f, .fill = 0xc8301eff };
+                                    .weight_em = brush ? 0.022f : 0.0f, .spacing_em = brush ? -0.10f : 0.0f, .fill = 0xc8301effu,
+                                    .fit_px = box.width - 60.0f * u };
     const struct ui_text words = { .font = FONT_BODY, .size_px = 27.0f * u, .align = 0.5f,
                                    .fill = UI_INK, .fit_px = box.width - 60.0f * u };
     ui_text(frame->batch, &heading, x, box.y + 52.0f * u,
@@ -361,9 +378,9 @@ static void result_words(const struct ui_frame *frame, const struct scene *scene
     result_count(frame, scene, x, box.y + 128.0f * u);
     frame->batch->opacity = ui_smooth(1.1f, 1.5f, scene->phase_s);
     ui_text(frame->batch, &praise, x, ui_text_middle(&praise, box.y + 252.0f * u),
-            text_words(frame->language, (enum text_key)(TEXT_GRADE_0 + 2u * grade)));
+            text_words(frame->language, grade->praise));
     ui_text(frame->batch, &words, x, box.y + 338.0f * u,
-            text_words(frame->language, (enum text_key)(TEXT_GRADE_0_WORDS + 2u * grade)));
+            text_words(frame->language, grade->words));
     frame->batch->opacity = 1.0f;
     char best[TEXT_LINE_MAX];
     best_words(scene, best, sizeof best);

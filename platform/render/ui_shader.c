@@ -1,7 +1,8 @@
-/* ui_shader.c -- the user interface's one shader.
+/* ui_shader.c -- the user interface's shaders.
  *
  * Every shape is a signed distance in pixels, so each edge is smoothed over exactly one pixel. Output
- * is premultiplied: (colour * alpha, alpha), and light that only adds has alpha 0. */
+ * is premultiplied: (colour * alpha, alpha), and light that only adds has alpha 0. `at` and `s` are
+ * `u, v` and `shape` of struct ui_vertex; `inner` and `outer` are its `fill` and `line`. */
 #include "platform/render/ui_shader.h"
 
 const char *const ui_vertex_source =
@@ -11,170 +12,173 @@ const char *const ui_vertex_source =
     "layout(location = 2) in vec4 shape;\n"
     "layout(location = 3) in vec4 fill;\n"
     "layout(location = 4) in vec4 line;\n"
-    "layout(location = 5) in float kind;\n"
-    "uniform vec2 to_clip; // 2 / width, -2 / height\n"
+    "uniform vec2 to_clip;\n" /* 2 / width, -2 / height */
     "out highp vec2 at;\n"
     "flat out highp vec4 s;\n"
     "flat out mediump vec4 inner, outer;\n"
-    "flat out int what;\n"
     "void main() {\n"
     "    gl_Position = vec4(position * to_clip + vec2(-1.0, 1.0), 0.0, 1.0);\n"
     "    at = uv;\n"
     "    s = shape;\n"
     "    inner = fill;\n"
     "    outer = line;\n"
-    "    what = int(kind + 0.5);\n"
     "}\n";
 
-/* ui.c puts the #version line and the distance field's numbers in front. */
-const char *const ui_fragment_source =
+const char *const ui_fragment_head =
     "precision highp float;\n"
     "uniform sampler2D font, paper;\n"
     "uniform vec2 font_texel;\n"
     "in highp vec2 at;\n"
     "flat in highp vec4 s;\n"
     "flat in mediump vec4 inner, outer;\n"
-    "flat in int what;\n"
     "out vec4 colour;\n"
-    "\n"
-    "float cover(float distance) { return clamp(0.5 - distance, 0.0, 1.0); }\n"
+    "float cover(float d) { return clamp(0.5 - d, 0.0, 1.0); }\n"
     "vec4 over(vec4 top, vec4 under) { return top + under * (1.0 - top.a); }\n"
-    "vec4 paint(vec4 straight, float amount) {\n"
-    "    return vec4(straight.rgb, 1.0) * (straight.a * amount);\n"
-    "}\n"
+    "vec4 paint(vec4 c, float amount) { return vec4(c.rgb, 1.0) * (c.a * amount); }\n"
     "float fibre(vec2 p) { return texture(paper, p).r; }\n"
     "float box(vec2 p, vec2 half_size, float radius) {\n"
     "    vec2 d = abs(p) - half_size + radius;\n"
     "    return length(max(d, 0.0)) + min(max(d.x, d.y), 0.0) - radius;\n"
     "}\n"
-    "\n"
-    "vec4 glyph() {\n"
-    "    float d = (texture(font, at * font_texel).r * 255.0 - FONT_EDGE) / FONT_STEP + s.x;\n"
-    "    if (outer.a == 0.0) {\n"
-    "        return paint(inner, cover(-d * s.w));\n"
-    "    }\n"
-    "    float out_d = d + s.y;\n"
-    "    float hard = cover(-out_d * s.w);\n"
-    "    float soft = s.z > 0.0 ? smoothstep(0.0, 1.0, clamp(1.0 + out_d / s.z, 0.0, 1.0)) : 0.0;\n"
-    "    return paint(outer, max(hard, soft * soft * 0.8));\n"
-    "}\n"
-    "\n"
-    "// Sea waves: rows of overlapping arcs, each of three lines. `size` is an arc's radius.\n"
-    "float waves(vec2 p, float size) {\n"
-    "    vec2 cell = p / size;\n"
-    "    float row = floor(cell.y * 2.0);\n"
-    "    for (int i = 0; i < 3; i++) {\n"
-    "        float r = row + 2.0 - float(i);\n"
-    "        float x = cell.x + mod(r, 2.0);\n"
-    "        vec2 c = vec2(mod(x, 2.0) - 1.0, cell.y - r * 0.5);\n"
-    "        float d = length(c);\n"
-    "        if (d < 1.0) {\n"
-    "            float ring = abs(fract(d * 3.0 - 0.08) - 0.5) - 0.36;\n"
-    "            return clamp(ring * size / 3.0 + 0.5, 0.0, 1.0);\n"
-    "        }\n"
-    "    }\n"
-    "    return 0.0;\n"
-    "}\n"
-    "\n"
-    "vec4 panel() {\n"
+    "vec4 framed(vec4 body) {\n"
     "    float d = box(at, s.xy, s.z);\n"
-    "    vec4 body = inner;\n"
-    "    if (what == 2) {\n"
-    "        float f = fibre(at * 0.0045) - 0.5 + 0.6 * (fibre(at * 0.0021 + 0.37) - 0.5);\n"
-    "        vec2 q = at / s.xy;\n"
-    "        body.rgb *= 1.0 + 0.30 * f - 0.07 * dot(q, q);\n"
-    "    } else if (what == 3) {\n"
-    "        float size = clamp(s.z * 1.6, 12.0, 72.0);\n"
-    "        float thread = fibre(at * vec2(0.02, 0.003)) - 0.5;\n"
-    "        body.rgb += 0.030 * waves(at, size) + 0.02 * thread;\n"
-    "        body.rgb *= 1.0 - 0.25 * at.y / s.y * step(0.0, at.y);\n"
-    "    }\n"
-    "    vec4 base = paint(body, cover(d));\n"
-    "    if (s.w <= 0.0) {\n"
-    "        return base;\n"
-    "    }\n"
-    "    return over(paint(outer, cover(d) * (1.0 - cover(d + s.w))), base);\n"
-    "}\n"
-    "\n"
-    "vec4 ring() {\n"
-    "    float r = length(at), half_width = 0.5 * s.y;\n"
-    "    float body = cover(abs(r - s.x + half_width) - half_width);\n"
-    "    float turn = fract(atan(at.x, -at.y) / 6.2831853);\n"
-    "    float part = clamp((s.z - turn) * 6.2831853 * r + 0.5, 0.0, 1.0);\n"
-    "    return mix(paint(outer, body), paint(inner, body), part);\n"
-    "}\n"
-    "\n"
-    "vec4 glow() {\n"
-    "    float fade = max(1.0 - length(at / s.xy), 0.0);\n"
-    "    vec4 light = paint(inner, fade * fade * (3.0 - 2.0 * fade));\n"
-    "    return vec4(light.rgb, light.a * (1.0 - s.z));\n"
-    "}\n"
-    "\n"
-    "vec4 lantern() {\n"
-    "    vec2 q = at / s.xy;\n"
-    "    float f = pow(abs(q.x), 2.6) + pow(abs(q.y), 2.8);\n"
-    "    float edge = clamp(0.5 + (1.0 - f) * 0.36 * min(s.x, s.y), 0.0, 1.0);\n"
-    "    float bow = q.y * 5.5 + 0.10 * q.x * q.x * sign(q.y);\n"
-    "    float rib = smoothstep(0.36, 0.5, abs(fract(bow) - 0.5));\n"
-    "    float bulb = exp(-2.2 * dot(q - vec2(0.0, 0.12), q - vec2(0.0, 0.12)));\n"
-    "    vec3 lit = inner.rgb * (0.50 + 0.22 * s.z + 0.62 * s.z * bulb);\n"
-    "    lit += vec3(1.0, 0.72, 0.34) * (0.30 * s.z * bulb * bulb);\n"
-    "    lit *= (1.0 - 0.20 * rib) * (1.0 - 0.38 * f * f);\n"
-    "    return vec4(lit, 1.0) * (edge * inner.a);\n"
-    "}\n"
-    "\n"
-    "// A goldfish from above, its nose to the left.\n"
-    "vec4 fish() {\n"
-    "    vec2 q = at / s.xy;\n"
-    "    float sway = s.z * 0.16 * (q.x + 0.55) * (q.x + 0.55);\n"
-    "    q.y -= sway;\n"
-    "    float t = clamp((q.x + 0.96) / 1.32, 0.0, 1.0);\n"
-    "    float girth = 0.46 * pow(max(sin(3.1416 * pow(t, 0.72)), 0.0), 0.75) + 0.05 * t;\n"
-    "    float body = (abs(q.y) - girth) * s.y * 0.85;\n"
-    "    body = max(body, max(-0.96 - q.x, q.x - 0.36) * s.x);\n"
-    "    vec2 k = vec2(q.x - 0.26, abs(q.y) - 0.08);\n"
-    "    float tail = max(k.x - 0.66 + 0.75 * abs(0.42 - k.y), abs(k.y - 0.62 * k.x) - 0.42 * k.x);\n"
-    "    float fin = max(abs(q.x + 0.30 - 0.5 * (abs(q.y) - 0.4)) - 0.13, abs(q.y) - 0.74);\n"
-    "    float fins = min(max(tail, -k.x) * s.x * 0.8, fin * s.x);\n"
-    "    vec4 result = over(paint(inner, cover(body)), paint(inner, 0.72 * cover(fins)));\n"
-    "    float patch_d = length((q - vec2(-0.12, 0.02)) * vec2(1.0, 0.7)) - 0.24;\n"
-    "    float saddle = cover(max(patch_d * s.x, body));\n"
-    "    float eye = cover((length((vec2(q.x, abs(q.y)) - vec2(-0.70, 0.27)) * s.xy) - 0.075 * s.x));\n"
-    "    result = over(paint(outer, saddle), result);\n"
-    "    return over(vec4(0.06, 0.04, 0.06, 1.0) * (eye * inner.a), result);\n"
-    "}\n"
-    "\n"
-    "// The scoop: ring, handle, and as much paper as is left.\n"
-    "vec4 poi() {\n"
-    "    float r = length(at), width = 0.15 * s.x;\n"
-    "    vec2 q = at / s.x;\n"
-    "    float rough = 0.30 * (fibre(q * 0.23) - 0.5);\n"
-    "    float hole = min(min(length(q - vec2(0.14, 0.10)), length(q + vec2(0.42, 0.36)) * 1.35),\n"
-    "                     length(q - vec2(-0.30, 0.52)) * 1.5) + rough;\n"
-    "    float torn = pow(1.0 - s.y, 0.62) * 1.25 - 0.22 * step(s.y, 0.999) * (1.0 - s.y) - 0.02;\n"
-    "    float sheet = cover(r - s.x + width) * clamp((hole - torn) * s.x + 0.5, 0.0, 1.0);\n"
-    "    if (s.y <= 0.002) { sheet = 0.0; }\n"
-    "    vec3 washi = vec3(0.98, 0.95, 0.88) * (0.93 + 0.3 * (fibre(q * 0.31) - 0.5));\n"
-    "    vec2 h = vec2((at.x - at.y) * 0.7071, (at.x + at.y) * 0.7071);\n"
-    "    float handle = box(h - vec2(0.0, 1.42 * s.x), vec2(0.085, 0.50) * s.x, 0.07 * s.x);\n"
-    "    float body = min(abs(r - s.x + 0.5 * width) - 0.5 * width, handle);\n"
-    "    return over(paint(inner, cover(body)), paint(vec4(washi, inner.a * 0.94), sheet));\n"
-    "}\n"
-    "\n"
-    "void main() {\n"
-    "    if (what == 0) {\n"
-    "        colour = glyph();\n"
-    "    } else if (what <= 3) {\n"
-    "        colour = panel();\n"
-    "    } else if (what == 4) {\n"
-    "        colour = ring();\n"
-    "    } else if (what == 5) {\n"
-    "        colour = glow();\n"
-    "    } else if (what == 6) {\n"
-    "        colour = lantern();\n"
-    "    } else if (what == 7) {\n"
-    "        colour = fish();\n"
-    "    } else {\n"
-    "        colour = poi();\n"
-    "    }\n"
+    "    float edge = s.w > 0.0 ? 1.0 - cover(d + s.w) : 0.0;\n"
+    "    return over(paint(outer, edge), paint(body, 1.0)) * cover(d);\n"
     "}\n";
+
+#define GLYPH                                                                                      \
+    "void main() {\n"                                                                              \
+    "    float d = (texture(font, at * font_texel).r * 255.0 - FONT_EDGE) / FONT_STEP + s.x;\n"    \
+    "    if (outer.a == 0.0) {\n"                                                                  \
+    "        colour = paint(inner, cover(-d * s.w));\n"                                            \
+    "        return;\n"                                                                            \
+    "    }\n"                                                                                      \
+    "    d += s.y;\n"                                                                              \
+    "    float soft = s.z > 0.0 ? smoothstep(-s.z, 0.0, d) : 0.0;\n"                               \
+    "    colour = paint(outer, max(cover(-d * s.w), soft * soft * 0.8));\n"                        \
+    "}\n"
+
+#define PANEL "void main() { colour = framed(inner); }\n"
+
+#define WASHI                                                                                      \
+    "void main() {\n"                                                                              \
+    "    float f = fibre(at * 0.0034) - 0.5;\n"                                                    \
+    "    vec2 q = at / s.xy;\n"                                                                    \
+    "    colour = framed(vec4(inner.rgb * (1.0 + 0.13 * f - 0.06 * dot(q, q)), inner.a));\n"       \
+    "}\n"
+
+/* Sea waves: rows of overlapping arcs, each of three lines, the lower row in front; the cloth falls
+ * in two soft folds. */
+#define WAVES                                                                                      \
+    "float arcs(vec2 p) {\n"                                                                       \
+    "    float row = floor(p.y * 2.0);\n"                                                          \
+    "    float result = 0.0;\n"                                                                    \
+    "    for (int i = 0; i < 3; i++) {\n"                                                          \
+    "        float r = row + float(i);\n"                                                          \
+    "        vec2 c = vec2(mod(p.x + mod(r, 2.0), 2.0) - 1.0, p.y - 0.5 * r - 1.0);\n"             \
+    "        float d = length(c);\n"                                                               \
+    "        if (d < 1.0) {\n"                                                                     \
+    "            result = smoothstep(0.10, 0.22, 0.5 - abs(fract(d * 3.0) - 0.5));\n"              \
+    "        }\n"                                                                                  \
+    "    }\n"                                                                                      \
+    "    return 1.0 - result;\n"                                                                   \
+    "}\n"                                                                                          \
+    "void main() {\n"                                                                              \
+    "    float thread = fibre(at * vec2(0.021, 0.004)) - 0.5;\n"                                   \
+    "    float fold = sin(at.x / s.x * 4.7 + 0.6) * (0.4 + 0.3 * at.y / s.y);\n"                   \
+    "    vec3 cloth = inner.rgb * (1.0 + 0.16 * fold + 0.18 * thread);\n"                          \
+    "    cloth += vec3(0.045, 0.055, 0.095) * arcs((at + s.xy) / clamp(s.z * 1.7, 14.0, 96.0));\n" \
+    "    colour = framed(vec4(cloth, inner.a));\n"                                                 \
+    "}\n"
+
+#define RING                                                                                       \
+    "void main() {\n"                                                                              \
+    "    float r = length(at), half_width = 0.5 * s.y;\n"                                          \
+    "    float body = cover(abs(r - s.x + half_width) - half_width);\n"                            \
+    "    float turn = fract(atan(at.x, -at.y) / 6.2831853);\n"                                     \
+    "    float part = clamp((s.z - turn) * 6.2831853 * r + 0.5, 0.0, 1.0);\n"                      \
+    "    colour = mix(paint(outer, body), paint(inner, body), part);\n"                            \
+    "}\n"
+
+#define GLOW                                                                                       \
+    "void main() {\n"                                                                              \
+    "    float fade = max(1.0 - length(at / s.xy), 0.0);\n"                                        \
+    "    vec4 light = paint(inner, fade * fade * (3.0 - 2.0 * fade));\n"                           \
+    "    colour = vec4(light.rgb, light.a * (1.0 - s.z));\n"                                       \
+    "}\n"
+
+/* Ribs of bamboo under paper, brightest where the candle stands. */
+#define LANTERN                                                                                    \
+    "void main() {\n"                                                                              \
+    "    vec2 q = at / s.xy;\n"                                                                    \
+    "    float f = pow(abs(q.x), 2.6) + pow(abs(q.y), 2.8);\n"                                     \
+    "    float edge = clamp(0.5 + (1.0 - f) * 0.36 * min(s.x, s.y), 0.0, 1.0);\n"                  \
+    "    float bow = q.y * 5.5 + 0.10 * q.x * q.x * sign(q.y);\n"                                  \
+    "    float rib = smoothstep(0.36, 0.5, abs(fract(bow) - 0.5));\n"                              \
+    "    float bulb = exp(-2.2 * dot(q - vec2(0.0, 0.12), q - vec2(0.0, 0.12)));\n"                \
+    "    vec3 lit = inner.rgb * (0.50 + 0.22 * s.z + 0.62 * s.z * bulb);\n"                        \
+    "    lit += vec3(1.0, 0.72, 0.34) * (0.30 * s.z * bulb * bulb);\n"                             \
+    "    lit *= (1.0 - 0.20 * rib) * (1.0 - 0.38 * f * f);\n"                                      \
+    "    colour = vec4(lit, 1.0) * (edge * inner.a);\n"                                            \
+    "}\n"
+
+/* A goldfish from above, its nose to the left: body, fan tail, two fins, white patches, eyes. */
+#define FISH                                                                                       \
+    "float fin(vec2 p, vec2 root, float lean, vec2 size) {\n"                                      \
+    "    p = vec2(p.x, abs(p.y)) - root;\n"                                                        \
+    "    p = vec2(p.x * cos(lean) + p.y * sin(lean), p.y * cos(lean) - p.x * sin(lean));\n"        \
+    "    p = (p - vec2(size.x, 0.0)) / size;\n"                                                    \
+    "    return (length(p) - 1.0) * size.y;\n"                                                     \
+    "}\n"                                                                                          \
+    "void main() {\n"                                                                              \
+    "    vec2 p = at / s.x;\n"                                                                     \
+    "    float back = max(p.x + 0.5, 0.0);\n"                                                      \
+    "    p.y -= s.z * 0.085 * back * back;\n"                                                      \
+    "    float t = clamp((p.x + 0.95) / 1.34, 0.0, 1.0);\n"                                        \
+    "    float girth = 0.245 * pow(sin(3.1416 * pow(t, 0.66)), 0.72) * (1.0 - 0.12 * t) + 0.022;\n"\
+    "    float body = max(abs(p.y) - girth, max(-0.95 - p.x, p.x - 0.36));\n"                      \
+    "    vec2 k = p - vec2(0.22, 0.0);\n"                                                          \
+    "    float turn = abs(atan(k.y, k.x));\n"                                                      \
+    "    float lobe = turn - 0.44;\n"                                                              \
+    "    float tail = length(k) - 0.74 * exp(-3.0 * lobe * lobe) - 0.015 * cos(turn * 40.0);\n"    \
+    "    tail = max(tail, (turn - 1.0) * length(k));\n"                                            \
+    "    float fins = min(fin(p, vec2(-0.42, 0.16), 0.95, vec2(0.17, 0.075)),\n"                   \
+    "                     fin(p, vec2(-0.02, 0.12), 0.70, vec2(0.10, 0.045)));\n"                  \
+    "    float ray = 0.62 + 0.16 * cos(turn * 34.0) - 0.28 * length(k);\n"                         \
+    "    float rough = 0.16 * (fibre(p * 0.35) - 0.5);\n"                                          \
+    "    float white = min(length((p - vec2(-0.10, 0.05)) * vec2(0.8, 1.0)) - 0.17,\n"             \
+    "                      length(p - vec2(-0.62, -0.12)) - 0.10) + rough;\n"                      \
+    "    float round_ = clamp(abs(p.y) / girth, 0.0, 1.0);\n"                                      \
+    "    vec3 skin = mix(outer.rgb, inner.rgb, clamp(0.5 + white * s.x * 0.5, 0.0, 1.0));\n"       \
+    "    skin *= 1.06 - 0.34 * round_ * round_;\n"                                                 \
+    "    skin += 0.16 * exp(-60.0 * (p.y + 0.05) * (p.y + 0.05)) * (1.0 - t);\n"                   \
+    "    float eye = length(vec2(p.x, abs(p.y)) - vec2(-0.73, 0.135)) - 0.042;\n"                  \
+    "    colour = over(paint(inner, ray * 1.25 * cover(tail * s.x)),\n"                            \
+    "                  paint(inner, 0.72 * cover(fins * s.x)));\n"                                 \
+    "    colour = over(paint(vec4(skin, inner.a), cover(body * s.x * 0.9)), colour);\n"            \
+    "    colour = over(paint(vec4(0.07, 0.04, 0.05, inner.a), cover(eye * s.x)), colour);\n"       \
+    "}\n"
+
+/* The scoop: ring, handle, and as much paper as is left, torn from the middle. */
+#define POI                                                                                        \
+    "void main() {\n"                                                                              \
+    "    float r = length(at), width = 0.15 * s.x;\n"                                              \
+    "    vec2 q = at / s.x;\n"                                                                     \
+    "    float rough = 0.34 * (fibre(q * 0.23) - 0.5);\n"                                          \
+    "    float hole = min(length(q - vec2(0.18, 0.12)), length(q + vec2(0.34, 0.26)) * 1.5);\n"    \
+    "    float lost = 1.0 - s.y;\n"                                                                \
+    "    float torn = lost > 0.0 ? 0.92 * sqrt(lost) + 0.16 * lost : -1.0;\n"                        \
+    "    float sheet = cover(r - s.x + width) * cover((torn - hole - rough) * s.x);\n"             \
+    "    sheet *= step(0.004, s.y);\n"                                                             \
+    "    vec3 washi = vec3(0.99, 0.96, 0.90) * (0.95 + 0.3 * (fibre(q * 0.31) - 0.5));\n"          \
+    "    vec2 h = vec2(at.x - at.y, at.x + at.y) * 0.70711;\n"                                     \
+    "    float handle = box(h - vec2(0.0, 1.42 * s.x), vec2(0.085, 0.50) * s.x, 0.07 * s.x);\n"    \
+    "    float body = min(abs(r - s.x + 0.5 * width) - 0.5 * width, handle);\n"                    \
+    "    colour = over(paint(inner, cover(body)), paint(vec4(washi, inner.a * 0.94), sheet));\n"   \
+    "}\n"
+
+const char *const ui_fragment_sources[UI_KIND_COUNT] = {
+    [UI_GLYPH] = GLYPH, [UI_PANEL] = PANEL,     [UI_WASHI] = WASHI, [UI_WAVES] = WAVES,
+    [UI_RING] = RING,   [UI_GLOW] = GLOW,       [UI_LANTERN] = LANTERN,
+    [UI_FISH] = FISH,   [UI_POI] = POI,
+};
