@@ -9,7 +9,7 @@
 #define ROOM_MIN 0.2f
 #define CONTACT_GAP_M 0.002f    /* Nearer pairs may come to touch while others are parted. */
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
-#define PART_ROUNDS 6
+#define PART_ROUNDS_MAX 12       /* Most ticks need two; a shoved crowd uses them all. */
 #define PART_STEP_MAX_M 0.012f  /* A tick; a poi at 1.4 m/s shoves no harder. */
 
 float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m)
@@ -175,11 +175,12 @@ static void keep_inside(struct crowd_body *body, const struct tank_bounds *bound
     }
 }
 
-static void part_pair(struct crowd_body *a, struct crowd_body *b, const struct tank_bounds *bounds)
+/* Whether the pair had to be parted. */
+static int part_pair(struct crowd_body *a, struct crowd_body *b, const struct tank_bounds *bounds)
 {
     const struct box_gap gap = box_gap(&a->box, SKIN_M, &b->box, SKIN_M);
-    if (gap.body_m >= 0.0f || gap.space_m > 0.0f) {
-        return;
+    if (gap.space_m > 0.0f || gap.body_m >= 0.0f) {
+        return 0;
     }
     const float depth_m = f_min(SKIN_M - gap.body_m, PART_STEP_MAX_M);
     const float mass_a = a->box.half_m.z * a->box.half_m.z * a->box.half_m.z;
@@ -189,30 +190,58 @@ static void part_pair(struct crowd_body *a, struct crowd_body *b, const struct t
     b->box.centre_m = v3_mad(b->box.centre_m, gap.axis, depth_m * (1.0f - share_a));
     keep_inside(a, bounds);
     keep_inside(b, bounds);
+    return 1;
 }
 
-static void part_obstacles(struct crowd *crowd, const struct obstacle *obstacles, uint32_t obstacle_count)
+static void clear_obstacles(struct crowd_body *body, const struct tank_bounds *bounds,
+                            const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     for (uint32_t o = 0; o < obstacle_count; o++) {
-        for (uint32_t i = 0; i < crowd->count; i++) {
-            struct box *box = &crowd->body[i].box;
-            box->centre_m = v3_add(box->centre_m, v3_limit(obstacle_clear(&obstacles[o], box), PART_STEP_MAX_M));
+        const vec3 move = obstacle_clear(&obstacles[o], &body->box);
+        if (v3_dot(move, move) > 0.0f) {
+            body->box.centre_m = v3_add(body->box.centre_m, v3_limit(move, PART_STEP_MAX_M));
         }
+    }
+    keep_inside(body, bounds);
+}
+
+/* A body beside an obstacle must not be shoved into it. */
+static void clear_if_beside(struct crowd_body *body, const struct tank_bounds *bounds,
+                          const struct obstacle *obstacles, uint32_t obstacle_count)
+{
+    if (body->beside) {
+        clear_obstacles(body, bounds, obstacles, obstacle_count);
     }
 }
 
-void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds,
-                const struct obstacle *obstacles, uint32_t obstacle_count)
+void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds, const struct obstacle *obstacles,
+                 uint32_t obstacle_count)
 {
-    for (int round = 0; round < PART_ROUNDS; round++) {
-        if (round % 3 == 0) {
-            part_obstacles(crowd, obstacles, obstacle_count);
-            for (uint32_t i = 0; i < crowd->count; i++) {
-                keep_inside(&crowd->body[i], bounds);
-            }
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        struct crowd_body *body = &crowd->body[i];
+        for (uint32_t o = 0; o < obstacle_count; o++) {
+            body->beside |= (uint8_t)obstacle_in_reach(&obstacles[o], &body->box);
         }
+        clear_if_beside(body, bounds, obstacles, obstacle_count);
+        keep_inside(body, bounds);
+        body->centre_m = body->box.centre_m;
+    }
+}
+
+void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds, const struct obstacle *obstacles,
+                uint32_t obstacle_count)
+{
+    uint32_t parted = 1;
+    for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {
+        parted = 0;
         for (uint32_t c = 0; c < crowd->contact_count; c++) {
-            part_pair(&crowd->body[crowd->contact[c][0]], &crowd->body[crowd->contact[c][1]], bounds);
+            struct crowd_body *a = &crowd->body[crowd->contact[c][0]];
+            struct crowd_body *b = &crowd->body[crowd->contact[c][1]];
+            if (part_pair(a, b, bounds)) {
+                clear_if_beside(a, bounds, obstacles, obstacle_count);
+                clear_if_beside(b, bounds, obstacles, obstacle_count);
+                parted++;
+            }
         }
     }
 }

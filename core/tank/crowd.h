@@ -31,6 +31,7 @@ struct crowd_body {
     vec3 push_m_s;
     uint16_t fish;     /* Index in the tank. */
     uint8_t airborne;  /* Above the surface: the surface does not hold it. */
+    uint8_t beside;    /* An obstacle is in reach. */
 };
 
 /* What the pair search reads of a body, in the order of the cells. */
@@ -52,12 +53,17 @@ struct crowd {
 /* Takes the bodies of all fish that swim. `space` in (0, 1] shrinks personal spaces in a crowd. */
 void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space);
 
+/* First of all moves bodies out of obstacles and within bounds, so that the search sees where they
+ * really are. */
+void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds, const struct obstacle *obstacles,
+                 uint32_t obstacle_count);
+
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
  * near, lists those that touch. */
 void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t second);
 
-/* Moves bodies until they overlap neither each other, nor walls, floor and surface, nor obstacles,
- * as far as a few rounds can; walls come last, so they always hold. */
+/* Moves bodies until they overlap neither each other nor obstacles, as far as some rounds can. Walls,
+ * floor and surface have the last word and always hold. */
 void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds,
                 const struct obstacle *obstacles, uint32_t obstacle_count);
 

@@ -9,7 +9,9 @@
 #define FRIGHT_FACTOR_MAX 3.0f
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
+#define SHOVE_M 0.01f           /* Other bodies may shove one so far in a tick. */
 #define STILL_M_S 0.01f         /* A disc slower than this is a leaf. */
+#define AXIS_STEPS 4
 #define AXIS_SAMPLES 5          /* Points along a fish that are tried against a curved hull. */
 
 static vec3 axis_point(const struct box *box, int sample)
@@ -27,22 +29,33 @@ static vec3 nearest_on_ring(const struct obstacle *ring, vec3 point_m, float mid
     return v3_mad(ring->centre_m, out, middle_m);
 }
 
-/* The ring's point that is nearest to the fish's axis, as a ball, against the box. */
-static vec3 clear_ring(const struct obstacle *ring, const struct box *box)
+/* The ring's point that is nearest to the fish's axis: the best of some samples, then drawn closer by
+ * projecting from ring to axis and back. */
+static vec3 nearest_to_axis(const struct obstacle *ring, const struct box *box, float middle_m)
 {
-    const float tube_m = RING_TUBE_PER_RADIUS * ring->radius_m;
     vec3 nearest = { 0.0f, 0.0f, 0.0f };
     float best = 1e9f;
     for (int sample = 0; sample < AXIS_SAMPLES; sample++) {
         const vec3 on_axis = axis_point(box, sample);
-        const vec3 on_ring = nearest_on_ring(ring, on_axis, ring->radius_m - tube_m);
+        const vec3 on_ring = nearest_on_ring(ring, on_axis, middle_m);
         const float distance = v3_length(v3_sub(on_ring, on_axis));
         if (distance < best) {
             best = distance;
             nearest = on_ring;
         }
     }
-    return box_clear_point(box, nearest, tube_m);
+    for (int step = 0; step < AXIS_STEPS; step++) {
+        const float along = v3_dot(v3_sub(nearest, box->centre_m), box->axes.back);
+        const float on = f_clamp(along, -box->half_m.z, box->half_m.z);
+        nearest = nearest_on_ring(ring, v3_mad(box->centre_m, box->axes.back, on), middle_m);
+    }
+    return nearest;
+}
+
+static vec3 clear_ring(const struct obstacle *ring, const struct box *box)
+{
+    const float tube_m = RING_TUBE_PER_RADIUS * ring->radius_m;
+    return box_clear_point(box, nearest_to_axis(ring, box, ring->radius_m - tube_m), tube_m);
 }
 
 /* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is good near its skin. */
@@ -66,13 +79,15 @@ static vec3 clear_hull(const struct obstacle *bowl, const struct box *box)
     return move;
 }
 
-vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box)
+int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box)
 {
     const vec3 d = v3_sub(box->centre_m, obstacle->centre_m);
-    const float reach_m = obstacle->radius_m + 1.1f * box->half_m.z;
-    if (v3_dot(d, d) > reach_m * reach_m) {
-        return v3(0.0f, 0.0f, 0.0f);
-    }
+    const float reach_m = obstacle->radius_m + 1.1f * box->half_m.z + SHOVE_M;
+    return v3_dot(d, d) < reach_m * reach_m;
+}
+
+vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box)
+{
     return obstacle->kind == OBSTACLE_DISC ? clear_ring(obstacle, box) : clear_hull(obstacle, box);
 }
 

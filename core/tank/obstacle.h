@@ -27,6 +27,9 @@ struct obstacle {
 /* The least move that takes the fish's box off the ring or the hull; zero when it is clear. */
 vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box);
 
+/* Whether a body so near could touch it before the tick is over. */
+int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
+
 /* How near the fish is to the whole disc, sheet included. */
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
 

@@ -84,6 +84,7 @@ static void spread_out(struct tank *tank)
     const struct tank_bounds bounds = tank_bounds(tank);
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
         crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+        crowd_clear(&tank->crowd, &bounds, 0, 0);
         crowd_meet(&tank->crowd, tank->size_m, tank->seed, 0);
         if (round > 0 && tank->crowd.overlap_count == 0) {
             return;
@@ -214,6 +215,7 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
         }
     }
     crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+    crowd_clear(&tank->crowd, &bounds, obstacles, obstacle_count);
     crowd_meet(&tank->crowd, tank->size_m, tank->seed, tick / CORE_TICK_HZ);
     crowd_part(&tank->crowd, &bounds, obstacles, obstacle_count);
     settle(tank, tick, before);
