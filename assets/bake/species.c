@@ -42,7 +42,7 @@ int main(int argc, char **argv)
     if (!file) {
         return complain(argv[1]);
     }
-    const bool good = species_read(file, argv[1], &species);
+    const bool good = species_read(file, argv[1], stderr, &species);
     fclose(file);
     return good ? bake(&species, argv[2]) : EXIT_DATA;
 }

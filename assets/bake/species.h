@@ -77,8 +77,9 @@ struct loft {
 /* Near, then far. */
 extern const struct detail species_detail[SPECIES_LOD_COUNT];
 
-/* Reads a whole species file. On bad input prints one line 'PATH:LINE: what' and answers false. */
-bool species_read(FILE *file, const char *path, struct species_text *species);
+/* Reads a whole species file. On bad input writes one line 'PATH:LINE: what' to `complaints` and
+ * answers false; `species` is then half filled and of no use. */
+bool species_read(FILE *file, const char *path, FILE *complaints, struct species_text *species);
 
 /* Makes every key's shape on one topology, scaled to unit total length. */
 void species_loft(const struct species_text *species, const struct detail *detail,

@@ -25,3 +25,15 @@ $(BUILD)/generated/species_%.c: assets/species/%.txt $(BUILD)/bake_species
 $(BUILD)/generated/species_%.o: $(BUILD)/generated/species_%.c
 	$(call step,CC,$<)
 	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
+
+## species-sheet: each species' growth from four sides, in build/species_NAME.png, for makers
+species-sheet: $(SPECIES:%=$(BUILD)/species_%.png)
+
+$(BUILD)/species_%.png: $(BUILD)/species_sheet_%
+	$< $@
+
+$(BUILD)/species_sheet_%: assets/bake/species_sheet.c $(BUILD)/generated/species_%.o $(BUILD)/core.a
+	$(call step,CC,$<)
+	$(Q)$(BUILD_CC) -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -DSPECIES=species_$* -I. $(DEP_FLAGS) -o $@ $^ -lm
+
+.PHONY: species-sheet

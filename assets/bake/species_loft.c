@@ -117,11 +117,12 @@ static point3 cross(point3 a, point3 b)
     return (point3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
 }
 
+/* Upward where a maker's numbers fold a surface so that it has no normal. */
 static point3 unit(point3 a)
 {
     const double length = sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
-    assert(length > 0.0);
-    return (point3){ a.x / length, a.y / length, a.z / length };
+    return length > 1e-12 ? (point3){ a.x / length, a.y / length, a.z / length }
+                          : (point3){ 0.0, 1.0, 0.0 };
 }
 
 /* Surfaces: body by (u along, v round), eye by (rho, angle), fin by (across, along) */
@@ -393,13 +394,20 @@ static void add_fin_vertex(struct lofting *l, enum species_part part, int side, 
     }
 }
 
+/* Where column `i` of a fin lies. The tail's bunch toward its lobes, whose tips are round. */
+static double column_at(enum species_part part, uint32_t i, uint32_t across)
+{
+    const double t = (double)i / (across - 1);
+    return part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
+}
+
 static void add_fin(struct lofting *l, enum species_part part, int side)
 {
     const uint32_t across = l->detail->fins[part].across, along = l->detail->fins[part].along;
     const uint32_t first = l->loft->vertex_count;
     for (uint32_t i = 0; i < across; i++) {
         for (uint32_t j = 0; j < along; j++) {
-            add_fin_vertex(l, part, side, (double)i / (across - 1), (double)j / (along - 1));
+            add_fin_vertex(l, part, side, column_at(part, i, across), (double)j / (along - 1));
         }
     }
     for (uint32_t i = 0; i + 1 < across; i++) {

@@ -8,9 +8,11 @@
 
 #define LINE_SIZE 256
 #define WORD_MAX 16
+#define THIN_MIN 0.002f /* A leptocephalus of 64 mm is 0.6 mm thin; less has no side. */
 
 struct reader {
     const char *path;
+    FILE *complaints;
     uint32_t line;
     char text[LINE_SIZE];
     const char *words[WORD_MAX];
@@ -26,9 +28,9 @@ __attribute__((format(printf, 2, 3))) static bool refuse(const struct reader *r,
 {
     va_list values;
     va_start(values, format);
-    fprintf(stderr, "%s:%u: ", r->path, r->line);
-    vfprintf(stderr, format, values);
-    fputc('\n', stderr);
+    fprintf(r->complaints, "%s:%u: ", r->path, r->line);
+    vfprintf(r->complaints, format, values);
+    fputc('\n', r->complaints);
     va_end(values);
     return false;
 }
@@ -92,6 +94,9 @@ static bool read_key(struct reader *r)
     if (s->key_count == MORPH_KEY_MAX) {
         return refuse(r, "more than %u keys", MORPH_KEY_MAX);
     }
+    if (s->knot_count > 0) {
+        return refuse(r, "all keys stand above the first knot");
+    }
     r->key = &s->keys[s->key_count];
     r->fin = NULL;
     if (!wants(r, 2, "NAME TOTAL_LENGTH_MM") || !name(r, r->key->name) ||
@@ -153,8 +158,8 @@ static bool read_station(struct reader *r)
     if (key->station_count == 0 ? s->x != 0.0f : s->x <= s[-1].x) {
         return refuse(r, "stations go from x 0 backward");
     }
-    if (key->station_count > 0 && (s->depth <= 0.0f || s->width <= 0.0f)) {
-        return refuse(r, "only the snout may have no depth or width");
+    if (key->station_count > 0 && (s->depth < THIN_MIN || s->width < THIN_MIN)) {
+        return refuse(r, "only the snout may be thinner than %g", (double)THIN_MIN);
     }
     key->station_count++;
     return true;
@@ -183,8 +188,9 @@ static bool read_fin(struct reader *r)
             if (r->fin->ray_count > 0) {
                 return refuse(r, "a second %s", names[part]);
             }
-            return number(r, 2, -0.5f, 1.0f, &r->fin->start) &&
-                   number(r, 3, -0.5f, 1.0f, &r->fin->end) &&
+            const float low = part == PART_TAIL ? -0.5f : 0.02f; /* A height, not a place. */
+            return number(r, 2, low, 1.0f, &r->fin->start) &&
+                   number(r, 3, low, 1.0f, &r->fin->end) &&
                    number(r, 4, 0.0f, 0.5f, &r->fin->girth) &&
                    number(r, 5, -90.0f, 90.0f, &r->fin->curl_deg) &&
                    (r->fin->start < r->fin->end || refuse(r, "the fin ends before it starts"));
@@ -203,7 +209,7 @@ static bool read_ray(struct reader *r)
     }
     struct ray *ray = &r->fin->rays[r->fin->ray_count];
     if (!wants(r, 4, "AT LENGTH SWEEP SIDE") || !number(r, 1, 0.0f, 1.0f, &ray->at) ||
-        !number(r, 2, 0.0f, 1.0f, &ray->length) ||
+        !number(r, 2, THIN_MIN, 1.0f, &ray->length) ||
         !number(r, 3, -90.0f, 120.0f, &ray->sweep_deg) ||
         !number(r, 4, -90.0f, 90.0f, &ray->side_deg)) {
         return false;
@@ -286,6 +292,9 @@ static bool check_key(const struct reader *r, const struct key_text *key)
     if (key->eye.diameter <= 0.0f) {
         return refuse(r, "key %s has no eye", key->name);
     }
+    if (key->eye.x < 0.5f * key->eye.diameter) {
+        return refuse(r, "key %s: the eye reaches beyond the snout", key->name);
+    }
     for (int part = PART_TAIL; part < PART_COUNT; part++) {
         const struct fin *fin = &key->fins[part];
         if (fin->ray_count < 2 || fin->rays[fin->ray_count - 1].at != 1.0f) {
@@ -319,9 +328,9 @@ static bool check_whole(const struct reader *r)
     return true;
 }
 
-bool species_read(FILE *file, const char *path, struct species_text *species)
+bool species_read(FILE *file, const char *path, FILE *complaints, struct species_text *species)
 {
-    struct reader r = { .path = path, .species = species };
+    struct reader r = { .path = path, .complaints = complaints, .species = species };
     memset(species, 0, sizeof *species);
     while (fgets(r.text, LINE_SIZE, file)) {
         r.line++;

@@ -1,0 +1,141 @@
+/* test_morph.c -- the deformation graph and the blend of key shapes (2005 thesis, eq. 3.1, 3.2). */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+
+#define STEPS 1000
+#define VERTEX_MAX 1024
+
+static const struct species *const wakin = &species_wakin;
+
+static void assert_weights_are_a_blend(const float weights[MORPH_KEY_MAX], uint32_t key_count)
+{
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        assert_true(weights[i] >= 0.0f);
+        assert_true(i < key_count || weights[i] == 0.0f);
+        sum += weights[i];
+    }
+    assert_float_equal(sum, 1.0f, 1e-6f);
+}
+
+static void test_weights_are_never_negative_and_sum_to_one(void **state)
+{
+    (void)state;
+    float weights[MORPH_KEY_MAX];
+    for (int step = 0; step <= STEPS; step++) {
+        morph_weights(wakin, (float)step / STEPS, weights);
+        assert_weights_are_a_blend(weights, wakin->key_count);
+        morph_weights_ordinary(wakin, (float)step / STEPS, weights);
+        assert_weights_are_a_blend(weights, wakin->key_count);
+    }
+}
+
+/* The thesis' second template (section 4.2): the middle shape at 70 %, with both others in it. */
+static void test_a_graph_of_three_at_once_keeps_its_sum_between_knots(void **state)
+{
+    (void)state;
+    struct species three = *wakin;
+    three.knots[1] = (struct graph_knot){ 0.5f, { 0.15f, 0.7f, 0.15f } };
+    float weights[MORPH_KEY_MAX];
+    for (int step = 0; step <= STEPS; step++) {
+        morph_weights(&three, (float)step / STEPS, weights);
+        assert_weights_are_a_blend(weights, three.key_count);
+        assert_true(weights[1] <= 0.7f + 1e-6f);
+    }
+}
+
+static void test_each_key_is_reached_whole_at_its_own_length(void **state)
+{
+    (void)state;
+    for (uint32_t key = 0; key < wakin->key_count; key++) {
+        float weights[MORPH_KEY_MAX];
+        const float progress = morph_progress(wakin, wakin->key_length_m[key]);
+        assert_true(progress == (float)key / (float)(wakin->key_count - 1));
+        morph_weights(wakin, progress, weights);
+        assert_true(weights[key] == 1.0f);
+    }
+}
+
+static void test_progress_rises_with_length_and_stops_at_the_keys_ends(void **state)
+{
+    (void)state;
+    float before = 0.0f;
+    for (float length_m = 0.001f; length_m < 0.4f; length_m *= 1.01f) {
+        const float progress = morph_progress(wakin, length_m);
+        assert_true(progress >= before && progress <= 1.0f);
+        before = progress;
+    }
+    assert_true(morph_progress(wakin, 0.001f) == 0.0f);
+    assert_true(before == 1.0f);
+}
+
+static void test_lengths_between_keys_go_by_factors(void **state)
+{
+    (void)state;
+    /* 30 mm is as many times 20 mm as 45 mm is times 30 mm. */
+    assert_float_equal(morph_progress(wakin, 0.030f), 0.25f, 1e-5f);
+}
+
+static void test_a_progress_outside_the_graph_is_a_bug(void **state)
+{
+    (void)state;
+    float weights[MORPH_KEY_MAX];
+    expect_assert_failure(morph_weights(wakin, -0.01f, weights));
+    expect_assert_failure(morph_weights(wakin, 1.01f, weights));
+    expect_assert_failure(morph_weights_ordinary(wakin, 1.01f, weights));
+}
+
+static void test_a_key_blended_alone_is_the_key_bit_for_bit(void **state)
+{
+    (void)state;
+    static vec3 positions[VERTEX_MAX];
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        const struct species_mesh *mesh = &wakin->lod[lod];
+        for (uint32_t key = 0; key < wakin->key_count; key++) {
+            float weights[MORPH_KEY_MAX] = { 0 };
+            weights[key] = 1.0f;
+            morph_blend(mesh, wakin->key_count, weights, positions, NULL);
+            for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+                const vec3 away = v3_sub(positions[i], mesh->positions[key][i]);
+                assert_true(away.x == 0.0f && away.y == 0.0f && away.z == 0.0f);
+            }
+        }
+    }
+}
+
+static void test_a_blend_is_the_weighted_sum_and_its_normals_are_unit(void **state)
+{
+    (void)state;
+    static vec3 positions[VERTEX_MAX], normals[VERTEX_MAX];
+    const struct species_mesh *mesh = &wakin->lod[0];
+    const float weights[MORPH_KEY_MAX] = { 0.15f, 0.7f, 0.15f };
+    morph_blend(mesh, 3, weights, positions, normals);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const float z = 0.15f * mesh->positions[0][i].z + 0.7f * mesh->positions[1][i].z +
+                        0.15f * mesh->positions[2][i].z;
+        assert_float_equal(positions[i].z, z, 1e-6f);
+        assert_float_equal(v3_length(normals[i]), 1.0f, 1e-5f);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_weights_are_never_negative_and_sum_to_one),
+        cmocka_unit_test(test_a_graph_of_three_at_once_keeps_its_sum_between_knots),
+        cmocka_unit_test(test_each_key_is_reached_whole_at_its_own_length),
+        cmocka_unit_test(test_progress_rises_with_length_and_stops_at_the_keys_ends),
+        cmocka_unit_test(test_lengths_between_keys_go_by_factors),
+        cmocka_unit_test(test_a_progress_outside_the_graph_is_a_bug),
+        cmocka_unit_test(test_a_key_blended_alone_is_the_key_bit_for_bit),
+        cmocka_unit_test(test_a_blend_is_the_weighted_sum_and_its_normals_are_unit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,234 @@
+/* test_species.c -- the baked meshes: whole, right side out, and the fish that the text describes. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+
+#define TOTAL_PER_STANDARD 1.27f /* Total length of a goldfish, in standard lengths. */
+#define DEPTH_TOLERANCE 0.05f
+
+static const struct species *const wakin = &species_wakin;
+
+/* Calls `check` for every key of every level of detail. */
+static void each_shape(void (*check)(const struct species_mesh *mesh, uint32_t key))
+{
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        for (uint32_t key = 0; key < wakin->key_count; key++) {
+            check(&wakin->lod[lod], key);
+        }
+    }
+}
+
+struct face {
+    vec3 corner[3];
+    vec3 twice_area; /* Along the outward side. */
+    uint8_t part;
+};
+
+static struct face face_at(const struct species_mesh *mesh, uint32_t key, uint32_t index)
+{
+    struct face face;
+    for (uint32_t k = 0; k < 3; k++) {
+        face.corner[k] = mesh->positions[key][mesh->indices[index + k]];
+    }
+    face.twice_area = v3_cross(v3_sub(face.corner[1], face.corner[0]),
+                               v3_sub(face.corner[2], face.corner[0]));
+    face.part = mesh->vertices[mesh->indices[index]].part;
+    return face;
+}
+
+static void test_levels_of_detail_keep_their_vertex_budgets(void **state)
+{
+    (void)state;
+    assert_in_range(wakin->lod[0].vertex_count, 400, 450);
+    assert_in_range(wakin->lod[1].vertex_count, 110, 130);
+}
+
+static void test_triangles_name_vertices_that_exist_and_keep_to_one_part(void **state)
+{
+    (void)state;
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        const struct species_mesh *mesh = &wakin->lod[lod];
+        assert_int_equal(mesh->index_count % 3, 0);
+        for (uint32_t i = 0; i < mesh->index_count; i++) {
+            assert_in_range(mesh->indices[i], 0, mesh->vertex_count - 1);
+            const struct species_vertex *vertex = &mesh->vertices[mesh->indices[i]];
+            assert_int_equal(vertex->part, mesh->vertices[mesh->indices[i - i % 3]].part);
+        }
+    }
+}
+
+static void check_length(const struct species_mesh *mesh, uint32_t key)
+{
+    float front = 1.0f, rear = -1.0f;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        front = f_min(front, mesh->positions[key][i].z);
+        rear = f_max(rear, mesh->positions[key][i].z);
+    }
+    assert_float_equal(front, -0.5f, 1e-6f);
+    assert_float_equal(rear, 0.5f, 0.01f);
+}
+
+static void test_each_key_is_one_long_from_snout_to_tail_tip(void **state)
+{
+    (void)state;
+    each_shape(check_length);
+}
+
+static void check_normals(const struct species_mesh *mesh, uint32_t key)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        assert_float_equal(v3_length(mesh->normals[key][i]), 1.0f, 1e-5f);
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const struct face face = face_at(mesh, key, i);
+        for (uint32_t k = 0; k < 3 && face.part < PART_TAIL; k++) {
+            const vec3 normal = mesh->normals[key][mesh->indices[i + k]];
+            assert_true(v3_dot(normal, face.twice_area) > 0.0f);
+        }
+    }
+}
+
+static void test_normals_are_unit_and_face_out_with_their_triangles(void **state)
+{
+    (void)state;
+    each_shape(check_normals);
+}
+
+static void check_area(const struct species_mesh *mesh, uint32_t key)
+{
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        assert_true(v3_length(face_at(mesh, key, i).twice_area) > 1e-7f);
+    }
+}
+
+static void test_no_triangle_is_degenerate_in_any_key(void **state)
+{
+    (void)state;
+    each_shape(check_area);
+}
+
+/* Wrong winding would be negative, a hole would miss the ellipsoid's order of size. */
+static void check_volume(const struct species_mesh *mesh, uint32_t key)
+{
+    float volume = 0.0f;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const struct face face = face_at(mesh, key, i);
+        if (face.part == PART_BODY) {
+            volume += v3_dot(face.corner[0], face.twice_area) / 6.0f;
+        }
+    }
+    assert_true(volume > 0.005f && volume < 0.03f);
+}
+
+static void test_the_body_encloses_a_positive_volume(void **state)
+{
+    (void)state;
+    each_shape(check_volume);
+}
+
+static void check_closed(const struct species_mesh *mesh, uint32_t key)
+{
+    vec3 sum = v3(0.0f, 0.0f, 0.0f);
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const struct face face = face_at(mesh, key, i);
+        if (face.part != PART_EYE) {
+            sum = v3_add(sum, face.twice_area);
+        }
+    }
+    assert_true(v3_length(sum) < 1e-5f);
+}
+
+static void test_the_body_is_closed_and_fins_have_two_sides(void **state)
+{
+    (void)state;
+    each_shape(check_closed);
+}
+
+static void check_mirror(const struct species_mesh *mesh, uint32_t key)
+{
+    float right = 0.0f, left = 0.0f;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const uint8_t part = mesh->vertices[i].part;
+        if (part != PART_TAIL && part != PART_DORSAL && part != PART_ANAL) {
+            right = f_max(right, mesh->positions[key][i].x);
+            left = f_min(left, mesh->positions[key][i].x);
+        }
+    }
+    assert_float_equal(right, -left, 1e-6f);
+    assert_true(right > 0.05f);
+}
+
+static void test_eyes_flanks_and_paired_fins_are_alike_on_both_sides(void **state)
+{
+    (void)state;
+    each_shape(check_mirror);
+}
+
+static float body_depth(const struct species_mesh *mesh, uint32_t key)
+{
+    float top = -1.0f, bottom = 1.0f;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (mesh->vertices[i].part == PART_BODY) {
+            top = f_max(top, mesh->positions[key][i].y);
+            bottom = f_min(bottom, mesh->positions[key][i].y);
+        }
+    }
+    return top - bottom;
+}
+
+static void test_the_stages_are_as_deep_as_goldfish_of_their_length(void **state)
+{
+    (void)state;
+    const float depth_per_standard[] = { 0.31f, 0.37f, 0.41f };
+    for (uint32_t key = 0; key < 3; key++) {
+        const float depth = body_depth(&wakin->lod[0], key) * TOTAL_PER_STANDARD;
+        assert_float_equal(depth, depth_per_standard[key], DEPTH_TOLERANCE * depth);
+    }
+}
+
+static float width_from_above(const struct species_mesh *mesh, uint32_t key, uint8_t part)
+{
+    float right = -1.0f, left = 1.0f;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (mesh->vertices[i].part == part) {
+            right = f_max(right, mesh->positions[key][i].x);
+            left = f_min(left, mesh->positions[key][i].x);
+        }
+    }
+    return right - left;
+}
+
+static void check_fins_from_above(const struct species_mesh *mesh, uint32_t key)
+{
+    assert_true(width_from_above(mesh, key, PART_TAIL) > 0.06f);
+    assert_true(width_from_above(mesh, key, PART_PECTORAL) >
+                width_from_above(mesh, key, PART_BODY) + 0.04f);
+}
+
+static void test_tail_and_pectorals_are_seen_from_above(void **state)
+{
+    (void)state;
+    each_shape(check_fins_from_above);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_levels_of_detail_keep_their_vertex_budgets),
+        cmocka_unit_test(test_triangles_name_vertices_that_exist_and_keep_to_one_part),
+        cmocka_unit_test(test_each_key_is_one_long_from_snout_to_tail_tip),
+        cmocka_unit_test(test_normals_are_unit_and_face_out_with_their_triangles),
+        cmocka_unit_test(test_no_triangle_is_degenerate_in_any_key),
+        cmocka_unit_test(test_the_body_encloses_a_positive_volume),
+        cmocka_unit_test(test_the_body_is_closed_and_fins_have_two_sides),
+        cmocka_unit_test(test_eyes_flanks_and_paired_fins_are_alike_on_both_sides),
+        cmocka_unit_test(test_the_stages_are_as_deep_as_goldfish_of_their_length),
+        cmocka_unit_test(test_tail_and_pectorals_are_seen_from_above),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
