@@ -18,8 +18,8 @@ void main()
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
     shine = pow(shine, 90.0);
     float away = 1.0 - max(dot(n, view), 0.0);
-    float alpha = 0.16 + 0.5 * away * away * away;
-    color = vec4(vec3(0.30, 0.58, 0.64) * alpha + shine * 0.5, alpha);
+    float alpha = 0.30 + 0.20 * smoothstep(0.80, 0.93, r) + 0.5 * away * away * away;
+    color = vec4(vec3(0.22, 0.66, 0.80) * alpha + shine * 0.25, alpha);
 }
 #else
 void main()
@@ -29,14 +29,14 @@ void main()
     float lit = 0.55 + 0.48 * max(dot(n, LAMP_DIRECTION), 0.0);
     vec3 enamel = vec3(0.95, 0.955, 0.94);
     float band = smoothstep(0.90, 0.925, shell.y);
-    float stripe = smoothstep(0.012, 0.004, abs(shell.y - 0.84)) * (1.0 - shell.x);
+    float stripe = smoothstep(0.030, 0.015, abs(shell.y - 0.82)) * (1.0 - shell.x);
     vec3 tint = mix(enamel, paint.rgb, max(band, 0.8 * stripe));
     float inside = 1.0 - shell.x;
     float light = texture(caustics, world.xz * CAUSTIC_TILES * 1.6).r;
     tint *= lit * mix(1.0, 0.55 + 0.45 * shell.y, inside * 0.65);
     tint *= 1.0 + inside * (light - 0.25) * 0.35 * (1.0 - smoothstep(0.55, 0.75, shell.y));
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
-    tint += pow(shine, 40.0) * 0.45;
+    tint += pow(shine, 60.0) * 0.22;
     float depth = inside > 0.5 ? 0.0 : -world.y;
     vec3 left = water_passes(depth * 1.2);
     color = vec4(mix(WATER_COLOR, tint, left), 1.0);

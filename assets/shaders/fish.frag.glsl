@@ -52,10 +52,10 @@ void main()
     vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
     vec3 tint = mix(young, adult, turned(0.10 * belly + 0.12 * (pattern.r - 0.5)));
     float scales = mix(pattern.g, 0.75, 0.7 * traits.w);
-    tint *= 0.80 + 0.28 * scales;
+    tint *= 0.74 + 0.38 * scales;
     float gill = smoothstep(0.225, 0.245, skin.x) * smoothstep(0.285, 0.255, skin.x)
         * smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6);
     tint *= 1.0 - 0.30 * gill;
-    color = vec4(tint * gain + haze * (0.55 + 0.6 * scales), 1.0);
+    color = vec4(tint * gain + haze * (0.45 + 0.75 * scales), 1.0);
 }
 #endif

@@ -136,7 +136,7 @@ void main()
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    float gloss = shine * (0.42 + 0.75 * wet);
+    float gloss = shine * (0.62 + 0.75 * wet);
     light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
 #endif
     gain = light * left;

@@ -14,14 +14,15 @@ void main()
     float corner = smoothstep(0.0, 0.085, edge.x) * smoothstep(0.0, 0.085, edge.y);
     float light = texture(caustics, world.xz * CAUSTIC_TILES).r
         + texture(caustics, world.zx * CAUSTIC_TILES * 0.72 + 0.37).r;
+    light *= 0.42 + 0.85 * light;  // Brighter lines on calmer ground.
     float fold = sin(world.x * 14.0 + sin(world.z * 10.0) * 1.3);
     float dark = texture(shadows, world.xz * shadow.xy * 0.5 + 0.5).r;
-    base *= (0.95 + 0.05 * fold) * (0.66 + 0.36 * corner) * (0.56 + light * 0.86);
-    base *= 1.0 - 0.84 * dark * vec3(1.0, 0.93, 0.86);
+    base *= (0.95 + 0.05 * fold) * (0.66 + 0.36 * corner) * (0.60 + light * 0.80);
+    base *= 1.0 - 0.80 * dark * vec3(1.0, 0.93, 0.86);
 #else
     float light = texture(caustics, (world.xz + world.y * 0.7) * CAUSTIC_TILES * vec2(0.92)).r;
     float down = smoothstep(0.0, tank.y, depth);
-    base *= (0.86 - 0.22 * down) * (0.58 + light * 1.0);
+    base *= (0.86 - 0.24 * down) * (0.60 + light * (0.45 + 1.5 * light));
 #endif
     vec3 left = water_passes(depth * 1.2);
     color = vec4(mix(WATER_COLOR, base, left), 1.0);

@@ -20,13 +20,17 @@ void main()
     float away = 1.0 - facing;
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
-    vec3 lanterns = texture(environment, mirror.xz * 0.9 + world.xz * 0.7 + 0.5).rgb;
+    // The lanterns hang a man's height away, so their images shift with the place; they are far
+    // brighter than a texel can say, and squaring gives that back.
+    vec3 toward = normalize(mirror + world * 0.55);
+    vec3 lanterns = texture(environment, toward.xz / (1.0 + toward.y) * 0.5 + 0.5).rgb;
+    lanterns *= lanterns * 5.0;
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
     float line = 1.0 - smoothstep(0.0, 0.004, edge);  // The meniscus at the walls.
     below *= 1.0 + (slope.x + slope.y) * 0.55;
-    color = vec4(below + lanterns * (fresnel * 1.15 + 0.025)
+    color = vec4(below + lanterns * fresnel
         + glint * vec3(0.55, 0.48, 0.36) + line * vec3(0.10, 0.13, 0.14), 1.0);
 }

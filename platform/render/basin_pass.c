@@ -21,6 +21,7 @@ enum part { PART_FLOOR, PART_WALLS, PART_SURFACE, PART_DECK, PART_END };
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
+#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ) /* A small jump every ten minutes keeps sines exact. */
 
 static const struct face faces[] = {
     /* Floor */
@@ -117,12 +118,62 @@ void basin_pass_close(struct basin_pass *pass)
     glDeleteTextures(1, &pass->slope_texture);
 }
 
+/* A breath of wind over the stall: a few long, low waves under what the core computes, so that the
+ * mirrored lanterns never stand still. Slopes in the scene's units of 1/508. */
+struct wind_wave {
+    float x_rad_m, z_rad_m, rad_s, slope;
+};
+
+static const struct wind_wave wind[] = {
+    { 31.0f, 19.0f, 3.1f, 7.0f },
+    { -22.0f, 37.0f, 3.7f, 7.0f },
+    { 58.0f, -13.0f, 5.3f, 4.5f },
+};
+
+/* One wave over the grid from two columns of sines: sin(a + b) = sin a cos b + cos a sin b. */
+static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3 size_m, float time_s)
+{
+    const float length = f_sqrt(wave->x_rad_m * wave->x_rad_m + wave->z_rad_m * wave->z_rad_m);
+    const float along_x = wave->slope * wave->x_rad_m / length;
+    const float along_z = wave->slope * wave->z_rad_m / length;
+    float sin_x[RIPPLE_X];
+    float cos_x[RIPPLE_X];
+    for (uint32_t x = 0; x < RIPPLE_X; x++) {
+        const float phase = wave->x_rad_m * size_m.x * (float)x / (float)RIPPLE_X;
+        sin_x[x] = f_sin(phase);
+        cos_x[x] = f_cos(phase);
+    }
+    for (uint32_t z = 0; z < RIPPLE_Z; z++) {
+        const float phase = wave->z_rad_m * size_m.z * (float)z / (float)RIPPLE_Z -
+                            f_wrap_angle(wave->rad_s * time_s);
+        const float sin_z = f_sin(phase);
+        const float cos_z = f_cos(phase);
+        for (uint32_t x = 0; x < RIPPLE_X; x++) {
+            const float height = sin_x[x] * cos_z + cos_x[x] * sin_z;
+            pass->waves[z][x][0] += along_x * height;
+            pass->waves[z][x][1] += along_z * height;
+        }
+    }
+}
+
+static uint8_t slope_texel(float slope)
+{
+    return (uint8_t)(f_clamp(slope, -127.0f, 127.0f) + 128.5f);
+}
+
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
 {
+    const float time_s = (float)(scene->tick % WIND_WRAP_TICKS) * CORE_TICK_S;
+    memset(pass->waves, 0, sizeof pass->waves);
+    for (size_t i = 0; i < sizeof wind / sizeof *wind; i++) {
+        add_wind(pass, &wind[i], scene->tank_size_m, time_s);
+    }
     for (uint32_t z = 0; z < RIPPLE_Z; z++) {
         for (uint32_t x = 0; x < RIPPLE_X; x++) {
-            pass->slopes[z][x][0] = (uint8_t)(scene->slope[z][x][0] + 128);
-            pass->slopes[z][x][1] = (uint8_t)(scene->slope[z][x][1] + 128);
+            for (uint32_t i = 0; i < 2; i++) {
+                pass->slopes[z][x][i] =
+                    slope_texel((float)scene->slope[z][x][i] + pass->waves[z][x][i]);
+            }
         }
     }
     gl_bind_texture(0, GL_TEXTURE_2D, pass->slope_texture);

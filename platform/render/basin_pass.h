@@ -9,6 +9,7 @@ struct basin_pass {
     GLuint floor_program, wall_program, deck_program, water_program;
     GLuint vertex_array, vertex_buffer;
     GLuint slope_texture;
+    float waves[RIPPLE_Z][RIPPLE_X][2];
     uint8_t slopes[RIPPLE_Z][RIPPLE_X][2]; /* As the scene's, with 128 for level. */
 };
 

@@ -33,7 +33,7 @@ static struct shape_vertex ring_point(float u, float v, const void *context)
 {
     (void)context;
     const float around = u * F_TAU;
-    const float section = v * F_TAU;
+    const float section = -v * F_TAU;
     const float r = RING_MIDDLE + RING_HALF_WIDTH * f_cos(section);
     const vec3 p = v3(r * f_cos(around), RING_HALF_HEIGHT * f_sin(section), r * f_sin(around));
     return (struct shape_vertex){ .position = p, .u = u, .v = v };
@@ -49,7 +49,7 @@ static struct shape_vertex handle_point(float u, float v, const void *context)
                                               f_max((v - 0.93f) / 0.07f, 0.0f), 0.0f));
     const float half_width = (0.135f - 0.055f * neck + 0.040f * grip) * f_max(end, 0.001f);
     const float half_height = 0.055f * f_max(end, 0.001f);
-    const float section = -u * F_TAU;
+    const float section = u * F_TAU;
     const vec3 p = v3(half_width * f_cos(section), half_height * f_sin(section),
                       HANDLE_START + HANDLE_LENGTH * v);
     return (struct shape_vertex){ .position = p, .u = u, .v = v };

@@ -6,7 +6,7 @@
 #include "core/base/fmath.h"
 
 #define SOFTWARE_SCENE_SCALE 0.75f
-#define SOFTWARE_FLOOR_SCALE 0.5f
+#define SOFTWARE_FLOOR_SCALE 0.6f
 #define GPU_SAMPLES 4u
 
 /* On a CPU a near mesh pays off only where its triangles are a few pixels each. */

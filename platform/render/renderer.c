@@ -74,6 +74,10 @@ static void open_passes(struct renderer *renderer)
     fish_pass_open(status, &renderer->fish);
     poi_pass_open(status, &renderer->poi);
     bowl_pass_open(status, &renderer->bowl);
+    char why[HAL_TEXT_SIZE] = "";
+    if (!ui_init(&renderer->ui, why, sizeof why)) {
+        gl_fail(status, "words: %s", why);
+    }
 }
 
 int renderer_open(struct renderer *renderer, const struct renderer_config *config)
@@ -94,6 +98,7 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
 void renderer_close(struct renderer *renderer)
 {
     close_targets(renderer);
+    ui_close(&renderer->ui);
     bowl_pass_close(&renderer->bowl);
     poi_pass_close(&renderer->poi);
     fish_pass_close(&renderer->fish);
@@ -274,6 +279,7 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene)
     draw_surface(renderer, scene);
     draw_above(renderer, scene);
     finish_screen(renderer);
+    ui_draw(&renderer->ui, scene, (float)renderer->width, (float)renderer->height);
     step_done(renderer, STEP_UI);
 }
 

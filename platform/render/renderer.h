@@ -15,6 +15,7 @@
 #include "platform/render/poi_pass.h"
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
+#include "platform/render/ui.h"
 
 struct renderer_config {
     uint32_t width, height;  /* Pixels, > 0. */
@@ -46,6 +47,7 @@ struct renderer {
     struct fish_pass fish;
     struct poi_pass poi;
     struct bowl_pass bowl;
+    struct ui ui;
     struct gl_target ground, life;
     struct gl_target screen; /* Only with multisampling; else the default framebuffer itself. */
     /* Called after each step, when set: a bench puts glFinish() and a clock there. */
