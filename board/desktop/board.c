@@ -11,14 +11,18 @@
 #include "drivers/buttons_keyboard.h"
 #include "drivers/null.h"
 #include "drivers/poi_mouse.h"
+#include "platform/audio.h"
 #include "platform/clock.h"
 #include "platform/render/display_gl.h"
+#include "platform/storage.h"
 #include "platform/watchdog.h"
 
 static struct {
     struct display_gl display;
     struct poi_mouse mouse;
     struct buttons_keyboard keyboard;
+    struct audio audio;
+    struct storage storage;
     struct watchdog watchdog;
     char display_text[HAL_TEXT_SIZE];
 } devices;
@@ -78,6 +82,20 @@ static void open_hands(struct hal *hal, const struct board_options *options)
     hal->buttons = buttons_keyboard_device(&devices.keyboard);
 }
 
+/* Both say in describe() what is missing, and then do nothing: a null driver could not say more. */
+static void open_sound_and_store(struct hal *hal, const struct board_options *options)
+{
+    if (!options->mute) {
+        hal->audio = audio_device(&devices.audio);
+        hal->audio.ops->open(hal->audio.self);
+    }
+    if (options->data_dir) {
+        devices.storage.dir = options->data_dir;
+        hal->storage = storage_device(&devices.storage);
+        hal->storage.ops->open(hal->storage.self);
+    }
+}
+
 static void open_watchdog(struct hal *hal)
 {
     const char *usec = getenv("WATCHDOG_USEC");
@@ -93,6 +111,7 @@ void board_open(struct hal *hal, const struct board_options *options)
     hal->clock = clock_device();
     open_display(hal, options);
     open_hands(hal, options);
+    open_sound_and_store(hal, options);
     open_watchdog(hal);
 }
 

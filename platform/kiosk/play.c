@@ -18,7 +18,8 @@
 #define UNPACED_NS 4000000ull
 #define FRAME_NS 16666667ull
 
-/* Where scores live when nobody says: the user's data folder. "" when there is none. */
+/* Where scores live when nobody says: the user's data folder. "" when there is none. When it cannot be
+ * made, the store will say so and the stall opens all the same. */
 static void default_data_folder(char out[OPTIONS_PATH_MAX])
 {
     const char *data = getenv("XDG_DATA_HOME");
@@ -58,6 +59,7 @@ int play_open(struct session *session)
     struct display_events events;
     if (!options->data[0]) {
         default_data_folder(options->data);
+        session_try_folder(options->data);
     }
     const struct board_options board = {
         .poi = options->poi,

@@ -111,18 +111,24 @@ static int make_folders(char *path)
     return mkdir(path, 0755) != 0 && errno != EEXIST ? -errno : 0;
 }
 
-enum exit_code session_make_folder(const char *path)
+int session_try_folder(const char *path)
 {
     char copy[OPTIONS_PATH_MAX];
     struct stat status;
     snprintf(copy, sizeof copy, "%s", path);
-    int error = make_folders(copy);
-    if (!error && stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
-        error = -ENOTDIR;
+    const int error = make_folders(copy);
+    if (error) {
+        return error;
     }
-    if (!error && access(path, W_OK | X_OK) != 0) {
-        error = -errno;
+    if (stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
+        return -ENOTDIR;
     }
+    return access(path, W_OK | X_OK) != 0 ? -errno : 0;
+}
+
+enum exit_code session_make_folder(const char *path)
+{
+    const int error = session_try_folder(path);
     if (error) {
         fprintf(stderr, "kingyo: %s: cannot write there: %s\n", path, strerror(-error));
         return EXIT_IO;

@@ -1,0 +1,427 @@
+/* test_replay.c -- recordings: what goes in comes out, and nothing false passes. */
+#include <errno.h>
+#include <fcntl.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "platform/kiosk/recorder.h"
+#include "platform/kiosk/replayer.h"
+#include "platform/replay.h"
+
+#define FILE_MAX (1u << 20)
+
+static char path[] = "/tmp/kingyo-replay-XXXXXX";
+static struct replay_writer writer;
+static struct replay_reader reader;
+static const struct core_config config = { .seed = 7, .fish_count = 12, .round_s = 10 };
+
+static int make_path(void **state)
+{
+    (void)state;
+    const int fd = mkstemp(path);
+    return fd < 0 ? -1 : close(fd);
+}
+
+static int remove_path(void **state)
+{
+    (void)state;
+    return unlink(path);
+}
+
+/* Inputs that use every part of the format: still, moving, pressing, plugged and unplugged. */
+static struct input input_of(uint32_t tick)
+{
+    const struct rng_key key = { 1, tick, 0, RNG_TEST };
+    struct input input = { .held = (tick / 7u) & INPUT_BUTTON_ALL, .record_saved_id = tick / 50u };
+    input.pressed = tick % 11u == 0 ? INPUT_START : 0;
+    input.coin_count = tick % 13u == 0 ? 2 : 0;
+    for (uint32_t i = 0; i < 2; i++) {
+        input.poi[i].link = (uint8_t)((tick / 40u + i) % 4u);
+        input.poi[i].has_wrist = (tick / 60u) % 2u;
+        input.poi[i].target.position_m.x = tick % 5u ? 0.25f : rng_range(key, -1.0f, 1.0f);
+        input.poi[i].target.angles.roll_rad = tick % 9u ? -0.0f : 0.5f;
+    }
+    return input;
+}
+
+static void write_ticks(uint32_t count)
+{
+    struct replay_totals totals = { 0 };
+    assert_int_equal(replay_create(&writer, path, &config, 99), 0);
+    for (uint32_t tick = 0; tick < count; tick++) {
+        const struct input input = input_of(tick);
+        totals.ticks++;
+        totals.caught = tick / 100u;
+        totals.hash = 1000u + tick;
+        replay_add(&writer, &input, tick * 3u, &totals);
+    }
+    assert_int_equal(replay_finish(&writer, 1000u + count - 1u), 0);
+}
+
+static size_t read_file(uint8_t *bytes)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    const size_t size = fread(bytes, 1, FILE_MAX, file);
+    fclose(file);
+    return size;
+}
+
+static void write_file(const uint8_t *bytes, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    fclose(file);
+}
+
+static int scan(struct replay_totals *totals)
+{
+    return replay_scan(&reader, path, totals);
+}
+
+/* ---- What goes in comes out ----------------------------------------------------------------- */
+
+static void test_every_input_comes_back_to_the_bit(void **state)
+{
+    (void)state;
+    write_ticks(500);
+    assert_int_equal(replay_open(&reader, path), 0);
+    assert_int_equal(reader.header.config.seed, 7);
+    assert_int_equal(reader.header.config.fish_count, 12);
+    assert_string_equal(reader.header.program, KINGYO_VERSION);
+    for (uint32_t tick = 0; tick < 500; tick++) {
+        struct input input;
+        const struct input expected = input_of(tick);
+        assert_int_equal(replay_next(&reader, &input), 1);
+        assert_int_equal(reader.digest, tick * 3u);
+        assert_int_equal(input.held, expected.held);
+        assert_int_equal(input.pressed, expected.pressed);
+        assert_int_equal(input.coin_count, expected.coin_count);
+        assert_int_equal(input.record_saved_id, expected.record_saved_id);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            assert_int_equal(input.poi[i].link, expected.poi[i].link);
+            assert_int_equal(input.poi[i].has_wrist, expected.poi[i].has_wrist);
+            assert_memory_equal(&input.poi[i].target, &expected.poi[i].target,
+                                sizeof(struct poi_target));
+        }
+    }
+    struct input none;
+    assert_int_equal(replay_next(&reader, &none), 0);
+    assert_int_equal(reader.totals.ticks, 500);
+    assert_int_equal(reader.totals.caught, 4);
+    assert_int_equal(reader.totals.hash, 1499);
+    replay_close(&reader);
+}
+
+static void test_a_still_tick_costs_five_bytes(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    const struct input input = input_of(12);
+    const struct input next = { .held = input.held, .record_saved_id = input.record_saved_id };
+    struct input still = next;
+    assert_int_equal(replay_encode_input(&next, &still, bytes), 1);
+    assert_int_equal(bytes[0], 0);
+}
+
+static void test_the_largest_difference_fits_the_bound(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    const struct input before = { 0 };
+    struct input all = { .held = 1, .pressed = 2, .coin_count = 3, .record_saved_id = 4 };
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        all.poi[i] = (struct poi_input){
+            .link = POI_LINK_LIVE,
+            .has_wrist = 1,
+            .target = { .position_m = { 1.0f, 2.0f, 3.0f }, .angles = { 4.0f, 5.0f, 6.0f } },
+        };
+    }
+    assert_int_equal(replay_encode_input(&before, &all, bytes), REPLAY_TICK_SIZE_MAX - 4u);
+}
+
+static void test_a_recording_of_nothing_is_whole(void **state)
+{
+    (void)state;
+    struct replay_totals totals;
+    assert_int_equal(replay_create(&writer, path, &config, 99), 0);
+    assert_int_equal(scan(&totals), 0);
+    assert_int_equal(replay_finish(&writer, 99), 0);
+    assert_int_equal(scan(&totals), 0);
+    assert_int_equal(totals.ticks, 0);
+    assert_int_equal(totals.hash, 99);
+}
+
+static void test_a_recording_in_progress_is_whole_up_to_its_last_second(void **state)
+{
+    (void)state;
+    struct replay_totals totals = { 0 };
+    struct replay_totals found;
+    assert_int_equal(replay_create(&writer, path, &config, 99), 0);
+    for (uint32_t tick = 0; tick < 3 * CORE_TICK_HZ + 7; tick++) {
+        const struct input input = input_of(tick);
+        totals.ticks++;
+        replay_add(&writer, &input, tick, &totals);
+        if (tick % 17u == 0) {
+            assert_int_equal(scan(&found), 0);
+            assert_int_equal(found.ticks, totals.ticks / CORE_TICK_HZ * CORE_TICK_HZ);
+        }
+    }
+    assert_int_equal(replay_finish(&writer, 0), 0);
+}
+
+/* ---- Damage --------------------------------------------------------------------------------- */
+
+static void test_cut_at_any_byte_it_is_refused(void **state)
+{
+    (void)state;
+    static uint8_t bytes[FILE_MAX];
+    struct replay_totals totals;
+    write_ticks(130);
+    const size_t size = read_file(bytes);
+    for (size_t cut = 0; cut < size; cut++) {
+        write_file(bytes, cut);
+        assert_int_equal(scan(&totals), -1);
+        assert_int_equal(reader.problem.is_io, 0);
+        assert_in_range(reader.problem.offset, 0, cut);
+        assert_true(reader.problem.text[0] != '\0');
+    }
+}
+
+static void test_any_altered_byte_is_refused(void **state)
+{
+    (void)state;
+    static uint8_t bytes[FILE_MAX];
+    static const uint8_t flips[] = { 0x01, 0x80, 0xff };
+    struct replay_totals totals;
+    write_ticks(130);
+    const size_t size = read_file(bytes);
+    for (size_t at = 0; at < size; at++) {
+        for (size_t i = 0; i < sizeof flips; i++) {
+            bytes[at] ^= flips[i];
+            write_file(bytes, size);
+            assert_int_equal(scan(&totals), -1);
+            assert_true(reader.problem.text[0] != '\0');
+            bytes[at] ^= flips[i];
+        }
+    }
+    write_file(bytes, size);
+    assert_int_equal(scan(&totals), 0);
+}
+
+static void test_anything_behind_the_end_mark_is_refused(void **state)
+{
+    (void)state;
+    static uint8_t bytes[FILE_MAX];
+    struct replay_totals totals;
+    write_ticks(130);
+    const size_t size = read_file(bytes);
+    bytes[size] = 0;
+    write_file(bytes, size + 1);
+    assert_int_equal(scan(&totals), -1);
+    assert_int_equal(reader.problem.offset, size);
+}
+
+static void test_seconds_that_change_places_are_refused(void **state)
+{
+    (void)state;
+    static uint8_t bytes[FILE_MAX];
+    static uint8_t swapped[FILE_MAX];
+    struct replay_totals totals;
+    write_ticks(2 * CORE_TICK_HZ);
+    const size_t size = read_file(bytes);
+    const size_t first = REPLAY_HEADER_SIZE;
+    const size_t first_size = REPLAY_CHUNK_HEAD_SIZE + replay_get_u32(bytes + first + 4) + REPLAY_SUM_SIZE;
+    const size_t second_size = size - REPLAY_END_SIZE - first - first_size;
+    memcpy(swapped, bytes, size);
+    memcpy(swapped + first, bytes + first + first_size, second_size);
+    memcpy(swapped + first + second_size, bytes + first, first_size);
+    write_file(swapped, size);
+    assert_int_equal(scan(&totals), -1);
+    /* ... and so is a file whose first second was taken out. */
+    memcpy(swapped, bytes, first);
+    memcpy(swapped + first, bytes + first + first_size, size - first - first_size);
+    write_file(swapped, size - first_size);
+    assert_int_equal(scan(&totals), -1);
+}
+
+static void test_what_is_no_recording_is_told_apart(void **state)
+{
+    (void)state;
+    static uint8_t bytes[FILE_MAX];
+    struct replay_totals totals;
+    write_file(bytes, 0);
+    assert_int_equal(scan(&totals), -1);
+    assert_string_equal(reader.problem.text, "the file is empty");
+    memset(bytes, 'x', 1000);
+    write_file(bytes, 1000);
+    assert_int_equal(scan(&totals), -1);
+    assert_string_equal(reader.problem.text, "not a recording of Kingyo");
+    assert_int_equal(replay_scan(&reader, "/tmp", &totals), -1);
+    assert_non_null(strstr(reader.problem.text, "folder"));
+    assert_int_equal(replay_scan(&reader, "/dev/zero", &totals), -1);
+    assert_int_equal(replay_scan(&reader, "/nowhere/at/all", &totals), -1);
+    assert_int_equal(reader.problem.is_io, 1);
+}
+
+static void test_another_version_is_named(void **state)
+{
+    (void)state;
+    static uint8_t bytes[FILE_MAX];
+    struct replay_totals totals;
+    write_ticks(3);
+    const size_t size = read_file(bytes);
+    bytes[8] = 9;
+    write_file(bytes, size);
+    assert_int_equal(scan(&totals), -1);
+    assert_non_null(strstr(reader.problem.text, "version 9"));
+}
+
+static void test_a_huge_file_of_nothing_is_refused_at_its_first_second(void **state)
+{
+    (void)state;
+    struct replay_totals totals;
+    write_ticks(3);
+    assert_int_equal(truncate(path, REPLAY_HEADER_SIZE), 0);
+    assert_int_equal(truncate(path, (off_t)1 << 40), 0); /* Sparse: 1 TB of zeros. */
+    assert_int_equal(scan(&totals), -1);
+    assert_int_equal(reader.problem.offset, REPLAY_HEADER_SIZE);
+    assert_int_equal(truncate(path, 0), 0);
+}
+
+/* ---- A disk that fills up ------------------------------------------------------------------- */
+
+static void test_a_full_disk_stops_the_recording_and_leaves_it_whole(void **state)
+{
+    (void)state;
+    struct rlimit before;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    signal(SIGXFSZ, SIG_IGN);
+    for (rlim_t limit = 2000; limit < 3000; limit += 37) {
+        struct replay_totals totals = { 0 };
+        struct replay_totals found;
+        const struct rlimit small = { .rlim_cur = limit, .rlim_max = before.rlim_max };
+        assert_int_equal(replay_create(&writer, path, &config, 99), 0);
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+        for (uint32_t tick = 0; tick < 10 * CORE_TICK_HZ; tick++) {
+            const struct input input = input_of(tick);
+            totals.ticks++;
+            replay_add(&writer, &input, tick, &totals);
+        }
+        const int result = replay_finish(&writer, 0);
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
+        assert_int_equal(result, -EFBIG);
+        assert_int_equal(scan(&found), 0);
+        assert_int_equal(found.ticks, writer.saved.ticks);
+        assert_int_equal(found.ticks % CORE_TICK_HZ, 0);
+    }
+}
+
+static void test_a_path_that_cannot_be_written_is_told(void **state)
+{
+    (void)state;
+    assert_int_equal(replay_create(&writer, "/nowhere/at/all", &config, 0), -ENOENT);
+    assert_int_equal(replay_create(&writer, "/tmp", &config, 0), -EISDIR);
+    assert_int_equal(replay_create(&writer, "/dev/full", &config, 0), -ENOSPC);
+}
+
+/* ---- The core's own recordings -------------------------------------------------------------- */
+
+static struct core core;
+static struct recorder recorder;
+static struct replayer replayer;
+
+/* Plays `seconds` with the bot, START after one; from `lie_at` on the recorded digests are wrong. */
+static void play_and_record(uint32_t seconds, uint32_t lie_at)
+{
+    static struct output output;
+    struct input input = { .poi[0].link = POI_LINK_BOT };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(recorder_begin(&recorder, path, &core), 0);
+    const struct kiosk_tap tap = recorder_tap(&recorder);
+    for (uint32_t tick = 0; tick < seconds * CORE_TICK_HZ; tick++) {
+        static struct core told;
+        input.pressed = tick == CORE_TICK_HZ ? INPUT_START : 0;
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+        told = core;
+        told.tick += tick >= lie_at;
+        tap.tick(tap.self, &input, &told);
+    }
+    assert_int_equal(recorder_end(&recorder), 0);
+}
+
+static void replay_all(void)
+{
+    static struct output output;
+    struct input input;
+    struct core_config from_file;
+    assert_int_equal(replayer_begin(&replayer, path, &from_file), 0);
+    assert_int_equal(core_init(&core, &from_file), CORE_OK);
+    const struct kiosk_source source = replayer_source(&replayer);
+    const struct kiosk_tap tap = replayer_tap(&replayer);
+    while (source.next(source.self, &input)) {
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+        tap.tick(tap.self, &input, &core);
+    }
+    replayer_end(&replayer);
+}
+
+static void test_a_true_recording_is_found_true(void **state)
+{
+    (void)state;
+    play_and_record(3, UINT32_MAX);
+    const uint64_t hash = core_hash(&core);
+    replay_all();
+    assert_int_equal(replayer.damaged, 0);
+    assert_int_equal(replayer.difference.found, 0);
+    assert_int_equal(replayer.totals.ticks, 3 * CORE_TICK_HZ);
+    assert_true(core_hash(&core) == hash);
+}
+
+static void test_the_first_tick_that_differs_is_named(void **state)
+{
+    (void)state;
+    play_and_record(3, 200);
+    replay_all();
+    assert_int_equal(replayer.difference.found, 1);
+    assert_int_equal(replayer.difference.tick, 200);
+    assert_true(replayer.difference.recorded != replayer.difference.computed);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_input_comes_back_to_the_bit),
+        cmocka_unit_test(test_a_still_tick_costs_five_bytes),
+        cmocka_unit_test(test_the_largest_difference_fits_the_bound),
+        cmocka_unit_test(test_a_recording_of_nothing_is_whole),
+        cmocka_unit_test(test_a_recording_in_progress_is_whole_up_to_its_last_second),
+        cmocka_unit_test(test_cut_at_any_byte_it_is_refused),
+        cmocka_unit_test(test_any_altered_byte_is_refused),
+        cmocka_unit_test(test_anything_behind_the_end_mark_is_refused),
+        cmocka_unit_test(test_seconds_that_change_places_are_refused),
+        cmocka_unit_test(test_what_is_no_recording_is_told_apart),
+        cmocka_unit_test(test_another_version_is_named),
+        cmocka_unit_test(test_a_huge_file_of_nothing_is_refused_at_its_first_second),
+        cmocka_unit_test(test_a_full_disk_stops_the_recording_and_leaves_it_whole),
+        cmocka_unit_test(test_a_path_that_cannot_be_written_is_told),
+        cmocka_unit_test(test_a_true_recording_is_found_true),
+        cmocka_unit_test(test_the_first_tick_that_differs_is_named),
+    };
+    return cmocka_run_group_tests(tests, make_path, remove_path);
+}
