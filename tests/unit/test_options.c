@@ -1,0 +1,204 @@
+/* test_options.c -- what may be asked of `kingyo`, and what is said when it is asked wrongly. */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "core/scene.h"
+#include "platform/board.h"
+#include "platform/kiosk/options.h"
+
+#define COUNT(array) ((int)(sizeof array / sizeof array[0]))
+
+static struct options options;
+static char error[OPTIONS_ERROR_MAX];
+
+static int parse(int argc, const char *const *argv)
+{
+    memset(&options, 0, sizeof options);
+    memset(error, 0, sizeof error);
+    return options_parse(&options, argc, argv, error);
+}
+
+static void test_every_option_is_understood(void **state)
+{
+    static const char *const argv[] = { "kingyo",   "--window", "800x600", "--poi",  "bot",
+                                        "--record", "a.kgr",    "--shots", "pics",   "--data=scores",
+                                        "--config", "c.conf",   "--lang",  "en",     "--seed",
+                                        "0xff",     "--fish",   "50",      "--demo", "30" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.width, 800);
+    assert_int_equal(options.height, 600);
+    assert_int_equal(options.poi, BOARD_POI_BOT);
+    assert_string_equal(options.record, "a.kgr");
+    assert_string_equal(options.shots, "pics");
+    assert_string_equal(options.data, "scores");
+    assert_string_equal(options.config, "c.conf");
+    assert_int_equal(options.language, LANGUAGE_EN);
+    assert_int_equal(options.seed, 255);
+    assert_int_equal(options.has_seed, 1);
+    assert_int_equal(options.fish_count, 50);
+    assert_int_equal(options.demo, 1);
+    assert_int_equal(options.demo_s, 30);
+}
+
+static void test_demo_needs_no_seconds(void **state)
+{
+    static const char *const last[] = { "kingyo", "--demo" };
+    static const char *const middle[] = { "kingyo", "--demo", "--lang", "ja" };
+    (void)state;
+    assert_int_equal(parse(COUNT(last), last), 0);
+    assert_int_equal(options.demo_s, OPTIONS_DEMO_S);
+    assert_int_equal(parse(COUNT(middle), middle), 0);
+    assert_int_equal(options.demo_s, OPTIONS_DEMO_S);
+    assert_int_equal(options.has_language, 1);
+}
+
+static void test_a_wrong_option_is_one_line_that_names_it(void **state)
+{
+    static const char *const wrong[][4] = {
+        { "kingyo", "--fly", NULL },
+        { "kingyo", "fish", NULL },
+        { "kingyo", "-", NULL },
+        { "kingyo", "", NULL },
+        { "kingyo", "--window", "800", NULL },
+        { "kingyo", "--window", "x600", NULL },
+        { "kingyo", "--window", "800x", NULL },
+        { "kingyo", "--window", "800x600x2", NULL },
+        { "kingyo", "--window", "319x600", NULL },
+        { "kingyo", "--window", "99999999999999999999999x600", NULL },
+        { "kingyo", "--poi", "net", NULL },
+        { "kingyo", "--lang", "fr", NULL },
+        { "kingyo", "--seed", "-1", NULL },
+        { "kingyo", "--seed", "4294967296", NULL },
+        { "kingyo", "--seed", "12a", NULL },
+        { "kingyo", "--fish", "0", NULL },
+        { "kingyo", "--fish", "2049", NULL },
+        { "kingyo", "--demo", "4", NULL },
+        { "kingyo", "--demo", "601", NULL },
+        { "kingyo", "--demo=", NULL },
+        { "kingyo", "--record", NULL },
+        { "kingyo", "--record", "--demo", NULL },
+        { "kingyo", "--record=", NULL },
+        { "kingyo", "--help=yes", NULL },
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        int argc = 0;
+        while (argc < 4 && wrong[i][argc]) {
+            argc++;
+        }
+        assert_int_equal(parse(argc, wrong[i]), -1);
+        assert_true(strlen(error) > 10);
+        assert_null(strchr(error, '\n'));
+    }
+}
+
+static void test_recording_a_replay_is_refused(void **state)
+{
+    static const char *const argv[] = { "kingyo", "--record", "a", "--replay", "b" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), -1);
+}
+
+static void test_a_path_longer_than_any_is_refused(void **state)
+{
+    static char path[OPTIONS_PATH_MAX + 1];
+    const char *const argv[] = { "kingyo", "--data", path };
+    (void)state;
+    memset(path, 'a', OPTIONS_PATH_MAX);
+    assert_int_equal(parse(COUNT(argv), argv), -1);
+    path[OPTIONS_PATH_MAX - 1] = '\0';
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+}
+
+/* ---- The file ------------------------------------------------------------------------------- */
+
+static char warnings[8][512];
+static int warning_count;
+
+static void keep_warning(const char *line)
+{
+    if (warning_count < 8) {
+        snprintf(warnings[warning_count], sizeof warnings[0], "%s", line);
+    }
+    warning_count++;
+}
+
+static int read_text(const char *text)
+{
+    char path[] = "/tmp/kingyo-conf-XXXXXX";
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    assert_int_equal(write(fd, text, strlen(text)), strlen(text));
+    close(fd);
+    memset(&options, 0, sizeof options);
+    warning_count = 0;
+    const int result = options_read_config(&options, path, keep_warning);
+    unlink(path);
+    return result;
+}
+
+static void test_a_configuration_file_sets_the_same_things(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text("# the stall at the station\n\n lang = en   # for visitors\n"
+                               "window=1920x1080\nfish = 400"),
+                     0);
+    assert_int_equal(warning_count, 0);
+    assert_int_equal(options.language, LANGUAGE_EN);
+    assert_int_equal(options.width, 1920);
+    assert_int_equal(options.fish_count, 400);
+}
+
+static void test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text("colour = red\nfish = many\nlang\nwindow = 1x1\nseed = 9\n"), 0);
+    assert_int_equal(warning_count, 4);
+    assert_non_null(strstr(warnings[0], ":1: unknown key"));
+    assert_non_null(strstr(warnings[1], ":2: wrong value; expected 1 to 2048"));
+    assert_non_null(strstr(warnings[2], ":3: no '='"));
+    assert_int_equal(options.fish_count, 0);
+    assert_int_equal(options.width, 0);
+    assert_int_equal(options.seed, 9);
+}
+
+static void test_a_file_may_not_start_a_demonstration(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text("demo = 20\nhelp =\nconfig = other\nreplay = x\n"), 0);
+    assert_int_equal(warning_count, 4);
+    assert_int_equal(options.demo, 0);
+}
+
+static void test_a_file_that_cannot_be_read_is_an_error(void **state)
+{
+    (void)state;
+    assert_int_equal(options_read_config(&options, "/nowhere/at/all", NULL), -ENOENT);
+    assert_int_equal(options_read_config(&options, "/tmp", NULL), -EISDIR);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_option_is_understood),
+        cmocka_unit_test(test_demo_needs_no_seconds),
+        cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
+        cmocka_unit_test(test_recording_a_replay_is_refused),
+        cmocka_unit_test(test_a_path_longer_than_any_is_refused),
+        cmocka_unit_test(test_a_configuration_file_sets_the_same_things),
+        cmocka_unit_test(test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts),
+        cmocka_unit_test(test_a_file_may_not_start_a_demonstration),
+        cmocka_unit_test(test_a_file_that_cannot_be_read_is_an_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
