@@ -62,6 +62,7 @@ struct species_text {
 /* One level of detail: how many rings and spokes the body has, rays and points along each fin. */
 struct detail {
     uint32_t rings, spokes;
+    double bunching; /* 1: rings stand evenly; more: closer toward the snout, where outlines turn. */
     uint32_t eye_rings, eye_spokes;
     struct { uint32_t across, along; } fins[PART_COUNT];
 };

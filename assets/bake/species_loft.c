@@ -9,12 +9,12 @@
 #include <string.h>
 
 #define PI 3.14159265358979323846
-#define RING_BUNCHING 1.45 /* Rings stand closer toward the snout, where the outline turns fastest. */
-#define FIN_SINK 0.014     /* How deep fin roots lie under the skin, so that no gap shows. */
-#define EYE_SINK 0.006     /* The same for the eye's rim. */
-#define EYE_BORDER 0.97    /* Of the section's half height: as high as an eye's rim may reach. */
-#define TAIL_ROOT 0.965    /* Where along the body the tail's rays start, inside the last ring. */
-#define BODY_END 1.012     /* The body's last point, a little behind its last ring. */
+#define FIN_SINK 0.014   /* How deep fin roots lie under the skin, so that no gap shows. */
+#define EYE_SINK 0.006   /* The same for the eye's rim. */
+#define EYE_BORDER 0.97  /* Of the section's half height: as high as an eye's rim may reach. */
+#define TAIL_ROOT 0.965  /* Where along the body the tail's rays start, inside the last ring. */
+#define BODY_END 1.03    /* The body's last point, a little behind its last ring. */
+#define SIDE_AT_ROOT 0.4 /* Of a median ray's turn to the side; the rest comes along it. */
 #define RAY_STEPS 12
 
 typedef struct {
@@ -22,11 +22,13 @@ typedef struct {
 } point3;
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
-    { .rings = 21, .spokes = 12, .eye_rings = 2, .eye_spokes = 8,
+    { .rings = 21, .bunching = 1.5, .spokes = 12,
+      .eye_rings = 2, .eye_spokes = 8,
       .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 7, 3 }, [PART_ANAL] = { 4, 3 },
                 [PART_PECTORAL] = { 4, 3 }, [PART_PELVIC] = { 3, 3 } } },
-    { .rings = 7, .spokes = 8, .eye_rings = 1, .eye_spokes = 5,
-      .fins = { [PART_TAIL] = { 5, 3 }, [PART_DORSAL] = { 4, 2 }, [PART_ANAL] = { 3, 2 },
+    { .rings = 7, .bunching = 1.7, .spokes = 8,
+      .eye_rings = 1, .eye_spokes = 5,
+      .fins = { [PART_TAIL] = { 5, 3 }, [PART_DORSAL] = { 4, 2 }, [PART_ANAL] = { 2, 2 },
                 [PART_PECTORAL] = { 3, 2 }, [PART_PELVIC] = { 3, 2 } } },
 };
 
@@ -199,14 +201,14 @@ static point3 fin_root(const struct key_text *key, enum species_part part, doubl
 }
 
 /* Which way a ray points at `r` of its length. Dorsal and anal: sweep leans it backward from
- * upright. Tail: sweep lifts it from straight back. Both: side turns it to the right, growing toward
- * the tip. Paired (the right one): sweep leans it backward from straight out, side raises it. */
+ * upright. Tail: sweep lifts it from straight back. Both: side turns it to the right, growing
+ * toward the tip. Paired (the right one): sweep leans it backward from straight out, side raises it. */
 static point3 fin_direction(const struct fin *fin, enum species_part part, struct ray ray, double r)
 {
     const double degrees = PI / 180.0;
     const double curl = (double)fin->curl_deg * r;
     const bool paired = part == PART_PECTORAL || part == PART_PELVIC;
-    const double side = (double)ray.side_deg * degrees * (paired ? 1.0 : r);
+    const double side = (double)ray.side_deg * degrees * (paired ? 1.0 : SIDE_AT_ROOT + (1.0 - SIDE_AT_ROOT) * r);
     const double sweep = part == PART_TAIL ? (double)ray.sweep_deg * degrees * (1.0 - curl / 90.0)
                                            : ((double)ray.sweep_deg + curl) * degrees;
     const double c = cos(sweep), s = sin(sweep);
@@ -291,15 +293,19 @@ static void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
     l->loft->index_count += 3;
 }
 
-/* The snout's or tail root's closing point, on the axis of its section. */
-static uint32_t add_pole(struct lofting *l, double u, double z, double facing)
+/* The snout's or tail root's closing point, on the axis of its section: once for each flank, so that
+ * a pattern's v does not run through the belly's. `normal` is the right one's; answers the right one. */
+static uint32_t add_poles(struct lofting *l, double u, double z, point3 normal)
 {
-    const uint32_t pole = next_vertex(l, (struct species_vertex){ .u = (float)u, .v = 0.5f });
-    for (uint32_t key = 0; key < l->species->key_count; key++) {
-        const struct station s = section(&l->species->keys[key], u);
-        place(l, key, (point3){ 0.0, (double)s.offset, z }, (point3){ 0.0, 0.0, facing });
+    for (int side = 1; side >= -1; side -= 2) {
+        next_vertex(l, (struct species_vertex){ .u = (float)u, .v = side > 0 ? 0.25f : 0.75f });
+        for (uint32_t key = 0; key < l->species->key_count; key++) {
+            const struct station s = section(&l->species->keys[key], u);
+            place(l, key, (point3){ 0.0, (double)s.offset, z },
+                  (point3){ normal.x * side, normal.y, normal.z });
+        }
     }
-    return pole;
+    return l->loft->vertex_count - 2;
 }
 
 static void add_ring(struct lofting *l, double u)
@@ -317,21 +323,22 @@ static void add_ring(struct lofting *l, double u)
 static void add_body(struct lofting *l)
 {
     const uint32_t rings = l->detail->rings, spokes = l->detail->spokes;
-    const uint32_t snout = add_pole(l, 0.0, 0.0, -1.0);
+    const uint32_t snout = add_poles(l, 0.0, 0.0, (point3){ 0.0, 0.0, -1.0 });
     const uint32_t first = l->loft->vertex_count;
     for (uint32_t ring = 1; ring <= rings; ring++) {
-        add_ring(l, pow((double)ring / rings, RING_BUNCHING));
+        add_ring(l, pow((double)ring / rings, l->detail->bunching));
     }
     const uint32_t last = first + (rings - 1) * (spokes + 1);
-    const uint32_t end = add_pole(l, 1.0, BODY_END, 1.0);
+    const uint32_t end = add_poles(l, 1.0, BODY_END, unit((point3){ 1.0, 0.0, 0.3 }));
     for (uint32_t j = 0; j < spokes; j++) {
-        triangle(l, snout, first + j, first + j + 1);
+        const uint32_t left = 2 * j < spokes ? 0 : 1;
+        triangle(l, snout + left, first + j, first + j + 1);
         for (uint32_t row = first; row < last; row += spokes + 1) {
             const uint32_t a = row + j, b = a + 1, c = a + spokes + 1, d = c + 1;
             triangle(l, a, c, b);
             triangle(l, b, c, d);
         }
-        triangle(l, last + j, end, last + j + 1);
+        triangle(l, last + j, end + left, last + j + 1);
     }
 }
 

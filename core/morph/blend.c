@@ -13,8 +13,10 @@ static void blend(const vec3 *const keys[MORPH_KEY_MAX], uint32_t key_count,
         out[i] = v3_scale(keys[0][i], weights[0]);
     }
     for (uint32_t key = 1; key < key_count; key++) {
-        for (uint32_t i = 0; weights[key] != 0.0f && i < vertex_count; i++) {
-            out[i] = v3_mad(out[i], keys[key][i], weights[key]);
+        const vec3 *shape = keys[key];
+        const float weight = weights[key];
+        for (uint32_t i = 0; i < vertex_count; i++) {
+            out[i] = v3_mad(out[i], shape[i], weight);
         }
     }
 }
