@@ -12,6 +12,7 @@
 #define FLOAT_SHARE 1.50f     /* ... and in which a rider floats off. */
 #define BODY_FOOT_M 0.020f    /* Footprint of a body, against a tail's 2 to 5 mm. */
 #define LIFT_OFF_M_S2 0.5f    /* Pulled from the paper by more than this, it flies. */
+#define SPILL_M_S 0.4f        /* Fish beyond POI_RIDER_MAX leave over the ring so fast. */
 #define FALL_HOME_M_S 1.5f    /* Sideways at most, when it fell beyond a wall. */
 #define SLAP_EVERY_TICKS 8u   /* Sounds of one kind, at most this often. */
 #define TEAR_EVERY_TICKS 14u
@@ -223,12 +224,23 @@ static int can_stand(const struct scoop *scoop, vec3 place, const struct fish *f
     return depth > STAND_SHARE * FISH_HEIGHT_PER_LENGTH * fish->length_m;
 }
 
+/* No room left on the paper: it works its way out over the ring. */
+static void spill(const struct scoop *scoop, struct fish *fish, vec3 place)
+{
+    const vec3 out = v3_normalize_or(v3(place.x, 0.0f, place.z), v3(1.0f, 0.0f, 0.0f));
+    fish->position_m = v3_mad(fish->position_m, basis_to_world(&scoop->axes, out), SPILL_M_S * CORE_TICK_S);
+}
+
 static void take_up(struct scoop *scoop, uint32_t index)
 {
     struct poi *poi = scoop->poi;
     struct fish *fish = &scoop->tank->fish[index];
     const vec3 place = basis_to_body(&scoop->axes, v3_sub(fish->position_m, poi->position_m));
-    if (poi->rider_count == POI_RIDER_MAX || scoop->axes.up.y < LEVEL_MIN || can_stand(scoop, place, fish)) {
+    if (scoop->axes.up.y < LEVEL_MIN || can_stand(scoop, place, fish)) {
+        return;
+    }
+    if (poi->rider_count == POI_RIDER_MAX) {
+        spill(scoop, fish, place);
         return;
     }
     const struct basis body = basis_from_angles(fish->angles);

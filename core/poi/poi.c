@@ -9,8 +9,8 @@
 
 /* The hand. One stiffness; damping grows with the water that has to move along, so that the spring
  * is critically damped along the normal under water and lags a moving hand by damping / stiffness:
- * 22 ms in air, 42 ms broadside under water. */
-#define HAND_N_M 400.0f
+ * 22 ms in air, 53 ms broadside under water. */
+#define HAND_N_M 250.0f
 #define HAND_LAG_AIR_S 0.0225f
 #define HAND_N_MAX 20.0f         /* What a wrist gives; the poi yields beyond it. */
 #define EDGE_ADDED_KG 0.010f     /* Water that the ring drags along its plane. */
@@ -26,7 +26,7 @@
 
 /* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at
  * 30 Hz, must not become blows of water. */
-#define FEEL_TAU_S 0.030f
+#define FEEL_TAU_S 0.060f
 #define FEEL_M_S2_MAX 6.0f       /* A stop at a wall is the ring's, not the paper's. */
 
 #define FILM_KG 0.003f           /* Water that wet paper keeps, ... */

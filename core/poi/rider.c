@@ -10,9 +10,9 @@
 #define LIE_RAD (80.0f * F_DEG)  /* Flat on its side, but for the fins under it. */
 #define LIE_PER_S 8.0f
 #define STICK 0.36f              /* Static friction of skin on wet paper: slides from 20 degrees. */
-#define SLIP 0.20f               /* Once it slides. */
+#define SLIP 0.30f               /* Once it slides. */
 #define WALL_STICK 0.84f         /* The ring is 3 mm high: a fish rolls over it from 40 degrees ... */
-#define WALL_JUMP_M_S 0.45f      /* ... or in a rush. */
+#define WALL_JUMP_M_S 0.40f      /* ... or in a rush. */
 #define WALL_MARGIN_M 0.004f     /* Centre to ring when the belly touches it. */
 #define SLAP_S 0.020f
 #define SLAP_M_S2_MIN 10.0f      /* Tail pulse: body mass times this ... */
@@ -20,10 +20,10 @@
 #define SLAP_N_MAX 0.15f
 #define CALM_TAU_S 3.0f          /* Out of water it tires, */
 #define CALM_HEAD_UP 2.5f        /* and sooner with its head up. */
-#define FLOP_M_S 0.10f           /* A slap also throws the fish about. */
+#define FLOP_M_S 0.60f           /* A slap also throws the fish about; few throw it so fast. */
 #define VIGOUR_MIN 0.08f         /* It never quite gives up. */
 
-enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_COUNT };
+enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
 
 static float draw(const struct rider *rider, uint32_t seed, uint32_t tick, uint32_t which)
 {
@@ -55,9 +55,11 @@ void rider_tail(const struct rider *rider, float length_m, float *x_m, float *z_
 static void throw_about(struct rider *rider, float strength, uint32_t seed, uint32_t tick)
 {
     const float turn = 2.0f * draw(rider, seed, tick, DRAW_TURN) - 1.0f;
+    const float luck = draw(rider, seed, tick, DRAW_FLOP);
+    const float flop = FLOP_M_S * strength * luck * luck * luck;
     rider->heading_rad = f_wrap_angle(rider->heading_rad + 0.5f * strength * turn);
-    rider->slide_x_m_s -= FLOP_M_S * strength * f_sin(rider->heading_rad + turn);
-    rider->slide_z_m_s -= FLOP_M_S * strength * f_cos(rider->heading_rad + turn);
+    rider->slide_x_m_s -= flop * f_sin(rider->heading_rad + turn);
+    rider->slide_z_m_s -= flop * f_cos(rider->heading_rad + turn);
 }
 
 /* Trains of slaps at 5 to 10 Hz with pauses that grow as it calms down. */

@@ -7,6 +7,7 @@
 #include "core/base/rng.h"
 
 #define WET_TAU_S 1.0f       /* A cell under water loses its dry strength by this. */
+#define SOAKED 0.9999f       /* Driest cell of a sheet that need not be looked at any more. */
 #define WICK_M2_S 1.0e-6f    /* In-plane wicking: a front of about 1.4 mm after a second, sqrt(t). */
 #define DAMAGE_TAU_S 0.05f   /* Life of a cell at its ultimate tension ... */
 #define LOAD_RATIO_MIN 0.25f /* ... and below this share of it, a day: ratio^10 is under 1e-6. */
@@ -14,6 +15,7 @@
 #define WET_LINE_FACTOR 2.5f /* along the line between wet and dry paper (swelling differs), */
 #define TIP_FACTOR 2.5f      /* and in front of a tear. */
 #define WET_LINE_STEP 0.5f   /* Difference of wetness over two cells that counts as a full line. */
+#define FOOT_TENSION_MIN_N_M 0.3f /* A footprint is felt as far as this; less wears nothing. */
 #define FIBRE_SHARE 0.25f    /* A tear along the fibres needs so much less, across so much more. */
 #define STRENGTH_SD 0.12f    /* Between specimens of one grade. */
 #define PATCH_SD 0.05f       /* Within a specimen, from cloud to cloud of the pulp. */
@@ -165,7 +167,7 @@ void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t see
 
 /* ---- Water ---------------------------------------------------------------------------------- */
 
-/* The driest a cell's neighbour may be for water to creep: dry paper drinks from wet paper. */
+/* Dry paper drinks from wet paper. */
 static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
 {
     return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
@@ -176,6 +178,7 @@ static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
 static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
 {
     const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
+    float driest = 1.0f;
     const float spread = WICK_M2_S * CORE_TICK_S / (cell_m(sheet) * cell_m(sheet));
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
@@ -190,7 +193,9 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
                                creep(sheet, cell, cell + SHEET_SIDE);
             sheet->wetness[cell] += f_max(0.0f, spread * flow);
         }
+        driest = f_min(driest, sheet->wetness[cell]);
     }
+    sheet->soaked = driest >= SOAKED;
 }
 
 /* Whether any of the ring may be under the line; cheap, and right but for the corners. */
@@ -201,19 +206,40 @@ static int reaches_water(const struct sheet *sheet, struct sheet_wetting wet)
 
 /* ---- Tension -------------------------------------------------------------------------------- */
 
+struct strain {
+    const struct paper_grade *grade;
+    float centre_n_m, edge_n_m; /* Membrane tension. */
+    float cell_m;
+    uint32_t load_count;
+    struct footprint {
+        float x_m, z_m;
+        float own_m;       /* Its radius. */
+        float reach2_m2;   /* Beyond this square distance it is not felt. */
+        float pull_n_m_m;  /* F / (2 pi): tension times radius. */
+    } footprints[SHEET_LOAD_MAX];
+};
+
 /* Footprint of force F: N = F / (pi d) at its own edge, falling as 1/r beyond it. */
-static float footprint_tension(float x_m, float z_m, const struct sheet_load *loads, uint32_t count,
-                               float cell_size_m)
+static struct footprint footprint(const struct sheet_load *load, float cell_size_m)
+{
+    const float pull = f_abs(load->force_n) / F_TAU;
+    const float reach = f_max(pull / FOOT_TENSION_MIN_N_M, cell_size_m);
+    return (struct footprint){ .x_m = load->x_m,
+                               .z_m = load->z_m,
+                               .own_m = 0.5f * load->diameter_m,
+                               .reach2_m2 = reach * reach,
+                               .pull_n_m_m = pull };
+}
+
+static float footprint_tension(const struct strain *strain, float x_m, float z_m)
 {
     float tension = 0.0f;
-    for (uint32_t i = 0; i < count; i++) {
-        const float dx = x_m - loads[i].x_m, dz = z_m - loads[i].z_m;
-        const float reach = 4.0f * f_max(loads[i].diameter_m, cell_size_m);
+    for (uint32_t i = 0; i < strain->load_count; i++) {
+        const struct footprint *foot = &strain->footprints[i];
+        const float dx = x_m - foot->x_m, dz = z_m - foot->z_m;
         const float square = dx * dx + dz * dz;
-        if (square < reach * reach) {
-            const float own = 0.5f * loads[i].diameter_m;
-            const float near = f_max(own, f_sqrt(square) - 0.5f * cell_size_m);
-            tension += f_abs(loads[i].force_n) / (F_TAU * near);
+        if (square < foot->reach2_m2) {
+            tension += foot->pull_n_m_m / f_max(foot->own_m, f_sqrt(square) - 0.5f * strain->cell_m);
         }
     }
     return tension;
@@ -274,31 +300,23 @@ static int wear(struct sheet *sheet, uint32_t cell, float ratio)
     return 1;
 }
 
-struct strain {
-    float centre_n_m, edge_n_m; /* Membrane tension. */
-    const struct sheet_load *loads;
-    uint32_t load_count;
-};
-
 static void strain_cell(struct sheet *sheet, uint32_t cell, const struct strain *strain,
                         struct sheet_events *events)
 {
-    const struct paper_grade *grade = sheet_grade(sheet->grade);
     const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
-    const float x = cell_at(sheet, column), z = cell_at(sheet, row);
+    const float x = ((float)column + 0.5f) * strain->cell_m - sheet->radius_m;
+    const float z = ((float)row + 0.5f) * strain->cell_m - sheet->radius_m;
     const float square = (x * x + z * z) / (sheet->radius_m * sheet->radius_m);
-    float tension = f_lerp(strain->centre_n_m, strain->edge_n_m, square);
-    if (strain->load_count > 0) {
-        tension += footprint_tension(x, z, strain->loads, strain->load_count, cell_m(sheet));
-    }
+    const float tension =
+        f_lerp(strain->centre_n_m, strain->edge_n_m, square) + footprint_tension(strain, x, z);
     events->tension_max_n_m = f_max(events->tension_max_n_m, tension);
-    const float material = f_lerp(grade->dry_n_m, grade->wet_n_m, sheet->wetness[cell]);
-    const float ratio = tension / (material * sheet->strength[cell]);
-    if (ratio * TIP_FACTOR * (1.0f + FIBRE_SHARE) < LOAD_RATIO_MIN) {
+    const float material = f_lerp(strain->grade->dry_n_m, strain->grade->wet_n_m, sheet->wetness[cell]);
+    const float holds = material * sheet->strength[cell];
+    if (tension * TIP_FACTOR * (1.0f + FIBRE_SHARE) < LOAD_RATIO_MIN * holds) {
         return; /* Not even a tear's tip would move. */
     }
     const float from_edge = sheet->radius_m * (1.0f - f_sqrt(square));
-    if (wear(sheet, cell, ratio * concentration(sheet, row, column, from_edge))) {
+    if (wear(sheet, cell, tension / holds * concentration(sheet, row, column, from_edge))) {
         events->cells_torn++;
     }
 }
@@ -331,17 +349,19 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     CORE_ASSERT(f_is_finite(pressure_pa));
     struct sheet_events events = { 0 };
     const struct paper_grade *grade = sheet_grade(sheet->grade);
-    const struct strain strain = {
+    struct strain strain = {
+        .grade = grade,
         .centre_n_m = sheet_tension_centre(grade, pressure_pa, sheet->radius_m),
         .edge_n_m = sheet_tension_edge(grade, pressure_pa, sheet->radius_m),
-        .loads = loads,
+        .cell_m = cell_m(sheet),
         .load_count = load_count,
     };
-    settle_sag(sheet, pressure_pa);
-    if (reaches_water(sheet, wet)) {
-        sheet->touched = 1;
+    for (uint32_t i = 0; i < load_count; i++) {
+        strain.footprints[i] = footprint(&loads[i], strain.cell_m);
     }
-    if (sheet->touched) {
+    settle_sag(sheet, pressure_pa);
+    sheet->touched |= (uint8_t)reaches_water(sheet, wet);
+    if (sheet->touched && !sheet->soaked) {
         wet_cells(sheet, wet);
     }
     const float weakest = sheet->strength_min * (sheet->touched ? grade->wet_n_m : grade->dry_n_m);
@@ -382,6 +402,7 @@ uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)
 {
     hash = hash_u32(hash, sheet->grade);
     hash = hash_u32(hash, sheet->touched);
+    hash = hash_u32(hash, sheet->soaked);
     hash = hash_float(hash, sheet->radius_m);
     hash = hash_float(hash, sheet->fibre_x);
     hash = hash_float(hash, sheet->fibre_z);

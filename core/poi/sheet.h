@@ -44,6 +44,7 @@ struct sheet_wetting {
 struct sheet {
     uint8_t grade;      /* SHEET_GRADE_MIN .. SHEET_GRADE_MAX */
     uint8_t touched;    /* Some cell has been under water. */
+    uint8_t soaked;     /* All are wet through. */
     float radius_m;
     float fibre_x, fibre_z;           /* Unit: the way most fibres run; tears like to follow it. */
     float wetness[SHEET_CELL_COUNT];  /* [0, 1] */

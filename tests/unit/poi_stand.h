@@ -1,0 +1,120 @@
+/* poi_stand.h -- a poi on a test stand: a hand that moves as told, a tank whose fish hold still.
+ *
+ * One tick runs the poi's share of the core's order (poi, then catch) on a tank filled by hand. */
+#ifndef KINGYO_TESTS_POI_STAND_H
+#define KINGYO_TESTS_POI_STAND_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/hash.h"
+#include "core/poi/catch.h"
+#include "core/poi/disc.h"
+
+struct stand {
+    struct tank tank;
+    struct poi poi;
+    struct bowl bowl;
+    struct output output;
+    struct poi_target hand;
+    struct poi_force force;
+    vec3 tip;
+    uint32_t tick;
+    uint32_t landed;             /* Since the start. */
+    float tension_max_n_m, tension_sum_n_m;
+};
+
+/* A tank of 0.9 x 0.55 m with 15 cm of water and no fish; the poi 6 cm above its middle. */
+static inline void stand_init(struct stand *stand, uint8_t grade, uint32_t seed)
+{
+    memset(stand, 0, sizeof *stand);
+    stand->tank.seed = seed;
+    stand->tank.size_m = v3(0.90f, 0.15f, 0.55f);
+    stand->tank.wall_height_m = 0.20f;
+    stand->hand.position_m = v3(0.0f, 0.06f, 0.0f);
+    poi_init(&stand->poi, grade, stand->hand.position_m, seed);
+    stand->poi.link = POI_LINK_LIVE;
+    bowl_init(&stand->bowl, v3(0.30f, 0.02f, 0.15f));
+}
+
+static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float length_m)
+{
+    const uint32_t index = stand->tank.fish_count++;
+    struct fish *fish = &stand->tank.fish[index];
+    fish->position_m = position_m;
+    fish->length_m = length_m;
+    fish->stamina = 1.0f;
+    return index;
+}
+
+static inline void stand_tick(struct stand *stand)
+{
+    struct poi *poi = &stand->poi;
+    stand->output.sound_count = 0;
+    poi_tick(poi, &stand->hand, &stand->tank, stand->tip, &stand->force);
+    bowl_tick(&stand->bowl, 0, &stand->tank, stand->tick);
+    stand->landed +=
+        catch_tick(poi, 0, &stand->tank, &stand->bowl, stand->tick, &stand->output).landed;
+    stand->tick++;
+    stand->tension_max_n_m = f_max(stand->tension_max_n_m, poi->strain.tension_max_n_m);
+    stand->tension_sum_n_m += poi->strain.tension_max_n_m;
+}
+
+static inline void stand_wait(struct stand *stand, float seconds)
+{
+    for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
+        stand_tick(stand);
+    }
+}
+
+/* The hand goes straight to a place at a speed. */
+static inline void stand_move(struct stand *stand, vec3 to_m, float speed_m_s)
+{
+    const vec3 from = stand->hand.position_m;
+    const vec3 way = v3_sub(to_m, from);
+    const uint32_t ticks = (uint32_t)(v3_length(way) / speed_m_s * (float)CORE_TICK_HZ) + 1u;
+    for (uint32_t i = 1; i <= ticks; i++) {
+        stand->hand.position_m = v3_mad(from, way, (float)i / (float)ticks);
+        stand_tick(stand);
+    }
+}
+
+static inline void stand_turn(struct stand *stand, float pitch_rad, float roll_rad, float seconds)
+{
+    const struct angles from = stand->hand.angles;
+    const uint32_t ticks = (uint32_t)(seconds * (float)CORE_TICK_HZ) + 1u;
+    for (uint32_t i = 1; i <= ticks; i++) {
+        const float share = (float)i / (float)ticks;
+        stand->hand.angles.pitch_rad = f_lerp(from.pitch_rad, pitch_rad, share);
+        stand->hand.angles.roll_rad = f_lerp(from.roll_rad, roll_rad, share);
+        stand_tick(stand);
+    }
+}
+
+/* In, all wet, 6 cm deep, level and at rest. */
+static inline void stand_dip(struct stand *stand)
+{
+    stand_turn(stand, 0.6f, 0.0f, 0.2f);
+    stand_move(stand, v3(stand->hand.position_m.x, -0.06f, stand->hand.position_m.z), 0.2f);
+    stand_turn(stand, 0.0f, 0.0f, 0.4f);
+    stand_wait(stand, 4.0f);
+    stand->tension_max_n_m = stand->tension_sum_n_m = 0.0f;
+}
+
+/* A uniform specimen, wet through: what the formulas speak of. */
+static inline void stand_plain_paper(struct sheet *sheet, float wetness)
+{
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        sheet->strength[i] = 1.0f;
+        sheet->wetness[i] = wetness;
+    }
+    sheet->strength_min = 1.0f;
+    sheet->touched = wetness > 0.0f;
+}
+
+#endif

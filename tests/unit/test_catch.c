@@ -1,0 +1,375 @@
+/* test_catch.c -- fish on paper, through paper, into the bowl. */
+#include "poi_stand.h"
+
+#define FISH_M 0.045f
+
+static struct stand stand;
+
+/* A poi that has just lifted one fish, level, 6 cm over the water. */
+static uint32_t lifted_facing(uint8_t grade, uint32_t seed, float off_x_m, float yaw_rad)
+{
+    stand_init(&stand, grade, seed);
+    stand_dip(&stand);
+    const uint32_t index = stand_fish(&stand, v3(off_x_m, -0.045f, 0.005f), FISH_M);
+    stand.tank.fish[index].angles.yaw_rad = yaw_rad;
+    stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
+    return index;
+}
+
+static uint32_t lifted(uint8_t grade, uint32_t seed, float off_x_m)
+{
+    return lifted_facing(grade, seed, off_x_m, 0.0f);
+}
+
+static float height_over_paper(uint32_t fish)
+{
+    const struct basis axes = basis_from_angles(stand.poi.angles);
+    return v3_dot(axes.up, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
+}
+
+static void test_a_rising_poi_lifts_the_fish_above_it_out_of_the_water(void **state)
+{
+    (void)state;
+    const uint32_t fish = lifted(5, 1, 0.01f);
+    assert_int_equal(stand.poi.rider_count, 1);
+    assert_int_equal(stand.tank.fish[fish].gait, GAIT_HELD);
+    assert_int_equal(stand.tank.fish[fish].holder, 0);
+    assert_true(stand.tank.fish[fish].position_m.y > 0.04f);
+}
+
+static void test_a_fish_on_the_paper_lies_on_its_side(void **state)
+{
+    (void)state;
+    const uint32_t fish = lifted(5, 1, 0.01f);
+    stand_wait(&stand, 0.5f);
+    const struct basis axes = basis_from_angles(stand.tank.fish[fish].angles);
+    assert_float_equal(f_acos(axes.up.y), 80.0f * F_DEG, 3.0f * F_DEG);
+    assert_float_equal(height_over_paper(fish), 0.5f * FISH_WIDTH_PER_LENGTH * FISH_M, 0.002f);
+}
+
+static void test_a_fish_rides_with_the_poi(void **state)
+{
+    (void)state;
+    const uint32_t fish = lifted(5, 1, 0.0f);
+    stand_move(&stand, v3(0.25f, 0.08f, -0.1f), 0.3f);
+    stand_wait(&stand, 0.2f);
+    assert_int_equal(stand.poi.rider_count, 1);
+    assert_float_equal(stand.tank.fish[fish].position_m.x, 0.25f, 0.04f);
+    assert_float_equal(stand.tank.fish[fish].position_m.z, -0.1f, 0.04f);
+    assert_true(height_over_paper(fish) > 0.0f);
+}
+
+static void test_a_fish_below_is_pushed_down_and_never_through(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 5; i++) {
+        const float speed_m_s = 0.05f + 0.4f * (float)i;
+        stand_init(&stand, 4, i);
+        const uint32_t fish = stand_fish(&stand, v3(0.01f, -0.05f, 0.0f), FISH_M);
+        stand_move(&stand, v3(0.0f, -0.30f, 0.0f), speed_m_s);
+        for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+            stand_tick(&stand);
+            const vec3 away = v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m);
+            if (away.x * away.x + away.z * away.z < POI_RADIUS_M * POI_RADIUS_M) {
+                assert_true(height_over_paper(fish) < 0.0f);
+            }
+            assert_true(stand.tank.fish[fish].position_m.y > -0.15f);
+        }
+    }
+}
+
+static void test_a_fish_above_is_never_left_below(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 6; i++) {
+        stand_init(&stand, 4, i); /* Strong paper, dry: it does not tear. */
+        stand.hand.position_m = stand.poi.position_m = v3(0.0f, -0.13f, 0.0f);
+        stand.hand.angles.roll_rad = 0.15f * (float)i;
+        stand_wait(&stand, 0.3f);
+        const uint32_t fish = stand_fish(&stand, v3(0.0f, -0.09f, 0.0f), FISH_M);
+        for (uint32_t tick = 0; tick < 60; tick++) {
+            stand.hand.position_m.y = -0.13f + 0.16f * (float)tick / 60.0f;
+            stand_tick(&stand);
+            const struct basis axes = basis_from_angles(stand.poi.angles);
+            const vec3 place =
+                basis_to_body(&axes, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
+            if (place.x * place.x + place.z * place.z < POI_RADIUS_M * POI_RADIUS_M) {
+                assert_true(place.y > 0.0f);
+            }
+        }
+    }
+}
+
+static void test_a_careful_scooper_keeps_the_paper_for_many_fish(void **state)
+{
+    (void)state;
+    uint32_t kept = 0;
+    for (uint32_t seed = 0; seed < 20; seed++) {
+        stand_init(&stand, 6, seed);
+        stand_dip(&stand);
+        for (uint32_t scoop = 0; scoop < 4; scoop++) {
+            stand_fish(&stand, v3(0.012f, -0.05f, -0.008f), FISH_M);
+            stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
+            stand_move(&stand, v3(0.30f, 0.08f, 0.15f), 0.30f);
+            stand.tip = v3(1.0f, 0.0f, 0.0f);
+            stand_wait(&stand, 1.0f);
+            stand.tip = v3(0.0f, 0.0f, 0.0f);
+            stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.5f);
+            stand_move(&stand, v3(0.0f, -0.06f, 0.0f), 0.15f);
+        }
+        kept += sheet_left(&stand.poi.sheet) > 0.95f;
+        assert_int_equal(stand.landed, stand.bowl.fish_count);
+    }
+    assert_in_range(kept, 19, 20);
+}
+
+static uint32_t careless_scoops(uint32_t seed)
+{
+    stand_init(&stand, 6, seed);
+    stand_dip(&stand);
+    for (uint32_t scoop = 0; scoop < 12; scoop++) {
+        stand_fish(&stand, v3(0.012f, -0.05f, -0.008f), 0.05f);
+        stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.5f);
+        stand_move(&stand, v3(0.30f, 0.08f, 0.15f), 0.6f);
+        stand.tip = v3(1.0f, 0.0f, 0.0f);
+        stand_wait(&stand, 1.0f);
+        stand.tip = v3(0.0f, 0.0f, 0.0f);
+        stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.6f);
+        stand_move(&stand, v3(0.0f, -0.06f, 0.0f), 0.4f);
+        if (sheet_left(&stand.poi.sheet) < 0.8f) {
+            return scoop;
+        }
+    }
+    return 12;
+}
+
+static void test_a_careless_scooper_loses_it_after_a_few(void **state)
+{
+    (void)state;
+    uint32_t total = 0;
+    for (uint32_t seed = 0; seed < 40; seed++) {
+        total += careless_scoops(seed);
+    }
+    assert_in_range(total, 40u * 2u, 40u * 5u);
+}
+
+static void test_a_fish_falls_through_a_hole_that_is_under_it(void **state)
+{
+    (void)state;
+    const uint32_t fish = lifted(4, 1, 0.0f);
+    const struct rider rider = stand.poi.riders[0];
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const float x = ((float)(cell % SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - rider.x_m;
+        const float z = ((float)(cell / SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - rider.z_m;
+        if (stand.poi.sheet.state[cell] == CELL_PAPER && x * x + z * z < 0.015f * 0.015f) {
+            stand.poi.sheet.state[cell] = CELL_HOLE;
+            stand.poi.sheet.paper_cells--;
+        }
+    }
+    stand_wait(&stand, 0.05f);
+    assert_int_equal(stand.poi.riders[0].state, RIDER_FALLING);
+    stand_wait(&stand, 0.5f);
+    assert_int_equal(stand.poi.rider_count, 0);
+    assert_int_not_equal(stand.tank.fish[fish].gait, GAIT_HELD);
+    assert_true(stand.tank.fish[fish].position_m.y < 0.0f);
+    assert_int_equal(stand.landed, 0);
+}
+
+static void test_a_hole_elsewhere_drops_nobody(void **state)
+{
+    (void)state;
+    lifted(4, 1, 0.0f);
+    const float away = stand.poi.riders[0].x_m > 0.0f ? -0.03f : 0.03f;
+    const uint32_t column = (uint32_t)((away + 0.04f) / 0.0025f);
+    stand.poi.sheet.state[SHEET_SIDE / 2u * SHEET_SIDE + column] = CELL_HOLE;
+    stand.poi.sheet.paper_cells--;
+    stand_wait(&stand, 0.5f);
+    assert_int_equal(stand.poi.rider_count, 1);
+}
+
+static void test_tipped_over_the_bowl_a_fish_lands_and_counts_once(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 0; seed < 10; seed++) {
+        const uint32_t fish = lifted(4, seed, 0.0f);
+        stand_move(&stand, v3(0.30f, 0.08f, 0.15f), 0.3f);
+        assert_int_equal(stand.landed, 0);
+        stand.tip = v3(1.0f, 0.0f, 0.0f);
+        stand_wait(&stand, 1.5f);
+        assert_int_equal(stand.landed, 1);
+        assert_int_equal(stand.bowl.fish_count, 1);
+        assert_int_equal(stand.tank.fish[fish].gait, GAIT_BOWL);
+        stand_wait(&stand, 2.0f);
+        assert_int_equal(stand.landed, 1);
+        assert_int_equal(stand.poi.rider_count, 0);
+    }
+}
+
+static void test_tipped_over_the_tank_a_fish_slides_off_and_swims_on(void **state)
+{
+    (void)state;
+    const uint32_t fish = lifted(4, 3, 0.0f);
+    stand_turn(&stand, 0.0f, 55.0f * F_DEG, 0.3f);
+    stand_wait(&stand, 1.0f);
+    assert_int_equal(stand.poi.rider_count, 0);
+    assert_int_equal(stand.landed, 0);
+    assert_true(stand.tank.fish[fish].position_m.y < 0.0f);
+    assert_true(stand.tank.fish[fish].position_m.x > 0.0f); /* Off the lowered right side. */
+}
+
+static void test_a_slight_tilt_keeps_the_fish_behind_the_ring(void **state)
+{
+    (void)state;
+    uint32_t kept = 0;
+    for (uint32_t seed = 0; seed < 20; seed++) {
+        lifted(4, seed, 0.0f);
+        stand_turn(&stand, 0.0f, 28.0f * F_DEG, 0.5f);
+        stand_wait(&stand, 1.0f);
+        kept += stand.poi.rider_count;
+    }
+    assert_in_range(kept, 17, 20);
+}
+
+static void test_near_the_rim_a_fish_may_flop_out_and_in_the_middle_it_hardly_does(void **state)
+{
+    (void)state;
+    uint32_t rim = 0, middle = 0;
+    for (uint32_t seed = 0; seed < 40; seed++) {
+        lifted_facing(4, seed, 0.0f, -0.5f * F_PI);
+        stand_wait(&stand, 2.0f);
+        middle += stand.poi.rider_count;
+        lifted_facing(4, seed, 0.034f, -0.5f * F_PI); /* Nose out over the ring. */
+        stand_wait(&stand, 2.0f);
+        rim += stand.poi.rider_count;
+    }
+    assert_true(middle >= 38);
+    assert_in_range(rim, 20, middle - 1u);
+}
+
+static void test_a_fish_slaps_and_calms_down(void **state)
+{
+    (void)state;
+    lifted(4, 1, 0.0f);
+    uint32_t early = 0, late = 0;
+    for (uint32_t tick = 0; tick < 10u * CORE_TICK_HZ; tick++) {
+        stand_tick(&stand);
+        assert_int_equal(stand.poi.rider_count, 1);
+        const struct rider *rider = &stand.poi.riders[0];
+        assert_true(rider->slap_n <= 0.15f);
+        early += tick < 2u * CORE_TICK_HZ && rider->slap_s > 0.0f && rider->slap_n > 0.02f;
+        late += tick >= 8u * CORE_TICK_HZ && rider->slap_s > 0.0f && rider->slap_n > 0.02f;
+    }
+    assert_true(early > 10);
+    assert_true(late < early / 4u);
+}
+
+static void test_a_rider_lowered_into_the_water_swims_off(void **state)
+{
+    (void)state;
+    const uint32_t fish = lifted(4, 1, 0.0f);
+    stand_move(&stand, v3(0.0f, -0.06f, 0.0f), 0.2f);
+    stand_wait(&stand, 0.3f);
+    assert_int_equal(stand.poi.rider_count, 0);
+    assert_int_not_equal(stand.tank.fish[fish].gait, GAIT_HELD);
+    assert_true(height_over_paper(fish) > 0.0f);
+}
+
+static void test_a_renewed_poi_gives_its_fish_back(void **state)
+{
+    (void)state;
+    const uint32_t fish = lifted(4, 1, 0.0f);
+    poi_init(&stand.poi, 6, stand.poi.position_m, 9);
+    stand_tick(&stand);
+    assert_int_not_equal(stand.tank.fish[fish].gait, GAIT_HELD);
+    assert_true(stand.tank.fish[fish].position_m.y < 0.0f);
+}
+
+static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand_dip(&stand);
+    for (uint32_t i = 0; i < POI_RIDER_MAX + 8u; i++) {
+        stand_fish(&stand, v3(0.01f * (float)(i % 5u) - 0.02f, -0.05f, 0.008f * (float)(i / 5u) - 0.016f), 0.03f);
+    }
+    stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.15f);
+    stand_wait(&stand, 0.5f);
+    assert_true(stand.poi.rider_count <= POI_RIDER_MAX);
+    assert_true(stand.poi.rider_count > 4);
+    assert_true(stand.poi.load_count <= SHEET_LOAD_MAX);
+    for (uint32_t i = 0; i < stand.tank.fish_count; i++) {
+        const vec3 away = v3_sub(stand.tank.fish[i].position_m, stand.poi.position_m);
+        if (stand.tank.fish[i].gait != GAIT_HELD) {
+            assert_true(f_sqrt(away.x * away.x + away.z * away.z) > 0.95f * POI_RADIUS_M);
+        }
+    }
+}
+
+static void test_sounds_say_what_happens_and_do_not_rattle(void **state)
+{
+    (void)state;
+    uint32_t heard[SOUND_COUNT] = { 0 };
+    stand_init(&stand, 4, 1);
+    stand_fish(&stand, v3(0.0f, -0.10f, 0.0f), FISH_M);
+    for (uint32_t tick = 0; tick < 8u * CORE_TICK_HZ; tick++) {
+        stand.hand.position_m.y = tick < 2u * CORE_TICK_HZ ? -0.13f : 0.06f;
+        stand.hand.position_m.x = tick < CORE_TICK_HZ ? 0.2f : 0.0f; /* In beside the fish, then under it. */
+        stand_tick(&stand);
+        for (uint32_t i = 0; i < stand.output.sound_count; i++) {
+            assert_true(stand.output.sounds[i].gain > 0.0f);
+            assert_true(stand.output.sounds[i].gain <= 1.0f);
+            heard[stand.output.sounds[i].sound]++;
+        }
+    }
+    assert_int_equal(heard[SOUND_DIP], 1);
+    assert_int_equal(heard[SOUND_LIFT], 1);
+}
+
+static uint64_t played(void)
+{
+    stand_init(&stand, 7, 11);
+    stand_dip(&stand);
+    for (uint32_t i = 0; i < 6; i++) {
+        stand_fish(&stand, v3(0.01f * (float)i - 0.025f, -0.05f, 0.0f), 0.04f);
+    }
+    stand_move(&stand, v3(0.1f, 0.06f, 0.0f), 0.5f);
+    stand_wait(&stand, 2.0f);
+    uint64_t hash = poi_hash(HASH_START, &stand.poi);
+    for (uint32_t i = 0; i < stand.tank.fish_count; i++) {
+        hash = hash_vec3(hash, stand.tank.fish[i].position_m);
+    }
+    return hash;
+}
+
+static void test_the_same_scoop_ends_the_same_way(void **state)
+{
+    (void)state;
+    const uint64_t first = played();
+    assert_true(first == played());
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_rising_poi_lifts_the_fish_above_it_out_of_the_water),
+        cmocka_unit_test(test_a_fish_on_the_paper_lies_on_its_side),
+        cmocka_unit_test(test_a_fish_rides_with_the_poi),
+        cmocka_unit_test(test_a_fish_below_is_pushed_down_and_never_through),
+        cmocka_unit_test(test_a_fish_above_is_never_left_below),
+        cmocka_unit_test(test_a_careful_scooper_keeps_the_paper_for_many_fish),
+        cmocka_unit_test(test_a_careless_scooper_loses_it_after_a_few),
+        cmocka_unit_test(test_a_fish_falls_through_a_hole_that_is_under_it),
+        cmocka_unit_test(test_a_hole_elsewhere_drops_nobody),
+        cmocka_unit_test(test_tipped_over_the_bowl_a_fish_lands_and_counts_once),
+        cmocka_unit_test(test_tipped_over_the_tank_a_fish_slides_off_and_swims_on),
+        cmocka_unit_test(test_a_slight_tilt_keeps_the_fish_behind_the_ring),
+        cmocka_unit_test(test_near_the_rim_a_fish_may_flop_out_and_in_the_middle_it_hardly_does),
+        cmocka_unit_test(test_a_fish_slaps_and_calms_down),
+        cmocka_unit_test(test_a_rider_lowered_into_the_water_swims_off),
+        cmocka_unit_test(test_a_renewed_poi_gives_its_fish_back),
+        cmocka_unit_test(test_more_fish_than_the_poi_can_carry_spill_over_the_ring),
+        cmocka_unit_test(test_sounds_say_what_happens_and_do_not_rattle),
+        cmocka_unit_test(test_the_same_scoop_ends_the_same_way),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,364 @@
+/* test_poi.c -- the ring between hand, water and walls. */
+#include "poi_stand.h"
+
+#define SCREEN_PX 1280.0f
+#define VIEW_M 0.95f /* What the screen's width shows of the tank. */
+
+static struct stand stand; /* Too large for some stacks. */
+
+static void test_in_air_the_poi_lags_a_moving_hand_by_a_frame_and_a_half(void **state)
+{
+    (void)state;
+    stand_init(&stand, 6, 1);
+    stand.hand.position_m = stand.poi.position_m = v3(-0.3f, 0.06f, 0.0f);
+    stand_move(&stand, v3(0.3f, 0.06f, 0.0f), 0.5f);
+    const float lag_s = (stand.hand.position_m.x - stand.poi.position_m.x) / 0.5f;
+    assert_true(lag_s > 0.015f);
+    assert_true(lag_s < 0.026f);
+}
+
+static void test_a_leap_of_the_hand_is_followed_without_overshoot(void **state)
+{
+    (void)state;
+    const float heights_m[] = { 0.06f, -0.07f };
+    for (uint32_t i = 0; i < 2; i++) {
+        stand_init(&stand, 4, 1);
+        stand.hand.position_m = stand.poi.position_m = v3(-0.2f, heights_m[i], 0.0f);
+        stand_wait(&stand, 0.2f);
+        stand.hand.position_m.x = 0.2f;
+        for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
+            stand_tick(&stand);
+            assert_true(stand.poi.position_m.x < 0.205f);
+        }
+        assert_float_equal(stand.poi.position_m.x, 0.2f, 0.001f);
+    }
+}
+
+static void test_a_hand_that_shakes_wildly_cannot_blow_the_poi_up(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    for (uint32_t tick = 0; tick < 1200; tick++) {
+        stand.hand.position_m = tick % 2u ? v3(40.0f, -30.0f, 7.0f) : v3(-40.0f, 30.0f, -7.0f);
+        stand.hand.angles.pitch_rad = tick % 3u ? 3.0f : -3.0f;
+        stand_tick(&stand);
+        assert_true(v3_length(stand.poi.velocity_m_s) < 20.0f);
+        assert_in_range((int)(1000.0f * stand.poi.position_m.y) + 150, 0, 450);
+    }
+}
+
+/* Holds the poi broadside to a steady stream, made by moving it at that speed. */
+static float steady_broadside_n(float speed_m_s)
+{
+    stand_init(&stand, 4, 1);
+    stand.tank.size_m = v3(4.0f, 0.5f, 1.0f);
+    stand.hand.position_m = stand.poi.position_m = v3(-1.0f, -0.2f, 0.0f);
+    stand.hand.angles.roll_rad = 0.5f * F_PI;
+    stand_wait(&stand, 0.5f);
+    stand_move(&stand, v3(-0.4f, -0.2f, 0.0f), speed_m_s);
+    return stand.force.force_n.x;
+}
+
+static void test_the_hand_feels_a_quarter_newton_broadside_at_0_3_m_s(void **state)
+{
+    (void)state;
+    assert_float_equal(steady_broadside_n(0.3f), -0.25f, 0.025f);
+}
+
+static void test_edge_on_it_feels_almost_nothing(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand.hand.position_m = stand.poi.position_m = v3(-0.3f, -0.07f, 0.0f);
+    stand_wait(&stand, 0.5f);
+    stand_move(&stand, v3(0.3f, -0.07f, 0.0f), 0.3f);
+    assert_true(stand.force.force_n.x < 0.0f);
+    assert_true(stand.force.force_n.x > -0.010f);
+}
+
+static void test_a_poi_that_hangs_in_air_weighs_what_it_weighs(void **state)
+{
+    (void)state;
+    stand_init(&stand, 6, 1);
+    stand_wait(&stand, 1.0f);
+    assert_float_equal(stand.force.force_n.y, -POI_MASS_KG * GRAVITY_M_S2, 0.002f);
+    stand_dip(&stand);
+    stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.2f);
+    stand_wait(&stand, 0.1f);
+    assert_true(stand.force.force_n.y < -(POI_MASS_KG + 0.003f) * GRAVITY_M_S2); /* Wet paper. */
+}
+
+static void test_the_ring_yields_to_floor_walls_and_the_reach_of_an_arm(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand.hand.position_m = v3(2.0f, -2.0f, -2.0f);
+    stand_wait(&stand, 3.0f);
+    assert_true(stand.poi.position_m.y > -0.15f);
+    assert_true(stand.poi.position_m.y < -0.14f);
+    stand_init(&stand, 4, 1);
+    stand_move(&stand, v3(0.0f, -0.07f, 0.0f), 0.2f);
+    stand.hand.position_m = v3(2.0f, -0.07f, -2.0f);
+    stand_wait(&stand, 3.0f);
+    assert_float_equal(stand.poi.position_m.x, 0.45f - POI_OUTER_RADIUS_M, 0.002f);
+    assert_float_equal(stand.poi.position_m.z, -0.275f + POI_OUTER_RADIUS_M, 0.002f);
+    stand.hand.position_m = v3(2.0f, 2.0f, -2.0f);
+    stand_wait(&stand, 3.0f);
+    assert_float_equal(stand.poi.position_m.y, 0.30f, 0.002f);
+    assert_true(stand.poi.position_m.x > 0.45f);
+}
+
+static void test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand_move(&stand, v3(0.0f, 0.20f, 0.0f), 0.5f);
+    stand_move(&stand, v3(0.50f, 0.20f, 0.0f), 0.5f);
+    stand_move(&stand, v3(0.50f, -0.10f, 0.0f), 0.5f);
+    stand_wait(&stand, 1.0f);
+    assert_true(stand.poi.position_m.x > 0.45f);
+    assert_true(stand.poi.position_m.y > 0.05f); /* The rim stands 5 cm over the water. */
+}
+
+static void test_a_still_pose_tears_nothing_wet_or_dry(void **state)
+{
+    (void)state;
+    for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
+        stand_init(&stand, grade, grade);
+        stand_wait(&stand, 5.0f);
+        stand_dip(&stand);
+        stand_wait(&stand, 10.0f);
+        stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.15f);
+        stand_wait(&stand, 20.0f);
+        assert_float_equal(sheet_left(&stand.poi.sheet), 1.0f, 0.0f);
+    }
+}
+
+static void test_what_dips_gets_wet_and_only_there(void **state)
+{
+    (void)state;
+    stand_init(&stand, 6, 1);
+    stand.hand.angles.roll_rad = stand.poi.angles.roll_rad = 0.5f * F_PI; /* Right edge down. */
+    stand_move(&stand, v3(0.0f, 0.0f, 0.0f), 0.2f);
+    stand_wait(&stand, 3.0f);
+    const uint32_t row = SHEET_SIDE / 2u * SHEET_SIDE;
+    assert_true(stand.poi.sheet.wetness[row + SHEET_SIDE - 4u] > 0.9f);
+    assert_true(stand.poi.sheet.wetness[row + 3u] < 0.1f);
+    assert_float_equal(stand.poi.immersed, 0.5f, 0.03f);
+}
+
+static int lift_survives(uint8_t grade, uint32_t seed, float speed_m_s)
+{
+    stand_init(&stand, grade, seed);
+    stand_dip(&stand);
+    stand_move(&stand, v3(0.0f, 0.06f, 0.0f), speed_m_s);
+    return sheet_left(&stand.poi.sheet) > 0.9f;
+}
+
+static void test_a_broadside_lift_at_1_m_s_tears_wet_grade_6_at_once_and_a_slow_one_does_not(void **state)
+{
+    (void)state;
+    uint32_t fast = 0, slow = 0;
+    for (uint32_t seed = 0; seed < 40; seed++) {
+        fast += (uint32_t)lift_survives(6, seed, 1.0f);
+        slow += (uint32_t)lift_survives(6, seed, 0.2f);
+    }
+    assert_in_range(fast, 0, 2);
+    assert_int_equal(slow, 40);
+}
+
+/* Sweeps half a metre with the paper at `roll_rad` to the way. */
+static float left_after_sweep(float roll_rad, float speed_m_s, uint32_t seed)
+{
+    stand_init(&stand, 6, seed);
+    stand_move(&stand, v3(-0.30f, 0.06f, 0.0f), 0.5f);
+    stand_dip(&stand);
+    stand_move(&stand, v3(-0.30f, -0.09f, 0.0f), 0.2f);
+    stand_turn(&stand, 0.0f, roll_rad, 0.5f);
+    stand_move(&stand, v3(0.25f, -0.09f, 0.0f), speed_m_s);
+    return sheet_left(&stand.poi.sheet);
+}
+
+static void test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not(void **state)
+{
+    (void)state;
+    uint32_t torn = 0;
+    for (uint32_t seed = 0; seed < 20; seed++) {
+        torn += left_after_sweep(70.0f * F_DEG, 0.8f, seed) < 0.95f;
+        assert_float_equal(left_after_sweep(0.0f, 0.8f, seed), 1.0f, 0.0f);
+        assert_float_equal(left_after_sweep(70.0f * F_DEG, 0.2f, seed), 1.0f, 0.0f);
+    }
+    assert_in_range(torn, 18, 20);
+}
+
+/* ---- The mouse ------------------------------------------------------------------------------ */
+
+static float whole_pixel(float at_m)
+{
+    const float pixel_m = VIEW_M / SCREEN_PX;
+    return pixel_m * f_floor(at_m / pixel_m + 0.5f);
+}
+
+/* A glide over 0.4 m; reports at 60 Hz, poses linearly between two reports at 120 Hz. */
+static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mouse)
+{
+    stand_init(&stand, 4, 3);
+    stand.hand.angles.roll_rad = roll_rad;
+    const vec3 way = v3(f_cos(course_rad), 0.0f, f_sin(course_rad));
+    const vec3 start = v3(-0.2f * way.x, -0.075f, -0.2f * way.z);
+    stand.hand.position_m = stand.poi.position_m = start;
+    stand_wait(&stand, 2.0f);
+    vec3 reports[2] = { start, start };
+    const uint32_t ticks = (uint32_t)(0.4f / speed_m_s * (float)CORE_TICK_HZ);
+    for (uint32_t tick = 0; tick < ticks; tick++) {
+        const float at_m = speed_m_s * (float)(tick + 1u) * CORE_TICK_S;
+        const vec3 smooth = v3_mad(start, way, at_m);
+        if (tick % 2u == 0) {
+            const vec3 next = v3_mad(smooth, way, speed_m_s * CORE_TICK_S);
+            reports[0] = reports[1];
+            reports[1] = v3(whole_pixel(next.x), next.y, whole_pixel(next.z));
+        }
+        stand.hand.position_m = smooth;
+        if (by_mouse) {
+            stand.hand.position_m = tick % 2u == 0 ? v3_lerp(reports[0], reports[1], 0.5f) : reports[1];
+        }
+        stand_tick(&stand);
+        if (tick == ticks / 3u) { /* The start is the hand's, not the grid's. */
+            stand.tension_max_n_m = stand.tension_sum_n_m = 0.0f;
+        }
+    }
+}
+
+/* Returns how much more than the smooth path the mouse's strains the paper at most. */
+static float grain(float speed_m_s, float course_rad, float roll_rad)
+{
+    glide(speed_m_s, course_rad, roll_rad, 0);
+    const float smooth_max = stand.tension_max_n_m, smooth_sum = stand.tension_sum_n_m;
+    glide(speed_m_s, course_rad, roll_rad, 1);
+    assert_float_equal(stand.tension_sum_n_m / smooth_sum, 1.0f, 0.01f);
+    return stand.tension_max_n_m / smooth_max - 1.0f;
+}
+
+static const float rolls_rad[] = { 90.0f * F_DEG, 45.0f * F_DEG, 20.0f * F_DEG };
+
+static void test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_float_equal(grain(0.20f, 0.0f, rolls_rad[i]), 0.0f, 0.10f);
+        assert_float_equal(grain(0.20f, 0.35f, rolls_rad[i]), 0.0f, 0.10f);
+        assert_float_equal(grain(0.30f, 0.0f, rolls_rad[i]), 0.0f, 0.10f);
+        assert_float_equal(grain(0.30f, -0.8f, rolls_rad[i]), 0.0f, 0.10f);
+    }
+}
+
+/* The slower the hand, the coarser a pixel: three pixels a frame are now three, now four. */
+static void test_on_any_course_a_slow_mouse_stays_within_an_eighth_or_so(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_float_equal(grain(0.20f, -0.8f, rolls_rad[i]), 0.0f, 0.15f);
+        assert_float_equal(grain(0.15f, 0.0f, rolls_rad[i]), 0.0f, 0.15f);
+    }
+}
+
+/* ---- The wrist ------------------------------------------------------------------------------ */
+
+static void test_over_the_bowl_the_wrist_turns_toward_it_by_55_degrees_and_back(void **state)
+{
+    (void)state;
+    stand_init(&stand, 6, 1);
+    stand.tip = v3(0.6f, 0.0f, 0.8f);
+    stand_wait(&stand, 1.0f);
+    const struct basis tipped = basis_from_angles(stand.poi.angles);
+    assert_float_equal(f_acos(tipped.up.y), 55.0f * F_DEG, 0.02f);
+    assert_float_equal(tipped.up.x / tipped.up.z, 0.75f, 0.02f);
+    assert_true(tipped.up.x > 0.0f);
+    stand.tip = v3(0.0f, 0.0f, 0.0f);
+    stand_wait(&stand, 1.0f);
+    assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
+}
+
+/* ---- Bookkeeping ---------------------------------------------------------------------------- */
+
+static void test_each_dip_counts_once(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    for (uint32_t i = 0; i < 3; i++) {
+        stand_move(&stand, v3(0.0f, -0.06f, 0.0f), 0.2f);
+        stand_wait(&stand, 0.3f);
+        stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.2f);
+        stand_wait(&stand, 0.3f);
+    }
+    assert_int_equal(stand.poi.dips, 3);
+}
+
+static void test_water_on_the_paper_drains_when_tilted(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand_dip(&stand);
+    stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.3f);
+    const float carried = stand.poi.water_kg;
+    stand_wait(&stand, 0.3f);
+    const float level = stand.poi.water_kg;
+    stand_turn(&stand, 0.8f, 0.0f, 0.2f);
+    stand_wait(&stand, 0.5f);
+    assert_true(carried > 0.005f);
+    assert_true(level > 0.9f * carried);
+    assert_true(stand.poi.water_kg < 0.0035f);
+}
+
+static uint64_t played(uint32_t seed)
+{
+    stand_init(&stand, 6, seed);
+    stand_dip(&stand);
+    stand_move(&stand, v3(0.2f, 0.06f, 0.1f), 0.6f);
+    return poi_hash(HASH_START, &stand.poi);
+}
+
+static void test_the_same_hand_gives_the_same_poi_bit_for_bit(void **state)
+{
+    (void)state;
+    const uint64_t first = played(5);
+    assert_true(first == played(5));
+    assert_true(first != played(6));
+}
+
+static void test_a_target_that_is_no_number_is_a_bug(void **state)
+{
+    (void)state;
+    stand_init(&stand, 6, 1);
+    stand.hand.position_m.x = __builtin_nanf("");
+    expect_assert_failure(stand_tick(&stand));
+    stand_init(&stand, 6, 1);
+    stand.hand.angles.roll_rad = __builtin_inff();
+    expect_assert_failure(stand_tick(&stand));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_in_air_the_poi_lags_a_moving_hand_by_a_frame_and_a_half),
+        cmocka_unit_test(test_a_leap_of_the_hand_is_followed_without_overshoot),
+        cmocka_unit_test(test_a_hand_that_shakes_wildly_cannot_blow_the_poi_up),
+        cmocka_unit_test(test_the_hand_feels_a_quarter_newton_broadside_at_0_3_m_s),
+        cmocka_unit_test(test_edge_on_it_feels_almost_nothing),
+        cmocka_unit_test(test_a_poi_that_hangs_in_air_weighs_what_it_weighs),
+        cmocka_unit_test(test_the_ring_yields_to_floor_walls_and_the_reach_of_an_arm),
+        cmocka_unit_test(test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall),
+        cmocka_unit_test(test_a_still_pose_tears_nothing_wet_or_dry),
+        cmocka_unit_test(test_what_dips_gets_wet_and_only_there),
+        cmocka_unit_test(test_a_broadside_lift_at_1_m_s_tears_wet_grade_6_at_once_and_a_slow_one_does_not),
+        cmocka_unit_test(test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not),
+        cmocka_unit_test(test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path),
+        cmocka_unit_test(test_on_any_course_a_slow_mouse_stays_within_an_eighth_or_so),
+        cmocka_unit_test(test_over_the_bowl_the_wrist_turns_toward_it_by_55_degrees_and_back),
+        cmocka_unit_test(test_each_dip_counts_once),
+        cmocka_unit_test(test_water_on_the_paper_drains_when_tilted),
+        cmocka_unit_test(test_the_same_hand_gives_the_same_poi_bit_for_bit),
+        cmocka_unit_test(test_a_target_that_is_no_number_is_a_bug),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

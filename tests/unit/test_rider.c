@@ -1,0 +1,126 @@
+/* test_rider.c -- one fish on a tilted plane. */
+#include "poi_stand.h"
+
+static struct fish fish;
+static struct rider rider;
+
+static void lay(float heading_rad)
+{
+    fish = (struct fish){ .length_m = 0.05f, .stamina = 1.0f };
+    rider = (struct rider){ .side = 1, .lie = 1.0f, .height_m = 0.005f, .heading_rad = heading_rad, .rest_s = 1e6f };
+}
+
+/* A plane whose right side is lowered. */
+static struct ride tilted(float roll_rad)
+{
+    return (struct ride){ .pull_m_s2 = { GRAVITY_M_S2 * f_sin(roll_rad), -GRAVITY_M_S2 * f_cos(roll_rad), 0.0f },
+                          .uphill_x = -f_sin(roll_rad),
+                          .radius_m = 0.040f,
+                          .outer_m = 0.0465f };
+}
+
+static void ride_for(float roll_rad, float seconds)
+{
+    const struct ride ride = tilted(roll_rad);
+    for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
+        rider_tick(&rider, &fish, &ride, 1.0f, 1, i);
+    }
+}
+
+static void test_a_five_centimetre_fish_weighs_nearly_three_grams(void **state)
+{
+    (void)state;
+    assert_float_equal(fish_mass_kg(0.05f), 0.0029f, 0.0001f);
+    assert_float_equal(fish_mass_kg(0.04f), 0.00146f, 0.0001f);
+    assert_float_equal(fish_mass_kg(0.08f), 0.0122f, 0.0004f);
+}
+
+static void test_friction_holds_a_fish_on_a_slight_slope(void **state)
+{
+    (void)state;
+    lay(0.0f);
+    ride_for(15.0f * F_DEG, 2.0f);
+    assert_float_equal(rider.x_m, 0.0f, 0.0f);
+}
+
+static void test_a_steeper_slope_takes_it_to_the_ring_and_no_farther(void **state)
+{
+    (void)state;
+    lay(0.0f);
+    ride_for(28.0f * F_DEG, 2.0f);
+    assert_true(rider.x_m > 0.030f);
+    assert_true(rider.x_m < 0.040f);
+}
+
+static void test_a_wall_of_three_millimetres_is_no_wall_on_a_steep_slope(void **state)
+{
+    (void)state;
+    lay(0.0f);
+    ride_for(50.0f * F_DEG, 1.0f);
+    assert_true(rider.x_m > 0.0465f);
+}
+
+static void test_head_up_it_calms_down_sooner(void **state)
+{
+    (void)state;
+    lay(0.5f * F_PI); /* Nose to the left, which is up. */
+    rider.vigour = 1.0f;
+    ride_for(18.0f * F_DEG, 1.0f);
+    const float head_up = rider.vigour;
+    lay(-0.5f * F_PI);
+    rider.vigour = 1.0f;
+    ride_for(18.0f * F_DEG, 1.0f);
+    assert_true(head_up < 0.75f * rider.vigour);
+}
+
+static void test_slaps_come_at_five_to_ten_hertz_and_as_hard_as_life(void **state)
+{
+    (void)state;
+    const struct ride level = tilted(0.0f);
+    uint32_t slaps = 0;
+    float hardest = 0.0f, softest = 1.0f;
+    for (uint32_t seed = 0; seed < 50; seed++) {
+        lay(0.0f);
+        rider.rest_s = 0.0f;
+        for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+            rider.vigour = 1.0f;
+            const float force_n = rider_tick(&rider, &fish, &level, 1.0f, seed, i);
+            slaps += force_n > 0.0f;
+            hardest = f_max(hardest, force_n);
+            softest = force_n > 0.0f ? f_min(softest, force_n) : softest;
+        }
+    }
+    assert_in_range(slaps / 50u, 4, 10);
+    assert_float_equal(softest, 0.03f, 0.006f);
+    assert_float_equal(hardest, 0.087f, 0.006f);
+}
+
+static void test_the_tail_is_behind_the_nose(void **state)
+{
+    (void)state;
+    float x, z;
+    lay(0.0f);
+    rider_tail(&rider, 0.05f, &x, &z);
+    assert_float_equal(x, 0.0f, 1e-6f);
+    assert_float_equal(z, 0.021f, 1e-6f); /* The nose looks along -z. */
+    const struct basis level = basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
+    rider.heading_rad = 1.0f;
+    rider_pose(&rider, v3(0.1f, 0.2f, 0.3f), &level, &fish);
+    assert_float_equal(fish.angles.yaw_rad, 1.0f, 1e-4f);
+    assert_float_equal(f_abs(fish.angles.roll_rad), 80.0f * F_DEG, 1e-3f);
+    assert_float_equal(fish.position_m.y, 0.205f, 1e-5f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_five_centimetre_fish_weighs_nearly_three_grams),
+        cmocka_unit_test(test_friction_holds_a_fish_on_a_slight_slope),
+        cmocka_unit_test(test_a_steeper_slope_takes_it_to_the_ring_and_no_farther),
+        cmocka_unit_test(test_a_wall_of_three_millimetres_is_no_wall_on_a_steep_slope),
+        cmocka_unit_test(test_head_up_it_calms_down_sooner),
+        cmocka_unit_test(test_slaps_come_at_five_to_ten_hertz_and_as_hard_as_life),
+        cmocka_unit_test(test_the_tail_is_behind_the_nose),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
