@@ -223,7 +223,7 @@ static void test_a_slight_tilt_keeps_the_fish_behind_the_ring(void **state)
     uint32_t kept = 0;
     for (uint32_t seed = 0; seed < 20; seed++) {
         lifted(4, seed, 0.0f);
-        stand_turn(&stand, 0.0f, 28.0f * F_DEG, 0.5f);
+        stand_turn(&stand, 0.0f, 24.0f * F_DEG, 0.5f);
         stand_wait(&stand, 1.0f);
         kept += stand.poi.rider_count;
     }
