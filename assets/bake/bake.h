@@ -12,7 +12,7 @@
 
 /* Sizes in texels; bake_header() repeats them for the renderer. */
 #define CAUSTICS_SIZE 256u        /* One tile's side. Mipmaps want a power of two. */
-#define CAUSTICS_FRAMES 32u       /* Of one loop: threads move under 3 texels a frame, so blending hides it. */
+#define CAUSTICS_FRAMES 32u       /* Of one loop; see choose_waves() for why so many. */
 #define PATTERN_WIDTH 128u        /* Snout to tail root. */
 #define PATTERN_HEIGHT 64u        /* Round the girth, from the back. */
 #define PATTERN_LAYERS 12u

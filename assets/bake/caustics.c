@@ -15,9 +15,9 @@
 #define WAVES 28
 #define RAYS_PER_TEXEL 4u               /* Along each side: 16 rays a texel keep the cells smooth. */
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
-#define WAVE_NUMBER_MIN 2.0f            /* Cycles per tile ... */
-#define WAVE_NUMBER_MAX 8.5f
-#define FOCUS 0.0145f                   /* Tiles a ray moves per unit of slope: the depth. */
+#define WAVE_NUMBER_MIN 1.9f            /* Cycles per tile ... */
+#define WAVE_NUMBER_MAX 6.6f
+#define FOCUS 0.033f                    /* Tiles a ray moves per unit of slope: the depth. */
 #define EXPOSURE 0.30f                  /* Light 1 (flat water) becomes 1 - exp(-0.30). */
 
 struct wave {
@@ -27,20 +27,22 @@ struct wave {
     float slope_x, slope_y;
 };
 
-/* Longer waves are slower in cycles and higher; directions are random, but balanced in pairs. */
+/* Longer waves are higher and, with one turn a loop each, faster. Directions are random, and half of
+ * the waves run backward. With one turn, threads move under five texels a frame, so that blending two
+ * frames hides the step. */
 static void choose_waves(struct wave waves[WAVES])
 {
     uint32_t random = 4711;
     for (uint32_t i = 0; i < WAVES; i++) {
         float k;
         do {
-            waves[i].kx = (int32_t)(random01(&random) * 19.0f) - 9;
-            waves[i].ky = (int32_t)(random01(&random) * 19.0f) - 9;
+            waves[i].kx = (int32_t)(random01(&random) * 15.0f) - 7;
+            waves[i].ky = (int32_t)(random01(&random) * 15.0f) - 7;
             k = sqrtf((float)(waves[i].kx * waves[i].kx + waves[i].ky * waves[i].ky));
         } while (k < WAVE_NUMBER_MIN || k > WAVE_NUMBER_MAX);
-        waves[i].turns = (i % 2u == 0 ? 1 : -1) * (k > 6.0f ? 2 : 1);
+        waves[i].turns = i % 2u == 0 ? 1 : -1;
         waves[i].phase = (uint32_t)(random01(&random) * (float)RAYS);
-        const float slope = powf(k, -0.85f);
+        const float slope = powf(k, -1.15f);
         waves[i].slope_x = slope * (float)waves[i].kx / k;
         waves[i].slope_y = slope * (float)waves[i].ky / k;
     }

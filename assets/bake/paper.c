@@ -6,7 +6,7 @@
 
 #include "assets/bake/noise.h"
 
-#define FIBRES 150u
+#define FIBRES 120u
 #define FIBRE_STEPS 90u
 
 static void add(float *sum, float x, float y, float amount)
@@ -52,7 +52,7 @@ void bake_paper(uint8_t *r8)
             const float pulp = noise2_sum((float)x / 16.0f, (float)y / 16.0f, 8, 8, 61, 4) - 0.5f;
             const float speck = hash01((int32_t)x, (int32_t)y, 62) - 0.5f;
             r8[y * PAPER_SIZE + x] =
-                to_u8(0.5f + 0.38f * pulp + 0.05f * speck + fibres[y * PAPER_SIZE + x]);
+                to_u8(0.5f + 0.26f * pulp + 0.05f * speck + fibres[y * PAPER_SIZE + x]);
         }
     }
     free(fibres);

@@ -36,24 +36,24 @@ static const struct design designs[PATTERN_LAYERS] = {
     /* Two steps. */
     { 0.0f, 0.20f, 0.20f, { { 0.27f, 0.05f, 0.20f, 0.26f }, { 0.74f, 0.96f, 0.17f, 0.24f } } },
     /* Three steps. */
-    { 0.0f, 0.18f, 0.20f,
+    { 0.0f, 0.18f, 0.27f,
       { { 0.12f, 0.0f, 0.12f, 0.20f }, { 0.45f, 0.06f, 0.14f, 0.26f },
         { 0.79f, 0.95f, 0.13f, 0.22f } } },
     /* Lightning: one band that swings from side to side. */
-    { 0.0f, 0.12f, 0.16f,
+    { 0.0f, 0.12f, 0.24f,
       { { 0.16f, 0.93f, 0.13f, 0.15f }, { 0.31f, 0.09f, 0.13f, 0.16f },
         { 0.47f, 0.92f, 0.13f, 0.15f }, { 0.63f, 0.09f, 0.13f, 0.15f },
         { 0.80f, 0.95f, 0.14f, 0.15f } } },
     /* A red hood. */
-    { 0.0f, 0.10f, 0.14f, { { 0.06f, 0.0f, 0.24f, 0.60f }, { 0.70f, 0.13f, 0.09f, 0.12f } } },
+    { 0.0f, 0.10f, 0.24f, { { 0.06f, 0.0f, 0.24f, 0.60f }, { 0.70f, 0.13f, 0.09f, 0.12f } } },
     /* A round spot on the head and patches behind. */
-    { 0.0f, 0.15f, 0.14f,
+    { 0.0f, 0.15f, 0.25f,
       { { 0.14f, 0.0f, 0.085f, 0.10f }, { 0.50f, 0.97f, 0.13f, 0.22f },
         { 0.81f, 0.05f, 0.11f, 0.18f } } },
     /* The crane: white, with the head's spot alone. */
     { 0.0f, 0.0f, 0.05f, { { 0.145f, 0.0f, 0.095f, 0.11f } } },
     /* Spots scattered over both flanks. */
-    { 0.0f, 0.10f, 0.24f,
+    { 0.0f, 0.10f, 0.32f,
       { { 0.21f, 0.17f, 0.08f, 0.10f }, { 0.36f, 0.86f, 0.10f, 0.12f },
         { 0.52f, 0.12f, 0.08f, 0.11f }, { 0.64f, 0.83f, 0.07f, 0.09f },
         { 0.83f, 0.04f, 0.10f, 0.13f }, { 0.10f, 0.92f, 0.06f, 0.08f } } },
@@ -115,8 +115,9 @@ static float scale_light(float u, float v)
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
     const float fade = ramp(GILL - 0.01f, GILL + 0.06f, u) * ramp(0.05f, 0.35f, back);
-    const float gill = expf(-powf((u - GILL - 0.02f * cosf(TAU * 2.0f * v)) / 0.012f, 2.0f));
-    return mix(0.80f, 0.46f + 0.54f * best, fade) - 0.28f * gill * ramp(0.98f, 0.7f, back);
+    const float flank = 0.25f - fabsf(v - 0.5f); /* 0 on the middle of either flank. */
+    const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
+    return mix(0.80f, 0.46f + 0.54f * best, fade) - 0.26f * gill * ramp(0.13f, 0.05f, fabsf(flank));
 }
 
 void bake_patterns(uint8_t *rg8)

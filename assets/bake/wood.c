@@ -42,13 +42,13 @@ static float grain(uint32_t plank, float x, float y, float *core)
 {
     const float shifted = y - bend(plank, x, y, core);
     const float u = x / (float)WOOD_SIZE, seed = (float)plank * 37.0f;
-    const float wander = 5.0f * noise2_sum(u * 4.0f, shifted / 24.0f + seed, 4, 4096, 21, 3);
-    const float ring = shifted * 0.30f + wander + seed;
+    const float wander = 4.5f * noise2_sum(u * 3.0f, shifted / 30.0f + seed, 3, 4096, 21, 3);
+    const float ring = shifted * 0.15f + wander + seed;
     const float season = ring - floorf(ring);
-    const float late = ramp(0.45f, 0.97f, season) * ramp(1.0f, 0.97f, season);
-    const float pores = noise2(u * 48.0f, y * 1.3f + seed, 48, 4096, 33);
-    const float fibre = noise2_sum(u * 12.0f, y * 0.9f + seed, 12, 4096, 27, 2);
-    return 0.70f - 0.30f * late + 0.22f * (fibre - 0.5f) - 0.20f * ramp(0.72f, 0.95f, pores);
+    const float late = ramp(0.15f, 0.86f, season) * ramp(1.0f, 0.86f, season);
+    const float pores = noise2(u * 30.0f, y * 0.9f + seed, 30, 4096, 33);
+    const float fibre = noise2_sum(u * 10.0f, y * 0.55f + seed, 10, 4096, 27, 2);
+    return 0.66f - 0.21f * late + 0.24f * (fibre - 0.5f) - 0.10f * ramp(0.66f, 0.95f, pores);
 }
 
 void bake_wood(uint8_t *r8)

@@ -113,7 +113,7 @@ static void noren_title(const struct ui_frame *frame, float left, float top, flo
 void ui_noren(const struct ui_frame *frame, float lift)
 {
     const float u = frame->unit;
-    const float width = fminf(frame->width - 250.0f * u, 860.0f * u);
+    const float width = fminf(frame->width - 276.0f * u, 860.0f * u);
     const float height = fminf(0.235f * frame->height, width / (float)NOREN_STRIPS * 0.98f);
     const float left = 0.5f * (frame->width - width), strip = width / (float)NOREN_STRIPS;
     const float top = 24.0f * u - lift * (height + 200.0f * u);

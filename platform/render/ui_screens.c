@@ -27,7 +27,7 @@ static void fish_sign(const struct ui_frame *frame, float x, float y, float widt
 static void poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
                      uint32_t ring)
 {
-    const float reach = 2.0f * radius; /* The handle goes down to the right. */
+    const float reach = 1.5f * radius; /* The handle goes down to the right. */
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
                                  .kind = UI_POI, .fill = ring,

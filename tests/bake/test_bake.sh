@@ -1,0 +1,91 @@
+#!/bin/bash
+# test_bake.sh -- the bake refuses bad words and fonts with one line that says where. Speaks TAP.
+#
+# Also: the same sources give the same bytes, and caustics have no seam in space or time.
+set -u
+BUILD=${BUILD:-build}
+bake=$BUILD/bake
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+
+ok() { # STATUS TEXT
+    count=$((count + 1))
+    [ "$1" -eq 0 ] && echo "ok $count - $2" || echo "not ok $count - $2"
+}
+
+fresh() {
+    rm -rf "$work/text"
+    cp -r assets/text "$work/text"
+}
+
+# Expects exit 65 and exactly one line that matches PATTERN.
+refuses() { # PATTERN TEXT
+    local said status
+    said=$("$bake" font "$work/text" "$work/a.bin" "$work/a.c" "$work/a.h" 2>&1)
+    status=$?
+    [ $status -eq 65 ] && [ "$(wc -l <<<"$said")" -eq 1 ] && grep -qE -- "$1" <<<"$said"
+    status=$?
+    ok $status "$2"
+    [ $status -eq 0 ] || sed 's/^/# /' <<<"$said"
+}
+
+fresh
+echo 'extra = 余分' >>"$work/text/ja.txt"
+refuses 'en.txt lacks `extra`, which is at .*ja.txt:[0-9]+' 'a key that only Japanese has is named'
+
+fresh
+sed -i '/^title/d' "$work/text/ja.txt"
+refuses 'ja.txt lacks `title`, which is at .*en.txt:2' 'a key that only English has is named'
+
+fresh
+echo 'title = again' >>"$work/text/en.txt"
+refuses 'en.txt:[0-9]+: `title` is already on line 2' 'a key that comes twice is named'
+
+fresh
+echo 'no equals sign' >>"$work/text/en.txt"
+refuses 'en.txt:[0-9]+: expected `key = words`' 'a line without words is named'
+
+fresh
+printf 'odd = \xff\xfe\n' >>"$work/text/en.txt"
+refuses 'en.txt:[0-9]+: `odd` holds bytes that are not UTF-8' 'bytes that are not text are named'
+
+fresh
+sed -i 's/^unit = .*/unit = 𒀀/' "$work/text/ja.txt"
+line=$(grep -n '^unit' "$work/text/ja.txt" | cut -d: -f1)
+refuses "font body .* lacks .𒀀. \(U\+12000\), which .*ja.txt:$line uses" \
+    'a character that no font has is named with its font, file and line'
+
+fresh
+sed -i 's/ReggaeOne/Nowhere/' "$work/text/fonts.txt"
+refuses 'font stall: cannot read .*Nowhere-Regular.ttf: .*' 'a missing font file is named'
+
+fresh
+sed -i "s|/usr[^ ]*ReggaeOne[^ ]*|$work/text/en.txt|" "$work/text/fonts.txt"
+refuses 'font stall: .*en.txt is not a TrueType font' 'a file that is no font is named'
+
+for asset in caustics patterns environment wood paper; do
+    "$bake" $asset "$work/$asset" >/dev/null && cmp -s "$work/$asset" "$BUILD/generated/$asset.bin"
+    ok $? "$asset comes out the same, byte for byte"
+done
+
+"$bake" caustics /nowhere/at/all 2>"$work/said" >/dev/null
+[ $? -eq 65 ] && grep -q 'cannot write /nowhere/at/all' "$work/said"
+ok $? 'a place that cannot be written is named'
+
+"$bake" nonsense "$work/x" >/dev/null 2>&1
+[ $? -eq 2 ]
+ok $? 'an unknown asset is wrong usage'
+
+# Steps over the seams (last to first column, row and frame) are no larger than steps elsewhere.
+od -An -v -tu1 -w256 "$work/caustics" | awk '
+    { seam_x += ($1 - $256) ^ 2; inner_x += ($128 - $129) ^ 2; frame = int((NR - 1) / 256); row = (NR - 1) % 256
+      v = $40; col[frame, row] = v
+      if (row == 255) { seam_y += (col[frame, 0] - v) ^ 2; inner_y += (col[frame, 127] - col[frame, 128]) ^ 2 } }
+    END { frames = frame + 1
+      for (r = 0; r < 256; r++) { seam_t += (col[frames - 1, r] - col[0, r]) ^ 2; inner_t += (col[5, r] - col[6, r]) ^ 2 }
+      printf "# squared steps: x %d of %d, y %d of %d, time %d of %d\n", seam_x, inner_x, seam_y, inner_y, seam_t, inner_t
+      exit !(seam_x < 2 * inner_x && seam_y < 2.5 * inner_y && seam_t < 3 * inner_t) }'
+ok $? 'caustics meet themselves at every edge and at the end of the loop'
+
+echo "1..$count"

@@ -1,0 +1,299 @@
+/* The layout of every screen, measured from its vertices: nothing needs a display. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "assets.h"
+#include "platform/render/ui_screens.h"
+
+#define GLYPH_MARGIN_TEXELS 10.0f /* Around each letter in the atlas; the bake's FONT_PADDING. */
+#define ROUNDING_PX 0.6f
+#define SETTLED_TICK 100000u
+
+struct size {
+    float width, height;
+};
+
+static const struct size sizes[] = {
+    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 },  { 1080, 1920 },
+    { 640, 480 },  { 1024, 768 },  { 3440, 1440 }, { 480, 800 },   { 1280, 1280 },
+};
+#define SIZE_COUNT (sizeof sizes / sizeof *sizes)
+
+static struct scene scene;
+static struct ui_batch batch;
+static struct ui_memory memory;
+
+struct bounds {
+    float left, top, right, bottom;
+};
+
+/* What a quad shows: a letter's quad without the empty margin around it. */
+static struct bounds shown(uint32_t quad)
+{
+    const struct ui_vertex *v = &batch.vertices[quad * 4u];
+    struct bounds bounds = { v[0].x, v[0].y, v[0].x, v[0].y };
+    for (uint32_t i = 1; i < 4u; i++) {
+        bounds.left = v[i].x < bounds.left ? v[i].x : bounds.left;
+        bounds.right = v[i].x > bounds.right ? v[i].x : bounds.right;
+        bounds.top = v[i].y < bounds.top ? v[i].y : bounds.top;
+        bounds.bottom = v[i].y > bounds.bottom ? v[i].y : bounds.bottom;
+    }
+    const float margin = batch.kinds[quad] == UI_GLYPH ? GLYPH_MARGIN_TEXELS * v[0].shape[3] : 0.0f;
+    return (struct bounds){ bounds.left + margin, bounds.top + margin, bounds.right - margin,
+                            bounds.bottom - margin };
+}
+
+static void set_scene(uint8_t phase, uint8_t language, uint8_t hint, float phase_s)
+{
+    memset(&scene, 0, sizeof scene);
+    scene.tick = SETTLED_TICK + (uint32_t)(phase_s * 120.0f);
+    scene.phase = phase;
+    scene.language = language;
+    scene.hint = hint;
+    scene.phase_s = phase_s;
+    scene.seconds_left = phase == PHASE_READY ? 3.0f - phase_s : 600.0f - phase_s;
+    scene.best_today = 9999;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.poi[i].present = 1;
+        scene.poi[i].paper_left = 0.5f;
+        scene.caught[i] = 1000u + i;
+    }
+}
+
+static void lay_out(struct size size)
+{
+    ui_screens(&batch, &memory, &scene, size.width, size.height);
+}
+
+/* The curtain is outside while it is raised or lowered; lights may spill over the edge. */
+static int may_leave(uint32_t quad, const struct bounds *bounds)
+{
+    const int curtain = (scene.phase == PHASE_READY || scene.phase_s < 1.0f) && bounds->top < 0.0f;
+    return batch.kinds[quad] == UI_GLOW || curtain;
+}
+
+static void check_inside(struct size size)
+{
+    assert_int_equal(batch.dropped_count, 0);
+    assert_true(batch.quad_count > 0);
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct bounds bounds = shown(i);
+        if (may_leave(i, &bounds)) {
+            continue;
+        }
+        if (bounds.left < -ROUNDING_PX || bounds.top < -ROUNDING_PX ||
+            bounds.right > size.width + ROUNDING_PX || bounds.bottom > size.height + ROUNDING_PX) {
+            fail_msg("phase %d language %d hint %d at %.2f s on %gx%g: quad %u of kind %d is at "
+                     "%.1f,%.1f .. %.1f,%.1f",
+                     scene.phase, scene.language, scene.hint, (double)scene.phase_s,
+                     (double)size.width, (double)size.height, i, batch.kinds[i],
+                     (double)bounds.left, (double)bounds.top, (double)bounds.right,
+                     (double)bounds.bottom);
+        }
+    }
+}
+
+static void test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment(void **state)
+{
+    (void)state;
+    static const float moments_s[] = { 0.0f, 0.1f, 0.5f, 0.9f, 1.3f, 1.7f, 2.6f, 2.99f, 8.0f, 55.0f };
+    for (uint32_t k = 0; k < SIZE_COUNT * (PHASE_RESULT + 1u); k++) {
+        const uint8_t phase = (uint8_t)(k / SIZE_COUNT);
+        for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+            for (uint8_t hint = 0; hint < HINT_COUNT; hint++) {
+                for (size_t m = 0; m < sizeof moments_s / sizeof *moments_s; m++) {
+                    set_scene(phase, language, hint, moments_s[m]);
+                    memory = (struct ui_memory){ 0 };
+                    lay_out(sizes[k % SIZE_COUNT]);
+                    check_inside(sizes[k % SIZE_COUNT]);
+                }
+            }
+        }
+    }
+}
+
+static void test_every_count_of_fish_fits(void **state)
+{
+    (void)state;
+    static const uint32_t counts[] = { 0, 1, 3, 6, 10, 15, 128, 4294967295u };
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+        for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+            for (uint8_t phase = PHASE_ATTRACT; phase <= PHASE_RESULT; phase++) {
+                for (size_t s = 0; s < SIZE_COUNT; s++) {
+                    set_scene(phase, language, HINT_START, 5.0f);
+                    scene.caught[0] = scene.best_today = counts[i];
+                    lay_out(sizes[s]);
+                    check_inside(sizes[s]);
+                }
+            }
+        }
+    }
+}
+
+static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < SIZE_COUNT; s++) {
+        for (uint8_t hint = 0; hint < HINT_COUNT; hint++) {
+            set_scene(PHASE_ROUND, hint % LANGUAGE_COUNT, hint, 20.0f);
+            lay_out(sizes[s]);
+            for (uint32_t i = 0; i < batch.quad_count; i++) {
+                const struct bounds bounds = shown(i);
+                const int apart = bounds.right < 0.22f * sizes[s].width ||
+                                  bounds.left > 0.78f * sizes[s].width ||
+                                  bounds.bottom < 0.20f * sizes[s].height ||
+                                  bounds.top > 0.84f * sizes[s].height;
+                assert_true(apart);
+            }
+        }
+    }
+}
+
+/* The size in pixels at which a letter's quad is drawn: its place in the atlas tells its font. */
+static float em_px_of(uint32_t quad)
+{
+    const struct ui_vertex *v = &batch.vertices[quad * 4u];
+    for (uint32_t font = 0; font < FONT_COUNT; font++) {
+        for (uint32_t i = 0; i < asset_fonts[font].glyph_count; i++) {
+            const struct font_glyph *glyph = &asset_fonts[font].glyphs[i];
+            if (glyph->width > 0 && (float)glyph->x == v->u && (float)glyph->y == v->v) {
+                return asset_fonts[font].em_px * v->shape[3];
+            }
+        }
+    }
+    fail_msg("quad %u shows no glyph", quad);
+    return 0.0f;
+}
+
+/* A letter of 3 % of a 40 cm high screen is 12 mm: 20 minutes of arc from 2 m. */
+static void test_what_a_player_must_read_is_readable_from_two_metres(void **state)
+{
+    (void)state;
+    for (uint8_t phase = PHASE_READY; phase <= PHASE_RESULT; phase++) {
+        for (uint8_t hint = 0; hint < HINT_COUNT * LANGUAGE_COUNT; hint++) {
+            set_scene(phase, hint % LANGUAGE_COUNT, hint / LANGUAGE_COUNT, 2.0f);
+            scene.caught[0] = 12;
+            memory = (struct ui_memory){ .hint = scene.hint };
+            lay_out((struct size){ 1280, 720 });
+            for (uint32_t i = 0; i < batch.quad_count; i++) {
+                assert_true(batch.kinds[i] != UI_GLYPH || em_px_of(i) >= 0.03f * 720.0f);
+            }
+        }
+    }
+}
+
+static uint32_t glyph_quads(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        count += batch.kinds[i] == UI_GLYPH;
+    }
+    return count;
+}
+
+static void test_no_hint_means_no_ribbon(void **state)
+{
+    (void)state;
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
+    memory = (struct ui_memory){ .hint = HINT_DIP };
+    lay_out(sizes[0]);
+    const uint32_t with = glyph_quads();
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+    lay_out(sizes[0]);
+    assert_true(glyph_quads() < with);
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_COUNT, 20.0f); /* Newer core, older words. */
+    lay_out(sizes[0]);
+    assert_true(glyph_quads() < with);
+}
+
+static uint8_t last_opacity(void)
+{
+    return batch.vertices[(batch.quad_count - 1u) * 4u].fill[3];
+}
+
+static void test_a_new_hint_fades_in(void **state)
+{
+    (void)state;
+    memory = (struct ui_memory){ 0 };
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_DIP, 20.0f);
+    lay_out(sizes[0]);
+    scene.tick += 12; /* 0.1 s */
+    lay_out(sizes[0]);
+    const uint8_t early = last_opacity();
+    scene.tick += 120;
+    lay_out(sizes[0]);
+    assert_true(early > 0);
+    assert_true(last_opacity() > early);
+    assert_int_equal(last_opacity(), 255);
+}
+
+static uint32_t seals(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        count += batch.kinds[i] == UI_WASHI;
+    }
+    return count;
+}
+
+static void test_only_more_than_the_days_best_earns_the_seal(void **state)
+{
+    (void)state;
+    for (uint32_t caught = 11; caught <= 13; caught++) {
+        memory = (struct ui_memory){ 0 };
+        set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 59.0f);
+        scene.best_today = 12;
+        lay_out(sizes[0]);
+        set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_NONE, 4.0f);
+        scene.caught[0] = caught;
+        scene.best_today = caught > 12 ? caught : 12;
+        lay_out(sizes[0]);
+        assert_int_equal(seals(), caught > 12 ? 2 : 1); /* The card is one. */
+    }
+}
+
+static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **state)
+{
+    (void)state;
+    ui_batch_clear(&batch);
+    const struct ui_shape shape = { .box = { 0, 0, 9, 9 }, .kind = UI_PANEL, .fill = 0xffffffffu };
+    for (uint32_t i = 0; i < UI_QUADS_MAX + 5u; i++) {
+        ui_shape(&batch, &shape);
+    }
+    assert_int_equal(batch.quad_count, UI_QUADS_MAX);
+    assert_int_equal(batch.dropped_count, 5);
+}
+
+static void test_text_shrinks_to_its_room_and_aligns(void **state)
+{
+    (void)state;
+    const struct ui_text style = { .font = FONT_BODY, .size_px = 40.0f, .align = 0.5f,
+                                   .fill = 0xffffffffu, .fit_px = 100.0f };
+    ui_batch_clear(&batch);
+    assert_float_equal(ui_text(&batch, &style, 200.0f, 50.0f, "WWWWWWWW"), 100.0f, 0.01f);
+    assert_true(ui_text_size(&style, "WWWWWWWW") < 40.0f);
+    assert_float_equal(ui_text_size(&style, "W"), 40.0f, 0.001f);
+    const struct bounds first = shown(0), last = shown(batch.quad_count - 1u);
+    assert_true(first.left >= 149.0f && last.right <= 251.0f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment),
+        cmocka_unit_test(test_every_count_of_fish_fits),
+        cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
+        cmocka_unit_test(test_what_a_player_must_read_is_readable_from_two_metres),
+        cmocka_unit_test(test_no_hint_means_no_ribbon),
+        cmocka_unit_test(test_a_new_hint_fades_in),
+        cmocka_unit_test(test_only_more_than_the_days_best_earns_the_seal),
+        cmocka_unit_test(test_a_full_batch_drops_and_counts_instead_of_overrunning),
+        cmocka_unit_test(test_text_shrinks_to_its_room_and_aligns),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
