@@ -10,10 +10,10 @@ UNIT_SHELL := $(UNIT_SHELL_SRC:%.c=$(BUILD)/%)
 UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
--include tests/replay/replay.mk
+-include tests/replay/replay.mk tests/golden/golden.mk
 
 # Whole-machine tests run alone, after those that only compute (tests/run.sh).
-TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh)
+TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 
