@@ -23,6 +23,7 @@
 
 #define TIP_RAD (55.0f * F_DEG)  /* Steep enough for a fish to roll over the ring. */
 #define TIP_PER_S 3.0f
+#define TIP_EDGE_M 0.022f        /* Then the lower edge keeps so far over the water: over the bowl's mouth. */
 
 /* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at
  * 30 Hz, must not become blows of water. */
@@ -68,6 +69,17 @@ static struct angles wanted_angles(const struct poi *poi, struct angles angles)
     const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
     const struct basis tipped = pose_turn(&held, axis, TIP_RAD * eased);
     return pose_angles(&tipped);
+}
+
+/* The wrist that turns the ring also lifts it, or the fish would slide out below the bowl's mouth. */
+static vec3 wanted_place(const struct poi *poi, vec3 place_m)
+{
+    if (poi->tip > 0.0f) {
+        const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
+        const float drop = POI_OUTER_RADIUS_M * f_sin(TIP_RAD * eased);
+        place_m.y = f_max(place_m.y, TIP_EDGE_M * eased + drop);
+    }
+    return place_m;
 }
 
 /* Critically damped, implicit: stable at any stiffness. */
@@ -273,7 +285,7 @@ void poi_tick(struct poi *poi, const struct poi_target *target, const struct tan
     const struct basis axes = basis_from_angles(poi->angles);
     const vec3 before_m = poi->position_m;
     const float immersed = disc_immersed(POI_RADIUS_M, before_m.y, axes.up.y);
-    const struct pull pull = pull_ring(poi, target->position_m, &axes, immersed);
+    const struct pull pull = pull_ring(poi, wanted_place(poi, target->position_m), &axes, immersed);
     note_splash(poi, immersed);
     poi->immersed = immersed;
     poi->position_m = v3_mad(before_m, poi->velocity_m_s, CORE_TICK_S);
