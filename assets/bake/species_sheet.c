@@ -1,8 +1,8 @@
 /* species_sheet.c -- species_sheet OUT.png: how a species grows, seen from four sides.
  *
- * A maker looks at this after each change of the text. A row is a length, from the first key to the
- * last with one in-between each; shapes come through the same growth, graph and blend as in the tank.
- * A small rasteriser of its own, so that it needs neither screen nor graphics driver. */
+ * A maker looks at this after each change of the text. A row is a stage, from the first key to the
+ * last with one in-between each, then the far mesh; shapes come through the same graph and blend as
+ * in the tank. A small rasteriser of its own, so that it needs neither screen nor graphics driver. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,13 +41,13 @@ struct corner {
 };
 
 static const struct angles view_angles[VIEW_COUNT] = {
-    { .yaw_rad = 90.0f * F_DEG },                               /* Its left side. */
-    { .yaw_rad = 90.0f * F_DEG, .roll_rad = 0.0f },             /* From above, see look(). */
-    { .yaw_rad = 52.0f * F_DEG },                               /* The stall's slant. */
-    { .yaw_rad = 180.0f * F_DEG },                              /* Head on. */
+    { .yaw_rad = 90.0f * F_DEG },  /* Its left side. */
+    { .yaw_rad = 90.0f * F_DEG },  /* From above. */
+    { .yaw_rad = 112.0f * F_DEG }, /* The stall's slant, swimming left ... */
+    { .yaw_rad = -60.0f * F_DEG }, /* ... and right: no fin may vanish in either. */
 };
 static const float view_tilt_rad[VIEW_COUNT] = { 0.0f, 90.0f * F_DEG, 50.0f * F_DEG,
-                                                 8.0f * F_DEG };
+                                                 50.0f * F_DEG };
 
 static vec3 tint(uint32_t rgb)
 {
