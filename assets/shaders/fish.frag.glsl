@@ -11,7 +11,7 @@ const vec3 FRY = vec3(0.40, 0.42, 0.27);
 
 vec3 red_of(float hue)
 {
-    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue);
+    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
 }
 
 // Young fish lose their grey in patches, from the belly up.
@@ -56,6 +56,8 @@ void main()
     float gill = smoothstep(0.225, 0.245, skin.x) * smoothstep(0.285, 0.255, skin.x)
         * smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6);
     tint *= 1.0 - 0.30 * gill;
+    float ridge = smoothstep(0.42, 0.0, under) * smoothstep(0.0, 0.12, skin.x);
+    tint += ridge * scales * 0.20;               // Scales on the back throw the lamps' light up.
     color = vec4(tint * gain + haze * (0.45 + 0.75 * scales), 1.0);
 }
 #endif

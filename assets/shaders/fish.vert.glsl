@@ -123,7 +123,7 @@ void main()
     float depth = -world.y;
     float facing = max(dot(n, view), 0.0);
     float wet = step(0.0, world.y);
-    float diffuse = 0.46 + 0.66 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
+    float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
     vec3 left = water_passes(depth * 1.2);

@@ -10,26 +10,27 @@ void main()
 {
     vec3 cell = texture(sheet, vec3(at, paper.y)).rgb;
     float fibre = texture(fibres, at * 1.7).r;
-    float solid = cell.b + (fibre - 0.5) * 0.55;
+    float frayed = texture(fibres, at * 3.1 + 0.3).r - 0.5;
+    float solid = cell.b + (fibre - 0.5) * 0.45 + frayed * 0.5;
     if (solid < 0.5) {
         discard;
     }
     float wet = smoothstep(0.05, 0.75, cell.r);
     float worn = 1.0 - cell.g;
     // Torn paper curls: its lip catches light, and the fold behind it keeps some shade.
-    float lip = (1.0 - smoothstep(0.5, 0.78, solid)) * (1.0 - step(0.995, cell.b));
+    float lip = (1.0 - smoothstep(0.5, 0.72, solid)) * (1.0 - step(0.995, cell.b));
     float fold = smoothstep(0.60, 0.82, solid) * (1.0 - smoothstep(0.82, 1.0, solid))
         * (1.0 - step(0.995, cell.b));
     vec3 n = normalize(face);
     vec3 view = normalize(eye.xyz - world);
     float lit = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
-    vec3 dry = vec3(1.0, 0.975, 0.925) * (0.90 + 0.14 * fibre);
-    vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.86 + 0.22 * fibre);
+    vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
+    vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
     vec3 tint = mix(dry, soaked, wet) * lit;
     tint *= 1.0 - 0.30 * fold;
-    tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.75 * lip);
-    float alpha = mix(0.95, 0.40 + 0.20 * fibre, wet) * (1.0 - 0.28 * worn * wet);
-    alpha = mix(alpha, 0.95, max(lip, 0.35 * fold));
+    tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.55 * lip);
+    float alpha = mix(0.95, 0.34 + 0.32 * fibre, wet) * (1.0 - 0.28 * worn * wet);
+    alpha = mix(alpha, 0.95, max(0.8 * lip, 0.35 * fold));
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
     shine *= shine; shine *= shine; shine *= shine; shine *= shine;
     float above = step(0.0, world.y);

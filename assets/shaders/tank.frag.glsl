@@ -18,7 +18,7 @@ void main()
     float fold = sin(world.x * 14.0 + sin(world.z * 10.0) * 1.3);
     float dark = texture(shadows, world.xz * shadow.xy * 0.5 + 0.5).r;
     base *= (0.95 + 0.05 * fold) * (0.66 + 0.36 * corner) * (0.60 + light * 0.80);
-    base *= 1.0 - 0.80 * dark * vec3(1.0, 0.93, 0.86);
+    base *= 1.0 - 0.70 * dark * vec3(1.0, 0.93, 0.86);
 #else
     float light = texture(caustics, (world.xz + world.y * 0.7) * CAUSTIC_TILES * vec2(0.92)).r;
     float down = smoothstep(0.0, tank.y, depth);

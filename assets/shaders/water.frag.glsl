@@ -13,24 +13,25 @@ void main()
     vec4 swims = texture(life, at);
     vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
 
+    // Slopes are small: the normal needs no normalizing.
     vec3 view = normalize(eye.xyz - world);
-    vec3 normal = normalize(vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5));
+    vec3 normal = vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5);
     float facing = dot(normal, view);
     vec3 mirror = 2.0 * facing * normal - view;
     float away = 1.0 - facing;
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
-    // The lanterns hang a man's height away, so their images shift with the place; they are far
-    // brighter than a texel can say, and squaring gives that back.
-    vec3 toward = normalize(mirror + world * 0.55);
-    vec3 lanterns = texture(environment, toward.xz / (1.0 + toward.y) * 0.5 + 0.5).rgb;
-    lanterns *= lanterns * 5.0;
+    // The lanterns hang a man's height away, so their images shift with the place. Only what glows
+    // is bright enough to show on lit water, and it is far brighter than a texel can say.
+    vec3 toward = mirror + world * 0.55;
+    float lantern = texture(environment, toward.xz / (length(toward) + toward.y) * 0.5 + 0.5).r;
+    lantern = max(lantern - 0.42, 0.0);
     float glint = max(dot(mirror, vec3(0.100, 0.619, -0.779)), 0.0);
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
     float line = 1.0 - smoothstep(0.0, 0.004, edge);  // The meniscus at the walls.
-    below *= 1.0 + (slope.x + slope.y) * 0.55;
-    color = vec4(below + lanterns * fresnel
+    below *= 1.0 + clamp((slope.x + slope.y) * 0.6, -0.10, 0.14);
+    color = vec4(below + vec3(1.0, 0.86, 0.62) * min(lantern * (0.10 + 3.0 * fresnel), 0.30)
         + glint * vec3(0.55, 0.48, 0.36) + line * vec3(0.10, 0.13, 0.14), 1.0);
 }

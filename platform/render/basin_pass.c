@@ -17,7 +17,7 @@ struct face {
     float normal[3];
 };
 
-enum part { PART_FLOOR, PART_WALLS, PART_SURFACE, PART_DECK, PART_END };
+enum part { PART_FLOOR, PART_WALLS, PART_SURFACE, PART_COUNTER, PART_SIDES, PART_RIM, PART_END };
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
@@ -52,7 +52,7 @@ static const struct face faces[] = {
 };
 #define FACE_COUNT (sizeof faces / sizeof *faces)
 
-static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, FACE_COUNT };
+static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, FACE_COUNT };
 
 static struct corner *put_corner(struct corner *out, const float position[3], const float normal[3])
 {
@@ -95,8 +95,12 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
                                      shader_tank_frag, "caustics shadows");
     pass->wall_program =
         gl_program(status, "walls", "", shader_tank_vert, shader_tank_frag, "caustics");
-    pass->deck_program =
-        gl_program(status, "deck", "", shader_deck_vert, shader_deck_frag, "wood");
+    pass->counter_program = gl_program(status, "counter", "#define COUNTER\n", shader_deck_vert,
+                                       shader_deck_frag, "wood");
+    pass->rim_program = gl_program(status, "rim", "#define RIM\n", shader_deck_vert,
+                                   shader_deck_frag, "wood");
+    pass->side_program =
+        gl_program(status, "rim sides", "", shader_deck_vert, shader_deck_frag, "wood");
     pass->water_program = gl_program(status, "water", "", shader_water_vert, shader_water_frag,
                                      "ground life slopes environment");
     upload_faces(pass);
@@ -111,7 +115,9 @@ void basin_pass_close(struct basin_pass *pass)
 {
     glDeleteProgram(pass->floor_program);
     glDeleteProgram(pass->wall_program);
-    glDeleteProgram(pass->deck_program);
+    glDeleteProgram(pass->counter_program);
+    glDeleteProgram(pass->side_program);
+    glDeleteProgram(pass->rim_program);
     glDeleteProgram(pass->water_program);
     glDeleteVertexArrays(1, &pass->vertex_array);
     glDeleteBuffers(1, &pass->vertex_buffer);
@@ -195,8 +201,12 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
-    glUseProgram(pass->deck_program);
-    draw_part(pass, PART_DECK);
+    glUseProgram(pass->rim_program);
+    draw_part(pass, PART_RIM);
+    glUseProgram(pass->side_program);
+    draw_part(pass, PART_SIDES);
+    glUseProgram(pass->counter_program);
+    draw_part(pass, PART_COUNTER);
 }
 
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,

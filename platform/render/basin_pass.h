@@ -6,7 +6,8 @@
 #include "platform/render/textures.h"
 
 struct basin_pass {
-    GLuint floor_program, wall_program, deck_program, water_program;
+    GLuint floor_program, wall_program, water_program;
+    GLuint counter_program, side_program, rim_program;
     GLuint vertex_array, vertex_buffer;
     GLuint slope_texture;
     float waves[RIPPLE_Z][RIPPLE_X][2];

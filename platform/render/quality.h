@@ -13,9 +13,14 @@ struct quality {
     float lod_near_px;    /* Fish at least this long on their target get the near mesh. */
 };
 
-/* `renderer` is what GL_RENDERER says; `scene_scale` and `samples` of 0 mean automatic, anything
- * else is taken as it is (scale clamped to [0.25, 2], samples to `samples_max`). */
-struct quality quality_choose(const char *renderer, float scene_scale, uint32_t samples,
-                              uint32_t samples_max);
+struct quality_wish {
+    const char *renderer;    /* What GL_RENDERER says. */
+    uint32_t width, height;  /* Of the screen, in pixels, > 0. */
+    float scene_scale;       /* 0: automatic; else taken, clamped to [0.25, 2]. */
+    uint32_t samples;        /* 0: automatic; else taken, up to ... */
+    uint32_t samples_max;    /* ... what the context offers. */
+};
+
+struct quality quality_choose(const struct quality_wish *wish);
 
 #endif

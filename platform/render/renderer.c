@@ -34,9 +34,17 @@ static uint32_t scaled(uint32_t size, float scale)
 
 static void open_targets(struct renderer *renderer)
 {
+    const uint32_t width = renderer->config.width;
+    const uint32_t height = renderer->config.height;
+    renderer->quality = quality_choose(&(struct quality_wish){
+        .renderer = gl_string(GL_RENDERER),
+        .width = width,
+        .height = height,
+        .scene_scale = renderer->config.scene_scale,
+        .samples = renderer->config.samples,
+        .samples_max = renderer->samples_max,
+    });
     const struct quality *const quality = &renderer->quality;
-    const uint32_t width = renderer->width;
-    const uint32_t height = renderer->height;
     gl_target_open(&renderer->status, "ground", &renderer->ground,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
                                              .width = scaled(width, quality->floor_scale),
@@ -84,11 +92,9 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
 {
     GLint samples_max = 1;
     memset(renderer, 0, sizeof *renderer);
-    renderer->width = config->width;
-    renderer->height = config->height;
+    renderer->config = *config;
     glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
-    renderer->quality = quality_choose(gl_string(GL_RENDERER), config->scene_scale, config->samples,
-                                       (uint32_t)samples_max);
+    renderer->samples_max = (uint32_t)samples_max;
     name_context(renderer);
     open_passes(renderer);
     open_targets(renderer);
@@ -110,11 +116,11 @@ void renderer_close(struct renderer *renderer)
 
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
 {
-    if (width == renderer->width && height == renderer->height) {
+    if (width == renderer->config.width && height == renderer->config.height) {
         return HAL_OK;
     }
-    renderer->width = width;
-    renderer->height = height;
+    renderer->config.width = width;
+    renderer->config.height = height;
     close_targets(renderer);
     open_targets(renderer);
     return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
@@ -141,7 +147,7 @@ static void reset_state(void)
 
 static void prepare(struct renderer *renderer, const struct scene *scene)
 {
-    frame_begin(&renderer->frame, scene, renderer->width, renderer->height);
+    frame_begin(&renderer->frame, scene, renderer->config.width, renderer->config.height);
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
@@ -203,7 +209,7 @@ static void bind_screen(const struct renderer *renderer)
         gl_target_bind(&renderer->screen);
     } else {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, (GLsizei)renderer->width, (GLsizei)renderer->height);
+        glViewport(0, 0, (GLsizei)renderer->config.width, (GLsizei)renderer->config.height);
     }
 }
 
@@ -259,8 +265,8 @@ static void finish_screen(const struct renderer *renderer)
     if (!screen->framebuffer) {
         return;
     }
-    const GLint width = (GLint)renderer->width;
-    const GLint height = (GLint)renderer->height;
+    const GLint width = (GLint)renderer->config.width;
+    const GLint height = (GLint)renderer->config.height;
     gl_target_resolve(screen);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, screen->resolve);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
@@ -279,33 +285,29 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene)
     draw_surface(renderer, scene);
     draw_above(renderer, scene);
     finish_screen(renderer);
-    ui_draw(&renderer->ui, scene, (float)renderer->width, (float)renderer->height);
+    ui_draw(&renderer->ui, scene, (float)renderer->config.width, (float)renderer->config.height);
     step_done(renderer, STEP_UI);
 }
 
 int renderer_read(struct renderer *renderer, struct hal_image *image)
 {
-    const size_t row = (size_t)renderer->width * 3u;
-    if (image->size < row * renderer->height) {
+    const uint32_t width = renderer->config.width;
+    const uint32_t height = renderer->config.height;
+    const size_t row = (size_t)width * 3u;
+    if (image->size < row * height || width > RENDERER_WIDTH_MAX) {
         return HAL_ERR_IO;
     }
-    /* OpenGL's first row is the lowest: rows are read one by one into their places, as RGBA is the
-     * only layout that every ES 3 driver must offer, through a strip of the stack. */
-    enum { STRIP = 256 };
-    uint8_t strip[STRIP * 4];
+    /* OpenGL's first row is the lowest, and RGBA is the one layout that every ES 3 driver reads. */
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    for (uint32_t y = 0; y < renderer->height; y++) {
-        uint8_t *out = image->rgb + row * (renderer->height - 1u - y);
-        for (uint32_t x = 0; x < renderer->width; x += STRIP) {
-            const uint32_t count = renderer->width - x < STRIP ? renderer->width - x : STRIP;
-            glReadPixels((GLint)x, (GLint)y, (GLsizei)count, 1, GL_RGBA, GL_UNSIGNED_BYTE, strip);
-            for (uint32_t i = 0; i < count; i++, out += 3) {
-                memcpy(out, strip + i * 4u, 3);
-            }
+    for (uint32_t y = 0; y < height; y++) {
+        uint8_t *out = image->rgb + row * (height - 1u - y);
+        glReadPixels(0, (GLint)y, (GLsizei)width, 1, GL_RGBA, GL_UNSIGNED_BYTE, renderer->row);
+        for (uint32_t x = 0; x < width; x++, out += 3) {
+            memcpy(out, renderer->row + x * 4u, 3);
         }
     }
-    image->width = renderer->width;
-    image->height = renderer->height;
+    image->width = width;
+    image->height = height;
     return HAL_OK;
 }
 
@@ -328,7 +330,7 @@ void renderer_describe(const struct renderer *renderer, char *out, size_t size)
     const struct quality *const quality = &renderer->quality;
     const int length =
         snprintf(out, size, "%s, %ux%u, scene %.2gx, floor %.2gx", renderer->gl_name,
-                 renderer->width, renderer->height, (double)quality->scene_scale,
+                 renderer->config.width, renderer->config.height, (double)quality->scene_scale,
                  (double)quality->floor_scale);
     if (quality->samples > 1 && length > 0 && (size_t)length < size) {
         snprintf(out + length, size - (size_t)length, ", %u samples", quality->samples);

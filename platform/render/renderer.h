@@ -17,6 +17,8 @@
 #include "platform/render/textures.h"
 #include "platform/render/ui.h"
 
+#define RENDERER_WIDTH_MAX 8192u /* Of a picture that can be read back: twice 4K. */
+
 struct renderer_config {
     uint32_t width, height;  /* Pixels, > 0. */
     float scene_scale;       /* As struct display_gl_config. */
@@ -37,8 +39,9 @@ enum render_step {
 
 struct renderer {
     struct gl_status status;
+    struct renderer_config config; /* Its size follows the window. */
     struct quality quality;
-    uint32_t width, height;
+    uint32_t samples_max;
     char gl_name[HAL_TEXT_SIZE / 2];
     struct frame frame;
     struct textures textures;
@@ -50,6 +53,7 @@ struct renderer {
     struct ui ui;
     struct gl_target ground, life;
     struct gl_target screen; /* Only with multisampling; else the default framebuffer itself. */
+    uint8_t row[RENDERER_WIDTH_MAX * 4u]; /* One row on its way to a captured image. */
     /* Called after each step, when set: a bench puts glFinish() and a clock there. */
     void (*on_step)(void *context, enum render_step step);
     void *on_step_context;

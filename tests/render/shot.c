@@ -26,7 +26,7 @@
 struct options {
     float seconds, scale;
     uint32_t width, height, samples, fish, seed, every;
-    uint8_t start, english, passes;
+    uint8_t start, english, passes, paper;
     const char *out;
 };
 
@@ -35,11 +35,22 @@ static struct scene scene;
 static struct display_gl display;
 static uint8_t pixels[PIXELS_MAX * 3u];
 
-static double now_ms(void)
+static double clock_ms(clockid_t clock)
 {
     struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
+    clock_gettime(clock, &time);
     return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
+}
+
+static double now_ms(void)
+{
+    return clock_ms(CLOCK_MONOTONIC);
+}
+
+/* Of all threads together; steadier than the wall clock where others work on the same cores. */
+static double cpu_ms(void)
+{
+    return clock_ms(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 static struct options parse(int argc, char **argv)
@@ -54,6 +65,8 @@ static struct options parse(int argc, char **argv)
             o.english = 1;
         } else if (!strcmp(name, "--passes")) {
             o.passes = 1;
+        } else if (!strcmp(name, "--paper")) {
+            o.paper = 1;
         } else if (!strcmp(name, "--seconds")) {
             o.seconds = strtof(value, NULL);
         } else if (!strcmp(name, "--scale")) {
@@ -96,8 +109,35 @@ static void play(const struct options *options)
     core_scene(&core, &scene);
 }
 
+/* A half wet, torn poi held close to the eye. */
+static void show_paper(void)
+{
+    struct scene_poi *const poi = &scene.poi[0];
+    poi->present = 1;
+    poi->position_m = v3(0.02f, 0.035f, 0.02f);
+    poi->angles = (struct angles){ 0.3f, 0.35f, 0.1f };
+    poi->ring_radius_m = 0.04f;
+    poi->sag_m = 0.006f;
+    for (uint32_t z = 0; z < SHEET_SIDE; z++) {
+        for (uint32_t x = 0; x < SHEET_SIDE; x++) {
+            const float u = ((float)x - 15.5f) / 16.0f;
+            const float v = ((float)z - 15.5f) / 16.0f;
+            const float hole = f_sqrt((u - 0.3f) * (u - 0.3f) + (v + 0.2f) * (v + 0.2f) * 0.5f);
+            const float small = f_sqrt((u + 0.4f) * (u + 0.4f) + (v - 0.3f) * (v - 0.3f));
+            const uint32_t cell = z * SHEET_SIDE + x;
+            poi->wetness[cell] = (uint8_t)(255.0f * (1.0f - f_smoothstep(-0.3f, 0.3f, v + 0.4f * u)));
+            poi->integrity[cell] =
+                hole < 0.22f || small < 0.12f
+                    ? 0
+                    : (uint8_t)(60.0f + 195.0f * f_smoothstep(0.2f, 0.5f, f_min(hole, small)));
+        }
+    }
+    scene.view.eye_m = v3(0.0f, 0.32f, 0.22f);
+    scene.view.target_m = v3(0.01f, 0.0f, 0.03f);
+}
+
 struct meter {
-    double last, sums[STEP_COUNT];
+    double last, last_cpu, sums[STEP_COUNT], cpu_sums[STEP_COUNT];
 };
 
 static void on_step(void *context, enum render_step step)
@@ -107,6 +147,9 @@ static void on_step(void *context, enum render_step step)
     const double now = now_ms();
     meter->sums[step] += now - meter->last;
     meter->last = now;
+    const double cpu = cpu_ms();
+    meter->cpu_sums[step] += cpu - meter->last_cpu;
+    meter->last_cpu = cpu;
 }
 
 static int by_value(const void *a, const void *b)
@@ -134,11 +177,13 @@ static void time_passes(const struct hal_display *device)
     for (uint32_t i = 0; i < PASS_FRAMES; i++) {
         glFinish();
         meter.last = now_ms();
+        meter.last_cpu = cpu_ms();
         device->ops->present(device->self, &scene);
     }
     display.renderer.on_step = NULL;
     for (uint32_t i = 0; i < STEP_COUNT; i++) {
-        printf("%-8s %6.2f ms\n", names[i], meter.sums[i] / PASS_FRAMES);
+        printf("%-8s %6.2f ms, %6.2f ms of CPU\n", names[i], meter.sums[i] / PASS_FRAMES,
+               meter.cpu_sums[i] / PASS_FRAMES);
     }
     printf("%-8s %6.2f ms median, %.2f best, %.2f worst of %u\n", "frame",
            frames[PASS_FRAMES / 2], frames[0], frames[PASS_FRAMES - 1], PASS_FRAMES);
@@ -154,6 +199,9 @@ int main(int argc, char **argv)
                                                  .samples = options.samples };
     const struct hal_display device = display_gl_device(&display);
     play(&options);
+    if (options.paper) {
+        show_paper();
+    }
     const double before = now_ms();
     if (device.ops->open(device.self) != HAL_OK) {
         fprintf(stderr, "%s\n", device.ops->describe(device.self));
