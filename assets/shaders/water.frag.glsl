@@ -13,9 +13,8 @@ void main()
     vec4 swims = texture(life, at);
     vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
 
-    // Slopes are small: the normal needs no normalizing.
     vec3 view = normalize(eye.xyz - world);
-    vec3 normal = vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5);
+    vec3 normal = normalize(vec3(-slope.x * 1.5, 1.0, -slope.y * 1.5));
     float facing = dot(normal, view);
     vec3 mirror = 2.0 * facing * normal - view;
     float away = 1.0 - facing;
