@@ -89,30 +89,31 @@ vec3 box_extent_m(const struct box *box)
               shadow_m(&frame, v3(0.0f, 0.0f, 1.0f)));
 }
 
-/* A point inside leaves through the nearest face; `p` in the box's frame. */
-static vec3 clear_from_inside(vec3 p, vec3 half, float radius_m)
+/* Seen along the rod the box is a hexagon and the rod a disc: the sides' normals are the box's axes
+ * crossed with the rod. */
+vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m)
 {
-    const float x = half.x - f_abs(p.x), y = half.y - f_abs(p.y), z = half.z - f_abs(p.z);
-    if (x <= y && x <= z) {
-        return v3(p.x > 0.0f ? -x - radius_m : x + radius_m, 0.0f, 0.0f);
+    const struct frame frame = frame_of(box);
+    const vec3 none = { 0.0f, 0.0f, 0.0f };
+    const vec3 d = v3_sub(box->centre_m, point_m);
+    float least_m = 1e9f;
+    vec3 move = none;
+    for (int i = 0; i < 3; i++) {
+        const vec3 side = v3_cross(frame.axis[i], along);
+        const float length = v3_length(side);
+        if (length < 1e-3f) { /* The rod runs along this axis: the other two say all. */
+            continue;
+        }
+        const vec3 normal = v3_scale(side, 1.0f / length);
+        const float offset = v3_dot(d, normal);
+        const float depth_m = shadow_m(&frame, normal) + radius_m - f_abs(offset);
+        if (depth_m <= 0.0f) {
+            return none;
+        }
+        if (depth_m < least_m) {
+            least_m = depth_m;
+            move = v3_scale(normal, offset < 0.0f ? -depth_m : depth_m);
+        }
     }
-    if (y <= z) {
-        return v3(0.0f, p.y > 0.0f ? -y - radius_m : y + radius_m, 0.0f);
-    }
-    return v3(0.0f, 0.0f, p.z > 0.0f ? -z - radius_m : z + radius_m);
-}
-
-vec3 box_clear_point(const struct box *box, vec3 point_m, float radius_m)
-{
-    const vec3 p = basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
-    const vec3 h = box->half_m;
-    const vec3 nearest = v3(f_clamp(p.x, -h.x, h.x), f_clamp(p.y, -h.y, h.y), f_clamp(p.z, -h.z, h.z));
-    const vec3 away = v3_sub(nearest, p); /* From the point to the box. */
-    const float distance = v3_length(away);
-    if (distance >= radius_m) {
-        return v3(0.0f, 0.0f, 0.0f);
-    }
-    const vec3 move = distance > 1e-6f ? v3_scale(away, (radius_m - distance) / distance)
-                                       : clear_from_inside(p, h, radius_m);
-    return basis_to_world(&box->axes, move);
+    return move;
 }

@@ -30,7 +30,8 @@ float box_depth_m(const struct box *a, const struct box *b);
 /* Half the size of the upright box that holds `box`. */
 vec3 box_extent_m(const struct box *box);
 
-/* The least move of the box that takes it `radius_m` > 0 away from `point_m`; zero when it is. */
-vec3 box_clear_point(const struct box *box, vec3 point_m, float radius_m);
+/* The least move of the box that takes it off a rod of `radius_m` > 0 through `point_m` along `along`
+ * (unit); zero when it is clear. */
+vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m);
 
 #endif

@@ -2,6 +2,7 @@
 #include "core/tank/crowd.h"
 
 #include "core/base/panic.h"
+#include "core/input.h"
 
 #define SPACE_PER_LENGTH 0.2f   /* 2013 thesis, section 3.4: 1 cm round a fish of 5 cm. */
 #define SPACE_FILL 0.35f        /* Of the water; fuller, and nobody's space would ever be free. */
@@ -10,6 +11,7 @@
 #define CONTACT_GAP_M 0.002f    /* Nearer pairs may come to touch while others are parted. */
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
 #define PART_ROUNDS_MAX 12       /* Most ticks need two; a shoved crowd uses them all. */
+#define CLEAR_STEP_MIN_M 0.002f /* A tick: what even a resting obstacle gives way by. */
 #define PART_STEP_MAX_M 0.012f  /* A tick; a poi at 1.4 m/s shoves no harder. */
 
 float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m)
@@ -199,7 +201,9 @@ static void clear_obstacles(struct crowd_body *body, const struct tank_bounds *b
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 move = obstacle_clear(&obstacles[o], &body->box);
         if (v3_dot(move, move) > 0.0f) {
-            body->box.centre_m = v3_add(body->box.centre_m, v3_limit(move, PART_STEP_MAX_M));
+            const float rush_m = 2.0f * CORE_TICK_S * v3_length(obstacles[o].velocity_m_s);
+            const float step_m = f_clamp(rush_m, CLEAR_STEP_MIN_M, PART_STEP_MAX_M);
+            body->box.centre_m = v3_add(body->box.centre_m, v3_limit(move, step_m));
         }
     }
     keep_inside(body, bounds);

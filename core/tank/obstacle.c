@@ -55,7 +55,13 @@ static vec3 nearest_to_axis(const struct obstacle *ring, const struct box *box, 
 static vec3 clear_ring(const struct obstacle *ring, const struct box *box)
 {
     const float tube_m = RING_TUBE_PER_RADIUS * ring->radius_m;
-    return box_clear_point(box, nearest_to_axis(ring, box, ring->radius_m - tube_m), tube_m);
+    const vec3 nearest = nearest_to_axis(ring, box, ring->radius_m - tube_m);
+    const vec3 out = v3_normalize_or(v3_sub(nearest, ring->centre_m), v3(1.0f, 0.0f, 0.0f));
+    const vec3 reach = v3_sub(box->centre_m, nearest);
+    if (v3_dot(reach, reach) > (box->half_m.z + SHOVE_M) * (box->half_m.z + SHOVE_M)) {
+        return v3(0.0f, 0.0f, 0.0f); /* The rod goes on for ever, the ring does not. */
+    }
+    return box_clear_rod(box, nearest, v3_cross(ring->normal, out), tube_m);
 }
 
 /* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is good near its skin. */

@@ -46,7 +46,7 @@ void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index
 
 void swim_shun_add(struct swim_shun *shun, const struct fish *fish, vec3 normal, float gap_m)
 {
-    const float range_m = 0.2f * fish->length_m + 0.5f * fish->speed_m_s + 0.005f;
+    const float range_m = 0.22f * fish->length_m + 0.65f * fish->speed_m_s + 0.005f;
     const float weight = 1.0f - f_clamp((gap_m - 0.45f * fish->length_m) / range_m, 0.0f, 1.0f);
     shun->into = v3_mad(shun->into, normal, weight);
     shun->weight = f_max(shun->weight, weight);

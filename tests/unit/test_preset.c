@@ -1,0 +1,93 @@
+/* test_preset.c -- the tanks that are offered are tanks that can be played. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+#include "core/tank/preset.h"
+
+static void test_festival_is_the_stall_that_it_says(void **state)
+{
+    (void)state;
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
+    assert_string_equal(preset->name, "festival");
+    assert_float_equal(preset->size_m.x, 0.85f, 1e-6f);
+    assert_float_equal(preset->size_m.z, 0.55f, 1e-6f);
+    assert_true(preset->wall_height_m > preset->size_m.y);
+    assert_int_equal(preset->fish_count, 300);
+}
+
+static void test_its_ages_give_fish_of_three_to_eight_centimetres(void **state)
+{
+    (void)state;
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
+    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_min), 0.033f, 0.003f);
+    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_max), 0.080f, 0.003f);
+}
+
+static void test_the_bowl_floats_inside_the_tank(void **state)
+{
+    (void)state;
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
+    const float radius_m = 0.075f;
+    assert_true(f_abs(preset->bowl_m.x) + radius_m < 0.5f * preset->size_m.x);
+    assert_true(f_abs(preset->bowl_m.z) + radius_m < 0.5f * preset->size_m.z);
+}
+
+/* Where a point shows on a screen: within +-1 on both axes is in the picture. */
+static vec3 on_screen(const struct view *view, float aspect, vec3 point_m)
+{
+    const struct basis axes = view_basis(view);
+    const vec3 p = basis_to_body(&axes, v3_sub(point_m, view->eye_m));
+    const float tan_y = view_half_height_tan(view, aspect);
+    return v3(p.x / (-p.z * tan_y * aspect), p.y / (-p.z * tan_y), -p.z);
+}
+
+static void check_fits(float aspect)
+{
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
+    const float rim_m = preset->wall_height_m - preset->size_m.y;
+    float widest = 0.0f;
+    for (int corner = 0; corner < 4; corner++) {
+        const float x = (corner & 1 ? 0.5f : -0.5f) * preset->size_m.x;
+        const float z = (corner & 2 ? 0.5f : -0.5f) * preset->size_m.z;
+        const vec3 rim = on_screen(&preset->view, aspect, v3(x, rim_m, z));
+        assert_true(rim.z > 0.0f);
+        assert_true(f_abs(rim.x) < 0.98f);
+        assert_true(f_abs(rim.y) < 0.95f);
+        widest = f_max(widest, f_abs(rim.x));
+    }
+    if (aspect > 1.7f && aspect < 1.8f) {
+        assert_true(widest > 0.85f); /* It fills the screen, too. */
+    }
+}
+
+static void test_the_whole_tank_is_in_the_picture_on_wide_and_narrow_screens(void **state)
+{
+    (void)state;
+    check_fits(16.0f / 9.0f);
+    check_fits(4.0f / 3.0f);
+    check_fits(21.0f / 9.0f);
+    check_fits(9.0f / 16.0f);
+}
+
+static void test_an_unknown_preset_is_a_bug(void **state)
+{
+    (void)state;
+    expect_assert_failure(tank_preset(TANK_PRESET_COUNT));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_festival_is_the_stall_that_it_says),
+        cmocka_unit_test(test_its_ages_give_fish_of_three_to_eight_centimetres),
+        cmocka_unit_test(test_the_bowl_floats_inside_the_tank),
+        cmocka_unit_test(test_the_whole_tank_is_in_the_picture_on_wide_and_narrow_screens),
+        cmocka_unit_test(test_an_unknown_preset_is_a_bug),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,201 @@
+/* test_swim.c -- how one fish moves: bounded turns, glides, depth, falls, and a tail that fits. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/input.h"
+#include "core/tank/gait.h"
+#include "core/tank/swim.h"
+
+static struct fish swimmer(void)
+{
+    return (struct fish){ .length_m = 0.05f, .stamina = 1.0f, .brake = 1.0f, .room = 1.0f, .gait = GAIT_SWIM,
+                          .position_m = { 0.0f, -0.06f, 0.0f }, .depth_goal_m = -0.06f };
+}
+
+static void swim_ticks(struct fish *fish, uint32_t ticks, float speed_m_s)
+{
+    for (uint32_t tick = 0; tick < ticks; tick++) {
+        const vec3 before = fish->position_m;
+        swim_move(fish, speed_m_s, gait_run_up_s(fish->length_m));
+        swim_settle(fish, v3_sub(fish->position_m, before), 1);
+    }
+}
+
+static void test_a_fish_swims_along_its_nose(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    swim_ticks(&fish, 5 * CORE_TICK_HZ, 0.05f);
+    assert_float_equal(fish.position_m.z, -0.25f, 0.01f); /* Yaw 0 faces -z. */
+    assert_float_equal(fish.position_m.x, 0.0f, 1e-4f);
+}
+
+static void test_95_percent_of_the_speed_is_there_after_the_run_up(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    swim_ticks(&fish, 20, 0.1f); /* 0.167 s. */
+    assert_float_equal(fish.speed_m_s, 0.095f, 0.002f);
+}
+
+static void test_a_glide_loses_speed_slowly(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    swim_ticks(&fish, CORE_TICK_HZ, 0.1f);
+    swim_ticks(&fish, CORE_TICK_HZ / 2u, 0.0f);
+    assert_true(fish.speed_m_s > 0.03f && fish.speed_m_s < 0.05f);
+}
+
+static void check_turn(uint8_t gait, float rate_max_deg_s)
+{
+    struct fish fish = swimmer();
+    fish.gait = gait;
+    fish.heading_rad = 170.0f * F_DEG;
+    float last_rad = 0.0f;
+    for (uint32_t tick = 0; tick < 8 * CORE_TICK_HZ; tick++) {
+        swim_ticks(&fish, 1, 0.05f);
+        const float rate = f_abs(f_wrap_angle(fish.angles.yaw_rad - last_rad)) * (float)CORE_TICK_HZ;
+        assert_true(rate <= rate_max_deg_s * F_DEG + 1e-3f);
+        last_rad = fish.angles.yaw_rad;
+    }
+    assert_float_equal(fish.angles.yaw_rad, fish.heading_rad, 0.02f);
+}
+
+static void test_turns_are_bounded_by_gait_and_arrive(void **state)
+{
+    (void)state;
+    check_turn(GAIT_REST, 45.0f);
+    check_turn(GAIT_SWIM, 180.0f);
+    check_turn(GAIT_BURST, 720.0f);
+}
+
+static void test_an_escape_turns_a_right_angle_within_a_tenth_of_a_second(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    fish.gait = GAIT_ESCAPE;
+    fish.heading_rad = 110.0f * F_DEG;
+    swim_ticks(&fish, 12, 0.4f);
+    assert_true(fish.angles.yaw_rad > 90.0f * F_DEG);
+    assert_true(fish.speed_m_s > 0.35f);
+}
+
+static void test_depth_is_kept_with_the_nose_nearly_level(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    fish.gait = GAIT_REST; /* A resting fish changes depth too, by its bladder. */
+    fish.depth_goal_m = -0.09f;
+    for (uint32_t tick = 0; tick < 20 * CORE_TICK_HZ; tick++) {
+        swim_ticks(&fish, 1, 0.002f);
+        assert_true(f_abs(fish.angles.pitch_rad) < 25.0f * F_DEG);
+        assert_true(f_abs(fish.velocity_m_s.y) <= 0.03f);
+    }
+    assert_float_equal(fish.position_m.y, -0.09f, 0.002f);
+    assert_float_equal(fish.angles.pitch_rad, 0.0f, 0.02f);
+}
+
+static void check_beat(float lengths_per_s, float hz)
+{
+    struct fish fish = swimmer();
+    for (uint32_t tick = 0; tick < 3 * CORE_TICK_HZ; tick++) {
+        swim_settle(&fish, v3(0.0f, 0.0f, -lengths_per_s * fish.length_m * CORE_TICK_S), 1);
+        assert_true(fish.tail_phase_rad >= 0.0f && fish.tail_phase_rad < F_TAU);
+    }
+    assert_float_equal(fish.tail_beat_hz, hz, 0.01f * hz);
+}
+
+static void test_the_tail_beats_as_the_true_speed_demands(void **state)
+{
+    (void)state;
+    check_beat(0.0f, 0.5f);
+    check_beat(1.05f, 1.75f);
+    check_beat(3.99f, 6.65f);
+    check_beat(4.01f, 6.68f); /* The two laws join. */
+    check_beat(9.0f, 13.333f);
+}
+
+static void test_a_still_fish_only_sculls_and_an_escape_beats_widest(void **state)
+{
+    (void)state;
+    struct fish still = swimmer(), cruising = swimmer(), fleeing = swimmer();
+    for (uint32_t tick = 0; tick < 2 * CORE_TICK_HZ; tick++) {
+        swim_settle(&still, v3(0.0f, 0.0f, 0.0f), 0);
+        swim_settle(&cruising, v3(0.0f, 0.0f, -0.08f * CORE_TICK_S), 1);
+        swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), 1);
+    }
+    assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
+    assert_float_equal(cruising.tail_amplitude, 1.0f, 0.05f);
+    assert_float_equal(fleeing.tail_amplitude, 1.5f, 0.01f);
+}
+
+static void test_the_body_bends_along_its_arc(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    fish.heading_rad = 90.0f * F_DEG; /* To the left. */
+    swim_ticks(&fish, CORE_TICK_HZ / 4u, 0.05f);
+    assert_true(fish.bend_rad < -0.1f); /* Positive would lay the tail to its right. */
+}
+
+static void test_a_wall_ahead_is_left_before_it_is_touched(void **state)
+{
+    (void)state;
+    for (int degrees = -180; degrees < 180; degrees += 15) {
+        struct fish fish = swimmer();
+        fish.position_m = v3(0.25f, -0.06f, 0.10f);
+        fish.angles.yaw_rad = fish.heading_rad = (float)degrees * F_DEG;
+        const vec3 size_m = { 0.85f, 0.12f, 0.55f };
+        float nearest = 1.0f;
+        for (uint32_t tick = 0; tick < 30 * CORE_TICK_HZ; tick++) {
+            struct swim_shun shun = { 0 };
+            swim_shun_walls(&shun, &fish, size_m);
+            swim_shun_turn(&fish, &shun);
+            swim_ticks(&fish, 1, 0.0525f);
+            const struct box box = fish_box(&fish);
+            const vec3 extent = box_extent_m(&box);
+            nearest = f_min(nearest, f_min(0.425f - f_abs(fish.position_m.x) - extent.x,
+                                           0.275f - f_abs(fish.position_m.z) - extent.z));
+        }
+        assert_true(nearest > 0.0f);
+    }
+}
+
+static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    fish.position_m.y = 0.10f;
+    fish.gait = GAIT_ESCAPE;
+    uint32_t ticks = 0;
+    while (swim_fall(&fish)) {
+        ticks++;
+        assert_true(ticks < CORE_TICK_HZ);
+    }
+    assert_true(ticks > 15); /* 9 cm take 0.135 s. */
+    assert_true(fish.position_m.y < 0.0f && fish.position_m.y > -0.1f);
+    assert_int_equal(swim_fall(&fish), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_fish_swims_along_its_nose),
+        cmocka_unit_test(test_95_percent_of_the_speed_is_there_after_the_run_up),
+        cmocka_unit_test(test_a_glide_loses_speed_slowly),
+        cmocka_unit_test(test_turns_are_bounded_by_gait_and_arrive),
+        cmocka_unit_test(test_an_escape_turns_a_right_angle_within_a_tenth_of_a_second),
+        cmocka_unit_test(test_depth_is_kept_with_the_nose_nearly_level),
+        cmocka_unit_test(test_the_tail_beats_as_the_true_speed_demands),
+        cmocka_unit_test(test_a_still_fish_only_sculls_and_an_escape_beats_widest),
+        cmocka_unit_test(test_the_body_bends_along_its_arc),
+        cmocka_unit_test(test_a_wall_ahead_is_left_before_it_is_touched),
+        cmocka_unit_test(test_a_dropped_fish_falls_into_the_water_and_stays_there),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
