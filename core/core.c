@@ -28,21 +28,6 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     return CORE_OK;
 }
 
-/* Horizontal, toward the bowl; its length in [0, 1] says how far the ring is over its mouth and clear
- * of the water. A controller with a wrist tips by itself. */
-static vec3 tip_over_bowl(const struct poi *poi, const struct bowl *bowl, const struct poi_input *input)
-{
-    if (!bowl->present || (poi->link == POI_LINK_LIVE && input->has_wrist)) {
-        return v3(0.0f, 0.0f, 0.0f);
-    }
-    const vec3 way = v3(bowl->position_m.x - poi->position_m.x, 0.0f,
-                        bowl->position_m.z - poi->position_m.z);
-    const float near = v3_length(way) / (BOWL_RADIUS_M + POI_RADIUS_M);
-    const float over = (1.0f - f_smoothstep(0.45f, 0.95f, near)) *
-                       (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
-    return v3_scale(v3_normalize_or(way, v3(1.0f, 0.0f, 0.0f)), over);
-}
-
 static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TANK_OBSTACLE_MAX])
 {
     uint32_t count = 0;
@@ -64,8 +49,11 @@ static void tick_pois(struct core *core, const struct input *input,
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
         if (live[i]) {
-            const vec3 tip = tip_over_bowl(&core->poi[i], &core->bowl[i], &input->poi[i]);
-            poi_tick(&core->poi[i], &targets[i], &core->tank, tip, &output->poi[i]);
+            const struct poi_grip grip = {
+                .target = targets[i],
+                .has_wrist = core->poi[i].link == POI_LINK_LIVE && input->poi[i].has_wrist,
+            };
+            poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i], &output->poi[i]);
         }
     }
 }

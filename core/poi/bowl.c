@@ -22,8 +22,7 @@ static float draw(uint32_t seed, uint32_t fish, uint32_t which)
     return rng_unit((struct rng_key){ seed, which, fish, RNG_FISH_PLACE_Y });
 }
 
-/* The hull's radius `below_m` under the mouth: half an ellipsoid. */
-static float hull_radius_m(float below_m)
+float bowl_hull_radius_m(float below_m)
 {
     const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);
     return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
@@ -36,7 +35,7 @@ static vec3 place_on_round(const struct fish *fish, uint32_t index, uint32_t see
     const float top = SURFACE_M + half;
     const float bottom = f_max(top, 0.8f * BOWL_DEPTH_M - half);
     const float below = f_lerp(top, bottom, draw(seed, index, 1));
-    const float hull = hull_radius_m(below + half) - HULL_GAP_M;
+    const float hull = bowl_hull_radius_m(below + half) - HULL_GAP_M;
     const float reach = f_sqrt(f_max(0.0f, hull * hull - 0.25f * fish->length_m * fish->length_m));
     const float radius = reach * (0.45f + 0.5f * draw(seed, index, 2));
     return v3(radius * f_cos(angle_rad), -below, radius * f_sin(angle_rad));

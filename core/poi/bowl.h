@@ -24,6 +24,9 @@ void bowl_tick(const struct bowl *bowl, uint32_t bowl_index, struct tank *tank, 
 /* Pours every fish back into the tank, beside the bowl and under it. */
 void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
 
+/* The hull's radius `below_m` under the mouth: half an ellipsoid. */
+float bowl_hull_radius_m(float below_m);
+
 struct obstacle bowl_obstacle(const struct bowl *bowl);
 
 #endif

@@ -19,11 +19,14 @@
 
 #define REACH_SIDE_M 0.15f       /* Beyond the walls, over the rim. */
 #define REACH_HEIGHT_M 0.30f
+#define ASIDE_M_S 0.6f           /* Off a bowl's hull. */
 #define FLOOR_GAP_M 0.003f       /* The ring is thick; its paper must not be pinched. */
 
 #define TIP_RAD (55.0f * F_DEG)  /* Steep enough for a fish to roll over the ring. */
 #define TIP_PER_S 3.0f
-#define TIP_EDGE_M 0.022f        /* Then the lower edge keeps so far over the water: over the bowl's mouth. */
+#define TIP_NEAR 0.45f           /* Ring to mouth, centre to centre, in sums of their radii: full turn ... */
+#define TIP_FAR 0.95f            /* ... and none. */
+#define TIP_EDGE_M 0.010f        /* The lower edge then keeps so far over the mouth. */
 
 /* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at
  * 30 Hz, must not become blows of water. */
@@ -48,38 +51,44 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
 
 /* ---- The wrist ------------------------------------------------------------------------------ */
 
-static void tip_over(struct poi *poi, vec3 tip)
+/* [0, 1]: how far the ring is over the mouth of its bowl, and clear of the water. */
+static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
 {
-    const float goal = f_clamp(v3_length(tip), 0.0f, 1.0f);
+    if (!bowl->present) {
+        return 0.0f;
+    }
+    const float near = v3_length(way) / (BOWL_RADIUS_M + POI_RADIUS_M);
+    return (1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near)) * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+}
+
+static void tip_over(struct poi *poi, const struct bowl *bowl, int has_wrist)
+{
+    const vec3 way = v3(bowl->position_m.x - poi->position_m.x, 0.0f,
+                        bowl->position_m.z - poi->position_m.z);
+    const float goal = has_wrist ? 0.0f : over_bowl(poi, bowl, way);
     if (poi->tip < 0.02f && goal > 0.0f) {
-        poi->tip_toward = v3_normalize_or(v3(tip.x, 0.0f, tip.z), v3(1.0f, 0.0f, 0.0f));
+        poi->tip_toward = v3_normalize_or(way, v3(1.0f, 0.0f, 0.0f));
     }
     const float step = TIP_PER_S * CORE_TICK_S;
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* The hand's angles, tipped toward the bowl. */
-static struct angles wanted_angles(const struct poi *poi, struct angles angles)
+/* The hand's target, tipped toward the bowl. The wrist that turns the ring also lifts it, or the fish
+ * would slide out below the bowl's mouth. */
+static struct poi_target tipped(const struct poi *poi, const struct bowl *bowl, struct poi_target target)
 {
     if (poi->tip <= 0.0f) {
-        return angles;
+        return target;
     }
     const vec3 axis = v3_cross(v3(0.0f, 1.0f, 0.0f), poi->tip_toward);
-    const struct basis held = basis_from_angles(angles);
     const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
-    const struct basis tipped = pose_turn(&held, axis, TIP_RAD * eased);
-    return pose_angles(&tipped);
-}
-
-/* The wrist that turns the ring also lifts it, or the fish would slide out below the bowl's mouth. */
-static vec3 wanted_place(const struct poi *poi, vec3 place_m)
-{
-    if (poi->tip > 0.0f) {
-        const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
-        const float drop = POI_OUTER_RADIUS_M * f_sin(TIP_RAD * eased);
-        place_m.y = f_max(place_m.y, TIP_EDGE_M * eased + drop);
-    }
-    return place_m;
+    const float turn_rad = TIP_RAD * eased;
+    const struct basis held = basis_from_angles(target.angles);
+    const struct basis turned = pose_turn(&held, axis, turn_rad);
+    target.angles = pose_angles(&turned);
+    const float edge = (bowl->position_m.y + TIP_EDGE_M) * eased;
+    target.position_m.y = f_max(target.position_m.y, edge + POI_OUTER_RADIUS_M * f_sin(turn_rad));
+    return target;
 }
 
 /* Critically damped, implicit: stable at any stiffness. */
@@ -194,27 +203,59 @@ static float half_extent(float n)
 
 /* Inside the walls it stays inside; only with its lowest edge over the rim may it pass. A ring that
  * comes down outside rests on the rim. */
-static void yield(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
+static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
 {
     const float low = half_extent(up.y);
     const float rim = tank->wall_height_m - tank->size_m.y;
-    const vec3 room = v3(0.5f * tank->size_m.x - half_extent(up.x), 0.0f,
-                         0.5f * tank->size_m.z - half_extent(up.z));
+    const float room_x = 0.5f * tank->size_m.x - half_extent(up.x);
+    const float room_z = 0.5f * tank->size_m.z - half_extent(up.z);
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
-    const float floor = f_max(low + FLOOR_GAP_M - tank->size_m.y, poi->floor_m);
-    keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
-    if (at->y - low < rim) {
-        const int was_inside = f_abs(before_m.x) <= room.x + 1e-4f && f_abs(before_m.z) <= room.z + 1e-4f;
-        const int is_inside = f_abs(at->x) <= room.x && f_abs(at->z) <= room.z;
-        if (!is_inside && !was_inside && before_m.y - low >= rim - 1e-3f) {
-            keep(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
-        } else {
-            keep(&at->x, &speed->x, -room.x, room.x);
-            keep(&at->z, &speed->z, -room.z, room.z);
-        }
+    if (at->y - low >= rim) {
+        return;
     }
+    const int was_inside = f_abs(before_m.x) <= room_x + 1e-4f && f_abs(before_m.z) <= room_z + 1e-4f;
+    const int is_inside = f_abs(at->x) <= room_x && f_abs(at->z) <= room_z;
+    if (!is_inside && !was_inside && before_m.y - low >= rim - 1e-3f) {
+        keep(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
+    } else {
+        keep(&at->x, &speed->x, -room_x, room_x);
+        keep(&at->z, &speed->z, -room_z, room_z);
+    }
+}
+
+/* From above the ring rests on the mouth, from below under the hull, from aside it slides round. */
+static void yield_to_bowl(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
+{
+    const float low = half_extent(up.y);
+    const float mouth = bowl->position_m.y, bottom = mouth - BOWL_DEPTH_M;
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    const vec3 away = v3(at->x - bowl->position_m.x, 0.0f, at->z - bowl->position_m.z);
+    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
+    const float apart = bowl_hull_radius_m(mouth - at->y) + half_extent(v3_dot(up, out));
+    if (!bowl->present || v3_length(away) >= apart || at->y - low >= mouth || at->y + low <= bottom) {
+        return;
+    }
+    if (before_m.y - low >= mouth - 1e-3f) {
+        keep(&at->y, &speed->y, mouth + low, REACH_HEIGHT_M);
+    } else if (before_m.y + low <= bottom + 1e-3f) {
+        keep(&at->y, &speed->y, -10.0f, bottom - low);
+    } else {
+        const float step = f_min(apart - v3_length(away), ASIDE_M_S * CORE_TICK_S);
+        const float inward = f_min(v3_dot(*speed, out), 0.0f);
+        *at = v3_mad(*at, out, step);
+        *speed = v3_mad(*speed, out, -inward);
+    }
+}
+
+static void yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m, vec3 up)
+{
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
+    const float floor = f_max(half_extent(up.y) + FLOOR_GAP_M - tank->size_m.y, poi->floor_m);
+    yield_to_bowl(poi, bowl, before_m, up);
+    keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
+    yield_to_walls(poi, tank, before_m, up);
     keep(&at->x, &speed->x, -reach_x, reach_x);
     keep(&at->z, &speed->z, -reach_z, reach_z);
 }
@@ -272,24 +313,25 @@ static void note_splash(struct poi *poi, float immersed)
     }
 }
 
-void poi_tick(struct poi *poi, const struct poi_target *target, const struct tank *tank, vec3 tip,
-              struct poi_force *force)
+void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
+              const struct bowl *bowl, struct poi_force *force)
 {
-    CORE_ASSERT(v3_is_finite(target->position_m));
-    CORE_ASSERT(f_is_finite(target->angles.yaw_rad));
-    CORE_ASSERT(f_is_finite(target->angles.pitch_rad));
-    CORE_ASSERT(f_is_finite(target->angles.roll_rad));
-    tip_over(poi, tip);
-    turn(poi, wanted_angles(poi, target->angles));
+    CORE_ASSERT(v3_is_finite(grip->target.position_m));
+    CORE_ASSERT(f_is_finite(grip->target.angles.yaw_rad));
+    CORE_ASSERT(f_is_finite(grip->target.angles.pitch_rad));
+    CORE_ASSERT(f_is_finite(grip->target.angles.roll_rad));
+    tip_over(poi, bowl, grip->has_wrist);
+    const struct poi_target target = tipped(poi, bowl, grip->target);
+    turn(poi, target.angles);
 
     const struct basis axes = basis_from_angles(poi->angles);
     const vec3 before_m = poi->position_m;
     const float immersed = disc_immersed(POI_RADIUS_M, before_m.y, axes.up.y);
-    const struct pull pull = pull_ring(poi, wanted_place(poi, target->position_m), &axes, immersed);
+    const struct pull pull = pull_ring(poi, target.position_m, &axes, immersed);
     note_splash(poi, immersed);
     poi->immersed = immersed;
     poi->position_m = v3_mad(before_m, poi->velocity_m_s, CORE_TICK_S);
-    yield(poi, tank, before_m, axes.up);
+    yield(poi, tank, bowl, before_m, axes.up);
     strain_paper(poi, &pull, &axes);
 
     force->force_n = v3_scale(pull.hand_n, -1.0f);

@@ -6,6 +6,7 @@
 
 #include "core/input.h"
 #include "core/output.h"
+#include "core/poi/bowl.h"
 #include "core/poi/rider.h"
 #include "core/poi/sheet.h"
 #include "core/scene.h"
@@ -16,6 +17,12 @@
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
 #define POI_RIDER_MAX SHEET_LOAD_MAX
+
+/* How a hand holds it. */
+struct poi_grip {
+    struct poi_target target;
+    int has_wrist;                 /* 0: the poi turns over its bowl by itself. */
+};
 
 struct poi {
     uint8_t link;                  /* enum poi_link of the last input. */
@@ -48,12 +55,12 @@ struct poi {
 /* A fresh poi of `grade` 4 .. 7 at rest; `position_m` above the water keeps it dry. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
-/* One tick of the ring: pulled by the hand, held back by the water; wets, strains and tears the
- * paper. `tip` is horizontal and points at the bowl; its length in [0, 1] says how far to turn a
- * wristless controller's poi. Loads of the fish on it were gathered by the last catch_tick.
- * A target that is not finite is a bug and asserts. */
-void poi_tick(struct poi *poi, const struct poi_target *target, const struct tank *tank, vec3 tip,
-              struct poi_force *force);
+/* One tick of the ring: pulled by the hand, held back by water, floor, walls and its own bowl; wets,
+ * strains and tears the paper. Without a wrist it rises and turns toward the bowl when it is over
+ * its mouth. Loads of the fish on it were gathered by the last catch_tick. A target that is not
+ * finite is a bug and asserts. */
+void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
+              const struct bowl *bowl, struct poi_force *force);
 
 /* Stirs the surface where the ring cuts or moves it. */
 void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m);

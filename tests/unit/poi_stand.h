@@ -23,7 +23,7 @@ struct stand {
     struct output output;
     struct poi_target hand;
     struct poi_force force;
-    vec3 tip;
+    int has_wrist;
     uint32_t tick;
     uint32_t landed;             /* Since the start. */
     float tension_max_n_m, tension_sum_n_m;
@@ -56,7 +56,8 @@ static inline void stand_tick(struct stand *stand)
 {
     struct poi *poi = &stand->poi;
     stand->output.sound_count = 0;
-    poi_tick(poi, &stand->hand, &stand->tank, stand->tip, &stand->force);
+    const struct poi_grip grip = { stand->hand, stand->has_wrist };
+    poi_tick(poi, &grip, &stand->tank, &stand->bowl, &stand->force);
     bowl_tick(&stand->bowl, 0, &stand->tank, stand->tick);
     stand->landed +=
         catch_tick(poi, 0, &stand->tank, &stand->bowl, stand->tick, &stand->output).landed;

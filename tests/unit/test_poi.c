@@ -264,19 +264,77 @@ static void test_on_any_course_a_slow_mouse_stays_within_an_eighth_or_so(void **
 
 /* ---- The wrist ------------------------------------------------------------------------------ */
 
-static void test_over_the_bowl_the_wrist_turns_toward_it_by_55_degrees_and_back(void **state)
+static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(void **state)
 {
     (void)state;
     stand_init(&stand, 6, 1);
-    stand.tip = v3(0.6f, 0.0f, 0.8f);
+    stand_move(&stand, v3(0.18f, 0.05f, 0.15f), 0.5f);
+    stand_wait(&stand, 0.2f);
+    assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
+    stand_move(&stand, v3(0.27f, 0.05f, 0.15f), 0.3f);
     stand_wait(&stand, 1.0f);
-    const struct basis tipped = basis_from_angles(stand.poi.angles);
-    assert_float_equal(f_acos(tipped.up.y), 55.0f * F_DEG, 0.02f);
-    assert_float_equal(tipped.up.x / tipped.up.z, 0.75f, 0.02f);
-    assert_true(tipped.up.x > 0.0f);
-    stand.tip = v3(0.0f, 0.0f, 0.0f);
+    const struct basis over = basis_from_angles(stand.poi.angles);
+    assert_float_equal(f_acos(over.up.y), 55.0f * F_DEG, 0.02f);
+    assert_true(over.up.x > 0.8f); /* It lowers its right edge: the bowl is to the right. */
+    const float low_m = stand.poi.position_m.y - POI_OUTER_RADIUS_M * f_sin(55.0f * F_DEG);
+    assert_true(low_m > stand.bowl.position_m.y);
+    stand_move(&stand, v3(0.10f, 0.05f, 0.0f), 0.5f);
     stand_wait(&stand, 1.0f);
     assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
+}
+
+static void test_a_hand_with_a_wrist_turns_by_itself(void **state)
+{
+    (void)state;
+    stand_init(&stand, 6, 1);
+    stand.has_wrist = 1;
+    stand_move(&stand, v3(0.30f, 0.05f, 0.15f), 0.5f);
+    stand_wait(&stand, 1.0f);
+    assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
+}
+
+/* Whether the ring's centre line is off the bowl's hull all round. */
+static int clear_of_bowl(void)
+{
+    const struct basis axes = basis_from_angles(stand.poi.angles);
+    for (uint32_t i = 0; i < 32; i++) {
+        const float a = F_TAU * (float)i / 32.0f;
+        const vec3 rim = v3_scale(v3(f_cos(a), 0.0f, f_sin(a)), 0.043f);
+        const vec3 at = v3_sub(v3_add(stand.poi.position_m, basis_to_world(&axes, rim)), stand.bowl.position_m);
+        const float wide = (at.x * at.x + at.z * at.z) / (BOWL_RADIUS_M * BOWL_RADIUS_M);
+        if (at.y < 0.0f && wide + at.y * at.y / (BOWL_DEPTH_M * BOWL_DEPTH_M) < 0.9f) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void test_the_ring_does_not_pass_through_the_bowl(void **state)
+{
+    (void)state;
+    const vec3 bowl = v3(0.30f, 0.0f, 0.15f);
+    stand_init(&stand, 4, 1); /* Down onto it, then aside under water, then up under it. */
+    stand_move(&stand, v3(bowl.x, 0.10f, bowl.z), 0.5f);
+    stand.hand.position_m.y = -0.10f;
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        stand_tick(&stand);
+        assert_true(clear_of_bowl());
+    }
+    stand_init(&stand, 4, 1);
+    stand_dip(&stand);
+    stand.hand.position_m = v3(bowl.x, -0.02f, bowl.z);
+    for (uint32_t i = 0; i < 2u * CORE_TICK_HZ; i++) {
+        stand_tick(&stand);
+        assert_true(clear_of_bowl());
+    }
+    stand_init(&stand, 4, 1);
+    stand_move(&stand, v3(0.0f, -0.12f, 0.0f), 0.2f);
+    stand_move(&stand, v3(bowl.x, -0.12f, bowl.z), 0.3f);
+    stand.hand.position_m = v3(bowl.x, 0.08f, bowl.z);
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        stand_tick(&stand);
+        assert_true(clear_of_bowl());
+    }
 }
 
 /* ---- Bookkeeping ---------------------------------------------------------------------------- */
@@ -354,7 +412,9 @@ int main(void)
         cmocka_unit_test(test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not),
         cmocka_unit_test(test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path),
         cmocka_unit_test(test_on_any_course_a_slow_mouse_stays_within_an_eighth_or_so),
-        cmocka_unit_test(test_over_the_bowl_the_wrist_turns_toward_it_by_55_degrees_and_back),
+        cmocka_unit_test(test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back),
+        cmocka_unit_test(test_a_hand_with_a_wrist_turns_by_itself),
+        cmocka_unit_test(test_the_ring_does_not_pass_through_the_bowl),
         cmocka_unit_test(test_each_dip_counts_once),
         cmocka_unit_test(test_water_on_the_paper_drains_when_tilted),
         cmocka_unit_test(test_the_same_hand_gives_the_same_poi_bit_for_bit),
