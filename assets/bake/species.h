@@ -18,13 +18,13 @@
 #define MESH_VERTEX_MAX 1024
 #define MESH_INDEX_MAX 8192
 
-/* A cross section: a superellipse of the given height and width, its centre `offset` above the axis. */
+/* A cross section: a superellipse of this height and width, its centre `offset` above the axis. */
 struct station {
     float x, depth, width, offset, exponent;
 };
 
 /* One fin ray at `at` (0 .. 1 along the fin's base): its length and where it points, in degrees.
- * What `sweep` and `side` turn from is the fin's own: see fin_direction() in species_loft.c. */
+ * What `sweep` and `side` turn from is the fin's own: see fin_direction() in species_shape.c. */
 struct ray {
     float at, length, sweep_deg, side_deg;
 };
@@ -62,7 +62,7 @@ struct species_text {
 /* One level of detail: how many rings and spokes the body has, rays and points along each fin. */
 struct detail {
     uint32_t rings, spokes;
-    double bunching; /* 1: rings stand evenly; more: closer toward the snout, where outlines turn. */
+    double bunching; /* 1: rings stand evenly; more: closer to the snout, where outlines turn. */
     uint32_t eye_rings, eye_spokes;
     struct { uint32_t across, along; } fins[PART_COUNT];
 };

@@ -1,10 +1,11 @@
 # species.mk -- bakes assets/species/*.txt into constant tables of the core.
 
 SPECIES := wakin
-SPECIES_PARTS := species species_read species_loft species_write
+SPECIES_PARTS := species species_read species_shape species_loft species_write
 SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/assets/bake/%.o)
 GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o)
 BUILD_CC ?= cc
+SPECIES_CFLAGS := -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I.
 
 generated: $(SPECIES:%=$(BUILD)/generated/species_%.c)
 
@@ -15,7 +16,7 @@ $(BUILD)/bake_species: $(SPECIES_OBJ)
 $(SPECIES_OBJ): $(BUILD)/assets/bake/%.o: assets/bake/%.c
 	@mkdir -p $(@D)
 	$(call step,CC,$<)
-	$(Q)$(BUILD_CC) -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I. $(DEP_FLAGS) -c -o $@ $<
+	$(Q)$(BUILD_CC) $(SPECIES_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
 $(BUILD)/generated/species_%.c: assets/species/%.txt $(BUILD)/bake_species
 	@mkdir -p $(@D)
@@ -34,6 +35,6 @@ $(BUILD)/species_%.png: $(BUILD)/species_sheet_%
 
 $(BUILD)/species_sheet_%: assets/bake/species_sheet.c $(BUILD)/generated/species_%.o $(BUILD)/core.a
 	$(call step,CC,$<)
-	$(Q)$(BUILD_CC) -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -DSPECIES=species_$* -I. $(DEP_FLAGS) -o $@ $^ -lm
+	$(Q)$(BUILD_CC) $(SPECIES_CFLAGS) -DSPECIES=species_$* $(DEP_FLAGS) -o $@ $^ -lm
 
 .PHONY: species-sheet

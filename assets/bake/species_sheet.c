@@ -2,7 +2,7 @@
  *
  * A maker looks at this after each change of the text. A row is a stage, from the first key to the
  * last with one in-between each, then the far mesh; shapes come through the same graph and blend as
- * in the tank. A small rasteriser of its own, so that it needs neither screen nor graphics driver. */
+ * in the tank. The rasteriser is its own, so it needs neither screen nor graphics driver. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -102,8 +102,8 @@ static vec3 shade(int view, const struct species *s, const float *weights, struc
     const float lit = at.vertex.part >= PART_TAIL ? 0.5f + 0.5f * f_abs(facing) : facing;
     const float diffuse = 0.42f + 0.62f * f_max(lit, 0.0f);
     const vec3 half = v3_normalize_or(v3_add(light, v3(0.0f, 0.0f, 1.0f)), n);
-    const float wet = at.vertex.part == PART_BODY ? 0.25f : at.vertex.part == PART_EYE ? 0.7f : 0.0f;
-    const float shine = wet * powf(f_max(v3_dot(n, half), 0.0f), 48.0f);
+    const float gloss[PART_COUNT] = { [PART_BODY] = 0.25f, [PART_EYE] = 0.7f };
+    const float shine = gloss[at.vertex.part] * powf(f_max(v3_dot(n, half), 0.0f), 48.0f);
     return v3_mad(v3_scale(skin(s, weights, &at.vertex), diffuse), v3(1.0f, 1.0f, 1.0f), shine);
 }
 

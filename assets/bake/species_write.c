@@ -1,8 +1,8 @@
-/* species_write.c -- the lofted species as C source: constant tables, hexadecimal so that no bit is lost. */
+/* species_write.c -- the lofted species as C: constant tables, hexadecimal so that no bit is lost. */
 #include "assets/bake/species.h"
 
-static void write_vec3s(FILE *file, const char *name, uint32_t lod, uint32_t key, const vec3 *values,
-                        uint32_t count)
+static void write_vec3s(FILE *file, const char *name, uint32_t lod, uint32_t key,
+                        const vec3 *values, uint32_t count)
 {
     fprintf(file, "static const vec3 %s_%u_%u[%u] = {\n", name, lod, key, count);
     for (uint32_t i = 0; i < count; i++) {
@@ -62,7 +62,8 @@ static void write_curves(FILE *file, const struct species_text *s)
 
 static void write_mesh(FILE *file, const struct loft *loft, uint32_t lod, uint32_t key_count)
 {
-    fprintf(file, "    .lod[%u] = {\n        .vertex_count = %u,\n        .index_count = %u,\n", lod,
+    fprintf(file, "    .lod[%u] = {\n", lod);
+    fprintf(file, "        .vertex_count = %u,\n        .index_count = %u,\n",
             loft->vertex_count, loft->index_count);
     fprintf(file, "        .vertices = vertices_%u,\n        .indices = indices_%u,\n", lod, lod);
     for (uint32_t key = 0; key < key_count; key++) {

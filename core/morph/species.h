@@ -1,7 +1,7 @@
 /* species.h -- a species as constant tables, baked from its text under assets/species/.
  *
  * Key shapes share one topology; all are scaled to unit length (snout to tail tip, body frame of
- * vec.h: the snout at z = -0.5). Size is the growth curve, apart from shape, as in the 2005 thesis. */
+ * vec.h: the snout at z = -0.5). Size is the growth curve, apart from shape: see the 2005 thesis. */
 #ifndef KINGYO_CORE_MORPH_SPECIES_H
 #define KINGYO_CORE_MORPH_SPECIES_H
 
@@ -27,16 +27,17 @@ enum species_part {
 /* Body: u from the snout 0 to the tail root 1; v round the girth, 0 at the back, over the right
  * flank, 0.5 at the belly, over the left flank to 1 at the back again (its seam column is doubled).
  * Fins: u from the leading ray 0 to the last 1 (tail: top to bottom), v from root 0 to tip 1.
- * Eyes: u from the centre 0 to the rim 1; v is the body's v of that side, for the skin around it. */
+ * Eyes: u from the centre 0 to the rim 1; v is the body's on that side, for the skin around. */
 struct species_vertex {
     float u, v;
     uint8_t part;    /* enum species_part */
     uint8_t flex;    /* 0 .. 255: how far a fin's point trails the water; 0 on body and eyes. */
 };
 
-/* Triangles are counter-clockwise seen from outside. Body and eyes are closed from outside; a fin is
- * a sheet of one layer of vertices whose triangles come twice, once in each winding, so that back
- * faces may be culled: a renderer turns a fin's normal toward the viewer (part >= PART_TAIL). */
+/* Triangles are counter-clockwise seen from outside. The body is closed; an eye is a dome whose rim
+ * lies under the skin; a fin is a sheet of one layer of vertices whose triangles come twice, once in
+ * each winding, so that back faces may be culled: a renderer turns a fin's normal toward the viewer
+ * (part >= PART_TAIL). */
 struct species_mesh {
     uint32_t vertex_count, index_count;
     const struct species_vertex *vertices;

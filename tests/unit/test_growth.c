@@ -54,7 +54,8 @@ static void test_age_and_length_are_each_others_inverse(void **state)
         assert_float_equal(growth_length_m(wakin, age_days), length_m, 1e-5f);
     }
     for (float age_days = 1.0f; age_days < 3000.0f; age_days *= 1.3f) {
-        assert_float_equal(growth_age_days(wakin, growth_length_m(wakin, age_days)), age_days, 0.1f);
+        const float length_m = growth_length_m(wakin, age_days);
+        assert_float_equal(growth_age_days(wakin, length_m), age_days, 0.1f);
     }
 }
 

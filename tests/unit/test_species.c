@@ -1,4 +1,4 @@
-/* test_species.c -- the baked meshes: whole, right side out, and the fish that the text describes. */
+/* test_species.c -- the baked meshes: whole, right side out, and the fish that the text draws. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
