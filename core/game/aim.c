@@ -4,13 +4,13 @@
 #include "core/core.h"
 #include "core/game/paper.h"
 
+#define CHOICE_ROOM_M 0.015f    /* More room than needed is wanted of a fish that will move on. */
 #define SLANT_RUN 1.19175f      /* Forward for each metre down: 1 / tan(40 degrees). */
 #define STOP_M 0.030f           /* It stops so far short of the fish, and glides the rest. */
 #define RING_ROOM_M 0.052f      /* From a wall to the ring's centre. */
-#define BOWL_ROOM_M (BOWL_RADIUS_M + RING_ROOM_M)
 #define FLOOR_ROOM_M 0.034f     /* For the far edge of the slanted ring. */
 #define TAIL_OFF 0.22f          /* The ring is ahead of the fish by this share of its length. */
-#define CROWD_M 0.055f
+#define CROWD_M 0.060f
 #define FORESIGHT_S 0.25f
 
 /* How a right hand can hold the handle: toward the player, and turned out to the right. */
@@ -19,10 +19,10 @@ static const float yaws_rad[] = { 0.35f, -0.30f, 0.90f, 1.45f };
 #define YAW_EASY_RAD 0.35f
 
 /* Costs are metres of way that a player would rather go. */
-#define COST_DEPTH 5.0f         /* For each metre under water. */
+#define COST_DEPTH 12.0f        /* For each metre under water. */
 #define COST_SPEED 3.0f         /* For each m/s. */
-#define COST_LENGTH 4.0f        /* For each metre of fish: a big one tears the paper. */
-#define COST_CROWD 0.06f        /* For each neighbour. */
+#define COST_LENGTH 1.0f        /* For each metre of fish: a big one tears the paper. */
+#define COST_CROWD 0.30f        /* For each neighbour that would come along, or give the alarm. */
 #define COST_TAIL_FIRST 0.10f
 #define COST_YAW 0.06f          /* For each radian away from easy. */
 #define COST_ALARM 0.30f
@@ -32,20 +32,21 @@ static vec3 forward_of(float yaw_rad)
     return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
 }
 
-static int inside_walls(const struct tank *tank, vec3 point_m)
+static int inside_walls(const struct tank *tank, vec3 point_m, float room_m)
 {
-    return f_abs(point_m.x) < 0.5f * tank->size_m.x - RING_ROOM_M &&
-           f_abs(point_m.z) < 0.5f * tank->size_m.z - RING_ROOM_M;
+    return f_abs(point_m.x) < 0.5f * tank->size_m.x - room_m &&
+           f_abs(point_m.z) < 0.5f * tank->size_m.z - room_m;
 }
 
 /* Whether the ring's way over the floor plan stays clear of a bowl. */
-static int clears_bowl(const struct bowl *bowl, vec3 from_m, vec3 to_m)
+static int clears_bowl(const struct bowl *bowl, vec3 from_m, vec3 to_m, float room_m)
 {
     const float dx = to_m.x - from_m.x, dz = to_m.z - from_m.z;
     const float bx = bowl->position_m.x - from_m.x, bz = bowl->position_m.z - from_m.z;
     const float t = f_clamp((bx * dx + bz * dz) / f_max(dx * dx + dz * dz, 1e-9f), 0.0f, 1.0f);
     const float ex = bx - t * dx, ez = bz - t * dz;
-    return !bowl->present || ex * ex + ez * ez > BOWL_ROOM_M * BOWL_ROOM_M;
+    const float clear_m = BOWL_RADIUS_M + room_m;
+    return !bowl->present || ex * ex + ez * ez > clear_m * clear_m;
 }
 
 vec3 aim_foresee(const struct core *core, uint32_t fish, float ahead_s)
@@ -73,16 +74,24 @@ static vec3 ring_under(const struct core *core, uint32_t poi, uint32_t fish, flo
     return centre;
 }
 
-int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad, struct way_in *way)
+/* Fills `way` and says whether it keeps `room_m` from walls and bowl. */
+static int lay_way(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad, float room_m,
+                   struct way_in *way)
 {
     const vec3 ahead = forward_of(yaw_rad);
     way->under_m = ring_under(core, poi, fish, yaw_rad);
     way->stop_m = v3_mad(way->under_m, ahead, -STOP_M);
     way->entry_m = v3_mad(way->stop_m, ahead, -SLANT_RUN * (AIM_ENTRY_Y_M - way->stop_m.y));
     way->entry_m.y = AIM_ENTRY_Y_M;
-    return inside_walls(&core->tank, way->entry_m) && inside_walls(&core->tank, way->under_m) &&
-           clears_bowl(&core->bowl[poi], way->entry_m, way->under_m) &&
+    return inside_walls(&core->tank, way->entry_m, room_m) &&
+           inside_walls(&core->tank, way->under_m, room_m) &&
+           clears_bowl(&core->bowl[poi], way->entry_m, way->under_m, room_m) &&
            core->tank.fish[fish].position_m.y > way->under_m.y + 0.5f * AIM_UNDER_M;
+}
+
+int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad, struct way_in *way)
+{
+    return lay_way(core, poi, fish, yaw_rad, RING_ROOM_M, way);
 }
 
 static int is_calm(const struct fish *fish)
@@ -102,7 +111,7 @@ static float cost_of_crowd(const struct tank *tank, uint32_t index)
     float cost = 0.0f;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const vec3 d = v3_sub(tank->fish[i].position_m, tank->fish[index].position_m);
-        if (i != index && v3_dot(d, d) < CROWD_M * CROWD_M) {
+        if (i != index && d.x * d.x + d.z * d.z < CROWD_M * CROWD_M && d.y > -AIM_UNDER_M) {
             cost += COST_CROWD;
         }
     }
@@ -118,7 +127,8 @@ static int choose_yaw(const struct core *core, uint32_t poi, uint32_t fish, floa
         struct way_in way;
         const float tail_first = 0.5f * (1.0f + v3_dot(nose, forward_of(yaws_rad[i])));
         const float price = COST_TAIL_FIRST * tail_first + COST_YAW * f_abs(yaws_rad[i] - YAW_EASY_RAD);
-        if ((!found || price < *cost) && aim_way_in(core, poi, fish, yaws_rad[i], &way)) {
+        if ((!found || price < *cost) &&
+            lay_way(core, poi, fish, yaws_rad[i], RING_ROOM_M + CHOICE_ROOM_M, &way)) {
             found = 1;
             *cost = price;
             *yaw_rad = yaws_rad[i];

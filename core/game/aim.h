@@ -12,7 +12,7 @@
 #define AIM_NO_FISH 0xffffu
 #define AIM_SLANT_RAD (-40.0f * F_DEG) /* Far edge down, while it slides in. */
 #define AIM_ENTRY_Y_M 0.045f           /* The slanted ring's lowest point is 15 mm over the water. */
-#define AIM_UNDER_M 0.028f             /* The ring's depth below the fish's middle. */
+#define AIM_UNDER_M 0.022f             /* The ring's depth below the fish's middle. */
 
 struct core;
 
@@ -30,7 +30,7 @@ vec3 aim_foresee(const struct core *core, uint32_t fish, float ahead_s);
 int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad, struct way_in *way);
 
 /* The fish that costs least for a hand at `hand_m`, and the yaw to take it with; AIM_NO_FISH where
- * none can be had. Slow, shallow, small, lonely and near is cheap; head first is cheaper. */
+ * none can be had. Slow, shallow, lonely and near is cheap; head first is cheaper. */
 uint16_t aim_choose(const struct core *core, uint32_t poi, vec3 hand_m, float *yaw_rad);
 
 /* A calm fish over the ring within `reach_m` of its axis, nearest first, or AIM_NO_FISH. */

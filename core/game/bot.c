@@ -9,31 +9,32 @@
 #include "core/game/paper.h"
 
 /* An arm that is not in a hurry. */
-#define ARM_M_S 0.40f
+#define ARM_M_S 0.36f
 #define ARM_M_S2 2.5f
 #define ARM_PULL_PER_S 6.0f     /* How eagerly the remaining way becomes speed. */
 #define WRIST_RAD_S 2.6f
 #define WRIST_PULL_PER_S 9.0f
 #define DIP_M_S 0.17f
 #define GLIDE_M_S 0.10f
-#define LIFT_M_S 0.18f
-#define CARRY_M_S 0.34f
+#define LIFT_M_S 0.22f
+#define CARRY_M_S 0.30f
 #define TREMOR_M 0.0006f
 
 #define HOVER_Y_M 0.065f        /* Over the water while it looks and carries. */
 #define CRADLE_RAD (7.0f * F_DEG) /* Far edge up: water runs off, the fish lies against the rim. */
 #define THERE_M 0.012f          /* Near enough, for a hand. */
-#define ERROR_M 0.007f          /* How well it aims. */
+#define ERROR_M 0.014f          /* How well it aims. */
 
 #define THINK_TICKS_MIN 18u     /* 150 ms ... */
 #define THINK_TICKS_MAX 30u     /* ... to 250 ms between two looks. */
 #define LOOK_S 0.5f             /* Nobody chooses faster. */
-#define WATCH_S_MIN 0.35f
-#define WATCH_S_MAX 1.1f
-#define PATIENCE_S 3.0f         /* With a fish that does not come to rest. */
+#define ADMIRE_TICKS (3u * CORE_TICK_HZ / 2u) /* After a catch it looks at its bowl first. */
+#define WATCH_S_MIN 0.5f
+#define WATCH_S_MAX 1.6f
+#define PATIENCE_S 2.2f         /* With a fish that does not come to rest. */
 #define CALM_M_S 0.06f
 #define LOST_M 0.09f            /* A fish that is farther from the ring is not followed. */
-#define DRIP_S 0.35f            /* It lets the water run off before it carries. */
+#define DRIP_S 0.60f            /* It lets the water run off before it carries. */
 
 static float stage_s(const struct bot *bot, const struct core *core)
 {
@@ -68,6 +69,12 @@ static vec3 miss(const struct core *core, uint32_t index)
 
 /* ---- Stages --------------------------------------------------------------------------------- */
 
+static void go_for_another(struct bot *bot, const struct core *core, uint32_t index)
+{
+    bot->prey = aim_choose(core, index, bot->hand.position_m, &bot->yaw_rad);
+    go(bot, core, bot->prey != AIM_NO_FISH ? BOT_APPROACH : BOT_LOOK);
+}
+
 static void look(struct bot *bot, const struct core *core, uint32_t index)
 {
     bot->aim_m.y = HOVER_Y_M;
@@ -75,10 +82,7 @@ static void look(struct bot *bot, const struct core *core, uint32_t index)
     if (stage_s(bot, core) < LOOK_S || !paper_can_hold(&core->poi[index].sheet)) {
         return;
     }
-    bot->prey = aim_choose(core, index, bot->hand.position_m, &bot->yaw_rad);
-    if (bot->prey != AIM_NO_FISH) {
-        go(bot, core, BOT_APPROACH);
-    }
+    go_for_another(bot, core, index);
 }
 
 /* Both before the dip: the hand keeps over the entry as the fish moves on. */
@@ -88,7 +92,7 @@ static int keep_over_entry(struct bot *bot, const struct core *core, uint32_t in
     const uint8_t gait = core->tank.fish[bot->prey].gait;
     if (gait >= GAIT_HELD || gait == GAIT_ESCAPE ||
         !aim_way_in(core, index, bot->prey, bot->yaw_rad, &way)) {
-        go(bot, core, BOT_LOOK);
+        go_for_another(bot, core, index);
         return 0;
     }
     bot->aim_m = v3_add(way.entry_m, miss(core, index));
@@ -111,7 +115,7 @@ static void watch(struct bot *bot, const struct core *core, uint32_t index)
     const float wait_s = f_lerp(WATCH_S_MIN, WATCH_S_MAX, luck(core, index, 2));
     const int calm = v3_length(core->tank.fish[bot->prey].velocity_m_s) < CALM_M_S;
     if (stage_s(bot, core) > PATIENCE_S) {
-        go(bot, core, BOT_LOOK);
+        go_for_another(bot, core, index);
     } else if (stage_s(bot, core) > wait_s && calm && distance_to_aim(bot) < THERE_M) {
         go(bot, core, BOT_DIP);
     }
@@ -177,8 +181,8 @@ static void carry(struct bot *bot, const struct core *core, uint32_t index)
         bot->aim_m = v3(bowl->position_m.x, bowl->position_m.y + 0.05f, bowl->position_m.z);
         bot->aim_angles = (struct angles){ bot->yaw_rad, CRADLE_RAD, 0.0f };
     }
-    if (core->poi[index].rider_count == 0) {
-        go(bot, core, BOT_LOOK);
+    if (core->poi[index].rider_count == 0 && core->poi[index].tip < 0.1f) {
+        go(bot, core, BOT_LOOK); /* It jumped off on the way. */
     } else if (stage_s(bot, core) > DRIP_S && distance_to_aim(bot) < 2.0f * THERE_M) {
         go(bot, core, BOT_TIP);
     }
@@ -188,6 +192,7 @@ static void tip(struct bot *bot, const struct core *core, uint32_t index)
 {
     if (core->poi[index].rider_count == 0 || stage_s(bot, core) > 2.0f) {
         go(bot, core, BOT_LOOK);
+        bot->think_tick += ADMIRE_TICKS;
     }
 }
 

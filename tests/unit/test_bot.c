@@ -97,7 +97,7 @@ static void test_it_leaves_fish_that_flee_or_hug_the_wall(void **state)
     core.tank.fish[9].position_m = v3(-0.05f, -0.04f, 0.0f);
     core.tank.fish[8].position_m = v3(-0.05f, -0.02f, 0.03f);
     core.tank.fish[8].gait = GAIT_ESCAPE;
-    for (uint32_t i = 0; i < 100; i++) { /* the tank stands still: the bot alone */
+    for (uint32_t i = 0; i < 80; i++) { /* the tank stands still: the bot alone */
         bot_tick(&core.game.bot[0], &core, 0);
         core.tick++;
     }
