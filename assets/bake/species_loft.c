@@ -58,7 +58,7 @@ static void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
 }
 
 /* The snout's or tail root's closing point, on its section's axis: once for each flank, so that a
- * pattern's v does not run through the belly's. `normal` is the right one's, and so is the answer. */
+ * pattern's v does not run through the belly's. `normal` and the answer are the right one's. */
 static uint32_t add_poles(struct lofting *l, double u, double z, point3 normal)
 {
     for (int side = 1; side >= -1; side -= 2) {

@@ -180,7 +180,7 @@ static point3 fin_root(const struct key_text *key, enum species_part part, doubl
 
 /* Which way a ray points at `r` of its length. Dorsal and anal: sweep leans it backward from
  * upright. Tail: sweep lifts it from straight back. Both: side turns it to the right, growing
- * toward the tip. Paired (the right one): sweep leans it backward from straight out, side lifts it. */
+ * toward the tip. Paired (the right one): sweep leans it back from straight out, side lifts it. */
 static point3 fin_direction(const struct fin *fin, enum species_part part, struct ray ray, double r)
 {
     const double degrees = PI / 180.0;

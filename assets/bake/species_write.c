@@ -1,4 +1,4 @@
-/* species_write.c -- the lofted species as C: constant tables, hexadecimal so that no bit is lost. */
+/* species_write.c -- the lofted species as C: constant tables, in hexadecimal to lose no bit. */
 #include "assets/bake/species.h"
 
 static void write_vec3s(FILE *file, const char *name, uint32_t lod, uint32_t key,

@@ -1,7 +1,7 @@
 /* blend.c -- P = sum of V_i K_i: the 2005 thesis' eq. 3.2, for any number of key shapes.
  *
- * The renderer blends in the vertex shader; this is the same sum for whoever has no GPU. It goes key
- * by key, so that each pass streams through one array. */
+ * The renderer blends in the vertex shader; this is the same sum for whoever has no GPU. It goes
+ * key by key, so that each pass streams through one array. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"

@@ -1,7 +1,7 @@
 /* species.h -- a species as constant tables, baked from its text under assets/species/.
  *
  * Key shapes share one topology; all are scaled to unit length (snout to tail tip, body frame of
- * vec.h: the snout at z = -0.5). Size is the growth curve, apart from shape: see the 2005 thesis. */
+ * vec.h: the snout at z = -0.5). Size is the growth curve, apart from shape (2005 thesis). */
 #ifndef KINGYO_CORE_MORPH_SPECIES_H
 #define KINGYO_CORE_MORPH_SPECIES_H
 
@@ -35,9 +35,9 @@ struct species_vertex {
 };
 
 /* Triangles are counter-clockwise seen from outside. The body is closed; an eye is a dome whose rim
- * lies under the skin; a fin is a sheet of one layer of vertices whose triangles come twice, once in
- * each winding, so that back faces may be culled: a renderer turns a fin's normal toward the viewer
- * (part >= PART_TAIL). */
+ * lies under the skin; a fin is a sheet of one layer of vertices whose triangles come twice, once
+ * in each winding, so that back faces may be culled: whoever draws it turns a fin's normal toward
+ * the viewer (part >= PART_TAIL). */
 struct species_mesh {
     uint32_t vertex_count, index_count;
     const struct species_vertex *vertices;

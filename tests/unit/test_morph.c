@@ -125,6 +125,52 @@ static void test_a_blend_is_the_weighted_sum_and_its_normals_are_unit(void **sta
     }
 }
 
+static float body_volume(const struct species_mesh *mesh, const vec3 *positions)
+{
+    float volume = 0.0f;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const uint16_t *corner = &mesh->indices[i];
+        if (mesh->vertices[corner[0]].part == PART_BODY) {
+            volume += v3_dot(positions[corner[0]],
+                             v3_cross(positions[corner[1]], positions[corner[2]])) / 6.0f;
+        }
+    }
+    return volume;
+}
+
+static void assert_no_triangle_is_flipped(const struct species_mesh *mesh, const vec3 *positions,
+                                          const vec3 *normals)
+{
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const uint16_t *corner = &mesh->indices[i];
+        const vec3 face = v3_cross(v3_sub(positions[corner[1]], positions[corner[0]]),
+                                   v3_sub(positions[corner[2]], positions[corner[0]]));
+        for (int k = 0; k < 3 && mesh->vertices[corner[0]].part < PART_TAIL; k++) {
+            assert_true(v3_dot(face, normals[corner[k]]) > 0.0f);
+        }
+    }
+}
+
+/* A wakin's keys grow ever deeper for their length, so no stage between may be leaner than both. */
+static void test_every_stage_between_keys_is_a_whole_fish(void **state)
+{
+    (void)state;
+    static vec3 positions[VERTEX_MAX], normals[VERTEX_MAX];
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        const struct species_mesh *mesh = &wakin->lod[lod];
+        float volume_before = 0.0f;
+        for (int step = 0; step <= 100; step++) {
+            float weights[MORPH_KEY_MAX];
+            morph_weights(wakin, (float)step / 100.0f, weights);
+            morph_blend(mesh, wakin->key_count, weights, positions, normals);
+            assert_no_triangle_is_flipped(mesh, positions, normals);
+            const float volume = body_volume(mesh, positions);
+            assert_true(volume > volume_before * 0.999f);
+            volume_before = volume;
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -135,6 +181,7 @@ int main(void)
         cmocka_unit_test(test_lengths_between_keys_go_by_factors),
         cmocka_unit_test(test_a_progress_outside_the_graph_is_a_bug),
         cmocka_unit_test(test_a_key_blended_alone_is_the_key_bit_for_bit),
+        cmocka_unit_test(test_every_stage_between_keys_is_a_whole_fish),
         cmocka_unit_test(test_a_blend_is_the_weighted_sum_and_its_normals_are_unit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
