@@ -4,7 +4,7 @@
  * distance fields and shapes are formulas, so all is sharp at every size. The layout scales with
  * the screen, from 720p to 4K and upright, and keeps the tank's middle free while a round is played.
  *
- * The caller owns `struct ui` (about 150 KB, no pointers) and a current OpenGL ES 3.0 context. After
+ * The caller owns `struct ui` (about 105 KB, no pointers) and a current OpenGL ES 3.0 context. After
  * ui_init() nothing is allocated by us. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_H
 #define KINGYO_PLATFORM_RENDER_UI_H

@@ -3,7 +3,8 @@
 
 #include "assets.h"
 
-/* Atlas pixels that an outline may reach: beyond it the distance field is flat. */
+/* Atlas pixels that an outline may reach: beyond it the distance field is flat. The bake leaves as
+ * much around each letter. */
 #define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
 
 void ui_batch_clear(struct ui_batch *batch)
@@ -75,25 +76,33 @@ float ui_text_middle(const struct ui_text *style, float y)
     return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
 }
 
+/* The atlas leaves REACH_PX around each letter; a quad takes of that only what it will paint. */
+static float trim_px(const float shape[4])
+{
+    const float painted = shape[0] + shape[1] + shape[2] + 0.5f / shape[3] + 0.5f;
+    return painted < REACH_PX ? REACH_PX - painted : 0.0f;
+}
+
 static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
                       float y, const struct font_glyph *glyph)
 {
     const float em = asset_fonts[style->font].em_px, texel_px = size_px / em;
     struct ui_shape shape = { .kind = UI_GLYPH, .fill = style->fill, .line = style->line };
-    shape.box.x = x + glyph->left_em * size_px;
-    shape.box.y = y + glyph->top_em * size_px;
-    shape.box.width = (float)glyph->width * texel_px;
-    shape.box.height = (float)glyph->height * texel_px;
     shape.shape[0] = style->weight_em * em;
     shape.shape[1] = style->outline_em * em;
-    shape.shape[2] = style->soft_em * em;
+    const float room = REACH_PX - shape.shape[0] - shape.shape[1], soft = style->soft_em * em;
+    shape.shape[2] = soft < room ? soft : room > 0.0f ? room : 0.0f;
     shape.shape[3] = texel_px;
-    const float left = REACH_PX - shape.shape[0] - shape.shape[1];
-    shape.shape[2] = shape.shape[2] < left ? shape.shape[2] : left > 0.0f ? left : 0.0f;
+    const float trim = trim_px(shape.shape);
+    const float width = (float)glyph->width - 2.0f * trim, height = (float)glyph->height - 2.0f * trim;
+    shape.box.x = x + glyph->left_em * size_px + trim * texel_px;
+    shape.box.y = y + glyph->top_em * size_px + trim * texel_px;
+    shape.box.width = width * texel_px;
+    shape.box.height = height * texel_px;
     struct ui_vertex *quad = add_quad(batch, &shape);
     for (uint32_t i = 0; quad != NULL && i < 4u; i++) {
-        quad[i].u = (float)(glyph->x + ((i & 1u) != 0 ? glyph->width : 0u));
-        quad[i].v = (float)(glyph->y + ((i & 2u) != 0 ? glyph->height : 0u));
+        quad[i].u = (float)glyph->x + trim + ((i & 1u) != 0 ? width : 0.0f);
+        quad[i].v = (float)glyph->y + trim + ((i & 2u) != 0 ? height : 0.0f);
     }
 }
 

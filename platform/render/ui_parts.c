@@ -34,8 +34,7 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
                           0.06f * sinf(frame->time_s * 5.9f + phase * 7.0f);
     const float width = size * 0.80f, cord = size * 0.30f, cap = size * 0.085f;
     const float middle_x = x + sway, top = y + cord;
-    const struct ui_box halo = { middle_x - size * 1.25f, top + size * 0.5f - size * 1.15f,
-                                 size * 2.5f, size * 2.3f };
+    const struct ui_box halo = { middle_x - size, top - size * 0.45f, size * 2.0f, size * 1.9f };
     ui_shape(frame->batch, &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .fill = 0xff9a3c50u,
                                                .shape = { 0, 0, 1.0f } });
     ui_shape(frame->batch,
@@ -86,8 +85,7 @@ static void noren_title(const struct ui_frame *frame, float left, float top, flo
     const int brush = frame->language == LANGUAGE_JA;
     struct ui_text title = { .font = brush ? FONT_BRUSH : FONT_STALL, .align = 0.5f,
                              .size_px = brush ? height * 0.86f : height * 0.56f,
-                             .weight_em = brush ? 0.022f : 0.004f, .soft_em = brush ? 0.03f : 0.10f,
-                             .fill = 0xfff6e2ffu, .line = UI_SHADE };
+                             .weight_em = brush ? 0.022f : 0.004f, .fill = 0xfff6e2ffu };
     const char *words = text_words(frame->language, TEXT_TITLE);
     if (!brush) {
         title.fit_px = width * 0.92f;

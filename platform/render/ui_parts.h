@@ -12,7 +12,6 @@
 #define UI_WASHI_WHITE 0xfbf2ddffu
 #define UI_INK 0x241a20ffu
 #define UI_INK_SOFT 0x5a4648ffu
-#define UI_SHADE 0x060818c0u
 
 /* Where everything is measured: `unit` is 1 px on a 1280x720 screen. */
 struct ui_frame {

@@ -100,8 +100,8 @@ static void best_tag(const struct ui_frame *frame, const struct scene *scene, fl
 static void start_ribbon(const struct ui_frame *frame, float y, enum text_key key)
 {
     const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
-    const struct ui_box halo = { 0.5f * frame->width - 420.0f * u, y - 90.0f * u, 840.0f * u,
-                                 180.0f * u };
+    const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
+                                 128.0f * u };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
                                  .fill = ui_fade(0xff7a30b0u, 0.25f + 0.55f * pulse) });
@@ -152,31 +152,35 @@ static void big_word(const struct ui_frame *frame, enum font_id font, float y, f
     frame->batch->opacity = 1.0f;
 }
 
+/* The curtain rises, then three seconds run down in a ring over the water. */
 static void ready(const struct ui_frame *frame, const struct scene *scene, float hint_age_s)
 {
-    const float u = frame->unit, x = 0.5f * frame->width, y = 0.44f * frame->height;
-    ui_noren(frame, ui_smooth(0.0f, 0.7f, scene->phase_s));
-    const float whole = ceilf(scene->seconds_left);
+    const float u = frame->unit, x = 0.5f * frame->width, y = 0.42f * frame->height;
+    const float whole = ceilf(scene->seconds_left), radius = 128.0f * u;
     const float gone = whole - scene->seconds_left; /* 0 .. 1 within this second */
-    const float radius = 128.0f * u;
+    const float in = ui_smooth(0.15f, 0.5f, scene->phase_s);
+    ui_noren(frame, ui_smooth(0.0f, 0.6f, scene->phase_s));
+    frame->batch->opacity = in;
+    const struct ui_box shade = { x - 1.8f * radius, y - 1.8f * radius, 3.6f * radius,
+                                  3.6f * radius };
     ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { x - 2.0f * radius, y - 2.0f * radius, 4.0f * radius,
-                                          4.0f * radius },
-                                 .kind = UI_GLOW, .fill = 0x080c24d8u });
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_RING, .fill = UI_VERMILION, .line = 0xffffff26u,
-                                 .shape = { radius, 9.0f * u, 1.0f - gone } });
-    if (whole >= 1.0f) {
-        char digit[2] = { (char)('0' + (int)fminf(whole, 9.0f)), 0 };
-        const float pop = 1.0f + 0.35f * (1.0f - ui_smooth(0.0f, 0.25f, gone));
-        big_word(frame, FONT_STALL, y, 190.0f * u * pop, 1.0f - ui_smooth(0.82f, 1.0f, gone), digit);
-    }
-    const struct ui_text word = { .font = FONT_STALL, .size_px = 44.0f * u, .align = 0.5f,
+             &(struct ui_shape){ .box = shade, .kind = UI_GLOW, .fill = 0x080c24d8u });
+    const struct ui_box ring = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = ring, .kind = UI_RING, .fill = UI_VERMILION,
+                                               .line = 0xffffff26u,
+                                               .shape = { radius, 9.0f * u, 1.0f - gone } });
+    const struct ui_text word = { .font = FONT_STALL, .size_px = 46.0f * u, .align = 0.5f,
                                   .outline_em = 0.03f, .soft_em = 0.1f, .fill = 0xfff6e2ffu,
                                   .line = 0x0a0c24e0u };
-    ui_text(frame->batch, &word, x, y - radius - 26.0f * u,
+    ui_text(frame->batch, &word, x, y + radius + 62.0f * u,
             text_words(frame->language, TEXT_READY));
+    frame->batch->opacity = 1.0f;
+    if (whole >= 1.0f) {
+        const char digit[2] = { (char)('0' + (int)fminf(whole, 9.0f)), 0 };
+        const float pop = 1.0f + 0.35f * (1.0f - ui_smooth(0.0f, 0.25f, gone));
+        big_word(frame, FONT_STALL, y, 190.0f * u * pop, in * (1.0f - ui_smooth(0.82f, 1.0f, gone)),
+                 digit);
+    }
     hint_ribbon(frame, scene, hint_age_s);
 }
 
@@ -342,22 +346,17 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, left + fish + number_width + 2.0f * gap, baseline, words);
 }
 
+/* A paper card; its shadow is drawn only where it shows, for a card covers many pixels. */
 static void card(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;
-    const struct ui_box shade = { box.x - 3.0f * u, box.y + 5.0f * u, box.width + 6.0f * u,
-                                  box.height + 6.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c70u,
-                                               .shape = { 0, 0, 17.0f * u } });
+    const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
+                                  box.width + 4.0f * u, 38.0f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c80u,
+                                               .shape = { 0, 0, 16.0f * u } });
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
-                                               .fill = UI_WASHI_WHITE, .line = 0xb98d3cffu,
+                                               .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
                                                .shape = { 0, 0, 14.0f * u, 3.0f * u } });
-    const float inset = 9.0f * u;
-    const struct ui_box inner = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
-                                  box.height - 2.0f * inset };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = inner, .kind = UI_PANEL, .fill = 0xffffff00u,
-                                               .line = 0xc0392b90u,
-                                               .shape = { 0, 0, 8.0f * u, 1.5f * u } });
 }
 
 static void result_words(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
@@ -397,6 +396,7 @@ static void result(const struct ui_frame *frame, const struct scene *scene,
     const struct ui_box box = { 0.5f * (frame->width - width),
                                 0.45f * frame->height - 0.5f * height + 40.0f * u * (1.0f - in),
                                 width, height };
+    other_players(frame, scene);
     frame->batch->opacity = in;
     card(frame, box);
     frame->batch->opacity = 1.0f;

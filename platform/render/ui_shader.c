@@ -60,11 +60,15 @@ const char *const ui_fragment_head =
 
 #define PANEL "void main() { colour = framed(inner); }\n"
 
+/* Cards have a second, finer line inside their border. */
 #define WASHI                                                                                      \
     "void main() {\n"                                                                              \
     "    float f = fibre(at * 0.0034) - 0.5;\n"                                                    \
     "    vec2 q = at / s.xy;\n"                                                                    \
-    "    colour = framed(vec4(inner.rgb * (1.0 + 0.13 * f - 0.06 * dot(q, q)), inner.a));\n"       \
+    "    vec4 body = vec4(inner.rgb * (1.0 + 0.13 * f - 0.06 * dot(q, q)), inner.a);\n"            \
+    "    float thread = abs(box(at, s.xy, s.z) + 3.6 * s.w) - 0.28 * s.w;\n"                       \
+    "    body.rgb = mix(body.rgb, outer.rgb, 0.7 * cover(thread) * step(1.0, s.w));\n"             \
+    "    colour = framed(body);\n"                                                                 \
     "}\n"
 
 /* Sea waves: rows of overlapping arcs, each of three lines, the lower row in front; the cloth falls
@@ -167,7 +171,7 @@ const char *const ui_fragment_head =
     "    float rough = 0.34 * (fibre(q * 0.23) - 0.5);\n"                                          \
     "    float hole = min(length(q - vec2(0.18, 0.12)), length(q + vec2(0.34, 0.26)) * 1.5);\n"    \
     "    float lost = 1.0 - s.y;\n"                                                                \
-    "    float torn = lost > 0.0 ? 0.92 * sqrt(lost) + 0.16 * lost : -1.0;\n"                        \
+    "    float torn = lost > 0.0 ? 0.62 * sqrt(lost) + 0.48 * lost * lost * lost : -1.0;\n"                        \
     "    float sheet = cover(r - s.x + width) * cover((torn - hole - rough) * s.x);\n"             \
     "    sheet *= step(0.004, s.y);\n"                                                             \
     "    vec3 washi = vec3(0.99, 0.96, 0.90) * (0.95 + 0.3 * (fibre(q * 0.31) - 0.5));\n"          \

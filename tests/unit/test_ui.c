@@ -10,7 +10,6 @@
 #include "assets.h"
 #include "platform/render/ui_screens.h"
 
-#define GLYPH_MARGIN_TEXELS 10.0f /* Around each letter in the atlas; the bake's FONT_PADDING. */
 #define ROUNDING_PX 0.6f
 #define SETTLED_TICK 100000u
 
@@ -32,8 +31,8 @@ struct bounds {
     float left, top, right, bottom;
 };
 
-/* What a quad shows: a letter's quad without the empty margin around it. */
-static struct bounds shown(uint32_t quad)
+/* Where a quad lies. */
+static struct bounds bounds_of(uint32_t quad)
 {
     const struct ui_vertex *v = &batch.vertices[quad * 4u];
     struct bounds bounds = { v[0].x, v[0].y, v[0].x, v[0].y };
@@ -43,9 +42,7 @@ static struct bounds shown(uint32_t quad)
         bounds.top = v[i].y < bounds.top ? v[i].y : bounds.top;
         bounds.bottom = v[i].y > bounds.bottom ? v[i].y : bounds.bottom;
     }
-    const float margin = batch.kinds[quad] == UI_GLYPH ? GLYPH_MARGIN_TEXELS * v[0].shape[3] : 0.0f;
-    return (struct bounds){ bounds.left + margin, bounds.top + margin, bounds.right - margin,
-                            bounds.bottom - margin };
+    return bounds;
 }
 
 static void set_scene(uint8_t phase, uint8_t language, uint8_t hint, float phase_s)
@@ -82,7 +79,7 @@ static void check_inside(struct size size)
     assert_int_equal(batch.dropped_count, 0);
     assert_true(batch.quad_count > 0);
     for (uint32_t i = 0; i < batch.quad_count; i++) {
-        const struct bounds bounds = shown(i);
+        const struct bounds bounds = bounds_of(i);
         if (may_leave(i, &bounds)) {
             continue;
         }
@@ -143,7 +140,7 @@ static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
             set_scene(PHASE_ROUND, hint % LANGUAGE_COUNT, hint, 20.0f);
             lay_out(sizes[s]);
             for (uint32_t i = 0; i < batch.quad_count; i++) {
-                const struct bounds bounds = shown(i);
+                const struct bounds bounds = bounds_of(i);
                 const int apart = bounds.right < 0.22f * sizes[s].width ||
                                   bounds.left > 0.78f * sizes[s].width ||
                                   bounds.bottom < 0.20f * sizes[s].height ||
@@ -161,7 +158,9 @@ static float em_px_of(uint32_t quad)
     for (uint32_t font = 0; font < FONT_COUNT; font++) {
         for (uint32_t i = 0; i < asset_fonts[font].glyph_count; i++) {
             const struct font_glyph *glyph = &asset_fonts[font].glyphs[i];
-            if (glyph->width > 0 && (float)glyph->x == v->u && (float)glyph->y == v->v) {
+            const float right = v->u - (float)glyph->x, down = v->v - (float)glyph->y;
+            if (right >= 0.0f && right < (float)glyph->width && down >= 0.0f &&
+                down < (float)glyph->height) {
                 return asset_fonts[font].em_px * v->shape[3];
             }
         }
@@ -278,8 +277,8 @@ static void test_text_shrinks_to_its_room_and_aligns(void **state)
     assert_float_equal(ui_text(&batch, &style, 200.0f, 50.0f, "WWWWWWWW"), 100.0f, 0.01f);
     assert_true(ui_text_size(&style, "WWWWWWWW") < 40.0f);
     assert_float_equal(ui_text_size(&style, "W"), 40.0f, 0.001f);
-    const struct bounds first = shown(0), last = shown(batch.quad_count - 1u);
-    assert_true(first.left >= 149.0f && last.right <= 251.0f);
+    const struct bounds first = bounds_of(0), last = bounds_of(batch.quad_count - 1u);
+    assert_true(first.left >= 148.0f && last.right <= 252.0f);
 }
 
 int main(void)
