@@ -1,0 +1,196 @@
+/* test_display_gl.c -- the real display without a screen: pictures, events, sizes and limits. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/core.h"
+#include "platform/render/display_gl.h"
+
+#define WIDTH 320u
+#define HEIGHT 180u
+#define PIXELS_SIZE (WIDTH * HEIGHT * 3u)
+
+static struct core core;
+static struct scene scene;
+static struct display_gl display;
+static struct hal_display device;
+static uint8_t pixels[2][PIXELS_SIZE];
+
+static int open_display(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 5, .fish_count = 60 };
+    core_init(&core, &config);
+    core_scene(&core, &scene);
+    memset(&display, 0, sizeof display);
+    display.config =
+        (struct display_gl_config){ .width = WIDTH, .height = HEIGHT, .off_screen = true };
+    device = display_gl_device(&display);
+    return device.ops->open(device.self);
+}
+
+static int close_display(void **state)
+{
+    (void)state;
+    device.ops->close(device.self);
+    return 0;
+}
+
+static void picture(uint8_t out[PIXELS_SIZE])
+{
+    struct hal_image image = { .rgb = out, .size = PIXELS_SIZE };
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+    assert_int_equal(image.width, WIDTH);
+    assert_int_equal(image.height, HEIGHT);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static void test_it_says_what_draws_and_how_finely(void **state)
+{
+    (void)state;
+    assert_non_null(strstr(device.ops->describe(device.self), "OpenGL ES 3"));
+    assert_non_null(strstr(device.ops->describe(device.self), "320x180, scene "));
+}
+
+static void test_the_same_scene_is_the_same_picture(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+static void test_one_fish_a_hole_and_a_wave_each_change_the_picture(void **state)
+{
+    (void)state;
+    scene.fish_count = 0;
+    scene.poi[0].present = 1;
+    scene.poi[0].ring_radius_m = 0.04f;
+    scene.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
+    memset(scene.poi[0].integrity, 255, sizeof scene.poi[0].integrity);
+    picture(pixels[0]);
+    scene.poi[0].integrity[16 * SHEET_SIDE + 16] = 0;
+    scene.poi[0].integrity[16 * SHEET_SIDE + 17] = 0;
+    scene.poi[0].integrity[17 * SHEET_SIDE + 16] = 0;
+    scene.poi[0].integrity[17 * SHEET_SIDE + 17] = 0;
+    picture(pixels[1]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    scene.fish_count = 1;
+    picture(pixels[0]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    memset(scene.slope[RIPPLE_Z / 2], 100, sizeof scene.slope[0]);
+    picture(pixels[1]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+static void test_the_fullest_scene_draws_without_an_error(void **state)
+{
+    (void)state;
+    for (uint32_t i = scene.fish_count; i < SCENE_FISH_MAX; i++) {
+        scene.fish[i] = scene.fish[i % 60u];
+        scene.fish[i].place = (uint8_t)(i % 3u);
+        scene.fish[i].look = i * 2654435761u;
+    }
+    scene.fish_count = SCENE_FISH_MAX;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.poi[i].present = scene.bowl[i].present = 1;
+        scene.poi[i].owner = scene.bowl[i].owner = (uint8_t)i;
+        scene.poi[i].ring_radius_m = 0.04f;
+        scene.bowl[i].radius_m = 0.075f;
+        scene.bowl[i].depth_m = 0.055f;
+        scene.bowl[i].position_m = v3(0.1f * (float)i, 0.01f, 0.0f);
+    }
+    picture(pixels[0]);
+}
+
+static void test_a_picture_needs_a_frame_and_room(void **state)
+{
+    (void)state;
+    struct hal_image image = { .rgb = pixels[0], .size = PIXELS_SIZE };
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_ERR_IO);
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    image.size = PIXELS_SIZE - 1u;
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_ERR_IO);
+    image.size = PIXELS_SIZE;
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+}
+
+static void test_it_takes_quit_and_leaves_other_devices_their_events(void **state)
+{
+    (void)state;
+    struct display_events events;
+    SDL_Event event = { .type = SDL_MOUSEMOTION };
+    SDL_PushEvent(&event);
+    event.type = SDL_KEYDOWN;
+    SDL_PushEvent(&event);
+    assert_int_equal(device.ops->poll(device.self, &events), HAL_OK);
+    assert_int_equal(events.quit, 0);
+    event.type = SDL_QUIT;
+    SDL_PushEvent(&event);
+    assert_int_equal(device.ops->poll(device.self, &events), HAL_OK);
+    assert_int_equal(events.quit, 1);
+    assert_int_equal(events.lost, 0);
+    assert_true(SDL_HasEvent(SDL_MOUSEMOTION));
+    assert_true(SDL_HasEvent(SDL_KEYDOWN));
+    SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
+}
+
+static void test_the_picture_follows_the_size_of_the_window(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    SDL_SetWindowSize(display.window, 200, 160);
+    struct hal_image image = { .rgb = pixels[1], .size = PIXELS_SIZE };
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+    assert_int_equal(image.width, 200);
+    assert_int_equal(image.height, 160);
+}
+
+static uint32_t lost_calls;
+
+static void count_lost(void *context)
+{
+    (void)context;
+    lost_calls++;
+}
+
+static void test_a_broken_display_is_lost_once_and_can_be_opened_again(void **state)
+{
+    (void)state;
+    struct display_events events;
+    lost_calls = 0;
+    display_gl_on_lost(&display, count_lost, NULL);
+    picture(pixels[0]);
+    gl_fail(&display.renderer.status, "as if the driver had reset");
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
+    assert_int_equal(device.ops->poll(device.self, &events), HAL_ERR_GONE);
+    assert_int_equal(events.lost, 1);
+    assert_int_equal(lost_calls, 1);
+    assert_non_null(strstr(device.ops->describe(device.self), "as if the driver had reset"));
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+int main(void)
+{
+#define WITH_DISPLAY(test) cmocka_unit_test_setup_teardown(test, open_display, close_display)
+    const struct CMUnitTest tests[] = {
+        WITH_DISPLAY(test_it_says_what_draws_and_how_finely),
+        WITH_DISPLAY(test_the_same_scene_is_the_same_picture),
+        WITH_DISPLAY(test_one_fish_a_hole_and_a_wave_each_change_the_picture),
+        WITH_DISPLAY(test_the_fullest_scene_draws_without_an_error),
+        WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),
+        WITH_DISPLAY(test_it_takes_quit_and_leaves_other_devices_their_events),
+        WITH_DISPLAY(test_the_picture_follows_the_size_of_the_window),
+        WITH_DISPLAY(test_a_broken_display_is_lost_once_and_can_be_opened_again),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,65 @@
+/* test_quality.c -- how much work a frame may be. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "platform/render/quality.h"
+
+static struct quality_wish wish(const char *renderer, uint32_t width, uint32_t height)
+{
+    return (struct quality_wish){
+        .renderer = renderer, .width = width, .height = height, .samples_max = 8
+    };
+}
+
+static void test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond(void **state)
+{
+    (void)state;
+    const struct quality_wish small = wish("llvmpipe (LLVM 15.0.6, 256 bits)", 1280, 720);
+    const struct quality_wish large = wish("llvmpipe (LLVM 15.0.6, 256 bits)", 1920, 1080);
+    const struct quality at_720 = quality_choose(&small);
+    const struct quality at_1080 = quality_choose(&large);
+    assert_true(at_720.software);
+    assert_float_equal(at_720.scene_scale, 1.0f, 1e-6f);
+    assert_int_equal(at_720.samples, 1);
+    assert_float_equal(1920.0f * at_1080.scene_scale, 1280.0f, 1.0f);
+    assert_true(at_1080.floor_scale < at_1080.scene_scale);
+}
+
+static void test_a_gpu_draws_every_pixel_four_times(void **state)
+{
+    (void)state;
+    const struct quality_wish board = wish("V3D 4.2", 3840, 2160);
+    const struct quality quality = quality_choose(&board);
+    assert_false(quality.software);
+    assert_float_equal(quality.scene_scale, 1.0f, 1e-6f);
+    assert_float_equal(quality.floor_scale, 1.0f, 1e-6f);
+    assert_int_equal(quality.samples, 4);
+}
+
+static void test_a_wish_is_taken_within_what_the_context_offers(void **state)
+{
+    (void)state;
+    struct quality_wish fine = wish("llvmpipe", 1280, 720);
+    fine.scene_scale = 0.5f;
+    fine.samples = 16;
+    assert_float_equal(quality_choose(&fine).scene_scale, 0.5f, 1e-6f);
+    assert_int_equal(quality_choose(&fine).samples, 8);
+    fine.scene_scale = 9.0f;
+    fine.samples_max = 0;
+    assert_float_equal(quality_choose(&fine).scene_scale, 2.0f, 1e-6f);
+    assert_int_equal(quality_choose(&fine).samples, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond),
+        cmocka_unit_test(test_a_gpu_draws_every_pixel_four_times),
+        cmocka_unit_test(test_a_wish_is_taken_within_what_the_context_offers),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
