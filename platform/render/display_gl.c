@@ -9,9 +9,8 @@
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
 
-static void on_broken(void *context)
+static void lose(struct display_gl *display)
 {
-    struct display_gl *const display = context;
     if (display->lost) {
         return;
     }
@@ -25,6 +24,13 @@ static int fail(struct display_gl *display, const char *what, const char *why)
 {
     snprintf(display->text, sizeof display->text, "no picture: %s: %s", what, why);
     return HAL_ERR_GONE;
+}
+
+static void on_broken(void *context)
+{
+    struct display_gl *const display = context;
+    fail(display, "screen", "the connection to the X server broke");
+    lose(display);
 }
 
 /* A second open(), after HAL_ERR_GONE, starts from nothing again. */
@@ -171,7 +177,7 @@ static int display_present(void *self, const struct scene *scene)
     SDL_GL_SwapWindow(display->window);
     if (!display->lost && !renderer_is_alive(&display->renderer)) {
         fail(display, "frame", renderer_error(&display->renderer));
-        on_broken(display);
+        lose(display);
     }
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }

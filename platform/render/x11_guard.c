@@ -14,14 +14,36 @@ struct guard {
 static struct guard guard;
 
 #if defined(SDL_VIDEO_DRIVER_X11)
+typedef int (*error_handler)(Display *display);
+typedef error_handler (*set_error_handler)(error_handler handler);
 typedef void (*exit_handler)(Display *display, void *context);
 typedef void (*set_exit_handler)(Display *display, exit_handler handler, void *context);
+
+static int keep_quiet(Display *display)
+{
+    (void)display; /* Returning leads on to the exit handler. */
+    return 0;
+}
 
 static void connection_broken(Display *display, void *context)
 {
     (void)display;
     const struct guard *const self = context;
     self->on_broken(self->context);
+}
+
+static void install(void *library, Display *display)
+{
+    set_error_handler set_error;
+    set_exit_handler set_exit;
+    void *const symbols[2] = { dlsym(library, "XSetIOErrorHandler"),
+                               dlsym(library, "XSetIOErrorExitHandler") };
+    memcpy(&set_error, &symbols[0], sizeof set_error); /* ISO C has no cast from object to */
+    memcpy(&set_exit, &symbols[1], sizeof set_exit);   /* function pointer. */
+    if (set_error && set_exit) {
+        set_exit(display, connection_broken, &guard);
+        set_error(keep_quiet);
+    }
 }
 
 void x11_guard(SDL_Window *window, void (*on_broken)(void *context), void *context)
@@ -32,17 +54,11 @@ void x11_guard(SDL_Window *window, void (*on_broken)(void *context), void *conte
         return;
     }
     void *const library = dlopen("libX11.so.6", RTLD_NOW | RTLD_NOLOAD);
-    if (!library) {
-        return;
-    }
-    set_exit_handler set;
-    void *const symbol = dlsym(library, "XSetIOErrorExitHandler");
-    memcpy(&set, &symbol, sizeof set); /* ISO C has no cast from object to function pointer. */
-    if (set) {
+    if (library) {
         guard = (struct guard){ .on_broken = on_broken, .context = context };
-        set(info.info.x11.display, connection_broken, &guard);
+        install(library, info.info.x11.display);
+        dlclose(library); /* SDL holds it open. */
     }
-    dlclose(library); /* SDL holds it open. */
 }
 #else
 void x11_guard(SDL_Window *window, void (*on_broken)(void *context), void *context)
