@@ -12,6 +12,7 @@
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
 #define PART_ROUNDS_MAX 12       /* Most ticks need two; a shoved crowd uses them all. */
 #define CLEAR_STEP_MIN_M 0.002f /* A tick: what even a resting obstacle gives way by. */
+#define TOPPLE_ROUND 5           /* What four rounds could not part is jammed. */
 #define PART_STEP_MAX_M 0.012f  /* A tick; a poi at 1.4 m/s shoves no harder. */
 
 float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m)
@@ -177,12 +178,23 @@ static void keep_inside(struct crowd_body *body, const struct tank_bounds *bound
     }
 }
 
-/* Whether the pair had to be parted. */
-static int part_pair(struct crowd_body *a, struct crowd_body *b, const struct tank_bounds *bounds)
+/* A stack of fish that fills the water from floor to surface cannot be parted upward: it topples. */
+static vec3 topple(const struct crowd_body *a, const struct crowd_body *b, vec3 axis)
 {
-    const struct box_gap gap = box_gap(&a->box, SKIN_M, &b->box, SKIN_M);
+    vec3 aside = v3_sub(b->box.centre_m, a->box.centre_m);
+    aside.y = 0.0f;
+    return v3_normalize_or(v3_mad(v3_scale(axis, 0.5f), v3_normalize_or(aside, a->box.axes.right), 1.0f), axis);
+}
+
+/* Whether the pair had to be parted. */
+static int part_pair(struct crowd_body *a, struct crowd_body *b, const struct tank_bounds *bounds, int round)
+{
+    struct box_gap gap = box_gap(&a->box, SKIN_M, &b->box, SKIN_M);
     if (gap.space_m > 0.0f || gap.body_m >= 0.0f) {
         return 0;
+    }
+    if (round >= TOPPLE_ROUND && f_abs(gap.axis.y) > 0.7f) {
+        gap.axis = topple(a, b, gap.axis);
     }
     const float depth_m = f_min(SKIN_M - gap.body_m, PART_STEP_MAX_M);
     const float mass_a = a->box.half_m.z * a->box.half_m.z * a->box.half_m.z;
@@ -241,7 +253,7 @@ void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds, const str
         for (uint32_t c = 0; c < crowd->contact_count; c++) {
             struct crowd_body *a = &crowd->body[crowd->contact[c][0]];
             struct crowd_body *b = &crowd->body[crowd->contact[c][1]];
-            if (part_pair(a, b, bounds)) {
+            if (part_pair(a, b, bounds, round)) {
                 clear_if_beside(a, bounds, obstacles, obstacle_count);
                 clear_if_beside(b, bounds, obstacles, obstacle_count);
                 parted++;

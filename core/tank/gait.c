@@ -123,7 +123,7 @@ void gait_escape(struct fish *fish, vec3 from_m, struct gait_luck luck)
     const float stray_rad = rng_range(key(luck, RNG_FISH_TURN), -45.0f, 45.0f) * F_DEG;
     const int toward = rng_unit(key(luck, RNG_FISH_ESCAPE)) >= ESCAPE_AWAY_CHANCE;
     fish->gait = GAIT_ESCAPE;
-    fish->gait_left_s = ESCAPE_TIME_S + rng_range(key(luck, RNG_FISH_DURATION), 0.0f, 0.25f);
+    fish->gait_left_s = ESCAPE_TIME_S + rng_range(key(luck, RNG_FISH_DURATION), 0.0f, 0.08f);
     /* Those that err go past the poi rather than into it. */
     const float side_rad = stray_rad < 0.0f ? -100.0f * F_DEG : 100.0f * F_DEG;
     fish->heading_rad = f_wrap_angle(away_rad + (toward ? side_rad : stray_rad));

@@ -1,0 +1,167 @@
+/* test_crowd.c -- the pair search against all pairs, and what parting leaves. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "core/tank/crowd.h"
+
+static struct crowd crowd;
+static struct fish fish[600];
+static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
+static const struct tank_bounds bounds = { { -0.68f, -0.20f, -0.325f }, { 0.68f, 0.0f, 0.325f } };
+
+static float draw(uint32_t who, uint32_t purpose, float low, float high)
+{
+    return rng_range((struct rng_key){ 21, 0, who, purpose }, low, high);
+}
+
+static void fill_at_random(uint32_t count, float pitch_max, float length_max)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        fish[i] = (struct fish){
+            .position_m = v3(draw(i, 1, -0.65f, 0.65f), draw(i, 2, -0.19f, -0.01f), draw(i, 3, -0.3f, 0.3f)),
+            .angles = { draw(i, 4, -F_PI, F_PI), draw(i, 5, -pitch_max, pitch_max), 0.0f },
+            .length_m = draw(i, 6, 0.03f, length_max),
+        };
+    }
+}
+
+/* Every pair of overlapping bodies that all-pairs finds must be among the crowd's contacts. */
+static uint32_t check_against_all_pairs(uint32_t count)
+{
+    static uint8_t listed[600][600];
+    uint32_t overlaps = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t j = 0; j < count; j++) {
+            listed[i][j] = 0;
+        }
+    }
+    crowd_gather(&crowd, fish, count, 1.0f);
+    crowd_meet(&crowd, tank_m, 1, 0);
+    for (uint32_t c = 0; c < crowd.contact_count; c++) {
+        const uint32_t a = crowd.body[crowd.contact[c][0]].fish, b = crowd.body[crowd.contact[c][1]].fish;
+        assert_int_equal(listed[a][b], 0); /* Once each. */
+        listed[a][b] = listed[b][a] = 1;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            const struct box a = fish_box(&fish[i]), b = fish_box(&fish[j]);
+            if (box_depth_m(&a, &b) > 0.0f) {
+                assert_int_equal(listed[i][j], 1);
+                overlaps++;
+            }
+        }
+    }
+    return overlaps;
+}
+
+static void test_the_grid_finds_every_pair_that_all_pairs_find(void **state)
+{
+    (void)state;
+    fill_at_random(600, 0.5f, 0.08f);
+    assert_true(check_against_all_pairs(600) > 50);
+    fill_at_random(600, 1.5f, 0.05f);
+    assert_true(check_against_all_pairs(600) > 20);
+}
+
+static void test_the_grid_finds_pairs_that_lie_across_its_lines(void **state)
+{
+    (void)state;
+    /* Nose to nose over a fine lattice of offsets, so that every cell line is straddled. */
+    for (uint32_t shift = 0; shift < 40; shift++) {
+        for (uint32_t i = 0; i < 12; i += 2) {
+            const float x = -0.6f + 0.2f * (float)(i / 2u) + 0.005f * (float)shift;
+            const struct angles left = { 90.0f * F_DEG, 0.0f, 0.0f }, right = { -90.0f * F_DEG, 0.0f, 0.0f };
+            fish[i] = (struct fish){ .position_m = { x, -0.1f, 0.0f }, .angles = right, .length_m = 0.08f };
+            fish[i + 1u] = (struct fish){ .position_m = { x + 0.0795f, -0.1f, 0.0f }, .angles = left, .length_m = 0.08f };
+        }
+        assert_true(check_against_all_pairs(12) >= 6);
+    }
+}
+
+static void test_all_fish_in_one_corner_are_still_found(void **state)
+{
+    (void)state;
+    fill_at_random(120, 0.5f, 0.05f);
+    for (uint32_t i = 0; i < 120; i++) {
+        fish[i].position_m = v3(draw(i, 7, 0.60f, 0.67f), draw(i, 8, -0.15f, -0.05f), draw(i, 9, 0.25f, 0.32f));
+    }
+    assert_true(check_against_all_pairs(120) > 500);
+}
+
+static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
+{
+    (void)state;
+    fill_at_random(10, 0.1f, 0.05f);
+    fish[2].gait = GAIT_HELD;
+    fish[7].gait = GAIT_BOWL;
+    crowd_gather(&crowd, fish, 10, 1.0f);
+    assert_int_equal(crowd.count, 8);
+    for (uint32_t i = 0; i < crowd.count; i++) {
+        assert_true(crowd.body[i].fish != 2 && crowd.body[i].fish != 7);
+    }
+}
+
+static void test_parting_ends_overlaps_and_keeps_walls(void **state)
+{
+    (void)state;
+    fill_at_random(400, 0.3f, 0.06f);
+    crowd_gather(&crowd, fish, 400, 1.0f);
+    crowd_clear(&crowd, &bounds, 0, 0);
+    for (int tick = 0; tick < 40; tick++) {
+        crowd_meet(&crowd, tank_m, 1, 0);
+        crowd_part(&crowd, &bounds, 0, 0);
+        crowd_clear(&crowd, &bounds, 0, 0);
+    }
+    float deepest_m = 0.0f;
+    for (uint32_t i = 0; i < crowd.count; i++) {
+        const vec3 p = crowd.body[i].box.centre_m, extent = crowd.body[i].extent_m;
+        assert_true(f_abs(p.x) + extent.x < 0.68f + 1e-5f);
+        assert_true(f_abs(p.z) + extent.z < 0.325f + 1e-5f);
+        assert_true(p.y + extent.y < 1e-5f && p.y - extent.y > -0.20f - 1e-5f);
+        for (uint32_t j = 0; j < i; j++) {
+            deepest_m = f_max(deepest_m, box_depth_m(&crowd.body[i].box, &crowd.body[j].box));
+        }
+    }
+    assert_true(deepest_m < 1e-5f);
+}
+
+static void test_the_larger_of_two_gives_way_less(void **state)
+{
+    (void)state;
+    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, .length_m = 0.08f };
+    fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, .length_m = 0.04f };
+    crowd_gather(&crowd, fish, 2, 1.0f);
+    crowd_meet(&crowd, tank_m, 1, 0);
+    crowd_part(&crowd, &bounds, 0, 0);
+    const float large_m = -crowd.body[0].box.centre_m.x, small_m = crowd.body[1].box.centre_m.x - 0.009f;
+    assert_true(large_m > 0.0f);
+    assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* As their masses. */
+}
+
+static void test_personal_space_shrinks_only_in_a_crowd(void **state)
+{
+    (void)state;
+    fill_at_random(600, 0.0f, 0.05f);
+    assert_float_equal(crowd_space(fish, 50, tank_m), 1.0f, 1e-6f);
+    const float small_tank = crowd_space(fish, 600, v3(0.5f, 0.1f, 0.4f));
+    assert_true(small_tank >= 0.2f && small_tank < 0.9f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_grid_finds_every_pair_that_all_pairs_find),
+        cmocka_unit_test(test_the_grid_finds_pairs_that_lie_across_its_lines),
+        cmocka_unit_test(test_all_fish_in_one_corner_are_still_found),
+        cmocka_unit_test(test_held_and_bowl_fish_are_not_in_the_crowd),
+        cmocka_unit_test(test_parting_ends_overlaps_and_keeps_walls),
+        cmocka_unit_test(test_the_larger_of_two_gives_way_less),
+        cmocka_unit_test(test_personal_space_shrinks_only_in_a_crowd),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,272 @@
+/* test_tank.c -- a whole tank: ten minutes of 300 fish, the poi among them, and the same again. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/tank/tank.h"
+
+#define MINUTE (60u * CORE_TICK_HZ)
+
+static struct tank tank, twin;
+
+static void run(struct tank *t, uint32_t from, uint32_t ticks, const struct obstacle *obstacles, uint32_t count)
+{
+    for (uint32_t tick = from; tick < from + ticks; tick++) {
+        if (tick % 2u == 0) {
+            water_step(&t->water, t->size_m);
+        }
+        tank_tick(t, tick, obstacles, count);
+    }
+}
+
+static float deepest_overlap_m(const struct tank *t, uint32_t *over_half_mm)
+{
+    float deepest = 0.0f;
+    for (uint32_t i = 0; i < t->fish_count; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            const vec3 d = v3_sub(t->fish[i].position_m, t->fish[j].position_m);
+            const float reach = 0.56f * (t->fish[i].length_m + t->fish[j].length_m);
+            if (v3_dot(d, d) < reach * reach) {
+                const struct box a = fish_box(&t->fish[i]), b = fish_box(&t->fish[j]);
+                const float depth = box_depth_m(&a, &b);
+                deepest = f_max(deepest, depth);
+                *over_half_mm += depth > 0.0005f;
+            }
+        }
+    }
+    return deepest;
+}
+
+static void test_a_fresh_tank_holds_fish_that_do_not_overlap(void **state)
+{
+    (void)state;
+    static const uint32_t counts[] = { 1, 300, 600 };
+    for (uint32_t i = 0; i < 3; i++) {
+        uint32_t over = 0;
+        tank_init(&tank, TANK_PRESET_FESTIVAL, counts[i], 40u + i);
+        assert_true(deepest_overlap_m(&tank, &over) < 1e-5f);
+    }
+}
+
+static void check_inside(const struct fish *fish, vec3 size_m)
+{
+    const struct box box = fish_box(fish);
+    const vec3 extent = box_extent_m(&box), p = fish->position_m;
+    assert_true(v3_is_finite(p));
+    assert_true(f_abs(p.x) + extent.x < 0.5f * size_m.x + 1e-4f);
+    assert_true(f_abs(p.z) + extent.z < 0.5f * size_m.z + 1e-4f);
+    assert_true(p.y + extent.y < 1e-4f);
+    assert_true(p.y - extent.y > -size_m.y - 1e-4f);
+}
+
+static void test_ten_minutes_leave_every_fish_sane_apart_and_inside(void **state)
+{
+    (void)state;
+    uint32_t over = 0, near_wall = 0, samples = 0, jolts = 0;
+    uint32_t gaits[GAIT_COUNT] = { 0 };
+    float deepest = 0.0f, swim_lengths = 0.0f;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 7);
+    for (uint32_t tick = 0; tick < 10u * MINUTE; tick++) {
+        run(&tank, tick, 1, 0, 0);
+        if (tick % 40u != 0) {
+            continue;
+        }
+        deepest = f_max(deepest, deepest_overlap_m(&tank, &over));
+        for (uint32_t i = 0; i < tank.fish_count; i++) {
+            const struct fish *fish = &tank.fish[i];
+            check_inside(fish, tank.size_m);
+            assert_true(f_abs(fish->angles.pitch_rad) < 26.0f * F_DEG); /* Nobody stands on its nose. */
+            assert_true(f_abs(fish->yaw_rate_rad_s) < 370.0f * F_DEG);  /* Nobody spins. */
+            assert_true(fish->tail_phase_rad >= 0.0f && fish->tail_phase_rad < F_TAU);
+            const float gap = f_min(0.425f - f_abs(fish->position_m.x), 0.275f - f_abs(fish->position_m.z));
+            near_wall += gap < 0.05f;
+            jolts += f_abs(v3_length(fish->velocity_m_s) - fish->speed_m_s) > 0.10f;
+            swim_lengths += fish->gait == GAIT_SWIM ? v3_length(fish->velocity_m_s) / fish->length_m : 0.0f;
+            gaits[fish->gait]++;
+            samples++;
+        }
+    }
+    const float all = (float)samples;
+    print_message("deepest overlap %.2f mm, %u of %u pair samples over 0.5 mm\n", (double)(1000.0f * deepest), over,
+                  10u * MINUTE / 40u);
+    print_message("burst %.4f swim %.3f rest %.3f, swimming %.2f lengths/s, near a wall %.3f, jolts %.5f\n",
+                  (double)((float)gaits[GAIT_BURST] / all), (double)((float)gaits[GAIT_SWIM] / all),
+                  (double)((float)gaits[GAIT_REST] / all),
+                  (double)(swim_lengths / (float)gaits[GAIT_SWIM]), (double)((float)near_wall / all),
+                  (double)((float)jolts / all));
+    assert_true(deepest < 0.004f);
+    assert_true(over < 40u);
+    assert_true(swim_lengths / (float)gaits[GAIT_SWIM] > 0.5f);    /* No gridlock: over half of 1.05. */
+    assert_float_equal((float)near_wall / all, 0.28f, 0.12f);      /* 0.28 would be even: no pile. */
+    assert_float_equal((float)gaits[GAIT_REST] / all, 0.65f, 0.08f);
+    assert_true((float)jolts / all < 0.001f);
+}
+
+static void test_the_same_seed_swims_the_same_and_another_does_not(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 120, 99);
+    tank_init(&twin, TANK_PRESET_FESTIVAL, 120, 99);
+    run(&tank, 0, 20u * CORE_TICK_HZ, 0, 0);
+    run(&twin, 0, 20u * CORE_TICK_HZ, 0, 0);
+    assert_true(tank_hash(HASH_START, &tank) == tank_hash(HASH_START, &twin));
+    assert_true(tank_hash_quick(HASH_START, &tank) == tank_hash_quick(HASH_START, &twin));
+    tank_init(&twin, TANK_PRESET_FESTIVAL, 120, 98);
+    run(&twin, 0, 20u * CORE_TICK_HZ, 0, 0);
+    assert_true(tank_hash_quick(HASH_START, &tank) != tank_hash_quick(HASH_START, &twin));
+}
+
+static void test_a_copy_goes_on_as_the_tank_itself_does(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 80, 3);
+    run(&tank, 0, 500, 0, 0);
+    twin = tank;
+    memset(&twin.crowd, 0x5a, sizeof twin.crowd); /* Scratch: nothing of it is remembered. */
+    run(&tank, 500, 500, 0, 0);
+    run(&twin, 500, 500, 0, 0);
+    assert_true(tank_hash(HASH_START, &tank) == tank_hash(HASH_START, &twin));
+}
+
+static struct obstacle disc_at(vec3 centre, vec3 velocity)
+{
+    return (struct obstacle){ .kind = OBSTACLE_DISC, .centre_m = centre, .normal = { 0.0f, 1.0f, 0.0f },
+                              .velocity_m_s = velocity, .radius_m = 0.0465f };
+}
+
+/* Drags a disc along the tank at half depth; returns how many fish started away. */
+static uint32_t drag(float speed_m_s, uint32_t *near_samples)
+{
+    uint32_t escapes = 0;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 17);
+    run(&tank, 0, 5u * CORE_TICK_HZ, 0, 0);
+    const uint32_t ticks = (uint32_t)(0.6f / speed_m_s * (float)CORE_TICK_HZ);
+    *near_samples = 0;
+    for (uint32_t tick = 0; tick < ticks; tick++) {
+        const float x = -0.3f + 0.6f * (float)tick / (float)ticks;
+        const struct obstacle disc = disc_at(v3(x, -0.06f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
+        uint8_t was[300];
+        for (uint32_t i = 0; i < 300; i++) {
+            was[i] = tank.fish[i].gait;
+        }
+        run(&tank, 600u + tick, 1, &disc, 1);
+        for (uint32_t i = 0; i < 300; i++) {
+            escapes += tank.fish[i].gait == GAIT_ESCAPE && was[i] != GAIT_ESCAPE;
+            *near_samples += obstacle_disc_distance_m(&disc, tank.fish[i].position_m) < 0.02f;
+        }
+    }
+    *near_samples /= ticks / 10u;
+    return escapes;
+}
+
+static void test_haste_scatters_fish_and_patience_does_not(void **state)
+{
+    (void)state;
+    uint32_t near_slow = 0, near_fast = 0;
+    const uint32_t slow = drag(0.10f, &near_slow), fast = drag(0.40f, &near_fast);
+    print_message("0.10 m/s: %u escapes, 0.40 m/s: %u; fish within 2 cm %.1f and %.1f\n", slow, fast,
+                  (double)near_slow * 0.1, (double)near_fast * 0.1);
+    assert_int_equal(slow, 0);
+    assert_true(fast >= 10);
+}
+
+static void test_an_escape_costs_stamina_and_ends_within_a_second(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 1, 5);
+    struct fish *fish = &tank.fish[0];
+    fish->position_m = v3(0.0f, -0.06f, 0.0f);
+    fish->stamina = 0.8f;
+    float top_m_s = 0.0f;
+    uint32_t tick = 0, fled = 0;
+    for (; tick < 2u * CORE_TICK_HZ; tick++) {
+        const struct obstacle disc = disc_at(v3(-0.09f, -0.06f, 0.0f), v3(tick < 30 ? 0.5f : 0.0f, 0.0f, 0.0f));
+        run(&tank, tick, 1, &disc, 1);
+        fled += fish->gait == GAIT_ESCAPE;
+        top_m_s = f_max(top_m_s, v3_length(fish->velocity_m_s));
+    }
+    assert_in_range(fled, CORE_TICK_HZ / 2u, CORE_TICK_HZ);
+    assert_true(top_m_s > 7.0f * fish->length_m && top_m_s < 11.0f * fish->length_m);
+    assert_true(fish->stamina < 0.79f);
+}
+
+static void test_held_and_bowl_fish_stay_as_they_are(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 60, 8);
+    tank.fish[3].gait = GAIT_HELD;
+    tank.fish[4].gait = GAIT_BOWL;
+    tank.fish[3].position_m = tank.fish[5].position_m; /* On top of another: must not push it. */
+    const uint64_t held = fish_hash(HASH_START, &tank.fish[3]), bowl = fish_hash(HASH_START, &tank.fish[4]);
+    run(&tank, 0, 600, 0, 0);
+    assert_true(fish_hash(HASH_START, &tank.fish[3]) == held);
+    assert_true(fish_hash(HASH_START, &tank.fish[4]) == bowl);
+}
+
+static void test_a_fish_that_a_poi_lets_go_falls_in_and_flees(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 40, 8);
+    struct fish *fish = &tank.fish[0];
+    fish->gait = GAIT_ESCAPE;
+    fish->position_m = v3(0.1f, 0.08f, 0.0f);
+    fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+    run(&tank, 0, 10, 0, 0);
+    assert_true(fish->position_m.y < 0.08f && fish->position_m.y > 0.0f); /* It falls, it does not jump. */
+    run(&tank, 10, 40, 0, 0);
+    assert_int_equal(fish->gait, GAIT_ESCAPE);
+    run(&tank, 50, 2u * CORE_TICK_HZ, 0, 0);
+    check_inside(fish, tank.size_m);
+}
+
+static void test_no_fish_swims_into_the_bowl(void **state)
+{
+    (void)state;
+    const struct obstacle bowl = { .kind = OBSTACLE_BOWL, .centre_m = tank_preset(0)->bowl_m,
+                                   .normal = { 0.0f, 1.0f, 0.0f }, .radius_m = 0.075f, .depth_m = 0.055f };
+    float deepest = 0.0f;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 12);
+    for (uint32_t tick = 0; tick < MINUTE; tick++) {
+        run(&tank, tick, 1, &bowl, 1);
+        for (uint32_t i = 0; i < tank.fish_count && tick > CORE_TICK_HZ; i++) {
+            const struct box box = fish_box(&tank.fish[i]);
+            deepest = f_max(deepest, v3_length(obstacle_clear(&bowl, &box)));
+        }
+    }
+    print_message("deepest in the hull %.2f mm\n", (double)(1000.0f * deepest));
+    assert_true(deepest < 0.003f);
+}
+
+static void test_the_surface_is_never_quite_still(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 1, 2);
+    run(&tank, 0, 4u * CORE_TICK_HZ, 0, 0);
+    uint32_t moved = 0;
+    for (uint32_t column = 0; column < RIPPLE_X; column++) {
+        moved += f_abs(tank.water.height_m[tank.water.newest][RIPPLE_Z / 2][column]) > 1e-7f;
+    }
+    assert_true(moved > RIPPLE_X / 4u);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_fresh_tank_holds_fish_that_do_not_overlap),
+        cmocka_unit_test(test_ten_minutes_leave_every_fish_sane_apart_and_inside),
+        cmocka_unit_test(test_the_same_seed_swims_the_same_and_another_does_not),
+        cmocka_unit_test(test_a_copy_goes_on_as_the_tank_itself_does),
+        cmocka_unit_test(test_haste_scatters_fish_and_patience_does_not),
+        cmocka_unit_test(test_an_escape_costs_stamina_and_ends_within_a_second),
+        cmocka_unit_test(test_held_and_bowl_fish_stay_as_they_are),
+        cmocka_unit_test(test_a_fish_that_a_poi_lets_go_falls_in_and_flees),
+        cmocka_unit_test(test_no_fish_swims_into_the_bowl),
+        cmocka_unit_test(test_the_surface_is_never_quite_still),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
