@@ -59,6 +59,19 @@ static void test_a_fish_rides_with_the_poi(void **state)
     assert_true(height_over_paper(fish) > 0.0f);
 }
 
+static void test_a_fish_pressed_on_rising_paper_goes_along_sideways_too(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand_move(&stand, v3(0.0f, -0.06f, 0.0f), 0.3f);
+    stand_wait(&stand, 0.5f);
+    const uint32_t fish = stand_fish(&stand, v3(0.0f, -0.05f, 0.0f), FISH_M);
+    stand_move(&stand, v3(0.07f, 0.06f, 0.0f), 0.35f);
+    stand_wait(&stand, 0.2f);
+    assert_int_equal(stand.tank.fish[fish].gait, GAIT_HELD);
+    assert_true(stand.tank.fish[fish].position_m.x > 0.03f);
+}
+
 static void test_a_fish_below_is_pushed_down_and_never_through(void **state)
 {
     (void)state;
@@ -350,6 +363,7 @@ int main(void)
         cmocka_unit_test(test_a_rising_poi_lifts_the_fish_above_it_out_of_the_water),
         cmocka_unit_test(test_a_fish_on_the_paper_lies_on_its_side),
         cmocka_unit_test(test_a_fish_rides_with_the_poi),
+        cmocka_unit_test(test_a_fish_pressed_on_rising_paper_goes_along_sideways_too),
         cmocka_unit_test(test_a_fish_below_is_pushed_down_and_never_through),
         cmocka_unit_test(test_a_fish_above_is_never_left_below),
         cmocka_unit_test(test_a_careful_scooper_keeps_the_paper_for_many_fish),
