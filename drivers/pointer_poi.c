@@ -6,9 +6,14 @@
 
 /* The far edge leads into the water and out of it, in proportion to the ring's speed. The pointer's
  * ray runs away from the player as it goes down, so this turns the paper toward its own course, and
- * less water is pushed by it: what a practised hand does. */
-#define SLANT_MAX_RAD (24.0f * F_DEG)
-#define SLANT_AT_M_S 0.45f
+ * less water is pushed by it: what a practised hand does. A poi that goes in flat lasts four dips; with
+ * this, eight. */
+#define SLANT_MAX_RAD (28.0f * F_DEG)
+#define SLANT_AT_M_S 0.40f
+
+/* A dip sets off at once, or the first frames after the click would show nothing: twice what the
+ * smoothest stroke needs, and still in the air. A lift begins under water and takes its time. */
+#define DIP_START_M_S2 (-16.0f)
 
 struct stroke {
     float height_m, speed_m_s, acceleration_m_s2;
@@ -48,7 +53,8 @@ static void begin_stroke(struct pointer_poi *pointer, uint64_t time_ns, int down
     const struct stroke now = stroke_at(pointer, time_ns);
     pointer->from_m = now.height_m;
     pointer->from_m_s = now.speed_m_s;
-    pointer->from_m_s2 = now.acceleration_m_s2;
+    pointer->from_m_s2 =
+        down ? f_min(now.acceleration_m_s2, DIP_START_M_S2) : now.acceleration_m_s2;
     pointer->to_m = down ? POINTER_DIP_M : POINTER_HOVER_M;
     pointer->stroke_s = down ? POINTER_DOWN_S : POINTER_UP_S;
     pointer->stroke_ns = time_ns;

@@ -26,7 +26,7 @@ struct demo {
     struct contact_sheet sheet;
     uint64_t now_ns, end_ns;
     uint32_t shots;
-    uint32_t width, height;  /* Of the pictures, as the display made them. */
+    uint32_t width, height;  /* Of the pictures. */
     int failed;              /* A picture could not be made or written. */
 };
 
@@ -64,8 +64,6 @@ static enum exit_code begin(struct demo *demo)
 
 static int plan_sheet(struct demo *demo, const struct hal_image *image)
 {
-    demo->width = image->width;
-    demo->height = image->height;
     demo->sheet.rgb = malloc(contact_sheet_plan(&demo->sheet, image->width, image->height));
     if (!demo->sheet.rgb) {
         fprintf(stderr, "kingyo: no memory for the contact sheet\n");
@@ -179,15 +177,19 @@ static void print_summary(const struct demo *demo)
 
 enum exit_code demo_run(struct session *session)
 {
-    static const char *const no_picture = "kingyo: no picture can be made here\n";
-    struct demo demo = { .session = session };
-    demo.folder = session->options.shots[0] ? session->options.shots : FOLDER_DEFAULT;
+    const struct options *options = &session->options;
+    struct demo demo = {
+        .session = session,
+        .width = options->width ? options->width : 1280,
+        .height = options->height ? options->height : 720,
+    };
+    demo.folder = options->shots[0] ? options->shots : FOLDER_DEFAULT;
     enum exit_code code = session_make_folder(demo.folder);
     if (code != EXIT_OK) {
         return code;
     }
     wire(&demo);
-    code = session_make_room(session, 8192, 8192 / 16 * 9);
+    code = session_make_room(session, demo.width, demo.height);
     if (code == EXIT_OK) {
         code = begin(&demo);
     }
@@ -196,7 +198,7 @@ enum exit_code demo_run(struct session *session)
     }
     const enum kiosk_end end = run(&demo);
     if (demo.shots == 0) {
-        fputs(no_picture, stderr);
+        fputs("kingyo: no picture could be made here\n", stderr);
     }
     write_sheet(&demo);
     print_summary(&demo);

@@ -73,8 +73,8 @@ static void test_holding_dips_and_letting_go_lifts_in_their_times(void **state)
     assert_true(after(&pointer, 340).position_m.y > POINTER_DIP_M);
     assert_float_equal(after(&pointer, 351).position_m.y, POINTER_DIP_M, 1e-5f);
     give(&pointer, report(1000, 640.0f, 360.0f, 0));
-    assert_true(after(&pointer, 1330).position_m.y < POINTER_HOVER_M - 1e-5f);
-    assert_float_equal(after(&pointer, 1351).position_m.y, POINTER_HOVER_M, 1e-5f);
+    assert_true(after(&pointer, 1360).position_m.y < POINTER_HOVER_M - 1e-5f);
+    assert_float_equal(after(&pointer, 1381).position_m.y, POINTER_HOVER_M, 1e-5f);
 }
 
 static void test_the_pointer_stays_over_the_rings_centre_at_every_height(void **state)
@@ -101,7 +101,7 @@ static void test_a_stroke_that_changes_its_mind_is_still_smooth(void **state)
     struct pointer_poi pointer = fresh();
     float height = POINTER_HOVER_M;
     float speed = 0.0f;
-    for (uint64_t ms = 0; ms < 900; ms++) {
+    for (uint64_t ms = 0; ms < 950; ms++) {
         if (ms == 10 || ms == 250) {
             give(&pointer, report(ms, 640.0f, 360.0f, POINTER_DIP));
         }

@@ -1,0 +1,168 @@
+/* bench_latency.c -- input to picture: how long after a pointer event the first frame shows it.
+ *
+ * The real frame loop and the real pointer decoder, on a simulated clock, so that the figures are the
+ * program's own and not the machine's. At each trial the stall is copied, one copy gets an event and the
+ * other does not, and both run until their rings differ by so many pixels. A pointer's step shows at
+ * once; a dip is a smooth stroke that sets off from rest, so it is asked for its first tenth of a pixel,
+ * and for half a pixel as information. The event falls anywhere between two frames. Time is counted to the moment at which the frame is handed to the display;
+ * drawing it and the screen itself come on top. Exit code 1 when the bound does not hold. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/rng.h"
+#include "core/tank/preset.h"
+#include "drivers/clock_sim.h"
+#include "drivers/display_sim.h"
+#include "drivers/null.h"
+#include "drivers/poi_sim.h"
+#include "platform/kiosk/kiosk.h"
+
+#define TRIALS 400u
+#define FRAMES_MAX 8u
+#define PIXEL_M 0.0006f /* 1,280 over a tank of 0.85 m and its rim. */
+
+/* Everything that a copy needs, and no pointer into itself but those that wire() sets. */
+struct stall {
+    struct clock_sim clock;
+    struct display_sim display;
+    struct poi_sim poi;
+    struct pointer_report reports[2];
+    struct kiosk kiosk;
+};
+
+static struct stall base, with, without;
+
+static struct hal wire(struct stall *stall)
+{
+    struct hal hal = null_hal();
+    hal.clock = clock_sim_device(&stall->clock);
+    hal.display = display_sim_device(&stall->display);
+    stall->poi.clock = hal.clock;
+    stall->poi.reports = stall->reports;
+    hal.poi[0] = poi_sim_device(&stall->poi);
+    return hal;
+}
+
+static struct pointer_report report_at(uint64_t time_ns, float x_px, uint32_t buttons)
+{
+    return (struct pointer_report){
+        .time_ns = time_ns,
+        .x_px = x_px,
+        .y_px = 330.0f,
+        .width_px = 1280,
+        .height_px = 720,
+        .buttons = buttons,
+    };
+}
+
+static void frame(struct stall *stall, uint64_t frame_ns)
+{
+    const struct hal hal = wire(stall);
+    stall->clock.now_ns += frame_ns;
+    kiosk_frame(&stall->kiosk, &hal);
+}
+
+/* A round that has begun, the hand at rest over the middle. */
+static void open_stall(uint64_t frame_ns)
+{
+    const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
+    base = (struct stall){ .clock.now_ns = 1000000000 };
+    poi_sim_init(&base.poi, clock_sim_device(&base.clock), &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    base.reports[0] = report_at(1000000001, 640.0f, 0);
+    base.poi.report_count = 1;
+    const struct hal hal = wire(&base);
+    if (kiosk_init(&base.kiosk, &hal, &config) != CORE_OK) {
+        abort();
+    }
+    base.kiosk.input.pressed = INPUT_START;
+    while (base.kiosk.core.tick < 5 * CORE_TICK_HZ) {
+        frame(&base, frame_ns);
+    }
+}
+
+static float moved_px(const struct stall *a, const struct stall *b)
+{
+    const struct scene_poi *left = &a->display.scene.poi[0];
+    const struct scene_poi *right = &b->display.scene.poi[0];
+    return v3_length(v3_sub(left->position_m, right->position_m)) / PIXEL_M;
+}
+
+struct latency {
+    uint32_t frames, ticks;
+    double ms;
+};
+
+struct event {
+    const char *name;
+    uint64_t frame_ns;
+    float x_px;       /* The pointer was at 640 ... */
+    uint32_t buttons; /* ... and no button was held. */
+    float seen_px;
+    int is_bound;     /* Whether the row decides the exit code. */
+};
+
+/* The event comes `phase` in [0, 1) of a frame after the last frame looked. */
+static struct latency measure(const struct event *event, float phase)
+{
+    const uint64_t event_ns = base.clock.now_ns + 1 + (uint64_t)(phase * (float)event->frame_ns);
+    struct latency latency = { 0 };
+    with = base;
+    without = base;
+    with.reports[1] = report_at(event_ns, event->x_px, event->buttons);
+    with.poi.report_count = 2;
+    do {
+        const uint32_t tick = with.kiosk.core.tick;
+        frame(&with, event->frame_ns);
+        frame(&without, event->frame_ns);
+        latency.frames++;
+        latency.ticks += with.kiosk.core.tick - tick;
+    } while (moved_px(&with, &without) < event->seen_px && latency.frames < FRAMES_MAX);
+    latency.ms = (double)(with.clock.now_ns - event_ns) * 1e-6;
+    return latency;
+}
+
+static int compare(const void *left, const void *right)
+{
+    const double a = *(const double *)left;
+    const double b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/* Prints a row; returns whether every event was shown within one frame and one tick of its coming. */
+static int bench(const struct event *event)
+{
+    static double ms[TRIALS];
+    uint32_t frames_max = 0;
+    uint32_t ticks_max = 0;
+    open_stall(event->frame_ns);
+    for (uint32_t i = 0; i < TRIALS; i++) {
+        const float phase = rng_unit((struct rng_key){ 1, i, 0, RNG_TEST });
+        const struct latency latency = measure(event, phase);
+        ms[i] = latency.ms;
+        frames_max = latency.frames > frames_max ? latency.frames : frames_max;
+        ticks_max = latency.ticks > ticks_max ? latency.ticks : ticks_max;
+    }
+    qsort(ms, TRIALS, sizeof ms[0], compare);
+    const double bound_ms = (double)event->frame_ns * 1e-6 + 1000.0 / CORE_TICK_HZ;
+    printf("%-26s %6.2f %6.2f %6.2f ms  %u frames %u ticks  ", event->name, ms[TRIALS / 2],
+           ms[TRIALS * 99 / 100], ms[TRIALS - 1], frames_max, ticks_max);
+    printf("bound %.2f ms%s\n", bound_ms, event->is_bound ? "" : " (for information)");
+    return !event->is_bound || ms[TRIALS - 1] <= bound_ms;
+}
+
+int main(void)
+{
+    static const struct event events[] = {
+        { "move, 60 Hz, 0.5 px", 16666667, 700.0f, 0, 0.5f, 1 },
+        { "move, 144 Hz, 0.5 px", 6944444, 700.0f, 0, 0.5f, 1 },
+        { "move, 30 Hz, 0.5 px", 33333333, 700.0f, 0, 0.5f, 1 },
+        { "dip, 60 Hz, 0.1 px", 16666667, 640.0f, POINTER_DIP, 0.1f, 1 },
+        { "dip, 60 Hz, 0.5 px", 16666667, 640.0f, POINTER_DIP, 0.5f, 0 },
+    };
+    int holds = 1;
+    printf("pointer event to frame     median    p99    max     at most\n");
+    for (size_t i = 0; i < sizeof events / sizeof events[0]; i++) {
+        holds &= bench(&events[i]);
+    }
+    return holds ? 0 : 1;
+}

@@ -1,0 +1,212 @@
+/* test_mouse_play.c -- a round played with a pointer through the real decoder and the real frame loop: the
+ * ways of a mouse must be good enough to scoop, and rough ways must cost paper. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/tank/preset.h"
+#include "drivers/clock_sim.h"
+#include "drivers/null.h"
+#include "drivers/poi_sim.h"
+#include "platform/kiosk/kiosk.h"
+
+#define FRAME_NS 16666667ull
+#define WIDTH 1280u
+#define HEIGHT 720u
+
+static struct player {
+    struct clock_sim clock;
+    struct poi_sim poi;
+    struct hal hal;
+    struct kiosk kiosk;
+    struct pointer_report report; /* The one report of each frame. */
+    float x_px, y_px;
+    uint32_t buttons;
+} player;
+
+static void frame(void)
+{
+    player.clock.now_ns += FRAME_NS;
+    player.report = (struct pointer_report){
+        .time_ns = player.clock.now_ns,
+        .x_px = f_floor(player.x_px + 0.5f), /* A mouse knows whole pixels only. */
+        .y_px = f_floor(player.y_px + 0.5f),
+        .width_px = WIDTH,
+        .height_px = HEIGHT,
+        .buttons = player.buttons,
+    };
+    player.poi.reports = &player.report;
+    player.poi.report_count = 1;
+    player.poi.next = 0;
+    kiosk_frame(&player.kiosk, &player.hal);
+}
+
+static void frames(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        frame();
+    }
+}
+
+/* A round that runs, the hand over the middle. */
+static void begin_round(uint32_t seed, uint32_t fish_count)
+{
+    const struct kiosk_config config = { .core = { .seed = seed, .fish_count = fish_count } };
+    memset(&player, 0, sizeof player);
+    player.x_px = 640.0f;
+    player.y_px = 330.0f;
+    player.hal = null_hal();
+    player.hal.clock = clock_sim_device(&player.clock);
+    poi_sim_init(&player.poi, player.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    player.hal.poi[0] = poi_sim_device(&player.poi);
+    assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);
+    frames(10);
+    player.kiosk.input.pressed = INPUT_START;
+    while (player.kiosk.core.game.phase != PHASE_ROUND) {
+        frame();
+        assert_true(player.kiosk.core.tick < 10 * CORE_TICK_HZ);
+    }
+}
+
+static void to_screen(vec3 point, float *x_px, float *y_px)
+{
+    const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
+    const struct basis axes = view_basis(view);
+    const vec3 body = basis_to_body(&axes, v3_sub(point, view->eye_m));
+    const float aspect = (float)WIDTH / (float)HEIGHT;
+    const float tan_y = view_half_height_tan(view, aspect);
+    *x_px = 0.5f * (body.x / -body.z / (tan_y * aspect) + 1.0f) * (float)WIDTH;
+    *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * (float)HEIGHT;
+}
+
+/* One frame of a move toward a screen point; 1 when there. */
+static int step_to(float x_px, float y_px, float px_per_frame)
+{
+    const float dx = x_px - player.x_px;
+    const float dy = y_px - player.y_px;
+    const float distance = f_sqrt(dx * dx + dy * dy);
+    const float step = f_min(distance, px_per_frame);
+    if (distance < 1.0f) {
+        return 1;
+    }
+    player.x_px += dx / distance * step;
+    player.y_px += dy / distance * step;
+    frame();
+    return 0;
+}
+
+static void move_to(vec3 point, float px_per_frame)
+{
+    float x_px;
+    float y_px;
+    to_screen(point, &x_px, &y_px);
+    while (!step_to(x_px, y_px, px_per_frame)) {
+    }
+}
+
+static float paper_left(void)
+{
+    return player.kiosk.scene.poi[0].paper_left;
+}
+
+/* The calmest fish near the hand that swims above where the ring will be. */
+static const struct fish *choose(void)
+{
+    const struct tank *tank = &player.kiosk.core.tank;
+    const vec3 hand = player.kiosk.core.poi[0].position_m;
+    const struct fish *best = NULL;
+    float least = 1e9f;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        const vec3 at = fish->position_m;
+        const float away = v3_length(v3_sub(v3(at.x, 0.0f, at.z), v3(hand.x, 0.0f, hand.z)));
+        const float effort = v3_length(fish->velocity_m_s) + 0.3f * away;
+        if (fish->gait < GAIT_HELD && f_abs(at.x) < 0.25f && f_abs(at.z) < 0.17f &&
+            at.y > POINTER_DIP_M && effort < least) {
+            least = effort;
+            best = fish;
+        }
+    }
+    return best;
+}
+
+/* In beside it, under it, up, and over the bowl: what a person does. */
+static void try_once(void)
+{
+    const struct fish *fish = choose();
+    if (!fish) {
+        frames(20);
+        return;
+    }
+    const float side = fish->position_m.x > 0.0f ? -0.08f : 0.08f;
+    move_to(v3_add(fish->position_m, v3(side, 0.0f, 0.0f)), 8.0f);
+    player.buttons = POINTER_DIP;
+    frames(20);
+    for (uint32_t i = 0; i < 45; i++) {
+        float x_px;
+        float y_px;
+        to_screen(v3(fish->position_m.x, POINTER_DIP_M, fish->position_m.z), &x_px, &y_px);
+        step_to(x_px, y_px, 2.6f);
+    }
+    player.buttons = 0;
+    frames(28);
+    if (player.kiosk.core.poi[0].rider_count > 0) {
+        const vec3 bowl = player.kiosk.core.bowl[0].position_m;
+        move_to(v3(bowl.x, POINTER_HOVER_M, bowl.z), 6.0f);
+        frames(80);
+    }
+}
+
+static void test_a_patient_hand_lands_fish_with_a_mouse(void **state)
+{
+    uint32_t landed = 0;
+    (void)state;
+    for (uint32_t seed = 1; seed <= 4; seed++) {
+        begin_round(seed, 300);
+        for (uint32_t i = 0; i < 12 && player.kiosk.core.game.phase == PHASE_ROUND; i++) {
+            try_once();
+        }
+        landed += player.kiosk.core.game.caught[0];
+    }
+    assert_true(landed >= 3);
+}
+
+static void test_four_careful_dips_leave_the_paper_whole(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 1; seed <= 3; seed++) {
+        begin_round(seed, 1);
+        for (uint32_t i = 0; i < 4; i++) {
+            player.buttons = POINTER_DIP;
+            frames(40);
+            player.buttons = 0;
+            frames(60);
+        }
+        assert_true(paper_left() > 0.99f);
+    }
+}
+
+static void test_plunging_over_and_over_tears_it(void **state)
+{
+    (void)state;
+    begin_round(1, 1);
+    for (uint32_t i = 0; i < 40; i++) {
+        player.buttons ^= POINTER_DIP;
+        frames(24);
+    }
+    assert_true(paper_left() < 0.9f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_patient_hand_lands_fish_with_a_mouse),
+        cmocka_unit_test(test_four_careful_dips_leave_the_paper_whole),
+        cmocka_unit_test(test_plunging_over_and_over_tears_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
