@@ -6,19 +6,19 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-#define STRAIGHT_CHANCE 0.9f     /* Side meetings: the sensible way. */
-#define YAW_TIME_S 0.5f          /* Then pitch (section 3.4). */
+#define STRAIGHT_CHANCE 0.9f /* Side meetings: the sensible way. */
+#define YAW_TIME_S 0.5f      /* Then pitch (section 3.4). */
 #define PITCH_TIME_S 0.5f
-#define CLOSING_MIN_M_S 0.010f   /* Slower drifts are repulsion's work. */
-#define HORIZON_S 0.8f           /* Nobody gives way to what is farther off. */
+#define CLOSING_MIN_M_S 0.010f /* Slower drifts are repulsion's work. */
+#define HORIZON_S 0.8f         /* Nobody gives way to what is farther off. */
 #define STOP_TIME_S 0.35f
 #define BRAKE_MIN 0.15f
-#define MISS_PER_LENGTH 0.3f     /* Of both lengths; half a length is nose to tail. */
+#define MISS_PER_LENGTH 0.3f /* Of both lengths; half a length is nose to tail. */
 #define YAW_RATE_RAD_S (180.0f * F_DEG)
 #define LEAD_RAD (75.0f * F_DEG) /* The heading runs at most so far ahead of the nose. */
 /* Headroom that section 3.3 leaves: 7.5 - 5.25 cm/s, in lengths of its 5 cm fish. */
 #define REPULSION_LENGTHS_PER_S 0.45f
-#define REPULSION_RANGE 0.2f     /* 1 cm of 5. */
+#define REPULSION_RANGE 0.2f /* 1 cm of 5. */
 
 static float flat_cos(vec3 a, vec3 b)
 {
@@ -42,7 +42,8 @@ static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party 
 
 static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
 {
-    const float side = draw & 1u ? 1.0f : -1.0f; /* Each to its own left, or each to its own right. */
+    const float side =
+        draw & 1u ? 1.0f : -1.0f; /* Each to its own left, or each to its own right. */
     pair->a.turn = side;
     pair->b.turn = side;
 }
@@ -98,7 +99,8 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     const float closing_m_s = a_faces * a->speed_m_s + b_faces * b->speed_m_s;
     pair.brake_a = brake_for(a_faces, gap_m, closing_m_s);
     pair.brake_b = brake_for(b_faces, gap_m, closing_m_s);
-    if (closing_m_s < CLOSING_MIN_M_S || gap_m > HORIZON_S * closing_m_s || !courses_cross(a, b, apart)) {
+    if (closing_m_s < CLOSING_MIN_M_S || gap_m > HORIZON_S * closing_m_s ||
+        !courses_cross(a, b, apart)) {
         return pair;
     }
     const float along = flat_cos(a->forward, b->forward);
@@ -107,7 +109,9 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     }
     const uint32_t draw = pair_draw(a, b, seed, second);
     const float a_rises = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1.0f : -1.0f;
-    const uint8_t kind = along > COS_20_DEG ? MEET_REAR_END : along < -COS_20_DEG ? MEET_HEAD_ON : MEET_SIDE;
+    const uint8_t kind = along > COS_20_DEG    ? MEET_REAR_END
+                         : along < -COS_20_DEG ? MEET_HEAD_ON
+                                               : MEET_SIDE;
     pair.a = (struct avoid_advice){ kind, f_max(gap_m, 0.0f) / closing_m_s, 0.0f, a_rises };
     pair.b = (struct avoid_advice){ kind, f_max(gap_m, 0.0f) / closing_m_s, 0.0f, -a_rises };
     if (kind == MEET_REAR_END) {
@@ -137,7 +141,8 @@ static void yaw_away(struct fish *fish)
 {
     const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad) +
                             fish->avoid_turn * YAW_RATE_RAD_S * CORE_TICK_S;
-    fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + f_clamp(ahead_rad, -LEAD_RAD, LEAD_RAD));
+    fish->heading_rad =
+        f_wrap_angle(fish->angles.yaw_rad + f_clamp(ahead_rad, -LEAD_RAD, LEAD_RAD));
 }
 
 static void begin_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
@@ -145,7 +150,8 @@ static void begin_or_end(struct fish *fish, const struct avoid_advice *advice, f
     const uint8_t was = fish->avoiding;
     fish->avoiding = AVOID_NONE;
     if (was == AVOID_PITCH) {
-        fish->depth_goal_m = f_lerp(fish->depth_goal_m, fish->position_m.y, 0.7f); /* Stay parted. */
+        fish->depth_goal_m =
+            f_lerp(fish->depth_goal_m, fish->position_m.y, 0.7f); /* Stay parted. */
     } else if (advice->kind != MEET_NONE && was == AVOID_YAW) {
         fish->avoiding = AVOID_PITCH;
         fish->avoid_left_s = PITCH_TIME_S;
@@ -157,11 +163,13 @@ static void begin_or_end(struct fish *fish, const struct avoid_advice *advice, f
     }
 }
 
-void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake, float water_depth_m)
+void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
+                float water_depth_m)
 {
     const int meets = advice->kind != MEET_NONE;
     fish->brake = f_min(brake, fish->brake + 3.0f * CORE_TICK_S); /* Back in a third of a second. */
-    fish->avoid_left_s -= (meets ? 1.0f : 3.0f) * CORE_TICK_S; /* Once clear, it is soon forgotten. */
+    fish->avoid_left_s -=
+        (meets ? 1.0f : 3.0f) * CORE_TICK_S; /* Once clear, it is soon forgotten. */
     if (fish->avoiding == AVOID_NONE || fish->avoid_left_s <= 0.0f) {
         begin_or_end(fish, advice, water_depth_m);
     }

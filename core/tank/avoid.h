@@ -1,7 +1,8 @@
 /* avoid.h -- how two fish that come too near give way: head-on, from the side, from behind.
  *
- * The 2013 thesis, section 3.4. Where it is silent: only fish on courses that nearly touch meet; who is
- * struck turns away from the side it is struck on; of several meetings the soonest counts. */
+ * The 2013 thesis, section 3.4. Where it is silent: only fish on courses that nearly touch meet;
+ * who is struck turns away from the side it is struck on; of several meetings the soonest counts.
+ */
 #ifndef KINGYO_CORE_TANK_AVOID_H
 #define KINGYO_CORE_TANK_AVOID_H
 
@@ -17,7 +18,7 @@ enum meeting_kind {
 /* One of a pair. */
 struct avoid_party {
     vec3 position_m;
-    vec3 forward;    /* Unit, along the nose. */
+    vec3 forward; /* Unit, along the nose. */
     float speed_m_s;
     float length_m;
     uint32_t index;
@@ -41,7 +42,8 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
                              uint32_t seed, uint32_t second);
 
 /* One tick of giving way by the soonest of this tick's advice, at the least brake of all. */
-void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake, float water_depth_m);
+void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
+                float water_depth_m);
 
 /* The thesis' repulsion (named, never written down): wanted speed apart for two bodies whose gap is
  * `gap_m`, for the smaller of them `length_m` long; 0 beyond a fifth of its length. */

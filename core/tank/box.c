@@ -14,44 +14,58 @@ static struct frame frame_of(const struct box *box)
     };
 }
 
-/* Tries one face normal: its owner's half size and margin against the other's shadow along it. */
-static int try_axis(struct box_gap *gap, vec3 d, vec3 axis, float half_m, float margin_m,
-                    const float other_half[3], float other_margin_m, float c0, float c1, float c2)
+/* One box as another sees it along one of its own axes. */
+struct shade {
+    vec3 axis;
+    float half_m, margin_m;
+};
+
+/* |cosines| of an axis against a box's three. */
+static inline vec3 cosines(vec3 axis, const struct basis *axes)
 {
-    const float offset = v3_dot(d, axis);
-    const float shadow = c0 * other_half[0] + c1 * other_half[1] + c2 * other_half[2];
-    const float body_m = f_abs(offset) - half_m - shadow;
-    gap->space_m = f_max(gap->space_m, body_m - margin_m - other_margin_m * (c0 + c1 + c2));
+    return v3(f_abs(v3_dot(axis, axes->right)), f_abs(v3_dot(axis, axes->up)),
+              f_abs(v3_dot(axis, axes->back)));
+}
+
+/* Tries one face normal: its owner's half size and margin against the other's shadow along it. True
+ * when even the grown boxes are apart. */
+static inline int apart_along(struct box_gap *gap, vec3 d, struct shade owner, vec3 cosine,
+                              vec3 other_half_m, float other_margin_m)
+{
+    const float offset = v3_dot(d, owner.axis);
+    const float body_m = f_abs(offset) - owner.half_m - v3_dot(cosine, other_half_m);
+    const float spread = cosine.x + cosine.y + cosine.z;
+    gap->space_m = f_max(gap->space_m, body_m - owner.margin_m - other_margin_m * spread);
     if (body_m > gap->body_m) {
         gap->body_m = body_m;
-        gap->axis = offset < 0.0f ? v3_scale(axis, -1.0f) : axis;
+        gap->axis = offset < 0.0f ? v3_scale(owner.axis, -1.0f) : owner.axis;
     }
     return gap->space_m > 0.0f;
 }
 
-/* Sides first, then nose and tail: that is how fish that are near but apart are mostly parted. */
+/* Sides first, then nose and tail: so are most fish apart that are near. */
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
 {
-    static const int order[3] = { 0, 2, 1 };
-    const struct frame fa = frame_of(a), fb = frame_of(b);
-    const vec3 d = v3_sub(b->centre_m, a->centre_m);
+    const vec3 d = v3_sub(b->centre_m, a->centre_m), ha = a->half_m, hb = b->half_m;
+    const float ma = margin_a_m, mb = margin_b_m;
     struct box_gap gap = { .body_m = -1e9f, .space_m = -1e9f, .axis = { 0.0f, 1.0f, 0.0f } };
-    float c[3][3];
-    for (int n = 0; n < 3; n++) {
-        const int i = order[n];
-        for (int j = 0; j < 3; j++) {
-            c[i][j] = f_abs(v3_dot(fa.axis[i], fb.axis[j]));
-        }
-        if (try_axis(&gap, d, fa.axis[i], fa.half[i], margin_a_m, fb.half, margin_b_m, c[i][0], c[i][1], c[i][2])) {
-            return gap;
-        }
+    const vec3 right = cosines(a->axes.right, &b->axes);
+    if (apart_along(&gap, d, (struct shade){ a->axes.right, ha.x, ma }, right, hb, mb)) {
+        return gap;
     }
-    for (int n = 0; n < 3; n++) {
-        const int j = order[n];
-        if (try_axis(&gap, d, fb.axis[j], fb.half[j], margin_b_m, fa.half, margin_a_m, c[0][j], c[1][j], c[2][j])) {
-            return gap;
-        }
+    const vec3 back = cosines(a->axes.back, &b->axes);
+    if (apart_along(&gap, d, (struct shade){ a->axes.back, ha.z, ma }, back, hb, mb)) {
+        return gap;
     }
+    const vec3 up = cosines(a->axes.up, &b->axes);
+    /* Stops at the first that shows them apart. */
+    (void)(apart_along(&gap, d, (struct shade){ b->axes.right, hb.x, mb },
+                       v3(right.x, up.x, back.x), ha, ma) ||
+           apart_along(&gap, d, (struct shade){ b->axes.back, hb.z, mb }, v3(right.z, up.z, back.z),
+                       ha, ma) ||
+           apart_along(&gap, d, (struct shade){ a->axes.up, ha.y, ma }, up, hb, mb) ||
+           apart_along(&gap, d, (struct shade){ b->axes.up, hb.y, mb }, v3(right.y, up.y, back.y),
+                       ha, ma));
     return gap;
 }
 
@@ -76,7 +90,8 @@ float box_depth_m(const struct box *a, const struct box *b)
                 continue;
             }
             const vec3 axis = v3_scale(edge, 1.0f / length);
-            gap_m = f_max(gap_m, f_abs(v3_dot(d, axis)) - shadow_m(&fa, axis) - shadow_m(&fb, axis));
+            gap_m =
+                f_max(gap_m, f_abs(v3_dot(d, axis)) - shadow_m(&fa, axis) - shadow_m(&fb, axis));
         }
     }
     return f_max(0.0f, -gap_m);

@@ -14,24 +14,26 @@ struct box {
 };
 
 struct box_gap {
-    float body_m;  /* > 0: the boxes are at least so far apart; < 0: they seem to overlap so deep. */
+    float body_m; /* > 0: the boxes are at least so far apart; < 0: they seem to overlap so deep. */
     float space_m; /* The same for the boxes grown by their margins. */
     vec3 axis;     /* Unit, from a toward b: the direction that parts them soonest. */
 };
 
-/* Judges by the six face normals alone. Exact for boxes that share an up axis, as level fish do; for
- * pitched ones it may call a near miss an overlap, never an overlap a miss. `space_m` > 0 ends the
- * search at once: the other members are then not meaningful. */
-struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m);
+/* Judges by the six face normals alone. Exact for boxes that share an up axis, as level fish do;
+ * for pitched ones it may call a near miss an overlap, never an overlap a miss. `space_m` > 0 ends
+ * the search at once: the other members are then not meaningful. */
+struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b,
+                       float margin_b_m);
 
-/* By all fifteen axes: the length of the shortest translation that parts the boxes, 0 when apart. */
+/* By all fifteen axes: the length of the shortest translation that parts the boxes, 0 when apart.
+ */
 float box_depth_m(const struct box *a, const struct box *b);
 
 /* Half the size of the upright box that holds `box`. */
 vec3 box_extent_m(const struct box *box);
 
-/* The least move of the box that takes it off a rod of `radius_m` > 0 through `point_m` along `along`
- * (unit); zero when it is clear. */
+/* The least move of the box that takes it off a rod of `radius_m` > 0 through `point_m` along
+ * `along` (unit); zero when it is clear. */
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m);
 
 #endif

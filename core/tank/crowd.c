@@ -4,15 +4,15 @@
 #include "core/base/panic.h"
 #include "core/input.h"
 
-#define SPACE_PER_LENGTH 0.2f   /* 2013 thesis, section 3.4: 1 cm round a fish of 5 cm. */
-#define SPACE_FILL 0.35f        /* Of the water; fuller, and nobody's space would ever be free. */
-#define ROOM_GAP_M 0.005f       /* A tail sweeps so far in a few ticks of a hard turn. */
+#define SPACE_PER_LENGTH 0.2f /* 2013 thesis, section 3.4: 1 cm round a fish of 5 cm. */
+#define SPACE_FILL 0.35f      /* Of the water; fuller, and nobody's space would ever be free. */
+#define ROOM_GAP_M 0.005f     /* A tail sweeps so far in a few ticks of a hard turn. */
 #define ROOM_MIN 0.2f
 #define CONTACT_GAP_M 0.002f    /* Nearer pairs may come to touch while others are parted. */
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
-#define PART_ROUNDS_MAX 12       /* Most ticks need two; a shoved crowd uses them all. */
+#define PART_ROUNDS_MAX 12      /* Most ticks need two; a shoved crowd uses them all. */
 #define CLEAR_STEP_MIN_M 0.002f /* A tick: what even a resting obstacle gives way by. */
-#define TOPPLE_ROUND 5           /* What four rounds could not part is jammed. */
+#define TOPPLE_ROUND 5          /* What four rounds could not part is jammed. */
 #define PART_STEP_MAX_M 0.012f  /* A tick; a poi at 1.4 m/s shoves no harder. */
 
 float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m)
@@ -33,7 +33,9 @@ float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m
 
 static struct crowd_body body_of(const struct fish *fish, uint16_t index, float space)
 {
-    struct crowd_body body = { .fish = index, .speed_m_s = fish->speed_m_s, .brake = 1.0f, .room = 1.0f };
+    struct crowd_body body = {
+        .fish = index, .speed_m_s = fish->speed_m_s, .brake = 1.0f, .room = 1.0f
+    };
     body.box = fish_box(fish);
     body.centre_m = fish->position_m;
     body.margin_m = space * SPACE_PER_LENGTH * fish->length_m;
@@ -61,7 +63,8 @@ void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_co
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
 {
-    if (advice->kind != MEET_NONE && (kept->kind == MEET_NONE || advice->contact_s < kept->contact_s)) {
+    if (advice->kind != MEET_NONE &&
+        (kept->kind == MEET_NONE || advice->contact_s < kept->contact_s)) {
         *kept = *advice;
     }
 }
@@ -128,7 +131,8 @@ static void meet_range(struct crowd *crowd, uint32_t k, uint32_t from, uint32_t 
 }
 
 /* Half of the 3 x 3 cells: the rest of its own, the one to the right, the three of the next row. */
-static void meet_cell(struct crowd *crowd, uint32_t column, uint32_t row, uint32_t seed, uint32_t second)
+static void meet_cell(struct crowd *crowd, uint32_t column, uint32_t row, uint32_t seed,
+                      uint32_t second)
 {
     const struct grid *grid = &crowd->grid;
     const uint32_t cell = row * grid->columns + column;
@@ -168,7 +172,8 @@ void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t s
 
 static void keep_inside(struct crowd_body *body, const struct tank_bounds *bounds)
 {
-    const vec3 low = v3_add(bounds->low_m, body->extent_m), high = v3_sub(bounds->high_m, body->extent_m);
+    const vec3 low = v3_add(bounds->low_m, body->extent_m),
+               high = v3_sub(bounds->high_m, body->extent_m);
     vec3 *p = &body->box.centre_m;
     p->x = f_clamp(p->x, low.x, high.x);
     p->z = f_clamp(p->z, low.z, high.z);
@@ -178,16 +183,19 @@ static void keep_inside(struct crowd_body *body, const struct tank_bounds *bound
     }
 }
 
-/* A stack of fish that fills the water from floor to surface cannot be parted upward: it topples. */
+/* A stack of fish that fills the water from floor to surface cannot be parted upward: it topples.
+ */
 static vec3 topple(const struct crowd_body *a, const struct crowd_body *b, vec3 axis)
 {
     vec3 aside = v3_sub(b->box.centre_m, a->box.centre_m);
     aside.y = 0.0f;
-    return v3_normalize_or(v3_mad(v3_scale(axis, 0.5f), v3_normalize_or(aside, a->box.axes.right), 1.0f), axis);
+    return v3_normalize_or(
+        v3_mad(v3_scale(axis, 0.5f), v3_normalize_or(aside, a->box.axes.right), 1.0f), axis);
 }
 
 /* Whether the pair had to be parted. */
-static int part_pair(struct crowd_body *a, struct crowd_body *b, const struct tank_bounds *bounds, int round)
+static int part_pair(struct crowd_body *a, struct crowd_body *b, const struct tank_bounds *bounds,
+                     int round)
 {
     struct box_gap gap = box_gap(&a->box, SKIN_M, &b->box, SKIN_M);
     if (gap.space_m > 0.0f || gap.body_m >= 0.0f) {
@@ -223,15 +231,15 @@ static void clear_obstacles(struct crowd_body *body, const struct tank_bounds *b
 
 /* A body beside an obstacle must not be shoved into it. */
 static void clear_if_beside(struct crowd_body *body, const struct tank_bounds *bounds,
-                          const struct obstacle *obstacles, uint32_t obstacle_count)
+                            const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     if (body->beside) {
         clear_obstacles(body, bounds, obstacles, obstacle_count);
     }
 }
 
-void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds, const struct obstacle *obstacles,
-                 uint32_t obstacle_count)
+void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds,
+                 const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     for (uint32_t i = 0; i < crowd->count; i++) {
         struct crowd_body *body = &crowd->body[i];
@@ -244,8 +252,8 @@ void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds, const st
     }
 }
 
-void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds, const struct obstacle *obstacles,
-                uint32_t obstacle_count)
+void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds,
+                const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     uint32_t parted = 1;
     for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {

@@ -9,8 +9,9 @@
 #include "core/tank/grid.h"
 #include "core/tank/obstacle.h"
 
-#define CROWD_CONTACT_MAX (4u * GRID_FISH_MAX) /* 1.4 overlap a fish at the thesis' density. Further
-                                                  ones wait for the next tick. */
+#define CROWD_CONTACT_MAX                                                                          \
+    (4u * GRID_FISH_MAX) /* 1.4 overlap a fish at the thesis' density. Further                     \
+                            ones wait for the next tick. */
 
 /* Inner faces that bodies keep within. */
 struct tank_bounds {
@@ -18,20 +19,20 @@ struct tank_bounds {
 };
 
 struct crowd_body {
-    vec3 centre_m;     /* First, so that the grid can stride over it. As box.centre_m at the start. */
-    float reach_m;     /* Radius of the ball that holds the personal space. */
-    float slab_m;      /* Half the height of the upright box that holds it. */
-    float margin_m;    /* Personal space beyond the body. */
+    vec3 centre_m;  /* First, so that the grid can stride over it. As box.centre_m at the start. */
+    float reach_m;  /* Radius of the ball that holds the personal space. */
+    float slab_m;   /* Half the height of the upright box that holds it. */
+    float margin_m; /* Personal space beyond the body. */
     struct box box;
-    vec3 extent_m;     /* Half of the body's upright box. */
+    vec3 extent_m; /* Half of the body's upright box. */
     vec3 forward;
     float speed_m_s;
     struct avoid_advice advice;
     float brake, room; /* As in struct fish. */
     vec3 push_m_s;
-    uint16_t fish;     /* Index in the tank. */
-    uint8_t airborne;  /* Above the surface: the surface does not hold it. */
-    uint8_t beside;    /* An obstacle is in reach. */
+    uint16_t fish;    /* Index in the tank. */
+    uint8_t airborne; /* Above the surface: the surface does not hold it. */
+    uint8_t beside;   /* An obstacle is in reach. */
 };
 
 /* What the pair search reads of a body, in the order of the cells. */
@@ -55,15 +56,15 @@ void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_co
 
 /* First of all moves bodies out of obstacles and within bounds, so that the search sees where they
  * really are. */
-void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds, const struct obstacle *obstacles,
-                 uint32_t obstacle_count);
+void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds,
+                 const struct obstacle *obstacles, uint32_t obstacle_count);
 
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
  * near, lists those that touch. */
 void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t second);
 
-/* Moves bodies until they overlap neither each other nor obstacles, as far as some rounds can. Walls,
- * floor and surface have the last word and always hold. */
+/* Moves bodies until they overlap neither each other nor obstacles, as far as some rounds can.
+ * Walls, floor and surface have the last word and always hold. */
 void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds,
                 const struct obstacle *obstacles, uint32_t obstacle_count);
 

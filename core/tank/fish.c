@@ -32,10 +32,10 @@ uint64_t fish_hash_quick(uint64_t hash, const struct fish *fish)
 uint64_t fish_hash(uint64_t hash, const struct fish *fish)
 {
     const float values[] = {
-        fish->speed_m_s,    fish->climb_m_s,    fish->yaw_rate_rad_s, fish->age_days,
-        fish->length_m,     fish->stamina,      fish->tail_phase_rad, fish->tail_beat_hz,
+        fish->speed_m_s,      fish->climb_m_s,  fish->yaw_rate_rad_s, fish->age_days,
+        fish->length_m,       fish->stamina,    fish->tail_phase_rad, fish->tail_beat_hz,
         fish->tail_amplitude, fish->bend_rad,   fish->gait_left_s,    fish->heading_rad,
-        fish->avoid_left_s, fish->avoid_turn,   fish->brake,          fish->depth_goal_m,
+        fish->avoid_left_s,   fish->avoid_turn, fish->brake,          fish->depth_goal_m,
         fish->alarm,          fish->room,
     };
     hash = fish_hash_quick(hash, fish);

@@ -34,16 +34,16 @@ struct fish {
     vec3 position_m;   /* Centre of the body box, world. */
     vec3 velocity_m_s; /* World; true motion of the last tick, pushes included. */
     struct angles angles;
-    float speed_m_s;   /* Along the nose, by its own fins, >= 0. */
-    float climb_m_s;   /* Up, by swim bladder, fins and pitch. */
+    float speed_m_s; /* Along the nose, by its own fins, >= 0. */
+    float climb_m_s; /* Up, by swim bladder, fins and pitch. */
     float yaw_rate_rad_s;
-    vec3 push_m_s;     /* Neighbours' nearness pushes it so (the thesis' repulsion). */
+    vec3 push_m_s; /* Neighbours' nearness pushes it so (the thesis' repulsion). */
     float age_days;
-    float length_m;    /* Total length; from the growth curve at `age_days`. */
-    float stamina;     /* [0, 1]; 0 is exhausted. */
+    float length_m; /* Total length; from the growth curve at `age_days`. */
+    float stamina;  /* [0, 1]; 0 is exhausted. */
     float tail_phase_rad, tail_beat_hz, tail_amplitude;
     float bend_rad;
-    uint32_t look;     /* Random bits for the renderer. */
+    uint32_t look; /* Random bits for the renderer. */
 
     uint8_t gait;      /* enum fish_gait */
     uint8_t avoiding;  /* enum fish_avoiding */
@@ -51,11 +51,11 @@ struct fish {
     float gait_left_s; /* Until the next choice of gait. */
     float heading_rad; /* Yaw it turns toward, at a bounded rate. */
     float avoid_left_s;
-    float avoid_turn;  /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
-    float brake;       /* [0, 1] of its speed that a fish ahead leaves it. */
-    float room;        /* [0, 1] of its turning rate that bodies at its sides leave it. */
+    float avoid_turn;   /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
+    float brake;        /* [0, 1] of its speed that a fish ahead leaves it. */
+    float room;         /* [0, 1] of its turning rate that bodies at its sides leave it. */
     float depth_goal_m; /* Wanted y, < 0. */
-    float alarm;       /* [0, 1] fright that the poi left behind; fades. */
+    float alarm;        /* [0, 1] fright that the poi left behind; fades. */
 };
 
 /* Whether this module moves it: not held by a poi, not in a bowl. */

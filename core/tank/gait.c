@@ -35,9 +35,9 @@ struct gait_chance gait_chance(float stamina)
     }
     const float tired = 1.0f - stamina;
     return (struct gait_chance){
-        .burst = 0.1f - tired / 10.0f,                           /* eq. 3.1 */
-        .swim = 0.5f - 2.0f * tired / 5.0f,                      /* eq. 3.2 */
-        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f,      /* eq. 3.3 */
+        .burst = 0.1f - tired / 10.0f,                      /* eq. 3.1 */
+        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* eq. 3.2 */
+        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* eq. 3.3 */
     };
 }
 
@@ -49,7 +49,10 @@ static struct rng_key key(struct gait_luck luck, enum rng_purpose purpose)
 float gait_depth_m(float stamina, float water_depth_m)
 {
     /* 18, 13, 8 and 3 cm of the thesis' 20 cm. */
-    const float share = stamina >= 0.75f ? 0.90f : stamina >= 0.50f ? 0.65f : stamina >= 0.25f ? 0.40f : 0.15f;
+    const float share = stamina >= 0.75f   ? 0.90f
+                        : stamina >= 0.50f ? 0.65f
+                        : stamina >= 0.25f ? 0.40f
+                                           : 0.15f;
     return -share * water_depth_m;
 }
 
@@ -71,7 +74,8 @@ void gait_enter(struct fish *fish, enum fish_gait gait, struct gait_luck luck, f
     const float spread = 0.13f * water_depth_m * rng_normal(key(luck, RNG_FISH_DEPTH));
     const float margin_m = 0.6f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
     fish->gait = (uint8_t)gait;
-    fish->gait_left_s = gait == GAIT_BURST ? rng_range(time, 1.0f, 3.0f) : rng_range(time, 5.0f, 20.0f);
+    fish->gait_left_s =
+        gait == GAIT_BURST ? rng_range(time, 1.0f, 3.0f) : rng_range(time, 5.0f, 20.0f);
     fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck));
     fish->depth_goal_m = f_clamp(gait_depth_m(fish->stamina, water_depth_m) + spread,
                                  margin_m - water_depth_m, -margin_m);
@@ -81,7 +85,7 @@ static void choose(struct fish *fish, struct gait_luck luck, float water_depth_m
 {
     const struct gait_chance chance = gait_chance(fish->stamina);
     const float draw = rng_unit(key(luck, RNG_FISH_GAIT));
-    const enum fish_gait gait = draw < chance.burst                ? GAIT_BURST
+    const enum fish_gait gait = draw < chance.burst                 ? GAIT_BURST
                                 : draw < chance.burst + chance.swim ? GAIT_SWIM
                                                                     : GAIT_REST;
     gait_enter(fish, gait, luck, water_depth_m);
@@ -149,7 +153,8 @@ int gait_beats(const struct fish *fish, uint32_t tick)
 
 float gait_speed_m_s(const struct fish *fish, uint32_t tick)
 {
-    const float able = fish->length_m * (0.8f + 0.2f * fish->stamina); /* Section 3.3, h = H / 100. */
+    const float able =
+        fish->length_m * (0.8f + 0.2f * fish->stamina); /* Section 3.3, h = H / 100. */
     const int beats = gait_beats(fish, tick);
     const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
     switch (fish->gait) {

@@ -1,6 +1,7 @@
 /* gait.h -- burst, swim or rest: what a fish does next, for how long, and what it costs.
  *
- * The 2013 thesis, sections 3.2 and 3.3, with stamina h in [0, 1] where the thesis counts 0 .. 100. */
+ * The 2013 thesis, sections 3.2 and 3.3, with stamina h in [0, 1] where the thesis counts 0 .. 100.
+ */
 #ifndef KINGYO_CORE_TANK_GAIT_H
 #define KINGYO_CORE_TANK_GAIT_H
 
@@ -38,7 +39,8 @@ float gait_run_up_s(float length_m);
 /* Whether its tail drives (else it glides): koi and goldfish beat and coast in turn. */
 int gait_beats(const struct fish *fish, uint32_t tick);
 
-/* Wanted y for a stamina, < 0: lively fish keep low (section 3.6). Bands are fractions of the depth. */
+/* Wanted y for a stamina, < 0: lively fish keep low (section 3.6). Bands are fractions of the
+ * depth. */
 float gait_depth_m(float stamina, float water_depth_m);
 
 #endif

@@ -61,7 +61,8 @@ void grid_fill(struct grid *grid, const vec3 *first, uint32_t stride, uint32_t c
     for (uint32_t c = 1; c <= cell_count; c++) {
         grid->start[c] = (uint16_t)(grid->start[c] + grid->start[c - 1u]);
     }
-    /* Each start is now its cell's end; filling from the back leaves it at the beginning, in order. */
+    /* Each start is now its cell's end; filling from the back leaves it at the beginning, in order.
+     */
     for (uint32_t i = count; i-- > 0;) {
         grid->item[--grid->start[cell_of[i]]] = (uint16_t)i;
     }

@@ -1,7 +1,7 @@
 /* grid.h -- finds every pair of fish that are near each other, without looking at all pairs.
  *
- * A uniform grid over the tank's floor plan, rebuilt by counting sort each tick. With a cell side of
- * at least the reach asked for, the 3 x 3 cells around a fish hold all its neighbours. */
+ * A uniform grid over the tank's floor plan, rebuilt by counting sort each tick. With a cell side
+ * of at least the reach asked for, the 3 x 3 cells around a fish hold all its neighbours. */
 #ifndef KINGYO_CORE_TANK_GRID_H
 #define KINGYO_CORE_TANK_GRID_H
 
@@ -13,17 +13,19 @@
 #define GRID_CELL_MAX 2048u /* A 2 m x 2 m tank at the smallest reach offered. */
 
 struct grid {
-    float cell_m;            /* Side of a cell. */
+    float cell_m; /* Side of a cell. */
     float origin_x_m, origin_z_m;
-    uint32_t columns, rows;  /* columns * rows <= GRID_CELL_MAX */
-    uint16_t start[GRID_CELL_MAX + 1u]; /* Members of cell c: item[start[c]] .. item[start[c+1]-1]. */
+    uint32_t columns, rows; /* columns * rows <= GRID_CELL_MAX */
+    uint16_t
+        start[GRID_CELL_MAX + 1u]; /* Members of cell c: item[start[c]] .. item[start[c+1]-1]. */
     uint16_t item[GRID_FISH_MAX];
 };
 
 /* Lays cells of side >= `reach_m` over a floor plan; larger where GRID_CELL_MAX would not do. */
 void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m);
 
-/* Sorts `count` <= GRID_FISH_MAX points, `stride` bytes apart, into cells; outliers to the border. */
+/* Sorts `count` <= GRID_FISH_MAX points, `stride` bytes apart, into cells; outliers to the border.
+ */
 void grid_fill(struct grid *grid, const vec3 *first, uint32_t stride, uint32_t count);
 
 /* The cell of a point, clamped to the plan. */

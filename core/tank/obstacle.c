@@ -5,14 +5,14 @@
 
 #define FRIGHT_SPEED_M_S 0.15f
 #define FRIGHT_RANGE_M 0.08f
-#define FRIGHT_TIME_S 0.12f     /* For an alarm of 1 by a disc at twice the speed, at touch. */
+#define FRIGHT_TIME_S 0.12f /* For an alarm of 1 by a disc at twice the speed, at touch. */
 #define FRIGHT_FACTOR_MAX 3.0f
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
-#define SHOVE_M 0.01f           /* Other bodies may shove one so far in a tick. */
-#define STILL_M_S 0.01f         /* A disc slower than this is a leaf. */
+#define SHOVE_M 0.01f   /* Other bodies may shove one so far in a tick. */
+#define STILL_M_S 0.01f /* A disc slower than this is a leaf. */
 #define AXIS_STEPS 4
-#define AXIS_SAMPLES 5          /* Points along a fish that are tried against a curved hull. */
+#define AXIS_SAMPLES 5 /* Points along a fish that are tried against a curved hull. */
 
 static vec3 axis_point(const struct box *box, int sample)
 {
@@ -29,8 +29,8 @@ static vec3 nearest_on_ring(const struct obstacle *ring, vec3 point_m, float mid
     return v3_mad(ring->centre_m, out, middle_m);
 }
 
-/* The ring's point that is nearest to the fish's axis: the best of some samples, then drawn closer by
- * projecting from ring to axis and back. */
+/* The ring's point that is nearest to the fish's axis: the best of some samples, then drawn closer
+ * by projecting from ring to axis and back. */
 static vec3 nearest_to_axis(const struct obstacle *ring, const struct box *box, float middle_m)
 {
     vec3 nearest = { 0.0f, 0.0f, 0.0f };
@@ -67,7 +67,8 @@ static vec3 clear_ring(const struct obstacle *ring, const struct box *box)
 /* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is good near its skin. */
 static vec3 clear_hull(const struct obstacle *bowl, const struct box *box)
 {
-    const float wide = 1.0f / (bowl->radius_m * bowl->radius_m), deep = 1.0f / (bowl->depth_m * bowl->depth_m);
+    const float wide = 1.0f / (bowl->radius_m * bowl->radius_m),
+                deep = 1.0f / (bowl->depth_m * bowl->depth_m);
     vec3 move = { 0.0f, 0.0f, 0.0f };
     for (int sample = 0; sample < AXIS_SAMPLES; sample++) {
         const vec3 p = v3_sub(v3_add(axis_point(box, sample), move), bowl->centre_m);
@@ -109,7 +110,8 @@ float obstacle_alarm(const struct obstacle *disc, vec3 position_m)
 {
     const float distance_m = obstacle_disc_distance_m(disc, position_m);
     const float speed_m_s = v3_length(disc->velocity_m_s);
-    if (disc->kind != OBSTACLE_DISC || distance_m > FRIGHT_RANGE_M || speed_m_s < FRIGHT_SPEED_M_S) {
+    if (disc->kind != OBSTACLE_DISC || distance_m > FRIGHT_RANGE_M ||
+        speed_m_s < FRIGHT_SPEED_M_S) {
         return 0.0f;
     }
     /* What looms frightens most; what rushes past, half as much; in the air above, a quarter. */

@@ -13,12 +13,12 @@ enum obstacle_kind {
 
 /* What fish must swim round this tick. The poi and the bowls describe themselves this way. */
 struct obstacle {
-    uint8_t kind;      /* enum obstacle_kind */
+    uint8_t kind; /* enum obstacle_kind */
     vec3 centre_m;
-    vec3 normal;       /* Unit; a disc's up. */
+    vec3 normal; /* Unit; a disc's up. */
     vec3 velocity_m_s;
-    float radius_m;    /* Outer. */
-    float depth_m;     /* Of a bowl's hull below its mouth. */
+    float radius_m; /* Outer. */
+    float depth_m;  /* Of a bowl's hull below its mouth. */
 };
 
 /* A disc's ring is a torus of this thickness; the sheet inside it is the poi's own business. */

@@ -14,13 +14,13 @@ enum tank_preset_id {
 
 struct tank_preset {
     const char *name;
-    vec3 size_m;               /* Inner width (x), water depth (y), breadth (z). */
-    float wall_height_m;       /* Floor to rim. */
+    vec3 size_m;         /* Inner width (x), water depth (y), breadth (z). */
+    float wall_height_m; /* Floor to rim. */
     uint32_t fish_count;
     float age_days_min, age_days_max; /* The density of ages falls toward the old as 1 / sqrt: most
                                          of a stall's fish are this summer's. */
     float stamina_min, stamina_max;   /* [0, 1] at the start, uniform. */
-    vec3 bowl_m;               /* Mouth centre of the first player's bowl. */
+    vec3 bowl_m;                      /* Mouth centre of the first player's bowl. */
     struct view view;
 };
 

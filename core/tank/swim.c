@@ -14,14 +14,14 @@
 #define TURN_RATE_BURST (360.0f * F_DEG)
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG) /* A C-start turns 100 degrees in 60 to 80 ms. */
 
-#define WANDER_TICKS 108u               /* A new whim each 0.9 s ... */
-#define WANDER_RATE (28.0f * F_DEG)     /* ... of so many radians a second, one deviation. */
+#define WANDER_TICKS 108u           /* A new whim each 0.9 s ... */
+#define WANDER_RATE (28.0f * F_DEG) /* ... of so many radians a second, one deviation. */
 
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-#define BRAKE_TAU_S 0.08f               /* With spread pectorals. */
-#define GLIDE_TAU_S 0.55f               /* Koi: drag while gliding is a quarter of that in a burst. */
+#define BRAKE_TAU_S 0.08f /* With spread pectorals. */
+#define GLIDE_TAU_S 0.55f /* Koi: drag while gliding is a quarter of that in a burst. */
 
 static float ease(float from, float to, float tau_s)
 {
@@ -121,7 +121,8 @@ static void climb(struct fish *fish)
     fish->climb_m_s = ease(fish->climb_m_s, wanted, 0.35f);
     /* The nose follows the course; a fish that hangs still hardly tilts. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
-    fish->angles.pitch_rad = ease(fish->angles.pitch_rad, f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX), 0.3f);
+    fish->angles.pitch_rad =
+        ease(fish->angles.pitch_rad, f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX), 0.3f);
 }
 
 void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
@@ -130,8 +131,10 @@ void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
     climb(fish);
     const float goal_m_s = speed_goal_m_s * (fish->gait == GAIT_ESCAPE ? 1.0f : fish->brake);
     const float start_tau_s = fish->gait == GAIT_ESCAPE ? 0.03f : run_up_s;
-    const float glide_tau_s = fish->gait == GAIT_ESCAPE ? 0.25f : f_lerp(BRAKE_TAU_S, GLIDE_TAU_S, fish->brake);
-    fish->speed_m_s = ease(fish->speed_m_s, goal_m_s, goal_m_s > fish->speed_m_s ? start_tau_s : glide_tau_s);
+    const float glide_tau_s =
+        fish->gait == GAIT_ESCAPE ? 0.25f : f_lerp(BRAKE_TAU_S, GLIDE_TAU_S, fish->brake);
+    fish->speed_m_s =
+        ease(fish->speed_m_s, goal_m_s, goal_m_s > fish->speed_m_s ? start_tau_s : glide_tau_s);
     const vec3 flat = v3(-f_sin(fish->angles.yaw_rad), 0.0f, -f_cos(fish->angles.yaw_rad));
     vec3 velocity = v3_add(v3_scale(flat, fish->speed_m_s), fish->push_m_s);
     velocity.y += fish->climb_m_s;
@@ -166,7 +169,8 @@ int swim_fall(struct fish *fish)
 /* Bainbridge 1958 and its low-speed end: f = U / 0.6 L up to 4 L/s, 4/3 (U / L + 1) above. */
 static float beat_hz(float lengths_per_s)
 {
-    return lengths_per_s < 4.0f ? f_max(0.5f, lengths_per_s / 0.6f) : 4.0f / 3.0f * (lengths_per_s + 1.0f);
+    return lengths_per_s < 4.0f ? f_max(0.5f, lengths_per_s / 0.6f)
+                                : 4.0f / 3.0f * (lengths_per_s + 1.0f);
 }
 
 /* The stroke widens up to 5 Hz and then keeps its width; a glide lets the tail trail. */
@@ -178,24 +182,24 @@ static float stroke(float hz, int beats)
 }
 
 /* A fish that runs into something does not go on swimming at it. */
-static void lose_blocked_speed(struct fish *fish)
+static void lose_blocked_speed(struct fish *fish, vec3 forward)
 {
-    const vec3 flat = v3(-f_sin(fish->angles.yaw_rad), 0.0f, -f_cos(fish->angles.yaw_rad));
+    const vec3 flat = v3_normalize_or(v3(forward.x, 0.0f, forward.z), forward);
     const float true_m_s = f_max(0.0f, v3_dot(v3_sub(fish->velocity_m_s, fish->push_m_s), flat));
     if (true_m_s < fish->speed_m_s) {
         fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, 0.25f);
     }
 }
 
-void swim_settle(struct fish *fish, vec3 moved_m, int beats)
+void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward, int beats)
 {
     fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
-    lose_blocked_speed(fish);
+    lose_blocked_speed(fish, forward);
     const float along_m_s = v3_length(v3_sub(fish->velocity_m_s, v3_scale(fish->push_m_s, 0.5f)));
     const float hz = beat_hz(along_m_s / fish->length_m);
     fish->tail_beat_hz = ease(fish->tail_beat_hz, hz, fish->gait == GAIT_ESCAPE ? 0.03f : 0.15f);
-    fish->tail_amplitude =
-        ease(fish->tail_amplitude, stroke(fish->tail_beat_hz, beats), fish->gait == GAIT_ESCAPE ? 0.03f : 0.2f);
+    fish->tail_amplitude = ease(fish->tail_amplitude, stroke(fish->tail_beat_hz, beats),
+                                fish->gait == GAIT_ESCAPE ? 0.03f : 0.2f);
     const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
     fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
     /* In a left turn the tail lies to the left, along the arc behind it. */

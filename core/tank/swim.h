@@ -23,15 +23,16 @@ void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, vec3 size_
 /* Bends the heading along the surfaces and a little away from them. */
 void swim_shun_turn(struct fish *fish, const struct swim_shun *shun);
 
-/* Turns, speeds up or glides, climbs, and moves one tick. `speed_goal_m_s` is what the gait asks. */
+/* Turns, speeds up or glides, climbs, and moves one tick. `speed_goal_m_s` is what the gait asks.
+ */
 void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s);
 
 /* A fish out of the water (dropped from a poi): falls, and gets away once it is in. Returns whether
  * it was in the air. */
 int swim_fall(struct fish *fish);
 
-/* After pushes: true velocity from the true move, then tail and body follow it. `beats` is 0 while
- * it glides. */
-void swim_settle(struct fish *fish, vec3 moved_m, int beats);
+/* After pushes: true velocity from the true move, then tail and body follow it. `forward` is along
+ * the nose; `beats` is 0 while it glides. */
+void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward, int beats);
 
 #endif

@@ -9,12 +9,13 @@
 #include "core/tank/gait.h"
 #include "core/tank/swim.h"
 
-#define PLACE_TRIES 12u   /* For a spot clear of the bowl; then any will do. */
+#define PLACE_TRIES 12u /* For a spot clear of the bowl; then any will do. */
 #define START_ROUNDS_MAX 200u
 #define ALARM_FADE_PER_S 0.6f
 #define ALARM_START_MIN 0.45f /* The timid start at this alarm, the bold at 0.9. */
 #define PUSH_SHARE 0.10f      /* A tick: pushes come and go within a twelfth of a second. */
-#define HULL_SHUN_DEPTH_M 0.01f /* A fish that passes deeper below a bowl than this need not turn. */
+#define HULL_SHUN_DEPTH_M                                                                          \
+    0.01f /* A fish that passes deeper below a bowl than this need not turn. */
 
 static struct tank_bounds tank_bounds(const struct tank *tank)
 {
@@ -57,7 +58,8 @@ static struct fish hatch(const struct tank *tank, const struct tank_preset *pres
     fish.stamina = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_STAMINA },
                              preset->stamina_min, preset->stamina_max);
     fish.position_m = place(tank, &fish, index, preset->bowl_m);
-    fish.angles.yaw_rad = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
+    fish.angles.yaw_rad =
+        rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
     fish.heading_rad = fish.angles.yaw_rad;
     fish.brake = 1.0f;
     fish.room = 1.0f;
@@ -120,13 +122,15 @@ static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const str
     if (fish->position_m.y + half_m < bottom_m - HULL_SHUN_DEPTH_M) {
         return;
     }
-    const vec3 to = v3(bowl->centre_m.x - fish->position_m.x, 0.0f, bowl->centre_m.z - fish->position_m.z);
+    const vec3 to =
+        v3(bowl->centre_m.x - fish->position_m.x, 0.0f, bowl->centre_m.z - fish->position_m.z);
     const vec3 normal = v3_normalize_or(to, v3(1.0f, 0.0f, 0.0f));
     swim_shun_add(shun, fish, normal, v3_length(to) - bowl->radius_m);
 }
 
 /* Turns away from walls and bowls. */
-static void shun(struct fish *fish, vec3 size_m, const struct obstacle *obstacles, uint32_t obstacle_count)
+static void shun(struct fish *fish, vec3 size_m, const struct obstacle *obstacles,
+                 uint32_t obstacle_count)
 {
     struct swim_shun all = { 0 };
     swim_shun_walls(&all, fish, size_m);
@@ -179,8 +183,10 @@ static void settle(struct tank *tank, uint32_t tick, const vec3 *before)
         const struct crowd_body *body = &tank->crowd.body[i];
         struct fish *fish = &tank->fish[body->fish];
         fish->position_m = body->box.centre_m;
-        fish->push_m_s = v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
-        swim_settle(fish, v3_sub(fish->position_m, before[body->fish]), gait_beats(fish, tick));
+        fish->push_m_s =
+            v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
+        swim_settle(fish, v3_sub(fish->position_m, before[body->fish]), body->forward,
+                    gait_beats(fish, tick));
         fish->room = f_min(body->room, fish->room + 2.0f * CORE_TICK_S);
         if (fish->gait != GAIT_ESCAPE) {
             avoid_tick(fish, &body->advice, body->brake, tank->size_m.y);
@@ -202,7 +208,8 @@ static void drip(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, point, 0.025f, rng_range(size, 0.0001f, 0.0006f));
 }
 
-void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacles, uint32_t obstacle_count)
+void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacles,
+               uint32_t obstacle_count)
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     vec3 before[TANK_FISH_MAX];

@@ -20,12 +20,12 @@ _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
 
 struct tank {
     uint32_t seed;
-    uint8_t preset;    /* enum tank_preset_id */
+    uint8_t preset; /* enum tank_preset_id */
     vec3 size_m;
     float wall_height_m;
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
-    float space;       /* [0.2, 1] of full personal space that this crowd leaves; fixed at the start. */
+    float space; /* [0.2, 1] of full personal space that this crowd leaves; fixed at the start. */
     struct water water;
     struct crowd crowd; /* Rebuilt each tick; scratch that no hash covers. */
 };

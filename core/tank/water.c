@@ -9,11 +9,11 @@
 
 #define WAVE_SPEED_M_S 0.23f
 #define STEP_S (1.0f / 60.0f)
-#define WAVE_KEEP 0.986f       /* Of the velocity a step: waves fade in about a second. */
-#define LEVEL_KEEP 0.9985f     /* Of the height a step: the level comes back to 0. */
-#define COURANT_MAX 0.45f      /* (c dt / dx)^2 along each axis; the scheme diverges at 0.5 + 0.5. */
-#define HEIGHT_MAX_M 0.02f     /* Higher waves would leave a tank that stands 6 cm above the water. */
-#define SLOPE_SCALE 508.0f     /* scene.h: +-127 is +-0.25. */
+#define WAVE_KEEP 0.986f   /* Of the velocity a step: waves fade in about a second. */
+#define LEVEL_KEEP 0.9985f /* Of the height a step: the level comes back to 0. */
+#define COURANT_MAX 0.45f  /* (c dt / dx)^2 along each axis; the scheme diverges at 0.5 + 0.5. */
+#define HEIGHT_MAX_M 0.02f /* Higher waves would leave a tank that stands 6 cm above the water. */
+#define SLOPE_SCALE 508.0f /* scene.h: +-127 is +-0.25. */
 
 void water_init(struct water *water)
 {
@@ -37,7 +37,8 @@ static struct span span_of(float at, float radius, int32_t count)
     const float low = f_clamp(at - radius, -1.0f, (float)count);
     const float high = f_clamp(at + radius, -1.0f, (float)count);
     const struct span span = { (int32_t)f_floor(low), (int32_t)f_floor(high) };
-    return (struct span){ span.first < 0 ? 0 : span.first, span.last >= count ? count - 1 : span.last };
+    return (struct span){ span.first < 0 ? 0 : span.first,
+                          span.last >= count ? count - 1 : span.last };
 }
 
 /* Both layers move, so the push itself carries no velocity and waves start from rest. */
@@ -47,7 +48,8 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
         return;
     }
     const float dx = size_m.x / (float)RIPPLE_X, dz = size_m.z / (float)RIPPLE_Z;
-    const float reach_m = f_max(radius_m, 1.5f * f_max(dx, dz)); /* No smaller than the grid shows. */
+    const float reach_m =
+        f_max(radius_m, 1.5f * f_max(dx, dz)); /* No smaller than the grid shows. */
     const float at_x = (point_m.x + 0.5f * size_m.x) / dx - 0.5f;
     const float at_z = (point_m.z + 0.5f * size_m.z) / dz - 0.5f;
     const struct span columns = span_of(at_x, reach_m / dx, (int32_t)RIPPLE_X);
@@ -81,8 +83,9 @@ static void step_row(float *restrict next, const float *restrict now, const floa
     /* A wall mirrors the water: the cell beyond it is the cell before it. */
     next[0] = next_height(now[0], next[0],
                           kx * (now[1] - now[0]) + kz * (above[0] - 2.0f * now[0] + below[0]));
-    next[end] = next_height(now[end], next[end], kx * (now[end - 1] - now[end]) +
-                                                     kz * (above[end] - 2.0f * now[end] + below[end]));
+    next[end] = next_height(now[end], next[end],
+                            kx * (now[end - 1] - now[end]) +
+                                kz * (above[end] - 2.0f * now[end] + below[end]));
 }
 
 static float courant(float cell_m)
@@ -112,7 +115,8 @@ static int8_t slope_byte(float slope)
 
 void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2])
 {
-    const float per_x = 0.5f * (float)RIPPLE_X / size_m.x, per_z = 0.5f * (float)RIPPLE_Z / size_m.z;
+    const float per_x = 0.5f * (float)RIPPLE_X / size_m.x,
+                per_z = 0.5f * (float)RIPPLE_Z / size_m.z;
     const float(*height)[RIPPLE_X] = water->height_m[water->newest];
     for (uint32_t row = 0; row < RIPPLE_Z; row++) {
         const float *above = height[row == 0 ? 0 : row - 1u];

@@ -15,7 +15,8 @@
 static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint32_t index)
 {
     return (struct avoid_party){ .position_m = v3(0.01f * x_cm, -0.06f, 0.01f * z_cm),
-                                 .forward = v3(-f_sin(yaw_deg * F_DEG), 0.0f, -f_cos(yaw_deg * F_DEG)),
+                                 .forward =
+                                     v3(-f_sin(yaw_deg * F_DEG), 0.0f, -f_cos(yaw_deg * F_DEG)),
                                  .speed_m_s = 0.05f,
                                  .length_m = 0.05f,
                                  .index = index };
@@ -126,7 +127,9 @@ static void test_nobody_dives_into_the_floor_or_climbs_into_the_air(void **state
     avoid_tick(&fish, &advice, 1.0f, WATER_M);
     assert_int_equal(fish.avoiding, AVOID_PITCH);
     assert_true(fish.avoid_turn > 0.0f);
-    fish = (struct fish){ .length_m = 0.05f, .position_m = { 0.0f, -0.012f, 0.0f }, .avoiding = AVOID_YAW };
+    fish = (struct fish){ .length_m = 0.05f,
+                          .position_m = { 0.0f, -0.012f, 0.0f },
+                          .avoiding = AVOID_YAW };
     advice.rise = 1.0f;
     avoid_tick(&fish, &advice, 1.0f, WATER_M);
     assert_true(fish.avoid_turn < 0.0f);

@@ -25,8 +25,9 @@ static struct box level_box(vec3 centre, float yaw_deg)
 
 static struct box any_box(uint32_t who, float pitch_max)
 {
-    struct box box = level_box(v3(draw(who, 1, -0.03f, 0.03f), draw(who, 2, -0.02f, 0.02f),
-                                  draw(who, 3, -0.03f, 0.03f)), 0.0f);
+    struct box box = level_box(
+        v3(draw(who, 1, -0.03f, 0.03f), draw(who, 2, -0.02f, 0.02f), draw(who, 3, -0.03f, 0.03f)),
+        0.0f);
     box.axes = basis_from_angles((struct angles){ draw(who, 4, -F_PI, F_PI),
                                                   draw(who, 5, -pitch_max, pitch_max),
                                                   draw(who, 6, -pitch_max, pitch_max) });
@@ -36,7 +37,8 @@ static struct box any_box(uint32_t who, float pitch_max)
 static void test_boxes_in_a_row_are_as_far_apart_as_their_faces(void **state)
 {
     (void)state;
-    const struct box a = level_box(v3(0.0f, 0.0f, 0.0f), 0.0f), b = level_box(v3(0.013f, 0.0f, 0.0f), 0.0f);
+    const struct box a = level_box(v3(0.0f, 0.0f, 0.0f), 0.0f),
+                     b = level_box(v3(0.013f, 0.0f, 0.0f), 0.0f);
     const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
     assert_float_equal(gap.body_m, 0.003f, NEAR);
     assert_float_equal(gap.space_m, 0.003f - 0.02f, NEAR);
@@ -47,7 +49,8 @@ static void test_boxes_in_a_row_are_as_far_apart_as_their_faces(void **state)
 static void test_the_axis_points_from_the_first_to_the_second(void **state)
 {
     (void)state;
-    const struct box a = level_box(v3(0.0f, 0.0f, 0.0f), 0.0f), b = level_box(v3(0.0f, -0.018f, 0.0f), 30.0f);
+    const struct box a = level_box(v3(0.0f, 0.0f, 0.0f), 0.0f),
+                     b = level_box(v3(0.0f, -0.018f, 0.0f), 30.0f);
     const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
     assert_float_equal(gap.axis.y, -1.0f, NEAR);
     assert_float_equal(gap.body_m, -0.002f, NEAR);
@@ -91,10 +94,12 @@ static void test_a_common_point_means_an_overlap(void **state)
     for (uint32_t i = 0; i < 4000; i += 2) {
         const struct box a = any_box(i, 0.6f);
         struct box b = any_box(i + 1u, 0.6f);
-        const vec3 in_a = v3(draw(i, 7, -0.9f, 0.9f) * a.half_m.x, draw(i, 8, -0.9f, 0.9f) * a.half_m.y,
-                             draw(i, 9, -0.9f, 0.9f) * a.half_m.z);
-        const vec3 in_b = v3(draw(i, 10, -0.9f, 0.9f) * b.half_m.x, draw(i, 11, -0.9f, 0.9f) * b.half_m.y,
-                             draw(i, 12, -0.9f, 0.9f) * b.half_m.z);
+        const vec3 in_a =
+            v3(draw(i, 7, -0.9f, 0.9f) * a.half_m.x, draw(i, 8, -0.9f, 0.9f) * a.half_m.y,
+               draw(i, 9, -0.9f, 0.9f) * a.half_m.z);
+        const vec3 in_b =
+            v3(draw(i, 10, -0.9f, 0.9f) * b.half_m.x, draw(i, 11, -0.9f, 0.9f) * b.half_m.y,
+               draw(i, 12, -0.9f, 0.9f) * b.half_m.z);
         const vec3 shared = v3_add(a.centre_m, basis_to_world(&a.axes, in_a));
         b.centre_m = v3_sub(shared, basis_to_world(&b.axes, in_b));
         assert_true(box_depth_m(&a, &b) > 0.0f);
@@ -122,7 +127,8 @@ static void test_a_rod_is_cleared_by_the_least_move_across_it(void **state)
     const vec3 up = v3(0.0f, 1.0f, 0.0f), right = v3(1.0f, 0.0f, 0.0f);
     const vec3 beside = box_clear_rod(&box, v3(0.007f, 0.0f, 0.0f), up, 0.003f);
     assert_float_equal(beside.x, -0.001f, NEAR);
-    assert_float_equal(v3_length(box_clear_rod(&box, v3(0.009f, 0.0f, 0.0f), up, 0.003f)), 0.0f, NEAR);
+    assert_float_equal(v3_length(box_clear_rod(&box, v3(0.009f, 0.0f, 0.0f), up, 0.003f)), 0.0f,
+                       NEAR);
     /* A rod right across the fish is left over or under it, not along the rod. */
     const vec3 across = box_clear_rod(&box, v3(0.0f, 0.002f, 0.0f), right, 0.003f);
     assert_float_equal(across.x, 0.0f, NEAR);

@@ -23,7 +23,8 @@ static void fill_at_random(uint32_t count, float pitch_max, float length_max)
 {
     for (uint32_t i = 0; i < count; i++) {
         fish[i] = (struct fish){
-            .position_m = v3(draw(i, 1, -0.65f, 0.65f), draw(i, 2, -0.19f, -0.01f), draw(i, 3, -0.3f, 0.3f)),
+            .position_m =
+                v3(draw(i, 1, -0.65f, 0.65f), draw(i, 2, -0.19f, -0.01f), draw(i, 3, -0.3f, 0.3f)),
             .angles = { draw(i, 4, -F_PI, F_PI), draw(i, 5, -pitch_max, pitch_max), 0.0f },
             .length_m = draw(i, 6, 0.03f, length_max),
         };
@@ -43,7 +44,8 @@ static uint32_t check_against_all_pairs(uint32_t count)
     crowd_gather(&crowd, fish, count, 1.0f);
     crowd_meet(&crowd, tank_m, 1, 0);
     for (uint32_t c = 0; c < crowd.contact_count; c++) {
-        const uint32_t a = crowd.body[crowd.contact[c][0]].fish, b = crowd.body[crowd.contact[c][1]].fish;
+        const uint32_t a = crowd.body[crowd.contact[c][0]].fish,
+                       b = crowd.body[crowd.contact[c][1]].fish;
         assert_int_equal(listed[a][b], 0); /* Once each. */
         listed[a][b] = listed[b][a] = 1;
     }
@@ -75,9 +77,14 @@ static void test_the_grid_finds_pairs_that_lie_across_its_lines(void **state)
     for (uint32_t shift = 0; shift < 40; shift++) {
         for (uint32_t i = 0; i < 12; i += 2) {
             const float x = -0.6f + 0.2f * (float)(i / 2u) + 0.005f * (float)shift;
-            const struct angles left = { 90.0f * F_DEG, 0.0f, 0.0f }, right = { -90.0f * F_DEG, 0.0f, 0.0f };
-            fish[i] = (struct fish){ .position_m = { x, -0.1f, 0.0f }, .angles = right, .length_m = 0.08f };
-            fish[i + 1u] = (struct fish){ .position_m = { x + 0.0795f, -0.1f, 0.0f }, .angles = left, .length_m = 0.08f };
+            const struct angles left = { 90.0f * F_DEG, 0.0f, 0.0f },
+                                right = { -90.0f * F_DEG, 0.0f, 0.0f };
+            fish[i] = (struct fish){ .position_m = { x, -0.1f, 0.0f },
+                                     .angles = right,
+                                     .length_m = 0.08f };
+            fish[i + 1u] = (struct fish){ .position_m = { x + 0.0795f, -0.1f, 0.0f },
+                                          .angles = left,
+                                          .length_m = 0.08f };
         }
         assert_true(check_against_all_pairs(12) >= 6);
     }
@@ -88,7 +95,8 @@ static void test_all_fish_in_one_corner_are_still_found(void **state)
     (void)state;
     fill_at_random(120, 0.5f, 0.05f);
     for (uint32_t i = 0; i < 120; i++) {
-        fish[i].position_m = v3(draw(i, 7, 0.60f, 0.67f), draw(i, 8, -0.15f, -0.05f), draw(i, 9, 0.25f, 0.32f));
+        fish[i].position_m =
+            v3(draw(i, 7, 0.60f, 0.67f), draw(i, 8, -0.15f, -0.05f), draw(i, 9, 0.25f, 0.32f));
     }
     assert_true(check_against_all_pairs(120) > 500);
 }
@@ -138,7 +146,8 @@ static void test_the_larger_of_two_gives_way_less(void **state)
     crowd_gather(&crowd, fish, 2, 1.0f);
     crowd_meet(&crowd, tank_m, 1, 0);
     crowd_part(&crowd, &bounds, 0, 0);
-    const float large_m = -crowd.body[0].box.centre_m.x, small_m = crowd.body[1].box.centre_m.x - 0.009f;
+    const float large_m = -crowd.body[0].box.centre_m.x,
+                small_m = crowd.body[1].box.centre_m.x - 0.009f;
     assert_true(large_m > 0.0f);
     assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* As their masses. */
 }

@@ -58,7 +58,8 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
             if (dx * dx + dz * dz >= reach * reach) {
                 continue;
             }
-            const int32_t a = (int32_t)grid_cell(&grid, points[i]), b = (int32_t)grid_cell(&grid, points[j]);
+            const int32_t a = (int32_t)grid_cell(&grid, points[i]),
+                          b = (int32_t)grid_cell(&grid, points[j]);
             const int32_t columns = (int32_t)grid.columns;
             assert_in_range((uint64_t)(a % columns - b % columns + 1), 0, 2);
             assert_in_range((uint64_t)(a / columns - b / columns + 1), 0, 2);

@@ -12,19 +12,26 @@
 
 static struct obstacle disc_at(vec3 centre, vec3 velocity)
 {
-    return (struct obstacle){ .kind = OBSTACLE_DISC, .centre_m = centre, .normal = { 0.0f, 1.0f, 0.0f },
-                              .velocity_m_s = velocity, .radius_m = 0.0465f };
+    return (struct obstacle){ .kind = OBSTACLE_DISC,
+                              .centre_m = centre,
+                              .normal = { 0.0f, 1.0f, 0.0f },
+                              .velocity_m_s = velocity,
+                              .radius_m = 0.0465f };
 }
 
 static struct obstacle bowl(void)
 {
-    return (struct obstacle){ .kind = OBSTACLE_BOWL, .centre_m = { 0.0f, 0.012f, 0.0f },
-                              .normal = { 0.0f, 1.0f, 0.0f }, .radius_m = 0.075f, .depth_m = 0.055f };
+    return (struct obstacle){ .kind = OBSTACLE_BOWL,
+                              .centre_m = { 0.0f, 0.012f, 0.0f },
+                              .normal = { 0.0f, 1.0f, 0.0f },
+                              .radius_m = 0.075f,
+                              .depth_m = 0.055f };
 }
 
 static struct box fish_at(vec3 position, float yaw_deg)
 {
-    const struct fish fish = { .position_m = position, .length_m = 0.04f,
+    const struct fish fish = { .position_m = position,
+                               .length_m = 0.04f,
                                .angles = { .yaw_rad = yaw_deg * F_DEG } };
     return fish_box(&fish);
 }
@@ -41,7 +48,8 @@ static void test_fish_over_and_under_the_paper_are_left_alone(void **state)
     const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.0f, 0.0f, 0.0f));
     assert_true(push_m(&disc, v3(0.0f, -0.042f, 0.0f), 0.0f) == 0.0f);
     assert_true(push_m(&disc, v3(0.01f, -0.058f, 0.01f), 45.0f) == 0.0f);
-    assert_true(push_m(&disc, v3(0.0f, -0.05f, 0.0f), 0.0f) == 0.0f); /* Through it: not the ring's. */
+    assert_true(push_m(&disc, v3(0.0f, -0.05f, 0.0f), 0.0f) ==
+                0.0f); /* Through it: not the ring's. */
 }
 
 static void test_the_ring_pushes_what_touches_it_until_it_is_clear(void **state)
@@ -111,7 +119,8 @@ static void test_what_looms_frightens_more_than_what_goes_away(void **state)
 {
     (void)state;
     const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.3f, 0.0f, 0.0f));
-    assert_true(obstacle_alarm(&disc, v3(0.07f, -0.05f, 0.0f)) > 1.5f * obstacle_alarm(&disc, v3(-0.07f, -0.05f, 0.0f)));
+    assert_true(obstacle_alarm(&disc, v3(0.07f, -0.05f, 0.0f)) >
+                1.5f * obstacle_alarm(&disc, v3(-0.07f, -0.05f, 0.0f)));
 }
 
 static void test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not(void **state)

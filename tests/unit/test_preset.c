@@ -24,8 +24,10 @@ static void test_its_ages_give_fish_of_three_to_eight_centimetres(void **state)
 {
     (void)state;
     const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
-    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_min), 0.033f, 0.003f);
-    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_max), 0.080f, 0.003f);
+    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_min), 0.033f,
+                       0.003f);
+    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_max), 0.080f,
+                       0.003f);
 }
 
 static void test_the_bowl_floats_inside_the_tank(void **state)

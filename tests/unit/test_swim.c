@@ -12,8 +12,13 @@
 
 static struct fish swimmer(void)
 {
-    return (struct fish){ .length_m = 0.05f, .stamina = 1.0f, .brake = 1.0f, .room = 1.0f, .gait = GAIT_SWIM,
-                          .position_m = { 0.0f, -0.06f, 0.0f }, .depth_goal_m = -0.06f };
+    return (struct fish){ .length_m = 0.05f,
+                          .stamina = 1.0f,
+                          .brake = 1.0f,
+                          .room = 1.0f,
+                          .gait = GAIT_SWIM,
+                          .position_m = { 0.0f, -0.06f, 0.0f },
+                          .depth_goal_m = -0.06f };
 }
 
 static void swim_ticks(struct fish *fish, uint32_t ticks, float speed_m_s)
@@ -21,7 +26,7 @@ static void swim_ticks(struct fish *fish, uint32_t ticks, float speed_m_s)
     for (uint32_t tick = 0; tick < ticks; tick++) {
         const vec3 before = fish->position_m;
         swim_move(fish, speed_m_s, gait_run_up_s(fish->length_m));
-        swim_settle(fish, v3_sub(fish->position_m, before), 1);
+        swim_settle(fish, v3_sub(fish->position_m, before), fish_forward(fish), 1);
     }
 }
 
@@ -59,7 +64,8 @@ static void check_turn(uint8_t gait, float rate_max_deg_s)
     float last_rad = 0.0f;
     for (uint32_t tick = 0; tick < 8 * CORE_TICK_HZ; tick++) {
         swim_ticks(&fish, 1, 0.05f);
-        const float rate = f_abs(f_wrap_angle(fish.angles.yaw_rad - last_rad)) * (float)CORE_TICK_HZ;
+        const float rate =
+            f_abs(f_wrap_angle(fish.angles.yaw_rad - last_rad)) * (float)CORE_TICK_HZ;
         assert_true(rate <= rate_max_deg_s * F_DEG + 1e-3f);
         last_rad = fish.angles.yaw_rad;
     }
@@ -104,7 +110,8 @@ static void check_beat(float lengths_per_s, float hz)
 {
     struct fish fish = swimmer();
     for (uint32_t tick = 0; tick < 3 * CORE_TICK_HZ; tick++) {
-        swim_settle(&fish, v3(0.0f, 0.0f, -lengths_per_s * fish.length_m * CORE_TICK_S), 1);
+        swim_settle(&fish, v3(0.0f, 0.0f, -lengths_per_s * fish.length_m * CORE_TICK_S),
+                    v3(0.0f, 0.0f, -1.0f), 1);
         assert_true(fish.tail_phase_rad >= 0.0f && fish.tail_phase_rad < F_TAU);
     }
     assert_float_equal(fish.tail_beat_hz, hz, 0.01f * hz);
@@ -125,9 +132,9 @@ static void test_a_still_fish_only_sculls_and_an_escape_beats_widest(void **stat
     (void)state;
     struct fish still = swimmer(), cruising = swimmer(), fleeing = swimmer();
     for (uint32_t tick = 0; tick < 2 * CORE_TICK_HZ; tick++) {
-        swim_settle(&still, v3(0.0f, 0.0f, 0.0f), 0);
-        swim_settle(&cruising, v3(0.0f, 0.0f, -0.08f * CORE_TICK_S), 1);
-        swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), 1);
+        swim_settle(&still, v3(0.0f, 0.0f, 0.0f), v3(0.0f, 0.0f, -1.0f), 0);
+        swim_settle(&cruising, v3(0.0f, 0.0f, -0.08f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f), 1);
+        swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f), 1);
     }
     assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
     assert_float_equal(cruising.tail_amplitude, 1.0f, 0.05f);

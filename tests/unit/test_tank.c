@@ -14,7 +14,8 @@
 
 static struct tank tank, twin;
 
-static void run(struct tank *t, uint32_t from, uint32_t ticks, const struct obstacle *obstacles, uint32_t count)
+static void run(struct tank *t, uint32_t from, uint32_t ticks, const struct obstacle *obstacles,
+                uint32_t count)
 {
     for (uint32_t tick = from; tick < from + ticks; tick++) {
         if (tick % 2u == 0) {
@@ -80,29 +81,33 @@ static void test_ten_minutes_leave_every_fish_sane_apart_and_inside(void **state
         for (uint32_t i = 0; i < tank.fish_count; i++) {
             const struct fish *fish = &tank.fish[i];
             check_inside(fish, tank.size_m);
-            assert_true(f_abs(fish->angles.pitch_rad) < 26.0f * F_DEG); /* Nobody stands on its nose. */
-            assert_true(f_abs(fish->yaw_rate_rad_s) < 370.0f * F_DEG);  /* Nobody spins. */
+            assert_true(f_abs(fish->angles.pitch_rad) <
+                        26.0f * F_DEG); /* Nobody stands on its nose. */
+            assert_true(f_abs(fish->yaw_rate_rad_s) < 370.0f * F_DEG); /* Nobody spins. */
             assert_true(fish->tail_phase_rad >= 0.0f && fish->tail_phase_rad < F_TAU);
-            const float gap = f_min(0.425f - f_abs(fish->position_m.x), 0.275f - f_abs(fish->position_m.z));
+            const float gap =
+                f_min(0.425f - f_abs(fish->position_m.x), 0.275f - f_abs(fish->position_m.z));
             near_wall += gap < 0.05f;
             jolts += f_abs(v3_length(fish->velocity_m_s) - fish->speed_m_s) > 0.10f;
-            swim_lengths += fish->gait == GAIT_SWIM ? v3_length(fish->velocity_m_s) / fish->length_m : 0.0f;
+            swim_lengths +=
+                fish->gait == GAIT_SWIM ? v3_length(fish->velocity_m_s) / fish->length_m : 0.0f;
             gaits[fish->gait]++;
             samples++;
         }
     }
     const float all = (float)samples;
-    print_message("deepest overlap %.2f mm, %u of %u pair samples over 0.5 mm\n", (double)(1000.0f * deepest), over,
-                  10u * MINUTE / 40u);
-    print_message("burst %.4f swim %.3f rest %.3f, swimming %.2f lengths/s, near a wall %.3f, jolts %.5f\n",
-                  (double)((float)gaits[GAIT_BURST] / all), (double)((float)gaits[GAIT_SWIM] / all),
-                  (double)((float)gaits[GAIT_REST] / all),
-                  (double)(swim_lengths / (float)gaits[GAIT_SWIM]), (double)((float)near_wall / all),
-                  (double)((float)jolts / all));
+    print_message("deepest overlap %.2f mm, %u of %u pair samples over 0.5 mm\n",
+                  (double)(1000.0f * deepest), over, 10u * MINUTE / 40u);
+    print_message(
+        "burst %.4f swim %.3f rest %.3f, swimming %.2f lengths/s, near a wall %.3f, jolts %.5f\n",
+        (double)((float)gaits[GAIT_BURST] / all), (double)((float)gaits[GAIT_SWIM] / all),
+        (double)((float)gaits[GAIT_REST] / all), (double)(swim_lengths / (float)gaits[GAIT_SWIM]),
+        (double)((float)near_wall / all), (double)((float)jolts / all));
     assert_true(deepest < 0.004f);
     assert_true(over < 40u);
-    assert_true(swim_lengths / (float)gaits[GAIT_SWIM] > 0.5f);    /* No gridlock: over half of 1.05. */
-    assert_float_equal((float)near_wall / all, 0.28f, 0.12f);      /* 0.28 would be even: no pile. */
+    assert_true(swim_lengths / (float)gaits[GAIT_SWIM] >
+                0.5f);                                        /* No gridlock: over half of 1.05. */
+    assert_float_equal((float)near_wall / all, 0.28f, 0.12f); /* 0.28 would be even: no pile. */
     assert_float_equal((float)gaits[GAIT_REST] / all, 0.65f, 0.08f);
     assert_true((float)jolts / all < 0.001f);
 }
@@ -135,8 +140,11 @@ static void test_a_copy_goes_on_as_the_tank_itself_does(void **state)
 
 static struct obstacle disc_at(vec3 centre, vec3 velocity)
 {
-    return (struct obstacle){ .kind = OBSTACLE_DISC, .centre_m = centre, .normal = { 0.0f, 1.0f, 0.0f },
-                              .velocity_m_s = velocity, .radius_m = 0.0465f };
+    return (struct obstacle){ .kind = OBSTACLE_DISC,
+                              .centre_m = centre,
+                              .normal = { 0.0f, 1.0f, 0.0f },
+                              .velocity_m_s = velocity,
+                              .radius_m = 0.0465f };
 }
 
 /* Drags a disc along the tank at half depth; returns how many fish started away. */
@@ -169,8 +177,8 @@ static void test_haste_scatters_fish_and_patience_does_not(void **state)
     (void)state;
     uint32_t near_slow = 0, near_fast = 0;
     const uint32_t slow = drag(0.10f, &near_slow), fast = drag(0.40f, &near_fast);
-    print_message("0.10 m/s: %u escapes, 0.40 m/s: %u; fish within 2 cm %.1f and %.1f\n", slow, fast,
-                  (double)near_slow * 0.1, (double)near_fast * 0.1);
+    print_message("0.10 m/s: %u escapes, 0.40 m/s: %u; fish within 2 cm %.1f and %.1f\n", slow,
+                  fast, (double)near_slow * 0.1, (double)near_fast * 0.1);
     assert_int_equal(slow, 0);
     assert_true(fast >= 10);
 }
@@ -185,7 +193,8 @@ static void test_an_escape_costs_stamina_and_ends_within_a_second(void **state)
     float top_m_s = 0.0f;
     uint32_t tick = 0, fled = 0;
     for (; tick < 2u * CORE_TICK_HZ; tick++) {
-        const struct obstacle disc = disc_at(v3(-0.09f, -0.06f, 0.0f), v3(tick < 30 ? 0.5f : 0.0f, 0.0f, 0.0f));
+        const struct obstacle disc =
+            disc_at(v3(-0.09f, -0.06f, 0.0f), v3(tick < 30 ? 0.5f : 0.0f, 0.0f, 0.0f));
         run(&tank, tick, 1, &disc, 1);
         fled += fish->gait == GAIT_ESCAPE;
         top_m_s = f_max(top_m_s, v3_length(fish->velocity_m_s));
@@ -202,7 +211,8 @@ static void test_held_and_bowl_fish_stay_as_they_are(void **state)
     tank.fish[3].gait = GAIT_HELD;
     tank.fish[4].gait = GAIT_BOWL;
     tank.fish[3].position_m = tank.fish[5].position_m; /* On top of another: must not push it. */
-    const uint64_t held = fish_hash(HASH_START, &tank.fish[3]), bowl = fish_hash(HASH_START, &tank.fish[4]);
+    const uint64_t held = fish_hash(HASH_START, &tank.fish[3]),
+                   bowl = fish_hash(HASH_START, &tank.fish[4]);
     run(&tank, 0, 600, 0, 0);
     assert_true(fish_hash(HASH_START, &tank.fish[3]) == held);
     assert_true(fish_hash(HASH_START, &tank.fish[4]) == bowl);
@@ -217,7 +227,8 @@ static void test_a_fish_that_a_poi_lets_go_falls_in_and_flees(void **state)
     fish->position_m = v3(0.1f, 0.08f, 0.0f);
     fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
     run(&tank, 0, 10, 0, 0);
-    assert_true(fish->position_m.y < 0.08f && fish->position_m.y > 0.0f); /* It falls, it does not jump. */
+    assert_true(fish->position_m.y < 0.08f &&
+                fish->position_m.y > 0.0f); /* It falls, it does not jump. */
     run(&tank, 10, 40, 0, 0);
     assert_int_equal(fish->gait, GAIT_ESCAPE);
     run(&tank, 50, 2u * CORE_TICK_HZ, 0, 0);
@@ -227,8 +238,11 @@ static void test_a_fish_that_a_poi_lets_go_falls_in_and_flees(void **state)
 static void test_no_fish_swims_into_the_bowl(void **state)
 {
     (void)state;
-    const struct obstacle bowl = { .kind = OBSTACLE_BOWL, .centre_m = tank_preset(0)->bowl_m,
-                                   .normal = { 0.0f, 1.0f, 0.0f }, .radius_m = 0.075f, .depth_m = 0.055f };
+    const struct obstacle bowl = { .kind = OBSTACLE_BOWL,
+                                   .centre_m = tank_preset(0)->bowl_m,
+                                   .normal = { 0.0f, 1.0f, 0.0f },
+                                   .radius_m = 0.075f,
+                                   .depth_m = 0.055f };
     float deepest = 0.0f;
     tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 12);
     for (uint32_t tick = 0; tick < MINUTE; tick++) {

@@ -68,7 +68,8 @@ static void test_a_wave_reaches_the_wall_in_its_time_and_comes_back(void **state
             first_s = (float)i / 60.0f;
         }
     }
-    assert_true(first_s > 0.3f && first_s < 0.65f); /* 12.5 cm less the drop's own size at 23 cm/s. */
+    assert_true(first_s > 0.3f &&
+                first_s < 0.65f); /* 12.5 cm less the drop's own size at 23 cm/s. */
 }
 
 static void test_waves_fade_within_seconds(void **state)
@@ -83,12 +84,15 @@ static void test_waves_fade_within_seconds(void **state)
 static void test_ten_minutes_of_hard_stirring_never_blow_up(void **state)
 {
     (void)state;
-    static const vec3 sizes[] = { { 0.85f, 0.12f, 0.55f }, { 1.36f, 0.2f, 0.65f }, { 0.2f, 0.1f, 0.1f } };
+    static const vec3 sizes[] = { { 0.85f, 0.12f, 0.55f },
+                                  { 1.36f, 0.2f, 0.65f },
+                                  { 0.2f, 0.1f, 0.1f } };
     for (uint32_t s = 0; s < 3; s++) {
         water_init(&water);
         for (uint32_t i = 0; i < 12000; i++) {
             const float angle = 0.07f * (float)i;
-            const vec3 at = v3(0.3f * sizes[s].x * cosf(angle), 0.0f, 0.3f * sizes[s].z * sinf(angle));
+            const vec3 at =
+                v3(0.3f * sizes[s].x * cosf(angle), 0.0f, 0.3f * sizes[s].z * sinf(angle));
             water_press(&water, sizes[s], at, 0.045f, i % 2u ? 0.003f : -0.003f);
             steps(1, sizes[s]);
         }
@@ -122,8 +126,8 @@ static void test_slopes_are_508_times_rise_over_run(void **state)
     water_init(&water);
     for (uint32_t row = 0; row < RIPPLE_Z; row++) {
         for (uint32_t column = 0; column < RIPPLE_X; column++) {
-            water.height_m[0][row][column] =
-                0.1f * (float)column * tank_m.x / (float)RIPPLE_X - 0.9f * (float)row * tank_m.z / (float)RIPPLE_Z;
+            water.height_m[0][row][column] = 0.1f * (float)column * tank_m.x / (float)RIPPLE_X -
+                                             0.9f * (float)row * tank_m.z / (float)RIPPLE_Z;
         }
     }
     water_slopes(&water, tank_m, slope);
