@@ -28,9 +28,9 @@
 #define THINK_TICKS_MIN 18u     /* 150 ms ... */
 #define THINK_TICKS_MAX 30u     /* ... to 250 ms between two looks. */
 #define LOOK_S 0.5f             /* Nobody chooses faster. */
-#define ADMIRE_TICKS (3u * CORE_TICK_HZ / 2u) /* After a catch it looks at its bowl first. */
-#define WATCH_S_MIN 0.5f
-#define WATCH_S_MAX 1.6f
+#define ADMIRE_TICKS (3u * CORE_TICK_HZ) /* After a catch it looks at its bowl first. */
+#define WATCH_S_MIN 0.4f
+#define WATCH_S_MAX 1.8f
 #define PATIENCE_S 2.2f         /* With a fish that does not come to rest. */
 #define CALM_M_S 0.06f
 #define LOST_M 0.09f            /* A fish that is farther from the ring is not followed. */
@@ -65,6 +65,13 @@ static vec3 miss(const struct core *core, uint32_t index)
 {
     return v3(ERROR_M * (2.0f * luck(core, index, 0) - 1.0f), 0.0f,
               ERROR_M * (2.0f * luck(core, index, 1) - 1.0f));
+}
+
+/* [0, 1]: it takes its time, but not when the round is nearly over. */
+static float leisure(const struct core *core)
+{
+    const int counts = core->game.phase == PHASE_ROUND;
+    return counts ? f_smoothstep(10.0f, 30.0f, game_seconds_left(&core->game, core->tick)) : 1.0f;
 }
 
 /* ---- Stages --------------------------------------------------------------------------------- */
@@ -112,7 +119,8 @@ static void watch(struct bot *bot, const struct core *core, uint32_t index)
     if (!keep_over_entry(bot, core, index)) {
         return;
     }
-    const float wait_s = f_lerp(WATCH_S_MIN, WATCH_S_MAX, luck(core, index, 2));
+    const float longest_s = f_lerp(WATCH_S_MIN, WATCH_S_MAX, leisure(core));
+    const float wait_s = f_lerp(WATCH_S_MIN, longest_s, luck(core, index, 2));
     const int calm = v3_length(core->tank.fish[bot->prey].velocity_m_s) < CALM_M_S;
     if (stage_s(bot, core) > PATIENCE_S) {
         go_for_another(bot, core, index);
@@ -192,7 +200,7 @@ static void tip(struct bot *bot, const struct core *core, uint32_t index)
 {
     if (core->poi[index].rider_count == 0 || stage_s(bot, core) > 2.0f) {
         go(bot, core, BOT_LOOK);
-        bot->think_tick += ADMIRE_TICKS;
+        bot->think_tick += (uint32_t)(int32_t)(leisure(core) * (float)ADMIRE_TICKS);
     }
 }
 
