@@ -10,6 +10,8 @@ UNIT_SHELL := $(UNIT_SHELL_SRC:%.c=$(BUILD)/%)
 UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
+E2E_BIN := $(BUILD)/tests/e2e/aim $(BUILD)/tests/e2e/ask_to_close
+
 -include tests/replay/replay.mk tests/golden/golden.mk
 
 # Whole-machine tests run alone, after those that only compute (tests/run.sh).
@@ -24,7 +26,7 @@ test:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
 ## tests: builds what `make test` runs, without running it
-tests: build $(UNIT) $(VARIANT_BIN) $(BUILD)/core.o
+tests: build $(UNIT) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o
 
 ## check: what a change must pass before it is kept: boundaries, tests, sizes
 check: boundaries
@@ -36,8 +38,9 @@ unit: $(filter $(BUILD)/tests/unit/test_$(ONLY)%,$(UNIT))
 	@tests/run.sh $(RESULTS) $^
 
 ## test-e2e: the end-to-end tests alone: a virtual screen, the real kiosk, a real pointer
-test-e2e: build
+test-e2e:
 	@board/setup.sh test
+	+@$(MAKE) --no-print-directory -j$(JOBS) build $(E2E_BIN)
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_ALONE)
 
 ## test-fresh: both commands on minimal Debian 12 and 13 roots; needs root, a mirror and minutes
@@ -52,6 +55,12 @@ $(UNIT_CORE): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
 $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka $(HOST_LIBS)
+
+$(BUILD)/tests/e2e/aim: $(BUILD)/tests/e2e/aim.o $(BUILD)/core.a
+$(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
+$(E2E_BIN):
+	$(call step,LINK,$@)
+	$(Q)$(CC) -o $@ $^ $(if $(filter %close,$@),-lX11)
 
 .SECONDARY: $(UNIT:%=%.o) $(BUILD)/tests/unit/panic.o
 

@@ -1,0 +1,27 @@
+/* ask_to_close.c -- what a window manager sends when the user clicks on a window's closing cross.
+ *
+ * ask_to_close WINDOW  (its number, as xdotool prints it) on the screen that DISPLAY names. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <X11/Xlib.h>
+
+int main(int argc, char **argv)
+{
+    Display *display = XOpenDisplay(NULL);
+    if (argc != 2 || !display) {
+        fprintf(stderr, "usage: ask_to_close WINDOW, with a DISPLAY\n");
+        return 2;
+    }
+    XEvent event = { .xclient = {
+                         .type = ClientMessage,
+                         .window = strtoul(argv[1], NULL, 0),
+                         .message_type = XInternAtom(display, "WM_PROTOCOLS", False),
+                         .format = 32,
+                     } };
+    event.xclient.data.l[0] = (long)XInternAtom(display, "WM_DELETE_WINDOW", False);
+    event.xclient.data.l[1] = CurrentTime;
+    XSendEvent(display, event.xclient.window, False, NoEventMask, &event);
+    XCloseDisplay(display);
+    return 0;
+}

@@ -1,0 +1,61 @@
+#!/bin/bash
+# test_scoop.sh -- a person's evening: the real kiosk on a screen, a real pointer, a goldfish in the bowl.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
+tries_max=24 # A round is 60 s and a try takes about 5 s; a new round begins when one is over.
+recording=$work/play.kgr
+
+open_screen
+start_kiosk --seed 5 --record "$recording"
+ok $? 'the kiosk opens its window and shows a picture' "$work/err" || { done_testing; exit 1; }
+
+read -r bowl_x bowl_y < <(place bowl)
+xdotool key space
+sleep 4 # Three seconds to take the poi.
+
+# Down, a slow glide along the far-near line, up, over to the bowl.
+try() { # X Z in metres
+    read -r from_x from_y < <(place "$1" -0.05 "$2")
+    glide "$from_x" "$from_y" 0.7
+    xdotool mousedown 1
+    sleep 0.7
+    glide $((from_x + 12)) $((from_y - 30)) 0.7
+    xdotool mouseup 1
+    sleep 0.7
+    glide "$bowl_x" "$bowl_y" 1.0
+    sleep 1.0
+}
+
+# A net over the tank, away from the bowl; fish flee, so no place is tried twice in a row.
+places=('-0.10 0.05' '0.12 -0.08' '-0.22 -0.10' '0.05 0.10' '-0.28 0.10' '0.22 -0.14' '0.00 -0.05' '-0.15 0.15')
+landed=0
+for ((i = 0; i < tries_max && landed == 0; i++)); do
+    # shellcheck disable=SC2086
+    try ${places[i % ${#places[@]}]}
+    landed=$(caught "$recording")
+    landed=${landed:-0}
+    if ((i % 10 == 9)); then
+        xdotool key space # The paper may be gone: another poi, please.
+        sleep 4
+    fi
+done
+echo "# $landed landed after $i tries"
+[ "$landed" -ge 1 ]
+ok $? 'a real pointer scoops at least one goldfish into the bowl' "$work/err"
+
+blue=$(shown blue) red=$(shown red) colours=$(shown colours)
+echo "# the screen: $colours colours, $blue / 1000 blue, $red / 1000 red"
+[ "$colours" -gt 1000 ] && [ "$blue" -gt 100 ] && [ "$red" -gt 5 ]
+ok $? 'the screenshot shows a blue tank with red fish in it'
+import -window root "$BUILD/results/scoop.png" 2>/dev/null
+
+xdotool key Escape
+end_of_kiosk 20
+ok "$code" 'Escape ends the kiosk with code 0' "$work/err"
+[ ! -s "$work/err" ]
+ok $? 'and it had nothing to complain about' "$work/err"
+"$BUILD/kingyoctl" replay verify "$recording" >"$work/verify" 2>&1
+ok $? 'the recording verifies without a screen' "$work/verify"
+[ "$(caught "$recording")" -ge 1 ]
+ok $? 'and the whole of it says that a fish was landed' "$work/verify"
+done_testing
