@@ -136,10 +136,22 @@ static bool set_aside(struct storage *storage)
     return false;
 }
 
-/* Makes the folder when only its last part is missing: a mistyped path should not grow a tree. */
+/* mkdir -p: a fresh user has no ~/.local/share yet. */
+static int make_folders(const char *dir)
+{
+    char part[STORAGE_PATH_SIZE];
+    snprintf(part, sizeof part, "%s", dir);
+    for (char *slash = strchr(part + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        mkdir(part, 0750); /* Where it matters, the last one fails too. */
+        *slash = '/';
+    }
+    return mkdir(part, 0750);
+}
+
 static bool folder_is_there(struct storage *storage)
 {
-    if (mkdir(storage->dir, 0750) == 0 || errno == EEXIST) {
+    if (make_folders(storage->dir) == 0 || errno == EEXIST) {
         struct stat info;
         if (stat(storage->dir, &info) == 0 && S_ISDIR(info.st_mode)) {
             return true;

@@ -69,7 +69,7 @@ start_kiosk() { # OPTIONS...
 end_of_kiosk() { # SECONDS
     for _ in $(seq $(($1 * 10))); do
         if ! kill -0 "$kiosk_pid" 2>/dev/null; then
-            wait "$kiosk_pid"
+            wait "$kiosk_pid" 2>/dev/null
             code=$?
             kiosk_pid=''
             return

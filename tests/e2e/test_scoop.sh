@@ -2,7 +2,7 @@
 # test_scoop.sh -- a person's evening: the real kiosk on a screen, a real pointer, a goldfish in the bowl.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
-tries_max=24 # A round is 60 s and a try takes about 5 s; a new round begins when one is over.
+tries_max=40 # About 5 s each; a poi that tore is changed for another one on the way.
 recording=$work/play.kgr
 
 open_screen
@@ -13,25 +13,28 @@ read -r bowl_x bowl_y < <(place bowl)
 xdotool key space
 sleep 4 # Three seconds to take the poi.
 
-# Down, a slow glide along the far-near line, up, over to the bowl.
-try() { # X Z in metres
-    read -r from_x from_y < <(place "$1" -0.05 "$2")
-    glide "$from_x" "$from_y" 0.7
+look() {
+    import -silent -window root -depth 8 rgb:-
+}
+
+# As a person does: find a calm fish near the middle, dip beside it, slide under, lift while it still
+# slides, carry it over. The rectangle keeps clear of the walls and of the bowl.
+try() {
+    local fish_x fish_y
+    read -r fish_x fish_y < <({ look; look; } | "$BUILD/tests/e2e/eye" 360 200 800 430)
+    glide $((fish_x - 80)) "$fish_y" 0.4
     xdotool mousedown 1
-    sleep 0.7
-    glide $((from_x + 12)) $((from_y - 30)) 0.7
+    sleep 0.35
+    glide "$fish_x" "$fish_y" 0.35
     xdotool mouseup 1
-    sleep 0.7
+    sleep 0.8
     glide "$bowl_x" "$bowl_y" 1.0
     sleep 1.0
 }
 
-# A net over the tank, away from the bowl; fish flee, so no place is tried twice in a row.
-places=('-0.10 0.05' '0.12 -0.08' '-0.22 -0.10' '0.05 0.10' '-0.28 0.10' '0.22 -0.14' '0.00 -0.05' '-0.15 0.15')
 landed=0
 for ((i = 0; i < tries_max && landed == 0; i++)); do
-    # shellcheck disable=SC2086
-    try ${places[i % ${#places[@]}]}
+    try
     landed=$(caught "$recording")
     landed=${landed:-0}
     if ((i % 10 == 9)); then

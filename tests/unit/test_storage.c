@@ -225,20 +225,21 @@ static void test_a_card_that_does_not_answer_never_holds_a_frame(void **state)
     assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), (int)id);
 }
 
-static void test_a_new_folder_is_made_but_not_a_whole_path(void **state)
+static void test_the_folder_is_made_where_it_can_be(void **state)
 {
     struct stall *stall = *state;
-    char dir[96];
-    snprintf(dir, sizeof dir, "%s/new", stall->dir);
+    char dir[160];
+    snprintf(dir, sizeof dir, "%s/not/there/yet", stall->dir);
     stall->storage.dir = dir;
     assert_int_equal(open_store(stall), HAL_OK);
     stall->device.ops->close(stall->device.self);
 
     memset(&stall->storage, 0, sizeof stall->storage);
-    snprintf(dir, sizeof dir, "%s/no/such", stall->dir);
+    write_file(stall->file, "", 0);
+    snprintf(dir, sizeof dir, "%s/below-a-file", stall->file);
     stall->storage.dir = dir;
     assert_int_equal(open_store(stall), HAL_ERR_IO);
-    assert_non_null(strstr(text(stall), dir));
+    assert_non_null(strstr(text(stall), "no store"));
     assert_non_null(strstr(text(stall), "make that folder"));
 }
 
@@ -337,7 +338,7 @@ int main(void)
         IN_A_FOLDER(test_the_ids_of_two_days_do_not_clash),
         IN_A_FOLDER(test_closing_writes_what_is_queued),
         IN_A_FOLDER(test_a_card_that_does_not_answer_never_holds_a_frame),
-        IN_A_FOLDER(test_a_new_folder_is_made_but_not_a_whole_path),
+        IN_A_FOLDER(test_the_folder_is_made_where_it_can_be),
         IN_A_FOLDER(test_a_folder_that_cannot_be_written_is_one_line),
         IN_A_FOLDER(test_no_folder_at_all_is_said),
         IN_A_FOLDER(test_a_file_that_is_no_database_is_set_aside),
