@@ -6,7 +6,7 @@ ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui
 	@$< out/ui $(BACKDROP)
 
-UI_OBJ := $(addprefix $(BUILD)/platform/render/,text.o ui.o ui_batch.o ui_parts.o ui_screens.o ui_shader.o)
+UI_OBJ := $(patsubst %.c,$(BUILD)/%.o,$(wildcard platform/render/text.c platform/render/ui*.c))
 
 $(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(UI_OBJ) $(GENERATED_OBJ)
 	$(call step,LINK,$@)

@@ -1,0 +1,132 @@
+/* ui_signs.c -- the small signs that several screens share. */
+#include "platform/render/ui_signs.h"
+
+#include <math.h>
+
+#define HINT_FADE_S 0.35f
+
+/* As the poi in the tank are painted. */
+const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25cffu, 0xfabd29ffu };
+
+void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
+{
+    const float height = 0.56f * width;
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { x - 0.5f * width, y - 0.5f * height, width, height },
+                                 .kind = UI_FISH, .fill = 0xf2552effu, .line = 0xfff4e4ffu,
+                                 .shape = { 0, 0, sinf(frame->time_s * 6.0f) } });
+}
+
+void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
+                     uint32_t ring)
+{
+    const float reach = 1.5f * radius; /* The handle goes down to the right. */
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
+                                 .kind = UI_POI, .fill = ring,
+                                 .shape = { radius, ui_clamp01(paper_left) } });
+}
+
+void ui_plate(const struct ui_frame *frame, struct ui_box box)
+{
+    const float u = frame->unit;
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WAVES, .fill = UI_NIGHT,
+                                               .line = UI_GOLD_DIM,
+                                               .shape = { 0, 0, 16.0f * u, 1.5f * u } });
+}
+
+static const char *hint_words(uint8_t language, uint8_t hint)
+{
+    static const uint8_t keys[HINT_COUNT] = {
+        [HINT_START] = TEXT_HINT_START,   [HINT_MOVE] = TEXT_HINT_MOVE,
+        [HINT_DIP] = TEXT_HINT_DIP,       [HINT_LIFT] = TEXT_HINT_LIFT,
+        [HINT_BOWL] = TEXT_HINT_BOWL,     [HINT_TILT] = TEXT_HINT_TILT,
+        [HINT_SLOWLY] = TEXT_HINT_SLOWLY, [HINT_TORN] = TEXT_HINT_TORN,
+        [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
+    };
+    return text_words(language, (enum text_key)keys[hint]);
+}
+
+void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
+                    const struct ui_memory *memory)
+{
+    if (scene->hint == HINT_NONE || scene->hint >= HINT_COUNT) {
+        return;
+    }
+    const float u = frame->unit, age_s = (float)(scene->tick - memory->hint_tick) * CORE_TICK_S;
+    const float in = ui_smooth(0.0f, HINT_FADE_S, age_s);
+    const int urgent = scene->hint == HINT_TORN || scene->hint == HINT_LOST_POI ||
+                       scene->hint == HINT_LIFT;
+    const struct ui_ribbon ribbon = {
+        .x = 0.5f * frame->width,
+        .y = frame->height - 52.0f * u + 14.0f * u * (1.0f - in),
+        .size_px = 32.0f * u,
+        .font = FONT_BODY,
+        .fill = urgent ? 0xb8301ee8u : UI_NIGHT,
+        .line = urgent ? UI_GOLD : UI_GOLD_DIM,
+        .ink = 0xfff8eaffu,
+        .room_px = frame->width - 32.0f * u,
+    };
+    frame->batch->opacity = in;
+    ui_ribbon(frame, &ribbon, hint_words(scene->language, scene->hint));
+    frame->batch->opacity = 1.0f;
+}
+
+void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key)
+{
+    const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
+    const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
+                                 128.0f * u };
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
+                                 .fill = ui_fade(0xff7a30b0u, 0.25f + 0.55f * pulse) });
+    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y, .size_px = 35.0f * u,
+                                      .font = FONT_STALL, .fill = 0xc8341ff2u, .line = UI_GOLD,
+                                      .ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse),
+                                      .room_px = frame->width - 32.0f * u };
+    ui_ribbon(frame, &ribbon, text_words(frame->language, key));
+}
+
+void ui_best_words(const struct scene *scene, char *out, size_t out_size)
+{
+    const enum text_key key = scene->best_today > 0 ? TEXT_BEST_TODAY : TEXT_NO_BEST;
+    text_number(out, out_size, text_words(scene->language, key), scene->best_today);
+}
+
+void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
+                     float alpha, const char *words)
+{
+    const struct ui_text text = { .font = font, .size_px = size_px, .align = 0.5f,
+                                  .weight_em = font == FONT_BRUSH ? 0.024f : 0.0f,
+                                  .spacing_em = font == FONT_BRUSH ? -0.14f : 0.0f,
+                                  .outline_em = 0.014f, .soft_em = 0.035f,
+                                  .fill = 0xfff6e2ffu, .line = 0x9c1f14ffu,
+                                  .fit_px = frame->width - 48.0f * frame->unit };
+    struct ui_text fitted = text;
+    fitted.size_px = ui_text_size(&text, words);
+    frame->batch->opacity = alpha;
+    ui_text(frame->batch, &text, 0.5f * frame->width, ui_text_middle(&fitted, y), words);
+    frame->batch->opacity = 1.0f;
+}
+
+/* The others at the tank, each a chip in the colour of their ring. */
+void ui_other_players(const struct ui_frame *frame, const struct scene *scene)
+{
+    const float u = frame->unit;
+    float top = 114.0f * u;
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        if (!scene->poi[i].present) {
+            continue;
+        }
+        char number[12];
+        text_number(number, sizeof number, "{}", scene->caught[i]);
+        const struct ui_text digits = { .font = FONT_STALL, .size_px = 32.0f * u,
+                                        .fill = 0xfff8eaffu };
+        const float width = 66.0f * u + ui_text_width(&digits, number);
+        ui_plate(frame, (struct ui_box){ 18.0f * u, top, width, 46.0f * u });
+        ui_poi_sign(frame, 44.0f * u, top + 19.0f * u, 11.0f * u, scene->poi[i].paper_left,
+                 ui_player_colours[i]);
+        ui_text(frame->batch, &digits, 68.0f * u, ui_text_middle(&digits, top + 23.0f * u), number);
+        top += 52.0f * u;
+    }
+}

@@ -1,0 +1,47 @@
+/* ui_signs.h -- the small signs that several screens share. */
+#ifndef KINGYO_PLATFORM_RENDER_UI_SIGNS_H
+#define KINGYO_PLATFORM_RENDER_UI_SIGNS_H
+
+#include "core/scene.h"
+#include "platform/render/ui_parts.h"
+#include "platform/render/ui_screens.h"
+
+extern const uint32_t ui_player_colours[POI_MAX]; /* Of each player's ring. */
+
+/* A goldfish, its nose to the left, centred at (x, y). */
+void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width);
+
+/* A scoop with that much paper, [0, 1], and its ring in `ring`, centred at (x, y). */
+void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
+                 uint32_t ring);
+
+/* Night-blue cloth that lets the tank through: what figures stand on. */
+void ui_plate(const struct ui_frame *frame, struct ui_box box);
+
+/* The scene's hint at the bottom, if there is one; eases in while it is young. */
+void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
+                    const struct ui_memory *memory);
+
+/* The glowing call to play, centred at height `y`. */
+void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key);
+
+/* "Best today: 12 fish", or that there is none yet. */
+void ui_best_words(const struct scene *scene, char *out, size_t out_size);
+
+/* One word across the middle, centred at height `y`. */
+void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
+                 float alpha, const char *words);
+
+/* The second to fourth player's catch, each in the colour of their ring, down the left side. */
+void ui_other_players(const struct ui_frame *frame, const struct scene *scene);
+
+/* A whole screen each. */
+void ui_attract(const struct ui_frame *frame, const struct scene *scene);
+void ui_ready(const struct ui_frame *frame, const struct scene *scene,
+              const struct ui_memory *memory);
+void ui_round(const struct ui_frame *frame, const struct scene *scene,
+              const struct ui_memory *memory);
+void ui_result(const struct ui_frame *frame, const struct scene *scene,
+               const struct ui_memory *memory);
+
+#endif
