@@ -245,7 +245,7 @@ static void test_no_fish_swims_into_the_bowl(void **state)
                                    .depth_m = 0.055f };
     float deepest = 0.0f;
     tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 12);
-    for (uint32_t tick = 0; tick < MINUTE; tick++) {
+    for (uint32_t tick = 0; tick < MINUTE / 2u; tick++) {
         run(&tank, tick, 1, &bowl, 1);
         for (uint32_t i = 0; i < tank.fish_count && tick > CORE_TICK_HZ; i++) {
             const struct box box = fish_box(&tank.fish[i]);
