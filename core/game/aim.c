@@ -75,8 +75,8 @@ static vec3 ring_under(const struct core *core, uint32_t poi, uint32_t fish, flo
 }
 
 /* Fills `way` and says whether it keeps `room_m` from walls and bowl. */
-static int lay_way(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad, float room_m,
-                   struct way_in *way)
+static int lay_way(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad,
+                   float room_m, struct way_in *way)
 {
     const vec3 ahead = forward_of(yaw_rad);
     way->under_m = ring_under(core, poi, fish, yaw_rad);
@@ -89,7 +89,8 @@ static int lay_way(const struct core *core, uint32_t poi, uint32_t fish, float y
            core->tank.fish[fish].position_m.y > way->under_m.y + 0.5f * AIM_UNDER_M;
 }
 
-int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad, struct way_in *way)
+int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad,
+               struct way_in *way)
 {
     return lay_way(core, poi, fish, yaw_rad, RING_ROOM_M, way);
 }
@@ -102,8 +103,9 @@ static int is_calm(const struct fish *fish)
 static float cost_of_fish(const struct fish *fish, vec3 hand_m)
 {
     const vec3 way = v3(fish->position_m.x - hand_m.x, 0.0f, fish->position_m.z - hand_m.z);
-    return v3_length(way) - COST_DEPTH * fish->position_m.y + COST_SPEED * v3_length(fish->velocity_m_s) +
-           COST_LENGTH * fish->length_m + COST_ALARM * fish->alarm;
+    return v3_length(way) - COST_DEPTH * fish->position_m.y +
+           COST_SPEED * v3_length(fish->velocity_m_s) + COST_LENGTH * fish->length_m +
+           COST_ALARM * fish->alarm;
 }
 
 static float cost_of_crowd(const struct tank *tank, uint32_t index)
@@ -119,14 +121,16 @@ static float cost_of_crowd(const struct tank *tank, uint32_t index)
 }
 
 /* The cheapest hand for a fish, if any is free. */
-static int choose_yaw(const struct core *core, uint32_t poi, uint32_t fish, float *yaw_rad, float *cost)
+static int choose_yaw(const struct core *core, uint32_t poi, uint32_t fish, float *yaw_rad,
+                      float *cost)
 {
     const vec3 nose = forward_of(core->tank.fish[fish].angles.yaw_rad);
     int found = 0;
     for (uint32_t i = 0; i < YAW_COUNT; i++) {
         struct way_in way;
         const float tail_first = 0.5f * (1.0f + v3_dot(nose, forward_of(yaws_rad[i])));
-        const float price = COST_TAIL_FIRST * tail_first + COST_YAW * f_abs(yaws_rad[i] - YAW_EASY_RAD);
+        const float strain_rad = f_abs(yaws_rad[i] - YAW_EASY_RAD);
+        const float price = COST_TAIL_FIRST * tail_first + COST_YAW * strain_rad;
         if ((!found || price < *cost) &&
             lay_way(core, poi, fish, yaws_rad[i], RING_ROOM_M + CHOICE_ROOM_M, &way)) {
             found = 1;
@@ -150,7 +154,8 @@ uint16_t aim_choose(const struct core *core, uint32_t poi, vec3 hand_m, float *y
         float yaw = 0.0f;
         float yaw_cost = 0.0f;
         cost += cost_of_crowd(&core->tank, i);
-        if (cost < best_cost && choose_yaw(core, poi, i, &yaw, &yaw_cost) && cost + yaw_cost < best_cost) {
+        if (cost < best_cost && choose_yaw(core, poi, i, &yaw, &yaw_cost) &&
+            cost + yaw_cost < best_cost) {
             best = (uint16_t)i;
             best_cost = cost + yaw_cost;
             *yaw_rad = yaw;

@@ -11,7 +11,7 @@
 
 #define AIM_NO_FISH 0xffffu
 #define AIM_SLANT_RAD (-40.0f * F_DEG) /* Far edge down, while it slides in. */
-#define AIM_ENTRY_Y_M 0.045f           /* The slanted ring's lowest point is 15 mm over the water. */
+#define AIM_ENTRY_Y_M 0.045f           /* Its lowest point is 15 mm over the water. */
 #define AIM_UNDER_M 0.022f             /* The ring's depth below the fish's middle. */
 
 struct core;
@@ -27,7 +27,8 @@ vec3 aim_foresee(const struct core *core, uint32_t fish, float ahead_s);
 
 /* The way in to a fish for a hand turned by `yaw_rad`. Returns whether walls, floor and bowl leave
  * room for it. */
-int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad, struct way_in *way);
+int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad,
+               struct way_in *way);
 
 /* The fish that costs least for a hand at `hand_m`, and the yaw to take it with; AIM_NO_FISH where
  * none can be had. Slow, shallow, lonely and near is cheap; head first is cheaper. */

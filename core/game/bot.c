@@ -1,5 +1,5 @@
-/* bot.c -- the art of the stall as rules: wait for a calm fish, wet the paper at a slant, glide under
- * with the paper along its way, lift slowly with the far edge up, empty over the bowl. */
+/* bot.c -- the art of the stall as rules: wait for a calm fish, wet the paper at a slant, glide
+ * under with the paper along its way, lift slowly with the far edge up, empty over the bowl. */
 #include "core/game/bot.h"
 
 #include "core/base/hash.h"
@@ -57,7 +57,8 @@ static float distance_to_aim(const struct bot *bot)
 static float luck(const struct core *core, uint32_t index, uint32_t which)
 {
     const struct poi *poi = &core->poi[index];
-    return rng_unit((struct rng_key){ core->config.seed ^ poi->seed, poi->dips, which, RNG_BOT_CHOICE });
+    const uint32_t seed = core->config.seed ^ poi->seed;
+    return rng_unit((struct rng_key){ seed, poi->dips, which, RNG_BOT_CHOICE });
 }
 
 /* How far this try will miss what it aims at. */
@@ -134,7 +135,8 @@ static int keep_prey(struct bot *bot, const struct core *core, uint32_t index)
 {
     const struct fish *fish = &core->tank.fish[bot->prey];
     const vec3 d = v3_sub(fish->position_m, core->poi[index].position_m);
-    if (fish->gait < GAIT_HELD && fish->gait != GAIT_ESCAPE && d.x * d.x + d.z * d.z < LOST_M * LOST_M) {
+    const int near = d.x * d.x + d.z * d.z < LOST_M * LOST_M;
+    if (near && fish->gait < GAIT_HELD && fish->gait != GAIT_ESCAPE) {
         return 1;
     }
     bot->prey = aim_over_ring(core, index, 0.5f * LOST_M);

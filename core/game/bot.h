@@ -1,4 +1,4 @@
-/* bot.h -- a player made of rules: sees the tank as a person does, aims, dips, glides, lifts, tips. */
+/* bot.h -- a player made of rules: sees as a person does, aims, dips, glides, lifts, tips. */
 #ifndef KINGYO_CORE_GAME_BOT_H
 #define KINGYO_CORE_GAME_BOT_H
 

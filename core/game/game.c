@@ -1,30 +1,21 @@
-/* game.c -- the phases of the stall, the hands on the pois, the score. */
+/* game.c -- the phases of the stall, fresh paper, the score. */
 #include "core/game/game.h"
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/core.h"
+#include "core/game/hand.h"
 #include "core/game/paper.h"
 
 #define ROUND_S_DEFAULT 60u
-#define LAST_SECONDS 5u          /* Each with its tick. */
-#define CLEAR_Y_M 0.035f         /* Pois are held above this while nothing may be scooped. */
-#define GRIP_TICKS 144u          /* 1.2 s from one hand to the next: 1 m/s across the tank. */
-#define SWAP_TICKS (2u * CORE_TICK_HZ) /* The attract bot gets a new poi so long after a torn one. */
-#define REACH_SIDE_M 0.20f       /* Beyond the walls ... */
-#define REACH_HEIGHT_M 0.35f     /* ... and above the water that an arm reaches. */
-#define GRADE_STALL 6u           /* What stalls hand out most. */
-
-static int plays(const struct core *core, uint32_t index)
-{
-    return core->bowl[index].present && core->poi[index].link != POI_LINK_ABSENT;
-}
+#define LAST_SECONDS 5u                /* Each with its tick. */
+#define SWAP_TICKS (2u * CORE_TICK_HZ) /* The attract bot keeps a torn poi for so long. */
+#define GRADE_STALL 6u                 /* What stalls hand out most. */
 
 static int held_by_someone(const struct core *core, uint32_t index)
 {
-    return plays(core, index) && core->poi[index].link != POI_LINK_LOST;
+    return hand_plays(core, index) && core->poi[index].link != POI_LINK_LOST;
 }
 
 static void enter(struct core *core, uint8_t phase)
@@ -107,7 +98,8 @@ static void tick_ready(struct core *core, struct output *output)
     struct game *game = &core->game;
     const uint32_t elapsed = core->tick - game->phase_tick;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (!game->handed[i] && (core->poi[i].immersed <= 0.0f || elapsed >= GAME_READY_TICKS / 2u)) {
+        const int clear = core->poi[i].immersed <= 0.0f || elapsed >= GAME_READY_TICKS / 2u;
+        if (!game->handed[i] && clear) {
             hand_out(core, i, game->round_count, 0);
         }
     }
@@ -150,7 +142,7 @@ static int clock_waits(struct core *core)
             core->game.lost_ticks = 0;
             return 0;
         }
-        lost |= plays(core, i);
+        lost |= hand_plays(core, i);
     }
     core->game.lost_ticks += lost ? 1u : 0u;
     return lost;
@@ -160,7 +152,7 @@ static int all_paper_gone(const struct core *core)
 {
     int papers = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (plays(core, i)) {
+        if (hand_plays(core, i)) {
             papers++;
             if (paper_can_hold(&core->poi[i].sheet)) {
                 return 0;
@@ -174,7 +166,7 @@ static void tick_round(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        game->bot_played |= (uint8_t)(plays(core, i) && core->poi[i].link == POI_LINK_BOT);
+        game->bot_played |= (uint8_t)(hand_plays(core, i) && core->poi[i].link == POI_LINK_BOT);
     }
     if (clock_waits(core)) {
         game->phase_tick++;
@@ -228,95 +220,6 @@ static void tick_phase(struct core *core, const struct input *input, struct outp
     }
 }
 
-/* ---- Hands ---------------------------------------------------------------------------------- */
-
-/* In attract the stall's own bot plays on the first poi, whoever holds a controller. */
-static uint8_t link_now(const struct core *core, const struct input *input, uint32_t index)
-{
-    if (core->game.phase == PHASE_ATTRACT) {
-        return index == 0 ? POI_LINK_BOT : POI_LINK_ABSENT;
-    }
-    return input->poi[index].link;
-}
-
-static struct poi_target within_reach(const struct core *core, struct poi_target target)
-{
-    const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
-    const float depth_m = 0.5f * core->tank.size_m.z + REACH_SIDE_M;
-    const int scooping = core->game.phase == PHASE_ROUND || core->game.phase == PHASE_ATTRACT;
-    const float low_m = scooping ? -core->tank.size_m.y : CLEAR_Y_M;
-    CORE_ASSERT(v3_is_finite(target.position_m));
-    target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
-    target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
-    target.position_m.z = f_clamp(target.position_m.z, -depth_m, depth_m);
-    return target;
-}
-
-/* From the old hand to the new one: the share that is taken over each tick grows from 0 to 1. */
-static struct poi_target blend(struct poi_target from, struct poi_target to, float share)
-{
-    return (struct poi_target){
-        .position_m = v3_lerp(from.position_m, to.position_m, share),
-        .angles = { f_lerp(from.angles.yaw_rad, to.angles.yaw_rad, share),
-                    f_lerp(from.angles.pitch_rad, to.angles.pitch_rad, share),
-                    f_lerp(from.angles.roll_rad, to.angles.roll_rad, share) },
-    };
-}
-
-static void take_hold(struct core *core, uint32_t index, uint8_t link)
-{
-    struct game *game = &core->game;
-    if (game->holder[index] == link) {
-        return;
-    }
-    if (link == POI_LINK_BOT) {
-        bot_init(&game->bot[index]);
-        game->bot[index].hand = game->hand[index];
-    }
-    game->holder[index] = link;
-    game->grip_tick[index] = core->tick;
-}
-
-static void tick_hand(struct core *core, const struct input *input, uint32_t index)
-{
-    struct game *game = &core->game;
-    struct poi_target wanted = game->hand[index]; /* A lost poi stays where it is. */
-    if (core->poi[index].link == POI_LINK_BOT) {
-        wanted = bot_tick(&game->bot[index], core, index);
-    } else if (core->poi[index].link == POI_LINK_LIVE) {
-        wanted = input->poi[index].target;
-    }
-    const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
-    wanted = within_reach(core, wanted);
-    game->hand[index] =
-        age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
-}
-
-static void tick_hands(struct core *core, const struct input *input,
-                       struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        live[i] = (uint8_t)plays(core, i);
-        if (live[i]) {
-            take_hold(core, i, core->poi[i].link);
-            tick_hand(core, input, i);
-        } else {
-            core->game.holder[i] = POI_LINK_ABSENT;
-        }
-        targets[i] = core->game.hand[i];
-        core->game.live_y_m[i] = input->poi[i].link == POI_LINK_LIVE
-                                     ? input->poi[i].target.position_m.y
-                                     : -1.0f; /* No way down from a hand that was not there. */
-    }
-}
-
-static void tick_links(struct core *core, const struct input *input)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->poi[i].link = link_now(core, input, i);
-    }
-}
-
 /* ---- Public --------------------------------------------------------------------------------- */
 
 void game_init(struct game *game, const struct core_config *config)
@@ -345,12 +248,13 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
     if (input->record_saved_id > game->record_id) {
         game->record_id = input->record_saved_id; /* The store remembers earlier days. */
     }
-    tick_links(core, input);
+    hand_links(core, input);
     tick_phase(core, input, output);
-    tick_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
-    tick_hands(core, input, targets, live);
+    hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
+    hand_tick_all(core, input, targets, live);
     hints_tick(&game->hints, core);
-    output->start_lamp = game->phase == PHASE_ATTRACT && core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
+    output->start_lamp =
+        game->phase == PHASE_ATTRACT && core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
 void game_score(struct core *core, const uint32_t landed[POI_MAX], struct output *output)

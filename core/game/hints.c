@@ -10,7 +10,7 @@
 #define HASTE_CELLS 3u            /* ... when so many cells tear within a look. */
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
 #define TILT_RAD 0.15f            /* A wrist that turned on purpose. */
-#define ABOVE_M 0.045f            /* Fish within this of the ring's axis, and a hand above, are over it. */
+#define ABOVE_M 0.045f            /* A fish so near the ring's axis is over it. */
 
 #define BIT(hint) (1u << (hint))
 
@@ -33,7 +33,8 @@ static struct view_of_fish look_at_fish(const struct core *core)
         const struct fish *fish = &core->tank.fish[i];
         const vec3 d = v3_sub(fish->position_m, centre);
         view.held |= fish->gait == GAIT_HELD && fish->holder == 0;
-        view.above |= fish->gait < GAIT_HELD && d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M && d.y > 0.0f;
+        const int near = d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M;
+        view.above |= near && d.y > 0.0f && fish->gait < GAIT_HELD;
     }
     return view;
 }

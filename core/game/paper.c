@@ -4,8 +4,11 @@
 #define WINDS 8u
 
 /* The eight winds, so that no sine is needed. */
-static const float wind_x[WINDS] = { 1.0f, 0.70711f, 0.0f, -0.70711f, -1.0f, -0.70711f, 0.0f, 0.70711f };
-static const float wind_z[WINDS] = { 0.0f, 0.70711f, 1.0f, 0.70711f, 0.0f, -0.70711f, -1.0f, -0.70711f };
+#define DIAGONAL 0.70711f
+static const float wind_x[WINDS] = { 1.0f,  DIAGONAL,  0.0f, -DIAGONAL,
+                                     -1.0f, -DIAGONAL, 0.0f, DIAGONAL };
+static const float wind_z[WINDS] = { 0.0f, DIAGONAL,  1.0f,  DIAGONAL,
+                                     0.0f, -DIAGONAL, -1.0f, -DIAGONAL };
 
 static int patch_is_whole(const struct sheet *sheet, float x_m, float z_m)
 {

@@ -11,8 +11,8 @@
  * is one; `x_m` and `z_m` stay as they were where there is none. Returns whether there is. */
 int paper_spot(const struct sheet *sheet, float *x_m, float *z_m);
 
-/* Whether a fish could still lie on it: enough area, and a spot. A partly torn poi may be played on,
- * so a hole alone, were it in the very middle, ends no round. */
+/* Whether a fish could still lie on it: enough area, and a spot. A partly torn poi may be played
+ * on, so a hole alone, were it in the very middle, ends no round. */
 int paper_can_hold(const struct sheet *sheet);
 
 #endif

@@ -1,7 +1,7 @@
 /* sound.c -- voices: a few gliding sines and filtered bursts each, and at most one plucked string.
  *
- * Pitch, filter and roughness move on every CONTROL_FRAMES-th frame of a voice's own age, so that the
- * wave does not depend on how many frames are asked for at once. */
+ * Pitch, filter and roughness move on every CONTROL_FRAMES-th frame of a voice's own age, so that
+ * the wave does not depend on how many frames are asked for at once. */
 #include "core/sound/sound.h"
 
 #include "core/base/fmath.h"
@@ -41,7 +41,8 @@ static void control(struct drive *drive, uint32_t *noise)
     const struct layer_recipe *recipe = drive->recipe;
     struct synth_layer *state = drive->state;
     if (recipe->glide_ms > 0.0f) {
-        const float share = 1.0f - f_exp(-(float)CONTROL_FRAMES / (recipe->glide_ms * FRAMES_PER_MS));
+        const float glide_frames = recipe->glide_ms * FRAMES_PER_MS;
+        const float share = 1.0f - f_exp(-(float)CONTROL_FRAMES / glide_frames);
         state->hz += (recipe->hz_to - state->hz) * share;
     }
     state->decay = f_exp(-1.0f / (recipe->decay_ms * FRAMES_PER_MS));
@@ -91,12 +92,12 @@ static float string_next(struct synth_voice *voice, const struct sound_recipe *r
     return wave * recipe->string_gain;
 }
 
-/* The pluck: noise, smoothed as a fingertip does, without a mean that would only decay as a thump. */
+/* The pluck: noise, smoothed as a fingertip does, without a mean, which would end as a thump. */
 static void string_pluck(struct synth_voice *voice, float hz)
 {
     float mean = 0.0f;
     float smooth = 0.0f;
-    /* Averaging two neighbours delays by half a frame: the line is that much shorter, to the frame. */
+    /* Averaging two neighbours delays by half a frame: the line is that much shorter. */
     voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz);
     CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
     for (uint32_t i = 0; i < voice->string_count; i++) {

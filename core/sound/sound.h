@@ -1,8 +1,8 @@
 /* sound.h -- a fixed-voice synthesiser: the stall's sounds, made of noise and plucked tones.
  *
- * The caller owns `struct synth`; there are no samples and no allocation, so a board without a file
- * system still sounds. It is no part of the game's state: it runs on the platform's audio thread and
- * may not be called from two threads at once. */
+ * The caller owns `struct synth`; there are no samples and no allocation, so a board without a
+ * file system still sounds. It is no part of the game's state: it runs on the platform's audio
+ * thread and may not be called from two threads at once. */
 #ifndef KINGYO_CORE_SOUND_SOUND_H
 #define KINGYO_CORE_SOUND_SOUND_H
 

@@ -1,4 +1,4 @@
-/* test_bot.c -- the bot sees, moves and decides within a person's means, and the same way each time. */
+/* test_bot.c -- the bot moves and decides within a person's means, and the same way each time. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

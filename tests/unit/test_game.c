@@ -73,7 +73,9 @@ static void dip(void)
 static int setup(void **state)
 {
     (void)state;
-    const struct core_config config = { .seed = 7, .fish_count = 12, .round_s = ROUND_S, .best_today = 2 };
+    const struct core_config config = {
+        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .best_today = 2
+    };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
@@ -330,9 +332,14 @@ static void test_nothing_can_be_dipped_before_the_round(void **state)
         step();
         assert_true(core.game.hand[0].position_m.y > 0.0f || i < 60u);
     }
-    steps(1);
-    steps(10);
-    assert_float_equal(core.game.hand[0].position_m.y, BELOW_M, 0.0f);
+    step();
+    float last_m = core.game.hand[0].position_m.y;
+    for (uint32_t i = 0; i < 150u; i++) { /* and then it is led down, not dropped */
+        step();
+        assert_true(last_m - core.game.hand[0].position_m.y < 0.004f);
+        last_m = core.game.hand[0].position_m.y;
+    }
+    assert_float_equal(last_m, BELOW_M, 0.0f);
 }
 
 static void test_a_hand_beyond_reach_is_brought_back(void **state)
