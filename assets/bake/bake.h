@@ -1,8 +1,8 @@
 /* bake.h -- the bake: what is computed once, on the building machine, and linked as constants.
  *
- * `build/bake ASSET ...` writes one asset and says one line about it. Everything is a function of the
- * sources, the fonts and the numbers here, so the same sources give the same bytes. This tool never
- * runs on the kiosk, so it may allocate, use libm and give up at the first error. */
+ * `build/bake ASSET ...` writes one asset and says one line about it. Everything is a function of
+ * the sources, the fonts and the numbers here, so the same sources give the same bytes. This tool
+ * never runs on the kiosk, so it may allocate, use libm and give up at the first error. */
 #ifndef KINGYO_ASSETS_BAKE_BAKE_H
 #define KINGYO_ASSETS_BAKE_BAKE_H
 
@@ -20,8 +20,8 @@
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u
 #define FONT_ATLAS_WIDTH 1024u
-#define FONT_EDGE 160u            /* Distance value on the outline: more room outside, for shadows. */
-#define FONT_STEP 16u             /* Distance value per atlas pixel: reaches 10 px out and 6 px in. */
+#define FONT_EDGE 160u            /* Distance value on the outline: most of the range is outside. */
+#define FONT_STEP 16u             /* Value per atlas pixel: reaches 10 px out and 6 px in. */
 #define FONT_MAX 8u
 #define TEXT_LANGUAGES 2u         /* As LANGUAGE_COUNT of core/scene.h, in its order. */
 #define TEXT_KEYS_MAX 128u
@@ -61,7 +61,8 @@ void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory);
 void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *path);
 void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *path);
 
-/* Next code point of zero-terminated UTF-8, or 0 at its end. `*at` moves on; malformed bytes are -1. */
+/* Next code point of zero-terminated UTF-8, or 0 at its end. `*at` moves on; malformed bytes
+ * are -1. */
 int32_t utf8_next(const char **at);
 
 /* Reads `directory`/fonts.txt and writes the atlas, its glyph tables and the ids of its fonts. */

@@ -1,9 +1,10 @@
 /* caustics.c -- light that a moving water surface gathers into bright threads on the floor.
  *
- * Sunlight is traced, not faked: a fine grid of rays goes through a surface made of whole-number waves,
- * each ray is bent along the slope and leaves its light where it lands. Whole waves per tile and whole
- * turns per loop make the result repeat in x, y and time without a seam. Phases are counted in whole
- * steps of one table, so nothing drifts and nothing is rounded differently on another machine. */
+ * Sunlight is traced, not faked: a fine grid of rays goes through a surface made of whole-number
+ * waves, each ray is bent along the slope and leaves its light where it lands. Whole waves per tile
+ * and whole turns per loop make the result repeat in x, y and time without a seam. Phases are
+ * counted in whole steps of one table, so nothing drifts and nothing is rounded differently on
+ * another machine. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@
 #include "assets/bake/noise.h"
 
 #define WAVES 28
-#define RAYS_PER_TEXEL 4u               /* Along each side: 16 rays a texel keep the cells smooth. */
+#define RAYS_PER_TEXEL 4u               /* Each way: 16 rays a texel keep the cells smooth. */
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
 #define WAVE_NUMBER_MIN 1.9f            /* Cycles per tile ... */
 #define WAVE_NUMBER_MAX 6.6f
@@ -27,9 +28,9 @@ struct wave {
     float slope_x, slope_y;
 };
 
-/* Longer waves are higher and, with one turn a loop each, faster. Directions are random, and half of
- * the waves run backward. With one turn, threads move under five texels a frame, so that blending two
- * frames hides the step. */
+/* Longer waves are higher and, with one turn a loop each, faster. Directions are random, and half
+ * of the waves run backward. With one turn, threads move under five texels a frame, so that
+ * blending two frames hides the step. */
 static void choose_waves(struct wave waves[WAVES])
 {
     uint32_t random = 4711;

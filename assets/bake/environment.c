@@ -1,8 +1,8 @@
 /* environment.c -- what the water mirrors: a summer night over the stall, and its lanterns.
  *
  * A paraboloid map of the upper half space, so that a shader needs no trigonometry: a direction
- * (x, y, z) with y >= 0 is at uv = 0.5 + 0.5 * (x, z) / (1 + y). The middle is the zenith, row 0 is the
- * far side (-z), which is where a player sees the water reflect. */
+ * (x, y, z) with y >= 0 is at uv = 0.5 + 0.5 * (x, z) / (1 + y). The middle is the zenith, row 0 is
+ * the far side (-z), which is where a player sees the water reflect. */
 #include "assets/bake/bake.h"
 
 #include <math.h>

@@ -137,7 +137,8 @@ static void add_base(struct face *face)
 {
     const int all = strcmp(face->base, "ascii") == 0;
     if (!all && strcmp(face->base, "digits") != 0) {
-        bake_fail("font %s: the glyph set is `ascii` or `digits`, not `%s`", face->name, face->base);
+        bake_fail("font %s: the glyph set is `ascii` or `digits`, not `%s`", face->name,
+                  face->base);
     }
     for (uint32_t code = all ? 0x20 : '0'; code <= (all ? 0x7eu : '9'); code++) {
         if (!add_glyph(face, code)) {

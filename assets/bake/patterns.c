@@ -1,8 +1,8 @@
 /* patterns.c -- the red and white of each fish: patches as breeders name them, and rows of scales.
  *
  * A texel is (u, v): u runs from the snout to the tail's root, v once round the girth, starting on
- * the back (0), over the right flank, the belly (0.5) and the left flank back to 1. Red channel: how
- * red the skin is, with a crisp edge. Green channel: the light that a scale gives back. */
+ * the back (0), over the right flank, the belly (0.5) and the left flank back to 1. Red channel:
+ * how red the skin is, with a crisp edge. Green channel: the light that a scale gives back. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -98,12 +98,13 @@ static float redness(uint32_t layer, float u, float v)
     return ramp(-0.030f, 0.035f, depth);
 }
 
-/* Scales overlap toward the tail: each is bright in its middle and dark under its neighbour's rim. */
+/* Scales overlap toward the tail: bright in the middle, dark under a neighbour's rim. */
 static float scale_light(float u, float v)
 {
     const float row = (u - GILL) / (1.0f - GILL) * SCALE_ROWS;
     float best = 0.0f;
-    for (int32_t i = 0; i < 3; i++) { /* Rims of three rows may cover a point; the front one wins. */
+    /* Rims of three rows may cover a point; the front one wins. */
+    for (int32_t i = 0; i < 3; i++) {
         const float centre = floorf(row) - (float)i + 0.5f;
         const float odd = fmodf(centre - 0.5f + 64.0f, 2.0f) * 0.5f;
         float dv = v * SCALES_ROUND + odd;

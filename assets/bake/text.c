@@ -1,6 +1,7 @@
 /* text.c -- reads the stall's words and turns them into an enum and a table.
  *
- * A text file is `key = words` lines; `#` starts a comment line. The first language gives the order. */
+ * A text file is `key = words` lines; `#` starts a comment line. The first language
+ * gives the order. */
 #include "assets/bake/bake.h"
 
 #include <ctype.h>

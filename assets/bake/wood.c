@@ -30,7 +30,8 @@ static float bend(uint32_t plank, float x, float y, float *core)
         const struct knot knot = knot_of(plank, i);
         float dx = x - knot.x;
         dx -= (float)WOOD_SIZE * roundf(dx / (float)WOOD_SIZE);
-        const float dy = y - knot.y, far2 = (dx * dx * 0.16f + dy * dy) / (knot.radius * knot.radius);
+        const float dy = y - knot.y;
+        const float far2 = (dx * dx * 0.16f + dy * dy) / (knot.radius * knot.radius);
         shift += (dy >= 0.0f ? 1.0f : -1.0f) * knot.radius * expf(-far2 * 0.22f);
         *core = fmaxf(*core, expf(-far2 * 1.6f));
     }

@@ -17,10 +17,12 @@
 /* The words of `key`; an unknown language speaks Japanese. Never null. */
 const char *text_words(uint8_t language, enum text_key key);
 
-/* Copies `words` with its first {} replaced by `number`; cut at a whole character when `out` is full. */
+/* Copies `words` with its first {} replaced by `number`; cut at a whole character
+ * when `out` is full. */
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
 
-/* The code point at `*at`, which moves past it; 0 at the end. Malformed bytes are skipped one by one. */
+/* The code point at `*at`, which moves past it; 0 at the end. Malformed bytes are skipped
+ * one by one. */
 uint32_t text_next(const char **at);
 
 /* Null when the font was baked without that character. */

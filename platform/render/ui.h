@@ -2,10 +2,11 @@
  *
  * Drawn from the scene alone, in the scene's language, as one batch of quads: letters are
  * distance fields and shapes are formulas, so all is sharp at every size. The layout scales with
- * the screen, from 720p to 4K and upright, and keeps the tank's middle free while a round is played.
+ * the screen, from 720p to 4K and upright, and keeps the tank's middle free
+ * while a round is played.
  *
- * The caller owns `struct ui` (about 105 KB, no pointers) and a current OpenGL ES 3.0 context. After
- * ui_init() nothing is allocated by us. */
+ * The caller owns `struct ui` (about 105 KB, no pointers) and a current OpenGL ES 3.0 context.
+ * After ui_init() nothing is allocated by us. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_H
 #define KINGYO_PLATFORM_RENDER_UI_H
 
@@ -31,7 +32,7 @@ int ui_init(struct ui *ui, char *why, size_t why_size);
 /* Draws over what is in the bound framebuffer, into (0, 0, width_px, height_px); both > 0.
  * Needs no state but the bound framebuffer. Leaves behind: the viewport on that rectangle, blending
  * on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off, depth writes on (as OpenGL
- * starts), scissor off, one of its programs current, vertex array 0, and textures on units 0 and 1. */
+ * starts), scissor off, one of its programs current, vertex array 0, textures on units 0 and 1. */
 void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px);
 
 /* Frees the OpenGL objects; the same context must be current. */

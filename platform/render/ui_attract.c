@@ -62,8 +62,8 @@ void ui_ready(const struct ui_frame *frame, const struct scene *scene,
     if (whole >= 1.0f) {
         const char digit[2] = { (char)('0' + (int)fminf(whole, 9.0f)), 0 };
         const float pop = 1.0f + 0.35f * (1.0f - ui_smooth(0.0f, 0.25f, gone));
-        ui_big_word(frame, FONT_STALL, y, 190.0f * u * pop, in * (1.0f - ui_smooth(0.82f, 1.0f, gone)),
-                 digit);
+        ui_big_word(frame, FONT_STALL, y, 190.0f * u * pop,
+                    in * (1.0f - ui_smooth(0.82f, 1.0f, gone)), digit);
     }
     ui_hint_ribbon(frame, scene, memory);
 }

@@ -94,7 +94,8 @@ static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float
     shape.shape[2] = soft < room ? soft : room > 0.0f ? room : 0.0f;
     shape.shape[3] = texel_px;
     const float trim = trim_px(shape.shape);
-    const float width = (float)glyph->width - 2.0f * trim, height = (float)glyph->height - 2.0f * trim;
+    const float width = (float)glyph->width - 2.0f * trim;
+    const float height = (float)glyph->height - 2.0f * trim;
     shape.box.x = x + glyph->left_em * size_px + trim * texel_px;
     shape.box.y = y + glyph->top_em * size_px + trim * texel_px;
     shape.box.width = width * texel_px;
@@ -126,7 +127,8 @@ float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, floa
 {
     const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
     const float left = x - style->align * width_px;
-    if (style->outline_em + style->soft_em > 0.0f) { /* First, so that no outline covers a letter. */
+    /* All outlines first, so that none covers a letter. */
+    if (style->outline_em + style->soft_em > 0.0f) {
         struct ui_text outline = *style;
         outline.fill = 0;
         add_line(batch, &outline, size_px, left, y, words);

@@ -11,13 +11,13 @@
 
 #define UI_QUADS_MAX 640u /* The longest screen (attract, English) needs about 300; a test knows. */
 
-/* What the shader draws in a quad, and what `shape` holds for it. */
+/* What is drawn in a quad, and what `shape` holds for it; lengths are pixels. */
 enum ui_kind {
     UI_GLYPH = 0,   /* grow, outline, softness (atlas pixels), screen pixels per atlas pixel */
     UI_PANEL = 1,   /* half width, half height, corner radius, border */
     UI_WASHI = 2,   /* ... of paper with fibres */
     UI_WAVES = 3,   /* ... of cloth with a faint pattern of waves */
-    UI_RING = 4,    /* outer radius, width, part [0, 1] in `fill` clockwise from the top, rest `line` */
+    UI_RING = 4,    /* outer radius, width, part [0, 1] in `fill` from the top, rest in `line` */
     UI_GLOW = 5,    /* half width, half height, 1: adds light, 0: covers */
     UI_LANTERN = 6, /* half width, half height, light [0, 1] */
     UI_FISH = 7,    /* half width, half height, tail's swing [-1, 1] */
@@ -34,7 +34,7 @@ struct ui_vertex {
 };
 
 struct ui_batch {
-    struct ui_vertex vertices[UI_QUADS_MAX * 4u]; /* Top left, top right, bottom left, bottom right. */
+    struct ui_vertex vertices[UI_QUADS_MAX * 4u]; /* Top left, top right, bottom left, b. right. */
     uint8_t kinds[UI_QUADS_MAX];  /* enum ui_kind of each quad. */
     uint32_t quad_count;
     uint32_t dropped_count; /* Quads that found no room: a test holds this at 0. */

@@ -46,16 +46,18 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
                                  .fill = 0xf0452cffu, .lean_px = sway * 0.3f });
     for (uint32_t i = 0; i < 2u; i++) {
         const struct ui_box rim = { middle_x - 0.23f * width + sway * 0.3f * (float)i,
-                                    top - 0.45f * cap + (float)i * (size - 0.1f * cap), 0.46f * width,
-                                    cap };
-        ui_shape(frame->batch, &(struct ui_shape){ .box = rim, .kind = UI_PANEL, .fill = 0x17121affu,
+                                    top - 0.45f * cap + (float)i * (size - 0.1f * cap),
+                                    0.46f * width, cap };
+        ui_shape(frame->batch, &(struct ui_shape){ .box = rim,
+                                                   .kind = UI_PANEL,
+                                                   .fill = 0x17121affu,
                                                    .line = UI_GOLD,
                                                    .shape = { 0, 0, 0.2f * cap, 0.14f * cap } });
     }
     const struct ui_text brush = { .font = FONT_BRUSH, .size_px = size * 0.56f, .align = 0.5f,
                                    .weight_em = 0.020f, .fill = 0x2a0d0cffu };
-    ui_text(frame->batch, &brush, middle_x + sway * 0.15f, ui_text_middle(&brush, top + 0.52f * size),
-            text_words(frame->language, TEXT_LANTERN));
+    ui_text(frame->batch, &brush, middle_x + sway * 0.15f,
+            ui_text_middle(&brush, top + 0.52f * size), text_words(frame->language, TEXT_LANTERN));
 }
 
 /* One width of cloth: two loops over the pole, the cloth, and a white hem. */
@@ -136,10 +138,14 @@ void ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, con
     const struct ui_text text = { .font = ribbon->font, .size_px = ribbon->size_px, .align = 0.5f,
                                   .fill = ribbon->ink, .fit_px = ribbon->room_px - 2.0f * pad };
     const float width = ui_text_width(&text, words) + 2.0f * pad;
-    const struct ui_box box = { ribbon->x - 0.5f * width, ribbon->y - 0.5f * height, width, height };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = ribbon->fill,
-                                               .line = ribbon->line,
-                                               .shape = { 0, 0, 0.5f * height, 2.0f * frame->unit } });
+    const struct ui_box box = { ribbon->x - 0.5f * width, ribbon->y - 0.5f * height, width,
+                                height };
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = box,
+                                 .kind = UI_PANEL,
+                                 .fill = ribbon->fill,
+                                 .line = ribbon->line,
+                                 .shape = { 0, 0, 0.5f * height, 2.0f * frame->unit } });
     struct ui_text fitted = text;
     fitted.size_px = ui_text_size(&text, words);
     ui_text(frame->batch, &text, ribbon->x, ui_text_middle(&fitted, ribbon->y), words);

@@ -80,9 +80,12 @@ static void result_words(const struct ui_frame *frame, const struct scene *scene
     const int brush = frame->language == LANGUAGE_JA;
     const struct ui_text heading = { .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f,
                                      .fill = UI_INK_SOFT };
-    const struct ui_text praise = { .font = brush ? FONT_BRUSH : FONT_STALL, .align = 0.5f,
+    const struct ui_text praise = { .font = brush ? FONT_BRUSH : FONT_STALL,
+                                    .align = 0.5f,
                                     .size_px = (brush ? 104.0f : 76.0f) * u,
-                                    .weight_em = brush ? 0.022f : 0.0f, .spacing_em = brush ? -0.10f : 0.0f, .fill = 0xc8301effu,
+                                    .weight_em = brush ? 0.022f : 0.0f,
+                                    .spacing_em = brush ? -0.10f : 0.0f,
+                                    .fill = 0xc8301effu,
                                     .fit_px = box.width - 60.0f * u };
     const struct ui_text words = { .font = FONT_BODY, .size_px = 27.0f * u, .align = 0.5f,
                                    .fill = UI_INK, .fit_px = box.width - 60.0f * u };

@@ -57,7 +57,8 @@ static void state_plate(const struct ui_frame *frame, const struct scene *scene)
                                    .fit_px = 88.0f * u };
     const char *paper = text_words(frame->language, TEXT_PAPER_LEFT);
     const char *time = text_words(frame->language, TEXT_TIME_LEFT);
-    const float paper_width = ui_text_width(&label, paper), time_width = ui_text_width(&label, time);
+    const float paper_width = ui_text_width(&label, paper);
+    const float time_width = ui_text_width(&label, time);
     const float width = paper_width + time_width + 224.0f * u;
     const float left = frame->width - 18.0f * u - width, baseline = ui_text_middle(&label, y);
     ui_plate(frame, (struct ui_box){ left, top, width, height });

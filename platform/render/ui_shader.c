@@ -1,8 +1,8 @@
 /* ui_shader.c -- the user interface's shaders.
  *
- * Every shape is a signed distance in pixels, so each edge is smoothed over exactly one pixel. Output
- * is premultiplied: (colour * alpha, alpha), and light that only adds has alpha 0. `at` and `s` are
- * `u, v` and `shape` of struct ui_vertex; `inner` and `outer` are its `fill` and `line`. */
+ * Every shape is a signed distance in pixels, so each edge is smoothed over exactly one pixel. The
+ * output is premultiplied: (colour * alpha, alpha), and light that only adds has alpha 0.
+ * Of struct ui_vertex, `at` is `u, v`, `s` is `shape`, `inner` is `fill` and `outer` is `line`. */
 #include "platform/render/ui_shader.h"
 
 const char *const ui_vertex_source =
@@ -171,7 +171,7 @@ const char *const ui_fragment_head =
     "    float rough = 0.34 * (fibre(q * 0.23) - 0.5);\n"                                          \
     "    float hole = min(length(q - vec2(0.18, 0.12)), length(q + vec2(0.34, 0.26)) * 1.5);\n"    \
     "    float lost = 1.0 - s.y;\n"                                                                \
-    "    float torn = lost > 0.0 ? 0.62 * sqrt(lost) + 0.48 * lost * lost * lost : -1.0;\n"                        \
+    "    float torn = lost > 0.0 ? 0.62 * sqrt(lost) + 0.48 * lost * lost * lost : -1.0;\n"        \
     "    float sheet = cover(r - s.x + width) * cover((torn - hole - rough) * s.x);\n"             \
     "    sheet *= step(0.004, s.y);\n"                                                             \
     "    vec3 washi = vec3(0.99, 0.96, 0.90) * (0.95 + 0.3 * (fibre(q * 0.31) - 0.5));\n"          \

@@ -9,8 +9,8 @@
 
 extern const char *const ui_vertex_source;
 
-/* In front of each ui_fragment_sources[]: inputs, and what shapes have in common. It wants FONT_EDGE
- * and FONT_STEP defined. */
+/* In front of each ui_fragment_sources[]: inputs, and what shapes have in common. It wants
+ * FONT_EDGE and FONT_STEP defined. */
 extern const char *const ui_fragment_head;
 extern const char *const ui_fragment_sources[UI_KIND_COUNT];
 

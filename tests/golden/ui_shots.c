@@ -2,8 +2,9 @@
  *
  *   build/tests/golden/ui_shots OUT [BACKDROP.png]
  *
- * Draws each phase in both languages at three sizes, off screen, over a backdrop (a still of the tank,
- * or plain water), and writes OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. Also says what one screen costs. */
+ * Draws each phase in both languages at three sizes, off screen, over a backdrop (a still of the
+ * tank, or plain water), and writes OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. Also says what one screen
+ * costs. */
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <stdio.h>
@@ -125,9 +126,11 @@ static int write_picture(const char *path, int width, int height)
     return stbi_write_png(path, width, height, 4, pixels, width * 4);
 }
 
-static void say_cost(struct ui *ui, const struct scene *scene, const char *name, int width, int height)
+static void say_cost(struct ui *ui, const struct scene *scene, const char *name, int width,
+                     int height)
 {
-    ui_draw(ui, scene, (float)width, (float)height); /* Drivers finish shaders at their first use. */
+    /* Once unmeasured: drivers finish shaders at their first use. */
+    ui_draw(ui, scene, (float)width, (float)height);
     glFinish();
     const clock_t start = clock(); /* Processor time: all threads of a software renderer. */
     for (int i = 0; i < COST_DRAWS; i++) {
@@ -135,8 +138,8 @@ static void say_cost(struct ui *ui, const struct scene *scene, const char *name,
     }
     glFinish();
     const double used_s = (double)(clock() - start) / CLOCKS_PER_SEC;
-    printf("%-8s %4dx%-4d %3u quads %6.2f ms of processor time\n", name, width, height, ui->batch.quad_count,
-           1e3 * used_s / COST_DRAWS);
+    printf("%-8s %4dx%-4d %3u quads %6.2f ms of processor time\n", name, width, height,
+           ui->batch.quad_count, 1e3 * used_s / COST_DRAWS);
 }
 
 int main(int count, char **arguments)
@@ -158,7 +161,8 @@ int main(int count, char **arguments)
         return 1;
     }
     int back_width = 0, back_height = 0;
-    const GLuint backdrop = load_backdrop(count > 2 ? arguments[2] : NULL, &back_width, &back_height);
+    const GLuint backdrop =
+        load_backdrop(count > 2 ? arguments[2] : NULL, &back_width, &back_height);
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         const int width = sizes[s][0], height = sizes[s][1];
         const GLuint target = make_target(width, height);

@@ -119,7 +119,8 @@ static void test_a_missing_character_is_shown_as_a_question_mark(void **state)
 static void test_spacing_stands_between_letters_only(void **state)
 {
     (void)state;
-    const float one = text_width_em(FONT_BODY, "A", 0.5f), plain = text_width_em(FONT_BODY, "A", 0.0f);
+    const float one = text_width_em(FONT_BODY, "A", 0.5f);
+    const float plain = text_width_em(FONT_BODY, "A", 0.0f);
     assert_float_equal(one, plain, 1e-6f);
     assert_float_equal(text_width_em(FONT_BODY, "AAA", 0.5f), 3.0f * plain + 1.0f, 1e-5f);
     assert_float_equal(text_width_em(FONT_BODY, "", 0.5f), 0.0f, 1e-6f);
@@ -156,7 +157,8 @@ static void test_an_unknown_language_speaks_japanese(void **state)
 {
     (void)state;
     assert_string_equal(text_words(200, TEXT_TITLE), text_words(LANGUAGE_JA, TEXT_TITLE));
-    assert_string_not_equal(text_words(LANGUAGE_EN, TEXT_TITLE), text_words(LANGUAGE_JA, TEXT_TITLE));
+    assert_string_not_equal(text_words(LANGUAGE_EN, TEXT_TITLE),
+                            text_words(LANGUAGE_JA, TEXT_TITLE));
 }
 
 int main(void)

@@ -98,7 +98,9 @@ static void check_inside(struct size size)
 static void test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment(void **state)
 {
     (void)state;
-    static const float moments_s[] = { 0.0f, 0.1f, 0.5f, 0.9f, 1.3f, 1.7f, 2.6f, 2.99f, 8.0f, 55.0f };
+    static const float moments_s[] = {
+        0.0f, 0.1f, 0.5f, 0.9f, 1.3f, 1.7f, 2.6f, 2.99f, 8.0f, 55.0f
+    };
     for (uint32_t k = 0; k < SIZE_COUNT * (PHASE_RESULT + 1u); k++) {
         const uint8_t phase = (uint8_t)(k / SIZE_COUNT);
         for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
