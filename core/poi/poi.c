@@ -26,6 +26,7 @@
 #define TIP_PER_S 3.0f
 #define TIP_NEAR 0.45f           /* Ring to mouth, centre to centre, in sums of their radii: full turn ... */
 #define TIP_FAR 0.95f            /* ... and none. */
+#define TIP_BACK_SHARE 0.4f
 #define TIP_EDGE_M 0.010f        /* The lower edge then keeps so far over the mouth. */
 
 /* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at
@@ -61,13 +62,22 @@ static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
     return (1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near)) * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
 }
 
+/* A wrist rolls a handle more easily than it raises it, and the handle's end stays out of the bowl. */
+static vec3 rather_sideways(vec3 way, float yaw_rad)
+{
+    const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
+    const vec3 back = v3(f_sin(yaw_rad), 0.0f, f_cos(yaw_rad));
+    const vec3 mix = v3_mad(v3_scale(right, v3_dot(way, right)), back, TIP_BACK_SHARE * v3_dot(way, back));
+    return v3_normalize_or(mix, right);
+}
+
 static void tip_over(struct poi *poi, const struct bowl *bowl, int has_wrist)
 {
     const vec3 way = v3(bowl->position_m.x - poi->position_m.x, 0.0f,
                         bowl->position_m.z - poi->position_m.z);
     const float goal = has_wrist ? 0.0f : over_bowl(poi, bowl, way);
     if (poi->tip < 0.02f && goal > 0.0f) {
-        poi->tip_toward = v3_normalize_or(way, v3(1.0f, 0.0f, 0.0f));
+        poi->tip_toward = rather_sideways(way, poi->angles.yaw_rad);
     }
     const float step = TIP_PER_S * CORE_TICK_S;
     poi->tip += f_clamp(goal - poi->tip, -step, step);

@@ -214,6 +214,22 @@ static void test_tipped_over_the_bowl_a_fish_lands_and_counts_once(void **state)
     }
 }
 
+static void test_from_whichever_side_it_comes_the_fish_lands_in_the_bowl(void **state)
+{
+    (void)state;
+    uint32_t landed = 0;
+    for (uint32_t i = 0; i < 16; i++) {
+        const float angle = F_TAU * (float)i / 16.0f;
+        lifted(4, i, 0.0f);
+        stand.bowl.position_m = v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle));
+        stand_wait(&stand, 0.5f);
+        stand_move(&stand, v3(stand.bowl.position_m.x, 0.05f, stand.bowl.position_m.z), 0.25f);
+        stand_wait(&stand, 1.5f);
+        landed += stand.landed;
+    }
+    assert_in_range(landed, 15, 16);
+}
+
 static void test_tipped_over_the_tank_a_fish_slides_off_and_swims_on(void **state)
 {
     (void)state;
@@ -371,6 +387,7 @@ int main(void)
         cmocka_unit_test(test_a_fish_falls_through_a_hole_that_is_under_it),
         cmocka_unit_test(test_a_hole_elsewhere_drops_nobody),
         cmocka_unit_test(test_tipped_over_the_bowl_a_fish_lands_and_counts_once),
+        cmocka_unit_test(test_from_whichever_side_it_comes_the_fish_lands_in_the_bowl),
         cmocka_unit_test(test_tipped_over_the_tank_a_fish_slides_off_and_swims_on),
         cmocka_unit_test(test_a_slight_tilt_keeps_the_fish_behind_the_ring),
         cmocka_unit_test(test_near_the_rim_a_fish_may_flop_out_and_in_the_middle_it_hardly_does),
