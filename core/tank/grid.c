@@ -50,13 +50,12 @@ static vec3 point_at(const vec3 *first, uint32_t stride, uint32_t index)
 
 void grid_fill(struct grid *grid, const vec3 *first, uint32_t stride, uint32_t count)
 {
-    uint16_t cell_of[GRID_FISH_MAX];
     CORE_ASSERT(count <= GRID_FISH_MAX);
     const uint32_t cell_count = grid->columns * grid->rows;
     memset(grid->start, 0, sizeof grid->start[0] * (cell_count + 1u));
     for (uint32_t i = 0; i < count; i++) {
-        cell_of[i] = (uint16_t)grid_cell(grid, point_at(first, stride, i));
-        grid->start[cell_of[i]]++;
+        grid->cell_of[i] = (uint16_t)grid_cell(grid, point_at(first, stride, i));
+        grid->start[grid->cell_of[i]]++;
     }
     for (uint32_t c = 1; c <= cell_count; c++) {
         grid->start[c] = (uint16_t)(grid->start[c] + grid->start[c - 1u]);
@@ -64,6 +63,6 @@ void grid_fill(struct grid *grid, const vec3 *first, uint32_t stride, uint32_t c
     /* Each start is now its cell's end; filling from the back leaves it at the beginning, in order.
      */
     for (uint32_t i = count; i-- > 0;) {
-        grid->item[--grid->start[cell_of[i]]] = (uint16_t)i;
+        grid->item[--grid->start[grid->cell_of[i]]] = (uint16_t)i;
     }
 }

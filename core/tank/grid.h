@@ -19,6 +19,7 @@ struct grid {
     uint16_t
         start[GRID_CELL_MAX + 1u]; /* Members of cell c: item[start[c]] .. item[start[c+1]-1]. */
     uint16_t item[GRID_FISH_MAX];
+    uint16_t cell_of[GRID_FISH_MAX]; /* While it is filled. */
 };
 
 /* Lays cells of side >= `reach_m` over a floor plan; larger where GRID_CELL_MAX would not do. */

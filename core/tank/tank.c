@@ -177,7 +177,7 @@ static void act(struct tank *tank, uint32_t index, uint32_t tick, const struct o
 }
 
 /* Bodies take their final places; advice and pushes are for the next tick. */
-static void settle(struct tank *tank, uint32_t tick, const vec3 *before)
+static void settle(struct tank *tank, uint32_t tick)
 {
     for (uint32_t i = 0; i < tank->crowd.count; i++) {
         const struct crowd_body *body = &tank->crowd.body[i];
@@ -185,7 +185,7 @@ static void settle(struct tank *tank, uint32_t tick, const vec3 *before)
         fish->position_m = body->box.centre_m;
         fish->push_m_s =
             v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
-        swim_settle(fish, v3_sub(fish->position_m, before[body->fish]), body->forward,
+        swim_settle(fish, v3_sub(fish->position_m, tank->before_m[body->fish]), body->forward,
                     gait_beats(fish, tick));
         fish->room = f_min(body->room, fish->room + 2.0f * CORE_TICK_S);
         if (fish->gait != GAIT_ESCAPE) {
@@ -212,11 +212,10 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
                uint32_t obstacle_count)
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
-    vec3 before[TANK_FISH_MAX];
     const struct tank_bounds bounds = tank_bounds(tank);
     drip(tank, tick);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
-        before[i] = tank->fish[i].position_m;
+        tank->before_m[i] = tank->fish[i].position_m;
         if (fish_swims(&tank->fish[i])) {
             act(tank, i, tick, obstacles, obstacle_count);
         }
@@ -225,7 +224,7 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
     crowd_clear(&tank->crowd, &bounds, obstacles, obstacle_count);
     crowd_meet(&tank->crowd, tank->size_m, tank->seed, tick / CORE_TICK_HZ);
     crowd_part(&tank->crowd, &bounds, obstacles, obstacle_count);
-    settle(tank, tick, before);
+    settle(tank, tick);
 }
 
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)

@@ -27,7 +27,9 @@ struct tank {
     struct fish fish[TANK_FISH_MAX];
     float space; /* [0.2, 1] of full personal space that this crowd leaves; fixed at the start. */
     struct water water;
-    struct crowd crowd; /* Rebuilt each tick; scratch that no hash covers. */
+    /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
+    struct crowd crowd;
+    vec3 before_m[TANK_FISH_MAX]; /* Where fish were when the tick began. */
 };
 
 /* Fills `tank` with still water and `fish_count` (1 .. TANK_FISH_MAX) fish that do not overlap. */
