@@ -30,11 +30,14 @@ layout(location = 14) in vec4 character;   // Bend, maturity, pattern layer, hue
 
 uniform sampler2D caustics;
 
-out vec4 skin;         // u, v, pattern layer, part.
-out vec3 gain;         // Light times what the water lets through,
-out vec3 haze;         // and what water and gloss add.
-flat out vec4 traits;  // Maturity, hue, seed, share of the youngest shapes.
+// Colours are mixed here, between a skin's two extremes; the fragment only chooses between them.
+out vec4 skin;         // u, v, pattern layer, and how much this is an eye.
+out vec3 pale;         // Where the pattern is white (an eye: its iris), lit and seen through water,
+out vec3 stain;        // and where it is red (an eye: its pupil).
+out vec4 haze;         // What water and gloss add; w: how much of the gill's edge shows.
 
+const vec3 WHITE = vec3(1.0, 0.955, 0.90);
+const vec3 FRY = vec3(0.40, 0.42, 0.27);
 const float WAVE_NUMBER = 6.0;   // rad per body length: a little over one length a wave.
 const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
 
@@ -54,6 +57,51 @@ void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
     p += key.xyz * weight;
     n += unfold_normal(key.w) * weight;
 }
+
+vec3 red_of(float hue)
+{
+    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
+}
+
+// Young fish lose their grey in patches, the belly first.
+float turned(float ahead)
+{
+    return smoothstep(0.10, 0.42, character.y + ahead);
+}
+
+#ifdef FIN
+void colour()
+{
+    float seed = fract(character.w * 17.31);
+    float root = 1.0 - surface.y;
+    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + character.z * 0.37)
+        + 0.20 * sin(surface.x * 9.0 + character.w * 20.0) + 0.25 * root);
+    vec3 tint = mix(WHITE, red_of(character.w), stained);
+    tint = mix(FRY * 1.25, tint, turned(0.0));
+    stain = mix(tint, WHITE, 0.22 * surface.y);
+    pale = stain;
+    skin = vec4(surface.x * 9.87 + seed, surface.y, 0.0, 0.0);
+}
+#else
+void colour()
+{
+    float eye_part = step(0.5, surface.z * 255.0);
+    float under = 1.0 - abs(surface.y * 2.0 - 1.0); // 0 at the back, 1 at the belly.
+    float belly = smoothstep(0.52, 0.96, under);
+    vec3 red = red_of(character.w);
+    vec3 below = mix(WHITE, red, 0.25);
+    vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
+    pale = mix(young, mix(WHITE, below, 0.55 * belly), turned(0.10 * belly - 0.06));
+    stain = mix(young, mix(red, below, 0.55 * belly), turned(0.10 * belly + 0.06));
+    vec3 iris = mix(vec3(0.86, 0.62, 0.20), vec3(0.78, 0.78, 0.72), fract(character.w * 17.31));
+    pale = mix(pale, iris, eye_part);
+    stain = mix(stain, vec3(0.015), eye_part);
+    float ridge = smoothstep(0.42, 0.0, under) * smoothstep(0.0, 0.12, surface.x);
+    haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back throw the lamps' light up.
+    haze.w = smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6) * (1.0 - eye_part) * 0.30;
+    skin = vec4(surface.xy, floor(character.z + 0.5), eye_part);
+}
+#endif
 
 void main()
 {
@@ -139,8 +187,10 @@ void main()
     float gloss = shine * (0.62 + 0.75 * wet);
     light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
 #endif
-    gain = light * left;
-    haze = WATER_COLOR * (1.0 - left) + gloss * vec3(1.0, 0.95, 0.86);
-    skin = vec4(surface.xy, character.z, surface.z * 255.0);
-    traits = vec4(character.yw, fract(character.w * 17.31), weights_low.x);
+    haze = vec4(0.0);
+    colour();
+    vec3 gain = light * left;
+    pale *= gain;
+    stain *= gain;
+    haze.rgb = haze.rgb * gain + WATER_COLOR * (1.0 - left) + gloss * vec3(1.0, 0.95, 0.86);
 }
