@@ -18,7 +18,7 @@ void main()
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
     shine = pow(shine, 90.0);
     float away = 1.0 - max(dot(n, view), 0.0);
-    float alpha = 0.30 + 0.20 * smoothstep(0.80, 0.93, r) + 0.5 * away * away * away;
+    float alpha = 0.10 + 0.28 * smoothstep(0.76, 0.93, r) + 0.4 * away * away * away;
     color = vec4(vec3(0.22, 0.66, 0.80) * alpha + shine * 0.25, alpha);
 }
 #else
@@ -26,15 +26,18 @@ void main()
 {
     vec3 n = normalize(face);
     vec3 view = normalize(eye.xyz - world);
-    float lit = 0.55 + 0.48 * max(dot(n, LAMP_DIRECTION), 0.0);
-    vec3 enamel = vec3(0.95, 0.955, 0.94);
+    float lit = 0.58 + 0.50 * max(dot(n, LAMP_DIRECTION), 0.0);
+    vec3 enamel = vec3(1.0, 0.995, 0.97);
     float band = smoothstep(0.90, 0.925, shell.y);
     float stripe = smoothstep(0.030, 0.015, abs(shell.y - 0.82)) * (1.0 - shell.x);
     vec3 tint = mix(enamel, paint.rgb, max(band, 0.8 * stripe));
     float inside = 1.0 - shell.x;
     float light = texture(caustics, world.xz * CAUSTIC_TILES * 1.6).r;
-    tint *= lit * mix(1.0, 0.55 + 0.45 * shell.y, inside * 0.65);
-    tint *= 1.0 + inside * (light - 0.25) * 0.35 * (1.0 - smoothstep(0.55, 0.75, shell.y));
+    tint *= lit * mix(1.0, 0.62 + 0.38 * shell.y, inside * 0.55);
+    // The bowl's own water, a hand deep: enough to be blue, not enough to dim its fish.
+    float drowned = inside * (1.0 - smoothstep(-0.34, -0.28, (world.y - mouth.y) / form.x));
+    tint *= mix(vec3(1.0), vec3(0.70, 0.94, 1.02), drowned);
+    tint *= 1.0 + inside * (light - 0.25) * 0.55 * drowned;
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
     tint += pow(shine, 60.0) * 0.22;
     float depth = inside > 0.5 ? 0.0 : -world.y;

@@ -138,7 +138,11 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
     glUseProgram(pass->frame_program);
     glUniformMatrix4fv(pass->frame_pose, 1, GL_FALSE, pose);
     glUniform4fv(pass->frame_paint, 1, poi_paint(poi->owner));
+    glEnable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
     shape_draw(&pass->solid);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
 }
 
 void poi_pass_paper(const struct poi_pass *pass, const struct scene_poi *poi, uint32_t index,
