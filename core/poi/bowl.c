@@ -5,9 +5,9 @@
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-#define SURFACE_M 0.012f      /* The bowl's own water stands so far under its mouth. */
-#define ROUND_RAD_S 1.6f      /* A lap in about four seconds. */
-#define SETTLE_PER_S 3.0f     /* How soon a newcomer joins its round. */
+#define SURFACE_M 0.012f  /* The bowl's own water stands so far under its mouth. */
+#define ROUND_RAD_S 1.6f  /* A lap in about four seconds. */
+#define SETTLE_PER_S 3.0f /* How soon a newcomer joins its round. */
 #define HULL_GAP_M 0.004f
 
 void bowl_init(struct bowl *bowl, vec3 position_m)
@@ -28,7 +28,8 @@ float bowl_hull_radius_m(float below_m)
     return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
 }
 
-/* Where on its round a fish is: y below the mouth, radius such that snout and tail clear the hull. */
+/* Where on its round a fish is: y below the mouth, radius such that snout and tail clear the hull.
+ */
 static vec3 place_on_round(const struct fish *fish, uint32_t index, uint32_t seed, float angle_rad)
 {
     const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
@@ -41,11 +42,13 @@ static vec3 place_on_round(const struct fish *fish, uint32_t index, uint32_t see
     return v3(radius * f_cos(angle_rad), -below, radius * f_sin(angle_rad));
 }
 
-static void swim(struct fish *fish, uint32_t index, const struct bowl *bowl, uint32_t seed, uint32_t tick)
+static void swim(struct fish *fish, uint32_t index, const struct bowl *bowl, uint32_t seed,
+                 uint32_t tick)
 {
     const float way = draw(seed, index, 3) < 0.5f ? -1.0f : 1.0f;
     const float pace = way * ROUND_RAD_S * (0.7f + 0.6f * draw(seed, index, 4));
-    /* Time within an hour keeps the angle's float exact enough; the leap once an hour is smoothed. */
+    /* Time within an hour keeps the angle's float exact enough; the leap once an hour is smoothed.
+     */
     const float seconds = (float)(tick % (CORE_TICK_HZ * 3600u)) * CORE_TICK_S;
     const float angle = f_wrap_angle(F_TAU * draw(seed, index, 5) + pace * seconds);
     const vec3 goal = v3_add(bowl->position_m, place_on_round(fish, index, seed, angle));
@@ -53,7 +56,8 @@ static void swim(struct fish *fish, uint32_t index, const struct bowl *bowl, uin
     fish->position_m = v3_lerp(before, goal, SETTLE_PER_S * CORE_TICK_S);
     fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
     const vec3 v = fish->velocity_m_s;
-    const float heading = v.x * v.x + v.z * v.z > 1e-6f ? f_atan2(-v.x, -v.z) : fish->angles.yaw_rad;
+    const float heading =
+        v.x * v.x + v.z * v.z > 1e-6f ? f_atan2(-v.x, -v.z) : fish->angles.yaw_rad;
     const float turn = f_wrap_angle(heading - fish->angles.yaw_rad);
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + 0.08f * turn);
     fish->angles.pitch_rad *= 0.95f;
@@ -79,11 +83,13 @@ void bowl_tick(const struct bowl *bowl, uint32_t bowl_index, struct tank *tank, 
 }
 
 /* On a ring round the hull, under water, inside the walls. */
-static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index, float length_m)
+static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index,
+                          float length_m)
 {
     const float angle = F_TAU * draw(tank->seed, index, 6);
     const float away = BOWL_RADIUS_M + length_m * (0.6f + 0.8f * draw(tank->seed, index, 7));
-    const float room_x = 0.5f * (tank->size_m.x - length_m), room_z = 0.5f * (tank->size_m.z - length_m);
+    const float room_x = 0.5f * (tank->size_m.x - length_m),
+                room_z = 0.5f * (tank->size_m.z - length_m);
     const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * length_m;
     const float deep = f_max(half, tank->size_m.y - half - 0.005f);
     return v3(f_clamp(bowl->position_m.x + away * f_cos(angle), -room_x, room_x),

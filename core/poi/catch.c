@@ -5,19 +5,19 @@
 #include "core/base/rng.h"
 #include "core/poi/contact.h"
 #include "core/poi/disc.h"
-#include "core/poi/pose.h"
+#include "core/poi/fall.h"
 
-#define LEVEL_MIN 0.35f       /* A steeper poi (70 degrees) takes nobody up. */
-#define STAND_SHARE 1.05f     /* Water over the paper, in body heights, in which a fish still stands ... */
-#define FLOAT_SHARE 1.50f     /* ... and in which a rider floats off. */
-#define BODY_FOOT_M 0.020f    /* Footprint of a body, against a tail's 2 to 5 mm. */
-#define LIFT_OFF_M_S2 0.5f    /* Pulled from the paper by more than this, it flies. */
-#define SPILL_M_S 0.4f        /* Fish beyond POI_RIDER_MAX leave over the ring so fast. */
-#define FALL_HOME_M_S 1.5f    /* Sideways at most, when it fell beyond a wall. */
-#define SLAP_EVERY_TICKS 8u   /* Sounds of one kind, at most this often. */
+#define LEVEL_MIN 0.35f /* A steeper poi (70 degrees) takes nobody up. */
+#define STAND_SHARE                                                                                \
+    1.05f /* Water over the paper, in body heights, in which a fish still stands ... */
+#define FLOAT_SHARE 1.50f   /* ... and in which a rider floats off. */
+#define BODY_FOOT_M 0.020f  /* Footprint of a body, against a tail's 2 to 5 mm. */
+#define LIFT_OFF_M_S2 0.5f  /* Pulled from the paper by more than this, it flies. */
+#define SPILL_M_S 0.4f      /* Fish beyond POI_RIDER_MAX leave over the ring so fast. */
+#define SLAP_EVERY_TICKS 8u /* Sounds of one kind, at most this often. */
 #define TEAR_EVERY_TICKS 14u
 
-struct scoop {                /* What one tick's work shares. */
+struct scoop { /* What one tick's work shares. */
     struct poi *poi;
     uint32_t poi_index;
     struct tank *tank;
@@ -63,37 +63,7 @@ static void sound_slap(const struct scoop *scoop, float force_n)
     }
 }
 
-/* ---- Back to the water ---------------------------------------------------------------------- */
-
-/* Level again, under the surface, inside the walls, and in a hurry. */
-static void set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
-{
-    const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
-    const float room_x = 0.5f * (tank->size_m.x - fish->length_m);
-    const float room_z = 0.5f * (tank->size_m.z - fish->length_m);
-    fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
-    fish->position_m.z = f_clamp(fish->position_m.z, -room_z, room_z);
-    fish->position_m.y = f_clamp(fish->position_m.y, half - tank->size_m.y, -half);
-    fish->velocity_m_s = v3_limit(velocity_m_s, 0.5f);
-    fish->angles.pitch_rad = 0.0f;
-    fish->angles.roll_rad = 0.0f;
-    fish->heading_rad = fish->angles.yaw_rad;
-    fish->depth_goal_m = f_max(-0.6f * tank->size_m.y, half - tank->size_m.y);
-    fish->gait = GAIT_BURST;
-    fish->gait_left_s = 0.6f;
-    fish->speed_m_s = 4.0f * fish->length_m;
-    fish->alarm = 1.0f;
-}
-
-static void into_bowl(struct scoop *scoop, struct fish *fish)
-{
-    fish->gait = GAIT_BOWL;
-    fish->holder = (uint8_t)scoop->poi_index;
-    fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);
-    scoop->bowl->fish_count++;
-    scoop->landed++;
-    output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
-}
+/* ---- Leaving the poi ------------------------------------------------------------------------ */
 
 static void remove_rider(struct poi *poi, uint32_t which)
 {
@@ -102,53 +72,26 @@ static void remove_rider(struct poi *poi, uint32_t which)
     poi->riders[which] = poi->riders[poi->rider_count];
 }
 
-/* ---- Falling -------------------------------------------------------------------------------- */
-
 static void let_fall(const struct scoop *scoop, struct rider *rider)
 {
     const vec3 slide = v3(rider->slide_x_m_s, 0.0f, rider->slide_z_m_s);
-    rider->state = RIDER_FALLING;
-    rider->slap_s = 0.0f;
-    rider->fall_m_s = v3_add(scoop->poi->velocity_m_s, basis_to_world(&scoop->axes, slide));
-}
-
-static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
-{
-    const float dx = now_m.x - bowl->position_m.x, dz = now_m.z - bowl->position_m.z;
-    return bowl->present && before_m.y > bowl->position_m.y && now_m.y <= bowl->position_m.y &&
-           dx * dx + dz * dz < BOWL_RADIUS_M * BOWL_RADIUS_M;
-}
-
-/* Beyond a wall it is led back: fish that jump out of a stall's tank are put back, too. */
-static float homeward(float at_m, float room_m)
-{
-    const float out = at_m - f_clamp(at_m, -room_m, room_m);
-    return -f_clamp(out / CORE_TICK_S, -FALL_HOME_M_S, FALL_HOME_M_S);
+    fall_begin(rider, v3_add(scoop->poi->velocity_m_s, basis_to_world(&scoop->axes, slide)));
 }
 
 /* Returns whether the fall is over. */
 static int fall(struct scoop *scoop, struct rider *rider)
 {
-    struct fish *fish = &scoop->tank->fish[rider->fish];
-    const vec3 size = scoop->tank->size_m;
-    const vec3 before = fish->position_m;
-    const vec3 home = v3(homeward(before.x, 0.5f * (size.x - fish->length_m)), 0.0f,
-                         homeward(before.z, 0.5f * (size.z - fish->length_m)));
-    rider->fall_m_s.y -= GRAVITY_M_S2 * CORE_TICK_S;
-    fish->velocity_m_s = v3_add(rider->fall_m_s, home);
-    fish->position_m = v3_mad(before, fish->velocity_m_s, CORE_TICK_S);
-    fish->tail_amplitude = 1.0f;
-    if (through_mouth(scoop->bowl, before, fish->position_m)) {
-        into_bowl(scoop, fish);
+    switch (fall_tick(rider, scoop->poi_index, scoop->bowl, scoop->tank)) {
+    case FALL_INTO_BOWL:
+        scoop->landed++;
+        output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
         return 1;
-    }
-    if (fish->position_m.y > -0.5f * FISH_WIDTH_PER_LENGTH * fish->length_m) {
+    case FALL_INTO_WATER:
+        output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
+        return 1;
+    default:
         return 0;
     }
-    water_press(&scoop->tank->water, size, fish->position_m, 0.4f * fish->length_m, 0.004f);
-    output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
-    set_free(scoop->tank, fish, rider->fall_m_s);
-    return 1;
 }
 
 /* ---- Riding --------------------------------------------------------------------------------- */
@@ -179,7 +122,8 @@ static int leaves_paper(const struct scoop *scoop, const struct rider *rider)
     if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
         return 1;
     }
-    return square < POI_RADIUS_M * POI_RADIUS_M && !sheet_holds(&scoop->poi->sheet, rider->x_m, rider->z_m);
+    return square < POI_RADIUS_M * POI_RADIUS_M &&
+           !sheet_holds(&scoop->poi->sheet, rider->x_m, rider->z_m);
 }
 
 /* Returns whether the rider is gone. */
@@ -192,7 +136,7 @@ static int ride(struct scoop *scoop, struct rider *rider)
     rider_pose(rider, scoop->poi->position_m, &scoop->axes, fish);
     fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
     if (floats_off(scoop, rider, fish)) {
-        set_free(scoop->tank, fish, fish->velocity_m_s);
+        fall_set_free(scoop->tank, fish, fish->velocity_m_s);
         return 1;
     }
     if (leaves_paper(scoop, rider) || scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2) {
@@ -228,7 +172,8 @@ static int can_stand(const struct scoop *scoop, vec3 place, const struct fish *f
 static void spill(const struct scoop *scoop, struct fish *fish, vec3 place)
 {
     const vec3 out = v3_normalize_or(v3(place.x, 0.0f, place.z), v3(1.0f, 0.0f, 0.0f));
-    fish->position_m = v3_mad(fish->position_m, basis_to_world(&scoop->axes, out), SPILL_M_S * CORE_TICK_S);
+    fish->position_m =
+        v3_mad(fish->position_m, basis_to_world(&scoop->axes, out), SPILL_M_S * CORE_TICK_S);
 }
 
 static void take_up(struct scoop *scoop, uint32_t index)
@@ -302,7 +247,7 @@ static void meet_all(struct scoop *scoop)
                 take_up(scoop, i);
             }
         } else if (fish->holder == scoop->poi_index && !is_rider(scoop->poi, i)) {
-            set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
+            fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
     }
 }
@@ -349,7 +294,8 @@ static void gather_loads(struct scoop *scoop)
             const float mass = fish_mass_kg(fish->length_m) * dryness(scoop, rider, fish);
             const float force = mass * scoop->ride.pull_m_s2.y;
             poi->riders_kg += mass;
-            add_load(poi, (struct sheet_load){ rider->x_m, rider->z_m, BODY_FOOT_M, f_min(force, 0.0f) });
+            add_load(poi, (struct sheet_load){ rider->x_m, rider->z_m, BODY_FOOT_M,
+                                               f_min(force, 0.0f) });
         }
     }
 }

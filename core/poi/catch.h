@@ -14,9 +14,9 @@ struct catch_result {
     uint32_t landed; /* Fish that came into the bowl this tick. */
 };
 
-/* One tick of one poi against all fish, after they moved: carries, slides and drops the fish that it
- * holds, takes up new ones, and gathers their loads for the next tick's paper. A fish that is held
- * by this poi without being among its riders (its poi was renewed) goes back to the water. */
+/* One tick of one poi against all fish, after they moved: carries, slides and drops the fish that
+ * it holds, takes up new ones, and gathers their loads for the next tick's paper. A fish that is
+ * held by this poi without being among its riders (its poi was renewed) goes back to the water. */
 struct catch_result catch_tick(struct poi *poi, uint32_t poi_index, struct tank *tank,
                                struct bowl *bowl, uint32_t tick, struct output *output);
 

@@ -1,12 +1,12 @@
 /* contact.c -- a fish remembers on which side of the paper it is; see poi.near_bits. */
 #include "core/poi/contact.h"
 
-#define ZONE_M 0.06f          /* Farther from the plane than a fish and a poi can meet in one tick. */
-#define SIDE_GAP_M 0.0005f    /* A fish's centre never gets nearer to the paper than this ... */
-#define PUSH_M 0.0025f        /* ... and a body that slid in over the ring is freed at this a tick. */
+#define ZONE_M 0.06f       /* Farther from the plane than a fish and a poi can meet in one tick. */
+#define SIDE_GAP_M 0.0005f /* A fish's centre never gets nearer to the paper than this ... */
+#define PUSH_M 0.0025f     /* ... and a body that slid in over the ring is freed at this a tick. */
 #define TOUCH_M 0.003f
-#define PIN_M_S 0.12f         /* Paper that comes at a fish so fast takes it half along. */
-#define SQUEEZE_M_S 0.25f     /* Out from between ring and floor. */
+#define PIN_M_S 0.12f     /* Paper that comes at a fish so fast takes it half along. */
+#define SQUEEZE_M_S 0.25f /* Out from between ring and floor. */
 
 static int bit(const uint32_t *bits, uint32_t index)
 {
@@ -36,8 +36,9 @@ static void stay_in_water(struct fish *fish, const struct tank *tank)
 /* A fish between ring and floor holds the ring up and works its way out. */
 static void squeeze(struct poi *poi, struct fish *fish, vec3 up, float clear_m, vec3 place)
 {
-    const vec3 out = v3_normalize_or(v3(fish->position_m.x - poi->position_m.x, 0.0f,
-                                        fish->position_m.z - poi->position_m.z), v3(1.0f, 0.0f, 0.0f));
+    const vec3 out = v3_normalize_or(
+        v3(fish->position_m.x - poi->position_m.x, 0.0f, fish->position_m.z - poi->position_m.z),
+        v3(1.0f, 0.0f, 0.0f));
     fish->position_m = v3_mad(fish->position_m, out, SQUEEZE_M_S * CORE_TICK_S);
     const float needed = (clear_m + place.y) * up.y; /* place.y < 0: below. */
     if (needed > 0.0f) {
@@ -52,11 +53,13 @@ static vec3 pinned_along(const struct poi *poi, vec3 up, float closing_m_s)
     const vec3 v = poi->velocity_m_s;
     const vec3 along = v3_mad(v, up, -v3_dot(v, up));
     const float square = closing_m_s * closing_m_s;
-    return closing_m_s > 0.0f ? v3_scale(along, square / (square + PIN_M_S * PIN_M_S)) : v3(0.0f, 0.0f, 0.0f);
+    return closing_m_s > 0.0f ? v3_scale(along, square / (square + PIN_M_S * PIN_M_S))
+                              : v3(0.0f, 0.0f, 0.0f);
 }
 
 /* Moves the fish along the normal until it clears the paper, and gives it the paper's speed. */
-static void push(struct poi *poi, struct fish *fish, vec3 up, float side, float height_m, float goal_m)
+static void push(struct poi *poi, struct fish *fish, vec3 up, float side, float height_m,
+                 float goal_m)
 {
     const float paper = v3_dot(poi->velocity_m_s, up), own = v3_dot(fish->velocity_m_s, up);
     const vec3 along = pinned_along(poi, up, side * paper);

@@ -3,11 +3,11 @@
 
 #include "core/base/fmath.h"
 
-#define CN_BROADSIDE 1.17f       /* Bluff disc; 1.12 to 1.17 in the literature. */
-#define CN_PER_SINE 2.0f         /* Circular wing at small angles: 1.79 per radian, and rising. */
-#define NU_M2_S 1.0e-6f          /* Water at 20 C. */
-#define ENTRY_HALF_M 0.005f      /* Half the depth over which a level disc goes under. */
-#define OPEN_DEPTH_M 0.06f       /* 1.5 radii below the surface a disc no longer feels it. */
+#define CN_BROADSIDE 1.17f  /* Bluff disc; 1.12 to 1.17 in the literature. */
+#define CN_PER_SINE 2.0f    /* Circular wing at small angles: 1.79 per radian, and rising. */
+#define NU_M2_S 1.0e-6f     /* Water at 20 C. */
+#define ENTRY_HALF_M 0.005f /* Half the depth over which a level disc goes under. */
+#define OPEN_DEPTH_M 0.06f  /* 1.5 radii below the surface a disc no longer feels it. */
 
 float disc_immersed(float radius_m, float centre_y_m, float up_y)
 {

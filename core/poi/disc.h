@@ -15,8 +15,8 @@ float disc_immersed(float radius_m, float centre_y_m, float up_y);
 /* Added mass along the normal, (8/3) rho a^3 in the open; half of it at the surface. */
 float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed);
 
-/* Normal force / normal speed for a fully immersed disc (N s/m). C_N = min(1.17, 2 sin alpha), alpha
- * the angle between its plane and its velocity; both speeds are relative to the water. */
+/* Normal force / normal speed for a fully immersed disc (N s/m). C_N = min(1.17, 2 sin alpha),
+ * alpha the angle between its plane and its velocity; both speeds are relative to the water. */
 float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s);
 
 /* Friction along the plane / speed along the plane (N s/m), both faces, laminar plate. */

@@ -6,38 +6,35 @@
 #include "core/base/panic.h"
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
+#include "core/poi/yield.h"
 
 /* The hand. One stiffness; damping grows with the water that has to move along, so that the spring
  * is critically damped along the normal under water and lags a moving hand by damping / stiffness:
  * 22 ms in air, 53 ms broadside under water. */
 #define HAND_N_M 250.0f
 #define HAND_LAG_AIR_S 0.0225f
-#define HAND_N_MAX 20.0f         /* What a wrist gives; the poi yields beyond it. */
-#define EDGE_ADDED_KG 0.010f     /* Water that the ring drags along its plane. */
-#define TURN_RAD_S 80.0f         /* Wrist: lags by 25 ms. */
-#define GRIP_M 0.130f            /* Ring centre to the hand, along the handle. */
+#define HAND_N_MAX 20.0f     /* What a wrist gives; the poi yields beyond it. */
+#define EDGE_ADDED_KG 0.010f /* Water that the ring drags along its plane. */
+#define TURN_RAD_S 80.0f     /* Wrist: lags by 25 ms. */
+#define GRIP_M 0.130f        /* Ring centre to the hand, along the handle. */
 
-#define REACH_SIDE_M 0.15f       /* Beyond the walls, over the rim. */
-#define REACH_HEIGHT_M 0.30f
-#define ASIDE_M_S 0.6f           /* Off a bowl's hull. */
-#define FLOOR_GAP_M 0.003f       /* The ring is thick; its paper must not be pinched. */
-
-#define TIP_RAD (55.0f * F_DEG)  /* Steep enough for a fish to roll over the ring. */
+#define TIP_RAD (55.0f * F_DEG) /* Steep enough for a fish to roll over the ring. */
 #define TIP_PER_S 3.0f
-#define TIP_NEAR 0.45f           /* Ring to mouth, centre to centre, in sums of their radii: full turn ... */
-#define TIP_FAR 0.95f            /* ... and none. */
+#define TIP_NEAR 0.45f /* Ring to mouth, centre to centre, in sums of their radii: full turn ...   \
+                        */
+#define TIP_FAR 0.95f  /* ... and none. */
 #define TIP_BACK_SHARE 0.4f
-#define TIP_EDGE_M 0.010f        /* The lower edge then keeps so far over the mouth. */
+#define TIP_EDGE_M 0.010f /* The lower edge then keeps so far over the mouth. */
 
 /* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at
  * 30 Hz, must not become blows of water. */
 #define FEEL_TAU_S 0.060f
-#define FEEL_M_S2_MAX 6.0f       /* A stop at a wall is the ring's, not the paper's. */
+#define FEEL_M_S2_MAX 6.0f /* A stop at a wall is the ring's, not the paper's. */
 
-#define FILM_KG 0.003f           /* Water that wet paper keeps, ... */
-#define DRAIN_TAU_S 0.15f        /* divided by the sine of the tilt, for what is more; */
-#define SEEP_TAU_S 6.0f          /* level, it seeps through. */
-#define UNDER_POOL_KG 0.015f     /* Upside down the 3 mm ring is a bowl. */
+#define FILM_KG 0.003f       /* Water that wet paper keeps, ... */
+#define DRAIN_TAU_S 0.15f    /* divided by the sine of the tilt, for what is more; */
+#define SEEP_TAU_S 6.0f      /* level, it seeps through. */
+#define UNDER_POOL_KG 0.015f /* Upside down the 3 mm ring is a bowl. */
 
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
 {
@@ -59,22 +56,25 @@ static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
         return 0.0f;
     }
     const float near = v3_length(way) / (BOWL_RADIUS_M + POI_RADIUS_M);
-    return (1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near)) * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+    return (1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near)) *
+           (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
 }
 
-/* A wrist rolls a handle more easily than it raises it, and the handle's end stays out of the bowl. */
+/* A wrist rolls a handle more easily than it raises it, and the handle's end stays out of the bowl.
+ */
 static vec3 rather_sideways(vec3 way, float yaw_rad)
 {
     const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
     const vec3 back = v3(f_sin(yaw_rad), 0.0f, f_cos(yaw_rad));
-    const vec3 mix = v3_mad(v3_scale(right, v3_dot(way, right)), back, TIP_BACK_SHARE * v3_dot(way, back));
+    const vec3 mix =
+        v3_mad(v3_scale(right, v3_dot(way, right)), back, TIP_BACK_SHARE * v3_dot(way, back));
     return v3_normalize_or(mix, right);
 }
 
 static void tip_over(struct poi *poi, const struct bowl *bowl, int has_wrist)
 {
-    const vec3 way = v3(bowl->position_m.x - poi->position_m.x, 0.0f,
-                        bowl->position_m.z - poi->position_m.z);
+    const vec3 way =
+        v3(bowl->position_m.x - poi->position_m.x, 0.0f, bowl->position_m.z - poi->position_m.z);
     const float goal = has_wrist ? 0.0f : over_bowl(poi, bowl, way);
     if (poi->tip < 0.02f && goal > 0.0f) {
         poi->tip_toward = rather_sideways(way, poi->angles.yaw_rad);
@@ -83,9 +83,10 @@ static void tip_over(struct poi *poi, const struct bowl *bowl, int has_wrist)
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* The hand's target, tipped toward the bowl. The wrist that turns the ring also lifts it, or the fish
- * would slide out below the bowl's mouth. */
-static struct poi_target tipped(const struct poi *poi, const struct bowl *bowl, struct poi_target target)
+/* The hand's target, tipped toward the bowl. The wrist that turns the ring also lifts it, or the
+ * fish would slide out below the bowl's mouth. */
+static struct poi_target tipped(const struct poi *poi, const struct bowl *bowl,
+                                struct poi_target target)
 {
     if (poi->tip <= 0.0f) {
         return target;
@@ -120,9 +121,9 @@ static void turn(struct poi *poi, struct angles goal)
 /* ---- Hand against water --------------------------------------------------------------------- */
 
 struct pull {
-    vec3 hand_n;        /* On the ring, world. */
-    vec3 water_n;       /* On the ring, world: drag and slam, without added mass. */
-    float normal_n;     /* The part of water_n along +up, all of it on the paper. */
+    vec3 hand_n;    /* On the ring, world. */
+    vec3 water_n;   /* On the ring, world: drag and slam, without added mass. */
+    float normal_n; /* The part of water_n along +up, all of it on the paper. */
     float added_kg;
 };
 
@@ -154,7 +155,8 @@ static float slam_n(const struct poi *poi, float immersed, float added_kg, float
     return -normal_m_s * added_kg * share / CORE_TICK_S;
 }
 
-static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed)
+static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes,
+                             float immersed)
 {
     const vec3 v = basis_to_body(axes, poi->velocity_m_s);
     const float plane = f_sqrt(v.x * v.x + v.z * v.z);
@@ -176,8 +178,9 @@ static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis 
                          axis_speed(m_normal, v.y, spring.y, k, c_normal + drag_n, weight.y + slam),
                          axis_speed(m_plane, v.z, spring.z, k, c_plane + drag_p, weight.z));
     const vec3 stretch = v3_scale(next, k * CORE_TICK_S);
-    const vec3 hand = v3(spring.x - stretch.x - c_plane * next.x, spring.y - stretch.y - c_normal * next.y,
-                         spring.z - stretch.z - c_plane * next.z);
+    const vec3 hand =
+        v3(spring.x - stretch.x - c_plane * next.x, spring.y - stretch.y - c_normal * next.y,
+           spring.z - stretch.z - c_plane * next.z);
     const vec3 water = v3(-drag_p * next.x, slam - drag_n * next.y, -drag_p * next.z);
     const vec3 velocity = basis_to_world(axes, next);
     const vec3 change = v3_scale(v3_sub(velocity, poi->velocity_m_s), 1.0f / CORE_TICK_S);
@@ -191,85 +194,6 @@ static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis 
                           .added_kg = added };
 }
 
-/* ---- Walls ---------------------------------------------------------------------------------- */
-
-/* Keeps one coordinate within limits; what ran into them stops. */
-static void keep(float *place, float *speed, float low, float high)
-{
-    if (*place < low) {
-        *place = low;
-        *speed = f_max(*speed, 0.0f);
-    } else if (*place > high) {
-        *place = high;
-        *speed = f_min(*speed, 0.0f);
-    }
-}
-
-/* Half the ring's extent along a world axis on which its normal has the part `n`. */
-static float half_extent(float n)
-{
-    return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) + 0.5f * POI_THICKNESS_M * f_abs(n);
-}
-
-/* Inside the walls it stays inside; only with its lowest edge over the rim may it pass. A ring that
- * comes down outside rests on the rim. */
-static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
-{
-    const float low = half_extent(up.y);
-    const float rim = tank->wall_height_m - tank->size_m.y;
-    const float room_x = 0.5f * tank->size_m.x - half_extent(up.x);
-    const float room_z = 0.5f * tank->size_m.z - half_extent(up.z);
-    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
-    if (at->y - low >= rim) {
-        return;
-    }
-    const int was_inside = f_abs(before_m.x) <= room_x + 1e-4f && f_abs(before_m.z) <= room_z + 1e-4f;
-    const int is_inside = f_abs(at->x) <= room_x && f_abs(at->z) <= room_z;
-    if (!is_inside && !was_inside && before_m.y - low >= rim - 1e-3f) {
-        keep(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
-    } else {
-        keep(&at->x, &speed->x, -room_x, room_x);
-        keep(&at->z, &speed->z, -room_z, room_z);
-    }
-}
-
-/* From above the ring rests on the mouth, from below under the hull, from aside it slides round. */
-static void yield_to_bowl(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
-{
-    const float low = half_extent(up.y);
-    const float mouth = bowl->position_m.y, bottom = mouth - BOWL_DEPTH_M;
-    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
-    const vec3 away = v3(at->x - bowl->position_m.x, 0.0f, at->z - bowl->position_m.z);
-    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
-    const float apart = bowl_hull_radius_m(mouth - at->y) + half_extent(v3_dot(up, out));
-    if (!bowl->present || v3_length(away) >= apart || at->y - low >= mouth || at->y + low <= bottom) {
-        return;
-    }
-    if (before_m.y - low >= mouth - 1e-3f) {
-        keep(&at->y, &speed->y, mouth + low, REACH_HEIGHT_M);
-    } else if (before_m.y + low <= bottom + 1e-3f) {
-        keep(&at->y, &speed->y, -10.0f, bottom - low);
-    } else {
-        const float step = f_min(apart - v3_length(away), ASIDE_M_S * CORE_TICK_S);
-        const float inward = f_min(v3_dot(*speed, out), 0.0f);
-        *at = v3_mad(*at, out, step);
-        *speed = v3_mad(*speed, out, -inward);
-    }
-}
-
-static void yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m, vec3 up)
-{
-    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
-    const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
-    const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
-    const float floor = f_max(half_extent(up.y) + FLOOR_GAP_M - tank->size_m.y, poi->floor_m);
-    yield_to_bowl(poi, bowl, before_m, up);
-    keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
-    yield_to_walls(poi, tank, before_m, up);
-    keep(&at->x, &speed->x, -reach_x, reach_x);
-    keep(&at->z, &speed->z, -reach_z, reach_z);
-}
-
 /* ---- Paper ---------------------------------------------------------------------------------- */
 
 /* What bears on the paper, toward +up: drag and slam, water that must be accelerated along, and out
@@ -281,7 +205,8 @@ static float pressure(const struct poi *poi, const struct pull *pull, vec3 up, f
     const float lift = v3_dot(poi->acceleration_m_s2, up);
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area;
     const float burden_kg = (paper_kg + poi->water_kg + poi->riders_kg) * (1.0f - immersed);
-    const float force = pull->normal_n - pull->added_kg * lift - burden_kg * (GRAVITY_M_S2 * up.y + lift);
+    const float force =
+        pull->normal_n - pull->added_kg * lift - burden_kg * (GRAVITY_M_S2 * up.y + lift);
     return force / area;
 }
 
@@ -290,7 +215,8 @@ static void carry_water(struct poi *poi, vec3 up)
     const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up.y * up.y));
     const float left = sheet_left(&poi->sheet);
     if (poi->immersed > 0.05f) {
-        const float belly = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * f_max(0.0f, poi->sheet.sag_m);
+        const float belly =
+            0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * f_max(0.0f, poi->sheet.sag_m);
         const float pool = up.y > 0.0f ? belly * WATER_KG_M3 * up.y * up.y : UNDER_POOL_KG;
         poi->water_kg = left * (FILM_KG + f_min(pool, UNDER_POOL_KG));
         return;
@@ -341,7 +267,7 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     note_splash(poi, immersed);
     poi->immersed = immersed;
     poi->position_m = v3_mad(before_m, poi->velocity_m_s, CORE_TICK_S);
-    yield(poi, tank, bowl, before_m, axes.up);
+    poi_yield(poi, tank, bowl, before_m, axes.up);
     strain_paper(poi, &pull, &axes);
 
     force->force_n = v3_scale(pull.hand_n, -1.0f);
@@ -358,7 +284,8 @@ void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m)
         water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press);
     } else if (poi->immersed >= 1.0f) {
         const float press = -0.5f * heave * f_exp(-depth / 0.03f);
-        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, f_clamp(press, -0.003f, 0.003f));
+        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M,
+                    f_clamp(press, -0.003f, 0.003f));
     }
 }
 

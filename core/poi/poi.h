@@ -1,4 +1,5 @@
-/* poi.h -- the paper scoop: a rigid ring on a spring from the hand, with a sheet of paper across. */
+/* poi.h -- the paper scoop: a rigid ring on a spring from the hand, with a sheet of paper across.
+ */
 #ifndef KINGYO_CORE_POI_POI_H
 #define KINGYO_CORE_POI_POI_H
 
@@ -12,7 +13,7 @@
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
-#define POI_RADIUS_M 0.040f       /* Inner: the federation's 80 mm. */
+#define POI_RADIUS_M 0.040f /* Inner: the federation's 80 mm. */
 #define POI_OUTER_RADIUS_M 0.0465f
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
@@ -21,7 +22,7 @@
 /* How a hand holds it. */
 struct poi_grip {
     struct poi_target target;
-    int has_wrist;                 /* 0: the poi turns over its bowl by itself. */
+    int has_wrist; /* 0: the poi turns over its bowl by itself. */
 };
 
 struct poi {
@@ -29,36 +30,37 @@ struct poi {
     uint32_t seed;                 /* Of this specimen; its fish slap by it. */
     vec3 position_m, velocity_m_s; /* Ring centre. */
     struct angles angles;
-    vec3 angular_velocity_rad_s;   /* Of yaw, pitch, roll, in that order. */
-    vec3 acceleration_m_s2;        /* Over the last few ticks; what water and fish on it feel. */
-    float immersed;                /* [0, 1] fraction of the disc below the surface. */
-    float splash_m_s;              /* This tick the ring went in (> 0) or came out (< 0), so fast. */
-    float water_kg;                /* On the paper; a load only out of the tank. */
-    float tip;                     /* [0, 1] how far the wrist has turned to empty into the bowl ... */
-    vec3 tip_toward;               /* ... and which way: horizontal, unit, chosen when it begins. */
-    float floor_m;                 /* Lowest height that fish caught under the ring leave it; <= 0. */
-    float pressure_pa;             /* On the paper in the last tick, positive toward +up. */
-    uint32_t dips;                 /* Times it went in: scoops. */
+    vec3 angular_velocity_rad_s; /* Of yaw, pitch, roll, in that order. */
+    vec3 acceleration_m_s2;      /* Over the last few ticks; what water and fish on it feel. */
+    float immersed;              /* [0, 1] fraction of the disc below the surface. */
+    float splash_m_s;            /* This tick the ring went in (> 0) or came out (< 0), so fast. */
+    float water_kg;              /* On the paper; a load only out of the tank. */
+    float tip;         /* [0, 1] how far the wrist has turned to empty into the bowl ... */
+    vec3 tip_toward;   /* ... and which way: horizontal, unit, chosen when it begins. */
+    float floor_m;     /* Lowest height that fish caught under the ring leave it; <= 0. */
+    float pressure_pa; /* On the paper in the last tick, positive toward +up. */
+    uint32_t dips;     /* Times it went in: scoops. */
     uint32_t slap_tick, tear_tick; /* When each was last heard. */
     struct sheet sheet;
-    struct sheet_events strain;    /* What the last tick did to the paper. */
+    struct sheet_events strain; /* What the last tick did to the paper. */
 
-    float riders_kg;               /* Weight of fish that the paper bears in air. */
-    uint32_t rider_count;          /* <= POI_RIDER_MAX */
+    float riders_kg;      /* Weight of fish that the paper bears in air. */
+    uint32_t rider_count; /* <= POI_RIDER_MAX */
     struct rider riders[POI_RIDER_MAX];
-    uint32_t load_count;           /* <= SHEET_LOAD_MAX; gathered by the last catch_tick. */
+    uint32_t load_count; /* <= SHEET_LOAD_MAX; gathered by the last catch_tick. */
     struct sheet_load loads[SHEET_LOAD_MAX];
-    uint32_t near_bits[TANK_FISH_MAX / 32u];  /* Fish that were within the ring's cylinder ... */
-    uint32_t above_bits[TANK_FISH_MAX / 32u]; /* ... and on which side: none passes through paper. */
+    uint32_t near_bits[TANK_FISH_MAX / 32u]; /* Fish that were within the ring's cylinder ... */
+    uint32_t
+        above_bits[TANK_FISH_MAX / 32u]; /* ... and on which side: none passes through paper. */
 };
 
 /* A fresh poi of `grade` 4 .. 7 at rest; `position_m` above the water keeps it dry. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
-/* One tick of the ring: pulled by the hand, held back by water, floor, walls and its own bowl; wets,
- * strains and tears the paper. Without a wrist it rises and turns toward the bowl when it is over
- * its mouth. Loads of the fish on it were gathered by the last catch_tick. A target that is not
- * finite is a bug and asserts. */
+/* One tick of the ring: pulled by the hand, held back by water, floor, walls and its own bowl;
+ * wets, strains and tears the paper. Without a wrist it rises and turns toward the bowl when it is
+ * over its mouth. Loads of the fish on it were gathered by the last catch_tick. A target that is
+ * not finite is a bug and asserts. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl, struct poi_force *force);
 

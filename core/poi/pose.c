@@ -11,7 +11,8 @@ struct angles pose_angles(const struct basis *axes)
     } else { /* Straight up or down: yaw and roll are one turn; give it all to yaw. */
         angles.yaw_rad = f_atan2(-axes->right.z, axes->right.x);
     }
-    const struct basis flat = basis_from_angles((struct angles){ angles.yaw_rad, angles.pitch_rad, 0.0f });
+    const struct basis flat =
+        basis_from_angles((struct angles){ angles.yaw_rad, angles.pitch_rad, 0.0f });
     angles.roll_rad = f_atan2(v3_dot(axes->up, flat.right), v3_dot(axes->up, flat.up));
     return angles;
 }

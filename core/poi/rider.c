@@ -7,21 +7,21 @@
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-#define LIE_RAD (80.0f * F_DEG)  /* Flat on its side, but for the fins under it. */
+#define LIE_RAD (80.0f * F_DEG) /* Flat on its side, but for the fins under it. */
 #define LIE_PER_S 8.0f
-#define STICK 0.36f              /* Static friction of skin on wet paper: slides from 20 degrees. */
-#define SLIP 0.30f               /* Once it slides. */
-#define WALL_STICK 0.84f         /* The ring is 3 mm high: a fish rolls over it from 40 degrees ... */
-#define WALL_JUMP_M_S 0.40f      /* ... or in a rush. */
-#define WALL_MARGIN_M 0.004f     /* Centre to ring when the belly touches it. */
+#define STICK 0.36f          /* Static friction of skin on wet paper: slides from 20 degrees. */
+#define SLIP 0.30f           /* Once it slides. */
+#define WALL_STICK 0.84f     /* The ring is 3 mm high: a fish rolls over it from 40 degrees ... */
+#define WALL_JUMP_M_S 0.40f  /* ... or in a rush. */
+#define WALL_MARGIN_M 0.004f /* Centre to ring when the belly touches it. */
 #define SLAP_S 0.020f
-#define SLAP_M_S2_MIN 10.0f      /* Tail pulse: body mass times this ... */
+#define SLAP_M_S2_MIN 10.0f /* Tail pulse: body mass times this ... */
 #define SLAP_M_S2_MAX 30.0f
 #define SLAP_N_MAX 0.15f
-#define CALM_TAU_S 3.0f          /* Out of water it tires, */
-#define CALM_HEAD_UP 2.5f        /* and sooner with its head up. */
-#define FLOP_M_S 0.60f           /* A slap also throws the fish about; few throw it so fast. */
-#define VIGOUR_MIN 0.08f         /* It never quite gives up. */
+#define CALM_TAU_S 3.0f   /* Out of water it tires, */
+#define CALM_HEAD_UP 2.5f /* and sooner with its head up. */
+#define FLOP_M_S 0.60f    /* A slap also throws the fish about; few throw it so fast. */
+#define VIGOUR_MIN 0.08f  /* It never quite gives up. */
 
 enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
 
@@ -98,13 +98,14 @@ static void slide(struct rider *rider, const struct ride *ride, float dry)
     const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;
     const float pull_x = ride->pull_m_s2.x * dry, pull_z = ride->pull_m_s2.z * dry;
     const float pull = f_sqrt(pull_x * pull_x + pull_z * pull_z);
-    const float speed = f_sqrt(rider->slide_x_m_s * rider->slide_x_m_s +
-                               rider->slide_z_m_s * rider->slide_z_m_s);
+    const float speed =
+        f_sqrt(rider->slide_x_m_s * rider->slide_x_m_s + rider->slide_z_m_s * rider->slide_z_m_s);
     if (speed < 0.01f && pull <= STICK * press) {
         rider->slide_x_m_s = rider->slide_z_m_s = 0.0f;
         return;
     }
-    /* Friction and the water's drag as one implicit factor: they stop a fish, never turn it back. */
+    /* Friction and the water's drag as one implicit factor: they stop a fish, never turn it back.
+     */
     const float brake = SLIP * press / f_max(speed, 0.01f) + 6.0f * (1.0f - dry);
     const float keep = 1.0f / (1.0f + CORE_TICK_S * brake);
     rider->slide_x_m_s = (rider->slide_x_m_s + pull_x * CORE_TICK_S) * keep;
@@ -153,7 +154,8 @@ float rider_tick(struct rider *rider, const struct fish *fish, const struct ride
     return force_n;
 }
 
-void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_axes, struct fish *fish)
+void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_axes,
+                struct fish *fish)
 {
     const float sine = f_sin(rider->heading_rad), cosine = f_cos(rider->heading_rad);
     const float tilt = LIE_RAD * rider->lie;
@@ -175,9 +177,10 @@ void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_a
 
 uint64_t rider_hash(uint64_t hash, const struct rider *rider)
 {
-    const float values[] = { rider->x_m,         rider->z_m,         rider->height_m, rider->slide_x_m_s,
-                             rider->slide_z_m_s, rider->heading_rad, rider->lie,      rider->vigour,
-                             rider->rest_s,      rider->slap_s,      rider->slap_n,   rider->slap_d_m };
+    const float values[] = { rider->x_m,         rider->z_m,         rider->height_m,
+                             rider->slide_x_m_s, rider->slide_z_m_s, rider->heading_rad,
+                             rider->lie,         rider->vigour,      rider->rest_s,
+                             rider->slap_s,      rider->slap_n,      rider->slap_d_m };
     hash = hash_u32(hash, rider->fish);
     hash = hash_u32(hash, rider->state);
     hash = hash_u32(hash, (uint32_t)(rider->side + 1));

@@ -16,28 +16,28 @@ enum rider_state {
 };
 
 struct rider {
-    uint16_t fish;       /* Index in the tank. */
-    uint8_t state;       /* enum rider_state */
-    int8_t side;         /* +1 lies with its back to the left of its nose, -1 to the right. */
-    float x_m, z_m;      /* Centre, in the poi's plane ... */
-    float height_m;      /* ... and over it. */
+    uint16_t fish;  /* Index in the tank. */
+    uint8_t state;  /* enum rider_state */
+    int8_t side;    /* +1 lies with its back to the left of its nose, -1 to the right. */
+    float x_m, z_m; /* Centre, in the poi's plane ... */
+    float height_m; /* ... and over it. */
     float slide_x_m_s, slide_z_m_s;
-    float heading_rad;   /* Of the nose in that plane; 0 along -z, positive left, as yaw. */
-    float lie;           /* 0 upright in water .. 1 flat on its side. */
-    float vigour;        /* [0, 1] how hard it slaps; tires. */
-    float rest_s;        /* Until the next slap. */
-    float slap_s;        /* Left of this one. */
-    float slap_n;        /* Its force on the paper, ... */
-    float slap_d_m;      /* ... its footprint. */
-    vec3 fall_m_s;       /* World velocity while falling. */
+    float heading_rad; /* Of the nose in that plane; 0 along -z, positive left, as yaw. */
+    float lie;         /* 0 upright in water .. 1 flat on its side. */
+    float vigour;      /* [0, 1] how hard it slaps; tires. */
+    float rest_s;      /* Until the next slap. */
+    float slap_s;      /* Left of this one. */
+    float slap_n;      /* Its force on the paper, ... */
+    float slap_d_m;    /* ... its footprint. */
+    vec3 fall_m_s;     /* World velocity while falling. */
 };
 
 /* What the paper does to what lies on it, in the poi's axes. */
 struct ride {
-    vec3 pull_m_s2;      /* Gravity less the poi's own acceleration, in body axes; -y presses. */
+    vec3 pull_m_s2; /* Gravity less the poi's own acceleration, in body axes; -y presses. */
     float uphill_x, uphill_z; /* Horizontal part of "up" in the plane: [0, 1], 0 when level. */
-    float radius_m;      /* Of the paper. */
-    float outer_m;       /* Of the ring. */
+    float radius_m;           /* Of the paper. */
+    float outer_m;            /* Of the ring. */
 };
 
 /* Wet mass of a goldfish (Carassius auratus, L. Egirdir): W = 0.0210 L^3.0598, g and cm. */
@@ -55,7 +55,8 @@ float rider_tick(struct rider *rider, const struct fish *fish, const struct ride
 void rider_tail(const struct rider *rider, float length_m, float *x_m, float *z_m);
 
 /* Writes the fish's pose from the rider's and the poi's. */
-void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_axes, struct fish *fish);
+void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_axes,
+                struct fish *fish);
 
 uint64_t rider_hash(uint64_t hash, const struct rider *rider);
 

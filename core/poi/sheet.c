@@ -2,168 +2,20 @@
 #include "core/poi/sheet.h"
 
 #include "core/base/hash.h"
-#include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/base/rng.h"
 
-#define WET_TAU_S 1.0f       /* A cell under water loses its dry strength by this. */
-#define SOAKED 0.9999f       /* Driest cell of a sheet that need not be looked at any more. */
-#define WICK_M2_S 1.0e-6f    /* In-plane wicking: a front of about 1.4 mm after a second, sqrt(t). */
-#define DAMAGE_TAU_S 0.05f   /* Life of a cell at its ultimate tension ... */
+#define WET_TAU_S 1.0f     /* A cell under water loses its dry strength by this. */
+#define SOAKED 0.9999f     /* Driest cell of a sheet that need not be looked at any more. */
+#define WICK_M2_S 1.0e-6f  /* In-plane wicking: a front of about 1.4 mm after a second, sqrt(t). */
+#define DAMAGE_TAU_S 0.05f /* Life of a cell at its ultimate tension ... */
 #define LOAD_RATIO_MIN 0.25f /* ... and below this share of it, a day: ratio^10 is under 1e-6. */
 #define EDGE_FACTOR 1.5f     /* Stress concentration along the ring, */
 #define WET_LINE_FACTOR 2.5f /* along the line between wet and dry paper (swelling differs), */
 #define TIP_FACTOR 2.5f      /* and in front of a tear. */
 #define WET_LINE_STEP 0.5f   /* Difference of wetness over two cells that counts as a full line. */
 #define FOOT_TENSION_MIN_N_M 0.3f /* A footprint is felt as far as this; less wears nothing. */
-#define FIBRE_SHARE 0.25f    /* A tear along the fibres needs so much less, across so much more. */
-#define STRENGTH_SD 0.12f    /* Between specimens of one grade. */
-#define PATCH_SD 0.05f       /* Within a specimen, from cloud to cloud of the pulp. */
-#define SPOT_COUNT 3u        /* Thin places a specimen has. */
-#define SAG_TAU_S 0.03f      /* The belly takes water along and cannot jump. */
-
-/* Strengths are the weakest-sourced figures of the kiosk: paper of 14 to 24 g/m^2 with a tensile index
- * of a soft tissue, keeping 8 to 15 % of it when wet. A tunable table, to be calibrated by hanging
- * weights on a wet poi. */
-static const struct paper_grade grades[SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u] = {
-    { .areal_kg_m2 = 0.024f, .dry_n_m = 480.0f, .wet_n_m = 60.0f, .stiffness_n_m = 2800.0f },
-    { .areal_kg_m2 = 0.020f, .dry_n_m = 400.0f, .wet_n_m = 45.0f, .stiffness_n_m = 2300.0f },
-    { .areal_kg_m2 = 0.017f, .dry_n_m = 340.0f, .wet_n_m = 32.0f, .stiffness_n_m = 2000.0f },
-    { .areal_kg_m2 = 0.014f, .dry_n_m = 280.0f, .wet_n_m = 20.0f, .stiffness_n_m = 1600.0f },
-};
-
-static float cube_root(float x)
-{
-    return x < 1e-30f ? 0.0f : f_exp(f_ln(x) * (1.0f / 3.0f));
-}
-
-const struct paper_grade *sheet_grade(uint8_t grade)
-{
-    CORE_ASSERT(grade >= SHEET_GRADE_MIN);
-    CORE_ASSERT(grade <= SHEET_GRADE_MAX);
-    return &grades[grade - SHEET_GRADE_MIN];
-}
-
-/* (Y p^2 a^2)^(1/3), what both tensions share. */
-static float hencky(const struct paper_grade *grade, float pressure_pa, float radius_m)
-{
-    const float pa = pressure_pa * radius_m;
-    return cube_root(grade->stiffness_n_m * pa * pa);
-}
-
-float sheet_tension_centre(const struct paper_grade *grade, float pressure_pa, float radius_m)
-{
-    return 0.423f * hencky(grade, pressure_pa, radius_m);
-}
-
-float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, float radius_m)
-{
-    return 0.328f * hencky(grade, pressure_pa, radius_m);
-}
-
-float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m)
-{
-    const float strain = f_abs(pressure_pa) * radius_m / grade->stiffness_n_m;
-    return 0.662f * radius_m * cube_root(strain);
-}
-
-/* ---- Cells ---------------------------------------------------------------------------------- */
-
-static float cell_m(const struct sheet *sheet)
-{
-    return 2.0f * sheet->radius_m / (float)SHEET_SIDE;
-}
-
-/* Of a row's or column's middle. */
-static float cell_at(const struct sheet *sheet, uint32_t line)
-{
-    return ((float)line + 0.5f) * cell_m(sheet) - sheet->radius_m;
-}
-
-/* ---- A specimen ----------------------------------------------------------------------------- */
-
-struct spot {
-    float x_m, z_m, radius_m, loss;
-};
-
-static struct spot weak_spot(float radius_m, uint32_t seed, uint32_t which)
-{
-    const struct rng_key key = { seed, which, 0, RNG_SHEET_SPOT };
-    const struct rng_key far = { seed, which, 1, RNG_SHEET_SPOT };
-    const struct rng_key wide = { seed, which, 2, RNG_SHEET_SPOT };
-    const struct rng_key deep = { seed, which, 3, RNG_SHEET_SPOT };
-    const float angle = F_TAU * rng_unit(key);
-    const float reach = radius_m * f_sqrt(rng_unit(far));
-    return (struct spot){
-        .x_m = reach * f_cos(angle),
-        .z_m = reach * f_sin(angle),
-        .radius_m = rng_range(wide, 0.003f, 0.007f),
-        .loss = rng_range(deep, 0.08f, 0.22f),
-    };
-}
-
-/* Clouds of pulp about four cells wide: noise on a coarse lattice, blended between its points. */
-static float cloud(uint32_t seed, uint32_t column, uint32_t row)
-{
-    const uint32_t cx = column / 4u, cz = row / 4u;
-    const float fx = (float)(column % 4u) * 0.25f, fz = (float)(row % 4u) * 0.25f;
-    float corner[4];
-    for (uint32_t i = 0; i < 4; i++) {
-        const uint32_t at = (cz + i / 2u) * 16u + cx + i % 2u;
-        corner[i] = rng_normal((struct rng_key){ seed, 1, at, RNG_SHEET_STRENGTH });
-    }
-    return f_lerp(f_lerp(corner[0], corner[1], fx), f_lerp(corner[2], corner[3], fx), fz);
-}
-
-static float specimen_strength(uint32_t seed)
-{
-    const float normal = rng_normal((struct rng_key){ seed, 0, 0, RNG_SHEET_STRENGTH });
-    return 1.0f + STRENGTH_SD * f_clamp(normal, -2.5f, 2.5f);
-}
-
-static void lay_cell(struct sheet *sheet, uint32_t row, uint32_t column, float whole, uint32_t seed,
-                     const struct spot spots[SPOT_COUNT])
-{
-    const float x = cell_at(sheet, column), z = cell_at(sheet, row);
-    const uint32_t cell = row * SHEET_SIDE + column;
-    if (x * x + z * z >= sheet->radius_m * sheet->radius_m) {
-        return;
-    }
-    float strength = whole * (1.0f + PATCH_SD * cloud(seed, column, row));
-    for (uint32_t i = 0; i < SPOT_COUNT; i++) {
-        const float dx = x - spots[i].x_m, dz = z - spots[i].z_m;
-        const float near = (dx * dx + dz * dz) / (spots[i].radius_m * spots[i].radius_m);
-        strength *= 1.0f - spots[i].loss * f_exp(-near);
-    }
-    sheet->state[cell] = CELL_PAPER;
-    sheet->strength[cell] = f_max(strength, 0.4f);
-    sheet->strength_min = f_min(sheet->strength_min, sheet->strength[cell]);
-    sheet->paper_cells_new++;
-}
-
-void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t seed)
-{
-    CORE_ASSERT(sheet_grade(grade) != 0);
-    CORE_ASSERT(radius_m > 0.0f);
-    memset(sheet, 0, sizeof *sheet);
-    sheet->grade = grade;
-    sheet->radius_m = radius_m;
-    sheet->strength_min = 2.0f;
-    const float fibre = F_PI * rng_unit((struct rng_key){ seed, 2, 0, RNG_SHEET_STRENGTH });
-    sheet->fibre_x = f_cos(fibre);
-    sheet->fibre_z = f_sin(fibre);
-    struct spot spots[SPOT_COUNT];
-    for (uint32_t i = 0; i < SPOT_COUNT; i++) {
-        spots[i] = weak_spot(radius_m, seed, i);
-    }
-    const float whole = specimen_strength(seed);
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        for (uint32_t column = 0; column < SHEET_SIDE; column++) {
-            lay_cell(sheet, row, column, whole, seed, spots);
-        }
-    }
-    sheet->paper_cells = sheet->paper_cells_new;
-}
+#define FIBRE_SHARE 0.25f /* A tear along the fibres needs so much less, across so much more. */
+#define SAG_TAU_S 0.03f   /* The belly takes water along and cannot jump. */
 
 /* ---- Water ---------------------------------------------------------------------------------- */
 
@@ -179,13 +31,13 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
 {
     const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
     float driest = 1.0f;
-    const float spread = WICK_M2_S * CORE_TICK_S / (cell_m(sheet) * cell_m(sheet));
+    const float spread = WICK_M2_S * CORE_TICK_S / (sheet_cell_m(sheet) * sheet_cell_m(sheet));
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
         if (sheet->state[cell] != CELL_PAPER) {
             continue;
         }
-        if (wet.x * cell_at(sheet, column) + wet.z * cell_at(sheet, row) < wet.limit_m) {
+        if (wet.x * sheet_line_m(sheet, column) + wet.z * sheet_line_m(sheet, row) < wet.limit_m) {
             sheet->wetness[cell] += soak * (1.0f - sheet->wetness[cell]);
         } else if (row > 0 && column > 0 && row < SHEET_SIDE - 1u && column < SHEET_SIDE - 1u) {
             const float flow = creep(sheet, cell, cell - 1u) + creep(sheet, cell, cell + 1u) +
@@ -213,9 +65,9 @@ struct strain {
     uint32_t load_count;
     struct footprint {
         float x_m, z_m;
-        float own_m;       /* Its radius. */
-        float reach2_m2;   /* Beyond this square distance it is not felt. */
-        float pull_n_m_m;  /* F / (2 pi): tension times radius. */
+        float own_m;      /* Its radius. */
+        float reach2_m2;  /* Beyond this square distance it is not felt. */
+        float pull_n_m_m; /* F / (2 pi): tension times radius. */
     } footprints[SHEET_LOAD_MAX];
 };
 
@@ -239,13 +91,15 @@ static float footprint_tension(const struct strain *strain, float x_m, float z_m
         const float dx = x_m - foot->x_m, dz = z_m - foot->z_m;
         const float square = dx * dx + dz * dz;
         if (square < foot->reach2_m2) {
-            tension += foot->pull_n_m_m / f_max(foot->own_m, f_sqrt(square) - 0.5f * strain->cell_m);
+            tension +=
+                foot->pull_n_m_m / f_max(foot->own_m, f_sqrt(square) - 0.5f * strain->cell_m);
         }
     }
     return tension;
 }
 
-/* 0 away from holes; else the factor of a tear's tip, larger where it would run along the fibres. */
+/* 0 away from holes; else the factor of a tear's tip, larger where it would run along the fibres.
+ */
 static float tip_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
 {
     float worst = 0.0f;
@@ -269,7 +123,8 @@ static float wet_line_factor(const struct sheet *sheet, uint32_t row, uint32_t c
         return 1.0f;
     }
     const uint32_t cell = row * SHEET_SIDE + column;
-    const uint32_t pairs[2][2] = { { cell - 1u, cell + 1u }, { cell - SHEET_SIDE, cell + SHEET_SIDE } };
+    const uint32_t pairs[2][2] = { { cell - 1u, cell + 1u },
+                                   { cell - SHEET_SIDE, cell + SHEET_SIDE } };
     float step = 0.0f;
     for (uint32_t i = 0; i < 2; i++) {
         if (sheet->state[pairs[i][0]] == CELL_PAPER && sheet->state[pairs[i][1]] == CELL_PAPER) {
@@ -279,9 +134,10 @@ static float wet_line_factor(const struct sheet *sheet, uint32_t row, uint32_t c
     return 1.0f + (WET_LINE_FACTOR - 1.0f) * f_min(step / WET_LINE_STEP, 1.0f);
 }
 
-static float concentration(const struct sheet *sheet, uint32_t row, uint32_t column, float from_edge_m)
+static float concentration(const struct sheet *sheet, uint32_t row, uint32_t column,
+                           float from_edge_m)
 {
-    const float edge = from_edge_m < cell_m(sheet) ? EDGE_FACTOR : 1.0f;
+    const float edge = from_edge_m < sheet_cell_m(sheet) ? EDGE_FACTOR : 1.0f;
     return f_max(edge, f_max(wet_line_factor(sheet, row, column), tip_factor(sheet, row, column)));
 }
 
@@ -310,7 +166,8 @@ static void strain_cell(struct sheet *sheet, uint32_t cell, const struct strain 
     const float tension =
         f_lerp(strain->centre_n_m, strain->edge_n_m, square) + footprint_tension(strain, x, z);
     events->tension_max_n_m = f_max(events->tension_max_n_m, tension);
-    const float material = f_lerp(strain->grade->dry_n_m, strain->grade->wet_n_m, sheet->wetness[cell]);
+    const float material =
+        f_lerp(strain->grade->dry_n_m, strain->grade->wet_n_m, sheet->wetness[cell]);
     const float holds = material * sheet->strength[cell];
     if (tension * TIP_FACTOR * (1.0f + FIBRE_SHARE) < LOAD_RATIO_MIN * holds) {
         return; /* Not even a tear's tip would move. */
@@ -353,7 +210,7 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
         .grade = grade,
         .centre_n_m = sheet_tension_centre(grade, pressure_pa, sheet->radius_m),
         .edge_n_m = sheet_tension_edge(grade, pressure_pa, sheet->radius_m),
-        .cell_m = cell_m(sheet),
+        .cell_m = sheet_cell_m(sheet),
         .load_count = load_count,
     };
     for (uint32_t i = 0; i < load_count; i++) {
@@ -386,16 +243,18 @@ int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
     if (x_m * x_m + z_m * z_m >= sheet->radius_m * sheet->radius_m) {
         return 0;
     }
-    const float column = f_floor((x_m + sheet->radius_m) / cell_m(sheet));
-    const float row = f_floor((z_m + sheet->radius_m) / cell_m(sheet));
+    const float column = f_floor((x_m + sheet->radius_m) / sheet_cell_m(sheet));
+    const float row = f_floor((z_m + sheet->radius_m) / sheet_cell_m(sheet));
     const uint32_t c = (uint32_t)f_clamp(column, 0.0f, (float)(SHEET_SIDE - 1u));
     const uint32_t r = (uint32_t)f_clamp(row, 0.0f, (float)(SHEET_SIDE - 1u));
-    return sheet->state[r * SHEET_SIDE + c] != CELL_HOLE; /* Rim cells that are cut off still hold. */
+    return sheet->state[r * SHEET_SIDE + c] !=
+           CELL_HOLE; /* Rim cells that are cut off still hold. */
 }
 
 float sheet_left(const struct sheet *sheet)
 {
-    return sheet->paper_cells_new > 0 ? (float)sheet->paper_cells / (float)sheet->paper_cells_new : 0.0f;
+    return sheet->paper_cells_new > 0 ? (float)sheet->paper_cells / (float)sheet->paper_cells_new
+                                      : 0.0f;
 }
 
 uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)

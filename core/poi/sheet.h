@@ -11,7 +11,8 @@
 #include "core/scene.h"
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
-#define SHEET_LOAD_MAX 16u /* Footprints a tick; more fish than this on one poi spill at the rim. */
+#define SHEET_LOAD_MAX 16u /* Footprints a tick; more fish than this on one poi spill at the rim.  \
+                            */
 #define SHEET_GRADE_MIN 4u /* Strong. */
 #define SHEET_GRADE_MAX 7u /* Weak. */
 
@@ -31,20 +32,21 @@ struct paper_grade {
 
 /* A round patch that presses on the paper: a body, a tail, a snout. */
 struct sheet_load {
-    float x_m, z_m;     /* Of its centre, in the poi's plane. */
-    float diameter_m;   /* > 0 */
-    float force_n;      /* Along the normal, either sign. */
+    float x_m, z_m;   /* Of its centre, in the poi's plane. */
+    float diameter_m; /* > 0 */
+    float force_n;    /* Along the normal, either sign. */
 };
 
-/* Which half-plane of the poi's plane is under water: cells with x * cx + z * cz < limit_m get wet. */
+/* Which half-plane of the poi's plane is under water: cells with x * cx + z * cz < limit_m get wet.
+ */
 struct sheet_wetting {
     float x, z, limit_m;
 };
 
 struct sheet {
-    uint8_t grade;      /* SHEET_GRADE_MIN .. SHEET_GRADE_MAX */
-    uint8_t touched;    /* Some cell has been under water. */
-    uint8_t soaked;     /* All are wet through. */
+    uint8_t grade;   /* SHEET_GRADE_MIN .. SHEET_GRADE_MAX */
+    uint8_t touched; /* Some cell has been under water. */
+    uint8_t soaked;  /* All are wet through. */
     float radius_m;
     float fibre_x, fibre_z;           /* Unit: the way most fibres run; tears like to follow it. */
     float wetness[SHEET_CELL_COUNT];  /* [0, 1] */
@@ -54,7 +56,7 @@ struct sheet {
     uint8_t state[SHEET_CELL_COUNT];  /* enum sheet_cell_state */
     uint32_t paper_cells;             /* CELL_PAPER left ... */
     uint32_t paper_cells_new;         /* ... and at the start. */
-    float sag_m;                      /* From the last pressure; for the eye and for pooling water. */
+    float sag_m; /* From the last pressure; for the eye and for pooling water. */
 };
 
 /* What one tick did to the paper. */
@@ -62,6 +64,18 @@ struct sheet_events {
     uint32_t cells_torn;
     float tension_max_n_m; /* Of membrane and footprints, without stress concentration. */
 };
+
+/* Side of a cell. */
+static inline float sheet_cell_m(const struct sheet *sheet)
+{
+    return 2.0f * sheet->radius_m / (float)SHEET_SIDE;
+}
+
+/* The middle of a row (z) or column (x), < SHEET_SIDE, in the poi's plane. */
+static inline float sheet_line_m(const struct sheet *sheet, uint32_t line)
+{
+    return ((float)line + 0.5f) * sheet_cell_m(sheet) - sheet->radius_m;
+}
 
 /* `grade` in SHEET_GRADE_MIN .. SHEET_GRADE_MAX, else it asserts. */
 const struct paper_grade *sheet_grade(uint8_t grade);

@@ -25,7 +25,7 @@ struct stand {
     struct poi_force force;
     int has_wrist;
     uint32_t tick;
-    uint32_t landed;             /* Since the start. */
+    uint32_t landed; /* Since the start. */
     float tension_max_n_m, tension_sum_n_m;
 };
 

@@ -12,7 +12,8 @@ static void fill(uint32_t count)
     tank.fish_count = count + 1u; /* The last one swims free. */
     bowl_init(&bowl, v3(0.33f, 0.02f, 0.17f));
     for (uint32_t i = 0; i < count; i++) {
-        tank.fish[i] = (struct fish){ .position_m = bowl.position_m, .length_m = 0.035f + 0.002f * (float)(i % 10u),
+        tank.fish[i] = (struct fish){ .position_m = bowl.position_m,
+                                      .length_m = 0.035f + 0.002f * (float)(i % 10u),
                                       .gait = GAIT_BOWL };
     }
     tank.fish[count] = (struct fish){ .position_m = { -0.2f, -0.05f, 0.0f }, .length_m = 0.05f };
@@ -94,7 +95,8 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
         assert_true(fish->position_m.y >= half - 0.15f);
         assert_true(f_abs(fish->position_m.x) <= 0.45f - 0.5f * fish->length_m + 1e-5f);
         assert_true(f_abs(fish->position_m.z) <= 0.275f - 0.5f * fish->length_m + 1e-5f);
-        const vec3 away = v3(fish->position_m.x - bowl.position_m.x, 0.0f, fish->position_m.z - bowl.position_m.z);
+        const vec3 away = v3(fish->position_m.x - bowl.position_m.x, 0.0f,
+                             fish->position_m.z - bowl.position_m.z);
         assert_true(v3_length(away) < 0.20f);
     }
 }

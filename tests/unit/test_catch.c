@@ -104,8 +104,8 @@ static void test_a_fish_above_is_never_left_below(void **state)
             stand.hand.position_m.y = -0.13f + 0.16f * (float)tick / 60.0f;
             stand_tick(&stand);
             const struct basis axes = basis_from_angles(stand.poi.angles);
-            const vec3 place =
-                basis_to_body(&axes, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
+            const vec3 place = basis_to_body(
+                &axes, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
             if (place.x * place.x + place.z * place.z < POI_RADIUS_M * POI_RADIUS_M) {
                 assert_true(place.y > 0.0f);
             }
@@ -203,7 +203,8 @@ static void test_tipped_over_the_bowl_a_fish_lands_and_counts_once(void **state)
         const uint32_t fish = lifted(4, seed, 0.0f);
         stand_move(&stand, v3(0.20f, 0.05f, 0.10f), 0.3f);
         assert_int_equal(stand.landed, 0);
-        stand_move(&stand, v3(0.30f, 0.035f, 0.15f), 0.3f); /* A pointer's height: low over the mouth. */
+        stand_move(&stand, v3(0.30f, 0.035f, 0.15f),
+                   0.3f); /* A pointer's height: low over the mouth. */
         stand_wait(&stand, 1.5f);
         assert_int_equal(stand.landed, 1);
         assert_int_equal(stand.bowl.fish_count, 1);
@@ -315,7 +316,9 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
     stand_init(&stand, 4, 1);
     stand_dip(&stand);
     for (uint32_t i = 0; i < POI_RIDER_MAX + 8u; i++) {
-        stand_fish(&stand, v3(0.01f * (float)(i % 5u) - 0.02f, -0.05f, 0.008f * (float)(i / 5u) - 0.016f), 0.03f);
+        stand_fish(&stand,
+                   v3(0.01f * (float)(i % 5u) - 0.02f, -0.05f, 0.008f * (float)(i / 5u) - 0.016f),
+                   0.03f);
     }
     stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.15f);
     stand_wait(&stand, 0.5f);
@@ -338,7 +341,8 @@ static void test_sounds_say_what_happens_and_do_not_rattle(void **state)
     stand_fish(&stand, v3(0.0f, -0.10f, 0.0f), FISH_M);
     for (uint32_t tick = 0; tick < 8u * CORE_TICK_HZ; tick++) {
         stand.hand.position_m.y = tick < 2u * CORE_TICK_HZ ? -0.13f : 0.06f;
-        stand.hand.position_m.x = tick < CORE_TICK_HZ ? 0.2f : 0.0f; /* In beside the fish, then under it. */
+        stand.hand.position_m.x =
+            tick < CORE_TICK_HZ ? 0.2f : 0.0f; /* In beside the fish, then under it. */
         stand_tick(&stand);
         for (uint32_t i = 0; i < stand.output.sound_count; i++) {
             assert_true(stand.output.sounds[i].gain > 0.0f);

@@ -29,7 +29,8 @@ static void test_a_small_angle_lifts_like_a_wing(void **state)
     (void)state;
     const float sine = f_sin(20.0f * F_DEG), cosine = f_cos(20.0f * F_DEG);
     const float force_n = 0.3f * sine * disc_normal_n_s_m(RADIUS_M, 0.3f * sine, 0.3f * cosine);
-    assert_float_equal(force_n / (0.5f * WATER_KG_M3 * F_PI * RADIUS_M * RADIUS_M * 0.09f), 0.684f, 0.01f);
+    assert_float_equal(force_n / (0.5f * WATER_KG_M3 * F_PI * RADIUS_M * RADIUS_M * 0.09f), 0.684f,
+                       0.01f);
 }
 
 static void test_a_disc_at_rest_is_not_held(void **state)

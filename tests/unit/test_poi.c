@@ -108,7 +108,8 @@ static void test_the_ring_yields_to_floor_walls_and_the_reach_of_an_arm(void **s
     assert_true(stand.poi.position_m.x > 0.45f);
 }
 
-static void test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall(void **state)
+static void
+test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall(void **state)
 {
     (void)state;
     stand_init(&stand, 4, 1);
@@ -155,7 +156,8 @@ static int lift_survives(uint8_t grade, uint32_t seed, float speed_m_s)
     return sheet_left(&stand.poi.sheet) > 0.9f;
 }
 
-static void test_a_broadside_lift_at_1_m_s_tears_wet_grade_6_at_once_and_a_slow_one_does_not(void **state)
+static void
+test_a_broadside_lift_at_1_m_s_tears_wet_grade_6_at_once_and_a_slow_one_does_not(void **state)
 {
     (void)state;
     uint32_t fast = 0, slow = 0;
@@ -179,7 +181,8 @@ static float left_after_sweep(float roll_rad, float speed_m_s, uint32_t seed)
     return sheet_left(&stand.poi.sheet);
 }
 
-static void test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not(void **state)
+static void
+test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not(void **state)
 {
     (void)state;
     uint32_t torn = 0;
@@ -220,7 +223,8 @@ static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mous
         }
         stand.hand.position_m = smooth;
         if (by_mouse) {
-            stand.hand.position_m = tick % 2u == 0 ? v3_lerp(reports[0], reports[1], 0.5f) : reports[1];
+            stand.hand.position_m =
+                tick % 2u == 0 ? v3_lerp(reports[0], reports[1], 0.5f) : reports[1];
         }
         stand_tick(&stand);
         if (tick == ticks / 3u) { /* The start is the hand's, not the grid's. */
@@ -300,7 +304,8 @@ static int clear_of_bowl(void)
     for (uint32_t i = 0; i < 32; i++) {
         const float a = F_TAU * (float)i / 32.0f;
         const vec3 rim = v3_scale(v3(f_cos(a), 0.0f, f_sin(a)), 0.043f);
-        const vec3 at = v3_sub(v3_add(stand.poi.position_m, basis_to_world(&axes, rim)), stand.bowl.position_m);
+        const vec3 at =
+            v3_sub(v3_add(stand.poi.position_m, basis_to_world(&axes, rim)), stand.bowl.position_m);
         const float wide = (at.x * at.x + at.z * at.z) / (BOWL_RADIUS_M * BOWL_RADIUS_M);
         if (at.y < 0.0f && wide + at.y * at.y / (BOWL_DEPTH_M * BOWL_DEPTH_M) < 0.9f) {
             return 0;
@@ -405,11 +410,14 @@ int main(void)
         cmocka_unit_test(test_edge_on_it_feels_almost_nothing),
         cmocka_unit_test(test_a_poi_that_hangs_in_air_weighs_what_it_weighs),
         cmocka_unit_test(test_the_ring_yields_to_floor_walls_and_the_reach_of_an_arm),
-        cmocka_unit_test(test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall),
+        cmocka_unit_test(
+            test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall),
         cmocka_unit_test(test_a_still_pose_tears_nothing_wet_or_dry),
         cmocka_unit_test(test_what_dips_gets_wet_and_only_there),
-        cmocka_unit_test(test_a_broadside_lift_at_1_m_s_tears_wet_grade_6_at_once_and_a_slow_one_does_not),
-        cmocka_unit_test(test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not),
+        cmocka_unit_test(
+            test_a_broadside_lift_at_1_m_s_tears_wet_grade_6_at_once_and_a_slow_one_does_not),
+        cmocka_unit_test(
+            test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not),
         cmocka_unit_test(test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path),
         cmocka_unit_test(test_on_any_course_a_slow_mouse_stays_within_an_eighth_or_so),
         cmocka_unit_test(test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back),

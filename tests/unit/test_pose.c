@@ -42,7 +42,8 @@ static void test_a_look_faces_forward_with_its_back_up(void **state)
     assert_float_equal(v3_dot(axes.back, forward), -1.0f, 1e-5f);
     assert_true(axes.up.y > 0.99f);
     assert_float_equal(v3_dot(v3_cross(axes.right, axes.up), axes.back), 1.0f, 1e-5f);
-    const struct basis odd = pose_look(forward, forward); /* No such back: any will do, but axes they are. */
+    const struct basis odd =
+        pose_look(forward, forward); /* No such back: any will do, but axes they are. */
     assert_float_equal(v3_dot(v3_cross(odd.right, odd.up), odd.back), 1.0f, 1e-5f);
 }
 

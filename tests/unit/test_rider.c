@@ -7,13 +7,16 @@ static struct rider rider;
 static void lay(float heading_rad)
 {
     fish = (struct fish){ .length_m = 0.05f, .stamina = 1.0f };
-    rider = (struct rider){ .side = 1, .lie = 1.0f, .height_m = 0.005f, .heading_rad = heading_rad, .rest_s = 1e6f };
+    rider = (struct rider){
+        .side = 1, .lie = 1.0f, .height_m = 0.005f, .heading_rad = heading_rad, .rest_s = 1e6f
+    };
 }
 
 /* A plane whose right side is lowered. */
 static struct ride tilted(float roll_rad)
 {
-    return (struct ride){ .pull_m_s2 = { GRAVITY_M_S2 * f_sin(roll_rad), -GRAVITY_M_S2 * f_cos(roll_rad), 0.0f },
+    return (struct ride){ .pull_m_s2 = { GRAVITY_M_S2 * f_sin(roll_rad),
+                                         -GRAVITY_M_S2 * f_cos(roll_rad), 0.0f },
                           .uphill_x = -f_sin(roll_rad),
                           .radius_m = 0.040f,
                           .outer_m = 0.0465f };

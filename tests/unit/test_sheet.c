@@ -29,14 +29,19 @@ static void test_the_membrane_follows_henckys_table(void **state)
 {
     (void)state;
     const struct paper_grade *grade = sheet_grade(6);
-    const float rows[][3] = { /* Pa, N/m, mm */
-        { 2.8f, 1.3f, 1.0f }, { 5.6f, 2.0f, 1.3f }, { 50.0f, 8.4f, 2.6f }, { 140.0f, 17.0f, 3.7f }, { 560.0f, 42.0f, 6.0f },
+    const float rows[][3] = {
+        /* Pa, N/m, mm */
+        { 2.8f, 1.3f, 1.0f },    { 5.6f, 2.0f, 1.3f },    { 50.0f, 8.4f, 2.6f },
+        { 140.0f, 17.0f, 3.7f }, { 560.0f, 42.0f, 6.0f },
     };
     for (uint32_t i = 0; i < 5; i++) {
-        assert_float_equal(sheet_tension_centre(grade, rows[i][0], RADIUS_M), rows[i][1], 0.05f * rows[i][1]);
-        assert_float_equal(1000.0f * sheet_belly(grade, rows[i][0], RADIUS_M), rows[i][2], 0.06f * rows[i][2]);
+        assert_float_equal(sheet_tension_centre(grade, rows[i][0], RADIUS_M), rows[i][1],
+                           0.05f * rows[i][1]);
+        assert_float_equal(1000.0f * sheet_belly(grade, rows[i][0], RADIUS_M), rows[i][2],
+                           0.06f * rows[i][2]);
     }
-    assert_float_equal(sheet_tension_edge(grade, 50.0f, RADIUS_M) / sheet_tension_centre(grade, 50.0f, RADIUS_M),
+    assert_float_equal(sheet_tension_edge(grade, 50.0f, RADIUS_M) /
+                           sheet_tension_centre(grade, 50.0f, RADIUS_M),
                        0.328f / 0.423f, 1e-4f);
 }
 
@@ -50,7 +55,8 @@ static void test_a_push_from_below_tightens_and_bulges_upward(void **state)
     assert_float_equal(sheet.sag_m, 0.0026f, 0.0002f);
 }
 
-static void test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_does_not(void **state)
+static void
+test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_does_not(void **state)
 {
     (void)state;
     for (uint8_t number = SHEET_GRADE_MIN; number <= SHEET_GRADE_MAX; number++) {
@@ -59,7 +65,8 @@ static void test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_
         while (sheet_tension_centre(grade, pressure_pa, RADIUS_M) < grade->wet_n_m) {
             pressure_pa *= 1.02f;
         }
-        struct sheet wet = plain(number, 1.0f), dry = plain(number, 0.0f), spared = plain(number, 1.0f);
+        struct sheet wet = plain(number, 1.0f), dry = plain(number, 0.0f),
+                     spared = plain(number, 1.0f);
         assert_true(press(&wet, 1.05f * pressure_pa, 0.05f) > 0);
         assert_int_equal(press(&dry, 1.05f * pressure_pa, 0.05f), 0);
         assert_int_equal(press(&spared, 0.35f * pressure_pa, 0.05f), 0);
@@ -170,7 +177,8 @@ static void test_a_tear_grows_from_cell_to_cell_and_leaves_one_hole(void **state
     assert_true(press(&sheet, 140.0f, 0.1f) >= 4);
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         if (sheet.state[cell] == CELL_HOLE && cell != middle) {
-            const int touches = sheet.state[cell - 1u] == CELL_HOLE || sheet.state[cell + 1u] == CELL_HOLE ||
+            const int touches = sheet.state[cell - 1u] == CELL_HOLE ||
+                                sheet.state[cell + 1u] == CELL_HOLE ||
                                 sheet.state[cell - SHEET_SIDE] == CELL_HOLE ||
                                 sheet.state[cell + SHEET_SIDE] == CELL_HOLE ||
                                 sheet.state[cell - SHEET_SIDE - 1u] == CELL_HOLE ||
@@ -255,7 +263,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_membrane_follows_henckys_table),
         cmocka_unit_test(test_a_push_from_below_tightens_and_bulges_upward),
-        cmocka_unit_test(test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_does_not),
+        cmocka_unit_test(
+            test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_does_not),
         cmocka_unit_test(test_a_still_fish_in_air_tears_no_grade_in_a_minute),
         cmocka_unit_test(test_a_footprint_strains_by_its_circumference),
         cmocka_unit_test(test_hard_slaps_on_one_spot_wear_through_weak_paper),

@@ -1,0 +1,80 @@
+/* fall.c -- a free fall of a few centimetres, and its two ends. */
+#include "core/poi/fall.h"
+
+#include "core/input.h"
+#include "core/poi/disc.h"
+
+#define FALL_HOME_M_S 1.5f /* Sideways at most, when it fell beyond a wall. */
+#define PLOP_M 0.004f      /* It dents the surface so deep. */
+
+/* Level again, under the surface, inside the walls, and in a hurry. */
+void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
+{
+    const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float room_x = 0.5f * (tank->size_m.x - fish->length_m);
+    const float room_z = 0.5f * (tank->size_m.z - fish->length_m);
+    fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
+    fish->position_m.z = f_clamp(fish->position_m.z, -room_z, room_z);
+    fish->position_m.y = f_clamp(fish->position_m.y, half - tank->size_m.y, -half);
+    fish->velocity_m_s = v3_limit(velocity_m_s, 0.5f);
+    fish->angles.pitch_rad = 0.0f;
+    fish->angles.roll_rad = 0.0f;
+    fish->heading_rad = fish->angles.yaw_rad;
+    fish->depth_goal_m = f_max(-0.6f * tank->size_m.y, half - tank->size_m.y);
+    fish->gait = GAIT_BURST;
+    fish->gait_left_s = 0.6f;
+    fish->speed_m_s = 4.0f * fish->length_m;
+    fish->alarm = 1.0f;
+}
+
+static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
+{
+    const float dx = now_m.x - bowl->position_m.x, dz = now_m.z - bowl->position_m.z;
+    return bowl->present && before_m.y > bowl->position_m.y && now_m.y <= bowl->position_m.y &&
+           dx * dx + dz * dz < BOWL_RADIUS_M * BOWL_RADIUS_M;
+}
+
+/* Beyond a wall it is led back: fish that jump out of a stall's tank are put back, too. */
+static float homeward(float at_m, float room_m)
+{
+    const float out = at_m - f_clamp(at_m, -room_m, room_m);
+    return -f_clamp(out / CORE_TICK_S, -FALL_HOME_M_S, FALL_HOME_M_S);
+}
+
+static void into_bowl(struct fish *fish, struct bowl *bowl, uint32_t poi_index)
+{
+    fish->gait = GAIT_BOWL;
+    fish->holder = (uint8_t)poi_index;
+    fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);
+    bowl->fish_count++;
+}
+
+void fall_begin(struct rider *rider, vec3 velocity_m_s)
+{
+    rider->state = RIDER_FALLING;
+    rider->slap_s = 0.0f;
+    rider->fall_m_s = velocity_m_s;
+}
+
+enum fall_end fall_tick(struct rider *rider, uint32_t poi_index, struct bowl *bowl,
+                        struct tank *tank)
+{
+    struct fish *fish = &tank->fish[rider->fish];
+    const vec3 before = fish->position_m;
+    const vec3 home = v3(homeward(before.x, 0.5f * (tank->size_m.x - fish->length_m)), 0.0f,
+                         homeward(before.z, 0.5f * (tank->size_m.z - fish->length_m)));
+    rider->fall_m_s.y -= GRAVITY_M_S2 * CORE_TICK_S;
+    fish->velocity_m_s = v3_add(rider->fall_m_s, home);
+    fish->position_m = v3_mad(before, fish->velocity_m_s, CORE_TICK_S);
+    fish->tail_amplitude = 1.0f;
+    if (through_mouth(bowl, before, fish->position_m)) {
+        into_bowl(fish, bowl, poi_index);
+        return FALL_INTO_BOWL;
+    }
+    if (fish->position_m.y > -0.5f * FISH_WIDTH_PER_LENGTH * fish->length_m) {
+        return FALL_GOES_ON;
+    }
+    water_press(&tank->water, tank->size_m, fish->position_m, 0.4f * fish->length_m, PLOP_M);
+    fall_set_free(tank, fish, rider->fall_m_s);
+    return FALL_INTO_WATER;
+}

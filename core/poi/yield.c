@@ -1,0 +1,88 @@
+/* yield.c -- limits, one after the other; the walls have the last word. */
+#include "core/poi/yield.h"
+
+#define REACH_SIDE_M 0.15f /* Beyond the walls, over the rim. */
+#define REACH_HEIGHT_M 0.30f
+#define ASIDE_M_S 0.6f     /* Off a bowl's hull. */
+#define FLOOR_GAP_M 0.003f /* The ring is thick; its paper must not be pinched. */
+
+/* Keeps one coordinate within limits; what ran into them stops. */
+static void keep(float *place, float *speed, float low, float high)
+{
+    if (*place < low) {
+        *place = low;
+        *speed = f_max(*speed, 0.0f);
+    } else if (*place > high) {
+        *place = high;
+        *speed = f_min(*speed, 0.0f);
+    }
+}
+
+/* Half the ring's extent along a world axis on which its normal has the part `n`. */
+static float half_extent(float n)
+{
+    return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) +
+           0.5f * POI_THICKNESS_M * f_abs(n);
+}
+
+/* Inside the walls it stays inside; only with its lowest edge over the rim may it pass. A ring that
+ * comes down outside rests on the rim. */
+static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
+{
+    const float low = half_extent(up.y);
+    const float rim = tank->wall_height_m - tank->size_m.y;
+    const float room_x = 0.5f * tank->size_m.x - half_extent(up.x);
+    const float room_z = 0.5f * tank->size_m.z - half_extent(up.z);
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    if (at->y - low >= rim) {
+        return;
+    }
+    const int was_inside =
+        f_abs(before_m.x) <= room_x + 1e-4f && f_abs(before_m.z) <= room_z + 1e-4f;
+    const int is_inside = f_abs(at->x) <= room_x && f_abs(at->z) <= room_z;
+    if (!is_inside && !was_inside && before_m.y - low >= rim - 1e-3f) {
+        keep(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
+    } else {
+        keep(&at->x, &speed->x, -room_x, room_x);
+        keep(&at->z, &speed->z, -room_z, room_z);
+    }
+}
+
+/* From above the ring rests on the mouth, from below under the hull, from aside it slides round. */
+static void yield_to_bowl(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
+{
+    const float low = half_extent(up.y);
+    const float mouth = bowl->position_m.y, bottom = mouth - BOWL_DEPTH_M;
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    const vec3 away = v3(at->x - bowl->position_m.x, 0.0f, at->z - bowl->position_m.z);
+    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
+    const float apart = bowl_hull_radius_m(mouth - at->y) + half_extent(v3_dot(up, out));
+    if (!bowl->present || v3_length(away) >= apart || at->y - low >= mouth ||
+        at->y + low <= bottom) {
+        return;
+    }
+    if (before_m.y - low >= mouth - 1e-3f) {
+        keep(&at->y, &speed->y, mouth + low, REACH_HEIGHT_M);
+    } else if (before_m.y + low <= bottom + 1e-3f) {
+        keep(&at->y, &speed->y, -10.0f, bottom - low);
+    } else {
+        const float step = f_min(apart - v3_length(away), ASIDE_M_S * CORE_TICK_S);
+        const float inward = f_min(v3_dot(*speed, out), 0.0f);
+        *at = v3_mad(*at, out, step);
+        *speed = v3_mad(*speed, out, -inward);
+    }
+}
+
+void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
+               vec3 up)
+{
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
+    const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
+    const float floor = f_max(half_extent(up.y) + FLOOR_GAP_M - tank->size_m.y, poi->floor_m);
+    yield_to_bowl(poi, bowl, before_m, up);
+    keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
+    yield_to_walls(poi, tank, before_m, up);
+    keep(&at->x, &speed->x, -reach_x, reach_x);
+    keep(&at->z, &speed->z, -reach_z, reach_z);
+}

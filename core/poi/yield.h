@@ -1,0 +1,12 @@
+/* yield.h -- where the ring may not go. */
+#ifndef KINGYO_CORE_POI_YIELD_H
+#define KINGYO_CORE_POI_YIELD_H
+
+#include "core/poi/poi.h"
+
+/* Takes a ring that has just moved from `before_m` back out of floor, walls, its bowl and what lies
+ * beyond an arm's reach, and stops what ran into them. `up` is its unit normal. */
+void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
+               vec3 up);
+
+#endif
