@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "drivers/buttons_keyboard.h"
 #include "drivers/null.h"
@@ -115,21 +116,47 @@ void board_open(struct hal *hal, const struct board_options *options)
     open_watchdog(hal);
 }
 
+/* A kernel without a graphics card has no /dev/dri/card*: then SDL need not be asked, which would make
+ * the libraries under it complain on standard error. */
+static int has_graphics_card(void)
+{
+    char path[32];
+    for (int i = 0; i < 16; i++) {
+        snprintf(path, sizeof path, "/dev/dri/card%d", i);
+        if (access(path, F_OK) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int is_set(const char *name)
+{
+    const char *value = getenv(name);
+    return value && value[0];
+}
+
 int board_has_screen(char *why, size_t why_size)
 {
+    const int has_windows = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+    if (!has_windows && !is_set("SDL_VIDEODRIVER") && !has_graphics_card()) {
+        snprintf(why, why_size, "neither DISPLAY nor WAYLAND_DISPLAY is set, and there is no "
+                                "graphics card");
+        return 0;
+    }
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-        const char *hint = getenv("DISPLAY") || getenv("WAYLAND_DISPLAY")
-                               ? "the display does not answer"
-                               : "neither DISPLAY nor WAYLAND_DISPLAY is set, and no screen is plugged in";
-        snprintf(why, why_size, "%s (SDL: %s)", hint, SDL_GetError());
+        snprintf(why, why_size, "%s (SDL: %s)",
+                 has_windows ? "the display does not answer" : "no screen is plugged in",
+                 SDL_GetError());
         return 0;
     }
     const char *driver = SDL_GetCurrentVideoDriver();
-    const int has_screen = driver && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0;
-    if (!has_screen) {
-        snprintf(why, why_size, "SDL's video driver is '%s', which shows nothing",
-                 driver ? driver : "none");
+    const int shows = driver && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0;
+    if (!shows) {
+        snprintf(why, why_size, "%s (SDL fell back to '%s')",
+                 has_windows ? "the display does not answer" : "no screen is plugged in",
+                 driver ? driver : "nothing");
     }
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
-    return has_screen;
+    return shows;
 }

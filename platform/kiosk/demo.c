@@ -56,7 +56,8 @@ static enum exit_code begin(struct demo *demo)
         .bot = { 1 },
         .stopwatch = clock_device(),
     };
-    demo->end_ns = options->demo_s * NS_PER_S;
+    const int whole_replay = options->replay[0] && !options->demo;
+    demo->end_ns = whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ : options->demo_s * NS_PER_S;
     return session_begin(demo->session, &config);
 }
 
@@ -153,9 +154,10 @@ static void print_summary(const struct demo *demo)
     const struct timing *frame = &kiosk->work_time;
     const double ticks = kiosk->core.tick > 0 ? kiosk->core.tick : 1;
     const double share = frame->sum_ns > 0 ? (double)kiosk->core_ns / (double)frame->sum_ns : 0.0;
-    printf("Kingyo %s: %.0f s played by the bot, seed %u, %u fish\n", KINGYO_VERSION,
-           (double)kiosk->core.tick / CORE_TICK_HZ, kiosk->core.config.seed,
-           kiosk->core.tank.fish_count);
+    printf("Kingyo %s: %.0f s %s, seed %u, %u fish\n", KINGYO_VERSION,
+           (double)kiosk->core.tick / CORE_TICK_HZ,
+           session->options.replay[0] ? "of a recording" : "played by the bot",
+           kiosk->core.config.seed, kiosk->core.tank.fish_count);
     printf("  fish caught   %u\n", kiosk->scene.caught[0]);
     printf("  paper left    %.0f %%\n", 100.0 * (double)kiosk->scene.poi[0].paper_left);
     printf("  ticks         %u, %llu dropped\n", kiosk->core.tick,

@@ -19,10 +19,9 @@ static enum exit_code tell_problem(const char *path, const struct replay_problem
 
 enum exit_code session_check(struct session *session)
 {
-    struct replay_totals totals;
     struct replay_reader *reader = &session->replayer.reader;
     const char *path = session->options.replay;
-    if (path[0] && replay_scan(reader, path, &totals)) {
+    if (path[0] && replay_scan(reader, path, &session->replayed)) {
         return tell_problem(path, &reader->problem);
     }
     return EXIT_OK;

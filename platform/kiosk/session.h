@@ -16,6 +16,7 @@ struct session {
     struct kiosk kiosk;
     struct recorder recorder;
     struct replayer replayer;
+    struct replay_totals replayed;       /* What session_check found in the file to replay. */
     uint8_t *rgb;                        /* For pictures: made once, before the loop. */
     size_t rgb_size;
     const volatile sig_atomic_t *stop;   /* Set by SIGINT and SIGTERM. */
