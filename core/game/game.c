@@ -11,6 +11,7 @@
 #define ROUND_S_DEFAULT 60u
 #define LAST_SECONDS 5u                /* Each with its tick. */
 #define SWAP_TICKS (2u * CORE_TICK_HZ) /* The attract bot keeps a torn poi for so long. */
+#define ATTRACT_BOWL_MAX 10u           /* Then it begins anew, or a night would empty the tank. */
 #define GRADE_STALL 6u                 /* What stalls hand out most. */
 
 static int held_by_someone(const struct core *core, uint32_t index)
@@ -81,11 +82,12 @@ static void tick_attract(struct core *core, const struct input *input, struct ou
         start_round(core, output);
         return;
     }
-    if (game->gone_tick == 0 && !paper_can_hold(&core->poi[0].sheet)) {
+    const int is_full = core->bowl[0].fish_count >= ATTRACT_BOWL_MAX;
+    const int is_free = core->poi[0].immersed <= 0.0f && core->poi[0].rider_count == 0;
+    if (game->gone_tick == 0 && (is_full || !paper_can_hold(&core->poi[0].sheet))) {
         game->gone_tick = core->tick;
     }
-    if (game->gone_tick != 0 && core->tick - game->gone_tick >= SWAP_TICKS &&
-        core->poi[0].immersed <= 0.0f) {
+    if (game->gone_tick != 0 && core->tick - game->gone_tick >= SWAP_TICKS && is_free) {
         hand_out(core, 0, core->tick, 1);
         bowl_pour_back(&core->bowl[0], 0, &core->tank);
         game->gone_tick = 0;

@@ -457,6 +457,26 @@ static void test_the_attract_bot_gets_new_paper_when_its_own_is_gone(void **stat
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
+static void test_the_attract_bot_pours_a_full_bowl_back(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 9; i++) {
+        core.tank.fish[i].gait = GAIT_BOWL;
+    }
+    core.bowl[0].fish_count = 9;
+    steps(3u * CORE_TICK_HZ);
+    assert_int_equal(core.bowl[0].fish_count, 9);
+    core.tank.fish[9].gait = GAIT_BOWL;
+    core.bowl[0].fish_count = 10;
+    core.poi[0].rider_count = 1; /* not while it carries one more */
+    steps(3u * CORE_TICK_HZ);
+    assert_int_equal(core.bowl[0].fish_count, 10);
+    core.poi[0].rider_count = 0;
+    step();
+    assert_int_equal(core.bowl[0].fish_count, 0);
+    assert_true(core.tank.fish[9].gait < GAIT_HELD);
+}
+
 static void punch(struct sheet *sheet, float x_m, float z_m, float radius_m)
 {
     const float cell_m = 2.0f * sheet->radius_m / (float)SHEET_SIDE;
@@ -635,6 +655,7 @@ int main(void)
         TEST(test_each_round_hands_out_fresh_and_different_paper),
         TEST(test_a_poi_under_water_gets_its_paper_when_it_is_clear),
         TEST(test_the_attract_bot_gets_new_paper_when_its_own_is_gone),
+        TEST(test_the_attract_bot_pours_a_full_bowl_back),
         TEST(test_paper_with_a_hole_in_the_middle_still_holds_beside_it),
         TEST(test_fish_count_only_while_the_round_runs),
         TEST(test_a_round_leaves_a_record_with_the_next_id),
