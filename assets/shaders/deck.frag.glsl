@@ -24,7 +24,11 @@ void main()
     float t = grain(world.xz * vec2(2.2, 6.2));
     vec3 tint = mix(vec3(0.075, 0.042, 0.030), vec3(0.33, 0.20, 0.12), t);
     float pool = lamp_pool(2.2);
-    color = vec4(tint * (0.18 + 1.20 * pool * pool) * (0.35 + 0.65 * contact), 1.0);
+    // Two paper lanterns stand at the far corners; the stall's own lamps hang over the middle.
+    vec2 lantern = vec2(abs(world.x) - 0.66, world.z + 0.30);
+    float glow = 1.0 / (1.0 + dot(lantern, lantern) * 26.0);
+    vec3 light = vec3(0.16 + 1.15 * pool * pool) + vec3(1.25, 0.62, 0.26) * (glow * glow);
+    color = vec4(tint * light * (0.35 + 0.65 * contact), 1.0);
 }
 #elif defined(RIM)
 void main()
