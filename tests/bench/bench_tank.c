@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "core/base/panic.h"
 #include "core/tank/tank.h"
 
 #define TICKS_MAX 20000u

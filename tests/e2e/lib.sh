@@ -34,7 +34,8 @@ done_testing() {
 
 open_screen() { # Sets DISPLAY to a fresh screen of 1280x720.
     : >"$work/display"
-    Xvfb -displayfd 1 -screen 0 1280x720x24 -nolisten tcp >"$work/display" 2>"$work/xvfb.log" &
+    # Without -noreset a server that its last client has left also throws out the next one.
+    Xvfb -displayfd 1 -screen 0 1280x720x24 -nolisten tcp -noreset >"$work/display" 2>"$work/xvfb.log" &
     screen_pid=$!
     disown "$screen_pid"
     for _ in $(seq 100); do

@@ -1,0 +1,62 @@
+#!/bin/bash
+# bench.sh -- the figures of the stall on this machine, one row each with the command that gives it.
+#
+# BUILD is the folder that make uses. Prints a table and writes it to BUILD/bench.tsv. Needs a quiet
+# machine: what else runs is named at the top. Takes about a minute.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../e2e/lib.sh"
+
+tsv=$BUILD/bench.tsv
+printf 'figure\tvalue\tcommand\n' >"$tsv"
+
+row() { # FIGURE VALUE COMMAND
+    printf '%s\t%s\t%s\n' "$1" "$2" "$3" >>"$tsv"
+    printf '  %-42s %-34s %s\n' "$1" "$2" "$3"
+}
+pick() { # FILE PATTERN: what the pattern matches after its \K, in the first line that fits.
+    grep -oP -- "$2" "$1" | head -1
+}
+
+cpu=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)
+[ -n "$cpu" ] || cpu=$(uname -m)
+echo "machine: $cpu, $(nproc) cores, $(awk '/MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo);" \
+    "$(. /etc/os-release && echo "$PRETTY_NAME"); load $(cut -d' ' -f1 /proc/loadavg)"
+
+demo="kingyo --demo 20 --window 1280x720 --seed 2013"
+"$BUILD/kingyo" --demo 20 --window 1280x720 --seed 2013 --shots "$work/shots" >"$work/demo" 2>/dev/null
+row 'drawn by' "$(pick "$work/demo" 'drawn by +\K.*')" "$demo"
+row 'a frame off screen, 300 fish: median, p99' "$(pick "$work/demo" 'median \K[0-9.]+ ms, p99 [0-9.]+ ms')" "$demo"
+row 'one tick of the core' "$(pick "$work/demo" '[0-9.]+ ms(?= a tick)')" "$demo"
+
+open_screen
+bot="kingyo --window 1280x720 --poi bot --seed 2013"
+"$BUILD/kingyo" --window 1280x720 --poi bot --seed 2013 --data "$work/data" >"$work/bot" 2>&1 &
+kiosk_pid=$!
+sleep 20
+kill -TERM "$kiosk_pid"
+end_of_kiosk 20
+row 'a frame on a screen, 300 fish: median, p99' "$(pick "$work/bot" 'median \K[0-9.]+ ms, p99 [0-9.]+ ms')" "$bot"
+row "the core's share of it" "$(pick "$work/demo" '[0-9.]+(?= ms a tick)' |
+    awk '{ printf "%.1f %%", 100 * $1 * 120 / 1000 }')" 'one tick x 120 ticks a second, on one processor core'
+
+read -r first_ms peak_mib < <("$BUILD/tests/bench/bench_start" 5 "$BUILD/kingyo" --window 1280x720 --data "$work/data" 2>"$work/start.err")
+row 'start to first frame, cold' "$first_ms ms" 'bench_start 5 kingyo --window 1280x720'
+read -r first_ms peak_mib < <("$BUILD/tests/bench/bench_start" 5 "$BUILD/kingyo" --window 1280x720 --data "$work/data" 2>"$work/start.err")
+row 'start to first frame, again' "$first_ms ms" 'bench_start 5 kingyo --window 1280x720'
+row 'peak memory, renderer included' "$peak_mib MiB" 'bench_start 5 kingyo --window 1280x720'
+
+if [ -x "$BUILD/tests/bench/bench_latency" ]; then
+    "$BUILD/tests/bench/bench_latency" >"$work/latency"
+    within=$?
+    sed -nE 's/^(.{26}) +([0-9.]+) +([0-9.]+) +([0-9.]+) ms +(.*)/\1\t\2, \3, \4 ms (\5)/p' "$work/latency" |
+        while IFS=$'\t' read -r what figures; do
+            row "${what%"${what##*[! ]}"}: median, p99, max" "${figures%%(for*}" 'bench_latency'
+        done
+    [ $within -eq 0 ] || row 'input to picture' 'OVER ITS BOUND' 'bench_latency'
+fi
+
+size=$("$BUILD/tests/sizes" | awk '$1 == "core" || $1 == "scene" { printf "%s%s %d KiB", sep, $1, $2 / 1024; sep = ", " }')
+row 'the state, and what is shown of it' "$size" 'make sizes'
+row "the core's code and constants" "$(size -A "$BUILD/core.o" | awk '$1 ~ /^\.text/ { c += $2 } $1 ~ /^\.rodata/ { k += $2 }
+    END { printf "%d KiB and %d KiB", c / 1024, k / 1024 }')" 'make sizes'
+row 'the program, with its textures' "$(stat -c %s "$BUILD/kingyo" | awk '{ printf "%.1f MiB", $1 / 1048576 }') unstripped" 'make build'

@@ -1,0 +1,92 @@
+#!/bin/bash
+# fresh.sh [RELEASE...] -- proves that `make run` and `make test` need nothing but Debian and make.
+#
+# For each release (bookworm and trixie unless named) it makes the smallest root file system that apt
+# can live in, puts a copy of the tree there and runs both commands inside, without a screen; then both
+# once more, to see that the second time costs nothing. Ends with a table. Needs root, mmdebstrap and the
+# mirror that this machine's own apt uses; FRESH_DIR says where the roots go (two to three GiB each).
+set -u
+releases=("$@")
+[ ${#releases[@]} -gt 0 ] || releases=(bookworm trixie)
+if [ "$(id -u)" -ne 0 ]; then
+    echo 'test-fresh: making a root file system needs root; please run: sudo make test-fresh' >&2
+    exit 1
+fi
+top=${FRESH_DIR:-$(mktemp -d /var/tmp/kingyo-fresh-XXXXXX)}
+mkdir -p "$top"
+failed=0 rows=()
+
+# The addresses that this machine fetches Debian from: the archive, and its security fixes.
+mirror() { # archive|security
+    apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
+        awk -v security="$([ "$1" = security ] && echo 1 || echo 0)" '
+            $2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
+}
+archive=$(mirror archive) security=$(mirror security)
+if [ -z "$archive" ]; then
+    echo 'test-fresh: apt on this machine knows no Debian archive; run apt-get update first' >&2
+    exit 1
+fi
+
+unmount() {
+    local part
+    for part in dev/shm dev proc; do
+        mountpoint -q "$top/$1/$part" && umount "$top/$1/$part"
+    done
+}
+finish() {
+    for release in "${releases[@]}"; do
+        unmount "$release"
+    done
+    [ -n "${FRESH_DIR:-}" ] || rm -rf --one-file-system "$top"
+}
+trap finish EXIT
+
+# Runs COMMAND, keeps its output, adds a row to the table. The last line is what is worth quoting.
+step() { # RELEASE WHAT COMMAND...
+    local release=$1 what=$2 begin=$SECONDS log status
+    log="$top/$release-${what// /-}.log"
+    shift 2
+    echo "== $release: $what"
+    "$@" >"$log" 2>&1 </dev/null
+    status=$?
+    rows+=("$(printf '%-10s %-22s %5d s  %-6s %s' "$release" "$what" $((SECONDS - begin)) \
+        "$([ $status -eq 0 ] && echo ok || echo FAILED)" "$(quote "$log")")")
+    if [ $status -ne 0 ]; then
+        failed=1
+        tail -30 "$log" | sed 's/^/    /'
+    fi
+    return $status
+}
+quote() { grep -E ' passed, [0-9]+ failed$|fish caught' "$1" | tail -1 | tr -s ' '; }
+
+make_root() { # RELEASE
+    local root=$top/$1 sources=("deb $archive $1 main" "deb $archive $1-updates main")
+    [ -n "$security" ] && sources+=("deb $security $1-security main")
+    rm -rf --one-file-system "$root"
+    mmdebstrap --mode=root --variant=minbase --include=make "$1" "$root" "${sources[@]}" || return 1
+    rm -rf "$root"/var/lib/apt/lists/* # As an image that was fetched, not made here, would be.
+    cp /etc/resolv.conf "$root/etc/" 2>/dev/null
+    mkdir -p "$root/kingyo" "$root/proc" "$root/dev"
+    git ls-files -co --exclude-standard -z | tar cf - --null -T - | tar xf - -C "$root/kingyo"
+    mount --bind /dev "$root/dev" && mount -t proc proc "$root/proc"
+}
+
+inside() { # RELEASE COMMAND...
+    local release=$1
+    shift
+    env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root TERM=dumb \
+        ${http_proxy:+http_proxy="$http_proxy"} chroot "$top/$release" sh -c "cd /kingyo && $*"
+}
+
+for release in "${releases[@]}"; do
+    step "$release" 'minimal root' make_root "$release" || continue
+    step "$release" 'make run' inside "$release" make run
+    step "$release" 'make run again' inside "$release" make run
+    step "$release" 'make test' inside "$release" make test
+    step "$release" 'make test again' inside "$release" make test
+    unmount "$release"
+done
+echo
+printf '%s\n' "${rows[@]}"
+exit $failed
