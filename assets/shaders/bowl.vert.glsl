@@ -20,6 +20,6 @@ void main()
     shell = surface;
     gl_Position = view_projection * vec4(world, 1.0);
 #ifdef HOLE
-    gl_Position.z = gl_Position.w; // As far as can be: what is in the bowl shows over the tank's water.
+    gl_Position.z = gl_Position.w; // The far plane: what a bowl holds shows over the tank's water.
 #endif
 }

@@ -8,7 +8,7 @@ layout(std140) uniform Frame {
     vec4 eye;        // World position; w: seconds, wrapped at an hour.
     vec4 tank;       // Half width, water depth, half breadth, rim height above the water.
     vec4 screen;     // 1 / width, 1 / height of the screen; z: absorption, 1 / m; w: caustic layer.
-    vec4 shadow;     // xy: world x, z to -1 .. 1 of the shadow map; zw: its drift, m per m of height.
+    vec4 shadow;     // xy: world x, z to the shadow map's -1 .. 1; zw: drift, m per m of height.
     vec4 bend;       // xy: screen fraction per unit of surface slope, in x and in z.
 };
 

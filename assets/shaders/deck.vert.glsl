@@ -10,7 +10,8 @@ const float FAR_M = 1.2;
 float step_out(float corner_step, float half_size)
 {
     float beyond = max(abs(corner_step) - 1.0, 0.0);
-    return sign(corner_step) * (half_size + min(beyond, 1.0) * RIM_M + max(beyond - 1.0, 0.0) * FAR_M);
+    float out_m = min(beyond, 1.0) * RIM_M + max(beyond - 1.0, 0.0) * FAR_M;
+    return sign(corner_step) * (half_size + out_m);
 }
 
 void main()

@@ -26,7 +26,7 @@ layout(location = 10) in vec4 right_phase; // Body axes in the world, with the w
 layout(location = 11) in vec4 up_amplitude; // ... and amplitude.
 layout(location = 12) in vec4 weights_low; // Of keys 0 .. 3,
 layout(location = 13) in vec4 weights_high; // and 4 .. 7.
-layout(location = 14) in vec4 character;   // Bend, maturity, pattern layer, hue; all but bend 0 .. 1.
+layout(location = 14) in vec4 character;   // Bend (rad), maturity, pattern layer, hue.
 
 uniform sampler2D caustics;
 
@@ -97,7 +97,7 @@ void colour()
     pale = mix(pale, iris, eye_part);
     stain = mix(stain, vec3(0.015), eye_part);
     float ridge = smoothstep(0.42, 0.0, under) * smoothstep(0.0, 0.12, surface.x);
-    haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back throw the lamps' light up.
+    haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back throw light up.
     haze.w = smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6) * (1.0 - eye_part) * 0.30;
     skin = vec4(surface.xy, floor(character.z + 0.5), eye_part);
 }
@@ -126,7 +126,7 @@ void main()
     blend(key_7, weights_high.w, p, n);
 #endif
 
-    // The travelling wave: its envelope over the body is the measured one of cruising carp-like fish.
+    // The travelling wave, with the envelope measured on cruising fish of a carp's build.
     float t = p.z + 0.5;
     float flex = surface.w;
     float amplitude = up_amplitude.w;

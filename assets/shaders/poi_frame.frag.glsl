@@ -15,7 +15,7 @@ void main()
     // The outline of a round solid is where it turns away: fading there, one pixel wide, is its
     // anti-aliasing, with or without multisampling.
     float cover = clamp(facing / fwidth(facing), 0.0, 1.0);
-    vec3 tint = paint.rgb * lit + vec3(1.0, 0.95, 0.9) * (0.55 * shine) + paint.rgb * edge * edge * 0.25;
+    vec3 tint = paint.rgb * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);
     vec3 left = water_passes(-world.y * 1.2);
     color = vec4(mix(WATER_COLOR, tint, left), 1.0) * cover;
 }

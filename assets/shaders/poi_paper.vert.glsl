@@ -11,7 +11,8 @@ void main()
     float r2 = dot(position, position);
     vec3 local = vec3(position.x, -paper.x * (1.0 - r2), position.y);
     world = (pose * vec4(local, 1.0)).xyz;
-    face = normalize(mat3(pose) * vec3(-2.0 * paper.x * position.x, 1.0, -2.0 * paper.x * position.y));
+    vec2 slope = -2.0 * paper.x * position;
+    face = normalize(mat3(pose) * vec3(slope.x, 1.0, slope.y));
     at = position * 0.5 + 0.5;
     gl_Position = view_projection * vec4(world, 1.0);
 }

@@ -21,7 +21,7 @@ enum part { PART_FLOOR, PART_WALLS, PART_SURFACE, PART_COUNTER, PART_SIDES, PART
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
-#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ) /* A small jump every ten minutes keeps sines exact. */
+#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ) /* A small jump in ten minutes keeps sines exact. */
 
 static const struct face faces[] = {
     /* Floor */
@@ -97,18 +97,17 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
         gl_program(status, "walls", "", shader_tank_vert, shader_tank_frag, "caustics");
     pass->counter_program = gl_program(status, "counter", "#define COUNTER\n", shader_deck_vert,
                                        shader_deck_frag, "wood");
-    pass->rim_program = gl_program(status, "rim", "#define RIM\n", shader_deck_vert,
-                                   shader_deck_frag, "wood");
+    pass->rim_program =
+        gl_program(status, "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood");
     pass->side_program =
         gl_program(status, "rim sides", "", shader_deck_vert, shader_deck_frag, "wood");
     pass->water_program = gl_program(status, "water", "", shader_water_vert, shader_water_frag,
                                      "ground life slopes environment");
     upload_faces(pass);
-    pass->slope_texture = gl_texture(status, "slopes",
-                                     &(struct gl_texture_desc){ .internal_format = GL_RG8,
-                                                                .format = GL_RG,
-                                                                .width = RIPPLE_X,
-                                                                .height = RIPPLE_Z });
+    pass->slope_texture = gl_texture(
+        status, "slopes",
+        &(struct gl_texture_desc){
+            .internal_format = GL_RG8, .format = GL_RG, .width = RIPPLE_X, .height = RIPPLE_Z });
 }
 
 void basin_pass_close(struct basin_pass *pass)
@@ -137,7 +136,8 @@ static const struct wind_wave wind[] = {
 };
 
 /* One wave over the grid from two columns of sines: sin(a + b) = sin a cos b + cos a sin b. */
-static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3 size_m, float time_s)
+static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3 size_m,
+                     float time_s)
 {
     const float length = f_sqrt(wave->x_rad_m * wave->x_rad_m + wave->z_rad_m * wave->z_rad_m);
     const float along_x = wave->slope * wave->x_rad_m / length;

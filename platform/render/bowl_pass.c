@@ -7,13 +7,13 @@
 #define SHELL_COLUMNS 49u
 #define SHELL_ROWS 12u
 #define LIP_ROWS 4u
-#define WALL 0.030f       /* Thickness in mouth radii: 2 mm of enamelled steel. */
-#define BOTTOM 0.94f      /* Depth of the inside's floor. */
+#define WALL 0.030f  /* Thickness in mouth radii: 2 mm of enamelled steel. */
+#define BOTTOM 0.94f /* Depth of the inside's floor. */
 #define WATER_LEVEL -0.30f
 #define DISC_ROWS 2u
 
 struct lathe {
-    float from, to;       /* Part of the profile: 0 bottom .. 1 lip. */
+    float from, to; /* Part of the profile: 0 bottom .. 1 lip. */
     bool outside;
 };
 

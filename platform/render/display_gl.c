@@ -69,9 +69,9 @@ static int create_window(struct display_gl *display)
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 24);
-    display->window = SDL_CreateWindow(config->title ? config->title : "Kingyo",
-                                       SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
-                                       height, flags);
+    display->window =
+        SDL_CreateWindow(config->title ? config->title : "Kingyo", SDL_WINDOWPOS_CENTERED,
+                         SDL_WINDOWPOS_CENTERED, width, height, flags);
     if (!display->window) {
         const int error = fail(display, "SDL opens no window", SDL_GetError());
         SDL_QuitSubSystem(SDL_INIT_VIDEO);

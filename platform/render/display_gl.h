@@ -1,8 +1,8 @@
 /* display_gl.h -- the display of a real stall: an SDL2 window with an OpenGL ES 3.0 context.
  *
- * The caller owns `struct display_gl` (about 0.4 MiB: keep it static), fills `config` and leaves the
- * rest zero. All OpenGL objects are made in open(); a frame allocates nothing in our code. Mouse and
- * key events stay in SDL's queue for the drivers that read them. */
+ * The caller owns `struct display_gl` (about 0.6 MiB: keep it static), fills `config` and leaves
+ * the rest zero. All OpenGL objects are made in open(); a frame allocates nothing in our code.
+ * Mouse and key events stay in SDL's queue for the drivers that read them. */
 #ifndef KINGYO_PLATFORM_RENDER_DISPLAY_GL_H
 #define KINGYO_PLATFORM_RENDER_DISPLAY_GL_H
 
@@ -17,10 +17,10 @@
 struct display_gl_config {
     uint32_t width, height; /* Pixels; 0: 1280x720 in a window, the screen's own when full. */
     bool full_screen;
-    bool off_screen;        /* No window system at all: SDL's offscreen driver. */
-    const char *title;      /* 0: "Kingyo". */
-    float scene_scale;      /* [0.25, 2]; 0: by renderer (quality.h). */
-    uint32_t samples;       /* Multisampling; 0: by renderer. */
+    bool off_screen;   /* No window system at all: SDL's offscreen driver. */
+    const char *title; /* 0: "Kingyo". */
+    float scene_scale; /* [0.25, 2]; 0: by renderer (quality.h). */
+    uint32_t samples;  /* Multisampling; 0: by renderer. */
 };
 
 struct display_gl {
@@ -28,9 +28,9 @@ struct display_gl {
     SDL_Window *window;
     SDL_GLContext context;
     struct renderer renderer;
-    struct scene shown;     /* What capture() draws again: the back buffer is gone after a swap. */
+    struct scene shown; /* What capture() draws again: the back buffer is gone after a swap. */
     bool has_shown, full_screen;
-    bool lost;              /* The connection to the screen broke; nothing may touch it again. */
+    bool lost; /* The connection to the screen broke; nothing may touch it again. */
     void (*on_lost)(void *context);
     void *on_lost_context;
     char text[HAL_TEXT_SIZE];
@@ -38,8 +38,9 @@ struct display_gl {
 
 struct hal_display display_gl_device(struct display_gl *display);
 
-/* Calls `hook` at the moment when an X11 connection breaks, from inside whichever SDL or OpenGL call
- * noticed. Without our handler Xlib would end the process there. The next poll() says `lost` too. */
+/* Calls `hook` at the moment when an X11 connection breaks, from inside whichever SDL or OpenGL
+ * call noticed. Without our handler Xlib would end the process there. The next poll() says `lost`
+ * too. */
 void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context);
 
 #endif

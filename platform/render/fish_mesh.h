@@ -1,8 +1,8 @@
 /* fish_mesh.h -- a species' key shapes, packed into vertex attributes.
  *
- * Eight bytes a key and vertex (position in three 16-bit fractions of a unit length, normal folded on
- * an octahedron in 16 bits), so that eight keys still fit beside the instance's attributes in the
- * sixteen that OpenGL ES 3.0 promises. */
+ * Eight bytes a key and vertex (position in three 16-bit fractions of a unit length, normal folded
+ * on an octahedron in 16 bits), so that eight keys still fit beside the instance's attributes in
+ * the sixteen that OpenGL ES 3.0 promises. */
 #ifndef KINGYO_PLATFORM_RENDER_FISH_MESH_H
 #define KINGYO_PLATFORM_RENDER_FISH_MESH_H
 
@@ -10,8 +10,8 @@
 #include "platform/render/gl_util.h"
 
 enum fish_attribute { /* As in assets/shaders/fish.vert.glsl. */
-    FISH_ATTRIBUTE_SURFACE = 8,
-    FISH_ATTRIBUTE_INSTANCE = 9,
+                      FISH_ATTRIBUTE_SURFACE = 8,
+                      FISH_ATTRIBUTE_INSTANCE = 9,
 };
 
 /* One level of detail: body and eyes first, then fins, in one index buffer. */

@@ -19,8 +19,8 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
     pass->body_program = gl_program(status, "fish body", defines, shader_fish_vert,
                                     shader_fish_frag, "caustics patterns");
     snprintf(defines, sizeof defines, "#define KEYS %u\n#define FIN\n", species->key_count);
-    pass->fin_program = gl_program(status, "fish fin", defines, shader_fish_vert, shader_fish_frag,
-                                   "caustics");
+    pass->fin_program =
+        gl_program(status, "fish fin", defines, shader_fish_vert, shader_fish_frag, "caustics");
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_open(status, &pass->mesh[i], &species->lod[i], species->key_count);
     }
@@ -71,8 +71,8 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
     return fish->length_m * view->focal_px >= near_px * distance ? FISH_NEAR : FISH_FAR;
 }
 
-/* 8-bit weights whose sum is exactly 255: the largest takes what rounding left over, so that no fish
- * breathes in size. */
+/* 8-bit weights whose sum is exactly 255: the largest takes what rounding left over, so that no
+ * fish breathes in size. */
 static void pack_weights(uint8_t out[8], const float weights[SCENE_KEY_MAX])
 {
     int32_t left = 255;
@@ -85,8 +85,8 @@ static void pack_weights(uint8_t out[8], const float weights[SCENE_KEY_MAX])
     out[largest] = (uint8_t)(out[largest] + left);
 }
 
-/* What breeders and fairs have: a third all red or with a pale belly, the rest in patches, few white.
- * Sixteen equal chances for the baked designs. */
+/* What breeders and fairs have: a third all red or with a pale belly, the rest in patches, few
+ * white. Sixteen equal chances for the baked designs. */
 static float pattern_layer(uint32_t look)
 {
     static const uint8_t layers[16] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 9, 10, 8 };
@@ -129,8 +129,8 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
         fill_instance(&pass->instances[next[pass->group[fish]]++], &scene->fish[fish]);
     }
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
-    glBufferSubData(GL_ARRAY_BUFFER, 0,
-                    (GLsizeiptr)(scene->fish_count * sizeof *pass->instances), pass->instances);
+    glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)(scene->fish_count * sizeof *pass->instances),
+                    pass->instances);
 }
 
 /* OpenGL ES 3.0 has no base instance: a group begins where the pointers say. */
@@ -139,12 +139,9 @@ static void point_instances(uint32_t first)
     const size_t stride = sizeof(struct fish_instance);
     const size_t base = first * stride;
     static const size_t offsets[6] = {
-        offsetof(struct fish_instance, place),
-        offsetof(struct fish_instance, right_phase),
-        offsetof(struct fish_instance, up_amplitude),
-        offsetof(struct fish_instance, weights),
-        offsetof(struct fish_instance, weights) + 4,
-        offsetof(struct fish_instance, character),
+        offsetof(struct fish_instance, place),        offsetof(struct fish_instance, right_phase),
+        offsetof(struct fish_instance, up_amplitude), offsetof(struct fish_instance, weights),
+        offsetof(struct fish_instance, weights) + 4,  offsetof(struct fish_instance, character),
     };
     for (uint32_t i = 0; i < 6; i++) {
         const GLuint location = FISH_ATTRIBUTE_INSTANCE + i;

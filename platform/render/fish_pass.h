@@ -10,12 +10,12 @@
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
 
-enum fish_group { /* In this order in the instance buffer. */
-    FISH_FAR = 0,   /* In the tank, small on the screen. */
-    FISH_NEAR = 1,  /* In the tank. */
-    FISH_ON_POI = 2,
-    FISH_IN_BOWL = 3,
-    FISH_GROUP_COUNT,
+enum fish_group {                /* In this order in the instance buffer. */
+                  FISH_FAR = 0,  /* In the tank, small on the screen. */
+                  FISH_NEAR = 1, /* In the tank. */
+                  FISH_ON_POI = 2,
+                  FISH_IN_BOWL = 3,
+                  FISH_GROUP_COUNT,
 };
 
 struct fish_instance {
@@ -29,7 +29,7 @@ struct fish_pass {
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
-    uint16_t order[SCENE_FISH_MAX];               /* Scene indices, lowest fish first. */
+    uint16_t order[SCENE_FISH_MAX]; /* Scene indices, lowest fish first. */
     uint8_t group[SCENE_FISH_MAX];
     struct fish_instance instances[SCENE_FISH_MAX];
 };

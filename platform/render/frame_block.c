@@ -7,11 +7,11 @@
 
 #define NEAR_M 0.05f
 #define FAR_M 8.0f
-#define CAUSTIC_LAYERS_HZ 11.0f   /* A loop of 32 layers in about three seconds. */
+#define CAUSTIC_LAYERS_HZ 11.0f /* A loop of 32 layers in about three seconds. */
 #define SECONDS_WRAP_TICKS (3600u * CORE_TICK_HZ)
-#define SHADOW_MARGIN 1.06f       /* Shadows of fish at a wall end on the wall's side of the map. */
-#define SHADOW_DRIFT_X 0.26f      /* The lamps hang to the right and behind the player: */
-#define SHADOW_DRIFT_Z 0.16f      /* tangents of the light that reaches the floor. */
+#define SHADOW_MARGIN 1.06f  /* Shadows of fish at a wall end on the wall's side of the map. */
+#define SHADOW_DRIFT_X 0.26f /* The lamps hang to the right and behind the player: */
+#define SHADOW_DRIFT_Z 0.16f /* tangents of the light that reaches the floor. */
 
 /* The colour of the water is a look, not a depth gauge: a shallow tank is as blue as a deep one. */
 #define ABSORPTION_OVER_DEPTH 0.55f
@@ -35,9 +35,22 @@ static void multiply(float out[16], const float a[16], const float b[16])
 static void look(float out[16], const struct basis *axes, vec3 eye)
 {
     const float m[16] = {
-        axes->right.x, axes->up.x, axes->back.x, 0.0f, axes->right.y, axes->up.y, axes->back.y,
-        0.0f, axes->right.z, axes->up.z, axes->back.z, 0.0f, -v3_dot(axes->right, eye),
-        -v3_dot(axes->up, eye), -v3_dot(axes->back, eye), 1.0f,
+        axes->right.x,
+        axes->up.x,
+        axes->back.x,
+        0.0f,
+        axes->right.y,
+        axes->up.y,
+        axes->back.y,
+        0.0f,
+        axes->right.z,
+        axes->up.z,
+        axes->back.z,
+        0.0f,
+        -v3_dot(axes->right, eye),
+        -v3_dot(axes->up, eye),
+        -v3_dot(axes->back, eye),
+        1.0f,
     };
     memcpy(out, m, sizeof m);
 }

@@ -119,8 +119,7 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
     const GLsizei width = (GLsizei)desc->width;
     const GLsizei height = (GLsizei)desc->height;
     const GLsizei layers = (GLsizei)desc->layers;
-    const GLsizei levels =
-        desc->mipmaps ? (GLsizei)mipmap_levels(desc->width, desc->height) : 1;
+    const GLsizei levels = desc->mipmaps ? (GLsizei)mipmap_levels(desc->width, desc->height) : 1;
     GLuint texture = 0;
     glGenTextures(1, &texture);
     gl_bind_texture(0, kind, texture);
@@ -182,11 +181,12 @@ void gl_target_open(struct gl_status *status, const char *name, struct gl_target
                     const struct gl_target_desc *desc)
 {
     *target = (struct gl_target){ .width = desc->width, .height = desc->height };
-    target->texture = gl_texture(status, name,
-                                 &(struct gl_texture_desc){ .internal_format = desc->internal_format,
-                                                            .width = desc->width,
-                                                            .height = desc->height,
-                                                            .wrap = desc->wrap });
+    target->texture =
+        gl_texture(status, name,
+                   &(struct gl_texture_desc){ .internal_format = desc->internal_format,
+                                              .width = desc->width,
+                                              .height = desc->height,
+                                              .wrap = desc->wrap });
     glGenFramebuffers(1, &target->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture, 0);

@@ -1,7 +1,7 @@
 /* gl_util.h -- the few OpenGL ES 3 chores every pass shares, with one way to report failure.
  *
- * Builders never stop half-way: they remember the first failure in `struct gl_status` and return the
- * name 0, which OpenGL ignores. Whoever builds a whole looks at the status once, at the end. */
+ * Builders never stop half-way: they remember the first failure in `struct gl_status` and return
+ * the name 0, which OpenGL ignores. Whoever builds a whole looks at the status once, at the end. */
 #ifndef KINGYO_PLATFORM_RENDER_GL_UTIL_H
 #define KINGYO_PLATFORM_RENDER_GL_UTIL_H
 
@@ -33,10 +33,10 @@ GLuint gl_program(struct gl_status *status, const char *name, const char *define
 struct gl_texture_desc {
     GLenum internal_format, format; /* Both of 8-bit components. */
     uint32_t width, height;
-    uint32_t layers;      /* 0: a plain 2D texture; else an array. */
+    uint32_t layers;       /* 0: a plain 2D texture; else an array. */
     const uint8_t *pixels; /* Null: contents undefined. */
     bool mipmaps;
-    GLenum wrap;          /* 0: GL_CLAMP_TO_EDGE. */
+    GLenum wrap; /* 0: GL_CLAMP_TO_EDGE. */
 };
 
 GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc);
@@ -48,18 +48,18 @@ GLuint gl_buffer(GLenum target, const void *data, size_t size);
 struct gl_target {
     GLuint framebuffer;
     uint32_t width, height;
-    GLuint color;         /* Texture, or renderbuffer when `samples` > 1. */
-    GLuint depth;         /* Renderbuffer or 0. */
-    GLuint resolve;       /* Texture's framebuffer that gl_target_resolve() fills, or 0. */
-    GLuint texture;       /* What later passes sample. */
+    GLuint color;   /* Texture, or renderbuffer when `samples` > 1. */
+    GLuint depth;   /* Renderbuffer or 0. */
+    GLuint resolve; /* Texture's framebuffer that gl_target_resolve() fills, or 0. */
+    GLuint texture; /* What later passes sample. */
 };
 
 struct gl_target_desc {
-    GLenum internal_format;  /* GL_RGBA8, GL_R8. */
+    GLenum internal_format; /* GL_RGBA8, GL_R8. */
     uint32_t width, height;
-    uint32_t samples;        /* 0, 1: none. */
+    uint32_t samples; /* 0, 1: none. */
     bool depth;
-    GLenum wrap;             /* 0: GL_CLAMP_TO_EDGE. */
+    GLenum wrap; /* 0: GL_CLAMP_TO_EDGE. */
 };
 
 void gl_target_open(struct gl_status *status, const char *name, struct gl_target *target,

@@ -6,7 +6,7 @@
 #include "assets.h"
 #include "shaders.h"
 
-#define SHADOW_WIDTH 512u  /* 1.7 mm a texel: finer than any shadow's edge. */
+#define SHADOW_WIDTH 512u /* 1.7 mm a texel: finer than any shadow's edge. */
 #define SHADOW_HEIGHT 320u
 #define DEFINES_SIZE 48
 
@@ -30,9 +30,8 @@ void light_pass_open(struct gl_status *status, struct light_pass *pass)
                                              .height = ASSET_CAUSTICS_SIZE,
                                              .wrap = GL_REPEAT });
     gl_target_open(status, "shadows", &pass->shadows,
-                   &(struct gl_target_desc){ .internal_format = GL_R8,
-                                             .width = SHADOW_WIDTH,
-                                             .height = SHADOW_HEIGHT });
+                   &(struct gl_target_desc){
+                       .internal_format = GL_R8, .width = SHADOW_WIDTH, .height = SHADOW_HEIGHT });
 }
 
 void light_pass_close(struct light_pass *pass)
@@ -91,7 +90,8 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR); /* Overlapping shadows darken, and never overflow. */
+    glBlendFunc(GL_ONE,
+                GL_ONE_MINUS_SRC_COLOR); /* Overlapping shadows darken, and never overflow. */
     glUseProgram(pass->fish_program);
     glBindVertexArray(pass->casters);
     const GLsizei count = fish_pass_shadow_casters(fish);

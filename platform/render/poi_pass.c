@@ -4,18 +4,18 @@
 #include "core/base/panic.h"
 #include "shaders.h"
 
-#define RING_MIDDLE 1.08f     /* Inner 40 mm, outer 46.5 mm. */
+#define RING_MIDDLE 1.08f /* Inner 40 mm, outer 46.5 mm. */
 #define RING_HALF_WIDTH 0.085f
 #define RING_HALF_HEIGHT 0.062f
 #define RING_COLUMNS 57u
 #define RING_ROWS 11u
 #define HANDLE_START 1.10f
-#define HANDLE_LENGTH 2.55f   /* 10 cm of grip. */
+#define HANDLE_LENGTH 2.55f /* 10 cm of grip. */
 #define HANDLE_ROWS 22u
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
-#define REACH 3.8f            /* Ring radii from the centre to the handle's end. */
+#define REACH 3.8f /* Ring radii from the centre to the handle's end. */
 
 const float *poi_paint(uint8_t owner)
 {
@@ -45,8 +45,8 @@ static struct shape_vertex handle_point(float u, float v, const void *context)
     (void)context;
     const float neck = f_smoothstep(0.0f, 0.16f, v);
     const float grip = f_smoothstep(0.28f, 0.62f, v);
-    const float end = f_sqrt(f_max(1.0f - f_max((v - 0.93f) / 0.07f, 0.0f) *
-                                              f_max((v - 0.93f) / 0.07f, 0.0f), 0.0f));
+    const float end = f_sqrt(
+        f_max(1.0f - f_max((v - 0.93f) / 0.07f, 0.0f) * f_max((v - 0.93f) / 0.07f, 0.0f), 0.0f));
     const float half_width = (0.135f - 0.055f * neck + 0.040f * grip) * f_max(end, 0.001f);
     const float half_height = 0.055f * f_max(end, 0.001f);
     const float section = u * F_TAU;

@@ -1,4 +1,5 @@
-/* poi_pass.h -- the scoops: ring, handle, and a paper whose wet cells and holes are the sheet's own. */
+/* poi_pass.h -- the scoops: ring, handle, and a paper whose wet cells and holes are the sheet's
+ * own. */
 #ifndef KINGYO_PLATFORM_RENDER_POI_PASS_H
 #define KINGYO_PLATFORM_RENDER_POI_PASS_H
 
@@ -11,8 +12,8 @@ struct poi_pass {
     GLuint frame_program, paper_program;
     GLint frame_pose, frame_paint, paper_pose, paper_paper;
     struct shape_buffers solid, disc;
-    GLuint sheet_texture;                            /* Array, a layer a player. */
-    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4];       /* Wetness, integrity, presence, unused. */
+    GLuint sheet_texture;                      /* Array, a layer a player. */
+    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Wetness, integrity, presence, unused. */
 };
 
 /* Players' colours, for what belongs to each; `owner` < POI_MAX. */

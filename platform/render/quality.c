@@ -5,8 +5,8 @@
 
 #include "core/base/fmath.h"
 
-/* What two cores of a small board draw in a fiftieth of a second, more or less: the scene keeps every
- * pixel up to 720p and no more pixels than that on larger screens. */
+/* What two cores of a small board draw in a fiftieth of a second, more or less: the scene keeps
+ * every pixel up to 720p and no more pixels than that on larger screens. */
 #define SOFTWARE_PIXELS (1280.0f * 720.0f)
 #define SOFTWARE_SCALE_MIN 0.4f
 #define SOFTWARE_FLOOR_SCALE 0.6f /* Of the scene's: floor and walls are soft anyway. */

@@ -6,19 +6,19 @@
 #include <stdint.h>
 
 struct quality {
-    bool software;        /* The renderer is a CPU: llvmpipe, softpipe, SwiftShader. */
-    float scene_scale;    /* Pixels of what swims, per screen pixel and axis; (0, 2]. */
-    float floor_scale;    /* The same for floor and walls, which are soft anyway. */
-    uint32_t samples;     /* Multisamples of scene and screen; 1 is none. */
-    float lod_near_px;    /* Fish at least this long on their target get the near mesh. */
+    bool software;     /* The renderer is a CPU: llvmpipe, softpipe, SwiftShader. */
+    float scene_scale; /* Pixels of what swims, per screen pixel and axis; (0, 2]. */
+    float floor_scale; /* The same for floor and walls, which are soft anyway. */
+    uint32_t samples;  /* Multisamples of scene and screen; 1 is none. */
+    float lod_near_px; /* Fish at least this long on their target get the near mesh. */
 };
 
 struct quality_wish {
-    const char *renderer;    /* What GL_RENDERER says. */
-    uint32_t width, height;  /* Of the screen, in pixels, > 0. */
-    float scene_scale;       /* 0: automatic; else taken, clamped to [0.25, 2]. */
-    uint32_t samples;        /* 0: automatic; else taken, up to ... */
-    uint32_t samples_max;    /* ... what the context offers. */
+    const char *renderer;   /* What GL_RENDERER says. */
+    uint32_t width, height; /* Of the screen, in pixels, > 0. */
+    float scene_scale;      /* 0: automatic; else taken, clamped to [0.25, 2]. */
+    uint32_t samples;       /* 0: automatic; else taken, up to ... */
+    uint32_t samples_max;   /* ... what the context offers. */
 };
 
 struct quality quality_choose(const struct quality_wish *wish);

@@ -328,10 +328,9 @@ const char *renderer_error(const struct renderer *renderer)
 void renderer_describe(const struct renderer *renderer, char *out, size_t size)
 {
     const struct quality *const quality = &renderer->quality;
-    const int length =
-        snprintf(out, size, "%s, %ux%u, scene %.2gx, floor %.2gx", renderer->gl_name,
-                 renderer->config.width, renderer->config.height, (double)quality->scene_scale,
-                 (double)quality->floor_scale);
+    const int length = snprintf(out, size, "%s, %ux%u, scene %.2gx, floor %.2gx", renderer->gl_name,
+                                renderer->config.width, renderer->config.height,
+                                (double)quality->scene_scale, (double)quality->floor_scale);
     if (quality->samples > 1 && length > 0 && (size_t)length < size) {
         snprintf(out + length, size - (size_t)length, ", %u samples", quality->samples);
     }

@@ -20,8 +20,8 @@
 #define RENDERER_WIDTH_MAX 8192u /* Of a picture that can be read back: twice 4K. */
 
 struct renderer_config {
-    uint32_t width, height;  /* Pixels, > 0. */
-    float scene_scale;       /* As struct display_gl_config. */
+    uint32_t width, height; /* Pixels, > 0. */
+    float scene_scale;      /* As struct display_gl_config. */
     uint32_t samples;
 };
 
@@ -69,7 +69,8 @@ int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
 /* Draws into the default framebuffer and leaves the swap to the caller. */
 void renderer_draw(struct renderer *renderer, const struct scene *scene);
 
-/* Copies the default framebuffer, top row first; before a swap. HAL_ERR_IO: `image` is too small. */
+/* Copies the default framebuffer, top row first; before a swap. HAL_ERR_IO: `image` is too small.
+ */
 int renderer_read(struct renderer *renderer, struct hal_image *image);
 
 /* False once OpenGL has reported a lost device or memory; renderer_error() says which. */

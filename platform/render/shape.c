@@ -34,8 +34,8 @@ void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_poin
     for (uint32_t row = 0; row + 1 < rows; row++) {
         for (uint32_t column = 0; column + 1 < columns; column++) {
             const uint32_t at = first + row * columns + column;
-            const uint32_t corners[6] = { at, at + 1u, at + columns, at + 1u, at + columns + 1u,
-                                          at + columns };
+            const uint32_t corners[6] = { at,      at + 1u,           at + columns,
+                                          at + 1u, at + columns + 1u, at + columns };
             for (uint32_t i = 0; i < 6; i++) {
                 shape->indices[shape->index_count++] = (uint16_t)corners[i];
             }

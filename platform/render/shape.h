@@ -26,8 +26,8 @@ struct shape_buffers {
     GLsizei index_count;
 };
 
-/* Appends a grid of `columns` x `rows` vertices, >= 2 each, wherever `point` puts them; normals from
- * its neighbours. Fronts face where columns turn counter-clockwise into rows. */
+/* Appends a grid of `columns` x `rows` vertices, >= 2 each, wherever `point` puts them; normals
+ * from its neighbours. Fronts face where columns turn counter-clockwise into rows. */
 typedef struct shape_vertex (*shape_point)(float u, float v, const void *context);
 void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_point point,
                 const void *context);

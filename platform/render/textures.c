@@ -18,31 +18,28 @@ static GLuint grey_tile(struct gl_status *status, const char *name, const uint8_
 
 void textures_open(struct gl_status *status, struct textures *textures)
 {
-    textures->caustics = gl_texture(
-        status, "caustics",
-        &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                   .format = GL_RED,
-                                   .width = ASSET_CAUSTICS_SIZE,
-                                   .height = ASSET_CAUSTICS_SIZE,
-                                   .layers = ASSET_CAUSTICS_FRAMES,
-                                   .pixels = asset_caustics,
-                                   .wrap = GL_REPEAT });
-    textures->patterns = gl_texture(
-        status, "patterns",
-        &(struct gl_texture_desc){ .internal_format = GL_RG8,
-                                   .format = GL_RG,
-                                   .width = ASSET_PATTERN_WIDTH,
-                                   .height = ASSET_PATTERN_HEIGHT,
-                                   .layers = ASSET_PATTERN_LAYERS,
-                                   .pixels = asset_patterns,
-                                   .mipmaps = true });
-    textures->environment = gl_texture(
-        status, "environment",
-        &(struct gl_texture_desc){ .internal_format = GL_RGB8,
-                                   .format = GL_RGB,
-                                   .width = ASSET_ENVIRONMENT_SIZE,
-                                   .height = ASSET_ENVIRONMENT_SIZE,
-                                   .pixels = asset_environment });
+    textures->caustics = gl_texture(status, "caustics",
+                                    &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                               .format = GL_RED,
+                                                               .width = ASSET_CAUSTICS_SIZE,
+                                                               .height = ASSET_CAUSTICS_SIZE,
+                                                               .layers = ASSET_CAUSTICS_FRAMES,
+                                                               .pixels = asset_caustics,
+                                                               .wrap = GL_REPEAT });
+    textures->patterns = gl_texture(status, "patterns",
+                                    &(struct gl_texture_desc){ .internal_format = GL_RG8,
+                                                               .format = GL_RG,
+                                                               .width = ASSET_PATTERN_WIDTH,
+                                                               .height = ASSET_PATTERN_HEIGHT,
+                                                               .layers = ASSET_PATTERN_LAYERS,
+                                                               .pixels = asset_patterns,
+                                                               .mipmaps = true });
+    textures->environment = gl_texture(status, "environment",
+                                       &(struct gl_texture_desc){ .internal_format = GL_RGB8,
+                                                                  .format = GL_RGB,
+                                                                  .width = ASSET_ENVIRONMENT_SIZE,
+                                                                  .height = ASSET_ENVIRONMENT_SIZE,
+                                                                  .pixels = asset_environment });
     textures->wood = grey_tile(status, "wood", asset_wood, ASSET_WOOD_SIZE, true);
     textures->paper = grey_tile(status, "paper", asset_paper, ASSET_PAPER_SIZE, false);
 }

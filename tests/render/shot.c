@@ -25,7 +25,7 @@
 
 struct options {
     float seconds, scale;
-    uint32_t width, height, samples, fish, seed, every;
+    uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper;
     const char *out;
 };
@@ -90,8 +90,7 @@ static void play(const struct options *options)
 {
     const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
                                         .fish_count = options->fish,
-                                        .language =
-                                            options->english ? LANGUAGE_EN : LANGUAGE_JA };
+                                        .language = options->english ? LANGUAGE_EN : LANGUAGE_JA };
     struct output output = { 0 };
     if (core_init(&core, &config) != CORE_OK) {
         exit(2);
@@ -125,7 +124,8 @@ static void show_paper(void)
             const float hole = f_sqrt((u - 0.3f) * (u - 0.3f) + (v + 0.2f) * (v + 0.2f) * 0.5f);
             const float small = f_sqrt((u + 0.4f) * (u + 0.4f) + (v - 0.3f) * (v - 0.3f));
             const uint32_t cell = z * SHEET_SIDE + x;
-            poi->wetness[cell] = (uint8_t)(255.0f * (1.0f - f_smoothstep(-0.3f, 0.3f, v + 0.4f * u)));
+            poi->wetness[cell] =
+                (uint8_t)(255.0f * (1.0f - f_smoothstep(-0.3f, 0.3f, v + 0.4f * u)));
             poi->integrity[cell] =
                 hole < 0.22f || small < 0.12f
                     ? 0
@@ -185,8 +185,8 @@ static void time_passes(const struct hal_display *device)
         printf("%-8s %6.2f ms, %6.2f ms of CPU\n", names[i], meter.sums[i] / PASS_FRAMES,
                meter.cpu_sums[i] / PASS_FRAMES);
     }
-    printf("%-8s %6.2f ms median, %.2f best, %.2f worst of %u\n", "frame",
-           frames[PASS_FRAMES / 2], frames[0], frames[PASS_FRAMES - 1], PASS_FRAMES);
+    printf("%-8s %6.2f ms median, %.2f best, %.2f worst of %u\n", "frame", frames[PASS_FRAMES / 2],
+           frames[0], frames[PASS_FRAMES - 1], PASS_FRAMES);
 }
 
 int main(int argc, char **argv)
