@@ -71,7 +71,7 @@ boundaries: includes symbols
 
 includes: | generated
 	@CC='$(CC)' BUILD='$(BUILD)' CORE_CFLAGS='$(CORE_CFLAGS)' HOST_CFLAGS='$(HOST_CFLAGS)' \
-	    tests/boundaries/includes.sh
+	    tests/boundaries/includes.sh $(ONLY)
 
 symbols: $(BUILD)/core.o
 	@tests/boundaries/symbols.sh $<

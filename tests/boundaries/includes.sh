@@ -1,9 +1,17 @@
 #!/bin/bash
-# includes.sh -- who may include whom, from the compiler's own list of what each file really pulls in.
+# includes.sh [FILE...] -- who may include whom, from the compiler's own list of what each file really pulls in.
 #
 # Run by `make boundaries`, which passes CC, CORE_CFLAGS and HOST_CFLAGS. Headers are asked as well as
-# sources, so that one nobody includes yet is held to the rule too. One line per breach; exit 1 on any.
+# sources, so that one nobody includes yet is held to the rule too. FILEs narrow the look to them. One
+# line per breach; exit 1 on any.
 set -u
+only=" $* "
+files() { # FOLDER: its sources and headers, but for the one main() that wires.
+    find "$1" -name '*.[ch]' ! -path 'platform/*/main.c' 2>/dev/null | sort |
+        while read -r file; do
+            if [ "$only" = '  ' ] || [[ $only == *" $file "* ]]; then echo "$file"; fi
+        done
+}
 own_include=$($CC -print-file-name=include)
 [ -d "$own_include" ] || own_include=$($CC -print-resource-dir)/include # clang calls it so
 freestanding='(float|iso646|limits|stdalign|stdarg|stdbool|stddef|stdint|stdint-gcc|stdnoreturn|__stddef_[a-z_]+|__stdarg_[a-z_]+)\.h'
@@ -30,13 +38,13 @@ shell_rule='only board/ and main wire drivers and boards'
 
 breaches=$({
     # shellcheck disable=SC2086
-    find core -name '*.[ch]' | sort | pairs $CORE_CFLAGS |
+    files core | pairs $CORE_CFLAGS |
         breach "(core|$BUILD/generated)/.*|$own_include/$freestanding" "$core_rule"
     # shellcheck disable=SC2086
-    find drivers -name '*.[ch]' 2>/dev/null | sort | pairs $HOST_CFLAGS |
+    files drivers | pairs $HOST_CFLAGS |
         breach "platform/hal\.h|$contracts|drivers/.*|/.*" "$driver_rule"
     # shellcheck disable=SC2086
-    find platform -name '*.[ch]' ! -path '*/main.c' | sort | pairs $HOST_CFLAGS |
+    files platform | pairs $HOST_CFLAGS |
         breach "(core|platform|assets|$BUILD/generated)/.*|/.*" "$shell_rule"
 })
 if [ -n "$breaches" ]; then
