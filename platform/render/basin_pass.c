@@ -201,12 +201,14 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
-    glUseProgram(pass->rim_program);
-    draw_part(pass, PART_RIM);
+    glDepthMask(GL_FALSE);
+    glUseProgram(pass->counter_program); /* Painted from the lowest up: it leaves no depth. */
+    draw_part(pass, PART_COUNTER);
     glUseProgram(pass->side_program);
     draw_part(pass, PART_SIDES);
-    glUseProgram(pass->counter_program);
-    draw_part(pass, PART_COUNTER);
+    glUseProgram(pass->rim_program);
+    draw_part(pass, PART_RIM);
+    glDepthMask(GL_TRUE);
 }
 
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,

@@ -23,7 +23,9 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 /* Floor and walls; no depth needed. */
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
-/* Rim and counter, then the surface over `ground` and `life`; both write depth. */
+/* Rim and counter are hidden by what stands before them in the depth buffer but leave no depth: a
+ * hand holds its poi over the rim, never through it. The surface, over `ground` and `life`, does.
+ */
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
                       GLuint life);

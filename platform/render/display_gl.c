@@ -155,9 +155,14 @@ static int follow_size(struct display_gl *display)
     if (width <= 0 || height <= 0) {
         return HAL_ERR_IO; /* Minimised: nothing to draw on, and nothing wrong. */
     }
+    const struct renderer_config *const drawn = &display->renderer.config;
+    if (drawn->width == (uint32_t)width && drawn->height == (uint32_t)height) {
+        return HAL_OK;
+    }
     if (renderer_resize(&display->renderer, (uint32_t)width, (uint32_t)height) != HAL_OK) {
         return fail(display, "resize", renderer_error(&display->renderer));
     }
+    renderer_describe(&display->renderer, display->text, sizeof display->text);
     return HAL_OK;
 }
 

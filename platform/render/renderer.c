@@ -4,6 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#ifndef GL_CONTEXT_LOST_KHR
+#define GL_CONTEXT_LOST_KHR 0x0507 /* GL_KHR_robustness; drivers without it never say so. */
+#endif
+
 static const char *gl_string(GLenum name)
 {
     const char *const text = (const char *)glGetString(name);
@@ -214,7 +218,7 @@ static void bind_screen(const struct renderer *renderer)
 }
 
 /* The water writes depth, so what is drawn after it shows only above it; each bowl's mouth is then
- * opened again, and the rim comes last because it may stand before a bowl. */
+ * opened again. */
 static void draw_surface(const struct renderer *renderer, const struct scene *scene)
 {
     bind_screen(renderer);
@@ -227,33 +231,49 @@ static void draw_surface(const struct renderer *renderer, const struct scene *sc
             bowl_pass_hole(&renderer->bowl, &scene->bowl[i]);
         }
     }
-    basin_pass_deck(&renderer->basin, &renderer->textures);
     step_done(renderer, STEP_SURFACE);
 }
 
-static void draw_above(const struct renderer *renderer, const struct scene *scene)
+static void draw_bowls(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
             bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics);
         }
-        if (poi_is_above(&scene->poi[i])) {
-            poi_pass_frame(&renderer->poi, &scene->poi[i]);
-        }
     }
     fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, &renderer->textures, caustics);
-    fish_pass_bodies(&renderer->fish, FISH_ON_POI, &renderer->textures, caustics);
     fish_pass_fins(&renderer->fish, FISH_IN_BOWL, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
             bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
         }
+    }
+}
+
+static void draw_pois(const struct renderer *renderer, const struct scene *scene)
+{
+    const GLuint caustics = renderer->light.caustics.texture;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (poi_is_above(&scene->poi[i])) {
+            poi_pass_frame(&renderer->poi, &scene->poi[i]);
+        }
+    }
+    fish_pass_bodies(&renderer->fish, FISH_ON_POI, &renderer->textures, caustics);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, &scene->poi[i], i, &renderer->textures);
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
+}
+
+/* The rim may stand before a bowl and is always behind a poi. */
+static void draw_above(const struct renderer *renderer, const struct scene *scene)
+{
+    draw_bowls(renderer, scene);
+    basin_pass_deck(&renderer->basin, &renderer->textures);
+    draw_pois(renderer, scene);
     glDisable(GL_DEPTH_TEST);
     step_done(renderer, STEP_ABOVE);
 }
@@ -316,6 +336,8 @@ bool renderer_is_alive(struct renderer *renderer)
     const GLenum error = glGetError();
     if (error == GL_OUT_OF_MEMORY) {
         gl_fail(&renderer->status, "OpenGL is out of memory");
+    } else if (error == GL_CONTEXT_LOST_KHR) {
+        gl_fail(&renderer->status, "the graphics driver has reset");
     }
     return gl_is_well(&renderer->status);
 }

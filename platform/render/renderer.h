@@ -31,8 +31,8 @@ enum render_step {
     STEP_LIGHT,       /* Caustics and shadows. */
     STEP_GROUND,      /* Floor and walls. */
     STEP_LIFE,        /* Fish, and what of poi and bowl is under water. */
-    STEP_SURFACE,     /* Water, rim and counter. */
-    STEP_ABOVE,       /* Bowls, pois and fish out of the water. */
+    STEP_SURFACE,     /* The water. */
+    STEP_ABOVE,       /* Bowls, rim and counter, pois and fish out of the water. */
     STEP_UI,
     STEP_COUNT,
 };

@@ -150,6 +150,7 @@ static void test_the_picture_follows_the_size_of_the_window(void **state)
     assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
     assert_int_equal(image.width, 200);
     assert_int_equal(image.height, 160);
+    assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
 }
 
 static uint32_t lost_calls;
