@@ -22,6 +22,10 @@ struct board_options {
     uint8_t mute;
     const char *data_dir;      /* Where the store lives; null keeps nothing. */
     struct view view;          /* Where a pointer device's rays start. */
+    /* Called at the moment when the display breaks for good, from inside whichever display call noticed;
+     * null: none. What lies under the display may not survive that call's return: end the program here. */
+    void (*on_display_lost)(void *self);
+    void *on_display_lost_self;
 };
 
 /* Wires real drivers where there are devices and null drivers where there are none. Never fails:

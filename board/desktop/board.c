@@ -53,6 +53,7 @@ static void open_display(struct hal *hal, const struct board_options *options)
         .off_screen = options->off_screen != 0,
         .title = "Kingyo",
     };
+    display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
     hal->display = display_gl_device(display);
     if (hal->display.ops->open(display) != HAL_OK) {
         snprintf(devices.display_text, sizeof devices.display_text, "%.*s",

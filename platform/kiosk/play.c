@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "core/tank/preset.h"
 #include "platform/board.h"
@@ -53,6 +54,44 @@ static void tell_devices(const struct hal *hal)
     fflush(stdout);
 }
 
+static void close_devices(const struct hal *hal)
+{
+    hal->audio.ops->close(hal->audio.self);
+    hal->storage.ops->close(hal->storage.self);
+    hal->display.ops->close(hal->display.self);
+}
+
+static void tell_end(const struct session *session, enum kiosk_end end)
+{
+    const struct kiosk *kiosk = &session->kiosk;
+    const struct kiosk_faults *faults = &kiosk->faults;
+    const uint32_t sum =
+        faults->poi + faults->display + faults->audio + faults->storage + faults->lamps;
+    if (end == KIOSK_DISPLAY_LOST) {
+        fprintf(stderr, "kingyo: the display was lost after %u s: %s\n",
+                kiosk->core.tick / CORE_TICK_HZ,
+                session->hal.display.ops->describe(session->hal.display.self));
+    }
+    printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
+           (unsigned long long)kiosk->frames,
+           (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
+           (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
+           (unsigned long long)kiosk->pace.dropped, sum);
+}
+
+/* Xlib and the software renderer's threads do not outlive their connection: nothing may go back into
+ * them, not even to return. So the end of the evening is here. */
+static void on_display_lost(void *self)
+{
+    struct session *session = self;
+    tell_end(session, KIOSK_DISPLAY_LOST);
+    enum exit_code code = session_end(session);
+    const struct hal_storage *storage = &session->hal.storage;
+    storage->ops->close(storage->self);
+    fflush(NULL);
+    _exit(code == EXIT_OK ? EXIT_NOT_SO : (int)code);
+}
+
 int play_open(struct session *session)
 {
     struct options *options = &session->options;
@@ -68,6 +107,8 @@ int play_open(struct session *session)
         .height = options->height,
         .data_dir = options->data[0] ? options->data : NULL,
         .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
+        .on_display_lost = on_display_lost,
+        .on_display_lost_self = session,
     };
     board_open(&session->hal, &board);
     const struct hal_display *display = &session->hal.display;
@@ -118,31 +159,6 @@ static enum kiosk_end run(struct session *session)
         }
     }
     return end;
-}
-
-static void close_devices(const struct hal *hal)
-{
-    hal->audio.ops->close(hal->audio.self);
-    hal->storage.ops->close(hal->storage.self);
-    hal->display.ops->close(hal->display.self);
-}
-
-static void tell_end(const struct session *session, enum kiosk_end end)
-{
-    const struct kiosk *kiosk = &session->kiosk;
-    const struct kiosk_faults *faults = &kiosk->faults;
-    const uint32_t sum =
-        faults->poi + faults->display + faults->audio + faults->storage + faults->lamps;
-    if (end == KIOSK_DISPLAY_LOST) {
-        fprintf(stderr, "kingyo: the display was lost after %u s: %s\n",
-                kiosk->core.tick / CORE_TICK_HZ,
-                session->hal.display.ops->describe(session->hal.display.self));
-    }
-    printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
-           (unsigned long long)kiosk->frames,
-           (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
-           (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
-           (unsigned long long)kiosk->pace.dropped, sum);
 }
 
 enum exit_code play_run(struct session *session)

@@ -41,5 +41,6 @@ struct kiosk_tap recorder_tap(struct recorder *recorder)
 
 int recorder_end(struct recorder *recorder)
 {
-    return replay_finish(&recorder->writer, core_hash(recorder->core));
+    const int is_open = recorder->writer.fd >= 0; /* Else there is not even a core, perhaps. */
+    return replay_finish(&recorder->writer, is_open ? core_hash(recorder->core) : 0);
 }
