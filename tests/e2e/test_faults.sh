@@ -28,7 +28,7 @@ refuses 74 /proc/x 'a folder for pictures that cannot be made' kingyo --demo 5 -
 refuses 74 /nowhere/x.conf 'a configuration that is not there' kingyo --config /nowhere/x.conf
 refuses 2 tickle 'a command that kingyoctl has not' kingyoctl tickle
 refuses 74 /nowhere/x.kgr 'verifying what is not there' kingyoctl replay verify /nowhere/x.kgr
-refuses 65 "$work" 'verifying a folder' kingyoctl replay verify "$work"
+refuses 74 folder 'verifying a folder' kingyoctl replay verify "$work"
 
 # A good recording, then the ways to spoil it.
 good=$work/good.kgr
