@@ -46,8 +46,8 @@ static struct pointer_report take_report(struct poi_sim *sim)
     return report;
 }
 
-/* The device's answer at each poll ends in a sample of now: a pointer at rest is still a hand, and a
- * stroke goes on between two reports. */
+/* The device's answer at each poll ends in a sample of now: a pointer at rest is still a hand,
+ * and a stroke goes on between two reports. */
 static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct poi_sim *sim = self;

@@ -1,7 +1,7 @@
 /* poi_sim.h -- a mouse made of memory: plays raw pointer reports through the real decoder.
  *
- * Faults are injected below the decoder, where cables and hands are: unplugged at any report, reports
- * doubled, jumps across the screen, silence. The caller owns the state and the reports. */
+ * Faults are injected below the decoder, where cables and hands are: unplugged at any report,
+ * reports doubled, jumps across the screen, silence. The caller owns the state and the reports. */
 #ifndef KINGYO_DRIVERS_POI_SIM_H
 #define KINGYO_DRIVERS_POI_SIM_H
 

@@ -4,10 +4,10 @@
 /* The wheel clicks, the hand does not: the tilt follows within about three time constants. */
 #define TILT_TAU_S 0.06f
 
-/* The far edge leads into the water and out of it, in proportion to the ring's speed. The pointer's
- * ray runs away from the player as it goes down, so this turns the paper toward its own course, and
- * less water is pushed by it: what a practised hand does. A poi that goes in flat lasts four dips; with
- * this, eight. */
+/* The far edge leads into the water and out of it, in proportion to the ring's speed. The
+ * pointer's ray runs away from the player as it goes down, so this turns the paper toward its
+ * own course, and less water is pushed by it: what a practised hand does. A poi that goes in
+ * flat lasts four dips; with this, eight. */
 #define SLANT_MAX_RAD (28.0f * F_DEG)
 #define SLANT_AT_M_S 0.40f
 

@@ -22,8 +22,9 @@ struct board_options {
     uint8_t mute;
     const char *data_dir;      /* Where the store lives; null keeps nothing. */
     struct view view;          /* Where a pointer device's rays start. */
-    /* Called at the moment when the display breaks for good, from inside whichever display call noticed;
-     * null: none. What lies under the display may not survive that call's return: end the program here. */
+    /* Called at the moment when the display breaks for good, from inside whichever display call
+     * noticed; null: none. What lies under the display may not survive that call's return: end
+     * the program here. */
     void (*on_display_lost)(void *self);
     void *on_display_lost_self;
 };
@@ -32,8 +33,9 @@ struct board_options {
  * what is missing says so through describe(). */
 void board_open(struct hal *hal, const struct board_options *options);
 
-/* The board's display off screen, START pressed once at `start_ns`, no hands, no sound, no store, and
- * a clock that begins at 0 and that only board_rehearsal_advance() moves: the same on every machine. */
+/* The board's display off screen, START pressed once at `start_ns`, no hands, no sound, no
+ * store, and a clock that begins at 0 and that only board_rehearsal_advance() moves: the same on
+ * every machine. */
 void board_open_rehearsal(struct hal *hal, const struct board_options *options, uint64_t start_ns);
 void board_rehearsal_advance(uint64_t ns);
 

@@ -1,4 +1,4 @@
-/* panic.c -- one line, the recording, and out. Not through exit(): nothing else is to be trusted. */
+/* panic.c -- one line, the recording, and out. Not through exit(): trust nothing else. */
 #include "platform/panic.h"
 
 #include <stdio.h>

@@ -33,8 +33,8 @@
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
 #define REPLAY_PROGRAM_SIZE 16u
 
-/* One tick at most: mask, buttons, edges, coins, saved id, four poi of a mask, a link and six floats,
- * and the digest. */
+/* One tick at most: mask, buttons, edges, coins, saved id, four poi of a mask, a link and six
+ * floats, and the digest. */
 #define REPLAY_TICK_SIZE_MAX (1u + 4u * 4u + POI_MAX * (1u + 1u + 6u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
@@ -57,12 +57,12 @@ uint64_t replay_get_u64(const uint8_t *bytes);
 void replay_put_u32(uint8_t *bytes, uint32_t value);
 void replay_put_u64(uint8_t *bytes, uint64_t value);
 
-/* Writes `input` as what changed since `before`, at most REPLAY_TICK_SIZE_MAX - 4 bytes; returns how
- * many. */
+/* Writes `input` as what changed since `before`, at most REPLAY_TICK_SIZE_MAX - 4 bytes; returns
+ * how many. */
 size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out);
 
-/* Reads one input into `input`, which holds the tick before. Returns the bytes used, or 0 when they end
- * early or say what no recorder writes: then `input` is as it was. */
+/* Reads one input into `input`, which holds the tick before. Returns the bytes used, or 0 when
+ * they end early or say what no recorder writes: then `input` is as it was. */
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size);
 
 /* ---- Writer (replay_writer.c) ---- */
@@ -79,13 +79,14 @@ struct replay_writer {
     uint8_t bytes[REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE];
 };
 
-/* Begins a file at `path` (one that is there is replaced). `first_hash` is core_hash of the fresh core.
- * 0, or a negative errno and nothing is open. */
+/* Begins a file at `path` (one that is there is replaced). `first_hash` is core_hash of the
+ * fresh core. 0, or a negative errno and nothing is open. */
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash);
 
-/* Adds a tick; with the last of a second, writes. `hash` is asked for only when replay_wants_hash().
- * A write that fails leaves the file whole as it was and stops the recording: `error` says why. */
+/* Adds a tick; with the last of a second, writes. `hash` is asked for only when
+ * replay_wants_hash(). A write that fails leaves the file whole as it was and stops the
+ * recording: `error` says why. */
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals);
 int replay_wants_hash(const struct replay_writer *writer);
@@ -98,8 +99,8 @@ int replay_finish(struct replay_writer *writer, uint64_t hash);
 
 #define REPLAY_PROBLEM_SIZE 120u
 
-/* Why a file cannot be used. `is_io`: it could not be read at all (exit 74); else its bytes are not a
- * whole recording (exit 65). */
+/* Why a file cannot be used. `is_io`: it could not be read at all (exit 74); else its bytes are
+ * not a whole recording (exit 65). */
 struct replay_problem {
     int is_io;
     uint64_t offset;
@@ -125,8 +126,8 @@ struct replay_reader {
 /* 0, or -1 with `problem` filled and nothing open. */
 int replay_open(struct replay_reader *reader, const char *path);
 
-/* The next tick: 1 with `input` and `digest` filled, 0 at the end mark, -1 with `problem` filled. When
- * chunk_left is 0 after a tick, `totals` hold for the core after that tick. */
+/* The next tick: 1 with `input` and `digest` filled, 0 at the end mark, -1 with `problem`
+ * filled. When chunk_left is 0 after a tick, `totals` hold for the core after that tick. */
 int replay_next(struct replay_reader *reader, struct input *input);
 
 void replay_close(struct replay_reader *reader);

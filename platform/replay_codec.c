@@ -1,8 +1,9 @@
 /* replay_codec.c -- one input as the bytes that differ from the input before.
  *
- * First a mask: which of held, pressed, coin_count, record_saved_id and each poi follow. Then those, the
- * numbers as u32; a poi as a mask of its own, its link and wrist in one byte, and those floats that
- * changed, as their bits. Floats travel whole: a play must come back to the last bit. */
+ * First a mask: which of held, pressed, coin_count, record_saved_id and each poi follow. Then
+ * those, the numbers as u32; a poi as a mask of its own, its link and wrist in one byte, and
+ * those floats that changed, as their bits. Floats travel whole: a play must come back to the
+ * last bit. */
 #include "platform/replay.h"
 
 #include <string.h>

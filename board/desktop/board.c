@@ -1,4 +1,5 @@
-/* board.c -- the desktop: a window, a mouse for a poi, keys for buttons, what sound and disk there is.
+/* board.c -- the desktop: a window, a mouse for a poi, keys for buttons, what sound and disk
+ * there is.
  *
  * The one place that knows every driver, and the one home of their state. */
 #include "platform/board.h"
@@ -66,9 +67,14 @@ static void open_display(struct hal *hal, const struct board_options *options)
 
 static const char *missing_poi(uint8_t poi)
 {
-    return poi == BOARD_POI_USB ? "no USB poi: this build has no driver for one; the mouse plays instead"
-           : poi == BOARD_POI_PAD ? "no pad: this build has no driver for one; the mouse plays instead"
-                                  : NULL;
+    switch (poi) {
+    case BOARD_POI_USB:
+        return "no USB poi: this build has no driver for one; the mouse plays instead";
+    case BOARD_POI_PAD:
+        return "no pad: this build has no driver for one; the mouse plays instead";
+    default:
+        return NULL;
+    }
 }
 
 static void open_hands(struct hal *hal, const struct board_options *options)
@@ -117,8 +123,8 @@ void board_open(struct hal *hal, const struct board_options *options)
     open_watchdog(hal);
 }
 
-/* A kernel without a graphics card has no /dev/dri/card*: then SDL need not be asked, which would make
- * the libraries under it complain on standard error. */
+/* A kernel without a graphics card has no /dev/dri/card*: then SDL need not be asked, which
+ * would make the libraries under it complain on standard error. */
 static int has_graphics_card(void)
 {
     char path[32];

@@ -1,4 +1,4 @@
-/* play.c -- `kingyoctl play`: rounds played by the bot, without a screen, as fast as they can be. */
+/* play.c -- `kingyoctl play`: the bot plays rounds, without a screen, at full speed. */
 #include <stdio.h>
 #include <string.h>
 

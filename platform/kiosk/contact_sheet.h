@@ -1,4 +1,4 @@
-/* contact_sheet.h -- small pictures side by side on one large one. Pure: fills the caller's pixels. */
+/* contact_sheet.h -- small pictures side by side on a large one, in the caller's pixels. Pure. */
 #ifndef KINGYO_PLATFORM_KIOSK_CONTACT_SHEET_H
 #define KINGYO_PLATFORM_KIOSK_CONTACT_SHEET_H
 

@@ -1,4 +1,4 @@
-/* demo.c -- what `kingyo` does where there is no screen, and what the README's pictures are made by. */
+/* demo.c -- what `kingyo` does where there is no screen; the README's pictures come from it. */
 #include "platform/kiosk/demo.h"
 
 #include <stdio.h>
@@ -57,7 +57,8 @@ static enum exit_code begin(struct demo *demo)
         .stopwatch = clock_device(),
     };
     const int whole_replay = options->replay[0] && !options->demo;
-    demo->end_ns = whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ : options->demo_s * NS_PER_S;
+    demo->end_ns = whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ
+                                : options->demo_s * NS_PER_S;
     return session_begin(demo->session, &config);
 }
 

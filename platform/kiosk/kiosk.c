@@ -100,8 +100,8 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* The only reads from devices. The display comes first: it pumps the queue that a desktop's mouse and
- * keyboard take their events from. */
+/* The only reads from devices. The display comes first: it pumps the queue that a desktop's
+ * mouse and keyboard take their events from. */
 static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
 {
     struct display_events events = { 0 };
@@ -229,8 +229,8 @@ static void present_record(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* The only writes to devices. The picture comes last: it may wait for the screen, and a sound should
- * not wait with it. */
+/* The only writes to devices. The picture comes last: it may wait for the screen, and a sound
+ * should not wait with it. */
 static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
 {
     if (tick_count > 0) {

@@ -75,8 +75,8 @@ struct kiosk {
     uint64_t frame_begin_ns;
 };
 
-/* A fresh stall. Opens the poi; the board has opened the rest. CORE_ERR_RANGE: a config field is out of
- * range, and `kiosk` is not to be used. */
+/* A fresh stall. Opens the poi; the board has opened the rest. CORE_ERR_RANGE: a config field is
+ * out of range, and `kiosk` is not to be used. */
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config);
 

@@ -1,4 +1,4 @@
-/* options.c -- one table of options, used by the command line, the configuration file and --help. */
+/* options.c -- one table of options, for the command line, the configuration file and --help. */
 #include "platform/kiosk/options.h"
 
 #include <ctype.h>

@@ -42,9 +42,9 @@ struct options {
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* Reads "key = value" lines: the keys are the options' names, '#' begins a comment. A line that cannot be
- * used is told through `warn` (may be null) and skipped: a typing mistake must not keep a stall closed.
- * 0, or a negative errno when the file cannot be read. */
+/* Reads "key = value" lines: the keys are the options' names, '#' begins a comment. A line that
+ * cannot be used is told through `warn` (may be null) and skipped: a typing mistake must not
+ * keep a stall closed. 0, or a negative errno when the file cannot be read. */
 int options_read_config(struct options *options, const char *path,
                         void (*warn)(const char *line));
 

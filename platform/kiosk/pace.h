@@ -13,9 +13,10 @@ struct pace {
     uint8_t started;
 };
 
-/* Ticks to run in the frame that begins at `now_ns`. The first frame runs two. A frame that is within
- * 1.5 ms of a 60 Hz display's runs exactly two, so that its jitter never shows as judder; else what is
- * left of a tick is kept for the next frame. A clock that stands or goes back owes nothing. */
+/* Ticks to run in the frame that begins at `now_ns`. The first frame runs two. A frame that is
+ * within 1.5 ms of a 60 Hz display's runs exactly two, so that its jitter never shows as judder;
+ * else what is left of a tick is kept for the next frame. A clock that stands or goes back owes
+ * nothing. */
 uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns);
 
 #endif

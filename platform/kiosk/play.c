@@ -14,13 +14,14 @@
 #define SHOT_WIDTH_MAX 4096u
 #define SHOT_HEIGHT_MAX 2304u
 
-/* A display that waits for its screen paces the loop. One that does not wait (no vertical sync, no
- * screen at all) is held to 60 frames a second; nothing faster than 4 ms has waited for a screen. */
+/* A display that waits for its screen paces the loop. One that does not wait (no vertical sync,
+ * no screen at all) is held to 60 frames a second; nothing faster than 4 ms has waited for a
+ * screen. */
 #define UNPACED_NS 4000000ull
 #define FRAME_NS 16666667ull
 
-/* Where scores live when nobody says: the user's data folder. "" when there is none. When it cannot be
- * made, the store will say so and the stall opens all the same. */
+/* Where scores live when nobody says: the user's data folder. "" when there is none. When it
+ * cannot be made, the store will say so and the stall opens all the same. */
 static void default_data_folder(char out[OPTIONS_PATH_MAX])
 {
     const char *data = getenv("XDG_DATA_HOME");
@@ -79,8 +80,8 @@ static void tell_end(const struct session *session, enum kiosk_end end)
            (unsigned long long)kiosk->pace.dropped, sum);
 }
 
-/* Xlib and the software renderer's threads do not outlive their connection: nothing may go back into
- * them, not even to return. So the end of the evening is here. */
+/* Xlib and the software renderer's threads do not outlive their connection: nothing may go back
+ * into them, not even to return. So the end of the evening is here. */
 static void on_display_lost(void *self)
 {
     struct session *session = self;

@@ -1,4 +1,4 @@
-/* replayer.h -- plays a recording to the core and holds what comes of it against what was recorded. */
+/* replayer.h -- plays a recording to the core and holds the outcome against what was recorded. */
 #ifndef KINGYO_PLATFORM_KIOSK_REPLAYER_H
 #define KINGYO_PLATFORM_KIOSK_REPLAYER_H
 

@@ -1,9 +1,9 @@
 /* resample.h -- from time-stamped readings of a hand to exactly one pose a tick. Pure.
  *
- * A tick that reused a pose would see a hand that stops and starts: speed 2v, 0, 2v, and drag, which
- * grows with its square, four-fold. So the readings of a frame are spread over the frame's ticks: the
- * newest tick gets the newest reading (no latency is added), the ones before it get the path between
- * that and the last frame's end, linear between readings. */
+ * A tick that reused a pose would see a hand that stops and starts: speed 2v, 0, 2v, and drag,
+ * which grows with its square, four-fold. So the readings of a frame are spread over the frame's
+ * ticks: the newest tick gets the newest reading (no latency is added), the ones before it get
+ * the path between that and the last frame's end, linear between readings. */
 #ifndef KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 

@@ -1,4 +1,4 @@
-/* session.h -- one run of the stall, with or without a screen: what both kinds need around the loop. */
+/* session.h -- one run of the stall, with or without a screen: what both need around the loop. */
 #ifndef KINGYO_PLATFORM_KIOSK_SESSION_H
 #define KINGYO_PLATFORM_KIOSK_SESSION_H
 
@@ -25,23 +25,24 @@ struct session {
 /* Checks the replay, wholly, before anything is opened. Returns an exit code. */
 enum exit_code session_check(struct session *session);
 
-/* Begins the kiosk on session->hal, with the recording or the replay asked for. `config` is what the
- * caller wants; a replay brings its own core_config. Returns an exit code, the reason is told. */
+/* Begins the kiosk on session->hal, with the recording or the replay asked for. `config` is what
+ * the caller wants; a replay brings its own core_config. Returns an exit code, the reason is
+ * told. */
 enum exit_code session_begin(struct session *session, struct kiosk_config *config);
 
 /* Ends the recording or the replay and tells how it went. Returns an exit code. */
 enum exit_code session_end(struct session *session);
 
-/* Makes `path` and the folders above it, and sees that it can be written to: 0 or a negative errno; the
- * second one also tells, and returns an exit code. */
+/* Makes `path` and the folders above it, and sees that it can be written to: 0 or a negative
+ * errno; the second one also tells, and returns an exit code. */
 int session_try_folder(const char *path);
 enum exit_code session_make_folder(const char *path);
 
 /* Room for pictures up to `width` x `height`. An exit code, told. */
 enum exit_code session_make_room(struct session *session, uint32_t width, uint32_t height);
 
-/* Takes the picture last presented into session->rgb and, where `path` is not null, writes it there.
- * 0 with `image` filled, -1 and told. */
+/* Takes the picture last presented into session->rgb and, where `path` is not null, writes it
+ * there. 0 with `image` filled, -1 and told. */
 int session_shot(struct session *session, const char *path, struct hal_image *image);
 
 #endif

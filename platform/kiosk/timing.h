@@ -1,4 +1,4 @@
-/* timing.h -- a histogram of durations, so that a day's median and p99 fit into fixed memory. Pure. */
+/* timing.h -- a histogram of durations, to fit a day's median and p99 into fixed memory. Pure. */
 #ifndef KINGYO_PLATFORM_KIOSK_TIMING_H
 #define KINGYO_PLATFORM_KIOSK_TIMING_H
 

@@ -1,10 +1,11 @@
 /* bench_latency.c -- input to picture: how long after a pointer event the first frame shows it.
  *
- * The real frame loop and the real pointer decoder, on a simulated clock, so that the figures are the
- * program's own and not the machine's. At each trial the stall is copied, one copy gets an event and the
- * other does not, and both run until their rings differ by so many pixels. A pointer's step shows at
- * once; a dip is a smooth stroke that sets off from rest, so it is asked for its first tenth of a pixel,
- * and for half a pixel as information. The event falls anywhere between two frames. Time is counted to the moment at which the frame is handed to the display;
+ * The real frame loop and the real pointer decoder, on a simulated clock, so that the figures
+ * are the program's own and not the machine's. At each trial the stall is copied, one copy gets
+ * an event and the other does not, and both run until their rings differ by so many pixels. A
+ * pointer's step shows at once; a dip is a smooth stroke that sets off from rest, so it is asked
+ * for its first tenth of a pixel, and for half a pixel as information. The event falls anywhere
+ * between two frames. Time is counted to the moment at which the frame is handed to the display;
  * drawing it and the screen itself come on top. Exit code 1 when the bound does not hold. */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,8 @@
-/* test_kiosk_memory.c -- the running frame loop allocates nothing: every malloc in it is trapped.
+/* test_kiosk_memory.c -- the running frame loop allocates nothing: every malloc in it is
+ * trapped.
  *
- * The C library lets a program put its own malloc in front; under a sanitizer, which has its own, the
- * test has nothing to say and skips. */
+ * The C library lets a program put its own malloc in front; under a sanitizer, which has its
+ * own, the test has nothing to say and skips. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* test_mouse_play.c -- a round played with a pointer through the real decoder and the real frame loop: the
- * ways of a mouse must be good enough to scoop, and rough ways must cost paper. */
+/* test_mouse_play.c -- a round played with a pointer through the real decoder and the real frame
+ * loop: the ways of a mouse must be good enough to scoop, and rough ways must cost paper. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
