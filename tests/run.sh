@@ -6,7 +6,7 @@
 # runs alone, after the others, because it measures or drives a whole machine. Exits 1 on any failure.
 set -u
 export CMOCKA_MESSAGE_OUTPUT=TAP
-limit_s=${TEST_LIMIT_S:-240}
+limit_s=${TEST_LIMIT_S:-400}
 
 run_one() { # RESULTS PROGRAM
     local name log begin seconds status passed failed skipped
