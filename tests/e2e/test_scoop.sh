@@ -21,6 +21,7 @@ look() {
 # slides, carry it over. The rectangle keeps clear of the walls and of the bowl.
 try() {
     local fish_x fish_y
+    xdotool key space # Another poi where the last one tore; nothing happens in mid-round.
     read -r fish_x fish_y < <({ look; look; } | "$BUILD/tests/e2e/eye" 360 200 800 430)
     glide $((fish_x - 80)) "$fish_y" 0.4
     xdotool mousedown 1
@@ -37,10 +38,6 @@ for ((i = 0; i < tries_max && landed == 0; i++)); do
     try
     landed=$(caught "$recording")
     landed=${landed:-0}
-    if ((i % 10 == 9)); then
-        xdotool key space # The paper may be gone: another poi, please.
-        sleep 4
-    fi
 done
 echo "# $landed landed after $i tries"
 [ "$landed" -ge 1 ]
