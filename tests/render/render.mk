@@ -1,6 +1,6 @@
 # render.mk -- a look at the picture without playing.
 
-$(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(PLATFORM_OBJ) $(BUILD)/core.a
+$(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 

@@ -6,19 +6,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/base/panic.h"
 #include "core/core.h"
+#include "platform/png.h"
 #include "platform/render/display_gl.h"
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wmissing-prototypes"
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
 
 #define PIXELS_MAX (3840u * 2160u)
 #define PASS_FRAMES 40u
@@ -214,17 +204,10 @@ int main(int argc, char **argv)
     }
     struct hal_image image = { .rgb = pixels, .size = sizeof pixels };
     if (device.ops->capture(device.self, &image) != HAL_OK ||
-        !stbi_write_png(options.out, (int)image.width, (int)image.height, 3, pixels,
-                        (int)image.width * 3)) {
+        png_write(options.out, pixels, image.width, image.height) != 0) {
         fprintf(stderr, "no picture at %s\n", options.out);
         return 1;
     }
     device.ops->close(device.self);
     return 0;
-}
-
-_Noreturn void core_panic(const char *condition, const char *file, int line)
-{
-    fprintf(stderr, "%s:%d: %s\n", file, line, condition);
-    abort();
 }
