@@ -15,7 +15,7 @@
 #define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
 #define NS_PER_S 1000000000ull
 #define START_NS 1500000000ull   /* The attract picture first, then the round. */
-#define BEFORE_ROUND_S 5u        /* Attract and the seconds to take the poi. */
+#define AROUND_ROUND_S 8u        /* Attract, the seconds to take the poi, a look at the result. */
 #define ROUND_S_MIN 10u
 #define FOLDER_DEFAULT "out/demo"
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
@@ -44,7 +44,7 @@ static void wire(struct demo *demo)
 static enum exit_code begin(struct demo *demo)
 {
     const struct options *options = &demo->session->options;
-    const uint32_t round_s = options->demo_s > BEFORE_ROUND_S ? options->demo_s - BEFORE_ROUND_S : 0;
+    const uint32_t round_s = options->demo_s > AROUND_ROUND_S ? options->demo_s - AROUND_ROUND_S : 0;
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : DEMO_SEED,
