@@ -103,6 +103,7 @@ struct scene {
     float seconds_left;      /* Of the round; in READY, until it begins; else 0. */
     uint32_t caught[POI_MAX];
     uint32_t best_today;
+    uint8_t by_bot;          /* The bot had a hand in this round: no score of a person's. */
 };
 
 #endif

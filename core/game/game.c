@@ -117,6 +117,7 @@ static void finish_round(struct core *core, struct output *output)
     struct game *game = &core->game;
     uint32_t total = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        core->poi[i].rider_count = 0; /* Too late: they go back to the water. */
         total += game->caught[i];
         if (!game->bot_played && game->caught[i] > game->best_today) {
             game->best_today = game->caught[i];
@@ -133,6 +134,25 @@ static void finish_round(struct core *core, struct output *output)
     };
     enter(core, PHASE_RESULT);
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
+}
+
+/* When time is called nothing more may be scooped, but what lies on paper may be brought home. */
+static int any_carries(const struct core *core)
+{
+    uint32_t riders = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        riders += hand_plays(core, i) ? core->poi[i].rider_count : 0;
+    }
+    return riders > 0;
+}
+
+static int round_is_over(const struct core *core, uint32_t elapsed, uint32_t total)
+{
+    const uint32_t gone_tick = core->game.gone_tick;
+    if (gone_tick != 0 && core->tick - gone_tick >= GAME_GONE_TICKS) {
+        return 1;
+    }
+    return elapsed >= total && (!any_carries(core) || elapsed >= total + GAME_CARRY_TICKS);
 }
 
 /* The clock waits while a controller is away and nobody else plays. */
@@ -178,14 +198,15 @@ static void tick_round(struct core *core, struct output *output)
         return;
     }
     const uint32_t total = game->round_s * CORE_TICK_HZ;
-    const uint32_t left = total - (core->tick - game->phase_tick);
+    const uint32_t elapsed = core->tick - game->phase_tick;
     if (game->gone_tick == 0 && all_paper_gone(core)) {
         game->gone_tick = core->tick;
         output_sound(output, SOUND_GONE, 1.0f, 0.0f);
     }
-    if (left == 0 || (game->gone_tick != 0 && core->tick - game->gone_tick >= GAME_GONE_TICKS)) {
+    if (round_is_over(core, elapsed, total)) {
         finish_round(core, output);
-    } else if (left % CORE_TICK_HZ == 0 && left <= LAST_SECONDS * CORE_TICK_HZ) {
+    } else if (elapsed < total && elapsed + LAST_SECONDS * CORE_TICK_HZ >= total &&
+               (total - elapsed) % CORE_TICK_HZ == 0) {
         output_sound(output, SOUND_TICK, 1.0f, 0.0f);
     }
 }

@@ -27,7 +27,9 @@ static struct poi_target within_reach(const struct core *core, struct poi_target
 {
     const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
     const float depth_m = 0.5f * core->tank.size_m.z + REACH_SIDE_M;
-    const int scooping = core->game.phase == PHASE_ROUND || core->game.phase == PHASE_ATTRACT;
+    const int in_time = core->game.phase == PHASE_ROUND &&
+                        game_seconds_left(&core->game, core->tick) > 0.0f;
+    const int scooping = in_time || core->game.phase == PHASE_ATTRACT;
     const float low_m = scooping ? -core->tank.size_m.y : CLEAR_Y_M;
     CORE_ASSERT(v3_is_finite(target.position_m));
     target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);

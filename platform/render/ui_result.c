@@ -119,7 +119,7 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     frame->batch->opacity = 1.0f;
     result_words(frame, scene, box);
     const float stamped = ui_smooth(1.6f, 1.8f, scene->phase_s);
-    if (stamped > 0.0f && scene->caught[0] > memory->best_before) {
+    if (stamped > 0.0f && !scene->by_bot && scene->caught[0] > memory->best_before) {
         seal(frame, box.x + box.width - 130.0f * u, box.y + 8.0f * u, stamped);
     }
     if (scene->hint == HINT_START) {

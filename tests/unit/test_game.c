@@ -217,6 +217,46 @@ static void test_a_round_lasts_its_seconds_to_the_tick(void **state)
     assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_S * CORE_TICK_HZ);
 }
 
+/* When time is called a fish on the paper may still be carried home, but not for ever. */
+static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(void **state)
+{
+    (void)state;
+    play_into_round();
+    core.poi[0].rider_count = 1;
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    steps(GAME_CARRY_TICKS - 1);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    step();
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(core.poi[0].rider_count, 0);
+}
+
+static void test_the_round_ends_as_soon_as_the_last_fish_is_home(void **state)
+{
+    (void)state;
+    play_into_round();
+    core.poi[0].rider_count = 1;
+    steps(ROUND_S * CORE_TICK_HZ + 10);
+    core.poi[0].rider_count = 0;
+    step();
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+}
+
+static void test_nothing_can_be_dipped_after_the_call(void **state)
+{
+    (void)state;
+    struct poi_target targets[POI_MAX];
+    uint8_t live[POI_MAX];
+    play_into_round();
+    hold_at(BELOW_M);
+    core.poi[0].rider_count = 1;
+    steps(ROUND_S * CORE_TICK_HZ + 2);
+    game_tick(&core, &input, &output, targets, live);
+    assert_true(live[0]);
+    assert_true(targets[0].position_m.y > 0.0f);
+}
+
 static void test_the_result_gives_way_to_attract_after_twelve_seconds(void **state)
 {
     (void)state;
@@ -637,6 +677,9 @@ int main(void)
         TEST(test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_nothing),
         TEST(test_ready_lasts_three_seconds_to_the_tick),
         TEST(test_a_round_lasts_its_seconds_to_the_tick),
+        TEST(test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl),
+        TEST(test_the_round_ends_as_soon_as_the_last_fish_is_home),
+        TEST(test_nothing_can_be_dipped_after_the_call),
         TEST(test_the_result_gives_way_to_attract_after_twelve_seconds),
         TEST(test_start_in_the_result_counts_from_one_and_a_half_seconds),
         TEST(test_a_dip_in_the_result_counts_from_two_and_a_half_seconds),
