@@ -101,7 +101,7 @@ int replay_open(struct replay_reader *reader, const char *path)
         return refuse(reader, 1, 0, "cannot read: %s", strerror(errno));
     }
     if (!S_ISREG(status.st_mode)) {
-        return refuse(reader, 0, 0, "not a recording of Kingyo but a %s",
+        return refuse(reader, 1, 0, "not a recording of Kingyo but a %s",
                       S_ISDIR(status.st_mode) ? "folder" : "device or pipe");
     }
     if (status.st_size == 0) {

@@ -272,7 +272,9 @@ static void test_what_is_no_recording_is_told_apart(void **state)
     assert_string_equal(reader.problem.text, "not a recording of Kingyo");
     assert_int_equal(replay_scan(&reader, "/tmp", &totals), -1);
     assert_non_null(strstr(reader.problem.text, "folder"));
+    assert_int_equal(reader.problem.is_io, 1);
     assert_int_equal(replay_scan(&reader, "/dev/zero", &totals), -1);
+    assert_int_equal(reader.problem.is_io, 1);
     assert_int_equal(replay_scan(&reader, "/nowhere/at/all", &totals), -1);
     assert_int_equal(reader.problem.is_io, 1);
 }
