@@ -2,9 +2,9 @@
 #include "core/poi/catch.h"
 
 #include "core/base/panic.h"
+#include "core/base/physics.h"
 #include "core/base/rng.h"
 #include "core/poi/contact.h"
-#include "core/poi/disc.h"
 #include "core/poi/fall.h"
 
 #define LEVEL_MIN 0.35f /* A steeper poi (70 degrees) takes nobody up. */
@@ -174,6 +174,7 @@ static void spill(const struct scoop *scoop, struct fish *fish, vec3 place)
     const vec3 out = v3_normalize_or(v3(place.x, 0.0f, place.z), v3(1.0f, 0.0f, 0.0f));
     fish->position_m =
         v3_mad(fish->position_m, basis_to_world(&scoop->axes, out), SPILL_M_S * CORE_TICK_S);
+    contact_stay_in_tank(fish, scoop->tank);
 }
 
 static void take_up(struct scoop *scoop, uint32_t index)
@@ -190,13 +191,13 @@ static void take_up(struct scoop *scoop, uint32_t index)
     }
     const struct basis body = basis_from_angles(fish->angles);
     const vec3 tail = basis_to_body(&scoop->axes, body.back);
-    const vec3 back = basis_to_body(&scoop->axes, body.right);
+    const vec3 right = basis_to_body(&scoop->axes, body.right);
     const vec3 speed = basis_to_body(&scoop->axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
     const struct rng_key key = { poi->seed, scoop->tick, index, RNG_SHEET_SLAP };
     poi->riders[poi->rider_count++] = (struct rider){
         .fish = (uint16_t)index,
         .state = RIDER_LYING,
-        .side = back.y > 0.0f ? 1 : -1,
+        .side = right.y > 0.0f ? 1 : -1,
         .x_m = place.x,
         .z_m = place.z,
         .height_m = f_max(place.y, 0.0f),
@@ -256,7 +257,8 @@ static void meet_all(struct scoop *scoop)
 
 static void add_load(struct poi *poi, struct sheet_load load)
 {
-    if (poi->load_count < SHEET_LOAD_MAX && load.force_n != 0.0f) {
+    if (load.force_n != 0.0f) {
+        CORE_ASSERT(poi->load_count < SHEET_LOAD_MAX);
         poi->loads[poi->load_count++] = load;
     }
 }
@@ -276,7 +278,7 @@ static void add_slap(struct poi *poi, const struct rider *rider, const struct fi
     }
 }
 
-/* Slaps first: they are what tears. */
+/* A slap and a body of each: SHEET_LOAD_MAX has room for all. */
 static void gather_loads(struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
@@ -319,8 +321,7 @@ struct catch_result catch_tick(struct poi *poi, uint32_t poi_index, struct tank 
         .ride = { .pull_m_s2 = basis_to_body(&axes, pull),
                   .uphill_x = axes.right.y,
                   .uphill_z = axes.back.y,
-                  .radius_m = POI_RADIUS_M,
-                  .outer_m = POI_OUTER_RADIUS_M },
+                  .radius_m = POI_RADIUS_M },
         .pan = f_clamp(2.0f * poi->position_m.x / tank->size_m.x, -1.0f, 1.0f),
     };
     forget_strangers(&scoop);

@@ -1,7 +1,7 @@
 /* contact.c -- a fish remembers on which side of the paper it is; see poi.near_bits. */
 #include "core/poi/contact.h"
 
-#define ZONE_M 0.06f       /* Farther from the plane than a fish and a poi can meet in one tick. */
+#define ZONE_M 0.06f       /* Farther from the plane no fish and poi can meet in one tick. */
 #define SIDE_GAP_M 0.0005f /* A fish's centre never gets nearer to the paper than this ... */
 #define PUSH_M 0.0025f     /* ... and a body that slid in over the ring is freed at this a tick. */
 #define TOUCH_M 0.003f
@@ -26,8 +26,14 @@ static float half_tall(const struct fish *fish)
     return fish_half_extent_m(fish, v3(axes.right.y, axes.up.y, axes.back.y));
 }
 
-static void stay_in_water(struct fish *fish, const struct tank *tank)
+void contact_stay_in_tank(struct fish *fish, const struct tank *tank)
 {
+    const struct box box = fish_box(fish);
+    const vec3 extent = box_extent_m(&box);
+    const float room_x = 0.5f * tank->size_m.x - extent.x;
+    const float room_z = 0.5f * tank->size_m.z - extent.z;
+    fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
+    fish->position_m.z = f_clamp(fish->position_m.z, -room_z, room_z);
     const float half = half_tall(fish);
     const float low = half - tank->size_m.y;
     fish->position_m.y = f_clamp(fish->position_m.y, low, f_max(low, -half));
@@ -83,14 +89,25 @@ static void never_through(const struct poi *poi, struct fish *fish, vec3 up, flo
     }
 }
 
+/* Whether a point, seen from the ring's centre, is in the cylinder of ZONE_M over and under the
+ * paper; if so, `place` is where in the poi's axes. Most fish are far and cost a dot product. */
+static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
+{
+    if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {
+        return 0;
+    }
+    *place = basis_to_body(axes, away);
+    return f_abs(place->y) < ZONE_M &&
+           place->x * place->x + place->z * place->z < POI_RADIUS_M * POI_RADIUS_M;
+}
+
 int contact_fish(struct poi *poi, const struct basis *axes, uint32_t index, struct tank *tank)
 {
     struct fish *fish = &tank->fish[index];
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
-    const int near = v3_dot(away, away) < ZONE_M * ZONE_M;
-    const vec3 place = near ? basis_to_body(axes, away) : v3(1.0f, 0.0f, 0.0f);
     const int was_near = bit(poi->near_bits, index);
-    if (!near || place.x * place.x + place.z * place.z >= POI_RADIUS_M * POI_RADIUS_M) {
+    vec3 place;
+    if (!over_paper(axes, away, &place)) {
         set_bit(poi->near_bits, index, 0);
         return 0;
     }
@@ -108,11 +125,12 @@ int contact_fish(struct poi *poi, const struct basis *axes, uint32_t index, stru
     if (height < clear) {
         const float goal = f_min(clear, f_max(height, SIDE_GAP_M) + PUSH_M);
         push(poi, fish, axes->up, side, height, goal);
-        stay_in_water(fish, tank);
+        contact_stay_in_tank(fish, tank);
         if (!above && fish->position_m.y <= half_tall(fish) - tank->size_m.y + 1e-4f) {
             squeeze(poi, fish, axes->up, clear, place);
         }
         never_through(poi, fish, axes->up, side);
+        contact_stay_in_tank(fish, tank);
     }
     return above && height < clear + TOUCH_M;
 }

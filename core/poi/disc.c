@@ -2,6 +2,7 @@
 #include "core/poi/disc.h"
 
 #include "core/base/fmath.h"
+#include "core/base/physics.h"
 
 #define CN_BROADSIDE 1.17f  /* Bluff disc; 1.12 to 1.17 in the literature. */
 #define CN_PER_SINE 2.0f    /* Circular wing at small angles: 1.79 per radian, and rising. */

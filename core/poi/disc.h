@@ -5,9 +5,6 @@
 #ifndef KINGYO_CORE_POI_DISC_H
 #define KINGYO_CORE_POI_DISC_H
 
-#define WATER_KG_M3 1000.0f
-#define GRAVITY_M_S2 9.81f
-
 /* [0, 1]: the share of a disc's area under the still surface. `up_y` is the vertical part of its
  * unit normal. A level disc goes under over 10 mm: its paper bellies and takes air along. */
 float disc_immersed(float radius_m, float centre_y_m, float up_y);

@@ -1,8 +1,8 @@
 /* fall.c -- a free fall of a few centimetres, and its two ends. */
 #include "core/poi/fall.h"
 
+#include "core/base/physics.h"
 #include "core/input.h"
-#include "core/poi/disc.h"
 
 #define FALL_HOME_M_S 1.5f /* Sideways at most, when it fell beyond a wall. */
 #define PLOP_M 0.004f      /* It dents the surface so deep. */

@@ -4,6 +4,7 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
+#include "core/base/physics.h"
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 #include "core/poi/yield.h"
@@ -23,6 +24,8 @@
 #define TIP_NEAR 0.45f /* Ring to mouth, centre to centre, in sums of their radii: full turn ...   \
                         */
 #define TIP_FAR 0.95f  /* ... and none. */
+#define TIP_FALL_M 0.040f /* A fish leaves the ring so far from its centre; */
+#define TIP_HIT 0.65f     /* well within the mouth, in its radii, the turn is full. */
 #define TIP_BACK_SHARE 0.4f
 #define TIP_EDGE_M 0.010f /* The lower edge then keeps so far over the mouth. */
 
@@ -49,36 +52,40 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
 
 /* ---- The wrist ------------------------------------------------------------------------------ */
 
-/* [0, 1]: how far the ring is over the mouth of its bowl, and clear of the water. */
+/* [0, 1]: how far the ring is over the mouth of its bowl, clear of the water, and turned so that a
+ * fish would fall into the mouth. */
 static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
 {
     if (!bowl->present) {
         return 0.0f;
     }
     const float near = v3_length(way) / (BOWL_RADIUS_M + POI_RADIUS_M);
-    return (1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near)) *
-           (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+    const vec3 fall = v3_mad(way, poi->tip_toward, -TIP_FALL_M);
+    const float miss = v3_length(fall) / BOWL_RADIUS_M;
+    const float goal = f_min(1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near),
+                             1.0f - f_smoothstep(TIP_HIT, 1.0f, miss));
+    return goal * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
 }
 
-/* A wrist rolls a handle more easily than it raises it, and the handle's end stays out of the bowl.
- */
+/* A wrist rolls a handle more easily than it raises it, and never lowers it: the handle would go
+ * through the bowl. Toward a bowl between ring and hand it only rolls. */
 static vec3 rather_sideways(vec3 way, float yaw_rad)
 {
     const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
     const vec3 back = v3(f_sin(yaw_rad), 0.0f, f_cos(yaw_rad));
-    const vec3 mix =
-        v3_mad(v3_scale(right, v3_dot(way, right)), back, TIP_BACK_SHARE * v3_dot(way, back));
-    return v3_normalize_or(mix, right);
+    const float aside = v3_dot(way, right), behind = f_min(v3_dot(way, back), 0.0f);
+    const vec3 mix = v3_mad(v3_scale(right, aside), back, TIP_BACK_SHARE * behind);
+    return v3_length(mix) > 1e-3f ? v3_normalize_or(mix, right) : right;
 }
 
 static void tip_over(struct poi *poi, const struct bowl *bowl, int has_wrist)
 {
     const vec3 way =
         v3(bowl->position_m.x - poi->position_m.x, 0.0f, bowl->position_m.z - poi->position_m.z);
-    const float goal = has_wrist ? 0.0f : over_bowl(poi, bowl, way);
-    if (poi->tip < 0.02f && goal > 0.0f) {
+    if (poi->tip < 0.02f) {
         poi->tip_toward = rather_sideways(way, poi->angles.yaw_rad);
     }
+    const float goal = has_wrist ? 0.0f : over_bowl(poi, bowl, way);
     const float step = TIP_PER_S * CORE_TICK_S;
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
@@ -123,6 +130,7 @@ static void turn(struct poi *poi, struct angles goal)
 struct pull {
     vec3 hand_n;    /* On the ring, world. */
     vec3 water_n;   /* On the ring, world: drag and slam, without added mass. */
+    vec3 weight_n;  /* Of ring, riders and water, as far as they are in air; world. */
     float normal_n; /* The part of water_n along +up, all of it on the paper. */
     float added_kg;
 };
@@ -190,8 +198,23 @@ static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis 
     poi->velocity_m_s = velocity;
     return (struct pull){ .hand_n = basis_to_world(axes, hand),
                           .water_n = basis_to_world(axes, water),
+                          .weight_n = basis_to_world(axes, weight),
                           .normal_n = water.y,
                           .added_kg = added };
+}
+
+/* About the hand: what the water and weights do at the ring's centre, and by how much more the fish
+ * that lie and slap elsewhere on the paper turn it. */
+static vec3 torque_on_hand(const struct poi *poi, const struct pull *pull, const struct basis *axes)
+{
+    const vec3 at_ring = v3_add(pull->water_n, pull->weight_n);
+    vec3 torque = v3_cross(v3_scale(axes->back, -GRIP_M), at_ring);
+    for (uint32_t i = 0; i < poi->load_count; i++) {
+        const struct sheet_load *load = &poi->loads[i];
+        const vec3 place = basis_to_world(axes, v3(load->x_m, 0.0f, load->z_m));
+        torque = v3_add(torque, v3_cross(place, v3_scale(axes->up, load->force_n)));
+    }
+    return torque;
 }
 
 /* ---- Paper ---------------------------------------------------------------------------------- */
@@ -271,7 +294,7 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     strain_paper(poi, &pull, &axes);
 
     force->force_n = v3_scale(pull.hand_n, -1.0f);
-    force->torque_n_m = v3_cross(v3_scale(axes.back, -GRIP_M), pull.water_n);
+    force->torque_n_m = torque_on_hand(poi, &pull, &axes);
 }
 
 void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m)

@@ -17,7 +17,8 @@
 #define POI_OUTER_RADIUS_M 0.0465f
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
-#define POI_RIDER_MAX SHEET_LOAD_MAX
+#define POI_RIDER_MAX 16u /* 4 cm fish, side by side, cover it; more spill over the ring. */
+_Static_assert(SHEET_LOAD_MAX == 2u * POI_RIDER_MAX, "a body and a slap of each");
 
 /* How a hand holds it. */
 struct poi_grip {

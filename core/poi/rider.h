@@ -35,9 +35,8 @@ struct rider {
 /* What the paper does to what lies on it, in the poi's axes. */
 struct ride {
     vec3 pull_m_s2; /* Gravity less the poi's own acceleration, in body axes; -y presses. */
-    float uphill_x, uphill_z; /* Horizontal part of "up" in the plane: [0, 1], 0 when level. */
+    float uphill_x, uphill_z; /* The world's up, along the plane: [-1, 1], 0 when level. */
     float radius_m;           /* Of the paper. */
-    float outer_m;            /* Of the ring. */
 };
 
 /* Wet mass of a goldfish (Carassius auratus, L. Egirdir): W = 0.0210 L^3.0598, g and cm. */

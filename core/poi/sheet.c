@@ -238,17 +238,31 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
 
 /* ---- Questions ------------------------------------------------------------------------------ */
 
-int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
+/* The cell whose paper a point within the ring lies on. Where a cell's middle is beyond the ring
+ * its sliver belongs to the neighbour toward the centre. */
+static uint32_t cell_at(const struct sheet *sheet, float x_m, float z_m)
 {
-    if (x_m * x_m + z_m * z_m >= sheet->radius_m * sheet->radius_m) {
-        return 0;
-    }
+    const float last = (float)(SHEET_SIDE - 1u);
     const float column = f_floor((x_m + sheet->radius_m) / sheet_cell_m(sheet));
     const float row = f_floor((z_m + sheet->radius_m) / sheet_cell_m(sheet));
-    const uint32_t c = (uint32_t)f_clamp(column, 0.0f, (float)(SHEET_SIDE - 1u));
-    const uint32_t r = (uint32_t)f_clamp(row, 0.0f, (float)(SHEET_SIDE - 1u));
-    return sheet->state[r * SHEET_SIDE + c] !=
-           CELL_HOLE; /* Rim cells that are cut off still hold. */
+    uint32_t c = (uint32_t)f_clamp(column, 0.0f, last);
+    uint32_t r = (uint32_t)f_clamp(row, 0.0f, last);
+    if (sheet->state[r * SHEET_SIDE + c] == CELL_OUTSIDE) {
+        if (f_abs(x_m) > f_abs(z_m)) {
+            c = x_m > 0.0f ? c - 1u : c + 1u;
+        } else {
+            r = z_m > 0.0f ? r - 1u : r + 1u;
+        }
+    }
+    return r * SHEET_SIDE + c;
+}
+
+int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
+{
+    if (sheet->paper_cells == 0 || x_m * x_m + z_m * z_m >= sheet->radius_m * sheet->radius_m) {
+        return 0;
+    }
+    return sheet->state[cell_at(sheet, x_m, z_m)] == CELL_PAPER;
 }
 
 float sheet_left(const struct sheet *sheet)

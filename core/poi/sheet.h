@@ -11,8 +11,7 @@
 #include "core/scene.h"
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
-#define SHEET_LOAD_MAX 16u /* Footprints a tick; more fish than this on one poi spill at the rim.  \
-                            */
+#define SHEET_LOAD_MAX 32u /* Footprints a tick: a body and a tail of 16 fish. */
 #define SHEET_GRADE_MIN 4u /* Strong. */
 #define SHEET_GRADE_MAX 7u /* Weak. */
 
@@ -94,7 +93,8 @@ void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t see
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
                                const struct sheet_load *loads, uint32_t load_count);
 
-/* Whether a point of the poi's plane has paper under it; false outside the ring. */
+/* Whether a point of the poi's plane has paper under it; false outside the ring. Slivers between
+ * the ring and the outermost cells hold as long as the cell beside them does. */
 int sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 
 float sheet_left(const struct sheet *sheet); /* [0, 1] of the area. */

@@ -1,11 +1,11 @@
 /* swim.c -- steering at bounded rates, so that every path is a smooth arc. */
 #include "core/tank/swim.h"
 
+#include "core/base/physics.h"
 #include "core/base/rng.h"
 #include "core/input.h"
 
 #define DT CORE_TICK_S
-#define GRAVITY_M_S2 9.81f
 
 /* Yaw: rates by gait (design; the thesis gives none). */
 #define TURN_RATE_REST (45.0f * F_DEG)

@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "core/base/hash.h"
+#include "core/base/physics.h"
 #include "core/poi/catch.h"
 #include "core/poi/disc.h"
 

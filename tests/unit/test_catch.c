@@ -333,6 +333,93 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
     }
 }
 
+/* How far the body sticks out of the walls. */
+static float out_of_walls_m(const struct fish *fish)
+{
+    const struct box box = fish_box(fish);
+    const vec3 extent = box_extent_m(&box);
+    return f_max(f_abs(fish->position_m.x) + extent.x - 0.5f * stand.tank.size_m.x,
+                 f_abs(fish->position_m.z) + extent.z - 0.5f * stand.tank.size_m.z);
+}
+
+static void sweep_and_look(vec3 to_m, float speed_m_s)
+{
+    const vec3 from = stand.hand.position_m, way = v3_sub(to_m, from);
+    const uint32_t ticks = (uint32_t)(v3_length(way) / speed_m_s * (float)CORE_TICK_HZ) + 60u;
+    for (uint32_t i = 1; i <= ticks; i++) {
+        stand.hand.position_m = v3_mad(from, way, (float)i / (float)ticks);
+        stand_tick(&stand);
+        for (uint32_t fish = 0; fish < stand.tank.fish_count; fish++) {
+            if (stand.tank.fish[fish].gait < GAIT_HELD) {
+                assert_true(out_of_walls_m(&stand.tank.fish[fish]) < 1e-5f);
+            }
+        }
+    }
+}
+
+static void test_a_poi_that_sweeps_along_walls_pushes_no_fish_through_them(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 12; i++) {
+        stand_init(&stand, 4, i);
+        stand_move(&stand, v3(0.20f, 0.06f, 0.0f), 0.5f);
+        stand_dip(&stand);
+        stand_turn(&stand, i % 2u ? 0.9f : 0.0f, 0.5f * F_PI - 0.5f * (float)(i % 3u), 0.3f);
+        for (uint32_t k = 0; k < 60; k++) {
+            const uint32_t fish = stand_fish(
+                &stand,
+                v3(0.30f + 0.012f * (float)(k % 10u), -0.03f - 0.03f * (float)(k % 3u),
+                   -0.24f + 0.008f * (float)k),
+                FISH_M);
+            stand.tank.fish[fish].angles.yaw_rad = 0.7f * (float)k;
+        }
+        sweep_and_look(v3(0.45f, -0.07f, 0.0f), 0.3f);
+        sweep_and_look(v3(0.45f, -0.07f, -0.30f), 0.4f);
+        sweep_and_look(v3(0.30f, -0.03f, 0.30f), 0.6f);
+        sweep_and_look(v3(0.50f, -0.06f, 0.30f), 0.3f);
+        sweep_and_look(v3(0.50f, 0.04f, 0.20f), 0.15f);
+    }
+}
+
+static void test_a_fish_over_the_very_edge_stays_on_its_side(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand_dip(&stand);
+    const float far = 0.99f * POI_RADIUS_M;
+    const vec3 place = v3_add(stand.poi.position_m, v3(far, 0.05f, 0.0f));
+    const uint32_t fish = stand_fish(&stand, place, 0.03f);
+    stand_tick(&stand); /* 64 mm from the centre, yet right over paper. */
+    assert_int_equal(stand.poi.near_bits[fish / 32u] >> fish % 32u & 1u, 1);
+    assert_int_equal(stand.poi.above_bits[fish / 32u] >> fish % 32u & 1u, 1);
+}
+
+static void test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    float weight_n = 0.0f;
+    for (uint32_t i = 0; i < POI_RIDER_MAX; i++) {
+        const uint32_t fish = stand_fish(&stand, v3(0.0f, 0.06f, 0.0f), 0.03f);
+        const float x_m = 0.012f * (float)(i % 4u) - 0.018f, z_m = 0.012f * (float)(i / 4u) - 0.018f;
+        stand.tank.fish[fish].gait = GAIT_HELD;
+        stand.poi.riders[i] = (struct rider){
+            .fish = (uint16_t)fish, .side = 1, .x_m = x_m, .z_m = z_m, .height_m = 0.003f,
+            .lie = 1.0f, .rest_s = 1.0f, .slap_s = 0.02f, .slap_n = 1e-3f, .slap_d_m = 0.003f
+        };
+        weight_n += fish_mass_kg(0.03f) * GRAVITY_M_S2 + 1e-3f;
+    }
+    stand.poi.rider_count = POI_RIDER_MAX;
+    catch_tick(&stand.poi, 0, &stand.tank, &stand.bowl, 0, &stand.output);
+    assert_int_equal(stand.poi.rider_count, POI_RIDER_MAX);
+    assert_int_equal(stand.poi.load_count, 2u * POI_RIDER_MAX);
+    float force_n = 0.0f;
+    for (uint32_t i = 0; i < stand.poi.load_count; i++) {
+        force_n -= stand.poi.loads[i].force_n;
+    }
+    assert_float_equal(force_n, weight_n, 1e-3f * weight_n);
+}
+
 static void test_sounds_say_what_happens_and_do_not_rattle(void **state)
 {
     (void)state;
@@ -399,6 +486,9 @@ int main(void)
         cmocka_unit_test(test_a_rider_lowered_into_the_water_swims_off),
         cmocka_unit_test(test_a_renewed_poi_gives_its_fish_back),
         cmocka_unit_test(test_more_fish_than_the_poi_can_carry_spill_over_the_ring),
+        cmocka_unit_test(test_a_poi_that_sweeps_along_walls_pushes_no_fish_through_them),
+        cmocka_unit_test(test_a_fish_over_the_very_edge_stays_on_its_side),
+        cmocka_unit_test(test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost),
         cmocka_unit_test(test_sounds_say_what_happens_and_do_not_rattle),
         cmocka_unit_test(test_the_same_scoop_ends_the_same_way),
     };

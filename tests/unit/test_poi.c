@@ -1,6 +1,8 @@
 /* test_poi.c -- the ring between hand, water and walls. */
 #include "poi_stand.h"
 
+#include "core/base/rng.h"
+
 #define SCREEN_PX 1280.0f
 #define VIEW_M 0.95f /* What the screen's width shows of the tank. */
 
@@ -88,6 +90,24 @@ static void test_a_poi_that_hangs_in_air_weighs_what_it_weighs(void **state)
     assert_true(stand.force.force_n.y < -(POI_MASS_KG + 0.003f) * GRAVITY_M_S2); /* Wet paper. */
 }
 
+/* 13 cm out from the hand; what lies to the right of the handle also rolls it. */
+static void test_the_hand_feels_the_burdens_moment_about_the_grip(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand_wait(&stand, 1.0f);
+    const float weight_n = POI_MASS_KG * GRAVITY_M_S2;
+    assert_float_equal(stand.force.torque_n_m.x, -0.130f * weight_n, 0.001f);
+    assert_float_equal(stand.force.torque_n_m.z, 0.0f, 1e-5f);
+    stand.poi.riders_kg = 0.003f; /* What catch_tick would have gathered. */
+    stand.poi.loads[0] = (struct sheet_load){ 0.03f, 0.0f, 0.02f, -0.003f * GRAVITY_M_S2 };
+    stand.poi.load_count = 1;
+    const struct poi_grip grip = { stand.hand, 1 };
+    poi_tick(&stand.poi, &grip, &stand.tank, &stand.bowl, &stand.force);
+    assert_float_equal(stand.force.torque_n_m.x, -0.130f * (weight_n + 0.0294f), 0.001f);
+    assert_float_equal(stand.force.torque_n_m.z, -0.03f * 0.0294f, 1e-5f);
+}
+
 static void test_the_ring_yields_to_floor_walls_and_the_reach_of_an_arm(void **state)
 {
     (void)state;
@@ -119,6 +139,74 @@ test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall(void
     stand_wait(&stand, 1.0f);
     assert_true(stand.poi.position_m.x > 0.45f);
     assert_true(stand.poi.position_m.y > 0.05f); /* The rim stands 5 cm over the water. */
+}
+
+/* 20 N against the damping of a hand give 3.5 m/s, 29 mm a tick; the rest is what a turn of the
+ * wrist pushes it off floor, rim and walls. */
+static void tick_without_leap(void)
+{
+    const vec3 before_m = stand.poi.position_m;
+    stand_tick(&stand);
+    assert_true(v3_length(v3_sub(stand.poi.position_m, before_m)) < 0.040f);
+}
+
+static void test_a_ring_that_turns_on_the_rim_stays_on_the_rim(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 16; i++) {
+        const int endwise = i % 2u == 1u;
+        stand_init(&stand, 4, i);
+        const vec3 over = endwise ? v3(0.0f, 0.20f, 0.425f) : v3(0.575f, 0.20f, 0.0f);
+        stand_move(&stand, v3(0.0f, 0.20f, 0.0f), 0.5f);
+        stand_move(&stand, over, 0.5f);
+        stand_move(&stand, v3(over.x, 0.0315f, over.z), 0.5f);
+        stand.hand.angles.roll_rad = i & 2u ? 0.6f : -1.2f;
+        stand.hand.angles.pitch_rad = i & 4u ? 0.35f : -1.2f;
+        stand.hand.angles.pitch_rad *= i & 8u ? 0.0f : 1.0f;
+        for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
+            tick_without_leap();
+            assert_true(f_abs(stand.poi.position_m.x) > 0.45f ||
+                        f_abs(stand.poi.position_m.z) > 0.275f);
+        }
+    }
+}
+
+static void test_a_ring_that_turns_level_beside_a_wall_is_pushed_off_it_and_stays_in(void **state)
+{
+    (void)state;
+    stand_init(&stand, 4, 1);
+    stand.hand.angles.roll_rad = stand.poi.angles.roll_rad = 0.5f * F_PI;
+    stand_move(&stand, v3(0.0f, -0.05f, 0.0f), 0.3f);
+    stand_move(&stand, v3(0.50f, -0.05f, 0.0f), 0.3f);
+    stand.hand.angles.roll_rad = 0.0f;
+    for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
+        tick_without_leap();
+    }
+    assert_float_equal(stand.poi.position_m.x, 0.45f - POI_OUTER_RADIUS_M, 0.002f);
+}
+
+static float drawn(uint32_t step, uint32_t which, float low, float high)
+{
+    const struct rng_key key = { stand.tank.seed, step, which, RNG_BOT_CHOICE };
+    return rng_range(key, low, high);
+}
+
+static void test_however_the_hand_wanders_the_ring_never_leaps(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 0; seed < 12; seed++) {
+        stand_init(&stand, 4, seed);
+        for (uint32_t step = 0; step < 400; step++) {
+            stand.hand.position_m = v3(drawn(step, 0, -0.60f, 0.60f), drawn(step, 1, -0.20f, 0.15f),
+                                       drawn(step, 2, -0.42f, 0.42f));
+            stand.hand.angles = (struct angles){ drawn(step, 3, -3.0f, 3.0f),
+                                                 drawn(step, 4, -1.5f, 1.5f),
+                                                 drawn(step, 5, -1.5f, 1.5f) };
+            for (uint32_t tick = 0; tick < 12; tick++) {
+                tick_without_leap();
+            }
+        }
+    }
 }
 
 static void test_a_still_pose_tears_nothing_wet_or_dry(void **state)
@@ -287,6 +375,25 @@ static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(vo
     assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
 }
 
+static void test_the_wrist_never_lowers_the_handle_into_the_bowl(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 16; i++) {
+        const float angle = F_TAU * (float)i / 16.0f;
+        stand_init(&stand, 6, 1);
+        stand.bowl.position_m = v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle));
+        stand_move(&stand, v3(stand.bowl.position_m.x, 0.035f, stand.bowl.position_m.z), 0.3f);
+        float steepest = 1.0f;
+        for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
+            stand_tick(&stand);
+            const struct basis axes = basis_from_angles(stand.poi.angles);
+            assert_true(axes.back.y > -0.01f); /* The handle is level or rises to the hand. */
+            steepest = f_min(steepest, axes.up.y);
+        }
+        assert_float_equal(steepest, f_cos(55.0f * F_DEG), 0.02f); /* It tips all the same. */
+    }
+}
+
 static void test_a_hand_with_a_wrist_turns_by_itself(void **state)
 {
     (void)state;
@@ -412,6 +519,10 @@ int main(void)
         cmocka_unit_test(test_the_ring_yields_to_floor_walls_and_the_reach_of_an_arm),
         cmocka_unit_test(
             test_a_ring_outside_the_tank_comes_down_on_the_rim_and_not_through_the_wall),
+        cmocka_unit_test(test_a_ring_that_turns_on_the_rim_stays_on_the_rim),
+        cmocka_unit_test(test_a_ring_that_turns_level_beside_a_wall_is_pushed_off_it_and_stays_in),
+        cmocka_unit_test(test_however_the_hand_wanders_the_ring_never_leaps),
+        cmocka_unit_test(test_the_hand_feels_the_burdens_moment_about_the_grip),
         cmocka_unit_test(test_a_still_pose_tears_nothing_wet_or_dry),
         cmocka_unit_test(test_what_dips_gets_wet_and_only_there),
         cmocka_unit_test(
@@ -421,6 +532,7 @@ int main(void)
         cmocka_unit_test(test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path),
         cmocka_unit_test(test_on_any_course_a_slow_mouse_stays_within_an_eighth_or_so),
         cmocka_unit_test(test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back),
+        cmocka_unit_test(test_the_wrist_never_lowers_the_handle_into_the_bowl),
         cmocka_unit_test(test_a_hand_with_a_wrist_turns_by_itself),
         cmocka_unit_test(test_the_ring_does_not_pass_through_the_bowl),
         cmocka_unit_test(test_each_dip_counts_once),

@@ -18,8 +18,7 @@ static struct ride tilted(float roll_rad)
     return (struct ride){ .pull_m_s2 = { GRAVITY_M_S2 * f_sin(roll_rad),
                                          -GRAVITY_M_S2 * f_cos(roll_rad), 0.0f },
                           .uphill_x = -f_sin(roll_rad),
-                          .radius_m = 0.040f,
-                          .outer_m = 0.0465f };
+                          .radius_m = 0.040f };
 }
 
 static void ride_for(float roll_rad, float seconds)

@@ -250,6 +250,41 @@ static void test_points_outside_the_ring_hold_nothing(void **state)
     assert_false(sheet_holds(&sheet, 0.03f, -0.03f));
 }
 
+/* Over the whole ring on a grid finer than the cells. */
+static void count_held(const struct sheet *sheet, uint32_t *held, uint32_t *asked)
+{
+    *held = *asked = 0;
+    for (uint32_t i = 0; i < 400u * 400u; i++) {
+        const float x = ((float)(i % 400u) + 0.5f) * 2e-4f - RADIUS_M;
+        const float z = ((float)(i / 400u) + 0.5f) * 2e-4f - RADIUS_M;
+        if (x * x + z * z < RADIUS_M * RADIUS_M) {
+            *asked += 1;
+            *held += (uint32_t)sheet_holds(sheet, x, z);
+        }
+    }
+}
+
+static void test_whole_paper_holds_up_to_the_ring_and_a_bare_ring_nowhere(void **state)
+{
+    (void)state;
+    uint32_t held, asked;
+    struct sheet sheet = plain(6, 0.0f);
+    count_held(&sheet, &held, &asked);
+    assert_int_equal(held, asked);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        sheet.state[cell] = sheet.state[cell] == CELL_PAPER ? CELL_HOLE : sheet.state[cell];
+    }
+    const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
+    sheet.state[middle] = CELL_PAPER; /* One cell left: slivers at the ring hold nothing. */
+    sheet.paper_cells = 1;
+    count_held(&sheet, &held, &asked);
+    assert_in_range(held, 1, 200);
+    sheet.state[middle] = CELL_HOLE;
+    sheet.paper_cells = 0;
+    count_held(&sheet, &held, &asked);
+    assert_int_equal(held, 0);
+}
+
 static void test_a_grade_that_is_not_sold_is_a_bug(void **state)
 {
     (void)state;
@@ -276,6 +311,7 @@ int main(void)
         cmocka_unit_test(test_specimens_differ_by_twelve_percent),
         cmocka_unit_test(test_the_same_seed_gives_the_same_tears),
         cmocka_unit_test(test_points_outside_the_ring_hold_nothing),
+        cmocka_unit_test(test_whole_paper_holds_up_to_the_ring_and_a_bare_ring_nowhere),
         cmocka_unit_test(test_a_grade_that_is_not_sold_is_a_bug),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
