@@ -3,7 +3,7 @@
  * Pure: no device, no clock, no library. The mouse, its simulated twin and the fuzzers meet here.
  * A pointer has two axes and a hand has six, so the rest is a manner of playing: holding the left
  * button lets the ring down along a smooth stroke, letting go brings it up, the wheel tilts it, the
- * right button levels it. The ring's centre stays under the pointer at every height, because the
+ * right button levels it, and a hand that hurries leans the ring into its way. The ring's centre stays under the pointer at every height, because the
  * pointer's ray is cut with the plane at the ring's present height. */
 #ifndef KINGYO_DRIVERS_POINTER_POI_H
 #define KINGYO_DRIVERS_POINTER_POI_H
@@ -46,6 +46,9 @@ struct pointer_poi {
     float from_m, from_m_s, from_m_s2, to_m;
 
     float tilt_rad, tilt_goal_rad;
+
+    vec3 hand_m, hand_m_s;      /* The pointer on the still water at the last sample; its speed. */
+    uint64_t hand_ns;           /* 0 before the first. */
 };
 
 /* A pointer at the middle of the window, the ring level and hovering. `view` is copied. */

@@ -201,11 +201,49 @@ static void test_plunging_over_and_over_tears_it(void **state)
     assert_true(paper_left() < 0.9f);
 }
 
+/* Under water from side to side, `step_px` a frame, between x 400 and 800. */
+static void sweep(float step_px, uint32_t sweeps)
+{
+    player.x_px = 400.0f;
+    frames(30);
+    player.buttons = POINTER_DIP;
+    frames(40);
+    for (uint32_t i = 0; i < sweeps; i++) {
+        const float way = i % 2 ? -step_px : step_px;
+        for (float gone = 0.0f; gone < 400.0f; gone += step_px) {
+            player.x_px += way;
+            frame();
+        }
+    }
+}
+
+static void test_rushing_through_the_water_tears_it_within_a_few_sweeps(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 1; seed <= 5; seed++) {
+        begin_round(seed, 1);
+        sweep(25.0f, 12); /* About 1.2 m/s, for three seconds. */
+        assert_true(paper_left() < 0.9f);
+    }
+}
+
+static void test_gliding_through_the_water_does_not(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 1; seed <= 5; seed++) {
+        begin_round(seed, 1);
+        sweep(4.0f, 2); /* About 0.2 m/s. */
+        assert_true(paper_left() > 0.99f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_patient_hand_lands_fish_with_a_mouse),
         cmocka_unit_test(test_four_careful_dips_leave_the_paper_whole),
+        cmocka_unit_test(test_rushing_through_the_water_tears_it_within_a_few_sweeps),
+        cmocka_unit_test(test_gliding_through_the_water_does_not),
         cmocka_unit_test(test_plunging_over_and_over_tears_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -156,6 +156,43 @@ static void test_a_stroke_slants_the_far_edge_down_and_ends_level(void **state)
     assert_float_equal(after(&pointer, 251).angles.pitch_rad, 0.0f, 1e-4f);
 }
 
+/* Across the screen in `step_px` every 16 ms, for half a second. */
+static struct angles angles_while_sweeping(float step_px)
+{
+    struct pointer_poi pointer = fresh();
+    struct poi_target target = { 0 };
+    for (uint64_t i = 1; i <= 30; i++) {
+        give(&pointer, report(16 * i, 640.0f + step_px * (float)i, 360.0f, POINTER_DIP));
+        target = after(&pointer, 16 * i);
+    }
+    return target.angles;
+}
+
+static void test_a_hurried_hand_leans_the_ring_into_its_way(void **state)
+{
+    (void)state;
+    const float glide = angles_while_sweeping(2.0f).roll_rad; /* About 0.1 m/s. */
+    const float rush = angles_while_sweeping(20.0f).roll_rad; /* About 1 m/s. */
+    assert_true(glide < 0.0f && glide > -4.0f * F_DEG);
+    assert_true(rush < -15.0f * F_DEG && rush > -21.0f * F_DEG);
+    assert_true(angles_while_sweeping(-20.0f).roll_rad > 15.0f * F_DEG);
+}
+
+static void test_a_hand_that_stops_is_level_again(void **state)
+{
+    (void)state;
+    struct pointer_poi pointer = fresh();
+    for (uint64_t i = 1; i <= 30; i++) {
+        give(&pointer, report(16 * i, 300.0f + 20.0f * (float)i, 360.0f, 0));
+        after(&pointer, 16 * i);
+    }
+    struct poi_target target = { 0 };
+    for (uint64_t i = 31; i <= 61; i++) {
+        target = after(&pointer, 16 * i);
+    }
+    assert_true(fabsf(target.angles.roll_rad) < 0.5f * F_DEG);
+}
+
 static void test_what_is_no_report_is_refused_and_changes_nothing(void **state)
 {
     (void)state;
@@ -207,6 +244,8 @@ int main(void)
         cmocka_unit_test(test_the_wheel_tilts_by_notches_smoothly_and_to_a_limit),
         cmocka_unit_test(test_the_right_button_levels_the_ring),
         cmocka_unit_test(test_a_stroke_slants_the_far_edge_down_and_ends_level),
+        cmocka_unit_test(test_a_hurried_hand_leans_the_ring_into_its_way),
+        cmocka_unit_test(test_a_hand_that_stops_is_level_again),
         cmocka_unit_test(test_what_is_no_report_is_refused_and_changes_nothing),
         cmocka_unit_test(test_any_pixel_and_any_time_give_a_finite_hand),
     };
