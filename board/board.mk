@@ -6,7 +6,7 @@
 ## run: plays; sets the machine up and builds first if it must; ARGS='--lang en' are for the kiosk
 run:
 	@board/setup.sh run
-	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyo
+	+@$(MAKE) --no-print-directory -j$(JOBS) build
 	@exec $(BUILD)/kingyo $(ARGS)
 
 ## setup: installs every package that playing, testing and developing need, saying why
