@@ -10,7 +10,8 @@
 
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
-    if (config->preset >= TANK_PRESET_COUNT || config->fish_count > TANK_FISH_MAX ||
+    if (config->preset >= TANK_PRESET_COUNT ||
+        config->fish_count > tank_preset_fish_max(tank_preset(config->preset)) ||
         config->language >= LANGUAGE_COUNT ||
         (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600))) {
         return CORE_ERR_RANGE;

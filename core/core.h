@@ -26,7 +26,7 @@ enum core_error {
 struct core_config {
     uint32_t seed;       /* Any value. */
     uint8_t preset;      /* enum tank_preset_id */
-    uint32_t fish_count; /* 0: the preset's own; else 1 .. TANK_FISH_MAX. */
+    uint32_t fish_count; /* 0: the preset's own; else 1 .. tank_preset_fish_max(). */
     uint8_t language;    /* enum language */
     uint32_t round_s;    /* 0: 60 s; else 10 .. 600. */
     uint32_t best_today; /* What the store remembers; shown, and beaten. */

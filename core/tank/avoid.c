@@ -9,6 +9,7 @@
 #define STRAIGHT_CHANCE 0.9f /* Side meetings: the sensible way. */
 #define YAW_TIME_S 0.5f      /* Then pitch (section 3.4). */
 #define PITCH_TIME_S 0.5f
+#define HOLD_DEPTH_S 0.5f      /* Afterwards: the depth it wants would lead it straight back. */
 #define CLOSING_MIN_M_S 0.010f /* Slower drifts are repulsion's work. */
 #define HORIZON_S 0.8f         /* Nobody gives way to what is farther off. */
 #define STOP_TIME_S 0.35f
@@ -32,12 +33,23 @@ static float leftness(vec3 forward, vec3 to)
     return to.x * forward.z - to.z * forward.x;
 }
 
+static int gives_way_to(const struct avoid_party *a, const struct avoid_party *b)
+{
+    return a->avoiding != AVOID_NONE && a->avoid_with == b->index;
+}
+
+static uint32_t encounter_since(const struct avoid_party *a, const struct avoid_party *b,
+                                uint32_t tick)
+{
+    return gives_way_to(a, b) ? a->avoid_since : gives_way_to(b, a) ? b->avoid_since : tick;
+}
+
 static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party *b, uint32_t seed,
-                          uint32_t second)
+                          uint32_t since)
 {
     const uint32_t low = a->index < b->index ? a->index : b->index;
     const uint32_t high = a->index < b->index ? b->index : a->index;
-    return rng_u32((struct rng_key){ seed, second, low | high << 16, RNG_FISH_AVOID_SIDE });
+    return rng_u32((struct rng_key){ seed, since, low | high << 16, RNG_FISH_AVOID_SIDE });
 }
 
 static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
@@ -90,7 +102,7 @@ static float brake_for(float faces, float gap_m, float closing_m_s)
 }
 
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
-                             uint32_t seed, uint32_t second)
+                             uint32_t seed, uint32_t tick)
 {
     struct avoid_pair pair = { .brake_a = 1.0f, .brake_b = 1.0f };
     const vec3 apart = v3_sub(b->position_m, a->position_m);
@@ -107,13 +119,15 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     if (along > COS_20_DEG && f_max(a_faces, b_faces) < COS_45_DEG) {
         return pair; /* Side by side. */
     }
-    const uint32_t draw = pair_draw(a, b, seed, second);
+    const uint32_t since = encounter_since(a, b, tick);
+    const uint32_t draw = pair_draw(a, b, seed, since);
     const float a_rises = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1.0f : -1.0f;
     const uint8_t kind = along > COS_20_DEG    ? MEET_REAR_END
                          : along < -COS_20_DEG ? MEET_HEAD_ON
                                                : MEET_SIDE;
-    pair.a = (struct avoid_advice){ kind, f_max(gap_m, 0.0f) / closing_m_s, 0.0f, a_rises };
-    pair.b = (struct avoid_advice){ kind, f_max(gap_m, 0.0f) / closing_m_s, 0.0f, -a_rises };
+    const float contact_s = f_max(gap_m, 0.0f) / closing_m_s;
+    pair.a = (struct avoid_advice){ kind, contact_s, 0.0f, a_rises, since, b->index };
+    pair.b = (struct avoid_advice){ kind, contact_s, 0.0f, -a_rises, since, a->index };
     if (kind == MEET_REAR_END) {
         meet_rear_end(&pair, a_faces, draw);
     } else if (kind == MEET_HEAD_ON) {
@@ -145,22 +159,31 @@ static void yaw_away(struct fish *fish)
         f_wrap_angle(fish->angles.yaw_rad + f_clamp(ahead_rad, -LEAD_RAD, LEAD_RAD));
 }
 
-static void begin_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
+static void begin(struct fish *fish, const struct avoid_advice *advice)
 {
-    const uint8_t was = fish->avoiding;
-    fish->avoiding = AVOID_NONE;
-    if (was == AVOID_PITCH) {
-        fish->depth_goal_m =
-            f_lerp(fish->depth_goal_m, fish->position_m.y, 0.7f); /* Stay parted. */
-    } else if (advice->kind != MEET_NONE && was == AVOID_YAW) {
+    fish->avoiding = AVOID_YAW;
+    fish->avoid_left_s = YAW_TIME_S;
+    fish->avoid_turn = advice->turn;
+    fish->avoid_since = advice->since;
+    fish->avoid_with = advice->with;
+}
+
+static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
+{
+    if (fish->avoiding == AVOID_YAW && advice->kind != MEET_NONE) {
         fish->avoiding = AVOID_PITCH;
         fish->avoid_left_s = PITCH_TIME_S;
         fish->avoid_turn = possible_rise(fish, advice->rise, water_depth_m);
-    } else if (advice->kind != MEET_NONE) {
-        fish->avoiding = AVOID_YAW;
-        fish->avoid_left_s = YAW_TIME_S;
-        fish->avoid_turn = advice->turn;
+    } else {
+        fish->avoiding = AVOID_NONE;
+        fish->avoid_left_s = HOLD_DEPTH_S;
     }
+}
+
+int avoid_holds_depth(const struct fish *fish)
+{
+    return fish->avoiding == AVOID_YAW ||
+           (fish->avoiding == AVOID_NONE && fish->avoid_left_s > 0.0f);
 }
 
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
@@ -168,10 +191,15 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
 {
     const int meets = advice->kind != MEET_NONE;
     fish->brake = f_min(brake, fish->brake + 3.0f * CORE_TICK_S); /* Back in a third of a second. */
-    fish->avoid_left_s -=
-        (meets ? 1.0f : 3.0f) * CORE_TICK_S; /* Once clear, it is soon forgotten. */
-    if (fish->avoiding == AVOID_NONE || fish->avoid_left_s <= 0.0f) {
-        begin_or_end(fish, advice, water_depth_m);
+    /* Once clear, giving way is soon forgotten. */
+    const float pace = fish->avoiding != AVOID_NONE && !meets ? 3.0f : 1.0f;
+    fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * CORE_TICK_S);
+    if (fish->avoiding == AVOID_NONE) {
+        if (meets) {
+            begin(fish, advice);
+        }
+    } else if (fish->avoid_left_s <= 0.0f) {
+        go_on_or_end(fish, advice, water_depth_m);
     }
     if (fish->avoiding == AVOID_YAW && meets) {
         yaw_away(fish);

@@ -21,7 +21,11 @@ struct avoid_party {
     vec3 forward; /* Unit, along the nose. */
     float speed_m_s;
     float length_m;
-    uint32_t index;
+    uint16_t index;
+    /* As in struct fish: who gives way already, to whom, since when. */
+    uint8_t avoiding;
+    uint16_t avoid_with;
+    uint32_t avoid_since;
 };
 
 /* What a party should do. Zero `kind` is nothing. */
@@ -30,6 +34,8 @@ struct avoid_advice {
     float contact_s; /* Time to contact at this pace. */
     float turn;      /* -1 right, +1 left, 0 keep straight. */
     float rise;      /* -1 down, +1 up: should turning not do within 0.5 s. */
+    uint32_t since;  /* Tick in which the encounter began, for either of the two. */
+    uint16_t with;   /* The other. */
 };
 
 struct avoid_pair {
@@ -37,9 +43,14 @@ struct avoid_pair {
     float brake_a, brake_b; /* [0, 1] of its speed that the gap leaves each. */
 };
 
-/* `gap_m` is between the bodies. `seed` and `second` fix the pair's one shared draw. */
+/* `gap_m` is between the bodies. One draw is the pair's for the whole encounter: it is keyed by the
+ * tick in which the first of them gave way, so the other, however late, draws the same. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
-                             uint32_t seed, uint32_t second);
+                             uint32_t seed, uint32_t tick);
+
+/* Whether it keeps its depth, whatever the depth it wants: while it gives way in yaw, and 0.5 s
+ * after it gave way. */
+int avoid_holds_depth(const struct fish *fish);
 
 /* One tick of giving way by the soonest of this tick's advice, at the least brake of all. */
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,

@@ -13,7 +13,10 @@
 #define PART_ROUNDS_MAX 12      /* Most ticks need two; a shoved crowd uses them all. */
 #define CLEAR_STEP_MIN_M 0.002f /* A tick: what even a resting obstacle gives way by. */
 #define TOPPLE_ROUND 5          /* What four rounds could not part is jammed. */
-#define PART_STEP_MAX_M 0.012f  /* A tick; a poi at 1.4 m/s shoves no harder. */
+#define PART_STEP_MAX_M 0.002f  /* A round. */
+#define CLEAR_STEP_MAX_M 0.012f /* A tick; a poi at 1.4 m/s shoves no harder. */
+#define SHOVE_MAX_M 0.003f      /* A tick, beyond its own motion: more would look like a jump. */
+#define UNBOUND_M 1000.0f
 
 float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m)
 {
@@ -34,7 +37,15 @@ float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m
 static struct crowd_body body_of(const struct fish *fish, uint16_t index, float space)
 {
     struct crowd_body body = {
-        .fish = index, .speed_m_s = fish->speed_m_s, .brake = 1.0f, .room = 1.0f
+        .fish = index,
+        .speed_m_s = fish->speed_m_s,
+        .brake = 1.0f,
+        .room = 1.0f,
+        .avoiding = fish->avoiding,
+        .avoid_with = fish->avoid_with,
+        .avoid_since = fish->avoid_since,
+        .before_m = fish->position_m,
+        .step_max_m = UNBOUND_M,
     };
     body.box = fish_box(fish);
     body.centre_m = fish->position_m;
@@ -50,13 +61,19 @@ static struct crowd_body body_of(const struct fish *fish, uint16_t index, float 
     return body;
 }
 
-void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space)
+void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space,
+                  const vec3 *before_m)
 {
     CORE_ASSERT(fish_count <= GRID_FISH_MAX);
     crowd->count = 0;
     for (uint32_t i = 0; i < fish_count; i++) {
         if (fish_swims(&fish[i])) {
-            crowd->body[crowd->count++] = body_of(&fish[i], (uint16_t)i, space);
+            struct crowd_body *body = &crowd->body[crowd->count++];
+            *body = body_of(&fish[i], (uint16_t)i, space);
+            if (before_m) {
+                body->before_m = before_m[i];
+                body->step_max_m = v3_length(v3_sub(fish[i].position_m, before_m[i])) + SHOVE_MAX_M;
+            }
         }
     }
 }
@@ -71,8 +88,9 @@ static void take_advice(struct avoid_advice *kept, const struct avoid_advice *ad
 
 static struct avoid_party party_of(const struct crowd_body *body)
 {
-    return (struct avoid_party){ body->box.centre_m, body->forward, body->speed_m_s,
-                                 2.0f * body->box.half_m.z, body->fish };
+    return (struct avoid_party){ body->box.centre_m,        body->forward,    body->speed_m_s,
+                                 2.0f * body->box.half_m.z, body->fish,       body->avoiding,
+                                 body->avoid_with,          body->avoid_since };
 }
 
 /* Full to the side, half along the body: a fish pushed from behind does not shoot ahead. */
@@ -83,16 +101,16 @@ static void push_apart(struct crowd_body *body, vec3 axis, float speed_m_s)
     body->push_m_s = v3_mad(body->push_m_s, push, speed_m_s);
 }
 
-static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second_body, uint32_t seed,
-                      uint32_t second)
+static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second, uint32_t seed,
+                      uint32_t tick)
 {
-    struct crowd_body *a = &crowd->body[first], *b = &crowd->body[second_body];
+    struct crowd_body *a = &crowd->body[first], *b = &crowd->body[second];
     const struct box_gap gap = box_gap(&a->box, a->margin_m, &b->box, b->margin_m);
     if (gap.space_m > 0.0f) {
         return;
     }
     const struct avoid_party pa = party_of(a), pb = party_of(b);
-    const struct avoid_pair advice = avoid_meet(&pa, &pb, gap.body_m, seed, second);
+    const struct avoid_pair advice = avoid_meet(&pa, &pb, gap.body_m, seed, tick);
     take_advice(&a->advice, &advice.a);
     take_advice(&b->advice, &advice.b);
     a->brake = f_min(a->brake, advice.brake_a);
@@ -107,7 +125,7 @@ static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second_body,
     crowd->overlap_count += gap.body_m < 0.0f;
     if (gap.body_m < CONTACT_GAP_M && crowd->contact_count < CROWD_CONTACT_MAX) {
         crowd->contact[crowd->contact_count][0] = (uint16_t)first;
-        crowd->contact[crowd->contact_count++][1] = (uint16_t)second_body;
+        crowd->contact[crowd->contact_count++][1] = (uint16_t)second;
     }
 }
 
@@ -120,36 +138,40 @@ static int may_meet(const struct crowd_near *a, const struct crowd_near *b)
 
 /* Item `k` against the items [from, to) of the cells' order. */
 static void meet_range(struct crowd *crowd, uint32_t k, uint32_t from, uint32_t to, uint32_t seed,
-                       uint32_t second)
+                       uint32_t tick)
 {
     const struct crowd_near me = crowd->near[k];
     for (uint32_t other = from; other < to; other++) {
         if (may_meet(&me, &crowd->near[other])) {
-            meet_pair(crowd, crowd->grid.item[k], crowd->grid.item[other], seed, second);
+            meet_pair(crowd, crowd->grid.item[k], crowd->grid.item[other], seed, tick);
         }
     }
 }
 
 /* Half of the 3 x 3 cells: the rest of its own, the one to the right, the three of the next row. */
-static void meet_cell(struct crowd *crowd, uint32_t column, uint32_t row, uint32_t seed,
-                      uint32_t second)
+static void meet_item(struct crowd *crowd, uint32_t k, uint32_t seed, uint32_t tick)
 {
     const struct grid *grid = &crowd->grid;
-    const uint32_t cell = row * grid->columns + column;
+    const uint32_t cell = grid->cell_of[grid->item[k]];
+    const uint32_t column = cell % grid->columns;
     const uint32_t right = column + 1u < grid->columns ? cell + 1u : cell;
     const uint32_t left = column > 0 ? cell - 1u : cell;
-    const int has_next = row + 1u < grid->rows;
-    for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1u]; k++) {
-        /* A row's cells follow each other, so a range of cells is a range of items. */
-        meet_range(crowd, k, k + 1u, grid->start[right + 1u], seed, second);
-        if (has_next) {
-            meet_range(crowd, k, grid->start[left + grid->columns],
-                       grid->start[right + grid->columns + 1u], seed, second);
-        }
+    /* A row's cells follow each other, so a range of cells is a range of items. */
+    meet_range(crowd, k, k + 1u, grid->start[right + 1u], seed, tick);
+    if (cell + grid->columns < grid->columns * grid->rows) {
+        meet_range(crowd, k, grid->start[left + grid->columns],
+                   grid->start[right + grid->columns + 1u], seed, tick);
     }
 }
 
-void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t second)
+/* Where a tick's search begins: golden steps come near every item within few ticks, so that a list
+ * that is full leaves out others each time. */
+static uint32_t first_item(uint32_t tick, uint32_t count)
+{
+    return (uint32_t)((uint64_t)(tick * 2654435769u) * count >> 32);
+}
+
+void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t tick)
 {
     float reach_m = 0.01f;
     for (uint32_t i = 0; i < crowd->count; i++) {
@@ -163,10 +185,12 @@ void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t s
     }
     crowd->contact_count = 0;
     crowd->overlap_count = 0;
-    for (uint32_t row = 0; row < crowd->grid.rows; row++) {
-        for (uint32_t column = 0; column < crowd->grid.columns; column++) {
-            meet_cell(crowd, column, row, seed, second);
-        }
+    const uint32_t first = first_item(tick, crowd->count);
+    for (uint32_t k = first; k < crowd->count; k++) {
+        meet_item(crowd, k, seed, tick);
+    }
+    for (uint32_t k = 0; k < first; k++) {
+        meet_item(crowd, k, seed, tick);
     }
 }
 
@@ -181,6 +205,18 @@ static void keep_inside(struct crowd_body *body, const struct tank_bounds *bound
     if (!body->airborne) {
         p->y = f_min(p->y, high.y);
     }
+}
+
+/* Moves it as far as its step allows, and returns what is left. Back to where it came from it may
+ * go, however hard it ran into others. */
+static vec3 shove(struct crowd_body *body, vec3 move, const struct tank_bounds *bounds)
+{
+    const vec3 wanted = v3_add(body->box.centre_m, move);
+    const vec3 step = v3_limit(v3_sub(wanted, body->before_m), body->step_max_m);
+    body->box.centre_m = v3_add(body->before_m, step);
+    const vec3 left = v3_sub(wanted, body->box.centre_m);
+    keep_inside(body, bounds);
+    return left;
 }
 
 /* A stack of fish that fills the water from floor to surface cannot be parted upward: it topples.
@@ -208,10 +244,10 @@ static int part_pair(struct crowd_body *a, struct crowd_body *b, const struct ta
     const float mass_a = a->box.half_m.z * a->box.half_m.z * a->box.half_m.z;
     const float mass_b = b->box.half_m.z * b->box.half_m.z * b->box.half_m.z;
     const float share_a = mass_b / (mass_a + mass_b);
-    a->box.centre_m = v3_mad(a->box.centre_m, gap.axis, -depth_m * share_a);
-    b->box.centre_m = v3_mad(b->box.centre_m, gap.axis, depth_m * (1.0f - share_a));
-    keep_inside(a, bounds);
-    keep_inside(b, bounds);
+    const vec3 part = v3_scale(gap.axis, depth_m);
+    const vec3 left_a = shove(a, v3_scale(part, -share_a), bounds);
+    const vec3 left_b = shove(b, v3_sub(v3_scale(part, 1.0f - share_a), left_a), bounds);
+    shove(a, v3_scale(left_b, -1.0f), bounds); /* Who cannot give way leaves it to the other. */
     return 1;
 }
 
@@ -222,7 +258,8 @@ static void clear_obstacles(struct crowd_body *body, const struct tank_bounds *b
         const vec3 move = obstacle_clear(&obstacles[o], &body->box);
         if (v3_dot(move, move) > 0.0f) {
             const float rush_m = 2.0f * CORE_TICK_S * v3_length(obstacles[o].velocity_m_s);
-            const float step_m = f_clamp(rush_m, CLEAR_STEP_MIN_M, PART_STEP_MAX_M);
+            const float step_m = f_clamp(rush_m, CLEAR_STEP_MIN_M, CLEAR_STEP_MAX_M);
+            body->step_max_m = f_max(body->step_max_m, step_m);
             body->box.centre_m = v3_add(body->box.centre_m, v3_limit(move, step_m));
         }
     }

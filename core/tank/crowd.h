@@ -11,7 +11,7 @@
 
 #define CROWD_CONTACT_MAX                                                                          \
     (4u * GRID_FISH_MAX) /* 1.4 overlap a fish at the thesis' density. Further                     \
-                            ones wait for the next tick. */
+                            ones wait: each tick begins elsewhere. */
 
 /* Inner faces that bodies keep within. */
 struct tank_bounds {
@@ -30,6 +30,11 @@ struct crowd_body {
     struct avoid_advice advice;
     float brake, room; /* As in struct fish. */
     vec3 push_m_s;
+    vec3 before_m;        /* Where it was when the tick began ... */
+    float step_max_m;     /* ... and how far from there it may end. */
+    uint32_t avoid_since; /* As in struct fish, with the two below. */
+    uint16_t avoid_with;
+    uint8_t avoiding;
     uint16_t fish;    /* Index in the tank. */
     uint8_t airborne; /* Above the surface: the surface does not hold it. */
     uint8_t beside;   /* An obstacle is in reach. */
@@ -51,8 +56,11 @@ struct crowd {
     uint16_t contact[CROWD_CONTACT_MAX][2];
 };
 
-/* Takes the bodies of all fish that swim. `space` in (0, 1] shrinks personal spaces in a crowd. */
-void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space);
+/* Takes the bodies of all fish that swim. `space` in (0, 1] shrinks personal spaces in a crowd.
+ * `before_m` is where each fish was when the tick began: what others shove it by is bounded, so
+ * that nobody jumps. Null binds nobody. */
+void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space,
+                  const vec3 *before_m);
 
 /* First of all moves bodies out of obstacles and within bounds, so that the search sees where they
  * really are. */
@@ -61,7 +69,7 @@ void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds,
 
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
  * near, lists those that touch. */
-void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t second);
+void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t tick);
 
 /* Moves bodies until they overlap neither each other nor obstacles, as far as some rounds can.
  * Walls, floor and surface have the last word and always hold. */

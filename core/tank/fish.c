@@ -43,5 +43,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
     hash = hash_vec3(hash, fish->push_m_s);
     hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
     hash = hash_u32(hash, fish->look);
+    hash = hash_u32(hash, fish->avoid_since);
+    hash = hash_u32(hash, fish->avoid_with);
     return hash_u32(hash, (uint32_t)fish->avoiding << 8 | fish->holder);
 }

@@ -45,13 +45,15 @@ struct fish {
     float bend_rad;
     uint32_t look; /* Random bits for the renderer. */
 
-    uint8_t gait;      /* enum fish_gait */
-    uint8_t avoiding;  /* enum fish_avoiding */
-    uint8_t holder;    /* Poi or bowl index while GAIT_HELD or GAIT_BOWL. */
-    float gait_left_s; /* Until the next choice of gait. */
-    float heading_rad; /* Yaw it turns toward, at a bounded rate. */
-    float avoid_left_s;
-    float avoid_turn;   /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
+    uint8_t gait;         /* enum fish_gait */
+    uint8_t avoiding;     /* enum fish_avoiding */
+    uint8_t holder;       /* Poi or bowl index while GAIT_HELD or GAIT_BOWL. */
+    float gait_left_s;    /* Until the next choice of gait. */
+    float heading_rad;    /* Yaw it turns toward, at a bounded rate. */
+    float avoid_left_s;   /* Of giving way; then, of keeping its depth a little longer. */
+    float avoid_turn;     /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
+    uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
+    uint16_t avoid_with;
     float brake;        /* [0, 1] of its speed that a fish ahead leaves it. */
     float room;         /* [0, 1] of its turning rate that bodies at its sides leave it. */
     float depth_goal_m; /* Wanted y, < 0. */

@@ -3,6 +3,7 @@
 
 #include "core/base/rng.h"
 #include "core/input.h"
+#include "core/tank/swim.h"
 
 /* Section 3.2: stamina per second; the thesis' -1, -0.2 and +0.1 of 100. */
 #define BURST_COST_PER_S 0.010f
@@ -22,11 +23,11 @@
 #define ESCAPE_TIME_S 0.70f
 #define ESCAPE_AWAY_CHANCE 0.77f /* Mirjany & Faber: 77 % of open-field starts. */
 
-/* Beat and glide: over a cycle the mean stays the gait's speed. */
+/* Beat and glide, in shares of each other; mean_stroke() brings them to the gait's speed. */
 #define CYCLE_TICKS_MIN 84u /* 0.7 s, and up to 0.53 s more by individual. */
 #define BEAT_SHARE 0.45f
 #define BEAT_SPEED 1.32f
-#define GLIDE_SPEED 0.62f
+#define GLIDE_SPEED 0.62f /* Where a glide without end would lead. */
 
 struct gait_chance gait_chance(float stamina)
 {
@@ -132,6 +133,7 @@ void gait_escape(struct fish *fish, vec3 from_m, struct gait_luck luck)
     const float side_rad = stray_rad < 0.0f ? -100.0f * F_DEG : 100.0f * F_DEG;
     fish->heading_rad = f_wrap_angle(away_rad + (toward ? side_rad : stray_rad));
     fish->avoiding = AVOID_NONE;
+    fish->avoid_left_s = 0.0f;
     fish->alarm = 0.2f;
 }
 
@@ -151,6 +153,20 @@ int gait_beats(const struct fish *fish, uint32_t tick)
            (fish->gait == GAIT_ESCAPE && fish->gait_left_s > ESCAPE_TIME_S - ESCAPE_PEAK_S);
 }
 
+/* The mean over a cycle of the speed that a fish truly has, when BEAT_SPEED and GLIDE_SPEED are
+ * asked in turn: it runs up to the one at once, nearly, but comes down to the other so slowly that
+ * the asked mean would be 19 % too fast. A run-up's lag is its time constant. */
+static float mean_stroke(const struct fish *fish)
+{
+    const float cycle_s = (float)cycle_ticks(fish) * CORE_TICK_S;
+    const float glide_s = (1.0f - BEAT_SHARE) * cycle_s;
+    const float lost = (BEAT_SPEED - GLIDE_SPEED) * (1.0f - f_exp(-glide_s / SWIM_GLIDE_TAU_S));
+    const float run_up_s = gait_run_up_s(fish->length_m);
+    return (BEAT_SPEED * BEAT_SHARE * cycle_s - lost * run_up_s + GLIDE_SPEED * glide_s +
+            lost * SWIM_GLIDE_TAU_S) /
+           cycle_s;
+}
+
 float gait_speed_m_s(const struct fish *fish, uint32_t tick)
 {
     const float able =
@@ -161,7 +177,7 @@ float gait_speed_m_s(const struct fish *fish, uint32_t tick)
     case GAIT_BURST:
         return able * BURST_LENGTHS_PER_S;
     case GAIT_SWIM:
-        return able * SWIM_LENGTHS_PER_S * (beats ? BEAT_SPEED : GLIDE_SPEED);
+        return able * SWIM_LENGTHS_PER_S * (beats ? BEAT_SPEED : GLIDE_SPEED) / mean_stroke(fish);
     case GAIT_ESCAPE:
         return able * (beats ? f_lerp(ESCAPE_LENGTHS_MIN, ESCAPE_LENGTHS_MAX, keen) : 2.0f);
     default:

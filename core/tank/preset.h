@@ -21,10 +21,19 @@ struct tank_preset {
                                          of a stall's fish are this summer's. */
     float stamina_min, stamina_max;   /* [0, 1] at the start, uniform. */
     vec3 bowl_m;                      /* Mouth centre of the first player's bowl. */
+    float bowl_radius_m;              /* Of its rim; fish start clear of it. */
     struct view view;
 };
 
 /* `id` < TANK_PRESET_COUNT. */
 const struct tank_preset *tank_preset(uint8_t id);
+
+/* The age of a fish that draws `draw` in [0, 1). */
+float tank_preset_age_days(const struct tank_preset *preset, float draw);
+
+/* How many fish its water holds without overlap, 1 .. GRID_FISH_MAX: their boxes, at the mean over
+ * its ages, then fill an eighth of it. Beyond, fish are shut in and parting them comes to no end.
+ */
+uint32_t tank_preset_fish_max(const struct tank_preset *preset);
 
 #endif

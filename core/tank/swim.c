@@ -4,14 +4,14 @@
 #include "core/base/physics.h"
 #include "core/base/rng.h"
 #include "core/input.h"
+#include "core/tank/avoid.h"
 
 #define DT CORE_TICK_S
 
-/* Yaw: rates by gait (design; the thesis gives none). */
+/* Yaw: bounds by gait (design; the thesis gives none). */
 #define TURN_RATE_REST (45.0f * F_DEG)
-#define TURN_RATE_SWIM (150.0f * F_DEG)
-#define TURN_RATE_AVOID (180.0f * F_DEG)
-#define TURN_RATE_BURST (360.0f * F_DEG)
+#define TURN_RATE_SWIM (180.0f * F_DEG)
+#define TURN_RATE_BURST (720.0f * F_DEG)
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG) /* A C-start turns 100 degrees in 60 to 80 ms. */
 
 #define WANDER_TICKS 108u           /* A new whim each 0.9 s ... */
@@ -20,8 +20,8 @@
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-#define BRAKE_TAU_S 0.08f /* With spread pectorals. */
-#define GLIDE_TAU_S 0.55f /* Koi: drag while gliding is a quarter of that in a burst. */
+#define BRAKE_TAU_S 0.08f   /* With spread pectorals. */
+#define RUN_OUT_TAU_S 0.20f /* From a burst down to what a swimming fish may do. */
 
 static float ease(float from, float to, float tau_s)
 {
@@ -92,7 +92,7 @@ static float turn_rate_max(const struct fish *fish)
     case GAIT_BURST:
         return TURN_RATE_BURST;
     case GAIT_SWIM:
-        return fish->avoiding == AVOID_YAW ? TURN_RATE_AVOID : TURN_RATE_SWIM;
+        return TURN_RATE_SWIM;
     default:
         return TURN_RATE_REST;
     }
@@ -102,7 +102,8 @@ static void turn(struct fish *fish)
 {
     const int starts = fish->gait == GAIT_ESCAPE;
     const float error_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
-    const float rate_max = turn_rate_max(fish) * (starts ? 1.0f : fish->room);
+    /* A start among others, too: a long tail that swings as if it were alone goes through them. */
+    const float rate_max = turn_rate_max(fish) * fish->room;
     const float wanted = f_clamp(error_rad * (starts ? 25.0f : 3.0f), -rate_max, rate_max);
     fish->yaw_rate_rad_s = ease(fish->yaw_rate_rad_s, wanted, starts ? 0.015f : 0.12f);
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
@@ -115,8 +116,9 @@ static void climb(struct fish *fish)
 {
     const float off_m = fish->depth_goal_m - fish->position_m.y;
     const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
-    const float wanted = fish->avoiding == AVOID_PITCH
-                             ? fish->avoid_turn * CLIMB_MAX_M_S
+    const float wanted = fish->avoiding == AVOID_PITCH ? fish->avoid_turn * CLIMB_MAX_M_S
+                         : avoid_holds_depth(fish)
+                             ? 0.0f
                              : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
     fish->climb_m_s = ease(fish->climb_m_s, wanted, 0.35f);
     /* The nose follows the course; a fish that hangs still hardly tilts. */
@@ -125,19 +127,38 @@ static void climb(struct fish *fish)
         ease(fish->angles.pitch_rad, f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX), 0.3f);
 }
 
+/* What a slowing fish takes to lose 63 % of the difference. */
+static float slow_tau_s(const struct fish *fish)
+{
+    if (fish->gait == GAIT_ESCAPE) {
+        return 0.25f;
+    }
+    const int runs_out =
+        fish->gait == GAIT_SWIM && fish->speed_m_s > SWIM_LENGTHS_MAX * fish->length_m;
+    return f_lerp(BRAKE_TAU_S, runs_out ? RUN_OUT_TAU_S : SWIM_GLIDE_TAU_S, fish->brake);
+}
+
+static void speed_up_or_glide(struct fish *fish, float speed_goal_m_s, float run_up_s)
+{
+    const float goal_m_s = speed_goal_m_s * (fish->gait == GAIT_ESCAPE ? 1.0f : fish->brake);
+    const float start_tau_s = fish->gait == GAIT_ESCAPE ? 0.03f : run_up_s;
+    const float tau_s = goal_m_s > fish->speed_m_s ? start_tau_s : slow_tau_s(fish);
+    /* Exactly, for the run-up's 164 ms are but twenty ticks: ease() would be there two early. */
+    fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, f_exp(-DT / tau_s));
+}
+
 void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
 {
     turn(fish);
     climb(fish);
-    const float goal_m_s = speed_goal_m_s * (fish->gait == GAIT_ESCAPE ? 1.0f : fish->brake);
-    const float start_tau_s = fish->gait == GAIT_ESCAPE ? 0.03f : run_up_s;
-    const float glide_tau_s =
-        fish->gait == GAIT_ESCAPE ? 0.25f : f_lerp(BRAKE_TAU_S, GLIDE_TAU_S, fish->brake);
-    fish->speed_m_s =
-        ease(fish->speed_m_s, goal_m_s, goal_m_s > fish->speed_m_s ? start_tau_s : glide_tau_s);
-    const vec3 flat = v3(-f_sin(fish->angles.yaw_rad), 0.0f, -f_cos(fish->angles.yaw_rad));
-    vec3 velocity = v3_add(v3_scale(flat, fish->speed_m_s), fish->push_m_s);
-    velocity.y += fish->climb_m_s;
+    speed_up_or_glide(fish, speed_goal_m_s, run_up_s);
+    const float x = -f_sin(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.x;
+    const float z = -f_cos(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.z;
+    vec3 velocity = v3(x, 0.0f, z);
+    if (fish->gait == GAIT_SWIM) { /* Pushes never add to what a burst leaves. */
+        velocity = v3_limit(velocity, f_max(SWIM_LENGTHS_MAX * fish->length_m, fish->speed_m_s));
+    }
+    velocity.y = fish->push_m_s.y + fish->climb_m_s;
     fish->position_m = v3_mad(fish->position_m, velocity, DT);
 }
 

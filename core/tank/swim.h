@@ -4,6 +4,9 @@
 
 #include "core/tank/fish.h"
 
+#define SWIM_GLIDE_TAU_S 0.55f /* Koi: drag while gliding is a quarter of that in a burst. */
+#define SWIM_LENGTHS_MAX 1.5f  /* A second: 7.5 cm/s of the thesis' 5 cm fish, section 3.3. */
+
 /* Gives the heading a slow, smooth wander of its own; drawn from (seed, tick, fish). */
 void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index);
 
@@ -24,7 +27,8 @@ void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, vec3 size_
 void swim_shun_turn(struct fish *fish, const struct swim_shun *shun);
 
 /* Turns, speeds up or glides, climbs, and moves one tick. `speed_goal_m_s` is what the gait asks.
- */
+ * In GAIT_SWIM the horizontal speed, pushes included, is at most SWIM_LENGTHS_MAX; what is left of
+ * a burst or an escape runs out within half a second. */
 void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s);
 
 /* A fish out of the water (dropped from a poi): falls, and gets away once it is in. Returns whether

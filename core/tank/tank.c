@@ -29,7 +29,8 @@ static int under_bowl(vec3 point_m, vec3 bowl_m, float clear_m)
     return dx * dx + dz * dz < clear_m * clear_m;
 }
 
-static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t index, vec3 bowl_m)
+static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t index,
+                  const struct tank_preset *preset)
 {
     const float inset_m = 0.5f * fish->length_m;
     const float half_m = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
@@ -41,7 +42,7 @@ static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t ind
         point.y = rng_range((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Y },
                             half_m - tank->size_m.y, -half_m);
         point.z = rng_range((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Z }, -z, z);
-        if (!under_bowl(point, bowl_m, 0.08f + inset_m)) {
+        if (!under_bowl(point, preset->bowl_m, preset->bowl_radius_m + inset_m)) {
             break;
         }
     }
@@ -53,11 +54,11 @@ static struct fish hatch(const struct tank *tank, const struct tank_preset *pres
     const struct gait_luck luck = { tank->seed, 0, index };
     const float old = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_AGE });
     struct fish fish = { .look = rng_u32((struct rng_key){ tank->seed, 0, index, RNG_FISH_LOOK }) };
-    fish.age_days = f_lerp(preset->age_days_min, preset->age_days_max, old * old);
+    fish.age_days = tank_preset_age_days(preset, old);
     fish.length_m = growth_length_m(&species_wakin.growth, fish.age_days);
     fish.stamina = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_STAMINA },
                              preset->stamina_min, preset->stamina_max);
-    fish.position_m = place(tank, &fish, index, preset->bowl_m);
+    fish.position_m = place(tank, &fish, index, preset);
     fish.angles.yaw_rad =
         rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
     fish.heading_rad = fish.angles.yaw_rad;
@@ -85,9 +86,9 @@ static void spread_out(struct tank *tank)
 {
     const struct tank_bounds bounds = tank_bounds(tank);
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
-        crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+        crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space, NULL);
         crowd_clear(&tank->crowd, &bounds, 0, 0);
-        crowd_meet(&tank->crowd, tank->size_m, tank->seed, 0);
+        crowd_meet(&tank->crowd, tank->size_m, tank->seed, round);
         if (round > 0 && tank->crowd.overlap_count == 0) {
             return;
         }
@@ -99,8 +100,8 @@ static void spread_out(struct tank *tank)
 void tank_init(struct tank *tank, uint8_t preset_id, uint32_t fish_count, uint32_t seed)
 {
     CORE_ASSERT(fish_count >= 1u);
-    CORE_ASSERT(fish_count <= TANK_FISH_MAX);
     const struct tank_preset *preset = tank_preset(preset_id);
+    CORE_ASSERT(fish_count <= tank_preset_fish_max(preset));
     memset(tank, 0, sizeof *tank);
     tank->seed = seed;
     tank->preset = preset_id;
@@ -220,9 +221,9 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
             act(tank, i, tick, obstacles, obstacle_count);
         }
     }
-    crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+    crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space, tank->before_m);
     crowd_clear(&tank->crowd, &bounds, obstacles, obstacle_count);
-    crowd_meet(&tank->crowd, tank->size_m, tank->seed, tick / CORE_TICK_HZ);
+    crowd_meet(&tank->crowd, tank->size_m, tank->seed, tick);
     crowd_part(&tank->crowd, &bounds, obstacles, obstacle_count);
     settle(tank, tick);
 }

@@ -13,7 +13,7 @@
 #include "core/tank/preset.h"
 #include "core/tank/water.h"
 
-#define TANK_FISH_MAX 2048u /* 1,500 is the densest tank offered; a power of two above it. */
+#define TANK_FISH_MAX 2048u /* Room for the deepest tank; what each holds is in preset.h. */
 #define TANK_OBSTACLE_MAX (2u * POI_MAX)
 _Static_assert(TANK_FISH_MAX == GRID_FISH_MAX, "every fish has a place in the grid");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
@@ -32,7 +32,8 @@ struct tank {
     vec3 before_m[TANK_FISH_MAX]; /* Where fish were when the tick began. */
 };
 
-/* Fills `tank` with still water and `fish_count` (1 .. TANK_FISH_MAX) fish that do not overlap. */
+/* Fills `tank` with still water and `fish_count` (1 .. tank_preset_fish_max()) fish that do not
+ * overlap. */
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
 
 /* One tick of every fish that swims (held and bowl fish are moved by core/poi).

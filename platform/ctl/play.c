@@ -142,7 +142,12 @@ static enum exit_code take_option(struct play_options *options, int argc, const 
     } else if (strcmp(option, "--seed") == 0) {
         right = ctl_number(value, 0, UINT32_MAX, &options->seed);
     } else if (strcmp(option, "--fish") == 0) {
-        right = ctl_number(value, 1, TANK_FISH_MAX, &options->fish_count);
+        const uint32_t max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL));
+        if (!ctl_number(value, 1, max, &options->fish_count)) {
+            return ctl_usage(name, "--fish: '%.100s' is not right; the water holds 1 to %u",
+                             value ? value : "", max);
+        }
+        right = 1;
     } else if (strcmp(option, "--round-s") == 0) {
         right = ctl_number(value, 10, 600, &options->round_s);
     } else if (strcmp(option, "--record") == 0) {
@@ -183,7 +188,7 @@ const struct ctl_command ctl_play = {
     .usage = "  --bot NAME       who plays: stall, the bot of the attract picture\n"
              "  --rounds N       how many rounds, 1 to 100000 (1)\n"
              "  --seed N         of everything random (0)\n"
-             "  --fish N         how many fish, 1 to 2048 (the stall's own)\n"
+             "  --fish N         how many fish, from 1 to what the water holds (the stall's own)\n"
              "  --round-s N      seconds a round, 10 to 600 (60)\n"
              "  --record FILE    write the play to FILE\n"
              "  --json           for programs\n",

@@ -11,11 +11,13 @@
 #include "core/tank/tank.h"
 #include "platform/board.h"
 
+#define TEXT_MAX 64
+
 struct option {
     const char *name;
     const char *value;     /* As --help names it; null: takes none; in brackets: may be left out. */
     const char *help;
-    const char *expects;   /* What a right value is. */
+    const char *expects;   /* What a right value is. with_bound() may add to it. */
     int (*set)(struct options *options, const char *value); /* 1, or 0: not a right value. */
     uint8_t only_command_line;
 };
@@ -96,9 +98,14 @@ static int set_seed(struct options *options, const char *value)
     return parse_u32(value, 0, UINT32_MAX, &options->seed);
 }
 
+static uint32_t fish_max(void)
+{
+    return tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL));
+}
+
 static int set_fish(struct options *options, const char *value)
 {
-    return parse_u32(value, 1, TANK_FISH_MAX, &options->fish_count);
+    return parse_u32(value, 1, fish_max(), &options->fish_count);
 }
 
 static int set_record(struct options *options, const char *value)
@@ -156,11 +163,10 @@ static const struct option table[] = {
     { "config", "FILE", "read 'option = value' lines first; options here win", "a path", set_config, 1 },
     { "lang", "ja|en", "language of the stall", "ja or en", set_language, 0 },
     { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed, 0 },
-    { "fish", "N", "how many fish", "1 to 2048", set_fish, 0 },
+    { "fish", "N", "how many fish; the water holds", "1 to", set_fish, 0 },
     { "help", NULL, "this text", NULL, set_help, 1 },
     { "version", NULL, "the version", NULL, set_version, 1 },
 };
-_Static_assert(TANK_FISH_MAX == 2048, "the text of --fish");
 
 static const struct option *find_option(const char *name, size_t length)
 {
@@ -170,6 +176,16 @@ static const struct option *find_option(const char *name, size_t length)
         }
     }
     return NULL;
+}
+
+/* `text`, and for --fish the bound that only the water knows. */
+static const char *with_bound(const struct option *option, const char *text, char out[TEXT_MAX])
+{
+    if (option->set != set_fish) {
+        return text;
+    }
+    snprintf(out, TEXT_MAX, "%s %u", text, fish_max());
+    return out;
 }
 
 /* ---- Command line --------------------------------------------------------------------------- */
@@ -199,6 +215,7 @@ static int parse_one(struct options *options, int argc, const char *const *argv,
 {
     const char *word = argv[*index];
     const struct option *option = NULL;
+    char expects[TEXT_MAX];
     if (strncmp(word, "--", 2) == 0) {
         option = find_option(word + 2, strcspn(word + 2, "="));
     } else if (strcmp(word, "-h") == 0) {
@@ -214,12 +231,13 @@ static int parse_one(struct options *options, int argc, const char *const *argv,
         return -1;
     }
     if (option->value && option->value[0] != '[' && !value) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--%s needs a value: %s", option->name, option->expects);
+        snprintf(error, OPTIONS_ERROR_MAX, "--%s needs a value: %s", option->name,
+                 with_bound(option, option->expects, expects));
         return -1;
     }
     if (!option->set(options, value)) {
         snprintf(error, OPTIONS_ERROR_MAX, "--%s: '%.100s' is not right; expected %s", option->name,
-                 value ? value : "", option->expects);
+                 value ? value : "", with_bound(option, option->expects, expects));
         return -1;
     }
     return 0;
@@ -256,7 +274,8 @@ static char *trim(char *text)
 }
 
 /* Null when the line is fine, else what is wrong with it. `*expects` may say more. */
-static const char *read_line(struct options *options, char *line, const char **expects)
+static const char *read_line(struct options *options, char *line, const char **expects,
+                             char bound[TEXT_MAX])
 {
     line[strcspn(line, "#")] = '\0';
     char *key = trim(line);
@@ -276,7 +295,7 @@ static const char *read_line(struct options *options, char *line, const char **e
         return "unknown key";
     }
     struct options tried = *options;
-    *expects = option->expects;
+    *expects = with_bound(option, option->expects, bound);
     if (!option->set(&tried, trim(equals + 1))) {
         return "wrong value";
     }
@@ -288,6 +307,7 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
 {
     char line[OPTIONS_PATH_MAX + 64];
     char text[OPTIONS_ERROR_MAX + 128];
+    char bound[TEXT_MAX];
     FILE *file = fopen(path, "r");
     if (!file) {
         return -errno;
@@ -295,7 +315,7 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
     errno = 0;
     for (unsigned number = 1; fgets(line, sizeof line, file); number++) {
         const char *expects = "";
-        const char *wrong = read_line(options, line, &expects);
+        const char *wrong = read_line(options, line, &expects, bound);
         if (wrong && warn) {
             snprintf(text, sizeof text, "%.200s:%u: %s; expected %s", path, number, wrong, expects);
             warn(text);
@@ -315,9 +335,9 @@ void options_print_help(void)
          "language, F is full screen, Esc quits. Without a screen the bot plays, and pictures of it are\n"
          "written.\n");
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
-        char left[40];
+        char left[40], right[TEXT_MAX];
         snprintf(left, sizeof left, "--%s %s", table[i].name, table[i].value ? table[i].value : "");
-        printf("  %-18s %s\n", left, table[i].help);
+        printf("  %-18s %s\n", left, with_bound(&table[i], table[i].help, right));
     }
     puts("\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay differs;\n"
          "2 wrong option; 65 a recording that is no whole recording; 74 a path that cannot be read or\n"

@@ -6,9 +6,9 @@ tries_max=50 # About 5 s each; a poi that tore is changed for another one on the
 recording=$work/play.kgr
 
 open_screen
-# Nine hundred fish, a championship's tank: our hand aims at where a fish was half a second ago, and lands
-# one in two or three tries here; with the festival's 300, which a person follows by eye, one in fifteen.
-start_kiosk --seed 5 --fish 900 --record "$recording"
+# Six hundred fish, about what the water holds: our hand aims at where a fish was half a second ago, and
+# with the festival's 300, which a person follows by eye, lands one in fifteen tries.
+start_kiosk --seed 5 --fish 600 --record "$recording"
 ok $? 'the kiosk opens its window and shows a picture' "$work/err" || { done_testing; exit 1; }
 
 read -r bowl_x bowl_y < <(place bowl)

@@ -12,7 +12,7 @@
 #define WATER_M 0.12f
 
 /* Swims at 5 cm/s toward a compass angle: 0 is away from the player, 90 to the left. */
-static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint32_t index)
+static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint16_t index)
 {
     return (struct avoid_party){ .position_m = v3(0.01f * x_cm, -0.06f, 0.01f * z_cm),
                                  .forward =
@@ -47,6 +47,47 @@ static void test_the_pair_draws_the_same_whoever_is_asked_first(void **state)
         assert_true(one.a.turn == other.b.turn);
         assert_true(one.a.rise == other.b.rise);
     }
+}
+
+/* What a fish that gives way since `tick` shows to its partner. */
+static struct avoid_party giving_way(struct avoid_party party, const struct avoid_advice *advice)
+{
+    struct fish fish = { .length_m = party.length_m, .position_m = party.position_m };
+    avoid_tick(&fish, advice, 1.0f, WATER_M);
+    party.avoiding = fish.avoiding;
+    party.avoid_with = fish.avoid_with;
+    party.avoid_since = fish.avoid_since;
+    return party;
+}
+
+static void test_the_late_one_of_a_pair_turns_to_the_side_that_the_first_took(void **state)
+{
+    (void)state;
+    const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12);
+    uint32_t left = 0;
+    for (uint32_t edge = CORE_TICK_HZ; edge < 1000u * CORE_TICK_HZ; edge += CORE_TICK_HZ) {
+        /* One begins in the last tick of a second, the other in the first of the next, or later. */
+        const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, 1, edge - 1u);
+        const struct avoid_party early = giving_way(a, &first.a);
+        const struct avoid_pair then = avoid_meet(&early, &b, 0.01f, 1, edge);
+        const struct avoid_pair later = avoid_meet(&b, &early, 0.01f, 1, edge + 40u);
+        assert_true(then.b.turn == first.a.turn);
+        assert_true(later.a.turn == first.a.turn);
+        assert_true(then.a.turn == first.a.turn);
+        left += first.a.turn > 0.0f;
+    }
+    assert_in_range(left, 440, 560);
+}
+
+static void test_another_partner_is_another_encounter(void **state)
+{
+    (void)state;
+    const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12),
+                             c = swimmer(0.0f, -3.0f, 180.0f, 13);
+    const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, 1, 100);
+    const struct avoid_party early = giving_way(a, &first.a);
+    assert_int_equal(avoid_meet(&early, &b, 0.01f, 1, 150).b.since, 100);
+    assert_int_equal(avoid_meet(&early, &c, 0.01f, 1, 150).b.since, 150);
 }
 
 static void test_from_the_side_the_hitter_passes_behind_nine_times_in_ten(void **state)
@@ -106,7 +147,7 @@ static void test_after_half_a_second_of_yaw_comes_pitch(void **state)
 {
     (void)state;
     struct fish fish = { .length_m = 0.05f, .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
-    const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f };
+    const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 };
     uint32_t yaw = 0;
     while (fish.avoiding != AVOID_PITCH && yaw < 200) {
         avoid_tick(&fish, &advice, 0.5f, WATER_M);
@@ -122,7 +163,7 @@ static void test_nobody_dives_into_the_floor_or_climbs_into_the_air(void **state
 {
     (void)state;
     struct fish fish = { .length_m = 0.05f, .position_m = { 0.0f, -0.115f, 0.0f } };
-    struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f };
+    struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 };
     fish.avoiding = AVOID_YAW;
     avoid_tick(&fish, &advice, 1.0f, WATER_M);
     assert_int_equal(fish.avoiding, AVOID_PITCH);
@@ -147,6 +188,27 @@ static void test_once_clear_a_fish_forgets_soon(void **state)
     assert_float_equal(fish.heading_rad, 0.0f, 1e-6f);
 }
 
+static void test_depth_is_held_while_it_gives_way_and_half_a_second_after(void **state)
+{
+    (void)state;
+    struct fish fish = { .length_m = 0.05f, .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
+    const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 }, none = { 0 };
+    fish.depth_goal_m = -0.03f;
+    assert_false(avoid_holds_depth(&fish));
+    avoid_tick(&fish, &advice, 1.0f, WATER_M);
+    while (fish.avoiding != AVOID_NONE) {
+        assert_true(avoid_holds_depth(&fish));
+        avoid_tick(&fish, &none, 1.0f, WATER_M);
+    }
+    uint32_t after = 0;
+    while (avoid_holds_depth(&fish) && after < 1000) {
+        avoid_tick(&fish, &none, 1.0f, WATER_M);
+        after++;
+    }
+    assert_in_range(after, CORE_TICK_HZ / 2u - 1u, CORE_TICK_HZ / 2u + 1u);
+    assert_float_equal(fish.depth_goal_m, -0.03f, 0.0f); /* What it wants is its own business. */
+}
+
 static void test_repulsion_is_2_25_cm_a_second_at_touch_and_gone_at_1_cm(void **state)
 {
     (void)state;
@@ -161,6 +223,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_opposite_courses_meet_head_on_and_share_one_side),
         cmocka_unit_test(test_the_pair_draws_the_same_whoever_is_asked_first),
+        cmocka_unit_test(test_the_late_one_of_a_pair_turns_to_the_side_that_the_first_took),
+        cmocka_unit_test(test_another_partner_is_another_encounter),
         cmocka_unit_test(test_from_the_side_the_hitter_passes_behind_nine_times_in_ten),
         cmocka_unit_test(test_only_the_follower_gives_way_to_the_one_ahead),
         cmocka_unit_test(test_fish_that_part_or_pass_clear_do_not_meet),
@@ -168,6 +232,7 @@ int main(void)
         cmocka_unit_test(test_after_half_a_second_of_yaw_comes_pitch),
         cmocka_unit_test(test_nobody_dives_into_the_floor_or_climbs_into_the_air),
         cmocka_unit_test(test_once_clear_a_fish_forgets_soon),
+        cmocka_unit_test(test_depth_is_held_while_it_gives_way_and_half_a_second_after),
         cmocka_unit_test(test_repulsion_is_2_25_cm_a_second_at_touch_and_gone_at_1_cm),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "core/scene.h"
+#include "core/tank/preset.h"
 #include "platform/board.h"
 #include "platform/kiosk/options.h"
 
@@ -81,7 +82,7 @@ static void test_a_wrong_option_is_one_line_that_names_it(void **state)
         { "kingyo", "--seed", "4294967296", NULL },
         { "kingyo", "--seed", "12a", NULL },
         { "kingyo", "--fish", "0", NULL },
-        { "kingyo", "--fish", "2049", NULL },
+        { "kingyo", "--fish", "2048", NULL },
         { "kingyo", "--demo", "4", NULL },
         { "kingyo", "--demo", "601", NULL },
         { "kingyo", "--demo=", NULL },
@@ -100,6 +101,22 @@ static void test_a_wrong_option_is_one_line_that_names_it(void **state)
         assert_true(strlen(error) > 10);
         assert_null(strchr(error, '\n'));
     }
+}
+
+static void test_as_many_fish_as_the_water_holds_and_not_one_more(void **state)
+{
+    char count[16];
+    const char *const argv[] = { "kingyo", "--fish", count };
+    const unsigned max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL));
+    (void)state;
+    snprintf(count, sizeof count, "%u", max);
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.fish_count, max);
+    char says[16];
+    memcpy(says, count, sizeof says);
+    snprintf(count, sizeof count, "%u", max + 1u);
+    assert_int_equal(parse(COUNT(argv), argv), -1);
+    assert_non_null(strstr(error, says));
 }
 
 static void test_recording_a_replay_is_refused(void **state)
@@ -165,7 +182,7 @@ static void test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts(void
     assert_int_equal(read_text("colour = red\nfish = many\nlang\nwindow = 1x1\nseed = 9\n"), 0);
     assert_int_equal(warning_count, 4);
     assert_non_null(strstr(warnings[0], ":1: unknown key"));
-    assert_non_null(strstr(warnings[1], ":2: wrong value; expected 1 to 2048"));
+    assert_non_null(strstr(warnings[1], ":2: wrong value; expected 1 to 6"));
     assert_non_null(strstr(warnings[2], ":3: no '='"));
     assert_int_equal(options.fish_count, 0);
     assert_int_equal(options.width, 0);
@@ -193,6 +210,7 @@ int main(void)
         cmocka_unit_test(test_every_option_is_understood),
         cmocka_unit_test(test_demo_needs_no_seconds),
         cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
+        cmocka_unit_test(test_as_many_fish_as_the_water_holds_and_not_one_more),
         cmocka_unit_test(test_recording_a_replay_is_refused),
         cmocka_unit_test(test_a_path_longer_than_any_is_refused),
         cmocka_unit_test(test_a_configuration_file_sets_the_same_things),

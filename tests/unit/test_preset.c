@@ -7,6 +7,8 @@
 #include <cmocka.h>
 
 #include "core/morph/morph.h"
+#include "core/poi/bowl.h"
+#include "core/tank/grid.h"
 #include "core/tank/preset.h"
 
 static void test_festival_is_the_stall_that_it_says(void **state)
@@ -34,7 +36,8 @@ static void test_the_bowl_floats_inside_the_tank(void **state)
 {
     (void)state;
     const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
-    const float radius_m = 0.075f;
+    const float radius_m = preset->bowl_radius_m;
+    assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The bowl that really floats there. */
     assert_true(f_abs(preset->bowl_m.x) + radius_m < 0.5f * preset->size_m.x);
     assert_true(f_abs(preset->bowl_m.z) + radius_m < 0.5f * preset->size_m.z);
 }
@@ -76,6 +79,20 @@ static void test_the_whole_tank_is_in_the_picture_on_wide_and_narrow_screens(voi
     check_fits(9.0f / 16.0f);
 }
 
+static void test_water_holds_fish_by_its_volume(void **state)
+{
+    (void)state;
+    struct tank_preset preset = *tank_preset(TANK_PRESET_FESTIVAL);
+    const uint32_t max = tank_preset_fish_max(&preset);
+    assert_in_range(max, 600, 700); /* Twice the stall's own, and not four times. */
+    preset.size_m.y *= 2.0f;
+    assert_in_range(tank_preset_fish_max(&preset), 2u * max, 2u * max + 1u);
+    preset.size_m.y *= 100.0f;
+    assert_int_equal(tank_preset_fish_max(&preset), GRID_FISH_MAX);
+    preset.size_m.y = 1e-6f;
+    assert_int_equal(tank_preset_fish_max(&preset), 1);
+}
+
 static void test_an_unknown_preset_is_a_bug(void **state)
 {
     (void)state;
@@ -89,6 +106,7 @@ int main(void)
         cmocka_unit_test(test_its_ages_give_fish_of_three_to_eight_centimetres),
         cmocka_unit_test(test_the_bowl_floats_inside_the_tank),
         cmocka_unit_test(test_the_whole_tank_is_in_the_picture_on_wide_and_narrow_screens),
+        cmocka_unit_test(test_water_holds_fish_by_its_volume),
         cmocka_unit_test(test_an_unknown_preset_is_a_bug),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
