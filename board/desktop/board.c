@@ -29,7 +29,15 @@ static struct {
     char display_text[HAL_TEXT_SIZE];
 } devices;
 
-/* Events that no driver takes would fill SDL's queue over a long day. */
+static void ignore_events(const Uint32 *types, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        SDL_EventState(types[i], SDL_IGNORE);
+    }
+}
+
+/* Events that no driver takes would fill SDL's queue over a long day, and a full queue drops what
+ * comes next: the click that closes the window. */
 static void ignore_foreign_events(void)
 {
     static const Uint32 foreign[] = {
@@ -39,9 +47,15 @@ static void ignore_foreign_events(void)
         SDL_AUDIODEVICEADDED, SDL_AUDIODEVICEREMOVED, SDL_SYSWMEVENT,     SDL_LOCALECHANGED,
         SDL_RENDER_TARGETS_RESET, SDL_RENDER_DEVICE_RESET,
     };
-    for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
-        SDL_EventState(foreign[i], SDL_IGNORE);
-    }
+    ignore_events(foreign, sizeof foreign / sizeof foreign[0]);
+}
+
+/* In the bot's stall nobody takes what the mouse says. */
+static void ignore_mouse_events(void)
+{
+    static const Uint32 mouse[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
+                                    SDL_MOUSEWHEEL };
+    ignore_events(mouse, sizeof mouse / sizeof mouse[0]);
 }
 
 static void open_display(struct hal *hal, const struct board_options *options)
@@ -79,7 +93,12 @@ static const char *missing_poi(uint8_t poi)
 
 static void open_hands(struct hal *hal, const struct board_options *options)
 {
-    if (options->poi == BOARD_POI_BOT || options->off_screen) {
+    if (options->off_screen) {
+        return;
+    }
+    hal->buttons = buttons_keyboard_device(&devices.keyboard); /* Whoever plays, Esc must quit. */
+    if (options->poi == BOARD_POI_BOT) {
+        ignore_mouse_events();
         return;
     }
     const uint32_t width = options->width ? options->width : 1280;
@@ -87,7 +106,6 @@ static void open_hands(struct hal *hal, const struct board_options *options)
     poi_mouse_init(&devices.mouse, hal->clock, &options->view, width, height);
     hal->poi[0] = poi_mouse_device(&devices.mouse);
     hal->poi[1] = null_poi(missing_poi(options->poi));
-    hal->buttons = buttons_keyboard_device(&devices.keyboard);
 }
 
 /* Both say in describe() what is missing, and then do nothing: a null driver could not say more. */

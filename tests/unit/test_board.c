@@ -1,0 +1,75 @@
+/* test_board.c -- the desktop's wiring: whoever holds the poi, the stall can be closed. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <SDL.h>
+#include <cmocka.h>
+
+#include "core/tank/preset.h"
+#include "platform/board.h"
+
+static struct hal hal;
+
+/* A window without a screen: SDL's own driver for that. */
+static int open_board(void **state)
+{
+    (void)state;
+    setenv("SDL_VIDEODRIVER", "offscreen", 1);
+    const struct board_options options = {
+        .poi = BOARD_POI_BOT,
+        .width = 320,
+        .height = 240,
+        .mute = 1,
+        .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
+    };
+    struct display_events events;
+    board_open(&hal, &options);
+    return hal.display.ops->poll(hal.display.self, &events) == HAL_ERR_NONE;
+}
+
+static int close_board(void **state)
+{
+    (void)state;
+    hal.display.ops->close(hal.display.self);
+    return 0;
+}
+
+static void push_key(SDL_Keycode code)
+{
+    SDL_Event event = { .type = SDL_KEYDOWN };
+    event.key.keysym.sym = code;
+    assert_int_equal(SDL_PushEvent(&event), 1);
+}
+
+static void test_in_the_bots_stall_the_keys_still_work(void **state)
+{
+    (void)state;
+    struct button_sample buttons;
+    push_key(SDLK_ESCAPE);
+    push_key(SDLK_SPACE);
+    hal.buttons.ops->poll(hal.buttons.self, &buttons);
+    assert_int_equal(buttons.quit, 1);
+    assert_int_equal(buttons.pressed, INPUT_START);
+}
+
+static void test_a_mouse_that_nobody_reads_cannot_fill_the_queue(void **state)
+{
+    (void)state;
+    static const Uint32 types[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
+                                    SDL_MOUSEWHEEL };
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+        assert_int_equal(SDL_EventState(types[i], SDL_QUERY), SDL_IGNORE);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_in_the_bots_stall_the_keys_still_work),
+        cmocka_unit_test(test_a_mouse_that_nobody_reads_cannot_fill_the_queue),
+    };
+    return cmocka_run_group_tests(tests, open_board, close_board);
+}
