@@ -50,11 +50,11 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
     return HAL_OK;
 }
 
-static void watchdog_say(const struct watchdog *watchdog, const char *line)
+/* Whether the manager took the line. One that is busy for a moment is asked again. */
+static int watchdog_say(const struct watchdog *watchdog, const char *line)
 {
-    /* A manager that is away for a moment is asked again with the next kick. */
-    const ssize_t sent = send(watchdog->socket_fd, line, strlen(line), MSG_NOSIGNAL);
-    (void)sent;
+    const size_t size = strlen(line);
+    return send(watchdog->socket_fd, line, size, MSG_NOSIGNAL) == (ssize_t)size;
 }
 
 static void watchdog_kick(void *self)
@@ -62,8 +62,7 @@ static void watchdog_kick(void *self)
     struct watchdog *watchdog = self;
     const uint64_t now_ns = watchdog->clock.ops->now_ns(watchdog->clock.self);
     if (!watchdog->told_ready) {
-        watchdog_say(watchdog, "READY=1");
-        watchdog->told_ready = 1;
+        watchdog->told_ready = (uint8_t)watchdog_say(watchdog, "READY=1");
     } else if (now_ns - watchdog->last_kick_ns < watchdog->period_ns) {
         return;
     } else {

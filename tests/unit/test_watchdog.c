@@ -63,6 +63,27 @@ static void test_it_says_ready_once_and_then_a_few_times_a_deadline(void **state
     close(watchdog.socket_fd);
 }
 
+static void test_a_manager_too_busy_to_hear_ready_is_told_again(void **state)
+{
+    struct clock_sim clock = { .now_ns = 5000 * MS };
+    struct watchdog watchdog;
+    char name[64];
+    (void)state;
+    snprintf(name, sizeof name, "@kingyo-busy-%d", (int)getpid());
+    const int fd = listen_as(name);
+    assert_int_equal(watchdog_init(&watchdog, clock_sim_device(&clock), name, 2000000), HAL_OK);
+    const struct hal_watchdog device = watchdog_device(&watchdog);
+    while (send(watchdog.socket_fd, "x", 1, MSG_NOSIGNAL) == 1) { /* Until its queue is full. */
+    }
+    device.ops->kick(device.self);
+    while (strcmp(heard(fd), "x") == 0) {
+    }
+    device.ops->kick(device.self);
+    assert_string_equal(heard(fd), "READY=1");
+    close(fd);
+    close(watchdog.socket_fd);
+}
+
 static void test_without_a_manager_there_is_no_watchdog(void **state)
 {
     static const char *const nobody[] = { NULL, "", "x", "relative/path", "@kingyo-nobody-listens",
@@ -81,6 +102,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_it_says_ready_once_and_then_a_few_times_a_deadline),
+        cmocka_unit_test(test_a_manager_too_busy_to_hear_ready_is_told_again),
         cmocka_unit_test(test_without_a_manager_there_is_no_watchdog),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
