@@ -148,7 +148,8 @@ static int null_save(void *self, const struct round_record *record)
     return HAL_ERR_NONE;
 }
 
-static uint32_t null_saved_id(void *self)
+/* Nothing is saved, and so nothing is refused or left behind. */
+static uint32_t null_none(void *self)
 {
     (void)self;
     return 0;
@@ -160,9 +161,10 @@ struct hal_storage null_storage(const char *line)
         .open = null_open,
         .best_today = null_best_today,
         .save = null_save,
-        .saved_id = null_saved_id,
+        .saved_id = null_none,
+        .refused_count = null_none,
         .describe = null_describe,
-        .close = null_close,
+        .close = null_none,
     };
     return (struct hal_storage){ .ops = &ops, .self = line_self(line) };
 }

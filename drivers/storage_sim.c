@@ -45,9 +45,16 @@ static const char *storage_sim_describe(void *self)
     return "simulated store";
 }
 
-static void storage_sim_close(void *self)
+static uint32_t storage_sim_refused_count(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->write_refused_count;
+}
+
+static uint32_t storage_sim_close(void *self)
 {
     (void)self;
+    return 0;
 }
 
 struct hal_storage storage_sim_device(struct storage_sim *sim)
@@ -57,6 +64,7 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
         .best_today = storage_sim_best_today,
         .save = storage_sim_save,
         .saved_id = storage_sim_saved_id,
+        .refused_count = storage_sim_refused_count,
         .describe = storage_sim_describe,
         .close = storage_sim_close,
     };

@@ -8,6 +8,7 @@ struct storage_sim {
     struct round_record record; /* As last accepted. */
     uint32_t accepted_count;
     uint32_t refused_count;
+    uint32_t write_refused_count; /* What its thread could not write. */
     uint32_t busy_left;         /* This many saves are answered HAL_ERR_BUSY first. */
     uint32_t fail_left;         /* Then this many HAL_ERR_IO. */
     uint32_t delay_polls;       /* Calls of saved_id until an accepted record is on disk. */

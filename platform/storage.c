@@ -190,6 +190,7 @@ static void drain(struct storage *storage)
         const int code = write_round(storage, slot);
         atomic_store(&storage->error, code);
         if (code != SQLITE_OK) {
+            atomic_fetch_add(&storage->refused, 1);
             return;
         }
         atomic_store(&storage->saved_id, slot->record.id);
@@ -312,6 +313,31 @@ static uint32_t storage_saved_id(void *self)
     return atomic_load(&storage->saved_id);
 }
 
+static uint32_t storage_refused_count(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->refused);
+}
+
+static uint32_t unwritten_count(const struct storage *storage)
+{
+    return atomic_load(&storage->pushed) - atomic_load(&storage->written);
+}
+
+static void say_refused(struct storage *storage, int error, const char *advice)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "store: %u rounds not written", unwritten_count(storage));
+    say(storage, what, sqlite3_errstr(error), advice);
+}
+
+static const char *advice_for(int error)
+{
+    return error == SQLITE_BUSY || error == SQLITE_LOCKED ? "another program holds it; tried each second"
+           : error == SQLITE_FULL                         ? "free some space; tried each second"
+                                                          : "tried again each second";
+}
+
 static const char *storage_describe(void *self)
 {
     struct storage *storage = self;
@@ -320,7 +346,7 @@ static const char *storage_describe(void *self)
     }
     const int error = atomic_load(&storage->error);
     if (error != SQLITE_OK) {
-        say(storage, "store", sqlite3_errstr(error), "free some space; it is tried each second");
+        say_refused(storage, error, advice_for(error));
     } else if (storage->set_aside[0]) {
         const char *name = strrchr(storage->set_aside, '/') + 1;
         snprintf(storage->text, sizeof storage->text,
@@ -331,20 +357,25 @@ static const char *storage_describe(void *self)
     return storage->text;
 }
 
-static void storage_close(void *self)
+static uint32_t storage_close(void *self)
 {
     struct storage *storage = self;
     if (!storage->running) {
-        return;
+        return 0;
     }
     atomic_store(&storage->stop, true);
     sem_post(&storage->wake);
     pthread_join(storage->thread, NULL);
-    drain(storage); /* What came while the thread was leaving. */
+    drain(storage); /* What came while the thread was leaving, and one last try for the rest. */
+    const uint32_t lost = unwritten_count(storage);
+    if (lost > 0) {
+        say_refused(storage, atomic_load(&storage->error), "they are lost");
+    }
     sem_destroy(&storage->wake);
     close_database(storage);
     storage->running = false;
     atomic_store(&storage->stop, false);
+    return lost;
 }
 
 struct hal_storage storage_device(struct storage *storage)
@@ -354,6 +385,7 @@ struct hal_storage storage_device(struct storage *storage)
         .best_today = storage_best_today,
         .save = storage_save,
         .saved_id = storage_saved_id,
+        .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,
     };

@@ -3,7 +3,8 @@
  * A frame never waits for a card: save() puts a record into one of STORAGE_QUEUE_MAX slots and comes
  * back, the thread writes and syncs it, and saved_id() then names it. A card that is slow, full or
  * busy is tried again each second while the slots fill; when they are full, save() says HAL_ERR_BUSY
- * and the core's record waits in its output. A damaged file is set aside under a new name, never
+ * and the core's record waits in its output. Each try that fails is counted. close() tries once more
+ * and says how many rounds are lost for good. A damaged file is set aside under a new name, never
  * repaired in place and never deleted, and a fresh one begins. */
 #ifndef KINGYO_PLATFORM_STORAGE_H
 #define KINGYO_PLATFORM_STORAGE_H
@@ -42,6 +43,7 @@ struct storage {
     bool running;
     atomic_bool stop;
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
+    atomic_uint refused;  /* Writes that failed, retries among them. */
 
     /* One writer (the frame loop) and one reader (the thread): indexes only grow. */
     struct storage_slot {
@@ -53,7 +55,8 @@ struct storage {
     atomic_uint saved_id;
 };
 
-/* open() may wait for the disk, once, before the first frame; close() writes what is queued. */
+/* open() may wait for the disk, once, before the first frame; close() for about four seconds, when
+ * another program holds the file. */
 struct hal_storage storage_device(struct storage *storage);
 
 #endif

@@ -100,6 +100,14 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+/* A store writes on a thread of its own: what it could not write there is a fault like any other. */
+static void count_refused_writes(struct kiosk *kiosk, const struct hal_storage *storage)
+{
+    const uint32_t refused = storage->ops->refused_count(storage->self);
+    kiosk->faults.storage += refused - kiosk->refused_seen;
+    kiosk->refused_seen = refused;
+}
+
 /* The only reads from devices. The display comes first: it pumps the queue that a desktop's
  * mouse and keyboard take their events from. */
 static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
@@ -118,6 +126,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
         sample_hand(kiosk, &kiosk->hands[i], &hal->poi[i], now_ns);
     }
     kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
+    count_refused_writes(kiosk, &hal->storage);
 }
 
 /* A controller that never gave a reading is not here yet; one that gave some and stopped is away. */
@@ -244,6 +253,15 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
     if (result == HAL_ERR_GONE) {
         kiosk->end = KIOSK_DISPLAY_LOST;
     }
+}
+
+uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
+{
+    const int is_replay = kiosk->config.source.next != NULL;
+    const uint32_t waiting = is_replay ? 0 : kiosk->output.record.id - kiosk->accepted_id;
+    const uint32_t unwritten = hal->storage.ops->close(hal->storage.self);
+    count_refused_writes(kiosk, &hal->storage);
+    return unwritten + waiting;
 }
 
 static uint64_t stopwatch_ns(const struct kiosk *kiosk)

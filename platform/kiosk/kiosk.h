@@ -64,6 +64,7 @@ struct kiosk {
     struct kiosk_hand hands[POI_MAX];
     uint32_t accepted_id;  /* Newest record that the store took, or will never take. */
     uint64_t save_retry_ns;
+    uint32_t refused_seen; /* Of the store's failed writes, those already among the faults. */
     uint8_t start_lamp;
     uint8_t end;           /* enum kiosk_end */
 
@@ -82,5 +83,9 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
 
 /* One displayed frame. Returns enum kiosk_end; after anything but KIOSK_RUNS call it no more. */
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
+
+/* After the last frame: closes the store, which may wait for it, and counts its last faults. Returns
+ * how many finished rounds are lost: not written, or never taken by a store that was there. */
+uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
 
 #endif

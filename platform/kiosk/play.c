@@ -58,14 +58,17 @@ static void tell_devices(const struct hal *hal)
 static void close_devices(const struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
-    hal->storage.ops->close(hal->storage.self);
+    hal->storage.ops->close(hal->storage.self); /* Again, perhaps: that is no harm. */
     hal->display.ops->close(hal->display.self);
 }
 
-static void tell_end(const struct session *session, enum kiosk_end end)
+/* Closes the store before the figures are told: what it could not keep is one of them. EXIT_IO when
+ * rounds are lost. */
+static enum exit_code tell_end(struct session *session, enum kiosk_end end)
 {
-    const struct kiosk *kiosk = &session->kiosk;
+    struct kiosk *kiosk = &session->kiosk;
     const struct kiosk_faults *faults = &kiosk->faults;
+    const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
     const uint32_t sum =
         faults->poi + faults->display + faults->audio + faults->storage + faults->lamps;
     if (end == KIOSK_DISPLAY_LOST) {
@@ -78,6 +81,23 @@ static void tell_end(const struct session *session, enum kiosk_end end)
            (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
            (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
            (unsigned long long)kiosk->pace.dropped, sum);
+    if (lost > 0) {
+        const struct hal_storage *storage = &session->hal.storage;
+        fprintf(stderr, "kingyo: %u rounds could not be written (%s)\n", lost,
+                storage->ops->describe(storage->self));
+    }
+    return lost > 0 ? EXIT_IO : EXIT_OK;
+}
+
+/* The worse of what the store and the recording came to, then the display. */
+static enum exit_code end_play(struct session *session, enum kiosk_end end)
+{
+    const enum exit_code told = tell_end(session, end);
+    const enum exit_code code = session_end(session);
+    return told != EXIT_OK ? told
+           : code != EXIT_OK ? code
+           : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
+                                       : EXIT_OK;
 }
 
 /* Xlib and the software renderer's threads do not outlive their connection: nothing may go back
@@ -85,12 +105,9 @@ static void tell_end(const struct session *session, enum kiosk_end end)
 static void on_display_lost(void *self)
 {
     struct session *session = self;
-    tell_end(session, KIOSK_DISPLAY_LOST);
-    enum exit_code code = session_end(session);
-    const struct hal_storage *storage = &session->hal.storage;
-    storage->ops->close(storage->self);
+    const enum exit_code code = end_play(session, KIOSK_DISPLAY_LOST);
     fflush(NULL);
-    _exit(code == EXIT_OK ? EXIT_NOT_SO : (int)code);
+    _exit((int)code);
 }
 
 int play_open(struct session *session)
@@ -113,7 +130,11 @@ int play_open(struct session *session)
     };
     board_open(&session->hal, &board);
     const struct hal_display *display = &session->hal.display;
-    return display->ops->poll(display->self, &events) != HAL_ERR_NONE;
+    if (display->ops->poll(display->self, &events) == HAL_ERR_NONE) {
+        close_devices(&session->hal);
+        return 0;
+    }
+    return 1;
 }
 
 static enum exit_code begin(struct session *session)
@@ -176,9 +197,7 @@ enum exit_code play_run(struct session *session)
         return code;
     }
     tell_devices(&session->hal);
-    const enum kiosk_end end = run(session);
-    tell_end(session, end);
-    code = session_end(session);
+    code = end_play(session, run(session));
     close_devices(&session->hal);
-    return code == EXIT_OK && end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO : code;
+    return code;
 }

@@ -393,6 +393,27 @@ static void test_a_failing_store_is_asked_again_each_second(void **state)
     assert_int_equal(rig.kiosk.faults.storage, 2);
 }
 
+static void test_what_the_stores_thread_could_not_write_is_a_fault(void **state)
+{
+    (void)state;
+    frames(10);
+    rig.storage.write_refused_count = 2;
+    frames(10);
+    assert_int_equal(rig.kiosk.faults.storage, 2);
+    rig.storage.write_refused_count = 3;
+    assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), 0);
+    assert_int_equal(rig.kiosk.faults.storage, 3);
+}
+
+static void test_a_round_that_the_store_never_took_is_lost(void **state)
+{
+    (void)state;
+    rig.storage.busy_left = 100000;
+    play_a_round();
+    frames(10);
+    assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), 1);
+}
+
 static void test_the_core_is_told_only_what_is_on_disk(void **state)
 {
     (void)state;
@@ -467,6 +488,8 @@ int main(void)
         TEST(test_a_round_is_heard_and_its_record_is_kept_once),
         TEST(test_a_busy_store_is_asked_again_each_frame),
         TEST(test_a_failing_store_is_asked_again_each_second),
+        TEST(test_what_the_stores_thread_could_not_write_is_a_fault),
+        TEST(test_a_round_that_the_store_never_took_is_lost),
         TEST(test_the_core_is_told_only_what_is_on_disk),
         TEST(test_a_dead_sound_card_is_counted_and_the_round_goes_on),
         TEST(test_with_every_device_missing_the_stall_still_runs),

@@ -225,6 +225,28 @@ static void test_a_card_that_does_not_answer_never_holds_a_frame(void **state)
     assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), (int)id);
 }
 
+static void test_rounds_that_no_try_could_write_are_counted_and_told(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    sqlite3 *other;
+    sqlite3_open(stall->file, &other);
+    assert_int_equal(sqlite3_exec(other, "BEGIN EXCLUSIVE", 0, 0, 0), SQLITE_OK);
+    save(stall, 1, 4, 0);
+    save(stall, 2, 5, 0);
+    for (int i = 0; i < 500 && stall->device.ops->refused_count(stall->device.self) == 0; i++) {
+        pause_ms(10);
+    }
+    assert_true(stall->device.ops->refused_count(stall->device.self) > 0);
+    assert_non_null(strstr(text(stall), "2 rounds not written"));
+    assert_non_null(strstr(text(stall), "locked"));
+    assert_int_equal(stall->device.ops->close(stall->device.self), 2);
+    assert_non_null(strstr(text(stall), "lost"));
+    sqlite3_exec(other, "ROLLBACK", 0, 0, 0);
+    sqlite3_close(other);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 0);
+}
+
 static void test_the_folder_is_made_where_it_can_be(void **state)
 {
     struct stall *stall = *state;
@@ -338,6 +360,7 @@ int main(void)
         IN_A_FOLDER(test_the_ids_of_two_days_do_not_clash),
         IN_A_FOLDER(test_closing_writes_what_is_queued),
         IN_A_FOLDER(test_a_card_that_does_not_answer_never_holds_a_frame),
+        IN_A_FOLDER(test_rounds_that_no_try_could_write_are_counted_and_told),
         IN_A_FOLDER(test_the_folder_is_made_where_it_can_be),
         IN_A_FOLDER(test_a_folder_that_cannot_be_written_is_one_line),
         IN_A_FOLDER(test_no_folder_at_all_is_said),
