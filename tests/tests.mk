@@ -10,7 +10,7 @@ UNIT_SHELL := $(UNIT_SHELL_SRC:%.c=$(BUILD)/%)
 UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
-E2E_BIN := $(BUILD)/tests/e2e/aim $(BUILD)/tests/e2e/eye $(BUILD)/tests/e2e/ask_to_close
+E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close
 
 -include tests/replay/replay.mk tests/golden/golden.mk
 
@@ -56,12 +56,11 @@ $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/shell.a $(BUILD)/core
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka $(HOST_LIBS)
 
-$(BUILD)/tests/e2e/aim: $(BUILD)/tests/e2e/aim.o $(BUILD)/core.a
-$(BUILD)/tests/e2e/eye: $(BUILD)/tests/e2e/eye.o
+$(BUILD)/tests/e2e/hand: $(BUILD)/tests/e2e/hand.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
 $(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
 $(E2E_BIN):
 	$(call step,LINK,$@)
-	$(Q)$(CC) -o $@ $^ $(if $(filter %close,$@),-lX11)
+	$(Q)$(CC) -o $@ $^ -lXtst -lX11 -lm
 
 .SECONDARY: $(UNIT:%=%.o) $(BUILD)/tests/unit/panic.o
 

@@ -1,65 +1,109 @@
-/* eye.c -- finds a goldfish that keeps still, in two looks at the screen.
- *
- * eye LEFT TOP RIGHT BOTTOM  reads two pictures of 1280x720 RGB bytes from standard input, one after the
- * other, and prints the pixel `x y` inside the rectangle that is red in both and has the least red farther
- * round it: a small fish, alone, that the paper can carry. */
-#include <stdint.h>
-#include <stdio.h>
+/* eye.c -- see eye.h. */
+#include "eye.h"
+
 #include <stdlib.h>
 
-#define WIDTH 1280
-#define HEIGHT 720
-#define BODY 6   /* Half the side of a square that a small fish's body fills, in pixels ... */
-#define REACH 24 /* ... and of one that it does not fill, but a large one or two would. */
+#include <X11/Xutil.h>
 
-static uint8_t picture[2][HEIGHT][WIDTH][3];
+#define BODY_PX 12   /* Half the side of a square that a small fish fills ... */
+#define ALONE_PX 34  /* ... and of one in which it would like to be alone. */
+#define RED_MIN 60   /* Warm pixels of the smallest fish worth a try ... */
+#define RED_MAX 330  /* ... and of the largest: a big one's tail hangs over the rim, and slaps. */
 
-static int is_red(const uint8_t *pixel)
+int eye_open(struct eye *eye, const char *window)
 {
-    return pixel[0] > 140 && pixel[1] < 120 && pixel[2] < 100 && pixel[0] > pixel[1] + 50;
+    *eye = (struct eye){ .display = XOpenDisplay(NULL) };
+    return eye->display != NULL && (eye->window = strtoul(window, NULL, 0)) != 0;
 }
 
-static int still_red(int x, int y)
+/* Gold, orange or red: no water, no glitter, no white, and not the pink of a ring. */
+static int is_warm(const uint8_t *bgr)
 {
-    return is_red(picture[0][y][x]) && is_red(picture[1][y][x]);
+    return bgr[2] > 110 && bgr[2] > bgr[1] + 30 && bgr[2] > bgr[0] + 50 && bgr[1] + 15 > bgr[0];
 }
 
-static int redness(int centre_x, int centre_y, int reach)
+/* Looks at a rectangle of the window; what lies outside stays black. */
+int eye_look(struct eye *eye, struct rect wanted)
 {
-    int sum = 0;
-    for (int y = centre_y - reach; y <= centre_y + reach; y++) {
-        for (int x = centre_x - reach; x <= centre_x + reach; x++) {
-            sum += still_red(x, y);
+    const struct rect r = {
+        wanted.left > 0 ? wanted.left : 0,
+        wanted.top > 0 ? wanted.top : 0,
+        wanted.right < SCREEN_WIDTH ? wanted.right : SCREEN_WIDTH,
+        wanted.bottom < SCREEN_HEIGHT ? wanted.bottom : SCREEN_HEIGHT,
+    };
+    XImage *image = XGetImage(eye->display, eye->window, r.left, r.top,
+                              (unsigned)(r.right - r.left), (unsigned)(r.bottom - r.top), AllPlanes,
+                              ZPixmap);
+    if (!image || image->bits_per_pixel != 32) {
+        return 0;
+    }
+    eye->seen = r;
+    for (int y = r.top; y < r.bottom; y++) {
+        const uint8_t *row = (const uint8_t *)image->data + (y - r.top) * image->bytes_per_line;
+        for (int x = r.left; x < r.right; x++) {
+            eye->warm[y][x] = (uint8_t)is_warm(row + 4 * (x - r.left));
         }
     }
-    return sum;
+    XDestroyImage(image);
+    return 1;
 }
 
-static int clamp(int value, int low, int high)
+struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int reach_px)
 {
-    return value < low ? low : value > high ? high : value;
-}
-
-int main(int argc, char **argv)
-{
-    if (argc != 5 || fread(picture, sizeof picture, 1, stdin) != 1) {
-        fprintf(stderr, "usage: eye LEFT TOP RIGHT BOTTOM, with two pictures on standard input\n");
-        return 2;
-    }
-    const int left = clamp(atoi(argv[1]), REACH, WIDTH), top = clamp(atoi(argv[2]), REACH, HEIGHT);
-    const int right = clamp(atoi(argv[3]), 0, WIDTH - REACH - 1);
-    const int bottom = clamp(atoi(argv[4]), 0, HEIGHT - REACH - 1);
-    int best = -REACH * REACH * 4, best_x = 0, best_y = 0;
-    for (int y = top; y <= bottom; y += 3) {
-        for (int x = left; x <= right; x += 3) {
-            const int here = 4 * redness(x, y, BODY) - redness(x, y, REACH);
-            if (here > best) {
-                best = here;
-                best_x = x;
-                best_y = y;
+    const struct rect *seen = &eye->seen;
+    const int left = (int)centre_x - reach_px, top = (int)centre_y - reach_px;
+    struct blob blob = { 0 };
+    for (int y = top; y <= top + 2 * reach_px; y++) {
+        for (int x = left; x <= left + 2 * reach_px; x++) {
+            if (x >= seen->left && x < seen->right && y >= seen->top && y < seen->bottom &&
+                eye->warm[y][x]) {
+                blob.count++;
+                blob.x += (float)x;
+                blob.y += (float)y;
             }
         }
     }
-    printf("%d %d\n", best_x, best_y);
-    return 0;
+    blob.x = blob.count > 0 ? blob.x / (float)blob.count : centre_x;
+    blob.y = blob.count > 0 ? blob.y / (float)blob.count : centre_y;
+    return blob;
+}
+
+struct blob eye_follow(const struct eye *eye, float x, float y)
+{
+    struct blob blob = { .x = x, .y = y };
+    for (int i = 0; i < 4; i++) {
+        blob = eye_blob(eye, blob.x, blob.y, BODY_PX + 4);
+    }
+    return blob;
+}
+
+/* How far the nearest of the fish that are already on the list is, in pixels, squared. */
+static float nearest(const struct blob *list, int count, const struct blob *blob)
+{
+    float least = 1e9f;
+    for (int i = 0; i < count; i++) {
+        const float dx = list[i].x - blob->x, dy = list[i].y - blob->y;
+        least = dx * dx + dy * dy < least ? dx * dx + dy * dy : least;
+    }
+    return least;
+}
+
+int eye_find(const struct eye *eye, struct blob *list, int count_max)
+{
+    const struct rect *seen = &eye->seen;
+    int count = 0;
+    for (int y = seen->top + ALONE_PX; y < seen->bottom - ALONE_PX; y += 8) {
+        for (int x = seen->left + ALONE_PX; x < seen->right - ALONE_PX; x += 8) {
+            if (count == count_max || eye_blob(eye, (float)x, (float)y, 5).count < 20) {
+                continue;
+            }
+            struct blob blob = eye_follow(eye, (float)x, (float)y);
+            const int around = eye_blob(eye, blob.x, blob.y, ALONE_PX).count - blob.count;
+            if (blob.count >= RED_MIN && blob.count <= RED_MAX && around < blob.count / 2 &&
+                nearest(list, count, &blob) > 400.0f) {
+                list[count++] = blob;
+            }
+        }
+    }
+    return count;
 }

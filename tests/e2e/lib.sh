@@ -96,23 +96,6 @@ shown() { # colours|blue|red
             }'
 }
 
-place() { # X Y Z in metres, or `bowl`: prints the pixel it is seen at.
-    if [ "$1" = bowl ]; then "$BUILD/tests/e2e/aim" 1280x720 bowl; else "$BUILD/tests/e2e/aim" 1280x720 place "$@"; fi
-}
-
-# Moves the pointer in a straight line, sixty steps a second, as a hand does and a teleport does not.
-pointer_x=640 pointer_y=360
-glide() { # X Y SECONDS
-    local steps
-    steps=$(awk -v x="$pointer_x" -v y="$pointer_y" -v to_x="$1" -v to_y="$2" -v s="$3" 'BEGIN {
-        n = int(s * 60); if (n < 1) n = 1
-        for (i = 1; i <= n; i++) { t = i / n; t = t * t * (3 - 2 * t)
-            printf "mousemove %d %d sleep 0.014 ", x + (to_x - x) * t, y + (to_y - y) * t } }')
-    # shellcheck disable=SC2086
-    xdotool $steps
-    pointer_x=$1 pointer_y=$2
-}
-
 caught() { # FILE: how many fish the recording says were landed so far.
     "$BUILD/kingyoctl" replay info --json "$1" 2>/dev/null | sed -n 's/.*"caught": *\([0-9]*\).*/\1/p'
 }

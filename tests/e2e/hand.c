@@ -1,0 +1,268 @@
+/* hand.c -- one try at a goldfish, as a person makes it: look, follow with the eye, scoop, carry.
+ *
+ * hand WINDOW  (its number, as xdotool prints it). Knows nothing of the game but what the screen
+ * shows and where the bowl stands; moves the real pointer of the X server, in whose place a person's
+ * mouse would be. Says on standard output what it did. Exit code 0 when it carried something to the
+ * bowl, 1 when the fish got away or none was fit, 2 when it cannot see the window. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include <X11/extensions/XTest.h>
+
+#include "core/base/panic.h"
+#include "core/tank/preset.h"
+#include "drivers/pointer_poi.h"
+#include "eye.h"
+
+#define LOOK_S 0.03          /* Between two looks: a screen shows 30 .. 60 pictures a second at best. */
+#define CALM_LOOKS 12        /* So long fish are watched before one is chosen. */
+#define CHOICE_MAX 40
+#define FISH_DEPTH_M 0.020f  /* Of a fish that can be scooped: between the surface and the paper. */
+#define ASIDE_PX 90.0f       /* The ring goes in here, 50 px of it: beside the fish, not upon it. */
+#define HOVER_PX_S 480.0f    /* How fast a hand goes in the air, ... */
+#define UNDER_PX_S 150.0f    /* ... under water, where haste tears the paper, ... */
+#define CARRY_PX_S 330.0f    /* ... and with a fish on the paper. */
+
+struct point {
+    float x, y;
+};
+
+/* A fish that is followed: where it was last seen, when, and how fast it goes. */
+struct track {
+    struct point at, speed;
+    double seen_s;
+    int size;
+};
+
+static struct eye eye;
+static struct point pointer;
+
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "%s:%d: %s\n", file, line, condition);
+    exit(70);
+}
+
+static double now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static void wait_s(double seconds)
+{
+    const struct timespec time = { .tv_sec = (time_t)seconds,
+                                   .tv_nsec = (long)((seconds - floor(seconds)) * 1e9) };
+    nanosleep(&time, NULL);
+}
+
+static struct point to_screen(vec3 place_m)
+{
+    const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
+    const struct basis axes = view_basis(view);
+    const float aspect = (float)SCREEN_WIDTH / SCREEN_HEIGHT;
+    const float tan_y = view_half_height_tan(view, aspect);
+    const vec3 seen = basis_to_body(&axes, v3_sub(place_m, view->eye_m));
+    return (struct point){
+        0.5f * (1.0f + seen.x / (-seen.z * tan_y * aspect)) * SCREEN_WIDTH,
+        0.5f * (1.0f - seen.y / (-seen.z * tan_y)) * SCREEN_HEIGHT,
+    };
+}
+
+/* Where the pointer must be so that the dipped ring is right under what is seen here. */
+static struct point under(struct point seen)
+{
+    const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
+    const vec3 fish_m = view_point_on_plane(
+        view, (float)SCREEN_WIDTH / SCREEN_HEIGHT, 2.0f * seen.x / SCREEN_WIDTH - 1.0f,
+        1.0f - 2.0f * seen.y / SCREEN_HEIGHT, -FISH_DEPTH_M);
+    return to_screen(v3(fish_m.x, POINTER_DIP_M, fish_m.z));
+}
+
+static float distance(struct point a, struct point b)
+{
+    return hypotf(a.x - b.x, a.y - b.y);
+}
+
+/* Moves the pointer toward `goal` by at most `step_px`; returns how far off it still is. */
+static float step_to(struct point goal, float step_px)
+{
+    const float away = distance(goal, pointer);
+    const float share = away > step_px ? step_px / away : 1.0f;
+    pointer.x += (goal.x - pointer.x) * share;
+    pointer.y += (goal.y - pointer.y) * share;
+    XTestFakeMotionEvent(eye.display, -1, (int)lroundf(pointer.x), (int)lroundf(pointer.y), 0);
+    XFlush(eye.display);
+    return away * (1.0f - share);
+}
+
+static void glide(struct point goal, float px_s)
+{
+    double then_s = now_s();
+    do {
+        wait_s(0.012);
+        const double time_s = now_s();
+        if (step_to(goal, px_s * (float)(time_s - then_s)) < 0.5f) {
+            return;
+        }
+        then_s = time_s;
+    } while (1);
+}
+
+static void button(int is_down)
+{
+    XTestFakeButtonEvent(eye.display, 1, is_down, 0);
+    XFlush(eye.display);
+}
+
+/* Where the fish is by now, as far as can be told. */
+static struct point expected(const struct track *track)
+{
+    const float since_s = (float)fmin(now_s() - track->seen_s, 0.2);
+    return (struct point){ track->at.x + track->speed.x * since_s,
+                           track->at.y + track->speed.y * since_s };
+}
+
+/* One look at the fish that is followed; 0 when it is no longer there. */
+static int follow(struct track *track)
+{
+    const struct point guess = expected(track);
+    const struct rect around = { (int)guess.x - 40, (int)guess.y - 40, (int)guess.x + 40,
+                                 (int)guess.y + 40 };
+    if (!eye_look(&eye, around)) {
+        exit(2);
+    }
+    const double time_s = now_s();
+    const float passed_s = (float)(time_s - track->seen_s);
+    const struct blob blob = eye_follow(&eye, guess.x, guess.y);
+    if (blob.count < track->size / 3) {
+        return 0;
+    }
+    const struct point at = { blob.x, blob.y };
+    const float trust = fminf(1.0f, passed_s / 0.25f); /* The speed is a mean over a quarter second. */
+    track->speed.x += trust * ((at.x - track->at.x) / passed_s - track->speed.x);
+    track->speed.y += trust * ((at.y - track->at.y) / passed_s - track->speed.y);
+    track->at = at;
+    track->seen_s = time_s;
+    return 1;
+}
+
+/* The calmest small fish of the middle, after a moment of watching; 0 when there is none. */
+static int choose(struct track *best)
+{
+    static const struct rect middle = { 250, 170, 900, 470 }; /* Off the walls and off the bowl. */
+    struct blob found[CHOICE_MAX], now[CHOICE_MAX];
+    float wandered[CHOICE_MAX] = { 0 };
+    if (!eye_look(&eye, middle)) {
+        exit(2);
+    }
+    const double begin_s = now_s();
+    const int count = eye_find(&eye, found, CHOICE_MAX);
+    for (int i = 0; i < count; i++) {
+        now[i] = found[i];
+    }
+    for (int look = 0; look < CALM_LOOKS; look++) {
+        wait_s(LOOK_S);
+        eye_look(&eye, middle);
+        for (int i = 0; i < count; i++) {
+            now[i] = eye_follow(&eye, now[i].x, now[i].y);
+            const struct point from = { found[i].x, found[i].y }, to = { now[i].x, now[i].y };
+            wandered[i] = fmaxf(wandered[i], distance(from, to));
+        }
+    }
+    const double time_s = now_s();
+    const float passed_s = (float)(time_s - begin_s);
+    float least = 1e9f;
+    for (int i = 0; i < count; i++) {
+        const struct point at = { now[i].x, now[i].y };
+        const float effort = wandered[i] / passed_s + 0.05f * distance(at, pointer);
+        if (effort < least && now[i].count > found[i].count / 2 &&
+            now[i].count < 2 * found[i].count) {
+            least = effort;
+            *best = (struct track){ .at = at, .seen_s = time_s, .size = now[i].count };
+            best->speed = (struct point){ (at.x - found[i].x) / passed_s,
+                                          (at.y - found[i].y) / passed_s };
+        }
+    }
+    return least < 1e8f;
+}
+
+/* Goes to `aside_px` beside the fish at `px_s` until there, or until `limit_s` have passed; follows
+ * it all the while. 0 when it got away. */
+static int approach(struct track *track, float aside_px, float px_s, double limit_s)
+{
+    const double begin_s = now_s();
+    double then_s = begin_s;
+    int near_count = 0;
+    while (now_s() - begin_s < limit_s && near_count < 3) {
+        if (!follow(track)) {
+            return 0;
+        }
+        const struct point seen = expected(track);
+        const struct point below = under(seen);
+        const struct point goal = { below.x + aside_px, below.y };
+        const double time_s = now_s();
+        near_count = step_to(goal, px_s * (float)(time_s - then_s)) < 8.0f ? near_count + 1 : 0;
+        then_s = time_s;
+        wait_s(LOOK_S / 2);
+    }
+    return 1;
+}
+
+static int something_lies_on_the_paper(void)
+{
+    const struct rect around = { (int)pointer.x - 60, (int)pointer.y - 60, (int)pointer.x + 60,
+                                 (int)pointer.y + 60 };
+    return eye_look(&eye, around) && eye_blob(&eye, pointer.x, pointer.y, 34).count > 40;
+}
+
+static int try_once(void)
+{
+    const vec3 bowl_m = tank_preset(TANK_PRESET_FESTIVAL)->bowl_m;
+    struct track track;
+    if (!choose(&track)) {
+        printf("# no fish keeps still\n");
+        return 1;
+    }
+    printf("# fish at %.0f,%.0f of %d px, %.0f px/s", (double)track.at.x, (double)track.at.y,
+           track.size, (double)hypotf(track.speed.x, track.speed.y));
+    const float aside_px = pointer.x > track.at.x ? ASIDE_PX : -ASIDE_PX;
+    if (!approach(&track, aside_px, HOVER_PX_S, 1.5)) {
+        printf(", away before the dip\n");
+        return 1;
+    }
+    button(1);
+    int is_there = approach(&track, aside_px, UNDER_PX_S, 0.3) &&
+                   approach(&track, 0.0f, UNDER_PX_S, 1.5);
+    button(0);
+    const struct point lifted = under(expected(&track));
+    printf(", %s %.0f px off", is_there ? "scooped" : "away,", (double)distance(pointer, lifted));
+    wait_s(0.6);
+    if (!is_there || !something_lies_on_the_paper()) {
+        printf(", no fish\n");
+        return 1;
+    }
+    printf(", carried\n");
+    glide(to_screen(v3(bowl_m.x, POINTER_HOVER_M, bowl_m.z)), CARRY_PX_S);
+    wait_s(1.2);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    Window root, child;
+    int x, y, window_x, window_y;
+    unsigned mask;
+    if (argc != 2 || !eye_open(&eye, argv[1])) {
+        fprintf(stderr, "usage: hand WINDOW, with a DISPLAY\n");
+        return 2;
+    }
+    XQueryPointer(eye.display, eye.window, &root, &child, &x, &y, &window_x, &window_y, &mask);
+    pointer = (struct point){ (float)x, (float)y };
+    const int status = try_once();
+    XCloseDisplay(eye.display);
+    return status;
+}
