@@ -27,6 +27,7 @@ struct demo {
     uint64_t now_ns, end_ns;
     uint32_t shots;
     uint32_t width, height;  /* Of the pictures. */
+    int whole_replay;        /* Ends with the recording, to the last tick; else at end_ns. */
     int failed;              /* A picture could not be made or written. */
 };
 
@@ -56,8 +57,8 @@ static enum exit_code begin(struct demo *demo)
         .bot = { 1 },
         .stopwatch = clock_device(),
     };
-    const int whole_replay = options->replay[0] && !options->demo;
-    demo->end_ns = whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ
+    demo->whole_replay = options->replay[0] && !options->demo;
+    demo->end_ns = demo->whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ
                                 : options->demo_s * NS_PER_S;
     return session_begin(demo->session, &config);
 }
@@ -128,9 +129,10 @@ static enum kiosk_end run(struct demo *demo)
 {
     struct session *session = demo->session;
     enum kiosk_end end = KIOSK_RUNS;
-    while (end == KIOSK_RUNS && demo->now_ns < demo->end_ns && !*session->stop) {
+    while (end == KIOSK_RUNS && !*session->stop &&
+           (demo->whole_replay || demo->now_ns < demo->end_ns)) {
         end = kiosk_frame(&session->kiosk, &session->hal);
-        if (end == KIOSK_RUNS && shot_is_due(demo)) {
+        if (end != KIOSK_DISPLAY_LOST && shot_is_due(demo)) {
             take_shot(demo);
         }
         board_rehearsal_advance(FRAME_NS);

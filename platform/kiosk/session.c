@@ -82,8 +82,8 @@ static enum exit_code end_replay(struct session *session)
                 path, replayer->difference.tick);
         return EXIT_NOT_SO;
     }
-    printf("replayed %.1f s of %s, every tick as recorded\n",
-           (double)replayer->totals.ticks / CORE_TICK_HZ, path);
+    printf("replayed %u of %u ticks (%.1f s) of %s, each as recorded\n", replayer->totals.ticks,
+           session->replayed.ticks, (double)replayer->totals.ticks / CORE_TICK_HZ, path);
     return EXIT_OK;
 }
 

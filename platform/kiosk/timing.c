@@ -19,8 +19,11 @@ uint64_t timing_quantile_ns(const struct timing *timing, double share)
     for (uint32_t i = 0; i < TIMING_BIN_COUNT && timing->count > 0; i++) {
         seen += timing->bins[i];
         if (seen > 0 && (double)seen >= wanted) {
+            if (i == TIMING_BIN_COUNT - 1) {
+                break; /* It has no upper end but this. */
+            }
             return i * (uint64_t)TIMING_BIN_NS + TIMING_BIN_NS / 2;
         }
     }
-    return 0;
+    return timing->max_ns;
 }

@@ -14,7 +14,8 @@ struct timing {
 
 void timing_add(struct timing *timing, uint64_t duration_ns);
 
-/* The duration that `share` in [0, 1] of all do not exceed, to half a bin; 0 when there are none. */
+/* The duration that `share` in [0, 1] of all do not exceed, to half a bin; max_ns where
+ * it lies in the last bin; 0 when there are none. */
 uint64_t timing_quantile_ns(const struct timing *timing, double share);
 
 #endif

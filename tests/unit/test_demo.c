@@ -1,0 +1,98 @@
+/* test_demo.c -- a recording shown off screen is shown to its last tick, and judged by all of them. */
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "platform/kiosk/demo.h"
+
+static struct session session;
+static struct core core;
+static volatile sig_atomic_t stop;
+static char folder[] = "/tmp/kingyo-demo-XXXXXX";
+static char recording[64];
+
+static int make_folder(void **state)
+{
+    (void)state;
+    session.recorder.writer.fd = -1;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    char command[64];
+    (void)state;
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command);
+}
+
+/* Records `count` ticks of an idle stall; the digest of tick `wrong` is not the true one. */
+static void record(const char *name, uint32_t count, uint32_t wrong)
+{
+    static struct recorder recorder;
+    static struct output output;
+    const struct core_config config = { .seed = 3, .fish_count = 5 };
+    const struct input input = { 0 };
+    snprintf(recording, sizeof recording, "%s/%s", folder, name);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(recorder_begin(&recorder, recording, &core), 0);
+    for (uint32_t tick = 0; tick < count; tick++) {
+        core_tick(&core, &input, &output);
+        recorder_count(&recorder.totals, recorder.caught, &core);
+        recorder.totals.hash = core_hash(&core);
+        const uint32_t digest = (uint32_t)core_hash_quick(&core) ^ (uint32_t)(tick == wrong);
+        replay_add(&recorder.writer, &input, digest, &recorder.totals);
+    }
+    assert_int_equal(recorder_end(&recorder), 0);
+}
+
+static enum exit_code show(void)
+{
+    session.options = (struct options){ .width = 320, .height = 240 };
+    snprintf(session.options.replay, sizeof session.options.replay, "%s", recording);
+    snprintf(session.options.shots, sizeof session.options.shots, "%s", folder);
+    session.stop = &stop;
+    assert_int_equal(session_check(&session), EXIT_OK);
+    return demo_run(&session);
+}
+
+static void test_every_tick_of_a_recording_is_shown(void **state)
+{
+    (void)state;
+    record("true.kgr", 100, UINT32_MAX);
+    assert_int_equal(show(), EXIT_OK);
+    assert_int_equal(session.kiosk.core.tick, 100);
+}
+
+static void test_a_recording_that_is_wrong_in_its_last_tick_is_not_as_recorded(void **state)
+{
+    (void)state;
+    record("wrong.kgr", 100, 99);
+    assert_int_equal(show(), EXIT_NOT_SO);
+    assert_int_equal(session.replayer.difference.tick, 99);
+}
+
+static void test_a_recording_of_nothing_is_one_picture(void **state)
+{
+    (void)state;
+    record("empty.kgr", 0, UINT32_MAX);
+    assert_int_equal(show(), EXIT_OK);
+    assert_int_equal(session.kiosk.frames, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_tick_of_a_recording_is_shown),
+        cmocka_unit_test(test_a_recording_that_is_wrong_in_its_last_tick_is_not_as_recorded),
+        cmocka_unit_test(test_a_recording_of_nothing_is_one_picture),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

@@ -1,0 +1,57 @@
+/* test_timing.c -- durations, counted. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "platform/kiosk/timing.h"
+
+#define MS 1000000ull
+
+static struct timing timing;
+
+static int clear(void **state)
+{
+    (void)state;
+    memset(&timing, 0, sizeof timing);
+    return 0;
+}
+
+static void test_nothing_counted_takes_no_time(void **state)
+{
+    (void)state;
+    assert_int_equal(timing_quantile_ns(&timing, 0.5), 0);
+}
+
+static void test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th(void **state)
+{
+    (void)state;
+    for (uint64_t i = 1; i <= 100; i++) {
+        timing_add(&timing, i * MS);
+    }
+    assert_in_range(timing_quantile_ns(&timing, 0.5), 50 * MS, 50 * MS + TIMING_BIN_NS);
+    assert_in_range(timing_quantile_ns(&timing, 0.99), 99 * MS, 99 * MS + TIMING_BIN_NS);
+}
+
+static void test_what_no_bin_holds_is_told_as_the_longest(void **state)
+{
+    (void)state;
+    timing_add(&timing, 5 * MS);
+    timing_add(&timing, 700 * MS);
+    timing_add(&timing, 900 * MS);
+    assert_int_equal(timing_quantile_ns(&timing, 0.99), 900 * MS);
+    assert_in_range(timing_quantile_ns(&timing, 0.3), 5 * MS, 5 * MS + TIMING_BIN_NS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_nothing_counted_takes_no_time, clear),
+        cmocka_unit_test_setup(test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th, clear),
+        cmocka_unit_test_setup(test_what_no_bin_holds_is_told_as_the_longest, clear),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
