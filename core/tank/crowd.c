@@ -2,6 +2,7 @@
 #include "core/tank/crowd.h"
 
 #include "core/base/panic.h"
+#include "core/base/rng.h"
 #include "core/input.h"
 
 #define SPACE_PER_LENGTH 0.2f /* 2013 thesis, section 3.4: 1 cm round a fish of 5 cm. */
@@ -101,6 +102,24 @@ static void push_apart(struct crowd_body *body, vec3 axis, float speed_m_s)
     body->push_m_s = v3_mad(body->push_m_s, push, speed_m_s);
 }
 
+/* In a list that is full, each further pair takes a drawn place or none, so that every pair has the
+ * same chance and none waits for long (a reservoir). */
+static void list_contact(struct crowd *crowd, uint32_t first, uint32_t second, uint32_t seed,
+                         uint32_t tick)
+{
+    uint32_t place = crowd->touch_count++;
+    if (place >= CROWD_CONTACT_MAX) {
+        const uint32_t lot = place | 1u << 31; /* No pair of fish has that key. */
+        place = rng_u32((struct rng_key){ seed, tick, lot, RNG_FISH_AVOID_SIDE }) % (place + 1u);
+    }
+    if (place < CROWD_CONTACT_MAX) {
+        crowd->contact[place][0] = (uint16_t)first;
+        crowd->contact[place][1] = (uint16_t)second;
+        crowd->contact_count =
+            crowd->touch_count < CROWD_CONTACT_MAX ? crowd->touch_count : CROWD_CONTACT_MAX;
+    }
+}
+
 static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second, uint32_t seed,
                       uint32_t tick)
 {
@@ -123,9 +142,8 @@ static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second, uint
     push_apart(a, gap.axis, -apart_m_s);
     push_apart(b, gap.axis, apart_m_s);
     crowd->overlap_count += gap.body_m < 0.0f;
-    if (gap.body_m < CONTACT_GAP_M && crowd->contact_count < CROWD_CONTACT_MAX) {
-        crowd->contact[crowd->contact_count][0] = (uint16_t)first;
-        crowd->contact[crowd->contact_count++][1] = (uint16_t)second;
+    if (gap.body_m < CONTACT_GAP_M) {
+        list_contact(crowd, first, second, seed, tick);
     }
 }
 
@@ -164,13 +182,6 @@ static void meet_item(struct crowd *crowd, uint32_t k, uint32_t seed, uint32_t t
     }
 }
 
-/* Where a tick's search begins: golden steps come near every item within few ticks, so that a list
- * that is full leaves out others each time. */
-static uint32_t first_item(uint32_t tick, uint32_t count)
-{
-    return (uint32_t)((uint64_t)(tick * 2654435769u) * count >> 32);
-}
-
 void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t tick)
 {
     float reach_m = 0.01f;
@@ -183,13 +194,10 @@ void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t t
         const struct crowd_body *body = &crowd->body[crowd->grid.item[k]];
         crowd->near[k] = (struct crowd_near){ body->centre_m, body->reach_m, body->slab_m };
     }
+    crowd->touch_count = 0;
     crowd->contact_count = 0;
     crowd->overlap_count = 0;
-    const uint32_t first = first_item(tick, crowd->count);
-    for (uint32_t k = first; k < crowd->count; k++) {
-        meet_item(crowd, k, seed, tick);
-    }
-    for (uint32_t k = 0; k < first; k++) {
+    for (uint32_t k = 0; k < crowd->count; k++) {
         meet_item(crowd, k, seed, tick);
     }
 }

@@ -11,7 +11,7 @@
 
 #define CROWD_CONTACT_MAX                                                                          \
     (4u * GRID_FISH_MAX) /* 1.4 overlap a fish at the thesis' density. Further                     \
-                            ones wait: each tick begins elsewhere. */
+                            ones draw lots for a place, anew each tick. */
 
 /* Inner faces that bodies keep within. */
 struct tank_bounds {
@@ -30,14 +30,14 @@ struct crowd_body {
     struct avoid_advice advice;
     float brake, room; /* As in struct fish. */
     vec3 push_m_s;
-    vec3 before_m;        /* Where it was when the tick began ... */
-    float step_max_m;     /* ... and how far from there it may end. */
     uint32_t avoid_since; /* As in struct fish, with the two below. */
     uint16_t avoid_with;
     uint8_t avoiding;
     uint16_t fish;    /* Index in the tank. */
     uint8_t airborne; /* Above the surface: the surface does not hold it. */
     uint8_t beside;   /* An obstacle is in reach. */
+    vec3 before_m;    /* Where it was when the tick began ... */
+    float step_max_m; /* ... and how far from there it may end. */
 };
 
 /* What the pair search reads of a body, in the order of the cells. */
@@ -52,6 +52,7 @@ struct crowd {
     struct crowd_near near[GRID_FISH_MAX]; /* near[k] is body[grid.item[k]]. */
     struct grid grid;
     uint32_t overlap_count; /* Pairs whose bodies crowd_meet() found overlapping. */
+    uint32_t touch_count;   /* Pairs that touch or nearly do; the list has room for some of them. */
     uint32_t contact_count;
     uint16_t contact[CROWD_CONTACT_MAX][2];
 };

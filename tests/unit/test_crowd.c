@@ -148,7 +148,7 @@ static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
             (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, .length_m = 0.05f };
     }
     uint32_t pairs = 0;
-    for (uint32_t tick = 0; tick < 20; tick++) {
+    for (uint32_t tick = 0; tick < 48; tick++) {
         crowd_gather(&crowd, fish, COUNT, 1.0f, NULL);
         crowd_meet(&crowd, tank_m, 1, tick);
         assert_int_equal(crowd.contact_count, CROWD_CONTACT_MAX);
