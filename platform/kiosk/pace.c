@@ -6,7 +6,30 @@
 #define NS_PER_S 1000000000ull
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
-#define SNAP_NS 1500000ull /* 55 .. 66 Hz count as 60. */
+#define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: a frame like this may be a 60 Hz one that jitters. */
+#define SURE_60_HZ_NS 1500000ull /* 55 .. 66 Hz: it is one. */
+#define SNAP_NS 6000000ll        /* Jitter of 3 ms moves two frame's beginnings apart by so much. */
+#define DRIFT_SHARE 8            /* No display has 60 Hz exactly: forgive this part of it a frame. */
+
+#define WAITS_NS 16000000ull     /* A screen of 62 Hz or less paces the loop by itself. */
+#define REST_SHARE 16            /* Frames that the mean remembers: a quarter of a second. */
+
+static uint64_t distance(uint64_t a, uint64_t b)
+{
+    return a > b ? a - b : b - a;
+}
+
+/* Two ticks for a frame like a 60 Hz one, as long as what is owed stays near two as well. 1 if so. */
+static int snap(struct pace *pace, uint64_t elapsed_ns)
+{
+    const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
+    const int64_t snap = SNAP_NS * (int64_t)CORE_TICK_HZ;
+    if (distance(elapsed_ns, FRAME_NS) > LIKE_60_HZ_NS || left > snap || left < -snap) {
+        return 0;
+    }
+    pace->owed = distance(elapsed_ns, FRAME_NS) < SURE_60_HZ_NS ? left - left / DRIFT_SHARE : left;
+    return 1;
+}
 
 uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns)
 {
@@ -17,17 +40,29 @@ uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns)
     }
     const uint64_t elapsed_ns = now_ns > pace->last_ns ? now_ns - pace->last_ns : 0;
     pace->last_ns = now_ns;
-    if (elapsed_ns > FRAME_NS - SNAP_NS && elapsed_ns < FRAME_NS + SNAP_NS) {
+    /* Decades owe less than 2^63 of these units, but a wild clock might owe more. */
+    const uint64_t hour_ns = 3600u * NS_PER_S;
+    pace->owed += (int64_t)((elapsed_ns < hour_ns ? elapsed_ns : hour_ns) * CORE_TICK_HZ);
+    if (snap(pace, elapsed_ns)) {
         return FRAME_TICKS;
     }
-    /* A century owes less than 2^64 of these units, but a wild clock might owe more. */
-    const uint64_t hour_ns = 3600u * NS_PER_S;
-    pace->owed += (elapsed_ns < hour_ns ? elapsed_ns : hour_ns) * CORE_TICK_HZ;
-    uint64_t ticks = pace->owed / NS_PER_S;
-    pace->owed %= NS_PER_S;
+    if (pace->owed < 0) {
+        return 0;
+    }
+    uint64_t ticks = (uint64_t)pace->owed / NS_PER_S;
+    pace->owed %= (int64_t)NS_PER_S;
     if (ticks > PACE_TICKS_MAX) {
         pace->dropped += ticks - PACE_TICKS_MAX;
         ticks = PACE_TICKS_MAX;
     }
     return (uint32_t)ticks;
+}
+
+uint64_t pace_rest_ns(struct pace_rest *rest, uint64_t took_ns)
+{
+    if (rest->mean_ns == 0) {
+        rest->mean_ns = FRAME_NS; /* A screen is believed to wait until it is seen not to. */
+    }
+    rest->mean_ns = (rest->mean_ns * (REST_SHARE - 1) + took_ns) / REST_SHARE;
+    return rest->mean_ns < WAITS_NS && took_ns < FRAME_NS ? FRAME_NS - took_ns : 0;
 }

@@ -14,12 +14,6 @@
 #define SHOT_WIDTH_MAX 4096u
 #define SHOT_HEIGHT_MAX 2304u
 
-/* A display that waits for its screen paces the loop. One that does not wait (no vertical sync,
- * no screen at all) is held to 60 frames a second; nothing faster than 4 ms has waited for a
- * screen. */
-#define UNPACED_NS 4000000ull
-#define FRAME_NS 16666667ull
-
 /* Where scores live when nobody says: the user's data folder. "" when there is none. When it
  * cannot be made, the store will say so and the stall opens all the same. */
 static void default_data_folder(char out[OPTIONS_PATH_MAX])
@@ -171,13 +165,16 @@ static enum kiosk_end run(struct session *session)
 {
     const struct hal_clock clock = clock_device();
     enum kiosk_end end = KIOSK_RUNS;
+    struct pace_rest rest = { 0 };
     uint32_t shots = 0;
     while (end == KIOSK_RUNS && !*session->stop) {
         const uint64_t begin_ns = clock.ops->now_ns(clock.self);
         end = kiosk_frame(&session->kiosk, &session->hal);
         shoot_if_due(session, &shots);
-        if (clock.ops->now_ns(clock.self) - begin_ns < UNPACED_NS) {
-            clock_sleep_until(begin_ns + FRAME_NS);
+        const uint64_t end_ns = clock.ops->now_ns(clock.self);
+        const uint64_t rest_ns = pace_rest_ns(&rest, end_ns - begin_ns);
+        if (rest_ns > 0) {
+            clock_sleep_until(end_ns + rest_ns);
         }
     }
     return end;

@@ -37,15 +37,85 @@ static void test_a_60_hz_frame_is_two_ticks_however_it_jitters(void **state)
         now += 16666667ull + (i % 3) * 1300000ull - 1300000ull;
         assert_int_equal(pace_ticks_due(&pace, now), 2);
     }
-    assert_int_equal(pace.owed, 0);
 }
 
-static void test_a_frame_outside_the_snap_is_counted_as_it_is(void **state)
+static void test_jitter_of_three_milliseconds_is_no_judder(void **state)
+{
+    (void)state;
+    static const int64_t early_ms[] = { 0, 3, -3, 2, -2, 1, 3, 0, -3, -1, 3, -3 };
+    struct pace pace = running();
+    for (uint32_t i = 0; i < 1200; i++) {
+        const uint64_t even = S + (i + 1) * 16666667ull;
+        const uint64_t now = even - (uint64_t)(early_ms[i % 12] * (int64_t)MS / 2);
+        assert_int_equal(pace_ticks_due(&pace, now), 2);
+    }
+    pace = running();
+    assert_int_equal(pace_ticks_due(&pace, S + 18300000), 2);
+    assert_int_equal(pace_ticks_due(&pace, S + 18300000 + 15 * MS), 2);
+}
+
+static void test_a_display_of_nearly_60_hz_never_judders(void **state)
+{
+    (void)state;
+    static const uint64_t frame_ns[] = { 16683350, 16650000, 16400000, 16950000 };
+    for (uint32_t k = 0; k < 4; k++) {
+        struct pace pace = running();
+        for (uint64_t i = 1; i <= 36000; i++) {
+            assert_int_equal(pace_ticks_due(&pace, S + i * frame_ns[k]), 2);
+        }
+    }
+}
+
+static void test_75_and_50_hz_lose_and_gain_no_time_over_a_minute(void **state)
+{
+    (void)state;
+    static const uint64_t frame_ns[] = { 13333333, 20000000 };
+    for (uint32_t k = 0; k < 2; k++) {
+        struct pace pace = running();
+        uint64_t ticks = 0;
+        const uint64_t count = 60 * S / frame_ns[k];
+        for (uint64_t i = 1; i <= count; i++) {
+            ticks += pace_ticks_due(&pace, S + i * frame_ns[k]);
+        }
+        assert_in_range(ticks, 7199, 7201);
+    }
+}
+
+static void test_a_frame_unlike_60_hz_is_counted_as_it_is(void **state)
 {
     (void)state;
     struct pace pace = running();
-    assert_int_equal(pace_ticks_due(&pace, S + 15 * MS), 1);     /* 1.8 ticks */
-    assert_int_equal(pace_ticks_due(&pace, S + 15 * MS + 19 * MS), 3); /* 0.8 + 2.28 */
+    assert_int_equal(pace_ticks_due(&pace, S + 12 * MS), 1);     /* 1.44 ticks */
+    assert_int_equal(pace_ticks_due(&pace, S + 12 * MS + 22 * MS), 3); /* 0.44 + 2.64 */
+}
+
+/* ---- Rest ----------------------------------------------------------------------------------- */
+
+/* The rest of the last of `count` frames that take `took_ns`. */
+static uint64_t rest_after(struct pace_rest *rest, uint32_t count, uint64_t took_ns)
+{
+    uint64_t rest_ns = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        rest_ns = pace_rest_ns(rest, took_ns);
+    }
+    return rest_ns;
+}
+
+static void test_frames_that_nothing_holds_rest_to_60_a_second(void **state)
+{
+    (void)state;
+    struct pace_rest rest = { 0 };
+    assert_int_equal(rest_after(&rest, 60, 6 * MS), 16666666 - 6 * MS);
+    assert_int_equal(rest_after(&rest, 1, 20 * MS), 0);
+}
+
+static void test_a_screen_that_paces_is_left_to_it(void **state)
+{
+    (void)state;
+    struct pace_rest rest = { 0 };
+    for (uint32_t i = 0; i < 1000; i++) {
+        assert_int_equal(pace_rest_ns(&rest, 16600000 + (i % 2 ? 900000 : -900000)), 0);
+    }
 }
 
 static void test_odd_frames_lose_no_time_over_a_minute(void **state)
@@ -111,7 +181,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_first_frame_shows_something_at_once),
         cmocka_unit_test(test_a_60_hz_frame_is_two_ticks_however_it_jitters),
-        cmocka_unit_test(test_a_frame_outside_the_snap_is_counted_as_it_is),
+        cmocka_unit_test(test_jitter_of_three_milliseconds_is_no_judder),
+        cmocka_unit_test(test_a_display_of_nearly_60_hz_never_judders),
+        cmocka_unit_test(test_75_and_50_hz_lose_and_gain_no_time_over_a_minute),
+        cmocka_unit_test(test_a_frame_unlike_60_hz_is_counted_as_it_is),
+        cmocka_unit_test(test_frames_that_nothing_holds_rest_to_60_a_second),
+        cmocka_unit_test(test_a_screen_that_paces_is_left_to_it),
         cmocka_unit_test(test_odd_frames_lose_no_time_over_a_minute),
         cmocka_unit_test(test_a_fast_screen_gets_frames_without_ticks),
         cmocka_unit_test(test_a_stall_runs_24_ticks_and_counts_the_rest_as_dropped),
