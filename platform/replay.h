@@ -14,8 +14,10 @@
  *
  * A sum is FNV-1a over the bytes before it in its part, started from the sum of the part before, so
  * that no part can be altered, swapped or left out unseen. The end mark is written with each chunk, in
- * one write over the last end mark: a recording in progress is whole up to its last second, and a play
- * that ends by pulling the plug loses at most that. */
+ * one write over the last end mark: a recording in progress is whole up to its last second, and a killed
+ * process loses at most that. Nothing is synced, and the frame's thread writes: pulling the plug may
+ * lose what the system had not yet put on the disk, and a card that hangs holds the frame. A file cut
+ * so is refused, and the refusal says how many of its seconds are good. */
 #ifndef KINGYO_PLATFORM_REPLAY_H
 #define KINGYO_PLATFORM_REPLAY_H
 

@@ -42,11 +42,28 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
             return refuse(reader, 1, begin + done, "cannot read: %s", strerror(errno));
         }
         if (got == 0) {
-            return refuse(reader, 0, begin + done, "the file ends in the middle of %s", what);
+            return refuse(reader, 0, begin + done,
+                          "the file ends in the middle of %s; %u whole seconds before that are good",
+                          what, reader->tick / CORE_TICK_HZ);
         }
         done += (size_t)got;
     }
     return 0;
+}
+
+/* Printable, zero-filled, and nothing that would end a string in a line of JSON. */
+static int is_program_name(const uint8_t *bytes)
+{
+    size_t length = 0;
+    while (length < REPLAY_PROGRAM_SIZE && bytes[length] >= ' ' && bytes[length] <= '~' &&
+           bytes[length] != '"' && bytes[length] != '\\') {
+        length++;
+    }
+    size_t zeros = 0;
+    while (length + zeros < REPLAY_PROGRAM_SIZE && bytes[length + zeros] == 0) {
+        zeros++;
+    }
+    return zeros > 0 && length + zeros == REPLAY_PROGRAM_SIZE;
 }
 
 static int read_header(struct replay_reader *reader)
@@ -69,7 +86,7 @@ static int read_header(struct replay_reader *reader)
     }
     if (replay_get_u32(bytes + HEADER_VERSION) >> 16 != REPLAY_HEADER_SIZE ||
         replay_get_u32(bytes + HEADER_TICK_HZ) != CORE_TICK_HZ ||
-        bytes[HEADER_PROGRAM + REPLAY_PROGRAM_SIZE - 1] != 0 ||
+        !is_program_name(bytes + HEADER_PROGRAM) ||
         replay_get_u32(bytes + HEADER_CONFIG + 4) > UINT8_MAX ||
         replay_get_u32(bytes + HEADER_CONFIG + 12) > UINT8_MAX) {
         return refuse(reader, 0, HEADER_SIZE_FIELD, "the header says what this program never writes");

@@ -172,6 +172,9 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     uint32_t done = 0;
     kiosk->output.sound_count = 0;
     while (done < tick_count && prepare_tick(kiosk, done, tick_count)) {
+        if (tap->before) {
+            tap->before(tap->self, &kiosk->input);
+        }
         core_tick(&kiosk->core, &kiosk->input, &kiosk->output);
         if (tap->tick) {
             tap->tick(tap->self, &kiosk->input, &kiosk->core);

@@ -13,8 +13,10 @@
 #include "platform/kiosk/resample.h"
 #include "platform/kiosk/timing.h"
 
-/* Sees each tick's input and the state after it: the recorder. Must not change either. */
+/* Sees each tick's input before the tick, and with it the state after the tick: the recorder. Must not
+ * change either. */
 struct kiosk_tap {
+    void (*before)(void *self, const struct input *input); /* May be null. */
     void (*tick)(void *self, const struct input *input, const struct core *core);
     void *self;
 };

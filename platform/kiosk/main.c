@@ -91,7 +91,7 @@ static void last_wish(void *self)
 {
     struct session *session = self;
     if (session->options.record[0]) {
-        recorder_end(&session->recorder);
+        recorder_end_in_panic(&session->recorder);
     }
 }
 

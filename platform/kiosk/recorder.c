@@ -21,12 +21,22 @@ int recorder_begin(struct recorder *recorder, const char *path, const struct cor
     memset(&recorder->totals, 0, sizeof recorder->totals);
     memset(recorder->caught, 0, sizeof recorder->caught);
     recorder->core = core;
-    return replay_create(&recorder->writer, path, &core->config, core_hash(core));
+    recorder->is_in_tick = 0;
+    recorder->totals.hash = core_hash(core);
+    return replay_create(&recorder->writer, path, &core->config, recorder->totals.hash);
+}
+
+static void recorder_before(void *self, const struct input *input)
+{
+    struct recorder *recorder = self;
+    recorder->begun = *input;
+    recorder->is_in_tick = 1;
 }
 
 static void recorder_tick(void *self, const struct input *input, const struct core *core)
 {
     struct recorder *recorder = self;
+    recorder->is_in_tick = 0;
     recorder_count(&recorder->totals, recorder->caught, core);
     if (replay_wants_hash(&recorder->writer)) {
         recorder->totals.hash = core_hash(core);
@@ -36,11 +46,21 @@ static void recorder_tick(void *self, const struct input *input, const struct co
 
 struct kiosk_tap recorder_tap(struct recorder *recorder)
 {
-    return (struct kiosk_tap){ .tick = recorder_tick, .self = recorder };
+    return (struct kiosk_tap){ .before = recorder_before, .tick = recorder_tick, .self = recorder };
 }
 
 int recorder_end(struct recorder *recorder)
 {
     const int is_open = recorder->writer.fd >= 0; /* Else there is not even a core, perhaps. */
     return replay_finish(&recorder->writer, is_open ? core_hash(recorder->core) : 0);
+}
+
+int recorder_end_in_panic(struct recorder *recorder)
+{
+    if (!recorder->is_in_tick) {
+        return recorder_end(recorder);
+    }
+    recorder->totals.ticks++;
+    replay_add(&recorder->writer, &recorder->begun, 0, &recorder->totals);
+    return replay_finish(&recorder->writer, recorder->totals.hash);
 }

@@ -1,4 +1,7 @@
-/* recorder.h -- writes what the core is told and what it makes of it, as the game is played. */
+/* recorder.h -- writes what the core is told and what it makes of it, as the game is played.
+ *
+ * It is handed each input before the tick: when that tick panics, the recording ends with the very
+ * input, and showing it again panics again at the same place. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_H
 
@@ -10,6 +13,8 @@ struct recorder {
     struct replay_totals totals;
     uint32_t caught[POI_MAX]; /* The scores after the last tick, to see them rise. */
     const struct core *core;  /* Hashed once more for the last, begun second. */
+    struct input begun;       /* Of the tick that runs now ... */
+    uint8_t is_in_tick;       /* ... if one does. */
 };
 
 /* Counts rounds begun and fish landed up to and with this tick. A score that fell began anew. */
@@ -24,5 +29,9 @@ struct kiosk_tap recorder_tap(struct recorder *recorder);
 
 /* Writes the begun second. 0 or the negative errno that the recording ended with, now or before. */
 int recorder_end(struct recorder *recorder);
+
+/* As recorder_end, but after a panic. One inside a tick leaves half a state: it is not looked at, and
+ * the tick is written with its input, no digest, and the last full hash that was taken before it. */
+int recorder_end_in_panic(struct recorder *recorder);
 
 #endif

@@ -15,10 +15,12 @@
 
 #include <cmocka.h>
 
+#include "core/base/hash.h"
 #include "core/base/rng.h"
 #include "platform/kiosk/recorder.h"
 #include "platform/kiosk/replayer.h"
 #include "platform/replay.h"
+#include "platform/replay_format.h"
 
 #define FILE_MAX (1u << 20)
 
@@ -198,6 +200,27 @@ static void test_cut_at_any_byte_it_is_refused(void **state)
         assert_int_equal(reader.problem.is_io, 0);
         assert_in_range(reader.problem.offset, 0, cut);
         assert_true(reader.problem.text[0] != '\0');
+    }
+    assert_non_null(strstr(reader.problem.text, "; 1 whole seconds before that are good"));
+}
+
+static void test_a_header_may_name_only_a_printable_program(void **state)
+{
+    static const char *const wrong[] = { "0.1\"", "0.1\\", "0.1\x1b[2J", "0.1\n", "\xff",
+                                         "0123456789abcdef" };
+    static uint8_t bytes[FILE_MAX];
+    struct replay_totals totals;
+    (void)state;
+    write_ticks(0);
+    const size_t size = read_file(bytes);
+    assert_int_equal(scan(&totals), 0);
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        memset(bytes + HEADER_PROGRAM, 0, REPLAY_PROGRAM_SIZE);
+        memcpy(bytes + HEADER_PROGRAM, wrong[i], strlen(wrong[i]));
+        replay_put_u64(bytes + HEADER_SUM, hash_bytes(HASH_START, bytes, HEADER_SUM));
+        write_file(bytes, size);
+        assert_int_equal(scan(&totals), -1);
+        assert_non_null(strstr(reader.problem.text, "never writes"));
     }
 }
 
@@ -405,6 +428,46 @@ static void test_the_first_tick_that_differs_is_named(void **state)
     assert_true(replayer.difference.recorded != replayer.difference.computed);
 }
 
+/* The tick that panics is in the file with its input, and the half-made state is not hashed. */
+static void test_a_recording_that_a_panic_ends_leads_to_the_panic(void **state)
+{
+    static struct output output;
+    struct replay_totals totals;
+    struct input input = { .poi[0].link = POI_LINK_BOT };
+    (void)state;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(recorder_begin(&recorder, path, &core), 0);
+    const struct kiosk_tap tap = recorder_tap(&recorder);
+    for (uint32_t tick = 0; tick < 150; tick++) {
+        tap.before(tap.self, &input);
+        core_tick(&core, &input, &output);
+        tap.tick(tap.self, &input, &core);
+    }
+    input.pressed = INPUT_LANGUAGE;
+    tap.before(tap.self, &input);
+    memset(&core.game, 0xff, sizeof core.game); /* As if torn in the middle of the tick. */
+    assert_int_equal(recorder_end_in_panic(&recorder), 0);
+    assert_int_equal(scan(&totals), 0);
+    assert_int_equal(totals.ticks, 151);
+    assert_int_equal(totals.rounds, 0);
+    replay_all();
+    assert_int_equal(core.tick, 151);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    assert_int_equal(replayer.difference.found, 1); /* This core survived it. */
+    assert_int_equal(replayer.difference.tick, 150);
+}
+
+static void test_a_panic_between_ticks_adds_none(void **state)
+{
+    struct replay_totals totals;
+    (void)state;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(recorder_begin(&recorder, path, &core), 0);
+    assert_int_equal(recorder_end_in_panic(&recorder), 0);
+    assert_int_equal(scan(&totals), 0);
+    assert_int_equal(totals.ticks, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -414,6 +477,7 @@ int main(void)
         cmocka_unit_test(test_a_recording_of_nothing_is_whole),
         cmocka_unit_test(test_a_recording_in_progress_is_whole_up_to_its_last_second),
         cmocka_unit_test(test_cut_at_any_byte_it_is_refused),
+        cmocka_unit_test(test_a_header_may_name_only_a_printable_program),
         cmocka_unit_test(test_any_altered_byte_is_refused),
         cmocka_unit_test(test_anything_behind_the_end_mark_is_refused),
         cmocka_unit_test(test_seconds_that_change_places_are_refused),
@@ -424,6 +488,8 @@ int main(void)
         cmocka_unit_test(test_a_path_that_cannot_be_written_is_told),
         cmocka_unit_test(test_a_true_recording_is_found_true),
         cmocka_unit_test(test_the_first_tick_that_differs_is_named),
+        cmocka_unit_test(test_a_recording_that_a_panic_ends_leads_to_the_panic),
+        cmocka_unit_test(test_a_panic_between_ticks_adds_none),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);
 }
