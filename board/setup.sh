@@ -3,7 +3,9 @@
 #
 # board/packages.txt says which and why. With nothing missing it asks dpkg once and is done. Else, as
 # root or with a sudo that asks no password, it says what it installs and why, and installs it; any
-# other user gets the one line to run. Exits 0 when everything is there, 1 when not.
+# other user gets the one line to run. Exits 0 when everything is there, 1 when not. On a system that is
+# not Debian it names the list and exits 0: there the person knows whether all is there, and the build
+# that follows says what is not.
 set -u
 here=$(dirname "$0")
 
@@ -24,7 +26,6 @@ missing() { # Of the lines on standard input, those whose package is not install
         !($1 in have)'
 }
 
-# Debian's tools alone: elsewhere the person knows the names better than we do.
 if ! command -v dpkg-query >/dev/null; then
     echo 'setup: this is not a Debian system; board/packages.txt lists what Kingyo needs' >&2
     exit 0

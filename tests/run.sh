@@ -9,7 +9,7 @@ export CMOCKA_MESSAGE_OUTPUT=TAP
 limit_s=${TEST_LIMIT_S:-400}
 
 run_one() { # RESULTS PROGRAM
-    local name log begin seconds status passed failed skipped
+    local name log begin seconds status passed failed skipped planned
     name=$(basename "$2" .sh)
     log=$1/$name.tap
     begin=$EPOCHREALTIME
@@ -19,8 +19,10 @@ run_one() { # RESULTS PROGRAM
     skipped=$(grep -ciE '^\s*ok\b.*# skip' "$log")
     passed=$(($(grep -cE '^\s*ok\b' "$log") - skipped))
     failed=$(grep -cE '^\s*not ok\b' "$log")
-    if [ "$failed" -eq 0 ] && { [ $status -ne 0 ] || [ $((passed + skipped)) -eq 0 ]; }; then
-        failed=1 # It crashed, ran too long or tested nothing.
+    planned=$(sed -nE 's/^1\.\.([0-9]+).*/\1/p' "$log" | awk '{ sum += $1 } END { print sum + 0 }')
+    if [ "$failed" -eq 0 ] &&
+        { [ $status -ne 0 ] || [ "$planned" -eq 0 ] || [ $((passed + skipped)) -ne "$planned" ]; }; then
+        failed=1 # It crashed, ran too long, tested nothing or stopped halfway.
     fi
     echo "$passed $failed $skipped" >"$1/$name.count"
     if [ "$failed" -eq 0 ]; then
@@ -30,6 +32,7 @@ run_one() { # RESULTS PROGRAM
         printf '  FAIL  %-28s %4d passed, %d failed  %6s s\n' "$name" "$passed" "$failed" "$seconds"
         [ $status -eq 124 ] && echo "        stopped after $limit_s s"
         [ $status -gt 1 ] && [ $status -ne 124 ] && echo "        exit status $status"
+        [ "$planned" -ne $((passed + failed + skipped)) ] && echo "        its plan was of $planned"
         tail -n 60 "$log" | sed 's/^/        /'
     fi
     return 0

@@ -46,7 +46,7 @@ test-e2e:
 ## test-fresh: both commands on minimal Debian 12 and 13 roots; needs root, a mirror and minutes
 test-fresh:
 	@board/setup.sh dev
-	@tests/fresh/fresh.sh $(RELEASES)
+	@BUILD=$(BUILD) tests/fresh/fresh.sh $(RELEASES)
 
 $(UNIT_CORE): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
 	$(call step,LINK,$@)
@@ -85,9 +85,10 @@ sizes: $(BUILD)/tests/sizes $(BUILD)/core.o
 $(BUILD)/tests/sizes: $(BUILD)/tests/sizes.o
 	$(Q)$(CC) -o $@ $^
 
-## lint: shell scripts by shellcheck, C by a second look of clang's
+## lint: shell scripts by shellcheck, and no line of C over 100 columns
 lint:
 	@board/setup.sh dev
-	@shellcheck $$(git ls-files '*.sh') .ci/run && echo '  ok    shellcheck'
+	@shellcheck --severity=warning $$(git ls-files '*.sh') .ci/run && echo '  ok    shellcheck'
+	@tests/boundaries/columns.sh && echo '  ok    100 columns'
 
 .PHONY: test tests check unit test-e2e test-fresh boundaries includes symbols sizes lint

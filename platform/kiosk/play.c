@@ -56,6 +56,16 @@ static void close_devices(const struct hal *hal)
     hal->display.ops->close(hal->display.self);
 }
 
+/* What a frame costs from its first look at a device to the end of its swap, and the core in it. */
+static void tell_work(const struct kiosk *kiosk)
+{
+    const struct timing *work = &kiosk->work_time;
+    const double share = work->sum_ns > 0 ? (double)kiosk->core_ns / (double)work->sum_ns : 0.0;
+    printf("a frame's work: median %.1f ms, p99 %.1f ms, the core %.1f %% of it\n",
+           (double)timing_quantile_ns(work, 0.5) * 1e-6,
+           (double)timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
+}
+
 /* Closes the store before the figures are told: what it could not keep is one of them. EXIT_IO when
  * rounds are lost. */
 static enum exit_code tell_end(struct session *session, enum kiosk_end end)
@@ -75,6 +85,7 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
            (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
            (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
            (unsigned long long)kiosk->pace.dropped, sum);
+    tell_work(kiosk);
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
         fprintf(stderr, "kingyo: %u rounds could not be written (%s)\n", lost,

@@ -52,6 +52,11 @@ verifies() { # FILE TITLE
     ok $? "$2" "$work/said"
 }
 
+ended() { # STATUS TITLE, after end_of_kiosk
+    echo "exit $code" >>"$work/err"
+    ok "$1" "$2" "$work/err"
+}
+
 # The screen vanishes in mid-round: somebody pulled the plug of the whole X server.
 open_screen
 start_kiosk --seed 8 --record "$work/vanish.kgr"
@@ -60,9 +65,8 @@ xdotool key space
 sleep 3
 close_screen
 end_of_kiosk 20
-echo "exit $code" >>"$work/err"
-[ "$code" -eq 1 ] && [ "$(wc -l <"$work/err")" -eq 2 ]
-ok $? 'a display that vanishes ends it with one line and code 1' "$work/err"
+[ "$code" -eq 1 ] && one_line "$work/err"
+ended $? 'a display that vanishes ends it with one line and code 1'
 verifies "$work/vanish.kgr" 'and what was recorded until then verifies'
 
 # The window is destroyed by somebody else, which is not the same as being closed.
@@ -72,9 +76,8 @@ ok $? 'the kiosk plays again' "$work/err"
 sleep 1
 xdotool windowkill "$window"
 end_of_kiosk 20
-echo "exit $code" >>"$work/err"
-[ "$code" -eq 1 ] && [ "$(wc -l <"$work/err")" -eq 2 ]
-ok $? 'a killed window ends it with one line and code 1' "$work/err"
+[ "$code" -eq 1 ] && one_line "$work/err"
+ended $? 'a killed window ends it with one line and code 1'
 verifies "$work/lost.kgr" 'and what was recorded until then verifies'
 
 # Closed by its user.

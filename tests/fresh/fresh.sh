@@ -1,10 +1,12 @@
 #!/bin/bash
 # fresh.sh [RELEASE...] -- proves that `make run` and `make test` need nothing but Debian and make.
 #
-# For each release (bookworm and trixie unless named) it makes the smallest root file system that apt
-# can live in, puts a copy of the tree there and runs both commands inside, without a screen; then both
-# once more, to see that the second time costs nothing. Ends with a table. Needs root, mmdebstrap and the
-# mirror that this machine's own apt uses; FRESH_DIR says where the roots go (two to three GiB each).
+# For each release (bookworm and trixie unless named), one after the other, it makes the smallest root
+# file system that apt can live in, puts a copy of the tree there and runs both commands inside, without
+# a screen; then both once more, to see that the second time costs nothing. The empty root is kept as
+# BUILD/fresh/RELEASE.tar and used again while it is less than a week old. Ends with a table. Needs root,
+# mmdebstrap and the mirror that this machine's own apt uses; FRESH_DIR says where the roots and the logs
+# go and stay (two to three GiB each; without it they go to /var/tmp and are removed).
 set -u
 releases=("$@")
 [ ${#releases[@]} -gt 0 ] || releases=(bookworm trixie)
@@ -14,6 +16,8 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 top=${FRESH_DIR:-$(mktemp -d /var/tmp/kingyo-fresh-XXXXXX)}
 mkdir -p "$top"
+cache=${BUILD:-build}/fresh
+mkdir -p "$cache"
 failed=0 rows=()
 
 # The addresses that this machine fetches Debian from: the archive, and its security fixes.
@@ -47,11 +51,13 @@ step() { # RELEASE WHAT COMMAND...
     local release=$1 what=$2 begin=$SECONDS log status
     log="$top/$release-${what// /-}.log"
     shift 2
-    echo "== $release: $what"
+    printf '== %s: %s (%s)\n' "$release" "$what" "$(date +%H:%M:%S)"
     "$@" >"$log" 2>&1 </dev/null
     status=$?
     rows+=("$(printf '%-10s %-22s %5d s  %-6s %s' "$release" "$what" $((SECONDS - begin)) \
         "$([ $status -eq 0 ] && echo ok || echo FAILED)" "$(quote "$log")")")
+    printf '   %s after %d s %s\n' "$([ $status -eq 0 ] && echo ok || echo "FAILED ($status)")" $((SECONDS - begin)) \
+        "$(quote "$log")"
     if [ $status -ne 0 ]; then
         failed=1
         tail -30 "$log" | sed 's/^/    /'
@@ -60,11 +66,22 @@ step() { # RELEASE WHAT COMMAND...
 }
 quote() { grep -E ' passed, [0-9]+ failed$|fish caught' "$1" | tail -1 | tr -s ' '; }
 
-make_root() { # RELEASE
-    local root=$top/$1 sources=("deb $archive $1 main" "deb $archive $1-updates main")
+# The empty root, from the cache or from the mirror; written under another name first, so that one that
+# was interrupted is never used.
+base() { # RELEASE
+    local tar=$cache/$1.tar sources=("deb $archive $1 main" "deb $archive $1-updates main")
+    [ -n "$(find "$tar" -mtime -7 2>/dev/null)" ] && return
     [ -n "$security" ] && sources+=("deb $security $1-security main")
+    rm -f "$tar.new"
+    mmdebstrap --mode=root --variant=minbase --include=make --format=tar "$1" "$tar.new" "${sources[@]}" &&
+        mv "$tar.new" "$tar"
+}
+
+make_root() { # RELEASE
+    local root=$top/$1
+    unmount "$1"
     rm -rf --one-file-system "$root"
-    mmdebstrap --mode=root --variant=minbase --include=make "$1" "$root" "${sources[@]}" || return 1
+    base "$1" && mkdir -p "$root" && tar xf "$cache/$1.tar" -C "$root" --exclude='./dev/*' || return 1
     rm -rf "$root"/var/lib/apt/lists/* # As an image that was fetched, not made here, would be.
     cp /etc/resolv.conf "$root/etc/" 2>/dev/null
     mkdir -p "$root/kingyo" "$root/proc" "$root/dev"
