@@ -29,7 +29,7 @@ void main()
     float lit = 0.58 + 0.50 * max(dot(n, LAMP_DIRECTION), 0.0);
     vec3 enamel = vec3(1.0, 0.995, 0.97);
     float band = smoothstep(0.90, 0.925, shell.y);
-    float stripe = smoothstep(0.030, 0.015, abs(shell.y - 0.82)) * (1.0 - shell.x);
+    float stripe = (1.0 - smoothstep(0.015, 0.030, abs(shell.y - 0.82))) * (1.0 - shell.x);
     vec3 tint = mix(enamel, paint.rgb, max(band, 0.8 * stripe));
     float inside = 1.0 - shell.x;
     float light = texture(caustics, world.xz * CAUSTIC_TILES * 1.6).r;

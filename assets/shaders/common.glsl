@@ -1,7 +1,8 @@
 // Put in front of every shader: precisions, the figures that all passes share, and the water.
 precision highp float;
 precision mediump int;
-precision mediump sampler2DArray;
+precision highp sampler2D;
+precision highp sampler2DArray;
 
 layout(std140) uniform Frame {
     mat4 view_projection;

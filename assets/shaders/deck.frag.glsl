@@ -40,7 +40,7 @@ void main()
     float t = grain(vec2(along.x * 1.5, along.y * 7.0 + (across ? 0.37 : 0.0)));
     vec3 tint = mix(vec3(0.30, 0.14, 0.06), vec3(0.80, 0.48, 0.25), t);
     float width = max(past.x, past.y) / RIM_M;     // 0 at the water's side, 1 outside.
-    float bevel = smoothstep(0.10, 0.0, width) * 0.35 - smoothstep(0.88, 1.0, width) * 0.35;
+    float bevel = 0.35 * (1.0 - smoothstep(0.0, 0.10, width) - smoothstep(0.88, 1.0, width));
     float mitre = 1.0 - 0.45 * (1.0 - smoothstep(0.0, 0.0012, abs(past.x - past.y)));
     float joined = min(past.x, past.y) > 0.0 ? mitre : 1.0;
     float lamp = 0.70 + 0.46 * lamp_pool(3.0);
@@ -53,7 +53,8 @@ void main()
     float t = grain(along * vec2(1.5, 6.0));
     vec3 tint = mix(vec3(0.20, 0.09, 0.04), vec3(0.56, 0.32, 0.16), t);
     float height = smoothstep(-0.012, tank.w, world.y);
-    float wet = 1.0 - 0.45 * smoothstep(0.010, 0.004, world.y) * (1.0 - max(face.z, 0.0));
+    float wet = 0.55 + 0.45 * smoothstep(0.004, 0.010, world.y);
+    wet = mix(wet, 1.0, max(face.z, 0.0));
     color = vec4(tint * (0.42 + 0.50 * height) * (0.85 + 0.25 * face.z) * wet, 1.0);
 }
 #endif

@@ -96,7 +96,7 @@ void colour()
     vec3 iris = mix(vec3(0.86, 0.62, 0.20), vec3(0.78, 0.78, 0.72), fract(character.w * 17.31));
     pale = mix(pale, iris, eye_part);
     stain = mix(stain, vec3(0.015), eye_part);
-    float ridge = smoothstep(0.42, 0.0, under) * smoothstep(0.0, 0.12, surface.x);
+    float ridge = (1.0 - smoothstep(0.0, 0.42, under)) * smoothstep(0.0, 0.12, surface.x);
     haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back throw light up.
     haze.w = smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6) * (1.0 - eye_part) * 0.30;
     skin = vec4(surface.xy, floor(character.z + 0.5), eye_part);

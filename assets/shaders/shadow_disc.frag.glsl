@@ -12,7 +12,7 @@ void main()
     float solid = softness.w < 0.0 ? 1.0
         : texture(sheet, vec3(disc * 0.5 + 0.5, softness.w)).b;
     float handle = softness.w < 0.0 ? 0.0
-        : step(1.0, disc.y) * smoothstep(0.16 + blur * 0.5, 0.05, abs(disc.x))
-            * smoothstep(softness.y + blur, softness.y - blur * 2.0, disc.y);
+        : step(1.0, disc.y) * (1.0 - smoothstep(0.05, 0.16 + blur * 0.5, abs(disc.x)))
+            * (1.0 - smoothstep(softness.y - blur * 2.0, softness.y + blur, disc.y));
     color = vec4(clamp(max(max(inside * solid * softness.z, rim * 0.42), handle * 0.45), 0.0, 0.8));
 }

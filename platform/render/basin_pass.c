@@ -104,8 +104,8 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
     pass->water_program = gl_program(status, "water", "", shader_water_vert, shader_water_frag,
                                      "ground life slopes environment");
     upload_faces(pass);
-    pass->slope_texture = gl_texture(
-        status, "slopes",
+    gl_ring_open(
+        status, "slopes", &pass->slope_ring,
         &(struct gl_texture_desc){
             .internal_format = GL_RG8, .format = GL_RG, .width = RIPPLE_X, .height = RIPPLE_Z });
 }
@@ -120,7 +120,7 @@ void basin_pass_close(struct basin_pass *pass)
     glDeleteProgram(pass->water_program);
     glDeleteVertexArrays(1, &pass->vertex_array);
     glDeleteBuffers(1, &pass->vertex_buffer);
-    glDeleteTextures(1, &pass->slope_texture);
+    gl_ring_close(&pass->slope_ring);
 }
 
 /* A breath of wind over the stall: a few long, low waves under what the core computes, so that the
@@ -182,7 +182,7 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
             }
         }
     }
-    gl_bind_texture(0, GL_TEXTURE_2D, pass->slope_texture);
+    gl_bind_texture(0, GL_TEXTURE_2D, gl_ring_turn(&pass->slope_ring));
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, RIPPLE_X, RIPPLE_Z, GL_RG, GL_UNSIGNED_BYTE,
                     pass->slopes);
@@ -216,7 +216,7 @@ void basin_pass_water(const struct basin_pass *pass, const struct textures *text
 {
     gl_bind_texture(0, GL_TEXTURE_2D, ground);
     gl_bind_texture(1, GL_TEXTURE_2D, life);
-    gl_bind_texture(2, GL_TEXTURE_2D, pass->slope_texture);
+    gl_bind_texture(2, GL_TEXTURE_2D, gl_ring_texture(&pass->slope_ring));
     gl_bind_texture(3, GL_TEXTURE_2D, textures->environment);
     glUseProgram(pass->water_program);
     draw_part(pass, PART_SURFACE);

@@ -9,7 +9,7 @@ struct basin_pass {
     GLuint floor_program, wall_program, water_program;
     GLuint counter_program, side_program, rim_program;
     GLuint vertex_array, vertex_buffer;
-    GLuint slope_texture;
+    struct gl_ring slope_ring;
     float waves[RIPPLE_Z][RIPPLE_X][2];
     uint8_t slopes[RIPPLE_Z][RIPPLE_X][2]; /* As the scene's, with 128 for level. */
 };

@@ -54,7 +54,7 @@ static int create_window(struct display_gl *display)
     const struct display_gl_config *const config = &display->config;
     const int width = config->width ? (int)config->width : WINDOW_WIDTH;
     const int height = config->height ? (int)config->height : WINDOW_HEIGHT;
-    Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE;
+    Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
     if (config->full_screen && !config->off_screen) {
         flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
     }
@@ -152,8 +152,8 @@ static int follow_size(struct display_gl *display)
     int width = 0;
     int height = 0;
     SDL_GL_GetDrawableSize(display->window, &width, &height);
-    if (width <= 0 || height <= 0) {
-        return HAL_ERR_IO; /* Minimised: nothing to draw on, and nothing wrong. */
+    if ((SDL_GetWindowFlags(display->window) & SDL_WINDOW_MINIMIZED) || width <= 0 || height <= 0) {
+        return HAL_ERR_BUSY; /* Nothing to draw on, and nothing wrong. */
     }
     const struct renderer_config *const drawn = &display->renderer.config;
     if (drawn->width == (uint32_t)width && drawn->height == (uint32_t)height) {

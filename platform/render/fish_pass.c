@@ -129,8 +129,8 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
         fill_instance(&pass->instances[next[pass->group[fish]]++], &scene->fish[fish]);
     }
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
-    glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)(scene->fish_count * sizeof *pass->instances),
-                    pass->instances);
+    gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances,
+                     scene->fish_count * sizeof *pass->instances);
 }
 
 /* OpenGL ES 3.0 has no base instance: a group begins where the pointers say. */

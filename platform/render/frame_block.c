@@ -127,7 +127,7 @@ void frame_begin(struct frame *frame, const struct scene *scene, uint32_t width,
     set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
         SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
     glBindBuffer(GL_UNIFORM_BUFFER, frame->buffer);
-    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof *block, block);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, block, sizeof *block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame->buffer);
 }
 

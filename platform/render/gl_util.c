@@ -31,12 +31,11 @@ bool gl_is_well(const struct gl_status *status)
     return status->text[0] == '\0';
 }
 
-static GLuint compile(struct gl_status *status, const char *name, GLenum kind, const char *defines,
-                      const char *source)
+GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
+                  const char *const *parts, GLsizei count)
 {
-    const char *const parts[] = { "#version 300 es\n", defines, shader_common, source };
-    const GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, 4, parts, NULL);
+    const GLuint shader = glCreateShader(stage);
+    glShaderSource(shader, count, parts, NULL);
     glCompileShader(shader);
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -44,9 +43,32 @@ static GLuint compile(struct gl_status *status, const char *name, GLenum kind, c
         char log[LOG_SIZE] = "no log";
         glGetShaderInfoLog(shader, LOG_SIZE, NULL, log);
         gl_fail(status, "shader %s (%s) does not compile: %s", name,
-                kind == GL_VERTEX_SHADER ? "vertex" : "fragment", log);
+                stage == GL_VERTEX_SHADER ? "vertex" : "fragment", log);
+        glDeleteShader(shader);
+        return 0;
     }
     return shader;
+}
+
+GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment)
+{
+    if (!vertex || !fragment) {
+        return 0; /* The status already says which. */
+    }
+    const GLuint program = glCreateProgram();
+    glAttachShader(program, vertex);
+    glAttachShader(program, fragment);
+    glLinkProgram(program);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!linked) {
+        char log[LOG_SIZE] = "no log";
+        glGetProgramInfoLog(program, LOG_SIZE, NULL, log);
+        gl_fail(status, "shader %s does not link: %s", name, log);
+        glDeleteProgram(program);
+        return 0;
+    }
+    return program;
 }
 
 static void assign_samplers(GLuint program, const char *samplers)
@@ -65,23 +87,16 @@ static void assign_samplers(GLuint program, const char *samplers)
 GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
                   const char *vertex, const char *fragment, const char *samplers)
 {
-    const GLuint shaders[2] = {
-        compile(status, name, GL_VERTEX_SHADER, defines, vertex),
-        compile(status, name, GL_FRAGMENT_SHADER, defines, fragment),
+    const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, vertex };
+    const char *const fragment_parts[] = { "#version 300 es\n", defines, shader_common, fragment };
+    const GLuint stages[2] = {
+        gl_compile(status, name, GL_VERTEX_SHADER, vertex_parts, 4),
+        gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 4),
     };
-    const GLuint program = glCreateProgram();
-    for (int i = 0; i < 2; i++) {
-        glAttachShader(program, shaders[i]);
-        glDeleteShader(shaders[i]); /* Lives on as long as the program does. */
-    }
-    glLinkProgram(program);
-    GLint linked = GL_FALSE;
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (!linked) {
-        char log[LOG_SIZE] = "no log";
-        glGetProgramInfoLog(program, LOG_SIZE, NULL, log);
-        gl_fail(status, "shader %s does not link: %s", name, log);
-        glDeleteProgram(program);
+    const GLuint program = gl_link(status, name, stages[0], stages[1]);
+    glDeleteShader(stages[0]); /* Lives on as long as the program does; 0 is ignored. */
+    glDeleteShader(stages[1]);
+    if (!program) {
         return 0;
     }
     const GLuint block = glGetUniformBlockIndex(program, "Frame");
@@ -156,6 +171,37 @@ GLuint gl_buffer(GLenum target, const void *data, size_t size)
     return buffer;
 }
 
+void gl_buffer_refill(GLenum target, const void *data, size_t size)
+{
+    glBufferData(target, (GLsizeiptr)size, data, GL_STREAM_DRAW);
+}
+
+void gl_ring_open(struct gl_status *status, const char *name, struct gl_ring *ring,
+                  const struct gl_texture_desc *desc)
+{
+    for (uint32_t i = 0; i < GL_RING; i++) {
+        ring->textures[i] = gl_texture(status, name, desc);
+    }
+    ring->now = 0;
+}
+
+void gl_ring_close(struct gl_ring *ring)
+{
+    glDeleteTextures(GL_RING, ring->textures);
+    *ring = (struct gl_ring){ 0 };
+}
+
+GLuint gl_ring_turn(struct gl_ring *ring)
+{
+    ring->now = (ring->now + 1u) % GL_RING;
+    return gl_ring_texture(ring);
+}
+
+GLuint gl_ring_texture(const struct gl_ring *ring)
+{
+    return ring->textures[ring->now];
+}
+
 static GLuint renderbuffer(GLenum format, const struct gl_target_desc *desc)
 {
     GLuint buffer = 0;
@@ -225,14 +271,16 @@ void gl_target_bind(const struct gl_target *target)
 
 void gl_target_resolve(const struct gl_target *target)
 {
-    if (!target->resolve) {
-        return;
-    }
+    static const GLenum spent[2] = { GL_DEPTH_ATTACHMENT, GL_COLOR_ATTACHMENT0 };
     const GLint width = (GLint)target->width;
     const GLint height = (GLint)target->height;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target->resolve);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (target->resolve) {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target->resolve);
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+    }
+    glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, target->resolve ? 2 : 1, spent);
 }
 
 void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture)

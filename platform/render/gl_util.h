@@ -12,6 +12,7 @@
 
 #include "platform/hal.h"
 
+#define GL_RING 3u     /* Textures in turn, where each frame brings new texels. */
 #define GL_UNIT_MAX 5u /* Texture units that any one program reads. */
 
 /* The first failure, in one line that says what and where; empty while all is well. */
@@ -23,6 +24,11 @@ struct gl_status {
 void gl_fail(struct gl_status *status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 bool gl_is_well(const struct gl_status *status);
+
+/* One stage, of `count` pieces of source in a row. Delete it when its programs are linked. */
+GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
+                  const char *const *parts, GLsizei count);
+GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment);
 
 /* Compiles and links. `defines` (may be "") is put in front of both sources, after the version line
  * and the common block. `samplers` names up to GL_UNIT_MAX samplers, separated by spaces, that get
@@ -43,6 +49,24 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
 
 /* A buffer of `size` bytes; `data` may be null for one that is filled every frame. */
 GLuint gl_buffer(GLenum target, const void *data, size_t size);
+
+/* Replaces the whole of the buffer bound to `target`, in a fresh store: the driver need not wait for
+ * the frame that still reads the last one. */
+void gl_buffer_refill(GLenum target, const void *data, size_t size);
+
+/* GL_RING equal textures, without pixels: the one to fill is never the one last drawn from. */
+struct gl_ring {
+    GLuint textures[GL_RING];
+    uint32_t now;
+};
+
+void gl_ring_open(struct gl_status *status, const char *name, struct gl_ring *ring,
+                  const struct gl_texture_desc *desc);
+void gl_ring_close(struct gl_ring *ring);
+
+/* Goes on to the texture that has rested longest, and returns it. */
+GLuint gl_ring_turn(struct gl_ring *ring);
+GLuint gl_ring_texture(const struct gl_ring *ring);
 
 /* Where a pass draws: a framebuffer and its size in pixels. */
 struct gl_target {
@@ -67,7 +91,8 @@ void gl_target_open(struct gl_status *status, const char *name, struct gl_target
 void gl_target_close(struct gl_target *target);
 void gl_target_bind(const struct gl_target *target);
 
-/* Makes `texture` hold what was drawn; nothing to do without multisampling. */
+/* Makes `texture` hold what was drawn. What the texture does not keep, samples and depth, is given
+ * up: a tiled GPU then never writes it to memory. */
 void gl_target_resolve(const struct gl_target *target);
 
 void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture);

@@ -99,7 +99,7 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     }
     glUseProgram(pass->disc_program);
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, poi->sheet_texture);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&poi->sheet_ring));
     glBindVertexArray(pass->no_attributes);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->poi[i].present) {

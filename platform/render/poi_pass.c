@@ -84,12 +84,12 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
                                      shader_poi_paper_frag, "sheet fibres");
     pass->paper_pose = glGetUniformLocation(pass->paper_program, "pose");
     pass->paper_paper = glGetUniformLocation(pass->paper_program, "paper");
-    pass->sheet_texture = gl_texture(status, "sheets",
-                                     &(struct gl_texture_desc){ .internal_format = GL_RGBA8,
-                                                                .format = GL_RGBA,
-                                                                .width = SHEET_SIDE,
-                                                                .height = SHEET_SIDE,
-                                                                .layers = POI_MAX });
+    gl_ring_open(status, "sheets", &pass->sheet_ring,
+                 &(struct gl_texture_desc){ .internal_format = GL_RGBA8,
+                                            .format = GL_RGBA,
+                                            .width = SHEET_SIDE,
+                                            .height = SHEET_SIDE,
+                                            .layers = POI_MAX });
     open_solids(pass);
 }
 
@@ -97,14 +97,14 @@ void poi_pass_close(struct poi_pass *pass)
 {
     glDeleteProgram(pass->frame_program);
     glDeleteProgram(pass->paper_program);
-    glDeleteTextures(1, &pass->sheet_texture);
+    gl_ring_close(&pass->sheet_ring);
     shape_close(&pass->solid);
     shape_close(&pass->disc);
 }
 
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
 {
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, pass->sheet_texture);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_turn(&pass->sheet_ring));
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_poi *const poi = &scene->poi[i];
@@ -151,7 +151,7 @@ void poi_pass_paper(const struct poi_pass *pass, const struct scene_poi *poi, ui
     float pose[16];
     frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
     glUseProgram(pass->paper_program);
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, pass->sheet_texture);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&pass->sheet_ring));
     gl_bind_texture(1, GL_TEXTURE_2D, textures->paper);
     glUniformMatrix4fv(pass->paper_pose, 1, GL_FALSE, pose);
     glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index, 0.0f, 0.0f);

@@ -12,7 +12,7 @@ struct poi_pass {
     GLuint frame_program, paper_program;
     GLint frame_pose, frame_paint, paper_pose, paper_paper;
     struct shape_buffers solid, disc;
-    GLuint sheet_texture;                      /* Array, a layer a player. */
+    struct gl_ring sheet_ring;                 /* Arrays, a layer a player. */
     uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Wetness, integrity, presence, unused. */
 };
 

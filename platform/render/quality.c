@@ -5,48 +5,64 @@
 
 #include "core/base/fmath.h"
 
-/* What two cores of a small board draw in a fiftieth of a second, more or less: the scene keeps
- * every pixel up to 720p and no more pixels than that on larger screens. */
-#define SOFTWARE_PIXELS (1280.0f * 720.0f)
-#define SOFTWARE_SCALE_MIN 0.4f
-#define SOFTWARE_FLOOR_SCALE 0.6f /* Of the scene's: floor and walls are soft anyway. */
-#define GPU_SAMPLES 4u
+/* A kind of drawing machine: what it draws in a frame, more or less. */
+struct machine {
+    bool software;
+    float pixels;      /* Of the scene; a larger screen gets no more than that. */
+    float floor_scale; /* Of the scene's: floor and walls are soft anyway. */
+    uint32_t samples;
+    float lod_near_px; /* A near mesh pays off only where its triangles are several pixels each. */
+};
 
-/* A near mesh pays off only where its triangles are several pixels each. */
-#define SOFTWARE_LOD_NEAR_PX 130.0f
-#define GPU_LOD_NEAR_PX 24.0f
+#define SCALE_MIN 0.4f
 
-static bool is_software(const char *renderer)
+/* Two cores of a small board in a fiftieth of a second. */
+static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 1, 130.0f };
+/* A board's GPU shares its memory with all else: 4 samples of a full screen, written and resolved,
+ * are most of what a V3D moves in a frame. The water pass smooths edges for it, as for a CPU. */
+static const struct machine board = { false, 1600.0f * 900.0f, 0.75f, 1, 60.0f };
+static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 4, 24.0f };
+
+/* Parts of GL_RENDERER. The first that fits counts; who is not named is a desktop's. */
+static const struct {
+    const char *name;
+    const struct machine *machine;
+} known[] = {
+    { "llvmpipe", &cpu },  { "softpipe", &cpu }, { "SwiftShader", &cpu }, { "Software", &cpu },
+    { "V3D", &board },     { "VC4", &board },    { "VideoCore", &board }, { "Mali", &board },
+    { "Panfrost", &board }, { "Lima", &board },
+};
+
+static const struct machine *machine_of(const char *renderer)
 {
-    static const char *const names[] = { "llvmpipe", "softpipe", "SwiftShader", "Software" };
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strstr(renderer, names[i])) {
-            return true;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (strstr(renderer, known[i].name)) {
+            return known[i].machine;
         }
     }
-    return false;
+    return &desktop;
 }
 
 /* The automatic scale for a screen of that many pixels. */
-static float software_scale(uint32_t width, uint32_t height)
+static float scale_for(const struct machine *machine, uint32_t width, uint32_t height)
 {
-    const float share = SOFTWARE_PIXELS / ((float)width * (float)height);
-    return f_clamp(f_sqrt(share), SOFTWARE_SCALE_MIN, 1.0f);
+    const float share = machine->pixels / ((float)width * (float)height);
+    return f_clamp(f_sqrt(share), SCALE_MIN, 1.0f);
 }
 
 struct quality quality_choose(const struct quality_wish *wish)
 {
-    const bool software = is_software(wish->renderer);
+    const struct machine *const machine = machine_of(wish->renderer);
     struct quality quality = {
-        .software = software,
-        .scene_scale = software ? software_scale(wish->width, wish->height) : 1.0f,
-        .samples = software ? 1u : GPU_SAMPLES,
-        .lod_near_px = software ? SOFTWARE_LOD_NEAR_PX : GPU_LOD_NEAR_PX,
+        .software = machine->software,
+        .scene_scale = scale_for(machine, wish->width, wish->height),
+        .samples = machine->samples,
+        .lod_near_px = machine->lod_near_px,
     };
     if (wish->scene_scale > 0.0f) {
         quality.scene_scale = f_clamp(wish->scene_scale, 0.25f, 2.0f);
     }
-    quality.floor_scale = quality.scene_scale * (software ? SOFTWARE_FLOOR_SCALE : 1.0f);
+    quality.floor_scale = quality.scene_scale * machine->floor_scale;
     if (wish->samples > 0) {
         quality.samples = wish->samples;
     }

@@ -281,8 +281,10 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
 /* Brings a multisampled picture to the default framebuffer. */
 static void finish_screen(const struct renderer *renderer)
 {
+    static const GLenum spent = GL_DEPTH;
     const struct gl_target *const screen = &renderer->screen;
     if (!screen->framebuffer) {
+        glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &spent); /* Words need no depth. */
         return;
     }
     const GLint width = (GLint)renderer->config.width;

@@ -6,55 +6,22 @@
 
 #include "assets.h"
 #include "fonts.h"
+#include "platform/render/gl_util.h"
 #include "platform/render/ui_shader.h"
 
 #define INDICES_PER_QUAD 6u
 
 _Static_assert(UI_QUADS_MAX * 4u <= 65536u, "indices are 16 bits wide");
 
-static GLuint compile(GLenum stage, const char *const *sources, GLsizei count, char *why,
-                      size_t why_size)
-{
-    const GLuint shader = glCreateShader(stage);
-    GLint ok = 0;
-    glShaderSource(shader, count, sources, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (!ok) {
-        char log[256] = "";
-        glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        snprintf(why, why_size, "user interface shader: %.200s", log);
-        glDeleteShader(shader);
-        return 0;
-    }
-    return shader;
-}
-
-static GLuint link_program(GLuint vertex, GLuint fragment, char *why, size_t why_size)
-{
-    const GLuint program = glCreateProgram();
-    GLint ok = 0;
-    glAttachShader(program, vertex);
-    glAttachShader(program, fragment);
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &ok);
-    if (!ok) {
-        snprintf(why, why_size, "user interface shader does not link");
-        glDeleteProgram(program);
-        return 0;
-    }
-    return program;
-}
-
-static GLuint make_program(GLuint vertex, const char *body, char *why, size_t why_size)
+static GLuint make_program(struct gl_status *status, GLuint vertex, const char *body)
 {
     char numbers[128];
     snprintf(numbers, sizeof numbers,
              "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n", ASSET_FONT_EDGE,
              ASSET_FONT_STEP);
     const char *const parts[3] = { numbers, ui_fragment_head, body };
-    const GLuint fragment = compile(GL_FRAGMENT_SHADER, parts, 3, why, why_size);
-    const GLuint program = fragment != 0 ? link_program(vertex, fragment, why, why_size) : 0;
+    const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 3);
+    const GLuint program = gl_link(status, "words", vertex, fragment);
     glDeleteShader(fragment); /* Name 0 is ignored; the program keeps what it uses. */
     if (program != 0) {
         glUseProgram(program);
@@ -66,17 +33,15 @@ static GLuint make_program(GLuint vertex, const char *body, char *why, size_t wh
     return program;
 }
 
-static int make_programs(struct ui *ui, char *why, size_t why_size)
+static void make_programs(struct ui *ui, struct gl_status *status)
 {
-    const GLuint vertex = compile(GL_VERTEX_SHADER, &ui_vertex_source, 1, why, why_size);
-    int ok = vertex != 0;
-    for (uint32_t i = 0; ok && i < UI_KIND_COUNT; i++) {
-        ui->programs[i] = make_program(vertex, ui_fragment_sources[i], why, why_size);
-        ok = ui->programs[i] != 0;
-        ui->to_clip[i] = ok ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
+    const GLuint vertex = gl_compile(status, "words", GL_VERTEX_SHADER, &ui_vertex_source, 1);
+    for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(status); i++) {
+        ui->programs[i] = make_program(status, vertex, ui_fragment_sources[i]);
+        ui->to_clip[i] =
+            ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
     }
     glDeleteShader(vertex);
-    return ok;
 }
 
 static GLuint make_texture(const uint8_t *texels, uint32_t width, uint32_t height, GLint wrap)
@@ -130,7 +95,10 @@ static void make_buffers(struct ui *ui)
 int ui_init(struct ui *ui, char *why, size_t why_size)
 {
     *ui = (struct ui){ 0 };
-    if (!make_programs(ui, why, why_size)) {
+    struct gl_status status = { 0 };
+    make_programs(ui, &status);
+    if (!gl_is_well(&status)) {
+        snprintf(why, why_size, "%s", status.text);
         ui_close(ui);
         return 0;
     }

@@ -20,6 +20,17 @@ static struct display_gl display;
 static struct hal_display device;
 static uint8_t pixels[2][PIXELS_SIZE];
 
+static bool is_minimised;
+
+/* In SDL's place: its offscreen driver minimises nothing. */
+void SDL_GL_GetDrawableSize(SDL_Window *window, int *width, int *height)
+{
+    SDL_GetWindowSize(window, width, height);
+    if (is_minimised) {
+        *width = *height = 0;
+    }
+}
+
 static int open_display(void **state)
 {
     (void)state;
@@ -153,6 +164,23 @@ static void test_the_picture_follows_the_size_of_the_window(void **state)
     assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
 }
 
+static void test_it_takes_every_pixel_of_a_dense_screen(void **state)
+{
+    (void)state;
+    assert_true(SDL_GetWindowFlags(display.window) & SDL_WINDOW_ALLOW_HIGHDPI);
+}
+
+static void test_a_minimised_window_is_asked_again_and_no_fault(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    is_minimised = true;
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_BUSY);
+    is_minimised = false;
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
 static uint32_t lost_calls;
 
 static void count_lost(void *context)
@@ -191,6 +219,8 @@ int main(void)
         WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),
         WITH_DISPLAY(test_it_takes_quit_and_leaves_other_devices_their_events),
         WITH_DISPLAY(test_the_picture_follows_the_size_of_the_window),
+        WITH_DISPLAY(test_it_takes_every_pixel_of_a_dense_screen),
+        WITH_DISPLAY(test_a_minimised_window_is_asked_again_and_no_fault),
         WITH_DISPLAY(test_a_broken_display_is_lost_once_and_can_be_opened_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -29,15 +29,44 @@ static void test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond(vo
     assert_true(at_1080.floor_scale < at_1080.scene_scale);
 }
 
-static void test_a_gpu_draws_every_pixel_four_times(void **state)
+static void test_a_desktop_gpu_draws_every_pixel_four_times(void **state)
 {
     (void)state;
-    const struct quality_wish board = wish("V3D 4.2", 3840, 2160);
-    const struct quality quality = quality_choose(&board);
+    const struct quality_wish desktop = wish("AMD Radeon RX 6600 (radeonsi, navi23)", 3840, 2160);
+    const struct quality quality = quality_choose(&desktop);
     assert_false(quality.software);
     assert_float_equal(quality.scene_scale, 1.0f, 1e-6f);
     assert_float_equal(quality.floor_scale, 1.0f, 1e-6f);
     assert_int_equal(quality.samples, 4);
+}
+
+static void test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser(void **state)
+{
+    (void)state;
+    static const char *const boards[] = {
+        "V3D 4.2", "V3D 7.1.7.0", "VC4 V3D 2.1", "Broadcom VideoCore VI", "Mali-G610 (Panfrost)",
+        "Panfrost", "Mali-G52", "Lima",
+    };
+    for (size_t i = 0; i < sizeof boards / sizeof *boards; i++) {
+        const struct quality_wish small = wish(boards[i], 1280, 720);
+        const struct quality_wish large = wish(boards[i], 1920, 1080);
+        assert_false(quality_choose(&small).software);
+        assert_int_equal(quality_choose(&small).samples, 1);
+        assert_float_equal(quality_choose(&small).scene_scale, 1.0f, 1e-6f);
+        assert_float_equal(1920.0f * quality_choose(&large).scene_scale, 1600.0f, 1.0f);
+        assert_true(quality_choose(&large).floor_scale < quality_choose(&large).scene_scale);
+    }
+}
+
+static void test_every_software_renderer_is_known_as_one(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe",
+                                         "Google SwiftShader", "Software Rasterizer" };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const struct quality_wish any = wish(names[i], 1280, 720);
+        assert_true(quality_choose(&any).software);
+    }
 }
 
 static void test_a_wish_is_taken_within_what_the_context_offers(void **state)
@@ -58,7 +87,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond),
-        cmocka_unit_test(test_a_gpu_draws_every_pixel_four_times),
+        cmocka_unit_test(test_a_desktop_gpu_draws_every_pixel_four_times),
+        cmocka_unit_test(test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser),
+        cmocka_unit_test(test_every_software_renderer_is_known_as_one),
         cmocka_unit_test(test_a_wish_is_taken_within_what_the_context_offers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
