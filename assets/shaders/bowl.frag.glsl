@@ -42,6 +42,9 @@ void main()
     tint += pow(shine, 60.0) * 0.22;
     float depth = inside > 0.5 ? 0.0 : -world.y;
     vec3 left = water_passes(depth * 1.2);
-    color = vec4(mix(WATER_COLOR, tint, left), 1.0);
+    // As the poi: an outline is where the skin turns away, and fading there smooths it.
+    float facing = dot(n, view);
+    float cover = clamp(facing / fwidth(facing) + 0.15, 0.0, 1.0);
+    color = vec4(mix(WATER_COLOR, tint, left), 1.0) * cover;
 }
 #endif

@@ -44,7 +44,14 @@ void main()
     float mitre = 1.0 - 0.45 * (1.0 - smoothstep(0.0, 0.0012, abs(past.x - past.y)));
     float joined = min(past.x, past.y) > 0.0 ? mitre : 1.0;
     float lamp = 0.70 + 0.46 * lamp_pool(3.0);
-    color = vec4(tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86), 1.0);
+    // A plank's last pixel fades over what lies behind, which is water at the near one's inner edge
+    // and the counter at the others' outer ones. Their inner edges turn to their own dark sides.
+    float pixel = fwidth(width);
+    float inner = clamp(width / pixel, 0.0, 1.0);
+    bool near_plank = !across && world.z > 0.0;
+    float seen = near_plank ? inner : clamp((1.0 - width) / pixel, 0.0, 1.0);
+    lamp *= near_plank ? 1.0 : 0.4 + 0.6 * inner;
+    color = vec4(tint * ((1.0 + bevel) * joined * lamp) * vec3(1.10, 0.99, 0.86), 1.0) * seen;
 }
 #else
 void main()

@@ -2,6 +2,7 @@
 in vec4 skin;
 in vec3 pale;
 in vec3 stain;
+in float turned_to;
 in vec4 haze;
 uniform sampler2DArray patterns;
 out vec4 color;
@@ -24,6 +25,8 @@ void main()
     float scales = mix(pattern.g, 0.70, skin.w);
     float gill = haze.w * max(1.0 - abs(skin.x - 0.252) * 45.0, 0.0);
     vec3 tint = mix(pale, stain, red) * ((0.74 + 0.38 * scales) * (1.0 - gill));
-    color = vec4(tint + haze.rgb * (0.45 + 0.75 * scales), 1.0);
+    // A round body ends where it turns away: fading there, about a pixel wide, smooths its outline.
+    float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);
+    color = vec4(tint + haze.rgb * (0.45 + 0.75 * scales), 1.0) * cover;
 }
 #endif

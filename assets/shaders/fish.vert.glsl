@@ -34,6 +34,7 @@ uniform sampler2D caustics;
 out vec4 skin;         // u, v, pattern layer, and how much this is an eye.
 out vec3 pale;         // Where the pattern is white (an eye: its iris), lit and seen through water,
 out vec3 stain;        // and where it is red (an eye: its pupil).
+out float turned_to;   // Cosine between skin and eye; 0 along the outline. Bodies only.
 out vec4 haze;         // What water and gloss add; w: how much of the gill's edge shows.
 
 const vec3 WHITE = vec3(1.0, 0.955, 0.90);
@@ -169,7 +170,8 @@ void main()
     n = dot(n, view) < 0.0 ? -n : n;
 #endif
     float depth = -world.y;
-    float facing = max(dot(n, view), 0.0);
+    turned_to = dot(n, view);
+    float facing = max(turned_to, 0.0);
     float wet = step(0.0, world.y);
     float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;

@@ -6,6 +6,8 @@ uniform sampler2D slopes;
 uniform sampler2D environment;
 out vec4 color;
 
+const vec3 WET_WOOD = vec3(0.07, 0.035, 0.02);
+
 void main()
 {
     vec2 slope = texture(slopes, world.xz / tank.xz * 0.5 + 0.5).rg * 0.502 - 0.252;
@@ -31,6 +33,8 @@ void main()
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
     float line = 1.0 - smoothstep(0.0, 0.004, edge);  // The meniscus at the walls.
     below *= 1.0 + clamp((slope.x + slope.y) * 0.6, -0.10, 0.14);
-    color = vec4(below + vec3(1.0, 0.86, 0.62) * min(lantern * (0.10 + 3.0 * fresnel), 0.30)
-        + glint * vec3(0.55, 0.48, 0.36) + line * vec3(0.10, 0.13, 0.14), 1.0);
+    below += vec3(1.0, 0.86, 0.62) * min(lantern * (0.10 + 3.0 * fresnel), 0.30)
+        + glint * vec3(0.55, 0.48, 0.36) + line * vec3(0.10, 0.13, 0.14);
+    // The last pixel already is half of the rim's wet side: a smooth edge without multisampling.
+    color = vec4(mix(WET_WOOD, below, clamp(edge / fwidth(edge), 0.0, 1.0)), 1.0);
 }

@@ -206,8 +206,10 @@ void basin_pass_deck(const struct basin_pass *pass, const struct textures *textu
     draw_part(pass, PART_COUNTER);
     glUseProgram(pass->side_program);
     draw_part(pass, PART_SIDES);
+    glEnable(GL_BLEND);
     glUseProgram(pass->rim_program);
     draw_part(pass, PART_RIM);
+    glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 }
 

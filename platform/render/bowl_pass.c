@@ -143,7 +143,11 @@ void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl
 {
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     use(&pass->shell_part, bowl);
+    glEnable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
     shape_draw(&pass->shell);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
 }
 
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl)

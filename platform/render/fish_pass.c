@@ -173,7 +173,9 @@ void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
     glEnable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
     draw_group(pass, group, false);
+    glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
 }
 
