@@ -186,7 +186,8 @@ void main()
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    float gloss = shine * (0.62 + 0.75 * wet);
+    // Out of the water a wet skin mirrors the lamps: narrower, not whiter all over.
+    float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet);
     light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
 #endif
     haze = vec4(0.0);

@@ -254,15 +254,11 @@ static void draw_bowls(const struct renderer *renderer, const struct scene *scen
 static void draw_pois(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (poi_is_above(&scene->poi[i])) {
-            poi_pass_frame(&renderer->poi, &scene->poi[i]);
-        }
-    }
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, &scene->poi[i], i, &renderer->textures);
+            poi_pass_frame(&renderer->poi, &scene->poi[i]); /* Its outline fades over the paper. */
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
