@@ -3,13 +3,17 @@
 
 static int audio_sim_open(void *self)
 {
-    (void)self;
-    return HAL_OK;
+    struct audio_sim *sim = self;
+    sim->open_count++;
+    return sim->gone ? HAL_ERR_NONE : HAL_OK;
 }
 
 static int audio_sim_play(void *self, const struct sound_event *event)
 {
     struct audio_sim *sim = self;
+    if (sim->gone) {
+        return HAL_ERR_GONE;
+    }
     if (sim->fails || event->sound >= SOUND_COUNT) {
         return HAL_ERR_IO;
     }

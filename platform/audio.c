@@ -56,6 +56,7 @@ static int audio_open(void *self)
     };
     quiet_alsa();
     synth_init(&audio->synth);
+    atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* What a lost card left is too late. */
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
         /* No changes allowed: SDL converts to whatever the card wants. */
         audio->device = SDL_OpenAudioDevice(NULL, 0, &wanted, NULL, 0);
@@ -72,6 +73,16 @@ static int audio_open(void *self)
     return HAL_ERR_NONE;
 }
 
+static void audio_close(void *self)
+{
+    struct audio *audio = self;
+    if (audio->device) {
+        SDL_CloseAudioDevice(audio->device);
+        SDL_QuitSubSystem(SDL_INIT_AUDIO);
+        audio->device = 0;
+    }
+}
+
 static int audio_play(void *self, const struct sound_event *event)
 {
     struct audio *audio = self;
@@ -79,6 +90,7 @@ static int audio_play(void *self, const struct sound_event *event)
         return HAL_ERR_NONE;
     }
     if (SDL_GetAudioDeviceStatus(audio->device) == SDL_AUDIO_STOPPED) {
+        audio_close(audio); /* So that open() looks for a card afresh. */
         return HAL_ERR_GONE;
     }
     const unsigned pushed = atomic_load(&audio->pushed);
@@ -94,16 +106,6 @@ static const char *audio_describe(void *self)
 {
     const struct audio *audio = self;
     return audio->text[0] ? audio->text : "no sound: not opened";
-}
-
-static void audio_close(void *self)
-{
-    struct audio *audio = self;
-    if (audio->device) {
-        SDL_CloseAudioDevice(audio->device);
-        SDL_QuitSubSystem(SDL_INIT_AUDIO);
-        audio->device = 0;
-    }
 }
 
 struct hal_audio audio_device(struct audio *audio)

@@ -66,6 +66,7 @@ struct kiosk {
     struct kiosk_hand hands[POI_MAX];
     uint32_t accepted_id;  /* Newest record that the store took, or will never take. */
     uint64_t save_retry_ns;
+    uint64_t audio_retry_ns; /* When a sound card that went is looked for again; 0: none went. */
     uint32_t refused_seen; /* Of the store's failed writes, those already among the faults. */
     uint8_t start_lamp;
     uint8_t end;           /* enum kiosk_end */

@@ -358,6 +358,16 @@ static void play_a_round(void)
     assert_int_equal(rig.kiosk.output.record.id, 1);
 }
 
+static void play_another_round(void)
+{
+    rig.kiosk.input.pressed = INPUT_START;
+    for (uint32_t i = 0; i < 2400 && rig.kiosk.output.record.id == 1; i++) {
+        frames(1);
+        rig.kiosk.input.pressed |= i % 60 == 0 ? INPUT_START : 0;
+    }
+    assert_int_equal(rig.kiosk.output.record.id, 2);
+}
+
 static void test_a_round_is_heard_and_its_record_is_kept_once(void **state)
 {
     (void)state;
@@ -434,6 +444,20 @@ static void test_a_dead_sound_card_is_counted_and_the_round_goes_on(void **state
     assert_true(rig.kiosk.faults.audio > 0);
 }
 
+static void test_a_sound_card_that_went_is_one_fault_and_is_looked_for_each_second(void **state)
+{
+    (void)state;
+    rig.audio.gone = 1;
+    play_a_round();
+    assert_int_equal(rig.kiosk.faults.audio, 1);
+    assert_in_range(rig.audio.open_count, 8, 20); /* In ten seconds of round and a few around it. */
+    rig.audio.gone = 0;
+    frames(70);
+    play_another_round();
+    assert_true(rig.audio.played[SOUND_RESULT] >= 1);
+    assert_int_equal(rig.kiosk.faults.audio, 1);
+}
+
 static void test_with_every_device_missing_the_stall_still_runs(void **state)
 {
     (void)state;
@@ -492,6 +516,7 @@ int main(void)
         TEST(test_a_round_that_the_store_never_took_is_lost),
         TEST(test_the_core_is_told_only_what_is_on_disk),
         TEST(test_a_dead_sound_card_is_counted_and_the_round_goes_on),
+        TEST(test_a_sound_card_that_went_is_one_fault_and_is_looked_for_each_second),
         TEST(test_with_every_device_missing_the_stall_still_runs),
         TEST(test_equal_devices_give_equal_hashes),
         TEST(test_a_config_out_of_range_is_refused),
