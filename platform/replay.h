@@ -81,7 +81,7 @@ struct replay_writer {
     uint8_t bytes[REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE];
 };
 
-/* Begins a file at `path` (one that is there is replaced). `first_hash` is core_hash of the
+/* Begins a file at `path`; one that is there must be empty, else -EEXIST. `first_hash` is core_hash of the
  * fresh core. 0, or a negative errno and nothing is open. */
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash);

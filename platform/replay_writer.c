@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/base/hash.h"
@@ -61,14 +62,31 @@ static void give_up(struct replay_writer *writer, int error)
     writer->error = -error;
 }
 
+/* A descriptor, or a negative errno. What was played once cannot be played again: a file that holds
+ * anything is left as it is. */
+static int open_empty(const char *path)
+{
+    struct stat status;
+    const int fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (fd < 0) {
+        return -errno;
+    }
+    const int error = fstat(fd, &status) != 0 ? errno : status.st_size > 0 ? EEXIST : 0;
+    if (error) {
+        close(fd);
+        return -error;
+    }
+    return fd;
+}
+
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash)
 {
     uint8_t *bytes = writer->bytes;
     memset(writer, 0, sizeof *writer);
-    writer->fd = open(path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    writer->fd = open_empty(path);
     if (writer->fd < 0) {
-        return -errno;
+        return writer->fd;
     }
     writer->totals.hash = first_hash;
     writer->saved = writer->totals;

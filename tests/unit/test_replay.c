@@ -58,9 +58,15 @@ static struct input input_of(uint32_t tick)
     return input;
 }
 
+static void empty_path(void)
+{
+    assert_int_equal(truncate(path, 0), 0);
+}
+
 static void write_ticks(uint32_t count)
 {
     struct replay_totals totals = { 0 };
+    empty_path();
     assert_int_equal(replay_create(&writer, path, &config, 99), 0);
     for (uint32_t tick = 0; tick < count; tick++) {
         const struct input input = input_of(tick);
@@ -159,6 +165,7 @@ static void test_a_recording_of_nothing_is_whole(void **state)
 {
     (void)state;
     struct replay_totals totals;
+    empty_path();
     assert_int_equal(replay_create(&writer, path, &config, 99), 0);
     assert_int_equal(scan(&totals), 0);
     assert_int_equal(replay_finish(&writer, 99), 0);
@@ -172,6 +179,7 @@ static void test_a_recording_in_progress_is_whole_up_to_its_last_second(void **s
     (void)state;
     struct replay_totals totals = { 0 };
     struct replay_totals found;
+    empty_path();
     assert_int_equal(replay_create(&writer, path, &config, 99), 0);
     for (uint32_t tick = 0; tick < 3 * CORE_TICK_HZ + 7; tick++) {
         const struct input input = input_of(tick);
@@ -339,7 +347,8 @@ static void test_a_full_disk_stops_the_recording_and_leaves_it_whole(void **stat
         struct replay_totals totals = { 0 };
         struct replay_totals found;
         const struct rlimit small = { .rlim_cur = limit, .rlim_max = before.rlim_max };
-        assert_int_equal(replay_create(&writer, path, &config, 99), 0);
+        empty_path();
+    assert_int_equal(replay_create(&writer, path, &config, 99), 0);
         assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
         for (uint32_t tick = 0; tick < 10 * CORE_TICK_HZ; tick++) {
             const struct input input = input_of(tick);
@@ -353,6 +362,17 @@ static void test_a_full_disk_stops_the_recording_and_leaves_it_whole(void **stat
         assert_int_equal(found.ticks, writer.saved.ticks);
         assert_int_equal(found.ticks % CORE_TICK_HZ, 0);
     }
+}
+
+static void test_a_recording_is_never_replaced(void **state)
+{
+    static uint8_t before[FILE_MAX], after[FILE_MAX];
+    (void)state;
+    write_ticks(130);
+    const size_t size = read_file(before);
+    assert_int_equal(replay_create(&writer, path, &config, 99), -EEXIST);
+    assert_int_equal(read_file(after), size);
+    assert_memory_equal(before, after, size);
 }
 
 static void test_a_path_that_cannot_be_written_is_told(void **state)
@@ -375,6 +395,7 @@ static void play_and_record(uint32_t seconds, uint32_t lie_at)
     static struct output output;
     struct input input = { .poi[0].link = POI_LINK_BOT };
     assert_int_equal(core_init(&core, &config), CORE_OK);
+    empty_path();
     assert_int_equal(recorder_begin(&recorder, path, &core), 0);
     const struct kiosk_tap tap = recorder_tap(&recorder);
     for (uint32_t tick = 0; tick < seconds * CORE_TICK_HZ; tick++) {
@@ -436,6 +457,7 @@ static void test_a_recording_that_a_panic_ends_leads_to_the_panic(void **state)
     struct input input = { .poi[0].link = POI_LINK_BOT };
     (void)state;
     assert_int_equal(core_init(&core, &config), CORE_OK);
+    empty_path();
     assert_int_equal(recorder_begin(&recorder, path, &core), 0);
     const struct kiosk_tap tap = recorder_tap(&recorder);
     for (uint32_t tick = 0; tick < 150; tick++) {
@@ -462,6 +484,7 @@ static void test_a_panic_between_ticks_adds_none(void **state)
     struct replay_totals totals;
     (void)state;
     assert_int_equal(core_init(&core, &config), CORE_OK);
+    empty_path();
     assert_int_equal(recorder_begin(&recorder, path, &core), 0);
     assert_int_equal(recorder_end_in_panic(&recorder), 0);
     assert_int_equal(scan(&totals), 0);
@@ -485,6 +508,7 @@ int main(void)
         cmocka_unit_test(test_another_version_is_named),
         cmocka_unit_test(test_a_huge_file_of_nothing_is_refused_at_its_first_second),
         cmocka_unit_test(test_a_full_disk_stops_the_recording_and_leaves_it_whole),
+        cmocka_unit_test(test_a_recording_is_never_replaced),
         cmocka_unit_test(test_a_path_that_cannot_be_written_is_told),
         cmocka_unit_test(test_a_true_recording_is_found_true),
         cmocka_unit_test(test_the_first_tick_that_differs_is_named),
