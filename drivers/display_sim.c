@@ -49,11 +49,11 @@ static int display_sim_toggle(void *self)
 static int display_sim_capture(void *self, struct hal_image *image)
 {
     const struct display_sim *sim = self;
+    image->width = 1;
+    image->height = 1;
     if (image->size < 3) {
         return HAL_ERR_IO;
     }
-    image->width = 1;
-    image->height = 1;
     for (int i = 0; i < 3; i++) {
         image->rgb[i] = sim->present_count > 0 ? 255 : 0;
     }

@@ -49,7 +49,8 @@ struct hal_display_ops {
     int (*poll)(void *self, struct display_events *out);
     int (*present)(void *self, const struct scene *scene);
     int (*toggle_full_screen)(void *self);
-    /* Copies the picture last presented; HAL_ERR_IO when `image` is too small for it. */
+    /* Copies the picture last presented. HAL_ERR_IO: there is none, or `image` is too small for it:
+     * its width and height then say what it needs. */
     int (*capture)(void *self, struct hal_image *image);
     void (*close)(void *self);
     const char *(*describe)(void *self);

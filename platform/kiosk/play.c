@@ -11,8 +11,6 @@
 #include "platform/clock.h"
 
 #define SHOT_TICKS (5u * CORE_TICK_HZ)
-#define SHOT_WIDTH_MAX 4096u
-#define SHOT_HEIGHT_MAX 2304u
 
 /* Where scores live when nobody says: the user's data folder. "" when there is none. When it
  * cannot be made, the store will say so and the stall opens all the same. */
@@ -162,13 +160,16 @@ static enum exit_code begin(struct session *session)
     return session_begin(session, &config);
 }
 
+/* The first picture that cannot be made or written is the last: one line, not one each 5 s. */
 static void shoot_if_due(struct session *session, uint32_t *shots)
 {
     char path[OPTIONS_PATH_MAX + 32];
     struct hal_image image;
-    if (session->options.shots[0] && session->kiosk.core.tick >= (*shots + 1) * SHOT_TICKS) {
+    if (session->options.shots[0] && *shots < UINT32_MAX && session->kiosk.core.tick >= (*shots + 1) * SHOT_TICKS) {
         snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++*shots);
-        session_shot(session, path, &image);
+        if (session_shot(session, path, &image)) {
+            *shots = UINT32_MAX;
+        }
     }
 }
 
@@ -194,9 +195,6 @@ static enum kiosk_end run(struct session *session)
 enum exit_code play_run(struct session *session)
 {
     enum exit_code code = EXIT_OK;
-    if (session->options.shots[0]) {
-        code = session_make_room(session, SHOT_WIDTH_MAX, SHOT_HEIGHT_MAX);
-    }
     if (code == EXIT_OK) {
         code = begin(session);
     }

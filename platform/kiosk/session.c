@@ -137,20 +137,40 @@ enum exit_code session_make_folder(const char *path)
 
 enum exit_code session_make_room(struct session *session, uint32_t width, uint32_t height)
 {
+    free(session->rgb);
     session->rgb_size = (size_t)width * height * 3;
     session->rgb = malloc(session->rgb_size);
     if (!session->rgb) {
+        session->rgb_size = 0;
         fprintf(stderr, "kingyo: no memory for pictures of %ux%u\n", width, height);
         return EXIT_NOT_SO;
     }
     return EXIT_OK;
 }
 
-int session_shot(struct session *session, const char *path, struct hal_image *image)
+static int capture(struct session *session, struct hal_image *image)
 {
     const struct hal_display *display = &session->hal.display;
     *image = (struct hal_image){ .rgb = session->rgb, .size = session->rgb_size };
-    if (display->ops->capture(display->self, image) != HAL_OK) {
+    return display->ops->capture(display->self, image);
+}
+
+/* A window that has grown since the last picture needs more room. */
+static int capture_with_room(struct session *session, struct hal_image *image)
+{
+    const int result = capture(session, image);
+    const size_t needed = (size_t)image->width * image->height * 3;
+    if (result == HAL_OK || needed <= session->rgb_size) {
+        return result;
+    }
+    return session_make_room(session, image->width, image->height) == EXIT_OK
+               ? capture(session, image)
+               : HAL_ERR_IO;
+}
+
+int session_shot(struct session *session, const char *path, struct hal_image *image)
+{
+    if (capture_with_room(session, image) != HAL_OK) {
         fprintf(stderr, "kingyo: the display gives no picture\n");
         return -1;
     }

@@ -17,7 +17,7 @@ struct session {
     struct recorder recorder;
     struct replayer replayer;
     struct replay_totals replayed;       /* What session_check found in the file to replay. */
-    uint8_t *rgb;                        /* For pictures: made once, before the loop. */
+    uint8_t *rgb;                        /* For pictures; grows with the window when one is taken. */
     size_t rgb_size;
     const volatile sig_atomic_t *stop;   /* Set by SIGINT and SIGTERM. */
 };
@@ -38,7 +38,7 @@ enum exit_code session_end(struct session *session);
 int session_try_folder(const char *path);
 enum exit_code session_make_folder(const char *path);
 
-/* Room for pictures up to `width` x `height`. An exit code, told. */
+/* Room for pictures up to `width` x `height`, in place of what there was. An exit code, told. */
 enum exit_code session_make_room(struct session *session, uint32_t width, uint32_t height);
 
 /* Takes the picture last presented into session->rgb and, where `path` is not null, writes it

@@ -312,6 +312,8 @@ int renderer_read(struct renderer *renderer, struct hal_image *image)
     const uint32_t width = renderer->config.width;
     const uint32_t height = renderer->config.height;
     const size_t row = (size_t)width * 3u;
+    image->width = width;
+    image->height = height;
     if (image->size < row * height || width > RENDERER_WIDTH_MAX) {
         return HAL_ERR_IO;
     }
@@ -324,8 +326,6 @@ int renderer_read(struct renderer *renderer, struct hal_image *image)
             memcpy(out, renderer->row + x * 4u, 3);
         }
     }
-    image->width = width;
-    image->height = height;
     return HAL_OK;
 }
 
