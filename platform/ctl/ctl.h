@@ -20,7 +20,4 @@ extern const struct ctl_command ctl_play, ctl_replay;
 __attribute__((format(printf, 2, 3)))
 enum exit_code ctl_usage(const char *command, const char *format, ...);
 
-/* A whole number from `min` to `max`: 1, else 0. */
-int ctl_number(const char *text, uint32_t min, uint32_t max, uint32_t *out);
-
 #endif

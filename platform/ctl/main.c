@@ -1,9 +1,6 @@
 /* main.c -- `kingyoctl`: the command line for operators, fish makers and researchers. */
-#include <ctype.h>
-#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/core.h"
@@ -20,21 +17,6 @@ enum exit_code ctl_usage(const char *command, const char *format, ...)
     va_end(arguments);
     fputc('\n', stderr);
     return EXIT_USAGE;
-}
-
-int ctl_number(const char *text, uint32_t min, uint32_t max, uint32_t *out)
-{
-    char *end = NULL;
-    if (!text || !isdigit((unsigned char)text[0])) {
-        return 0;
-    }
-    errno = 0;
-    const unsigned long long value = strtoull(text, &end, 0);
-    if (errno != 0 || *end != '\0' || value < min || value > max) {
-        return 0;
-    }
-    *out = (uint32_t)value;
-    return 1;
 }
 
 static void print_help(void)

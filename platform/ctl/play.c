@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "platform/ctl/ctl.h"
+#include "platform/number.h"
 #include "platform/kiosk/recorder.h"
 
 static const char name[] = "play";
@@ -138,18 +139,18 @@ static enum exit_code take_option(struct play_options *options, int argc, const 
     if (strcmp(option, "--bot") == 0) {
         right = value && strcmp(value, "stall") == 0;
     } else if (strcmp(option, "--rounds") == 0) {
-        right = ctl_number(value, 1, 100000, &options->rounds);
+        right = number_parse(value, 1, 100000, &options->rounds);
     } else if (strcmp(option, "--seed") == 0) {
-        right = ctl_number(value, 0, UINT32_MAX, &options->seed);
+        right = number_parse(value, 0, UINT32_MAX, &options->seed);
     } else if (strcmp(option, "--fish") == 0) {
         const uint32_t max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL));
-        if (!ctl_number(value, 1, max, &options->fish_count)) {
+        if (!number_parse(value, 1, max, &options->fish_count)) {
             return ctl_usage(name, "--fish: '%.100s' is not right; the water holds 1 to %u",
                              value ? value : "", max);
         }
         right = 1;
     } else if (strcmp(option, "--round-s") == 0) {
-        right = ctl_number(value, 10, 600, &options->round_s);
+        right = number_parse(value, 10, 600, &options->round_s);
     } else if (strcmp(option, "--record") == 0) {
         options->record = value;
         right = value != NULL;

@@ -4,12 +4,12 @@
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/scene.h"
 #include "core/tank/tank.h"
 #include "platform/board.h"
+#include "platform/number.h"
 
 #define TEXT_MAX 64
 
@@ -23,21 +23,6 @@ struct option {
 };
 
 /* ---- Values --------------------------------------------------------------------------------- */
-
-static int parse_u32(const char *text, uint32_t min, uint32_t max, uint32_t *out)
-{
-    char *end = NULL;
-    if (!isdigit((unsigned char)text[0])) {
-        return 0;
-    }
-    errno = 0;
-    const unsigned long long value = strtoull(text, &end, 0);
-    if (errno != 0 || *end != '\0' || value < min || value > max) {
-        return 0;
-    }
-    *out = (uint32_t)value;
-    return 1;
-}
 
 static int copy_path(char out[OPTIONS_PATH_MAX], const char *text)
 {
@@ -53,7 +38,7 @@ static int set_demo(struct options *options, const char *value)
 {
     options->demo = 1;
     options->demo_s = OPTIONS_DEMO_S;
-    return !value || parse_u32(value, OPTIONS_DEMO_S_MIN, OPTIONS_DEMO_S_MAX, &options->demo_s);
+    return !value || number_parse(value, OPTIONS_DEMO_S_MIN, OPTIONS_DEMO_S_MAX, &options->demo_s);
 }
 
 static int set_window(struct options *options, const char *value)
@@ -64,8 +49,8 @@ static int set_window(struct options *options, const char *value)
         return 0;
     }
     snprintf(width, sizeof width, "%.*s", (int)(cross - value), value);
-    return parse_u32(width, 320, 8192, &options->width) &&
-           parse_u32(cross + 1, 240, 8192, &options->height);
+    return number_parse(width, 320, 8192, &options->width) &&
+           number_parse(cross + 1, 240, 8192, &options->height);
 }
 
 static int find_name(const char *const *names, uint8_t count, const char *value, uint8_t *out)
@@ -95,7 +80,7 @@ static int set_language(struct options *options, const char *value)
 static int set_seed(struct options *options, const char *value)
 {
     options->has_seed = 1;
-    return parse_u32(value, 0, UINT32_MAX, &options->seed);
+    return number_parse(value, 0, UINT32_MAX, &options->seed);
 }
 
 static uint32_t fish_max(void)
@@ -105,7 +90,7 @@ static uint32_t fish_max(void)
 
 static int set_fish(struct options *options, const char *value)
 {
-    return parse_u32(value, 1, fish_max(), &options->fish_count);
+    return number_parse(value, 1, fish_max(), &options->fish_count);
 }
 
 static int set_record(struct options *options, const char *value)
@@ -156,7 +141,7 @@ static const struct option table[] = {
       "WIDTHxHEIGHT from 320x240 to 8192x8192", set_window, 0 },
     { "poi", "KIND", "who holds the poi: auto, mouse, pad, usb or bot",
       "auto, mouse, pad, usb or bot", set_poi, 0 },
-    { "record", "FILE", "write the play to FILE, to be shown again", "a path", set_record, 0 },
+    { "record", "FILE", "write the play to FILE, a new one, to be shown again", "a path", set_record, 0 },
     { "replay", "FILE", "show a recorded play and check it", "a path", set_replay, 1 },
     { "shots", "DIR", "where pictures go (demo: out/demo; else one each 5 s)", "a path", set_shots, 0 },
     { "data", "DIR", "where scores are kept (~/.local/share/kingyo)", "a path", set_data, 0 },
@@ -273,11 +258,22 @@ static char *trim(char *text)
     return text;
 }
 
+/* A '#' inside a word is part of it: a path may hold one. */
+static void cut_comment(char *line)
+{
+    for (char *hash = strchr(line, '#'); hash; hash = strchr(hash + 1, '#')) {
+        if (hash == line || isspace((unsigned char)hash[-1])) {
+            *hash = '\0';
+            return;
+        }
+    }
+}
+
 /* Null when the line is fine, else what is wrong with it. `*expects` may say more. */
 static const char *read_line(struct options *options, char *line, const char **expects,
                              char bound[TEXT_MAX])
 {
-    line[strcspn(line, "#")] = '\0';
+    cut_comment(line);
     char *key = trim(line);
     if (*key == '\0') {
         return NULL;
@@ -339,7 +335,9 @@ void options_print_help(void)
         snprintf(left, sizeof left, "--%s %s", table[i].name, table[i].value ? table[i].value : "");
         printf("  %-18s %s\n", left, with_bound(&table[i], table[i].help, right));
     }
-    puts("\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay differs;\n"
+    puts("\nA recording is never written over: --record refuses a file that holds anything. It is whole\n"
+         "after each second: a kiosk that is killed loses one at most; nothing is promised of a power cut.\n"
+         "\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay differs;\n"
          "2 wrong option; 65 a recording that is no whole recording; 74 a path that cannot be read or\n"
-         "written.");
+         "written, or finished rounds that could not be kept.");
 }

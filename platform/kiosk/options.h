@@ -42,7 +42,8 @@ struct options {
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* Reads "key = value" lines: the keys are the options' names, '#' begins a comment. A line that
+/* Reads "key = value" lines: the keys are the options' names, '#' at the
+ * beginning of a line or after white space begins a comment. A line that
  * cannot be used is told through `warn` (may be null) and skipped: a typing mistake must not
  * keep a stall closed. 0, or a negative errno when the file cannot be read. */
 int options_read_config(struct options *options, const char *path,

@@ -33,7 +33,7 @@ static void test_every_option_is_understood(void **state)
     static const char *const argv[] = { "kingyo",   "--window", "800x600", "--poi",  "bot",
                                         "--record", "a.kgr",    "--shots", "pics",   "--data=scores",
                                         "--config", "c.conf",   "--lang",  "en",     "--seed",
-                                        "0xff",     "--fish",   "50",      "--demo", "30" };
+                                        "0255",     "--fish",   "50",      "--demo", "30" };
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
     assert_int_equal(options.width, 800);
@@ -81,6 +81,8 @@ static void test_a_wrong_option_is_one_line_that_names_it(void **state)
         { "kingyo", "--seed", "-1", NULL },
         { "kingyo", "--seed", "4294967296", NULL },
         { "kingyo", "--seed", "12a", NULL },
+        { "kingyo", "--seed", "0x10", NULL },
+        { "kingyo", "--seed", " 1", NULL },
         { "kingyo", "--fish", "0", NULL },
         { "kingyo", "--fish", "2048", NULL },
         { "kingyo", "--demo", "4", NULL },
@@ -176,6 +178,23 @@ static void test_a_configuration_file_sets_the_same_things(void **state)
     assert_int_equal(options.fish_count, 400);
 }
 
+static void test_a_number_is_decimal_whatever_it_begins_with(void **state)
+{
+    static const char *const argv[] = { "kingyo", "--seed", "010" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.seed, 10);
+}
+
+static void test_a_path_may_hold_what_begins_a_comment(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text("data = /srv/stall#1 # the first\n#shots = pics\n"), 0);
+    assert_int_equal(warning_count, 0);
+    assert_string_equal(options.data, "/srv/stall#1");
+    assert_string_equal(options.shots, "");
+}
+
 static void test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts(void **state)
 {
     (void)state;
@@ -214,6 +233,8 @@ int main(void)
         cmocka_unit_test(test_recording_a_replay_is_refused),
         cmocka_unit_test(test_a_path_longer_than_any_is_refused),
         cmocka_unit_test(test_a_configuration_file_sets_the_same_things),
+        cmocka_unit_test(test_a_number_is_decimal_whatever_it_begins_with),
+        cmocka_unit_test(test_a_path_may_hold_what_begins_a_comment),
         cmocka_unit_test(test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts),
         cmocka_unit_test(test_a_file_may_not_start_a_demonstration),
         cmocka_unit_test(test_a_file_that_cannot_be_read_is_an_error),
