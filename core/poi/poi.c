@@ -11,9 +11,9 @@
 
 /* The hand. One stiffness; damping grows with the water that has to move along, so that the spring
  * is critically damped along the normal under water and lags a moving hand by damping / stiffness:
- * 22 ms in air, 53 ms broadside under water. */
-#define HAND_N_M 250.0f
-#define HAND_LAG_AIR_S 0.0225f
+ * 25 ms in air, 56 ms broadside under water. */
+#define HAND_N_M 215.0f
+#define HAND_LAG_AIR_S 0.0250f
 #define HAND_N_MAX 20.0f     /* What a wrist gives; the poi yields beyond it. */
 #define EDGE_ADDED_KG 0.010f /* Water that the ring drags along its plane. */
 #define TURN_RAD_S 80.0f     /* Wrist: lags by 25 ms. */
@@ -29,9 +29,9 @@
 #define TIP_BACK_SHARE 0.4f
 #define TIP_EDGE_M 0.010f /* The lower edge then keeps so far over the mouth. */
 
-/* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at
- * 30 Hz, must not become blows of water. */
-#define FEEL_TAU_S 0.060f
+/* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at 8
+ * to 30 Hz, must not become blows of water. Two poles: one would need twice the delay for it. */
+#define FEEL_TAU_S 0.050f
 #define FEEL_M_S2_MAX 6.0f /* A stop at a wall is the ring's, not the paper's. */
 
 #define FILM_KG 0.003f       /* Water that wet paper keeps, ... */
@@ -192,8 +192,9 @@ static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis 
     const vec3 water = v3(-drag_p * next.x, slam - drag_n * next.y, -drag_p * next.z);
     const vec3 velocity = basis_to_world(axes, next);
     const vec3 change = v3_scale(v3_sub(velocity, poi->velocity_m_s), 1.0f / CORE_TICK_S);
-    const vec3 felt = v3_lerp(poi->acceleration_m_s2, v3_limit(change, 8.0f * FEEL_M_S2_MAX),
-                              CORE_TICK_S / (FEEL_TAU_S + CORE_TICK_S));
+    const float share = CORE_TICK_S / (FEEL_TAU_S + CORE_TICK_S);
+    poi->jolt_m_s2 = v3_lerp(poi->jolt_m_s2, v3_limit(change, 8.0f * FEEL_M_S2_MAX), share);
+    const vec3 felt = v3_lerp(poi->acceleration_m_s2, poi->jolt_m_s2, share);
     poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
     poi->velocity_m_s = velocity;
     return (struct pull){ .hand_n = basis_to_world(axes, hand),
@@ -344,6 +345,7 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
     hash = hash_u32(hash, poi->seed);
     hash = hash_vec3(hash, poi->angular_velocity_rad_s);
     hash = hash_vec3(hash, poi->acceleration_m_s2);
+    hash = hash_vec3(hash, poi->jolt_m_s2);
     hash = hash_vec3(hash, poi->tip_toward);
     hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
     hash = hash_u32(hash, poi->slap_tick);

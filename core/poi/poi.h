@@ -32,7 +32,8 @@ struct poi {
     vec3 position_m, velocity_m_s; /* Ring centre. */
     struct angles angles;
     vec3 angular_velocity_rad_s; /* Of yaw, pitch, roll, in that order. */
-    vec3 acceleration_m_s2;      /* Over the last few ticks; what water and fish on it feel. */
+    vec3 acceleration_m_s2;      /* Over the last few ticks; what water and fish on it feel ... */
+    vec3 jolt_m_s2;              /* ... and the first of the two filters that make it. */
     float immersed;              /* [0, 1] fraction of the disc below the surface. */
     float splash_m_s;            /* This tick the ring went in (> 0) or came out (< 0), so fast. */
     float water_kg;              /* On the paper; a load only out of the tank. */

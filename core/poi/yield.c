@@ -25,15 +25,15 @@ static float half_extent(float n)
            0.5f * POI_THICKNESS_M * f_abs(n);
 }
 
-/* What a turn of the wrist or a move has left of a ring that was clear: how deep in the wall. */
-static float depth_in_walls(vec3 at_m, float room_x_m, float room_z_m)
+/* How far a point is beyond a room about the origin; <= 0 within it. */
+static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
 {
     return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);
 }
 
 /* Inside the walls it stays inside; only with its lowest edge over the rim may it pass. A ring that
- * is beyond them, or lies across the rim, rests on it. Which of the two it is says where it was, not
- * how it is turned: a turn alone must never throw it over a wall. */
+ * is beyond them, or lies across the rim, rests on it. Which of the two it is says where it was,
+ * not how it is turned: a turn alone must never throw it over a wall. */
 static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
 {
     const float low = half_extent(up.y);
@@ -44,10 +44,10 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
     if (at->y - low >= rim) {
         return;
     }
-    const float beyond = depth_in_walls(before_m, 0.5f * tank->size_m.x, 0.5f * tank->size_m.z);
-    const float aside = f_max(0.0f, depth_in_walls(before_m, room_x, room_z));
+    const float outside = beyond_m(before_m, 0.5f * tank->size_m.x, 0.5f * tank->size_m.z);
+    const float aside = f_max(0.0f, beyond_m(before_m, room_x, room_z));
     const float under = rim + low - before_m.y;
-    if (beyond > 0.0f || (aside > 1e-4f && under < aside)) {
+    if (outside > 0.0f || (aside > 1e-4f && under < aside)) {
         keep(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
     } else {
         keep(&at->x, &speed->x, -room_x, room_x);

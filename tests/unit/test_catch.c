@@ -401,7 +401,8 @@ static void test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost(v
     float weight_n = 0.0f;
     for (uint32_t i = 0; i < POI_RIDER_MAX; i++) {
         const uint32_t fish = stand_fish(&stand, v3(0.0f, 0.06f, 0.0f), 0.03f);
-        const float x_m = 0.012f * (float)(i % 4u) - 0.018f, z_m = 0.012f * (float)(i / 4u) - 0.018f;
+        const float x_m = 0.012f * (float)(i % 4u) - 0.018f;
+        const float z_m = 0.012f * (float)(i / 4u) - 0.018f;
         stand.tank.fish[fish].gait = GAIT_HELD;
         stand.poi.riders[i] = (struct rider){
             .fish = (uint16_t)fish, .side = 1, .x_m = x_m, .z_m = z_m, .height_m = 0.003f,
