@@ -54,7 +54,11 @@ $(UNIT_CORE): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
 
 $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
-	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka $(HOST_LIBS)
+	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $^ -lcmocka $(HOST_LIBS)
+
+# What allocates, as our objects ask for it; libraries' own asking is not turned aside.
+$(BUILD)/tests/unit/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
+    -Wl,--wrap=strdup,--wrap=fopen
 
 $(BUILD)/tests/e2e/hand: $(BUILD)/tests/e2e/hand.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
 $(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
