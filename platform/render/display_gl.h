@@ -15,7 +15,7 @@
 
 /* Zero is a sensible value of every field. */
 struct display_gl_config {
-    uint32_t width, height; /* Of the window, in points; 0: 1280x720 in a window, the screen's own when full. */
+    uint32_t width, height; /* Of the window, in points; 0: 1280x720, or all when full. */
     bool full_screen;
     bool off_screen;   /* No window system at all: SDL's offscreen driver. */
     const char *title; /* 0: "Kingyo". */

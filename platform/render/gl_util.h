@@ -50,8 +50,8 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
 /* A buffer of `size` bytes; `data` may be null for one that is filled every frame. */
 GLuint gl_buffer(GLenum target, const void *data, size_t size);
 
-/* Replaces the whole of the buffer bound to `target`, in a fresh store: the driver need not wait for
- * the frame that still reads the last one. */
+/* Replaces the whole of the buffer bound to `target`, in a fresh store: the driver need not wait
+ * for the frame that still reads the last one. */
 void gl_buffer_refill(GLenum target, const void *data, size_t size);
 
 /* GL_RING equal textures, without pixels: the one to fill is never the one last drawn from. */
