@@ -1,6 +1,8 @@
 /* poi_pass.c -- see poi_pass.h. Lengths of the solids are in inner ring radii. */
 #include "platform/render/poi_pass.h"
 
+#include <string.h>
+
 #include "core/base/panic.h"
 #include "shaders.h"
 
@@ -15,6 +17,7 @@
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
+#define RESTS_MAX 2 /* As in poi_paper.frag.glsl: more fish hide each other's shade. */
 #define REACH 3.8f /* Ring radii from the centre to the handle's end. */
 
 const float *poi_paint(uint8_t owner)
@@ -84,6 +87,8 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
                                      shader_poi_paper_frag, "sheet fibres");
     pass->paper_pose = glGetUniformLocation(pass->paper_program, "pose");
     pass->paper_paper = glGetUniformLocation(pass->paper_program, "paper");
+    pass->paper_rests = glGetUniformLocation(pass->paper_program, "rests");
+    pass->paper_spines = glGetUniformLocation(pass->paper_program, "spines");
     gl_ring_open(status, "sheets", &pass->sheet_ring,
                  &(struct gl_texture_desc){ .internal_format = GL_RGBA8,
                                             .format = GL_RGBA,
@@ -145,15 +150,41 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
     glDisable(GL_BLEND);
 }
 
-void poi_pass_paper(const struct poi_pass *pass, const struct scene_poi *poi, uint32_t index,
+/* Where fish lie on that paper: the first RESTS_MAX of them. A length of 0 shades nothing. */
+static void set_rests(const struct poi_pass *pass, const struct scene *scene,
+                      const struct scene_poi *poi)
+{
+    float rests[RESTS_MAX][4] = { 0 };
+    float spines[RESTS_MAX][3] = { 0 };
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < scene->fish_count && count < RESTS_MAX; i++) {
+        const struct scene_fish *const fish = &scene->fish[i];
+        const float away_m = v3_length(v3_sub(fish->position_m, poi->position_m));
+        if (fish->place != SCENE_ON_POI || away_m > poi->ring_radius_m * 1.5f) {
+            continue;
+        }
+        const vec3 back = basis_from_angles(fish->angles).back;
+        const float rest[4] = { fish->position_m.x, fish->position_m.y, fish->position_m.z,
+                                fish->length_m };
+        memcpy(rests[count], rest, sizeof rest);
+        memcpy(spines[count], (const float[3]){ back.x, back.y, back.z }, sizeof spines[count]);
+        count++;
+    }
+    glUniform4fv(pass->paper_rests, RESTS_MAX, rests[0]);
+    glUniform3fv(pass->paper_spines, RESTS_MAX, spines[0]);
+}
+
+void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
                     const struct textures *textures)
 {
+    const struct scene_poi *const poi = &scene->poi[index];
     float pose[16];
     frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
     glUseProgram(pass->paper_program);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&pass->sheet_ring));
     gl_bind_texture(1, GL_TEXTURE_2D, textures->paper);
     glUniformMatrix4fv(pass->paper_pose, 1, GL_FALSE, pose);
+    set_rests(pass, scene, poi);
     glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index, 0.0f, 0.0f);
     glEnable(GL_BLEND);
     shape_draw(&pass->disc);

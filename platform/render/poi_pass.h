@@ -10,7 +10,7 @@
 
 struct poi_pass {
     GLuint frame_program, paper_program;
-    GLint frame_pose, frame_paint, paper_pose, paper_paper;
+    GLint frame_pose, frame_paint, paper_pose, paper_paper, paper_rests, paper_spines;
     struct shape_buffers solid, disc;
     struct gl_ring sheet_ring;                 /* Arrays, a layer a player. */
     uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Wetness, integrity, presence, unused. */
@@ -31,7 +31,8 @@ bool poi_is_above(const struct scene_poi *poi);
 
 /* Both want a target with depth; papers blend. */
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi);
-void poi_pass_paper(const struct poi_pass *pass, const struct scene_poi *poi, uint32_t index,
+/* Poi `index` of the scene; its paper shades where fish lie on it. */
+void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
                     const struct textures *textures);
 
 #endif

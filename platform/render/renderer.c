@@ -199,7 +199,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
     fish_pass_fins(&renderer->fish, FISH_NEAR, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_below(&scene->poi[i])) {
-            poi_pass_paper(&renderer->poi, &scene->poi[i], i, &renderer->textures);
+            poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
@@ -257,7 +257,7 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
-            poi_pass_paper(&renderer->poi, &scene->poi[i], i, &renderer->textures);
+            poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
             poi_pass_frame(&renderer->poi, &scene->poi[i]); /* Its outline fades over the paper. */
         }
     }
