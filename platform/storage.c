@@ -5,11 +5,12 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <sqlite3.h>
+
+#include "platform/folder.h"
 
 #define RETRY_S 1           /* Between two tries at a card that refused. */
 #define BUSY_MS 2000        /* Another program (kingyoctl, a backup) may hold the file this long. */
@@ -136,32 +137,15 @@ static bool set_aside(struct storage *storage)
     return false;
 }
 
-/* mkdir -p: a fresh user has no ~/.local/share yet. */
-static int make_folders(const char *dir)
-{
-    char part[STORAGE_PATH_SIZE];
-    snprintf(part, sizeof part, "%s", dir);
-    for (char *slash = strchr(part + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        mkdir(part, 0750); /* Where it matters, the last one fails too. */
-        *slash = '/';
-    }
-    return mkdir(part, 0750);
-}
-
 static bool folder_is_there(struct storage *storage)
 {
-    if (make_folders(storage->dir) == 0 || errno == EEXIST) {
-        struct stat info;
-        if (stat(storage->dir, &info) == 0 && S_ISDIR(info.st_mode)) {
-            return true;
-        }
-        errno = ENOTDIR;
+    const int error = folder_make(storage->dir);
+    if (error) {
+        char what[HAL_TEXT_SIZE / 2];
+        snprintf(what, sizeof what, "no store: %.56s", storage->dir);
+        say(storage, what, strerror(-error), "make that folder and restart");
     }
-    char what[HAL_TEXT_SIZE / 2];
-    snprintf(what, sizeof what, "no store: %.56s", storage->dir);
-    say(storage, what, strerror(errno), "make that folder and restart");
-    return false;
+    return error == 0;
 }
 
 /* ---- the thread --------------------------------------------------------------------------- */

@@ -8,13 +8,7 @@
 #include "platform/kiosk/replayer.h"
 
 static const char name[] = "replay";
-
-static enum exit_code tell_problem(const char *path, const struct replay_problem *problem)
-{
-    fprintf(stderr, "kingyoctl replay: %s: byte %llu: %s\n", path,
-            (unsigned long long)problem->offset, problem->text);
-    return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
-}
+static const char speaker[] = "kingyoctl replay";
 
 /* ---- info ----------------------------------------------------------------------------------- */
 
@@ -23,7 +17,7 @@ static enum exit_code info(const char *path, int as_json)
     static struct replay_reader reader;
     struct replay_totals totals;
     if (replay_scan(&reader, path, &totals)) {
-        return tell_problem(path, &reader.problem);
+        return replayer_tell_problem(speaker, path, &reader.problem);
     }
     const struct core_config *config = &reader.header.config;
     const double seconds = (double)totals.ticks / CORE_TICK_HZ;
@@ -72,7 +66,7 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
     const struct replay_difference *difference = &replayer->difference;
     const struct replay_totals *totals = &replayer->totals;
     if (replayer->damaged) {
-        return tell_problem(path, &replayer->reader.problem);
+        return replayer_tell_problem(speaker, path, &replayer->reader.problem);
     }
     if (difference->found) {
         printf("%s: tick %u (second %.3f) is the first that differs: recorded %s %0*llx, computed %0*llx\n",
@@ -104,7 +98,7 @@ static enum exit_code verify(const char *path)
     struct replay_totals totals;
     const double begin_s = now_s();
     if (replay_scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
-        return tell_problem(path, &replayer.reader.problem);
+        return replayer_tell_problem(speaker, path, &replayer.reader.problem);
     }
     if (core_init(&core, &config) != CORE_OK) {
         fprintf(stderr, "kingyoctl replay: %s: byte 32: this program has no such stall\n", path);

@@ -9,6 +9,7 @@
 #include "core/tank/preset.h"
 #include "platform/board.h"
 #include "platform/clock.h"
+#include "platform/folder.h"
 
 #define SHOT_TICKS (5u * CORE_TICK_HZ)
 
@@ -119,7 +120,7 @@ int play_open(struct session *session)
     struct display_events events;
     if (!options->data[0]) {
         default_data_folder(options->data);
-        session_try_folder(options->data);
+        folder_make(options->data);
     }
     const struct board_options board = {
         .poi = options->poi,

@@ -1,6 +1,7 @@
 /* replayer.c -- a source of inputs that also knows the answers. */
 #include "platform/kiosk/replayer.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "platform/kiosk/recorder.h"
@@ -63,4 +64,12 @@ struct kiosk_tap replayer_tap(struct replayer *replayer)
 void replayer_end(struct replayer *replayer)
 {
     replay_close(&replayer->reader);
+}
+
+enum exit_code replayer_tell_problem(const char *speaker, const char *path,
+                                     const struct replay_problem *problem)
+{
+    fprintf(stderr, "%s: %s: byte %llu: %s\n", speaker, path, (unsigned long long)problem->offset,
+            problem->text);
+    return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
 }

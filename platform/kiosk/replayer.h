@@ -3,6 +3,7 @@
 #define KINGYO_PLATFORM_KIOSK_REPLAYER_H
 
 #include "platform/kiosk/kiosk.h"
+#include "platform/kiosk/options.h"
 #include "platform/replay.h"
 
 /* The first tick whose digest, or whose second's hash, is not the recorded one. */
@@ -29,5 +30,9 @@ struct kiosk_source replayer_source(struct replayer *replayer);
 struct kiosk_tap replayer_tap(struct replayer *replayer);
 
 void replayer_end(struct replayer *replayer);
+
+/* One line on standard error, "SPEAKER: PATH: byte N: ...". Returns the exit code that fits. */
+enum exit_code replayer_tell_problem(const char *speaker, const char *path,
+                                     const struct replay_problem *problem);
 
 #endif

@@ -1,28 +1,19 @@
 /* session.c -- recording, replay and pictures around the frame loop. */
 #include "platform/kiosk/session.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include "platform/folder.h"
 #include "platform/png.h"
-
-static enum exit_code tell_problem(const char *path, const struct replay_problem *problem)
-{
-    fprintf(stderr, "kingyo: %s: byte %llu: %s\n", path, (unsigned long long)problem->offset,
-            problem->text);
-    return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
-}
 
 enum exit_code session_check(struct session *session)
 {
     struct replay_reader *reader = &session->replayer.reader;
     const char *path = session->options.replay;
     if (path[0] && replay_scan(reader, path, &session->replayed)) {
-        return tell_problem(path, &reader->problem);
+        return replayer_tell_problem("kingyo", path, &reader->problem);
     }
     return EXIT_OK;
 }
@@ -33,7 +24,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     const char *replay = session->options.replay;
     if (replay[0]) {
         if (replayer_begin(&session->replayer, replay, &config->core)) {
-            return tell_problem(replay, &session->replayer.reader.problem);
+            return replayer_tell_problem("kingyo", replay, &session->replayer.reader.problem);
         }
         config->source = replayer_source(&session->replayer);
         config->tap = replayer_tap(&session->replayer);
@@ -74,7 +65,7 @@ static enum exit_code end_replay(struct session *session)
     const char *path = session->options.replay;
     replayer_end(replayer);
     if (replayer->damaged) {
-        return tell_problem(path, &replayer->reader.problem);
+        return replayer_tell_problem("kingyo", path, &replayer->reader.problem);
     }
     if (replayer->difference.found) {
         fprintf(stderr, "kingyo: %s: this play is not the recorded one from tick %u on; "
@@ -98,36 +89,9 @@ enum exit_code session_end(struct session *session)
 
 /* ---- Folders and pictures ------------------------------------------------------------------- */
 
-static int make_folders(char *path)
-{
-    for (char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        if (mkdir(path, 0755) != 0 && errno != EEXIST) {
-            return -errno;
-        }
-        *slash = '/';
-    }
-    return mkdir(path, 0755) != 0 && errno != EEXIST ? -errno : 0;
-}
-
-int session_try_folder(const char *path)
-{
-    char copy[OPTIONS_PATH_MAX];
-    struct stat status;
-    snprintf(copy, sizeof copy, "%s", path);
-    const int error = make_folders(copy);
-    if (error) {
-        return error;
-    }
-    if (stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
-        return -ENOTDIR;
-    }
-    return access(path, W_OK | X_OK) != 0 ? -errno : 0;
-}
-
 enum exit_code session_make_folder(const char *path)
 {
-    const int error = session_try_folder(path);
+    const int error = folder_make(path);
     if (error) {
         fprintf(stderr, "kingyo: %s: cannot write there: %s\n", path, strerror(-error));
         return EXIT_IO;

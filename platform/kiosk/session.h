@@ -33,9 +33,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
 /* Ends the recording or the replay and tells how it went. Returns an exit code. */
 enum exit_code session_end(struct session *session);
 
-/* Makes `path` and the folders above it, and sees that it can be written to: 0 or a negative
- * errno; the second one also tells, and returns an exit code. */
-int session_try_folder(const char *path);
+/* folder_make, and tells. Returns an exit code. */
 enum exit_code session_make_folder(const char *path);
 
 /* Room for pictures up to `width` x `height`, in place of what there was. An exit code, told. */

@@ -1,0 +1,43 @@
+/* folder.c -- mkdir -p, and a look at the outcome: what is there already may be a file. */
+#include "platform/folder.h"
+
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int make_one(const char *path)
+{
+    return mkdir(path, 0755) != 0 && errno != EEXIST ? -errno : 0;
+}
+
+/* `path` comes back as it was. */
+static int make_all(char *path)
+{
+    int error = 0;
+    for (char *slash = strchr(path + 1, '/'); slash && !error; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        error = make_one(path);
+        *slash = '/';
+    }
+    return error ? error : make_one(path);
+}
+
+int folder_make(const char *path)
+{
+    char copy[FOLDER_PATH_MAX];
+    struct stat status;
+    const size_t length = strlen(path);
+    if (length == 0 || length >= sizeof copy) {
+        return length == 0 ? -ENOENT : -ENAMETOOLONG;
+    }
+    memcpy(copy, path, length + 1);
+    const int error = make_all(copy);
+    if (error) {
+        return error;
+    }
+    if (stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
+        return -ENOTDIR;
+    }
+    return access(path, W_OK | X_OK) != 0 ? -errno : 0;
+}
