@@ -6,7 +6,8 @@ ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui
 	@$< out/ui $(BACKDROP)
 
-UI_OBJ := $(patsubst %.c,$(BUILD)/%.o,$(wildcard platform/render/text.c platform/render/ui*.c))
+UI_OBJ := $(patsubst %.c,$(BUILD)/%.o,$(wildcard platform/render/text.c platform/render/ui*.c \
+            platform/render/gl_util.c))
 
 $(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(UI_OBJ) $(GENERATED_OBJ)
 	$(call step,LINK,$@)
