@@ -1,6 +1,7 @@
 /* rehearsal.c -- any board, with nobody there: its display off screen, and devices that we move.
  *
- * Shared by every board; it is wiring, so it lives here and not in the demonstration that uses it. */
+ * Shared by every board; it is wiring, so it lives here and not in the demonstration that uses
+ * it. */
 #include "platform/board.h"
 
 #include "core/input.h"

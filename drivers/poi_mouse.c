@@ -31,7 +31,8 @@ static int poi_mouse_open(void *self)
 {
     struct poi_mouse *mouse = self;
     if (!SDL_WasInit(SDL_INIT_VIDEO)) {
-        snprintf(mouse->text, sizeof mouse->text, "no mouse: there is no window for it to move over");
+        snprintf(mouse->text, sizeof mouse->text,
+                 "no mouse: there is no window for it to move over");
         return HAL_ERR_NONE;
     }
     SDL_ShowCursor(SDL_DISABLE); /* The poi is the cursor. */

@@ -16,10 +16,11 @@
 #define DIP_START_M_S2 (-16.0f)
 
 /* No wrist keeps a ring in its own plane while the arm hurries: the leading edge rises with the
- * speed. Gliding at 0.1 m/s this is under 3 degrees; at 1 m/s the paper takes the water's full push. */
+ * speed. Gliding at 0.1 m/s this is under 3 degrees; at 1 m/s the paper takes the water's full
+ * push. */
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
-#define LEAN_TAU_S 0.06f      /* Whole pixels at 60 Hz are steps of 0.04 m/s; leaning forgets them. */
+#define LEAN_TAU_S 0.06f      /* Whole pixels at 60 Hz step by 0.04 m/s; leaning forgets it. */
 
 struct stroke {
     float height_m, speed_m_s, acceleration_m_s2;

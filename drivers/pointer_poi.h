@@ -1,10 +1,11 @@
 /* pointer_poi.h -- turns what a pointer reports (pixels, buttons, wheel) into where a hand is.
  *
- * Pure: no device, no clock, no library. The mouse, its simulated twin and the fuzzers meet here.
- * A pointer has two axes and a hand has six, so the rest is a manner of playing: holding the left
- * button lets the ring down along a smooth stroke, letting go brings it up, the wheel tilts it, the
- * right button levels it, and a hand that hurries leans the ring into its way. The ring's centre stays under the pointer at every height, because the
- * pointer's ray is cut with the plane at the ring's present height. */
+ * Pure: no device, no clock, no library. The mouse, its simulated twin and the fuzzers meet
+ * here. A pointer has two axes and a hand has six, so the rest is a manner of playing: holding
+ * the left button lets the ring down along a smooth stroke, letting go brings it up, the wheel
+ * tilts it, the right button levels it, and a hand that hurries leans the ring into its way. The
+ * ring's centre stays under the pointer at every height, because the pointer's ray is cut with
+ * the plane at the ring's present height. */
 #ifndef KINGYO_DRIVERS_POINTER_POI_H
 #define KINGYO_DRIVERS_POINTER_POI_H
 

@@ -26,8 +26,8 @@ static void say_nothing(const char *file, int line, const char *function, int er
     (void)file, (void)line, (void)function, (void)error, (void)format;
 }
 
-/* SDL loads ALSA's library at run time, and that writes eight lines to standard error where there is
- * no card. describe() says it in one. */
+/* SDL loads ALSA's library at run time, and that writes eight lines to standard error where
+ * there is no card. describe() says it in one. */
 static void quiet_alsa(void)
 {
     typedef void handler(const char *, int, const char *, int, const char *, ...);
@@ -35,7 +35,7 @@ static void quiet_alsa(void)
     void *library = dlopen("libasound.so.2", RTLD_LAZY);
     void *symbol = library ? dlsym(library, "snd_lib_error_set_handler") : NULL;
     if (symbol) {
-        memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX allows it, C has no cast for it. */
+        memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX allows it, C has no cast. */
         set_handler(say_nothing);
     }
 }
@@ -56,7 +56,7 @@ static int audio_open(void *self)
     };
     quiet_alsa();
     synth_init(&audio->synth);
-    atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* What a lost card left is too late. */
+    atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* Sounds of a lost card. */
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
         /* No changes allowed: SDL converts to whatever the card wants. */
         audio->device = SDL_OpenAudioDevice(NULL, 0, &wanted, NULL, 0);

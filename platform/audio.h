@@ -1,7 +1,8 @@
 /* audio.h -- the stall's voice: SDL's audio device plays the core's synthesiser.
  *
- * play() puts an event into a ring and never waits; SDL's audio thread takes it out, starts the voice
- * and renders. No device is no error that anybody hears: describe() says so and the kiosk is silent. */
+ * play() puts an event into a ring and never waits; SDL's audio thread takes it out, starts the
+ * voice and renders. No device is no error that anybody hears: describe() says so and the kiosk
+ * is silent. */
 #ifndef KINGYO_PLATFORM_AUDIO_H
 #define KINGYO_PLATFORM_AUDIO_H
 
@@ -12,7 +13,7 @@
 #include "core/sound/sound.h"
 #include "platform/hal.h"
 
-#define AUDIO_QUEUE_MAX 64u   /* Four frames' worth of OUTPUT_SOUND_MAX; the device asks each frame. */
+#define AUDIO_QUEUE_MAX 64u   /* Four frames' worth of OUTPUT_SOUND_MAX. */
 #define AUDIO_FRAME_COUNT 512u /* Asked for at a time: 11 ms, less than one displayed frame. */
 
 /* The caller owns it and leaves it zero. It stays at its address while open. */

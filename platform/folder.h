@@ -4,8 +4,9 @@
 
 #define FOLDER_PATH_MAX 1024u
 
-/* Makes the folder `path` and those above it, readable for all, where they are not there yet, and sees
- * that files can be made in it. 0 or a negative errno; -ENAMETOOLONG from FOLDER_PATH_MAX bytes on. */
+/* Makes the folder `path` and those above it, readable for all, where they are not there yet,
+ * and sees that files can be made in it. 0 or a negative errno; -ENAMETOOLONG from
+ * FOLDER_PATH_MAX bytes on. */
 int folder_make(const char *path);
 
 #endif

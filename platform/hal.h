@@ -100,11 +100,12 @@ struct hal_audio_ops {
 struct hal_storage_ops {
     int (*open)(void *self);
     int (*best_today)(void *self, uint32_t *out);              /* At start. */
-    int (*save)(void *self, const struct round_record *record); /* Copies; HAL_ERR_BUSY: next frame. */
+    int (*save)(void *self, const struct round_record *record); /* Copies; BUSY: next frame. */
     uint32_t (*saved_id)(void *self);                          /* Newest id known to be on disk. */
-    uint32_t (*refused_count)(void *self);                     /* Writes that failed since open(). */
+    uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
     const char *(*describe)(void *self);
-    /* Writes what save() took, which may wait a few seconds; returns how many rounds it could not. */
+    /* Writes what save() took, which may wait a few seconds; returns how many rounds it could
+     * not. */
     uint32_t (*close)(void *self);
 };
 

@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-/* Decimal digits alone (leading zeros are just zeros), a value in [min, max]: 1 with `*out` set; else
- * 0 and `*out` as it was. `text` may be null. */
+/* Decimal digits alone (leading zeros are just zeros), a value in [min, max]: 1 with `*out` set;
+ * else 0 and `*out` as it was. `text` may be null. */
 int number_parse(const char *text, uint32_t min, uint32_t max, uint32_t *out);
 
 #endif

@@ -1,7 +1,7 @@
 /* replay.h -- a play on disk: the inputs, and what the core made of them.
  *
- * All numbers are little-endian. A file is one header, then chunks of at most one second, then one end
- * mark, and nothing after it:
+ * All numbers are little-endian. A file is one header, then chunks of at most one second, then
+ * one end mark, and nothing after it:
  *
  *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
  *            zero-filled), core_config as 6 u32 (seed, preset, fish_count, language, round_s,
@@ -9,15 +9,16 @@
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u64 core_hash after the last tick, payload, u64 sum
  *   end      "ENDS", u32 tick count, u32 rounds begun, u32 fish caught, u64 core_hash, u64 sum
- *   payload  a tick after the other: the input as a difference from the tick before (replay_codec.c),
- *            then the low 32 bits of core_hash_quick after the tick
+ *   payload  a tick after the other: the input as what changed since the one before
+ *            (replay_codec.c), then the low 32 bits of core_hash_quick after the tick
  *
- * A sum is FNV-1a over the bytes before it in its part, started from the sum of the part before, so
- * that no part can be altered, swapped or left out unseen. The end mark is written with each chunk, in
- * one write over the last end mark: a recording in progress is whole up to its last second, and a killed
- * process loses at most that. Nothing is synced, and the frame's thread writes: pulling the plug may
- * lose what the system had not yet put on the disk, and a card that hangs holds the frame. A file cut
- * so is refused, and the refusal says how many of its seconds are good. */
+ * A sum is FNV-1a over the bytes before it in its part, started from the sum of the part before,
+ * so that no part can be altered, swapped or left out unseen. The end mark is written with each
+ * chunk, in one write over the last end mark: a recording in progress is whole up to its last
+ * second, and a killed process loses at most that. Nothing is synced, and the frame's thread
+ * writes: pulling the plug may lose what the system had not yet put on the disk, and a card that
+ * hangs holds the frame. A file cut so is refused, and the refusal says how many of its seconds
+ * are good. */
 #ifndef KINGYO_PLATFORM_REPLAY_H
 #define KINGYO_PLATFORM_REPLAY_H
 
@@ -81,8 +82,8 @@ struct replay_writer {
     uint8_t bytes[REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE];
 };
 
-/* Begins a file at `path`; one that is there must be empty, else -EEXIST. `first_hash` is core_hash of the
- * fresh core. 0, or a negative errno and nothing is open. */
+/* Begins a file at `path`; one that is there must be empty, else -EEXIST. `first_hash` is
+ * core_hash of the fresh core. 0, or a negative errno and nothing is open. */
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash);
 

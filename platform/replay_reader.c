@@ -43,7 +43,8 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
         }
         if (got == 0) {
             return refuse(reader, 0, begin + done,
-                          "the file ends in the middle of %s; %u whole seconds before that are good",
+                          "the file ends in the middle of %s; "
+                          "%u whole seconds before that are good",
                           what, reader->tick / CORE_TICK_HZ);
         }
         done += (size_t)got;
@@ -89,7 +90,8 @@ static int read_header(struct replay_reader *reader)
         !is_program_name(bytes + HEADER_PROGRAM) ||
         replay_get_u32(bytes + HEADER_CONFIG + 4) > UINT8_MAX ||
         replay_get_u32(bytes + HEADER_CONFIG + 12) > UINT8_MAX) {
-        return refuse(reader, 0, HEADER_SIZE_FIELD, "the header says what this program never writes");
+        return refuse(reader, 0, HEADER_SIZE_FIELD, "the header says what this program "
+                                                    "never writes");
     }
     const uint8_t *config = bytes + HEADER_CONFIG;
     reader->header.config = (struct core_config){
@@ -147,7 +149,8 @@ static int read_end(struct replay_reader *reader)
                      totals.caught == reader->totals.caught &&
                      (reader->tick == 0 || totals.hash == reader->totals.hash);
     if (!same) {
-        return refuse(reader, 0, reader->offset, "the end mark does not agree with the last second");
+        return refuse(reader, 0, reader->offset, "the end mark does not agree with the "
+                                                 "last second");
     }
     const uint64_t size = reader->offset + REPLAY_END_SIZE;
     if (pread(reader->fd, &beyond, 1, (off_t)size) != 0) {

@@ -317,9 +317,15 @@ static void say_refused(struct storage *storage, int error, const char *advice)
 
 static const char *advice_for(int error)
 {
-    return error == SQLITE_BUSY || error == SQLITE_LOCKED ? "another program holds it; tried each second"
-           : error == SQLITE_FULL                         ? "free some space; tried each second"
-                                                          : "tried again each second";
+    switch (error) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+        return "another program holds it; it is retried";
+    case SQLITE_FULL:
+        return "free some space; it is retried";
+    default:
+        return "it is retried each second";
+    }
 }
 
 static const char *storage_describe(void *self)

@@ -1,11 +1,11 @@
 /* storage.h -- the store of finished rounds: one SQLite file, written by its own thread.
  *
- * A frame never waits for a card: save() puts a record into one of STORAGE_QUEUE_MAX slots and comes
- * back, the thread writes and syncs it, and saved_id() then names it. A card that is slow, full or
- * busy is tried again each second while the slots fill; when they are full, save() says HAL_ERR_BUSY
- * and the core's record waits in its output. Each try that fails is counted. close() tries once more
- * and says how many rounds are lost for good. A damaged file is set aside under a new name, never
- * repaired in place and never deleted, and a fresh one begins. */
+ * A frame never waits for a card: save() puts a record into one of STORAGE_QUEUE_MAX slots and
+ * comes back, the thread writes and syncs it, and saved_id() then names it. A card that is slow,
+ * full or busy is tried again each second while the slots fill; when they are full, save() says
+ * HAL_ERR_BUSY and the core's record waits in its output. Each try that fails is counted.
+ * close() tries once more and says how many rounds are lost for good. A damaged file is set
+ * aside under a new name, never repaired in place and never deleted, and a fresh one begins. */
 #ifndef KINGYO_PLATFORM_STORAGE_H
 #define KINGYO_PLATFORM_STORAGE_H
 

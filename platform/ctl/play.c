@@ -107,7 +107,8 @@ static enum exit_code begin(struct game_run *run, const struct play_options *opt
     const int error =
         options->record ? recorder_begin(&run->recorder, options->record, &run->core) : 0;
     if (error) {
-        fprintf(stderr, "kingyoctl play: %s: cannot record: %s\n", options->record, strerror(-error));
+        fprintf(stderr, "kingyoctl play: %s: cannot record: %s\n", options->record,
+                strerror(-error));
         return EXIT_IO;
     }
     return EXIT_OK;

@@ -32,7 +32,8 @@ static struct span span_under(uint32_t index, uint32_t count, uint32_t source)
     return (struct span){ begin, end > begin ? end : begin + 1 };
 }
 
-static void average(const uint8_t *rgb, uint32_t width, struct span x, struct span y, uint8_t out[3])
+static void average(const uint8_t *rgb, uint32_t width, struct span x, struct span y,
+                    uint8_t out[3])
 {
     uint32_t sum[3] = { 0 };
     const uint32_t count = (x.end - x.begin) * (y.end - y.begin);
@@ -52,7 +53,8 @@ static void average(const uint8_t *rgb, uint32_t width, struct span x, struct sp
 void contact_sheet_put(struct contact_sheet *sheet, uint32_t index, const uint8_t *rgb,
                        uint32_t width, uint32_t height)
 {
-    const uint32_t left = SHEET_MARGIN + index % SHEET_COLUMNS * (SHEET_PICTURE_WIDTH + SHEET_MARGIN);
+    const uint32_t left =
+        SHEET_MARGIN + index % SHEET_COLUMNS * (SHEET_PICTURE_WIDTH + SHEET_MARGIN);
     const uint32_t top =
         SHEET_MARGIN + index / SHEET_COLUMNS * (sheet->picture_height + SHEET_MARGIN);
     for (uint32_t y = 0; y < sheet->picture_height; y++) {

@@ -17,7 +17,8 @@ struct contact_sheet {
     uint32_t picture_height;      /* Follows from the pictures' shape. */
 };
 
-/* How large a sheet of `width` x `height` pictures is. Fills all but `rgb`; returns the bytes it needs. */
+/* How large a sheet of `width` x `height` pictures is. Fills all but `rgb`; returns the bytes it
+ * needs. */
 size_t contact_sheet_plan(struct contact_sheet *sheet, uint32_t width, uint32_t height);
 
 /* Lays out the empty sheet in the colour of a summer night. */

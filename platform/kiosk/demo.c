@@ -45,7 +45,8 @@ static void wire(struct demo *demo)
 static enum exit_code begin(struct demo *demo)
 {
     const struct options *options = &demo->session->options;
-    const uint32_t round_s = options->demo_s > AROUND_ROUND_S ? options->demo_s - AROUND_ROUND_S : 0;
+    const uint32_t round_s =
+        options->demo_s > AROUND_ROUND_S ? options->demo_s - AROUND_ROUND_S : 0;
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : DEMO_SEED,
@@ -81,7 +82,8 @@ static void take_shot(struct demo *demo)
     char path[PATH_SIZE];
     struct hal_image image;
     snprintf(path, sizeof path, "%s/shot-%02u.png", demo->folder, demo->shots + 1);
-    if (session_shot(demo->session, path, &image) || (!demo->sheet.rgb && plan_sheet(demo, &image))) {
+    if (session_shot(demo->session, path, &image) ||
+        (!demo->sheet.rgb && plan_sheet(demo, &image))) {
         demo->failed = 1;
         return;
     }

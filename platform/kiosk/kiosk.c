@@ -100,7 +100,8 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* A store writes on a thread of its own: what it could not write there is a fault like any other. */
+/* A store writes on a thread of its own: what it could not write there is a fault like any
+ * other. */
 static void count_refused_writes(struct kiosk *kiosk, const struct hal_storage *storage)
 {
     const uint32_t refused = storage->ops->refused_count(storage->self);
@@ -129,7 +130,8 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     count_refused_writes(kiosk, &hal->storage);
 }
 
-/* A controller that never gave a reading is not here yet; one that gave some and stopped is away. */
+/* A controller that never gave a reading is not here yet; one that gave some and stopped is
+ * away. */
 static uint8_t link_of(const struct kiosk_hand *hand)
 {
     if (hand->link == POI_LINK_LIVE && hand->path.count > 0) {

@@ -13,8 +13,8 @@
 #include "platform/kiosk/resample.h"
 #include "platform/kiosk/timing.h"
 
-/* Sees each tick's input before the tick, and with it the state after the tick: the recorder. Must not
- * change either. */
+/* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
+ * Must not change either. */
 struct kiosk_tap {
     void (*before)(void *self, const struct input *input); /* May be null. */
     void (*tick)(void *self, const struct input *input, const struct core *core);
@@ -29,7 +29,7 @@ struct kiosk_source {
 
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];       /* These poi are held by the core's bot, whatever device there is. */
+    uint8_t bot[POI_MAX];       /* These are the core's bot's, whatever device there is. */
     struct hal_clock stopwatch; /* Real time, for the figures only; never reaches the core. */
     struct kiosk_tap tap;       /* Null function: none. */
     struct kiosk_source source; /* Null function: the devices play. */
@@ -87,8 +87,9 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
 /* One displayed frame. Returns enum kiosk_end; after anything but KIOSK_RUNS call it no more. */
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
 
-/* After the last frame: closes the store, which may wait for it, and counts its last faults. Returns
- * how many finished rounds are lost: not written, or never taken by a store that was there. */
+/* After the last frame: closes the store, which may wait for it, and counts its last faults.
+ * Returns how many finished rounds are lost: not written, or never taken by a store that was
+ * there. */
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
 
 #endif

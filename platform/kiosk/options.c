@@ -141,11 +141,14 @@ static const struct option table[] = {
       "WIDTHxHEIGHT from 320x240 to 8192x8192", set_window, 0 },
     { "poi", "KIND", "who holds the poi: auto, mouse, pad, usb or bot",
       "auto, mouse, pad, usb or bot", set_poi, 0 },
-    { "record", "FILE", "write the play to FILE, a new one, to be shown again", "a path", set_record, 0 },
+    { "record", "FILE", "write the play to FILE, a new one, to be shown again", "a path",
+      set_record, 0 },
     { "replay", "FILE", "show a recorded play and check it", "a path", set_replay, 1 },
-    { "shots", "DIR", "where pictures go (demo: out/demo; else one each 5 s)", "a path", set_shots, 0 },
+    { "shots", "DIR", "where pictures go (demo: out/demo; else one each 5 s)", "a path",
+      set_shots, 0 },
     { "data", "DIR", "where scores are kept (~/.local/share/kingyo)", "a path", set_data, 0 },
-    { "config", "FILE", "read 'option = value' lines first; options here win", "a path", set_config, 1 },
+    { "config", "FILE", "read 'option = value' lines first; options here win", "a path",
+      set_config, 1 },
     { "lang", "ja|en", "language of the stall", "ja or en", set_language, 0 },
     { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed, 0 },
     { "fish", "N", "how many fish; the water holds", "1 to", set_fish, 0 },
@@ -317,7 +320,7 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
             warn(text);
         }
     }
-    const int error = ferror(file) ? (errno ? -errno : -EIO) : 0; /* A folder opens, and does not read. */
+    const int error = ferror(file) ? (errno ? -errno : -EIO) : 0; /* A folder. */
     fclose(file);
     return error;
 }
@@ -326,18 +329,18 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
 
 void options_print_help(void)
 {
-    puts("kingyo: a goldfish-scooping stall. The mouse is the poi: hold the left button to dip it, let\n"
-         "go to lift; the wheel tilts it, the right button levels it. Space starts, L changes the\n"
-         "language, F is full screen, Esc quits. Without a screen the bot plays, and pictures of it are\n"
-         "written.\n");
+    puts("kingyo: a goldfish-scooping stall. The mouse is the poi: hold the left button to dip\n"
+         "it, let go to lift; the wheel tilts it, the right button levels it. Space starts, L\n"
+         "changes the language, F is full screen, Esc quits. Without a screen the bot plays, and\n"
+         "pictures of it are written.\n");
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         char left[40], right[TEXT_MAX];
         snprintf(left, sizeof left, "--%s %s", table[i].name, table[i].value ? table[i].value : "");
         printf("  %-18s %s\n", left, with_bound(&table[i], table[i].help, right));
     }
-    puts("\nA recording is never written over: --record refuses a file that holds anything. It is whole\n"
-         "after each second: a kiosk that is killed loses one at most; nothing is promised of a power cut.\n"
-         "\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay differs;\n"
-         "2 wrong option; 65 a recording that is no whole recording; 74 a path that cannot be read or\n"
-         "written, or finished rounds that could not be kept.");
+    puts("\nA recording is never written over: --record refuses a file that holds anything. It is\n"
+         "whole after each second: a kiosk that is killed loses one at most, a power cut more.\n"
+         "\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay\n"
+         "differs; 2 wrong option; 65 a recording that is no whole recording; 74 a path that\n"
+         "cannot be read or written, or finished rounds that could not be kept.");
 }

@@ -6,10 +6,10 @@
 #define NS_PER_S 1000000000ull
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
-#define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: a frame like this may be a 60 Hz one that jitters. */
+#define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: may be a 60 Hz frame that jitters. */
 #define SURE_60_HZ_NS 1500000ull /* 55 .. 66 Hz: it is one. */
 #define SNAP_NS 6000000ll        /* Jitter of 3 ms moves two frame's beginnings apart by so much. */
-#define DRIFT_SHARE 8            /* No display has 60 Hz exactly: forgive this part of it a frame. */
+#define DRIFT_SHARE 8            /* No display has 60 Hz exactly: each frame forgives this. */
 
 #define WAITS_NS 16000000ull     /* A screen of 62 Hz or less paces the loop by itself. */
 #define REST_SHARE 16            /* Frames that the mean remembers: a quarter of a second. */
@@ -19,7 +19,8 @@ static uint64_t distance(uint64_t a, uint64_t b)
     return a > b ? a - b : b - a;
 }
 
-/* Two ticks for a frame like a 60 Hz one, as long as what is owed stays near two as well. 1 if so. */
+/* Two ticks for a frame like a 60 Hz one, as long as what is owed stays near two as well. 1 if
+ * so. */
 static int snap(struct pace *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);

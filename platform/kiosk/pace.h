@@ -8,15 +8,15 @@
 
 struct pace {
     uint64_t last_ns;
-    int64_t owed;        /* In 1/120 ns, so that a tick is a whole number; < 0: run ahead of time. */
+    int64_t owed;        /* In 1/120 ns, so that a tick is whole; < 0: run ahead of time. */
     uint64_t dropped;    /* Ticks that were owed and never run. */
     uint8_t started;
 };
 
-/* Ticks to run in the frame that begins at `now_ns`. The first frame runs two. A frame about as long
- * as a 60 Hz display's runs exactly two while the sum of such frames stays within 6 ms of the ticks
- * run, so that jitter never shows as judder; else whole ticks run, and what is left of one is kept for
- * the next frame. A clock that stands or goes back owes nothing. */
+/* Ticks to run in the frame that begins at `now_ns`. The first frame runs two. A frame about as
+ * long as a 60 Hz display's runs exactly two while the sum of such frames stays within 6 ms of
+ * the ticks run, so that jitter never shows as judder; else whole ticks run, and what is left of
+ * one is kept for the next frame. A clock that stands or goes back owes nothing. */
 uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns);
 
 /* For a display that does not wait for its screen, or for one much faster than 60 Hz. */

@@ -166,7 +166,8 @@ static void shoot_if_due(struct session *session, uint32_t *shots)
 {
     char path[OPTIONS_PATH_MAX + 32];
     struct hal_image image;
-    if (session->options.shots[0] && *shots < UINT32_MAX && session->kiosk.core.tick >= (*shots + 1) * SHOT_TICKS) {
+    if (session->options.shots[0] && *shots < UINT32_MAX &&
+        session->kiosk.core.tick >= (*shots + 1) * SHOT_TICKS) {
         snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++*shots);
         if (session_shot(session, path, &image)) {
             *shots = UINT32_MAX;

@@ -30,8 +30,9 @@ struct kiosk_tap recorder_tap(struct recorder *recorder);
 /* Writes the begun second. 0 or the negative errno that the recording ended with, now or before. */
 int recorder_end(struct recorder *recorder);
 
-/* As recorder_end, but after a panic. One inside a tick leaves half a state: it is not looked at, and
- * the tick is written with its input, no digest, and the last full hash that was taken before it. */
+/* As recorder_end, but after a panic. One inside a tick leaves half a state: it is not looked
+ * at, and the tick is written with its input, no digest, and the last full hash that was taken
+ * before it. */
 int recorder_end_in_panic(struct recorder *recorder);
 
 #endif

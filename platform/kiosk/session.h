@@ -17,7 +17,7 @@ struct session {
     struct recorder recorder;
     struct replayer replayer;
     struct replay_totals replayed;       /* What session_check found in the file to replay. */
-    uint8_t *rgb;                        /* For pictures; grows with the window when one is taken. */
+    uint8_t *rgb;                        /* For pictures; grows with the window. */
     size_t rgb_size;
     const volatile sig_atomic_t *stop;   /* Set by SIGINT and SIGTERM. */
 };

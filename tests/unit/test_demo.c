@@ -1,4 +1,5 @@
-/* test_demo.c -- a recording shown off screen is shown to its last tick, and judged by all of them. */
+/* test_demo.c -- a recording shown off screen is shown to its last tick, and judged by all of
+ * them. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>

@@ -1,4 +1,5 @@
-/* test_kiosk.c -- the frame loop, with every device simulated and every fault that a device can have. */
+/* test_kiosk.c -- the frame loop, with every device simulated and every fault that a device can
+ * have. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -389,7 +389,8 @@ static struct core core;
 static struct recorder recorder;
 static struct replayer replayer;
 
-/* Plays `seconds` with the bot, START after one; from `lie_at` on the recorded digests are wrong. */
+/* Plays `seconds` with the bot, START after one; from `lie_at` on the recorded digests are
+ * wrong. */
 static void play_and_record(uint32_t seconds, uint32_t lie_at)
 {
     static struct output output;
