@@ -1,8 +1,9 @@
 /* font.h -- a font as the bake leaves it: a table of glyphs over one shared distance field.
  *
- * The atlas (asset_font, R8) holds each glyph's signed distance to its outline: ASSET_FONT_EDGE is on
- * the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. Lengths are in
- * ems, +y down from the baseline, so a size in pixels is the only thing a caller multiplies by. */
+ * The atlas (asset_font, R8) holds each glyph's signed distance to its outline: ASSET_FONT_EDGE is
+ * on the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. Lengths are
+ * in ems, +y down from the baseline, so a size in pixels is the only thing a caller multiplies
+ * by. */
 #ifndef KINGYO_ASSETS_FONT_H
 #define KINGYO_ASSETS_FONT_H
 

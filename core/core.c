@@ -93,7 +93,8 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
     tick_fish(core);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i]) {
-            landed[i] = catch_tick(&core->poi[i], i, &core->tank, &core->bowl[i], core->tick, output).landed;
+            landed[i] = catch_tick(&core->poi[i], i, &core->tank, &core->bowl[i], core->tick,
+                                   output).landed;
         }
     }
     game_score(core, landed, output);

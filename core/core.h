@@ -1,8 +1,8 @@
 /* core.h -- the whole stall as one value.
  *
  * The caller owns `struct core`. It holds no pointers, so assignment is a snapshot, and equal seeds
- * and inputs give equal hashes on every board. The core never calls out: it turns one `struct input`
- * into changes of itself and lines appended to `struct output`. */
+ * and inputs give equal hashes on every board. The core never calls out: it turns one `struct
+ * input` into changes of itself and lines appended to `struct output`. */
 #ifndef KINGYO_CORE_CORE_H
 #define KINGYO_CORE_CORE_H
 

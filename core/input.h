@@ -1,7 +1,7 @@
 /* input.h -- everything the world tells the core, for exactly one tick.
  *
- * The frame loop fills one `struct input` per owed tick; a recorded game is the list of them. What a
- * device answers (a record now on disk, a poi unplugged) comes in here as data, never as a call.
+ * The frame loop fills one `struct input` per owed tick; a recorded game is the list of them. What
+ * a device answers (a record now on disk, a poi unplugged) comes in here as data, never as a call.
  * Zero is a valid input: nothing pressed, no poi. */
 #ifndef KINGYO_CORE_INPUT_H
 #define KINGYO_CORE_INPUT_H
@@ -40,7 +40,7 @@ struct poi_target {
 
 struct poi_input {
     uint8_t link;            /* enum poi_link */
-    uint8_t has_wrist;       /* 0: the controller cannot turn; the core turns the poi over the bowl. */
+    uint8_t has_wrist;       /* 0: the controller cannot turn; the core does it at the bowl. */
     struct poi_target target; /* Ignored unless link is POI_LINK_LIVE. */
 };
 

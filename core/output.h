@@ -50,7 +50,7 @@ struct output {
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
     uint8_t start_lamp; /* Level. */
-    struct round_record record; /* The newest; stays until the next, so a busy store can catch up. */
+    struct round_record record; /* The newest; stays until the next, for a store that is busy. */
 };
 
 /* Appends one sound, or drops it when the frame already has OUTPUT_SOUND_MAX. */

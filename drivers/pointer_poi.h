@@ -37,7 +37,7 @@ struct pointer_report {
 struct pointer_poi {
     struct view view;
 
-    float ndc_x, ndc_y, aspect; /* The pointer on the screen, -1 .. 1; the window's width / height. */
+    float ndc_x, ndc_y, aspect; /* The pointer in the window, -1 .. 1; its width / height. */
     uint32_t buttons;
     uint64_t time_ns;           /* Of the newest report or sample. */
 

@@ -6,7 +6,8 @@
 #ifndef KINGYO_CORE_BASE_PANIC_H
 #define KINGYO_CORE_BASE_PANIC_H
 
-/* Provided by whoever links the core; must not return. `condition` and `file` are static strings. */
+/* Provided by whoever links the core; must not return. `condition` and `file` are static
+ * strings. */
 _Noreturn void core_panic(const char *condition, const char *file, int line);
 
 /* One condition each, kept in release builds. */

@@ -1,7 +1,8 @@
 /* rng.c -- a counter-based generator: four words in, one well mixed word out. */
 #include "core/base/rng.h"
 
-/* The finaliser of a 32-bit integer hash with low bias; every input bit reaches every output bit. */
+/* The finaliser of a 32-bit integer hash with low bias; every input bit reaches every output
+ * bit. */
 static uint32_t mix(uint32_t x)
 {
     x ^= x >> 16;

@@ -13,7 +13,7 @@
 #define GAME_READY_TICKS (3u * CORE_TICK_HZ)    /* To take the poi and find the bowl. */
 #define GAME_RESULT_TICKS (12u * CORE_TICK_HZ)  /* To read the result and call a friend. */
 #define GAME_GONE_TICKS (3u * CORE_TICK_HZ)     /* To see the hole before the result covers it. */
-#define GAME_CARRY_TICKS (3u * CORE_TICK_HZ)    /* After the call, to bring home what is on paper. */
+#define GAME_CARRY_TICKS (3u * CORE_TICK_HZ)    /* After the call, to bring the last fish home. */
 #define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)     /* START in the result: not the last press. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* A dip is easier to do by accident. */
 #define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ) /* Nobody comes back: the round ends. */

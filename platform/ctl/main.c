@@ -25,8 +25,8 @@ static void print_help(void)
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         printf("  %-8s %s\n", commands[i]->name, commands[i]->summary);
     }
-    puts("\n'kingyoctl COMMAND --help' says more. Exit code: 0 fine; 1 checked, and not so; 2 wrong usage;\n"
-         "65 bad data; 74 a path that cannot be read or written.");
+    puts("\n'kingyoctl COMMAND --help' says more. Exit code: 0 fine; 1 checked, and not so;\n"
+         "2 wrong usage; 65 bad data; 74 a path that cannot be read or written.");
 }
 
 static int is_help(const char *word)

@@ -69,7 +69,8 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
         return replayer_tell_problem(speaker, path, &replayer->reader.problem);
     }
     if (difference->found) {
-        printf("%s: tick %u (second %.3f) is the first that differs: recorded %s %0*llx, computed %0*llx\n",
+        printf("%s: tick %u (second %.3f) is the first that differs: "
+               "recorded %s %0*llx, computed %0*llx\n",
                path, difference->tick, (double)difference->tick / CORE_TICK_HZ,
                difference->is_full ? "state" : "digest", difference->is_full ? 16 : 8,
                (unsigned long long)difference->recorded, difference->is_full ? 16 : 8,
@@ -139,8 +140,9 @@ static enum exit_code run(int argc, const char *const *argv)
 const struct ctl_command ctl_replay = {
     .name = name,
     .summary = "what is in a recording, and whether it is true",
-    .usage = "  kingyoctl replay info FILE [--json]   length, rounds, catch and hash, from the file alone\n"
-             "  kingyoctl replay verify FILE          plays it again at full speed, without a screen, and\n"
-             "                                        names the first tick that differs (exit 1)\n",
+    .usage =
+        "  kingyoctl replay info FILE [--json]   length, rounds, catch and hash, without a play\n"
+        "  kingyoctl replay verify FILE          plays it again at full speed, without a screen;\n"
+        "                                        names the first tick that differs (exit 1)\n",
     .run = run,
 };

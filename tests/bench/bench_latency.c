@@ -73,7 +73,8 @@ static void open_stall(uint64_t frame_ns)
 {
     const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
     base = (struct stall){ .clock.now_ns = 1000000000 };
-    poi_sim_init(&base.poi, clock_sim_device(&base.clock), &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    poi_sim_init(&base.poi, clock_sim_device(&base.clock),
+                 &tank_preset(TANK_PRESET_FESTIVAL)->view);
     base.reports[0] = report_at(1000000001, 640.0f, 0);
     base.poi.report_count = 1;
     const struct hal hal = wire(&base);

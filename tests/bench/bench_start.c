@@ -1,7 +1,8 @@
 /* bench_start.c -- from exec to the first presented frame, and the most memory a run ever had.
  *
- * bench_start SECONDS PROGRAM [WORDS...]  poses as the service manager: the kiosk says READY=1 after its
- * first frame. Lets it run on for SECONDS, ends it with SIGTERM and prints `first_frame_ms peak_mib`. */
+ * bench_start SECONDS PROGRAM [WORDS...]  poses as the service manager: the kiosk says READY=1
+ * after its first frame. Lets it run on for SECONDS, ends it with SIGTERM and prints
+ * `first_frame_ms peak_mib`. */
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>

@@ -1,4 +1,5 @@
-/* bench_tank.c -- what a tick of the tank costs: one row a fish count, median and p99 of one thread.
+/* bench_tank.c -- what a tick of the tank costs: one row a fish count, median and p99 of one
+ * thread.
  *
  * Usage: bench_tank [TICKS]. Fish swim ten seconds first, so that the start's order is gone. */
 #include <stdint.h>

@@ -1,4 +1,5 @@
-/* eye.h -- what a test sees of the kiosk's window: the warm colours of goldfish, a picture at a time. */
+/* eye.h -- what a test sees of the kiosk's window: the warm colours of goldfish, a picture at a
+ * time. */
 #ifndef KINGYO_TESTS_E2E_EYE_H
 #define KINGYO_TESTS_E2E_EYE_H
 

@@ -1,9 +1,10 @@
 /* hand.c -- one try at a goldfish, as a person makes it: look, follow with the eye, scoop, carry.
  *
  * hand WINDOW  (its number, as xdotool prints it). Knows nothing of the game but what the screen
- * shows and where the bowl stands; moves the real pointer of the X server, in whose place a person's
- * mouse would be. Says on standard output what it did. Exit code 0 when it carried something to the
- * bowl, 1 when the fish got away or none was fit, 2 when it cannot see the window. */
+ * shows and where the bowl stands; moves the real pointer of the X server, in whose place a
+ * person's mouse would be. Says on standard output what it did. Exit code 0 when it carried
+ * something to the bowl, 1 when the fish got away or none was fit, 2 when it cannot see the
+ * window. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +17,7 @@
 #include "drivers/pointer_poi.h"
 #include "eye.h"
 
-#define LOOK_S 0.03          /* Between two looks: a screen shows 30 .. 60 pictures a second at best. */
+#define LOOK_S 0.03          /* Between two looks: a screen shows 60 pictures a second at best. */
 #define CALM_LOOKS 12        /* So long fish are watched before one is chosen. */
 #define CHOICE_MAX 40
 #define FISH_DEPTH_M 0.020f  /* Of a fish that can be scooped: between the surface and the paper. */
@@ -142,7 +143,7 @@ static int follow(struct track *track)
         return 0;
     }
     const struct point at = { blob.x, blob.y };
-    const float trust = fminf(1.0f, passed_s / 0.25f); /* The speed is a mean over a quarter second. */
+    const float trust = fminf(1.0f, passed_s / 0.25f); /* A mean over a quarter second. */
     track->speed.x += trust * ((at.x - track->at.x) / passed_s - track->speed.x);
     track->speed.y += trust * ((at.y - track->at.y) / passed_s - track->speed.y);
     track->at = at;

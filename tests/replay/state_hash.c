@@ -1,8 +1,8 @@
 /* state_hash.c -- plays a fixed half-minute of the core and prints the state's hash every second.
  *
- * Attract, a bot's round, then a live hand that dips and sweeps: no clock, no file, no device, so the
- * lines depend on the core alone. Every compiler, level and board must print the same ones; those of
- * tests/replay/golden.txt are the known good. */
+ * Attract, a bot's round, then a live hand that dips and sweeps: no clock, no file, no device, so
+ * the lines depend on the core alone. Every compiler, level and board must print the same ones;
+ * those of tests/replay/golden.txt are the known good. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +25,8 @@ static struct poi_target hand_at(uint32_t tick)
 {
     const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;
     return (struct poi_target){
-        .position_m = v3(0.15f * f_sin(1.1f * s), 0.01f + 0.05f * f_cos(F_PI * s), 0.10f * f_cos(0.7f * s)),
+        .position_m = v3(0.15f * f_sin(1.1f * s), 0.01f + 0.05f * f_cos(F_PI * s),
+                         0.10f * f_cos(0.7f * s)),
         .angles = { .yaw_rad = 0.3f * f_sin(s), .pitch_rad = 0.4f * f_sin(F_PI * s) },
     };
 }

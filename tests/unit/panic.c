@@ -1,6 +1,7 @@
 /* panic.c -- a broken invariant of the core is something a test can expect.
  *
- * expect_assert_failure(...) catches it; anywhere else it fails the test and names the condition. */
+ * expect_assert_failure(...) catches it; anywhere else it fails the test and names the
+ * condition. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

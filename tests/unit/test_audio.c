@@ -1,4 +1,5 @@
-/* test_audio.c -- what the core calls out is heard; with no sound device the kiosk is silent, no more. */
+/* test_audio.c -- what the core calls out is heard; with no sound device the kiosk is silent, no
+ * more. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

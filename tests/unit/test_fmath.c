@@ -1,4 +1,5 @@
-/* test_fmath.c -- the core's own mathematics against the host's libm, within the errors it promises. */
+/* test_fmath.c -- the core's own mathematics against the host's libm, within the errors it
+ * promises. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

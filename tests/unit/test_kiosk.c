@@ -350,7 +350,9 @@ static void test_a_closed_window_quits(void **state)
 /* START, ready, ten seconds of round: until the core has a record to keep. */
 static void play_a_round(void)
 {
-    static const struct button_event events[] = { { .time_ns = 1100 * MS, .pressed = INPUT_START } };
+    static const struct button_event events[] = {
+        { .time_ns = 1100 * MS, .pressed = INPUT_START },
+    };
     glide(1000, 20);
     script(events, 1);
     for (uint32_t i = 0; i < 2400 && rig.kiosk.output.record.id == 0; i++) {

@@ -30,10 +30,12 @@ static int parse(int argc, const char *const *argv)
 
 static void test_every_option_is_understood(void **state)
 {
-    static const char *const argv[] = { "kingyo",   "--window", "800x600", "--poi",  "bot",
-                                        "--record", "a.kgr",    "--shots", "pics",   "--data=scores",
-                                        "--config", "c.conf",   "--lang",  "en",     "--seed",
-                                        "0255",     "--fish",   "50",      "--demo", "30" };
+    static const char *const argv[] = {
+        "kingyo",        "--window", "800x600", "--poi",  "bot",   "--record", "a.kgr",
+        "--shots",       "pics",     "--data=scores",     "--config", "c.conf",
+        "--lang",        "en",       "--seed",  "0255",   "--fish", "50",
+        "--demo",        "30",
+    };
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
     assert_int_equal(options.width, 800);

@@ -54,7 +54,9 @@ static void test_a_sheet_holds_each_picture_in_its_place_and_shape(void **state)
 
 static void test_pictures_of_any_size_fill_their_place(void **state)
 {
-    static const uint32_t sizes[][2] = { { 1, 1 }, { 3, 5 }, { 479, 271 }, { 1920, 1080 }, { 320, 2 } };
+    static const uint32_t sizes[][2] = {
+        { 1, 1 }, { 3, 5 }, { 479, 271 }, { 1920, 1080 }, { 320, 2 },
+    };
     static uint8_t picture[1920 * 1080 * 3];
     (void)state;
     memset(picture, 77, sizeof picture);

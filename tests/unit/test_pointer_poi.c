@@ -43,7 +43,8 @@ static struct poi_target after(struct pointer_poi *pointer, uint64_t ms)
     return pointer_poi_target(pointer, ms * MS);
 }
 
-/* Where a world point lies on the screen, in pixels: the renderer's projection, the other way round. */
+/* Where a world point lies on the screen, in pixels: the renderer's projection, the other way
+ * round. */
 static void project(const struct pointer_poi *pointer, vec3 point, float *x_px, float *y_px)
 {
     const struct basis axes = view_basis(&pointer->view);
@@ -80,7 +81,9 @@ static void test_holding_dips_and_letting_go_lifts_in_their_times(void **state)
 static void test_the_pointer_stays_over_the_rings_centre_at_every_height(void **state)
 {
     (void)state;
-    static const float places[][2] = { { 640.0f, 360.0f }, { 300.0f, 250.0f }, { 1000.0f, 600.0f } };
+    static const float places[][2] = {
+        { 640.0f, 360.0f }, { 300.0f, 250.0f }, { 1000.0f, 600.0f },
+    };
     for (size_t i = 0; i < 3; i++) {
         struct pointer_poi pointer = fresh();
         give(&pointer, report(0, places[i][0], places[i][1], POINTER_DIP));
@@ -223,7 +226,8 @@ static void test_any_pixel_and_any_time_give_a_finite_hand(void **state)
     static const float wild[] = { -1e30f, -5.0f, 0.0f, 1280.0f, 1e30f };
     for (size_t i = 0; i < 5; i++) {
         for (size_t j = 0; j < 5; j++) {
-            struct pointer_report given = report(1000 - 100 * i, wild[i], wild[j], (uint32_t)(i + j));
+            struct pointer_report given =
+                report(1000 - 100 * i, wild[i], wild[j], (uint32_t)(i + j));
             given.wheel_notches = wild[j];
             given.width_px = j == 2 ? 1u : UINT32_MAX;
             pointer_poi_report(&pointer, &given);

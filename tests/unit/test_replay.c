@@ -275,7 +275,8 @@ static void test_seconds_that_change_places_are_refused(void **state)
     write_ticks(2 * CORE_TICK_HZ);
     const size_t size = read_file(bytes);
     const size_t first = REPLAY_HEADER_SIZE;
-    const size_t first_size = REPLAY_CHUNK_HEAD_SIZE + replay_get_u32(bytes + first + 4) + REPLAY_SUM_SIZE;
+    const size_t first_size =
+        REPLAY_CHUNK_HEAD_SIZE + replay_get_u32(bytes + first + 4) + REPLAY_SUM_SIZE;
     const size_t second_size = size - REPLAY_END_SIZE - first - first_size;
     memcpy(swapped, bytes, size);
     memcpy(swapped + first, bytes + first + first_size, second_size);

@@ -50,7 +50,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_nothing_counted_takes_no_time, clear),
-        cmocka_unit_test_setup(test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th, clear),
+        cmocka_unit_test_setup(
+            test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th, clear),
         cmocka_unit_test_setup(test_what_no_bin_holds_is_told_as_the_longest, clear),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
