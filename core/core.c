@@ -3,10 +3,9 @@
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/base/panic.h"
+#include "core/game/hand.h"
+#include "core/game/let_go.h"
 #include "core/poi/catch.h"
-
-#define POI_GRADE 6u /* What stalls hand out most. */
 
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
@@ -22,7 +21,8 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     core->config = *config;
     tank_init(&core->tank, config->preset, fish_count, config->seed);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_init(&core->poi[i], POI_GRADE, v3(0.0f, 0.05f, 0.0f), config->seed + i);
+        poi_init(&core->poi[i], GAME_POI_GRADE, v3(0.0f, 0.05f, 0.0f),
+                 game_poi_seed(config->seed, i, 0, GAME_SERIES_ROUND));
     }
     bowl_init(&core->bowl[0], preset->bowl_m);
     game_init(&core->game, config);
@@ -33,7 +33,7 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->poi[i].link != POI_LINK_ABSENT) {
+        if (hand_plays(core, i)) {
             out[count++] = poi_obstacle(&core->poi[i]);
         }
         if (core->bowl[i].present) {
@@ -81,23 +81,29 @@ static void tick_fish(struct core *core)
     }
 }
 
+static void tick_catch(struct core *core, const uint8_t live[POI_MAX], uint32_t landed[POI_MAX],
+                       struct output *output)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        struct poi *poi = &core->poi[i];
+        struct bowl *bowl = &core->bowl[i];
+        landed[i] = live[i] ? catch_tick(poi, i, &core->tank, bowl, core->tick, output).landed
+                            : let_go_tick(poi, i, &core->tank, bowl);
+    }
+}
+
 void core_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct poi_target targets[POI_MAX];
     uint8_t live[POI_MAX];
-    uint32_t landed[POI_MAX] = { 0 };
+    uint32_t landed[POI_MAX];
 
     game_tick(core, input, output, targets, live);
     tick_pois(core, input, targets, live, output);
     tick_water(core, live);
     tick_fish(core);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (live[i]) {
-            landed[i] = catch_tick(&core->poi[i], i, &core->tank, &core->bowl[i], core->tick,
-                                   output).landed;
-        }
-    }
-    game_score(core, landed, output);
+    tick_catch(core, live, landed, output);
+    game_score(core, landed);
     core->tick++;
 }
 
@@ -112,11 +118,22 @@ uint64_t core_hash_quick(const struct core *core)
     return tank_hash_quick(hash, &core->tank);
 }
 
+static uint64_t config_hash(uint64_t hash, const struct core_config *config)
+{
+    hash = hash_u32(hash, config->seed);
+    hash = hash_u32(hash, config->preset);
+    hash = hash_u32(hash, config->fish_count);
+    hash = hash_u32(hash, config->language);
+    hash = hash_u32(hash, config->round_s);
+    return hash_u32(hash, config->best_today);
+}
+
 uint64_t core_hash(const struct core *core)
 {
-    uint64_t hash = core_hash_quick(core);
+    uint64_t hash = config_hash(core_hash_quick(core), &core->config);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = poi_hash(hash, &core->poi[i]);
+        hash = bowl_hash(hash, &core->bowl[i]);
     }
     return tank_hash(hash, &core->tank);
 }

@@ -35,7 +35,9 @@ enum poi_link {
 /* Where a hand wants the ring's centre to be. The poi is pulled there by a spring and may lag. */
 struct poi_target {
     vec3 position_m;      /* World; any finite value, clamped to the reach of an arm by the core. */
-    struct angles angles; /* Yaw 0: handle toward the player. Pitch > 0 lifts the far edge. */
+    struct angles angles; /* Yaw 0: handle toward the player. Pitch > 0 lifts the far edge.
+                             Any finite value: whole turns are taken off, and what is beyond
+                             +-1,000 rad is no direction and means 0. */
 };
 
 struct poi_input {

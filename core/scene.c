@@ -1,6 +1,7 @@
 /* scene.c -- the picture, rebuilt from the state: nothing here is remembered. */
 #include "core/base/mem.h"
 #include "core/core.h"
+#include "core/game/hand.h"
 #include "core/morph/morph.h"
 
 #define COLOUR_START_DAYS 50.0f /* Keepers see the first red at 50 to 60 days ... */
@@ -66,9 +67,10 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
     spread_to_rim(sheet, out->integrity);
 }
 
-static void show_poi(const struct poi *poi, uint32_t index, struct scene_poi *out)
+static void show_poi(const struct core *core, uint32_t index, struct scene_poi *out)
 {
-    out->present = poi->link != POI_LINK_ABSENT;
+    const struct poi *poi = &core->poi[index];
+    out->present = (uint8_t)hand_plays(core, index);
     out->owner = (uint8_t)index;
     if (!out->present) {
         return;
@@ -119,7 +121,7 @@ void core_scene(const struct core *core, struct scene *scene)
         show_fish(&tank->fish[i], &scene->fish[i]);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        show_poi(&core->poi[i], i, &scene->poi[i]);
+        show_poi(core, i, &scene->poi[i]);
         show_bowl(&core->bowl[i], i, &scene->bowl[i]);
     }
     water_slopes(&tank->water, tank->size_m, scene->slope);

@@ -5,6 +5,8 @@
 
 #include "core/base/mem.h"
 
+#define WHOLE_FROM 8388608.0f /* 2^23: from here on a float has no fraction. */
+
 static uint32_t bits_of(float x)
 {
     uint32_t bits;
@@ -26,6 +28,9 @@ int f_is_finite(float x)
 
 float f_floor(float x)
 {
+    if (f_abs(x) >= WHOLE_FROM) {
+        return x;
+    }
     const float whole = (float)(int32_t)x; /* rounds toward zero */
     return whole > x ? whole - 1.0f : whole;
 }

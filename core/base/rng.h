@@ -42,6 +42,15 @@ enum rng_purpose {
     RNG_WATER_DROP,
     RNG_SOUND,
     RNG_TEST,
+    RNG_FISH_START_GAIT,
+    RNG_FISH_START_LEFT,  /* How much of its first gait is left. */
+    RNG_FISH_SHARP_TURN,  /* Of a burst. */
+    RNG_ESCAPE_STRAY,
+    RNG_ESCAPE_DURATION,
+    RNG_ESCAPE_CALM,      /* How long it swims on after one. */
+    RNG_RIDER_REST,       /* Before a newcomer's first slap. */
+    RNG_BOWL_ROUND,
+    RNG_BOWL_POUR,
 };
 
 #endif

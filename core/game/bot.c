@@ -57,8 +57,7 @@ static float distance_to_aim(const struct bot *bot)
 static float luck(const struct core *core, uint32_t index, uint32_t which)
 {
     const struct poi *poi = &core->poi[index];
-    const uint32_t seed = core->config.seed ^ poi->seed;
-    return rng_unit((struct rng_key){ seed, poi->dips, which, RNG_BOT_CHOICE });
+    return rng_unit((struct rng_key){ poi->seed, poi->dips, which, RNG_BOT_CHOICE });
 }
 
 /* How far this try will miss what it aims at. */

@@ -6,13 +6,13 @@
 #include "core/base/rng.h"
 #include "core/core.h"
 #include "core/game/hand.h"
+#include "core/game/let_go.h"
 #include "core/game/paper.h"
 
 #define ROUND_S_DEFAULT 60u
 #define LAST_SECONDS 5u                /* Each with its tick. */
 #define SWAP_TICKS (2u * CORE_TICK_HZ) /* The attract bot keeps a torn poi for so long. */
 #define ATTRACT_BOWL_MAX 10u           /* Then it begins anew, or a night would empty the tank. */
-#define GRADE_STALL 6u                 /* What stalls hand out most. */
 
 static int held_by_someone(const struct core *core, uint32_t index)
 {
@@ -27,19 +27,30 @@ static void enter(struct core *core, uint8_t phase)
 
 /* ---- Paper ---------------------------------------------------------------------------------- */
 
-/* A new poi in the same place; fish that lay on the old one fall into the water. `series` tells the
- * papers of rounds and of attract apart. */
-static void hand_out(struct core *core, uint32_t index, uint32_t number, uint32_t series)
+/* A new poi in the same place; fish that lay on the old one fall through where it was. */
+static void hand_out(struct core *core, uint32_t index, uint32_t number, enum game_series series)
 {
     struct poi *poi = &core->poi[index];
     const uint8_t link = poi->link;
     const struct angles angles = poi->angles;
-    const uint32_t seed = rng_u32(
-        (struct rng_key){ core->config.seed, number, index + POI_MAX * series, RNG_ROUND_SEED });
-    poi_init(poi, GRADE_STALL, poi->position_m, seed);
+    const uint32_t rider_count = poi->rider_count;
+    struct rider riders[POI_RIDER_MAX];
+    let_go_all(poi, &core->tank);
+    memcpy(riders, poi->riders, sizeof riders);
+    poi_init(poi, GAME_POI_GRADE, poi->position_m,
+             game_poi_seed(core->config.seed, index, number, series));
     poi->link = link;
     poi->angles = angles;
+    poi->rider_count = rider_count;
+    memcpy(poi->riders, riders, sizeof riders);
     core->game.handed[index] = 1;
+}
+
+static void pour_all_back(struct core *core)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        bowl_pour_back(&core->bowl[i], i, &core->tank);
+    }
 }
 
 static void start_round(struct core *core, struct output *output)
@@ -51,13 +62,14 @@ static void start_round(struct core *core, struct output *output)
     enter(core, PHASE_READY);
     game->round_count++;
     game->bot_played = 0;
+    game->played = 0;
     game->gone_tick = 0;
     game->lost_ticks = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->caught[i] = 0;
         game->handed[i] = 0;
-        bowl_pour_back(&core->bowl[i], i, &core->tank);
     }
+    pour_all_back(core);
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
 
@@ -88,7 +100,7 @@ static void tick_attract(struct core *core, const struct input *input, struct ou
         game->gone_tick = core->tick;
     }
     if (game->gone_tick != 0 && core->tick - game->gone_tick >= SWAP_TICKS && is_free) {
-        hand_out(core, 0, core->tick, 1);
+        hand_out(core, 0, core->tick, GAME_SERIES_ATTRACT);
         bowl_pour_back(&core->bowl[0], 0, &core->tank);
         game->gone_tick = 0;
     }
@@ -102,16 +114,32 @@ static void tick_ready(struct core *core, struct output *output)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const int clear = core->poi[i].immersed <= 0.0f || elapsed >= GAME_READY_TICKS / 2u;
         if (!game->handed[i] && clear) {
-            hand_out(core, i, game->round_count, 0);
+            hand_out(core, i, game->round_count, GAME_SERIES_ROUND);
         }
     }
     if (elapsed >= GAME_READY_TICKS) {
+        pour_all_back(core); /* What fell off an old poi meanwhile would lie there uncounted. */
         enter(core, PHASE_ROUND);
         game->round_tick = core->tick;
         output_sound(output, SOUND_START, 0.8f, 0.0f);
     }
 }
 
+static void leave_record(struct core *core, struct output *output, uint32_t total)
+{
+    struct game *game = &core->game;
+    game->record_id++;
+    output->record = (struct round_record){
+        .id = game->record_id,
+        .seed = core->config.seed,
+        .start_tick = game->round_tick,
+        .end_tick = core->tick,
+        .caught = total,
+        .by_bot = game->bot_played,
+    };
+}
+
+/* A round that nobody played leaves no record. */
 static void finish_round(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
@@ -123,15 +151,9 @@ static void finish_round(struct core *core, struct output *output)
             game->best_today = game->caught[i];
         }
     }
-    game->record_id++;
-    output->record = (struct round_record){
-        .id = game->record_id,
-        .seed = core->config.seed,
-        .start_tick = game->round_tick,
-        .end_tick = core->tick,
-        .caught = total,
-        .by_bot = game->bot_played,
-    };
+    if (game->played) {
+        leave_record(core, output, total);
+    }
     enter(core, PHASE_RESULT);
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
@@ -155,19 +177,26 @@ static int round_is_over(const struct core *core, uint32_t elapsed, uint32_t tot
     return elapsed >= total && (!any_carries(core) || elapsed >= total + GAME_CARRY_TICKS);
 }
 
-/* The clock waits while a controller is away and nobody else plays. */
-static int clock_waits(struct core *core)
+static int anyone_plays(const struct core *core)
 {
-    int lost = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (held_by_someone(core, i)) {
-            core->game.lost_ticks = 0;
-            return 0;
+            return 1;
         }
-        lost |= hand_plays(core, i);
     }
-    core->game.lost_ticks += lost ? 1u : 0u;
-    return lost;
+    return 0;
+}
+
+/* Nobody has a poi in hand: the round's clock stands still, but not for ever. */
+static void wait_for_hands(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    game->lost_ticks++;
+    game->phase_tick++;
+    game->gone_tick += game->gone_tick != 0 ? 1u : 0u;
+    if (game->lost_ticks > GAME_LOST_TICKS_MAX) {
+        finish_round(core, output);
+    }
 }
 
 static int all_paper_gone(const struct core *core)
@@ -190,13 +219,12 @@ static void tick_round(struct core *core, struct output *output)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->bot_played |= (uint8_t)(hand_plays(core, i) && core->poi[i].link == POI_LINK_BOT);
     }
-    if (clock_waits(core)) {
-        game->phase_tick++;
-        if (game->lost_ticks > GAME_LOST_TICKS_MAX) {
-            finish_round(core, output);
-        }
+    if (!anyone_plays(core)) {
+        wait_for_hands(core, output);
         return;
     }
+    game->played = 1;
+    game->lost_ticks = 0;
     const uint32_t total = game->round_s * CORE_TICK_HZ;
     const uint32_t elapsed = core->tick - game->phase_tick;
     if (game->gone_tick == 0 && all_paper_gone(core)) {
@@ -280,14 +308,19 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
         game->phase == PHASE_ATTRACT && core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
-void game_score(struct core *core, const uint32_t landed[POI_MAX], struct output *output)
+void game_score(struct core *core, const uint32_t landed[POI_MAX])
 {
-    (void)output;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (core->game.phase == PHASE_ROUND) {
             core->game.caught[i] += landed[i];
         }
     }
+}
+
+uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series)
+{
+    return rng_u32(
+        (struct rng_key){ seed, number, index + POI_MAX * (uint32_t)series, RNG_ROUND_SEED });
 }
 
 float game_seconds_left(const struct game *game, uint32_t tick)
@@ -313,9 +346,9 @@ static uint64_t hash_target(uint64_t hash, const struct poi_target *target)
 uint64_t game_hash(uint64_t hash, const struct game *game)
 {
     const uint32_t words[] = { game->phase,      game->language,    game->bot_played,
-                               game->phase_tick, game->round_tick,  game->lost_ticks,
-                               game->gone_tick,  game->round_s,     game->round_count,
-                               game->best_today, game->record_id };
+                               game->played,     game->phase_tick,  game->round_tick,
+                               game->lost_ticks, game->gone_tick,   game->round_s,
+                               game->round_count, game->best_today, game->record_id };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

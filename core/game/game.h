@@ -17,16 +17,18 @@
 #define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)     /* START in the result: not the last press. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* A dip is easier to do by accident. */
 #define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ) /* Nobody comes back: the round ends. */
+#define GAME_POI_GRADE 6u      /* What stalls hand out most. */
 #define GAME_DIP_Y_M (-0.010f) /* A hand that goes below this from above dips. */
 
 struct game {
     uint8_t phase;       /* enum scene_phase */
     uint8_t language;    /* enum language */
     uint8_t bot_played;  /* Some poi of this round was the bot's. */
-    uint32_t phase_tick; /* When the phase began; shifted while the round's clock waits. */
+    uint8_t played;      /* Somebody has held a poi in this round. */
+    uint32_t phase_tick; /* When the phase began; shifted while the round's clock waits ... */
     uint32_t round_tick; /* When the round began, never shifted. */
     uint32_t lost_ticks; /* How long the clock has waited without a break. */
-    uint32_t gone_tick;  /* When the last paper went; 0 while some holds. */
+    uint32_t gone_tick;  /* ... as is when the last paper went; 0 while some holds. */
     uint32_t round_s;
     uint32_t round_count; /* Rounds begun; seeds the next poi's paper. */
     uint32_t caught[POI_MAX];
@@ -53,7 +55,13 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
                struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 
 /* The last step of a tick: what was landed counts. */
-void game_score(struct core *core, const uint32_t landed[POI_MAX], struct output *output);
+void game_score(struct core *core, const uint32_t landed[POI_MAX]);
+
+/* Which papers a seed is for: those of rounds, or those that the bot wears out in attract. */
+enum game_series { GAME_SERIES_ROUND = 0, GAME_SERIES_ATTRACT = 1 };
+
+/* The seed of the poi that player `index` gets as the `number`th of a series. */
+uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series);
 
 /* Seconds of the round that are left; in READY, until it begins; else 0. */
 float game_seconds_left(const struct game *game, uint32_t tick);

@@ -8,6 +8,7 @@
 #define GRIP_TICKS 144u      /* 1.2 s from one hand to the next: 1 m/s across the tank. */
 #define REACH_SIDE_M 0.20f   /* Beyond the walls ... */
 #define REACH_HEIGHT_M 0.35f /* ... and above the water that an arm reaches. */
+#define ANGLE_RAD_MAX 1000.0f
 
 int hand_plays(const struct core *core, uint32_t index)
 {
@@ -23,6 +24,13 @@ static uint8_t link_now(const struct core *core, const struct input *input, uint
     return input->poi[index].link;
 }
 
+/* No wrist has turned so far: such an angle is a broken report, and too coarse for a direction. */
+static float direction(float angle_rad)
+{
+    CORE_ASSERT(f_is_finite(angle_rad));
+    return f_abs(angle_rad) <= ANGLE_RAD_MAX ? f_wrap_angle(angle_rad) : 0.0f;
+}
+
 static struct poi_target within_reach(const struct core *core, struct poi_target target)
 {
     const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
@@ -35,7 +43,16 @@ static struct poi_target within_reach(const struct core *core, struct poi_target
     target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
     target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
     target.position_m.z = f_clamp(target.position_m.z, -depth_m, depth_m);
+    target.angles.yaw_rad = direction(target.angles.yaw_rad);
+    target.angles.pitch_rad = direction(target.angles.pitch_rad);
+    target.angles.roll_rad = direction(target.angles.roll_rad);
     return target;
+}
+
+/* The short way round. */
+static float blend_angle(float from_rad, float to_rad, float share)
+{
+    return f_wrap_angle(from_rad + f_wrap_angle(to_rad - from_rad) * share);
 }
 
 /* From the old hand to the new one: the share that is taken over each tick grows from 0 to 1. */
@@ -43,9 +60,9 @@ static struct poi_target blend(struct poi_target from, struct poi_target to, flo
 {
     return (struct poi_target){
         .position_m = v3_lerp(from.position_m, to.position_m, share),
-        .angles = { f_lerp(from.angles.yaw_rad, to.angles.yaw_rad, share),
-                    f_lerp(from.angles.pitch_rad, to.angles.pitch_rad, share),
-                    f_lerp(from.angles.roll_rad, to.angles.roll_rad, share) },
+        .angles = { blend_angle(from.angles.yaw_rad, to.angles.yaw_rad, share),
+                    blend_angle(from.angles.pitch_rad, to.angles.pitch_rad, share),
+                    blend_angle(from.angles.roll_rad, to.angles.roll_rad, share) },
     };
 }
 

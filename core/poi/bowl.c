@@ -1,6 +1,7 @@
 /* bowl.c -- fish in a bowl swim rounds, each at its own depth, width and pace. */
 #include "core/poi/bowl.h"
 
+#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
@@ -19,7 +20,12 @@ void bowl_init(struct bowl *bowl, vec3 position_m)
 
 static float draw(uint32_t seed, uint32_t fish, uint32_t which)
 {
-    return rng_unit((struct rng_key){ seed, which, fish, RNG_FISH_PLACE_Y });
+    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_ROUND });
+}
+
+static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
+{
+    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_POUR });
 }
 
 float bowl_hull_radius_m(float below_m)
@@ -86,14 +92,14 @@ void bowl_tick(const struct bowl *bowl, uint32_t bowl_index, struct tank *tank, 
 static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index,
                           float length_m)
 {
-    const float angle = F_TAU * draw(tank->seed, index, 6);
-    const float away = BOWL_RADIUS_M + length_m * (0.6f + 0.8f * draw(tank->seed, index, 7));
+    const float angle = F_TAU * draw_pour(tank->seed, index, 1);
+    const float away = BOWL_RADIUS_M + length_m * (0.6f + 0.8f * draw_pour(tank->seed, index, 2));
     const float room_x = 0.5f * (tank->size_m.x - length_m),
                 room_z = 0.5f * (tank->size_m.z - length_m);
     const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * length_m;
     const float deep = f_max(half, tank->size_m.y - half - 0.005f);
     return v3(f_clamp(bowl->position_m.x + away * f_cos(angle), -room_x, room_x),
-              -f_lerp(half, deep, draw(tank->seed, index, 8)),
+              -f_lerp(half, deep, draw_pour(tank->seed, index, 3)),
               f_clamp(bowl->position_m.z + away * f_sin(angle), -room_z, room_z));
 }
 
@@ -112,6 +118,13 @@ void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         }
     }
     bowl->fish_count = 0;
+}
+
+uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl)
+{
+    hash = hash_u32(hash, bowl->present);
+    hash = hash_vec3(hash, bowl->position_m);
+    return hash_u32(hash, bowl->fish_count);
 }
 
 struct obstacle bowl_obstacle(const struct bowl *bowl)

@@ -29,4 +29,6 @@ float bowl_hull_radius_m(float below_m);
 
 struct obstacle bowl_obstacle(const struct bowl *bowl);
 
+uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl);
+
 #endif

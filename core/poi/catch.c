@@ -193,7 +193,7 @@ static void take_up(struct scoop *scoop, uint32_t index)
     const vec3 tail = basis_to_body(&scoop->axes, body.back);
     const vec3 right = basis_to_body(&scoop->axes, body.right);
     const vec3 speed = basis_to_body(&scoop->axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
-    const struct rng_key key = { poi->seed, scoop->tick, index, RNG_SHEET_SLAP };
+    const struct rng_key key = { poi->seed, scoop->tick, index, RNG_RIDER_REST };
     poi->riders[poi->rider_count++] = (struct rider){
         .fish = (uint16_t)index,
         .state = RIDER_LYING,

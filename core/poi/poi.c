@@ -350,6 +350,9 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
     hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
     hash = hash_u32(hash, poi->slap_tick);
     hash = hash_u32(hash, poi->tear_tick);
+    hash = hash_u32(hash, poi->strain.cells_torn);
+    hash = hash_float(hash, poi->strain.tension_max_n_m);
+    hash = hash_u32(hash, poi->load_count);
     for (uint32_t i = 0; i < poi->rider_count; i++) {
         hash = rider_hash(hash, &poi->riders[i]);
     }

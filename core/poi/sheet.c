@@ -283,6 +283,7 @@ uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)
     hash = hash_floats(hash, sheet->damage, SHEET_CELL_COUNT);
     hash = hash_floats(hash, sheet->strength, SHEET_CELL_COUNT);
     hash = hash_bytes(hash, sheet->state, SHEET_CELL_COUNT);
+    hash = hash_float(hash, sheet->strength_min);
     hash = hash_u32(hash, sheet->paper_cells);
     hash = hash_u32(hash, sheet->paper_cells_new);
     return hash_float(hash, sheet->sag_m);

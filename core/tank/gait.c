@@ -63,7 +63,7 @@ static float turn_rad(enum fish_gait gait, struct gait_luck luck)
 {
     const float bell = rng_normal(key(luck, RNG_FISH_TURN));
     if (gait == GAIT_BURST) {
-        const float sharp = rng_range(key(luck, RNG_FISH_ESCAPE), 60.0f, 120.0f) * F_DEG;
+        const float sharp = rng_range(key(luck, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
         return bell < 0.0f ? -sharp : sharp;
     }
     return bell * (gait == GAIT_SWIM ? 45.0f : 12.0f) * F_DEG;
@@ -115,7 +115,7 @@ void gait_tick(struct fish *fish, struct gait_luck luck, float water_depth_m)
     }
     if (fish->gait == GAIT_ESCAPE) { /* It does not stop dead where it got away to. */
         gait_enter(fish, GAIT_SWIM, luck, water_depth_m);
-        fish->gait_left_s = rng_range(key(luck, RNG_FISH_DURATION), 1.0f, 3.0f);
+        fish->gait_left_s = rng_range(key(luck, RNG_ESCAPE_CALM), 1.0f, 3.0f);
         return;
     }
     choose(fish, luck, water_depth_m);
@@ -125,10 +125,10 @@ void gait_escape(struct fish *fish, vec3 from_m, struct gait_luck luck)
 {
     const float away_x = fish->position_m.x - from_m.x, away_z = fish->position_m.z - from_m.z;
     const float away_rad = f_atan2(-away_x, -away_z);
-    const float stray_rad = rng_range(key(luck, RNG_FISH_TURN), -45.0f, 45.0f) * F_DEG;
+    const float stray_rad = rng_range(key(luck, RNG_ESCAPE_STRAY), -45.0f, 45.0f) * F_DEG;
     const int toward = rng_unit(key(luck, RNG_FISH_ESCAPE)) >= ESCAPE_AWAY_CHANCE;
     fish->gait = GAIT_ESCAPE;
-    fish->gait_left_s = ESCAPE_TIME_S + rng_range(key(luck, RNG_FISH_DURATION), 0.0f, 0.08f);
+    fish->gait_left_s = ESCAPE_TIME_S + rng_range(key(luck, RNG_ESCAPE_DURATION), 0.0f, 0.08f);
     /* Those that err go past the poi rather than into it. */
     const float side_rad = stray_rad < 0.0f ? -100.0f * F_DEG : 100.0f * F_DEG;
     fish->heading_rad = f_wrap_angle(away_rad + (toward ? side_rad : stray_rad));

@@ -68,9 +68,10 @@ static struct fish hatch(const struct tank *tank, const struct tank_preset *pres
     fish.tail_amplitude = 0.15f;
     fish.tail_phase_rad = (float)(fish.look & 1023u) * (F_TAU / 1024.0f);
     /* A third already swim, as in the long run; all are somewhere in the middle of what they do. */
-    const int swims = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_GAIT }) < 0.31f;
+    const struct rng_key start = { tank->seed, 0, index, RNG_FISH_START_GAIT };
+    const int swims = rng_unit(start) < 0.31f;
     gait_enter(&fish, swims ? GAIT_SWIM : GAIT_REST, luck, tank->size_m.y);
-    fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 1, index, RNG_FISH_DURATION });
+    fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;
 }
 
@@ -239,6 +240,10 @@ uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)
 uint64_t tank_hash(uint64_t hash, const struct tank *tank)
 {
     hash = hash_u32(hash, tank->seed);
+    hash = hash_u32(hash, tank->preset);
+    hash = hash_vec3(hash, tank->size_m);
+    hash = hash_float(hash, tank->wall_height_m);
+    hash = hash_float(hash, tank->space);
     hash = hash_u32(hash, tank->fish_count);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         hash = fish_hash(hash, &tank->fish[i]);

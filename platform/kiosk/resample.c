@@ -3,15 +3,25 @@
 
 #include "core/base/panic.h"
 
+#define RANGE_MAX 1000.0f /* Metres or radians: beyond it is no hand, but a broken report. */
+
 void resample_reset(struct resampler *resampler)
 {
     resampler->count = 0;
 }
 
-static int target_is_finite(const struct poi_target *target)
+/* NaN compares false, so it is out of range too. */
+static int in_range(float value)
 {
-    return v3_is_finite(target->position_m) && f_is_finite(target->angles.yaw_rad) &&
-           f_is_finite(target->angles.pitch_rad) && f_is_finite(target->angles.roll_rad);
+    return f_abs(value) <= RANGE_MAX;
+}
+
+static int target_is_sane(const struct poi_target *target)
+{
+    const vec3 at = target->position_m;
+    const struct angles angles = target->angles;
+    return in_range(at.x) && in_range(at.y) && in_range(at.z) && in_range(angles.yaw_rad) &&
+           in_range(angles.pitch_rad) && in_range(angles.roll_rad);
 }
 
 static void drop_second(struct resampler *resampler)
@@ -24,7 +34,7 @@ static void drop_second(struct resampler *resampler)
 
 int resample_push(struct resampler *resampler, const struct poi_sample *sample)
 {
-    if (!target_is_finite(&sample->target)) {
+    if (!target_is_sane(&sample->target)) {
         return 0;
     }
     struct poi_sample next = *sample;

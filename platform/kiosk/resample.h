@@ -23,7 +23,7 @@ struct resampler {
 void resample_reset(struct resampler *resampler);
 
 /* Adds a reading. One of the same or an earlier time replaces the newest; when full, the oldest but
- * one goes. A pose with a non-finite number is refused: 0. */
+ * one goes. A pose with a number that is none, or beyond +-1,000 (m, rad), is refused: 0. */
 int resample_push(struct resampler *resampler, const struct poi_sample *sample);
 
 /* The pose for tick `index` of the `tick_count` >= 1 ticks of this frame; needs count > 0. */

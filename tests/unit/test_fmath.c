@@ -88,6 +88,10 @@ static void test_floor_rounds_toward_minus_infinity(void **state)
     assert_true(f_floor(-1.5f) == -2.0f);
     assert_true(f_floor(-2.0f) == -2.0f);
     assert_true(f_floor(0.0f) == 0.0f);
+    assert_true(f_floor(8388607.5f) == 8388607.0f);
+    assert_true(f_floor(-8388607.5f) == -8388608.0f);
+    assert_true(f_floor(3e9f) == 3e9f); /* more than an int32_t holds */
+    assert_true(f_floor(-3e38f) == -3e38f);
 }
 
 static void test_wrapped_angle_points_the_same_way(void **state)

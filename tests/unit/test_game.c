@@ -35,7 +35,7 @@ static void step(void)
     const uint32_t landed[POI_MAX] = { 0 };
     output.sound_count = 0;
     game_tick(&core, &input, &output, targets, live);
-    game_score(&core, landed, &output);
+    game_score(&core, landed);
     core.tick++;
     input.pressed = 0;
     for (uint32_t i = 0; i < output.sound_count; i++) {
@@ -394,6 +394,74 @@ static void test_a_hand_beyond_reach_is_brought_back(void **state)
     assert_true(hand.z > -core.tank.size_m.z);
 }
 
+static void test_any_finite_hand_is_brought_within_reach(void **state)
+{
+    (void)state;
+    static const float wild[] = { 1e9f, -1e9f, 3e38f, -3e38f, 1e38f, 999.0f, 1001.0f, 0.0f };
+    play_into_round();
+    for (size_t i = 0; i < sizeof wild / sizeof wild[0]; i++) {
+        input.poi[0].target.position_m = v3(wild[i], wild[(i + 1) % 8], wild[(i + 2) % 8]);
+        input.poi[0].target.angles = (struct angles){ wild[i], wild[(i + 3) % 8], -wild[i] };
+        for (uint32_t tick = 0; tick < 200; tick++) { /* past the gentle change of hands */
+            core_tick(&core, &input, &output);
+        }
+        const struct angles hand = core.game.hand[0].angles;
+        assert_true(f_abs(hand.yaw_rad) < 3.15f);
+        assert_true(f_abs(hand.pitch_rad) < 3.15f);
+        assert_true(f_abs(hand.roll_rad) < 3.15f);
+        assert_true(v3_is_finite(core.poi[0].position_m));
+    }
+    input.poi[0].target.angles = (struct angles){ 1e9f, F_TAU + 0.5f, 0.0f };
+    steps(200);
+    assert_float_equal(core.game.hand[0].angles.yaw_rad, 0.0f, 0.0f);
+    assert_float_equal(core.game.hand[0].angles.pitch_rad, 0.5f, 1e-5f);
+}
+
+static void test_a_hand_turns_over_the_short_way_round(void **state)
+{
+    (void)state;
+    play_into_round();
+    core.game.hand[0].angles.yaw_rad = 3.1f;
+    core.game.grip_tick[0] = core.tick;
+    input.poi[0].target.angles.yaw_rad = -3.1f;
+    for (uint32_t i = 0; i < 160; i++) {
+        step();
+        assert_true(f_abs(core.game.hand[0].angles.yaw_rad) > 3.0f);
+    }
+    assert_float_equal(core.game.hand[0].angles.yaw_rad, -3.1f, 1e-5f);
+}
+
+static void test_only_a_poi_with_a_bowl_is_there(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        input.poi[i].link = POI_LINK_LIVE;
+        input.poi[i].target.position_m = v3(0.0f, 0.06f, 0.0f);
+    }
+    press(INPUT_START);
+    core_scene(&core, &scene);
+    assert_true(scene.poi[0].present);
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        assert_false(scene.poi[i].present);
+    }
+}
+
+static void test_torn_paper_stays_in_sight_when_the_controller_comes_back(void **state)
+{
+    (void)state;
+    play_into_round();
+    tear_all(0);
+    steps(GAME_GONE_TICKS / 2u);
+    input.poi[0].link = POI_LINK_LOST;
+    steps(2u * GAME_GONE_TICKS);
+    hold_at(ABOVE_M);
+    steps(GAME_GONE_TICKS / 2u - 1u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    steps(3);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+}
+
 static void test_a_hand_that_is_no_number_is_a_bug(void **state)
 {
     (void)state;
@@ -547,7 +615,7 @@ static void test_paper_with_a_hole_in_the_middle_still_holds_beside_it(void **st
 static void land(uint32_t count)
 {
     const uint32_t landed[POI_MAX] = { count };
-    game_score(&core, landed, &output);
+    game_score(&core, landed);
 }
 
 static void test_fish_count_only_while_the_round_runs(void **state)
@@ -623,44 +691,109 @@ static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(voi
     core.bowl[0].fish_count = 1;
     core.tank.fish[1].gait = GAIT_HELD;
     core.tank.fish[1].holder = 0;
+    core.tank.fish[1].position_m = core.poi[0].position_m;
     core.poi[0].riders[0].fish = 1;
     core.poi[0].rider_count = 1;
     hold_at(ABOVE_M);
     input.pressed = INPUT_START;
     core_tick(&core, &input, &output);
     input.pressed = 0;
-    core_tick(&core, &input, &output);
+    float last_m = core.tank.fish[1].position_m.y;
+    assert_true(last_m > 0.03f);
+    for (uint32_t i = 0; i < 60; i++) { /* It falls; it is not under water at once. */
+        core_tick(&core, &input, &output);
+        assert_true(f_abs(core.tank.fish[1].position_m.y - last_m) < 0.015f);
+        last_m = core.tank.fish[1].position_m.y;
+    }
     assert_int_equal(core.bowl[0].fish_count, 0);
     assert_true(core.tank.fish[0].gait < GAIT_HELD);
     assert_true(core.tank.fish[1].gait < GAIT_HELD);
     assert_true(core.tank.fish[1].position_m.y < 0.0f);
 }
 
-static void test_the_hash_sees_every_field_of_the_game(void **state)
+static void test_a_fish_that_falls_into_the_bowl_before_the_round_is_poured_back(void **state)
 {
     (void)state;
-    steps(50);
-    const uint64_t before = game_hash(HASH_START, &core.game);
-    static struct game changed;
-    static const size_t words[] = {
-        offsetof(struct game, phase),        offsetof(struct game, language),
-        offsetof(struct game, bot_played),   offsetof(struct game, phase_tick),
-        offsetof(struct game, round_tick),   offsetof(struct game, lost_ticks),
-        offsetof(struct game, gone_tick),    offsetof(struct game, round_s),
-        offsetof(struct game, round_count),  offsetof(struct game, caught[3]),
-        offsetof(struct game, best_today),   offsetof(struct game, record_id),
-        offsetof(struct game, handed[2]),    offsetof(struct game, holder[1]),
-        offsetof(struct game, grip_tick[0]), offsetof(struct game, hand[1].angles.roll_rad),
-        offsetof(struct game, live_y_m[0]),  offsetof(struct game, hints.shown),
-        offsetof(struct game, hints.learned), offsetof(struct game, hints.moved_m),
-        offsetof(struct game, bot[0].stage), offsetof(struct game, bot[3].velocity_m_s.y),
-        offsetof(struct game, bot[2].think_tick), offsetof(struct game, bot[1].prey),
-    };
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        changed = core.game;
-        ((uint8_t *)&changed)[words[i]] ^= 1u;
-        assert_true(game_hash(HASH_START, &changed) != before);
+    start_with_a_hand();
+    steps(100);
+    core.tank.fish[3].gait = GAIT_BOWL;
+    core.bowl[0].fish_count = 1;
+    steps(GAME_READY_TICKS - 100u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_int_equal(core.bowl[0].fish_count, 0);
+    assert_true(core.tank.fish[3].gait < GAIT_HELD);
+}
+
+static void hold_a_fish(uint32_t fish, float y_m)
+{
+    core.tank.fish[fish].gait = GAIT_HELD;
+    core.tank.fish[fish].holder = 0;
+    core.tank.fish[fish].position_m = v3(0.0f, y_m, 0.0f);
+    core.tank.fish[fish].velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+}
+
+static void test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_water(void **state)
+{
+    (void)state;
+    play_into_round();
+    hold_a_fish(1, 0.05f);
+    core.poi[0].riders[0] = (struct rider){ .fish = 1 };
+    core.poi[0].rider_count = 1;
+    hold_a_fish(2, 0.05f); /* held, and nobody's rider */
+    input.poi[0].link = POI_LINK_ABSENT;
+    core_tick(&core, &input, &output);
+    assert_true(core.tank.fish[1].position_m.y > 0.045f);
+    for (uint32_t i = 0; i < 30; i++) {
+        core_tick(&core, &input, &output);
     }
+    assert_int_equal(core.poi[0].rider_count, 0);
+    assert_true(core.tank.fish[1].gait < GAIT_HELD);
+    assert_true(core.tank.fish[2].gait < GAIT_HELD);
+    assert_true(core.tank.fish[1].position_m.y < 0.0f);
+}
+
+static void test_a_round_that_nobody_played_ends_without_a_record(void **state)
+{
+    (void)state;
+    press(INPUT_START); /* no controller at all */
+    steps(GAME_READY_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    const float before_s = game_seconds_left(&core.game, core.tick);
+    steps(GAME_LOST_TICKS_MAX - 2u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+    steps(4);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(output.record.id, 0);
+    assert_int_equal(core.game.record_id, 0);
+}
+
+static void test_a_round_that_was_left_after_a_while_keeps_its_record(void **state)
+{
+    (void)state;
+    play_into_round();
+    step();
+    land(3);
+    input.poi[0].link = POI_LINK_ABSENT;
+    steps(GAME_LOST_TICKS_MAX + 1u);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(output.record.caught, 3);
+}
+
+/* ---- Seeds ---------------------------------------------------------------------------------- */
+
+static void test_the_bots_first_luck_differs_between_seeds(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 8, .fish_count = 12 };
+    const uint32_t first = core.poi[0].seed;
+    const uint32_t beside = core.poi[1].seed;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_true((core.poi[0].seed ^ 8u) != (first ^ 7u));
+    assert_true(core.poi[0].seed != beside);
+    assert_int_equal(core.poi[0].seed, game_poi_seed(8, 0, 0, GAME_SERIES_ROUND));
+    assert_true(game_poi_seed(8, 0, 0, GAME_SERIES_ROUND) !=
+                game_poi_seed(8, 0, 0, GAME_SERIES_ATTRACT));
 }
 
 int main(void)
@@ -706,7 +839,15 @@ int main(void)
         TEST(test_a_bots_round_is_marked_and_is_no_best),
         TEST(test_the_best_of_the_day_is_a_round_that_beats_it),
         TEST(test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper),
-        TEST(test_the_hash_sees_every_field_of_the_game),
+        TEST(test_a_fish_that_falls_into_the_bowl_before_the_round_is_poured_back),
+        TEST(test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_water),
+        TEST(test_a_round_that_nobody_played_ends_without_a_record),
+        TEST(test_a_round_that_was_left_after_a_while_keeps_its_record),
+        TEST(test_the_bots_first_luck_differs_between_seeds),
+        TEST(test_any_finite_hand_is_brought_within_reach),
+        TEST(test_a_hand_turns_over_the_short_way_round),
+        TEST(test_only_a_poi_with_a_bowl_is_there),
+        TEST(test_torn_paper_stays_in_sight_when_the_controller_comes_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -105,6 +105,20 @@ static void test_a_reading_that_is_no_number_is_refused(void **state)
     assert_float_equal(resample_at(&resampler, 0, 1).position_m.x, 0.5f, 0.0f);
 }
 
+static void test_a_reading_from_where_no_hand_is_is_refused(void **state)
+{
+    (void)state;
+    const struct poi_sample good = at(0, 0.5f);
+    struct resampler resampler = with(&good, 1);
+    const struct poi_sample edge = at(5, 1000.0f);
+    assert_int_equal(resample_push(&resampler, &edge), 1);
+    struct poi_sample bad = at(6, -3e38f); /* its difference to 3e38 would be no number */
+    assert_int_equal(resample_push(&resampler, &bad), 0);
+    bad = at(6, 0.0f);
+    bad.target.angles.yaw_rad = 1001.0f;
+    assert_int_equal(resample_push(&resampler, &bad), 0);
+}
+
 static void test_time_that_goes_back_keeps_the_newest_reading(void **state)
 {
     (void)state;
@@ -162,6 +176,7 @@ int main(void)
         cmocka_unit_test(test_readings_of_tickless_frames_wait_for_the_next_tick),
         cmocka_unit_test(test_angles_turn_the_short_way_round),
         cmocka_unit_test(test_a_reading_that_is_no_number_is_refused),
+        cmocka_unit_test(test_a_reading_from_where_no_hand_is_is_refused),
         cmocka_unit_test(test_time_that_goes_back_keeps_the_newest_reading),
         cmocka_unit_test(test_a_path_of_no_length_in_time_divides_by_nothing),
         cmocka_unit_test(test_too_many_readings_lose_the_oldest_and_keep_both_ends),

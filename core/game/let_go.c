@@ -1,0 +1,68 @@
+/* let_go.c -- riders become falling fish. */
+#include "core/game/let_go.h"
+
+#include "core/base/panic.h"
+#include "core/poi/fall.h"
+
+#define THROW_M_S_MAX 0.3f /* A hand that lets go does not throw. */
+
+void let_go_all(struct poi *poi, const struct tank *tank)
+{
+    CORE_ASSERT(poi->rider_count <= POI_RIDER_MAX);
+    for (uint32_t i = 0; i < poi->rider_count; i++) {
+        struct rider *rider = &poi->riders[i];
+        if (rider->state != RIDER_FALLING) {
+            const vec3 velocity_m_s = tank->fish[rider->fish].velocity_m_s;
+            fall_begin(rider, v3_limit(velocity_m_s, THROW_M_S_MAX));
+        }
+    }
+    poi->riders_kg = 0.0f;
+    poi->load_count = 0;
+}
+
+static int is_held(const struct fish *fish, uint32_t poi_index)
+{
+    return fish->gait == GAIT_HELD && fish->holder == poi_index;
+}
+
+static int is_rider(const struct poi *poi, uint32_t index)
+{
+    for (uint32_t i = 0; i < poi->rider_count; i++) {
+        if (poi->riders[i].fish == index) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A fish that is held without being a rider has nothing that would let it fall. */
+static void free_the_forgotten(const struct poi *poi, uint32_t poi_index, struct tank *tank)
+{
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        if (is_held(&tank->fish[i], poi_index) && !is_rider(poi, i)) {
+            fall_set_free(tank, &tank->fish[i], v3(0.0f, 0.0f, 0.0f));
+        }
+    }
+}
+
+uint32_t let_go_tick(struct poi *poi, uint32_t poi_index, struct tank *tank, struct bowl *bowl)
+{
+    uint32_t landed = 0;
+    uint32_t i = 0;
+    let_go_all(poi, tank);
+    while (i < poi->rider_count) {
+        struct rider *rider = &poi->riders[i];
+        const int is_ours = is_held(&tank->fish[rider->fish], poi_index);
+        const enum fall_end end =
+            is_ours ? fall_tick(rider, poi_index, bowl, tank) : FALL_INTO_WATER;
+        landed += end == FALL_INTO_BOWL;
+        if (end == FALL_GOES_ON) {
+            i++;
+        } else {
+            poi->rider_count--;
+            *rider = poi->riders[poi->rider_count];
+        }
+    }
+    free_the_forgotten(poi, poi_index, tank);
+    return landed;
+}

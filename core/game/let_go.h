@@ -1,0 +1,18 @@
+/* let_go.h -- what lay on a poi that is no longer there falls; nothing hangs in the air.
+ *
+ * A poi goes when its controller is taken away in a round, and when it is exchanged for a new one. */
+#ifndef KINGYO_CORE_GAME_LET_GO_H
+#define KINGYO_CORE_GAME_LET_GO_H
+
+#include <stdint.h>
+
+#include "core/poi/poi.h"
+
+/* Every rider begins to fall, at the speed that it had, up to that of a calm hand. */
+void let_go_all(struct poi *poi, const struct tank *tank);
+
+/* One tick of the fish of a poi that nobody plays with, instead of catch_tick: all that it held are
+ * in the water or the bowl soon. Returns how many came into the bowl. */
+uint32_t let_go_tick(struct poi *poi, uint32_t poi_index, struct tank *tank, struct bowl *bowl);
+
+#endif
