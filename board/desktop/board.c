@@ -119,6 +119,8 @@ static void open_sound_and_store(struct hal *hal, const struct board_options *op
         devices.storage.dir = options->data_dir;
         hal->storage = storage_device(&devices.storage);
         hal->storage.ops->open(hal->storage.self);
+    } else {
+        hal->storage = null_storage("no store: HOME is not set; --data DIR keeps the scores");
     }
 }
 

@@ -191,7 +191,8 @@ static const char *value_of(const struct option *option, int argc, const char *c
     }
     const char *next = argv[*index + 1];
     const int is_optional = option->value[0] == '[';
-    if (is_optional ? !isdigit((unsigned char)next[0]) : strncmp(next, "--", 2) == 0) {
+    const char first = next[next[0] == '-']; /* A negative number is a value, if a wrong one. */
+    if (is_optional ? !isdigit((unsigned char)first) : strncmp(next, "--", 2) == 0) {
         return NULL;
     }
     ++*index;

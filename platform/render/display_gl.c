@@ -49,6 +49,15 @@ static void release(struct display_gl *display)
     display->has_shown = false;
 }
 
+/* SDL takes what opens: where a window system dies between asking and opening, that may be a driver
+ * that shows nothing. Who wants that says so, by off_screen or by SDL_VIDEODRIVER. */
+static int shows_nothing(const struct display_gl *display)
+{
+    const char *driver = SDL_GetCurrentVideoDriver();
+    return !display->config.off_screen && !SDL_getenv("SDL_VIDEODRIVER") && driver &&
+           (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
+}
+
 static int create_window(struct display_gl *display)
 {
     const struct display_gl_config *const config = &display->config;
@@ -63,6 +72,10 @@ static int create_window(struct display_gl *display)
     }
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         return fail(display, "SDL video does not start", SDL_GetError());
+    }
+    if (shows_nothing(display)) {
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+        return fail(display, "no screen answers", "SDL found only one that shows nothing");
     }
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);

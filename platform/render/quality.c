@@ -19,7 +19,7 @@ struct machine {
 /* Two cores of a small board in a fiftieth of a second. */
 static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 1, 130.0f };
 /* A board's GPU shares its memory with all else: 4 samples of a full screen, written and resolved,
- * are most of what a V3D moves in a frame. The water pass smooths edges for it, as for a CPU. */
+ * are most of what a V3D moves in a frame. Outlines fade by themselves there, as on a CPU. */
 static const struct machine board = { false, 1600.0f * 900.0f, 0.75f, 1, 60.0f };
 static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 4, 24.0f };
 
