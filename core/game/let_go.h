@@ -1,6 +1,6 @@
 /* let_go.h -- what lay on a poi that is no longer there falls; nothing hangs in the air.
  *
- * A poi goes when its controller is taken away in a round, and when it is exchanged for a new one. */
+ * A poi goes when its controller is taken away in a round, and when it is exchanged. */
 #ifndef KINGYO_CORE_GAME_LET_GO_H
 #define KINGYO_CORE_GAME_LET_GO_H
 
