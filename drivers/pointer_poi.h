@@ -29,8 +29,8 @@ struct pointer_report {
 
 #define POINTER_HOVER_M 0.035f         /* Over the water: clear of ripples, near enough to aim. */
 #define POINTER_DIP_M (-0.050f)        /* Under it: where the fish of a 10 .. 20 cm tank cruise. */
-#define POINTER_DOWN_S 0.25f
-#define POINTER_UP_S 0.38f             /* Slower than down: a wet sheet carries the pool on it. */
+#define POINTER_DOWN_S 0.30f
+#define POINTER_UP_S 0.46f             /* Slower than down: a wet sheet carries the pool on it. */
 #define POINTER_TILT_STEP_RAD (7.5f * F_DEG) /* One notch of the wheel ... */
 #define POINTER_TILT_MAX_RAD (60.0f * F_DEG) /* ... of at most eight either way. */
 

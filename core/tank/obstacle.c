@@ -7,6 +7,7 @@
 #define FRIGHT_RANGE_M 0.08f
 #define FRIGHT_TIME_S 0.12f /* For an alarm of 1 by a disc at twice the speed, at touch. */
 #define FRIGHT_FACTOR_MAX 3.0f
+#define EDGE_ON_SHARE 0.3f /* Of the fright that the same speed broadside would give. */
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
 #define SHOVE_M 0.01f   /* Other bodies may shove one so far in a tick. */
@@ -114,9 +115,13 @@ float obstacle_alarm(const struct obstacle *disc, vec3 position_m)
         speed_m_s < FRIGHT_SPEED_M_S) {
         return 0.0f;
     }
-    /* What looms frightens most; what rushes past, half as much; in the air above, a quarter. */
+    /* What looms frightens most; what rushes past, half as much; in the air above, a quarter. Edge-on
+     * a disc is a line to the eye and pushes no water before it: its speed along itself counts for
+     * little. */
+    const float broadside = f_abs(v3_dot(disc->velocity_m_s, disc->normal)) / speed_m_s;
+    const float shown = f_lerp(EDGE_ON_SHARE, 1.0f, broadside);
     const vec3 toward = v3_normalize_or(v3_sub(position_m, disc->centre_m), disc->normal);
-    const float looms_m_s = f_max(v3_dot(disc->velocity_m_s, toward), 0.5f * speed_m_s);
+    const float looms_m_s = shown * f_max(v3_dot(disc->velocity_m_s, toward), 0.5f * speed_m_s);
     const float seen = disc->centre_m.y > 0.0f ? 0.25f : 1.0f;
     const float factor = f_clamp(looms_m_s / FRIGHT_SPEED_M_S - 0.5f, 0.0f, FRIGHT_FACTOR_MAX);
     return seen * factor * (1.0f - distance_m / FRIGHT_RANGE_M) * CORE_TICK_S / FRIGHT_TIME_S;

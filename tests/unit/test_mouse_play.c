@@ -194,7 +194,7 @@ static void test_plunging_over_and_over_tears_it(void **state)
 {
     (void)state;
     begin_round(1, 1);
-    for (uint32_t i = 0; i < 40; i++) {
+    for (uint32_t i = 0; i < 60; i++) {
         player.buttons ^= POINTER_DIP;
         frames(24);
     }

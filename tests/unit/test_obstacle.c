@@ -98,11 +98,19 @@ static uint32_t ticks_to_fright(const struct obstacle *disc, vec3 position)
     return 1000;
 }
 
+/* Upright, its face toward +x, coming that way. */
+static struct obstacle broadside_disc(float speed_m_s)
+{
+    struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
+    disc.normal = v3(1.0f, 0.0f, 0.0f);
+    return disc;
+}
+
 static void test_a_rushing_disc_frightens_within_a_fifth_of_a_second(void **state)
 {
     (void)state;
-    const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.4f, 0.0f, 0.0f));
-    const uint32_t ticks = ticks_to_fright(&disc, v3(0.075f, -0.05f, 0.0f));
+    const struct obstacle disc = broadside_disc(0.4f);
+    const uint32_t ticks = ticks_to_fright(&disc, v3(0.03f, -0.05f, 0.0f));
     assert_in_range(ticks, CORE_TICK_HZ * 3u / 100u, CORE_TICK_HZ / 5u);
 }
 
@@ -118,9 +126,23 @@ static void test_a_slow_or_distant_disc_frightens_nobody(void **state)
 static void test_what_looms_frightens_more_than_what_goes_away(void **state)
 {
     (void)state;
-    const struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.3f, 0.0f, 0.0f));
-    assert_true(obstacle_alarm(&disc, v3(0.07f, -0.05f, 0.0f)) >
-                1.5f * obstacle_alarm(&disc, v3(-0.07f, -0.05f, 0.0f)));
+    const struct obstacle disc = broadside_disc(0.3f);
+    assert_true(obstacle_alarm(&disc, v3(0.03f, -0.05f, 0.0f)) >
+                1.5f * obstacle_alarm(&disc, v3(-0.03f, -0.05f, 0.0f)));
+}
+
+static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
+{
+    (void)state;
+    const struct obstacle broad = broadside_disc(0.4f);
+    const struct obstacle edge = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.4f, 0.0f, 0.0f));
+    const vec3 ahead_of_broad = v3(0.03f, -0.05f, 0.0f);
+    const vec3 ahead_of_edge = v3(broad.radius_m + 0.03f, -0.05f, 0.0f);
+    const float alarm = obstacle_alarm(&edge, ahead_of_edge);
+    assert_true(alarm > 0.0f);
+    assert_true(alarm < 0.3f * obstacle_alarm(&broad, ahead_of_broad));
+    const struct obstacle slow = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.2f, 0.0f, 0.0f));
+    assert_int_equal(ticks_to_fright(&slow, ahead_of_edge), 1000);
 }
 
 static void test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not(void **state)
@@ -143,6 +165,7 @@ int main(void)
         cmocka_unit_test(test_a_rushing_disc_frightens_within_a_fifth_of_a_second),
         cmocka_unit_test(test_a_slow_or_distant_disc_frightens_nobody),
         cmocka_unit_test(test_what_looms_frightens_more_than_what_goes_away),
+        cmocka_unit_test(test_a_disc_that_glides_edge_on_frightens_little),
         cmocka_unit_test(test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

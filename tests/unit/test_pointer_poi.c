@@ -11,6 +11,8 @@
 #include "drivers/pointer_poi.h"
 
 #define MS 1000000ull
+#define DOWN_MS ((uint64_t)(POINTER_DOWN_S * 1000.0f))
+#define UP_MS ((uint64_t)(POINTER_UP_S * 1000.0f))
 #define WIDTH 1280u
 #define HEIGHT 720u
 
@@ -71,11 +73,11 @@ static void test_holding_dips_and_letting_go_lifts_in_their_times(void **state)
     (void)state;
     struct pointer_poi pointer = fresh();
     give(&pointer, report(100, 640.0f, 360.0f, POINTER_DIP));
-    assert_true(after(&pointer, 340).position_m.y > POINTER_DIP_M);
-    assert_float_equal(after(&pointer, 351).position_m.y, POINTER_DIP_M, 1e-5f);
+    assert_true(after(&pointer, 100 + DOWN_MS - 10).position_m.y > POINTER_DIP_M);
+    assert_float_equal(after(&pointer, 100 + DOWN_MS + 1).position_m.y, POINTER_DIP_M, 1e-5f);
     give(&pointer, report(1000, 640.0f, 360.0f, 0));
-    assert_true(after(&pointer, 1360).position_m.y < POINTER_HOVER_M - 1e-5f);
-    assert_float_equal(after(&pointer, 1381).position_m.y, POINTER_HOVER_M, 1e-5f);
+    assert_true(after(&pointer, 1000 + UP_MS - 20).position_m.y < POINTER_HOVER_M - 1e-5f);
+    assert_float_equal(after(&pointer, 1000 + UP_MS + 1).position_m.y, POINTER_HOVER_M, 1e-5f);
 }
 
 static void test_the_pointer_stays_over_the_rings_centre_at_every_height(void **state)
@@ -104,7 +106,7 @@ static void test_a_stroke_that_changes_its_mind_is_still_smooth(void **state)
     struct pointer_poi pointer = fresh();
     float height = POINTER_HOVER_M;
     float speed = 0.0f;
-    for (uint64_t ms = 0; ms < 950; ms++) {
+    for (uint64_t ms = 0; ms <= 520 + UP_MS; ms++) {
         if (ms == 10 || ms == 250) {
             give(&pointer, report(ms, 640.0f, 360.0f, POINTER_DIP));
         }
@@ -155,8 +157,8 @@ static void test_a_stroke_slants_the_far_edge_down_and_ends_level(void **state)
     (void)state;
     struct pointer_poi pointer = fresh();
     give(&pointer, report(0, 640.0f, 360.0f, POINTER_DIP));
-    assert_true(after(&pointer, 125).angles.pitch_rad < -0.1f);
-    assert_float_equal(after(&pointer, 251).angles.pitch_rad, 0.0f, 1e-4f);
+    assert_true(after(&pointer, DOWN_MS / 2).angles.pitch_rad < -0.1f);
+    assert_float_equal(after(&pointer, DOWN_MS + 1).angles.pitch_rad, 0.0f, 1e-4f);
 }
 
 /* Across the screen in `step_px` every 16 ms, for half a second. */

@@ -215,7 +215,7 @@ static void look_at_the_ring(struct dragged *dragged, const struct obstacle *dis
 }
 
 /* Drags a disc along the tank at half depth. */
-static struct dragged drag(float speed_m_s)
+static struct dragged drag(float speed_m_s, vec3 normal)
 {
     struct dragged dragged = { 0 };
     tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 17);
@@ -223,7 +223,8 @@ static struct dragged drag(float speed_m_s)
     const uint32_t ticks = (uint32_t)(0.6f / speed_m_s * (float)CORE_TICK_HZ);
     for (uint32_t tick = 0; tick < ticks; tick++) {
         const float x = -0.3f + 0.6f * (float)tick / (float)ticks;
-        const struct obstacle disc = disc_at(v3(x, -0.06f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
+        struct obstacle disc = disc_at(v3(x, -0.06f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
+        disc.normal = normal;
         uint8_t was[300];
         for (uint32_t i = 0; i < 300; i++) {
             was[i] = tank.fish[i].gait;
@@ -250,7 +251,8 @@ static struct dragged drag(float speed_m_s)
 static void test_haste_scatters_fish_and_patience_does_not(void **state)
 {
     (void)state;
-    const struct dragged slow = drag(0.10f), fast = drag(0.40f);
+    const struct dragged slow = drag(0.10f, v3(0.0f, 1.0f, 0.0f));
+    const struct dragged fast = drag(0.40f, v3(0.5f, 0.8660254f, 0.0f)); /* At a slant of 30 degrees. */
     assert_int_equal(slow.escapes, 0);
     assert_true(fast.escapes >= 10);
     /* The patient ring leaves hardly a trace; the fast one shoves at its own speed, and no more.
@@ -271,8 +273,9 @@ static void test_an_escape_costs_stamina_and_ends_within_a_second(void **state)
     float top_m_s = 0.0f;
     uint32_t tick = 0, fled = 0;
     for (; tick < 2u * CORE_TICK_HZ; tick++) {
-        const struct obstacle disc =
-            disc_at(v3(-0.09f, -0.06f, 0.0f), v3(tick < 30 ? 0.5f : 0.0f, 0.0f, 0.0f));
+        struct obstacle disc =
+            disc_at(v3(-0.06f, -0.06f, 0.0f), v3(tick < 30 ? 0.5f : 0.0f, 0.0f, 0.0f));
+        disc.normal = v3(1.0f, 0.0f, 0.0f);
         run(&tank, tick, 1, &disc, 1);
         fled += fish->gait == GAIT_ESCAPE;
         top_m_s = f_max(top_m_s, v3_length(fish->velocity_m_s));
