@@ -73,6 +73,7 @@ enum scene_hint {
     HINT_BOWL,        /* Carry it to the bowl. */
     HINT_TILT,        /* The wheel tilts the poi. */
     HINT_SLOWLY,      /* Haste tears paper. */
+    HINT_GLIDE,       /* Dip beside a fish, slide under it, lift softly. */
     HINT_TORN,        /* The paper is gone. */
     HINT_LOST_POI,    /* The controller is away; the round waits. */
     HINT_COUNT,

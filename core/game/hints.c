@@ -10,6 +10,7 @@
 #define HASTE_CELLS 3u            /* ... when so many cells tear within a look. */
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
 #define TILT_RAD 0.15f            /* A wrist that turned on purpose. */
+#define FRUITLESS_DIPS 2u         /* So many in vain, and a word on how it is done helps. */
 #define ABOVE_M 0.045f            /* A fish so near the ring's axis is over it. */
 
 #define BIT(hint) (1u << (hint))
@@ -18,6 +19,12 @@
 static int is_urgent(uint8_t hint)
 {
     return hint == HINT_TORN || hint == HINT_LOST_POI;
+}
+
+/* What was done need not be said any longer. */
+static int is_followed(uint8_t hint, const struct poi *poi)
+{
+    return hint == HINT_LIFT ? poi->immersed < 0.5f : hint == HINT_DIP && poi->immersed > 0.5f;
 }
 
 struct view_of_fish {
@@ -39,6 +46,16 @@ static struct view_of_fish look_at_fish(const struct core *core)
     return view;
 }
 
+/* Dips in vain count from the last catch, or from when the poi was new. */
+static void count_dips(struct hints *hints, const struct core *core)
+{
+    const uint32_t caught = core->game.caught[0], dips = core->poi[0].dips;
+    if (caught != hints->caught || dips < hints->dips_before) {
+        hints->dips_before = caught != hints->caught ? dips : 0;
+    }
+    hints->caught = caught;
+}
+
 /* What the last tenth of a second taught or tore. */
 static void observe(struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
@@ -55,6 +72,7 @@ static void observe(struct hints *hints, const struct core *core, struct view_of
         hints->haste_tick = core->tick;
     }
     hints->haste_cells = 0;
+    count_dips(hints, core);
 }
 
 /* Cells that went while the ring moved too fast; between two looks speed may come and go. */
@@ -79,6 +97,9 @@ static uint8_t lesson(const struct hints *hints, const struct core *core, struct
     }
     if (core->poi[0].immersed > 0.5f) {
         return fish.above && (missing & BIT(HINT_LIFT)) ? HINT_LIFT : HINT_NONE;
+    }
+    if (core->poi[0].dips >= hints->dips_before + FRUITLESS_DIPS && !fish.held) {
+        return HINT_GLIDE;
     }
     if (missing & BIT(HINT_MOVE)) {
         return HINT_MOVE;
@@ -131,7 +152,8 @@ void hints_tick(struct hints *hints, const struct core *core)
     observe(hints, core, fish);
     const uint8_t next = wanted(hints, core, fish);
     if (next != hints->shown &&
-        (edge || is_urgent(next) || core->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
+        (edge || is_urgent(next) || is_followed(hints->shown, &core->poi[0]) ||
+         core->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
         hints->shown = next;
         hints->shown_tick = core->tick;
     }
@@ -145,5 +167,7 @@ uint64_t hints_hash(uint64_t hash, const struct hints *hints)
     hash = hash_u32(hash, hints->haste_tick);
     hash = hash_u32(hash, hints->haste_cells);
     hash = hash_u32(hash, hints->paper_cells);
+    hash = hash_u32(hash, hints->dips_before);
+    hash = hash_u32(hash, hints->caught);
     return hash_float(hash, hints->moved_m);
 }

@@ -1,7 +1,8 @@
 /* hints.h -- what the stall calls to a player: one thing at a time, the next one to learn.
  *
  * A rule looks at what the player does and says what would help; a hint is shown until it is done,
- * and no hint gives way within HINT_TICKS_MIN unless something urgent is to be said. */
+ * and no hint gives way within HINT_TICKS_MIN unless it was followed or something urgent is to be
+ * said. */
 #ifndef KINGYO_CORE_GAME_HINTS_H
 #define KINGYO_CORE_GAME_HINTS_H
 
@@ -16,6 +17,8 @@ struct hints {
     uint32_t haste_tick;  /* When haste last tore the paper; 0 never. */
     uint32_t haste_cells; /* Torn in haste since the last look. */
     uint32_t paper_cells; /* Of poi 0 in the last tick. */
+    uint32_t dips_before; /* Of poi 0, when it last caught something or was new. */
+    uint32_t caught;      /* Of player 0 at the last look. */
     float moved_m;        /* Way of poi 0 in this round, up to what counts as moved. */
 };
 

@@ -41,7 +41,8 @@ static const char *hint_words(uint8_t language, uint8_t hint)
         [HINT_START] = TEXT_HINT_START,   [HINT_MOVE] = TEXT_HINT_MOVE,
         [HINT_DIP] = TEXT_HINT_DIP,       [HINT_LIFT] = TEXT_HINT_LIFT,
         [HINT_BOWL] = TEXT_HINT_BOWL,     [HINT_TILT] = TEXT_HINT_TILT,
-        [HINT_SLOWLY] = TEXT_HINT_SLOWLY, [HINT_TORN] = TEXT_HINT_TORN,
+        [HINT_SLOWLY] = TEXT_HINT_SLOWLY, [HINT_GLIDE] = TEXT_HINT_GLIDE,
+        [HINT_TORN] = TEXT_HINT_TORN,
         [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
     };
     return text_words(language, (enum text_key)keys[hint]);

@@ -137,6 +137,33 @@ static void test_who_caught_one_hears_of_the_tilt_until_it_is_done(void **state)
     assert_int_equal(hint_after(300), HINT_NONE);
 }
 
+static void test_a_lift_that_is_done_is_not_asked_for_any_longer(void **state)
+{
+    (void)state;
+    hint_after(300);
+    dip_poi();
+    put_fish_over_the_poi();
+    assert_int_equal(hint_after(200), HINT_LIFT);
+    core.poi[0].immersed = 0.0f;
+    assert_int_not_equal(hint_after(12), HINT_LIFT);
+}
+
+static void test_dips_in_vain_call_for_a_word_on_how_it_is_done(void **state)
+{
+    (void)state;
+    learn(HINT_MOVE);
+    learn(HINT_DIP);
+    core.poi[0].dips = 1;
+    assert_int_equal(hint_after(300), HINT_NONE);
+    core.poi[0].dips = 2;
+    assert_int_equal(hint_after(300), HINT_GLIDE);
+    core.game.caught[0] = 1;
+    learn(HINT_TILT);
+    assert_int_equal(hint_after(300), HINT_NONE);
+    core.poi[0].dips = 4;
+    assert_int_equal(hint_after(300), HINT_GLIDE);
+}
+
 static void test_haste_that_tears_is_told_to_slow_down(void **state)
 {
     (void)state;
@@ -210,6 +237,8 @@ int main(void)
         TEST(test_a_fish_under_the_dipped_poi_does_not),
         TEST(test_a_fish_on_the_lifted_poi_calls_for_the_bowl),
         TEST(test_who_caught_one_hears_of_the_tilt_until_it_is_done),
+        TEST(test_a_lift_that_is_done_is_not_asked_for_any_longer),
+        TEST(test_dips_in_vain_call_for_a_word_on_how_it_is_done),
         TEST(test_haste_that_tears_is_told_to_slow_down),
         TEST(test_a_tear_without_haste_is_no_reproach),
         TEST(test_a_hint_stays_for_one_and_a_half_seconds),
