@@ -47,7 +47,7 @@ static const struct field game_fields[] = {
 static const struct field hints_fields[] = {
     FIELD(hints, shown),      FIELD(hints, shown_tick),  FIELD(hints, learned),
     FIELD(hints, haste_tick), FIELD(hints, haste_cells), FIELD(hints, paper_cells),
-    FIELD(hints, moved_m),
+    FIELD(hints, dips_before), FIELD(hints, caught), FIELD(hints, moved_m),
 };
 
 static const struct field bot_fields[] = {
