@@ -115,9 +115,9 @@ float obstacle_alarm(const struct obstacle *disc, vec3 position_m)
         speed_m_s < FRIGHT_SPEED_M_S) {
         return 0.0f;
     }
-    /* What looms frightens most; what rushes past, half as much; in the air above, a quarter. Edge-on
-     * a disc is a line to the eye and pushes no water before it: its speed along itself counts for
-     * little. */
+    /* What looms frightens most; what rushes past, half as much; in the air above, a quarter.
+     * Edge-on a disc is a line to the eye and pushes no water before it: its speed along itself
+     * counts for little. */
     const float broadside = f_abs(v3_dot(disc->velocity_m_s, disc->normal)) / speed_m_s;
     const float shown = f_lerp(EDGE_ON_SHARE, 1.0f, broadside);
     const vec3 toward = v3_normalize_or(v3_sub(position_m, disc->centre_m), disc->normal);

@@ -252,7 +252,8 @@ static void test_haste_scatters_fish_and_patience_does_not(void **state)
 {
     (void)state;
     const struct dragged slow = drag(0.10f, v3(0.0f, 1.0f, 0.0f));
-    const struct dragged fast = drag(0.40f, v3(0.5f, 0.8660254f, 0.0f)); /* At a slant of 30 degrees. */
+    const vec3 slant_30_deg = v3(0.5f, 0.8660254f, 0.0f);
+    const struct dragged fast = drag(0.40f, slant_30_deg);
     assert_int_equal(slow.escapes, 0);
     assert_true(fast.escapes >= 10);
     /* The patient ring leaves hardly a trace; the fast one shoves at its own speed, and no more.
