@@ -10,7 +10,7 @@
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
-        config->fish_count > tank_preset_fish_max(tank_preset(config->preset)) ||
+        config->fish_count > tank_preset_fish_max(tank_preset(config->preset), 1.0f) ||
         config->language >= LANGUAGE_COUNT ||
         (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600))) {
         return CORE_ERR_RANGE;

@@ -51,6 +51,7 @@ enum rng_purpose {
     RNG_RIDER_REST,       /* Before a newcomer's first slap. */
     RNG_BOWL_ROUND,
     RNG_BOWL_POUR,
+    RNG_FISH_LENGTH,
 };
 
 #endif

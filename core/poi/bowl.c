@@ -38,7 +38,7 @@ float bowl_hull_radius_m(float below_m)
  */
 static vec3 place_on_round(const struct fish *fish, uint32_t index, uint32_t seed, float angle_rad)
 {
-    const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float half = 0.5f * fish->height_m;
     const float top = SURFACE_M + half;
     const float bottom = f_max(top, 0.8f * BOWL_DEPTH_M - half);
     const float below = f_lerp(top, bottom, draw(seed, index, 1));
@@ -89,14 +89,14 @@ void bowl_tick(const struct bowl *bowl, uint32_t bowl_index, struct tank *tank, 
 }
 
 /* On a ring round the hull, under water, inside the walls. */
-static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index,
-                          float length_m)
+static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index)
 {
+    const float length_m = tank->fish[index].length_m;
     const float angle = F_TAU * draw_pour(tank->seed, index, 1);
     const float away = BOWL_RADIUS_M + length_m * (0.6f + 0.8f * draw_pour(tank->seed, index, 2));
     const float room_x = 0.5f * (tank->size_m.x - length_m),
                 room_z = 0.5f * (tank->size_m.z - length_m);
-    const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * length_m;
+    const float half = 0.5f * tank->fish[index].height_m;
     const float deep = f_max(half, tank->size_m.y - half - 0.005f);
     return v3(f_clamp(bowl->position_m.x + away * f_cos(angle), -room_x, room_x),
               -f_lerp(half, deep, draw_pour(tank->seed, index, 3)),
@@ -108,7 +108,7 @@ void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish->gait == GAIT_BOWL && fish->holder == bowl_index) {
-            fish->position_m = pouring_place(bowl, tank, i, fish->length_m);
+            fish->position_m = pouring_place(bowl, tank, i);
             fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
             fish->angles.pitch_rad = fish->angles.roll_rad = 0.0f;
             fish->heading_rad = fish->angles.yaw_rad;

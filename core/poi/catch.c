@@ -105,7 +105,7 @@ static float paper_y(const struct scoop *scoop, float x_m, float z_m)
 /* How much of a rider's weight is out of the water. */
 static float dryness(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
 {
-    const float thick = FISH_WIDTH_PER_LENGTH * fish->length_m;
+    const float thick = fish->width_m;
     const float low = paper_y(scoop, rider->x_m, rider->z_m);
     return f_clamp((low + thick) / thick, 0.0f, 1.0f);
 }
@@ -113,7 +113,7 @@ static float dryness(const struct scoop *scoop, const struct rider *rider, const
 static int floats_off(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
 {
     const float depth = -paper_y(scoop, rider->x_m, rider->z_m);
-    return depth > FLOAT_SHARE * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    return depth > FLOAT_SHARE * fish->height_m;
 }
 
 static int leaves_paper(const struct scoop *scoop, const struct rider *rider)
@@ -165,7 +165,7 @@ static void ride_all(struct scoop *scoop)
 static int can_stand(const struct scoop *scoop, vec3 place, const struct fish *fish)
 {
     const float depth = -paper_y(scoop, place.x, place.z);
-    return depth > STAND_SHARE * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    return depth > STAND_SHARE * fish->height_m;
 }
 
 /* No room left on the paper: it works its way out over the ring. */

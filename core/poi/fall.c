@@ -10,7 +10,7 @@
 /* Level again, under the surface, inside the walls, and in a hurry. */
 void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
-    const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float half = 0.5f * fish->height_m;
     const float room_x = 0.5f * (tank->size_m.x - fish->length_m);
     const float room_z = 0.5f * (tank->size_m.z - fish->length_m);
     fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
@@ -71,7 +71,7 @@ enum fall_end fall_tick(struct rider *rider, uint32_t poi_index, struct bowl *bo
         into_bowl(fish, bowl, poi_index);
         return FALL_INTO_BOWL;
     }
-    if (fish->position_m.y > -0.5f * FISH_WIDTH_PER_LENGTH * fish->length_m) {
+    if (fish->position_m.y > -0.5f * fish->width_m) {
         return FALL_GOES_ON;
     }
     water_press(&tank->water, tank->size_m, fish->position_m, 0.4f * fish->length_m, PLOP_M);

@@ -38,10 +38,10 @@ float fish_mass_kg(float length_m)
 
 float fish_half_extent_m(const struct fish *fish, vec3 direction)
 {
-    const float x = 0.5f * FISH_WIDTH_PER_LENGTH * direction.x;
-    const float y = 0.5f * FISH_HEIGHT_PER_LENGTH * direction.y;
-    const float z = 0.5f * direction.z;
-    return fish->length_m * f_sqrt(x * x + y * y + z * z);
+    const float x = 0.5f * fish->width_m * direction.x;
+    const float y = 0.5f * fish->height_m * direction.y;
+    const float z = 0.5f * fish->length_m * direction.z;
+    return f_sqrt(x * x + y * y + z * z);
 }
 
 void rider_tail(const struct rider *rider, float length_m, float *x_m, float *z_m)

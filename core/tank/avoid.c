@@ -88,7 +88,7 @@ static int courses_cross(const struct avoid_party *a, const struct avoid_party *
     const vec3 miss = v3_mad(apart, v, when_s);
     const float lengths_m = a->length_m + b->length_m;
     const float wide_m = MISS_PER_LENGTH * lengths_m;
-    return f_abs(miss.y) < 0.6f * FISH_HEIGHT_PER_LENGTH * lengths_m &&
+    return f_abs(miss.y) < 0.6f * (a->height_m + b->height_m) &&
            miss.x * miss.x + miss.z * miss.z < wide_m * wide_m;
 }
 
@@ -143,7 +143,7 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
 /* Upper fish go up unless the surface is near, lower ones down unless the floor is. */
 static float possible_rise(const struct fish *fish, float rise, float water_depth_m)
 {
-    const float room_m = 1.0f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float room_m = 1.0f * fish->height_m;
     const float above_floor_m = fish->position_m.y + water_depth_m;
     if (rise > 0.0f) {
         return -fish->position_m.y < room_m ? -1.0f : 1.0f;
@@ -151,10 +151,10 @@ static float possible_rise(const struct fish *fish, float rise, float water_dept
     return above_floor_m < room_m ? 1.0f : -1.0f;
 }
 
-static void yaw_away(struct fish *fish)
+static void yaw_away(struct fish *fish, float dt_s)
 {
     const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad) +
-                            fish->avoid_turn * YAW_RATE_RAD_S * CORE_TICK_S;
+                            fish->avoid_turn * YAW_RATE_RAD_S * dt_s;
     fish->heading_rad =
         f_wrap_angle(fish->angles.yaw_rad + f_clamp(ahead_rad, -LEAD_RAD, LEAD_RAD));
 }
@@ -187,22 +187,23 @@ int avoid_holds_depth(const struct fish *fish)
 }
 
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
-                float water_depth_m)
+                const struct surroundings *around)
 {
     const int meets = advice->kind != MEET_NONE;
-    fish->brake = f_min(brake, fish->brake + 3.0f * CORE_TICK_S); /* Back in a third of a second. */
+    /* Back in a third of a second. */
+    fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
     /* Once clear, giving way is soon forgotten. */
     const float pace = fish->avoiding != AVOID_NONE && !meets ? 3.0f : 1.0f;
-    fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * CORE_TICK_S);
+    fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {
         if (meets) {
             begin(fish, advice);
         }
     } else if (fish->avoid_left_s <= 0.0f) {
-        go_on_or_end(fish, advice, water_depth_m);
+        go_on_or_end(fish, advice, around->size_m.y);
     }
     if (fish->avoiding == AVOID_YAW && meets) {
-        yaw_away(fish);
+        yaw_away(fish, around->dt_s);
     }
 }
 

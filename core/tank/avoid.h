@@ -7,6 +7,7 @@
 #define KINGYO_CORE_TANK_AVOID_H
 
 #include "core/tank/fish.h"
+#include "core/tank/surroundings.h"
 
 enum meeting_kind {
     MEET_NONE = 0, /* Not approaching, or at walking pace. */
@@ -20,7 +21,7 @@ struct avoid_party {
     vec3 position_m;
     vec3 forward; /* Unit, along the nose. */
     float speed_m_s;
-    float length_m;
+    float length_m, height_m;
     uint16_t index;
     /* As in struct fish: who gives way already, to whom, since when. */
     uint8_t avoiding;
@@ -54,7 +55,7 @@ int avoid_holds_depth(const struct fish *fish);
 
 /* One tick of giving way by the soonest of this tick's advice, at the least brake of all. */
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
-                float water_depth_m);
+                const struct surroundings *around);
 
 /* The thesis' repulsion (named, never written down): wanted speed apart for two bodies whose gap is
  * `gap_m`, for the smaller of them `length_m` long; 0 beyond a fifth of its length. */

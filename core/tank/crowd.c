@@ -5,9 +5,7 @@
 #include "core/base/rng.h"
 #include "core/input.h"
 
-#define SPACE_PER_LENGTH 0.2f /* 2013 thesis, section 3.4: 1 cm round a fish of 5 cm. */
-#define SPACE_FILL 0.35f      /* Of the water; fuller, and nobody's space would ever be free. */
-#define ROOM_GAP_M 0.005f     /* A tail sweeps so far in a few ticks of a hard turn. */
+#define ROOM_GAP_M 0.005f /* A tail sweeps so far in a few ticks of a hard turn. */
 #define ROOM_MIN 0.2f
 #define CONTACT_GAP_M 0.002f    /* Nearer pairs may come to touch while others are parted. */
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
@@ -19,20 +17,21 @@
 #define SHOVE_MAX_M 0.003f      /* A tick, beyond its own motion: more would look like a jump. */
 #define UNBOUND_M 1000.0f
 
-float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m)
+float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
+                  const struct law *law)
 {
-    const float grown = 1.0f + 2.0f * SPACE_PER_LENGTH;
     float volume_m3 = 0.0f;
     for (uint32_t i = 0; i < fish_count; i++) {
-        const float l = fish[i].length_m;
-        volume_m3 += l * l * l * grown * (FISH_HEIGHT_PER_LENGTH + 2.0f * SPACE_PER_LENGTH) *
-                     (FISH_WIDTH_PER_LENGTH + 2.0f * SPACE_PER_LENGTH);
+        const float both_m = 2.0f * law->space_per_length * fish[i].length_m;
+        volume_m3 += (fish[i].length_m + both_m) * (fish[i].height_m + both_m) *
+                     (fish[i].width_m + both_m);
     }
     const float fill = volume_m3 / (tank_size_m.x * tank_size_m.y * tank_size_m.z);
-    if (fill <= SPACE_FILL) {
-        return 1.0f;
+    if (fill <= law->space_fill_max) {
+        return law->space_per_length;
     }
-    return f_clamp(f_exp(f_ln(SPACE_FILL / fill) / 3.0f), 0.2f, 1.0f);
+    const float share = f_clamp(f_exp(f_ln(law->space_fill_max / fill) / 3.0f), 0.2f, 1.0f);
+    return share * law->space_per_length;
 }
 
 static struct crowd_body body_of(const struct fish *fish, uint16_t index, float space)
@@ -50,7 +49,7 @@ static struct crowd_body body_of(const struct fish *fish, uint16_t index, float 
     };
     body.box = fish_box(fish);
     body.centre_m = fish->position_m;
-    body.margin_m = space * SPACE_PER_LENGTH * fish->length_m;
+    body.margin_m = space * fish->length_m;
     body.extent_m = box_extent_m(&body.box);
     body.forward = v3_scale(body.box.axes.back, -1.0f);
     struct box room = body.box;
@@ -90,7 +89,8 @@ static void take_advice(struct avoid_advice *kept, const struct avoid_advice *ad
 static struct avoid_party party_of(const struct crowd_body *body)
 {
     return (struct avoid_party){ body->box.centre_m,        body->forward,    body->speed_m_s,
-                                 2.0f * body->box.half_m.z, body->fish,       body->avoiding,
+                                 2.0f * body->box.half_m.z, 2.0f * body->box.half_m.y,
+                                 body->fish,                body->avoiding,
                                  body->avoid_with,          body->avoid_since };
 }
 

@@ -57,7 +57,7 @@ struct crowd {
     uint16_t contact[CROWD_CONTACT_MAX][2];
 };
 
-/* Takes the bodies of all fish that swim. `space` in (0, 1] shrinks personal spaces in a crowd.
+/* Takes the bodies of all fish that swim. Personal spaces reach `space` body lengths beyond bodies.
  * `before_m` is where each fish was when the tick began: what others shove it by is bounded, so
  * that nobody jumps. Null binds nobody. */
 void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space,
@@ -77,7 +77,9 @@ void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t t
 void crowd_part(struct crowd *crowd, const struct tank_bounds *bounds,
                 const struct obstacle *obstacles, uint32_t obstacle_count);
 
-/* How much of the full personal space a crowd leaves: 1 in sparse tanks, 0.2 at worst. */
-float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m);
+/* The personal space that a crowd leaves, in body lengths beyond the body: the law's own in sparse
+ * tanks, a fifth of it at worst. */
+float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
+                  const struct law *law);
 
 #endif

@@ -3,13 +3,19 @@
 
 #include "core/base/hash.h"
 
+void fish_grow(struct fish *fish, float length_m, const struct law *law)
+{
+    fish->length_m = length_m;
+    fish->height_m = law->height_per_length * length_m;
+    fish->width_m = law->width_per_length * length_m;
+}
+
 struct box fish_box(const struct fish *fish)
 {
-    const float half_m = 0.5f * fish->length_m;
     return (struct box){
         .centre_m = fish->position_m,
         .axes = basis_from_angles(fish->angles),
-        .half_m = { half_m * FISH_WIDTH_PER_LENGTH, half_m * FISH_HEIGHT_PER_LENGTH, half_m },
+        .half_m = { 0.5f * fish->width_m, 0.5f * fish->height_m, 0.5f * fish->length_m },
     };
 }
 
@@ -36,7 +42,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
         fish->length_m,       fish->stamina,    fish->tail_phase_rad, fish->tail_beat_hz,
         fish->tail_amplitude, fish->bend_rad,   fish->gait_left_s,    fish->heading_rad,
         fish->avoid_left_s,   fish->avoid_turn, fish->brake,          fish->depth_goal_m,
-        fish->alarm,          fish->room,
+        fish->alarm,          fish->room,       fish->height_m,       fish->width_m,
     };
     hash = fish_hash_quick(hash, fish);
     hash = hash_vec3(hash, fish->velocity_m_s);

@@ -5,10 +5,7 @@
 #include <stdint.h>
 
 #include "core/tank/box.h"
-
-/* The body box of the 2013 thesis is 5 x 2 x 1 cm; a wakin's is a little slimmer than that. */
-#define FISH_HEIGHT_PER_LENGTH 0.36f
-#define FISH_WIDTH_PER_LENGTH 0.20f
+#include "core/tank/law.h"
 
 /* A body whose top stands so far out of the water is in the air; a ripple is not. */
 #define FISH_AIRBORNE_M 0.003f
@@ -40,6 +37,7 @@ struct fish {
     vec3 push_m_s; /* Neighbours' nearness pushes it so (the thesis' repulsion). */
     float age_days;
     float length_m; /* Total length; from the growth curve at `age_days`. */
+    float height_m, width_m; /* Of its box. */
     float stamina;  /* [0, 1]; 0 is exhausted. */
     float tail_phase_rad, tail_beat_hz, tail_amplitude;
     float bend_rad;
@@ -65,6 +63,9 @@ static inline int fish_swims(const struct fish *fish)
 {
     return fish->gait != GAIT_HELD && fish->gait != GAIT_BOWL;
 }
+
+/* Gives it a length, and the box that its tank's law makes of it. */
+void fish_grow(struct fish *fish, float length_m, const struct law *law);
 
 struct box fish_box(const struct fish *fish);
 

@@ -11,11 +11,6 @@
 #define REST_GAIN_PER_S 0.001f
 #define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
 
-/* Section 3.3, halved there for the crowd, as body lengths of its 5 cm fish. */
-#define BURST_LENGTHS_PER_S 3.0f
-#define SWIM_LENGTHS_PER_S 1.05f  /* Preferred, 5.25 cm/s. */
-#define DRIFT_LENGTHS_PER_S 0.10f /* At most, while resting: 0.5 cm/s. */
-
 /* C-start: 8 to 10 lengths a second at the peak, then a decaying dash. */
 #define ESCAPE_LENGTHS_MIN 8.0f
 #define ESCAPE_LENGTHS_MAX 10.0f
@@ -42,7 +37,17 @@ struct gait_chance gait_chance(float stamina)
     };
 }
 
-static struct rng_key key(struct gait_luck luck, enum rng_purpose purpose)
+/* A fish and the tick in which it decides: what its numbers are drawn by. */
+struct luck {
+    uint32_t seed, tick, fish;
+};
+
+static struct luck luck_of(uint32_t index, const struct surroundings *around)
+{
+    return (struct luck){ around->seed, around->tick, index };
+}
+
+static struct rng_key key(struct luck luck, enum rng_purpose purpose)
 {
     return (struct rng_key){ luck.seed, luck.tick, luck.fish, purpose };
 }
@@ -59,7 +64,7 @@ float gait_depth_m(float stamina, float water_depth_m)
 
 /* The thesis changes the heading with the gait but not by how much; a snap to any of 360 degrees is
  * no fish, so: a bell of 45 degrees, and a sharp turn at a burst. */
-static float turn_rad(enum fish_gait gait, struct gait_luck luck)
+static float turn_rad(enum fish_gait gait, struct luck luck)
 {
     const float bell = rng_normal(key(luck, RNG_FISH_TURN));
     if (gait == GAIT_BURST) {
@@ -69,11 +74,14 @@ static float turn_rad(enum fish_gait gait, struct gait_luck luck)
     return bell * (gait == GAIT_SWIM ? 45.0f : 12.0f) * F_DEG;
 }
 
-void gait_enter(struct fish *fish, enum fish_gait gait, struct gait_luck luck, float water_depth_m)
+void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
+                const struct surroundings *around)
 {
+    const struct luck luck = luck_of(index, around);
+    const float water_depth_m = around->size_m.y;
     const struct rng_key time = key(luck, RNG_FISH_DURATION);
     const float spread = 0.13f * water_depth_m * rng_normal(key(luck, RNG_FISH_DEPTH));
-    const float margin_m = 0.6f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float margin_m = 0.6f * fish->height_m;
     fish->gait = (uint8_t)gait;
     fish->gait_left_s =
         gait == GAIT_BURST ? rng_range(time, 1.0f, 3.0f) : rng_range(time, 5.0f, 20.0f);
@@ -82,14 +90,15 @@ void gait_enter(struct fish *fish, enum fish_gait gait, struct gait_luck luck, f
                                  margin_m - water_depth_m, -margin_m);
 }
 
-static void choose(struct fish *fish, struct gait_luck luck, float water_depth_m)
+static void choose(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
+    const struct luck luck = luck_of(index, around);
     const struct gait_chance chance = gait_chance(fish->stamina);
     const float draw = rng_unit(key(luck, RNG_FISH_GAIT));
     const enum fish_gait gait = draw < chance.burst                 ? GAIT_BURST
                                 : draw < chance.burst + chance.swim ? GAIT_SWIM
                                                                     : GAIT_REST;
-    gait_enter(fish, gait, luck, water_depth_m);
+    gait_enter(fish, gait, index, around);
 }
 
 static float stamina_per_s(uint8_t gait)
@@ -106,23 +115,25 @@ static float stamina_per_s(uint8_t gait)
     }
 }
 
-void gait_tick(struct fish *fish, struct gait_luck luck, float water_depth_m)
+void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
-    fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * CORE_TICK_S, 0.0f, 1.0f);
-    fish->gait_left_s -= CORE_TICK_S;
+    fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * around->dt_s, 0.0f, 1.0f);
+    fish->gait_left_s -= around->dt_s;
     if (fish->gait_left_s > 0.0f) {
         return;
     }
     if (fish->gait == GAIT_ESCAPE) { /* It does not stop dead where it got away to. */
-        gait_enter(fish, GAIT_SWIM, luck, water_depth_m);
+        const struct luck luck = luck_of(index, around);
+        gait_enter(fish, GAIT_SWIM, index, around);
         fish->gait_left_s = rng_range(key(luck, RNG_ESCAPE_CALM), 1.0f, 3.0f);
         return;
     }
-    choose(fish, luck, water_depth_m);
+    choose(fish, index, around);
 }
 
-void gait_escape(struct fish *fish, vec3 from_m, struct gait_luck luck)
+void gait_escape(struct fish *fish, vec3 from_m, uint32_t index, const struct surroundings *around)
 {
+    const struct luck luck = luck_of(index, around);
     const float away_x = fish->position_m.x - from_m.x, away_z = fish->position_m.z - from_m.z;
     const float away_rad = f_atan2(-away_x, -away_z);
     const float stray_rad = rng_range(key(luck, RNG_ESCAPE_STRAY), -45.0f, 45.0f) * F_DEG;
@@ -167,21 +178,22 @@ static float mean_stroke(const struct fish *fish)
            cycle_s;
 }
 
-float gait_speed_m_s(const struct fish *fish, uint32_t tick)
+float gait_speed_m_s(const struct fish *fish, const struct surroundings *around)
 {
+    const struct law *law = around->law;
     const float able =
         fish->length_m * (0.8f + 0.2f * fish->stamina); /* Section 3.3, h = H / 100. */
-    const int beats = gait_beats(fish, tick);
+    const int beats = gait_beats(fish, around->tick);
     const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
     switch (fish->gait) {
     case GAIT_BURST:
-        return able * BURST_LENGTHS_PER_S;
+        return able * law->burst_speed;
     case GAIT_SWIM:
-        return able * SWIM_LENGTHS_PER_S * (beats ? BEAT_SPEED : GLIDE_SPEED) / mean_stroke(fish);
+        return able * law->swim_speed * (beats ? BEAT_SPEED : GLIDE_SPEED) / mean_stroke(fish);
     case GAIT_ESCAPE:
         return able * (beats ? f_lerp(ESCAPE_LENGTHS_MIN, ESCAPE_LENGTHS_MAX, keen) : 2.0f);
     default:
-        return able * DRIFT_LENGTHS_PER_S * keen;
+        return able * law->drift_speed * keen;
     }
 }
 

@@ -6,6 +6,7 @@
 #define KINGYO_CORE_TANK_GAIT_H
 
 #include "core/tank/fish.h"
+#include "core/tank/surroundings.h"
 
 /* Chances of the next gait at stamina h; they sum to 1. */
 struct gait_chance {
@@ -14,24 +15,21 @@ struct gait_chance {
 
 struct gait_chance gait_chance(float stamina);
 
-/* What every gait decision draws its numbers from. */
-struct gait_luck {
-    uint32_t seed, tick, fish;
-};
+/* Enters a gait: its duration, a new heading about the old one, a depth by stamina. `index` is the
+ * fish's, here and below: what it draws its numbers by. */
+void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
+                const struct surroundings *around);
 
-/* Enters a gait: its duration, a new heading about the old one, a depth by stamina. `water_depth_m`
- * is the tank's. */
-void gait_enter(struct fish *fish, enum fish_gait gait, struct gait_luck luck, float water_depth_m);
-
-/* One tick: pays stamina, and chooses anew when the time is up. */
-void gait_tick(struct fish *fish, struct gait_luck luck, float water_depth_m);
+/* `around->dt_s` later: pays stamina, and chooses anew when the time is up. */
+void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around);
 
 /* The escape from what is at `from_m`: mostly away, over in less than a second. */
-void gait_escape(struct fish *fish, vec3 from_m, struct gait_luck luck);
+void gait_escape(struct fish *fish, vec3 from_m, uint32_t index,
+                 const struct surroundings *around);
 
 /* Speed along the nose that the gait asks for now, m/s: by gait, stamina, length, and where in the
  * cycle of beats and glide the fish is. */
-float gait_speed_m_s(const struct fish *fish, uint32_t tick);
+float gait_speed_m_s(const struct fish *fish, const struct surroundings *around);
 
 /* Time constant of the run-up: 95 % of the speed is there after the thesis' T_d (eq. 2.3). */
 float gait_run_up_s(float length_m);

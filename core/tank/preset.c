@@ -11,6 +11,21 @@
              breadth deep; 800 (0.15) three, and half the pace. */
 #define AGE_SAMPLES 32
 
+/* The thesis' law in body lengths of its 5 cm fish: 15, 5.25 and 7.5 cm/s (section 3.3), 1 cm of
+ * personal space (section 3.4). */
+#define THESIS_SPEEDS .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f
+#define THESIS_SPACE 0.2f
+#define UNBOUND 1e9f
+
+/* What a living wakin does: the thesis' speeds and choices, and all that it left out. */
+#define LIVING_WAKIN                                                                               \
+    {                                                                                              \
+        .height_per_length = 0.36f, .width_per_length = 0.20f, .space_per_length = THESIS_SPACE,   \
+        .space_fill_max = 0.35f, THESIS_SPEEDS, .drift_speed = 0.10f,                              \
+        .wander_rad_s = 28.0f * F_DEG, .glides = 1, .banks = 1, .shade_dwell_s = 2.5f,             \
+        .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1,                                      \
+    }
+
 static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     [TANK_PRESET_FESTIVAL] = {
         .name = "festival",
@@ -25,10 +40,62 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .stamina_max = 1.00f,
         .bowl_m = { 0.335f, 0.012f, 0.185f },
         .bowl_radius_m = 0.075f, /* The federation allows a bowl of 160 mm at most. */
+        .temperature_c = 24.0f,
+        .pump = 1,
+        .law = LIVING_WAKIN,
         .view = {
             .eye_m = { 0.0f, 1.00f, 0.70f },
             .target_m = { 0.0f, -0.02f, 0.034f },
             .half_height_tan = 0.247f,
+            .aspect_min = 16.0f / 9.0f,
+        },
+    },
+    [TANK_PRESET_THESIS] = {
+        .name = "thesis",
+        .size_m = { 1.36f, 0.20f, 0.65f }, /* Section 3.1; the water of section 3.6. */
+        .wall_height_m = 0.23f,
+        .fish_count = 600, /* Section 4.1. */
+        .age_days_min = 120.0f, /* Red all over. */
+        .age_days_max = 120.0f,
+        .length_m = 0.05f,
+        .stamina_min = 0.30f, /* Section 3.2. */
+        .stamina_max = 1.00f,
+        .bowl_m = { 0.53f, 0.012f, 0.225f },
+        .bowl_radius_m = 0.075f,
+        .temperature_c = 25.0f,
+        .law = {
+            .height_per_length = 0.40f,
+            .width_per_length = 0.20f,
+            .space_per_length = THESIS_SPACE,
+            .space_fill_max = UNBOUND,
+            THESIS_SPEEDS,
+        },
+        .view = {
+            .eye_m = { 0.0f, 1.45f, 0.95f },
+            .target_m = { 0.0f, -0.02f, 0.034f },
+            .half_height_tan = 0.265f,
+            .aspect_min = 16.0f / 9.0f,
+        },
+    },
+    [TANK_PRESET_OFFICIAL] = {
+        .name = "official",
+        .size_m = { 1.36f, 0.10f, 0.65f }, /* The federation's type A tank, with 10 cm of water. */
+        .wall_height_m = 0.23f,
+        .fish_count = 1000,
+        .age_days_min = 90.0f,
+        .age_days_max = 120.0f,
+        .length_m = 0.04f,
+        .length_spread = 0.10f,
+        .stamina_min = 0.30f,
+        .stamina_max = 1.00f,
+        .bowl_m = { 0.53f, 0.012f, 0.225f },
+        .bowl_radius_m = 0.075f,
+        .temperature_c = 25.0f, /* 20 .. 30 C by the rules; the pump is off. */
+        .law = LIVING_WAKIN,
+        .view = {
+            .eye_m = { 0.0f, 1.45f, 0.95f },
+            .target_m = { 0.0f, -0.02f, 0.034f },
+            .half_height_tan = 0.265f,
             .aspect_min = 16.0f / 9.0f,
         },
     },
@@ -45,18 +112,22 @@ float tank_preset_age_days(const struct tank_preset *preset, float draw)
     return f_lerp(preset->age_days_min, preset->age_days_max, draw * draw);
 }
 
-uint32_t tank_preset_fish_max(const struct tank_preset *preset)
+uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale)
 {
     const vec3 size_m = preset->size_m;
     float cubes_m3 = 0.0f;
     for (int i = 0; i < AGE_SAMPLES; i++) {
         const float draw = ((float)i + 0.5f) / (float)AGE_SAMPLES;
         const float age_days = tank_preset_age_days(preset, draw);
-        const float length_m = growth_length_m(&species_wakin.growth, age_days);
+        const float length_m = preset->length_m > 0.0f
+                                   ? preset->length_m
+                                   : growth_length_m(&species_wakin.growth, age_days);
         cubes_m3 += length_m * length_m * length_m;
     }
     const float body_m3 =
-        FISH_HEIGHT_PER_LENGTH * FISH_WIDTH_PER_LENGTH * cubes_m3 / (float)AGE_SAMPLES;
-    const float count = BODY_FILL_MAX * size_m.x * size_m.y * size_m.z / body_m3;
+        preset->law.height_per_length * preset->law.width_per_length * cubes_m3 /
+        (float)AGE_SAMPLES;
+    const float water_m3 = area_scale * size_m.x * size_m.y * size_m.z;
+    const float count = BODY_FILL_MAX * water_m3 / body_m3;
     return (uint32_t)f_clamp(count, 1.0f, (float)GRID_FISH_MAX);
 }

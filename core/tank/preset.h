@@ -5,10 +5,13 @@
 #include <stdint.h>
 
 #include "core/base/vec.h"
+#include "core/tank/law.h"
 #include "core/view.h"
 
 enum tank_preset_id {
     TANK_PRESET_FESTIVAL = 0, /* The stall: mixed ages in a tank that fills a screen. */
+    TANK_PRESET_THESIS = 1,   /* The 2013 thesis: 5 cm fish, its law to the letter. */
+    TANK_PRESET_OFFICIAL = 2, /* The championship: 1,000 fish of 4 cm in 10 cm of water. */
     TANK_PRESET_COUNT,
 };
 
@@ -19,9 +22,14 @@ struct tank_preset {
     uint32_t fish_count;
     float age_days_min, age_days_max; /* The density of ages falls toward the old as 1 / sqrt: most
                                          of a stall's fish are this summer's. */
+    float length_m;                   /* 0: by age; else every fish's, about `length_spread`. */
+    float length_spread;              /* [0, 0.3] either way, as a share of it, uniform. */
     float stamina_min, stamina_max;   /* [0, 1] at the start, uniform. */
     vec3 bowl_m;                      /* Mouth centre of the first player's bowl. */
     float bowl_radius_m;              /* Of its rim; fish start clear of it. */
+    float temperature_c;              /* Of the water at the start. */
+    uint8_t pump;                     /* Whether the air stone bubbles. */
+    struct law law;
     struct view view;
 };
 
@@ -31,9 +39,9 @@ const struct tank_preset *tank_preset(uint8_t id);
 /* The age of a fish that draws `draw` in [0, 1). */
 float tank_preset_age_days(const struct tank_preset *preset, float draw);
 
-/* How many fish its water holds without overlap, 1 .. GRID_FISH_MAX: their boxes, at the mean over
- * its ages, then fill an eighth of it. Beyond, fish are shut in and parting them comes to no end.
- */
-uint32_t tank_preset_fish_max(const struct tank_preset *preset);
+/* How many fish its water holds without overlap, 1 .. GRID_FISH_MAX, on `area_scale` of its floor:
+ * their boxes, at the mean over its ages, then fill an eighth of it. Beyond, fish are shut in and
+ * parting them comes to no end. */
+uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale);
 
 #endif

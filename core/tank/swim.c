@@ -14,8 +14,7 @@
 #define TURN_RATE_BURST (720.0f * F_DEG)
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG) /* A C-start turns 100 degrees in 60 to 80 ms. */
 
-#define WANDER_TICKS 108u           /* A new whim each 0.9 s ... */
-#define WANDER_RATE (28.0f * F_DEG) /* ... of so many radians a second, one deviation. */
+#define WANDER_TICKS 108u /* A new whim each 0.9 s. */
 
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
@@ -28,12 +27,14 @@ static float ease(float from, float to, float tau_s)
     return from + (to - from) * f_min(1.0f, DT / tau_s);
 }
 
-void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index)
+void swim_wander(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
+    const uint32_t seed = around->seed;
     if (fish->gait != GAIT_SWIM) {
         return;
     }
-    const uint32_t now = tick + (fish->look & 127u); /* Whims of a crowd must not change in step. */
+    /* Whims of a crowd must not change in step. */
+    const uint32_t now = around->tick + (fish->look & 127u);
     const uint32_t whim = now / WANDER_TICKS;
     const float t = (float)(now % WANDER_TICKS) / (float)WANDER_TICKS;
     const struct rng_key from = { seed, whim, index, RNG_FISH_WANDER };
@@ -41,7 +42,7 @@ void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index
     /* Uniform in +-1.73 has deviation 1. */
     const float rate = f_lerp(rng_range(from, -1.73f, 1.73f), rng_range(to, -1.73f, 1.73f),
                               t * t * (3.0f - 2.0f * t));
-    fish->heading_rad += rate * WANDER_RATE * DT;
+    fish->heading_rad += rate * around->law->wander_rad_s * around->dt_s;
 }
 
 void swim_shun_add(struct swim_shun *shun, const struct fish *fish, vec3 normal, float gap_m)
@@ -167,7 +168,7 @@ void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
 
 int swim_fall(struct fish *fish)
 {
-    const float half_m = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float half_m = 0.5f * fish->height_m;
     if (fish->position_m.y < -0.55f * fish->length_m) { /* No pose of it reaches the surface. */
         return 0;
     }

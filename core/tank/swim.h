@@ -3,12 +3,13 @@
 #define KINGYO_CORE_TANK_SWIM_H
 
 #include "core/tank/fish.h"
+#include "core/tank/surroundings.h"
 
 #define SWIM_GLIDE_TAU_S 0.55f /* Koi: drag while gliding is a quarter of that in a burst. */
 #define SWIM_LENGTHS_MAX 1.5f  /* A second: 7.5 cm/s of the thesis' 5 cm fish, section 3.3. */
 
 /* Gives the heading a slow, smooth wander of its own; drawn from (seed, tick, fish). */
-void swim_wander(struct fish *fish, uint32_t seed, uint32_t tick, uint32_t index);
+void swim_wander(struct fish *fish, uint32_t index, const struct surroundings *around);
 
 /* What a fish would run into: every near surface adds to it, so that a corner is one thing to leave
  * and not two walls that send it back and forth. Zero is open water. */

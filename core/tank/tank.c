@@ -23,6 +23,26 @@ static struct tank_bounds tank_bounds(const struct tank *tank)
     return (struct tank_bounds){ { -half.x, -tank->size_m.y, -half.z }, { half.x, 0.0f, half.z } };
 }
 
+const struct law *tank_law(const struct tank *tank)
+{
+    return &tank_preset(tank->preset)->law;
+}
+
+static struct surroundings surroundings_of(const struct tank *tank, uint32_t tick,
+                                           const struct obstacle *obstacles,
+                                           uint32_t obstacle_count)
+{
+    return (struct surroundings){
+        .law = tank_law(tank),
+        .size_m = tank->size_m,
+        .seed = tank->seed,
+        .tick = tick,
+        .dt_s = CORE_TICK_S,
+        .obstacles = obstacles,
+        .obstacle_count = obstacle_count,
+    };
+}
+
 static int under_bowl(vec3 point_m, vec3 bowl_m, float clear_m)
 {
     const float dx = point_m.x - bowl_m.x, dz = point_m.z - bowl_m.z;
@@ -33,7 +53,7 @@ static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t ind
                   const struct tank_preset *preset)
 {
     const float inset_m = 0.5f * fish->length_m;
-    const float half_m = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float half_m = 0.5f * fish->height_m;
     const float x = 0.5f * tank->size_m.x - inset_m, z = 0.5f * tank->size_m.z - inset_m;
     vec3 point = { 0.0f, 0.0f, 0.0f };
     for (uint32_t attempt = 0; attempt < PLACE_TRIES; attempt++) {
@@ -49,15 +69,25 @@ static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t ind
     return point;
 }
 
-static struct fish hatch(const struct tank *tank, const struct tank_preset *preset, uint32_t index)
+static float hatch_length_m(const struct tank *tank, const struct tank_preset *preset,
+                            uint32_t index, float age_days)
 {
-    const struct gait_luck luck = { tank->seed, 0, index };
+    const float spread = preset->length_spread;
+    const struct rng_key key = { tank->seed, 0, index, RNG_FISH_LENGTH };
+    return preset->length_m > 0.0f ? preset->length_m * (1.0f + rng_range(key, -spread, spread))
+                                   : growth_length_m(&species_wakin.growth, age_days);
+}
+
+static struct fish hatch(const struct tank *tank, const struct tank_config *config, uint32_t index)
+{
+    const struct tank_preset *preset = tank_preset(config->preset);
+    const struct surroundings around = surroundings_of(tank, 0, NULL, 0);
     const float old = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_AGE });
     struct fish fish = { .look = rng_u32((struct rng_key){ tank->seed, 0, index, RNG_FISH_LOOK }) };
     fish.age_days = tank_preset_age_days(preset, old);
-    fish.length_m = growth_length_m(&species_wakin.growth, fish.age_days);
+    fish_grow(&fish, hatch_length_m(tank, preset, index, fish.age_days), around.law);
     fish.stamina = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_STAMINA },
-                             preset->stamina_min, preset->stamina_max);
+                             config->stamina_min, config->stamina_max);
     fish.position_m = place(tank, &fish, index, preset);
     fish.angles.yaw_rad =
         rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
@@ -70,7 +100,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_preset *pres
     /* A third already swim, as in the long run; all are somewhere in the middle of what they do. */
     const struct rng_key start = { tank->seed, 0, index, RNG_FISH_START_GAIT };
     const int swims = rng_unit(start) < 0.31f;
-    gait_enter(&fish, swims ? GAIT_SWIM : GAIT_REST, luck, tank->size_m.y);
+    gait_enter(&fish, swims ? GAIT_SWIM : GAIT_REST, index, &around);
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;
 }
@@ -98,28 +128,70 @@ static void spread_out(struct tank *tank)
     }
 }
 
-void tank_init(struct tank *tank, uint8_t preset_id, uint32_t fish_count, uint32_t seed)
+struct tank_config tank_config_of(uint8_t preset_id)
 {
-    CORE_ASSERT(fish_count >= 1u);
     const struct tank_preset *preset = tank_preset(preset_id);
-    CORE_ASSERT(fish_count <= tank_preset_fish_max(preset));
-    memset(tank, 0, sizeof *tank);
-    tank->seed = seed;
-    tank->preset = preset_id;
-    tank->size_m = preset->size_m;
-    tank->wall_height_m = preset->wall_height_m;
-    tank->fish_count = fish_count;
-    water_init(&tank->water);
-    for (uint32_t i = 0; i < fish_count; i++) {
-        tank->fish[i] = hatch(tank, preset, i);
+    return (struct tank_config){
+        .preset = preset_id,
+        .fish_count = preset->fish_count,
+        .seed = 1,
+        .area_scale = 1.0f,
+        .stamina_min = preset->stamina_min,
+        .stamina_max = preset->stamina_max,
+    };
+}
+
+uint32_t tank_fish_max(uint8_t preset, float area_scale)
+{
+    return tank_preset_fish_max(tank_preset(preset), area_scale);
+}
+
+static int config_fits(const struct tank_config *config)
+{
+    if (config->preset >= TANK_PRESET_COUNT) {
+        return 0;
     }
-    tank->space = crowd_space(tank->fish, fish_count, tank->size_m);
+    const uint32_t most = tank_fish_max(config->preset, config->area_scale);
+    return config->fish_count >= 1u && config->fish_count <= most &&
+           config->area_scale >= TANK_AREA_SCALE_MIN && config->area_scale <= TANK_AREA_SCALE_MAX &&
+           config->stamina_min >= 0.0f && config->stamina_max <= 1.0f &&
+           config->stamina_min <= config->stamina_max;
+}
+
+int tank_open(struct tank *tank, const struct tank_config *config)
+{
+    if (!config_fits(config)) {
+        return 0;
+    }
+    const struct tank_preset *preset = tank_preset(config->preset);
+    const float side = f_sqrt(config->area_scale);
+    memset(tank, 0, sizeof *tank);
+    tank->seed = config->seed;
+    tank->preset = config->preset;
+    tank->size_m = v3(side * preset->size_m.x, preset->size_m.y, side * preset->size_m.z);
+    tank->wall_height_m = preset->wall_height_m;
+    tank->fish_count = config->fish_count;
+    water_init(&tank->water);
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        tank->fish[i] = hatch(tank, config, i);
+    }
+    tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, &preset->law);
     spread_out(tank);
+    return 1;
+}
+
+void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed)
+{
+    struct tank_config config = tank_config_of(preset);
+    config.fish_count = fish_count;
+    config.seed = seed;
+    const int opened = tank_open(tank, &config);
+    CORE_ASSERT(opened);
 }
 
 static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const struct obstacle *bowl)
 {
-    const float half_m = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+    const float half_m = 0.5f * fish->height_m;
     const float bottom_m = bowl->centre_m.y - bowl->depth_m;
     if (fish->position_m.y + half_m < bottom_m - HULL_SHUN_DEPTH_M) {
         return;
@@ -131,55 +203,51 @@ static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const str
 }
 
 /* Turns away from walls and bowls. */
-static void shun(struct fish *fish, vec3 size_m, const struct obstacle *obstacles,
-                 uint32_t obstacle_count)
+static void shun(struct fish *fish, const struct surroundings *around)
 {
     struct swim_shun all = { 0 };
-    swim_shun_walls(&all, fish, size_m);
-    for (uint32_t i = 0; i < obstacle_count; i++) {
-        if (obstacles[i].kind == OBSTACLE_BOWL) {
-            shun_bowl(&all, fish, &obstacles[i]);
+    swim_shun_walls(&all, fish, around->size_m);
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        if (around->obstacles[i].kind == OBSTACLE_BOWL) {
+            shun_bowl(&all, fish, &around->obstacles[i]);
         }
     }
     swim_shun_turn(fish, &all);
 }
 
 /* Takes fright at the poi, or steps aside. */
-static void feel(struct fish *fish, struct gait_luck luck, const struct obstacle *obstacles,
-                 uint32_t obstacle_count)
+static void feel(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
+    const struct obstacle *obstacles = around->obstacles;
     const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
     fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * CORE_TICK_S);
-    for (uint32_t i = 0; i < obstacle_count; i++) {
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
         const vec3 aside_m_s = obstacle_sidestep_m_s(&obstacles[i], fish->position_m);
         fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, PUSH_SHARE);
         fish->alarm = f_min(1.0f, fish->alarm + obstacle_alarm(&obstacles[i], fish->position_m));
         if (fish->gait != GAIT_ESCAPE && fish->alarm > ALARM_START_MIN * (1.0f + boldness)) {
-            gait_escape(fish, obstacles[i].centre_m, luck);
+            gait_escape(fish, obstacles[i].centre_m, index, around);
         }
     }
 }
 
-static void act(struct tank *tank, uint32_t index, uint32_t tick, const struct obstacle *obstacles,
-                uint32_t obstacle_count)
+static void act(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
-    struct fish *fish = &tank->fish[index];
-    const struct gait_luck luck = { tank->seed, tick, index };
     if (swim_fall(fish)) {
-        gait_escape(fish, v3_add(fish->position_m, fish_forward(fish)), luck);
+        gait_escape(fish, v3_add(fish->position_m, fish_forward(fish)), index, around);
         fish->heading_rad = fish->angles.yaw_rad;
-        fish->depth_goal_m = -0.6f * tank->size_m.y;
+        fish->depth_goal_m = -0.6f * around->size_m.y;
         return;
     }
-    feel(fish, luck, obstacles, obstacle_count);
-    gait_tick(fish, luck, tank->size_m.y);
-    swim_wander(fish, tank->seed, tick, index);
-    shun(fish, tank->size_m, obstacles, obstacle_count);
-    swim_move(fish, gait_speed_m_s(fish, tick), gait_run_up_s(fish->length_m));
+    feel(fish, index, around);
+    gait_tick(fish, index, around);
+    swim_wander(fish, index, around);
+    shun(fish, around);
+    swim_move(fish, gait_speed_m_s(fish, around), gait_run_up_s(fish->length_m));
 }
 
 /* Bodies take their final places; advice and pushes are for the next tick. */
-static void settle(struct tank *tank, uint32_t tick)
+static void settle(struct tank *tank, const struct surroundings *around)
 {
     for (uint32_t i = 0; i < tank->crowd.count; i++) {
         const struct crowd_body *body = &tank->crowd.body[i];
@@ -188,10 +256,10 @@ static void settle(struct tank *tank, uint32_t tick)
         fish->push_m_s =
             v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
         swim_settle(fish, v3_sub(fish->position_m, tank->before_m[body->fish]), body->forward,
-                    gait_beats(fish, tick));
+                    gait_beats(fish, around->tick));
         fish->room = f_min(body->room, fish->room + 2.0f * CORE_TICK_S);
         if (fish->gait != GAIT_ESCAPE) {
-            avoid_tick(fish, &body->advice, body->brake, tank->size_m.y);
+            avoid_tick(fish, &body->advice, body->brake, around);
         }
     }
 }
@@ -215,18 +283,20 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct tank_bounds bounds = tank_bounds(tank);
+    const struct surroundings around =
+        surroundings_of(tank, tick, obstacles, obstacle_count);
     drip(tank, tick);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         tank->before_m[i] = tank->fish[i].position_m;
         if (fish_swims(&tank->fish[i])) {
-            act(tank, i, tick, obstacles, obstacle_count);
+            act(&tank->fish[i], i, &around);
         }
     }
     crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space, tank->before_m);
     crowd_clear(&tank->crowd, &bounds, obstacles, obstacle_count);
     crowd_meet(&tank->crowd, tank->size_m, tank->seed, tick);
     crowd_part(&tank->crowd, &bounds, obstacles, obstacle_count);
-    settle(tank, tick);
+    settle(tank, &around);
 }
 
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)

@@ -25,16 +25,40 @@ struct tank {
     float wall_height_m;
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
-    float space; /* [0.2, 1] of full personal space that this crowd leaves; fixed at the start. */
+    float space; /* Personal space beyond the body, in body lengths; fixed at the start. */
     struct water water;
     /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
     struct crowd crowd;
     vec3 before_m[TANK_FISH_MAX]; /* Where fish were when the tick began. */
 };
 
-/* Fills `tank` with still water and `fish_count` (1 .. tank_preset_fish_max()) fish that do not
- * overlap. */
+/* A tank to open. */
+struct tank_config {
+    uint8_t preset;                 /* enum tank_preset_id */
+    uint32_t fish_count;            /* 1 .. tank_fish_max() */
+    uint32_t seed;                  /* Any value. */
+    float area_scale;               /* Of the preset's floor, TANK_AREA_SCALE_MIN .. _MAX. */
+    float stamina_min, stamina_max; /* [0, 1] at the start, uniform. */
+};
+
+#define TANK_AREA_SCALE_MIN 0.05f
+#define TANK_AREA_SCALE_MAX 200.0f
+
+/* The preset as it stands: its own values for all. */
+struct tank_config tank_config_of(uint8_t preset);
+
+/* How many fish such a tank holds; at most TANK_FISH_MAX. */
+uint32_t tank_fish_max(uint8_t preset, float area_scale);
+
+/* Fills `tank` with still water and fish that do not overlap. Returns whether it could: 0 leaves
+ * it untouched, since a value lies outside its range. */
+int tank_open(struct tank *tank, const struct tank_config *config);
+
+/* The same for a preset with `fish_count` fish; what does not fit is a bug and asserts. */
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
+
+/* How its fish behave. */
+const struct law *tank_law(const struct tank *tank);
 
 /* One tick of every fish that swims (held and bowl fish are moved by core/poi).
  * `obstacle_count` <= TANK_OBSTACLE_MAX. */

@@ -144,7 +144,7 @@ static enum exit_code take_option(struct play_options *options, int argc, const 
     } else if (strcmp(option, "--seed") == 0) {
         right = number_parse(value, 0, UINT32_MAX, &options->seed);
     } else if (strcmp(option, "--fish") == 0) {
-        const uint32_t max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL));
+        const uint32_t max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL), 1.0f);
         if (!number_parse(value, 1, max, &options->fish_count)) {
             return ctl_usage(name, "--fish: '%.100s' is not right; the water holds 1 to %u",
                              value ? value : "", max);

@@ -85,7 +85,7 @@ static int set_seed(struct options *options, const char *value)
 
 static uint32_t fish_max(void)
 {
-    return tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL));
+    return tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL), 1.0f);
 }
 
 static int set_fish(struct options *options, const char *value)

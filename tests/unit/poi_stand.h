@@ -48,7 +48,7 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
     const uint32_t index = stand->tank.fish_count++;
     struct fish *fish = &stand->tank.fish[index];
     fish->position_m = position_m;
-    fish->length_m = length_m;
+    fish_grow(fish, length_m, tank_law(&stand->tank));
     fish->stamina = 1.0f;
     return index;
 }

@@ -8,8 +8,8 @@
 
 #include "core/input.h"
 #include "core/tank/avoid.h"
+#include "tests/unit/pond.h"
 
-#define WATER_M 0.12f
 
 /* Swims at 5 cm/s toward a compass angle: 0 is away from the player, 90 to the left. */
 static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint16_t index)
@@ -19,6 +19,7 @@ static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint16_
                                      v3(-f_sin(yaw_deg * F_DEG), 0.0f, -f_cos(yaw_deg * F_DEG)),
                                  .speed_m_s = 0.05f,
                                  .length_m = 0.05f,
+                                 .height_m = 0.018f,
                                  .index = index };
 }
 
@@ -52,8 +53,8 @@ static void test_the_pair_draws_the_same_whoever_is_asked_first(void **state)
 /* What a fish that gives way since `tick` shows to its partner. */
 static struct avoid_party giving_way(struct avoid_party party, const struct avoid_advice *advice)
 {
-    struct fish fish = { .length_m = party.length_m, .position_m = party.position_m };
-    avoid_tick(&fish, advice, 1.0f, WATER_M);
+    struct fish fish = { WAKIN(party.length_m), .position_m = party.position_m };
+    avoid_tick(&fish, advice, 1.0f, pond_at(1, 0));
     party.avoiding = fish.avoiding;
     party.avoid_with = fish.avoid_with;
     party.avoid_since = fish.avoid_since;
@@ -146,11 +147,11 @@ static void test_the_class_changes_at_twenty_degrees(void **state)
 static void test_after_half_a_second_of_yaw_comes_pitch(void **state)
 {
     (void)state;
-    struct fish fish = { .length_m = 0.05f, .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
+    struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
     const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 };
     uint32_t yaw = 0;
     while (fish.avoiding != AVOID_PITCH && yaw < 200) {
-        avoid_tick(&fish, &advice, 0.5f, WATER_M);
+        avoid_tick(&fish, &advice, 0.5f, pond_at(1, 0));
         yaw += fish.avoiding == AVOID_YAW;
     }
     assert_in_range(yaw, CORE_TICK_HZ / 2u - 2u, CORE_TICK_HZ / 2u + 2u);
@@ -162,27 +163,27 @@ static void test_after_half_a_second_of_yaw_comes_pitch(void **state)
 static void test_nobody_dives_into_the_floor_or_climbs_into_the_air(void **state)
 {
     (void)state;
-    struct fish fish = { .length_m = 0.05f, .position_m = { 0.0f, -0.115f, 0.0f } };
+    struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.115f, 0.0f } };
     struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 };
     fish.avoiding = AVOID_YAW;
-    avoid_tick(&fish, &advice, 1.0f, WATER_M);
+    avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
     assert_int_equal(fish.avoiding, AVOID_PITCH);
     assert_true(fish.avoid_turn > 0.0f);
-    fish = (struct fish){ .length_m = 0.05f,
+    fish = (struct fish){ WAKIN(0.05f),
                           .position_m = { 0.0f, -0.012f, 0.0f },
                           .avoiding = AVOID_YAW };
     advice.rise = 1.0f;
-    avoid_tick(&fish, &advice, 1.0f, WATER_M);
+    avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
     assert_true(fish.avoid_turn < 0.0f);
 }
 
 static void test_once_clear_a_fish_forgets_soon(void **state)
 {
     (void)state;
-    struct fish fish = { .length_m = 0.05f, .avoiding = AVOID_YAW, .avoid_left_s = 0.5f };
+    struct fish fish = { WAKIN(0.05f), .avoiding = AVOID_YAW, .avoid_left_s = 0.5f };
     const struct avoid_advice none = { 0 };
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 4u; tick++) {
-        avoid_tick(&fish, &none, 1.0f, WATER_M);
+        avoid_tick(&fish, &none, 1.0f, pond_at(1, 0));
     }
     assert_int_equal(fish.avoiding, AVOID_NONE);
     assert_float_equal(fish.heading_rad, 0.0f, 1e-6f);
@@ -191,18 +192,18 @@ static void test_once_clear_a_fish_forgets_soon(void **state)
 static void test_depth_is_held_while_it_gives_way_and_half_a_second_after(void **state)
 {
     (void)state;
-    struct fish fish = { .length_m = 0.05f, .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
+    struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
     const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 }, none = { 0 };
     fish.depth_goal_m = -0.03f;
     assert_false(avoid_holds_depth(&fish));
-    avoid_tick(&fish, &advice, 1.0f, WATER_M);
+    avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
     while (fish.avoiding != AVOID_NONE) {
         assert_true(avoid_holds_depth(&fish));
-        avoid_tick(&fish, &none, 1.0f, WATER_M);
+        avoid_tick(&fish, &none, 1.0f, pond_at(1, 0));
     }
     uint32_t after = 0;
     while (avoid_holds_depth(&fish) && after < 1000) {
-        avoid_tick(&fish, &none, 1.0f, WATER_M);
+        avoid_tick(&fish, &none, 1.0f, pond_at(1, 0));
         after++;
     }
     assert_in_range(after, CORE_TICK_HZ / 2u - 1u, CORE_TICK_HZ / 2u + 1u);

@@ -1,5 +1,6 @@
 /* test_bowl.c -- the bowl keeps its fish until it is poured back. */
 #include "poi_stand.h"
+#include "tests/unit/pond.h"
 
 static struct tank tank;
 static struct bowl bowl;
@@ -13,10 +14,10 @@ static void fill(uint32_t count)
     bowl_init(&bowl, v3(0.33f, 0.02f, 0.17f));
     for (uint32_t i = 0; i < count; i++) {
         tank.fish[i] = (struct fish){ .position_m = bowl.position_m,
-                                      .length_m = 0.035f + 0.002f * (float)(i % 10u),
+                                      WAKIN(0.035f + 0.002f * (float)(i % 10u)),
                                       .gait = GAIT_BOWL };
     }
-    tank.fish[count] = (struct fish){ .position_m = { -0.2f, -0.05f, 0.0f }, .length_m = 0.05f };
+    tank.fish[count] = (struct fish){ .position_m = { -0.2f, -0.05f, 0.0f }, WAKIN(0.05f) };
     bowl.fish_count = count;
 }
 
@@ -89,7 +90,7 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
     assert_int_equal(bowl.fish_count, 0);
     for (uint32_t i = 0; i < 60; i++) {
         const struct fish *fish = &tank.fish[i];
-        const float half = 0.5f * FISH_HEIGHT_PER_LENGTH * fish->length_m;
+        const float half = 0.5f * fish->height_m;
         assert_int_equal(fish->gait, GAIT_SWIM);
         assert_true(fish->position_m.y <= -half);
         assert_true(fish->position_m.y >= half - 0.15f);

@@ -44,7 +44,7 @@ static void test_a_fish_on_the_paper_lies_on_its_side(void **state)
     stand_wait(&stand, 0.5f);
     const struct basis axes = basis_from_angles(stand.tank.fish[fish].angles);
     assert_float_equal(f_acos(axes.up.y), 80.0f * F_DEG, 3.0f * F_DEG);
-    assert_float_equal(height_over_paper(fish), 0.5f * FISH_WIDTH_PER_LENGTH * FISH_M, 0.002f);
+    assert_float_equal(height_over_paper(fish), 0.5f * 0.20f * FISH_M, 0.002f);
 }
 
 static void test_a_fish_rides_with_the_poi(void **state)

@@ -115,6 +115,7 @@ static const struct field fish_fields[] = {
     FIELD(fish, position_m),     FIELD(fish, velocity_m_s), FIELD(fish, angles),
     FIELD(fish, speed_m_s),      FIELD(fish, climb_m_s),    FIELD(fish, yaw_rate_rad_s),
     FIELD(fish, push_m_s),       FIELD(fish, age_days),     FIELD(fish, length_m),
+    FIELD(fish, height_m),       FIELD(fish, width_m),
     FIELD(fish, stamina),        FIELD(fish, tail_phase_rad), FIELD(fish, tail_beat_hz),
     FIELD(fish, tail_amplitude), FIELD(fish, bend_rad),     FIELD(fish, look),
     FIELD(fish, gait),           FIELD(fish, avoiding),     FIELD(fish, holder),

@@ -8,6 +8,7 @@
 
 #include "core/base/rng.h"
 #include "core/tank/crowd.h"
+#include "tests/unit/pond.h"
 
 static struct crowd crowd;
 static struct fish fish[600];
@@ -26,7 +27,7 @@ static void fill_at_random(uint32_t count, float pitch_max, float length_max)
             .position_m =
                 v3(draw(i, 1, -0.65f, 0.65f), draw(i, 2, -0.19f, -0.01f), draw(i, 3, -0.3f, 0.3f)),
             .angles = { draw(i, 4, -F_PI, F_PI), draw(i, 5, -pitch_max, pitch_max), 0.0f },
-            .length_m = draw(i, 6, 0.03f, length_max),
+            WAKIN(draw(i, 6, 0.03f, length_max)),
         };
     }
 }
@@ -41,7 +42,7 @@ static uint32_t check_against_all_pairs(uint32_t count)
             listed[i][j] = 0;
         }
     }
-    crowd_gather(&crowd, fish, count, 1.0f, NULL);
+    crowd_gather(&crowd, fish, count, 0.2f, NULL);
     crowd_meet(&crowd, tank_m, 1, 0);
     for (uint32_t c = 0; c < crowd.contact_count; c++) {
         const uint32_t a = crowd.body[crowd.contact[c][0]].fish,
@@ -81,10 +82,10 @@ static void test_the_grid_finds_pairs_that_lie_across_its_lines(void **state)
                                 right = { -90.0f * F_DEG, 0.0f, 0.0f };
             fish[i] = (struct fish){ .position_m = { x, -0.1f, 0.0f },
                                      .angles = right,
-                                     .length_m = 0.08f };
+                                     WAKIN(0.08f) };
             fish[i + 1u] = (struct fish){ .position_m = { x + 0.0795f, -0.1f, 0.0f },
                                           .angles = left,
-                                          .length_m = 0.08f };
+                                          WAKIN(0.08f) };
         }
         assert_true(check_against_all_pairs(12) >= 6);
     }
@@ -107,7 +108,7 @@ static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
     fill_at_random(10, 0.1f, 0.05f);
     fish[2].gait = GAIT_HELD;
     fish[7].gait = GAIT_BOWL;
-    crowd_gather(&crowd, fish, 10, 1.0f, NULL);
+    crowd_gather(&crowd, fish, 10, 0.2f, NULL);
     assert_int_equal(crowd.count, 8);
     for (uint32_t i = 0; i < crowd.count; i++) {
         assert_true(crowd.body[i].fish != 2 && crowd.body[i].fish != 7);
@@ -118,7 +119,7 @@ static void test_parting_ends_overlaps_and_keeps_walls(void **state)
 {
     (void)state;
     fill_at_random(400, 0.3f, 0.06f);
-    crowd_gather(&crowd, fish, 400, 1.0f, NULL);
+    crowd_gather(&crowd, fish, 400, 0.2f, NULL);
     crowd_clear(&crowd, &bounds, 0, 0);
     for (int tick = 0; tick < 40; tick++) {
         crowd_meet(&crowd, tank_m, 1, 0);
@@ -145,11 +146,11 @@ static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
     enum { COUNT = 200 };
     for (uint32_t i = 0; i < COUNT; i++) { /* All in all: 19,900 pairs, and room for 8,192. */
         fish[i] =
-            (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, .length_m = 0.05f };
+            (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, WAKIN(0.05f) };
     }
     uint32_t pairs = 0;
     for (uint32_t tick = 0; tick < 48; tick++) {
-        crowd_gather(&crowd, fish, COUNT, 1.0f, NULL);
+        crowd_gather(&crowd, fish, COUNT, 0.2f, NULL);
         crowd_meet(&crowd, tank_m, 1, tick);
         assert_int_equal(crowd.contact_count, CROWD_CONTACT_MAX);
         assert_true(crowd.overlap_count > 2u * CROWD_CONTACT_MAX);
@@ -173,7 +174,7 @@ static void test_nobody_is_shoved_farther_than_three_millimetres_beyond_its_own_
         fish[i].position_m.y -= 0.05f;
         before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
     }
-    crowd_gather(&crowd, fish, 300, 1.0f, before_m);
+    crowd_gather(&crowd, fish, 300, 0.2f, before_m);
     crowd_meet(&crowd, tank_m, 1, 0);
     const uint32_t before = crowd.overlap_count;
     crowd_part(&crowd, &bounds, 0, 0);
@@ -192,9 +193,9 @@ static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
     (void)state;
     /* A small fish stands still; a large one rushed 10 mm into it, and goes back. */
     const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
-    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, .length_m = 0.04f };
-    fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, .length_m = 0.08f };
-    crowd_gather(&crowd, fish, 2, 1.0f, before_m);
+    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
+    crowd_gather(&crowd, fish, 2, 0.2f, before_m);
     crowd_meet(&crowd, tank_m, 1, 0);
     crowd_part(&crowd, &bounds, 0, 0);
     assert_true(crowd.body[0].box.centre_m.x > -0.00301f);
@@ -204,9 +205,9 @@ static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
 static void test_the_larger_of_two_gives_way_less(void **state)
 {
     (void)state;
-    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, .length_m = 0.08f };
-    fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, .length_m = 0.04f };
-    crowd_gather(&crowd, fish, 2, 1.0f, NULL);
+    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.08f) };
+    fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    crowd_gather(&crowd, fish, 2, 0.2f, NULL);
     crowd_meet(&crowd, tank_m, 1, 0);
     crowd_part(&crowd, &bounds, 0, 0);
     const float large_m = -crowd.body[0].box.centre_m.x,
@@ -219,9 +220,9 @@ static void test_personal_space_shrinks_only_in_a_crowd(void **state)
 {
     (void)state;
     fill_at_random(600, 0.0f, 0.05f);
-    assert_float_equal(crowd_space(fish, 50, tank_m), 1.0f, 1e-6f);
-    const float small_tank = crowd_space(fish, 600, v3(0.5f, 0.1f, 0.4f));
-    assert_true(small_tank >= 0.2f && small_tank < 0.9f);
+    assert_float_equal(crowd_space(fish, 50, tank_m, pond_law()), 0.2f, 1e-6f);
+    const float small_tank = crowd_space(fish, 600, v3(0.5f, 0.1f, 0.4f), pond_law());
+    assert_true(small_tank >= 0.04f && small_tank < 0.18f);
 }
 
 int main(void)

@@ -8,12 +8,13 @@
 
 #include "core/input.h"
 #include "core/tank/gait.h"
+#include "tests/unit/pond.h"
 
-#define WATER_M 0.12f
+#define WATER_M POND_WATER_M
 
 static struct fish rested(void)
 {
-    return (struct fish){ .length_m = 0.05f, .stamina = 1.0f, .brake = 1.0f, .gait_left_s = 1.0f };
+    return (struct fish){ WAKIN(0.05f), .stamina = 1.0f, .brake = 1.0f, .gait_left_s = 1.0f };
 }
 
 static void test_chances_are_those_of_the_equations_and_lie_between_0_and_1(void **state)
@@ -43,7 +44,7 @@ static void test_an_exhausted_fish_can_only_rest(void **state)
         fish.gait = GAIT_BURST; /* A burst leaves nothing over. */
         fish.stamina = 0.0f;
         fish.gait_left_s = 0.0f;
-        gait_tick(&fish, (struct gait_luck){ 1, i, i }, WATER_M);
+        gait_tick(&fish, i, pond_at(1, i));
         assert_int_equal(fish.gait, GAIT_REST);
     }
 }
@@ -55,7 +56,7 @@ static void check_stamina(uint8_t gait, float from, float per_s)
     fish.stamina = from;
     fish.gait_left_s = 100.0f;
     for (uint32_t tick = 0; tick < 10 * CORE_TICK_HZ; tick++) {
-        gait_tick(&fish, (struct gait_luck){ 1, tick, 0 }, WATER_M);
+        gait_tick(&fish, 0, pond_at(1, tick));
     }
     assert_float_equal(fish.stamina, from + 10.0f * per_s, 1e-4f);
 }
@@ -73,9 +74,9 @@ static void test_gaits_last_as_long_as_the_thesis_says(void **state)
     (void)state;
     for (uint32_t i = 0; i < 2000; i++) {
         struct fish fish = rested();
-        gait_enter(&fish, GAIT_BURST, (struct gait_luck){ 3, i, 0 }, WATER_M);
+        gait_enter(&fish, GAIT_BURST, 0, pond_at(3, i));
         assert_true(fish.gait_left_s >= 1.0f && fish.gait_left_s < 3.0f);
-        gait_enter(&fish, i % 2u ? GAIT_SWIM : GAIT_REST, (struct gait_luck){ 3, i, 1 }, WATER_M);
+        gait_enter(&fish, i % 2u ? GAIT_SWIM : GAIT_REST, 1, pond_at(3, i));
         assert_true(fish.gait_left_s >= 5.0f && fish.gait_left_s < 20.0f);
         assert_true(fish.depth_goal_m < 0.0f && fish.depth_goal_m > -WATER_M);
     }
@@ -90,7 +91,7 @@ static void test_in_the_long_run_a_fish_rests_two_thirds_of_its_time(void **stat
         struct fish fish = rested();
         fish.stamina = 0.48f; /* Where the law of 3.2 settles. */
         for (uint32_t tick = 0; tick < 3600u * CORE_TICK_HZ; tick++) {
-            gait_tick(&fish, (struct gait_luck){ 9, tick, i }, WATER_M);
+            gait_tick(&fish, i, pond_at(9, tick));
             ticks[fish.gait]++;
         }
     }
@@ -114,13 +115,13 @@ static void test_speeds_are_halved_and_scale_with_length_and_stamina(void **stat
     (void)state;
     struct fish fish = rested();
     fish.gait = GAIT_BURST;
-    assert_float_equal(gait_speed_m_s(&fish, 0), 0.15f, 1e-5f);
+    assert_float_equal(gait_speed_m_s(&fish, pond_at(1, 0)), 0.15f, 1e-5f);
     fish.stamina = 0.0f;
-    assert_float_equal(gait_speed_m_s(&fish, 0), 0.12f, 1e-5f);
-    fish.length_m = 0.04f;
-    assert_float_equal(gait_speed_m_s(&fish, 0), 0.096f, 1e-5f);
+    assert_float_equal(gait_speed_m_s(&fish, pond_at(1, 0)), 0.12f, 1e-5f);
+    fish_grow(&fish, 0.04f, pond_law());
+    assert_float_equal(gait_speed_m_s(&fish, pond_at(1, 0)), 0.096f, 1e-5f);
     fish.gait = GAIT_REST;
-    assert_true(gait_speed_m_s(&fish, 0) <= 0.005f);
+    assert_true(gait_speed_m_s(&fish, pond_at(1, 0)) <= 0.005f);
 }
 
 static void test_a_swimming_fish_beats_a_little_under_half_its_time(void **state)
@@ -142,7 +143,7 @@ static void test_three_escapes_in_four_lead_away(void **state)
     for (uint32_t i = 0; i < 4000; i++) {
         struct fish fish = rested();
         fish.position_m = v3(0.05f, -0.05f, 0.0f);
-        gait_escape(&fish, v3(0.0f, 0.0f, 0.0f), (struct gait_luck){ 2, i, i });
+        gait_escape(&fish, v3(0.0f, 0.0f, 0.0f), i, pond_at(2, i));
         away += -f_sin(fish.heading_rad) > 0.5f; /* Away is +x. */
         assert_int_equal(fish.gait, GAIT_ESCAPE);
         assert_true(fish.gait_left_s < 1.0f);
@@ -156,8 +157,8 @@ static void test_an_escape_peaks_at_eight_to_ten_lengths_a_second(void **state)
     for (uint32_t look = 0; look < 256; look++) {
         struct fish fish = rested();
         fish.look = look << 22;
-        gait_escape(&fish, v3(0.0f, 0.0f, 0.0f), (struct gait_luck){ 2, look, 0 });
-        const float lengths = gait_speed_m_s(&fish, 0) / fish.length_m;
+        gait_escape(&fish, v3(0.0f, 0.0f, 0.0f), 0, pond_at(2, look));
+        const float lengths = gait_speed_m_s(&fish, pond_at(1, 0)) / fish.length_m;
         assert_true(lengths >= 7.99f && lengths <= 10.01f);
     }
 }

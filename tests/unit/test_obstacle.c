@@ -9,6 +9,7 @@
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/obstacle.h"
+#include "tests/unit/pond.h"
 
 static struct obstacle disc_at(vec3 centre, vec3 velocity)
 {
@@ -31,7 +32,7 @@ static struct obstacle bowl(void)
 static struct box fish_at(vec3 position, float yaw_deg)
 {
     const struct fish fish = { .position_m = position,
-                               .length_m = 0.04f,
+                               WAKIN(0.04f),
                                .angles = { .yaw_rad = yaw_deg * F_DEG } };
     return fish_box(&fish);
 }

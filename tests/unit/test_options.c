@@ -111,7 +111,7 @@ static void test_as_many_fish_as_the_water_holds_and_not_one_more(void **state)
 {
     char count[16];
     const char *const argv[] = { "kingyo", "--fish", count };
-    const unsigned max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL));
+    const unsigned max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL), 1.0f);
     (void)state;
     snprintf(count, sizeof count, "%u", max);
     assert_int_equal(parse(COUNT(argv), argv), 0);

@@ -83,14 +83,14 @@ static void test_water_holds_fish_by_its_volume(void **state)
 {
     (void)state;
     struct tank_preset preset = *tank_preset(TANK_PRESET_FESTIVAL);
-    const uint32_t max = tank_preset_fish_max(&preset);
+    const uint32_t max = tank_preset_fish_max(&preset, 1.0f);
     assert_in_range(max, 600, 700); /* Twice the stall's own, and not four times. */
     preset.size_m.y *= 2.0f;
-    assert_in_range(tank_preset_fish_max(&preset), 2u * max, 2u * max + 1u);
+    assert_in_range(tank_preset_fish_max(&preset, 1.0f), 2u * max, 2u * max + 1u);
     preset.size_m.y *= 100.0f;
-    assert_int_equal(tank_preset_fish_max(&preset), GRID_FISH_MAX);
+    assert_int_equal(tank_preset_fish_max(&preset, 1.0f), GRID_FISH_MAX);
     preset.size_m.y = 1e-6f;
-    assert_int_equal(tank_preset_fish_max(&preset), 1);
+    assert_int_equal(tank_preset_fish_max(&preset, 1.0f), 1);
 }
 
 static void test_an_unknown_preset_is_a_bug(void **state)

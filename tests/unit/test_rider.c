@@ -1,12 +1,13 @@
 /* test_rider.c -- one fish on a tilted plane. */
 #include "poi_stand.h"
+#include "tests/unit/pond.h"
 
 static struct fish fish;
 static struct rider rider;
 
 static void lay(float heading_rad)
 {
-    fish = (struct fish){ .length_m = 0.05f, .stamina = 1.0f };
+    fish = (struct fish){ WAKIN(0.05f), .stamina = 1.0f };
     rider = (struct rider){
         .side = 1, .lie = 1.0f, .height_m = 0.005f, .heading_rad = heading_rad, .rest_s = 1e6f
     };

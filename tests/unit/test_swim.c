@@ -9,10 +9,11 @@
 #include "core/input.h"
 #include "core/tank/gait.h"
 #include "core/tank/swim.h"
+#include "tests/unit/pond.h"
 
 static struct fish swimmer(void)
 {
-    return (struct fish){ .length_m = 0.05f,
+    return (struct fish){ WAKIN(0.05f),
                           .stamina = 1.0f,
                           .brake = 1.0f,
                           .room = 1.0f,
@@ -72,7 +73,7 @@ static float swim_a_minute(struct fish *fish, float *fastest)
     *fastest = 0.0f;
     for (uint32_t tick = 0; tick < ticks + CORE_TICK_HZ; tick++) {
         const vec3 before = fish->position_m;
-        swim_move(fish, gait_speed_m_s(fish, tick), gait_run_up_s(fish->length_m));
+        swim_move(fish, gait_speed_m_s(fish, pond_at(1, tick)), gait_run_up_s(fish->length_m));
         const vec3 moved = v3_sub(fish->position_m, before);
         swim_settle(fish, moved, fish_forward(fish), gait_beats(fish, tick));
         if (tick >= CORE_TICK_HZ) {
@@ -93,7 +94,7 @@ static void test_a_fish_that_swims_a_minute_keeps_the_preferred_speed(void **sta
             float peak = 0.0f;
             struct fish fish = swimmer();
             fish.look = rhythm << 8;
-            fish.length_m = length_m;
+            fish_grow(&fish, length_m, pond_law());
             worst = f_max(worst, f_abs(swim_a_minute(&fish, &peak) - 1.05f));
             fastest = f_max(fastest, peak);
         }

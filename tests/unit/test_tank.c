@@ -47,7 +47,7 @@ static float deepest_overlap_m(const struct tank *t, uint32_t *over_half_mm)
 static void test_a_fresh_tank_holds_fish_that_do_not_overlap(void **state)
 {
     (void)state;
-    const uint32_t counts[] = { 1, 300, tank_preset_fish_max(tank_preset(0)) };
+    const uint32_t counts[] = { 1, 300, tank_preset_fish_max(tank_preset(0), 1.0f) };
     for (uint32_t i = 0; i < 3; i++) {
         uint32_t over = 0;
         tank_init(&tank, TANK_PRESET_FESTIVAL, counts[i], 40u + i);
@@ -60,7 +60,7 @@ static void test_a_stall_takes_as_many_fish_as_its_water_holds_and_not_one_more(
     (void)state;
     static struct core core;
     struct core_config config = { .seed = 3 };
-    config.fish_count = tank_preset_fish_max(tank_preset(0)) + 1u;
+    config.fish_count = tank_preset_fish_max(tank_preset(0), 1.0f) + 1u;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
     assert_int_equal(core.tank.fish_count, 0); /* Untouched. */
     expect_assert_failure(tank_init(&tank, 0, config.fish_count, 3));
@@ -87,7 +87,7 @@ static void test_a_tank_that_is_full_keeps_its_fish_apart(void **state)
     (void)state;
     uint32_t over = 0;
     float deepest = 0.0f, jump = 0.0f;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, tank_preset_fish_max(tank_preset(0)), 5);
+    tank_init(&tank, TANK_PRESET_FESTIVAL, tank_preset_fish_max(tank_preset(0), 1.0f), 5);
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         run(&tank, tick, 1, 0, 0);
         jump = f_max(jump, jump_m(&tank));

@@ -1,0 +1,33 @@
+/* law.h -- how the fish of a tank behave, as data.
+ *
+ * Every preset has one. No code asks which preset it runs; it reads the law. Lengths and speeds are
+ * in body lengths, so that a law holds for fish of every size; stamina is in [0, 1] where the 2013
+ * thesis counts 0 .. 100. A zero switches off what it speaks of. */
+#ifndef KINGYO_CORE_TANK_LAW_H
+#define KINGYO_CORE_TANK_LAW_H
+
+#include <stdint.h>
+
+struct law {
+    /* The body's box (thesis, section 3.1: 5 x 2 x 1 cm). */
+    float height_per_length, width_per_length;
+
+    /* Personal space (section 3.4): so far beyond the body on every side ... */
+    float space_per_length;
+    float space_fill_max; /* ... but shrunk where the spaces of all would fill more of the water. */
+
+    /* Speeds at full stamina, body lengths a second (sections 2.1 and 3.3). */
+    float burst_speed, swim_speed, swim_speed_max, drift_speed;
+
+    /* What a real fish does beyond the thesis' law. */
+    float wander_rad_s;   /* Deviation of the slow whims of a swimming fish's course. */
+    uint8_t glides;       /* Beats its tail and coasts in turn. */
+    uint8_t banks;        /* Rolls into its turns. */
+    float wall_follow;    /* [0, 1] how much a wall draws a fish along itself. */
+    float shade_dwell_s;  /* A shadow gathers fish after it has been still so long ... */
+    uint8_t shade_frights; /* ... and a new or moving one frightens them. */
+    uint8_t escapes;      /* C-starts away from the poi and other frights. */
+    uint8_t air_by_oxygen; /* Gulps when the water is out of oxygen; else when out of stamina. */
+};
+
+#endif

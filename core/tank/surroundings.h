@@ -1,0 +1,20 @@
+/* surroundings.h -- what a fish knows of its tank while it thinks. */
+#ifndef KINGYO_CORE_TANK_SURROUNDINGS_H
+#define KINGYO_CORE_TANK_SURROUNDINGS_H
+
+#include <stdint.h>
+
+#include "core/base/vec.h"
+#include "core/tank/law.h"
+#include "core/tank/obstacle.h"
+
+struct surroundings {
+    const struct law *law;
+    vec3 size_m; /* Inner width, water depth, breadth. */
+    uint32_t seed, tick;
+    float dt_s; /* Since the same fish last thought. */
+    const struct obstacle *obstacles;
+    uint32_t obstacle_count;
+};
+
+#endif
