@@ -10,12 +10,8 @@
 #define YAW_TIME_S 0.5f      /* Then pitch (section 3.4). */
 #define PITCH_TIME_S 0.5f
 #define HOLD_DEPTH_S 0.5f      /* Afterwards: the depth it wants would lead it straight back. */
-#define CLOSING_MIN_M_S 0.010f /* Slower drifts are repulsion's work. */
-#define HORIZON_S 0.8f         /* Nobody gives way to what is farther off. */
-#define STOP_TIME_S 0.35f
+#define CLOSING_MIN_M_S 0.010f /* What two resting fish drift together at; repulsion's work. */
 #define BRAKE_MIN 0.15f
-#define MISS_PER_LENGTH 0.3f /* Of both lengths; half a length is nose to tail. */
-#define YAW_RATE_RAD_S (180.0f * F_DEG)
 #define LEAD_RAD (75.0f * F_DEG) /* The heading runs at most so far ahead of the nose. */
 /* Headroom that section 3.3 leaves: 7.5 - 5.25 cm/s, in lengths of its 5 cm fish. */
 #define REPULSION_LENGTHS_PER_S 0.45f
@@ -81,38 +77,48 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
 }
 
 /* Whether straight courses would bring the bodies near: fish that pass clear need not give way. */
-static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart)
+static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
+                         const struct law *law)
 {
+    if (law->meet_miss == 0.0f) {
+        return 1;
+    }
     const vec3 v = v3_sub(v3_scale(b->forward, b->speed_m_s), v3_scale(a->forward, a->speed_m_s));
     const float when_s = -v3_dot(apart, v) / f_max(v3_dot(v, v), 1e-6f);
     const vec3 miss = v3_mad(apart, v, when_s);
     const float lengths_m = a->length_m + b->length_m;
-    const float wide_m = MISS_PER_LENGTH * lengths_m;
+    const float wide_m = law->meet_miss * lengths_m;
     return f_abs(miss.y) < 0.6f * (a->height_m + b->height_m) &&
            miss.x * miss.x + miss.z * miss.z < wide_m * wide_m;
 }
 
-/* A gap that closes in less than STOP_TIME_S takes speed from who swims into it. */
-static float brake_for(float faces, float gap_m, float closing_m_s)
+static int is_far_off(float gap_m, float closing_m_s, const struct law *law)
 {
-    if (faces < 0.3f || closing_m_s <= 0.0f) {
+    return law->meet_within_s > 0.0f && gap_m > law->meet_within_s * closing_m_s;
+}
+
+/* A gap that closes sooner than `brake_s` takes speed from who swims into it. */
+static float brake_for(float faces, float gap_m, float closing_m_s, float brake_s)
+{
+    const float stop_m = brake_s * closing_m_s;
+    if (faces < 0.3f || stop_m <= 0.0f) {
         return 1.0f;
     }
-    return f_clamp(gap_m / (STOP_TIME_S * closing_m_s), BRAKE_MIN, 1.0f);
+    return f_clamp(gap_m / stop_m, BRAKE_MIN, 1.0f);
 }
 
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
-                             uint32_t seed, uint32_t tick)
+                             const struct law *law, uint32_t seed, uint32_t tick)
 {
     struct avoid_pair pair = { .brake_a = 1.0f, .brake_b = 1.0f };
     const vec3 apart = v3_sub(b->position_m, a->position_m);
     const vec3 to_b = v3_normalize_or(apart, v3(1.0f, 0.0f, 0.0f));
     const float a_faces = v3_dot(a->forward, to_b), b_faces = -v3_dot(b->forward, to_b);
     const float closing_m_s = a_faces * a->speed_m_s + b_faces * b->speed_m_s;
-    pair.brake_a = brake_for(a_faces, gap_m, closing_m_s);
-    pair.brake_b = brake_for(b_faces, gap_m, closing_m_s);
-    if (closing_m_s < CLOSING_MIN_M_S || gap_m > HORIZON_S * closing_m_s ||
-        !courses_cross(a, b, apart)) {
+    pair.brake_a = brake_for(a_faces, gap_m, closing_m_s, law->brake_s);
+    pair.brake_b = brake_for(b_faces, gap_m, closing_m_s, law->brake_s);
+    if (closing_m_s < CLOSING_MIN_M_S || is_far_off(gap_m, closing_m_s, law) ||
+        !courses_cross(a, b, apart, law)) {
         return pair;
     }
     const float along = flat_cos(a->forward, b->forward);
@@ -132,7 +138,7 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
         meet_rear_end(&pair, a_faces, draw);
     } else if (kind == MEET_HEAD_ON) {
         meet_head_on(&pair, draw);
-    } else if (a_faces >= b_faces) {
+    } else if (a_faces > b_faces || (a_faces == b_faces && a->index < b->index)) {
         meet_side(&pair.a, a->forward, &pair.b, b->forward, to_b, draw);
     } else {
         meet_side(&pair.b, b->forward, &pair.a, a->forward, v3_scale(to_b, -1.0f), draw);
@@ -151,10 +157,10 @@ static float possible_rise(const struct fish *fish, float rise, float water_dept
     return above_floor_m < room_m ? 1.0f : -1.0f;
 }
 
-static void yaw_away(struct fish *fish, float dt_s)
+static void yaw_away(struct fish *fish, const struct surroundings *around)
 {
     const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad) +
-                            fish->avoid_turn * YAW_RATE_RAD_S * dt_s;
+                            fish->avoid_turn * around->law->swerve_rad_s * around->dt_s;
     fish->heading_rad =
         f_wrap_angle(fish->angles.yaw_rad + f_clamp(ahead_rad, -LEAD_RAD, LEAD_RAD));
 }
@@ -203,7 +209,7 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
         go_on_or_end(fish, advice, around->size_m.y);
     }
     if (fish->avoiding == AVOID_YAW && meets) {
-        yaw_away(fish, around->dt_s);
+        yaw_away(fish, around);
     }
 }
 

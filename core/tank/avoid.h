@@ -47,7 +47,7 @@ struct avoid_pair {
 /* `gap_m` is between the bodies. One draw is the pair's for the whole encounter: it is keyed by the
  * tick in which the first of them gave way, so the other, however late, draws the same. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
-                             uint32_t seed, uint32_t tick);
+                             const struct law *law, uint32_t seed, uint32_t tick);
 
 /* Whether it keeps its depth, whatever the depth it wants: while it gives way in yaw, and 0.5 s
  * after it gave way. */

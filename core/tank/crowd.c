@@ -120,8 +120,8 @@ static void list_contact(struct crowd *crowd, uint32_t first, uint32_t second, u
     }
 }
 
-static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second, uint32_t seed,
-                      uint32_t tick)
+static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second, const struct law *law,
+                      uint32_t seed, uint32_t tick)
 {
     struct crowd_body *a = &crowd->body[first], *b = &crowd->body[second];
     const struct box_gap gap = box_gap(&a->box, a->margin_m, &b->box, b->margin_m);
@@ -129,7 +129,7 @@ static void meet_pair(struct crowd *crowd, uint32_t first, uint32_t second, uint
         return;
     }
     const struct avoid_party pa = party_of(a), pb = party_of(b);
-    const struct avoid_pair advice = avoid_meet(&pa, &pb, gap.body_m, seed, tick);
+    const struct avoid_pair advice = avoid_meet(&pa, &pb, gap.body_m, law, seed, tick);
     take_advice(&a->advice, &advice.a);
     take_advice(&b->advice, &advice.b);
     a->brake = f_min(a->brake, advice.brake_a);
@@ -155,19 +155,20 @@ static int may_meet(const struct crowd_near *a, const struct crowd_near *b)
 }
 
 /* Item `k` against the items [from, to) of the cells' order. */
-static void meet_range(struct crowd *crowd, uint32_t k, uint32_t from, uint32_t to, uint32_t seed,
-                       uint32_t tick)
+static void meet_range(struct crowd *crowd, uint32_t k, uint32_t from, uint32_t to,
+                       const struct law *law, uint32_t seed, uint32_t tick)
 {
     const struct crowd_near me = crowd->near[k];
     for (uint32_t other = from; other < to; other++) {
         if (may_meet(&me, &crowd->near[other])) {
-            meet_pair(crowd, crowd->grid.item[k], crowd->grid.item[other], seed, tick);
+            meet_pair(crowd, crowd->grid.item[k], crowd->grid.item[other], law, seed, tick);
         }
     }
 }
 
 /* Half of the 3 x 3 cells: the rest of its own, the one to the right, the three of the next row. */
-static void meet_item(struct crowd *crowd, uint32_t k, uint32_t seed, uint32_t tick)
+static void meet_item(struct crowd *crowd, uint32_t k, const struct law *law, uint32_t seed,
+                      uint32_t tick)
 {
     const struct grid *grid = &crowd->grid;
     const uint32_t cell = grid->cell_of[grid->item[k]];
@@ -175,14 +176,15 @@ static void meet_item(struct crowd *crowd, uint32_t k, uint32_t seed, uint32_t t
     const uint32_t right = column + 1u < grid->columns ? cell + 1u : cell;
     const uint32_t left = column > 0 ? cell - 1u : cell;
     /* A row's cells follow each other, so a range of cells is a range of items. */
-    meet_range(crowd, k, k + 1u, grid->start[right + 1u], seed, tick);
+    meet_range(crowd, k, k + 1u, grid->start[right + 1u], law, seed, tick);
     if (cell + grid->columns < grid->columns * grid->rows) {
         meet_range(crowd, k, grid->start[left + grid->columns],
-                   grid->start[right + grid->columns + 1u], seed, tick);
+                   grid->start[right + grid->columns + 1u], law, seed, tick);
     }
 }
 
-void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t tick)
+void crowd_meet(struct crowd *crowd, vec3 tank_size_m, const struct law *law, uint32_t seed,
+                uint32_t tick)
 {
     float reach_m = 0.01f;
     for (uint32_t i = 0; i < crowd->count; i++) {
@@ -198,7 +200,7 @@ void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t t
     crowd->contact_count = 0;
     crowd->overlap_count = 0;
     for (uint32_t k = 0; k < crowd->count; k++) {
-        meet_item(crowd, k, seed, tick);
+        meet_item(crowd, k, law, seed, tick);
     }
 }
 

@@ -70,7 +70,8 @@ void crowd_clear(struct crowd *crowd, const struct tank_bounds *bounds,
 
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
  * near, lists those that touch. */
-void crowd_meet(struct crowd *crowd, vec3 tank_size_m, uint32_t seed, uint32_t tick);
+void crowd_meet(struct crowd *crowd, vec3 tank_size_m, const struct law *law, uint32_t seed,
+                uint32_t tick);
 
 /* Moves bodies until they overlap neither each other nor obstacles, as far as some rounds can.
  * Walls, floor and surface have the last word and always hold. */

@@ -43,6 +43,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
         fish->tail_amplitude, fish->bend_rad,   fish->gait_left_s,    fish->heading_rad,
         fish->avoid_left_s,   fish->avoid_turn, fish->brake,          fish->depth_goal_m,
         fish->alarm,          fish->room,       fish->height_m,       fish->width_m,
+        fish->depth_stray,
     };
     hash = fish_hash_quick(hash, fish);
     hash = hash_vec3(hash, fish->velocity_m_s);

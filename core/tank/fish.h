@@ -55,6 +55,7 @@ struct fish {
     float brake;        /* [0, 1] of its speed that a fish ahead leaves it. */
     float room;         /* [0, 1] of its turning rate that bodies at its sides leave it. */
     float depth_goal_m; /* Wanted y, < 0. */
+    float depth_stray;  /* Where its band's depth lies for it: so much higher, of the water's. */
     float alarm;        /* [0, 1] fright that the poi left behind; fades. */
 };
 

@@ -64,30 +64,35 @@ float gait_depth_m(float stamina, float water_depth_m)
 
 /* The thesis changes the heading with the gait but not by how much; a snap to any of 360 degrees is
  * no fish, so: a bell of 45 degrees, and a sharp turn at a burst. */
-static float turn_rad(enum fish_gait gait, struct luck luck)
+static float turn_rad(enum fish_gait gait, struct luck luck, const struct law *law)
 {
     const float bell = rng_normal(key(luck, RNG_FISH_TURN));
     if (gait == GAIT_BURST) {
         const float sharp = rng_range(key(luck, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
         return bell < 0.0f ? -sharp : sharp;
     }
-    return bell * (gait == GAIT_SWIM ? 45.0f : 12.0f) * F_DEG;
+    return bell * (gait == GAIT_SWIM ? law->turn_swim_rad : law->turn_rest_rad);
+}
+
+/* Section 3.6: whenever it is off the depth of its band, it goes back there. */
+static float depth_goal_m(const struct fish *fish, float water_depth_m)
+{
+    const float margin_m = 0.6f * fish->height_m;
+    return f_clamp(gait_depth_m(fish->stamina, water_depth_m) + fish->depth_stray * water_depth_m,
+                   margin_m - water_depth_m, -margin_m);
 }
 
 void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
                 const struct surroundings *around)
 {
     const struct luck luck = luck_of(index, around);
-    const float water_depth_m = around->size_m.y;
     const struct rng_key time = key(luck, RNG_FISH_DURATION);
-    const float spread = 0.13f * water_depth_m * rng_normal(key(luck, RNG_FISH_DEPTH));
-    const float margin_m = 0.6f * fish->height_m;
     fish->gait = (uint8_t)gait;
     fish->gait_left_s =
         gait == GAIT_BURST ? rng_range(time, 1.0f, 3.0f) : rng_range(time, 5.0f, 20.0f);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck));
-    fish->depth_goal_m = f_clamp(gait_depth_m(fish->stamina, water_depth_m) + spread,
-                                 margin_m - water_depth_m, -margin_m);
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck, around->law));
+    fish->depth_stray = around->law->depth_stray * rng_normal(key(luck, RNG_FISH_DEPTH));
+    fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
 }
 
 static void choose(struct fish *fish, uint32_t index, const struct surroundings *around)
@@ -115,20 +120,27 @@ static float stamina_per_s(uint8_t gait)
     }
 }
 
+/* It does not stop dead where it got away to. */
+static void calm_down(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    gait_enter(fish, GAIT_SWIM, index, around);
+    fish->gait_left_s = rng_range(key(luck_of(index, around), RNG_ESCAPE_CALM), 1.0f, 3.0f);
+}
+
 void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * around->dt_s, 0.0f, 1.0f);
     fish->gait_left_s -= around->dt_s;
-    if (fish->gait_left_s > 0.0f) {
-        return;
+    if (fish->gait_left_s <= 0.0f) {
+        if (fish->gait == GAIT_ESCAPE) {
+            calm_down(fish, index, around);
+        } else {
+            choose(fish, index, around);
+        }
     }
-    if (fish->gait == GAIT_ESCAPE) { /* It does not stop dead where it got away to. */
-        const struct luck luck = luck_of(index, around);
-        gait_enter(fish, GAIT_SWIM, index, around);
-        fish->gait_left_s = rng_range(key(luck, RNG_ESCAPE_CALM), 1.0f, 3.0f);
-        return;
+    if (fish->gait == GAIT_REST || fish->gait == GAIT_SWIM || fish->gait == GAIT_BURST) {
+        fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
     }
-    choose(fish, index, around);
 }
 
 void gait_escape(struct fish *fish, vec3 from_m, uint32_t index, const struct surroundings *around)
@@ -154,11 +166,11 @@ static uint32_t cycle_ticks(const struct fish *fish)
     return CYCLE_TICKS_MIN + (fish->look >> 8 & 63u);
 }
 
-int gait_beats(const struct fish *fish, uint32_t tick)
+int gait_beats(const struct fish *fish, const struct surroundings *around)
 {
     if (fish->gait == GAIT_SWIM) {
-        const uint32_t ticks = cycle_ticks(fish);
-        return (float)((tick + (fish->look >> 14 & 255u)) % ticks) < BEAT_SHARE * (float)ticks;
+        const uint32_t ticks = cycle_ticks(fish), now = around->tick + (fish->look >> 14 & 255u);
+        return !around->law->glides || (float)(now % ticks) < BEAT_SHARE * (float)ticks;
     }
     return fish->gait == GAIT_BURST ||
            (fish->gait == GAIT_ESCAPE && fish->gait_left_s > ESCAPE_TIME_S - ESCAPE_PEAK_S);
@@ -178,23 +190,43 @@ static float mean_stroke(const struct fish *fish)
            cycle_s;
 }
 
+/* Section 3.3: s = d (0.8 + H / 5), with H / 100 for H, else a rested fish would swim at 20.8 d; a
+ * body length a second for d = 1. */
+static float able_m_s(const struct fish *fish)
+{
+    return fish->length_m * (0.8f + 0.2f * fish->stamina);
+}
+
+/* [~0.6, ~1.4] of its gait's speed: above while it beats, below while it glides. */
+static float stroke(const struct fish *fish, const struct surroundings *around)
+{
+    if (!around->law->glides) {
+        return 1.0f;
+    }
+    return (gait_beats(fish, around) ? BEAT_SPEED : GLIDE_SPEED) / mean_stroke(fish);
+}
+
 float gait_speed_m_s(const struct fish *fish, const struct surroundings *around)
 {
     const struct law *law = around->law;
-    const float able =
-        fish->length_m * (0.8f + 0.2f * fish->stamina); /* Section 3.3, h = H / 100. */
-    const int beats = gait_beats(fish, around->tick);
     const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
     switch (fish->gait) {
     case GAIT_BURST:
-        return able * law->burst_speed;
+        return able_m_s(fish) * law->burst_speed;
     case GAIT_SWIM:
-        return able * law->swim_speed * (beats ? BEAT_SPEED : GLIDE_SPEED) / mean_stroke(fish);
+        return able_m_s(fish) * law->swim_speed * stroke(fish, around);
     case GAIT_ESCAPE:
-        return able * (beats ? f_lerp(ESCAPE_LENGTHS_MIN, ESCAPE_LENGTHS_MAX, keen) : 2.0f);
+        return able_m_s(fish) *
+               (gait_beats(fish, around) ? f_lerp(ESCAPE_LENGTHS_MIN, ESCAPE_LENGTHS_MAX, keen)
+                                         : 2.0f);
     default:
-        return able * law->drift_speed * keen;
+        return able_m_s(fish) * law->drift_speed * keen;
     }
+}
+
+float gait_speed_max_m_s(const struct fish *fish, const struct law *law)
+{
+    return able_m_s(fish) * law->swim_speed_max;
 }
 
 float gait_run_up_s(float length_m)

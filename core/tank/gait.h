@@ -15,12 +15,13 @@ struct gait_chance {
 
 struct gait_chance gait_chance(float stamina);
 
-/* Enters a gait: its duration, a new heading about the old one, a depth by stamina. `index` is the
- * fish's, here and below: what it draws its numbers by. */
+/* Enters a gait: its duration, a new heading about the old one, a new stray from its depth. `index`
+ * is the fish's, here and below: what it draws its numbers by. */
 void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
                 const struct surroundings *around);
 
-/* `around->dt_s` later: pays stamina, and chooses anew when the time is up. */
+/* `around->dt_s` later: pays stamina, chooses anew when the time is up, and wants the depth of its
+ * stamina. */
 void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around);
 
 /* The escape from what is at `from_m`: mostly away, over in less than a second. */
@@ -34,8 +35,12 @@ float gait_speed_m_s(const struct fish *fish, const struct surroundings *around)
 /* Time constant of the run-up: 95 % of the speed is there after the thesis' T_d (eq. 2.3). */
 float gait_run_up_s(float length_m);
 
+/* The most that its speed and all that pushes it along may come to while it swims: the thesis' top
+ * speed, 7.5 cm/s of a rested 5 cm fish (section 3.3). */
+float gait_speed_max_m_s(const struct fish *fish, const struct law *law);
+
 /* Whether its tail drives (else it glides): koi and goldfish beat and coast in turn. */
-int gait_beats(const struct fish *fish, uint32_t tick);
+int gait_beats(const struct fish *fish, const struct surroundings *around);
 
 /* Wanted y for a stamina, < 0: lively fish keep low (section 3.6). Bands are fractions of the
  * depth. */

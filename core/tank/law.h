@@ -16,8 +16,23 @@ struct law {
     float space_per_length;
     float space_fill_max; /* ... but shrunk where the spaces of all would fill more of the water. */
 
-    /* Speeds at full stamina, body lengths a second (sections 2.1 and 3.3). */
+    /* Speeds at full stamina, body lengths a second (sections 2.1 and 3.3). At none they are 0.8 of
+     * it. `drift_speed` is the most that a resting fish drifts. */
     float burst_speed, swim_speed, swim_speed_max, drift_speed;
+
+    /* With a new gait comes a new heading (section 3.3): a bell about the old one, so wide. */
+    float turn_swim_rad, turn_rest_rad;
+    float depth_stray; /* Deviation about the depth of its stamina's band, of the water's depth. */
+
+    /* Giving way (section 3.4). */
+    float meet_within_s; /* Only to what it would touch sooner than that. */
+    float meet_miss;     /* Only to what would pass nearer than that share of their lengths. */
+    float brake_s;       /* Slows for a body that it would touch sooner than that. */
+    float swerve_rad_s;  /* Its heading runs ahead of its nose so fast; its gait bounds the nose. */
+
+    /* Walls (section 3.1): it turns away from what is nearer than that before its nose ... */
+    float wall_per_length; /* ... body lengths, ... */
+    float wall_within_s;   /* ... and so long a way at its speed. */
 
     /* What a real fish does beyond the thesis' law. */
     float wander_rad_s;   /* Deviation of the slow whims of a swimming fish's course. */

@@ -11,17 +11,41 @@
              breadth deep; 800 (0.15) three, and half the pace. */
 #define AGE_SAMPLES 32
 
-/* The thesis' law in body lengths of its 5 cm fish: 15, 5.25 and 7.5 cm/s (section 3.3), 1 cm of
- * personal space (section 3.4). */
-#define THESIS_SPEEDS .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f
-#define THESIS_SPACE 0.2f
 #define UNBOUND 1e9f
 
-/* What a living wakin does: the thesis' speeds and choices, and all that it left out. */
+/* What all tanks share, in body lengths of the thesis' 5 cm fish.
+ * Section 3.3: 15, 5.25 and 7.5 cm/s, half of what section 2.1 measures on a fish alone. A resting
+ * fish "stands still" (3.2); no fish quite does, so it drifts, by 0 to 0.5 cm/s.
+ * Section 3.4: 1 cm of personal space.
+ * Section 3.3 changes the heading with the gait and does not say by how much: any of 360 degrees
+ * would be a spin at every change, so a swimming fish turns by a bell of 45 degrees. */
+#define THESIS_CORE                                                                                \
+    .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
+    .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
+
+/* The 2013 thesis to the letter.
+ * Section 3.1: a body of 5 x 2 x 1 cm.
+ * Section 3.4: who comes into its personal space is given way to, at once and as hard as its gait
+ * turns; nothing is foreseen, nobody slows down. Walls count the same: "anything" in the space.
+ * The spaces stay whole at every density: 600 of them fill 28 % of the water.
+ * Section 3.6: the depths are the four of the bands, for all alike. */
+#define THESIS_LAW                                                                                 \
+    {                                                                                              \
+        THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
+        .space_fill_max = UNBOUND, .turn_rest_rad = 45.0f * F_DEG, .swerve_rad_s = UNBOUND,        \
+        .wall_per_length = 0.2f,                                                                   \
+    }
+
+/* What a living wakin does: the thesis' speeds and choices, and what it left out.
+ * A 5 cm fish weighs 2.3 to 2.9 g, but a box of 5 x 2 x 1 cm holds 10: a truer body is slimmer.
+ * 1,000 spaces of 1 cm round 4 cm fish would fill nearly all of the official water, so spaces
+ * shrink until they fill 35 % of it. */
 #define LIVING_WAKIN                                                                               \
     {                                                                                              \
-        .height_per_length = 0.36f, .width_per_length = 0.20f, .space_per_length = THESIS_SPACE,   \
-        .space_fill_max = 0.35f, THESIS_SPEEDS, .drift_speed = 0.10f,                              \
+        THESIS_CORE, .height_per_length = 0.36f, .width_per_length = 0.20f,                        \
+        .space_fill_max = 0.35f, .turn_rest_rad = 12.0f * F_DEG, .depth_stray = 0.13f,             \
+        .meet_within_s = 0.8f, .meet_miss = 0.3f, .brake_s = 0.35f,                                \
+        .swerve_rad_s = 180.0f * F_DEG, .wall_per_length = 0.27f, .wall_within_s = 0.65f,          \
         .wander_rad_s = 28.0f * F_DEG, .glides = 1, .banks = 1, .shade_dwell_s = 2.5f,             \
         .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1,                                      \
     }
@@ -63,13 +87,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .bowl_m = { 0.53f, 0.012f, 0.225f },
         .bowl_radius_m = 0.075f,
         .temperature_c = 25.0f,
-        .law = {
-            .height_per_length = 0.40f,
-            .width_per_length = 0.20f,
-            .space_per_length = THESIS_SPACE,
-            .space_fill_max = UNBOUND,
-            THESIS_SPEEDS,
-        },
+        .law = THESIS_LAW,
         .view = {
             .eye_m = { 0.0f, 1.45f, 0.95f },
             .target_m = { 0.0f, -0.02f, 0.034f },

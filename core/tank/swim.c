@@ -45,20 +45,23 @@ void swim_wander(struct fish *fish, uint32_t index, const struct surroundings *a
     fish->heading_rad += rate * around->law->wander_rad_s * around->dt_s;
 }
 
-void swim_shun_add(struct swim_shun *shun, const struct fish *fish, vec3 normal, float gap_m)
+void swim_shun_add(struct swim_shun *shun, const struct fish *fish, const struct law *law,
+                   vec3 normal, float gap_m)
 {
-    const float range_m = 0.22f * fish->length_m + 0.65f * fish->speed_m_s + 0.005f;
+    const float range_m = (law->wall_per_length + 0.05f) * fish->length_m +
+                          law->wall_within_s * fish->speed_m_s;
     const float weight = 1.0f - f_clamp((gap_m - 0.45f * fish->length_m) / range_m, 0.0f, 1.0f);
     shun->into = v3_mad(shun->into, normal, weight);
     shun->weight = f_max(shun->weight, weight);
 }
 
-void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, vec3 size_m)
+void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, const struct law *law,
+                     vec3 size_m)
 {
     const vec3 p = fish->position_m;
     const float near_x = 0.5f * size_m.x - f_abs(p.x), near_z = 0.5f * size_m.z - f_abs(p.z);
-    swim_shun_add(shun, fish, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
-    swim_shun_add(shun, fish, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
+    swim_shun_add(shun, fish, law, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
+    swim_shun_add(shun, fish, law, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
 }
 
 /* The part of the course that runs into the surface fades, then turns a little away from it. */

@@ -19,10 +19,12 @@ struct swim_shun {
 };
 
 /* `normal` (unit, horizontal) points into a surface, `gap_m` from the fish's centre. */
-void swim_shun_add(struct swim_shun *shun, const struct fish *fish, vec3 normal, float gap_m);
+void swim_shun_add(struct swim_shun *shun, const struct fish *fish, const struct law *law,
+                   vec3 normal, float gap_m);
 
 /* The walls of a tank of `size_m`. */
-void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, vec3 size_m);
+void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, const struct law *law,
+                     vec3 size_m);
 
 /* Bends the heading along the surfaces and a little away from them. */
 void swim_shun_turn(struct fish *fish, const struct swim_shun *shun);

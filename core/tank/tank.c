@@ -119,7 +119,7 @@ static void spread_out(struct tank *tank)
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
         crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space, NULL);
         crowd_clear(&tank->crowd, &bounds, 0, 0);
-        crowd_meet(&tank->crowd, tank->size_m, tank->seed, round);
+        crowd_meet(&tank->crowd, tank->size_m, tank_law(tank), tank->seed, round);
         if (round > 0 && tank->crowd.overlap_count == 0) {
             return;
         }
@@ -189,7 +189,8 @@ void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t 
     CORE_ASSERT(opened);
 }
 
-static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const struct obstacle *bowl)
+static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const struct law *law,
+                      const struct obstacle *bowl)
 {
     const float half_m = 0.5f * fish->height_m;
     const float bottom_m = bowl->centre_m.y - bowl->depth_m;
@@ -199,17 +200,17 @@ static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const str
     const vec3 to =
         v3(bowl->centre_m.x - fish->position_m.x, 0.0f, bowl->centre_m.z - fish->position_m.z);
     const vec3 normal = v3_normalize_or(to, v3(1.0f, 0.0f, 0.0f));
-    swim_shun_add(shun, fish, normal, v3_length(to) - bowl->radius_m);
+    swim_shun_add(shun, fish, law, normal, v3_length(to) - bowl->radius_m);
 }
 
 /* Turns away from walls and bowls. */
 static void shun(struct fish *fish, const struct surroundings *around)
 {
     struct swim_shun all = { 0 };
-    swim_shun_walls(&all, fish, around->size_m);
+    swim_shun_walls(&all, fish, around->law, around->size_m);
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
         if (around->obstacles[i].kind == OBSTACLE_BOWL) {
-            shun_bowl(&all, fish, &around->obstacles[i]);
+            shun_bowl(&all, fish, around->law, &around->obstacles[i]);
         }
     }
     swim_shun_turn(fish, &all);
@@ -256,7 +257,7 @@ static void settle(struct tank *tank, const struct surroundings *around)
         fish->push_m_s =
             v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
         swim_settle(fish, v3_sub(fish->position_m, tank->before_m[body->fish]), body->forward,
-                    gait_beats(fish, around->tick));
+                    gait_beats(fish, around));
         fish->room = f_min(body->room, fish->room + 2.0f * CORE_TICK_S);
         if (fish->gait != GAIT_ESCAPE) {
             avoid_tick(fish, &body->advice, body->brake, around);
@@ -294,7 +295,7 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
     }
     crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space, tank->before_m);
     crowd_clear(&tank->crowd, &bounds, obstacles, obstacle_count);
-    crowd_meet(&tank->crowd, tank->size_m, tank->seed, tick);
+    crowd_meet(&tank->crowd, tank->size_m, around.law, tank->seed, tick);
     crowd_part(&tank->crowd, &bounds, obstacles, obstacle_count);
     settle(tank, &around);
 }

@@ -29,7 +29,7 @@ static void test_opposite_courses_meet_head_on_and_share_one_side(void **state)
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12);
     uint32_t left = 0;
     for (uint32_t second = 0; second < 1000; second++) {
-        const struct avoid_pair pair = avoid_meet(&a, &b, 0.01f, 1, second);
+        const struct avoid_pair pair = avoid_meet(&a, &b, 0.01f, pond_law(), 1, second);
         assert_int_equal(pair.a.kind, MEET_HEAD_ON);
         assert_int_equal(pair.b.kind, MEET_HEAD_ON);
         assert_true(pair.a.turn == pair.b.turn); /* Both to their own left, or both right. */
@@ -43,8 +43,8 @@ static void test_the_pair_draws_the_same_whoever_is_asked_first(void **state)
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12);
     for (uint32_t second = 0; second < 100; second++) {
-        const struct avoid_pair one = avoid_meet(&a, &b, 0.01f, 1, second);
-        const struct avoid_pair other = avoid_meet(&b, &a, 0.01f, 1, second);
+        const struct avoid_pair one = avoid_meet(&a, &b, 0.01f, pond_law(), 1, second);
+        const struct avoid_pair other = avoid_meet(&b, &a, 0.01f, pond_law(), 1, second);
         assert_true(one.a.turn == other.b.turn);
         assert_true(one.a.rise == other.b.rise);
     }
@@ -68,10 +68,10 @@ static void test_the_late_one_of_a_pair_turns_to_the_side_that_the_first_took(vo
     uint32_t left = 0;
     for (uint32_t edge = CORE_TICK_HZ; edge < 1000u * CORE_TICK_HZ; edge += CORE_TICK_HZ) {
         /* One begins in the last tick of a second, the other in the first of the next, or later. */
-        const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, 1, edge - 1u);
+        const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_law(), 1, edge - 1u);
         const struct avoid_party early = giving_way(a, &first.a);
-        const struct avoid_pair then = avoid_meet(&early, &b, 0.01f, 1, edge);
-        const struct avoid_pair later = avoid_meet(&b, &early, 0.01f, 1, edge + 40u);
+        const struct avoid_pair then = avoid_meet(&early, &b, 0.01f, pond_law(), 1, edge);
+        const struct avoid_pair later = avoid_meet(&b, &early, 0.01f, pond_law(), 1, edge + 40u);
         assert_true(then.b.turn == first.a.turn);
         assert_true(later.a.turn == first.a.turn);
         assert_true(then.a.turn == first.a.turn);
@@ -85,10 +85,10 @@ static void test_another_partner_is_another_encounter(void **state)
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 7), b = swimmer(0.0f, -3.0f, 180.0f, 12),
                              c = swimmer(0.0f, -3.0f, 180.0f, 13);
-    const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, 1, 100);
+    const struct avoid_pair first = avoid_meet(&a, &b, 0.01f, pond_law(), 1, 100);
     const struct avoid_party early = giving_way(a, &first.a);
-    assert_int_equal(avoid_meet(&early, &b, 0.01f, 1, 150).b.since, 100);
-    assert_int_equal(avoid_meet(&early, &c, 0.01f, 1, 150).b.since, 150);
+    assert_int_equal(avoid_meet(&early, &b, 0.01f, pond_law(), 1, 150).b.since, 100);
+    assert_int_equal(avoid_meet(&early, &c, 0.01f, pond_law(), 1, 150).b.since, 150);
 }
 
 static void test_from_the_side_the_hitter_passes_behind_nine_times_in_ten(void **state)
@@ -100,7 +100,7 @@ static void test_from_the_side_the_hitter_passes_behind_nine_times_in_ten(void *
     b.speed_m_s = 0.01f;
     uint32_t behind = 0, clear = 0;
     for (uint32_t second = 0; second < 2000; second++) {
-        const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, 1, second);
+        const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, pond_law(), 1, second);
         assert_int_equal(pair.a.kind, MEET_SIDE);
         behind += pair.a.turn < 0.0f; /* To the right: where b came from. */
         clear += pair.b.turn < 0.0f;  /* Hit on its left flank, it turns right. */
@@ -115,7 +115,7 @@ static void test_only_the_follower_gives_way_to_the_one_ahead(void **state)
     const struct avoid_party a = swimmer(0.0f, 5.5f, 0.0f, 1);
     struct avoid_party b = swimmer(0.0f, 0.0f, 10.0f, 2);
     b.speed_m_s = 0.01f;
-    const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, 1, 0);
+    const struct avoid_pair pair = avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0);
     assert_int_equal(pair.a.kind, MEET_REAR_END);
     assert_true(pair.a.turn != 0.0f);
     assert_int_equal(pair.b.kind, MEET_NONE);
@@ -127,11 +127,12 @@ static void test_fish_that_part_or_pass_clear_do_not_meet(void **state)
 {
     (void)state;
     const struct avoid_party a = swimmer(0.0f, -3.0f, 0.0f, 1), b = swimmer(0.0f, 3.0f, 180.0f, 2);
-    assert_int_equal(avoid_meet(&a, &b, 0.005f, 1, 0).a.kind, MEET_NONE);
+    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0).a.kind, MEET_NONE);
     const struct avoid_party c = swimmer(0.0f, 3.0f, 0.0f, 1), d = swimmer(4.0f, -3.0f, 180.0f, 2);
-    assert_int_equal(avoid_meet(&c, &d, 0.02f, 1, 0).a.kind, MEET_NONE);
+    assert_int_equal(avoid_meet(&c, &d, 0.02f, pond_law(), 1, 0).a.kind, MEET_NONE);
     const struct avoid_party e = swimmer(0.0f, 0.0f, 0.0f, 1), f = swimmer(1.5f, 0.1f, 2.0f, 2);
-    assert_int_equal(avoid_meet(&e, &f, 0.005f, 1, 0).a.kind, MEET_NONE); /* Side by side. */
+    /* Side by side. */
+    assert_int_equal(avoid_meet(&e, &f, 0.005f, pond_law(), 1, 0).a.kind, MEET_NONE);
 }
 
 static void test_the_class_changes_at_twenty_degrees(void **state)
@@ -139,9 +140,9 @@ static void test_the_class_changes_at_twenty_degrees(void **state)
     (void)state;
     const struct avoid_party a = swimmer(0.0f, 3.0f, 0.0f, 1);
     struct avoid_party b = swimmer(0.0f, -1.0f, 161.0f, 2);
-    assert_int_equal(avoid_meet(&a, &b, 0.005f, 1, 0).a.kind, MEET_HEAD_ON);
+    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0).a.kind, MEET_HEAD_ON);
     b = swimmer(0.0f, -1.0f, 159.0f, 2);
-    assert_int_equal(avoid_meet(&a, &b, 0.005f, 1, 0).a.kind, MEET_SIDE);
+    assert_int_equal(avoid_meet(&a, &b, 0.005f, pond_law(), 1, 0).a.kind, MEET_SIDE);
 }
 
 static void test_after_half_a_second_of_yaw_comes_pitch(void **state)

@@ -122,7 +122,7 @@ static const struct field fish_fields[] = {
     FIELD(fish, gait_left_s),    FIELD(fish, heading_rad),  FIELD(fish, avoid_left_s),
     FIELD(fish, avoid_turn),     FIELD(fish, avoid_since),  FIELD(fish, avoid_with),
     FIELD(fish, brake),        FIELD(fish, room),
-    FIELD(fish, depth_goal_m),   FIELD(fish, alarm),
+    FIELD(fish, depth_goal_m),   FIELD(fish, depth_stray),   FIELD(fish, alarm),
 };
 
 static struct core core, twin;

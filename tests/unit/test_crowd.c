@@ -43,7 +43,7 @@ static uint32_t check_against_all_pairs(uint32_t count)
         }
     }
     crowd_gather(&crowd, fish, count, 0.2f, NULL);
-    crowd_meet(&crowd, tank_m, 1, 0);
+    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
     for (uint32_t c = 0; c < crowd.contact_count; c++) {
         const uint32_t a = crowd.body[crowd.contact[c][0]].fish,
                        b = crowd.body[crowd.contact[c][1]].fish;
@@ -122,7 +122,7 @@ static void test_parting_ends_overlaps_and_keeps_walls(void **state)
     crowd_gather(&crowd, fish, 400, 0.2f, NULL);
     crowd_clear(&crowd, &bounds, 0, 0);
     for (int tick = 0; tick < 40; tick++) {
-        crowd_meet(&crowd, tank_m, 1, 0);
+        crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
         crowd_part(&crowd, &bounds, 0, 0);
         crowd_clear(&crowd, &bounds, 0, 0);
     }
@@ -151,7 +151,7 @@ static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
     uint32_t pairs = 0;
     for (uint32_t tick = 0; tick < 48; tick++) {
         crowd_gather(&crowd, fish, COUNT, 0.2f, NULL);
-        crowd_meet(&crowd, tank_m, 1, tick);
+        crowd_meet(&crowd, tank_m, pond_law(), 1, tick);
         assert_int_equal(crowd.contact_count, CROWD_CONTACT_MAX);
         assert_true(crowd.overlap_count > 2u * CROWD_CONTACT_MAX);
         for (uint32_t c = 0; c < crowd.contact_count; c++) {
@@ -175,7 +175,7 @@ static void test_nobody_is_shoved_farther_than_three_millimetres_beyond_its_own_
         before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
     }
     crowd_gather(&crowd, fish, 300, 0.2f, before_m);
-    crowd_meet(&crowd, tank_m, 1, 0);
+    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
     const uint32_t before = crowd.overlap_count;
     crowd_part(&crowd, &bounds, 0, 0);
     float farthest_m = 0.0f;
@@ -196,7 +196,7 @@ static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
     crowd_gather(&crowd, fish, 2, 0.2f, before_m);
-    crowd_meet(&crowd, tank_m, 1, 0);
+    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
     crowd_part(&crowd, &bounds, 0, 0);
     assert_true(crowd.body[0].box.centre_m.x > -0.00301f);
     assert_true(box_depth_m(&crowd.body[0].box, &crowd.body[1].box) < 1e-5f);
@@ -208,7 +208,7 @@ static void test_the_larger_of_two_gives_way_less(void **state)
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.08f) };
     fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, WAKIN(0.04f) };
     crowd_gather(&crowd, fish, 2, 0.2f, NULL);
-    crowd_meet(&crowd, tank_m, 1, 0);
+    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
     crowd_part(&crowd, &bounds, 0, 0);
     const float large_m = -crowd.body[0].box.centre_m.x,
                 small_m = crowd.body[1].box.centre_m.x - 0.009f;

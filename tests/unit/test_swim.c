@@ -75,7 +75,7 @@ static float swim_a_minute(struct fish *fish, float *fastest)
         const vec3 before = fish->position_m;
         swim_move(fish, gait_speed_m_s(fish, pond_at(1, tick)), gait_run_up_s(fish->length_m));
         const vec3 moved = v3_sub(fish->position_m, before);
-        swim_settle(fish, moved, fish_forward(fish), gait_beats(fish, tick));
+        swim_settle(fish, moved, fish_forward(fish), gait_beats(fish, pond_at(1, tick)));
         if (tick >= CORE_TICK_HZ) {
             const float flat_m = v3_length(v3(moved.x, 0.0f, moved.z));
             sum_m += flat_m;
@@ -238,7 +238,7 @@ static void test_a_wall_ahead_is_left_before_it_is_touched(void **state)
         float nearest = 1.0f;
         for (uint32_t tick = 0; tick < 30 * CORE_TICK_HZ; tick++) {
             struct swim_shun shun = { 0 };
-            swim_shun_walls(&shun, &fish, size_m);
+            swim_shun_walls(&shun, &fish, pond_law(), size_m);
             swim_shun_turn(&fish, &shun);
             swim_ticks(&fish, 1, 0.0525f);
             const struct box box = fish_box(&fish);
