@@ -46,17 +46,28 @@ struct fish {
     uint8_t gait;         /* enum fish_gait */
     uint8_t avoiding;     /* enum fish_avoiding */
     uint8_t holder;       /* Poi or bowl index while GAIT_HELD or GAIT_BOWL. */
+    uint8_t thought_tick; /* Low bits of the tick in which it last thought. */
     float gait_left_s;    /* Until the next choice of gait. */
     float heading_rad;    /* Yaw it turns toward, at a bounded rate. */
     float avoid_left_s;   /* Of giving way; then, of keeping its depth a little longer. */
     float avoid_turn;     /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
     uint16_t avoid_with;
+    uint8_t falls;        /* Through the air: nothing else moves it. */
+    uint8_t beats;        /* Its tail drives; else it glides. */
     float brake;        /* [0, 1] of its speed that a fish ahead leaves it. */
     float room;         /* [0, 1] of its turning rate that bodies at its sides leave it. */
     float depth_goal_m; /* Wanted y, < 0. */
     float depth_stray;  /* Where its band's depth lies for it: so much higher, of the water's. */
     float alarm;        /* [0, 1] fright that the poi left behind; fades. */
+
+    /* Orders: what it resolved on when it last thought, beside heading_rad. Each tick obeys. */
+    float speed_goal_m_s; /* Along the nose; `brake` takes its share. */
+    float speed_up_keep;  /* [0, 1) of what it is too slow by that is left a tick later ... */
+    float slow_keep;      /* ... and of what it is too fast by, when nothing brakes it. */
+    float turn_rate_max_rad_s;
+    float haste; /* >= 1: so many times as quick as usual it turns, bends and beats. */
+    float climb_goal_m_s, pitch_goal_rad;
 };
 
 /* Whether this module moves it: not held by a poi, not in a bowl. */

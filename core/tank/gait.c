@@ -4,6 +4,7 @@
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/swim.h"
+#include "core/tank/think.h"
 
 /* Section 3.2: stamina per second; the thesis' -1, -0.2 and +0.1 of 100. */
 #define BURST_COST_PER_S 0.010f
@@ -18,8 +19,9 @@
 #define ESCAPE_TIME_S 0.70f
 #define ESCAPE_AWAY_CHANCE 0.77f /* Mirjany & Faber: 77 % of open-field starts. */
 
-/* Beat and glide, in shares of each other; mean_stroke() brings them to the gait's speed. */
-#define CYCLE_TICKS_MIN 84u /* 0.7 s, and up to 0.53 s more by individual. */
+/* Beat and glide, in shares of each other; mean_stroke() brings them to the gait's speed. Both last
+ * whole thoughts, so that a fish that looks at its rhythm once a thought keeps it exactly. */
+#define CYCLE_TICKS_MIN 84u /* 0.7 s, and up to 0.5 s more by individual. */
 #define BEAT_SHARE 0.45f
 #define BEAT_SPEED 1.32f
 #define GLIDE_SPEED 0.62f /* Where a glide without end would lead. */
@@ -163,14 +165,19 @@ void gait_escape(struct fish *fish, vec3 from_m, uint32_t index, const struct su
 /* Each fish has its own rhythm. */
 static uint32_t cycle_ticks(const struct fish *fish)
 {
-    return CYCLE_TICKS_MIN + (fish->look >> 8 & 63u);
+    return CYCLE_TICKS_MIN + THINK_TICKS * (fish->look >> 10 & 15u);
+}
+
+static uint32_t beat_ticks(uint32_t cycle)
+{
+    return THINK_TICKS * (uint32_t)(BEAT_SHARE * (float)cycle / (float)THINK_TICKS);
 }
 
 int gait_beats(const struct fish *fish, const struct surroundings *around)
 {
     if (fish->gait == GAIT_SWIM) {
         const uint32_t ticks = cycle_ticks(fish), now = around->tick + (fish->look >> 14 & 255u);
-        return !around->law->glides || (float)(now % ticks) < BEAT_SHARE * (float)ticks;
+        return !around->law->glides || now % ticks < beat_ticks(ticks);
     }
     return fish->gait == GAIT_BURST ||
            (fish->gait == GAIT_ESCAPE && fish->gait_left_s > ESCAPE_TIME_S - ESCAPE_PEAK_S);
@@ -181,11 +188,12 @@ int gait_beats(const struct fish *fish, const struct surroundings *around)
  * the asked mean would be 19 % too fast. A run-up's lag is its time constant. */
 static float mean_stroke(const struct fish *fish)
 {
-    const float cycle_s = (float)cycle_ticks(fish) * CORE_TICK_S;
-    const float glide_s = (1.0f - BEAT_SHARE) * cycle_s;
+    const uint32_t cycle = cycle_ticks(fish), beat = beat_ticks(cycle);
+    const float cycle_s = (float)cycle * CORE_TICK_S, beat_s = (float)beat * CORE_TICK_S;
+    const float glide_s = cycle_s - beat_s;
     const float lost = (BEAT_SPEED - GLIDE_SPEED) * (1.0f - f_exp(-glide_s / SWIM_GLIDE_TAU_S));
     const float run_up_s = gait_run_up_s(fish->length_m);
-    return (BEAT_SPEED * BEAT_SHARE * cycle_s - lost * run_up_s + GLIDE_SPEED * glide_s +
+    return (BEAT_SPEED * beat_s - lost * run_up_s + GLIDE_SPEED * glide_s +
             lost * SWIM_GLIDE_TAU_S) /
            cycle_s;
 }

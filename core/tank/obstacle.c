@@ -107,7 +107,7 @@ float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m)
     return out_m <= 0.0f ? f_abs(above_m) : f_sqrt(above_m * above_m + out_m * out_m);
 }
 
-float obstacle_alarm(const struct obstacle *disc, vec3 position_m)
+float obstacle_alarm_per_s(const struct obstacle *disc, vec3 position_m)
 {
     const float distance_m = obstacle_disc_distance_m(disc, position_m);
     const float speed_m_s = v3_length(disc->velocity_m_s);
@@ -124,7 +124,16 @@ float obstacle_alarm(const struct obstacle *disc, vec3 position_m)
     const float looms_m_s = shown * f_max(v3_dot(disc->velocity_m_s, toward), 0.5f * speed_m_s);
     const float seen = disc->centre_m.y > 0.0f ? 0.25f : 1.0f;
     const float factor = f_clamp(looms_m_s / FRIGHT_SPEED_M_S - 0.5f, 0.0f, FRIGHT_FACTOR_MAX);
-    return seen * factor * (1.0f - distance_m / FRIGHT_RANGE_M) * CORE_TICK_S / FRIGHT_TIME_S;
+    return seen * factor * (1.0f - distance_m / FRIGHT_RANGE_M) / FRIGHT_TIME_S;
+}
+
+int obstacle_startles(const struct obstacle *disc, vec3 position_m)
+{
+    const vec3 d = v3_sub(position_m, disc->centre_m);
+    const float reach_m = disc->radius_m + FRIGHT_RANGE_M;
+    return disc->kind == OBSTACLE_DISC && v3_dot(d, d) < reach_m * reach_m &&
+           v3_dot(disc->velocity_m_s, disc->velocity_m_s) >=
+               0.99f * FRIGHT_SPEED_M_S * FRIGHT_SPEED_M_S;
 }
 
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)

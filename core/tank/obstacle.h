@@ -33,9 +33,13 @@ int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
 /* How near the fish is to the whole disc, sheet included. */
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
 
-/* What a disc's motion adds to the alarm of a fish in one tick: nothing below 0.15 m/s or beyond
+/* What a disc's motion adds to the alarm of a fish in a second: nothing below 0.15 m/s or beyond
  * 8 cm; a start within 60 to 150 ms when it rushes in. */
-float obstacle_alarm(const struct obstacle *disc, vec3 position_m);
+float obstacle_alarm_per_s(const struct obstacle *disc, vec3 position_m);
+
+/* Whether it is so fast and so near that a fish must look up at once. Cheap; never 0 where
+ * obstacle_alarm_per_s() is not. */
+int obstacle_startles(const struct obstacle *disc, vec3 position_m);
 
 /* Wanted sidestep, m/s, horizontal: fish beside a slowly moving disc drift out of its way, those
  * over or under its sheet do not. */

@@ -5,6 +5,7 @@
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/avoid.h"
+#include "core/tank/gait.h"
 
 #define DT CORE_TICK_S
 
@@ -14,17 +15,40 @@
 #define TURN_RATE_BURST (720.0f * F_DEG)
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG) /* A C-start turns 100 degrees in 60 to 80 ms. */
 
+#define SHUN_TAU_S 0.05f
 #define WANDER_TICKS 108u /* A new whim each 0.9 s. */
 
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-#define BRAKE_TAU_S 0.08f   /* With spread pectorals. */
+#define CLIMB_TAU_S 0.35f
+#define PITCH_TAU_S 0.30f
+#define TURN_GAIN_PER_S 3.0f
+#define TURN_TAU_S 0.12f
+#define TAIL_TAU_S 0.15f
+#define STROKE_TAU_S 0.20f
+#define BEND_TAU_S 0.08f
+#define START_HASTE 8.0f  /* A C-start bends in 10 ms and turns at its fastest 15 ms after. */
+#define START_TAU_S 0.03f /* And is at full speed when a swimmer has hardly begun. */
+#define BRAKE_KEEP 0.9010756f /* exp(-tick / 80 ms): with spread pectorals. */
 #define RUN_OUT_TAU_S 0.20f /* From a burst down to what a swimming fish may do. */
 
 static float ease(float from, float to, float tau_s)
 {
     return from + (to - from) * f_min(1.0f, DT / tau_s);
+}
+
+/* exp(-dt / tau) to 1e-4 for a dt of up to a tau: what is left of a difference. */
+static float kept(float dt_s, float tau_s)
+{
+    const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
+    return (even - 0.5f * x) / (even + 0.5f * x);
+}
+
+/* The share of a difference that a fish makes up in a tick, more in haste. */
+static float hasten(const struct fish *fish, float tau_s)
+{
+    return f_min(1.0f, fish->haste * (DT / tau_s));
 }
 
 void swim_wander(struct fish *fish, uint32_t index, const struct surroundings *around)
@@ -65,7 +89,7 @@ void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, const stru
 }
 
 /* The part of the course that runs into the surface fades, then turns a little away from it. */
-void swim_shun_turn(struct fish *fish, const struct swim_shun *shun)
+void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
 {
     if (shun->weight <= 0.0f) {
         return;
@@ -85,10 +109,10 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun)
     const float gx = new_into * normal.x - new_along * normal.z;
     const float gz = new_into * normal.z + new_along * normal.x;
     const float off_rad = f_wrap_angle(f_atan2(-gx, -gz) - fish->heading_rad);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + 0.15f * off_rad);
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-static float turn_rate_max(const struct fish *fish)
+static float turn_rate_max_rad_s(const struct fish *fish)
 {
     switch (fish->gait) {
     case GAIT_ESCAPE:
@@ -102,69 +126,80 @@ static float turn_rate_max(const struct fish *fish)
     }
 }
 
-static void turn(struct fish *fish)
+static float climb_goal_m_s(const struct fish *fish)
+{
+    const float off_m = fish->depth_goal_m - fish->position_m.y;
+    const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
+    if (fish->avoiding == AVOID_PITCH) {
+        return fish->avoid_turn * CLIMB_MAX_M_S;
+    }
+    return avoid_holds_depth(fish) ? 0.0f
+                                   : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
+}
+
+/* What a slowing fish takes to lose 63 % of the difference. */
+static float slow_tau_s(const struct fish *fish, const struct law *law)
+{
+    if (fish->gait == GAIT_ESCAPE) {
+        return 0.25f;
+    }
+    const int runs_out =
+        fish->gait == GAIT_SWIM && fish->speed_m_s > law->swim_speed_max * fish->length_m;
+    return runs_out ? RUN_OUT_TAU_S : SWIM_GLIDE_TAU_S;
+}
+
+void swim_resolve(struct fish *fish, const struct surroundings *around)
 {
     const int starts = fish->gait == GAIT_ESCAPE;
+    fish->beats = (uint8_t)gait_beats(fish, around);
+    fish->speed_goal_m_s = gait_speed_m_s(fish, around);
+    fish->speed_up_keep =
+        kept(CORE_TICK_S, starts ? START_TAU_S : gait_run_up_s(fish->length_m));
+    fish->slow_keep = kept(CORE_TICK_S, slow_tau_s(fish, around->law));
+    fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish);
+    fish->haste = starts ? START_HASTE : 1.0f;
+    fish->climb_goal_m_s = climb_goal_m_s(fish);
+    /* The nose follows the course; a fish that hangs still hardly tilts. */
+    const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
+    fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
+    if (starts) { /* Nothing ahead holds it. */
+        fish->brake = 1.0f;
+    }
+}
+
+static void turn(struct fish *fish)
+{
     const float error_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
     /* A start among others, too: a long tail that swings as if it were alone goes through them. */
-    const float rate_max = turn_rate_max(fish) * fish->room;
-    const float wanted = f_clamp(error_rad * (starts ? 25.0f : 3.0f), -rate_max, rate_max);
-    fish->yaw_rate_rad_s = ease(fish->yaw_rate_rad_s, wanted, starts ? 0.015f : 0.12f);
+    const float rate_max = fish->turn_rate_max_rad_s * fish->room;
+    const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);
+    fish->yaw_rate_rad_s =
+        f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
     /* It banks into the turn a little, as fish with a high back do. */
     const float bank_rad = f_clamp(-0.07f * fish->yaw_rate_rad_s, -0.2f, 0.2f);
     fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, 0.2f);
 }
 
-static void climb(struct fish *fish)
+static void speed_up_or_glide(struct fish *fish)
 {
-    const float off_m = fish->depth_goal_m - fish->position_m.y;
-    const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
-    const float wanted = fish->avoiding == AVOID_PITCH ? fish->avoid_turn * CLIMB_MAX_M_S
-                         : avoid_holds_depth(fish)
-                             ? 0.0f
-                             : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
-    fish->climb_m_s = ease(fish->climb_m_s, wanted, 0.35f);
-    /* The nose follows the course; a fish that hangs still hardly tilts. */
-    const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
-    fish->angles.pitch_rad =
-        ease(fish->angles.pitch_rad, f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX), 0.3f);
+    const float goal_m_s = fish->speed_goal_m_s * fish->brake;
+    const float slow_keep = f_lerp(BRAKE_KEEP, fish->slow_keep, fish->brake);
+    const float keep = goal_m_s > fish->speed_m_s ? fish->speed_up_keep : slow_keep;
+    fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, keep);
 }
 
-/* What a slowing fish takes to lose 63 % of the difference. */
-static float slow_tau_s(const struct fish *fish)
-{
-    if (fish->gait == GAIT_ESCAPE) {
-        return 0.25f;
-    }
-    const int runs_out =
-        fish->gait == GAIT_SWIM && fish->speed_m_s > SWIM_LENGTHS_MAX * fish->length_m;
-    return f_lerp(BRAKE_TAU_S, runs_out ? RUN_OUT_TAU_S : SWIM_GLIDE_TAU_S, fish->brake);
-}
-
-static void speed_up_or_glide(struct fish *fish, float speed_goal_m_s, float run_up_s)
-{
-    const float goal_m_s = speed_goal_m_s * (fish->gait == GAIT_ESCAPE ? 1.0f : fish->brake);
-    const float start_tau_s = fish->gait == GAIT_ESCAPE ? 0.03f : run_up_s;
-    const float tau_s = goal_m_s > fish->speed_m_s ? start_tau_s : slow_tau_s(fish);
-    /* The run-up's 164 ms are but twenty ticks: ease() would be there two early. This is
-     * exp(-x) to 1e-5 for all the x there are here. */
-    const float x = f_min(1.0f, DT / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
-    const float kept = (even - 0.5f * x) / (even + 0.5f * x);
-    fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, kept);
-}
-
-void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s)
+void swim_move(struct fish *fish, const struct law *law)
 {
     turn(fish);
-    climb(fish);
-    speed_up_or_glide(fish, speed_goal_m_s, run_up_s);
+    fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
+    fish->angles.pitch_rad = ease(fish->angles.pitch_rad, fish->pitch_goal_rad, PITCH_TAU_S);
+    speed_up_or_glide(fish);
     const float x = -f_sin(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.x;
     const float z = -f_cos(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.z;
-    vec3 velocity = v3(x, 0.0f, z);
-    if (fish->gait == GAIT_SWIM) { /* Pushes never add to what a burst leaves. */
-        velocity = v3_limit(velocity, f_max(SWIM_LENGTHS_MAX * fish->length_m, fish->speed_m_s));
-    }
+    /* Pushes never add to what a burst leaves. */
+    vec3 velocity =
+        v3_limit(v3(x, 0.0f, z), f_max(law->swim_speed_max * fish->length_m, fish->speed_m_s));
     velocity.y = fish->push_m_s.y + fish->climb_m_s;
     fish->position_m = v3_mad(fish->position_m, velocity, DT);
 }
@@ -219,18 +254,18 @@ static void lose_blocked_speed(struct fish *fish, vec3 forward)
     }
 }
 
-void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward, int beats)
+void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
 {
     fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
     lose_blocked_speed(fish, forward);
     const float along_m_s = v3_length(v3_sub(fish->velocity_m_s, v3_scale(fish->push_m_s, 0.5f)));
     const float hz = beat_hz(along_m_s / fish->length_m);
-    fish->tail_beat_hz = ease(fish->tail_beat_hz, hz, fish->gait == GAIT_ESCAPE ? 0.03f : 0.15f);
-    fish->tail_amplitude = ease(fish->tail_amplitude, stroke(fish->tail_beat_hz, beats),
-                                fish->gait == GAIT_ESCAPE ? 0.03f : 0.2f);
+    fish->tail_beat_hz = f_lerp(fish->tail_beat_hz, hz, hasten(fish, TAIL_TAU_S));
+    fish->tail_amplitude = f_lerp(fish->tail_amplitude, stroke(fish->tail_beat_hz, fish->beats),
+                                  hasten(fish, STROKE_TAU_S));
     const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
     fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
     /* In a left turn the tail lies to the left, along the arc behind it. */
     const float bend_rad = f_clamp(-0.20f * fish->yaw_rate_rad_s, -1.0f, 1.0f);
-    fish->bend_rad = ease(fish->bend_rad, bend_rad, fish->gait == GAIT_ESCAPE ? 0.02f : 0.08f);
+    fish->bend_rad = f_lerp(fish->bend_rad, bend_rad, hasten(fish, BEND_TAU_S));
 }

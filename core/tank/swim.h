@@ -6,7 +6,6 @@
 #include "core/tank/surroundings.h"
 
 #define SWIM_GLIDE_TAU_S 0.55f /* Koi: drag while gliding is a quarter of that in a burst. */
-#define SWIM_LENGTHS_MAX 1.5f  /* A second: 7.5 cm/s of the thesis' 5 cm fish, section 3.3. */
 
 /* Gives the heading a slow, smooth wander of its own; drawn from (seed, tick, fish). */
 void swim_wander(struct fish *fish, uint32_t index, const struct surroundings *around);
@@ -26,20 +25,23 @@ void swim_shun_add(struct swim_shun *shun, const struct fish *fish, const struct
 void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, const struct law *law,
                      vec3 size_m);
 
-/* Bends the heading along the surfaces and a little away from them. */
-void swim_shun_turn(struct fish *fish, const struct swim_shun *shun);
+/* Bends the heading along the surfaces and a little away from them, `dt_s` after it last did. */
+void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s);
 
-/* Turns, speeds up or glides, climbs, and moves one tick. `speed_goal_m_s` is what the gait asks.
- * In GAIT_SWIM the horizontal speed, pushes included, is at most SWIM_LENGTHS_MAX; what is left of
- * a burst or an escape runs out within half a second. */
-void swim_move(struct fish *fish, float speed_goal_m_s, float run_up_s);
+/* Turns what the fish wants (gait, depth, giving way) into its orders; see struct fish. */
+void swim_resolve(struct fish *fish, const struct surroundings *around);
+
+/* One tick by the fish's orders: turns, climbs, speeds up or glides, and moves. The horizontal
+ * speed, pushes included, is at most `law->swim_speed_max`, or the fish's own when that is more:
+ * what is left of a burst or an escape runs out within half a second. */
+void swim_move(struct fish *fish, const struct law *law);
 
 /* A fish out of the water (dropped from a poi): falls, and gets away once it is in. Returns whether
  * it was in the air. */
 int swim_fall(struct fish *fish);
 
 /* After pushes: true velocity from the true move, then tail and body follow it. `forward` is along
- * the nose; `beats` is 0 while it glides. */
-void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward, int beats);
+ * the nose. */
+void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
 
 #endif

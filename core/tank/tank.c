@@ -1,4 +1,4 @@
-/* tank.c -- the order of a tick for all fish: feel, decide, move, meet, part, settle. */
+/* tank.c -- the order of a tick for all fish: think, move, look, part, settle. */
 #include "core/tank/tank.h"
 
 #include "core/base/hash.h"
@@ -8,14 +8,12 @@
 #include "core/morph/morph.h"
 #include "core/tank/gait.h"
 #include "core/tank/swim.h"
+#include "core/tank/think.h"
 
 #define PLACE_TRIES 12u /* For a spot clear of the bowl; then any will do. */
 #define START_ROUNDS_MAX 200u
-#define ALARM_FADE_PER_S 0.6f
-#define ALARM_START_MIN 0.45f /* The timid start at this alarm, the bold at 0.9. */
-#define PUSH_SHARE 0.10f      /* A tick: pushes come and go within a twelfth of a second. */
-#define HULL_SHUN_DEPTH_M                                                                          \
-    0.01f /* A fish that passes deeper below a bowl than this need not turn. */
+#define PUSH_SHARE 0.10f /* A tick: pushes come and go within a twelfth of a second. */
+#define ROOM_PER_S 2.0f  /* A fish that had no room takes half a second to trust that it has. */
 
 static struct tank_bounds tank_bounds(const struct tank *tank)
 {
@@ -101,6 +99,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     const struct rng_key start = { tank->seed, 0, index, RNG_FISH_START_GAIT };
     const int swims = rng_unit(start) < 0.31f;
     gait_enter(&fish, swims ? GAIT_SWIM : GAIT_REST, index, &around);
+    swim_resolve(&fish, &around);
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;
 }
@@ -189,79 +188,67 @@ void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t 
     CORE_ASSERT(opened);
 }
 
-static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const struct law *law,
-                      const struct obstacle *bowl)
+static void think_in_turn(struct tank *tank, struct surroundings around)
 {
-    const float half_m = 0.5f * fish->height_m;
-    const float bottom_m = bowl->centre_m.y - bowl->depth_m;
-    if (fish->position_m.y + half_m < bottom_m - HULL_SHUN_DEPTH_M) {
-        return;
-    }
-    const vec3 to =
-        v3(bowl->centre_m.x - fish->position_m.x, 0.0f, bowl->centre_m.z - fish->position_m.z);
-    const vec3 normal = v3_normalize_or(to, v3(1.0f, 0.0f, 0.0f));
-    swim_shun_add(shun, fish, law, normal, v3_length(to) - bowl->radius_m);
-}
-
-/* Turns away from walls and bowls. */
-static void shun(struct fish *fish, const struct surroundings *around)
-{
-    struct swim_shun all = { 0 };
-    swim_shun_walls(&all, fish, around->law, around->size_m);
-    for (uint32_t i = 0; i < around->obstacle_count; i++) {
-        if (around->obstacles[i].kind == OBSTACLE_BOWL) {
-            shun_bowl(&all, fish, around->law, &around->obstacles[i]);
-        }
-    }
-    swim_shun_turn(fish, &all);
-}
-
-/* Takes fright at the poi, or steps aside. */
-static void feel(struct fish *fish, uint32_t index, const struct surroundings *around)
-{
-    const struct obstacle *obstacles = around->obstacles;
-    const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
-    fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * CORE_TICK_S);
-    for (uint32_t i = 0; i < around->obstacle_count; i++) {
-        const vec3 aside_m_s = obstacle_sidestep_m_s(&obstacles[i], fish->position_m);
-        fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, PUSH_SHARE);
-        fish->alarm = f_min(1.0f, fish->alarm + obstacle_alarm(&obstacles[i], fish->position_m));
-        if (fish->gait != GAIT_ESCAPE && fish->alarm > ALARM_START_MIN * (1.0f + boldness)) {
-            gait_escape(fish, obstacles[i].centre_m, index, around);
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        struct fish *fish = &tank->fish[i];
+        tank->before_m[i] = fish->position_m;
+        if (fish_swims(fish) && think_due(fish, i, &around)) {
+            around.dt_s = think_dt_s(fish, around.tick);
+            think(fish, i, &around);
         }
     }
 }
 
-static void act(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void move(struct tank *tank)
 {
-    if (swim_fall(fish)) {
-        gait_escape(fish, v3_add(fish->position_m, fish_forward(fish)), index, around);
-        fish->heading_rad = fish->angles.yaw_rad;
-        fish->depth_goal_m = -0.6f * around->size_m.y;
-        return;
+    const struct law *law = tank_law(tank);
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        if (fish_swims(&tank->fish[i]) && !tank->fish[i].falls) {
+            swim_move(&tank->fish[i], law);
+        }
     }
-    feel(fish, index, around);
-    gait_tick(fish, index, around);
-    swim_wander(fish, index, around);
-    shun(fish, around);
-    swim_move(fish, gait_speed_m_s(fish, around), gait_run_up_s(fish->length_m));
 }
 
-/* Bodies take their final places; advice and pushes are for the next tick. */
-static void settle(struct tank *tank, const struct surroundings *around)
+/* Fish take what they saw to heart: whom they meet, who is near, how much room there is. */
+static void heed(struct tank *tank, const struct surroundings *around)
 {
     for (uint32_t i = 0; i < tank->crowd.count; i++) {
         const struct crowd_body *body = &tank->crowd.body[i];
         struct fish *fish = &tank->fish[body->fish];
-        fish->position_m = body->box.centre_m;
         fish->push_m_s =
             v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
-        swim_settle(fish, v3_sub(fish->position_m, tank->before_m[body->fish]), body->forward,
-                    gait_beats(fish, around));
-        fish->room = f_min(body->room, fish->room + 2.0f * CORE_TICK_S);
+        fish->room = f_min(body->room, fish->room + ROOM_PER_S * around->dt_s);
         if (fish->gait != GAIT_ESCAPE) {
             avoid_tick(fish, &body->advice, body->brake, around);
         }
+    }
+}
+
+/* Who is where, and what follows from it. */
+static void look(struct tank *tank, const struct tank_bounds *bounds,
+                 const struct surroundings *around)
+{
+    struct crowd *crowd = &tank->crowd;
+    crowd_gather(crowd, tank->fish, tank->fish_count, tank->space, tank->before_m);
+    crowd_clear(crowd, bounds, around->obstacles, around->obstacle_count);
+    crowd_meet(crowd, tank->size_m, around->law, tank->seed, around->tick);
+    heed(tank, around);
+}
+
+static void part(struct tank *tank, const struct tank_bounds *bounds,
+                 const struct surroundings *around)
+{
+    crowd_part(&tank->crowd, bounds, around->obstacles, around->obstacle_count);
+    take_bodies(tank);
+}
+
+static void settle(struct tank *tank)
+{
+    for (uint32_t i = 0; i < tank->crowd.count; i++) {
+        const struct crowd_body *body = &tank->crowd.body[i];
+        struct fish *fish = &tank->fish[body->fish];
+        swim_settle(fish, v3_sub(fish->position_m, tank->before_m[body->fish]), body->forward);
     }
 }
 
@@ -284,20 +271,13 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct tank_bounds bounds = tank_bounds(tank);
-    const struct surroundings around =
-        surroundings_of(tank, tick, obstacles, obstacle_count);
+    const struct surroundings around = surroundings_of(tank, tick, obstacles, obstacle_count);
     drip(tank, tick);
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        tank->before_m[i] = tank->fish[i].position_m;
-        if (fish_swims(&tank->fish[i])) {
-            act(&tank->fish[i], i, &around);
-        }
-    }
-    crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space, tank->before_m);
-    crowd_clear(&tank->crowd, &bounds, obstacles, obstacle_count);
-    crowd_meet(&tank->crowd, tank->size_m, around.law, tank->seed, tick);
-    crowd_part(&tank->crowd, &bounds, obstacles, obstacle_count);
-    settle(tank, &around);
+    think_in_turn(tank, around);
+    move(tank);
+    look(tank, &bounds, &around);
+    part(tank, &bounds, &around);
+    settle(tank);
 }
 
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)

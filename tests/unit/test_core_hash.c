@@ -119,10 +119,15 @@ static const struct field fish_fields[] = {
     FIELD(fish, stamina),        FIELD(fish, tail_phase_rad), FIELD(fish, tail_beat_hz),
     FIELD(fish, tail_amplitude), FIELD(fish, bend_rad),     FIELD(fish, look),
     FIELD(fish, gait),           FIELD(fish, avoiding),     FIELD(fish, holder),
+    FIELD(fish, thought_tick),
     FIELD(fish, gait_left_s),    FIELD(fish, heading_rad),  FIELD(fish, avoid_left_s),
     FIELD(fish, avoid_turn),     FIELD(fish, avoid_since),  FIELD(fish, avoid_with),
+    FIELD(fish, falls),        FIELD(fish, beats),
     FIELD(fish, brake),        FIELD(fish, room),
     FIELD(fish, depth_goal_m),   FIELD(fish, depth_stray),   FIELD(fish, alarm),
+    FIELD(fish, speed_goal_m_s), FIELD(fish, speed_up_keep), FIELD(fish, slow_keep),
+    FIELD(fish, turn_rate_max_rad_s), FIELD(fish, haste), FIELD(fish, climb_goal_m_s),
+    FIELD(fish, pitch_goal_rad),
 };
 
 static struct core core, twin;

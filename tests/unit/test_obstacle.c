@@ -91,7 +91,7 @@ static uint32_t ticks_to_fright(const struct obstacle *disc, vec3 position)
 {
     float alarm = 0.0f;
     for (uint32_t tick = 1; tick < 1000; tick++) {
-        alarm += obstacle_alarm(disc, position);
+        alarm += CORE_TICK_S * obstacle_alarm_per_s(disc, position);
         if (alarm > 0.68f) {
             return tick;
         }
@@ -128,8 +128,8 @@ static void test_what_looms_frightens_more_than_what_goes_away(void **state)
 {
     (void)state;
     const struct obstacle disc = broadside_disc(0.3f);
-    assert_true(obstacle_alarm(&disc, v3(0.03f, -0.05f, 0.0f)) >
-                1.5f * obstacle_alarm(&disc, v3(-0.03f, -0.05f, 0.0f)));
+    assert_true(obstacle_alarm_per_s(&disc, v3(0.03f, -0.05f, 0.0f)) >
+                1.5f * obstacle_alarm_per_s(&disc, v3(-0.03f, -0.05f, 0.0f)));
 }
 
 static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
@@ -139,9 +139,9 @@ static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
     const struct obstacle edge = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.4f, 0.0f, 0.0f));
     const vec3 ahead_of_broad = v3(0.03f, -0.05f, 0.0f);
     const vec3 ahead_of_edge = v3(broad.radius_m + 0.03f, -0.05f, 0.0f);
-    const float alarm = obstacle_alarm(&edge, ahead_of_edge);
+    const float alarm = obstacle_alarm_per_s(&edge, ahead_of_edge);
     assert_true(alarm > 0.0f);
-    assert_true(alarm < 0.3f * obstacle_alarm(&broad, ahead_of_broad));
+    assert_true(alarm < 0.3f * obstacle_alarm_per_s(&broad, ahead_of_broad));
     const struct obstacle slow = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.2f, 0.0f, 0.0f));
     assert_int_equal(ticks_to_fright(&slow, ahead_of_edge), 1000);
 }

@@ -9,6 +9,7 @@
 #include "core/input.h"
 #include "core/tank/gait.h"
 #include "core/tank/swim.h"
+#include "core/tank/think.h"
 #include "tests/unit/pond.h"
 
 static struct fish swimmer(void)
@@ -17,17 +18,27 @@ static struct fish swimmer(void)
                           .stamina = 1.0f,
                           .brake = 1.0f,
                           .room = 1.0f,
+                          .haste = 1.0f,
                           .gait = GAIT_SWIM,
                           .position_m = { 0.0f, -0.06f, 0.0f },
                           .depth_goal_m = -0.06f };
 }
 
+static void swim_one_tick(struct fish *fish)
+{
+    const vec3 before = fish->position_m;
+    swim_move(fish, pond_law());
+    swim_settle(fish, v3_sub(fish->position_m, before), fish_forward(fish));
+}
+
+/* At a speed of the test's own choice, beating all the while. */
 static void swim_ticks(struct fish *fish, uint32_t ticks, float speed_m_s)
 {
     for (uint32_t tick = 0; tick < ticks; tick++) {
-        const vec3 before = fish->position_m;
-        swim_move(fish, speed_m_s, gait_run_up_s(fish->length_m));
-        swim_settle(fish, v3_sub(fish->position_m, before), fish_forward(fish), 1);
+        swim_resolve(fish, pond_at(1, tick));
+        fish->speed_goal_m_s = speed_m_s;
+        fish->beats = 1;
+        swim_one_tick(fish);
     }
 }
 
@@ -73,9 +84,11 @@ static float swim_a_minute(struct fish *fish, float *fastest)
     *fastest = 0.0f;
     for (uint32_t tick = 0; tick < ticks + CORE_TICK_HZ; tick++) {
         const vec3 before = fish->position_m;
-        swim_move(fish, gait_speed_m_s(fish, pond_at(1, tick)), gait_run_up_s(fish->length_m));
+        if (tick % THINK_TICKS == 0) {
+            swim_resolve(fish, pond_at(1, tick));
+        }
+        swim_one_tick(fish);
         const vec3 moved = v3_sub(fish->position_m, before);
-        swim_settle(fish, moved, fish_forward(fish), gait_beats(fish, pond_at(1, tick)));
         if (tick >= CORE_TICK_HZ) {
             const float flat_m = v3_length(v3(moved.x, 0.0f, moved.z));
             sum_m += flat_m;
@@ -186,9 +199,10 @@ static void test_depth_is_kept_with_the_nose_nearly_level(void **state)
 static void check_beat(float lengths_per_s, float hz)
 {
     struct fish fish = swimmer();
+    fish.beats = 1;
     for (uint32_t tick = 0; tick < 3 * CORE_TICK_HZ; tick++) {
         swim_settle(&fish, v3(0.0f, 0.0f, -lengths_per_s * fish.length_m * CORE_TICK_S),
-                    v3(0.0f, 0.0f, -1.0f), 1);
+                    v3(0.0f, 0.0f, -1.0f));
         assert_true(fish.tail_phase_rad >= 0.0f && fish.tail_phase_rad < F_TAU);
     }
     assert_float_equal(fish.tail_beat_hz, hz, 0.01f * hz);
@@ -208,10 +222,11 @@ static void test_a_still_fish_only_sculls_and_an_escape_beats_widest(void **stat
 {
     (void)state;
     struct fish still = swimmer(), cruising = swimmer(), fleeing = swimmer();
+    cruising.beats = fleeing.beats = 1;
     for (uint32_t tick = 0; tick < 2 * CORE_TICK_HZ; tick++) {
-        swim_settle(&still, v3(0.0f, 0.0f, 0.0f), v3(0.0f, 0.0f, -1.0f), 0);
-        swim_settle(&cruising, v3(0.0f, 0.0f, -0.08f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f), 1);
-        swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f), 1);
+        swim_settle(&still, v3(0.0f, 0.0f, 0.0f), v3(0.0f, 0.0f, -1.0f));
+        swim_settle(&cruising, v3(0.0f, 0.0f, -0.08f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
+        swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
     }
     assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
     assert_float_equal(cruising.tail_amplitude, 1.0f, 0.05f);
@@ -239,7 +254,7 @@ static void test_a_wall_ahead_is_left_before_it_is_touched(void **state)
         for (uint32_t tick = 0; tick < 30 * CORE_TICK_HZ; tick++) {
             struct swim_shun shun = { 0 };
             swim_shun_walls(&shun, &fish, pond_law(), size_m);
-            swim_shun_turn(&fish, &shun);
+            swim_shun_turn(&fish, &shun, CORE_TICK_S);
             swim_ticks(&fish, 1, 0.0525f);
             const struct box box = fish_box(&fish);
             const vec3 extent = box_extent_m(&box);

@@ -1,0 +1,100 @@
+/* think.c -- what a fish feels, shuns and wants, in the order of what presses most. */
+#include "core/tank/think.h"
+
+#include "core/input.h"
+#include "core/tank/gait.h"
+#include "core/tank/swim.h"
+
+#define ALARM_FADE_PER_S 0.6f
+#define ALARM_START_MIN 0.45f /* The timid start at this alarm, the bold at 0.9. */
+#define SIDESTEP_PER_S 12.0f  /* Of the sidestep that it is asked for. */
+#define HULL_SHUN_DEPTH_M                                                                          \
+    0.01f /* A fish that passes deeper below a bowl than this need not turn. */
+
+int think_due(const struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    if ((index + around->tick) % THINK_TICKS == 0 || fish->gait == GAIT_ESCAPE || fish->falls ||
+        fish->position_m.y > -0.5f * fish->width_m) {
+        return 1;
+    }
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        if (obstacle_startles(&around->obstacles[i], fish->position_m)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+float think_dt_s(const struct fish *fish, uint32_t tick)
+{
+    /* The low bits tell how long ago it was, but for a fish that was held meanwhile. */
+    const uint32_t ticks = (uint8_t)(tick - fish->thought_tick);
+    return CORE_TICK_S * f_clamp((float)ticks, 1.0f, (float)THINK_TICKS);
+}
+
+static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const struct law *law,
+                      const struct obstacle *bowl)
+{
+    const float half_m = 0.5f * fish->height_m;
+    const float bottom_m = bowl->centre_m.y - bowl->depth_m;
+    if (fish->position_m.y + half_m < bottom_m - HULL_SHUN_DEPTH_M) {
+        return;
+    }
+    const vec3 to =
+        v3(bowl->centre_m.x - fish->position_m.x, 0.0f, bowl->centre_m.z - fish->position_m.z);
+    const vec3 normal = v3_normalize_or(to, v3(1.0f, 0.0f, 0.0f));
+    swim_shun_add(shun, fish, law, normal, v3_length(to) - bowl->radius_m);
+}
+
+/* Turns away from walls and bowls. */
+static void shun(struct fish *fish, const struct surroundings *around)
+{
+    struct swim_shun all = { 0 };
+    swim_shun_walls(&all, fish, around->law, around->size_m);
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        if (around->obstacles[i].kind == OBSTACLE_BOWL) {
+            shun_bowl(&all, fish, around->law, &around->obstacles[i]);
+        }
+    }
+    swim_shun_turn(fish, &all, around->dt_s);
+}
+
+/* Takes fright at the poi, or steps aside. */
+static void feel(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    const struct obstacle *obstacles = around->obstacles;
+    const float dt_s = around->dt_s;
+    const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
+    fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * dt_s);
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        const vec3 aside_m_s = obstacle_sidestep_m_s(&obstacles[i], fish->position_m);
+        const float alarm = dt_s * obstacle_alarm_per_s(&obstacles[i], fish->position_m);
+        fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, SIDESTEP_PER_S * dt_s);
+        fish->alarm = f_min(1.0f, fish->alarm + alarm);
+        if (fish->gait != GAIT_ESCAPE && fish->alarm > ALARM_START_MIN * (1.0f + boldness)) {
+            gait_escape(fish, obstacles[i].centre_m, index, around);
+        }
+    }
+}
+
+static void fall(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    gait_escape(fish, v3_add(fish->position_m, fish_forward(fish)), index, around);
+    fish->heading_rad = fish->angles.yaw_rad;
+    fish->depth_goal_m = -0.6f * around->size_m.y;
+}
+
+void think(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    fish->thought_tick = (uint8_t)around->tick;
+    fish->falls = (uint8_t)swim_fall(fish);
+    if (fish->falls) {
+        fall(fish, index, around);
+        return;
+    }
+    feel(fish, index, around);
+    gait_tick(fish, index, around);
+    swim_wander(fish, index, around);
+    shun(fish, around);
+    swim_resolve(fish, around);
+}
