@@ -144,7 +144,7 @@ static float slow_tau_s(const struct fish *fish, const struct law *law)
         return 0.25f;
     }
     const int runs_out =
-        fish->gait == GAIT_SWIM && fish->speed_m_s > law->swim_speed_max * fish->length_m;
+        fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, law);
     return runs_out ? RUN_OUT_TAU_S : SWIM_GLIDE_TAU_S;
 }
 
@@ -167,7 +167,7 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
     }
 }
 
-static void turn(struct fish *fish)
+static void turn(struct fish *fish, const struct law *law)
 {
     const float error_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
     /* A start among others, too: a long tail that swings as if it were alone goes through them. */
@@ -177,7 +177,8 @@ static void turn(struct fish *fish)
         f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
     /* It banks into the turn a little, as fish with a high back do. */
-    const float bank_rad = f_clamp(-0.07f * fish->yaw_rate_rad_s, -0.2f, 0.2f);
+    const float bank_rad =
+        law->banks ? f_clamp(-0.07f * fish->yaw_rate_rad_s, -0.2f, 0.2f) : 0.0f;
     fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, 0.2f);
 }
 
@@ -191,7 +192,7 @@ static void speed_up_or_glide(struct fish *fish)
 
 void swim_move(struct fish *fish, const struct law *law)
 {
-    turn(fish);
+    turn(fish, law);
     fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
     fish->angles.pitch_rad = ease(fish->angles.pitch_rad, fish->pitch_goal_rad, PITCH_TAU_S);
     speed_up_or_glide(fish);
@@ -199,7 +200,7 @@ void swim_move(struct fish *fish, const struct law *law)
     const float z = -f_cos(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.z;
     /* Pushes never add to what a burst leaves. */
     vec3 velocity =
-        v3_limit(v3(x, 0.0f, z), f_max(law->swim_speed_max * fish->length_m, fish->speed_m_s));
+        v3_limit(v3(x, 0.0f, z), f_max(gait_speed_max_m_s(fish, law), fish->speed_m_s));
     velocity.y = fish->push_m_s.y + fish->climb_m_s;
     fish->position_m = v3_mad(fish->position_m, velocity, DT);
 }

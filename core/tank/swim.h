@@ -32,7 +32,7 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
 void swim_resolve(struct fish *fish, const struct surroundings *around);
 
 /* One tick by the fish's orders: turns, climbs, speeds up or glides, and moves. The horizontal
- * speed, pushes included, is at most `law->swim_speed_max`, or the fish's own when that is more:
+ * speed, pushes included, is at most gait_speed_max_m_s(), or the fish's own when that is more:
  * what is left of a burst or an escape runs out within half a second. */
 void swim_move(struct fish *fish, const struct law *law);
 
