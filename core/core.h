@@ -43,6 +43,7 @@ struct core {
 
 /* 1 MiB is what the smallest board keeps for it, with the scene beside it in as much again. */
 _Static_assert(sizeof(struct core) <= 1024u * 1024u, "the core's state outgrew its budget");
+_Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
 _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its budget");
 
 /* Fills `core` with a fresh stall in attract mode. On an error it is untouched. */

@@ -22,10 +22,10 @@ struct avoid_party {
     vec3 forward; /* Unit, along the nose. */
     float speed_m_s;
     float length_m, height_m;
-    uint16_t index;
+    fish_index index;
     /* As in struct fish: who gives way already, to whom, since when. */
     uint8_t avoiding;
-    uint16_t avoid_with;
+    fish_index avoid_with;
     uint32_t avoid_since;
 };
 
@@ -36,7 +36,7 @@ struct avoid_advice {
     float turn;      /* -1 right, +1 left, 0 keep straight. */
     float rise;      /* -1 down, +1 up: should turning not do within 0.5 s. */
     uint32_t since;  /* Tick in which the encounter began, for either of the two. */
-    uint16_t with;   /* The other. */
+    fish_index with;  /* The other. */
 };
 
 struct avoid_pair {

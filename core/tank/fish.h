@@ -7,6 +7,16 @@
 #include "core/tank/box.h"
 #include "core/tank/law.h"
 
+#ifndef TANK_FISH_MAX
+#define TANK_FISH_MAX 2048u /* Room for the deepest tank; what each holds is in preset.h. The bench
+                               builds with more. */
+#endif
+#if TANK_FISH_MAX <= 65536u
+typedef uint16_t fish_index;
+#else
+typedef uint32_t fish_index;
+#endif
+
 /* A body whose top stands so far out of the water is in the air; a ripple is not. */
 #define FISH_AIRBORNE_M 0.003f
 
@@ -52,7 +62,7 @@ struct fish {
     float avoid_left_s;   /* Of giving way; then, of keeping its depth a little longer. */
     float avoid_turn;     /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
-    uint16_t avoid_with;
+    fish_index avoid_with;
     uint8_t falls;        /* Through the air: nothing else moves it. */
     uint8_t beats;        /* Its tail drives; else it glides. */
     float brake;        /* [0, 1] of its speed that a fish ahead leaves it. */

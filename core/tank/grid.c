@@ -41,28 +41,27 @@ uint32_t grid_cell(const struct grid *grid, vec3 point_m)
     return row * grid->columns + column;
 }
 
-static vec3 point_at(const vec3 *first, uint32_t stride, uint32_t index)
+void grid_fill(struct grid *grid, const struct body *body, const uint8_t *flags, uint8_t which,
+               uint32_t count)
 {
-    vec3 point;
-    memcpy(&point, (const char *)first + (size_t)stride * index, sizeof point);
-    return point;
-}
-
-void grid_fill(struct grid *grid, const vec3 *first, uint32_t stride, uint32_t count)
-{
-    CORE_ASSERT(count <= GRID_FISH_MAX);
+    CORE_ASSERT(count <= TANK_FISH_MAX);
     const uint32_t cell_count = grid->columns * grid->rows;
     memset(grid->start, 0, sizeof grid->start[0] * (cell_count + 1u));
     for (uint32_t i = 0; i < count; i++) {
-        grid->cell_of[i] = (uint16_t)grid_cell(grid, point_at(first, stride, i));
-        grid->start[grid->cell_of[i]]++;
+        if (flags[i] & which) {
+            grid->cell_of[i] = grid_cell(grid, body[i].centre_m);
+            grid->start[grid->cell_of[i]]++;
+        }
     }
     for (uint32_t c = 1; c <= cell_count; c++) {
-        grid->start[c] = (uint16_t)(grid->start[c] + grid->start[c - 1u]);
+        grid->start[c] += grid->start[c - 1u];
     }
+    grid->count = grid->start[cell_count];
     /* Each start is now its cell's end; filling from the back leaves it at the beginning, in order.
      */
     for (uint32_t i = count; i-- > 0;) {
-        grid->item[--grid->start[grid->cell_of[i]]] = (uint16_t)i;
+        if (flags[i] & which) {
+            grid->item[--grid->start[grid->cell_of[i]]] = (fish_index)i;
+        }
     }
 }

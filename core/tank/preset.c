@@ -4,7 +4,6 @@
 #include "core/base/panic.h"
 #include "core/morph/morph.h"
 #include "core/tank/fish.h"
-#include "core/tank/grid.h"
 
 #define BODY_FILL_MAX                                                                              \
     0.12f /* Of the water. 5 s of 600 fish (0.11) leave one pair a tick a hair's                   \
@@ -147,5 +146,5 @@ uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale
         (float)AGE_SAMPLES;
     const float water_m3 = area_scale * size_m.x * size_m.y * size_m.z;
     const float count = BODY_FILL_MAX * water_m3 / body_m3;
-    return (uint32_t)f_clamp(count, 1.0f, (float)GRID_FISH_MAX);
+    return (uint32_t)f_clamp(count, 1.0f, (float)TANK_FISH_MAX);
 }

@@ -39,7 +39,7 @@ const struct tank_preset *tank_preset(uint8_t id);
 /* The age of a fish that draws `draw` in [0, 1). */
 float tank_preset_age_days(const struct tank_preset *preset, float draw);
 
-/* How many fish its water holds without overlap, 1 .. GRID_FISH_MAX, on `area_scale` of its floor:
+/* How many fish its water holds without overlap, 1 .. TANK_FISH_MAX, on `area_scale` of its floor:
  * their boxes, at the mean over its ages, then fill an eighth of it. Beyond, fish are shut in and
  * parting them comes to no end. */
 uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale);

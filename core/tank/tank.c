@@ -107,22 +107,25 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
 static void take_bodies(struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->crowd.count; i++) {
-        tank->fish[tank->crowd.body[i].fish].position_m = tank->crowd.body[i].box.centre_m;
+        if (tank->crowd.flags[i] & CROWD_SWIMS) {
+            tank->fish[i].position_m = tank->crowd.body[i].centre_m;
+        }
     }
 }
 
 /* Random places overlap; parting them until none does is quicker than drawing until none would. */
 static void spread_out(struct tank *tank)
 {
-    const struct tank_bounds bounds = tank_bounds(tank);
+    const struct part_place place = { .bounds = tank_bounds(tank) };
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
-        crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space, NULL);
-        crowd_clear(&tank->crowd, &bounds, 0, 0);
-        crowd_meet(&tank->crowd, tank->size_m, tank_law(tank), tank->seed, round);
+        const struct surroundings around = surroundings_of(tank, round, NULL, 0);
+        crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+        part_clear(&tank->part, &tank->crowd, &place);
+        crowd_look(&tank->crowd, tank->fish, &around);
         if (round > 0 && tank->crowd.overlap_count == 0) {
             return;
         }
-        crowd_part(&tank->crowd, &bounds, 0, 0);
+        part_bodies(&tank->part, &tank->crowd, &place);
         take_bodies(tank);
     }
 }
@@ -214,41 +217,44 @@ static void move(struct tank *tank)
 static void heed(struct tank *tank, const struct surroundings *around)
 {
     for (uint32_t i = 0; i < tank->crowd.count; i++) {
-        const struct crowd_body *body = &tank->crowd.body[i];
-        struct fish *fish = &tank->fish[body->fish];
-        fish->push_m_s =
-            v3_lerp(fish->push_m_s, v3_limit(body->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
-        fish->room = f_min(body->room, fish->room + ROOM_PER_S * around->dt_s);
+        if (!(tank->crowd.flags[i] & CROWD_SWIMS)) {
+            continue;
+        }
+        const struct company *company = &tank->crowd.company[i];
+        struct fish *fish = &tank->fish[i];
+        fish->push_m_s = v3_lerp(fish->push_m_s,
+                                 v3_limit(company->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
+        fish->room = f_min(company->room, fish->room + ROOM_PER_S * around->dt_s);
         if (fish->gait != GAIT_ESCAPE) {
-            avoid_tick(fish, &body->advice, body->brake, around);
+            avoid_tick(fish, &company->advice, company->brake, around);
         }
     }
 }
 
 /* Who is where, and what follows from it. */
-static void look(struct tank *tank, const struct tank_bounds *bounds,
+static void look(struct tank *tank, const struct part_place *place,
                  const struct surroundings *around)
 {
-    struct crowd *crowd = &tank->crowd;
-    crowd_gather(crowd, tank->fish, tank->fish_count, tank->space, tank->before_m);
-    crowd_clear(crowd, bounds, around->obstacles, around->obstacle_count);
-    crowd_meet(crowd, tank->size_m, around->law, tank->seed, around->tick);
+    crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+    part_clear(&tank->part, &tank->crowd, place);
+    crowd_look(&tank->crowd, tank->fish, around);
     heed(tank, around);
 }
 
-static void part(struct tank *tank, const struct tank_bounds *bounds,
-                 const struct surroundings *around)
+static void part(struct tank *tank, const struct part_place *place)
 {
-    crowd_part(&tank->crowd, bounds, around->obstacles, around->obstacle_count);
+    part_bodies(&tank->part, &tank->crowd, place);
     take_bodies(tank);
 }
 
 static void settle(struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->crowd.count; i++) {
-        const struct crowd_body *body = &tank->crowd.body[i];
-        struct fish *fish = &tank->fish[body->fish];
-        swim_settle(fish, v3_sub(fish->position_m, tank->before_m[body->fish]), body->forward);
+        if (tank->crowd.flags[i] & CROWD_SWIMS) {
+            struct fish *fish = &tank->fish[i];
+            swim_settle(fish, v3_sub(fish->position_m, tank->before_m[i]),
+                        v3_scale(tank->crowd.body[i].back, -1.0f));
+        }
     }
 }
 
@@ -270,13 +276,14 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
                uint32_t obstacle_count)
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
-    const struct tank_bounds bounds = tank_bounds(tank);
     const struct surroundings around = surroundings_of(tank, tick, obstacles, obstacle_count);
+    const struct part_place place = { tank_bounds(tank), obstacles, obstacle_count,
+                                      tank->before_m };
     drip(tank, tick);
     think_in_turn(tank, around);
     move(tank);
-    look(tank, &bounds, &around);
-    part(tank, &bounds, &around);
+    look(tank, &place, &around);
+    part(tank, &place);
     settle(tank);
 }
 

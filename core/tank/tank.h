@@ -10,13 +10,11 @@
 #include "core/tank/crowd.h"
 #include "core/tank/fish.h"
 #include "core/tank/obstacle.h"
+#include "core/tank/part.h"
 #include "core/tank/preset.h"
 #include "core/tank/water.h"
 
-#define TANK_FISH_MAX 2048u /* Room for the deepest tank; what each holds is in preset.h. */
 #define TANK_OBSTACLE_MAX (2u * POI_MAX)
-_Static_assert(TANK_FISH_MAX == GRID_FISH_MAX, "every fish has a place in the grid");
-_Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
 
 struct tank {
     uint32_t seed;
@@ -29,6 +27,7 @@ struct tank {
     struct water water;
     /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
     struct crowd crowd;
+    struct part part;
     vec3 before_m[TANK_FISH_MAX]; /* Where fish were when the tick began. */
 };
 

@@ -104,7 +104,8 @@ static const struct field tank_fields[] = {
     FIELD(tank, seed),          FIELD(tank, preset), FIELD(tank, size_m),
     FIELD(tank, wall_height_m), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
-    SKIP(tank, crowd),          SKIP(tank, before_m),
+    SKIP(tank, crowd),          SKIP(tank, part),
+    SKIP(tank, before_m),
 };
 
 static const struct field water_fields[] = {

@@ -1,4 +1,4 @@
-/* test_crowd.c -- the pair search against all pairs, and what parting leaves. */
+/* test_crowd.c -- the pair search against all pairs, and what the look makes of them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,13 @@
 static struct crowd crowd;
 static struct fish fish[600];
 static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
-static const struct tank_bounds bounds = { { -0.68f, -0.20f, -0.325f }, { 0.68f, 0.0f, 0.325f } };
+
+static void look(uint32_t tick)
+{
+    struct surroundings around = *pond_at(1, tick);
+    around.size_m = tank_m;
+    crowd_look(&crowd, fish, &around);
+}
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
 {
@@ -42,11 +48,10 @@ static uint32_t check_against_all_pairs(uint32_t count)
             listed[i][j] = 0;
         }
     }
-    crowd_gather(&crowd, fish, count, 0.2f, NULL);
-    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
+    crowd_gather(&crowd, fish, count, 0.2f);
+    look(0);
     for (uint32_t c = 0; c < crowd.contact_count; c++) {
-        const uint32_t a = crowd.body[crowd.contact[c][0]].fish,
-                       b = crowd.body[crowd.contact[c][1]].fish;
+        const uint32_t a = crowd.contact[c].a, b = crowd.contact[c].b;
         assert_int_equal(listed[a][b], 0); /* Once each. */
         listed[a][b] = listed[b][a] = 1;
     }
@@ -108,35 +113,12 @@ static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
     fill_at_random(10, 0.1f, 0.05f);
     fish[2].gait = GAIT_HELD;
     fish[7].gait = GAIT_BOWL;
-    crowd_gather(&crowd, fish, 10, 0.2f, NULL);
-    assert_int_equal(crowd.count, 8);
-    for (uint32_t i = 0; i < crowd.count; i++) {
-        assert_true(crowd.body[i].fish != 2 && crowd.body[i].fish != 7);
+    crowd_gather(&crowd, fish, 10, 0.2f);
+    look(0);
+    assert_int_equal(crowd.grid.count, 8);
+    for (uint32_t k = 0; k < crowd.grid.count; k++) {
+        assert_true(crowd.grid.item[k] != 2 && crowd.grid.item[k] != 7);
     }
-}
-
-static void test_parting_ends_overlaps_and_keeps_walls(void **state)
-{
-    (void)state;
-    fill_at_random(400, 0.3f, 0.06f);
-    crowd_gather(&crowd, fish, 400, 0.2f, NULL);
-    crowd_clear(&crowd, &bounds, 0, 0);
-    for (int tick = 0; tick < 40; tick++) {
-        crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
-        crowd_part(&crowd, &bounds, 0, 0);
-        crowd_clear(&crowd, &bounds, 0, 0);
-    }
-    float deepest_m = 0.0f;
-    for (uint32_t i = 0; i < crowd.count; i++) {
-        const vec3 p = crowd.body[i].box.centre_m, extent = crowd.body[i].extent_m;
-        assert_true(f_abs(p.x) + extent.x < 0.68f + 1e-5f);
-        assert_true(f_abs(p.z) + extent.z < 0.325f + 1e-5f);
-        assert_true(p.y + extent.y < 1e-5f && p.y - extent.y > -0.20f - 1e-5f);
-        for (uint32_t j = 0; j < i; j++) {
-            deepest_m = f_max(deepest_m, box_depth_m(&crowd.body[i].box, &crowd.body[j].box));
-        }
-    }
-    assert_true(deepest_m < 1e-5f);
 }
 
 static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
@@ -150,70 +132,17 @@ static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
     }
     uint32_t pairs = 0;
     for (uint32_t tick = 0; tick < 48; tick++) {
-        crowd_gather(&crowd, fish, COUNT, 0.2f, NULL);
-        crowd_meet(&crowd, tank_m, pond_law(), 1, tick);
+        crowd_gather(&crowd, fish, COUNT, 0.2f);
+        look(tick);
         assert_int_equal(crowd.contact_count, CROWD_CONTACT_MAX);
         assert_true(crowd.overlap_count > 2u * CROWD_CONTACT_MAX);
         for (uint32_t c = 0; c < crowd.contact_count; c++) {
-            const uint32_t a = crowd.body[crowd.contact[c][0]].fish,
-                           b = crowd.body[crowd.contact[c][1]].fish;
+            const uint32_t a = crowd.contact[c].a, b = crowd.contact[c].b;
             pairs += !served[a][b];
             served[a][b] = served[b][a] = 1;
         }
     }
     assert_true(pairs == crowd.overlap_count);
-}
-
-static void test_nobody_is_shoved_farther_than_three_millimetres_beyond_its_own_motion(void **state)
-{
-    (void)state;
-    static vec3 before_m[300];
-    fill_at_random(300, 0.3f, 0.06f);
-    for (uint32_t i = 0; i < 300; i++) { /* Crammed, each after a move of 2 mm. */
-        fish[i].position_m = v3_scale(fish[i].position_m, 0.5f);
-        fish[i].position_m.y -= 0.05f;
-        before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
-    }
-    crowd_gather(&crowd, fish, 300, 0.2f, before_m);
-    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
-    const uint32_t before = crowd.overlap_count;
-    crowd_part(&crowd, &bounds, 0, 0);
-    float farthest_m = 0.0f;
-    for (uint32_t i = 0; i < crowd.count; i++) {
-        const vec3 step = v3_sub(crowd.body[i].box.centre_m, before_m[i]);
-        farthest_m = f_max(farthest_m, v3_length(v3(step.x, 0.0f, step.z)));
-    }
-    print_message("%u overlaps, farthest step %.2f mm\n", before, (double)(1000.0f * farthest_m));
-    assert_true(before > 100);
-    assert_true(farthest_m > 0.003f && farthest_m < 0.00501f);
-}
-
-static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
-{
-    (void)state;
-    /* A small fish stands still; a large one rushed 10 mm into it, and goes back. */
-    const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
-    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
-    fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
-    crowd_gather(&crowd, fish, 2, 0.2f, before_m);
-    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
-    crowd_part(&crowd, &bounds, 0, 0);
-    assert_true(crowd.body[0].box.centre_m.x > -0.00301f);
-    assert_true(box_depth_m(&crowd.body[0].box, &crowd.body[1].box) < 1e-5f);
-}
-
-static void test_the_larger_of_two_gives_way_less(void **state)
-{
-    (void)state;
-    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.08f) };
-    fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, WAKIN(0.04f) };
-    crowd_gather(&crowd, fish, 2, 0.2f, NULL);
-    crowd_meet(&crowd, tank_m, pond_law(), 1, 0);
-    crowd_part(&crowd, &bounds, 0, 0);
-    const float large_m = -crowd.body[0].box.centre_m.x,
-                small_m = crowd.body[1].box.centre_m.x - 0.009f;
-    assert_true(large_m > 0.0f);
-    assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* As their masses. */
 }
 
 static void test_personal_space_shrinks_only_in_a_crowd(void **state)
@@ -232,12 +161,7 @@ int main(void)
         cmocka_unit_test(test_the_grid_finds_pairs_that_lie_across_its_lines),
         cmocka_unit_test(test_all_fish_in_one_corner_are_still_found),
         cmocka_unit_test(test_held_and_bowl_fish_are_not_in_the_crowd),
-        cmocka_unit_test(test_parting_ends_overlaps_and_keeps_walls),
         cmocka_unit_test(test_a_list_that_is_full_leaves_out_others_each_tick),
-        cmocka_unit_test(
-            test_nobody_is_shoved_farther_than_three_millimetres_beyond_its_own_motion),
-        cmocka_unit_test(test_who_cannot_give_way_leaves_it_to_the_other),
-        cmocka_unit_test(test_the_larger_of_two_gives_way_less),
         cmocka_unit_test(test_personal_space_shrinks_only_in_a_crowd),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

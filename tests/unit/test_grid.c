@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -10,20 +11,28 @@
 #include "core/tank/grid.h"
 
 static struct grid grid;
-static vec3 points[GRID_FISH_MAX];
+static struct body bodies[TANK_FISH_MAX];
+static uint8_t flags[TANK_FISH_MAX];
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
 {
     return rng_range((struct rng_key){ 5, 0, who, purpose }, low, high);
 }
 
+static void fill(uint32_t count)
+{
+    memset(flags, 1, sizeof flags);
+    grid_fill(&grid, bodies, flags, 1, count);
+}
+
 static void fill_at_random(uint32_t count, float width, float breadth)
 {
     for (uint32_t i = 0; i < count; i++) {
-        points[i] = v3(draw(i, 1, -0.55f * width, 0.55f * width), 0.0f,
-                       draw(i, 2, -0.55f * breadth, 0.55f * breadth)); /* Some lie outside. */
+        /* Some lie outside. */
+        bodies[i].centre_m = v3(draw(i, 1, -0.55f * width, 0.55f * width), 0.0f,
+                                draw(i, 2, -0.55f * breadth, 0.55f * breadth));
     }
-    grid_fill(&grid, points, sizeof points[0], count);
+    fill(count);
 }
 
 static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
@@ -37,7 +46,7 @@ static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
     assert_int_equal(grid.start[cells], 1000);
     for (uint32_t cell = 0; cell < cells; cell++) {
         for (uint32_t k = grid.start[cell]; k < grid.start[cell + 1u]; k++) {
-            assert_int_equal(grid_cell(&grid, points[grid.item[k]]), cell);
+            assert_int_equal(grid_cell(&grid, bodies[grid.item[k]].centre_m), cell);
             seen[grid.item[k]]++;
         }
     }
@@ -54,12 +63,13 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
     fill_at_random(800, 1.36f, 0.65f);
     for (uint32_t i = 0; i < 800; i++) {
         for (uint32_t j = 0; j < i; j++) {
-            const float dx = points[i].x - points[j].x, dz = points[i].z - points[j].z;
+            const float dx = bodies[i].centre_m.x - bodies[j].centre_m.x,
+                        dz = bodies[i].centre_m.z - bodies[j].centre_m.z;
             if (dx * dx + dz * dz >= reach * reach) {
                 continue;
             }
-            const int32_t a = (int32_t)grid_cell(&grid, points[i]),
-                          b = (int32_t)grid_cell(&grid, points[j]);
+            const int32_t a = (int32_t)grid_cell(&grid, bodies[i].centre_m),
+                          b = (int32_t)grid_cell(&grid, bodies[j].centre_m);
             const int32_t columns = (int32_t)grid.columns;
             assert_in_range((uint64_t)(a % columns - b % columns + 1), 0, 2);
             assert_in_range((uint64_t)(a / columns - b / columns + 1), 0, 2);
@@ -81,15 +91,30 @@ static void test_no_points_at_all_leave_every_cell_empty(void **state)
 {
     (void)state;
     grid_layout(&grid, 0.85f, 0.55f, 0.1f);
-    grid_fill(&grid, points, sizeof points[0], 0);
+    fill(0);
     assert_int_equal(grid.start[grid.columns * grid.rows], 0);
+}
+
+static void test_who_lacks_the_flag_is_left_out(void **state)
+{
+    (void)state;
+    grid_layout(&grid, 0.85f, 0.55f, 0.1f);
+    fill_at_random(100, 0.85f, 0.55f);
+    for (uint32_t i = 0; i < 100; i++) {
+        flags[i] = i % 3u == 0 ? 5 : 4;
+    }
+    grid_fill(&grid, bodies, flags, 1, 100);
+    assert_int_equal(grid.count, 34);
+    for (uint32_t k = 0; k < grid.count; k++) {
+        assert_int_equal(grid.item[k] % 3u, 0);
+    }
 }
 
 static void test_more_points_than_the_grid_holds_are_a_bug(void **state)
 {
     (void)state;
     grid_layout(&grid, 0.85f, 0.55f, 0.1f);
-    expect_assert_failure(grid_fill(&grid, points, sizeof points[0], GRID_FISH_MAX + 1u));
+    expect_assert_failure(grid_fill(&grid, bodies, flags, 1, TANK_FISH_MAX + 1u));
 }
 
 int main(void)
@@ -99,6 +124,7 @@ int main(void)
         cmocka_unit_test(test_points_within_reach_lie_in_neighbouring_cells),
         cmocka_unit_test(test_a_tiny_reach_makes_larger_cells_rather_than_too_many),
         cmocka_unit_test(test_no_points_at_all_leave_every_cell_empty),
+        cmocka_unit_test(test_who_lacks_the_flag_is_left_out),
         cmocka_unit_test(test_more_points_than_the_grid_holds_are_a_bug),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

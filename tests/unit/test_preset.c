@@ -88,7 +88,7 @@ static void test_water_holds_fish_by_its_volume(void **state)
     preset.size_m.y *= 2.0f;
     assert_in_range(tank_preset_fish_max(&preset, 1.0f), 2u * max, 2u * max + 1u);
     preset.size_m.y *= 100.0f;
-    assert_int_equal(tank_preset_fish_max(&preset, 1.0f), GRID_FISH_MAX);
+    assert_int_equal(tank_preset_fish_max(&preset, 1.0f), TANK_FISH_MAX);
     preset.size_m.y = 1e-6f;
     assert_int_equal(tank_preset_fish_max(&preset, 1.0f), 1);
 }

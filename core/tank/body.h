@@ -1,0 +1,45 @@
+/* body.h -- a fish as geometry alone: one cache line that search, walls and parting share.
+ *
+ * Four quads of four floats, so that lanes load them as they lie. */
+#ifndef KINGYO_CORE_TANK_BODY_H
+#define KINGYO_CORE_TANK_BODY_H
+
+#include "core/tank/box.h"
+
+struct body {
+    vec3 centre_m;
+    float half_x_m; /* Half the width, along `right`. */
+    vec3 right;     /* Unit axes in the world, as struct basis. */
+    float half_y_m; /* Half the height, along `up`. */
+    vec3 up;
+    float half_z_m; /* Half the length, along `back`. */
+    vec3 back;
+    float margin_m; /* Personal space beyond the body, on every side. */
+};
+_Static_assert(sizeof(struct body) == 64u, "a body is a cache line, four quads of floats");
+
+static inline struct body body_of(const struct box *box, float margin_m)
+{
+    return (struct body){ box->centre_m, box->half_m.x, box->axes.right, box->half_m.y,
+                          box->axes.up,  box->half_m.z, box->axes.back,  margin_m };
+}
+
+static inline struct box body_box(const struct body *body)
+{
+    return (struct box){
+        .centre_m = body->centre_m,
+        .axes = { body->right, body->up, body->back },
+        .half_m = { body->half_x_m, body->half_y_m, body->half_z_m },
+    };
+}
+
+/* Half the size of the upright box that holds the body. */
+static inline vec3 body_extent_m(const struct body *body)
+{
+    const float x = body->half_x_m, y = body->half_y_m, z = body->half_z_m;
+    return v3(f_abs(body->right.x) * x + f_abs(body->up.x) * y + f_abs(body->back.x) * z,
+              f_abs(body->right.y) * x + f_abs(body->up.y) * y + f_abs(body->back.y) * z,
+              f_abs(body->right.z) * x + f_abs(body->up.z) * y + f_abs(body->back.z) * z);
+}
+
+#endif

@@ -1,0 +1,142 @@
+/* test_part.c -- what parting leaves of a crowd's overlaps. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "core/tank/part.h"
+#include "tests/unit/pond.h"
+
+static struct crowd crowd;
+static struct part part;
+static struct fish fish[400];
+static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
+static struct part_place place = { .bounds = { { -0.68f, -0.20f, -0.325f },
+                                               { 0.68f, 0.0f, 0.325f } } };
+
+static void look(void)
+{
+    struct surroundings around = *pond_at(1, 0);
+    around.size_m = tank_m;
+    crowd_look(&crowd, fish, &around);
+}
+
+static float draw(uint32_t who, uint32_t purpose, float low, float high)
+{
+    return rng_range((struct rng_key){ 21, 0, who, purpose }, low, high);
+}
+
+static void fill_at_random(uint32_t count, float pitch_max, float length_max)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        fish[i] = (struct fish){
+            .position_m =
+                v3(draw(i, 1, -0.65f, 0.65f), draw(i, 2, -0.19f, -0.01f), draw(i, 3, -0.3f, 0.3f)),
+            .angles = { draw(i, 4, -F_PI, F_PI), draw(i, 5, -pitch_max, pitch_max), 0.0f },
+            WAKIN(draw(i, 6, 0.03f, length_max)),
+        };
+    }
+}
+
+static void gather(uint32_t count, const vec3 *before_m)
+{
+    place.before_m = before_m;
+    crowd_gather(&crowd, fish, count, 0.2f);
+    part_clear(&part, &crowd, &place);
+}
+
+static float depth_m(uint32_t first, uint32_t second)
+{
+    const struct box a = body_box(&crowd.body[first]), b = body_box(&crowd.body[second]);
+    return box_depth_m(&a, &b);
+}
+
+static void test_parting_ends_overlaps_and_keeps_walls(void **state)
+{
+    (void)state;
+    fill_at_random(400, 0.3f, 0.06f);
+    gather(400, NULL);
+    for (int tick = 0; tick < 40; tick++) {
+        look();
+        part_bodies(&part, &crowd, &place);
+        part_clear(&part, &crowd, &place);
+    }
+    float deepest_m = 0.0f;
+    for (uint32_t i = 0; i < crowd.count; i++) {
+        const vec3 p = crowd.body[i].centre_m, extent = body_extent_m(&crowd.body[i]);
+        assert_true(f_abs(p.x) + extent.x < 0.68f + 1e-5f);
+        assert_true(f_abs(p.z) + extent.z < 0.325f + 1e-5f);
+        assert_true(p.y + extent.y < 1e-5f && p.y - extent.y > -0.20f - 1e-5f);
+        for (uint32_t j = 0; j < i; j++) {
+            deepest_m = f_max(deepest_m, depth_m(i, j));
+        }
+    }
+    assert_true(deepest_m < 1e-5f);
+}
+
+static void test_nobody_is_shoved_farther_than_three_millimetres_beyond_its_own_motion(void **state)
+{
+    (void)state;
+    static vec3 before_m[300];
+    fill_at_random(300, 0.3f, 0.06f);
+    for (uint32_t i = 0; i < 300; i++) { /* Crammed, each after a move of 2 mm. */
+        fish[i].position_m = v3_scale(fish[i].position_m, 0.5f);
+        fish[i].position_m.y -= 0.05f;
+        before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
+    }
+    gather(300, before_m);
+    look();
+    const uint32_t before = crowd.overlap_count;
+    part_bodies(&part, &crowd, &place);
+    float farthest_m = 0.0f;
+    for (uint32_t i = 0; i < crowd.count; i++) {
+        const vec3 step = v3_sub(crowd.body[i].centre_m, before_m[i]);
+        farthest_m = f_max(farthest_m, v3_length(v3(step.x, 0.0f, step.z)));
+    }
+    print_message("%u overlaps, farthest step %.2f mm\n", before, (double)(1000.0f * farthest_m));
+    assert_true(before > 100);
+    assert_true(farthest_m > 0.003f && farthest_m < 0.00501f);
+}
+
+static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
+{
+    (void)state;
+    /* A small fish stands still; a large one rushed 10 mm into it, and goes back. */
+    const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
+    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
+    gather(2, before_m);
+    look();
+    part_bodies(&part, &crowd, &place);
+    assert_true(crowd.body[0].centre_m.x > -0.00301f);
+    assert_true(depth_m(0, 1) < 1e-5f);
+}
+
+static void test_the_larger_of_two_gives_way_less(void **state)
+{
+    (void)state;
+    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.08f) };
+    fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    gather(2, NULL);
+    look();
+    part_bodies(&part, &crowd, &place);
+    const float large_m = -crowd.body[0].centre_m.x,
+                small_m = crowd.body[1].centre_m.x - 0.009f;
+    assert_true(large_m > 0.0f);
+    assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* As their masses. */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_parting_ends_overlaps_and_keeps_walls),
+        cmocka_unit_test(
+            test_nobody_is_shoved_farther_than_three_millimetres_beyond_its_own_motion),
+        cmocka_unit_test(test_who_cannot_give_way_leaves_it_to_the_other),
+        cmocka_unit_test(test_the_larger_of_two_gives_way_less),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
