@@ -3,6 +3,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 #include "core/game/hand.h"
 #include "core/game/let_go.h"
 #include "core/poi/catch.h"
@@ -71,10 +72,46 @@ static void tick_water(struct core *core, const uint8_t live[POI_MAX])
     }
 }
 
-static void tick_fish(struct core *core)
+/* Nobody's arm is longer than the tank and the shadow's own breadth. */
+static struct shade_cast fan_shade(const struct core *core, const struct shade_input *shade)
+{
+    if (!shade->present) {
+        return (struct shade_cast){ 0 };
+    }
+    CORE_ASSERT(f_is_finite(shade->x_m));
+    CORE_ASSERT(f_is_finite(shade->z_m));
+    CORE_ASSERT(f_is_finite(shade->radius_m));
+    const float radius_m = f_clamp(shade->radius_m, SHADE_RADIUS_MIN_M, SHADE_RADIUS_MAX_M);
+    const float x_m = 0.5f * core->tank.size_m.x + radius_m;
+    const float z_m = 0.5f * core->tank.size_m.z + radius_m;
+    return (struct shade_cast){
+        .present = 1,
+        .x_m = f_clamp(shade->x_m, -x_m, x_m),
+        .z_m = f_clamp(shade->z_m, -z_m, z_m),
+        .radius_m = radius_m,
+        .dark = SHADE_FAN_DARK,
+    };
+}
+
+static void gather_shades(struct core *core, const struct input *input)
+{
+    struct shade_cast casts[TANK_SHADE_MAX] = { 0 };
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        casts[i] = fan_shade(core, &input->shade[i]);
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (hand_plays(core, i)) {
+            casts[SHADE_MAX + i] = poi_shade(&core->poi[i]);
+        }
+    }
+    tank_cast(&core->tank, casts);
+}
+
+static void tick_fish(struct core *core, const struct input *input)
 {
     struct obstacle obstacles[TANK_OBSTACLE_MAX];
     const uint32_t count = gather_obstacles(core, obstacles);
+    gather_shades(core, input);
     tank_tick(&core->tank, core->tick, obstacles, count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         bowl_tick(&core->bowl[i], i, &core->tank, core->tick);
@@ -101,7 +138,7 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
     game_tick(core, input, output, targets, live);
     tick_pois(core, input, targets, live, output);
     tick_water(core, live);
-    tick_fish(core);
+    tick_fish(core, input);
     tick_catch(core, live, landed, output);
     game_score(core, landed);
     core->tick++;

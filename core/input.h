@@ -13,7 +13,8 @@
 #define CORE_TICK_HZ 120u /* The only step length there is. Two ticks a frame at 60 Hz. */
 #define CORE_TICK_S (1.0f / 120.0f)
 
-#define POI_MAX 4u /* Players at one tank, as at a real stall. */
+#define POI_MAX 4u   /* Players at one tank, as at a real stall. */
+#define SHADE_MAX 4u /* Fans and hands over the water: one a player. */
 
 enum input_button {
     INPUT_START = 1u << 0,
@@ -46,12 +47,24 @@ struct poi_input {
     struct poi_target target; /* Ignored unless link is POI_LINK_LIVE. */
 };
 
+/* A fan (uchiwa) or a hand that someone holds over the water. Light falls from straight above, so
+ * what it shades is the round column of water under it. */
+struct shade_input {
+    uint8_t present;
+    float x_m, z_m; /* Its middle, world; any finite value, clamped to the tank by the core. */
+    float radius_m; /* Any finite value, clamped to SHADE_RADIUS_MIN_M .. _MAX_M by the core. */
+};
+
+#define SHADE_RADIUS_MIN_M 0.01f /* A finger. */
+#define SHADE_RADIUS_MAX_M 0.30f /* Who leans over the tank. */
+
 struct input {
     uint32_t held;            /* enum input_button levels. */
     uint32_t pressed;         /* Edges; each press is in exactly one tick's input. */
     uint32_t coin_count;      /* Coins since the last tick, each in exactly one tick's input. */
     uint32_t record_saved_id; /* Newest output.record id known to be on disk; 0 is none. */
     struct poi_input poi[POI_MAX];
+    struct shade_input shade[SHADE_MAX];
 };
 
 #endif

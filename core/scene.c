@@ -95,6 +95,18 @@ static void show_bowl(const struct bowl *bowl, uint32_t index, struct scene_bowl
     };
 }
 
+static void show_fan(const struct shade_cast *cast, uint32_t index, struct scene_fan *out)
+{
+    *out = (struct scene_fan){
+        .present = cast->present,
+        .owner = (uint8_t)index,
+        .x_m = cast->x_m,
+        .z_m = cast->z_m,
+        .radius_m = cast->radius_m,
+        .dark = cast->dark,
+    };
+}
+
 static void show_game(const struct core *core, struct scene *scene)
 {
     const struct game *game = &core->game;
@@ -123,6 +135,9 @@ void core_scene(const struct core *core, struct scene *scene)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         show_poi(core, i, &scene->poi[i]);
         show_bowl(&core->bowl[i], i, &scene->bowl[i]);
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        show_fan(&tank->shade[i].cast, i, &scene->fan[i]);
     }
     water_slopes(&tank->water, tank->size_m, scene->slope);
     show_game(core, scene);

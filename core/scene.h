@@ -56,6 +56,15 @@ struct scene_bowl {
     uint32_t fish_count;
 };
 
+/* A fan that someone holds over the water, and with it its shadow. */
+struct scene_fan {
+    uint8_t present;
+    uint8_t owner;           /* Player index, chooses its picture. */
+    float x_m, z_m;          /* Middle of the shadow on the water, straight below the light. */
+    float radius_m;
+    float dark;              /* [0, 1] of the light that it takes. */
+};
+
 enum scene_phase {
     PHASE_ATTRACT = 0,
     PHASE_READY = 1,  /* A few seconds to take the poi. */
@@ -95,6 +104,7 @@ struct scene {
     struct scene_fish fish[SCENE_FISH_MAX];
     struct scene_poi poi[POI_MAX];
     struct scene_bowl bowl[POI_MAX];
+    struct scene_fan fan[SHADE_MAX];
     int8_t slope[RIPPLE_Z][RIPPLE_X][2]; /* Surface slope (x, z) * 508: +-127 is +-0.25. */
 
     uint8_t phase;           /* enum scene_phase */

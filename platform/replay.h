@@ -28,7 +28,7 @@
 #include "core/core.h"
 #include "core/input.h"
 
-#define REPLAY_VERSION 1u
+#define REPLAY_VERSION 2u /* 1 knew no shadows: it is refused by its number. */
 #define REPLAY_HEADER_SIZE 64u
 #define REPLAY_CHUNK_HEAD_SIZE 32u
 #define REPLAY_END_SIZE 32u
@@ -36,9 +36,10 @@
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
 #define REPLAY_PROGRAM_SIZE 16u
 
-/* One tick at most: mask, buttons, edges, coins, saved id, four poi of a mask, a link and six
- * floats, and the digest. */
-#define REPLAY_TICK_SIZE_MAX (1u + 4u * 4u + POI_MAX * (1u + 1u + 6u * 4u) + 4u)
+/* One tick at most: mask, buttons, edges, coins, saved id, a mask of hands, each poi with a mask, a
+ * link and six floats, each shade with a mask, its presence and three floats, and the digest. */
+#define REPLAY_TICK_SIZE_MAX                                                                       \
+    (1u + 4u * 4u + 1u + POI_MAX * (1u + 1u + 6u * 4u) + SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
 /* What the header says. */

@@ -1,9 +1,10 @@
 /* replay_codec.c -- one input as the bytes that differ from the input before.
  *
- * First a mask: which of held, pressed, coin_count, record_saved_id and each poi follow. Then
- * those, the numbers as u32; a poi as a mask of its own, its link and wrist in one byte, and
- * those floats that changed, as their bits. Floats travel whole: a play must come back to the
- * last bit. */
+ * First a mask: which of held, pressed, coin_count, record_saved_id and of what hands hold follow.
+ * Then those, the numbers as u32; of what hands hold, a mask of pois (low half) and shades (high
+ * half), and of each of these a mask of its own, one byte (a poi's link and wrist, a shade's
+ * presence), and those floats that changed, as their bits. Floats travel whole: a play must come
+ * back to the last bit. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -13,19 +14,33 @@ enum {
     HAS_PRESSED = 1u << 1, /* Edges and coins are not differences: absent means none. */
     HAS_COINS = 1u << 2,
     HAS_SAVED_ID = 1u << 3,
-    HAS_POI = 1u << 4, /* Of poi 0; the others follow. */
+    HAS_HANDS = 1u << 4,
+    HAS_ALL = (1u << 5) - 1u,
 };
 
 enum {
-    POI_HAS_LINK = 1u << 0,
-    POI_HAS_FLOAT = 1u << 1, /* Of the first of six. */
+    HANDS_POI = 1u << 0,          /* Of poi 0; the others follow, */
+    HANDS_SHADE = 1u << POI_MAX,  /* and shade 0 after them. */
+};
+
+enum {
+    PART_HAS_BYTE = 1u << 0,
+    PART_HAS_FLOAT = 1u << 1, /* Of the first. */
     POI_FLOATS = 6,
-    POI_MASK_ALL = (1u << (1 + POI_FLOATS)) - 1u,
+    SHADE_FLOATS = 3,
     LINK_WRIST = 1u << 2, /* Bits 0 and 1 are the link. */
     LINK_ALL = 7u,
 };
 
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
+_Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
+
+/* A poi or a shade in the form that both have on disk: a small number and some floats. */
+struct part {
+    uint8_t byte;
+    uint32_t float_count;
+    uint32_t bits[POI_FLOATS];
+};
 
 uint32_t replay_get_u32(const uint8_t *bytes)
 {
@@ -62,35 +77,58 @@ static size_t put_if(int wanted, uint32_t value, uint8_t *out)
     return 4;
 }
 
-static void target_bits(const struct poi_target *target, uint32_t bits[POI_FLOATS])
+static struct part poi_part(const struct poi_input *poi)
 {
-    memcpy(bits, target, sizeof *target);
+    struct part part = { .byte = (uint8_t)(poi->link | (poi->has_wrist ? LINK_WRIST : 0u)),
+                         .float_count = POI_FLOATS };
+    memcpy(part.bits, &poi->target, sizeof poi->target);
+    return part;
 }
 
-static uint8_t link_byte(const struct poi_input *poi)
+static struct part shade_part(const struct shade_input *shade)
 {
-    return (uint8_t)(poi->link | (poi->has_wrist ? LINK_WRIST : 0u));
+    const float floats[SHADE_FLOATS] = { shade->x_m, shade->z_m, shade->radius_m };
+    struct part part = { .byte = shade->present != 0, .float_count = SHADE_FLOATS };
+    memcpy(part.bits, floats, sizeof floats);
+    return part;
 }
 
 /* 0 bytes when nothing changed. */
-static size_t encode_poi(const struct poi_input *before, const struct poi_input *poi, uint8_t *out)
+static size_t encode_part(const struct part *before, const struct part *part, uint8_t *out)
 {
-    uint32_t old[POI_FLOATS];
-    uint32_t new[POI_FLOATS];
     uint8_t mask = 0;
     size_t size = 1;
-    target_bits(&before->target, old);
-    target_bits(&poi->target, new);
-    if (link_byte(poi) != link_byte(before)) {
-        mask |= POI_HAS_LINK;
-        out[size++] = link_byte(poi);
+    if (part->byte != before->byte) {
+        mask |= PART_HAS_BYTE;
+        out[size++] = part->byte;
     }
-    for (unsigned i = 0; i < POI_FLOATS; i++) {
-        const int changed = old[i] != new[i];
-        mask |= (uint8_t)(changed ? (uint32_t)POI_HAS_FLOAT << i : 0u);
-        size += put_if(changed, new[i], out + size);
+    for (unsigned i = 0; i < part->float_count; i++) {
+        const int changed = before->bits[i] != part->bits[i];
+        mask |= (uint8_t)(changed ? (uint32_t)PART_HAS_FLOAT << i : 0u);
+        size += put_if(changed, part->bits[i], out + size);
     }
     out[0] = mask;
+    return mask ? size : 0;
+}
+
+/* 0 bytes when no hand moved. */
+static size_t encode_hands(const struct input *before, const struct input *input, uint8_t *out)
+{
+    uint32_t mask = 0;
+    size_t size = 1;
+    for (unsigned i = 0; i < POI_MAX; i++) {
+        const struct part old = poi_part(&before->poi[i]), new = poi_part(&input->poi[i]);
+        const size_t part_size = encode_part(&old, &new, out + size);
+        mask |= part_size > 0 ? (uint32_t)HANDS_POI << i : 0u;
+        size += part_size;
+    }
+    for (unsigned i = 0; i < SHADE_MAX; i++) {
+        const struct part old = shade_part(&before->shade[i]), new = shade_part(&input->shade[i]);
+        const size_t part_size = encode_part(&old, &new, out + size);
+        mask |= part_size > 0 ? (uint32_t)HANDS_SHADE << i : 0u;
+        size += part_size;
+    }
+    out[0] = (uint8_t)mask;
     return mask ? size : 0;
 }
 
@@ -100,20 +138,16 @@ size_t replay_encode_input(const struct input *before, const struct input *input
     const int pressed = input->pressed != 0;
     const int coins = input->coin_count != 0;
     const int saved = input->record_saved_id != before->record_saved_id;
-    uint32_t mask = (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) |
-                    (coins ? HAS_COINS : 0u) | (saved ? HAS_SAVED_ID : 0u);
+    const uint32_t mask = (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) |
+                          (coins ? HAS_COINS : 0u) | (saved ? HAS_SAVED_ID : 0u);
     size_t size = 1;
     size += put_if(held, input->held, out + size);
     size += put_if(pressed, input->pressed, out + size);
     size += put_if(coins, input->coin_count, out + size);
     size += put_if(saved, input->record_saved_id, out + size);
-    for (unsigned i = 0; i < POI_MAX; i++) {
-        const size_t poi_size = encode_poi(&before->poi[i], &input->poi[i], out + size);
-        mask |= poi_size > 0 ? (uint32_t)HAS_POI << i : 0u;
-        size += poi_size;
-    }
-    out[0] = (uint8_t)mask;
-    return size;
+    const size_t hands_size = encode_hands(before, input, out + size);
+    out[0] = (uint8_t)(mask | (hands_size > 0 ? HAS_HANDS : 0u));
+    return size + hands_size;
 }
 
 /* ---- Decoding ---- */
@@ -146,32 +180,61 @@ static uint32_t take_u32(struct bytes_left *left)
     return value;
 }
 
-static float take_float(struct bytes_left *left)
+static uint32_t take_float_bits(struct bytes_left *left)
 {
     const uint32_t bits = take_u32(left);
     float value;
     memcpy(&value, &bits, sizeof value);
     left->bad |= !f_is_finite(value);
-    return value;
+    return bits;
+}
+
+/* Changes what the mask names; the rest stays. */
+static void decode_part(struct part *part, uint8_t byte_max, struct bytes_left *left)
+{
+    const uint8_t mask = take_u8(left);
+    left->bad |= mask == 0 || mask >> (1u + part->float_count) != 0;
+    if (mask & PART_HAS_BYTE) {
+        part->byte = take_u8(left);
+        left->bad |= part->byte > byte_max;
+    }
+    for (unsigned i = 0; i < part->float_count; i++) {
+        if (mask & (uint32_t)PART_HAS_FLOAT << i) {
+            part->bits[i] = take_float_bits(left);
+        }
+    }
 }
 
 static void decode_poi(struct poi_input *poi, struct bytes_left *left)
 {
+    struct part part = poi_part(poi);
+    decode_part(&part, LINK_ALL, left);
+    poi->link = part.byte & 3u;
+    poi->has_wrist = (part.byte & LINK_WRIST) != 0;
+    memcpy(&poi->target, part.bits, sizeof poi->target);
+}
+
+static void decode_shade(struct shade_input *shade, struct bytes_left *left)
+{
+    float floats[SHADE_FLOATS];
+    struct part part = shade_part(shade);
+    decode_part(&part, 1, left);
+    memcpy(floats, part.bits, sizeof floats);
+    *shade = (struct shade_input){ part.byte, floats[0], floats[1], floats[2] };
+}
+
+static void decode_hands(struct input *input, struct bytes_left *left)
+{
     const uint8_t mask = take_u8(left);
-    float *const floats[POI_FLOATS] = {
-        &poi->target.position_m.x,    &poi->target.position_m.y,     &poi->target.position_m.z,
-        &poi->target.angles.yaw_rad, &poi->target.angles.pitch_rad, &poi->target.angles.roll_rad,
-    };
-    left->bad |= mask == 0 || mask > POI_MASK_ALL;
-    if (mask & POI_HAS_LINK) {
-        const uint8_t link = take_u8(left);
-        left->bad |= link > LINK_ALL;
-        poi->link = link & 3u;
-        poi->has_wrist = (link & LINK_WRIST) != 0;
+    left->bad |= mask == 0;
+    for (unsigned i = 0; i < POI_MAX; i++) {
+        if (mask & (uint32_t)HANDS_POI << i) {
+            decode_poi(&input->poi[i], left);
+        }
     }
-    for (unsigned i = 0; i < POI_FLOATS; i++) {
-        if (mask & POI_HAS_FLOAT << i) {
-            *floats[i] = take_float(left);
+    for (unsigned i = 0; i < SHADE_MAX; i++) {
+        if (mask & (uint32_t)HANDS_SHADE << i) {
+            decode_shade(&input->shade[i], left);
         }
     }
 }
@@ -189,12 +252,10 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
     if (mask & HAS_SAVED_ID) {
         next.record_saved_id = take_u32(&left);
     }
-    for (unsigned i = 0; i < POI_MAX; i++) {
-        if (mask & HAS_POI << i) {
-            decode_poi(&next.poi[i], &left);
-        }
+    if (mask & HAS_HANDS) {
+        decode_hands(&next, &left);
     }
-    left.bad |= (next.held | next.pressed) > INPUT_BUTTON_ALL;
+    left.bad |= mask > HAS_ALL || (next.held | next.pressed) > INPUT_BUTTON_ALL;
     if (left.bad) {
         return 0;
     }

@@ -325,6 +325,20 @@ struct obstacle poi_obstacle(const struct poi *poi)
     };
 }
 
+/* Thin paper takes a third of the light, holes take none. A tilted ring casts an ellipse; the round
+ * shadow of the same area stands for it. */
+struct shade_cast poi_shade(const struct poi *poi)
+{
+    const float flat = f_abs(basis_from_angles(poi->angles).up.y);
+    return (struct shade_cast){
+        .present = poi->immersed <= 0.0f && poi->position_m.y > 0.0f,
+        .x_m = poi->position_m.x,
+        .z_m = poi->position_m.z,
+        .radius_m = POI_OUTER_RADIUS_M * f_sqrt(f_max(flat, 0.05f)),
+        .dark = POI_PAPER_DARK * sheet_left(&poi->sheet),
+    };
+}
+
 uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
 {
     hash = hash_u32(hash, poi->link);

@@ -17,6 +17,7 @@
 #define POI_OUTER_RADIUS_M 0.0465f
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
+#define POI_PAPER_DARK 0.34f /* Of the light: what thin paper over the water takes. */
 #define POI_RIDER_MAX 16u /* 4 cm fish, side by side, cover it; more spill over the ring. */
 _Static_assert(SHEET_LOAD_MAX == 2u * POI_RIDER_MAX, "a body and a slap of each");
 
@@ -71,6 +72,9 @@ void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m);
 
 /* How the fish see it. */
 struct obstacle poi_obstacle(const struct poi *poi);
+
+/* What it casts on the water below it: none once it dips. */
+struct shade_cast poi_shade(const struct poi *poi);
 
 uint64_t poi_hash(uint64_t hash, const struct poi *poi);
 uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi);

@@ -7,6 +7,7 @@
 #include "core/base/vec.h"
 #include "core/tank/law.h"
 #include "core/tank/obstacle.h"
+#include "core/tank/shade.h"
 
 struct surroundings {
     const struct law *law;
@@ -15,6 +16,8 @@ struct surroundings {
     float dt_s; /* Since the same fish last thought. */
     const struct obstacle *obstacles;
     uint32_t obstacle_count;
+    const struct shade *shades; /* Some of them none. */
+    uint32_t shade_count;
 };
 
 #endif

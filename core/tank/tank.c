@@ -38,6 +38,8 @@ static struct surroundings surroundings_of(const struct tank *tank, uint32_t tic
         .dt_s = CORE_TICK_S,
         .obstacles = obstacles,
         .obstacle_count = obstacle_count,
+        .shades = tank->shade,
+        .shade_count = TANK_SHADE_MAX,
     };
 }
 
@@ -287,6 +289,23 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
     settle(tank);
 }
 
+void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX])
+{
+    for (uint32_t i = 0; i < TANK_SHADE_MAX; i++) {
+        shade_tick(&tank->shade[i], &casts[i], CORE_TICK_S);
+    }
+}
+
+uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        count += fish_swims(fish) && shade_covers(cast, fish->position_m);
+    }
+    return count;
+}
+
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
@@ -305,6 +324,9 @@ uint64_t tank_hash(uint64_t hash, const struct tank *tank)
     hash = hash_u32(hash, tank->fish_count);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         hash = fish_hash(hash, &tank->fish[i]);
+    }
+    for (uint32_t i = 0; i < TANK_SHADE_MAX; i++) {
+        hash = shade_hash(hash, &tank->shade[i]);
     }
     return water_hash(hash, &tank->water);
 }

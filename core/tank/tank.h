@@ -12,9 +12,11 @@
 #include "core/tank/obstacle.h"
 #include "core/tank/part.h"
 #include "core/tank/preset.h"
+#include "core/tank/shade.h"
 #include "core/tank/water.h"
 
 #define TANK_OBSTACLE_MAX (2u * POI_MAX)
+#define TANK_SHADE_MAX (SHADE_MAX + POI_MAX) /* Fans and hands, then the dry pois. */
 
 struct tank {
     uint32_t seed;
@@ -25,6 +27,7 @@ struct tank {
     struct fish fish[TANK_FISH_MAX];
     float space; /* Personal space beyond the body, in body lengths; fixed at the start. */
     struct water water;
+    struct shade shade[TANK_SHADE_MAX];
     /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
     struct crowd crowd;
     struct part part;
@@ -58,6 +61,13 @@ void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t 
 
 /* How its fish behave. */
 const struct law *tank_law(const struct tank *tank);
+
+/* What is over the water in this tick; before tank_tick. Never called, nothing ever is. What is not
+ * finite is a bug and asserts. */
+void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX]);
+
+/* How many fish that swim have their middle in such a shadow, whether it falls or not. */
+uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast);
 
 /* One tick of every fish that swims (held and bowl fish are moved by core/poi).
  * `obstacle_count` <= TANK_OBSTACLE_MAX. */

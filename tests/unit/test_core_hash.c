@@ -104,8 +104,17 @@ static const struct field tank_fields[] = {
     FIELD(tank, seed),          FIELD(tank, preset), FIELD(tank, size_m),
     FIELD(tank, wall_height_m), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
-    SKIP(tank, crowd),          SKIP(tank, part),
+    SKIP(tank, shade),          SKIP(tank, crowd),   SKIP(tank, part),
     SKIP(tank, before_m),
+};
+
+static const struct field shade_fields[] = {
+    SKIP(shade, cast), FIELD(shade, edge_m_s), FIELD(shade, age_s), FIELD(shade, still_s),
+};
+
+static const struct field cast_fields[] = {
+    FIELD(shade_cast, present),  FIELD(shade_cast, x_m), FIELD(shade_cast, z_m),
+    FIELD(shade_cast, radius_m), FIELD(shade_cast, dark),
 };
 
 static const struct field water_fields[] = {
@@ -159,6 +168,9 @@ static const struct table tables[] = {
     TABLE(bowl, bowl_fields, &core.bowl[3]),
     TABLE(tank, tank_fields, &core.tank),
     TABLE(water, water_fields, &core.tank.water),
+    TABLE(shade, shade_fields, &core.tank.shade[0]),
+    TABLE(shade, shade_fields, &core.tank.shade[TANK_SHADE_MAX - 1u]),
+    TABLE(shade_cast, cast_fields, &core.tank.shade[1].cast),
     TABLE(fish, fish_fields, &core.tank.fish[0]),
     TABLE(fish, fish_fields, &core.tank.fish[11]),
 };

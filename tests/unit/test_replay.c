@@ -55,6 +55,12 @@ static struct input input_of(uint32_t tick)
         input.poi[i].target.position_m.x = tick % 5u ? 0.25f : rng_range(key, -1.0f, 1.0f);
         input.poi[i].target.angles.roll_rad = tick % 9u ? -0.0f : 0.5f;
     }
+    for (uint32_t i = 1; i < SHADE_MAX; i += 2) {
+        input.shade[i].present = (uint8_t)((tick / 30u + i / 2u) % 2u);
+        input.shade[i].x_m = tick % 6u ? 0.125f : rng_range(key, -0.5f, 0.5f);
+        input.shade[i].z_m = tick % 8u ? -0.0f : 0.2f;
+        input.shade[i].radius_m = tick / 90u % 2u ? 0.10f : 0.08f;
+    }
     return input;
 }
 
@@ -125,6 +131,13 @@ static void test_every_input_comes_back_to_the_bit(void **state)
             assert_memory_equal(&input.poi[i].target, &expected.poi[i].target,
                                 sizeof(struct poi_target));
         }
+        for (uint32_t i = 0; i < SHADE_MAX; i++) {
+            const struct shade_input *shade = &input.shade[i], *meant = &expected.shade[i];
+            assert_int_equal(shade->present, meant->present);
+            assert_memory_equal(&shade->x_m, &meant->x_m, sizeof(float));
+            assert_memory_equal(&shade->z_m, &meant->z_m, sizeof(float));
+            assert_memory_equal(&shade->radius_m, &meant->radius_m, sizeof(float));
+        }
     }
     struct input none;
     assert_int_equal(replay_next(&reader, &none), 0);
@@ -158,7 +171,50 @@ static void test_the_largest_difference_fits_the_bound(void **state)
             .target = { .position_m = { 1.0f, 2.0f, 3.0f }, .angles = { 4.0f, 5.0f, 6.0f } },
         };
     }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        all.shade[i] = (struct shade_input){ 1, 7.0f, 8.0f, 9.0f };
+    }
     assert_int_equal(replay_encode_input(&before, &all, bytes), REPLAY_TICK_SIZE_MAX - 4u);
+}
+
+/* One mask says what follows, another which hands, a third what of the fan; then a float. */
+static void test_a_fan_that_glides_costs_seven_bytes_a_tick(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    struct input before = { .shade[3] = { 1, 0.1f, 0.2f, 0.1f } };
+    struct input after = before;
+    after.shade[3].x_m = 0.101f;
+    assert_int_equal(replay_encode_input(&before, &after, bytes), 7);
+    assert_int_equal(replay_decode_input(&before, bytes, 7), 7);
+    assert_memory_equal(&before.shade[3].x_m, &after.shade[3].x_m, sizeof(float));
+    for (size_t cut = 0; cut < 7; cut++) {
+        assert_int_equal(replay_decode_input(&before, bytes, cut), 0);
+    }
+}
+
+static void test_a_shade_that_no_recorder_writes_is_refused(void **state)
+{
+    (void)state;
+    enum { HANDS = 1 << 4, SHADE_0 = 1 << 4, BYTE = 1, X = 2, NO_SUCH = 16 };
+    static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
+    const uint8_t refused[][8] = {
+        { HANDS, 0 },                     /* Hands changed, but none did. */
+        { HANDS, SHADE_0, 0 },            /* A shade changed in nothing. */
+        { HANDS, SHADE_0, NO_SUCH },      /* A fourth float. */
+        { HANDS, SHADE_0, BYTE, 2 },      /* More than present. */
+        { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
+        { HANDS << 1, 0 },                /* A mask of a later version. */
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        struct input input = { 0 };
+        assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i]), 0);
+        assert_int_equal(input.shade[0].present, 0);
+    }
+    const uint8_t good[8] = { HANDS, SHADE_0, BYTE, 1 };
+    struct input input = { 0 };
+    assert_int_equal(replay_decode_input(&input, good, sizeof good), 4);
+    assert_int_equal(input.shade[0].present, 1);
 }
 
 static void test_a_recording_of_nothing_is_whole(void **state)
@@ -322,6 +378,10 @@ static void test_another_version_is_named(void **state)
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
     assert_non_null(strstr(reader.problem.text, "version 9"));
+    bytes[8] = 1; /* From before there were shadows. */
+    write_file(bytes, size);
+    assert_int_equal(scan(&totals), -1);
+    assert_string_equal(reader.problem.text, "format version 1; this program reads version 2");
 }
 
 static void test_a_huge_file_of_nothing_is_refused_at_its_first_second(void **state)
@@ -499,6 +559,8 @@ int main(void)
         cmocka_unit_test(test_every_input_comes_back_to_the_bit),
         cmocka_unit_test(test_a_still_tick_costs_five_bytes),
         cmocka_unit_test(test_the_largest_difference_fits_the_bound),
+        cmocka_unit_test(test_a_fan_that_glides_costs_seven_bytes_a_tick),
+        cmocka_unit_test(test_a_shade_that_no_recorder_writes_is_refused),
         cmocka_unit_test(test_a_recording_of_nothing_is_whole),
         cmocka_unit_test(test_a_recording_in_progress_is_whole_up_to_its_last_second),
         cmocka_unit_test(test_cut_at_any_byte_it_is_refused),

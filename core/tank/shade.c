@@ -1,0 +1,128 @@
+/* shade.c -- how a shadow ages, draws and frightens. */
+#include "core/tank/shade.h"
+
+#include "core/base/hash.h"
+#include "core/base/panic.h"
+
+#define EDGE_TAU_S 0.10f
+#define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 a frame, 60 frames a second. */
+#define HARDLY_M_S 0.002f    /* A wish so weak has no direction. */
+#define FRIGHT_RIM_M 0.02f   /* So far before its edge a shadow is seen to come. */
+#define FRIGHT_TIME_S 0.10f  /* To an alarm of 1 under a fan: eyes are slower than ears. */
+#define FRIGHT_PLAIN_DARK 0.60f /* From here on darker does not frighten more. */
+
+static int is_finite(const struct shade_cast *cast)
+{
+    return f_is_finite(cast->x_m) && f_is_finite(cast->z_m) && f_is_finite(cast->radius_m) &&
+           f_is_finite(cast->dark);
+}
+
+/* Of the edge that moves fastest: the middle's speed and the growth add up somewhere on it. */
+static float edge_speed_m_s(const struct shade_cast *from, const struct shade_cast *to, float dt_s)
+{
+    const float x_m = to->x_m - from->x_m, z_m = to->z_m - from->z_m;
+    return (f_sqrt(x_m * x_m + z_m * z_m) + f_abs(to->radius_m - from->radius_m)) / dt_s;
+}
+
+void shade_tick(struct shade *shade, const struct shade_cast *cast, float dt_s)
+{
+    if (!cast->present) {
+        *shade = (struct shade){ 0 };
+        return;
+    }
+    CORE_ASSERT(is_finite(cast));
+    CORE_ASSERT(cast->radius_m > 0.0f);
+    if (!shade->cast.present) {
+        *shade = (struct shade){ .cast = *cast };
+        return;
+    }
+    const float edge_m_s = edge_speed_m_s(&shade->cast, cast, dt_s);
+    shade->edge_m_s = f_lerp(shade->edge_m_s, edge_m_s, f_min(1.0f, dt_s / EDGE_TAU_S));
+    shade->cast = *cast;
+    shade->age_s += dt_s;
+    if (shade->edge_m_s > SHADE_MOVES_M_S) {
+        shade->still_s = 0.0f;
+    } else if (shade->edge_m_s <= SHADE_STILL_M_S) {
+        shade->still_s += dt_s;
+    }
+}
+
+float shade_distance_m(const struct shade_cast *cast, vec3 position_m)
+{
+    const float x_m = position_m.x - cast->x_m, z_m = position_m.z - cast->z_m;
+    return f_sqrt(x_m * x_m + z_m * z_m);
+}
+
+int shade_covers(const struct shade_cast *cast, vec3 position_m)
+{
+    return cast->present && shade_distance_m(cast, position_m) < cast->radius_m;
+}
+
+float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m)
+{
+    const float radius_m = shade->cast.radius_m;
+    if (!shade->cast.present || shade->still_s < law->shade_dwell_s) {
+        return 0.0f;
+    }
+    const float reach_m = f_max(0.0f, SHADE_FIELD_RADII * radius_m - distance_m);
+    const float calm_m = SHADE_CALM_RADII * radius_m;
+    const float fade =
+        (distance_m - calm_m) / (SHADE_DEAD_RADII * radius_m - calm_m);
+    return PULL_PER_S * reach_m * f_clamp(fade, 0.0f, 1.0f);
+}
+
+int shade_draw(const struct shade *shades, uint32_t count, const struct law *law, vec3 position_m,
+               float yaw_rad, float length_m, struct shade_course *course)
+{
+    float pull_x = 0.0f, pull_z = 0.0f;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct shade_cast *cast = &shades[i].cast;
+        const float distance_m = cast->present ? shade_distance_m(cast, position_m) : 0.0f;
+        const float pull_m_s = shade_pull_m_s(&shades[i], law, distance_m);
+        if (pull_m_s > 0.0f) { /* Then it is out of the calm, and has a direction. */
+            pull_x += (cast->x_m - position_m.x) * pull_m_s / distance_m;
+            pull_z += (cast->z_m - position_m.z) * pull_m_s / distance_m;
+        }
+    }
+    if (pull_x == 0.0f && pull_z == 0.0f) {
+        return 0;
+    }
+    const vec3 own = v3(-f_sin(course->heading_rad), 0.0f, -f_cos(course->heading_rad));
+    const vec3 drawn = v3_mad(v3(pull_x, 0.0f, pull_z), own, course->speed_m_s);
+    const vec3 wanted = v3_limit(drawn, law->swim_speed_max * length_m);
+    const float along_m_s = -f_sin(yaw_rad) * wanted.x - f_cos(yaw_rad) * wanted.z;
+    course->heading_rad =
+        v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;
+    course->speed_m_s = f_max(0.0f, along_m_s);
+    return 1;
+}
+
+/* A weak contrast alarms little, whatever it does. */
+static float contrast(float dark)
+{
+    return f_clamp((dark - SHADE_SUDDEN_DARK) / (FRIGHT_PLAIN_DARK - SHADE_SUDDEN_DARK), 0.0f,
+                   1.0f);
+}
+
+float shade_alarm(const struct shade *shade, const struct law *law, vec3 position_m, float dt_s)
+{
+    const struct shade_cast *cast = &shade->cast;
+    const int is_sudden = shade->age_s < SHADE_NEW_S || shade->edge_m_s > SHADE_MOVES_M_S;
+    if (!law->shade_frights || !cast->present || !is_sudden ||
+        shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
+        return 0.0f;
+    }
+    return contrast(cast->dark) * dt_s / FRIGHT_TIME_S;
+}
+
+uint64_t shade_hash(uint64_t hash, const struct shade *shade)
+{
+    hash = hash_u32(hash, shade->cast.present);
+    hash = hash_float(hash, shade->cast.x_m);
+    hash = hash_float(hash, shade->cast.z_m);
+    hash = hash_float(hash, shade->cast.radius_m);
+    hash = hash_float(hash, shade->cast.dark);
+    hash = hash_float(hash, shade->edge_m_s);
+    hash = hash_float(hash, shade->age_s);
+    return hash_float(hash, shade->still_s);
+}
