@@ -24,8 +24,8 @@ enum {
 };
 
 enum {
-    PART_HAS_BYTE = 1u << 0,
-    PART_HAS_FLOAT = 1u << 1, /* Of the first. */
+    HELD_HAS_BYTE = 1u << 0,
+    HELD_HAS_FLOAT = 1u << 1, /* Of the first. */
     POI_FLOATS = 6,
     SHADE_FLOATS = 3,
     LINK_WRIST = 1u << 2, /* Bits 0 and 1 are the link. */
@@ -36,7 +36,7 @@ _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a targe
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
 
 /* A poi or a shade in the form that both have on disk: a small number and some floats. */
-struct part {
+struct held {
     uint8_t byte;
     uint32_t float_count;
     uint32_t bits[POI_FLOATS];
@@ -77,35 +77,35 @@ static size_t put_if(int wanted, uint32_t value, uint8_t *out)
     return 4;
 }
 
-static struct part poi_part(const struct poi_input *poi)
+static struct held poi_held(const struct poi_input *poi)
 {
-    struct part part = { .byte = (uint8_t)(poi->link | (poi->has_wrist ? LINK_WRIST : 0u)),
+    struct held held = { .byte = (uint8_t)(poi->link | (poi->has_wrist ? LINK_WRIST : 0u)),
                          .float_count = POI_FLOATS };
-    memcpy(part.bits, &poi->target, sizeof poi->target);
-    return part;
+    memcpy(held.bits, &poi->target, sizeof poi->target);
+    return held;
 }
 
-static struct part shade_part(const struct shade_input *shade)
+static struct held shade_held(const struct shade_input *shade)
 {
     const float floats[SHADE_FLOATS] = { shade->x_m, shade->z_m, shade->radius_m };
-    struct part part = { .byte = shade->present != 0, .float_count = SHADE_FLOATS };
-    memcpy(part.bits, floats, sizeof floats);
-    return part;
+    struct held held = { .byte = shade->present != 0, .float_count = SHADE_FLOATS };
+    memcpy(held.bits, floats, sizeof floats);
+    return held;
 }
 
 /* 0 bytes when nothing changed. */
-static size_t encode_part(const struct part *before, const struct part *part, uint8_t *out)
+static size_t encode_held(const struct held *before, const struct held *held, uint8_t *out)
 {
     uint8_t mask = 0;
     size_t size = 1;
-    if (part->byte != before->byte) {
-        mask |= PART_HAS_BYTE;
-        out[size++] = part->byte;
+    if (held->byte != before->byte) {
+        mask |= HELD_HAS_BYTE;
+        out[size++] = held->byte;
     }
-    for (unsigned i = 0; i < part->float_count; i++) {
-        const int changed = before->bits[i] != part->bits[i];
-        mask |= (uint8_t)(changed ? (uint32_t)PART_HAS_FLOAT << i : 0u);
-        size += put_if(changed, part->bits[i], out + size);
+    for (unsigned i = 0; i < held->float_count; i++) {
+        const int changed = before->bits[i] != held->bits[i];
+        mask |= (uint8_t)(changed ? (uint32_t)HELD_HAS_FLOAT << i : 0u);
+        size += put_if(changed, held->bits[i], out + size);
     }
     out[0] = mask;
     return mask ? size : 0;
@@ -117,16 +117,16 @@ static size_t encode_hands(const struct input *before, const struct input *input
     uint32_t mask = 0;
     size_t size = 1;
     for (unsigned i = 0; i < POI_MAX; i++) {
-        const struct part old = poi_part(&before->poi[i]), new = poi_part(&input->poi[i]);
-        const size_t part_size = encode_part(&old, &new, out + size);
-        mask |= part_size > 0 ? (uint32_t)HANDS_POI << i : 0u;
-        size += part_size;
+        const struct held old = poi_held(&before->poi[i]), new = poi_held(&input->poi[i]);
+        const size_t held_size = encode_held(&old, &new, out + size);
+        mask |= held_size > 0 ? (uint32_t)HANDS_POI << i : 0u;
+        size += held_size;
     }
     for (unsigned i = 0; i < SHADE_MAX; i++) {
-        const struct part old = shade_part(&before->shade[i]), new = shade_part(&input->shade[i]);
-        const size_t part_size = encode_part(&old, &new, out + size);
-        mask |= part_size > 0 ? (uint32_t)HANDS_SHADE << i : 0u;
-        size += part_size;
+        const struct held old = shade_held(&before->shade[i]), new = shade_held(&input->shade[i]);
+        const size_t held_size = encode_held(&old, &new, out + size);
+        mask |= held_size > 0 ? (uint32_t)HANDS_SHADE << i : 0u;
+        size += held_size;
     }
     out[0] = (uint8_t)mask;
     return mask ? size : 0;
@@ -190,37 +190,37 @@ static uint32_t take_float_bits(struct bytes_left *left)
 }
 
 /* Changes what the mask names; the rest stays. */
-static void decode_part(struct part *part, uint8_t byte_max, struct bytes_left *left)
+static void decode_held(struct held *held, uint8_t byte_max, struct bytes_left *left)
 {
     const uint8_t mask = take_u8(left);
-    left->bad |= mask == 0 || mask >> (1u + part->float_count) != 0;
-    if (mask & PART_HAS_BYTE) {
-        part->byte = take_u8(left);
-        left->bad |= part->byte > byte_max;
+    left->bad |= mask == 0 || mask >> (1u + held->float_count) != 0;
+    if (mask & HELD_HAS_BYTE) {
+        held->byte = take_u8(left);
+        left->bad |= held->byte > byte_max;
     }
-    for (unsigned i = 0; i < part->float_count; i++) {
-        if (mask & (uint32_t)PART_HAS_FLOAT << i) {
-            part->bits[i] = take_float_bits(left);
+    for (unsigned i = 0; i < held->float_count; i++) {
+        if (mask & (uint32_t)HELD_HAS_FLOAT << i) {
+            held->bits[i] = take_float_bits(left);
         }
     }
 }
 
 static void decode_poi(struct poi_input *poi, struct bytes_left *left)
 {
-    struct part part = poi_part(poi);
-    decode_part(&part, LINK_ALL, left);
-    poi->link = part.byte & 3u;
-    poi->has_wrist = (part.byte & LINK_WRIST) != 0;
-    memcpy(&poi->target, part.bits, sizeof poi->target);
+    struct held held = poi_held(poi);
+    decode_held(&held, LINK_ALL, left);
+    poi->link = held.byte & 3u;
+    poi->has_wrist = (held.byte & LINK_WRIST) != 0;
+    memcpy(&poi->target, held.bits, sizeof poi->target);
 }
 
 static void decode_shade(struct shade_input *shade, struct bytes_left *left)
 {
     float floats[SHADE_FLOATS];
-    struct part part = shade_part(shade);
-    decode_part(&part, 1, left);
-    memcpy(floats, part.bits, sizeof floats);
-    *shade = (struct shade_input){ part.byte, floats[0], floats[1], floats[2] };
+    struct held held = shade_held(shade);
+    decode_held(&held, 1, left);
+    memcpy(floats, held.bits, sizeof floats);
+    *shade = (struct shade_input){ held.byte, floats[0], floats[1], floats[2] };
 }
 
 static void decode_hands(struct input *input, struct bytes_left *left)
