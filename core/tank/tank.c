@@ -184,6 +184,33 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     return 1;
 }
 
+static void stage(struct fish *fish, const struct tank_stage *wanted, const struct law *law)
+{
+    CORE_ASSERT(wanted->gait <= GAIT_BURST);
+    if (wanted->length_m > 0.0f) {
+        fish_grow(fish, wanted->length_m, law);
+    }
+    fish->position_m = wanted->position_m;
+    fish->angles = wanted->angles;
+    fish->heading_rad = wanted->angles.yaw_rad;
+    fish->depth_goal_m = wanted->position_m.y;
+    fish->stamina = wanted->stamina;
+    fish->gait = wanted->gait;
+    fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Thesis, section 3.2. */
+    fish->speed_m_s = wanted->speed_m_s;
+    fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
+}
+
+void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)
+{
+    const struct law *law = tank_law(tank);
+    CORE_ASSERT(count <= tank->fish_count);
+    for (uint32_t i = 0; i < count; i++) {
+        stage(&tank->fish[i], &stages[i], law);
+    }
+    tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, law);
+}
+
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed)
 {
     struct tank_config config = tank_config_of(preset);

@@ -59,6 +59,20 @@ int tank_open(struct tank *tank, const struct tank_config *config);
 /* The same for a preset with `fish_count` fish; what does not fit is a bug and asserts. */
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
 
+/* A fish where somebody wants it, to stage an encounter. */
+struct tank_stage {
+    vec3 position_m;
+    struct angles angles;
+    float length_m;   /* 0: as the tank gave it. */
+    float speed_m_s;  /* Along the nose, >= 0. */
+    float stamina;    /* [0, 1] */
+    uint8_t gait;     /* GAIT_REST, GAIT_SWIM or GAIT_BURST, for the longest spell there is of it. */
+};
+
+/* Puts the first `count` <= fish_count fish of a tank that was just opened. Bodies must be in the
+ * water and apart. */
+void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count);
+
 /* How its fish behave. */
 const struct law *tank_law(const struct tank *tank);
 

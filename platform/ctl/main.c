@@ -6,7 +6,7 @@
 #include "core/core.h"
 #include "platform/ctl/ctl.h"
 
-static const struct ctl_command *const commands[] = { &ctl_play, &ctl_replay };
+static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_play, &ctl_replay };
 
 enum exit_code ctl_usage(const char *command, const char *format, ...)
 {

@@ -1,0 +1,54 @@
+/* csv.h -- tables of numbers that people write: columns by the names in the first line.
+ *
+ * Nothing is assumed of the order of the columns; those that nobody asks for are passed over. Lines
+ * end in LF or CRLF, empty ones are skipped. What cannot be used is told in one line that names the
+ * file, the line and the column. */
+#ifndef KINGYO_PLATFORM_CTL_CSV_H
+#define KINGYO_PLATFORM_CTL_CSV_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "platform/kiosk/options.h"
+
+#define CSV_COLUMN_MAX 16u
+#define CSV_LINE_MAX 1024u
+
+/* A column that is asked for. */
+struct csv_column {
+    const char *name;
+    double min, max;          /* Of its numbers. */
+    const char *const *words; /* Not null: the value is the place of one of these, ends in null. */
+    uint8_t may_miss;         /* Else a file without it is refused. */
+    double otherwise;         /* Its value where the file has no such column. */
+};
+
+struct csv {
+    const char *speaker; /* "kingyoctl tank: --place" */
+    const char *path;
+    FILE *file;
+    uint32_t line; /* Number of the newest line, from 1. */
+    const struct csv_column *columns;
+    uint32_t column_count;             /* <= CSV_COLUMN_MAX */
+    uint32_t field_of[CSV_COLUMN_MAX]; /* In the file, from 1; 0: the file has none. */
+    char text[CSV_LINE_MAX];
+};
+
+/* Opens `path` and reads its head. EXIT_OK, or EXIT_IO or EXIT_BAD_DATA, told. The strings must
+ * outlive `csv`. */
+enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
+                        const struct csv_column *columns, uint32_t column_count);
+
+/* The next row into values[column_count], EXIT_OK; at the end of the file `*is_end` is set. */
+enum exit_code csv_row(struct csv *csv, double *values, int *is_end);
+
+/* Whether the file has the column `index`. */
+int csv_has(const struct csv *csv, uint32_t index);
+
+/* Tells what is wrong with the newest line's column `index`, and EXIT_BAD_DATA. */
+__attribute__((format(printf, 3, 4)))
+enum exit_code csv_refuse(const struct csv *csv, uint32_t index, const char *format, ...);
+
+void csv_close(struct csv *csv);
+
+#endif

@@ -1,0 +1,75 @@
+/* tank.c -- `kingyoctl tank`: a tank without a screen, measured. */
+#include <stdio.h>
+#include <unistd.h>
+
+#include "platform/ctl/ctl.h"
+#include "platform/ctl/tank_lab.h"
+#include "platform/ctl/tank_report.h"
+#include "platform/ctl/tank_trace.h"
+
+#define PROGRESS_TICKS (2u * CORE_TICK_HZ)
+
+/* Only where somebody looks. */
+static void tell_progress(const struct tank_lab *lab)
+{
+    if (lab->tick % PROGRESS_TICKS == 0 && isatty(STDERR_FILENO)) {
+        fprintf(stderr, "\r%u of %u s", lab->tick / CORE_TICK_HZ,
+                lab->plan->tick_count / CORE_TICK_HZ);
+        fputs(lab->tick + PROGRESS_TICKS > lab->plan->tick_count ? "\n" : "", stderr);
+    }
+}
+
+static void swim(struct tank_lab *lab, struct tank_trace *trace)
+{
+    const struct tank_plan *plan = lab->plan;
+    if (trace->file) {
+        tank_trace_add(trace, &lab->tank, 0);
+    }
+    while (lab->tick < plan->tick_count) {
+        tank_lab_tick(lab);
+        if (trace->file && lab->tick % plan->trace_every == 0) {
+            tank_trace_add(trace, &lab->tank, lab->tick);
+        }
+        tell_progress(lab);
+    }
+}
+
+static enum exit_code measure(struct tank_lab *lab)
+{
+    const struct tank_plan *plan = lab->plan;
+    struct tank_trace trace = { 0 };
+    enum exit_code code = plan->trace ? tank_trace_open(&trace, plan->trace) : EXIT_OK;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    swim(lab, &trace);
+    code = trace.file ? tank_trace_close(&trace) : EXIT_OK;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct tank_figures figures = tank_figures_of(lab);
+    (plan->as_json ? tank_report_json : tank_report_text)(lab, &figures);
+    return EXIT_OK;
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    static struct tank_lab lab;
+    struct tank_plan plan;
+    enum exit_code code = tank_plan_read(&plan, argc, argv);
+    if (code == EXIT_OK) {
+        code = tank_lab_open(&lab, &plan);
+    }
+    if (code == EXIT_OK) {
+        code = measure(&lab);
+        tank_lab_close(&lab);
+    }
+    return code;
+}
+
+const struct ctl_command ctl_tank = {
+    .name = "tank",
+    .summary = "a tank of fish without a screen: figures as text or JSON, trajectories as CSV",
+    .usage = tank_plan_usage,
+    .run = run,
+};

@@ -1,0 +1,207 @@
+/* tank_lab.c -- the order of a tick in the laboratory, and what is counted after it. */
+#include "platform/ctl/tank_lab.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/base/hash.h"
+#include "core/poi/catch.h"
+#include "platform/ctl/tank_place.h"
+
+#define POI_GRADE 5u /* The championship's. */
+
+static const char path_speaker[] = "kingyoctl tank: --poi-path";
+static const char place_speaker[] = "kingyoctl tank: --place";
+
+uint32_t tank_lab_seconds(const struct tank_plan *plan)
+{
+    return plan->tick_count / CORE_TICK_HZ + 1u;
+}
+
+/* ---- Counting ------------------------------------------------------------------------------- */
+
+static int is_shaded(const struct tank_lab *lab, const struct fish *fish)
+{
+    const double now_s = (double)lab->tick / CORE_TICK_HZ;
+    for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
+        const struct plan_shade *shade = &lab->plan->shade[i];
+        const double x = (double)fish->position_m.x - shade->x_m;
+        const double z = (double)fish->position_m.z - shade->z_m;
+        if (now_s >= shade->from_s && now_s <= shade->to_s &&
+            x * x + z * z <= shade->radius_m * shade->radius_m) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void count_second(struct tank_lab *lab)
+{
+    const uint32_t second = lab->tick / CORE_TICK_HZ;
+    for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
+        const struct fish *fish = &lab->tank.fish[i];
+        lab->surfacing_count[second] += fish->gait == GAIT_SURFACE ? 1u : 0u;
+        lab->shade_count[second] += fish_swims(fish) && is_shaded(lab, fish) ? 1u : 0u;
+    }
+}
+
+static void count_fish(struct tank_lab *lab)
+{
+    struct lab_sums *sums = &lab->sums;
+    for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
+        const struct fish *fish = &lab->tank.fish[i];
+        const double speed_m_s = (double)v3_length(fish->velocity_m_s);
+        sums->gait_ticks[fish->gait]++;
+        sums->stamina += (double)fish->stamina;
+        sums->speed_m_s += speed_m_s;
+        sums->speed_max_m_s = fmax(sums->speed_max_m_s, speed_m_s);
+        if (fish->avoiding != lab->avoided[i]) {
+            lab->avoided[i] = fish->avoiding;
+            lab->meetings.by_yaw += fish->avoiding == AVOID_YAW ? 1u : 0u;
+            lab->meetings.by_pitch += fish->avoiding == AVOID_PITCH ? 1u : 0u;
+        }
+    }
+    sums->fish_ticks += lab->tank.fish_count;
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+static float elapsed_ns(const struct timespec *from)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (float)((double)(now.tv_sec - from->tv_sec) * 1e9 +
+                   (double)(now.tv_nsec - from->tv_nsec));
+}
+
+static void tick_tank(struct tank_lab *lab, const struct obstacle *obstacles, uint32_t count)
+{
+    struct timespec begin;
+    clock_gettime(CLOCK_MONOTONIC, &begin);
+    tank_tick(&lab->tank, lab->tick, obstacles, count);
+    lab->tick_ns[lab->tick] = elapsed_ns(&begin);
+}
+
+/* poi -> water -> fish -> catch, as core_tick() has it. */
+static void tick_with_poi(struct tank_lab *lab)
+{
+    const double now_s = (double)(lab->tick + 1u) / CORE_TICK_HZ;
+    const struct poi_grip grip = {
+        .target = tank_path_at(&lab->path, now_s),
+        .has_wrist = 1,
+    };
+    lab->output.sound_count = 0;
+    poi_tick(&lab->poi, &grip, &lab->tank, &lab->bowl, &lab->output.poi[0]);
+    poi_stir(&lab->poi, &lab->tank.water, lab->tank.size_m);
+    if (lab->tick % 2u == 0) {
+        water_step(&lab->tank.water, lab->tank.size_m);
+    }
+    const struct obstacle ring = poi_obstacle(&lab->poi);
+    tick_tank(lab, &ring, 1);
+    catch_tick(&lab->poi, 0, &lab->tank, &lab->bowl, lab->tick, &lab->output);
+}
+
+void tank_lab_tick(struct tank_lab *lab)
+{
+    if (lab->path.count > 0) {
+        tick_with_poi(lab);
+    } else {
+        if (lab->tick % 2u == 0) {
+            water_step(&lab->tank.water, lab->tank.size_m);
+        }
+        tick_tank(lab, NULL, 0);
+    }
+    lab->tick++;
+    count_fish(lab);
+    overlap_add(&lab->overlap, &lab->tank, &lab->overlaps);
+    if (lab->tick % CORE_TICK_HZ == 0) {
+        count_second(lab);
+    }
+}
+
+float tank_lab_oxygen_mg_l(const struct tank_lab *lab)
+{
+    (void)lab;
+    return 0.0f;
+}
+
+uint64_t tank_lab_hash(const struct tank_lab *lab)
+{
+    const uint64_t hash = lab->path.count > 0 ? poi_hash(HASH_START, &lab->poi) : HASH_START;
+    return tank_hash(hash, &lab->tank);
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+static enum exit_code open_tank(struct tank_lab *lab)
+{
+    static struct tank_place place;
+    const struct tank_plan *plan = lab->plan;
+    struct tank_config config = plan->config;
+    if (!plan->place) {
+        return tank_open(&lab->tank, &config) ? EXIT_OK : EXIT_NOT_SO;
+    }
+    const enum exit_code code = tank_place_read(&place, place_speaker, plan->place);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const uint32_t most = tank_fish_max(config.preset, config.area_scale);
+    if (place.count > most) {
+        fprintf(stderr, "%s: %s: %u fish; this tank holds 1 to %u\n", place_speaker, plan->place,
+                place.count, most);
+        return EXIT_BAD_DATA;
+    }
+    config.fish_count = place.count;
+    return tank_open(&lab->tank, &config)
+               ? tank_place_stage(&place, &lab->tank, place_speaker, plan->place)
+               : EXIT_NOT_SO;
+}
+
+static enum exit_code open_poi(struct tank_lab *lab)
+{
+    if (!lab->plan->poi_path) {
+        return EXIT_OK;
+    }
+    const enum exit_code code = tank_path_read(&lab->path, path_speaker, lab->plan->poi_path);
+    if (code == EXIT_OK) {
+        const struct poi_target hand = tank_path_at(&lab->path, 0.0);
+        poi_init(&lab->poi, POI_GRADE, hand.position_m, lab->plan->config.seed);
+        lab->poi.link = POI_LINK_LIVE;
+        lab->poi.angles = hand.angles;
+    }
+    return code;
+}
+
+enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan)
+{
+    memset(lab, 0, sizeof *lab);
+    lab->plan = plan;
+    enum exit_code code = open_tank(lab);
+    code = code == EXIT_OK ? open_poi(lab) : code;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const uint32_t seconds = tank_lab_seconds(plan);
+    lab->tick_ns = calloc(plan->tick_count, sizeof *lab->tick_ns);
+    lab->shade_count = calloc(seconds, sizeof *lab->shade_count);
+    lab->surfacing_count = calloc(seconds, sizeof *lab->surfacing_count);
+    if (!lab->tick_ns || !lab->shade_count || !lab->surfacing_count) {
+        fputs("kingyoctl tank: out of memory\n", stderr);
+        tank_lab_close(lab);
+        return EXIT_IO;
+    }
+    count_second(lab);
+    return EXIT_OK;
+}
+
+void tank_lab_close(struct tank_lab *lab)
+{
+    free(lab->tick_ns);
+    free(lab->shade_count);
+    free(lab->surfacing_count);
+    lab->tick_ns = NULL;
+    lab->shade_count = lab->surfacing_count = NULL;
+}

@@ -1,0 +1,67 @@
+/* tank_lab.h -- a tank without a stall around it, and everything that is measured of it.
+ *
+ * A poi that follows a path is the game's own (core/poi: the hand's spring, water, paper, fish that
+ * ride on it), in the game's order of a tick; only the rules, the bot and the bowl are missing. */
+#ifndef KINGYO_PLATFORM_CTL_TANK_LAB_H
+#define KINGYO_PLATFORM_CTL_TANK_LAB_H
+
+#include <stdint.h>
+
+#include "core/output.h"
+#include "core/poi/bowl.h"
+#include "core/poi/poi.h"
+#include "core/tank/tank.h"
+#include "platform/ctl/overlap.h"
+#include "platform/ctl/tank_path.h"
+#include "platform/ctl/tank_plan.h"
+
+/* Sums over all ticks. */
+struct lab_sums {
+    uint64_t fish_ticks;
+    uint64_t gait_ticks[GAIT_COUNT];
+    double speed_m_s, speed_max_m_s, stamina;
+};
+
+/* What happened in the encounters so far: onsets. */
+struct lab_meetings {
+    uint64_t head_on, side, rear_end, by_yaw, by_pitch;
+};
+
+struct tank_lab {
+    const struct tank_plan *plan;
+    struct tank tank;
+    struct poi poi;   /* While path.count > 0. */
+    struct bowl bowl; /* Never present: a poi without a game has none. */
+    struct output output;
+    struct tank_path path;
+    uint32_t tick; /* Ticks done. */
+
+    struct overlap overlap;
+    struct overlap_count overlaps;
+    struct lab_sums sums;
+    struct lab_meetings meetings;
+    uint8_t avoided[TANK_FISH_MAX]; /* enum fish_avoiding of the tick before. */
+    float oxygen_start_mg_l;
+    float *tick_ns;         /* [plan->tick_count]: of the tank's tick alone. */
+    uint32_t *shade_count;  /* [lab_seconds()]: fish inside the shades that are there ... */
+    uint32_t *surfacing_count; /* ... and at the surface, at the start and after each second. */
+};
+
+/* How many whole seconds there are to count at, the start included. */
+uint32_t tank_lab_seconds(const struct tank_plan *plan);
+
+/* Opens the tank that the plan asks for, with its files read. EXIT_OK, or told. The plan must
+ * outlive the lab. */
+enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan);
+
+/* One tick, measured. */
+void tank_lab_tick(struct tank_lab *lab);
+
+/* Dissolved in the water now. */
+float tank_lab_oxygen_mg_l(const struct tank_lab *lab);
+
+uint64_t tank_lab_hash(const struct tank_lab *lab);
+
+void tank_lab_close(struct tank_lab *lab);
+
+#endif

@@ -1,0 +1,242 @@
+/* tank_plan.c -- options first as they are written, each in its own range; then against each other
+ * and the preset. */
+#include "platform/ctl/tank_plan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/ctl.h"
+#include "platform/number.h"
+
+#define SHADE_FIELD_MAX 48
+
+const char tank_plan_usage[] =
+    "The tank\n"
+    "  --preset NAME          thesis, official or festival (thesis)\n"
+    "  --fish N               how many (the preset's own; with --area-scale at its density)\n"
+    "  --area-scale K         of the preset's floor, 0.05 to 200 (1)\n"
+    "  --stamina H            every fish starts with it, 0 to 100 (the preset's own spread)\n"
+    "  --seed N               of everything random; equal seeds swim alike (1)\n"
+    "  --place FILE           these fish: CSV with x_cm,y_cm,z_cm,yaw_deg, and if there\n"
+    "                         pitch_deg,roll_deg,length_cm,speed_cm_s,gait,stamina\n"
+    "What happens\n"
+    "  --seconds S            for so long, 0.1 to 36000 (10)\n"
+    "  --shade X_CM,Z_CM,R_CM,FROM_S,TO_S\n"
+    "                         a round shade over the water; up to 4 of them\n"
+    "  --poi-path FILE        a hand leads a poi: CSV t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,\n"
+    "                         roll_deg; linear between rows, held after the last. It is the\n"
+    "                         game's own poi with No. 5 paper, and yields as it does\n"
+    "What is told\n"
+    "  --json                 the figures for programs\n"
+    "  --trace FILE           where every fish is, as CSV\n"
+    "  --trace-every TICKS    so often, from tick 0 on (12)\n\n"
+    "Lengths are cm: x to the right, y up from the surface, z toward the player. Angles are\n"
+    "degrees: yaw about +y (0 faces -z), then pitch (lifts the nose), then roll (lowers the\n"
+    "right side). A tick is 1/120 s. Counts per second begin with the start, second 0.\n"
+    "Shares and means are over all fish and ticks; ns_per_fish_tick is the mean of the tank's\n"
+    "own tick; body_overlaps counts pairs and ticks deeper than 0.5 mm.\n";
+
+static const char name[] = "tank";
+
+/* Options whose value is a number, in the order of `ranges`. */
+enum figure {
+    FIGURE_FISH,
+    FIGURE_AREA_SCALE,
+    FIGURE_SECONDS,
+    FIGURE_SEED,
+    FIGURE_STAMINA,
+    FIGURE_TRACE_EVERY,
+    FIGURE_COUNT,
+};
+
+struct range {
+    const char *option;
+    double min, max;
+    uint8_t is_whole;
+};
+
+static const struct range ranges[FIGURE_COUNT] = {
+    [FIGURE_FISH] = { "--fish", 1, TANK_FISH_MAX, 1 },
+    [FIGURE_AREA_SCALE] = { "--area-scale", (double)TANK_AREA_SCALE_MIN,
+                            (double)TANK_AREA_SCALE_MAX, 0 },
+    [FIGURE_SECONDS] = { "--seconds", 0.1, PLAN_SECONDS_MAX, 0 },
+    [FIGURE_SEED] = { "--seed", 0, UINT32_MAX, 1 },
+    [FIGURE_STAMINA] = { "--stamina", 0, 100, 0 },
+    [FIGURE_TRACE_EVERY] = { "--trace-every", 1, PLAN_SECONDS_MAX * CORE_TICK_HZ, 1 },
+};
+
+/* The options as they were written. */
+struct words {
+    uint8_t given[FIGURE_COUNT];
+    double figure[FIGURE_COUNT];
+    uint8_t preset;
+};
+
+static enum exit_code refuse(const char *option, const char *value, const char *expected)
+{
+    return ctl_usage(name, "%s: '%.100s' is not right; expected %s", option, value ? value : "",
+                     expected);
+}
+
+/* ---- One option ----------------------------------------------------------------------------- */
+
+static enum exit_code take_figure(struct words *words, enum figure figure, const char *value)
+{
+    const struct range *range = &ranges[figure];
+    double *out = &words->figure[figure];
+    char expected[96];
+    const int right = number_parse_decimal(value, range->min, range->max, out) &&
+                      (!range->is_whole || floor(*out) == *out);
+    if (!right) {
+        snprintf(expected, sizeof expected, "%s from %.10g to %.10g",
+                 range->is_whole ? "a whole number" : "a number", range->min, range->max);
+        return refuse(range->option, value, expected);
+    }
+    words->given[figure] = 1;
+    return EXIT_OK;
+}
+
+static enum exit_code take_preset(struct words *words, const char *value)
+{
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        if (value && strcmp(value, tank_preset(id)->name) == 0) {
+            words->preset = id;
+            return EXIT_OK;
+        }
+    }
+    return refuse("--preset", value, "thesis, official or festival");
+}
+
+static enum exit_code take_path(const char **path, const char *option, const char *value)
+{
+    *path = value;
+    return value && *value ? EXIT_OK : refuse(option, value, "a path");
+}
+
+/* "X_CM,Z_CM,R_CM,FROM_S,TO_S" into five numbers: 1, or 0. */
+static int read_shade(const char *text, double out[5])
+{
+    static const double min[5] = { -1000, -1000, 0.1, 0, 0 };
+    static const double max[5] = { 1000, 1000, 1000, PLAN_SECONDS_MAX, PLAN_SECONDS_MAX };
+    for (int i = 0; i < 5; i++) {
+        char field[SHADE_FIELD_MAX];
+        const size_t length = strcspn(text, ",");
+        if (length >= sizeof field || (text[length] == ',') != (i < 4)) {
+            return 0;
+        }
+        memcpy(field, text, length);
+        field[length] = '\0';
+        if (!number_parse_decimal(field, min[i], max[i], &out[i])) {
+            return 0;
+        }
+        text += length + (i < 4);
+    }
+    return out[3] < out[4];
+}
+
+static enum exit_code take_shade(struct tank_plan *plan, const char *value)
+{
+    double part[5];
+    if (plan->shade_count == PLAN_SHADE_MAX) {
+        return ctl_usage(name, "--shade: at most %u shades", PLAN_SHADE_MAX);
+    }
+    if (!value || !read_shade(value, part)) {
+        return refuse("--shade", value,
+                      "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 0.1 to 1000 cm, "
+                      "0 <= FROM_S < TO_S <= 36000");
+    }
+    plan->shade[plan->shade_count++] = (struct plan_shade){
+        0.01 * part[0], 0.01 * part[1], 0.01 * part[2], part[3], part[4],
+    };
+    return EXIT_OK;
+}
+
+/* Takes the option and its value; `*used` says how many words that were. */
+static enum exit_code take_option(struct tank_plan *plan, struct words *words, const char *option,
+                                  const char *value, int *used)
+{
+    *used = 2;
+    for (enum figure figure = 0; figure < FIGURE_COUNT; figure++) {
+        if (strcmp(option, ranges[figure].option) == 0) {
+            return take_figure(words, figure, value);
+        }
+    }
+    if (strcmp(option, "--preset") == 0) {
+        return take_preset(words, value);
+    }
+    if (strcmp(option, "--shade") == 0) {
+        return take_shade(plan, value);
+    }
+    if (strcmp(option, "--poi-path") == 0) {
+        return take_path(&plan->poi_path, option, value);
+    }
+    if (strcmp(option, "--place") == 0) {
+        return take_path(&plan->place, option, value);
+    }
+    if (strcmp(option, "--trace") == 0) {
+        return take_path(&plan->trace, option, value);
+    }
+    if (strcmp(option, "--json") == 0) {
+        *used = 1;
+        plan->as_json = 1;
+        return EXIT_OK;
+    }
+    return ctl_usage(name, "unknown option '%.100s'; --help lists them", option);
+}
+
+/* ---- All of them ---------------------------------------------------------------------------- */
+
+/* At the preset's density, unless a number is asked for. */
+static enum exit_code settle_fish(struct tank_plan *plan, const struct words *words)
+{
+    struct tank_config *config = &plan->config;
+    const uint32_t most = tank_fish_max(config->preset, config->area_scale);
+    const double wanted =
+        words->given[FIGURE_FISH]
+            ? words->figure[FIGURE_FISH]
+            : fmax(1.0, round((double)config->fish_count * (double)config->area_scale));
+    if (wanted > (double)most) {
+        return ctl_usage(name, "--fish: %.0f are too many; the %s tank with --area-scale %g holds "
+                         "1 to %u", wanted, tank_preset(config->preset)->name,
+                         (double)config->area_scale, most);
+    }
+    config->fish_count = (uint32_t)wanted;
+    return EXIT_OK;
+}
+
+static enum exit_code settle(struct tank_plan *plan, const struct words *words)
+{
+    struct tank_config *config = &plan->config;
+    const double *figure = words->figure;
+    *config = tank_config_of(words->preset);
+    if (words->given[FIGURE_AREA_SCALE]) {
+        config->area_scale = (float)figure[FIGURE_AREA_SCALE];
+    }
+    if (words->given[FIGURE_SEED]) {
+        config->seed = (uint32_t)figure[FIGURE_SEED];
+    }
+    if (words->given[FIGURE_STAMINA]) {
+        config->stamina_min = config->stamina_max = (float)(0.01 * figure[FIGURE_STAMINA]);
+    }
+    plan->seconds = words->given[FIGURE_SECONDS] ? figure[FIGURE_SECONDS] : 10.0;
+    plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);
+    plan->trace_every =
+        words->given[FIGURE_TRACE_EVERY] ? (uint32_t)figure[FIGURE_TRACE_EVERY] : 12u;
+    return settle_fish(plan, words);
+}
+
+enum exit_code tank_plan_read(struct tank_plan *plan, int argc, const char *const *argv)
+{
+    struct words words = { .preset = TANK_PRESET_THESIS };
+    int used = 0;
+    *plan = (struct tank_plan){ 0 };
+    for (int i = 0; i < argc; i += used) {
+        const char *value = i + 1 < argc ? argv[i + 1] : NULL;
+        const enum exit_code code = take_option(plan, &words, argv[i], value, &used);
+        if (code != EXIT_OK) {
+            return code;
+        }
+    }
+    return settle(plan, &words);
+}
