@@ -31,11 +31,6 @@ static float draw(const struct rider *rider, uint32_t seed, uint32_t tick, uint3
     return rng_unit((struct rng_key){ seed, tick, who, RNG_SHEET_SLAP });
 }
 
-float fish_mass_kg(float length_m)
-{
-    return 2.10e-5f * f_exp(3.0598f * f_ln(100.0f * length_m));
-}
-
 float fish_half_extent_m(const struct fish *fish, vec3 direction)
 {
     const float x = 0.5f * fish->width_m * direction.x;

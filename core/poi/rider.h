@@ -39,9 +39,6 @@ struct ride {
     float radius_m;           /* Of the paper. */
 };
 
-/* Wet mass of a goldfish (Carassius auratus, L. Egirdir): W = 0.0210 L^3.0598, g and cm. */
-float fish_mass_kg(float length_m);
-
 /* Half the thickness of a fish's ellipsoid along a unit direction given in the fish's axes. */
 float fish_half_extent_m(const struct fish *fish, vec3 direction);
 

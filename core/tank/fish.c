@@ -19,6 +19,11 @@ struct box fish_box(const struct fish *fish)
     };
 }
 
+float fish_mass_kg(float length_m)
+{
+    return 2.10e-5f * f_exp(3.0598f * f_ln(100.0f * length_m));
+}
+
 vec3 fish_forward(const struct fish *fish)
 {
     const float cos_pitch = f_cos(fish->angles.pitch_rad);

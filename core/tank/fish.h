@@ -91,6 +91,9 @@ void fish_grow(struct fish *fish, float length_m, const struct law *law);
 
 struct box fish_box(const struct fish *fish);
 
+/* Wet mass of a goldfish (Carassius auratus, L. Egirdir): W = 0.0210 L^3.0598, g and cm. */
+float fish_mass_kg(float length_m);
+
 /* Unit vector along the nose. */
 vec3 fish_forward(const struct fish *fish);
 

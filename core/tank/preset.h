@@ -28,6 +28,7 @@ struct tank_preset {
     vec3 bowl_m;                      /* Mouth centre of the first player's bowl. */
     float bowl_radius_m;              /* Of its rim; fish start clear of it. */
     float temperature_c;              /* Of the water at the start. */
+    float time_compression;           /* So much faster than the fish its oxygen changes. */
     uint8_t pump;                     /* Whether the air stone bubbles. */
     struct law law;
     struct view view;

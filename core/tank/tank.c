@@ -142,12 +142,45 @@ struct tank_config tank_config_of(uint8_t preset_id)
         .area_scale = 1.0f,
         .stamina_min = preset->stamina_min,
         .stamina_max = preset->stamina_max,
+        .temperature_c = preset->temperature_c,
+        .pressure_hpa = OXYGEN_PRESSURE_HPA,
+        .oxygen_mg_l = TANK_OXYGEN_SATURATED,
+        .time_compression = preset->time_compression,
+        .pump = preset->pump,
     };
 }
 
 uint32_t tank_fish_max(uint8_t preset, float area_scale)
 {
     return tank_preset_fish_max(tank_preset(preset), area_scale);
+}
+
+static int within(float value, float low, float high)
+{
+    return value >= low && value <= high; /* So that no NaN is. */
+}
+
+static int water_fits(const struct tank_config *config)
+{
+    return within(config->temperature_c, OXYGEN_TEMPERATURE_MIN_C, OXYGEN_TEMPERATURE_MAX_C) &&
+           within(config->pressure_hpa, OXYGEN_PRESSURE_MIN_HPA, OXYGEN_PRESSURE_MAX_HPA) &&
+           within(config->time_compression, 0.0f, OXYGEN_TIME_COMPRESSION_MAX) &&
+           (config->oxygen_mg_l == TANK_OXYGEN_SATURATED ||
+            within(config->oxygen_mg_l, 0.0f, OXYGEN_MAX_MG_L));
+}
+
+static struct oxygen oxygen_of(const struct tank_config *config)
+{
+    const int full = config->oxygen_mg_l == TANK_OXYGEN_SATURATED;
+    return (struct oxygen){
+        .dissolved_mg_l = full ? oxygen_saturation_mg_l(config->temperature_c,
+                                                        config->pressure_hpa)
+                               : config->oxygen_mg_l,
+        .temperature_c = config->temperature_c,
+        .pressure_hpa = config->pressure_hpa,
+        .time_compression = config->time_compression,
+        .pump = config->pump != 0,
+    };
 }
 
 static int config_fits(const struct tank_config *config)
@@ -159,7 +192,7 @@ static int config_fits(const struct tank_config *config)
     return config->fish_count >= 1u && config->fish_count <= most &&
            config->area_scale >= TANK_AREA_SCALE_MIN && config->area_scale <= TANK_AREA_SCALE_MAX &&
            config->stamina_min >= 0.0f && config->stamina_max <= 1.0f &&
-           config->stamina_min <= config->stamina_max;
+           config->stamina_min <= config->stamina_max && water_fits(config);
 }
 
 int tank_open(struct tank *tank, const struct tank_config *config)
@@ -176,6 +209,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     tank->wall_height_m = preset->wall_height_m;
     tank->fish_count = config->fish_count;
     water_init(&tank->water);
+    tank->oxygen = oxygen_of(config);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         tank->fish[i] = hatch(tank, config, i);
     }
@@ -314,6 +348,7 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
     look(tank, &place, &around);
     part(tank, &place);
     settle(tank);
+    oxygen_tick(&tank->oxygen, tank->fish, tank->fish_count, tank->size_m, tick);
 }
 
 void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX])
@@ -355,5 +390,6 @@ uint64_t tank_hash(uint64_t hash, const struct tank *tank)
     for (uint32_t i = 0; i < TANK_SHADE_MAX; i++) {
         hash = shade_hash(hash, &tank->shade[i]);
     }
+    hash = oxygen_hash(hash, &tank->oxygen);
     return water_hash(hash, &tank->water);
 }

@@ -10,6 +10,7 @@
 #include "core/tank/crowd.h"
 #include "core/tank/fish.h"
 #include "core/tank/obstacle.h"
+#include "core/tank/oxygen.h"
 #include "core/tank/part.h"
 #include "core/tank/preset.h"
 #include "core/tank/shade.h"
@@ -28,6 +29,7 @@ struct tank {
     float space; /* Personal space beyond the body, in body lengths; fixed at the start. */
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
+    struct oxygen oxygen;
     /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
     struct crowd crowd;
     struct part part;
@@ -41,7 +43,14 @@ struct tank_config {
     uint32_t seed;                  /* Any value. */
     float area_scale;               /* Of the preset's floor, TANK_AREA_SCALE_MIN .. _MAX. */
     float stamina_min, stamina_max; /* [0, 1] at the start, uniform. */
+    float temperature_c;            /* OXYGEN_TEMPERATURE_MIN_C .. _MAX_C */
+    float pressure_hpa;             /* OXYGEN_PRESSURE_MIN_HPA .. _MAX_HPA */
+    float oxygen_mg_l;              /* TANK_OXYGEN_SATURATED, or 0 .. OXYGEN_MAX_MG_L. */
+    float time_compression;         /* 0 .. OXYGEN_TIME_COMPRESSION_MAX */
+    uint8_t pump;                   /* Whether the air stone bubbles. */
 };
+
+#define TANK_OXYGEN_SATURATED (-1.0f) /* As much as the water holds, at the start. */
 
 #define TANK_AREA_SCALE_MIN 0.05f
 #define TANK_AREA_SCALE_MAX 200.0f

@@ -104,8 +104,8 @@ static const struct field tank_fields[] = {
     FIELD(tank, seed),          FIELD(tank, preset), FIELD(tank, size_m),
     FIELD(tank, wall_height_m), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
-    SKIP(tank, shade),          SKIP(tank, crowd),   SKIP(tank, part),
-    SKIP(tank, before_m),
+    SKIP(tank, shade),          SKIP(tank, oxygen),  SKIP(tank, crowd),
+    SKIP(tank, part),           SKIP(tank, before_m),
 };
 
 static const struct field shade_fields[] = {
@@ -115,6 +115,12 @@ static const struct field shade_fields[] = {
 static const struct field cast_fields[] = {
     FIELD(shade_cast, present),  FIELD(shade_cast, x_m), FIELD(shade_cast, z_m),
     FIELD(shade_cast, radius_m), FIELD(shade_cast, dark),
+};
+
+static const struct field oxygen_fields[] = {
+    FIELD(oxygen, dissolved_mg_l),   FIELD(oxygen, temperature_c), FIELD(oxygen, pressure_hpa),
+    FIELD(oxygen, time_compression), FIELD(oxygen, breath_mg_h),   FIELD(oxygen, critical_mg),
+    FIELD(oxygen, pump),
 };
 
 static const struct field water_fields[] = {
@@ -171,6 +177,7 @@ static const struct table tables[] = {
     TABLE(shade, shade_fields, &core.tank.shade[0]),
     TABLE(shade, shade_fields, &core.tank.shade[TANK_SHADE_MAX - 1u]),
     TABLE(shade_cast, cast_fields, &core.tank.shade[1].cast),
+    TABLE(oxygen, oxygen_fields, &core.tank.oxygen),
     TABLE(fish, fish_fields, &core.tank.fish[0]),
     TABLE(fish, fish_fields, &core.tank.fish[11]),
 };

@@ -1,0 +1,143 @@
+/* oxygen.c -- solubility, breath, exchange: the balance of one well mixed tank. */
+#include "core/tank/oxygen.h"
+
+#include "core/base/hash.h"
+#include "core/input.h"
+
+#define REFERENCE_C 25.0f
+#define KELVIN 273.15f
+#define HPA_PER_ATM 1013.25f
+#define STILL_M_H 0.03f     /* k_L of a still surface: 2 to 5 cm/h. */
+#define PUMP_PER_H 5.0f     /* kLa of an air stone: 2 to 10 / h. */
+#define COST_MG_KG_M 0.6f   /* Of transport, 5 cm goldfish (Li). */
+#define STEP_H 0.005f       /* The balance's figures are held for so long at most. */
+#define LITRES_PER_M3 1000.0f
+
+/* 1000 K / T less its value at 25 C. Written so that nothing cancels: the terms of the published
+ * polynomials in 1 / T are hundreds, their sum is 2, and single precision would lose a thousandth
+ * of it. Both are therefore expanded about 25 C, where the water of a stall is. */
+static float inverse_kelvin(float temperature_c)
+{
+    const float reference_k = REFERENCE_C + KELVIN;
+    return 1000.0f * (REFERENCE_C - temperature_c) / ((temperature_c + KELVIN) * reference_k);
+}
+
+/* Benson & Krause 1984 at one atmosphere, mg/L. */
+static float saturation_at_1_atm(float z)
+{
+    return f_exp(2.11184299f +
+                 z * (1.63790983f + z * (0.53350163f + z * (0.870736542f - z * 0.8621949f))));
+}
+
+/* Water's vapour, atm: exp(11.8571 - 3840.70 / T - 216961 / T^2). */
+static float vapour_atm(float z)
+{
+    return f_exp(-3.46535769f - z * (5.29608152f + z * 0.216961f));
+}
+
+float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
+{
+    const float z = inverse_kelvin(temperature_c);
+    const float p = pressure_hpa / HPA_PER_ATM;
+    const float u = vapour_atm(z);
+    const float theta =
+        0.000975f - temperature_c * (1.426e-5f - temperature_c * 6.436e-8f);
+    return saturation_at_1_atm(z) * ((p - u) * (1.0f - theta * p)) /
+           ((1.0f - u) * (1.0f - theta));
+}
+
+/* Routine rate of young Carassius auratus grandoculis, 15 to 30 C (Yamanaka): 0.0674 W^-0.193
+ * e^(0.0562 T) mg/g/h, W in g. Q10 is 1.75. */
+float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
+{
+    const float mass_g = 1000.0f * mass_kg;
+    const float routine = 0.0674f * f_exp(0.807f * f_ln(mass_g) + 0.0562f * temperature_c);
+    return routine + COST_MG_KG_M * mass_kg * 3600.0f * speed_m_s;
+}
+
+/* The same author: 1.35 W^-0.107 mg/L, whatever the temperature. */
+float oxygen_critical_mg_l(float mass_kg)
+{
+    return 1.35f * f_exp(-0.107f * f_ln(1000.0f * mass_kg));
+}
+
+float oxygen_exchange_per_h(float water_depth_m, int pump)
+{
+    return STILL_M_H / water_depth_m + (pump ? PUMP_PER_H : 0.0f);
+}
+
+/* What fish breathe is a share of what there is, constant through a step: so the step is that of a
+ * linear law, exact and stable. 1 - exp(-x) without its cancellation: to 1e-6 for x below 0.2. */
+static float step(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
+{
+    const float share_per_h =
+        balance->breath_mg_l_h / f_max(dissolved_mg_l, balance->critical_mg_l);
+    const float rate_per_h = balance->exchange_per_h + share_per_h;
+    const float x = rate_per_h * hours;
+    const float approached = x / (1.0f + x * (0.5f + x * (1.0f / 12.0f)));
+    if (approached <= 0.0f) {
+        return dissolved_mg_l;
+    }
+    const float end_mg_l = balance->exchange_per_h * balance->saturation_mg_l / rate_per_h;
+    return dissolved_mg_l + (end_mg_l - dissolved_mg_l) * f_min(approached, 1.0f);
+}
+
+float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
+{
+    const uint32_t steps = (uint32_t)(hours / STEP_H) + 1u;
+    for (uint32_t i = 0; i < steps; i++) {
+        dissolved_mg_l = step(dissolved_mg_l, balance, hours / (float)steps);
+    }
+    return dissolved_mg_l;
+}
+
+static void ask(struct oxygen *oxygen, const struct fish *fish)
+{
+    if (fish_swims(fish) && fish->gait != GAIT_SURFACE) {
+        const float mass_kg = fish_mass_kg(fish->length_m);
+        const float breath_mg_h =
+            oxygen_breath_mg_h(mass_kg, oxygen->temperature_c, fish->speed_m_s);
+        oxygen->breath_mg_h += breath_mg_h;
+        oxygen->critical_mg += breath_mg_h * oxygen_critical_mg_l(mass_kg);
+    }
+}
+
+static void second(struct oxygen *oxygen, vec3 size_m)
+{
+    const float litres = LITRES_PER_M3 * size_m.x * size_m.y * size_m.z;
+    const float breath_mg_h = oxygen->breath_mg_h;
+    const struct oxygen_balance balance = {
+        .saturation_mg_l = oxygen_saturation_mg_l(oxygen->temperature_c, oxygen->pressure_hpa),
+        .exchange_per_h = oxygen_exchange_per_h(size_m.y, oxygen->pump),
+        .breath_mg_l_h = breath_mg_h / litres,
+        .critical_mg_l = breath_mg_h > 0.0f ? oxygen->critical_mg / breath_mg_h : 1.0f,
+    };
+    oxygen->dissolved_mg_l =
+        oxygen_after(oxygen->dissolved_mg_l, &balance, oxygen->time_compression / 3600.0f);
+    oxygen->breath_mg_h = 0.0f;
+    oxygen->critical_mg = 0.0f;
+}
+
+void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
+                 uint32_t tick)
+{
+    const uint32_t share = tick % CORE_TICK_HZ;
+    const uint32_t first = (uint32_t)((uint64_t)fish_count * share / CORE_TICK_HZ);
+    const uint32_t end = (uint32_t)((uint64_t)fish_count * (share + 1u) / CORE_TICK_HZ);
+    for (uint32_t i = first; i < end; i++) {
+        ask(oxygen, &fish[i]);
+    }
+    if (share == CORE_TICK_HZ - 1u) {
+        second(oxygen, size_m);
+    }
+}
+
+uint64_t oxygen_hash(uint64_t hash, const struct oxygen *oxygen)
+{
+    const float values[] = {
+        oxygen->dissolved_mg_l,   oxygen->temperature_c, oxygen->pressure_hpa,
+        oxygen->time_compression, oxygen->breath_mg_h,   oxygen->critical_mg,
+    };
+    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
+    return hash_u32(hash, oxygen->pump);
+}
