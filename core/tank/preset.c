@@ -90,9 +90,9 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .time_compression = 1.0f,
         .law = THESIS_LAW,
         .view = {
-            .eye_m = { 0.0f, 1.45f, 0.95f },
-            .target_m = { 0.0f, -0.02f, 0.034f },
-            .half_height_tan = 0.265f,
+            .eye_m = { 0.0f, 1.622f, 0.448f }, /* Steeper: the tank is twice as wide as broad. */
+            .target_m = { 0.0f, -0.02f, 0.008f },
+            .half_height_tan = 0.258f,
             .aspect_min = 16.0f / 9.0f,
         },
     },
@@ -113,9 +113,9 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .time_compression = 1.0f,
         .law = LIVING_WAKIN,
         .view = {
-            .eye_m = { 0.0f, 1.45f, 0.95f },
-            .target_m = { 0.0f, -0.02f, 0.034f },
-            .half_height_tan = 0.265f,
+            .eye_m = { 0.0f, 1.622f, 0.421f }, /* Over a rim 13 cm above the water. */
+            .target_m = { 0.0f, -0.02f, -0.019f },
+            .half_height_tan = 0.274f,
             .aspect_min = 16.0f / 9.0f,
         },
     },

@@ -37,7 +37,7 @@ static void wire(struct demo *demo)
     const struct board_options board = {
         .width = options->width ? options->width : 1280,
         .height = options->height ? options->height : 720,
-        .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
+        .view = tank_preset(options->tank)->view,
     };
     board_open_rehearsal(&demo->session->hal, &board, START_NS);
 }
@@ -50,7 +50,7 @@ static enum exit_code begin(struct demo *demo)
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : DEMO_SEED,
-            .preset = TANK_PRESET_FESTIVAL,
+            .preset = options->tank,
             .fish_count = options->fish_count,
             .language = options->language,
             .round_s = round_s > ROUND_S_MIN ? round_s : ROUND_S_MIN,

@@ -11,7 +11,7 @@
 #include "platform/board.h"
 #include "platform/number.h"
 
-#define TEXT_MAX 64
+#define TEXT_MAX 96
 
 struct option {
     const char *name;
@@ -83,14 +83,26 @@ static int set_seed(struct options *options, const char *value)
     return number_parse(value, 0, UINT32_MAX, &options->seed);
 }
 
-static uint32_t fish_max(void)
+static int set_tank(struct options *options, const char *value)
 {
-    return tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL), 1.0f);
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        if (strcmp(tank_preset(id)->name, value) == 0) {
+            options->tank = id;
+            return 1;
+        }
+    }
+    return 0;
 }
 
+static uint32_t fish_max(uint8_t tank)
+{
+    return tank_preset_fish_max(tank_preset(tank), 1.0f);
+}
+
+/* Whether its tank holds them is asked when the tank is known: too_many_fish(). */
 static int set_fish(struct options *options, const char *value)
 {
-    return number_parse(value, 1, fish_max(), &options->fish_count);
+    return number_parse(value, 1, TANK_FISH_MAX, &options->fish_count);
 }
 
 static int set_record(struct options *options, const char *value)
@@ -150,8 +162,10 @@ static const struct option table[] = {
     { "config", "FILE", "read 'option = value' lines first; options here win", "a path",
       set_config, 1 },
     { "lang", "ja|en", "language of the stall", "ja or en", set_language, 0 },
+    { "tank", "NAME", "festival (the stall), thesis (2013) or official (championship)",
+      "festival, thesis or official", set_tank, 0 },
     { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed, 0 },
-    { "fish", "N", "how many fish; the water holds", "1 to", set_fish, 0 },
+    { "fish", "N", "how many fish; the tanks hold", "1 to", set_fish, 0 },
     { "help", NULL, "this text", NULL, set_help, 1 },
     { "version", NULL, "the version", NULL, set_version, 1 },
 };
@@ -166,14 +180,27 @@ static const struct option *find_option(const char *name, size_t length)
     return NULL;
 }
 
-/* `text`, and for --fish the bound that only the water knows. */
+/* `text`, and for --fish the bounds that only the waters know, in the order of --tank's names. */
 static const char *with_bound(const struct option *option, const char *text, char out[TEXT_MAX])
 {
     if (option->set != set_fish) {
         return text;
     }
-    snprintf(out, TEXT_MAX, "%s %u", text, fish_max());
+    snprintf(out, TEXT_MAX, "%s %u, %u or %u", text, fish_max(TANK_PRESET_FESTIVAL),
+             fish_max(TANK_PRESET_THESIS), fish_max(TANK_PRESET_OFFICIAL));
     return out;
+}
+
+/* Whether the tank is too small for them; then `says` holds a line without its beginning. */
+static int too_many_fish(const struct options *options, char says[TEXT_MAX])
+{
+    const uint32_t most = fish_max(options->tank);
+    if (options->fish_count <= most) {
+        return 0;
+    }
+    snprintf(says, TEXT_MAX, "%u is too many; the %s tank holds 1 to %u", options->fish_count,
+             tank_preset(options->tank)->name, most);
+    return 1;
 }
 
 /* ---- Command line --------------------------------------------------------------------------- */
@@ -244,6 +271,11 @@ int options_parse(struct options *options, int argc, const char *const *argv,
         snprintf(error, OPTIONS_ERROR_MAX, "--record and --replay cannot go together");
         return -1;
     }
+    char says[TEXT_MAX];
+    if (too_many_fish(options, says)) {
+        snprintf(error, OPTIONS_ERROR_MAX, "--fish: %s", says);
+        return -1;
+    }
     return 0;
 }
 
@@ -291,7 +323,7 @@ static const char *read_line(struct options *options, char *line, const char **e
     key = trim(key);
     const struct option *option = find_option(key, strlen(key));
     if (!option || option->only_command_line) {
-        *expects = "one of window, poi, record, shots, data, lang, seed, fish";
+        *expects = "one of window, poi, record, shots, data, lang, tank, seed, fish";
         return "unknown key";
     }
     struct options tried = *options;
@@ -318,6 +350,13 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
         const char *wrong = read_line(options, line, &expects, bound);
         if (wrong && warn) {
             snprintf(text, sizeof text, "%.200s:%u: %s; expected %s", path, number, wrong, expects);
+            warn(text);
+        }
+    }
+    if (too_many_fish(options, bound)) {
+        snprintf(text, sizeof text, "%.200s: fish: %s", path, bound);
+        options->fish_count = 0;
+        if (warn) {
             warn(text);
         }
     }

@@ -30,7 +30,8 @@ struct options {
     uint8_t has_language, language; /* enum language */
     uint8_t has_seed;
     uint32_t seed;
-    uint32_t fish_count;           /* 0: the preset's own. */
+    uint8_t tank;                  /* enum tank_preset_id */
+    uint32_t fish_count;           /* 0: the tank's own. */
     char record[OPTIONS_PATH_MAX]; /* Each "" when not asked for. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
@@ -38,14 +39,16 @@ struct options {
     char config[OPTIONS_PATH_MAX];
 };
 
-/* Sets what `argv` says on top of what `options` holds. 0, or -1 and one line in `error`. */
+/* Sets what `argv` says on top of what `options` holds. 0, or -1 and one line in `error`: also when
+ * the tank cannot hold the fish, in whatever order they were named. */
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
 /* Reads "key = value" lines: the keys are the options' names, '#' at the
  * beginning of a line or after white space begins a comment. A line that
  * cannot be used is told through `warn` (may be null) and skipped: a typing mistake must not
- * keep a stall closed. 0, or a negative errno when the file cannot be read. */
+ * keep a stall closed; nor must more fish than the tank holds. 0, or a negative errno when the
+ * file cannot be read. */
 int options_read_config(struct options *options, const char *path,
                         void (*warn)(const char *line));
 

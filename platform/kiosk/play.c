@@ -128,7 +128,7 @@ int play_open(struct session *session)
         .width = options->width,
         .height = options->height,
         .data_dir = options->data[0] ? options->data : NULL,
-        .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
+        .view = tank_preset(options->tank)->view,
         .on_display_lost = on_display_lost,
         .on_display_lost_self = session,
     };
@@ -150,7 +150,7 @@ static enum exit_code begin(struct session *session)
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : (uint32_t)time(NULL),
-            .preset = TANK_PRESET_FESTIVAL,
+            .preset = options->tank,
             .fish_count = options->fish_count,
             .language = options->language,
             .best_today = best_today,

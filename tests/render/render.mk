@@ -4,7 +4,7 @@ $(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/shell.a $(BUIL
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-## shot: a picture of the stall in out/shot.png; ARGS="--seconds 9 --size 1920x1080 --passes -o FILE"
+## shot: a picture of the stall in out/shot.png; ARGS="--preset official --seconds 9 --size 1920x1080 --passes -o FILE"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
 	@$< $(ARGS)

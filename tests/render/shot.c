@@ -16,7 +16,7 @@
 struct options {
     float seconds, scale;
     uint32_t width, height, samples, fish, seed;
-    uint8_t start, english, passes, paper;
+    uint8_t start, english, passes, paper, preset;
     const char *out;
 };
 
@@ -43,6 +43,17 @@ static double cpu_ms(void)
     return clock_ms(CLOCK_PROCESS_CPUTIME_ID);
 }
 
+static uint8_t preset_named(const char *name)
+{
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        if (!strcmp(tank_preset(id)->name, name)) {
+            return id;
+        }
+    }
+    fprintf(stderr, "no tank '%s': festival, thesis or official\n", name);
+    exit(2);
+}
+
 static struct options parse(int argc, char **argv)
 {
     struct options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png" };
@@ -57,6 +68,8 @@ static struct options parse(int argc, char **argv)
             o.passes = 1;
         } else if (!strcmp(name, "--paper")) {
             o.paper = 1;
+        } else if (!strcmp(name, "--preset")) {
+            o.preset = preset_named(value);
         } else if (!strcmp(name, "--seconds")) {
             o.seconds = strtof(value, NULL);
         } else if (!strcmp(name, "--scale")) {
@@ -79,6 +92,7 @@ static struct options parse(int argc, char **argv)
 static void play(const struct options *options)
 {
     const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
+                                        .preset = options->preset,
                                         .fish_count = options->fish,
                                         .language = options->english ? LANGUAGE_EN : LANGUAGE_JA };
     struct output output = { 0 };

@@ -107,20 +107,41 @@ static void test_a_wrong_option_is_one_line_that_names_it(void **state)
     }
 }
 
-static void test_as_many_fish_as_the_water_holds_and_not_one_more(void **state)
+static void check_most(const char *tank, uint8_t preset)
 {
-    char count[16];
-    const char *const argv[] = { "kingyo", "--fish", count };
-    const unsigned max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL), 1.0f);
-    (void)state;
+    char count[16], most[16];
+    const char *const fish_first[] = { "kingyo", "--fish", count, "--tank", tank };
+    const char *const tank_first[] = { "kingyo", "--tank", tank, "--fish", count };
+    const unsigned max = tank_preset_fish_max(tank_preset(preset), 1.0f);
     snprintf(count, sizeof count, "%u", max);
-    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(parse(COUNT(fish_first), fish_first), 0);
     assert_int_equal(options.fish_count, max);
-    char says[16];
-    memcpy(says, count, sizeof says);
+    assert_int_equal(options.tank, preset);
+    assert_int_equal(parse(COUNT(tank_first), tank_first), 0);
+    memcpy(most, count, sizeof most);
     snprintf(count, sizeof count, "%u", max + 1u);
-    assert_int_equal(parse(COUNT(argv), argv), -1);
-    assert_non_null(strstr(error, says));
+    assert_int_equal(parse(COUNT(fish_first), fish_first), -1);
+    assert_non_null(strstr(error, most)); /* It says how many would be right. */
+    assert_int_equal(parse(COUNT(tank_first), tank_first), -1);
+}
+
+static void test_as_many_fish_as_the_tank_holds_and_not_one_more(void **state)
+{
+    (void)state;
+    check_most("festival", TANK_PRESET_FESTIVAL);
+    check_most("thesis", TANK_PRESET_THESIS);
+    check_most("official", TANK_PRESET_OFFICIAL);
+}
+
+static void test_the_stall_opens_the_festival_tank_and_no_unknown_one(void **state)
+{
+    static const char *const none[] = { "kingyo" };
+    static const char *const unknown[] = { "kingyo", "--tank", "pond" };
+    (void)state;
+    assert_int_equal(parse(COUNT(none), none), 0);
+    assert_int_equal(options.tank, TANK_PRESET_FESTIVAL);
+    assert_int_equal(parse(COUNT(unknown), unknown), -1);
+    assert_non_null(strstr(error, "festival, thesis or official"));
 }
 
 static void test_recording_a_replay_is_refused(void **state)
@@ -210,6 +231,19 @@ static void test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts(void
     assert_int_equal(options.seed, 9);
 }
 
+static void test_a_file_names_the_tank_and_not_more_fish_than_it_holds(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text("fish = 1000\ntank = official\n"), 0);
+    assert_int_equal(warning_count, 0);
+    assert_int_equal(options.tank, TANK_PRESET_OFFICIAL);
+    assert_int_equal(options.fish_count, 1000);
+    assert_int_equal(read_text("fish = 1000\n"), 0);
+    assert_int_equal(warning_count, 1);
+    assert_non_null(strstr(warnings[0], "1000 is too many; the festival tank holds 1 to "));
+    assert_int_equal(options.fish_count, 0); /* The stall opens with its own. */
+}
+
 static void test_a_file_may_not_start_a_demonstration(void **state)
 {
     (void)state;
@@ -231,13 +265,15 @@ int main(void)
         cmocka_unit_test(test_every_option_is_understood),
         cmocka_unit_test(test_demo_needs_no_seconds),
         cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
-        cmocka_unit_test(test_as_many_fish_as_the_water_holds_and_not_one_more),
+        cmocka_unit_test(test_as_many_fish_as_the_tank_holds_and_not_one_more),
+        cmocka_unit_test(test_the_stall_opens_the_festival_tank_and_no_unknown_one),
         cmocka_unit_test(test_recording_a_replay_is_refused),
         cmocka_unit_test(test_a_path_longer_than_any_is_refused),
         cmocka_unit_test(test_a_configuration_file_sets_the_same_things),
         cmocka_unit_test(test_a_number_is_decimal_whatever_it_begins_with),
         cmocka_unit_test(test_a_path_may_hold_what_begins_a_comment),
         cmocka_unit_test(test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts),
+        cmocka_unit_test(test_a_file_names_the_tank_and_not_more_fish_than_it_holds),
         cmocka_unit_test(test_a_file_may_not_start_a_demonstration),
         cmocka_unit_test(test_a_file_that_cannot_be_read_is_an_error),
     };

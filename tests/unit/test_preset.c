@@ -32,14 +32,17 @@ static void test_its_ages_give_fish_of_three_to_eight_centimetres(void **state)
                        0.003f);
 }
 
-static void test_the_bowl_floats_inside_the_tank(void **state)
+static void test_the_bowl_floats_inside_each_tank(void **state)
 {
     (void)state;
-    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
-    const float radius_m = preset->bowl_radius_m;
-    assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The bowl that really floats there. */
-    assert_true(f_abs(preset->bowl_m.x) + radius_m < 0.5f * preset->size_m.x);
-    assert_true(f_abs(preset->bowl_m.z) + radius_m < 0.5f * preset->size_m.z);
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        const struct tank_preset *preset = tank_preset(id);
+        const float radius_m = preset->bowl_radius_m;
+        assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The bowl that really floats there. */
+        assert_true(f_abs(preset->bowl_m.x) + radius_m < 0.5f * preset->size_m.x);
+        assert_true(f_abs(preset->bowl_m.z) + radius_m < 0.5f * preset->size_m.z);
+        assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y); /* Fish pass below it. */
+    }
 }
 
 /* Where a point shows on a screen: within +-1 on both axes is in the picture. */
@@ -51,9 +54,9 @@ static vec3 on_screen(const struct view *view, float aspect, vec3 point_m)
     return v3(p.x / (-p.z * tan_y * aspect), p.y / (-p.z * tan_y), -p.z);
 }
 
-static void check_fits(float aspect)
+static void check_fits(uint8_t id, float aspect)
 {
-    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
+    const struct tank_preset *preset = tank_preset(id);
     const float rim_m = preset->wall_height_m - preset->size_m.y;
     float widest = 0.0f;
     for (int corner = 0; corner < 4; corner++) {
@@ -70,13 +73,42 @@ static void check_fits(float aspect)
     }
 }
 
-static void test_the_whole_tank_is_in_the_picture_on_wide_and_narrow_screens(void **state)
+static void test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens(void **state)
 {
     (void)state;
-    check_fits(16.0f / 9.0f);
-    check_fits(4.0f / 3.0f);
-    check_fits(21.0f / 9.0f);
-    check_fits(9.0f / 16.0f);
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        check_fits(id, 16.0f / 9.0f);
+        check_fits(id, 4.0f / 3.0f);
+        check_fits(id, 21.0f / 9.0f);
+        check_fits(id, 9.0f / 16.0f);
+    }
+}
+
+/* The federation's rules: type A, 1,000 fish of about 4 cm, 10 cm of water, no pump, 20 to 30 C. */
+static void test_official_is_the_championship(void **state)
+{
+    (void)state;
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_OFFICIAL);
+    assert_string_equal(preset->name, "official");
+    assert_float_equal(preset->size_m.x, 1.36f, 1e-6f);
+    assert_float_equal(preset->size_m.z, 0.65f, 1e-6f);
+    assert_float_equal(preset->size_m.y, 0.10f, 1e-6f);
+    assert_int_equal(preset->fish_count, 1000);
+    assert_float_equal(preset->length_m, 0.04f, 1e-6f);
+    assert_in_range((uint32_t)preset->temperature_c, 20, 30);
+    assert_int_equal(preset->pump, 0);
+    assert_true(tank_preset_fish_max(preset, 1.0f) >= 1500);
+}
+
+static void test_living_fish_have_a_slimmer_box_than_the_thesis(void **state)
+{
+    (void)state;
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        const struct law *law = &tank_preset(id)->law;
+        const float height = id == TANK_PRESET_THESIS ? 0.40f : 0.36f;
+        assert_float_equal(law->height_per_length, height, 1e-6f);
+        assert_float_equal(law->width_per_length, 0.20f, 1e-6f);
+    }
 }
 
 static void test_water_holds_fish_by_its_volume(void **state)
@@ -104,8 +136,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_festival_is_the_stall_that_it_says),
         cmocka_unit_test(test_its_ages_give_fish_of_three_to_eight_centimetres),
-        cmocka_unit_test(test_the_bowl_floats_inside_the_tank),
-        cmocka_unit_test(test_the_whole_tank_is_in_the_picture_on_wide_and_narrow_screens),
+        cmocka_unit_test(test_the_bowl_floats_inside_each_tank),
+        cmocka_unit_test(test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens),
+        cmocka_unit_test(test_official_is_the_championship),
+        cmocka_unit_test(test_living_fish_have_a_slimmer_box_than_the_thesis),
         cmocka_unit_test(test_water_holds_fish_by_its_volume),
         cmocka_unit_test(test_an_unknown_preset_is_a_bug),
     };
