@@ -49,7 +49,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
         fish->avoid_left_s,   fish->avoid_turn, fish->brake,          fish->depth_goal_m,
         fish->alarm,          fish->room,       fish->height_m,       fish->width_m,
         fish->depth_stray,
-        fish->speed_goal_m_s, fish->speed_up_keep, fish->slow_keep,
+        fish->drawn_rad,      fish->speed_goal_m_s, fish->speed_up_keep, fish->slow_keep,
         fish->turn_rate_max_rad_s, fish->haste, fish->climb_goal_m_s, fish->pitch_goal_rad,
     };
     hash = fish_hash_quick(hash, fish);

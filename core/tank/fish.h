@@ -72,6 +72,7 @@ struct fish {
     float alarm;        /* [0, 1] fright that the poi left behind; fades. */
 
     /* Orders: what it resolved on when it last thought, beside heading_rad. Each tick obeys. */
+    float drawn_rad;      /* A shadow draws its nose so far off the heading, + left. */
     float speed_goal_m_s; /* Along the nose; `brake` takes its share. */
     float speed_up_keep;  /* [0, 1) of what it is too slow by that is left a tick later ... */
     float slow_keep;      /* ... and of what it is too fast by, when nothing brakes it. */

@@ -167,9 +167,17 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
     }
 }
 
+void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s)
+{
+    fish->beats = speed_goal_m_s > fish->speed_m_s;
+    fish->speed_goal_m_s = speed_goal_m_s;
+    fish->turn_rate_max_rad_s = f_max(fish->turn_rate_max_rad_s, TURN_RATE_SWIM);
+}
+
 static void turn(struct fish *fish, const struct law *law)
 {
-    const float error_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
+    const float error_rad =
+        f_wrap_angle(fish->heading_rad + fish->drawn_rad - fish->angles.yaw_rad);
     /* A start among others, too: a long tail that swings as if it were alone goes through them. */
     const float rate_max = fish->turn_rate_max_rad_s * fish->room;
     const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);

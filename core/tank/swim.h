@@ -31,6 +31,10 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
 /* Turns what the fish wants (gait, depth, giving way) into its orders; see struct fish. */
 void swim_resolve(struct fish *fish, const struct surroundings *around);
 
+/* After that: something draws it on at `speed_goal_m_s`, even out of its rest, and it turns as one
+ * who swims. */
+void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s);
+
 /* One tick by the fish's orders: turns, climbs, speeds up or glides, and moves. The horizontal
  * speed, pushes included, is at most gait_speed_max_m_s(), or the fish's own when that is more:
  * what is left of a burst or an escape runs out within half a second. */

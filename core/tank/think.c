@@ -59,21 +59,57 @@ static void shun(struct fish *fish, const struct surroundings *around)
     swim_shun_turn(fish, &all, around->dt_s);
 }
 
+static void alarm_by(struct fish *fish, vec3 from_m, float alarm, uint32_t index,
+                     const struct surroundings *around)
+{
+    const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
+    fish->alarm = f_min(1.0f, fish->alarm + alarm);
+    if (fish->gait != GAIT_ESCAPE && fish->alarm > ALARM_START_MIN * (1.0f + boldness)) {
+        gait_escape(fish, from_m, index, around);
+    }
+}
+
 /* Takes fright at the poi, or steps aside. */
 static void feel(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     const struct obstacle *obstacles = around->obstacles;
     const float dt_s = around->dt_s;
-    const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
     fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * dt_s);
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
         const vec3 aside_m_s = obstacle_sidestep_m_s(&obstacles[i], fish->position_m);
         const float alarm = dt_s * obstacle_alarm_per_s(&obstacles[i], fish->position_m);
         fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, SIDESTEP_PER_S * dt_s);
-        fish->alarm = f_min(1.0f, fish->alarm + alarm);
-        if (fish->gait != GAIT_ESCAPE && fish->alarm > ALARM_START_MIN * (1.0f + boldness)) {
-            gait_escape(fish, obstacles[i].centre_m, index, around);
+        alarm_by(fish, obstacles[i].centre_m, alarm, index, around);
+    }
+}
+
+/* Shadows frighten: eyes are slow, a thought's time is soon enough. */
+static void see_shades(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    for (uint32_t i = 0; i < around->shade_count; i++) {
+        const struct shade *shade = &around->shades[i];
+        const float alarm =
+            shade_alarm(shade, around->law, fish->position_m, around->dt_s);
+        if (alarm > 0.0f) {
+            const vec3 from_m = v3(shade->cast.x_m, fish->position_m.y, shade->cast.z_m);
+            alarm_by(fish, from_m, alarm, index, around);
         }
+    }
+}
+
+/* What a gait does while a shadow draws: who bursts, flees or gulps has other things in mind. Who
+ * gives way keeps the course that clears the other, at the speed of one who is drawn. */
+static void follow_shade(struct fish *fish, const struct surroundings *around)
+{
+    struct shade_course course = { fish->heading_rad, fish->speed_goal_m_s };
+    const int heeds = fish->gait == GAIT_SWIM || fish->gait == GAIT_REST;
+    fish->drawn_rad = 0.0f;
+    if (heeds && shade_draw(around->shades, around->shade_count, around->law, fish->position_m,
+                            fish->angles.yaw_rad, fish->length_m, &course)) {
+        if (fish->avoiding != AVOID_YAW) {
+            fish->drawn_rad = f_wrap_angle(course.heading_rad - fish->heading_rad);
+        }
+        swim_resolve_drawn(fish, course.speed_m_s);
     }
 }
 
@@ -93,8 +129,10 @@ void think(struct fish *fish, uint32_t index, const struct surroundings *around)
         return;
     }
     feel(fish, index, around);
+    see_shades(fish, index, around);
     gait_tick(fish, index, around);
     swim_wander(fish, index, around);
     shun(fish, around);
     swim_resolve(fish, around);
+    follow_shade(fish, around);
 }

@@ -141,6 +141,7 @@ static const struct field fish_fields[] = {
     FIELD(fish, falls),        FIELD(fish, beats),
     FIELD(fish, brake),        FIELD(fish, room),
     FIELD(fish, depth_goal_m),   FIELD(fish, depth_stray),   FIELD(fish, alarm),
+    FIELD(fish, drawn_rad),
     FIELD(fish, speed_goal_m_s), FIELD(fish, speed_up_keep), FIELD(fish, slow_keep),
     FIELD(fish, turn_rate_max_rad_s), FIELD(fish, haste), FIELD(fish, climb_goal_m_s),
     FIELD(fish, pitch_goal_rad),
