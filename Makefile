@@ -28,7 +28,8 @@ step = $(if $(say),$(say) '$(1)' '$(2)',@:)
 WARN := -Wall -Wextra -Wconversion -Wshadow -Werror -Wmissing-prototypes -Wstrict-prototypes -Wvla
 BASE_CFLAGS := -std=c17 $(OPT) -g $(WARN) -ffp-contract=off -I. -I$(BUILD)/generated
 DEP_FLAGS = -MMD -MP
-CORE_CFLAGS := $(BASE_CFLAGS) -ffreestanding -fno-math-errno -fno-stack-protector -fstack-usage
+CORE_CFLAGS := $(BASE_CFLAGS) -ffreestanding -fno-math-errno -fno-stack-protector -fstack-usage \
+    -Wno-psabi
 HOST_CFLAGS = $(BASE_CFLAGS) -D_GNU_SOURCE $(LIB_CFLAGS) -DKINGYO_BOARD=\"$(BOARD)\"
 HOST_LIBS = $(LIB_LIBS) -lm -lpthread
 TEST_CFLAGS = $(HOST_CFLAGS)
@@ -46,7 +47,14 @@ CTL_SRC := $(wildcard platform/ctl/*.c)
 DRIVER_SRC := $(wildcard drivers/*.c)
 BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 
-CORE_OBJ = $(CORE_SRC:%.c=$(BUILD)/%.o) $(GENERATED_CORE_OBJ)
+# Kernels (core/base/lanes.h) are compiled once for four lanes and, where the compiler makes code for
+# x86-64, once more for eight; the platform says at the start which of the two run.
+KERNEL_SRC := $(filter %_lanes.c,$(CORE_SRC))
+WIDE_CFLAGS := -mavx2 -DLANES_WIDE
+MACHINE = $(eval MACHINE := $$(shell $(CC) -dumpmachine))$(MACHINE)
+WIDE_SRC = $(if $(filter x86_64%,$(MACHINE)),$(KERNEL_SRC))
+
+CORE_OBJ = $(CORE_SRC:%.c=$(BUILD)/%.o) $(WIDE_SRC:%.c=$(BUILD)/%_8.o) $(GENERATED_CORE_OBJ)
 PLATFORM_OBJ = $(PLATFORM_SRC:%.c=$(BUILD)/%.o) $(GENERATED_OBJ)
 KIOSK_OBJ = $(KIOSK_SRC:%.c=$(BUILD)/%.o)
 CTL_OBJ = $(CTL_SRC:%.c=$(BUILD)/%.o)
@@ -94,6 +102,11 @@ $(BUILD)/core/%.o: core/%.c | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
+
+$(BUILD)/core/%_8.o: core/%.c | generated
+	@mkdir -p $(@D)
+	$(call step,CC,$< (8 lanes))
+	$(Q)$(CC) $(CORE_CFLAGS) $(WIDE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
 $(BUILD)/%.o: %.c | generated
 	@mkdir -p $(@D)

@@ -2,6 +2,7 @@
 #include "core/core.h"
 
 #include "core/base/hash.h"
+#include "core/base/lanes.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/game/hand.h"
@@ -12,7 +13,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
         config->fish_count > tank_preset_fish_max(tank_preset(config->preset), 1.0f) ||
-        config->language >= LANGUAGE_COUNT ||
+        config->language >= LANGUAGE_COUNT || !lanes_built(config->lanes) ||
         (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600))) {
         return CORE_ERR_RANGE;
     }
@@ -21,6 +22,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     memset(core, 0, sizeof *core);
     core->config = *config;
     tank_init(&core->tank, config->preset, fish_count, config->seed);
+    core->tank.lanes = config->lanes;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         poi_init(&core->poi[i], GAME_POI_GRADE, v3(0.0f, 0.05f, 0.0f),
                  game_poi_seed(config->seed, i, 0, GAME_SERIES_ROUND));

@@ -30,6 +30,8 @@ struct core_config {
     uint8_t language;    /* enum language */
     uint32_t round_s;    /* 0: 60 s; else 10 .. 600. */
     uint32_t best_today; /* What the store remembers; shown, and beaten. */
+    uint8_t lanes;       /* 4 or, on x86-64 with AVX2, 8 floats at once; 0: 4. Changes no result, so
+                            neither hashes nor recordings know of it. */
 };
 
 struct core {

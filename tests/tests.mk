@@ -52,6 +52,11 @@ $(UNIT_CORE): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
 
+# Lanes are held to the scalar form in both widths (core/base/lanes.h).
+$(BUILD)/tests/unit/test_lanes.o: BASE_CFLAGS += -Wno-psabi
+$(BUILD)/tests/unit/test_lanes_wide.o: BASE_CFLAGS += -Wno-psabi \
+    $(if $(filter x86_64%,$(MACHINE)),$(WIDE_CFLAGS))
+
 $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $^ -lcmocka $(HOST_LIBS)

@@ -2,6 +2,7 @@
 #include "core/tank/tank.h"
 
 #include "core/base/hash.h"
+#include "core/base/lanes.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
@@ -192,7 +193,8 @@ static int config_fits(const struct tank_config *config)
     return config->fish_count >= 1u && config->fish_count <= most &&
            config->area_scale >= TANK_AREA_SCALE_MIN && config->area_scale <= TANK_AREA_SCALE_MAX &&
            config->stamina_min >= 0.0f && config->stamina_max <= 1.0f &&
-           config->stamina_min <= config->stamina_max && water_fits(config);
+           config->stamina_min <= config->stamina_max && water_fits(config) &&
+           lanes_built(config->lanes);
 }
 
 int tank_open(struct tank *tank, const struct tank_config *config)
@@ -205,6 +207,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     memset(tank, 0, sizeof *tank);
     tank->seed = config->seed;
     tank->preset = config->preset;
+    tank->lanes = config->lanes;
     tank->size_m = v3(side * preset->size_m.x, preset->size_m.y, side * preset->size_m.z);
     tank->wall_height_m = preset->wall_height_m;
     tank->fish_count = config->fish_count;

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
 #include "platform/number.h"
 #include "platform/kiosk/recorder.h"
@@ -99,6 +100,7 @@ static enum exit_code begin(struct game_run *run, const struct play_options *opt
         .seed = options->seed,
         .fish_count = options->fish_count,
         .round_s = options->round_s,
+        .lanes = cpu_lanes(),
     };
     if (core_init(&run->core, &config) != CORE_OK) {
         return ctl_usage(name, "no such stall: --round-s is 10 to 600");

@@ -4,6 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
 #include "platform/kiosk/replayer.h"
 
@@ -101,6 +102,7 @@ static enum exit_code verify(const char *path)
     if (replay_scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
         return replayer_tell_problem(speaker, path, &replayer.reader.problem);
     }
+    config.lanes = cpu_lanes();
     if (core_init(&core, &config) != CORE_OK) {
         fprintf(stderr, "kingyoctl replay: %s: byte 32: this program has no such stall\n", path);
         return EXIT_BAD_DATA;

@@ -9,6 +9,7 @@
 
 #include "core/base/hash.h"
 #include "core/poi/catch.h"
+#include "platform/cpu.h"
 #include "platform/ctl/tank_place.h"
 
 #define POI_GRADE 5u /* The championship's. */
@@ -141,6 +142,7 @@ static enum exit_code open_tank(struct tank_lab *lab)
     static struct tank_place place;
     const struct tank_plan *plan = lab->plan;
     struct tank_config config = plan->config;
+    config.lanes = cpu_lanes();
     if (!plan->place) {
         return tank_open(&lab->tank, &config) ? EXIT_OK : EXIT_NOT_SO;
     }

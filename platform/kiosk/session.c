@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform/cpu.h"
 #include "platform/folder.h"
 #include "platform/png.h"
 
@@ -31,6 +32,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     } else if (record[0]) {
         config->tap = recorder_tap(&session->recorder);
     }
+    config->core.lanes = cpu_lanes();
     if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
         fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",
                 replay[0] ? replay : "options");

@@ -2,7 +2,7 @@
 
 VARIANTS := gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3
 VARIANT_BIN := $(VARIANTS:%=$(BUILD)/variants/%/state_hash) $(BUILD)/variants/sanitized/state_hash
-VARIANT_CORE = $(CORE_SRC) $(GENERATED_CORE_OBJ:$(BUILD)/%.o=%.c)
+VARIANT_CORE = $(CORE_SRC) $(WIDE_SRC:%.c=%_8.c) $(GENERATED_CORE_OBJ:$(BUILD)/%.o=%.c)
 VARIANT_FLAGS := $(subst $(OPT) -g,,$(CORE_CFLAGS)) -w
 
 # $(call variant,NAME,COMPILER AND LEVEL): the whole core once more, in its own folder.
@@ -18,6 +18,10 @@ $(BUILD)/variants/$(1)/generated/%.o: $(BUILD)/generated/%.c | generated
 $(BUILD)/variants/$(1)/core/%.o: core/%.c | generated
 	@mkdir -p $$(@D)
 	$$(Q)$(2) $$(VARIANT_FLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
+
+$(BUILD)/variants/$(1)/core/%_8.o: core/%.c | generated
+	@mkdir -p $$(@D)
+	$$(Q)$(2) $$(VARIANT_FLAGS) $$(WIDE_CFLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
 
 $(BUILD)/variants/$(1)/tests/replay/state_hash.o: tests/replay/state_hash.c | generated
 	@mkdir -p $$(@D)

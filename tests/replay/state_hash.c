@@ -1,8 +1,9 @@
 /* state_hash.c -- plays a fixed half-minute of the core and prints the state's hash every second.
  *
- * Attract, a bot's round, then a live hand that dips and sweeps: no clock, no file, no device, so
- * the lines depend on the core alone. Every compiler, level and board must print the same ones;
- * those of tests/replay/golden.txt are the known good. */
+ * Usage: state_hash [LANES]; exit 77 when this machine has none so wide. Attract, a bot's round,
+ * then a live hand that dips and sweeps: no clock, no file, no device, so the lines depend on the
+ * core alone. Every compiler, level, board and number of lanes must print the same ones; those of
+ * tests/replay/golden.txt are the known good. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,13 +46,26 @@ static struct input input_at(uint32_t tick)
     return input;
 }
 
-int main(void)
+static int machine_has(uint32_t lanes)
 {
+#ifdef __x86_64__
+    return lanes <= 4u || __builtin_cpu_supports("avx2");
+#else
+    return lanes <= 4u;
+#endif
+}
+
+int main(int argc, char **argv)
+{
+    const uint32_t lanes = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 0u;
+    if (!machine_has(lanes)) {
+        return 77;
+    }
     static struct core core;
     static struct output output;
-    const struct core_config config = { .seed = SEED };
+    const struct core_config config = { .seed = SEED, .lanes = (uint8_t)lanes };
     if (core_init(&core, &config) != CORE_OK) {
-        fprintf(stderr, "state_hash: the core refuses its own preset\n");
+        fprintf(stderr, "state_hash: the core refuses its own preset, or so many lanes\n");
         return 70;
     }
     while (core.tick < END_TICK) {

@@ -32,6 +32,7 @@ static const struct field core_fields[] = {
 static const struct field config_fields[] = {
     FIELD(core_config, seed),     FIELD(core_config, preset),  FIELD(core_config, fish_count),
     FIELD(core_config, language), FIELD(core_config, round_s), FIELD(core_config, best_today),
+    SKIP(core_config, lanes),
 };
 
 static const struct field game_fields[] = {
@@ -101,7 +102,8 @@ static const struct field bowl_fields[] = {
 };
 
 static const struct field tank_fields[] = {
-    FIELD(tank, seed),          FIELD(tank, preset), FIELD(tank, size_m),
+    FIELD(tank, seed),          FIELD(tank, preset), SKIP(tank, lanes),
+    FIELD(tank, size_m),
     FIELD(tank, wall_height_m), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
     SKIP(tank, shade),          SKIP(tank, oxygen),  SKIP(tank, crowd),

@@ -1,0 +1,220 @@
+/* lanes.h -- the arithmetic of fmath.h on several floats at once, each lane bit-equal to it.
+ *
+ * A kernel is a source named *_lanes.c that computes with these. It is compiled once plainly, for
+ * four lanes (SSE2, NEON, or scalars where there is neither), and on x86-64 once more for eight
+ * (-mavx2 -DLANES_WIDE); LANES_NAME() keeps the two apart, LANES_PICK() calls the one that the
+ * platform found the machine to have. The state never depends on which: a lane's value is what the
+ * scalar function gives, to the last bit, so four lanes, eight and none play the same game.
+ *
+ * The vectors are the compilers' own (gcc from 12, clang), so a kernel is plain C on every target.
+ */
+#ifndef KINGYO_CORE_BASE_LANES_H
+#define KINGYO_CORE_BASE_LANES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/base/fmath.h"
+#include "core/base/mem.h"
+
+#ifdef LANES_WIDE
+#define LANES 8
+#define LANES_NAME(name) name##_8
+#else
+#define LANES 4
+#define LANES_NAME(name) name##_4
+#endif
+
+/* What a state that holds 0, 4 or 8 calls: LANES_PICK(lanes, swim_move)(fish, count). */
+#ifdef __x86_64__
+#define LANES_MAX 8u
+#define LANES_PICK(lanes, name) ((lanes) == 8u ? name##_8 : name##_4)
+#else
+#define LANES_MAX 4u
+#define LANES_PICK(lanes, name) ((void)(lanes), name##_4)
+#endif
+
+/* Whether kernels of so many lanes were built; 0 stands for 4. */
+static inline int lanes_built(uint32_t lanes)
+{
+    return lanes == 0u || lanes == 4u || lanes == LANES_MAX;
+}
+
+typedef float flanes __attribute__((vector_size(4 * LANES)));
+typedef int32_t ilanes __attribute__((vector_size(4 * LANES))); /* A mask is 0 or -1 a lane. */
+typedef float fquad __attribute__((vector_size(16)));
+
+static inline flanes lanes_of(float x)
+{
+    return x - (flanes){ 0 }; /* x + 0 would lose the sign of -0. */
+}
+
+static inline flanes lanes_load(const float *from)
+{
+    flanes a;
+    memcpy(&a, from, sizeof a);
+    return a;
+}
+
+static inline void lanes_store(float *to, flanes a)
+{
+    memcpy(to, &a, sizeof a);
+}
+
+/* Four members of LANES records, `stride` bytes apart, that lie side by side in each: column[m] is
+ * member m of all. */
+static inline void lanes_load_quads(flanes column[4], const void *first, size_t stride)
+{
+    flanes row[4];
+    for (size_t r = 0; r < 4u; r++) {
+        memcpy(&row[r], (const char *)first + r * stride, sizeof(fquad));
+#ifdef LANES_WIDE
+        memcpy((char *)&row[r] + sizeof(fquad), (const char *)first + (r + 4u) * stride,
+               sizeof(fquad));
+#endif
+    }
+#ifdef LANES_WIDE
+#define LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
+#define HIGH(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
+#else
+#define LOW(a, b) __builtin_shufflevector(a, b, 0, 4, 1, 5)
+#define HIGH(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
+#endif
+    const flanes a = LOW(row[0], row[2]), b = LOW(row[1], row[3]);
+    const flanes c = HIGH(row[0], row[2]), d = HIGH(row[1], row[3]);
+    column[0] = LOW(a, b);
+    column[1] = HIGH(a, b);
+    column[2] = LOW(c, d);
+    column[3] = HIGH(c, d);
+}
+
+/* The way back. */
+static inline void lanes_store_quads(void *first, size_t stride, const flanes column[4])
+{
+    const flanes a = LOW(column[0], column[2]), b = LOW(column[1], column[3]);
+    const flanes c = HIGH(column[0], column[2]), d = HIGH(column[1], column[3]);
+    const flanes row[4] = { LOW(a, b), HIGH(a, b), LOW(c, d), HIGH(c, d) };
+    for (size_t r = 0; r < 4u; r++) {
+        memcpy((char *)first + r * stride, &row[r], sizeof(fquad));
+#ifdef LANES_WIDE
+        memcpy((char *)first + (r + 4u) * stride, (const char *)&row[r] + sizeof(fquad),
+               sizeof(fquad));
+#endif
+    }
+}
+#undef LOW
+#undef HIGH
+
+/* `a` where the mask is set, else `b`; a lane's bits pass unchanged. */
+static inline flanes lanes_select(ilanes mask, flanes a, flanes b)
+{
+    return (flanes)((mask & (ilanes)a) | (~mask & (ilanes)b));
+}
+
+static inline flanes lanes_abs(flanes a)
+{
+    return (flanes)((ilanes)a & 0x7fffffff);
+}
+
+/* As f_min() and f_max(): the second of two that do not compare, or are equal. */
+static inline flanes lanes_min(flanes a, flanes b)
+{
+    return lanes_select(a < b, a, b);
+}
+
+static inline flanes lanes_max(flanes a, flanes b)
+{
+    return lanes_select(a > b, a, b);
+}
+
+static inline flanes lanes_clamp(flanes x, flanes low, flanes high)
+{
+    return lanes_min(lanes_max(x, low), high);
+}
+
+static inline flanes lanes_lerp(flanes a, flanes b, flanes t)
+{
+    return a + (b - a) * t;
+}
+
+static inline flanes lanes_sqrt(flanes a)
+{
+    for (int lane = 0; lane < LANES; lane++) { /* One instruction, when optimised. */
+        a[lane] = f_sqrt(a[lane]);
+    }
+    return a;
+}
+
+static inline flanes lanes_floor(flanes x)
+{
+    const ilanes small = lanes_abs(x) < 8388608.0f; /* 2^23: from here on there is no fraction. */
+    const ilanes toward_zero = __builtin_convertvector((flanes)(small & (ilanes)x), ilanes);
+    const flanes whole = __builtin_convertvector(toward_zero, flanes);
+    return lanes_select(small, lanes_select(whole > x, whole - 1.0f, whole), x);
+}
+
+static inline flanes lanes_wrap_angle(flanes x)
+{
+    return x - F_TAU * lanes_floor((x + F_PI) / F_TAU);
+}
+
+/* One bit a lane of a mask, lane 0 lowest. */
+static inline uint32_t lanes_bits(ilanes mask)
+{
+#if defined(__AVX2__) && defined(LANES_WIDE)
+    return (uint32_t)__builtin_ia32_movmskps256((flanes)mask);
+#elif defined(__SSE2__) && !defined(LANES_WIDE)
+    return (uint32_t)__builtin_ia32_movmskps((flanes)mask);
+#else
+    uint32_t bits = 0;
+    for (int lane = 0; lane < LANES; lane++) {
+        bits |= (uint32_t)(mask[lane] & 1) << lane;
+    }
+    return bits;
+#endif
+}
+
+struct lanes_sin_cos {
+    flanes sin, cos;
+};
+
+/* f_sin() and f_cos() of the same angle: one reduction serves both. */
+static inline struct lanes_sin_cos lanes_sin_cos(flanes x)
+{
+    const float half_pi_high = 1.5703125f, half_pi_low = 4.83826794897e-4f;
+    const flanes turns = lanes_floor(x / (half_pi_high + half_pi_low) + 0.5f);
+    const flanes r = (x - turns * half_pi_high) - turns * half_pi_low;
+    const flanes s = r * r;
+    const flanes high = 1.0f / 120.0f - s * (1.0f / 5040.0f - s * (1.0f / 362880.0f));
+    const flanes sine = r * (1.0f - s * (1.0f / 6.0f - s * high));
+    const flanes cosine =
+        1.0f - s * (0.5f - s * (1.0f / 24.0f - s * (1.0f / 720.0f - s * (1.0f / 40320.0f))));
+    const ilanes quadrant = __builtin_convertvector(turns, ilanes);
+    const ilanes odd = (quadrant & 1) != 0;
+    /* Bit 1 of the quadrant, moved up to the sign. */
+    const ilanes sine_sign = (quadrant & 2) << 30, cosine_sign = ((quadrant + 1) & 2) << 30;
+    return (struct lanes_sin_cos){
+        .sin = (flanes)((ilanes)lanes_select(odd, cosine, sine) ^ sine_sign),
+        .cos = (flanes)((ilanes)lanes_select(odd, sine, cosine) ^ cosine_sign),
+    };
+}
+
+/* f_atan2() of each lane. */
+static inline flanes lanes_atan2(flanes y, flanes x)
+{
+    const flanes ay = lanes_abs(y), ax = lanes_abs(x);
+    const ilanes nowhere = ax + ay == 0.0f, flat = ay <= ax;
+    const flanes tangent =
+        lanes_select(flat, ay, ax) / lanes_select(nowhere, lanes_of(1.0f), lanes_select(flat, ax, ay));
+    const ilanes steep = tangent > 0.41421356f;
+    const flanes offset = lanes_select(steep, lanes_of(F_PI / 4.0f), lanes_of(0.0f));
+    const flanes t = lanes_select(steep, (tangent - 1.0f) / (tangent + 1.0f), tangent);
+    const flanes s = t * t;
+    const flanes high = 1.0f / 7.0f - s * (1.0f / 9.0f - s / 11.0f);
+    const flanes unit = offset + t * (1.0f - s * (1.0f / 3.0f - s * (0.2f - s * high)));
+    const flanes first = lanes_select(flat, unit, F_PI / 2.0f - unit);
+    const flanes half = lanes_select(x < 0.0f, F_PI - first, first);
+    return lanes_select(nowhere, lanes_of(0.0f), lanes_select(y < 0.0f, -half, half));
+}
+
+#endif
