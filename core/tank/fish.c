@@ -51,6 +51,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
         fish->depth_stray,
         fish->drawn_rad,      fish->speed_goal_m_s, fish->speed_up_keep, fish->slow_keep,
         fish->turn_rate_max_rad_s, fish->haste, fish->climb_goal_m_s, fish->pitch_goal_rad,
+        fish->beats,
     };
     hash = fish_hash_quick(hash, fish);
     hash = hash_vec3(hash, fish->velocity_m_s);
@@ -59,7 +60,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
     hash = hash_u32(hash, fish->look);
     hash = hash_u32(hash, fish->avoid_since);
     hash = hash_u32(hash, fish->avoid_with);
-    hash = hash_u32(hash, (uint32_t)fish->beats << 8 | fish->falls);
+    hash = hash_u32(hash, fish->falls);
     return hash_u32(hash, (uint32_t)fish->avoiding << 16 | (uint32_t)fish->holder << 8 |
                               fish->thought_tick);
 }

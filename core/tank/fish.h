@@ -37,48 +37,51 @@ enum fish_avoiding {
     AVOID_PITCH = 2,
 };
 
+/* What is done in every tick stands first, four floats at a time: lanes turn a quad of several fish
+ * into columns (core/base/lanes.h). A new member belongs behind them. */
 struct fish {
-    vec3 position_m;   /* Centre of the body box, world. */
-    vec3 velocity_m_s; /* World; true motion of the last tick, pushes included. */
-    struct angles angles;
+    vec3 position_m; /* Centre of the body box, world. */
     float speed_m_s; /* Along the nose, by its own fins, >= 0. */
-    float climb_m_s; /* Up, by swim bladder, fins and pitch. */
+    struct angles angles;
     float yaw_rate_rad_s;
-    vec3 push_m_s; /* Neighbours' nearness pushes it so (the thesis' repulsion). */
-    float age_days;
-    float length_m; /* Total length; from the growth curve at `age_days`. */
-    float height_m, width_m; /* Of its box. */
-    float stamina;  /* [0, 1]; 0 is exhausted. */
-    float tail_phase_rad, tail_beat_hz, tail_amplitude;
-    float bend_rad;
-    uint32_t look; /* Random bits for the renderer. */
+    vec3 push_m_s;   /* Neighbours' nearness pushes it so (the thesis' repulsion). */
+    float climb_m_s; /* Up, by swim bladder, fins and pitch. */
+    float heading_rad; /* Yaw it turns toward, at a bounded rate. */
+    float drawn_rad;   /* A shadow draws its nose so far off the heading, + left. */
+    float brake;       /* [0, 1] of its speed that a fish ahead leaves it. */
+    float room;        /* [0, 1] of its turning rate that bodies at its sides leave it. */
 
+    /* Orders: what it resolved on when it last thought, beside heading_rad. Each tick obeys. */
+    float speed_goal_m_s; /* Along the nose; `brake` takes its share. */
+    float speed_up_keep;  /* [0, 1) of what it is too slow by that is left a tick later ... */
+    float slow_keep;      /* ... and of what it is too fast by, when nothing brakes it. */
+    float turn_rate_max_rad_s;
+    float haste; /* >= 1: so many times as quick as usual it turns, tilts, bends and beats. */
+    float climb_goal_m_s, pitch_goal_rad;
+    float beats; /* 1: its tail drives; 0: it glides. */
+
+    float length_m;          /* Total length; from the growth curve at `age_days`. */
+    float height_m, width_m; /* Of its box. */
+    float stamina;           /* [0, 1]; 0 is exhausted. */
+    vec3 velocity_m_s;       /* World; true motion of the last tick, pushes included. */
+    float bend_rad;
+    float tail_phase_rad, tail_beat_hz, tail_amplitude;
+    float age_days;
+
+    uint32_t look;        /* Random bits for the renderer. */
     uint8_t gait;         /* enum fish_gait */
     uint8_t avoiding;     /* enum fish_avoiding */
     uint8_t holder;       /* Poi or bowl index while GAIT_HELD or GAIT_BOWL. */
     uint8_t thought_tick; /* Low bits of the tick in which it last thought. */
     float gait_left_s;    /* Until the next choice of gait. */
-    float heading_rad;    /* Yaw it turns toward, at a bounded rate. */
     float avoid_left_s;   /* Of giving way; then, of keeping its depth a little longer. */
     float avoid_turn;     /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
     fish_index avoid_with;
-    uint8_t falls;        /* Through the air: nothing else moves it. */
-    uint8_t beats;        /* Its tail drives; else it glides. */
-    float brake;        /* [0, 1] of its speed that a fish ahead leaves it. */
-    float room;         /* [0, 1] of its turning rate that bodies at its sides leave it. */
+    uint8_t falls;      /* Through the air: nothing else moves it. */
     float depth_goal_m; /* Wanted y, < 0. */
     float depth_stray;  /* Where its band's depth lies for it: so much higher, of the water's. */
     float alarm;        /* [0, 1] fright that the poi left behind; fades. */
-
-    /* Orders: what it resolved on when it last thought, beside heading_rad. Each tick obeys. */
-    float drawn_rad;      /* A shadow draws its nose so far off the heading, + left. */
-    float speed_goal_m_s; /* Along the nose; `brake` takes its share. */
-    float speed_up_keep;  /* [0, 1) of what it is too slow by that is left a tick later ... */
-    float slow_keep;      /* ... and of what it is too fast by, when nothing brakes it. */
-    float turn_rate_max_rad_s;
-    float haste; /* >= 1: so many times as quick as usual it turns, bends and beats. */
-    float climb_goal_m_s, pitch_goal_rad;
 };
 
 /* Whether this module moves it: not held by a poi, not in a bowl. */

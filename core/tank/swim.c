@@ -151,7 +151,7 @@ static float slow_tau_s(const struct fish *fish, const struct law *law)
 void swim_resolve(struct fish *fish, const struct surroundings *around)
 {
     const int starts = fish->gait == GAIT_ESCAPE;
-    fish->beats = (uint8_t)gait_beats(fish, around);
+    fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
     fish->speed_goal_m_s = gait_speed_m_s(fish, around);
     fish->speed_up_keep =
         kept(CORE_TICK_S, starts ? START_TAU_S : gait_run_up_s(fish->length_m));
@@ -169,7 +169,7 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
 
 void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s)
 {
-    fish->beats = speed_goal_m_s > fish->speed_m_s;
+    fish->beats = speed_goal_m_s > fish->speed_m_s ? 1.0f : 0.0f;
     fish->speed_goal_m_s = speed_goal_m_s;
     fish->turn_rate_max_rad_s = f_max(fish->turn_rate_max_rad_s, TURN_RATE_SWIM);
 }
@@ -202,7 +202,8 @@ void swim_move(struct fish *fish, const struct law *law)
 {
     turn(fish, law);
     fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
-    fish->angles.pitch_rad = ease(fish->angles.pitch_rad, fish->pitch_goal_rad, PITCH_TAU_S);
+    fish->angles.pitch_rad =
+        f_lerp(fish->angles.pitch_rad, fish->pitch_goal_rad, hasten(fish, PITCH_TAU_S));
     speed_up_or_glide(fish);
     const float x = -f_sin(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.x;
     const float z = -f_cos(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.z;
@@ -246,11 +247,11 @@ static float beat_hz(float lengths_per_s)
 }
 
 /* The stroke widens up to 5 Hz and then keeps its width; a glide lets the tail trail. */
-static float stroke(float hz, int beats)
+static float stroke(float hz, float beats)
 {
     const float wide = f_clamp(0.15f + 0.85f * (hz - 0.5f) / 1.5f, 0.15f, 1.0f);
     const float most = f_clamp(1.0f + (hz - 5.0f) / 8.0f, 1.0f, 1.5f);
-    return beats ? f_min(wide * most, 1.5f) : 0.15f + 0.35f * (wide - 0.15f);
+    return beats > 0.0f ? f_min(wide * most, 1.5f) : 0.15f + 0.35f * (wide - 0.15f);
 }
 
 /* A fish that runs into something does not go on swimming at it. */
