@@ -77,7 +77,7 @@ struct tank_stage {
     float length_m;   /* 0: as the tank gave it. */
     float speed_m_s;  /* Along the nose, >= 0. */
     float stamina;    /* [0, 1] */
-    uint8_t gait;     /* GAIT_REST, GAIT_SWIM or GAIT_BURST, for the longest spell there is of it. */
+    uint8_t gait;     /* GAIT_REST, GAIT_SWIM or GAIT_BURST, for its longest spell. */
 };
 
 /* Puts the first `count` <= fish_count fish of a tank that was just opened. Bodies must be in the

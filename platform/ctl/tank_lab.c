@@ -24,15 +24,23 @@ uint32_t tank_lab_seconds(const struct tank_plan *plan)
 
 /* ---- Counting ------------------------------------------------------------------------------- */
 
+static struct shade_cast cast_of(const struct plan_shade *shade)
+{
+    return (struct shade_cast){
+        .present = 1,
+        .x_m = (float)shade->x_m,
+        .z_m = (float)shade->z_m,
+        .radius_m = (float)shade->radius_m,
+        .dark = SHADE_FAN_DARK,
+    };
+}
+
+/* Under any of the plan's shades, whether it falls just now or not. */
 static int is_shaded(const struct tank_lab *lab, const struct fish *fish)
 {
-    const double now_s = (double)lab->tick / CORE_TICK_HZ;
     for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
-        const struct plan_shade *shade = &lab->plan->shade[i];
-        const double x = (double)fish->position_m.x - shade->x_m;
-        const double z = (double)fish->position_m.z - shade->z_m;
-        if (now_s >= shade->from_s && now_s <= shade->to_s &&
-            x * x + z * z <= shade->radius_m * shade->radius_m) {
+        const struct shade_cast cast = cast_of(&lab->plan->shade[i]);
+        if (shade_covers(&cast, fish->position_m)) {
             return 1;
         }
     }
@@ -86,6 +94,22 @@ static void tick_tank(struct tank_lab *lab, const struct obstacle *obstacles, ui
     lab->tick_ns[lab->tick] = elapsed_ns(&begin);
 }
 
+static void cast_shades(struct tank_lab *lab)
+{
+    struct shade_cast casts[TANK_SHADE_MAX] = { 0 };
+    const double now_s = (double)lab->tick / CORE_TICK_HZ;
+    for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
+        const struct plan_shade *shade = &lab->plan->shade[i];
+        if (now_s >= shade->from_s && now_s < shade->to_s) {
+            casts[i] = cast_of(shade);
+        }
+    }
+    if (lab->path.count > 0) {
+        casts[SHADE_MAX] = poi_shade(&lab->poi);
+    }
+    tank_cast(&lab->tank, casts);
+}
+
 /* poi -> water -> fish -> catch, as core_tick() has it. */
 static void tick_with_poi(struct tank_lab *lab)
 {
@@ -101,6 +125,7 @@ static void tick_with_poi(struct tank_lab *lab)
         water_step(&lab->tank.water, lab->tank.size_m);
     }
     const struct obstacle ring = poi_obstacle(&lab->poi);
+    cast_shades(lab);
     tick_tank(lab, &ring, 1);
     catch_tick(&lab->poi, 0, &lab->tank, &lab->bowl, lab->tick, &lab->output);
 }
@@ -113,6 +138,7 @@ void tank_lab_tick(struct tank_lab *lab)
         if (lab->tick % 2u == 0) {
             water_step(&lab->tank.water, lab->tank.size_m);
         }
+        cast_shades(lab);
         tick_tank(lab, NULL, 0);
     }
     lab->tick++;

@@ -43,7 +43,7 @@ struct tank_lab {
     uint8_t avoided[TANK_FISH_MAX]; /* enum fish_avoiding of the tick before. */
     float oxygen_start_mg_l;
     float *tick_ns;         /* [plan->tick_count]: of the tank's tick alone. */
-    uint32_t *shade_count;  /* [lab_seconds()]: fish inside the shades that are there ... */
+    uint32_t *shade_count;  /* [tank_lab_seconds()]: fish within the shades ... */
     uint32_t *surfacing_count; /* ... and at the surface, at the start and after each second. */
 };
 

@@ -41,7 +41,6 @@ static const char name[] = "tank";
 
 /* Options whose value is a number, in the order of `ranges`. */
 enum figure {
-    FIGURE_FISH,
     FIGURE_AREA_SCALE,
     FIGURE_SECONDS,
     FIGURE_SEED,
@@ -57,9 +56,7 @@ struct range {
 };
 
 static const struct range ranges[FIGURE_COUNT] = {
-    [FIGURE_FISH] = { "--fish", 1, TANK_FISH_MAX, 1 },
-    [FIGURE_AREA_SCALE] = { "--area-scale", (double)TANK_AREA_SCALE_MIN,
-                            (double)TANK_AREA_SCALE_MAX, 0 },
+    [FIGURE_AREA_SCALE] = { "--area-scale", 0.05, 200, 0 },
     [FIGURE_SECONDS] = { "--seconds", 0.1, PLAN_SECONDS_MAX, 0 },
     [FIGURE_SEED] = { "--seed", 0, UINT32_MAX, 1 },
     [FIGURE_STAMINA] = { "--stamina", 0, 100, 0 },
@@ -71,6 +68,7 @@ struct words {
     uint8_t given[FIGURE_COUNT];
     double figure[FIGURE_COUNT];
     uint8_t preset;
+    const char *fish; /* Null: not given. Its range hangs on preset and floor. */
 };
 
 static enum exit_code refuse(const char *option, const char *value, const char *expected)
@@ -117,8 +115,9 @@ static enum exit_code take_path(const char **path, const char *option, const cha
 /* "X_CM,Z_CM,R_CM,FROM_S,TO_S" into five numbers: 1, or 0. */
 static int read_shade(const char *text, double out[5])
 {
-    static const double min[5] = { -1000, -1000, 0.1, 0, 0 };
-    static const double max[5] = { 1000, 1000, 1000, PLAN_SECONDS_MAX, PLAN_SECONDS_MAX };
+    static const double min[5] = { -1000, -1000, 100.0 * (double)SHADE_RADIUS_MIN_M, 0, 0 };
+    static const double max[5] = { 1000, 1000, 100.0 * (double)SHADE_RADIUS_MAX_M,
+                                   PLAN_SECONDS_MAX, PLAN_SECONDS_MAX };
     for (int i = 0; i < 5; i++) {
         char field[SHADE_FIELD_MAX];
         const size_t length = strcspn(text, ",");
@@ -138,12 +137,12 @@ static int read_shade(const char *text, double out[5])
 static enum exit_code take_shade(struct tank_plan *plan, const char *value)
 {
     double part[5];
-    if (plan->shade_count == PLAN_SHADE_MAX) {
-        return ctl_usage(name, "--shade: at most %u shades", PLAN_SHADE_MAX);
+    if (plan->shade_count == SHADE_MAX) {
+        return ctl_usage(name, "--shade: at most %u shades", SHADE_MAX);
     }
     if (!value || !read_shade(value, part)) {
         return refuse("--shade", value,
-                      "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 0.1 to 1000 cm, "
+                      "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 1 to 30 cm, "
                       "0 <= FROM_S < TO_S <= 36000");
     }
     plan->shade[plan->shade_count++] = (struct plan_shade){
@@ -164,6 +163,10 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
     }
     if (strcmp(option, "--preset") == 0) {
         return take_preset(words, value);
+    }
+    if (strcmp(option, "--fish") == 0) {
+        words->fish = value ? value : "";
+        return EXIT_OK;
     }
     if (strcmp(option, "--shade") == 0) {
         return take_shade(plan, value);
@@ -191,17 +194,21 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
 static enum exit_code settle_fish(struct tank_plan *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;
+    char tank[96];
     const uint32_t most = tank_fish_max(config->preset, config->area_scale);
-    const double wanted =
-        words->given[FIGURE_FISH]
-            ? words->figure[FIGURE_FISH]
-            : fmax(1.0, round((double)config->fish_count * (double)config->area_scale));
-    if (wanted > (double)most) {
-        return ctl_usage(name, "--fish: %.0f are too many; the %s tank with --area-scale %g holds "
-                         "1 to %u", wanted, tank_preset(config->preset)->name,
-                         (double)config->area_scale, most);
+    snprintf(tank, sizeof tank, "1 to %u fish in the %s tank with --area-scale %.6g", most,
+             tank_preset(config->preset)->name, (double)config->area_scale);
+    if (words->fish) {
+        return number_parse(words->fish, 1, most, &config->fish_count)
+                   ? EXIT_OK
+                   : refuse("--fish", words->fish, tank);
     }
-    config->fish_count = (uint32_t)wanted;
+    const double as_dense = round((double)config->fish_count * (double)config->area_scale);
+    if (as_dense > (double)most) {
+        return ctl_usage(name, "--area-scale: %.0f fish at the preset's density are too many; "
+                         "with --fish, %s", as_dense, tank);
+    }
+    config->fish_count = as_dense > 1.0 ? (uint32_t)as_dense : 1u;
     return EXIT_OK;
 }
 
@@ -211,7 +218,8 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
     const double *figure = words->figure;
     *config = tank_config_of(words->preset);
     if (words->given[FIGURE_AREA_SCALE]) {
-        config->area_scale = (float)figure[FIGURE_AREA_SCALE];
+        config->area_scale = f_clamp((float)figure[FIGURE_AREA_SCALE], TANK_AREA_SCALE_MIN,
+                                     TANK_AREA_SCALE_MAX);
     }
     if (words->given[FIGURE_SEED]) {
         config->seed = (uint32_t)figure[FIGURE_SEED];

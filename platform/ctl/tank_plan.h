@@ -7,7 +7,6 @@
 #include "core/tank/tank.h"
 #include "platform/kiosk/options.h"
 
-#define PLAN_SHADE_MAX 4u
 #define PLAN_SECONDS_MAX 36000u /* Ten hours. */
 
 /* A round shade over the water from `from_s` to `to_s` of the run. */
@@ -20,7 +19,7 @@ struct tank_plan {
     double seconds;
     uint32_t tick_count;
     uint32_t shade_count;
-    struct plan_shade shade[PLAN_SHADE_MAX];
+    struct plan_shade shade[SHADE_MAX];
     const char *poi_path, *place, *trace; /* Null when not asked for. */
     uint32_t trace_every;                 /* Ticks. */
     uint8_t as_json;

@@ -7,7 +7,8 @@
 /* What a run comes to. */
 struct tank_figures {
     double ns_per_fish_tick, tick_ms_median, tick_ms_p99;
-    double share[GAIT_COUNT], other_share; /* Of all fish-ticks; escape, surface and held are other. */
+    double share[GAIT_COUNT]; /* Of all fish-ticks ... */
+    double other_share;       /* ... and of escape, surface and held together. */
     double speed_mean_cm_s, speed_max_cm_s, stamina_mean, surfacing_share;
 };
 
