@@ -151,8 +151,7 @@ void tank_lab_tick(struct tank_lab *lab)
 
 float tank_lab_oxygen_mg_l(const struct tank_lab *lab)
 {
-    (void)lab;
-    return 0.0f;
+    return lab->tank.oxygen.dissolved_mg_l;
 }
 
 uint64_t tank_lab_hash(const struct tank_lab *lab)
@@ -221,6 +220,7 @@ enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan)
         tank_lab_close(lab);
         return EXIT_IO;
     }
+    lab->oxygen_start_mg_l = tank_lab_oxygen_mg_l(lab);
     count_second(lab);
     return EXIT_OK;
 }

@@ -17,6 +17,12 @@ const char tank_plan_usage[] =
     "  --fish N               how many (the preset's own; with --area-scale at its density)\n"
     "  --area-scale K         of the preset's floor, 0.05 to 200 (1)\n"
     "  --stamina H            every fish starts with it, 0 to 100 (the preset's own spread)\n"
+    "  --temperature-c T      of the water, 0 to 40 (the preset's own)\n"
+    "  --pressure-hpa P       of the air, 870 to 1085 (1013.25)\n"
+    "  --oxygen-mg-l C        dissolved at the start, 0 to 20 (as much as the water holds)\n"
+    "  --pump on|off          whether the air stone bubbles (the preset's own)\n"
+    "  --time-compression K   hours of the water in an hour of the fish, 0 to 1000 (the\n"
+    "                         preset's own)\n"
     "  --seed N               of everything random; equal seeds swim alike (1)\n"
     "  --place FILE           these fish: CSV with x_cm,y_cm,z_cm,yaw_deg, and if there\n"
     "                         pitch_deg,roll_deg,length_cm,speed_cm_s,gait,stamina\n"
@@ -45,6 +51,10 @@ enum figure {
     FIGURE_SECONDS,
     FIGURE_SEED,
     FIGURE_STAMINA,
+    FIGURE_TEMPERATURE_C,
+    FIGURE_PRESSURE_HPA,
+    FIGURE_OXYGEN_MG_L,
+    FIGURE_TIME_COMPRESSION,
     FIGURE_TRACE_EVERY,
     FIGURE_COUNT,
 };
@@ -60,7 +70,20 @@ static const struct range ranges[FIGURE_COUNT] = {
     [FIGURE_SECONDS] = { "--seconds", 0.1, PLAN_SECONDS_MAX, 0 },
     [FIGURE_SEED] = { "--seed", 0, UINT32_MAX, 1 },
     [FIGURE_STAMINA] = { "--stamina", 0, 100, 0 },
+    [FIGURE_TEMPERATURE_C] = { "--temperature-c", (double)OXYGEN_TEMPERATURE_MIN_C,
+                               (double)OXYGEN_TEMPERATURE_MAX_C, 0 },
+    [FIGURE_PRESSURE_HPA] = { "--pressure-hpa", (double)OXYGEN_PRESSURE_MIN_HPA,
+                              (double)OXYGEN_PRESSURE_MAX_HPA, 0 },
+    [FIGURE_OXYGEN_MG_L] = { "--oxygen-mg-l", 0, (double)OXYGEN_MAX_MG_L, 0 },
+    [FIGURE_TIME_COMPRESSION] = { "--time-compression", 0, (double)OXYGEN_TIME_COMPRESSION_MAX,
+                                  0 },
     [FIGURE_TRACE_EVERY] = { "--trace-every", 1, PLAN_SECONDS_MAX * CORE_TICK_HZ, 1 },
+};
+
+enum pump {
+    PUMP_AS_PRESET,
+    PUMP_OFF,
+    PUMP_ON,
 };
 
 /* The options as they were written. */
@@ -68,6 +91,7 @@ struct words {
     uint8_t given[FIGURE_COUNT];
     double figure[FIGURE_COUNT];
     uint8_t preset;
+    uint8_t pump;     /* enum pump */
     const char *fish; /* Null: not given. Its range hangs on preset and floor. */
 };
 
@@ -104,6 +128,14 @@ static enum exit_code take_preset(struct words *words, const char *value)
         }
     }
     return refuse("--preset", value, "thesis, official or festival");
+}
+
+static enum exit_code take_pump(struct words *words, const char *value)
+{
+    const int on = value && strcmp(value, "on") == 0;
+    words->pump = on ? PUMP_ON : PUMP_OFF;
+    return on || (value && strcmp(value, "off") == 0) ? EXIT_OK
+                                                      : refuse("--pump", value, "on or off");
 }
 
 static enum exit_code take_path(const char **path, const char *option, const char *value)
@@ -168,6 +200,9 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
         words->fish = value ? value : "";
         return EXIT_OK;
     }
+    if (strcmp(option, "--pump") == 0) {
+        return take_pump(words, value);
+    }
     if (strcmp(option, "--shade") == 0) {
         return take_shade(plan, value);
     }
@@ -212,6 +247,27 @@ static enum exit_code settle_fish(struct tank_plan *plan, const struct words *wo
     return EXIT_OK;
 }
 
+static void settle_water(struct tank_config *config, const struct words *words)
+{
+    const struct {
+        enum figure figure;
+        float *value;
+    } figures[] = {
+        { FIGURE_TEMPERATURE_C, &config->temperature_c },
+        { FIGURE_PRESSURE_HPA, &config->pressure_hpa },
+        { FIGURE_OXYGEN_MG_L, &config->oxygen_mg_l },
+        { FIGURE_TIME_COMPRESSION, &config->time_compression },
+    };
+    for (uint32_t i = 0; i < sizeof figures / sizeof figures[0]; i++) {
+        if (words->given[figures[i].figure]) {
+            *figures[i].value = (float)words->figure[figures[i].figure];
+        }
+    }
+    if (words->pump != PUMP_AS_PRESET) {
+        config->pump = words->pump == PUMP_ON;
+    }
+}
+
 static enum exit_code settle(struct tank_plan *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;
@@ -227,6 +283,7 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
     if (words->given[FIGURE_STAMINA]) {
         config->stamina_min = config->stamina_max = (float)(0.01 * figure[FIGURE_STAMINA]);
     }
+    settle_water(config, words);
     plan->seconds = words->given[FIGURE_SECONDS] ? figure[FIGURE_SECONDS] : 10.0;
     plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);
     plan->trace_every =
