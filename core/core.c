@@ -9,6 +9,8 @@
 #include "core/game/let_go.h"
 #include "core/poi/catch.h"
 
+#define FAN_REACH_M 1.0f
+
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
@@ -74,7 +76,8 @@ static void tick_water(struct core *core, const uint8_t live[POI_MAX])
     }
 }
 
-/* Nobody's arm is longer than the tank and the shadow's own breadth. */
+/* Whence a fan swings in it casts nothing on the water yet: well beyond the walls, but not
+ * nowhere. */
 static struct shade_cast fan_shade(const struct core *core, const struct shade_input *shade)
 {
     if (!shade->present) {
@@ -84,8 +87,8 @@ static struct shade_cast fan_shade(const struct core *core, const struct shade_i
     CORE_ASSERT(f_is_finite(shade->z_m));
     CORE_ASSERT(f_is_finite(shade->radius_m));
     const float radius_m = f_clamp(shade->radius_m, SHADE_RADIUS_MIN_M, SHADE_RADIUS_MAX_M);
-    const float x_m = 0.5f * core->tank.size_m.x + radius_m;
-    const float z_m = 0.5f * core->tank.size_m.z + radius_m;
+    const float x_m = 0.5f * core->tank.size_m.x + FAN_REACH_M;
+    const float z_m = 0.5f * core->tank.size_m.z + FAN_REACH_M;
     return (struct shade_cast){
         .present = 1,
         .x_m = f_clamp(shade->x_m, -x_m, x_m),

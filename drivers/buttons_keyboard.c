@@ -21,7 +21,6 @@ static const struct key keys[] = {
     { .code = SDLK_UP, .button = INPUT_OK },
     { .code = SDLK_l, .button = INPUT_LANGUAGE },
     { .code = SDLK_F11, .full_screen = 1 },
-    { .code = SDLK_f, .full_screen = 1 },
     { .code = SDLK_ESCAPE, .quit = 1 },
     { .code = SDLK_q, .quit = 1 },
 };
@@ -73,7 +72,7 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
 static const char *buttons_keyboard_describe(void *self)
 {
     (void)self;
-    return "keyboard: Space starts, L language, F full screen, Esc quits";
+    return "keyboard: Space starts, L language, F11 full screen, Esc quits";
 }
 
 struct hal_buttons buttons_keyboard_device(struct buttons_keyboard *keyboard)

@@ -1,6 +1,6 @@
 /* buttons_keyboard.h -- a desktop's keys as the cabinet's buttons, through SDL's event queue.
  *
- * Space, Enter: START. Left, Right, Down: LEFT, RIGHT, OK. L: LANGUAGE. F11, F: full screen.
+ * Space, Enter: START. Left, Right, Down: LEFT, RIGHT, OK. L: LANGUAGE. F11: full screen.
  * Esc, Q: quit. Whoever owns the window pumps the queue first; this takes key events and no
  * others. */
 #ifndef KINGYO_DRIVERS_BUTTONS_KEYBOARD_H

@@ -84,6 +84,23 @@ struct hal_poi null_poi(const char *line)
     return (struct hal_poi){ .ops = &ops, .self = line_self(line) };
 }
 
+static int null_shade_poll(void *self, struct shade_input *out)
+{
+    (void)self;
+    (void)out;
+    return HAL_ERR_NONE;
+}
+
+struct hal_shade null_shade(const char *line)
+{
+    static const struct hal_shade_ops ops = {
+        .open = null_open,
+        .poll = null_shade_poll,
+        .describe = null_describe,
+    };
+    return (struct hal_shade){ .ops = &ops, .self = line_self(line) };
+}
+
 static int null_buttons_poll(void *self, struct button_sample *out)
 {
     (void)self;
@@ -195,6 +212,9 @@ struct hal null_hal(void)
     };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hal.poi[i] = null_poi(NULL);
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        hal.shade[i] = null_shade(NULL);
     }
     return hal;
 }

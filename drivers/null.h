@@ -9,6 +9,7 @@
 
 struct hal_display null_display(const char *line);
 struct hal_poi null_poi(const char *line);
+struct hal_shade null_shade(const char *line);
 struct hal_buttons null_buttons(const char *line);
 struct hal_lamps null_lamps(const char *line);
 struct hal_audio null_audio(const char *line);

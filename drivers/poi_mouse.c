@@ -19,12 +19,25 @@ void poi_mouse_init(struct poi_mouse *mouse, struct hal_clock clock, const struc
         },
     };
     pointer_poi_init(&mouse->pointer, view);
+    pointer_fan_init(&mouse->fan, view);
     snprintf(mouse->text, sizeof mouse->text, "mouse not opened yet");
 }
 
 static uint64_t mouse_now_ns(const struct poi_mouse *mouse)
 {
     return mouse->clock.ops->now_ns(mouse->clock.self);
+}
+
+/* Keys are taken out of the queue by whoever has the buttons; this only sees them pass. Key, not
+ * place on the board: it is F where F is printed. */
+static int watch_key(void *self, SDL_Event *event)
+{
+    struct poi_mouse *mouse = self;
+    if ((event->type == SDL_KEYDOWN || event->type == SDL_KEYUP) &&
+        event->key.keysym.sym == SDLK_f) {
+        mouse->fan_key = event->type == SDL_KEYDOWN;
+    }
+    return 0;
 }
 
 static int poi_mouse_open(void *self)
@@ -39,6 +52,8 @@ static int poi_mouse_open(void *self)
     const char *video = SDL_GetCurrentVideoDriver();
     snprintf(mouse->text, sizeof mouse->text, "mouse (SDL %s)", video ? video : "?");
     mouse->last_poll_ns = mouse_now_ns(mouse);
+    SDL_DelEventWatch(watch_key, mouse); /* Opened again, it still watches once. */
+    SDL_AddEventWatch(watch_key, mouse);
     return HAL_OK;
 }
 
@@ -88,6 +103,25 @@ static void take_event(struct pointer_report *report, const SDL_Event *event)
     }
 }
 
+/* What the pointer says goes to both hands; each heeds what is its own. */
+static int tell_hands(struct poi_mouse *mouse)
+{
+    pointer_fan_report(&mouse->fan, &mouse->report);
+    return pointer_poi_report(&mouse->pointer, &mouse->report);
+}
+
+/* The key has no place in the queue among the mouse's events: it counts from the poll after. */
+static void take_fan_key(struct poi_mouse *mouse, uint64_t now_ns)
+{
+    const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;
+    if ((mouse->report.buttons & POINTER_FAN) != fan) {
+        mouse->report.buttons = (mouse->report.buttons & ~(uint32_t)POINTER_FAN) | fan;
+        mouse->report.wheel_notches = 0.0f;
+        mouse->report.time_ns = now_ns;
+        tell_hands(mouse);
+    }
+}
+
 static struct poi_sample sample_at(struct poi_mouse *mouse, uint64_t time_ns)
 {
     return (struct poi_sample){
@@ -113,12 +147,13 @@ static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
             take_event(&mouse->report, &events[i]);
             mouse->report.time_ns =
                 mouse->last_poll_ns + span_ns * (uint64_t)(i + 1) / (uint64_t)taken;
-            if (pointer_poi_report(&mouse->pointer, &mouse->report) && count + 1 < max) {
+            if (tell_hands(mouse) && count + 1 < max) {
                 out[count++] = sample_at(mouse, mouse->report.time_ns);
             }
         }
         mouse->last_poll_ns = now_ns;
     } while (taken == EVENT_BATCH);
+    take_fan_key(mouse, now_ns);
     if (count < max) {
         out[count++] = sample_at(mouse, now_ns);
     }
@@ -136,6 +171,35 @@ static const char *poi_mouse_describe(void *self)
 {
     const struct poi_mouse *mouse = self;
     return mouse->text;
+}
+
+static int fan_open(void *self)
+{
+    (void)self;
+    return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_NONE; /* The poi's open() did the rest. */
+}
+
+static int fan_poll(void *self, struct shade_input *out)
+{
+    struct poi_mouse *mouse = self;
+    *out = pointer_fan_shade(&mouse->fan, mouse_now_ns(mouse));
+    return HAL_OK;
+}
+
+static const char *fan_describe(void *self)
+{
+    (void)self;
+    return "the mouse while F is held";
+}
+
+struct hal_shade poi_mouse_fan(struct poi_mouse *mouse)
+{
+    static const struct hal_shade_ops ops = {
+        .open = fan_open,
+        .poll = fan_poll,
+        .describe = fan_describe,
+    };
+    return (struct hal_shade){ .ops = &ops, .self = mouse };
 }
 
 struct hal_poi poi_mouse_device(struct poi_mouse *mouse)

@@ -9,6 +9,7 @@ void poi_sim_init(struct poi_sim *sim, struct hal_clock clock, const struct view
         .jump_at = POI_SIM_NEVER,
     };
     pointer_poi_init(&sim->pointer, view);
+    pointer_fan_init(&sim->fan, view);
 }
 
 static uint64_t sim_now_ns(const struct poi_sim *sim)
@@ -68,6 +69,7 @@ static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
         const struct pointer_report report = take_report(sim);
         const int twice = sim->double_every > 0 && index % sim->double_every == 0;
         for (int i = 0; i <= twice; i++) {
+            pointer_fan_report(&sim->fan, &report);
             if (pointer_poi_report(&sim->pointer, &report) && count + 1 < max) {
                 out[count++] = sample_now(sim, report.time_ns);
             }
@@ -90,6 +92,38 @@ static const char *poi_sim_describe(void *self)
 {
     (void)self;
     return "simulated mouse";
+}
+
+static int fan_open(void *self)
+{
+    const struct poi_sim *sim = self;
+    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+}
+
+static int fan_poll(void *self, struct shade_input *out)
+{
+    struct poi_sim *sim = self;
+    if (sim->gone) {
+        return HAL_ERR_GONE;
+    }
+    *out = pointer_fan_shade(&sim->fan, sim_now_ns(sim));
+    return HAL_OK;
+}
+
+static const char *fan_describe(void *self)
+{
+    (void)self;
+    return "simulated fan";
+}
+
+struct hal_shade poi_sim_fan(struct poi_sim *sim)
+{
+    static const struct hal_shade_ops ops = {
+        .open = fan_open,
+        .poll = fan_poll,
+        .describe = fan_describe,
+    };
+    return (struct hal_shade){ .ops = &ops, .self = sim };
 }
 
 struct hal_poi poi_sim_device(struct poi_sim *sim)

@@ -5,6 +5,7 @@
 #ifndef KINGYO_DRIVERS_POI_SIM_H
 #define KINGYO_DRIVERS_POI_SIM_H
 
+#include "drivers/pointer_fan.h"
 #include "drivers/pointer_poi.h"
 #include "platform/hal.h"
 
@@ -24,11 +25,15 @@ struct poi_sim {
     uint32_t open_count;
     struct poi_force felt;    /* What the hand was last made to feel. */
     struct pointer_poi pointer;
+    struct pointer_fan fan;
 };
 
 /* No reports and no faults. */
 void poi_sim_init(struct poi_sim *sim, struct hal_clock clock, const struct view *view);
 
 struct hal_poi poi_sim_device(struct poi_sim *sim);
+
+/* The fan of the same mouse; it goes and comes with it. */
+struct hal_shade poi_sim_fan(struct poi_sim *sim);
 
 #endif

@@ -22,6 +22,10 @@
 #define LEAN_MAX_RAD (20.0f * F_DEG)
 #define LEAN_TAU_S 0.06f      /* Whole pixels at 60 Hz step by 0.04 m/s; leaning forgets it. */
 
+/* From where it waited back under the pointer: unhurried, or its paper would pay for it. */
+#define BACK_S 0.30f
+#define BACK_S_PER_WIDTH 0.9f /* And so much more for the width of the window. */
+
 struct stroke {
     float height_m, speed_m_s, acceleration_m_s2;
 };
@@ -105,24 +109,58 @@ void pointer_poi_init(struct pointer_poi *pointer, const struct view *view)
     };
 }
 
-static int report_is_usable(const struct pointer_report *report)
+int pointer_report_is_usable(const struct pointer_report *report)
 {
     return f_is_finite(report->x_px) && f_is_finite(report->y_px) &&
            f_is_finite(report->wheel_notches) && report->width_px > 0 && report->height_px > 0;
 }
 
+/* The share of the way back that is still to go: smooth at both ends. */
+static float lag_left(const struct pointer_poi *pointer)
+{
+    const float t = seconds_between(pointer->back_ns, pointer->time_ns);
+    return pointer->back_s > 0.0f ? 1.0f - f_smoothstep(0.0f, pointer->back_s, t) : 0.0f;
+}
+
+/* It waits where it is at this moment, be that on its way; or it sets off to (x, y). */
+static void wait_or_come_back(struct pointer_poi *pointer, float x, float y, int waits)
+{
+    const float left = lag_left(pointer);
+    const float at_x = pointer->ndc_x + left * pointer->lag_x;
+    const float at_y = pointer->ndc_y + left * pointer->lag_y;
+    if (waits) {
+        pointer->ndc_x = at_x;
+        pointer->ndc_y = at_y;
+        pointer->back_s = 0.0f;
+        return;
+    }
+    pointer->lag_x = at_x - x;
+    pointer->lag_y = at_y - y;
+    pointer->back_ns = pointer->time_ns;
+    pointer->back_s = BACK_S + BACK_S_PER_WIDTH * 0.5f *
+                                   f_sqrt(pointer->lag_x * pointer->lag_x +
+                                          pointer->lag_y * pointer->lag_y);
+}
+
 int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report)
 {
-    if (!report_is_usable(report)) {
+    if (!pointer_report_is_usable(report)) {
         return 0;
     }
     move_to_time(pointer, report->time_ns);
     const float width = (float)report->width_px;
     const float height = (float)report->height_px;
     pointer->aspect = width / height;
-    pointer->ndc_x = f_clamp(2.0f * report->x_px / width - 1.0f, -1.0f, 1.0f);
-    pointer->ndc_y = f_clamp(1.0f - 2.0f * report->y_px / height, -1.0f, 1.0f);
+    const float x = f_clamp(2.0f * report->x_px / width - 1.0f, -1.0f, 1.0f);
+    const float y = f_clamp(1.0f - 2.0f * report->y_px / height, -1.0f, 1.0f);
     const uint32_t changed = pointer->buttons ^ report->buttons;
+    if (changed & POINTER_FAN) {
+        wait_or_come_back(pointer, x, y, (report->buttons & POINTER_FAN) != 0);
+    }
+    if (!(report->buttons & POINTER_FAN)) {
+        pointer->ndc_x = x;
+        pointer->ndc_y = y;
+    }
     pointer->buttons = report->buttons;
     if (changed & POINTER_DIP) {
         begin_stroke(pointer, pointer->time_ns, (report->buttons & POINTER_DIP) != 0);
@@ -141,10 +179,12 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
     move_to_time(pointer, time_ns);
     const struct stroke stroke = stroke_at(pointer, pointer->time_ns);
     const float slant = SLANT_MAX_RAD * f_min(1.0f, f_abs(stroke.speed_m_s) / SLANT_AT_M_S);
-    const vec3 hand_m = view_point_on_plane(&pointer->view, pointer->aspect, pointer->ndc_x,
-                                            pointer->ndc_y, stroke.height_m);
-    follow_hand(pointer, view_point_on_plane(&pointer->view, pointer->aspect, pointer->ndc_x,
-                                             pointer->ndc_y, 0.0f));
+    const float left = lag_left(pointer);
+    const float x = pointer->ndc_x + left * pointer->lag_x;
+    const float y = pointer->ndc_y + left * pointer->lag_y;
+    const vec3 hand_m =
+        view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
+    follow_hand(pointer, view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
     const vec3 lean = v3_limit(v3_scale(pointer->hand_m_s, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
     const float pitch_max_rad = POINTER_TILT_MAX_RAD + SLANT_MAX_RAD;
     return (struct poi_target){

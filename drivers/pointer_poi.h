@@ -5,7 +5,10 @@
  * the left button lets the ring down along a smooth stroke, letting go brings it up, the wheel
  * tilts it, the right button levels it, and a hand that hurries leans the ring into its way. The
  * ring's centre stays under the pointer at every height, because the pointer's ray is cut with
- * the plane at the ring's present height. */
+ * the plane at the ring's present height.
+ *
+ * While the pointer leads a fan (pointer_fan.h) the poi waits where it was; then it glides back
+ * under the pointer. Its buttons and wheel go on working: one hand fans, the other scoops. */
 #ifndef KINGYO_DRIVERS_POINTER_POI_H
 #define KINGYO_DRIVERS_POINTER_POI_H
 
@@ -16,6 +19,7 @@
 enum pointer_button {
     POINTER_DIP = 1u << 0,   /* Left: down while held. */
     POINTER_LEVEL = 1u << 1, /* Right: back to level. */
+    POINTER_FAN = 1u << 2,   /* A key: while it is held, the pointer leads the fan instead. */
 };
 
 /* Everything a pointer can say at one moment; levels, but for the wheel. */
@@ -37,9 +41,14 @@ struct pointer_report {
 struct pointer_poi {
     struct view view;
 
-    float ndc_x, ndc_y, aspect; /* The pointer in the window, -1 .. 1; its width / height. */
+    float ndc_x, ndc_y, aspect; /* Where it is led, in the window, -1 .. 1; its width / height. */
     uint32_t buttons;
     uint64_t time_ns;           /* Of the newest report or sample. */
+
+    /* After it waited: how far it is from the pointer still, and since when it glides back. */
+    float lag_x, lag_y;
+    uint64_t back_ns;
+    float back_s;
 
     /* The present stroke: a quintic from where the ring was when the button changed. */
     uint64_t stroke_ns;
@@ -54,6 +63,9 @@ struct pointer_poi {
 
 /* A pointer at the middle of the window, the ring level and hovering. `view` is copied. */
 void pointer_poi_init(struct pointer_poi *pointer, const struct view *view);
+
+/* Whether every number of it is one, and the window is not empty. */
+int pointer_report_is_usable(const struct pointer_report *report);
 
 /* Takes one report. One that is older than the last counts as now; one with a non-finite number or
  * an empty window is refused: 0, and nothing changes. */

@@ -72,6 +72,14 @@ struct hal_poi_ops {
     const char *(*describe)(void *self);
 };
 
+/* What one hand holds over the water beside its poi, or in place of one. */
+struct hal_shade_ops {
+    int (*open)(void *self);  /* Also reopens after HAL_ERR_GONE. */
+    /* Where it is now; after every poi was polled, since a fan may share its device with one. */
+    int (*poll)(void *self, struct shade_input *out);
+    const char *(*describe)(void *self);
+};
+
 /* Levels now, and the edges since the last poll, debounced: a 20 ms coin pulse is not lost. */
 struct button_sample {
     uint32_t held, pressed;   /* enum input_button */
@@ -117,6 +125,7 @@ struct hal_watchdog_ops {
 struct hal_clock { const struct hal_clock_ops *ops; void *self; };
 struct hal_display { const struct hal_display_ops *ops; void *self; };
 struct hal_poi { const struct hal_poi_ops *ops; void *self; };
+struct hal_shade { const struct hal_shade_ops *ops; void *self; };
 struct hal_buttons { const struct hal_buttons_ops *ops; void *self; };
 struct hal_lamps { const struct hal_lamps_ops *ops; void *self; };
 struct hal_audio { const struct hal_audio_ops *ops; void *self; };
@@ -127,6 +136,7 @@ struct hal {
     struct hal_clock clock;
     struct hal_display display;
     struct hal_poi poi[POI_MAX];
+    struct hal_shade shade[SHADE_MAX];
     struct hal_buttons buttons;
     struct hal_lamps lamps;
     struct hal_audio audio;

@@ -105,6 +105,7 @@ static void open_hands(struct hal *hal, const struct board_options *options)
     const uint32_t height = options->height ? options->height : 720;
     poi_mouse_init(&devices.mouse, hal->clock, &options->view, width, height);
     hal->poi[0] = poi_mouse_device(&devices.mouse);
+    hal->shade[0] = poi_mouse_fan(&devices.mouse);
     hal->poi[1] = null_poi(missing_poi(options->poi));
 }
 

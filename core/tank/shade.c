@@ -6,7 +6,7 @@
 
 #define EDGE_TAU_S 0.10f
 #define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 a frame, 60 frames a second. */
-#define HARDLY_M_S 0.002f    /* A wish so weak has no direction. */
+#define HARDLY_M_S 0.005f    /* A wish so weak has no direction. */
 #define FRIGHT_RIM_M 0.02f   /* So far before its edge a shadow is seen to come. */
 #define FRIGHT_TIME_S 0.10f  /* To an alarm of 1 under a fan: eyes are slower than ears. */
 #define FRIGHT_PLAIN_DARK 0.60f /* From here on darker does not frighten more. */

@@ -7,6 +7,7 @@
 
 #define ALARM_FADE_PER_S 0.6f
 #define ALARM_START_MIN 0.45f /* The timid start at this alarm, the bold at 0.9. */
+#define DRAWN_TAU_S 0.25f     /* A shadow draws softly: noses do not follow its every tug. */
 #define SIDESTEP_PER_S 12.0f  /* Of the sidestep that it is asked for. */
 #define HULL_SHUN_DEPTH_M                                                                          \
     0.01f /* A fish that passes deeper below a bowl than this need not turn. */
@@ -103,14 +104,17 @@ static void follow_shade(struct fish *fish, const struct surroundings *around)
 {
     struct shade_course course = { fish->heading_rad, fish->speed_goal_m_s };
     const int heeds = fish->gait == GAIT_SWIM || fish->gait == GAIT_REST;
-    fish->drawn_rad = 0.0f;
+    float goal_rad = 0.0f;
     if (heeds && shade_draw(around->shades, around->shade_count, around->law, fish->position_m,
                             fish->angles.yaw_rad, fish->length_m, &course)) {
-        if (fish->avoiding != AVOID_YAW) {
-            fish->drawn_rad = f_wrap_angle(course.heading_rad - fish->heading_rad);
-        }
+        goal_rad = fish->avoiding == AVOID_YAW
+                       ? 0.0f
+                       : f_wrap_angle(course.heading_rad - fish->heading_rad);
         swim_resolve_drawn(fish, course.speed_m_s);
     }
+    const float off_rad = f_wrap_angle(goal_rad - fish->drawn_rad);
+    fish->drawn_rad = f_wrap_angle(
+        fish->drawn_rad + off_rad * f_min(1.0f, around->dt_s / DRAWN_TAU_S));
 }
 
 static void fall(struct fish *fish, uint32_t index, const struct surroundings *around)

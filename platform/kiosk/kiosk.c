@@ -39,6 +39,9 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
         open_hand(&kiosk->hands[i], &hal->poi[i], &kiosk->faults.poi);
         kiosk->hands[i].retry_ns = now_ns + RETRY_NS;
     }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        kiosk->faults.shade += shade_hand_open(&kiosk->shades[i], &hal->shade[i], now_ns);
+    }
     core_scene(&kiosk->core, &kiosk->scene);
     return CORE_OK;
 }
@@ -126,6 +129,9 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         sample_hand(kiosk, &kiosk->hands[i], &hal->poi[i], now_ns);
     }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        kiosk->faults.shade += shade_hand_sample(&kiosk->shades[i], &hal->shade[i], now_ns);
+    }
     kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
     count_refused_writes(kiosk, &hal->storage);
 }
@@ -151,6 +157,9 @@ static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
         if (hand->path.count > 0) {
             poi->target = resample_at(&hand->path, index, tick_count);
         }
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        kiosk->input.shade[i] = shade_hand_at(&kiosk->shades[i], index, tick_count);
     }
 }
 
@@ -188,6 +197,9 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     if (done > 0) {
         for (uint32_t i = 0; i < POI_MAX; i++) {
             resample_end(&kiosk->hands[i].path);
+        }
+        for (uint32_t i = 0; i < SHADE_MAX; i++) {
+            shade_hand_end(&kiosk->shades[i]);
         }
         core_scene(&kiosk->core, &kiosk->scene);
     }

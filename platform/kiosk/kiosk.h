@@ -11,6 +11,7 @@
 #include "platform/hal.h"
 #include "platform/kiosk/pace.h"
 #include "platform/kiosk/resample.h"
+#include "platform/kiosk/shades.h"
 #include "platform/kiosk/timing.h"
 
 /* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
@@ -44,7 +45,7 @@ enum kiosk_end {
 
 /* What went wrong and was survived, since the start. */
 struct kiosk_faults {
-    uint32_t poi, display, audio, storage, lamps;
+    uint32_t poi, shade, display, audio, storage, lamps;
 };
 
 /* One player's controller, as the loop sees it. */
@@ -64,6 +65,7 @@ struct kiosk {
     struct scene scene;
     struct pace pace;
     struct kiosk_hand hands[POI_MAX];
+    struct shade_hand shades[SHADE_MAX];
     uint32_t accepted_id;  /* Newest record that the store took, or will never take. */
     uint64_t save_retry_ns;
     uint64_t audio_retry_ns; /* When a sound card that went is looked for again; 0: none went. */

@@ -40,6 +40,9 @@ static void tell_devices(const struct hal *hal)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         tell_device("poi", hal->poi[i].ops->describe(hal->poi[i].self));
     }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        tell_device("fan", hal->shade[i].ops->describe(hal->shade[i].self));
+    }
     tell_device("buttons", hal->buttons.ops->describe(hal->buttons.self));
     tell_device("lamps", hal->lamps.ops->describe(hal->lamps.self));
     tell_device("sound", hal->audio.ops->describe(hal->audio.self));
@@ -72,8 +75,8 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     struct kiosk *kiosk = &session->kiosk;
     const struct kiosk_faults *faults = &kiosk->faults;
     const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
-    const uint32_t sum =
-        faults->poi + faults->display + faults->audio + faults->storage + faults->lamps;
+    const uint32_t sum = faults->poi + faults->shade + faults->display + faults->audio +
+                         faults->storage + faults->lamps;
     if (end == KIOSK_DISPLAY_LOST) {
         fprintf(stderr, "kingyo: the display was lost after %u s: %s\n",
                 kiosk->core.tick / CORE_TICK_HZ,
