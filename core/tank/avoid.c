@@ -11,8 +11,9 @@
 #define PITCH_TIME_S 0.5f
 #define HOLD_DEPTH_S 0.5f      /* Afterwards: the depth it wants would lead it straight back. */
 #define CLOSING_MIN_M_S 0.010f /* What two resting fish drift together at; repulsion's work. */
-#define BRAKE_MIN 0.15f
-#define LEAD_RAD (75.0f * F_DEG) /* The heading runs at most so far ahead of the nose. */
+#define BRAKE_MIN 0.4f /* Less leaves a burst in a crowd less than half its pace. */
+#define TURN_LAG_S 0.12f /* A turn dies out so. */
+#define LEAD_RAD (75.0f * F_DEG) /* The heading runs so far ahead of the nose meanwhile. */
 /* Headroom that section 3.3 leaves: 7.5 - 5.25 cm/s, in lengths of its 5 cm fish. */
 #define REPULSION_LENGTHS_PER_S 0.45f
 #define REPULSION_RANGE 0.2f /* 1 cm of 5. */
@@ -157,12 +158,20 @@ static float possible_rise(const struct fish *fish, float rise, float water_dept
     return above_floor_m < room_m ? 1.0f : -1.0f;
 }
 
-static void yaw_away(struct fish *fish, const struct surroundings *around)
+/* As hard as its gait lets it: the nose follows at 180 degrees a second while it swims. */
+static void yaw_away(struct fish *fish)
 {
-    const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad) +
-                            fish->avoid_turn * around->law->swerve_rad_s * around->dt_s;
-    fish->heading_rad =
-        f_wrap_angle(fish->angles.yaw_rad + f_clamp(ahead_rad, -LEAD_RAD, LEAD_RAD));
+    fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + fish->avoid_turn * LEAD_RAD);
+}
+
+/* Clear: it goes on along its nose, which the turn carries on a little further. */
+static void straighten(struct fish *fish)
+{
+    const float carries_rad = TURN_LAG_S * fish->yaw_rate_rad_s;
+    const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
+    if (f_abs(ahead_rad) > f_abs(carries_rad)) {
+        fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + carries_rad);
+    }
 }
 
 static void begin(struct fish *fish, const struct avoid_advice *advice)
@@ -183,6 +192,7 @@ static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, f
     } else {
         fish->avoiding = AVOID_NONE;
         fish->avoid_left_s = HOLD_DEPTH_S;
+        straighten(fish);
     }
 }
 
@@ -209,7 +219,7 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
         go_on_or_end(fish, advice, around->size_m.y);
     }
     if (fish->avoiding == AVOID_YAW && meets) {
-        yaw_away(fish, around);
+        yaw_away(fish);
     }
 }
 

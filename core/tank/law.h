@@ -28,7 +28,7 @@ struct law {
     float meet_within_s; /* Only to what it would touch sooner than that. */
     float meet_miss;     /* Only to what would pass nearer than that share of their lengths. */
     float brake_s;       /* Slows for a body that it would touch sooner than that. */
-    float swerve_rad_s;  /* Its heading runs ahead of its nose so fast; its gait bounds the nose. */
+    float swerve_haste;  /* >= 1: so many times as quick as usual it sets into a turn. */
 
     /* Walls (section 3.1): it turns away from what is nearer than that before its nose ... */
     float wall_per_length; /* ... body lengths, ... */

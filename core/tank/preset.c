@@ -31,7 +31,7 @@
 #define THESIS_LAW                                                                                 \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
-        .space_fill_max = UNBOUND, .turn_rest_rad = 45.0f * F_DEG, .swerve_rad_s = UNBOUND,        \
+        .space_fill_max = UNBOUND, .turn_rest_rad = 45.0f * F_DEG, .swerve_haste = 2.0f,           \
         .wall_per_length = 0.2f,                                                                   \
     }
 
@@ -43,8 +43,8 @@
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.36f, .width_per_length = 0.20f,                        \
         .space_fill_max = 0.35f, .turn_rest_rad = 12.0f * F_DEG, .depth_stray = 0.13f,             \
-        .meet_within_s = 0.8f, .meet_miss = 0.3f, .brake_s = 0.35f,                                \
-        .swerve_rad_s = 180.0f * F_DEG, .wall_per_length = 0.27f, .wall_within_s = 0.65f,          \
+        .meet_within_s = 0.8f, .meet_miss = 0.3f, .brake_s = 0.25f,                                \
+        .swerve_haste = 1.5f, .wall_per_length = 0.27f, .wall_within_s = 0.65f,          \
         .wander_rad_s = 28.0f * F_DEG, .glides = 1, .banks = 1, .shade_dwell_s = 2.5f,             \
         .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1,                                      \
     }

@@ -157,7 +157,9 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
         kept(CORE_TICK_S, starts ? START_TAU_S : gait_run_up_s(fish->length_m));
     fish->slow_keep = kept(CORE_TICK_S, slow_tau_s(fish, around->law));
     fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish);
-    fish->haste = starts ? START_HASTE : 1.0f;
+    fish->haste = starts                          ? START_HASTE
+                  : fish->avoiding == AVOID_YAW ? around->law->swerve_haste
+                                                : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
     /* The nose follows the course; a fish that hangs still hardly tilts. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
