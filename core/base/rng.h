@@ -52,6 +52,8 @@ enum rng_purpose {
     RNG_BOWL_ROUND,
     RNG_BOWL_POUR,
     RNG_FISH_LENGTH,
+    RNG_FISH_AIR,         /* Whether it goes up for air, ... */
+    RNG_FISH_GULP,        /* ... and how long a bout it gulps. */
 };
 
 #endif

@@ -39,7 +39,9 @@ void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_co
         struct body *body = &crowd->body[i];
         *body = body_of(&box, space * fish[i].length_m);
         const float top_m = fish[i].position_m.y + body_extent_m(body).y;
-        crowd->flags[i] = top_m > FISH_AIRBORNE_M ? CROWD_SWIMS | CROWD_AIRBORNE : CROWD_SWIMS;
+        crowd->flags[i] = CROWD_SWIMS;
+        crowd->flags[i] |= top_m > fish_emerges_m(&fish[i]) ? CROWD_AIRBORNE : 0u;
+        crowd->flags[i] |= fish[i].gait == GAIT_SURFACE ? CROWD_GULPS : 0u;
     }
 }
 

@@ -18,6 +18,7 @@ enum crowd_flag {
     CROWD_SWIMS = 1,    /* Is in the grid. */
     CROWD_AIRBORNE = 2, /* Above the surface: the surface does not hold it. */
     CROWD_BESIDE = 4,   /* An obstacle is in reach. */
+    CROWD_GULPS = 8,    /* Its snout may stand out of the water. */
 };
 
 /* What the look tells a fish of those about it; holds until the next look. */

@@ -37,6 +37,15 @@ enum fish_avoiding {
     AVOID_PITCH = 2,
 };
 
+/* What a fish that is short of air is about; see surface.h. */
+enum fish_air {
+    AIR_ENOUGH = 0,
+    AIR_RISES = 1, /* On its way up: GAIT_SWIM. */
+    AIR_GULPS = 2, /* GAIT_SURFACE, as the next two: until its body is under again. */
+    AIR_DIVES = 3,
+    AIR_DUCKS = 4, /* Frightened. */
+};
+
 /* What is done in every tick stands first, four floats at a time: lanes turn a quad of several fish
  * into columns (core/base/lanes.h). A new member belongs behind them. */
 struct fish {
@@ -79,10 +88,18 @@ struct fish {
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
     fish_index avoid_with;
     uint8_t falls;      /* Through the air: nothing else moves it. */
+    uint8_t air;        /* enum fish_air */
     float depth_goal_m; /* Wanted y, < 0. */
     float depth_stray;  /* Where its band's depth lies for it: so much higher, of the water's. */
     float alarm;        /* [0, 1] fright that the poi left behind; fades. */
 };
+
+/* How far out of the water the top of its box may stand before it is in the air: a gulper's snout
+ * is out by as much as its height. */
+static inline float fish_emerges_m(const struct fish *fish)
+{
+    return (fish->gait == GAIT_SURFACE ? fish->height_m : 0.0f) + FISH_AIRBORNE_M;
+}
 
 /* Whether this module moves it: not held by a poi, not in a bowl. */
 static inline int fish_swims(const struct fish *fish)

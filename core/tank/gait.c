@@ -3,6 +3,7 @@
 
 #include "core/base/rng.h"
 #include "core/input.h"
+#include "core/tank/surface.h"
 #include "core/tank/swim.h"
 #include "core/tank/think.h"
 
@@ -99,6 +100,10 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
 
 static void choose(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
+    if (surface_calls(fish, index, around)) {
+        surface_rise(fish, index, around);
+        return;
+    }
     const struct luck luck = luck_of(index, around);
     const struct gait_chance chance = gait_chance(fish->stamina);
     const float draw = rng_unit(key(luck, RNG_FISH_GAIT));
@@ -132,6 +137,9 @@ static void calm_down(struct fish *fish, uint32_t index, const struct surroundin
 void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * around->dt_s, 0.0f, 1.0f);
+    if (surface_tick(fish, index, around)) {
+        return;
+    }
     fish->gait_left_s -= around->dt_s;
     if (fish->gait_left_s <= 0.0f) {
         if (fish->gait == GAIT_ESCAPE) {
@@ -147,12 +155,16 @@ void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *aro
 
 void gait_escape(struct fish *fish, vec3 from_m, uint32_t index, const struct surroundings *around)
 {
+    if (surface_ducks(fish)) {
+        return;
+    }
     const struct luck luck = luck_of(index, around);
     const float away_x = fish->position_m.x - from_m.x, away_z = fish->position_m.z - from_m.z;
     const float away_rad = f_atan2(-away_x, -away_z);
     const float stray_rad = rng_range(key(luck, RNG_ESCAPE_STRAY), -45.0f, 45.0f) * F_DEG;
     const int toward = rng_unit(key(luck, RNG_FISH_ESCAPE)) >= ESCAPE_AWAY_CHANCE;
     fish->gait = GAIT_ESCAPE;
+    fish->air = AIR_ENOUGH;
     fish->gait_left_s = ESCAPE_TIME_S + rng_range(key(luck, RNG_ESCAPE_DURATION), 0.0f, 0.08f);
     /* Those that err go past the poi rather than into it. */
     const float side_rad = stray_rad < 0.0f ? -100.0f * F_DEG : 100.0f * F_DEG;

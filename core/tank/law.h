@@ -42,7 +42,12 @@ struct law {
     float shade_dwell_s;  /* A shadow gathers fish after it has been still so long ... */
     uint8_t shade_frights; /* ... and a new or moving one frightens them. */
     uint8_t escapes;      /* C-starts away from the poi and other frights. */
-    uint8_t air_by_oxygen; /* Gulps when the water is out of oxygen; else when out of stamina. */
+
+    /* Gulping at the surface (section 3.6). */
+    uint8_t air_by_oxygen;  /* When the water is out of oxygen; else when it is out of stamina. */
+    float gulp_min_s, gulp_max_s; /* A bout, uniform. */
+    float gulp_gain_per_s;  /* Stamina while its mouth is in the film. */
+    float stifle_per_s;     /* Stamina that water without any oxygen costs; from 4 mg/L on. */
 };
 
 #endif

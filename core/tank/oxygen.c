@@ -3,6 +3,7 @@
 
 #include "core/base/hash.h"
 #include "core/input.h"
+#include "core/tank/surface.h"
 
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f
@@ -93,7 +94,7 @@ float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, f
 
 static void ask(struct oxygen *oxygen, const struct fish *fish)
 {
-    if (fish_swims(fish) && fish->gait != GAIT_SURFACE) {
+    if (fish_swims(fish) && !surface_breathes(fish)) {
         const float mass_kg = fish_mass_kg(fish->length_m);
         const float breath_mg_h =
             oxygen_breath_mg_h(mass_kg, oxygen->temperature_c, fish->speed_m_s);

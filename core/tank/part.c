@@ -28,7 +28,8 @@ static void keep_inside(const struct parting *all, uint32_t index)
     p->z = f_clamp(p->z, low.z, high.z);
     p->y = f_max(p->y, low.y);
     if (!(all->crowd->flags[index] & CROWD_AIRBORNE)) {
-        p->y = f_min(p->y, high.y);
+        const float out_m = all->crowd->flags[index] & CROWD_GULPS ? 2.0f * body->half_y_m : 0.0f;
+        p->y = f_min(p->y, high.y + out_m);
     }
 }
 

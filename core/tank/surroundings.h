@@ -14,6 +14,7 @@ struct surroundings {
     vec3 size_m; /* Inner width, water depth, breadth. */
     uint32_t seed, tick;
     float dt_s; /* Since the same fish last thought. */
+    float oxygen_mg_l; /* Dissolved in the water. */
     const struct obstacle *obstacles;
     uint32_t obstacle_count;
     const struct shade *shades; /* Some of them none. */

@@ -6,6 +6,7 @@
 #include "core/input.h"
 #include "core/tank/avoid.h"
 #include "core/tank/gait.h"
+#include "core/tank/surface.h"
 
 #define DT CORE_TICK_S
 
@@ -167,6 +168,7 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
     if (starts) { /* Nothing ahead holds it. */
         fish->brake = 1.0f;
     }
+    surface_resolve(fish, around);
 }
 
 void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s)
@@ -224,7 +226,7 @@ int swim_fall(struct fish *fish)
     }
     const struct box box = fish_box(fish);
     const float emerged_m = fish->position_m.y + box_extent_m(&box).y;
-    if (emerged_m <= FISH_AIRBORNE_M) {
+    if (emerged_m <= fish_emerges_m(fish)) {
         return 0;
     }
     const float wet = f_clamp((half_m - fish->position_m.y) / (2.0f * half_m), 0.0f, 1.0f);

@@ -8,11 +8,14 @@
 #include "core/base/rng.h"
 #include "core/morph/morph.h"
 #include "core/tank/gait.h"
+#include "core/tank/surface.h"
 #include "core/tank/swim.h"
 #include "core/tank/think.h"
 
 #define PLACE_TRIES 12u /* For a spot clear of the bowl; then any will do. */
 #define START_ROUNDS_MAX 200u
+#define GULP_RADIUS_M 0.010f
+#define GULP_DEPTH_M 0.0004f
 #define PUSH_SHARE 0.10f /* A tick: pushes come and go within a twelfth of a second. */
 #define ROOM_PER_S 2.0f  /* A fish that had no room takes half a second to trust that it has. */
 
@@ -37,6 +40,7 @@ static struct surroundings surroundings_of(const struct tank *tank, uint32_t tic
         .seed = tank->seed,
         .tick = tick,
         .dt_s = CORE_TICK_S,
+        .oxygen_mg_l = tank->oxygen.dissolved_mg_l,
         .obstacles = obstacles,
         .obstacle_count = obstacle_count,
         .shades = tank->shade,
@@ -257,6 +261,15 @@ void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t 
     CORE_ASSERT(opened);
 }
 
+/* A mouth that opens in the surface rings it. */
+static void ring(struct tank *tank, const struct fish *fish, const struct surroundings *around)
+{
+    if (surface_gulps(fish, around->tick, around->dt_s)) {
+        const vec3 nose_m = v3_mad(fish->position_m, fish_forward(fish), 0.5f * fish->length_m);
+        water_press(&tank->water, tank->size_m, nose_m, GULP_RADIUS_M, GULP_DEPTH_M);
+    }
+}
+
 static void think_in_turn(struct tank *tank, struct surroundings around)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
@@ -265,6 +278,7 @@ static void think_in_turn(struct tank *tank, struct surroundings around)
         if (fish_swims(fish) && think_due(fish, i, &around)) {
             around.dt_s = think_dt_s(fish, around.tick);
             think(fish, i, &around);
+            ring(tank, fish, &around);
         }
     }
 }
@@ -367,6 +381,15 @@ uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *fish = &tank->fish[i];
         count += fish_swims(fish) && shade_covers(cast, fish->position_m);
+    }
+    return count;
+}
+
+uint32_t tank_surfacing_count(const struct tank *tank)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        count += tank->fish[i].gait == GAIT_SURFACE;
     }
     return count;
 }

@@ -99,6 +99,9 @@ uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast
 void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacles,
                uint32_t obstacle_count);
 
+/* Fish that gulp at the surface. */
+uint32_t tank_surfacing_count(const struct tank *tank);
+
 uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Fish and water. */
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Fish poses and gaits alone. */
 

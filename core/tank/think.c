@@ -3,6 +3,7 @@
 
 #include "core/input.h"
 #include "core/tank/gait.h"
+#include "core/tank/surface.h"
 #include "core/tank/swim.h"
 
 #define ALARM_FADE_PER_S 0.6f
@@ -65,7 +66,8 @@ static void alarm_by(struct fish *fish, vec3 from_m, float alarm, uint32_t index
 {
     const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
     fish->alarm = f_min(1.0f, fish->alarm + alarm);
-    if (fish->gait != GAIT_ESCAPE && fish->alarm > ALARM_START_MIN * (1.0f + boldness)) {
+    const float bears = surface_nerve(fish) * ALARM_START_MIN * (1.0f + boldness);
+    if (fish->gait != GAIT_ESCAPE && fish->alarm > bears) {
         gait_escape(fish, from_m, index, around);
     }
 }
@@ -103,7 +105,8 @@ static void see_shades(struct fish *fish, uint32_t index, const struct surroundi
 static void follow_shade(struct fish *fish, const struct surroundings *around)
 {
     struct shade_course course = { fish->heading_rad, fish->speed_goal_m_s };
-    const int heeds = fish->gait == GAIT_SWIM || fish->gait == GAIT_REST;
+    const int heeds =
+        (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST) && fish->air == AIR_ENOUGH;
     float goal_rad = 0.0f;
     if (heeds && shade_draw(around->shades, around->shade_count, around->law, fish->position_m,
                             fish->angles.yaw_rad, fish->length_m, &course)) {

@@ -27,6 +27,7 @@ static inline const struct surroundings *pond_at(uint32_t seed, uint32_t tick)
         .seed = seed,
         .tick = tick,
         .dt_s = CORE_TICK_S,
+        .oxygen_mg_l = 8.0f,
     };
     return &around;
 }

@@ -1,0 +1,231 @@
+/* surface.c -- up, gulp, down: each ends when the body is where it must be, not after a time. */
+#include "core/tank/surface.h"
+
+#include "core/base/rng.h"
+#include "core/input.h"
+#include "core/tank/gait.h"
+
+/* Facts of aquatic surface respiration: it begins between 0.8 and 5 kPa of oxygen and soon takes up
+ * most of the time; for goldfish 3 to 5 kPa, 1.2 to 2 mg/L. */
+#define CHANCE_HALF_MG_L 1.8f
+#define CHANCE_WIDTH_MG_L 0.25f
+#define TIRED_MG_L 0.4f     /* From a fresh fish to an exhausted one. */
+#define STIFLE_MG_L 4.0f    /* Below, the water tires it; see law.stifle_per_s. */
+#define TIRED_BELOW 0.25f   /* Section 3.6: the band in which the thesis' fish gulp. */
+
+#define NOSE_OUT_M 0.002f
+#define FILM_M 0.003f       /* Its mouth is in the film down to here. */
+#define NEAR_LENGTHS 0.45f  /* It tips up when its nose is so near the surface. */
+#define SNOUT_M 0.003f      /* And is at the surface when its back would break it in a moment. */
+#define PITCH_MIN (35.0f * F_DEG)
+#define PITCH_SPREAD (15.0f * F_DEG)
+#define NOD_RAD (5.0f * F_DEG)
+#define CLIMB_MAX_M_S 0.03f
+#define CLIMB_GAIN_PER_S 3.0f
+#define BOB_M_S 0.012f      /* Half a millimetre, as slowly as a climb takes effect. */
+#define DUCK_M_S 0.06f
+#define DUCK_HASTE 8.0f
+#define DIVE_PITCH (-14.0f * F_DEG)
+#define RISE_SHARE 0.6f     /* Of a swimming fish's speed; at the surface it hardly drifts. */
+#define DRIFT_SHARE 0.16f
+#define NERVE 1.6f
+#define GULP_TICKS_MIN 76u  /* 0.63 s, up to 0.26 s more by individual: 67 to 95 a minute. */
+#define GAPE_SHARE 0.55f    /* Of a gulp that the mouth is open. */
+
+float surface_chance(float oxygen_mg_l, float stamina)
+{
+    const float half_mg_l = CHANCE_HALF_MG_L + TIRED_MG_L * (0.5f - stamina);
+    return 1.0f / (1.0f + f_exp((oxygen_mg_l - half_mg_l) / CHANCE_WIDTH_MG_L));
+}
+
+static float draw(uint32_t index, const struct surroundings *around, enum rng_purpose purpose)
+{
+    return rng_unit((struct rng_key){ around->seed, around->tick, index, purpose });
+}
+
+int surface_calls(const struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    return around->law->air_by_oxygen && draw(index, around, RNG_FISH_AIR) <
+                                             surface_chance(around->oxygen_mg_l, fish->stamina);
+}
+
+static float nose_m(const struct fish *fish)
+{
+    return fish->position_m.y + 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
+}
+
+static float top_m(const struct fish *fish)
+{
+    const struct box box = fish_box(fish);
+    return fish->position_m.y + box_extent_m(&box).y;
+}
+
+int surface_breathes(const struct fish *fish)
+{
+    return fish->air == AIR_GULPS && nose_m(fish) > -FILM_M;
+}
+
+static float own_pitch_rad(const struct fish *fish)
+{
+    return PITCH_MIN + PITCH_SPREAD * (float)(fish->look >> 5 & 15u) / 15.0f;
+}
+
+static uint32_t gulp_ticks(const struct fish *fish)
+{
+    return GULP_TICKS_MIN + (fish->look >> 17 & 31u);
+}
+
+static uint32_t gulp_phase(const struct fish *fish, uint32_t tick)
+{
+    return (tick + (fish->look >> 9 & 127u)) % gulp_ticks(fish);
+}
+
+float surface_gape(const struct fish *fish, uint32_t tick)
+{
+    const float share = (float)gulp_phase(fish, tick) / (float)gulp_ticks(fish);
+    if (!surface_breathes(fish) || share > GAPE_SHARE) {
+        return 0.0f;
+    }
+    return 0.5f - 0.5f * f_cos(F_TAU * share / GAPE_SHARE);
+}
+
+int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s)
+{
+    return surface_breathes(fish) &&
+           (float)gulp_phase(fish, tick) < dt_s * (float)CORE_TICK_HZ - 0.5f;
+}
+
+/* While it gulps `gait_left_s` is what is left of its bout, and only breath in the film counts. */
+static void begin_bout(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    const struct law *law = around->law;
+    fish->gait_left_s =
+        f_lerp(law->gulp_min_s, law->gulp_max_s, draw(index, around, RNG_FISH_GULP));
+}
+
+void surface_rise(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    fish->gait = GAIT_SWIM;
+    fish->air = AIR_RISES;
+    begin_bout(fish, index, around);
+}
+
+int surface_ducks(struct fish *fish)
+{
+    if (fish->gait != GAIT_SURFACE || top_m(fish) <= 0.0f) {
+        return 0;
+    }
+    fish->air = AIR_DUCKS;
+    return 1;
+}
+
+float surface_nerve(const struct fish *fish)
+{
+    return fish->air == AIR_GULPS ? NERVE : 1.0f;
+}
+
+/* Stamina: what the film gives, what bad water takes. */
+static void breathe(struct fish *fish, const struct surroundings *around)
+{
+    const struct law *law = around->law;
+    const float lack = f_max(0.0f, 1.0f - around->oxygen_mg_l / STIFLE_MG_L);
+    const float per_s = surface_breathes(fish) ? law->gulp_gain_per_s
+                        : fish_swims(fish)     ? -law->stifle_per_s * lack
+                                               : 0.0f;
+    fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
+}
+
+/* In a living tank it goes on as long as the water calls; the thesis' fish is full after its 3 s
+ * and dives. */
+static void gulp(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    if (surface_breathes(fish)) {
+        fish->gait_left_s -= around->dt_s;
+    }
+    if (fish->gait_left_s > 0.0f) {
+        return;
+    }
+    if (surface_calls(fish, index, around)) {
+        begin_bout(fish, index, around);
+    } else {
+        fish->air = AIR_DIVES;
+    }
+}
+
+/* Under again, it swims off; its gait lasts as any. */
+static void leave(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    fish->air = AIR_ENOUGH;
+    gait_enter(fish, GAIT_SWIM, index, around);
+}
+
+int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    breathe(fish, around);
+    if (fish->air == AIR_ENOUGH && fish->gait != GAIT_ESCAPE && !around->law->air_by_oxygen &&
+        fish->stamina < TIRED_BELOW) {
+        surface_rise(fish, index, around);
+    }
+    switch (fish->air) {
+    case AIR_RISES:
+        if (top_m(fish) > -SNOUT_M) {
+            fish->gait = GAIT_SURFACE;
+            fish->air = AIR_GULPS;
+        }
+        return 1;
+    case AIR_GULPS:
+        gulp(fish, index, around);
+        return 1;
+    case AIR_DIVES:
+    case AIR_DUCKS:
+        if (top_m(fish) <= 0.0f) {
+            leave(fish, index, around);
+        }
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+static void resolve_rise(struct fish *fish)
+{
+    const float pitch_rad = own_pitch_rad(fish);
+    const float goal_m = NOSE_OUT_M - 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
+    const float off_m = goal_m - fish->position_m.y;
+    const int near = nose_m(fish) > -NEAR_LENGTHS * fish->length_m;
+    fish->depth_goal_m = goal_m;
+    fish->speed_goal_m_s *= near ? DRIFT_SHARE : RISE_SHARE;
+    fish->climb_goal_m_s = f_clamp(CLIMB_GAIN_PER_S * off_m, -CLIMB_MAX_M_S, CLIMB_MAX_M_S);
+    fish->pitch_goal_rad = near ? pitch_rad : f_min(fish->pitch_goal_rad, pitch_rad);
+}
+
+/* It nods and bobs with every gulp. */
+static void resolve_gulp(struct fish *fish, uint32_t tick)
+{
+    const float turn = F_TAU * (float)gulp_phase(fish, tick) / (float)gulp_ticks(fish);
+    fish->pitch_goal_rad = own_pitch_rad(fish) + NOD_RAD * f_sin(turn);
+    fish->climb_goal_m_s =
+        f_clamp(fish->climb_goal_m_s + BOB_M_S * f_cos(turn), -CLIMB_MAX_M_S, CLIMB_MAX_M_S);
+}
+
+void surface_resolve(struct fish *fish, const struct surroundings *around)
+{
+    switch (fish->air) {
+    case AIR_RISES:
+        resolve_rise(fish);
+        break;
+    case AIR_GULPS:
+        fish->speed_goal_m_s = around->law->swim_speed * fish->length_m;
+        resolve_rise(fish);
+        resolve_gulp(fish, around->tick);
+        break;
+    case AIR_DIVES:
+    case AIR_DUCKS:
+        fish->haste = fish->air == AIR_DUCKS ? DUCK_HASTE : 1.0f;
+        fish->climb_goal_m_s = fish->air == AIR_DUCKS ? -DUCK_M_S : -CLIMB_MAX_M_S;
+        fish->pitch_goal_rad = DIVE_PITCH;
+        break;
+    default:
+        break;
+    }
+}
