@@ -26,23 +26,40 @@ float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m
     return share * law->space_per_length;
 }
 
-void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space)
+/* Few bodies are so near the surface that their pose counts. */
+static int is_airborne(const struct body *body, float emerges_m)
+{
+    const float y = body->centre_m.y;
+    return y + body->half_x_m + body->half_y_m + body->half_z_m > emerges_m &&
+           y + body_extent_m(body).y > emerges_m;
+}
+
+void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_count)
 {
     CORE_ASSERT(fish_count <= TANK_FISH_MAX);
     crowd->count = fish_count;
     for (uint32_t i = 0; i < fish_count; i++) {
         crowd->flags[i] = 0;
-        if (!fish_swims(&fish[i])) {
-            continue;
+        if (fish_swims(&fish[i])) {
+            crowd->flags[i] = CROWD_SWIMS;
+            crowd->flags[i] |= is_airborne(&crowd->body[i], fish_emerges_m(&fish[i]))
+                                   ? CROWD_AIRBORNE
+                                   : 0u;
+            crowd->flags[i] |= fish[i].gait == GAIT_SURFACE ? CROWD_GULPS : 0u;
         }
-        const struct box box = fish_box(&fish[i]);
-        struct body *body = &crowd->body[i];
-        *body = body_of(&box, space * fish[i].length_m);
-        const float top_m = fish[i].position_m.y + body_extent_m(body).y;
-        crowd->flags[i] = CROWD_SWIMS;
-        crowd->flags[i] |= top_m > fish_emerges_m(&fish[i]) ? CROWD_AIRBORNE : 0u;
-        crowd->flags[i] |= fish[i].gait == GAIT_SURFACE ? CROWD_GULPS : 0u;
     }
+}
+
+void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space)
+{
+    CORE_ASSERT(fish_count <= TANK_FISH_MAX);
+    for (uint32_t i = 0; i < fish_count; i++) {
+        if (fish_swims(&fish[i])) {
+            const struct box box = fish_box(&fish[i]);
+            crowd->body[i] = body_of(&box, space * fish[i].length_m);
+        }
+    }
+    crowd_mark(crowd, fish, fish_count);
 }
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)

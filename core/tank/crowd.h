@@ -48,7 +48,10 @@ struct crowd {
     float slab_m[TANK_FISH_MAX];  /* Half the height of the upright box that holds it. */
 };
 
-/* Takes the bodies of all fish. Personal spaces reach `space` body lengths beyond bodies. */
+/* Sets `count` and `flags` anew from fish whose bodies are in place. */
+void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_count);
+
+/* Takes the bodies of all fish, and marks them. Personal spaces reach `space` body lengths beyond bodies. */
 void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space);
 
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are

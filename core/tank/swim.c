@@ -3,12 +3,11 @@
 
 #include "core/base/physics.h"
 #include "core/base/rng.h"
-#include "core/input.h"
 #include "core/tank/avoid.h"
 #include "core/tank/gait.h"
 #include "core/tank/surface.h"
-
-#define DT CORE_TICK_S
+#include "core/tank/swim_lanes.h"
+#include "core/tank/swim_rates.h"
 
 /* Yaw: bounds by gait (design; the thesis gives none). */
 #define TURN_RATE_REST (45.0f * F_DEG)
@@ -22,16 +21,8 @@
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-#define CLIMB_TAU_S 0.35f
-#define PITCH_TAU_S 0.30f
-#define TURN_GAIN_PER_S 3.0f
-#define TURN_TAU_S 0.12f
-#define TAIL_TAU_S 0.15f
-#define STROKE_TAU_S 0.20f
-#define BEND_TAU_S 0.08f
 #define START_HASTE 8.0f  /* A C-start bends in 10 ms and turns at its fastest 15 ms after. */
 #define START_TAU_S 0.03f /* And is at full speed when a swimmer has hardly begun. */
-#define BRAKE_KEEP 0.9010756f /* exp(-tick / 80 ms): with spread pectorals. */
 #define RUN_OUT_TAU_S 0.20f /* From a burst down to what a swimming fish may do. */
 
 static float ease(float from, float to, float tau_s)
@@ -185,13 +176,12 @@ static void turn(struct fish *fish, const struct law *law)
     /* A start among others, too: a long tail that swings as if it were alone goes through them. */
     const float rate_max = fish->turn_rate_max_rad_s * fish->room;
     const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);
-    fish->yaw_rate_rad_s =
-        f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
+    fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
-    /* It banks into the turn a little, as fish with a high back do. */
     const float bank_rad =
-        law->banks ? f_clamp(-0.07f * fish->yaw_rate_rad_s, -0.2f, 0.2f) : 0.0f;
-    fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, 0.2f);
+        law->banks ? f_clamp(BANK_PER_RAD_S * fish->yaw_rate_rad_s, -BANK_MAX_RAD, BANK_MAX_RAD)
+                   : 0.0f;
+    fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, BANK_TAU_S);
 }
 
 static void speed_up_or_glide(struct fish *fish)
@@ -243,28 +233,30 @@ int swim_fall(struct fish *fish)
     return 1;
 }
 
-/* Bainbridge 1958 and its low-speed end: f = U / 0.6 L up to 4 L/s, 4/3 (U / L + 1) above. */
 static float beat_hz(float lengths_per_s)
 {
-    return lengths_per_s < 4.0f ? f_max(0.5f, lengths_per_s / 0.6f)
-                                : 4.0f / 3.0f * (lengths_per_s + 1.0f);
+    return lengths_per_s < BEAT_FAST_LENGTHS_PER_S
+               ? f_max(BEAT_MIN_HZ, lengths_per_s / BEAT_LENGTHS)
+               : 4.0f / 3.0f * (lengths_per_s + 1.0f);
 }
 
-/* The stroke widens up to 5 Hz and then keeps its width; a glide lets the tail trail. */
+/* A glide lets the tail trail. */
 static float stroke(float hz, float beats)
 {
-    const float wide = f_clamp(0.15f + 0.85f * (hz - 0.5f) / 1.5f, 0.15f, 1.0f);
-    const float most = f_clamp(1.0f + (hz - 5.0f) / 8.0f, 1.0f, 1.5f);
-    return beats > 0.0f ? f_min(wide * most, 1.5f) : 0.15f + 0.35f * (wide - 0.15f);
+    const float wide = f_clamp(STROKE_MIN + 0.85f * (hz - 0.5f) / 1.5f, STROKE_MIN, 1.0f);
+    const float most = f_clamp(1.0f + (hz - 5.0f) / 8.0f, 1.0f, STROKE_DASH);
+    return beats > 0.0f ? f_min(wide * most, STROKE_DASH)
+                        : STROKE_MIN + 0.35f * (wide - STROKE_MIN);
 }
 
 /* A fish that runs into something does not go on swimming at it. */
 static void lose_blocked_speed(struct fish *fish, vec3 forward)
 {
-    const vec3 flat = v3_normalize_or(v3(forward.x, 0.0f, forward.z), forward);
-    const float true_m_s = f_max(0.0f, v3_dot(v3_sub(fish->velocity_m_s, fish->push_m_s), flat));
+    const vec3 flat = v3(forward.x, 0.0f, forward.z);
+    const vec3 ahead = v3_scale(flat, 1.0f / v3_length(flat)); /* No fish stands on its nose. */
+    const float true_m_s = f_max(0.0f, v3_dot(v3_sub(fish->velocity_m_s, fish->push_m_s), ahead));
     if (true_m_s < fish->speed_m_s) {
-        fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, 0.25f);
+        fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, BLOCKED_SHARE);
     }
 }
 
@@ -279,7 +271,72 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
                                   hasten(fish, STROKE_TAU_S));
     const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
     fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
-    /* In a left turn the tail lies to the left, along the arc behind it. */
-    const float bend_rad = f_clamp(-0.20f * fish->yaw_rate_rad_s, -1.0f, 1.0f);
+    const float bend_rad = f_clamp(BEND_PER_RAD_S * fish->yaw_rate_rad_s, -1.0f, 1.0f);
     fish->bend_rad = f_lerp(fish->bend_rad, bend_rad, hasten(fish, BEND_TAU_S));
+}
+
+/* ---- All fish of a tank --------------------------------------------------------------------- */
+
+static struct body make_body(const struct fish *fish, float space)
+{
+    const struct box box = fish_box(fish);
+    return body_of(&box, space * fish->length_m);
+}
+
+static uint32_t width_of(uint32_t lanes)
+{
+    return lanes == 8u ? 8u : 4u;
+}
+
+/* Whether `width` fish from here on all swim: such a block goes through the lanes. */
+static int is_block(const struct shoal *shoal, uint32_t first, uint32_t width)
+{
+    if (shoal->count - first < width) {
+        return 0;
+    }
+    int all = 1;
+    for (uint32_t i = first; i < first + width; i++) {
+        all &= fish_swims(&shoal->fish[i]) & !shoal->fish[i].falls;
+    }
+    return all;
+}
+
+void swim_move_all(const struct shoal *shoal, uint32_t lanes)
+{
+    const uint32_t width = width_of(lanes);
+    for (uint32_t i = 0; i < shoal->count;) {
+        struct fish *fish = &shoal->fish[i];
+        if (is_block(shoal, i, width)) {
+            LANES_PICK(lanes, swim_move_block)(fish, &shoal->body[i], shoal->law, shoal->space);
+            i += width;
+            continue;
+        }
+        if (fish_swims(fish)) {
+            if (!fish->falls) {
+                swim_move(fish, shoal->law);
+            }
+            shoal->body[i] = make_body(fish, shoal->space);
+        }
+        i++;
+    }
+}
+
+void swim_settle_all(const struct shoal *shoal, uint32_t lanes)
+{
+    const uint32_t width = width_of(lanes);
+    for (uint32_t i = 0; i < shoal->count;) {
+        struct fish *fish = &shoal->fish[i];
+        const struct body *body = &shoal->body[i];
+        if (is_block(shoal, i, width)) {
+            LANES_PICK(lanes, swim_settle_block)(fish, body, &shoal->before_m[i]);
+            i += width;
+            continue;
+        }
+        if (fish_swims(fish)) {
+            fish->position_m = body->centre_m;
+            swim_settle(fish, v3_sub(body->centre_m, shoal->before_m[i]),
+                        v3_scale(body->back, -1.0f));
+        }
+        i++;
+    }
 }

@@ -2,6 +2,7 @@
 #ifndef KINGYO_CORE_TANK_SWIM_H
 #define KINGYO_CORE_TANK_SWIM_H
 
+#include "core/tank/body.h"
 #include "core/tank/fish.h"
 #include "core/tank/surroundings.h"
 
@@ -47,5 +48,22 @@ int swim_fall(struct fish *fish);
 /* After pushes: true velocity from the true move, then tail and body follow it. `forward` is along
  * the nose. */
 void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
+
+/* All fish of a tank, in columns that are indexed by fish. */
+struct shoal {
+    struct fish *fish;
+    struct body *body;    /* Of those that swim; the others' are left alone. */
+    const vec3 *before_m; /* Where they were when the tick began, and one more to read beyond. */
+    uint32_t count;
+    const struct law *law;
+    float space; /* Personal space beyond the body, in body lengths. */
+};
+
+/* swim_move() for all that swim, and their bodies: by blocks of `lanes` fish (0, 4 or 8) where all
+ * of a block swim, else one by one. Who falls only gets its body. */
+void swim_move_all(const struct shoal *shoal, uint32_t lanes);
+
+/* Takes all that swim to where their bodies are now, and settles them. */
+void swim_settle_all(const struct shoal *shoal, uint32_t lanes);
 
 #endif

@@ -283,14 +283,16 @@ static void think_in_turn(struct tank *tank, struct surroundings around)
     }
 }
 
-static void move(struct tank *tank)
+static struct shoal shoal_of(struct tank *tank)
 {
-    const struct law *law = tank_law(tank);
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        if (fish_swims(&tank->fish[i]) && !tank->fish[i].falls) {
-            swim_move(&tank->fish[i], law);
-        }
-    }
+    return (struct shoal){
+        .fish = tank->fish,
+        .body = tank->crowd.body,
+        .before_m = tank->before_m,
+        .count = tank->fish_count,
+        .law = tank_law(tank),
+        .space = tank->space,
+    };
 }
 
 /* Fish take what they saw to heart: whom they meet, who is near, how much room there is. */
@@ -315,27 +317,10 @@ static void heed(struct tank *tank, const struct surroundings *around)
 static void look(struct tank *tank, const struct part_place *place,
                  const struct surroundings *around)
 {
-    crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+    crowd_mark(&tank->crowd, tank->fish, tank->fish_count);
     part_clear(&tank->part, &tank->crowd, place);
     crowd_look(&tank->crowd, tank->fish, around);
     heed(tank, around);
-}
-
-static void part(struct tank *tank, const struct part_place *place)
-{
-    part_bodies(&tank->part, &tank->crowd, place);
-    take_bodies(tank);
-}
-
-static void settle(struct tank *tank)
-{
-    for (uint32_t i = 0; i < tank->crowd.count; i++) {
-        if (tank->crowd.flags[i] & CROWD_SWIMS) {
-            struct fish *fish = &tank->fish[i];
-            swim_settle(fish, v3_sub(fish->position_m, tank->before_m[i]),
-                        v3_scale(tank->crowd.body[i].back, -1.0f));
-        }
-    }
 }
 
 /* A surface that is never quite still. */
@@ -361,10 +346,11 @@ void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacle
                                       tank->before_m };
     drip(tank, tick);
     think_in_turn(tank, around);
-    move(tank);
+    const struct shoal shoal = shoal_of(tank);
+    swim_move_all(&shoal, tank->lanes);
     look(tank, &place, &around);
-    part(tank, &place);
-    settle(tank);
+    part_bodies(&tank->part, &tank->crowd, &place);
+    swim_settle_all(&shoal, tank->lanes);
     oxygen_tick(&tank->oxygen, tank->fish, tank->fish_count, tank->size_m, tick);
 }
 

@@ -34,7 +34,8 @@ struct tank {
     /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
     struct crowd crowd;
     struct part part;
-    vec3 before_m[TANK_FISH_MAX]; /* Where fish were when the tick began. */
+    vec3 before_m[TANK_FISH_MAX + 1u]; /* Where fish were when the tick began; lanes read a float
+                                          beyond the last. */
 };
 
 /* A tank to open. */

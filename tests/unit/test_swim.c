@@ -6,6 +6,8 @@
 
 #include <cmocka.h>
 
+#include "core/base/mem.h"
+#include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/gait.h"
 #include "core/tank/swim.h"
@@ -281,6 +283,147 @@ static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **stat
     assert_int_equal(swim_fall(&fish), 0);
 }
 
+/* ---- Lanes ---------------------------------------------------------------------------------- */
+
+#define SHOAL 67u /* No multiple of any number of lanes. */
+#define SHOAL_ROUNDS 3000u
+
+static float drawn(uint32_t round, uint32_t fish, uint32_t *use, float low, float high)
+{
+    return rng_range((struct rng_key){ round, fish, (*use)++, RNG_TEST }, low, high);
+}
+
+/* Anything that a tank could ever make of a fish, and a little beyond. */
+static struct fish any_fish(uint32_t round, uint32_t index)
+{
+    uint32_t use = 0;
+#define DRAWN(low, high) drawn(round, index, &use, low, high)
+    struct fish fish = {
+        .position_m = { DRAWN(-0.7f, 0.7f), DRAWN(-0.2f, 0.0f), DRAWN(-0.4f, 0.4f) },
+        .speed_m_s = DRAWN(0.0f, 0.5f),
+        .angles = { DRAWN(-F_PI, F_PI), DRAWN(-1.0f, 1.0f), DRAWN(-1.6f, 1.6f) },
+        .yaw_rate_rad_s = DRAWN(-20.0f, 20.0f),
+        .push_m_s = { DRAWN(-0.03f, 0.03f), DRAWN(-0.03f, 0.03f), DRAWN(-0.03f, 0.03f) },
+        .climb_m_s = DRAWN(-0.03f, 0.03f),
+        .heading_rad = DRAWN(-9.0f, 9.0f),
+        .drawn_rad = DRAWN(-F_PI, F_PI),
+        .brake = DRAWN(0.0f, 1.0f),
+        .room = DRAWN(0.2f, 1.0f),
+        .speed_goal_m_s = DRAWN(0.0f, 0.5f),
+        .speed_up_keep = DRAWN(0.0f, 1.0f),
+        .slow_keep = DRAWN(0.0f, 1.0f),
+        .turn_rate_max_rad_s = DRAWN(0.5f, 30.0f),
+        .haste = DRAWN(0.0f, 1.0f) < 0.8f ? 1.0f : 8.0f,
+        .climb_goal_m_s = DRAWN(-0.03f, 0.03f),
+        .pitch_goal_rad = DRAWN(-0.5f, 0.5f),
+        .beats = DRAWN(0.0f, 1.0f) < 0.5f ? 0.0f : 1.0f,
+        .velocity_m_s = { DRAWN(-0.3f, 0.3f), DRAWN(-0.3f, 0.3f), DRAWN(-0.3f, 0.3f) },
+        .stamina = DRAWN(0.0f, 1.0f),
+        .bend_rad = DRAWN(-1.0f, 1.0f),
+        .tail_phase_rad = DRAWN(0.0f, 6.28f),
+        .tail_beat_hz = DRAWN(0.5f, 15.0f),
+        .tail_amplitude = DRAWN(0.15f, 1.5f),
+        .age_days = DRAWN(60.0f, 300.0f),
+    };
+    fish_grow(&fish, DRAWN(0.03f, 0.09f), pond_law());
+    fish.gait = (uint8_t)DRAWN(0.0f, 4.999f);
+    if (DRAWN(0.0f, 1.0f) < 0.02f) { /* Its block is done one by one. */
+        fish.gait = DRAWN(0.0f, 1.0f) < 0.5f ? GAIT_HELD : GAIT_BOWL;
+    }
+    fish.falls = DRAWN(0.0f, 1.0f) < 0.01f;
+#undef DRAWN
+    return fish;
+}
+
+struct school {
+    struct fish fish[SHOAL];
+    struct body body[SHOAL];
+    vec3 before_m[SHOAL + 1u];
+};
+
+static struct shoal shoal_of(struct school *school, uint8_t preset)
+{
+    return (struct shoal){ school->fish,  school->body, school->before_m, SHOAL,
+                           &tank_preset(preset)->law, 0.2f };
+}
+
+static void school_make(struct school *school, uint32_t round)
+{
+    memset(school, 0, sizeof *school);
+    for (uint32_t i = 0; i < SHOAL; i++) {
+        school->fish[i] = any_fish(round, i);
+        school->before_m[i] = school->fish[i].position_m;
+    }
+}
+
+/* By the scalar form alone. */
+static void school_swim_one_by_one(struct school *school, uint8_t preset, vec3 shove_m)
+{
+    for (uint32_t i = 0; i < SHOAL; i++) {
+        struct fish *fish = &school->fish[i];
+        if (!fish_swims(fish)) {
+            continue;
+        }
+        if (!fish->falls) {
+            swim_move(fish, &tank_preset(preset)->law);
+        }
+        const struct box box = fish_box(fish);
+        school->body[i] = body_of(&box, 0.2f * fish->length_m);
+        school->body[i].centre_m = v3_add(school->body[i].centre_m, shove_m);
+        fish->position_m = school->body[i].centre_m;
+        swim_settle(fish, v3_sub(fish->position_m, school->before_m[i]),
+                    v3_scale(school->body[i].back, -1.0f));
+    }
+}
+
+static void school_swim(struct school *school, uint8_t preset, vec3 shove_m, uint32_t lanes)
+{
+    const struct shoal shoal = shoal_of(school, preset);
+    swim_move_all(&shoal, lanes);
+    for (uint32_t i = 0; i < SHOAL; i++) {
+        if (fish_swims(&school->fish[i])) {
+            school->body[i].centre_m = v3_add(school->body[i].centre_m, shove_m);
+        }
+    }
+    swim_settle_all(&shoal, lanes);
+}
+
+static void check_lanes(uint32_t lanes)
+{
+    static struct school one_by_one, by_lanes;
+    for (uint32_t round = 0; round < SHOAL_ROUNDS; round++) {
+        const uint8_t preset = (uint8_t)(round % TANK_PRESET_COUNT);
+        const vec3 shove_m = v3(1e-4f * (float)(round % 5u), -2e-4f, 1e-4f);
+        school_make(&one_by_one, round);
+        school_make(&by_lanes, round);
+        school_swim_one_by_one(&one_by_one, preset, shove_m);
+        school_swim(&by_lanes, preset, shove_m, lanes);
+        for (uint32_t i = 0; i < SHOAL; i++) {
+            assert_memory_equal(&by_lanes.fish[i], &one_by_one.fish[i], sizeof(struct fish));
+            assert_memory_equal(&by_lanes.body[i], &one_by_one.body[i], sizeof(struct body));
+        }
+    }
+}
+
+static void test_four_fish_at_once_swim_as_each_does_alone(void **state)
+{
+    (void)state;
+    check_lanes(0);
+    check_lanes(4);
+}
+
+static void test_eight_fish_at_once_do_so_too(void **state)
+{
+    (void)state;
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx2")) {
+        check_lanes(8);
+        return;
+    }
+#endif
+    skip();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -299,6 +442,8 @@ int main(void)
         cmocka_unit_test(test_the_body_bends_along_its_arc),
         cmocka_unit_test(test_a_wall_ahead_is_left_before_it_is_touched),
         cmocka_unit_test(test_a_dropped_fish_falls_into_the_water_and_stays_there),
+        cmocka_unit_test(test_four_fish_at_once_swim_as_each_does_alone),
+        cmocka_unit_test(test_eight_fish_at_once_do_so_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

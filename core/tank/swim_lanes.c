@@ -1,0 +1,208 @@
+/* swim_lanes.c -- a block of fish moves and settles; line by line what swim.c does for one.
+ *
+ * The two forms agree to the last bit, which test_swim.c holds over random fish. */
+#include "core/tank/swim_lanes.h"
+
+#include "core/base/lanes_vec.h"
+#include "core/tank/swim_rates.h"
+
+/* The quads that struct fish begins with; QUAD_HOLDS() proves which members lie in which. */
+enum quad {
+    QUAD_PLACE,  /* position_m, speed_m_s */
+    QUAD_ANGLES, /* angles, yaw_rate_rad_s */
+    QUAD_PUSH,   /* push_m_s, climb_m_s */
+    QUAD_COURSE, /* heading_rad, drawn_rad, brake, room */
+    QUAD_PACE,   /* speed_goal_m_s, speed_up_keep, slow_keep, turn_rate_max_rad_s */
+    QUAD_ORDERS, /* haste, climb_goal_m_s, pitch_goal_rad, beats */
+    QUAD_SIZE,   /* length_m, height_m, width_m, stamina */
+    QUAD_TRUE,   /* velocity_m_s, bend_rad */
+    QUAD_TAIL,   /* tail_phase_rad, tail_beat_hz, tail_amplitude, age_days */
+};
+
+#define QUAD_HOLDS(quad, first, last)                                                              \
+    _Static_assert(offsetof(struct fish, first) == 16u * (quad) &&                                 \
+                       offsetof(struct fish, last) == 16u * (quad) + 12u,                          \
+                   #first " to " #last " are no quad")
+QUAD_HOLDS(QUAD_PLACE, position_m, speed_m_s);
+QUAD_HOLDS(QUAD_ANGLES, angles, yaw_rate_rad_s);
+QUAD_HOLDS(QUAD_PUSH, push_m_s, climb_m_s);
+QUAD_HOLDS(QUAD_COURSE, heading_rad, room);
+QUAD_HOLDS(QUAD_PACE, speed_goal_m_s, turn_rate_max_rad_s);
+QUAD_HOLDS(QUAD_ORDERS, haste, beats);
+QUAD_HOLDS(QUAD_SIZE, length_m, stamina);
+QUAD_HOLDS(QUAD_TRUE, velocity_m_s, bend_rad);
+QUAD_HOLDS(QUAD_TAIL, tail_phase_rad, age_days);
+
+static inline void load(flanes column[4], const struct fish *fish, enum quad quad)
+{
+    lanes_load_quads(column, (const char *)fish + 16u * quad, sizeof *fish);
+}
+
+static inline void store(struct fish *fish, enum quad quad, const flanes column[4])
+{
+    lanes_store_quads((char *)fish + 16u * quad, sizeof *fish, column);
+}
+
+static inline void store_body(struct body *body, uint32_t quad, struct lanes_v3 v, flanes w)
+{
+    const flanes column[4] = { v.x, v.y, v.z, w };
+    lanes_store_quads((char *)body + 16u * quad, sizeof *body, column);
+}
+
+static inline flanes ease(flanes from, flanes to, float tau_s)
+{
+    return from + (to - from) * f_min(1.0f, DT / tau_s);
+}
+
+static inline flanes hasten(flanes haste, float tau_s)
+{
+    return lanes_min(lanes_of(1.0f), haste * (DT / tau_s));
+}
+
+static inline flanes within(flanes x, float most)
+{
+    return lanes_clamp(x, lanes_of(-most), lanes_of(most));
+}
+
+struct turned {
+    flanes yaw_rad, pitch_rad, roll_rad, yaw_rate_rad_s;
+};
+
+static inline struct turned turn(const flanes angles[4], const flanes course[4], flanes rate_max,
+                                 const flanes orders[4], int banks)
+{
+    const flanes haste = orders[0];
+    const flanes error_rad = lanes_wrap_angle(course[0] + course[1] - angles[0]);
+    const flanes wanted =
+        lanes_clamp(TURN_GAIN_PER_S * haste * error_rad, -rate_max, rate_max);
+    const flanes rate = lanes_lerp(angles[3], wanted, hasten(haste, TURN_TAU_S));
+    const flanes bank_rad = banks ? within(BANK_PER_RAD_S * rate, BANK_MAX_RAD) : lanes_of(0.0f);
+    return (struct turned){
+        .yaw_rad = lanes_wrap_angle(angles[0] + rate * DT),
+        .pitch_rad = lanes_lerp(angles[1], orders[2], hasten(haste, PITCH_TAU_S)),
+        .roll_rad = ease(angles[2], bank_rad, BANK_TAU_S),
+        .yaw_rate_rad_s = rate,
+    };
+}
+
+static inline flanes speed_up_or_glide(flanes speed_m_s, flanes brake, const flanes pace[4])
+{
+    const flanes goal_m_s = pace[0] * brake;
+    const flanes slow_keep = lanes_lerp(lanes_of(BRAKE_KEEP), pace[2], brake);
+    const flanes keep = lanes_select(goal_m_s > speed_m_s, pace[1], slow_keep);
+    return lanes_lerp(goal_m_s, speed_m_s, keep);
+}
+
+static inline void make_body(struct body *body, struct lanes_v3 centre, struct lanes_basis axes,
+                             const flanes size[4], float space)
+{
+    store_body(body, 0, centre, 0.5f * size[2]);
+    store_body(body, 1, axes.right, 0.5f * size[1]);
+    store_body(body, 2, axes.up, 0.5f * size[0]);
+    store_body(body, 3, axes.back, space * size[0]);
+}
+
+void LANES_NAME(swim_move_block)(struct fish *fish, struct body *body, const struct law *law,
+                                 float space)
+{
+    flanes place[4], angles[4], push[4], course[4], pace[4], orders[4], size[4];
+    load(place, fish, QUAD_PLACE);
+    load(angles, fish, QUAD_ANGLES);
+    load(push, fish, QUAD_PUSH);
+    load(course, fish, QUAD_COURSE);
+    load(pace, fish, QUAD_PACE);
+    load(orders, fish, QUAD_ORDERS);
+    load(size, fish, QUAD_SIZE);
+
+    const struct turned t = turn(angles, course, pace[3] * course[3], orders, law->banks);
+    const flanes climb_m_s = ease(push[3], orders[1], CLIMB_TAU_S);
+    const flanes speed_m_s = speed_up_or_glide(place[3], course[2], pace);
+    const struct lanes_sin_cos yaw = lanes_sin_cos(t.yaw_rad);
+    const flanes able_m_s = size[0] * (0.8f + 0.2f * size[3]);
+    const flanes most_m_s = lanes_max(able_m_s * law->swim_speed_max, speed_m_s);
+    const struct lanes_v3 flat = { -yaw.sin * speed_m_s + push[0], lanes_of(0.0f),
+                                   -yaw.cos * speed_m_s + push[2] };
+    struct lanes_v3 velocity = lanes_v3_limit(flat, most_m_s);
+    velocity.y = push[1] + climb_m_s;
+    const struct lanes_v3 centre =
+        lanes_v3_mad(lanes_v3(place[0], place[1], place[2]), velocity, lanes_of(DT));
+
+    store(fish, QUAD_PLACE, (flanes[4]){ centre.x, centre.y, centre.z, speed_m_s });
+    store(fish, QUAD_ANGLES,
+          (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
+    store(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
+    make_body(body, centre,
+              lanes_basis(yaw, lanes_sin_cos(t.pitch_rad), lanes_sin_cos(t.roll_rad)), size,
+              space);
+}
+
+static inline flanes beat_hz(flanes lengths_per_s)
+{
+    const flanes slow = lanes_max(lanes_of(BEAT_MIN_HZ), lengths_per_s / BEAT_LENGTHS);
+    const flanes fast = 4.0f / 3.0f * (lengths_per_s + 1.0f);
+    return lanes_select(lengths_per_s < BEAT_FAST_LENGTHS_PER_S, slow, fast);
+}
+
+static inline flanes stroke(flanes hz, flanes beats)
+{
+    const flanes wide = lanes_clamp(STROKE_MIN + 0.85f * (hz - 0.5f) / 1.5f, lanes_of(STROKE_MIN),
+                                    lanes_of(1.0f));
+    const flanes most =
+        lanes_clamp(1.0f + (hz - 5.0f) / 8.0f, lanes_of(1.0f), lanes_of(STROKE_DASH));
+    return lanes_select(beats > 0.0f, lanes_min(wide * most, lanes_of(STROKE_DASH)),
+                        STROKE_MIN + 0.35f * (wide - STROKE_MIN));
+}
+
+/* The unit vector ahead in the plane, from a body's `back`. */
+static inline struct lanes_v3 flat_ahead(const flanes back[4])
+{
+    const struct lanes_v3 flat = { -back[0], lanes_of(0.0f), -back[2] };
+    return lanes_v3_scale(flat, 1.0f / lanes_v3_length(flat));
+}
+
+static inline flanes lose_blocked_speed(flanes speed_m_s, struct lanes_v3 own_m_s,
+                                        struct lanes_v3 ahead)
+{
+    const flanes true_m_s = lanes_max(lanes_of(0.0f), lanes_v3_dot(own_m_s, ahead));
+    return lanes_select(true_m_s < speed_m_s,
+                        lanes_lerp(speed_m_s, true_m_s, lanes_of(BLOCKED_SHARE)), speed_m_s);
+}
+
+void LANES_NAME(swim_settle_block)(struct fish *fish, const struct body *body,
+                                   const vec3 *before_m)
+{
+    flanes place[4], angles[4], pushed[4], orders[4], size[4], still[4], tail[4];
+    flanes centre[4], back[4], before[4];
+    load(place, fish, QUAD_PLACE);
+    load(angles, fish, QUAD_ANGLES);
+    load(pushed, fish, QUAD_PUSH);
+    load(orders, fish, QUAD_ORDERS);
+    load(size, fish, QUAD_SIZE);
+    load(still, fish, QUAD_TRUE);
+    load(tail, fish, QUAD_TAIL);
+    lanes_load_quads(centre, body, sizeof *body);
+    lanes_load_quads(back, (const char *)body + 48u, sizeof *body);
+    lanes_load_quads(before, before_m, sizeof *before_m);
+
+    const struct lanes_v3 push = { pushed[0], pushed[1], pushed[2] };
+    const struct lanes_v3 moved_m = { centre[0] - before[0], centre[1] - before[1],
+                                      centre[2] - before[2] };
+    const struct lanes_v3 v = lanes_v3_scale(moved_m, lanes_of(1.0f / DT));
+    const flanes speed_m_s =
+        lose_blocked_speed(place[3], lanes_v3_sub(v, push), flat_ahead(back));
+    const struct lanes_v3 drift = lanes_v3_scale(push, lanes_of(0.5f));
+    const flanes along_m_s = lanes_v3_length(lanes_v3_sub(v, drift));
+    const flanes hz =
+        lanes_lerp(tail[1], beat_hz(along_m_s / size[0]), hasten(orders[0], TAIL_TAU_S));
+    const flanes amplitude =
+        lanes_lerp(tail[2], stroke(hz, orders[3]), hasten(orders[0], STROKE_TAU_S));
+    const flanes phase = tail[0] + F_TAU * hz * DT;
+    const flanes bend_rad = lanes_lerp(still[3], within(BEND_PER_RAD_S * angles[3], 1.0f),
+                                       hasten(orders[0], BEND_TAU_S));
+
+    store(fish, QUAD_PLACE, (flanes[4]){ centre[0], centre[1], centre[2], speed_m_s });
+    store(fish, QUAD_TRUE, (flanes[4]){ v.x, v.y, v.z, bend_rad });
+    store(fish, QUAD_TAIL,
+          (flanes[4]){ lanes_select(phase >= F_TAU, phase - F_TAU, phase), hz, amplitude,
+                       tail[3] });
+}
