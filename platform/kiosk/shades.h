@@ -20,8 +20,8 @@ struct shade_hand {
 uint32_t shade_hand_open(struct shade_hand *hand, const struct hal_shade *device, uint64_t now_ns);
 
 /* Takes the newest reading; a lost device is looked for once a second, and holds nothing meanwhile.
- * A reading with a number that is none, or beyond 1,000 m, is refused. Returns how many faults there
- * were. */
+ * A reading with a number that is none, or beyond 1,000 m, is refused. Returns how many faults it
+ * met. */
 uint32_t shade_hand_sample(struct shade_hand *hand, const struct hal_shade *device,
                            uint64_t now_ns);
 

@@ -1,7 +1,7 @@
 /* test_core_wild.c -- whatever controllers do, the core goes on: no panic, no number that is none.
  *
  * Four players' worth of links that come and go, hands anywhere a float reaches, and random
- * presses. */
+ * presses; fans too. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -59,6 +59,12 @@ static void stir(struct input *input)
         }
         if (draw(12) == 0) {
             poi->target = pick_target();
+        }
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        if (draw(60) == 0) {
+            input->shade[i] =
+                (struct shade_input){ (uint8_t)draw(2), pick_m(), pick_m(), pick_m() };
         }
     }
 }

@@ -97,8 +97,8 @@ static void test_the_fan_comes_under_the_pointer_and_follows_it(void **state)
     assert_float_equal(fan_after(2000).z_m, on_water(700.0f, 400.0f).z, 1e-5f);
 }
 
-/* It enters and leaves over the near edge, beyond what the screen shows, and never jumps, though the
- * key is let go in mid swing. */
+/* It enters and leaves over the near edge, beyond what the screen shows, and never jumps, even when
+ * the key is let go in mid swing. */
 static void test_the_fan_swings_in_and_out_without_a_jump(void **state)
 {
     (void)state;
@@ -168,7 +168,7 @@ static void test_a_waiting_poi_dips_all_the_same(void **state)
     assert_true(fabsf(down.x - on_water(640.0f, 360.0f).x) < 0.02f);
 }
 
-/* Whoever lets the fan go has the pointer elsewhere: the poi must not leap there, or its paper would
+/* Who lets the fan go has the pointer elsewhere: the poi must not leap there, or its paper would
  * tear, nor may it leap when the fan is taken up again on the way. */
 static void test_the_poi_glides_back_under_the_pointer(void **state)
 {
