@@ -80,6 +80,8 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     out->ring_radius_m = POI_RADIUS_M;
     out->sag_m = poi->sheet.sag_m;
     out->paper_left = sheet_left(&poi->sheet);
+    const struct shade_cast *cast = &core->tank.shade[SHADE_MAX + index].cast;
+    out->shade_dark = cast->present ? cast->dark : 0.0f;
     show_sheet(&poi->sheet, out);
 }
 

@@ -10,7 +10,9 @@ layout(std140) uniform Frame {
     vec4 tank;       // Half width, water depth, half breadth, rim height above the water.
     vec4 screen;     // 1 / width, 1 / height of the screen; z: absorption, 1 / m; w: caustic layer.
     vec4 shadow;     // xy: world x, z to the shadow map's -1 .. 1; zw: drift, m per m of height.
-    vec4 bend;       // xy: screen fraction per unit of surface slope, in x and in z.
+    vec4 bend;       // xy: screen fraction per unit of surface slope, in x and in z;
+                     // zw: how many of the shades are fans', and how many there are.
+    vec4 shades[8];  // Middle x, z, radius and darkness: fans first, then dry pois.
 };
 
 const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
@@ -21,4 +23,18 @@ const float CAUSTIC_TILES = 3.6;                       // Per metre.
 vec3 water_passes(float path_m)
 {
     return exp(-max(path_m, 0.0) * screen.z * vec3(1.25, 0.55, 0.45));
+}
+
+// How much of the light shades 0 .. count take away at `at`. It falls from straight above, as the
+// fish feel it (core/tank/shade.h), and blurs with the depth.
+float shade_at(vec3 at, float count)
+{
+    float light = 1.0;
+    float blur = 0.010 + 0.10 * max(-at.y, 0.0);
+    for (int i = 0; i < int(count); i++) {
+        float r = length(at.xz - shades[i].xy);
+        light *= 1.0 - shades[i].w
+            * (1.0 - smoothstep(shades[i].z - blur, shades[i].z + blur, r));
+    }
+    return 1.0 - light;
 }

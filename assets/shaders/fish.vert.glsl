@@ -176,6 +176,8 @@ void main()
     float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
+    float shade = shade_at(world, bend.w);
+    light *= 1.0 - 0.85 * shade;
     vec3 left = water_passes(depth * 1.2);
 #ifdef FIN
     float gloss = 0.0;
@@ -187,7 +189,7 @@ void main()
     shine *= shine;
     shine *= shine;
     // Out of the water a wet skin mirrors the lamps: narrower, not whiter all over.
-    float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet);
+    float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
     light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
 #endif
     haze = vec4(0.0);
@@ -195,5 +197,5 @@ void main()
     vec3 gain = light * left;
     pale *= gain;
     stain *= gain;
-    haze.rgb = haze.rgb * gain + WATER_COLOR * (1.0 - left) + gloss * vec3(1.0, 0.95, 0.86);
+    haze.rgb = haze.rgb * gain + WATER_COLOR * (1.0 - 0.5 * shade) * (1.0 - left) + gloss * vec3(1.0, 0.95, 0.86);
 }

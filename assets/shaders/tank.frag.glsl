@@ -8,13 +8,14 @@ const vec3 VINYL = vec3(0.53, 0.88, 0.97);
 void main()
 {
     float depth = -world.y;
+    float shade = shade_at(world, bend.z);
     vec3 base = VINYL;
 #ifdef FLOOR
     vec2 edge = tank.xz - abs(world.xz);
     float corner = smoothstep(0.0, 0.085, edge.x) * smoothstep(0.0, 0.085, edge.y);
     float light = texture(caustics, world.xz * CAUSTIC_TILES).r
         + texture(caustics, world.zx * CAUSTIC_TILES * 0.72 + 0.37).r;
-    light *= 0.42 + 0.85 * light;  // Brighter lines on calmer ground.
+    light *= (0.42 + 0.85 * light) * (1.0 - 0.8 * shade);  // Brighter lines on calmer ground.
     float fold = sin(world.x * 14.0 + sin(world.z * 10.0) * 1.3);
     float dark = texture(shadows, world.xz * shadow.xy * 0.5 + 0.5).r;
     base *= (0.95 + 0.05 * fold) * (0.66 + 0.36 * corner) * (0.60 + light * 0.80);
@@ -24,6 +25,7 @@ void main()
     float down = smoothstep(0.0, tank.y, depth);
     base *= (0.86 - 0.24 * down) * (0.60 + light * (0.45 + 1.5 * light));
 #endif
+    base *= 1.0 - shade * vec3(0.92, 0.84, 0.76); // What light is left comes from the sides.
     vec3 left = water_passes(depth * 1.2);
-    color = vec4(mix(WATER_COLOR, base, left), 1.0);
+    color = vec4(mix(WATER_COLOR * (1.0 - 0.5 * shade), base, left), 1.0);
 }

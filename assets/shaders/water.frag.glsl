@@ -32,6 +32,9 @@ void main()
     glint *= glint; glint *= glint; glint *= glint; glint *= glint;
     float edge = min(tank.x - abs(world.x), tank.z - abs(world.z));
     float line = 1.0 - smoothstep(0.0, 0.004, edge);  // The meniscus at the walls.
+    float lit = 1.0 - shade_at(world, bend.z);      // A fan hides the lamps from the water too.
+    lantern *= lit;
+    glint *= lit;
     below *= 1.0 + clamp((slope.x + slope.y) * 0.6, -0.10, 0.14);
     below += vec3(1.0, 0.86, 0.62) * min(lantern * (0.10 + 3.0 * fresnel), 0.30)
         + glint * vec3(0.55, 0.48, 0.36) + line * vec3(0.10, 0.13, 0.14);

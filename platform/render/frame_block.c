@@ -110,6 +110,27 @@ static void set_bend(struct frame *frame, const struct scene *scene, float aspec
         0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f, 0.0f);
 }
 
+/* Fans first: floor and walls take the pois' shadows, holes and all, from the shadow map. */
+static void set_shades(struct frame_block *block, const struct scene *scene)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        const struct scene_fan *const fan = &scene->fan[i];
+        if (fan->present) {
+            set(block->shades[count++], fan->x_m, fan->z_m, fan->radius_m, fan->dark);
+        }
+    }
+    block->bend[2] = (float)count;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_poi *const poi = &scene->poi[i];
+        if (poi->present && poi->shade_dark > 0.0f) {
+            set(block->shades[count++], poi->position_m.x, poi->position_m.z,
+                poi->ring_radius_m, poi->shade_dark);
+        }
+    }
+    block->bend[3] = (float)count;
+}
+
 void frame_begin(struct frame *frame, const struct scene *scene, uint32_t width, uint32_t height)
 {
     struct frame_block *const block = &frame->block;
@@ -120,6 +141,7 @@ void frame_begin(struct frame *frame, const struct scene *scene, uint32_t width,
     const vec3 size = scene->tank_size_m;
     set_camera(frame, &scene->view, aspect, (float)height);
     set_bend(frame, scene, aspect);
+    set_shades(block, scene);
     set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z, seconds);
     set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z, scene->wall_height_m - size.y);
     set(block->screen, 1.0f / (float)width, 1.0f / (float)height, ABSORPTION_OVER_DEPTH / size.y,

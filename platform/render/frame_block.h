@@ -7,6 +7,9 @@
 #include "core/scene.h"
 #include "platform/render/gl_util.h"
 
+#define FRAME_SHADE_MAX (SHADE_MAX + POI_MAX)
+_Static_assert(FRAME_SHADE_MAX == 8, "as many as in common.glsl");
+
 struct frame_block {
     float view_projection[16]; /* Column-major. */
     float eye[4];
@@ -14,8 +17,9 @@ struct frame_block {
     float screen[4];
     float shadow[4];
     float bend[4];
+    float shades[FRAME_SHADE_MAX][4];
 };
-_Static_assert(sizeof(struct frame_block) == 144, "the block has the layout of common.glsl");
+_Static_assert(sizeof(struct frame_block) == 272, "the block has the layout of common.glsl");
 
 /* What C code needs of the camera besides the block. */
 struct frame_view {

@@ -20,6 +20,7 @@ void light_pass_open(struct gl_status *status, struct light_pass *pass)
         gl_program(status, "fish shadow", "", shader_shadow_fish_vert, shader_shadow_fish_frag, "");
     pass->disc_program = gl_program(status, "disc shadow", "", shader_shadow_disc_vert,
                                     shader_shadow_disc_frag, "sheet");
+    pass->disc_slant = glGetUniformLocation(pass->disc_program, "slant");
     pass->disc_pose = glGetUniformLocation(pass->disc_program, "pose");
     pass->disc_softness = glGetUniformLocation(pass->disc_program, "softness");
     glGenVertexArrays(1, &pass->no_attributes);
@@ -69,6 +70,7 @@ static void poi_shadow(const struct light_pass *pass, const struct scene *scene,
     const struct scene_poi *const poi = &scene->poi[index];
     float pose[16];
     frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    glUniform1f(pass->disc_slant, 0.0f); /* Straight below, where fish feel it. */
     disc_shadow(pass, pose, poi->position_m.y + scene->tank_size_m.y, poi->ring_radius_m,
                 (const float[3]){ 3.7f, 0.34f, (float)index });
 }
@@ -79,6 +81,7 @@ static void bowl_shadow(const struct light_pass *pass, const struct scene *scene
     float pose[16];
     const vec3 bottom = v3_sub(bowl->position_m, v3(0.0f, bowl->depth_m * 0.6f, 0.0f));
     frame_pose(pose, bottom, (struct angles){ 0 }, bowl->radius_m);
+    glUniform1f(pass->disc_slant, 1.0f);
     disc_shadow(pass, pose, bottom.y + scene->tank_size_m.y, bowl->radius_m,
                 (const float[3]){ 1.0f, 0.62f, -1.0f });
 }

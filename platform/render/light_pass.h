@@ -9,7 +9,7 @@
 
 struct light_pass {
     GLuint caustics_program, fish_program, disc_program;
-    GLint disc_pose, disc_softness;
+    GLint disc_pose, disc_softness, disc_slant;
     GLuint no_attributes, casters; /* Vertex arrays. */
     struct gl_target caustics;     /* A tile; repeats. */
     struct gl_target shadows;      /* The floor from above; 0 is lit. */

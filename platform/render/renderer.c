@@ -86,6 +86,7 @@ static void open_passes(struct renderer *renderer)
     fish_pass_open(status, &renderer->fish);
     poi_pass_open(status, &renderer->poi);
     bowl_pass_open(status, &renderer->bowl);
+    fan_pass_open(status, &renderer->fan);
     char why[HAL_TEXT_SIZE] = "";
     if (!ui_init(&renderer->ui, why, sizeof why)) {
         gl_fail(status, "words: %s", why);
@@ -109,6 +110,7 @@ void renderer_close(struct renderer *renderer)
 {
     close_targets(renderer);
     ui_close(&renderer->ui);
+    fan_pass_close(&renderer->fan);
     bowl_pass_close(&renderer->bowl);
     poi_pass_close(&renderer->poi);
     fish_pass_close(&renderer->fish);
@@ -264,13 +266,14 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
 }
 
-/* The rim may stand before a bowl and is always behind a poi. */
+/* The rim may stand before a bowl and is always behind a poi; a fan is over all of them. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
     draw_bowls(renderer, scene);
     basin_pass_deck(&renderer->basin, &renderer->textures);
     draw_pois(renderer, scene);
     glDisable(GL_DEPTH_TEST);
+    fan_pass_draw(&renderer->fan, scene, &renderer->textures);
     step_done(renderer, STEP_ABOVE);
 }
 

@@ -9,6 +9,7 @@
 #include "platform/hal.h"
 #include "platform/render/basin_pass.h"
 #include "platform/render/bowl_pass.h"
+#include "platform/render/fan_pass.h"
 #include "platform/render/fish_pass.h"
 #include "platform/render/frame_block.h"
 #include "platform/render/light_pass.h"
@@ -50,6 +51,7 @@ struct renderer {
     struct fish_pass fish;
     struct poi_pass poi;
     struct bowl_pass bowl;
+    struct fan_pass fan;
     struct ui ui;
     struct gl_target ground, life;
     struct gl_target screen; /* Only with multisampling; else the default framebuffer itself. */

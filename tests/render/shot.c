@@ -17,6 +17,7 @@ struct options {
     float seconds, scale;
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
+    struct shade_input fan; /* X_CM,Z_CM on the command line. */
     const char *out;
 };
 
@@ -80,6 +81,10 @@ static struct options parse(int argc, char **argv)
             o.fish = (uint32_t)strtoul(value, NULL, 10);
         } else if (!strcmp(name, "--seed")) {
             o.seed = (uint32_t)strtoul(value, NULL, 10);
+        } else if (!strcmp(name, "--fan")) {
+            o.fan.present = sscanf(value, "%f,%f", &o.fan.x_m, &o.fan.z_m) == 2;
+            o.fan = (struct shade_input){ o.fan.present, 0.01f * o.fan.x_m, 0.01f * o.fan.z_m,
+                                          0.10f };
         } else if (!strcmp(name, "--size")) {
             sscanf(value, "%ux%u", &o.width, &o.height);
         } else if (!strcmp(name, "-o")) {
@@ -103,6 +108,7 @@ static void play(const struct options *options)
     for (uint32_t i = 0; i < ticks; i++) {
         struct input input = { 0 };
         input.poi[0].link = POI_LINK_BOT;
+        input.shade[0] = options->fan;
         if (options->start && i == 60u) {
             input.pressed = INPUT_START;
         }
