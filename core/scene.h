@@ -43,7 +43,7 @@ struct scene_poi {
     float ring_radius_m;     /* Inner: the paper's edge. */
     float sag_m;             /* Depth of the paper's belly, along -up; negative bulges upward. */
     float paper_left;        /* [0, 1] area that is still there. */
-    float shade_dark;        /* [0, 1] of the light that it takes from those below; 0 once it dips. */
+    float shade_dark;        /* [0, 1] of the light that it takes from below; 0 once it dips. */
     uint8_t wetness[SHEET_SIDE * SHEET_SIDE];   /* 0 dry .. 255 wet; row 0 is the far edge (-z). */
     uint8_t integrity[SHEET_SIDE * SHEET_SIDE]; /* 255 whole .. 1 nearly torn, 0 hole. */
 };

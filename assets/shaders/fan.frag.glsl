@@ -1,7 +1,6 @@
 // A round uchiwa: paper on split bamboo, a painted goldfish over indigo ripples. It is held nearer
 // to the eye than what the eye looks at, so every edge is a little soft.
 in vec2 at;
-in vec3 world;
 uniform vec4 trim;         // The player's colour, along the rim.
 uniform sampler2D fibres;
 out vec4 color;
@@ -58,8 +57,8 @@ vec4 goldfish(vec2 place, float angle, float size)
     vec3 coat = mix(VERMILION, vec3(1.0, 0.42, 0.20), back * 0.55);
     float patchy = smoothstep(0.10, 0.20, abs(p.y - 0.10 + 0.5 * p.x) + 0.06 * sin(p.x * 23.0));
     coat = mix(WASHI, coat, patchy);
-    vec2 eye_at = vec2(abs(p.x) - 0.155, p.y + 0.33);
-    float eye = 1.0 - smoothstep(0.030, 0.030 + 2.0 * soft, length(eye_at));
+    vec2 eye_at = vec2(abs(p.x) - 0.142, p.y + 0.335);
+    float eye = 1.0 - smoothstep(0.022 - 0.5 * soft, 0.030 + 0.9 * soft, length(eye_at));
     vec3 paint = mix(veil, coat, solid);
     paint = mix(paint, vec3(0.05, 0.03, 0.05), eye * solid);
     return vec4(paint, max(wash * (0.92 - 0.55 * pale), solid * 0.97));
@@ -89,10 +88,10 @@ void main()
     float twig = ink(abs(bow) - 0.016) * ink(leaf_edge);
 
     float fibre = texture(fibres, at * 0.9).r;
-    vec3 tint = WASHI * (0.93 + 0.10 * fibre);
+    vec3 tint = WASHI * (0.98 + 0.09 * fibre);
     tint = mix(tint, BAMBOO * 0.95, 0.16 * ribs);     // Ribs show through.
     // A wash of pale blue rises from below, as water does.
-    tint = mix(tint, vec3(0.62, 0.80, 0.92), 0.55 * smoothstep(-0.9, 0.75, at.y + 0.12 * at.x));
+    tint = mix(tint, vec3(0.50, 0.78, 0.95), 0.62 * smoothstep(-0.55, 0.80, at.y + 0.12 * at.x));
     tint = mix(tint, INDIGO, 0.62 * ripples(at, vec2(-0.46, 0.36)));
     tint = mix(tint, INDIGO, 0.50 * ripples(at, vec2(0.56, -0.40)));
     float weed = min(leaf(at, vec2(0.62, 0.62), normalize(vec2(0.12, -1.0)), 0.75, 0.055, 0.16),
@@ -107,7 +106,8 @@ void main()
 
     // The handle is a round stick: dark at its sides, a node now and then, a cord at its end.
     float grip = 0.062 + 0.012 * smoothstep(1.1, 2.2, at.y);
-    float stick = max(abs(at.x) - grip, max(0.80 - at.y, at.y - 2.20));
+    vec2 end = vec2(at.x, max(at.y - 2.16, 0.0)); // Cut round at its end.
+    float stick = max(length(end) - grip, 0.80 - at.y);
     float across = clamp(at.x / grip, -1.0, 1.0);
     float node = smoothstep(0.030, 0.0, abs(fract(at.y * 1.45 + 0.25) - 0.5) * 0.7);
     vec3 wood = BAMBOO * (1.10 - 0.55 * across * across) * (1.0 - 0.22 * node)
@@ -116,10 +116,10 @@ void main()
 
     vec4 sum = vec4(rod, 1.0) * (ribs * open * 0.95);
     float shine = 0.90 + 0.12 * smoothstep(0.9, -0.6, at.x + at.y);  // The lamps' side.
-    float alpha = paper * 0.93;
+    float alpha = paper * 0.95;
     sum = vec4(tint * shine, 1.0) * alpha + sum * (1.0 - alpha);
     float hold = max(twig, ink(stick));
     vec3 hard = mix(rod * 0.85, wood, ink(stick));
     sum = vec4(hard, 1.0) * hold + sum * (1.0 - hold);
-    color = vec4(sum.rgb * 0.94, sum.a);
+    color = sum;
 }

@@ -1,7 +1,6 @@
 // A fan: one flat piece, carried by its pose. The picture is all in the fragment.
 uniform mat4 pose;   // Unit: the leaf's radius. x right, z toward the hand.
 out vec2 at;
-out vec3 world;
 
 const vec2 LOW = vec2(-1.15, -1.15);
 const vec2 HIGH = vec2(1.15, 2.35);
@@ -10,7 +9,6 @@ void main()
 {
     vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
     at = mix(LOW, HIGH, corner);
-    // The leaf is bowed a little, as split bamboo is; a flat quad shows that in its light alone.
-    world = (pose * vec4(at.x, 0.0, at.y, 1.0)).xyz;
+    vec3 world = (pose * vec4(at.x, 0.0, at.y, 1.0)).xyz;
     gl_Position = view_projection * vec4(world, 1.0);
 }
