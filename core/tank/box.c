@@ -1,6 +1,8 @@
 /* box.c -- separating axes, with the frames' cosines computed once for all of them. */
 #include "core/tank/box.h"
 
+#define PARALLEL 1e-6f /* Square of a cross product's length: edges within a thousandth. */
+
 struct frame {
     vec3 axis[3];
     float half[3];
@@ -14,59 +16,120 @@ static struct frame frame_of(const struct box *box)
     };
 }
 
-/* One box as another sees it along one of its own axes. */
-struct shade {
-    vec3 axis;
-    float half_m, margin_m;
+/* What the axes tried so far say of two boxes. */
+struct verdict {
+    float gap_m, space_m;
+    int axis; /* 0 .. 2 of a, 3 .. 5 of b, 6 + 3 i + j: edge i of a across edge j of b. */
 };
 
-/* |cosines| of an axis against a box's three. */
-static inline vec3 cosines(vec3 axis, const struct basis *axes)
+static inline void try_axis(struct verdict *verdict, float gap_m, float margins_m, int axis)
 {
-    return v3(f_abs(v3_dot(axis, axes->right)), f_abs(v3_dot(axis, axes->up)),
-              f_abs(v3_dot(axis, axes->back)));
-}
-
-/* Tries one face normal: its owner's half size and margin against the other's shadow along it. True
- * when even the grown boxes are apart. */
-static inline int apart_along(struct box_gap *gap, vec3 d, struct shade owner, vec3 cosine,
-                              vec3 other_half_m, float other_margin_m)
-{
-    const float offset = v3_dot(d, owner.axis);
-    const float body_m = f_abs(offset) - owner.half_m - v3_dot(cosine, other_half_m);
-    const float spread = cosine.x + cosine.y + cosine.z;
-    gap->space_m = f_max(gap->space_m, body_m - owner.margin_m - other_margin_m * spread);
-    if (body_m > gap->body_m) {
-        gap->body_m = body_m;
-        gap->axis = offset < 0.0f ? v3_scale(owner.axis, -1.0f) : owner.axis;
+    verdict->space_m = f_max(verdict->space_m, gap_m - margins_m);
+    if (gap_m > verdict->gap_m) {
+        verdict->gap_m = gap_m;
+        verdict->axis = axis;
     }
-    return gap->space_m > 0.0f;
 }
 
-/* Sides first, then nose and tail: so are most fish apart that are near. */
+/* Two boxes, one as the other sees it. */
+struct view_of_b {
+    struct frame a, b;
+    float margin_a_m, margin_b_m;
+    float cosine[3][3], size[3][3]; /* Of a's axes against b's; and their magnitudes. */
+    float d[3];                     /* The way from a to b, in a's frame. */
+};
+
+static struct view_of_b view_of(const struct box *a, float margin_a_m, const struct box *b,
+                                float margin_b_m)
+{
+    struct view_of_b view = { .a = frame_of(a),
+                              .b = frame_of(b),
+                              .margin_a_m = margin_a_m,
+                              .margin_b_m = margin_b_m };
+    const vec3 way = v3_sub(b->centre_m, a->centre_m);
+    for (int i = 0; i < 3; i++) {
+        view.d[i] = v3_dot(way, view.a.axis[i]);
+        for (int j = 0; j < 3; j++) {
+            view.cosine[i][j] = v3_dot(view.a.axis[i], view.b.axis[j]);
+            view.size[i][j] = f_abs(view.cosine[i][j]);
+        }
+    }
+    return view;
+}
+
+static void try_faces_of_a(struct verdict *verdict, const struct view_of_b *view)
+{
+    for (int i = 0; i < 3; i++) {
+        const float *m = view->size[i], *hb = view->b.half;
+        const float halves_m = view->a.half[i] + (m[0] * hb[0] + m[1] * hb[1] + m[2] * hb[2]);
+        try_axis(verdict, f_abs(view->d[i]) - halves_m,
+                 view->margin_a_m + view->margin_b_m * (m[0] + m[1] + m[2]), i);
+    }
+}
+
+static void try_faces_of_b(struct verdict *verdict, const struct view_of_b *view)
+{
+    for (int j = 0; j < 3; j++) {
+        const float m[3] = { view->size[0][j], view->size[1][j], view->size[2][j] };
+        const float *ha = view->a.half, *d = view->d;
+        const float offset_m = d[0] * view->cosine[0][j] + d[1] * view->cosine[1][j] +
+                               d[2] * view->cosine[2][j];
+        const float halves_m = view->b.half[j] + (m[0] * ha[0] + m[1] * ha[1] + m[2] * ha[2]);
+        try_axis(verdict, f_abs(offset_m) - halves_m,
+                 view->margin_b_m + view->margin_a_m * (m[0] + m[1] + m[2]), 3 + j);
+    }
+}
+
+/* The cross product's length makes true distances of what it shows. Edges that are parallel to a
+ * thousandth have none worth the name; face normals have said it all. */
+static void try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
+{
+    const int p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
+    const float(*c)[3] = view->cosine, (*m)[3] = view->size;
+    const float *ha = view->a.half, *hb = view->b.half;
+    const float square = c[p][j] * c[p][j] + c[q][j] * c[q][j];
+    if (square <= PARALLEL) {
+        return;
+    }
+    const float offset_m = f_abs(view->d[q] * c[p][j] - view->d[p] * c[q][j]);
+    const float halves_m =
+        ha[p] * m[q][j] + ha[q] * m[p][j] + hb[r] * m[i][s] + hb[s] * m[i][r];
+    const float margins_m =
+        view->margin_a_m * (m[q][j] + m[p][j]) + view->margin_b_m * (m[i][s] + m[i][r]);
+    const float length = f_sqrt(square);
+    try_axis(verdict, (offset_m - halves_m) / length, margins_m / length, 6 + 3 * i + j);
+}
+
+vec3 box_axis(const struct box *a, const struct box *b, int axis)
+{
+    const struct frame fa = frame_of(a), fb = frame_of(b);
+    vec3 along = fa.axis[axis % 3];
+    if (axis >= 6) {
+        along = v3_cross(fa.axis[(axis - 6) / 3], fb.axis[axis % 3]);
+        along = v3_normalize_or(along, fa.axis[1]);
+    } else if (axis >= 3) {
+        along = fb.axis[axis - 3];
+    }
+    return v3_dot(along, v3_sub(b->centre_m, a->centre_m)) < 0.0f ? v3_scale(along, -1.0f) : along;
+}
+
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
 {
-    const vec3 d = v3_sub(b->centre_m, a->centre_m), ha = a->half_m, hb = b->half_m;
-    const float ma = margin_a_m, mb = margin_b_m;
-    struct box_gap gap = { .body_m = -1e9f, .space_m = -1e9f, .axis = { 0.0f, 1.0f, 0.0f } };
-    const vec3 right = cosines(a->axes.right, &b->axes);
-    if (apart_along(&gap, d, (struct shade){ a->axes.right, ha.x, ma }, right, hb, mb)) {
-        return gap;
+    const struct view_of_b view = view_of(a, margin_a_m, b, margin_b_m);
+    struct verdict verdict = { -1e9f, -1e9f, 0 };
+    try_faces_of_a(&verdict, &view);
+    if (verdict.space_m <= 0.0f) {
+        try_faces_of_b(&verdict, &view);
     }
-    const vec3 back = cosines(a->axes.back, &b->axes);
-    if (apart_along(&gap, d, (struct shade){ a->axes.back, ha.z, ma }, back, hb, mb)) {
-        return gap;
+    for (int edges = 0; edges < 9 && verdict.space_m <= 0.0f; edges++) {
+        try_edges(&verdict, &view, edges / 3, edges % 3);
     }
-    const vec3 up = cosines(a->axes.up, &b->axes);
-    /* Stops at the first that shows them apart. */
-    (void)(apart_along(&gap, d, (struct shade){ b->axes.right, hb.x, mb },
-                       v3(right.x, up.x, back.x), ha, ma) ||
-           apart_along(&gap, d, (struct shade){ b->axes.back, hb.z, mb }, v3(right.z, up.z, back.z),
-                       ha, ma) ||
-           apart_along(&gap, d, (struct shade){ a->axes.up, ha.y, ma }, up, hb, mb) ||
-           apart_along(&gap, d, (struct shade){ b->axes.up, hb.y, mb }, v3(right.y, up.y, back.y),
-                       ha, ma));
-    return gap;
+    return (struct box_gap){ verdict.gap_m, verdict.space_m, box_axis(a, b, verdict.axis) };
+}
+
+float box_depth_m(const struct box *a, const struct box *b)
+{
+    return f_max(0.0f, -box_gap(a, 0.0f, b, 0.0f).body_m);
 }
 
 static float shadow_m(const struct frame *frame, vec3 axis)
@@ -74,27 +137,6 @@ static float shadow_m(const struct frame *frame, vec3 axis)
     return f_abs(v3_dot(frame->axis[0], axis)) * frame->half[0] +
            f_abs(v3_dot(frame->axis[1], axis)) * frame->half[1] +
            f_abs(v3_dot(frame->axis[2], axis)) * frame->half[2];
-}
-
-float box_depth_m(const struct box *a, const struct box *b)
-{
-    const struct box_gap faces = box_gap(a, 0.0f, b, 0.0f);
-    const struct frame fa = frame_of(a), fb = frame_of(b);
-    const vec3 d = v3_sub(b->centre_m, a->centre_m);
-    float gap_m = faces.body_m;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            const vec3 edge = v3_cross(fa.axis[i], fb.axis[j]);
-            const float length = v3_length(edge);
-            if (length < 1e-3f) { /* Parallel edges: a face normal has said it already. */
-                continue;
-            }
-            const vec3 axis = v3_scale(edge, 1.0f / length);
-            gap_m =
-                f_max(gap_m, f_abs(v3_dot(d, axis)) - shadow_m(&fa, axis) - shadow_m(&fb, axis));
-        }
-    }
-    return f_max(0.0f, -gap_m);
 }
 
 vec3 box_extent_m(const struct box *box)

@@ -14,20 +14,23 @@ struct box {
 };
 
 struct box_gap {
-    float body_m; /* > 0: the boxes are at least so far apart; < 0: they seem to overlap so deep. */
+    float body_m; /* > 0: the boxes are at least so far apart; < 0: they overlap so deep. */
     float space_m; /* The same for the boxes grown by their margins. */
     vec3 axis;     /* Unit, from a toward b: the direction that parts them soonest. */
 };
 
-/* Judges by the six face normals alone. Exact for boxes that share an up axis, as level fish do;
- * for pitched ones it may call a near miss an overlap, never an overlap a miss. `space_m` > 0 ends
- * the search at once: the other members are then not meaningful. */
+/* By all fifteen axes (Gottschalk 1996; Ericson 2005, section 4.4.1), those of edges across edges
+ * normalised, so that every gap is a true distance. `space_m` > 0 ends the search at once: the
+ * other members are then those of the axes tried so far. */
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b,
                        float margin_b_m);
 
-/* By all fifteen axes: the length of the shortest translation that parts the boxes, 0 when apart.
- */
+/* The length of the shortest translation that parts the boxes, 0 when apart. */
 float box_depth_m(const struct box *a, const struct box *b);
+
+/* Unit, from a toward b: axis 0 .. 2 of a, 3 .. 5 of b, or 6 + 3 i + j, edge i of a across edge j
+ * of b. */
+vec3 box_axis(const struct box *a, const struct box *b, int axis);
 
 /* Half the size of the upright box that holds `box`. */
 vec3 box_extent_m(const struct box *box);

@@ -122,104 +122,72 @@ struct look {
     const struct surroundings *around;
 };
 
-static void meet_pair(const struct look *look, uint32_t first, uint32_t second)
+static void meet_pair(const struct look *look, const struct found *found)
 {
     struct crowd *crowd = look->crowd;
     const struct surroundings *around = look->around;
-    const struct body *a = &crowd->body[first], *b = &crowd->body[second];
-    struct company *ca = &crowd->company[first], *cb = &crowd->company[second];
-    const struct box box_a = body_box(a), box_b = body_box(b);
-    const struct box_gap gap = box_gap(&box_a, a->margin_m, &box_b, b->margin_m);
-    if (gap.space_m > 0.0f) {
-        return;
-    }
-    const struct avoid_party pa = party_of(a, &look->fish[first], first),
-                             pb = party_of(b, &look->fish[second], second);
-    const struct avoid_pair advice = avoid_meet(&pa, &pb, gap.body_m, around->law, around->seed,
+    const struct body *a = &crowd->body[found->a], *b = &crowd->body[found->b];
+    struct company *ca = &crowd->company[found->a], *cb = &crowd->company[found->b];
+    const struct avoid_party pa = party_of(a, &look->fish[found->a], found->a),
+                             pb = party_of(b, &look->fish[found->b], found->b);
+    const struct avoid_pair advice = avoid_meet(&pa, &pb, found->gap_m, around->law, around->seed,
                                                 around->tick);
     take_advice(&ca->advice, &advice.a);
     take_advice(&cb->advice, &advice.b);
     ca->brake = f_min(ca->brake, advice.brake_a);
     cb->brake = f_min(cb->brake, advice.brake_b);
-    const float room = f_clamp(gap.body_m / ROOM_GAP_M, ROOM_MIN, 1.0f);
+    const float room = f_clamp(found->gap_m / ROOM_GAP_M, ROOM_MIN, 1.0f);
     ca->room = f_min(ca->room, room);
     cb->room = f_min(cb->room, room);
     const float length_m = 2.0f * f_min(a->half_z_m, b->half_z_m);
-    const float apart_m_s = avoid_repulsion_m_s(gap.body_m, length_m);
-    push_apart(ca, pa.forward, gap.axis, -apart_m_s);
-    push_apart(cb, pb.forward, gap.axis, apart_m_s);
-    crowd->overlap_count += gap.body_m < 0.0f;
-    if (gap.body_m < CONTACT_GAP_M) {
-        const struct contact contact = { (fish_index)first, (fish_index)second, gap.body_m };
-        list_contact(crowd, contact, around->seed, around->tick);
+    const float apart_m_s = avoid_repulsion_m_s(found->gap_m, length_m);
+    if (apart_m_s > 0.0f) {
+        const vec3 axis = pairs_axis(a, b, found->axis);
+        push_apart(ca, pa.forward, axis, -apart_m_s);
+        push_apart(cb, pb.forward, axis, apart_m_s);
     }
 }
 
-static int may_meet(const struct crowd *crowd, uint32_t a, uint32_t b)
+static void take_found(const struct look *look, const struct found *found)
 {
-    const vec3 d = v3_sub(crowd->body[b].centre_m, crowd->body[a].centre_m);
-    const float reach_m = crowd->reach_m[a] + crowd->reach_m[b];
-    return v3_dot(d, d) < reach_m * reach_m && f_abs(d.y) < crowd->slab_m[a] + crowd->slab_m[b];
-}
-
-/* Item `k` against the items [from, to) of the cells' order. */
-static void meet_range(const struct look *look, uint32_t k, uint32_t from, uint32_t to)
-{
-    const struct crowd *crowd = look->crowd;
-    const uint32_t me = crowd->grid.item[k];
-    for (uint32_t other = from; other < to; other++) {
-        if (may_meet(crowd, me, crowd->grid.item[other])) {
-            meet_pair(look, me, crowd->grid.item[other]);
-        }
+    struct crowd *crowd = look->crowd;
+    if (found->spaces) {
+        meet_pair(look, found);
+    }
+    crowd->overlap_count += found->gap_m < 0.0f;
+    if (found->gap_m < crowd->reach_m[found->a] + crowd->reach_m[found->b]) {
+        const struct contact contact = { (fish_index)found->a, (fish_index)found->b,
+                                         found->gap_m };
+        list_contact(crowd, contact, look->around->seed, look->around->tick);
     }
 }
 
-/* Half of the 3 x 3 cells: the rest of its own, the one to the right, the three of the next row. */
-static void meet_item(const struct look *look, uint32_t k)
-{
-    const struct grid *grid = &look->crowd->grid;
-    const uint32_t cell = grid->cell_of[grid->item[k]];
-    const uint32_t column = cell % grid->columns;
-    const uint32_t right = column + 1u < grid->columns ? cell + 1u : cell;
-    const uint32_t left = column > 0 ? cell - 1u : cell;
-    /* A row's cells follow each other, so a range of cells is a range of items. */
-    meet_range(look, k, k + 1u, grid->start[right + 1u]);
-    if (cell + grid->columns < grid->columns * grid->rows) {
-        meet_range(look, k, grid->start[left + grid->columns],
-                   grid->start[right + grid->columns + 1u]);
-    }
-}
-
-/* How far each may be felt; returns the farthest. */
-static float measure(struct crowd *crowd)
-{
-    float farthest_m = 0.01f;
-    for (uint32_t i = 0; i < crowd->count; i++) {
-        if (crowd->flags[i] & CROWD_SWIMS) {
-            struct body space = crowd->body[i];
-            space.half_x_m += space.margin_m;
-            space.half_y_m += space.margin_m;
-            space.half_z_m += space.margin_m;
-            crowd->reach_m[i] = v3_length(v3(space.half_x_m, space.half_y_m, space.half_z_m));
-            crowd->slab_m[i] = body_extent_m(&space).y;
-            farthest_m = f_max(farthest_m, crowd->reach_m[i]);
-        }
-    }
-    return farthest_m;
-}
-
-void crowd_look(struct crowd *crowd, const struct fish *fish, const struct surroundings *around)
+void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
+                const struct surroundings *around)
 {
     const struct look look = { crowd, fish, around };
-    grid_layout(&crowd->grid, around->size_m.x, around->size_m.z, 2.0f * measure(crowd));
-    grid_fill(&crowd->grid, crowd->body, crowd->flags, CROWD_SWIMS, crowd->count);
+    const struct pairs_of of = {
+        .body = crowd->body,
+        .flags = crowd->flags,
+        .reach_m = crowd->reach_m,
+        .count = crowd->count,
+        .which = CROWD_SWIMS,
+        .search = how.search,
+        .lanes = how.lanes,
+        .width_m = around->size_m.x,
+        .breadth_m = around->size_m.z,
+    };
     crowd->touch_count = 0;
     crowd->contact_count = 0;
     crowd->overlap_count = 0;
     for (uint32_t i = 0; i < crowd->count; i++) {
         crowd->company[i] = (struct company){ .brake = 1.0f, .room = 1.0f };
+        crowd->reach_m[i] = 0.5f * CONTACT_GAP_M;
     }
-    for (uint32_t k = 0; k < crowd->grid.count; k++) {
-        meet_item(&look, k);
+    pairs_begin(&crowd->pairs, &of);
+    for (uint32_t count; pairs_next(&crowd->pairs, &of, crowd->found, &count);) {
+        for (uint32_t f = 0; f < count; f++) {
+            take_found(&look, &crowd->found[f]);
+        }
     }
 }

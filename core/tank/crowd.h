@@ -8,7 +8,7 @@
 #include "core/tank/avoid.h"
 #include "core/tank/body.h"
 #include "core/tank/fish.h"
-#include "core/tank/grid.h"
+#include "core/tank/pairs.h"
 
 #define CROWD_CONTACT_MAX                                                                          \
     (4u * TANK_FISH_MAX) /* 1.4 overlap a fish at the thesis' density. Further                     \
@@ -43,9 +43,9 @@ struct crowd {
     struct contact contact[CROWD_CONTACT_MAX];
     uint32_t overlap_count; /* Pairs whose bodies the look found overlapping. */
     uint32_t touch_count;   /* Pairs that could touch; the list has room for some of them. */
-    struct grid grid;
-    float reach_m[TANK_FISH_MAX]; /* Radius of the ball that holds the personal space. */
-    float slab_m[TANK_FISH_MAX];  /* Half the height of the upright box that holds it. */
+    float reach_m[TANK_FISH_MAX]; /* Nearer than the sum of two, bodies could touch. */
+    struct pairs pairs;
+    struct found found[PAIRS_BATCH + LANES_MAX];
 };
 
 /* Sets `count` and `flags` anew from fish whose bodies are in place. */
@@ -54,9 +54,16 @@ void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_coun
 /* Takes the bodies of all fish, and marks them. Personal spaces reach `space` body lengths beyond bodies. */
 void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space);
 
+/* How the crowd is searched: a matter of speed alone. */
+struct crowd_search {
+    uint8_t search; /* enum pairs_search */
+    uint8_t lanes;  /* 0, 4 or 8, as lanes_built() */
+};
+
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
  * near, lists those that touch. `fish` are those whose bodies the crowd holds. */
-void crowd_look(struct crowd *crowd, const struct fish *fish, const struct surroundings *around);
+void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
+                const struct surroundings *around);
 
 /* The personal space that a crowd leaves, in body lengths beyond the body: the law's own in sparse
  * tanks, a fifth of it at worst. */

@@ -1,4 +1,4 @@
-/* grid.c -- counting sort of points into square cells. */
+/* grid.c -- counting sort into square cells. */
 #include "core/tank/grid.h"
 
 #include "core/base/mem.h"
@@ -15,8 +15,8 @@ void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
     /* No cell smaller than what a square plan of GRID_CELL_MAX cells would need. */
-    const float side_m = f_max(width_m, breadth_m);
-    grid->cell_m = f_max(reach_m, side_m / 1024.0f);
+    /* A little more than asked for: no rounding may put two that are near two cells apart. */
+    grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)GRID_CELL_MAX);
     grid->columns = cells_along(width_m, grid->cell_m);
     grid->rows = cells_along(breadth_m, grid->cell_m);
     while (grid->columns * grid->rows > GRID_CELL_MAX) {
@@ -24,44 +24,39 @@ void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_
         grid->columns = cells_along(width_m, grid->cell_m);
         grid->rows = cells_along(breadth_m, grid->cell_m);
     }
+    grid->cells_per_m = 1.0f / grid->cell_m;
     grid->origin_x_m = -0.5f * width_m;
     grid->origin_z_m = -0.5f * breadth_m;
 }
 
 /* Clamped before the conversion, so that no float is out of the integer's range. */
-static uint32_t cell_along(float offset_m, float cell_m, uint32_t count)
+static uint32_t cell_along(float offset_m, float cells_per_m, uint32_t count)
 {
-    return (uint32_t)f_clamp(offset_m / cell_m, 0.0f, (float)(count - 1u));
+    return (uint32_t)f_clamp(offset_m * cells_per_m, 0.0f, (float)(count - 1u));
 }
 
 uint32_t grid_cell(const struct grid *grid, vec3 point_m)
 {
-    const uint32_t column = cell_along(point_m.x - grid->origin_x_m, grid->cell_m, grid->columns);
-    const uint32_t row = cell_along(point_m.z - grid->origin_z_m, grid->cell_m, grid->rows);
-    return row * grid->columns + column;
+    const float x_m = point_m.x - grid->origin_x_m, z_m = point_m.z - grid->origin_z_m;
+    return cell_along(z_m, grid->cells_per_m, grid->rows) * grid->columns +
+           cell_along(x_m, grid->cells_per_m, grid->columns);
 }
 
-void grid_fill(struct grid *grid, const struct body *body, const uint8_t *flags, uint8_t which,
-               uint32_t count)
+void grid_sort(struct grid *grid, const fish_index *member, uint32_t count)
 {
     CORE_ASSERT(count <= TANK_FISH_MAX);
     const uint32_t cell_count = grid->columns * grid->rows;
+    grid->count = count;
     memset(grid->start, 0, sizeof grid->start[0] * (cell_count + 1u));
-    for (uint32_t i = 0; i < count; i++) {
-        if (flags[i] & which) {
-            grid->cell_of[i] = grid_cell(grid, body[i].centre_m);
-            grid->start[grid->cell_of[i]]++;
-        }
+    for (uint32_t m = 0; m < count; m++) {
+        grid->start[grid->cell_of[m]]++;
     }
     for (uint32_t c = 1; c <= cell_count; c++) {
         grid->start[c] += grid->start[c - 1u];
     }
-    grid->count = grid->start[cell_count];
     /* Each start is now its cell's end; filling from the back leaves it at the beginning, in order.
      */
-    for (uint32_t i = count; i-- > 0;) {
-        if (flags[i] & which) {
-            grid->item[--grid->start[grid->cell_of[i]]] = (fish_index)i;
-        }
+    for (uint32_t m = count; m-- > 0;) {
+        grid->item[--grid->start[grid->cell_of[m]]] = member[m];
     }
 }

@@ -1,37 +1,71 @@
-/* grid.h -- finds every pair of fish that are near each other, without looking at all pairs.
+/* grid.h -- the floor plan in square cells, and who is in which.
  *
- * A uniform grid over the tank's floor plan, rebuilt by counting sort each tick. With a cell side
- * of at least the reach asked for, the 3 x 3 cells around a fish hold all its neighbours. */
+ * A counting sort. With a cell side of at least the reach asked for, the 3 x 3 cells around a fish
+ * hold all its neighbours. */
 #ifndef KINGYO_CORE_TANK_GRID_H
 #define KINGYO_CORE_TANK_GRID_H
 
 #include <stdint.h>
 
+#include "core/base/lanes.h"
 #include "core/tank/body.h"
 #include "core/tank/fish.h"
 
 #define GRID_CELL_MAX TANK_FISH_MAX /* A 2 m x 2 m tank at the smallest reach offered. */
 
 struct grid {
-    float cell_m; /* Side of a cell. */
+    float cell_m;      /* Side of a cell. */
+    float cells_per_m; /* Its inverse. */
     float origin_x_m, origin_z_m;
     uint32_t columns, rows; /* columns * rows <= GRID_CELL_MAX */
-    uint32_t count;         /* Of bodies that are in it. */
+    uint32_t count;         /* Of items. */
     uint32_t
         start[GRID_CELL_MAX + 1u]; /* Members of cell c: item[start[c]] .. item[start[c+1]-1]. */
-    fish_index item[TANK_FISH_MAX];
-    uint32_t cell_of[TANK_FISH_MAX]; /* While it is filled. */
+    fish_index item[TANK_FISH_MAX + LANES_MAX];
+    uint32_t cell_of[TANK_FISH_MAX + LANES_MAX]; /* Of each that is to be sorted. */
 };
 
 /* Lays cells of side >= `reach_m` over a floor plan; larger where GRID_CELL_MAX would not do. */
 void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m);
 
-/* Sorts those of `count` <= TANK_FISH_MAX bodies that have one of the bits `which` among their
- * flags into cells; outliers to the border. */
-void grid_fill(struct grid *grid, const struct body *body, const uint8_t *flags, uint8_t which,
-               uint32_t count);
-
 /* The cell of a point, clamped to the plan. */
 uint32_t grid_cell(const struct grid *grid, vec3 point_m);
+
+/* Sorts `count` <= TANK_FISH_MAX members by their cells: member m's is cell_of[m]. Those of a cell
+ * keep their order. */
+void grid_sort(struct grid *grid, const fish_index *member, uint32_t count);
+
+/* A range of items. A row's cells follow each other, so their items do. */
+struct grid_range {
+    uint32_t from, to;
+};
+
+/* The cell that an item is in, at or after `cell`. */
+static inline uint32_t grid_cell_of_item(const struct grid *grid, uint32_t item, uint32_t cell)
+{
+    while (item >= grid->start[cell + 1u]) {
+        cell++;
+    }
+    return cell;
+}
+
+/* What may be near the items of a cell, and lies after it: the cell itself with the one to its
+ * right, and the three of the next row. */
+static inline struct grid_range grid_beside(const struct grid *grid, uint32_t cell)
+{
+    const uint32_t last = (cell + 1u) % grid->columns > 0 ? cell + 1u : cell;
+    return (struct grid_range){ grid->start[cell], grid->start[last + 1u] };
+}
+
+static inline struct grid_range grid_below(const struct grid *grid, uint32_t cell)
+{
+    const uint32_t below = cell + grid->columns;
+    if (below >= grid->columns * grid->rows) {
+        return (struct grid_range){ grid->count, grid->count };
+    }
+    const uint32_t first = cell % grid->columns > 0 ? below - 1u : below;
+    const uint32_t last = (cell + 1u) % grid->columns > 0 ? below + 1u : below;
+    return (struct grid_range){ grid->start[first], grid->start[last + 1u] };
+}
 
 #endif

@@ -48,6 +48,11 @@ static struct surroundings surroundings_of(const struct tank *tank, uint32_t tic
     };
 }
 
+static struct crowd_search search_of(const struct tank *tank)
+{
+    return (struct crowd_search){ .search = tank->search, .lanes = tank->lanes };
+}
+
 static int under_bowl(vec3 point_m, vec3 bowl_m, float clear_m)
 {
     const float dx = point_m.x - bowl_m.x, dz = point_m.z - bowl_m.z;
@@ -128,7 +133,7 @@ static void spread_out(struct tank *tank)
         const struct surroundings around = surroundings_of(tank, round, NULL, 0);
         crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
         part_clear(&tank->part, &tank->crowd, &place);
-        crowd_look(&tank->crowd, tank->fish, &around);
+        crowd_look(&tank->crowd, tank->fish, search_of(tank), &around);
         if (round > 0 && tank->crowd.overlap_count == 0) {
             return;
         }
@@ -198,7 +203,7 @@ static int config_fits(const struct tank_config *config)
            config->area_scale >= TANK_AREA_SCALE_MIN && config->area_scale <= TANK_AREA_SCALE_MAX &&
            config->stamina_min >= 0.0f && config->stamina_max <= 1.0f &&
            config->stamina_min <= config->stamina_max && water_fits(config) &&
-           lanes_built(config->lanes);
+           lanes_built(config->lanes) && config->search <= PAIRS_ALL;
 }
 
 int tank_open(struct tank *tank, const struct tank_config *config)
@@ -212,6 +217,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     tank->seed = config->seed;
     tank->preset = config->preset;
     tank->lanes = config->lanes;
+    tank->search = config->search;
     tank->size_m = v3(side * preset->size_m.x, preset->size_m.y, side * preset->size_m.z);
     tank->wall_height_m = preset->wall_height_m;
     tank->fish_count = config->fish_count;
@@ -319,7 +325,7 @@ static void look(struct tank *tank, const struct part_place *place,
 {
     crowd_mark(&tank->crowd, tank->fish, tank->fish_count);
     part_clear(&tank->part, &tank->crowd, place);
-    crowd_look(&tank->crowd, tank->fish, around);
+    crowd_look(&tank->crowd, tank->fish, search_of(tank), around);
     heed(tank, around);
 }
 

@@ -22,7 +22,7 @@
 struct tank {
     uint32_t seed;
     uint8_t preset; /* enum tank_preset_id */
-    uint8_t lanes;  /* As in struct tank_config; no hash covers it. */
+    uint8_t lanes, search; /* As in struct tank_config; no hash covers them. */
     vec3 size_m;
     float wall_height_m;
     uint32_t fish_count;
@@ -50,7 +50,8 @@ struct tank_config {
     float oxygen_mg_l;              /* TANK_OXYGEN_SATURATED, or 0 .. OXYGEN_MAX_MG_L. */
     float time_compression;         /* 0 .. OXYGEN_TIME_COMPRESSION_MAX */
     uint8_t pump;                   /* Whether the air stone bubbles. */
-    uint8_t lanes;                  /* 0 or 4, or 8 (core/base/lanes.h): a matter of speed alone. */
+    uint8_t lanes;  /* 0 or 4, or 8 (core/base/lanes.h): a matter of speed alone. */
+    uint8_t search; /* enum pairs_search: the same. */
 };
 
 #define TANK_OXYGEN_SATURATED (-1.0f) /* As much as the water holds, at the start. */

@@ -103,7 +103,7 @@ static const struct field bowl_fields[] = {
 
 static const struct field tank_fields[] = {
     FIELD(tank, seed),          FIELD(tank, preset), SKIP(tank, lanes),
-    FIELD(tank, size_m),
+    SKIP(tank, search),         FIELD(tank, size_m),
     FIELD(tank, wall_height_m), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
     SKIP(tank, shade),          SKIP(tank, oxygen),  SKIP(tank, crowd),

@@ -18,7 +18,7 @@ static void look(uint32_t tick)
 {
     struct surroundings around = *pond_at(1, tick);
     around.size_m = tank_m;
-    crowd_look(&crowd, fish, &around);
+    crowd_look(&crowd, fish, (struct crowd_search){ 0 }, &around);
 }
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
@@ -115,9 +115,9 @@ static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
     fish[7].gait = GAIT_BOWL;
     crowd_gather(&crowd, fish, 10, 0.2f);
     look(0);
-    assert_int_equal(crowd.grid.count, 8);
-    for (uint32_t k = 0; k < crowd.grid.count; k++) {
-        assert_true(crowd.grid.item[k] != 2 && crowd.grid.item[k] != 7);
+    assert_int_equal(crowd.pairs.grid.count, 8);
+    for (uint32_t k = 0; k < crowd.pairs.grid.count; k++) {
+        assert_true(crowd.pairs.grid.item[k] != 2 && crowd.pairs.grid.item[k] != 7);
     }
 }
 

@@ -3,7 +3,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 #include <cmocka.h>
 
@@ -11,8 +10,8 @@
 #include "core/tank/grid.h"
 
 static struct grid grid;
-static struct body bodies[TANK_FISH_MAX];
-static uint8_t flags[TANK_FISH_MAX];
+static vec3 points[TANK_FISH_MAX];
+static fish_index member[TANK_FISH_MAX + 1u];
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
 {
@@ -21,16 +20,19 @@ static float draw(uint32_t who, uint32_t purpose, float low, float high)
 
 static void fill(uint32_t count)
 {
-    memset(flags, 1, sizeof flags);
-    grid_fill(&grid, bodies, flags, 1, count);
+    for (uint32_t m = 0; m < count; m++) {
+        member[m] = (fish_index)m;
+        grid.cell_of[m] = grid_cell(&grid, points[m]);
+    }
+    grid_sort(&grid, member, count);
 }
 
 static void fill_at_random(uint32_t count, float width, float breadth)
 {
     for (uint32_t i = 0; i < count; i++) {
         /* Some lie outside. */
-        bodies[i].centre_m = v3(draw(i, 1, -0.55f * width, 0.55f * width), 0.0f,
-                                draw(i, 2, -0.55f * breadth, 0.55f * breadth));
+        points[i] = v3(draw(i, 1, -0.55f * width, 0.55f * width), 0.0f,
+                       draw(i, 2, -0.55f * breadth, 0.55f * breadth));
     }
     fill(count);
 }
@@ -46,7 +48,7 @@ static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
     assert_int_equal(grid.start[cells], 1000);
     for (uint32_t cell = 0; cell < cells; cell++) {
         for (uint32_t k = grid.start[cell]; k < grid.start[cell + 1u]; k++) {
-            assert_int_equal(grid_cell(&grid, bodies[grid.item[k]].centre_m), cell);
+            assert_int_equal(grid_cell(&grid, points[grid.item[k]]), cell);
             seen[grid.item[k]]++;
         }
     }
@@ -63,13 +65,12 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
     fill_at_random(800, 1.36f, 0.65f);
     for (uint32_t i = 0; i < 800; i++) {
         for (uint32_t j = 0; j < i; j++) {
-            const float dx = bodies[i].centre_m.x - bodies[j].centre_m.x,
-                        dz = bodies[i].centre_m.z - bodies[j].centre_m.z;
+            const float dx = points[i].x - points[j].x, dz = points[i].z - points[j].z;
             if (dx * dx + dz * dz >= reach * reach) {
                 continue;
             }
-            const int32_t a = (int32_t)grid_cell(&grid, bodies[i].centre_m),
-                          b = (int32_t)grid_cell(&grid, bodies[j].centre_m);
+            const int32_t a = (int32_t)grid_cell(&grid, points[i]),
+                          b = (int32_t)grid_cell(&grid, points[j]);
             const int32_t columns = (int32_t)grid.columns;
             assert_in_range((uint64_t)(a % columns - b % columns + 1), 0, 2);
             assert_in_range((uint64_t)(a / columns - b / columns + 1), 0, 2);
@@ -95,18 +96,38 @@ static void test_no_points_at_all_leave_every_cell_empty(void **state)
     assert_int_equal(grid.start[grid.columns * grid.rows], 0);
 }
 
-static void test_who_lacks_the_flag_is_left_out(void **state)
+static void test_members_of_a_cell_keep_their_order(void **state)
 {
     (void)state;
     grid_layout(&grid, 0.85f, 0.55f, 0.1f);
-    fill_at_random(100, 0.85f, 0.55f);
-    for (uint32_t i = 0; i < 100; i++) {
-        flags[i] = i % 3u == 0 ? 5 : 4;
+    fill_at_random(500, 0.85f, 0.55f);
+    for (uint32_t cell = 0; cell < grid.columns * grid.rows; cell++) {
+        for (uint32_t k = grid.start[cell] + 1u; k < grid.start[cell + 1u]; k++) {
+            assert_true(grid.item[k] > grid.item[k - 1u]);
+        }
     }
-    grid_fill(&grid, bodies, flags, 1, 100);
-    assert_int_equal(grid.count, 34);
-    for (uint32_t k = 0; k < grid.count; k++) {
-        assert_int_equal(grid.item[k] % 3u, 0);
+}
+
+/* Beside and below, from this cell or from the other, are the nine cells about it, each once. */
+static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
+{
+    (void)state;
+    grid_layout(&grid, 0.85f, 0.55f, 0.1f);
+    fill_at_random(500, 0.85f, 0.55f);
+    for (uint32_t i = 0; i < grid.count; i++) {
+        const uint32_t a = grid_cell(&grid, points[grid.item[i]]);
+        const struct grid_range beside = grid_beside(&grid, a), below = grid_below(&grid, a);
+        assert_int_equal(beside.from, grid.start[a]);
+        assert_int_equal(grid_cell_of_item(&grid, i, 0), a);
+        for (uint32_t j = i + 1u; j < grid.count; j++) {
+            const uint32_t b = grid_cell(&grid, points[grid.item[j]]);
+            const int32_t columns = (int32_t)grid.columns;
+            const int32_t across = (int32_t)(b % grid.columns) - (int32_t)(a % grid.columns);
+            const int32_t down = (int32_t)b / columns - (int32_t)a / columns;
+            const int meets = (j >= beside.from && j < beside.to) +
+                              (j >= below.from && j < below.to);
+            assert_int_equal(meets, across >= -1 && across <= 1 && down <= 1);
+        }
     }
 }
 
@@ -114,7 +135,7 @@ static void test_more_points_than_the_grid_holds_are_a_bug(void **state)
 {
     (void)state;
     grid_layout(&grid, 0.85f, 0.55f, 0.1f);
-    expect_assert_failure(grid_fill(&grid, bodies, flags, 1, TANK_FISH_MAX + 1u));
+    expect_assert_failure(grid_sort(&grid, member, TANK_FISH_MAX + 1u));
 }
 
 int main(void)
@@ -124,7 +145,8 @@ int main(void)
         cmocka_unit_test(test_points_within_reach_lie_in_neighbouring_cells),
         cmocka_unit_test(test_a_tiny_reach_makes_larger_cells_rather_than_too_many),
         cmocka_unit_test(test_no_points_at_all_leave_every_cell_empty),
-        cmocka_unit_test(test_who_lacks_the_flag_is_left_out),
+        cmocka_unit_test(test_members_of_a_cell_keep_their_order),
+        cmocka_unit_test(test_half_the_nine_cells_meet_each_pair_of_cells_once),
         cmocka_unit_test(test_more_points_than_the_grid_holds_are_a_bug),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

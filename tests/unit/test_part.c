@@ -21,7 +21,7 @@ static void look(void)
 {
     struct surroundings around = *pond_at(1, 0);
     around.size_m = tank_m;
-    crowd_look(&crowd, fish, &around);
+    crowd_look(&crowd, fish, (struct crowd_search){ 0 }, &around);
 }
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)

@@ -1,0 +1,40 @@
+/* pairs_lanes.h -- the search's inner loops, once for four lanes and once for eight.
+ *
+ * Called by pairs.c alone, which says what each needs. Lists that lanes run through have room for
+ * LANES_MAX more than they hold, and what stands there is some valid entry. */
+#ifndef KINGYO_CORE_TANK_PAIRS_LANES_H
+#define KINGYO_CORE_TANK_PAIRS_LANES_H
+
+#include "core/tank/pairs.h"
+
+/* Where the `count` > 0 members stand (pairs->x_m, z_m, in their order). Returns the radius of the
+ * largest ball by which one of them is felt. */
+#define PAIRS_MEASURE(name)                                                                        \
+    float name(struct pairs *pairs, const struct pairs_of *of, const fish_index *member,           \
+               uint32_t count)
+
+/* The cell of each of `count` places, by pairs->x_m and z_m. */
+#define PAIRS_CELLS(name) void name(struct pairs *pairs, uint32_t count)
+
+/* All columns, in the order of the cells. */
+#define PAIRS_COLUMNS(name) void name(struct pairs *pairs, const struct pairs_of *of)
+
+/* The next near pairs; pairs->near_count is 0 after the last. */
+#define PAIRS_NEAR(name) void name(struct pairs *pairs)
+
+/* Keeps those near pairs that all fifteen axes leave. Returns how many. */
+#define PAIRS_JUDGE(name)                                                                          \
+    uint32_t name(struct pairs *pairs, const struct pairs_of *of, struct found *found)
+
+PAIRS_MEASURE(pairs_measure_4);
+PAIRS_CELLS(pairs_cells_4);
+PAIRS_COLUMNS(pairs_columns_4);
+PAIRS_NEAR(pairs_near_4);
+PAIRS_JUDGE(pairs_judge_4);
+PAIRS_MEASURE(pairs_measure_8);
+PAIRS_CELLS(pairs_cells_8);
+PAIRS_COLUMNS(pairs_columns_8);
+PAIRS_NEAR(pairs_near_8);
+PAIRS_JUDGE(pairs_judge_8);
+
+#endif
