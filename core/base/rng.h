@@ -54,6 +54,8 @@ enum rng_purpose {
     RNG_FISH_LENGTH,
     RNG_FISH_AIR,         /* Whether it goes up for air, ... */
     RNG_FISH_GULP,        /* ... and how long a bout it gulps. */
+    RNG_ESCAPE_TURN,      /* Of a C-start's first stage. */
+    RNG_STARTLE_LATENCY,
 };
 
 #endif

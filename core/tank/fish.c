@@ -51,16 +51,19 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
         fish->depth_stray,
         fish->drawn_rad,      fish->speed_goal_m_s, fish->speed_up_keep, fish->slow_keep,
         fish->turn_rate_max_rad_s, fish->haste, fish->climb_goal_m_s, fish->pitch_goal_rad,
-        fish->beats,
+        fish->beats,          fish->habit,      fish->startle_s,  fish->refractory_s,
+        fish->escape_s,       fish->escape_from_rad, fish->escape_turn_rad,
+        fish->escape_course_rad, fish->bend_goal_rad,
     };
     hash = fish_hash_quick(hash, fish);
     hash = hash_vec3(hash, fish->velocity_m_s);
     hash = hash_vec3(hash, fish->push_m_s);
+    hash = hash_vec3(hash, fish->startle_from_m);
     hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
     hash = hash_u32(hash, fish->look);
     hash = hash_u32(hash, fish->avoid_since);
     hash = hash_u32(hash, fish->avoid_with);
-    hash = hash_u32(hash, (uint32_t)fish->air << 8 | fish->falls);
+    hash = hash_u32(hash, (uint32_t)fish->startle << 16 | (uint32_t)fish->air << 8 | fish->falls);
     return hash_u32(hash, (uint32_t)fish->avoiding << 16 | (uint32_t)fish->holder << 8 |
                               fish->thought_tick);
 }

@@ -75,6 +75,7 @@ struct fish {
     vec3 velocity_m_s;       /* World; true motion of the last tick, pushes included. */
     float bend_rad;
     float tail_phase_rad, tail_beat_hz, tail_amplitude;
+    float bend_goal_rad; /* Order, beside what the arc of its course bends it by. */
     float age_days;
 
     uint32_t look;        /* Random bits for the renderer. */
@@ -91,7 +92,18 @@ struct fish {
     uint8_t air;        /* enum fish_air */
     float depth_goal_m; /* Wanted y, < 0. */
     float depth_stray;  /* Where its band's depth lies for it: so much higher, of the water's. */
-    float alarm;        /* [0, 1] fright that the poi left behind; fades. */
+
+    /* Fright and its answer; see fright.h and escape.h. */
+    float alarm; /* [0, 1]; fades. */
+    float habit; /* [0, 1] how used to frights it is; fades. */
+    uint8_t startle;   /* enum fright_cause whose latency runs; 0 is none. */
+    float startle_s;   /* Left of the latency. */
+    vec3 startle_from_m;
+    float refractory_s; /* Until it can start again. */
+    float escape_s;     /* From the start of its last C-start to this tick's. */
+    float escape_from_rad;   /* Its yaw then. */
+    float escape_turn_rad;   /* What stage 1 turns its head by, + left, ... */
+    float escape_course_rad; /* ... and the whole start its body. */
 };
 
 /* How far out of the water the top of its box may stand before it is in the air: a gulper's snout

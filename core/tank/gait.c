@@ -3,6 +3,7 @@
 
 #include "core/base/rng.h"
 #include "core/input.h"
+#include "core/tank/escape.h"
 #include "core/tank/surface.h"
 #include "core/tank/swim.h"
 #include "core/tank/think.h"
@@ -12,13 +13,6 @@
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
 #define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
-
-/* C-start: 8 to 10 lengths a second at the peak, then a decaying dash. */
-#define ESCAPE_LENGTHS_MIN 8.0f
-#define ESCAPE_LENGTHS_MAX 10.0f
-#define ESCAPE_PEAK_S 0.12f
-#define ESCAPE_TIME_S 0.70f
-#define ESCAPE_AWAY_CHANCE 0.77f /* Mirjany & Faber: 77 % of open-field starts. */
 
 /* Beat and glide, in shares of each other; mean_stroke() brings them to the gait's speed. Both last
  * whole thoughts, so that a fish that looks at its rhythm once a thought keeps it exactly. */
@@ -131,6 +125,7 @@ static float stamina_per_s(uint8_t gait)
 static void calm_down(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     gait_enter(fish, GAIT_SWIM, index, around);
+    fish->bend_goal_rad = 0.0f;
     fish->gait_left_s = rng_range(key(luck_of(index, around), RNG_ESCAPE_CALM), 1.0f, 3.0f);
 }
 
@@ -153,27 +148,6 @@ void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *aro
     }
 }
 
-void gait_escape(struct fish *fish, vec3 from_m, uint32_t index, const struct surroundings *around)
-{
-    if (surface_ducks(fish)) {
-        return;
-    }
-    const struct luck luck = luck_of(index, around);
-    const float away_x = fish->position_m.x - from_m.x, away_z = fish->position_m.z - from_m.z;
-    const float away_rad = f_atan2(-away_x, -away_z);
-    const float stray_rad = rng_range(key(luck, RNG_ESCAPE_STRAY), -45.0f, 45.0f) * F_DEG;
-    const int toward = rng_unit(key(luck, RNG_FISH_ESCAPE)) >= ESCAPE_AWAY_CHANCE;
-    fish->gait = GAIT_ESCAPE;
-    fish->air = AIR_ENOUGH;
-    fish->gait_left_s = ESCAPE_TIME_S + rng_range(key(luck, RNG_ESCAPE_DURATION), 0.0f, 0.08f);
-    /* Those that err go past the poi rather than into it. */
-    const float side_rad = stray_rad < 0.0f ? -100.0f * F_DEG : 100.0f * F_DEG;
-    fish->heading_rad = f_wrap_angle(away_rad + (toward ? side_rad : stray_rad));
-    fish->avoiding = AVOID_NONE;
-    fish->avoid_left_s = 0.0f;
-    fish->alarm = 0.2f;
-}
-
 /* Each fish has its own rhythm. */
 static uint32_t cycle_ticks(const struct fish *fish)
 {
@@ -191,8 +165,7 @@ int gait_beats(const struct fish *fish, const struct surroundings *around)
         const uint32_t ticks = cycle_ticks(fish), now = around->tick + (fish->look >> 14 & 255u);
         return !around->law->glides || now % ticks < beat_ticks(ticks);
     }
-    return fish->gait == GAIT_BURST ||
-           (fish->gait == GAIT_ESCAPE && fish->gait_left_s > ESCAPE_TIME_S - ESCAPE_PEAK_S);
+    return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
 }
 
 /* The mean over a cycle of the speed that a fish truly has, when BEAT_SPEED and GLIDE_SPEED are
@@ -236,9 +209,7 @@ float gait_speed_m_s(const struct fish *fish, const struct surroundings *around)
     case GAIT_SWIM:
         return able_m_s(fish) * law->swim_speed * stroke(fish, around);
     case GAIT_ESCAPE:
-        return able_m_s(fish) *
-               (gait_beats(fish, around) ? f_lerp(ESCAPE_LENGTHS_MIN, ESCAPE_LENGTHS_MAX, keen)
-                                         : 2.0f);
+        return escape_speed_m_s(fish);
     default:
         return able_m_s(fish) * law->drift_speed * keen;
     }

@@ -24,10 +24,6 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
  * stamina. */
 void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around);
 
-/* The escape from what is at `from_m`: mostly away, over in less than a second. */
-void gait_escape(struct fish *fish, vec3 from_m, uint32_t index,
-                 const struct surroundings *around);
-
 /* Speed along the nose that the gait asks for now, m/s: by gait, stamina, length, and where in the
  * cycle of beats and glide the fish is. */
 float gait_speed_m_s(const struct fish *fish, const struct surroundings *around);

@@ -1,13 +1,8 @@
-/* obstacle.c -- ring, hull and fright. */
+/* obstacle.c -- ring, hull and sidestep. */
 #include "core/tank/obstacle.h"
 
 #include "core/input.h"
 
-#define FRIGHT_SPEED_M_S 0.15f
-#define FRIGHT_RANGE_M 0.08f
-#define FRIGHT_TIME_S 0.12f /* For an alarm of 1 by a disc at twice the speed, at touch. */
-#define FRIGHT_FACTOR_MAX 3.0f
-#define EDGE_ON_SHARE 0.3f /* Of the fright that the same speed broadside would give. */
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
 #define SHOVE_M 0.01f   /* Other bodies may shove one so far in a tick. */
@@ -105,35 +100,6 @@ float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m)
     const float above_m = v3_dot(d, disc->normal);
     const float out_m = v3_length(v3_mad(d, disc->normal, -above_m)) - disc->radius_m;
     return out_m <= 0.0f ? f_abs(above_m) : f_sqrt(above_m * above_m + out_m * out_m);
-}
-
-float obstacle_alarm_per_s(const struct obstacle *disc, vec3 position_m)
-{
-    const float distance_m = obstacle_disc_distance_m(disc, position_m);
-    const float speed_m_s = v3_length(disc->velocity_m_s);
-    if (disc->kind != OBSTACLE_DISC || distance_m > FRIGHT_RANGE_M ||
-        speed_m_s < FRIGHT_SPEED_M_S) {
-        return 0.0f;
-    }
-    /* What looms frightens most; what rushes past, half as much; in the air above, a quarter.
-     * Edge-on a disc is a line to the eye and pushes no water before it: its speed along itself
-     * counts for little. */
-    const float broadside = f_abs(v3_dot(disc->velocity_m_s, disc->normal)) / speed_m_s;
-    const float shown = f_lerp(EDGE_ON_SHARE, 1.0f, broadside);
-    const vec3 toward = v3_normalize_or(v3_sub(position_m, disc->centre_m), disc->normal);
-    const float looms_m_s = shown * f_max(v3_dot(disc->velocity_m_s, toward), 0.5f * speed_m_s);
-    const float seen = disc->centre_m.y > 0.0f ? 0.25f : 1.0f;
-    const float factor = f_clamp(looms_m_s / FRIGHT_SPEED_M_S - 0.5f, 0.0f, FRIGHT_FACTOR_MAX);
-    return seen * factor * (1.0f - distance_m / FRIGHT_RANGE_M) / FRIGHT_TIME_S;
-}
-
-int obstacle_startles(const struct obstacle *disc, vec3 position_m)
-{
-    const vec3 d = v3_sub(position_m, disc->centre_m);
-    const float reach_m = disc->radius_m + FRIGHT_RANGE_M;
-    return disc->kind == OBSTACLE_DISC && v3_dot(d, d) < reach_m * reach_m &&
-           v3_dot(disc->velocity_m_s, disc->velocity_m_s) >=
-               0.99f * FRIGHT_SPEED_M_S * FRIGHT_SPEED_M_S;
 }
 
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)

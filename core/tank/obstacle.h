@@ -1,4 +1,4 @@
-/* obstacle.h -- what the poi and the bowls are to a fish: hulls to keep out of, and a fright. */
+/* obstacle.h -- what the poi and the bowls are to a fish: hulls to keep out of. */
 #ifndef KINGYO_CORE_TANK_OBSTACLE_H
 #define KINGYO_CORE_TANK_OBSTACLE_H
 
@@ -7,7 +7,7 @@
 #include "core/tank/fish.h"
 
 enum obstacle_kind {
-    OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across. Frightens when it moves. */
+    OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across. */
     OBSTACLE_BOWL, /* A floating bowl's hull: half an ellipsoid hanging below the surface. */
 };
 
@@ -32,14 +32,6 @@ int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
 
 /* How near the fish is to the whole disc, sheet included. */
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
-
-/* What a disc's motion adds to the alarm of a fish in a second: nothing below 0.15 m/s or beyond
- * 8 cm; a start within 60 to 150 ms when it rushes in. */
-float obstacle_alarm_per_s(const struct obstacle *disc, vec3 position_m);
-
-/* Whether it is so fast and so near that a fish must look up at once. Cheap; never 0 where
- * obstacle_alarm_per_s() is not. */
-int obstacle_startles(const struct obstacle *disc, vec3 position_m);
 
 /* Wanted sidestep, m/s, horizontal: fish beside a slowly moving disc drift out of its way, those
  * over or under its sheet do not. */

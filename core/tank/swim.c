@@ -4,6 +4,7 @@
 #include "core/base/physics.h"
 #include "core/base/rng.h"
 #include "core/tank/avoid.h"
+#include "core/tank/escape.h"
 #include "core/tank/gait.h"
 #include "core/tank/surface.h"
 #include "core/tank/swim_lanes.h"
@@ -13,7 +14,8 @@
 #define TURN_RATE_REST (45.0f * F_DEG)
 #define TURN_RATE_SWIM (180.0f * F_DEG)
 #define TURN_RATE_BURST (720.0f * F_DEG)
-#define TURN_RATE_ESCAPE (1500.0f * F_DEG) /* A C-start turns 100 degrees in 60 to 80 ms. */
+#define TURN_RATE_ESCAPE (1500.0f * F_DEG)
+#define TURN_RATE_START (4500.0f * F_DEG) /* 60 to 120 degrees of the head in 20 ms. */
 
 #define SHUN_TAU_S 0.05f
 #define WANDER_TICKS 108u /* A new whim each 0.9 s. */
@@ -21,7 +23,7 @@
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-#define START_HASTE 8.0f  /* A C-start bends in 10 ms and turns at its fastest 15 ms after. */
+#define DASH_HASTE 8.0f   /* A dash turns at its fastest 15 ms after it wants to. */
 #define START_TAU_S 0.03f /* And is at full speed when a swimmer has hardly begun. */
 #define RUN_OUT_TAU_S 0.20f /* From a burst down to what a swimming fish may do. */
 
@@ -107,8 +109,9 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
 static float turn_rate_max_rad_s(const struct fish *fish)
 {
     switch (fish->gait) {
-    case GAIT_ESCAPE:
-        return TURN_RATE_ESCAPE;
+    case GAIT_ESCAPE: /* Among others it turns slower. */
+        return fish->room < 1.0f || escape_stage(fish) == ESCAPE_DASH ? TURN_RATE_ESCAPE
+                                                                      : TURN_RATE_START;
     case GAIT_BURST:
         return TURN_RATE_BURST;
     case GAIT_SWIM:
@@ -149,7 +152,8 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
         kept(CORE_TICK_S, starts ? START_TAU_S : gait_run_up_s(fish->length_m));
     fish->slow_keep = kept(CORE_TICK_S, slow_tau_s(fish, around->law));
     fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish);
-    fish->haste = starts                          ? START_HASTE
+    fish->haste = escape_stage(fish) == ESCAPE_DASH ? DASH_HASTE
+                  : starts                        ? HASTE_START
                   : fish->avoiding == AVOID_YAW ? around->law->swerve_haste
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
@@ -271,7 +275,8 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
                                   hasten(fish, STROKE_TAU_S));
     const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
     fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
-    const float bend_rad = f_clamp(BEND_PER_RAD_S * fish->yaw_rate_rad_s, -1.0f, 1.0f);
+    const float arc_rad = f_clamp(BEND_PER_RAD_S * fish->yaw_rate_rad_s, -1.0f, 1.0f);
+    const float bend_rad = fish->bend_goal_rad + (fish->haste < HASTE_START ? arc_rad : 0.0f);
     fish->bend_rad = f_lerp(fish->bend_rad, bend_rad, hasten(fish, BEND_TAU_S));
 }
 

@@ -16,7 +16,7 @@ enum quad {
     QUAD_ORDERS, /* haste, climb_goal_m_s, pitch_goal_rad, beats */
     QUAD_SIZE,   /* length_m, height_m, width_m, stamina */
     QUAD_TRUE,   /* velocity_m_s, bend_rad */
-    QUAD_TAIL,   /* tail_phase_rad, tail_beat_hz, tail_amplitude, age_days */
+    QUAD_TAIL,   /* tail_phase_rad, tail_beat_hz, tail_amplitude, bend_goal_rad */
 };
 
 #define QUAD_HOLDS(quad, first, last)                                                              \
@@ -31,7 +31,7 @@ QUAD_HOLDS(QUAD_PACE, speed_goal_m_s, turn_rate_max_rad_s);
 QUAD_HOLDS(QUAD_ORDERS, haste, beats);
 QUAD_HOLDS(QUAD_SIZE, length_m, stamina);
 QUAD_HOLDS(QUAD_TRUE, velocity_m_s, bend_rad);
-QUAD_HOLDS(QUAD_TAIL, tail_phase_rad, age_days);
+QUAD_HOLDS(QUAD_TAIL, tail_phase_rad, bend_goal_rad);
 
 static inline void load(flanes column[4], const struct fish *fish, enum quad quad)
 {
@@ -197,8 +197,11 @@ void LANES_NAME(swim_settle_block)(struct fish *fish, const struct body *body,
     const flanes amplitude =
         lanes_lerp(tail[2], stroke(hz, orders[3]), hasten(orders[0], STROKE_TAU_S));
     const flanes phase = tail[0] + F_TAU * hz * DT;
-    const flanes bend_rad = lanes_lerp(still[3], within(BEND_PER_RAD_S * angles[3], 1.0f),
-                                       hasten(orders[0], BEND_TAU_S));
+    const flanes arc_rad = within(BEND_PER_RAD_S * angles[3], 1.0f);
+    const flanes bend_goal_rad =
+        tail[3] + lanes_select(orders[0] < HASTE_START, arc_rad, lanes_of(0.0f));
+    const flanes bend_rad =
+        lanes_lerp(still[3], bend_goal_rad, hasten(orders[0], BEND_TAU_S));
 
     store(fish, QUAD_PLACE, (flanes[4]){ centre[0], centre[1], centre[2], speed_m_s });
     store(fish, QUAD_TRUE, (flanes[4]){ v.x, v.y, v.z, bend_rad });

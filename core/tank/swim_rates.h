@@ -22,6 +22,11 @@
 #define BEND_PER_RAD_S (-0.20f) /* In a left turn the tail lies to the left, along the arc. */
 #define BEND_TAU_S 0.08f
 
+/* A C-start is a path, which is followed to the tick: from this haste on, turn and bend are at once
+ * what they are ordered to be, and no arc bends the body. */
+#define HASTE_START 40.0f
+_Static_assert(HASTE_START * TURN_GAIN_PER_S * DT > 0.999f, "a start turns within the tick");
+
 /* Bainbridge 1958 and its low-speed end: f = U / 0.6 L up to 4 L/s, 4/3 (U / L + 1) above. */
 #define BEAT_LENGTHS 0.6f
 #define BEAT_FAST_LENGTHS_PER_S 4.0f

@@ -2,12 +2,12 @@
 #include "core/tank/think.h"
 
 #include "core/input.h"
+#include "core/tank/escape.h"
+#include "core/tank/fright.h"
 #include "core/tank/gait.h"
 #include "core/tank/surface.h"
 #include "core/tank/swim.h"
 
-#define ALARM_FADE_PER_S 0.6f
-#define ALARM_START_MIN 0.45f /* The timid start at this alarm, the bold at 0.9. */
 #define DRAWN_TAU_S 0.25f     /* A shadow draws softly: noses do not follow its every tug. */
 #define SIDESTEP_PER_S 12.0f  /* Of the sidestep that it is asked for. */
 #define HULL_SHUN_DEPTH_M                                                                          \
@@ -19,12 +19,7 @@ int think_due(const struct fish *fish, uint32_t index, const struct surroundings
         fish->position_m.y > -0.5f * fish->width_m) {
         return 1;
     }
-    for (uint32_t i = 0; i < around->obstacle_count; i++) {
-        if (obstacle_startles(&around->obstacles[i], fish->position_m)) {
-            return 1;
-        }
-    }
-    return 0;
+    return fright_alert(fish, around);
 }
 
 float think_dt_s(const struct fish *fish, uint32_t tick)
@@ -61,43 +56,14 @@ static void shun(struct fish *fish, const struct surroundings *around)
     swim_shun_turn(fish, &all, around->dt_s);
 }
 
-static void alarm_by(struct fish *fish, vec3 from_m, float alarm, uint32_t index,
-                     const struct surroundings *around)
-{
-    const float boldness = (float)(fish->look >> 3 & 31u) / 31.0f;
-    fish->alarm = f_min(1.0f, fish->alarm + alarm);
-    const float bears = surface_nerve(fish) * ALARM_START_MIN * (1.0f + boldness);
-    if (fish->gait != GAIT_ESCAPE && fish->alarm > bears) {
-        gait_escape(fish, from_m, index, around);
-    }
-}
-
-/* Takes fright at the poi, or steps aside. */
+/* Steps aside of the poi, or takes fright. */
 static void feel(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
-    const struct obstacle *obstacles = around->obstacles;
-    const float dt_s = around->dt_s;
-    fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * dt_s);
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
-        const vec3 aside_m_s = obstacle_sidestep_m_s(&obstacles[i], fish->position_m);
-        const float alarm = dt_s * obstacle_alarm_per_s(&obstacles[i], fish->position_m);
-        fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, SIDESTEP_PER_S * dt_s);
-        alarm_by(fish, obstacles[i].centre_m, alarm, index, around);
+        const vec3 aside_m_s = obstacle_sidestep_m_s(&around->obstacles[i], fish->position_m);
+        fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, SIDESTEP_PER_S * around->dt_s);
     }
-}
-
-/* Shadows frighten: eyes are slow, a thought's time is soon enough. */
-static void see_shades(struct fish *fish, uint32_t index, const struct surroundings *around)
-{
-    for (uint32_t i = 0; i < around->shade_count; i++) {
-        const struct shade *shade = &around->shades[i];
-        const float alarm =
-            shade_alarm(shade, around->law, fish->position_m, around->dt_s);
-        if (alarm > 0.0f) {
-            const vec3 from_m = v3(shade->cast.x_m, fish->position_m.y, shade->cast.z_m);
-            alarm_by(fish, from_m, alarm, index, around);
-        }
-    }
+    fright_tick(fish, index, around);
 }
 
 /* What a gait does while a shadow draws: who bursts, flees or gulps has other things in mind. Who
@@ -122,8 +88,7 @@ static void follow_shade(struct fish *fish, const struct surroundings *around)
 
 static void fall(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
-    gait_escape(fish, v3_add(fish->position_m, fish_forward(fish)), index, around);
-    fish->heading_rad = fish->angles.yaw_rad;
+    escape_dash(fish, index, around);
     fish->depth_goal_m = -0.6f * around->size_m.y;
 }
 
@@ -136,10 +101,12 @@ void think(struct fish *fish, uint32_t index, const struct surroundings *around)
         return;
     }
     feel(fish, index, around);
-    see_shades(fish, index, around);
     gait_tick(fish, index, around);
     swim_wander(fish, index, around);
     shun(fish, around);
+    if (fish->gait == GAIT_ESCAPE) {
+        escape_tick(fish, around);
+    }
     swim_resolve(fish, around);
     follow_shade(fish, around);
 }

@@ -143,7 +143,8 @@ static const struct field fish_fields[] = {
     FIELD(fish, width_m),        FIELD(fish, stamina),
     FIELD(fish, velocity_m_s),   FIELD(fish, bend_rad),
     FIELD(fish, tail_phase_rad), FIELD(fish, tail_beat_hz),
-    FIELD(fish, tail_amplitude), FIELD(fish, age_days),
+    FIELD(fish, tail_amplitude), FIELD(fish, bend_goal_rad),
+    FIELD(fish, age_days),
     FIELD(fish, look),           FIELD(fish, gait),
     FIELD(fish, avoiding),       FIELD(fish, holder),
     FIELD(fish, thought_tick),   FIELD(fish, gait_left_s),
@@ -152,6 +153,11 @@ static const struct field fish_fields[] = {
     FIELD(fish, falls),          FIELD(fish, air),
     FIELD(fish, depth_goal_m),   FIELD(fish, depth_stray),
     FIELD(fish, alarm),
+    FIELD(fish, habit),          FIELD(fish, startle),
+    FIELD(fish, startle_s),      FIELD(fish, startle_from_m),
+    FIELD(fish, refractory_s),   FIELD(fish, escape_s),
+    FIELD(fish, escape_from_rad), FIELD(fish, escape_turn_rad),
+    FIELD(fish, escape_course_rad),
 };
 
 static struct core core, twin;

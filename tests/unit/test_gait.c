@@ -136,33 +136,6 @@ static void test_a_swimming_fish_beats_a_little_under_half_its_time(void **state
     assert_in_range(beats, 3600, 4000);
 }
 
-static void test_three_escapes_in_four_lead_away(void **state)
-{
-    (void)state;
-    uint32_t away = 0;
-    for (uint32_t i = 0; i < 4000; i++) {
-        struct fish fish = rested();
-        fish.position_m = v3(0.05f, -0.05f, 0.0f);
-        gait_escape(&fish, v3(0.0f, 0.0f, 0.0f), i, pond_at(2, i));
-        away += -f_sin(fish.heading_rad) > 0.5f; /* Away is +x. */
-        assert_int_equal(fish.gait, GAIT_ESCAPE);
-        assert_true(fish.gait_left_s < 1.0f);
-    }
-    assert_float_equal((float)away / 4000.0f, 0.77f, 0.03f);
-}
-
-static void test_an_escape_peaks_at_eight_to_ten_lengths_a_second(void **state)
-{
-    (void)state;
-    for (uint32_t look = 0; look < 256; look++) {
-        struct fish fish = rested();
-        fish.look = look << 22;
-        gait_escape(&fish, v3(0.0f, 0.0f, 0.0f), 0, pond_at(2, look));
-        const float lengths = gait_speed_m_s(&fish, pond_at(1, 0)) / fish.length_m;
-        assert_true(lengths >= 7.99f && lengths <= 10.01f);
-    }
-}
-
 static void test_lively_fish_keep_low_and_tired_ones_high(void **state)
 {
     (void)state;
@@ -183,8 +156,6 @@ int main(void)
         cmocka_unit_test(test_run_up_of_a_five_centimetre_fish_is_164_ms_to_95_percent),
         cmocka_unit_test(test_speeds_are_halved_and_scale_with_length_and_stamina),
         cmocka_unit_test(test_a_swimming_fish_beats_a_little_under_half_its_time),
-        cmocka_unit_test(test_three_escapes_in_four_lead_away),
-        cmocka_unit_test(test_an_escape_peaks_at_eight_to_ten_lengths_a_second),
         cmocka_unit_test(test_lively_fish_keep_low_and_tired_ones_high),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* test_obstacle.c -- the poi's ring, the bowl's hull, and what frightens. */
+/* test_obstacle.c -- the poi's ring and the bowl's hull. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -86,66 +86,6 @@ static void test_a_hull_keeps_fish_out_sideways_and_downward(void **state)
     assert_true(push_m(&hull, v3(0.07f, -0.01f, 0.0f), 0.0f) > 0.0f);
 }
 
-/* Ticks until a fish there is as alarmed as the boldest allow; 1000: never. */
-static uint32_t ticks_to_fright(const struct obstacle *disc, vec3 position)
-{
-    float alarm = 0.0f;
-    for (uint32_t tick = 1; tick < 1000; tick++) {
-        alarm += CORE_TICK_S * obstacle_alarm_per_s(disc, position);
-        if (alarm > 0.68f) {
-            return tick;
-        }
-    }
-    return 1000;
-}
-
-/* Upright, its face toward +x, coming that way. */
-static struct obstacle broadside_disc(float speed_m_s)
-{
-    struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
-    disc.normal = v3(1.0f, 0.0f, 0.0f);
-    return disc;
-}
-
-static void test_a_rushing_disc_frightens_within_a_fifth_of_a_second(void **state)
-{
-    (void)state;
-    const struct obstacle disc = broadside_disc(0.4f);
-    const uint32_t ticks = ticks_to_fright(&disc, v3(0.03f, -0.05f, 0.0f));
-    assert_in_range(ticks, CORE_TICK_HZ * 3u / 100u, CORE_TICK_HZ / 5u);
-}
-
-static void test_a_slow_or_distant_disc_frightens_nobody(void **state)
-{
-    (void)state;
-    const struct obstacle slow = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.14f, 0.0f, 0.0f));
-    const struct obstacle fast = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.6f, 0.0f, 0.0f));
-    assert_int_equal(ticks_to_fright(&slow, v3(0.06f, -0.05f, 0.0f)), 1000);
-    assert_int_equal(ticks_to_fright(&fast, v3(0.14f, -0.05f, 0.0f)), 1000);
-}
-
-static void test_what_looms_frightens_more_than_what_goes_away(void **state)
-{
-    (void)state;
-    const struct obstacle disc = broadside_disc(0.3f);
-    assert_true(obstacle_alarm_per_s(&disc, v3(0.03f, -0.05f, 0.0f)) >
-                1.5f * obstacle_alarm_per_s(&disc, v3(-0.03f, -0.05f, 0.0f)));
-}
-
-static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
-{
-    (void)state;
-    const struct obstacle broad = broadside_disc(0.4f);
-    const struct obstacle edge = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.4f, 0.0f, 0.0f));
-    const vec3 ahead_of_broad = v3(0.03f, -0.05f, 0.0f);
-    const vec3 ahead_of_edge = v3(broad.radius_m + 0.03f, -0.05f, 0.0f);
-    const float alarm = obstacle_alarm_per_s(&edge, ahead_of_edge);
-    assert_true(alarm > 0.0f);
-    assert_true(alarm < 0.3f * obstacle_alarm_per_s(&broad, ahead_of_broad));
-    const struct obstacle slow = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.2f, 0.0f, 0.0f));
-    assert_int_equal(ticks_to_fright(&slow, ahead_of_edge), 1000);
-}
-
 static void test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not(void **state)
 {
     (void)state;
@@ -163,10 +103,6 @@ int main(void)
         cmocka_unit_test(test_fish_over_and_under_the_paper_are_left_alone),
         cmocka_unit_test(test_the_ring_pushes_what_touches_it_until_it_is_clear),
         cmocka_unit_test(test_a_hull_keeps_fish_out_sideways_and_downward),
-        cmocka_unit_test(test_a_rushing_disc_frightens_within_a_fifth_of_a_second),
-        cmocka_unit_test(test_a_slow_or_distant_disc_frightens_nobody),
-        cmocka_unit_test(test_what_looms_frightens_more_than_what_goes_away),
-        cmocka_unit_test(test_a_disc_that_glides_edge_on_frightens_little),
         cmocka_unit_test(test_fish_beside_a_slow_disc_step_aside_and_those_over_it_do_not),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
