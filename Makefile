@@ -87,12 +87,13 @@ $(BUILD)/kingyo: $(BUILD)/platform/kiosk/main.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-$(BUILD)/kingyoctl: $(CTL_OBJ) $(BUILD)/shell.a $(BUILD)/core.a
+$(BUILD)/kingyoctl: $(BUILD)/platform/ctl/main.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
 $(BUILD)/core.a: $(CORE_OBJ)
 $(BUILD)/shell.a: $(SHELL_OBJ)
+$(BUILD)/ctl.a: $(filter-out %/main.o,$(CTL_OBJ))
 $(BUILD)/%.a:
 	$(call step,AR,$@)
 	@rm -f $@

@@ -15,7 +15,8 @@ E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close
 -include tests/replay/replay.mk tests/golden/golden.mk
 
 # Whole-machine tests run alone, after those that only compute (tests/run.sh).
-TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh)
+TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh \
+    tests/ctl/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 
@@ -26,7 +27,7 @@ test:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
 ## tests: builds what `make test` runs, without running it
-tests: build $(UNIT) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o
+tests: build $(UNIT) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace
 
 ## check: what a change must pass before it is kept: boundaries, tests, sizes
 check: boundaries
@@ -57,7 +58,7 @@ $(BUILD)/tests/unit/test_lanes.o: BASE_CFLAGS += -Wno-psabi
 $(BUILD)/tests/unit/test_lanes_wide.o: BASE_CFLAGS += -Wno-psabi \
     $(if $(filter x86_64%,$(MACHINE)),$(WIDE_CFLAGS))
 
-$(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/shell.a $(BUILD)/core.a
+$(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $^ -lcmocka $(HOST_LIBS)
 
@@ -70,6 +71,11 @@ $(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
 $(E2E_BIN):
 	$(call step,LINK,$@)
 	$(Q)$(CC) -o $@ $^ -lXtst -lX11 -lm
+
+# Shares nothing with what it judges.
+$(BUILD)/tests/ctl/judge_trace: $(BUILD)/tests/ctl/judge_trace.o
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
 .SECONDARY: $(UNIT:%=%.o) $(BUILD)/tests/unit/panic.o
 

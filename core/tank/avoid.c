@@ -181,6 +181,7 @@ static void begin(struct fish *fish, const struct avoid_advice *advice)
     fish->avoid_turn = advice->turn;
     fish->avoid_since = advice->since;
     fish->avoid_with = advice->with;
+    fish->avoid_kind = advice->kind;
 }
 
 static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)

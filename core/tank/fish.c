@@ -63,6 +63,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
     hash = hash_u32(hash, fish->look);
     hash = hash_u32(hash, fish->avoid_since);
     hash = hash_u32(hash, fish->avoid_with);
+    hash = hash_u32(hash, fish->avoid_kind);
     hash = hash_u32(hash, (uint32_t)fish->startle << 16 | (uint32_t)fish->air << 8 | fish->falls);
     return hash_u32(hash, (uint32_t)fish->avoiding << 16 | (uint32_t)fish->holder << 8 |
                               fish->thought_tick);

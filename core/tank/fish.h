@@ -88,6 +88,7 @@ struct fish {
     float avoid_turn;     /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
     fish_index avoid_with;
+    uint8_t avoid_kind; /* enum meeting_kind of the encounter, as it began. */
     uint8_t falls;      /* Through the air: nothing else moves it. */
     uint8_t air;        /* enum fish_air */
     float depth_goal_m; /* Wanted y, < 0. */

@@ -1,5 +1,4 @@
 /* main.c -- `kingyoctl`: the command line for operators, fish makers and researchers. */
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -7,17 +6,6 @@
 #include "platform/ctl/ctl.h"
 
 static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_play, &ctl_replay };
-
-enum exit_code ctl_usage(const char *command, const char *format, ...)
-{
-    va_list arguments;
-    fprintf(stderr, "kingyoctl %s: ", command);
-    va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
-    va_end(arguments);
-    fputc('\n', stderr);
-    return EXIT_USAGE;
-}
 
 static void print_help(void)
 {

@@ -3,8 +3,6 @@
 
 #include "platform/ctl/csv.h"
 
-#define CM 0.01f
-
 enum { T_S, X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, COLUMN_COUNT };
 
 /* An arm's reach beyond any tank, and ten turns of a wrist. */
@@ -18,15 +16,24 @@ static const struct csv_column columns[COLUMN_COUNT] = {
     [ROLL_DEG] = { .name = "roll_deg", .min = -3600, .max = 3600 },
 };
 
+static float metres(double cm)
+{
+    return (float)(0.01 * cm);
+}
+
+static float radians(double degrees)
+{
+    return (float)(degrees * (3.14159265358979323846 / 180.0));
+}
+
 static struct tank_path_row row_of(const double value[COLUMN_COUNT])
 {
     return (struct tank_path_row){
         .t_s = value[T_S],
         .target = {
-            .position_m = { CM * (float)value[X_CM], CM * (float)value[Y_CM],
-                            CM * (float)value[Z_CM] },
-            .angles = { F_DEG * (float)value[YAW_DEG], F_DEG * (float)value[PITCH_DEG],
-                        F_DEG * (float)value[ROLL_DEG] },
+            .position_m = { metres(value[X_CM]), metres(value[Y_CM]), metres(value[Z_CM]) },
+            .angles = { radians(value[YAW_DEG]), radians(value[PITCH_DEG]),
+                        radians(value[ROLL_DEG]) },
         },
     };
 }

@@ -7,7 +7,6 @@
 #include "platform/ctl/csv.h"
 #include "platform/ctl/overlap.h"
 
-#define CM 0.01f
 #define TOUCH_M 0.0001 /* What rounding to a trace's decimals may put into a wall. */
 
 enum {
@@ -33,16 +32,27 @@ static const struct csv_column columns[COLUMN_COUNT] = {
     [STAMINA] = { .name = "stamina", .min = 0, .max = 100, .may_miss = 1, .otherwise = 100 },
 };
 
+/* Of cm, or of the thesis' stamina. */
+static float hundredth(double value)
+{
+    return (float)(0.01 * value);
+}
+
+static float radians(double degrees)
+{
+    return (float)(degrees * (3.14159265358979323846 / 180.0));
+}
+
 static struct tank_stage stage_of(const double value[COLUMN_COUNT])
 {
     const uint8_t by_speed = value[SPEED_CM_S] > 0.0 ? GAIT_SWIM : GAIT_REST;
     return (struct tank_stage){
-        .position_m = { CM * (float)value[X_CM], CM * (float)value[Y_CM], CM * (float)value[Z_CM] },
-        .angles = { f_wrap_angle(F_DEG * (float)value[YAW_DEG]), F_DEG * (float)value[PITCH_DEG],
-                    F_DEG * (float)value[ROLL_DEG] },
-        .length_m = CM * (float)value[LENGTH_CM],
-        .speed_m_s = CM * (float)value[SPEED_CM_S],
-        .stamina = CM * (float)value[STAMINA],
+        .position_m = { hundredth(value[X_CM]), hundredth(value[Y_CM]), hundredth(value[Z_CM]) },
+        .angles = { f_wrap_angle(radians(value[YAW_DEG])), radians(value[PITCH_DEG]),
+                    radians(value[ROLL_DEG]) },
+        .length_m = hundredth(value[LENGTH_CM]),
+        .speed_m_s = hundredth(value[SPEED_CM_S]),
+        .stamina = hundredth(value[STAMINA]),
         .gait = value[GAIT] < 0.0 ? by_speed : gaits[(uint32_t)value[GAIT]],
     };
 }

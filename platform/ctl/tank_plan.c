@@ -138,6 +138,14 @@ static enum exit_code take_pump(struct words *words, const char *value)
                                                       : refuse("--pump", value, "on or off");
 }
 
+static enum exit_code take_pairs(struct tank_plan *plan, const char *value)
+{
+    plan->all_pairs = value && strcmp(value, "all") == 0;
+    return plan->all_pairs || (value && strcmp(value, "grid") == 0)
+               ? EXIT_OK
+               : refuse("--pairs", value, "grid or all");
+}
+
 static enum exit_code take_path(const char **path, const char *option, const char *value)
 {
     *path = value;
@@ -202,6 +210,9 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
     }
     if (strcmp(option, "--pump") == 0) {
         return take_pump(words, value);
+    }
+    if (strcmp(option, "--pairs") == 0) {
+        return take_pairs(plan, value);
     }
     if (strcmp(option, "--shade") == 0) {
         return take_shade(plan, value);

@@ -150,6 +150,7 @@ static const struct field fish_fields[] = {
     FIELD(fish, thought_tick),   FIELD(fish, gait_left_s),
     FIELD(fish, avoid_left_s),   FIELD(fish, avoid_turn),
     FIELD(fish, avoid_since),    FIELD(fish, avoid_with),
+    FIELD(fish, avoid_kind),
     FIELD(fish, falls),          FIELD(fish, air),
     FIELD(fish, depth_goal_m),   FIELD(fish, depth_stray),
     FIELD(fish, alarm),

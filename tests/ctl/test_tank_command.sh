@@ -1,0 +1,129 @@
+#!/bin/bash
+# test_tank_command.sh -- `kingyoctl tank` as its users see it: JSON that another program reads, a trace
+# that another program judges, the same again for the same seed, one line for each mistake. Speaks TAP.
+set -u
+build=${BUILD:-build}
+ctl=$build/kingyoctl
+judge=$build/tests/ctl/judge_trace
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+
+check() { # TITLE COMMAND...
+    local title=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$work/said"
+    fi
+}
+json() { # FILE PATH: a value of it, as SQLite reads JSON.
+    sqlite3 :memory: "select json_extract(readfile('$1'), '\$.$2')"
+}
+holds() { # SQL expression over j, the JSON of FILE
+    [ "$(sqlite3 :memory: "with r as (select readfile('$1') as j) select $2 from r")" = 1 ]
+}
+
+# ---- JSON
+"$ctl" tank --fish 300 --seconds 5 --seed 7 --shade 0,0,10,1,4 --json --trace "$work/trace.csv" >"$work/a.json"
+keys='preset fish seconds seed ticks state_hash ns_per_fish_tick tick_ms_median tick_ms_p99 body_overlaps
+deepest_overlap_mm encounters gait_share speed_cm_s stamina_mean surfacing_share oxygen_mg_l shade_count
+surfacing_count'
+has_keys() {
+    local found
+    found=$(sqlite3 :memory: "select group_concat(key, ' ') from json_each(readfile('$work/a.json'))")
+    [ "$found" = "$(tr '\n' ' ' <<<"$keys" | sed 's/ $//')" ] || { echo "$found"; return 1; }
+}
+check 'the JSON is valid' holds "$work/a.json" 'json_valid(j)'
+check 'and has the keys that were promised, in their order' has_keys
+check 'a run of 5 s is 600 ticks of 300 fish' holds "$work/a.json" \
+    "json_extract(j,'\$.ticks')=600 and json_extract(j,'\$.fish')=300 and json_extract(j,'\$.seed')=7"
+check 'counts per second begin with the start' holds "$work/a.json" \
+    "json_array_length(j,'\$.shade_count')=6 and json_array_length(j,'\$.surfacing_count')=6"
+check 'gait shares sum to one' holds "$work/a.json" \
+    "abs((select sum(value) from json_each(j,'\$.gait_share'))-1)<1e-5
+     and json_array_length(j,'\$.gait_share') is not null"
+check 'encounters, speeds and oxygen have their parts' holds "$work/a.json" \
+    "json_extract(j,'\$.encounters.by_yaw')>0 and json_extract(j,'\$.encounters.by_pitch')>=0
+     and json_extract(j,'\$.encounters.head_on')+json_extract(j,'\$.encounters.side')+
+     json_extract(j,'\$.encounters.rear_end')>0 and json_extract(j,'\$.speed_cm_s.max')>
+     json_extract(j,'\$.speed_cm_s.mean') and json_extract(j,'\$.oxygen_mg_l.start')>8"
+check 'times are told' holds "$work/a.json" \
+    "json_extract(j,'\$.ns_per_fish_tick')>1 and json_extract(j,'\$.tick_ms_median')>0
+     and json_extract(j,'\$.tick_ms_p99')>=json_extract(j,'\$.tick_ms_median')"
+
+# ---- Trace
+judged() { # TRACE SIZE... PATTERN
+    local said
+    said=$("$judge" "$1" "$2" "$3" "$4") || return 1
+    echo "$said"
+    grep -qE "$5" <<<"$said"
+}
+no_deep() { # TRACE SIZE...: nothing deeper than 0.5 mm, nothing beyond a wall by 0.1 mm.
+    "$judge" "$1" "$2" "$3" "$4" | awk '{ print; exit !($10 == 0 && $12 <= 0.5 && $14 <= 0.1) }'
+}
+"$ctl" tank --preset official --seconds 3 --json --trace "$work/official.csv" --trace-every 60 >/dev/null
+check 'the trace has a row of each fish each 12 ticks' judged "$work/trace.csv" 136 20 65 \
+    '^rows 15300 ticks 51 fish 300 last 600 '
+check 'no bodies in each other, by a judge that shares no code' no_deep "$work/trace.csv" 136 20 65
+check 'nor in the championship' no_deep "$work/official.csv" 136 10 65
+# A trace with one fish moved into another must be found out: the judge can fail.
+awk -F, -v OFS=, '$1 == 0 && $2 == 0 { x = $3; y = $4; z = $5 } $1 == 0 && $2 == 1 { $3 = x + 0.3; $4 = y; $5 = z } 1' \
+    "$work/trace.csv" >"$work/moved.csv"
+check 'and the judge sees two fish in one place' judged "$work/moved.csv" 136 20 65 'overlaps [1-9]'
+
+# ---- The same again
+hash_of() { "$ctl" tank "$@" --json >"$work/h.json" && json "$work/h.json" state_hash; }
+same() { [ "$1" = "$2" ] && [ -n "$1" ]; }
+differ() { [ "$1" != "$2" ] && [ -n "$1" ]; }
+first=$(hash_of --fish 300 --seconds 3 --seed 5)
+check 'the same seed swims to the same hash' same "$first" "$(hash_of --fish 300 --seconds 3 --seed 5)"
+check 'all pairs find what the grid finds' same "$first" \
+    "$(hash_of --fish 300 --seconds 3 --seed 5 --pairs all)"
+check 'another seed does not' differ "$first" "$(hash_of --fish 300 --seconds 3 --seed 6)"
+for option in '--temperature-c 8' '--pressure-hpa 900' '--oxygen-mg-l 3' '--time-compression 200' '--stamina 50' \
+    '--area-scale 0.9' '--shade 0,0,20,0,3' '--preset festival' '--pump on'; do
+    # shellcheck disable=SC2086
+    check "$option has its effect" differ "$first" "$(hash_of --fish 300 --seconds 3 --seed 5 $option)"
+done
+
+# ---- Files
+printf 't_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg\n0,-50,-8,0,0,0,0\n3,50,-8,0,0,20,0\n' >"$work/path.csv"
+printf 'x_cm,y_cm,z_cm,yaw_deg,speed_cm_s,gait\n-12,-10,0.2,-90,5.25,swim\n12,-10,0,90,5.25,swim\n' >"$work/place.csv"
+check 'a poi that is led through has its effect' differ "$first" \
+    "$(hash_of --fish 300 --seconds 3 --seed 5 --poi-path "$work/path.csv")"
+"$ctl" tank --place "$work/place.csv" --seconds 4 --json --trace "$work/two.csv" --trace-every 1 >"$work/two.json"
+check 'two placed fish meet head-on' holds "$work/two.json" \
+    "json_extract(j,'\$.encounters.head_on')>=1 and json_extract(j,'\$.encounters.side')=0"
+check 'and begin where they were placed' grep -q '^0,0,-12.0000,-10.0000,0.2000,-90.0000,' "$work/two.csv"
+check 'without touching' no_deep "$work/two.csv" 136 20 65
+"$ctl" tank --fish 20 --seconds 1 --trace "$work/every.csv" --trace-every 30 >"$work/text"
+check 'figures for people, too' grep -q 'ns a fish and tick' "$work/text"
+awk -F, 'NR == 1 || $1 == 120' "$work/every.csv" | sed 's/escape\|surface/swim/' >"$work/again.csv"
+check 'a trace can be placed again' "$ctl" tank --place "$work/again.csv" --seconds 1
+
+# ---- Mistakes: one line that names the option, nothing on standard output
+mistake() { # STATUS NEEDLE OPTIONS...
+    local expected=$1 needle=$2 status
+    shift 2
+    "$ctl" tank "$@" >"$work/out" 2>"$work/err"
+    status=$?
+    cat "$work/err"
+    echo "exit $status"
+    [ $status -eq "$expected" ] && [ ! -s "$work/out" ] && [ "$(wc -l <"$work/err")" -eq 1 ] &&
+        grep -qF -- "$needle" "$work/err"
+}
+check 'too many fish name the range' mistake 2 '1 to ' --fish 100000
+check 'a word is no number' mistake 2 --seconds --seconds soon
+check 'nor is NaN' mistake 2 --temperature-c --temperature-c nan
+check 'an unknown option is wrong usage' mistake 2 --fishes --fishes 3
+check 'a folder that is not there is told' mistake 74 /nowhere/ --seconds 1 --trace /nowhere/t.csv
+check 'a file that is not there, too' mistake 74 "$work/none" --place "$work/none"
+sed 's/-8,0,0,20/-8,0,0,inf/' "$work/path.csv" >"$work/bad.csv"
+check 'an infinite angle is bad data, by line and column' mistake 65 'line 3, column 6 (pitch_deg)' \
+    --poi-path "$work/bad.csv"
+sed 's/5.25,swim/5.25,fly/' "$work/place.csv" >"$work/bad.csv"
+check 'and so is a gait that is none' mistake 65 'line 2, column 6 (gait)' --place "$work/bad.csv"
+check 'a full disk is told' mistake 74 /dev/full --seconds 1 --trace /dev/full
+echo "1..$count"
