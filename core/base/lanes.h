@@ -204,8 +204,9 @@ static inline flanes lanes_atan2(flanes y, flanes x)
 {
     const flanes ay = lanes_abs(y), ax = lanes_abs(x);
     const ilanes nowhere = ax + ay == 0.0f, flat = ay <= ax;
+    const flanes wider = lanes_select(flat, ax, ay);
     const flanes tangent =
-        lanes_select(flat, ay, ax) / lanes_select(nowhere, lanes_of(1.0f), lanes_select(flat, ax, ay));
+        lanes_select(flat, ay, ax) / lanes_select(nowhere, lanes_of(1.0f), wider);
     const ilanes steep = tangent > 0.41421356f;
     const flanes offset = lanes_select(steep, lanes_of(F_PI / 4.0f), lanes_of(0.0f));
     const flanes t = lanes_select(steep, (tangent - 1.0f) / (tangent + 1.0f), tangent);

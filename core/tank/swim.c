@@ -17,6 +17,7 @@
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG)
 #define TURN_RATE_START (4500.0f * F_DEG) /* 60 to 120 degrees of the head in 20 ms. */
 
+#define NOTHING_M_S 1e-9f
 #define SHUN_TAU_S 0.05f
 #define WANDER_TICKS 108u /* A new whim each 0.9 s. */
 
@@ -143,8 +144,24 @@ static float slow_tau_s(const struct fish *fish, const struct law *law)
     return runs_out ? RUN_OUT_TAU_S : SWIM_GLIDE_TAU_S;
 }
 
+/* What fades for ever ends in numbers so small that processors take ten times as long over them,
+ * and some round them to nothing; here a nanometre a second is nothing everywhere. */
+static void come_to_rest(struct fish *fish)
+{
+    if (v3_dot(fish->push_m_s, fish->push_m_s) < NOTHING_M_S * NOTHING_M_S) {
+        fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
+    }
+    if (fish->speed_m_s < NOTHING_M_S) {
+        fish->speed_m_s = 0.0f;
+    }
+    if (f_abs(fish->climb_m_s) < NOTHING_M_S) {
+        fish->climb_m_s = 0.0f;
+    }
+}
+
 void swim_resolve(struct fish *fish, const struct surroundings *around)
 {
+    come_to_rest(fish);
     const int starts = fish->gait == GAIT_ESCAPE;
     fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
     fish->speed_goal_m_s = gait_speed_m_s(fish, around);

@@ -1,4 +1,5 @@
 /* test_swim.c -- how one fish moves: bounded turns, glides, depth, falls, and a tail that fits. */
+#include <float.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -283,6 +284,28 @@ static void test_a_dropped_fish_falls_into_the_water_and_stays_there(void **stat
     assert_int_equal(swim_fall(&fish), 0);
 }
 
+static int is_denormal(float x)
+{
+    return x != 0.0f && f_abs(x) < FLT_MIN;
+}
+
+static void test_what_fades_comes_to_an_end(void **state)
+{
+    (void)state;
+    struct fish fish = swimmer();
+    fish.gait = GAIT_REST;
+    fish.speed_m_s = 0.1f;
+    fish.climb_m_s = 0.02f;
+    fish.push_m_s = v3(0.02f, 0.01f, -0.02f);
+    for (uint32_t tick = 0; tick < 60u * CORE_TICK_HZ; tick++) {
+        swim_ticks(&fish, 1, 0.0f);
+        fish.push_m_s = v3_scale(fish.push_m_s, 0.9f);
+        assert_false(is_denormal(fish.speed_m_s) || is_denormal(fish.climb_m_s));
+        assert_false(is_denormal(fish.push_m_s.x) || is_denormal(fish.push_m_s.y));
+    }
+    assert_true(fish.speed_m_s == 0.0f && v3_length(fish.push_m_s) == 0.0f);
+}
+
 /* ---- Lanes ---------------------------------------------------------------------------------- */
 
 #define SHOAL 67u /* No multiple of any number of lanes. */
@@ -442,6 +465,7 @@ int main(void)
         cmocka_unit_test(test_the_body_bends_along_its_arc),
         cmocka_unit_test(test_a_wall_ahead_is_left_before_it_is_touched),
         cmocka_unit_test(test_a_dropped_fish_falls_into_the_water_and_stays_there),
+        cmocka_unit_test(test_what_fades_comes_to_an_end),
         cmocka_unit_test(test_four_fish_at_once_swim_as_each_does_alone),
         cmocka_unit_test(test_eight_fish_at_once_do_so_too),
     };
