@@ -10,14 +10,14 @@
 static uint32_t bits_of(float x)
 {
     uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
+    MEM_COPY(&bits, &x, sizeof bits);
     return bits;
 }
 
 static float float_of(uint32_t bits)
 {
     float x;
-    memcpy(&x, &bits, sizeof x);
+    MEM_COPY(&x, &bits, sizeof x);
     return x;
 }
 

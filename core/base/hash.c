@@ -29,7 +29,7 @@ uint64_t hash_u64(uint64_t hash, uint64_t value)
 uint64_t hash_float(uint64_t hash, float value)
 {
     uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
+    MEM_COPY(&bits, &value, sizeof bits);
     return hash_u32(hash, bits);
 }
 

@@ -52,13 +52,13 @@ static inline flanes lanes_of(float x)
 static inline flanes lanes_load(const float *from)
 {
     flanes a;
-    memcpy(&a, from, sizeof a);
+    MEM_COPY(&a, from, sizeof a);
     return a;
 }
 
 static inline void lanes_store(float *to, flanes a)
 {
-    memcpy(to, &a, sizeof a);
+    MEM_COPY(to, &a, sizeof a);
 }
 
 /* Four members of LANES records, `stride` bytes apart, that lie side by side in each: column[m] is
@@ -67,10 +67,10 @@ static inline void lanes_load_quads(flanes column[4], const void *first, size_t 
 {
     flanes row[4];
     for (size_t r = 0; r < 4u; r++) {
-        memcpy(&row[r], (const char *)first + r * stride, sizeof(fquad));
+        MEM_COPY(&row[r], (const char *)first + r * stride, sizeof(fquad));
 #ifdef LANES_WIDE
-        memcpy((char *)&row[r] + sizeof(fquad), (const char *)first + (r + 4u) * stride,
-               sizeof(fquad));
+        MEM_COPY((char *)&row[r] + sizeof(fquad), (const char *)first + (r + 4u) * stride,
+                 sizeof(fquad));
 #endif
     }
 #ifdef LANES_WIDE
@@ -95,10 +95,10 @@ static inline void lanes_store_quads(void *first, size_t stride, const flanes co
     const flanes c = HIGH(column[0], column[2]), d = HIGH(column[1], column[3]);
     const flanes row[4] = { LOW(a, b), HIGH(a, b), LOW(c, d), HIGH(c, d) };
     for (size_t r = 0; r < 4u; r++) {
-        memcpy((char *)first + r * stride, &row[r], sizeof(fquad));
+        MEM_COPY((char *)first + r * stride, &row[r], sizeof(fquad));
 #ifdef LANES_WIDE
-        memcpy((char *)first + (r + 4u) * stride, (const char *)&row[r] + sizeof(fquad),
-               sizeof(fquad));
+        MEM_COPY((char *)first + (r + 4u) * stride, (const char *)&row[r] + sizeof(fquad),
+                 sizeof(fquad));
 #endif
     }
 }

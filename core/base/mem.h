@@ -11,4 +11,8 @@ void *memmove(void *to, const void *from, size_t size);
 void *memset(void *to, int byte, size_t size);
 int memcmp(const void *left, const void *right, size_t size);
 
+/* memcpy() of a size that the compiler knows: loads and stores, where a freestanding source's
+ * memcpy() is a call. */
+#define MEM_COPY(to, from, size) ((void)__builtin_memcpy(to, from, size))
+
 #endif

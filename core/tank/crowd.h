@@ -51,7 +51,8 @@ struct crowd {
 /* Sets `count` and `flags` anew from fish whose bodies are in place. */
 void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_count);
 
-/* Takes the bodies of all fish, and marks them. Personal spaces reach `space` body lengths beyond bodies. */
+/* Takes the bodies of all fish, and marks them. Personal spaces reach `space` body lengths beyond
+ * bodies. */
 void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space);
 
 /* How the crowd is searched: a matter of speed alone. */

@@ -12,7 +12,7 @@ static inline void load_quads(flanes column[4], const struct body *body, const u
 {
     fquad row[LANES];
     for (uint32_t lane = 0; lane < LANES; lane++) {
-        memcpy(&row[lane], (const char *)&body[fish[lane]] + quad * sizeof(fquad), sizeof(fquad));
+        MEM_COPY(&row[lane], (const char *)&body[fish[lane]] + quad * sizeof(fquad), sizeof(fquad));
     }
 #ifdef LANES_WIDE
     flanes wide[4];
@@ -114,7 +114,7 @@ PAIRS_CELLS(LANES_NAME(pairs_cells))
         const flanes row = lanes_clamp(z, lanes_of(0.0f), lanes_of(along));
         const ilanes cell = __builtin_convertvector(row, ilanes) * (int32_t)grid->columns +
                             __builtin_convertvector(column, ilanes);
-        memcpy(&grid->cell_of[m], &cell, sizeof cell);
+        MEM_COPY(&grid->cell_of[m], &cell, sizeof cell);
     }
 }
 
@@ -142,7 +142,7 @@ static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
     };
     static const uint8_t count[16] = { 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
     const uquad places = place[bits] + from;
-    memcpy(to, &places, sizeof places);
+    MEM_COPY(to, &places, sizeof places);
     return count[bits];
 }
 
@@ -190,7 +190,7 @@ static inline int sieve_range(struct pairs *pairs, const struct seeker *me, uint
 #endif
         for (uint32_t i = before; i < before + LANES; i += 4u) {
             const uint32_t item[4] = { pairs->item, pairs->item, pairs->item, pairs->item };
-            memcpy(&pairs->near_a[i], item, sizeof item);
+            MEM_COPY(&pairs->near_a[i], item, sizeof item);
         }
     }
     pairs->near_count = n;
