@@ -71,6 +71,7 @@ enum scene_phase {
     PHASE_READY = 1,  /* A few seconds to take the poi. */
     PHASE_ROUND = 2,
     PHASE_RESULT = 3,
+    PHASE_WORDLESS = 4, /* No phase of a game: a picture of the tank alone. */
 };
 
 /* What the stall calls to the player. The words are the renderer's, in the scene's language. */

@@ -34,6 +34,8 @@ const char tank_plan_usage[] =
     "                         roll_deg; linear between rows, held after the last. It is the\n"
     "                         game's own poi with No. 5 paper, and yields as it does\n"
     "What is told\n"
+    "  --pairs grid|all       near fish are found by the grid, or each against each: the same,\n"
+    "                         and slower (grid)\n"
     "  --json                 the figures for programs\n"
     "  --trace FILE           where every fish is, as CSV\n"
     "  --trace-every TICKS    so often, from tick 0 on (12)\n\n"
@@ -92,6 +94,7 @@ struct words {
     double figure[FIGURE_COUNT];
     uint8_t preset;
     uint8_t pump;     /* enum pump */
+    uint8_t search;   /* enum pairs_search */
     const char *fish; /* Null: not given. Its range hangs on preset and floor. */
 };
 
@@ -138,12 +141,12 @@ static enum exit_code take_pump(struct words *words, const char *value)
                                                       : refuse("--pump", value, "on or off");
 }
 
-static enum exit_code take_pairs(struct tank_plan *plan, const char *value)
+static enum exit_code take_pairs(struct words *words, const char *value)
 {
-    plan->all_pairs = value && strcmp(value, "all") == 0;
-    return plan->all_pairs || (value && strcmp(value, "grid") == 0)
-               ? EXIT_OK
-               : refuse("--pairs", value, "grid or all");
+    const int all = value && strcmp(value, "all") == 0;
+    words->search = all ? PAIRS_ALL : PAIRS_GRID;
+    return all || (value && strcmp(value, "grid") == 0) ? EXIT_OK
+                                                        : refuse("--pairs", value, "grid or all");
 }
 
 static enum exit_code take_path(const char **path, const char *option, const char *value)
@@ -212,7 +215,7 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
         return take_pump(words, value);
     }
     if (strcmp(option, "--pairs") == 0) {
-        return take_pairs(plan, value);
+        return take_pairs(words, value);
     }
     if (strcmp(option, "--shade") == 0) {
         return take_shade(plan, value);
@@ -294,6 +297,7 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
     if (words->given[FIGURE_STAMINA]) {
         config->stamina_min = config->stamina_max = (float)(0.01 * figure[FIGURE_STAMINA]);
     }
+    config->search = words->search;
     settle_water(config, words);
     plan->seconds = words->given[FIGURE_SECONDS] ? figure[FIGURE_SECONDS] : 10.0;
     plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);

@@ -22,7 +22,6 @@ struct tank_plan {
     struct plan_shade shade[SHADE_MAX];
     const char *poi_path, *place, *trace; /* Null when not asked for. */
     uint32_t trace_every;                 /* Ticks. */
-    uint8_t all_pairs; /* Each fish against each, not by the grid: the same, and slower. */
     uint8_t as_json;
 };
 

@@ -43,8 +43,10 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
     case PHASE_RESULT:
         ui_result(&frame, scene, memory);
         break;
-    default:
+    case PHASE_ATTRACT:
         ui_attract(&frame, scene);
+        break;
+    default: /* PHASE_WORDLESS */
         break;
     }
 }

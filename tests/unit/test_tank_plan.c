@@ -64,6 +64,7 @@ static void test_every_option_reaches_the_plan(void **state)
     assert_true(plan.config.temperature_c == 30.0f && plan.config.pressure_hpa == 990.0f);
     assert_true(plan.config.oxygen_mg_l == 3.5f && plan.config.time_compression == 60.0f);
     assert_int_equal(plan.config.pump, 1);
+    assert_int_equal(plan.config.search, PAIRS_ALL);
     assert_int_equal(plan.shade_count, 2);
     assert_true(plan.shade[0].z_m == -0.02 && plan.shade[1].to_s == 2.0);
     assert_string_equal(plan.poi_path, "p.csv");
