@@ -58,10 +58,15 @@ int shade_covers(const struct shade_cast *cast, vec3 position_m)
     return cast->present && shade_distance_m(cast, position_m) < cast->radius_m;
 }
 
+static int gathers(const struct shade *shade, const struct law *law)
+{
+    return shade->cast.present && shade->still_s >= law->shade_dwell_s;
+}
+
 float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m)
 {
     const float radius_m = shade->cast.radius_m;
-    if (!shade->cast.present || shade->still_s < law->shade_dwell_s) {
+    if (!gathers(shade, law)) {
         return 0.0f;
     }
     const float reach_m = f_max(0.0f, SHADE_FIELD_RADII * radius_m - distance_m);
@@ -77,7 +82,10 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct law *law
     float pull_x = 0.0f, pull_z = 0.0f;
     for (uint32_t i = 0; i < count; i++) {
         const struct shade_cast *cast = &shades[i].cast;
-        const float distance_m = cast->present ? shade_distance_m(cast, position_m) : 0.0f;
+        if (!gathers(&shades[i], law)) {
+            continue;
+        }
+        const float distance_m = shade_distance_m(cast, position_m);
         const float pull_m_s = shade_pull_m_s(&shades[i], law, distance_m);
         if (pull_m_s > 0.0f) { /* Then it is out of the calm, and has a direction. */
             pull_x += (cast->x_m - position_m.x) * pull_m_s / distance_m;

@@ -30,6 +30,16 @@ const struct law *tank_law(const struct tank *tank)
     return &tank_preset(tank->preset)->law;
 }
 
+/* Up to the last that there is: mostly there is none, and fish need not look for any. */
+static uint32_t shade_count(const struct tank *tank)
+{
+    uint32_t count = TANK_SHADE_MAX;
+    while (count > 0 && !tank->shade[count - 1u].cast.present) {
+        count--;
+    }
+    return count;
+}
+
 static struct surroundings surroundings_of(const struct tank *tank, uint32_t tick,
                                            const struct obstacle *obstacles,
                                            uint32_t obstacle_count)
@@ -44,7 +54,7 @@ static struct surroundings surroundings_of(const struct tank *tank, uint32_t tic
         .obstacles = obstacles,
         .obstacle_count = obstacle_count,
         .shades = tank->shade,
-        .shade_count = TANK_SHADE_MAX,
+        .shade_count = shade_count(tank),
     };
 }
 
