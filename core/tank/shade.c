@@ -7,6 +7,7 @@
 #define EDGE_TAU_S 0.10f
 #define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 a frame, 60 frames a second. */
 #define HARDLY_M_S 0.005f    /* A wish so weak has no direction. */
+#define FULL_LENGTHS_PER_S 0.1f /* Neighbours that push back so hard are as good as a wall. */
 #define FRIGHT_RIM_M 0.02f   /* So far before its edge a shadow is seen to come. */
 #define FRIGHT_TIME_S 0.10f  /* To an alarm of 1 under a fan: eyes are slower than ears. */
 #define FRIGHT_PLAIN_DARK 0.60f /* From here on darker does not frighten more. */
@@ -76,10 +77,11 @@ float shade_pull_m_s(const struct shade *shade, const struct law *law, float dis
     return PULL_PER_S * reach_m * f_clamp(fade, 0.0f, 1.0f);
 }
 
-int shade_draw(const struct shade *shades, uint32_t count, const struct law *law, vec3 position_m,
-               float yaw_rad, float length_m, struct shade_course *course)
+/* Of all that gather, as velocities; none is zero. */
+static vec3 pull_of_all(const struct shade *shades, uint32_t count, const struct law *law,
+                        vec3 position_m)
 {
-    float pull_x = 0.0f, pull_z = 0.0f;
+    vec3 sum = { 0.0f, 0.0f, 0.0f };
     for (uint32_t i = 0; i < count; i++) {
         const struct shade_cast *cast = &shades[i].cast;
         if (!gathers(&shades[i], law)) {
@@ -88,16 +90,33 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct law *law
         const float distance_m = shade_distance_m(cast, position_m);
         const float pull_m_s = shade_pull_m_s(&shades[i], law, distance_m);
         if (pull_m_s > 0.0f) { /* Then it is out of the calm, and has a direction. */
-            pull_x += (cast->x_m - position_m.x) * pull_m_s / distance_m;
-            pull_z += (cast->z_m - position_m.z) * pull_m_s / distance_m;
+            const vec3 to_m = v3(cast->x_m - position_m.x, 0.0f, cast->z_m - position_m.z);
+            sum = v3_mad(sum, to_m, pull_m_s / distance_m);
         }
     }
-    if (pull_x == 0.0f && pull_z == 0.0f) {
+    return sum;
+}
+
+/* What those who are there already leave of it: nothing presses into a full shade. */
+static vec3 less_crowd(vec3 pull_m_s, const struct fish *fish)
+{
+    const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
+    const float against_m_s = -v3_dot(toward, fish->push_m_s);
+    const float full_m_s = FULL_LENGTHS_PER_S * fish->length_m;
+    return v3_scale(pull_m_s, f_clamp(1.0f - against_m_s / full_m_s, 0.0f, 1.0f));
+}
+
+int shade_draw(const struct shade *shades, uint32_t count, const struct law *law,
+               const struct fish *fish, struct shade_course *course)
+{
+    const vec3 pull_m_s = pull_of_all(shades, count, law, fish->position_m);
+    if (pull_m_s.x == 0.0f && pull_m_s.z == 0.0f) {
         return 0;
     }
+    const float yaw_rad = fish->angles.yaw_rad;
     const vec3 own = v3(-f_sin(course->heading_rad), 0.0f, -f_cos(course->heading_rad));
-    const vec3 drawn = v3_mad(v3(pull_x, 0.0f, pull_z), own, course->speed_m_s);
-    const vec3 wanted = v3_limit(drawn, law->swim_speed_max * length_m);
+    const vec3 drawn = v3_mad(less_crowd(pull_m_s, fish), own, course->speed_m_s);
+    const vec3 wanted = v3_limit(drawn, law->swim_speed_max * fish->length_m);
     const float along_m_s = -f_sin(yaw_rad) * wanted.x - f_cos(yaw_rad) * wanted.z;
     course->heading_rad =
         v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;

@@ -11,6 +11,7 @@
 
 #include "core/base/vec.h"
 #include "core/input.h"
+#include "core/tank/fish.h"
 #include "core/tank/law.h"
 
 #define SHADE_FAN_DARK 0.62f /* Of the light: what paper on bamboo, or a hand, takes. */
@@ -60,16 +61,16 @@ int shade_covers(const struct shade_cast *cast, vec3 position_m);
  * the 200 fish of that test: 0.6 (20 - r) cm/s. 0 while the law's dwell is not over. */
 float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m);
 
-/* What all of them do to the course of a fish of `length_m` at `position_m`: course and pull are
- * added as velocities and kept to the law's top speed for a swimming fish (section 3.3), and the
- * fish turns that way rather than being carried sideways. Returns whether any pulls; if not,
- * heading and speed stay as they are. */
+/* What all of them do to the course of a fish: course and pull are added as velocities and kept to
+ * the law's top speed for a swimming fish (section 3.3), and the fish turns that way rather than
+ * being carried sideways. Where the crowd pushes back, the pull gives way. Returns whether any
+ * pulls; if not, heading and speed stay as they are. */
 struct shade_course {
     float heading_rad; /* In: where its gait takes it. Out: where to turn. */
     float speed_m_s;   /* In: its gait's. Out: along its nose, less while that points elsewhere. */
 };
-int shade_draw(const struct shade *shades, uint32_t count, const struct law *law, vec3 position_m,
-               float yaw_rad, float length_m, struct shade_course *course);
+int shade_draw(const struct shade *shades, uint32_t count, const struct law *law,
+               const struct fish *fish, struct shade_course *course);
 
 /* What it adds to the alarm of a fish in `dt_s`, >= 0: a start within 60 to 150 ms under a fan that
  * sweeps by or drops in, an unease under a poi's thin paper (a weak contrast alarms, it does not

@@ -74,8 +74,8 @@ static void follow_shade(struct fish *fish, const struct surroundings *around)
     const int heeds =
         (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST) && fish->air == AIR_ENOUGH;
     float goal_rad = 0.0f;
-    if (heeds && shade_draw(around->shades, around->shade_count, around->law, fish->position_m,
-                            fish->angles.yaw_rad, fish->length_m, &course)) {
+    if (heeds &&
+        shade_draw(around->shades, around->shade_count, around->law, fish, &course)) {
         goal_rad = fish->avoiding == AVOID_YAW
                        ? 0.0f
                        : f_wrap_angle(course.heading_rad - fish->heading_rad);

@@ -112,7 +112,9 @@ static void test_thesis_fish_are_drawn_at_once_and_others_after_the_dwell(void *
 static int draw(struct shade_course *course, vec3 at_m, float yaw_rad)
 {
     const struct shade shade = still_fan(0.0f);
-    return shade_draw(&shade, 1, law_of(TANK_PRESET_THESIS), at_m, yaw_rad, 0.05f, course);
+    const struct fish fish = { .position_m = at_m, .angles = { .yaw_rad = yaw_rad },
+                               .length_m = 0.05f };
+    return shade_draw(&shade, 1, law_of(TANK_PRESET_THESIS), &fish, course);
 }
 
 /* Section 3.3: forces added to swimming may not exceed 7.5 cm/s. */
