@@ -61,18 +61,35 @@ static inline void lanes_store(float *to, flanes a)
     MEM_COPY(to, &a, sizeof a);
 }
 
-/* Four members of LANES records, `stride` bytes apart, that lie side by side in each: column[m] is
- * member m of all. */
-static inline void lanes_load_quads(flanes column[4], const void *first, size_t stride)
+/* A row of four lanes, and in eight one of the fifth record on beside it. */
+static inline flanes lanes_load_row(const void *first, size_t stride)
 {
-    flanes row[4];
-    for (size_t r = 0; r < 4u; r++) {
-        MEM_COPY(&row[r], (const char *)first + r * stride, sizeof(fquad));
+    fquad low;
+    MEM_COPY(&low, first, sizeof low);
 #ifdef LANES_WIDE
-        MEM_COPY((char *)&row[r] + sizeof(fquad), (const char *)first + (r + 4u) * stride,
-                 sizeof(fquad));
+    fquad high;
+    MEM_COPY(&high, (const char *)first + 4u * stride, sizeof high);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    (void)stride;
+    return low;
 #endif
-    }
+}
+
+static inline void lanes_store_row(void *first, size_t stride, flanes row)
+{
+#ifdef LANES_WIDE
+    const fquad low = __builtin_shufflevector(row, row, 0, 1, 2, 3);
+    const fquad high = __builtin_shufflevector(row, row, 4, 5, 6, 7);
+    MEM_COPY(first, &low, sizeof low);
+    MEM_COPY((char *)first + 4u * stride, &high, sizeof high);
+#else
+    (void)stride;
+    MEM_COPY(first, &row, sizeof row);
+#endif
+}
+
+/* Of two rows: their first two members side by side, or their last two, in each quad. */
 #ifdef LANES_WIDE
 #define LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
@@ -80,8 +97,18 @@ static inline void lanes_load_quads(flanes column[4], const void *first, size_t 
 #define LOW(a, b) __builtin_shufflevector(a, b, 0, 4, 1, 5)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
 #endif
-    const flanes a = LOW(row[0], row[2]), b = LOW(row[1], row[3]);
-    const flanes c = HIGH(row[0], row[2]), d = HIGH(row[1], row[3]);
+
+/* Four members of LANES records, `stride` bytes apart, that lie side by side in each: column[m] is
+ * member m of all. */
+static inline void lanes_load_quads(flanes column[4], const void *first, size_t stride)
+{
+    const char *from = first;
+    const flanes row0 = lanes_load_row(from, stride);
+    const flanes row1 = lanes_load_row(from + stride, stride);
+    const flanes row2 = lanes_load_row(from + 2u * stride, stride);
+    const flanes row3 = lanes_load_row(from + 3u * stride, stride);
+    const flanes a = LOW(row0, row2), b = LOW(row1, row3);
+    const flanes c = HIGH(row0, row2), d = HIGH(row1, row3);
     column[0] = LOW(a, b);
     column[1] = HIGH(a, b);
     column[2] = LOW(c, d);
@@ -91,16 +118,13 @@ static inline void lanes_load_quads(flanes column[4], const void *first, size_t 
 /* The way back. */
 static inline void lanes_store_quads(void *first, size_t stride, const flanes column[4])
 {
+    char *to = first;
     const flanes a = LOW(column[0], column[2]), b = LOW(column[1], column[3]);
     const flanes c = HIGH(column[0], column[2]), d = HIGH(column[1], column[3]);
-    const flanes row[4] = { LOW(a, b), HIGH(a, b), LOW(c, d), HIGH(c, d) };
-    for (size_t r = 0; r < 4u; r++) {
-        MEM_COPY((char *)first + r * stride, &row[r], sizeof(fquad));
-#ifdef LANES_WIDE
-        MEM_COPY((char *)first + (r + 4u) * stride, (const char *)&row[r] + sizeof(fquad),
-                 sizeof(fquad));
-#endif
-    }
+    lanes_store_row(to, stride, LOW(a, b));
+    lanes_store_row(to + stride, stride, HIGH(a, b));
+    lanes_store_row(to + 2u * stride, stride, LOW(c, d));
+    lanes_store_row(to + 3u * stride, stride, HIGH(c, d));
 }
 #undef LOW
 #undef HIGH
@@ -116,16 +140,30 @@ static inline flanes lanes_abs(flanes a)
     return (flanes)((ilanes)a & 0x7fffffff);
 }
 
-/* As f_min() and f_max(): the second of two that do not compare, or are equal. */
+/* As f_min() and f_max(): the second of two that do not compare, or are equal. The instructions are
+ * made so; gcc does not see it (clang does). */
+#if defined(__SSE2__) && defined(LANES_WIDE) && !defined(__clang__)
+#define LANES_LEAST(a, b) __builtin_ia32_minps256(a, b)
+#define LANES_MOST(a, b) __builtin_ia32_maxps256(a, b)
+#elif defined(__SSE2__) && !defined(__clang__)
+#define LANES_LEAST(a, b) __builtin_ia32_minps(a, b)
+#define LANES_MOST(a, b) __builtin_ia32_maxps(a, b)
+#else
+#define LANES_LEAST(a, b) lanes_select((a) < (b), a, b)
+#define LANES_MOST(a, b) lanes_select((a) > (b), a, b)
+#endif
+
 static inline flanes lanes_min(flanes a, flanes b)
 {
-    return lanes_select(a < b, a, b);
+    return LANES_LEAST(a, b);
 }
 
 static inline flanes lanes_max(flanes a, flanes b)
 {
-    return lanes_select(a > b, a, b);
+    return LANES_MOST(a, b);
 }
+#undef LANES_LEAST
+#undef LANES_MOST
 
 static inline flanes lanes_clamp(flanes x, flanes low, flanes high)
 {
