@@ -41,6 +41,7 @@ const vec3 WHITE = vec3(1.0, 0.955, 0.90);
 const vec3 FRY = vec3(0.40, 0.42, 0.27);
 const float WAVE_NUMBER = 6.0;   // rad per body length: a little over one length a wave.
 const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
+const float ARC_MIDDLE = 0.02;   // Body lengths that a bend of 1 rad moves the mean of its mass by.
 
 vec3 unfold_normal(float folded)
 {
@@ -138,12 +139,14 @@ void main()
     float side = envelope * wave;
     float side_slope = envelope_slope * wave - envelope * WAVE_NUMBER * cos(phase);
 
-    // The turn: the spine as an arc of constant curvature.
+    // The turn: the spine as an arc of constant curvature, up to the C of a start; its middle stays
+    // where it is, as a body's does that nothing pushes.
     float s = t - PIVOT;
     float turn = character.x * s;
-    float shorten = 1.0 - turn * turn / 6.0;
-    float x = side + 0.5 * turn * s * shorten;
-    float z = PIVOT - 0.5 + s * shorten;
+    float half_turn = 0.5 * turn;
+    float chord = abs(half_turn) > 1e-3 ? s * sin(half_turn) / half_turn : s;
+    float x = side + chord * sin(half_turn) - ARC_MIDDLE * character.x;
+    float z = PIVOT - 0.5 + chord * cos(half_turn);
     float angle = turn + side_slope;
     float c = cos(angle);
     float d = sin(angle);

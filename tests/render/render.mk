@@ -9,4 +9,13 @@ shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
 	@$< $(ARGS)
 
-.PHONY: shot
+$(BUILD)/tests/render/film: $(BUILD)/tests/render/film.o $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+## film: twelve ticks of a C-start side by side in out/film.png; ARGS="-o FILE"
+film: $(BUILD)/tests/render/film
+	@mkdir -p out
+	@$< $(ARGS)
+
+.PHONY: shot film
