@@ -450,6 +450,18 @@ static struct core core;
 static struct recorder recorder;
 static struct replayer replayer;
 
+/* A fan that swings in after two seconds, is held, led aside and taken away again. */
+static struct shade_input fan_at(uint32_t tick)
+{
+    const float t = (float)tick / (float)CORE_TICK_HZ;
+    return (struct shade_input){
+        .present = t > 2.0f && t < 7.0f,
+        .x_m = 0.1f * f_smoothstep(5.0f, 6.0f, t),
+        .z_m = 0.6f - 0.6f * f_smoothstep(2.0f, 2.5f, t),
+        .radius_m = 0.1f,
+    };
+}
+
 /* Plays `seconds` with the bot, START after one; from `lie_at` on the recorded digests are
  * wrong. */
 static void play_and_record(uint32_t seconds, uint32_t lie_at)
@@ -463,6 +475,7 @@ static void play_and_record(uint32_t seconds, uint32_t lie_at)
     for (uint32_t tick = 0; tick < seconds * CORE_TICK_HZ; tick++) {
         static struct core told;
         input.pressed = tick == CORE_TICK_HZ ? INPUT_START : 0;
+        input.shade[0] = fan_at(tick);
         output.sound_count = 0;
         core_tick(&core, &input, &output);
         told = core;
