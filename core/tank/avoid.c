@@ -12,6 +12,7 @@
 #define HOLD_DEPTH_S 0.5f      /* Afterwards: the depth it wants would lead it straight back. */
 #define CLOSING_MIN_M_S 0.010f /* What two resting fish drift together at; repulsion's work. */
 #define BRAKE_MIN 0.4f /* Less leaves a burst in a crowd less than half its pace. */
+#define STRUCK_SHARE 0.15f /* Turned harder, its tail would sweep into the hitter. */
 #define TURN_LAG_S 0.12f /* A turn dies out so. */
 #define LEAD_RAD (75.0f * F_DEG) /* The heading runs so far ahead of the nose meanwhile. */
 /* Headroom that section 3.3 leaves: 7.5 - 5.25 cm/s, in lengths of its 5 cm fish. */
@@ -66,7 +67,8 @@ static void meet_rear_end(struct avoid_pair *pair, float a_faces, uint32_t draw)
     leader->kind = MEET_NONE;
 }
 
-/* The hitter passes behind the struck, which swings its tail clear; one time in ten both err. */
+/* The hitter passes behind the struck, which bears away a little; one time in ten it passes before
+ * it. */
 static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
                       vec3 struck_forward, vec3 to_struck, uint32_t draw)
 {
@@ -74,7 +76,7 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     const float runs_left = leftness(hitter_forward, struck_forward);
     const float hit_on_left = leftness(struck_forward, v3_scale(to_struck, -1.0f));
     hitter->turn = runs_left > 0.0f ? -sense : sense;
-    struck->turn = hit_on_left > 0.0f ? -sense : sense;
+    struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
 /* Whether straight courses would bring the bodies near: fish that pass clear need not give way. */

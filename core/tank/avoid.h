@@ -33,7 +33,7 @@ struct avoid_party {
 struct avoid_advice {
     uint8_t kind;    /* enum meeting_kind */
     float contact_s; /* Time to contact at this pace. */
-    float turn;      /* -1 right, +1 left, 0 keep straight. */
+    float turn;      /* -1 hard to the right .. +1 hard to the left, 0 straight on. */
     float rise;      /* -1 down, +1 up: should turning not do within 0.5 s. */
     uint32_t since;  /* Tick in which the encounter began, for either of the two. */
     fish_index with;  /* The other. */

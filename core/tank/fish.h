@@ -85,7 +85,7 @@ struct fish {
     uint8_t thought_tick; /* Low bits of the tick in which it last thought. */
     float gait_left_s;    /* Until the next choice of gait. */
     float avoid_left_s;   /* Of giving way; then, of keeping its depth a little longer. */
-    float avoid_turn;     /* -1 right, 0, +1 left (yaw), or -1 down, +1 up (pitch). */
+    float avoid_turn;     /* -1 right .. +1 left (yaw), or -1 down, +1 up (pitch). */
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
     fish_index avoid_with;
     uint8_t avoid_kind; /* enum meeting_kind of the encounter, as it began. */

@@ -111,7 +111,6 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish.position_m = place(tank, &fish, index, preset);
     fish.angles.yaw_rad =
         rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
-    fish.heading_rad = fish.angles.yaw_rad;
     fish.brake = 1.0f;
     fish.room = 1.0f;
     fish.tail_beat_hz = 0.5f;
@@ -121,6 +120,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     const struct rng_key start = { tank->seed, 0, index, RNG_FISH_START_GAIT };
     const int swims = rng_unit(start) < 0.31f;
     gait_enter(&fish, swims ? GAIT_SWIM : GAIT_REST, index, &around);
+    fish.heading_rad = fish.angles.yaw_rad; /* No change of gait turned it yet. */
     swim_resolve(&fish, &around);
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;

@@ -1,0 +1,62 @@
+/* thesis.h -- the tank of the 2013 thesis for the tests of its rules, one after the other. */
+#ifndef KINGYO_TESTS_THESIS_H
+#define KINGYO_TESTS_THESIS_H
+
+#include <stdlib.h>
+
+#include "core/input.h"
+#include "core/tank/tank.h"
+
+static inline const struct law *thesis_law(void)
+{
+    return &tank_preset(TANK_PRESET_THESIS)->law;
+}
+
+/* What a fish knows there; good until the next call. */
+static inline const struct surroundings *thesis_at(uint32_t seed, uint32_t tick)
+{
+    static struct surroundings around;
+    around = (struct surroundings){
+        .law = thesis_law(),
+        .size_m = tank_preset(TANK_PRESET_THESIS)->size_m,
+        .seed = seed,
+        .tick = tick,
+        .dt_s = CORE_TICK_S,
+    };
+    return &around;
+}
+
+/* A tank with these fish and no others; good until the next call. */
+static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_t count,
+                                        uint32_t seed)
+{
+    static struct tank tank;
+    tank_init(&tank, TANK_PRESET_THESIS, count, seed);
+    tank_stage_all(&tank, stages, count);
+    return &tank;
+}
+
+/* Kolmogorov and Smirnov: a uniform sample of n misfits by more than 1.63 / sqrt(n) once in a
+ * hundred. */
+#define UNIFORM_MISFIT_MAX(n) (1.63f / f_sqrt((float)(n)))
+
+static inline int thesis_by_value(const void *a, const void *b)
+{
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+/* How far the sample's shares lie from those of the uniform law in [low, high]; sorts it. */
+static inline float uniform_misfit(float *sample, uint32_t count, float low, float high)
+{
+    float worst = 0.0f;
+    qsort(sample, count, sizeof *sample, thesis_by_value);
+    for (uint32_t i = 0; i < count; i++) {
+        const float share = (sample[i] - low) / (high - low);
+        worst = f_max(worst, f_abs(share - (float)i / (float)count));
+        worst = f_max(worst, f_abs(share - (float)(i + 1u) / (float)count));
+    }
+    return worst;
+}
+
+#endif
