@@ -3,6 +3,7 @@
 #include "core/core.h"
 #include "core/game/hand.h"
 #include "core/morph/morph.h"
+#include "core/tank/surface.h"
 
 #define COLOUR_START_DAYS 50.0f /* Keepers see the first red at 50 to 60 days ... */
 #define COLOUR_FULL_DAYS 120.0f /* ... and clear red within three to four months. */
@@ -19,7 +20,7 @@ static uint8_t place_of(uint8_t gait)
     }
 }
 
-static void show_fish(const struct fish *fish, struct scene_fish *out)
+static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish *out)
 {
     out->position_m = fish->position_m;
     out->angles = fish->angles;
@@ -27,6 +28,8 @@ static void show_fish(const struct fish *fish, struct scene_fish *out)
     out->tail_phase_rad = fish->tail_phase_rad;
     out->tail_amplitude = fish->tail_amplitude;
     out->bend_rad = fish->bend_rad;
+    out->gape = surface_gape(fish, tick);
+    out->gulp = surface_gulp(fish, tick);
     out->maturity = f_smoothstep(COLOUR_START_DAYS, COLOUR_FULL_DAYS, fish->age_days);
     out->look = fish->look;
     out->place = place_of(fish->gait);
@@ -132,7 +135,7 @@ void core_scene(const struct core *core, struct scene *scene)
     scene->wall_height_m = tank->wall_height_m;
     scene->fish_count = tank->fish_count;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
-        show_fish(&tank->fish[i], &scene->fish[i]);
+        show_fish(&tank->fish[i], core->tick, &scene->fish[i]);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         show_poi(core, i, &scene->poi[i]);

@@ -29,6 +29,8 @@ struct scene_fish {
     float tail_phase_rad;    /* Of the travelling body wave; [0, 2 pi). */
     float tail_amplitude;    /* 0 still .. 1 full cruising stroke .. 1.5 escape. */
     float bend_rad;          /* Whole-body bend of a turn; positive bends the tail to its right. */
+    float gape;              /* [0, 1] how far its mouth is open: it gulps at the surface. */
+    float gulp;              /* (0, 1] from one opening to the next; 0: it does not gulp. */
     float weight[SCENE_KEY_MAX]; /* Blend of the species' key shapes; >= 0, sum 1. */
     float maturity;          /* [0, 1] along the colour keys. */
     uint32_t look;           /* Random bits that choose the individual's pattern and colours. */

@@ -4,6 +4,9 @@ in vec3 pale;
 in vec3 stain;
 in float turned_to;
 in vec4 haze;
+#ifdef SUNK
+in float out_m;
+#endif
 uniform sampler2DArray patterns;
 out vec4 color;
 
@@ -19,6 +22,11 @@ void main()
 #else
 void main()
 {
+#ifdef SUNK
+    if (out_m > 0.0) { // A snout in the air must not be seen through the water, too.
+        discard;
+    }
+#endif
     vec2 pattern = texture(patterns, skin.xyz).rg;
     float pupil = clamp((0.62 - skin.x) * 8.0, 0.0, 1.0); // u runs from the pupil to the socket.
     float red = mix(pattern.r, pupil, skin.w);

@@ -27,6 +27,7 @@ layout(location = 11) in vec4 up_amplitude; // ... and amplitude.
 layout(location = 12) in vec4 weights_low; // Of keys 0 .. 3,
 layout(location = 13) in vec4 weights_high; // and 4 .. 7.
 layout(location = 14) in vec4 character;   // Bend (rad), maturity, pattern layer, hue.
+layout(location = 15) in vec2 gulp;        // How far the mouth is open; its phase.
 
 uniform sampler2D caustics;
 
@@ -35,6 +36,9 @@ out vec4 skin;         // u, v, pattern layer, and how much this is an eye.
 out vec3 pale;         // Where the pattern is white (an eye: its iris), lit and seen through water,
 out vec3 stain;        // and where it is red (an eye: its pupil).
 out float turned_to;   // Cosine between skin and eye; 0 along the outline. Bodies only.
+#ifdef SUNK
+out float out_m;       // How far above the surface.
+#endif
 out vec4 haze;         // What water and gloss add; w: how much of the gill's edge shows.
 
 const vec3 WHITE = vec3(1.0, 0.955, 0.90);
@@ -42,6 +46,8 @@ const vec3 FRY = vec3(0.40, 0.42, 0.27);
 const float WAVE_NUMBER = 6.0;   // rad per body length: a little over one length a wave.
 const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
 const float ARC_MIDDLE = 0.02;   // Body lengths that a bend of 1 rad moves the mean of its mass by.
+const float SEAM = 0.005;        // m.
+const float JAWS = 0.080;        // How far back the mouth's motion reaches, of the body's u.
 
 vec3 unfold_normal(float folded)
 {
@@ -105,6 +111,21 @@ void colour()
 }
 #endif
 
+#ifndef FIN
+// A carp's mouth shoots forward as it opens and the lower jaw drops. The pole that closes the snout
+// sinks in and becomes a dark throat.
+float open_mouth(inout vec3 p, vec3 n)
+{
+    float body = 1.0 - step(0.5, surface.z * 255.0);
+    float lips = gulp.x * body * (1.0 - smoothstep(0.0, JAWS, surface.x));
+    float under = 1.0 - abs(surface.y * 2.0 - 1.0);
+    float pole = body * step(surface.x, 0.002) * step(n.z, -0.95 * length(n));
+    p.y += lips * mix(0.010, -0.022, smoothstep(0.30, 0.70, under)) * (1.0 - pole);
+    p.z -= lips * 0.014 * (1.0 - 4.0 * pole);
+    return gulp.x * pole;
+}
+#endif
+
 void main()
 {
     vec3 p = vec3(0.0);
@@ -126,6 +147,10 @@ void main()
 #endif
 #if KEYS > 7
     blend(key_7, weights_high.w, p, n);
+#endif
+
+#ifndef FIN
+    float throat = open_mouth(p, n);
 #endif
 
     // The travelling wave, with the envelope measured on cruising fish of a carp's build.
@@ -167,6 +192,15 @@ void main()
     n = normalize(right * n.x + up * n.y + back * n.z);
     gl_Position = view_projection * vec4(world, 1.0);
 
+#ifdef SUNK
+    out_m = world.y;
+#endif
+#ifdef SNOUT
+    // The waves shift what is below, so a little of that is drawn, too: it closes the seam.
+    vec4 nearer = view_projection * vec4(world + SEAM * normalize(eye.xyz - world), 1.0);
+    gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+#endif
+
     // All light is per vertex: at these sizes a pixel would not tell.
     vec3 view = normalize(eye.xyz - world);
 #ifdef FIN
@@ -198,6 +232,9 @@ void main()
     haze = vec4(0.0);
     colour();
     vec3 gain = light * left;
+#ifndef FIN
+    gain *= 1.0 - 0.92 * throat;
+#endif
     pale *= gain;
     stain *= gain;
     haze.rgb = haze.rgb * gain + WATER_COLOR * (1.0 - 0.5 * shade) * (1.0 - left) + gloss * vec3(1.0, 0.95, 0.86);

@@ -80,13 +80,17 @@ static uint32_t gulp_phase(const struct fish *fish, uint32_t tick)
     return (tick + (fish->look >> 9 & 127u)) % gulp_ticks(fish);
 }
 
+float surface_gulp(const struct fish *fish, uint32_t tick)
+{
+    return surface_breathes(fish)
+               ? (float)(gulp_phase(fish, tick) + 1u) / (float)gulp_ticks(fish)
+               : 0.0f;
+}
+
 float surface_gape(const struct fish *fish, uint32_t tick)
 {
-    const float share = (float)gulp_phase(fish, tick) / (float)gulp_ticks(fish);
-    if (!surface_breathes(fish) || share > GAPE_SHARE) {
-        return 0.0f;
-    }
-    return 0.5f - 0.5f * f_cos(F_TAU * share / GAPE_SHARE);
+    const float open = f_min(surface_gulp(fish, tick) / GAPE_SHARE, 1.0f);
+    return 0.5f - 0.5f * f_cos(F_TAU * open);
 }
 
 int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s)

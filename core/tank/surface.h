@@ -32,6 +32,10 @@ void surface_resolve(struct fish *fish, const struct surroundings *around);
 /* Whether its mouth is in the film. */
 int surface_breathes(const struct fish *fish);
 
+/* Where it is in a gulp, from one opening of its mouth to the next: (0, 1]. 0 while its mouth is
+ * not in the film. */
+float surface_gulp(const struct fish *fish, uint32_t tick);
+
 /* How far its mouth is open now, [0, 1]. */
 float surface_gape(const struct fish *fish, uint32_t tick);
 

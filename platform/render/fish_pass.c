@@ -10,6 +10,7 @@
 
 #define SORT_LEVELS 256u
 #define DEFINES_SIZE 48
+#define INSTANCE_ATTRIBUTES 7u
 
 void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
 {
@@ -18,9 +19,18 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
     snprintf(defines, sizeof defines, "#define KEYS %u\n", species->key_count);
     pass->body_program = gl_program(status, "fish body", defines, shader_fish_vert,
                                     shader_fish_frag, "caustics patterns");
+    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SUNK\n", species->key_count);
+    pass->sunk_program = gl_program(status, "sunk fish body", defines, shader_fish_vert,
+                                    shader_fish_frag, "caustics patterns");
+    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SNOUT\n", species->key_count);
+    pass->snout_program = gl_program(status, "snouts", defines, shader_fish_vert,
+                                     shader_fish_frag, "caustics patterns");
     snprintf(defines, sizeof defines, "#define KEYS %u\n#define FIN\n", species->key_count);
     pass->fin_program =
         gl_program(status, "fish fin", defines, shader_fish_vert, shader_fish_frag, "caustics");
+    pass->ring_program = gl_program(status, "gulp rings", "", shader_gulp_ring_vert,
+                                    shader_gulp_ring_frag, "");
+    glGenVertexArrays(1, &pass->rings);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_open(status, &pass->mesh[i], &species->lod[i], species->key_count);
     }
@@ -30,7 +40,11 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
 void fish_pass_close(struct fish_pass *pass)
 {
     glDeleteProgram(pass->body_program);
+    glDeleteProgram(pass->sunk_program);
+    glDeleteProgram(pass->snout_program);
     glDeleteProgram(pass->fin_program);
+    glDeleteProgram(pass->ring_program);
+    glDeleteVertexArrays(1, &pass->rings);
     glDeleteBuffers(1, &pass->instance_buffer);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_close(&pass->mesh[i]);
@@ -58,6 +72,13 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
     }
 }
 
+/* Its snout, or a back that a wave has bared. */
+static bool is_bare(const struct scene_fish *fish)
+{
+    const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
+    return fish->position_m.y + f_max(nose_m, 0.15f * fish->length_m) > 0.0f;
+}
+
 static enum fish_group group_of(const struct scene_fish *fish, const struct frame_view *view,
                                 float near_px)
 {
@@ -68,7 +89,9 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
         return FISH_IN_BOWL;
     }
     const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
-    return fish->length_m * view->focal_px >= near_px * distance ? FISH_NEAR : FISH_FAR;
+    const bool near = fish->length_m * view->focal_px >= near_px * distance;
+    return is_bare(fish) ? (near ? FISH_GULPING : FISH_GULPING_FAR)
+                         : (near ? FISH_NEAR : FISH_FAR);
 }
 
 /* 8-bit weights whose sum is exactly 255: the largest takes what rounding left over, so that no
@@ -103,6 +126,7 @@ static void fill_instance(struct fish_instance *out, const struct scene_fish *fi
         .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
         .character = { fish->bend_rad, fish->maturity, pattern_layer(look >> 8u),
                        (float)((look >> 16u) & 1023u) / 1023.0f },
+        .gulp = { fish->gape, fish->gulp },
     };
     *out = instance;
     pack_weights(out->weights, fish->weight);
@@ -138,16 +162,17 @@ static void point_instances(uint32_t first)
 {
     const size_t stride = sizeof(struct fish_instance);
     const size_t base = first * stride;
-    static const size_t offsets[6] = {
+    static const size_t offsets[INSTANCE_ATTRIBUTES] = {
         offsetof(struct fish_instance, place),        offsetof(struct fish_instance, right_phase),
         offsetof(struct fish_instance, up_amplitude), offsetof(struct fish_instance, weights),
         offsetof(struct fish_instance, weights) + 4,  offsetof(struct fish_instance, character),
+        offsetof(struct fish_instance, gulp),
     };
-    for (uint32_t i = 0; i < 6; i++) {
+    for (uint32_t i = 0; i < INSTANCE_ATTRIBUTES; i++) {
         const GLuint location = FISH_ATTRIBUTE_INSTANCE + i;
         const bool bytes = i == 3 || i == 4;
         glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, 4, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
+        glVertexAttribPointer(location, i == 6 ? 2 : 4, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
                               bytes ? GL_TRUE : GL_FALSE, (GLsizei)stride,
                               (const void *)(base + offsets[i]));
         glVertexAttribDivisor(location, 1);
@@ -156,7 +181,8 @@ static void point_instances(uint32_t first)
 
 static void draw_group(const struct fish_pass *pass, enum fish_group group, bool fins)
 {
-    const struct fish_mesh *const mesh = &pass->mesh[group == FISH_FAR ? 1 : 0];
+    const bool far = group == FISH_FAR || group == FISH_GULPING_FAR;
+    const struct fish_mesh *const mesh = &pass->mesh[far ? 1 : 0];
     if (pass->count[group] == 0) {
         return;
     }
@@ -166,17 +192,41 @@ static void draw_group(const struct fish_pass *pass, enum fish_group group, bool
     fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
 }
 
-void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
-                      const struct textures *textures, GLuint caustics)
+static bool is_gulping(enum fish_group group)
 {
-    glUseProgram(pass->body_program);
+    return group == FISH_GULPING_FAR || group == FISH_GULPING;
+}
+
+static void begin_bodies(GLuint program, const struct textures *textures, GLuint caustics)
+{
+    glUseProgram(program);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
     glEnable(GL_CULL_FACE);
     glEnable(GL_BLEND);
-    draw_group(pass, group, false);
+}
+
+static void end_bodies(void)
+{
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
+}
+
+void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
+                      const struct textures *textures, GLuint caustics)
+{
+    begin_bodies(is_gulping(group) ? pass->sunk_program : pass->body_program, textures, caustics);
+    draw_group(pass, group, false);
+    end_bodies();
+}
+
+void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
+                      GLuint caustics)
+{
+    begin_bodies(pass->snout_program, textures, caustics);
+    draw_group(pass, FISH_GULPING_FAR, false);
+    draw_group(pass, FISH_GULPING, false);
+    end_bodies();
 }
 
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics)
@@ -186,6 +236,31 @@ void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint 
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     draw_group(pass, group, true);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void fish_pass_rings(const struct fish_pass *pass)
+{
+    const size_t stride = sizeof(struct fish_instance);
+    const size_t base = pass->first[FISH_GULPING_FAR] * stride;
+    const uint32_t count = pass->count[FISH_GULPING_FAR] + pass->count[FISH_GULPING];
+    if (count == 0) {
+        return;
+    }
+    glUseProgram(pass->ring_program);
+    glBindVertexArray(pass->rings);
+    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
+    gl_attribute_floats(0, 4, stride, base + offsetof(struct fish_instance, place));
+    gl_attribute_floats(1, 4, stride, base + offsetof(struct fish_instance, right_phase));
+    gl_attribute_floats(2, 4, stride, base + offsetof(struct fish_instance, up_amplitude));
+    gl_attribute_floats(3, 2, stride, base + offsetof(struct fish_instance, gulp));
+    for (GLuint i = 0; i < 4; i++) {
+        glVertexAttribDivisor(i, 1);
+    }
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }
@@ -200,5 +275,5 @@ GLsizei fish_pass_shadow_casters(const struct fish_pass *pass)
     for (GLuint i = 0; i < 3; i++) {
         glVertexAttribDivisor(i, 1);
     }
-    return (GLsizei)(pass->count[FISH_FAR] + pass->count[FISH_NEAR] + pass->count[FISH_ON_POI]);
+    return (GLsizei)(pass->first[FISH_ON_POI] + pass->count[FISH_ON_POI]);
 }

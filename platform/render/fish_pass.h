@@ -10,11 +10,13 @@
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
 
-enum fish_group {                /* In this order in the instance buffer. */
-                  FISH_FAR = 0,  /* In the tank, small on the screen. */
-                  FISH_NEAR = 1, /* In the tank. */
-                  FISH_ON_POI = 2,
-                  FISH_IN_BOWL = 3,
+enum fish_group {               /* In this order in the instance buffer. */
+                  FISH_FAR = 0, /* In the tank, small on the screen. */
+                  FISH_NEAR,
+                  FISH_GULPING_FAR, /* In the tank, a snout above the surface; small. */
+                  FISH_GULPING,
+                  FISH_ON_POI,
+                  FISH_IN_BOWL,
                   FISH_GROUP_COUNT,
 };
 
@@ -22,10 +24,12 @@ struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
     uint8_t weights[8];
     float character[4];
+    float gulp[2]; /* Gape and phase. */
 };
 
 struct fish_pass {
-    GLuint body_program, fin_program;
+    GLuint body_program, sunk_program, snout_program, fin_program;
+    GLuint ring_program, rings;
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
@@ -41,10 +45,18 @@ void fish_pass_close(struct fish_pass *pass);
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                        const struct frame_view *view, const struct quality *quality);
 
-/* Draw one group, into a target with depth. Bodies: no blending wanted. Fins: premultiplied. */
+/* Draw one group, into a target with depth. Bodies: no blending wanted, and of gulpers only what is
+ * below the surface. Fins: premultiplied. */
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
                       const struct textures *textures, GLuint caustics);
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics);
+
+/* The gulpers whole, into a target whose depth hides what is below the surface: their snouts. */
+void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
+                      GLuint caustics);
+
+/* The rings that gulpers make on the surface, over the water and under what stands out of it. */
+void fish_pass_rings(const struct fish_pass *pass);
 
 /* Points attributes 0, 1, 2 of the bound vertex array at the instances of the fish in the tank and
  * on the poi; returns how many there are. For their shadows. */

@@ -197,8 +197,9 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }
-    fish_pass_fins(&renderer->fish, FISH_FAR, caustics);
-    fish_pass_fins(&renderer->fish, FISH_NEAR, caustics);
+    for (enum fish_group group = FISH_FAR; group <= FISH_GULPING; group++) {
+        fish_pass_fins(&renderer->fish, group, caustics);
+    }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_below(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
@@ -266,9 +267,17 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
 }
 
+/* What stands out of the water, without its tint: the surface hides the rest by its depth. */
+static void draw_snouts(const struct renderer *renderer)
+{
+    fish_pass_rings(&renderer->fish);
+    fish_pass_snouts(&renderer->fish, &renderer->textures, renderer->light.caustics.texture);
+}
+
 /* The rim may stand before a bowl and is always behind a poi; a fan is over all of them. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
+    draw_snouts(renderer);
     draw_bowls(renderer, scene);
     basin_pass_deck(&renderer->basin, &renderer->textures);
     draw_pois(renderer, scene);

@@ -15,6 +15,9 @@
 
 struct options {
     float seconds, scale;
+    float stamina, oxygen_mg_l;  /* < 0: the preset's own. */
+    uint8_t plain;
+    float close_x_m, close_z_m, close_m; /* A camera so near to a point of the surface; 0: none. */
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
     struct shade_input fan; /* X_CM,Z_CM on the command line. */
@@ -57,7 +60,8 @@ static uint8_t preset_named(const char *name)
 
 static struct options parse(int argc, char **argv)
 {
-    struct options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png" };
+    struct options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png",
+                         .stamina = -1.0f, .oxygen_mg_l = -1.0f };
     for (int i = 1; i < argc; i++) {
         const char *const value = i + 1 < argc ? argv[i + 1] : "";
         const char *const name = argv[i];
@@ -71,6 +75,14 @@ static struct options parse(int argc, char **argv)
             o.paper = 1;
         } else if (!strcmp(name, "--preset")) {
             o.preset = preset_named(value);
+        } else if (!strcmp(name, "--plain")) {
+            o.plain = 1;
+        } else if (!strcmp(name, "--stamina")) {
+            o.stamina = strtof(value, NULL);
+        } else if (!strcmp(name, "--oxygen")) {
+            o.oxygen_mg_l = strtof(value, NULL);
+        } else if (!strcmp(name, "--close")) {
+            sscanf(value, "%f,%f,%f", &o.close_x_m, &o.close_z_m, &o.close_m);
         } else if (!strcmp(name, "--seconds")) {
             o.seconds = strtof(value, NULL);
         } else if (!strcmp(name, "--scale")) {
@@ -94,6 +106,31 @@ static struct options parse(int argc, char **argv)
     return o;
 }
 
+/* Fish and water as an experiment wants them. */
+static void set_water(const struct options *options)
+{
+    struct tank_config config = tank_config_of(options->preset);
+    config.seed = core.config.seed;
+    config.fish_count = core.tank.fish_count;
+    if (options->stamina >= 0.0f) {
+        config.stamina_min = config.stamina_max = 0.01f * options->stamina;
+    }
+    if (options->oxygen_mg_l >= 0.0f) {
+        config.oxygen_mg_l = options->oxygen_mg_l;
+        config.time_compression = 0.0f;
+    }
+    if (!tank_open(&core.tank, &config)) {
+        exit(2);
+    }
+}
+
+static void come_close(const struct options *options)
+{
+    scene.view.target_m = v3(options->close_x_m, -0.01f, options->close_z_m);
+    scene.view.eye_m = v3(options->close_x_m, 0.75f * options->close_m,
+                          options->close_z_m + 0.66f * options->close_m);
+}
+
 static void play(const struct options *options)
 {
     const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
@@ -104,6 +141,7 @@ static void play(const struct options *options)
     if (core_init(&core, &config) != CORE_OK) {
         exit(2);
     }
+    set_water(options);
     const uint32_t ticks = (uint32_t)(options->seconds * (float)CORE_TICK_HZ);
     for (uint32_t i = 0; i < ticks; i++) {
         struct input input = { 0 };
@@ -209,6 +247,13 @@ int main(int argc, char **argv)
                                                  .samples = options.samples };
     const struct hal_display device = display_gl_device(&display);
     play(&options);
+    if (options.plain) {
+        scene.phase = PHASE_WORDLESS;
+        scene.poi[0].present = scene.bowl[0].present = 0;
+    }
+    if (options.close_m > 0.0f) {
+        come_close(&options);
+    }
     if (options.paper) {
         show_paper();
     }

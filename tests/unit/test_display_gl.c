@@ -99,6 +99,83 @@ static void test_one_fish_a_hole_and_a_wave_each_change_the_picture(void **state
     assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
+/* The sum of one colour over the 5 x 5 pixels in the middle. */
+static uint32_t middle(const uint8_t rgb[PIXELS_SIZE], uint32_t colour)
+{
+    uint32_t sum = 0;
+    for (uint32_t y = HEIGHT / 2u - 2u; y <= HEIGHT / 2u + 2u; y++) {
+        for (uint32_t x = WIDTH / 2u - 2u; x <= WIDTH / 2u + 2u; x++) {
+            sum += rgb[(y * WIDTH + x) * 3u + colour];
+        }
+    }
+    return sum;
+}
+
+/* One fish of 8 cm, tipped up by 45 degrees with its nose at `nose_y_m`; the eye is over it and
+ * looks at a point of its head 3 mm behind the tip. */
+static void show_gulper(float nose_y_m, uint8_t place)
+{
+    struct scene_fish *fish = &scene.fish[0];
+    scene.phase = PHASE_WORDLESS;
+    scene.fish_count = 1;
+    scene.poi[0].present = scene.bowl[0].present = 0;
+    memset(scene.slope, 0, sizeof scene.slope);
+    fish->angles = (struct angles){ .pitch_rad = 45.0f * F_DEG };
+    fish->length_m = 0.08f;
+    fish->place = place;
+    fish->maturity = 0.0f; /* Grey: no colour is at the end of its scale. */
+    fish->position_m = v3(0.0f, nose_y_m - 0.0283f, 0.0f);
+    scene.view.target_m = v3(0.0f, nose_y_m - 0.0021f, -0.0262f);
+    scene.view.eye_m = v3(0.0f, nose_y_m + 0.15f, 0.02f);
+}
+
+static void test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water(void **state)
+{
+    (void)state;
+    show_gulper(0.006f, SCENE_IN_TANK);
+    picture(pixels[0]);
+    show_gulper(0.006f, SCENE_ON_POI);
+    picture(pixels[1]);
+    for (uint32_t colour = 0; colour < 3; colour++) {
+        const int32_t off =
+            (int32_t)middle(pixels[0], colour) - (int32_t)middle(pixels[1], colour);
+        assert_in_range(off + 100, 0, 200); /* 4 of 255 a pixel. */
+    }
+    show_gulper(-0.03f, SCENE_IN_TANK);
+    picture(pixels[1]);
+    print_message("red of a snout: %u in air, %u under 3 cm of water, of 6375\n",
+                  middle(pixels[0], 0), middle(pixels[1], 0));
+    assert_true(middle(pixels[0], 0) > middle(pixels[1], 0) + 25u * 12u);
+}
+
+static void test_a_gulp_opens_the_mouth_and_rings_the_water(void **state)
+{
+    (void)state;
+    show_gulper(0.004f, SCENE_IN_TANK);
+    picture(pixels[0]);
+    scene.fish[0].gape = 1.0f;
+    picture(pixels[1]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    scene.fish[0].gulp = 0.4f;
+    picture(pixels[0]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+static void test_a_tank_can_be_shown_without_a_word(void **state)
+{
+    (void)state;
+    scene.hint = HINT_START;
+    scene.phase = PHASE_ATTRACT;
+    picture(pixels[0]);
+    scene.phase = PHASE_WORDLESS;
+    picture(pixels[1]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    scene.hint = HINT_DIP;
+    scene.language = LANGUAGE_EN;
+    picture(pixels[0]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
 static void test_the_fullest_scene_draws_without_an_error(void **state)
 {
     (void)state;
@@ -215,6 +292,10 @@ int main(void)
         WITH_DISPLAY(test_it_says_what_draws_and_how_finely),
         WITH_DISPLAY(test_the_same_scene_is_the_same_picture),
         WITH_DISPLAY(test_one_fish_a_hole_and_a_wave_each_change_the_picture),
+        WITH_DISPLAY(
+            test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water),
+        WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_rings_the_water),
+        WITH_DISPLAY(test_a_tank_can_be_shown_without_a_word),
         WITH_DISPLAY(test_the_fullest_scene_draws_without_an_error),
         WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),
         WITH_DISPLAY(test_it_takes_quit_and_leaves_other_devices_their_events),
