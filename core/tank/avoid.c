@@ -130,13 +130,13 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     }
     const uint32_t since = encounter_since(a, b, tick);
     const uint32_t draw = pair_draw(a, b, seed, since);
-    const float a_rises = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1.0f : -1.0f;
+    const int a_rises = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index);
     const uint8_t kind = along > COS_20_DEG    ? MEET_REAR_END
                          : along < -COS_20_DEG ? MEET_HEAD_ON
                                                : MEET_SIDE;
     const float contact_s = f_max(gap_m, 0.0f) / closing_m_s;
-    pair.a = (struct avoid_advice){ kind, contact_s, 0.0f, a_rises, since, b->index };
-    pair.b = (struct avoid_advice){ kind, contact_s, 0.0f, -a_rises, since, a->index };
+    pair.a = (struct avoid_advice){ kind, a_rises ? 1 : -1, b->index, since, contact_s, 0.0f };
+    pair.b = (struct avoid_advice){ kind, a_rises ? -1 : 1, a->index, since, contact_s, 0.0f };
     if (kind == MEET_REAR_END) {
         meet_rear_end(&pair, a_faces, draw);
     } else if (kind == MEET_HEAD_ON) {

@@ -32,11 +32,11 @@ struct avoid_party {
 /* What a party should do. Zero `kind` is nothing. */
 struct avoid_advice {
     uint8_t kind;    /* enum meeting_kind */
+    int8_t rise;     /* -1 down, +1 up: should turning not do within 0.5 s. */
+    fish_index with; /* The other. */
+    uint32_t since;  /* Tick in which the encounter began, for either of the two. */
     float contact_s; /* Time to contact at this pace. */
     float turn;      /* -1 hard to the right .. +1 hard to the left, 0 straight on. */
-    float rise;      /* -1 down, +1 up: should turning not do within 0.5 s. */
-    uint32_t since;  /* Tick in which the encounter began, for either of the two. */
-    fish_index with;  /* The other. */
 };
 
 struct avoid_pair {

@@ -91,13 +91,13 @@ struct fish {
     uint8_t avoid_kind; /* enum meeting_kind of the encounter, as it began. */
     uint8_t falls;      /* Through the air: nothing else moves it. */
     uint8_t air;        /* enum fish_air */
+    uint8_t startle;    /* enum fright_cause whose latency runs; 0 is none. */
     float depth_goal_m; /* Wanted y, < 0. */
     float depth_stray;  /* Where its band's depth lies for it: so much higher, of the water's. */
 
     /* Fright and its answer; see fright.h and escape.h. */
     float alarm; /* [0, 1]; fades. */
     float habit; /* [0, 1] how used to frights it is; fades. */
-    uint8_t startle;   /* enum fright_cause whose latency runs; 0 is none. */
     float startle_s;   /* Left of the latency. */
     vec3 startle_from_m;
     float refractory_s; /* Until it can start again. */
