@@ -100,8 +100,9 @@ static void show_bowl(const struct bowl *bowl, uint32_t index, struct scene_bowl
     };
 }
 
-static void show_fan(const struct shade_cast *cast, uint32_t index, struct scene_fan *out)
+static void show_fan(const struct shade *shade, uint32_t index, struct scene_fan *out)
 {
+    const struct shade_cast *cast = &shade->cast;
     *out = (struct scene_fan){
         .present = cast->present,
         .owner = (uint8_t)index,
@@ -109,6 +110,7 @@ static void show_fan(const struct shade_cast *cast, uint32_t index, struct scene
         .z_m = cast->z_m,
         .radius_m = cast->radius_m,
         .dark = cast->dark,
+        .still_s = shade->still_s,
     };
 }
 
@@ -142,7 +144,7 @@ void core_scene(const struct core *core, struct scene *scene)
         show_bowl(&core->bowl[i], i, &scene->bowl[i]);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        show_fan(&tank->shade[i].cast, i, &scene->fan[i]);
+        show_fan(&tank->shade[i], i, &scene->fan[i]);
     }
     water_slopes(&tank->water, tank->size_m, scene->slope);
     show_game(core, scene);

@@ -66,6 +66,7 @@ struct scene_fan {
     float x_m, z_m;          /* Middle of the shadow on the water, straight below the light. */
     float radius_m;
     float dark;              /* [0, 1] of the light that it takes. */
+    float still_s;           /* How long it has been held still. */
 };
 
 enum scene_phase {

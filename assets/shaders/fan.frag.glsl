@@ -1,7 +1,7 @@
 // A round uchiwa: paper on split bamboo, a painted goldfish over indigo ripples. It is held nearer
 // to the eye than what the eye looks at, so every edge is a little soft.
 in vec2 at;
-uniform vec4 trim;         // The player's colour, along the rim.
+uniform vec4 trim;         // The player's colour, along the rim; w: how little is seen through it.
 uniform sampler2D fibres;
 out vec4 color;
 
@@ -116,7 +116,8 @@ void main()
 
     vec4 sum = vec4(rod, 1.0) * (ribs * open * 0.95);
     float shine = 0.90 + 0.12 * smoothstep(0.9, -0.6, at.x + at.y);  // The lamps' side.
-    float alpha = paper * 0.95;
+    float painted = max(0.7 * rim, 0.6 * max(small.a, large.a));
+    float alpha = paper * 0.95 * mix(trim.w, 1.0, painted);
     sum = vec4(tint * shine, 1.0) * alpha + sum * (1.0 - alpha);
     float hold = max(twig, ink(stick));
     vec3 hard = mix(rod * 0.85, wood, ink(stick));

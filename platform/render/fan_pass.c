@@ -9,6 +9,9 @@
 #define FAN_PITCH_RAD (-7.0f * F_DEG) /* The far edge lower: the player sees the picture. */
 #define SWAY_RAD (1.6f * F_DEG)       /* No hand is quite still. */
 #define SWAY_HZ 0.23f
+#define SEEN_THROUGH 0.34f
+#define SEEN_FROM_S 0.6f
+#define SEEN_TO_S 2.0f
 
 void fan_pass_open(struct gl_status *status, struct fan_pass *pass)
 {
@@ -34,7 +37,10 @@ static void draw_fan(const struct fan_pass *pass, const struct scene_fan *fan, u
                                    .roll_rad = SWAY_RAD * f_cos(sway) };
     frame_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
     glUniformMatrix4fv(pass->pose, 1, GL_FALSE, pose);
-    glUniform4fv(pass->trim, 1, poi_paint(fan->owner));
+    /* Who holds it still looks past it, at the fish. */
+    const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
+    const float *const paint = poi_paint(fan->owner);
+    glUniform4f(pass->trim, paint[0], paint[1], paint[2], 1.0f - through);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 

@@ -14,9 +14,10 @@ paper_at() { # X Y: 1 when that part of the screen is paper
     import -silent -window root -crop "80x24+$1+$2" miff:- 2>/dev/null |
         convert miff:- -resize '1x1!' -format '%[fx:min(r,b)>0.72]' info:-
 }
-wait_for() { # 0|1 X Y: up to 10 s
-    for _ in $(seq 40); do
+wait_for() { # 0|1 X Y: up to 10 s. The hand waves a little: a fan at rest is seen through.
+    for i in $(seq 40); do
         [ "$(paper_at "$2" "$3")" = "$1" ] && return 0
+        xdotool mousemove_relative -- $((i % 2 ? 16 : -16)) 0
         sleep 0.25
     done
     return 1
