@@ -149,7 +149,7 @@ static void test_after_half_a_second_of_yaw_comes_pitch(void **state)
 {
     (void)state;
     struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
-    const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 };
+    const struct avoid_advice advice = { MEET_SIDE, -1, 2, 7, 0.1f, 1.0f };
     uint32_t yaw = 0;
     while (fish.avoiding != AVOID_PITCH && yaw < 200) {
         avoid_tick(&fish, &advice, 0.5f, pond_at(1, 0));
@@ -165,7 +165,7 @@ static void test_nobody_dives_into_the_floor_or_climbs_into_the_air(void **state
 {
     (void)state;
     struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.115f, 0.0f } };
-    struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 };
+    struct avoid_advice advice = { MEET_SIDE, -1, 2, 7, 0.1f, 1.0f };
     fish.avoiding = AVOID_YAW;
     avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
     assert_int_equal(fish.avoiding, AVOID_PITCH);
@@ -194,7 +194,7 @@ static void test_depth_is_held_while_it_gives_way_and_half_a_second_after(void *
 {
     (void)state;
     struct fish fish = { WAKIN(0.05f), .position_m = { 0.0f, -0.06f, 0.0f }, .brake = 1.0f };
-    const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, -1.0f, 7, 2 }, none = { 0 };
+    const struct avoid_advice advice = { MEET_SIDE, -1, 2, 7, 0.1f, 1.0f }, none = { 0 };
     fish.depth_goal_m = -0.03f;
     assert_false(avoid_holds_depth(&fish));
     avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));

@@ -192,11 +192,11 @@ static void test_3_4_after_half_a_second_of_yaw_the_upper_rises_and_the_lower_di
     assert_true(pair.a.rise == 1.0f && pair.b.rise == -1.0f);
 }
 
-static float pitch_way(float y_m, float rise)
+static float pitch_way(float y_m, int8_t rise)
 {
     struct fish fish = { .length_m = 0.05f, .height_m = 0.02f, .position_m = { 0.0f, y_m, 0.0f },
                          .avoiding = AVOID_YAW };
-    const struct avoid_advice advice = { MEET_SIDE, 0.1f, 1.0f, rise, 7, 2 };
+    const struct avoid_advice advice = { MEET_SIDE, rise, 2, 7, 0.1f, 1.0f };
     avoid_tick(&fish, &advice, 1.0f, thesis_at(1, 0));
     assert_int_equal(fish.avoiding, AVOID_PITCH);
     return fish.avoid_turn;
@@ -206,10 +206,10 @@ static float pitch_way(float y_m, float rise)
 static void test_3_4_near_the_surface_it_dives_and_near_the_floor_it_rises(void **state)
 {
     (void)state;
-    assert_true(pitch_way(-0.019f, 1.0f) < 0.0f);
-    assert_true(pitch_way(-0.021f, 1.0f) > 0.0f);
-    assert_true(pitch_way(-0.181f, -1.0f) > 0.0f);
-    assert_true(pitch_way(-0.179f, -1.0f) < 0.0f);
+    assert_true(pitch_way(-0.019f, 1) < 0.0f);
+    assert_true(pitch_way(-0.021f, 1) > 0.0f);
+    assert_true(pitch_way(-0.181f, -1) > 0.0f);
+    assert_true(pitch_way(-0.179f, -1) < 0.0f);
 }
 
 /* The thesis names it in four places and writes it down in none. Ours takes up the 2.25 cm/s that
