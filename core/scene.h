@@ -27,7 +27,7 @@ struct scene_fish {
     struct angles angles;
     float length_m;          /* Total length, snout to tail tip. */
     float tail_phase_rad;    /* Of the travelling body wave; [0, 2 pi). */
-    float tail_amplitude;    /* 0 still .. 1 full cruising stroke .. 1.5 escape. */
+    float tail_amplitude;    /* 1 is a fifth of the length from tip to tip; 0 is still. */
     float bend_rad;          /* Whole-body bend of a turn; positive bends the tail to its right. */
     float gape;              /* [0, 1] how far its mouth is open: it gulps at the surface. */
     float gulp;              /* (0, 1] from one opening to the next; 0: it does not gulp. */

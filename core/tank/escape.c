@@ -25,8 +25,8 @@
  * before the pivot of assets/shaders/fish.vert.glsl. */
 #define BEND_PER_TURN 1.3f
 #define HEAD_SHARE 0.38f
-#define RECOIL 0.4f          /* The flip bends it the other way by so much of the C. */
-#define RECOIL_TAU_S 0.030f
+#define RECOIL 0.4f /* The flip bends it the other way by so much of the C ... */
+#define RECOIL_STAGES 2.0f /* ... which is gone so many stages later. */
 
 #define PEAK_LENGTHS_MIN 8.0f /* A second. */
 #define PEAK_LENGTHS_MAX 10.0f
@@ -72,6 +72,12 @@ enum escape_stage escape_stage(const struct fish *fish)
            : before(fish, stage_s)        ? ESCAPE_BEND
            : before(fish, 2.0f * stage_s) ? ESCAPE_FLIP
                                           : ESCAPE_DASH;
+}
+
+int escape_on_path(const struct fish *fish)
+{
+    const float end_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
+    return fish->gait == GAIT_ESCAPE && before(fish, end_s);
 }
 
 /* How much room a course leaves until a wall, m, along one axis. */
@@ -158,7 +164,7 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index,
 void escape_dash(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     enter(fish, index, around);
-    fish->escape_s = 2.0f * escape_stage_s(fish->length_m);
+    fish->escape_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
     fish->escape_from_rad = fish->angles.yaw_rad;
     fish->escape_turn_rad = fish->escape_course_rad = 0.0f;
     fish->heading_rad = fish->angles.yaw_rad;
@@ -177,15 +183,16 @@ void escape_tick(struct fish *fish, const struct surroundings *around)
     const float stages = (fish->escape_s + around->dt_s) / escape_stage_s(fish->length_m);
     const float bent = f_clamp(stages, 0.0f, 1.0f);
     const float flipped = f_clamp(stages - 1.0f, 0.0f, 1.0f);
-    if (escape_stage(fish) == ESCAPE_DASH) { /* The course is its own again: walls and whims may turn it. */
-        fish->bend_goal_rad *= 1.0f - f_min(1.0f, around->dt_s / RECOIL_TAU_S);
+    const float recoiled = f_clamp((stages - 2.0f) / RECOIL_STAGES, 0.0f, 1.0f);
+    if (!escape_on_path(fish)) { /* The course is its own again: walls may turn it. */
+        fish->bend_goal_rad = 0.0f;
         return;
     }
     const float curve_rad = BEND_PER_TURN * fish->escape_turn_rad;
     const float bend_yaw_rad = fish->escape_turn_rad - HEAD_SHARE * curve_rad;
     const float yaw_rad = f_lerp(bent * bend_yaw_rad, fish->escape_course_rad, flipped);
     fish->heading_rad = f_wrap_angle(fish->escape_from_rad + yaw_rad);
-    fish->bend_goal_rad = -curve_rad * (bent - (1.0f + RECOIL) * flipped);
+    fish->bend_goal_rad = -curve_rad * (bent - (1.0f + RECOIL) * flipped + RECOIL * recoiled);
     fish->speed_m_s = f_max(fish->speed_m_s, flipped * peak_m_s(fish));
 }
 

@@ -19,6 +19,9 @@ enum escape_stage {
 
 enum escape_stage escape_stage(const struct fish *fish);
 
+/* Whether turn and bend still follow the start's path, to the tick: both stages and the recoil. */
+int escape_on_path(const struct fish *fish);
+
 /* How long each of the stages 1 and 2 takes a fish of this length: 20 ms at 5 cm, more by the root
  * of the length, rounded to ticks (16.7 ms; 25 ms from 5.5 cm). */
 float escape_stage_s(float length_m);

@@ -107,12 +107,17 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
     fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
+/* Among others even a C-start turns slower. */
+static int starts_freely(const struct fish *fish)
+{
+    return fish->room >= 1.0f && escape_on_path(fish);
+}
+
 static float turn_rate_max_rad_s(const struct fish *fish)
 {
     switch (fish->gait) {
-    case GAIT_ESCAPE: /* Among others it turns slower. */
-        return fish->room < 1.0f || escape_stage(fish) == ESCAPE_DASH ? TURN_RATE_ESCAPE
-                                                                      : TURN_RATE_START;
+    case GAIT_ESCAPE:
+        return starts_freely(fish) ? TURN_RATE_START : TURN_RATE_ESCAPE;
     case GAIT_BURST:
         return TURN_RATE_BURST;
     case GAIT_SWIM:
@@ -169,8 +174,8 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
         kept(CORE_TICK_S, starts ? START_TAU_S : gait_run_up_s(fish->length_m));
     fish->slow_keep = kept(CORE_TICK_S, slow_tau_s(fish, around->law));
     fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish);
-    fish->haste = escape_stage(fish) == ESCAPE_DASH ? DASH_HASTE
-                  : starts                        ? HASTE_START
+    fish->haste = starts_freely(fish)             ? HASTE_START
+                  : starts                        ? DASH_HASTE
                   : fish->avoiding == AVOID_YAW ? around->law->swerve_haste
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
@@ -264,10 +269,9 @@ static float beat_hz(float lengths_per_s)
 /* A glide lets the tail trail. */
 static float stroke(float hz, float beats)
 {
-    const float wide = f_clamp(STROKE_MIN + 0.85f * (hz - 0.5f) / 1.5f, STROKE_MIN, 1.0f);
-    const float most = f_clamp(1.0f + (hz - 5.0f) / 8.0f, 1.0f, STROKE_DASH);
-    return beats > 0.0f ? f_min(wide * most, STROKE_DASH)
-                        : STROKE_MIN + 0.35f * (wide - STROKE_MIN);
+    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
+    const float wider = f_clamp(per_hz * (hz - BEAT_MIN_HZ), 0.0f, 1.0f - STROKE_SLOW);
+    return beats > 0.0f ? STROKE_SLOW + wider : STROKE_GLIDE + STROKE_TRAIL * wider;
 }
 
 /* A fish that runs into something does not go on swimming at it. */

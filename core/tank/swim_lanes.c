@@ -145,12 +145,10 @@ static inline flanes beat_hz(flanes lengths_per_s)
 
 static inline flanes stroke(flanes hz, flanes beats)
 {
-    const flanes wide = lanes_clamp(STROKE_MIN + 0.85f * (hz - 0.5f) / 1.5f, lanes_of(STROKE_MIN),
-                                    lanes_of(1.0f));
-    const flanes most =
-        lanes_clamp(1.0f + (hz - 5.0f) / 8.0f, lanes_of(1.0f), lanes_of(STROKE_DASH));
-    return lanes_select(beats > 0.0f, lanes_min(wide * most, lanes_of(STROKE_DASH)),
-                        STROKE_MIN + 0.35f * (wide - STROKE_MIN));
+    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
+    const flanes wider = lanes_clamp(per_hz * (hz - BEAT_MIN_HZ), lanes_of(0.0f),
+                                     lanes_of(1.0f - STROKE_SLOW));
+    return lanes_select(beats > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider);
 }
 
 /* The unit vector ahead in the plane, from a body's `back`. */

@@ -32,8 +32,11 @@ _Static_assert(HASTE_START * TURN_GAIN_PER_S * DT > 0.999f, "a start turns withi
 #define BEAT_FAST_LENGTHS_PER_S 4.0f
 #define BEAT_MIN_HZ 0.5f
 
-/* The stroke widens up to 2 Hz; in a dash, from 5 Hz on, by half as much again. */
-#define STROKE_MIN 0.15f
-#define STROKE_DASH 1.5f
+/* Bainbridge 1958: the stroke widens with the beat up to 5 Hz and then keeps its width, a fifth of
+ * the length from tip to tip, which is 1 here. A glide lets the tail trail. */
+#define STROKE_SLOW 0.25f /* Of a tail that beats at its slowest. */
+#define STROKE_FULL_HZ 5.0f
+#define STROKE_GLIDE 0.15f
+#define STROKE_TRAIL 0.35f /* Of what the beat is wider than the slowest. */
 
 #endif

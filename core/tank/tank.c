@@ -47,6 +47,7 @@ static struct surroundings surroundings_of(const struct tank *tank, uint32_t tic
     return (struct surroundings){
         .law = tank_law(tank),
         .size_m = tank->size_m,
+        .wall_follow = tank->wall_follow,
         .seed = tank->seed,
         .tick = tick,
         .dt_s = CORE_TICK_S,
@@ -160,6 +161,7 @@ struct tank_config tank_config_of(uint8_t preset_id)
         .fish_count = preset->fish_count,
         .seed = 1,
         .area_scale = 1.0f,
+        .wall_follow = preset->law.wall_follow,
         .stamina_min = preset->stamina_min,
         .stamina_max = preset->stamina_max,
         .temperature_c = preset->temperature_c,
@@ -203,14 +205,40 @@ static struct oxygen oxygen_of(const struct tank_config *config)
     };
 }
 
+static int side_fits(float side_m, float low_m, float high_m)
+{
+    return side_m == 0.0f || within(side_m, low_m, high_m);
+}
+
+static vec3 size_of(const struct tank_config *config)
+{
+    const vec3 own_m = tank_preset(config->preset)->size_m, wanted_m = config->size_m;
+    const float side = f_sqrt(config->area_scale);
+    return v3(side * (wanted_m.x > 0.0f ? wanted_m.x : own_m.x),
+              wanted_m.y > 0.0f ? wanted_m.y : own_m.y,
+              side * (wanted_m.z > 0.0f ? wanted_m.z : own_m.z));
+}
+
+uint32_t tank_config_fish_max(const struct tank_config *config)
+{
+    if (!side_fits(config->size_m.x, TANK_SIDE_MIN_M, TANK_SIDE_MAX_M) ||
+        !side_fits(config->size_m.y, TANK_DEPTH_MIN_M, TANK_DEPTH_MAX_M) ||
+        !side_fits(config->size_m.z, TANK_SIDE_MIN_M, TANK_SIDE_MAX_M) ||
+        !within(config->area_scale, TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX)) {
+        return 0;
+    }
+    const vec3 own_m = tank_preset(config->preset)->size_m, size_m = size_of(config);
+    const float own_m3 = own_m.x * own_m.y * own_m.z;
+    return tank_fish_max(config->preset, size_m.x * size_m.y * size_m.z / own_m3);
+}
+
 static int config_fits(const struct tank_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT) {
         return 0;
     }
-    const uint32_t most = tank_fish_max(config->preset, config->area_scale);
-    return config->fish_count >= 1u && config->fish_count <= most &&
-           config->area_scale >= TANK_AREA_SCALE_MIN && config->area_scale <= TANK_AREA_SCALE_MAX &&
+    return config->fish_count >= 1u && config->fish_count <= tank_config_fish_max(config) &&
+           within(config->wall_follow, 0.0f, 1.0f) &&
            config->stamina_min >= 0.0f && config->stamina_max <= 1.0f &&
            config->stamina_min <= config->stamina_max && water_fits(config) &&
            lanes_built(config->lanes) && config->search <= PAIRS_ALL;
@@ -222,14 +250,14 @@ int tank_open(struct tank *tank, const struct tank_config *config)
         return 0;
     }
     const struct tank_preset *preset = tank_preset(config->preset);
-    const float side = f_sqrt(config->area_scale);
     memset(tank, 0, sizeof *tank);
     tank->seed = config->seed;
     tank->preset = config->preset;
     tank->lanes = config->lanes;
     tank->search = config->search;
-    tank->size_m = v3(side * preset->size_m.x, preset->size_m.y, side * preset->size_m.z);
-    tank->wall_height_m = preset->wall_height_m;
+    tank->size_m = size_of(config);
+    tank->wall_height_m = f_max(preset->wall_height_m, tank->size_m.y);
+    tank->wall_follow = config->wall_follow;
     tank->fish_count = config->fish_count;
     water_init(&tank->water);
     tank->oxygen = oxygen_of(config);
@@ -410,6 +438,7 @@ uint64_t tank_hash(uint64_t hash, const struct tank *tank)
     hash = hash_u32(hash, tank->preset);
     hash = hash_vec3(hash, tank->size_m);
     hash = hash_float(hash, tank->wall_height_m);
+    hash = hash_float(hash, tank->wall_follow);
     hash = hash_float(hash, tank->space);
     hash = hash_u32(hash, tank->fish_count);
     for (uint32_t i = 0; i < tank->fish_count; i++) {

@@ -25,6 +25,7 @@ struct tank {
     uint8_t lanes, search; /* As in struct tank_config; no hash covers them. */
     vec3 size_m;
     float wall_height_m;
+    float wall_follow; /* As in struct tank_config. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
     float space; /* Personal space beyond the body, in body lengths; fixed at the start. */
@@ -43,7 +44,10 @@ struct tank_config {
     uint8_t preset;                 /* enum tank_preset_id */
     uint32_t fish_count;            /* 1 .. tank_fish_max() */
     uint32_t seed;                  /* Any value. */
-    float area_scale;               /* Of the preset's floor, TANK_AREA_SCALE_MIN .. _MAX. */
+    float area_scale;               /* Of the floor, TANK_AREA_SCALE_MIN .. _MAX. */
+    vec3 size_m;                    /* Inner size; where 0 the preset's, else in TANK_SIDE_*_M and
+                                       TANK_DEPTH_*_M. */
+    float wall_follow;              /* [0, 1] how much walls draw its fish: 0 in every preset. */
     float stamina_min, stamina_max; /* [0, 1] at the start, uniform. */
     float temperature_c;            /* OXYGEN_TEMPERATURE_MIN_C .. _MAX_C */
     float pressure_hpa;             /* OXYGEN_PRESSURE_MIN_HPA .. _MAX_HPA */
@@ -56,6 +60,11 @@ struct tank_config {
 
 #define TANK_OXYGEN_SATURATED (-1.0f) /* As much as the water holds, at the start. */
 
+#define TANK_SIDE_MIN_M 0.30f
+#define TANK_SIDE_MAX_M 2.00f
+#define TANK_DEPTH_MIN_M 0.05f
+#define TANK_DEPTH_MAX_M 0.50f
+
 #define TANK_AREA_SCALE_MIN 0.05f
 #define TANK_AREA_SCALE_MAX 200.0f
 
@@ -64,6 +73,9 @@ struct tank_config tank_config_of(uint8_t preset);
 
 /* How many fish such a tank holds; at most TANK_FISH_MAX. */
 uint32_t tank_fish_max(uint8_t preset, float area_scale);
+
+/* The same for a tank to open; its count need not fit yet. 0 when its size is out of range. */
+uint32_t tank_config_fish_max(const struct tank_config *config);
 
 /* Fills `tank` with still water and fish that do not overlap. Returns whether it could: 0 leaves
  * it untouched, since a value lies outside its range. */

@@ -7,6 +7,7 @@
 #include "core/tank/gait.h"
 #include "core/tank/surface.h"
 #include "core/tank/swim.h"
+#include "core/tank/wall.h"
 
 #define DRAWN_TAU_S 0.25f     /* A shadow draws softly: noses do not follow its every tug. */
 #define SIDESTEP_PER_S 12.0f  /* Of the sidestep that it is asked for. */
@@ -103,6 +104,7 @@ void think(struct fish *fish, uint32_t index, const struct surroundings *around)
     feel(fish, index, around);
     gait_tick(fish, index, around);
     swim_wander(fish, index, around);
+    wall_follow(fish, around);
     shun(fish, around);
     if (fish->gait == GAIT_ESCAPE) {
         escape_tick(fish, around);

@@ -221,19 +221,22 @@ static void test_the_tail_beats_as_the_true_speed_demands(void **state)
     check_beat(9.0f, 13.333f);
 }
 
-static void test_a_still_fish_only_sculls_and_an_escape_beats_widest(void **state)
+/* Bainbridge 1958: wider with the beat up to 5 Hz, then constant. 1 is a fifth of the length. */
+static void test_the_stroke_widens_up_to_five_beats_a_second(void **state)
 {
     (void)state;
-    struct fish still = swimmer(), cruising = swimmer(), fleeing = swimmer();
-    cruising.beats = fleeing.beats = 1;
+    struct fish still = swimmer(), cruising = swimmer(), fast = swimmer(), fleeing = swimmer();
+    cruising.beats = fast.beats = fleeing.beats = 1;
     for (uint32_t tick = 0; tick < 2 * CORE_TICK_HZ; tick++) {
         swim_settle(&still, v3(0.0f, 0.0f, 0.0f), v3(0.0f, 0.0f, -1.0f));
         swim_settle(&cruising, v3(0.0f, 0.0f, -0.08f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
+        swim_settle(&fast, v3(0.0f, 0.0f, -0.15f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
         swim_settle(&fleeing, v3(0.0f, 0.0f, -0.45f * CORE_TICK_S), v3(0.0f, 0.0f, -1.0f));
     }
     assert_float_equal(still.tail_amplitude, 0.15f, 0.01f);
-    assert_float_equal(cruising.tail_amplitude, 1.0f, 0.05f);
-    assert_float_equal(fleeing.tail_amplitude, 1.5f, 0.01f);
+    assert_float_equal(cruising.tail_amplitude, 0.61f, 0.01f); /* 2.7 Hz. */
+    assert_float_equal(fast.tail_amplitude, 1.0f, 0.01f);      /* 5 Hz. */
+    assert_float_equal(fleeing.tail_amplitude, 1.0f, 0.01f);   /* 13 Hz. */
 }
 
 static void test_the_body_bends_along_its_arc(void **state)
@@ -461,7 +464,7 @@ int main(void)
         cmocka_unit_test(test_an_escape_turns_a_right_angle_within_a_tenth_of_a_second),
         cmocka_unit_test(test_depth_is_kept_with_the_nose_nearly_level),
         cmocka_unit_test(test_the_tail_beats_as_the_true_speed_demands),
-        cmocka_unit_test(test_a_still_fish_only_sculls_and_an_escape_beats_widest),
+        cmocka_unit_test(test_the_stroke_widens_up_to_five_beats_a_second),
         cmocka_unit_test(test_the_body_bends_along_its_arc),
         cmocka_unit_test(test_a_wall_ahead_is_left_before_it_is_touched),
         cmocka_unit_test(test_a_dropped_fish_falls_into_the_water_and_stays_there),
