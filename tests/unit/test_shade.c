@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "core/core.h"
 #include "core/tank/tank.h"
 
 #define DT CORE_TICK_S
@@ -395,7 +396,9 @@ static void test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers(void **
         const uint32_t before = tank_shade_count(&tank, &fan);
         hold_fan(&tick, &fan, 1);
         const uint32_t scattered = tank_shade_count(&tank, &fan);
-        hold_fan(&tick, &fan, 9);
+        hold_fan(&tick, &fan, 1);
+        assert_true(2u * tank_shade_count(&tank, &fan) < before); /* They flee for a while. */
+        hold_fan(&tick, &fan, 8);
         const uint32_t gathered = tank_shade_count(&tank, &fan);
         print_message("seed %u: %u before, %u after 1 s, %u after 10 s\n", seed, before, scattered,
                       gathered);
@@ -445,6 +448,68 @@ static void test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly(void 
     assert_int_equal(escapes_under(TANK_PRESET_THESIS, 0.30f, SHADE_FAN_DARK), 0);
 }
 
+/* ---- The stall ------------------------------------------------------------------------------ */
+
+static struct core core;
+static struct output output;
+
+static void open_stall(void)
+{
+    const struct core_config config = { .seed = 3, .fish_count = 60 };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+}
+
+static void test_what_a_hand_holds_falls_on_the_tank_within_its_bounds(void **state)
+{
+    struct input input = { .shade[2] = { 1, 0.1f, -0.2f, 0.12f } };
+    (void)state;
+    open_stall();
+    core_tick(&core, &input, &output);
+    const struct shade_cast *cast = &core.tank.shade[2].cast;
+    assert_true(cast->present && cast->x_m == 0.1f && cast->z_m == -0.2f);
+    assert_true(cast->radius_m == 0.12f && cast->dark == SHADE_FAN_DARK);
+    assert_int_equal(core.tank.shade[0].cast.present, 0);
+    input.shade[2] = (struct shade_input){ 1, 3e38f, -3e38f, 3e38f };
+    core_tick(&core, &input, &output);
+    assert_true(cast->x_m < 2.0f && cast->z_m > -2.0f && cast->radius_m == SHADE_RADIUS_MAX_M);
+    input.shade[2].radius_m = -1.0f;
+    core_tick(&core, &input, &output);
+    assert_true(cast->radius_m == SHADE_RADIUS_MIN_M);
+    input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f }; /* Not looked at. */
+    core_tick(&core, &input, &output);
+    assert_int_equal(cast->present, 0);
+}
+
+static void test_a_fan_that_is_no_number_is_a_bug(void **state)
+{
+    static const float broken[] = { 1.0f / 0.0f, -1.0f / 0.0f };
+    (void)state;
+    open_stall();
+    for (size_t i = 0; i < 2; i++) {
+        struct input input = { .shade[0] = { 1, broken[i], 0.0f, 0.1f } };
+        expect_assert_failure(core_tick(&core, &input, &output));
+        input.shade[0] = (struct shade_input){ 1, 0.0f, broken[i], 0.1f };
+        expect_assert_failure(core_tick(&core, &input, &output));
+        input.shade[0] = (struct shade_input){ 1, 0.0f, 0.0f, broken[i] };
+        expect_assert_failure(core_tick(&core, &input, &output));
+    }
+}
+
+static void test_a_dry_poi_casts_its_paper_and_a_dipped_one_nothing(void **state)
+{
+    struct poi poi;
+    (void)state;
+    poi_init(&poi, 6, v3(0.1f, 0.05f, -0.1f), 1);
+    const struct shade_cast level = poi_shade(&poi);
+    assert_true(level.present && level.x_m == 0.1f && level.z_m == -0.1f);
+    assert_true(near(level.radius_m, POI_OUTER_RADIUS_M, 1e-4f));
+    assert_true(near(level.dark, POI_PAPER_DARK, 1e-4f));
+    poi.angles.pitch_rad = 60.0f * F_DEG; /* An ellipse of half the area. */
+    assert_true(near(poi_shade(&poi).radius_m, 0.7071f * POI_OUTER_RADIUS_M, 1e-4f));
+    poi.immersed = 0.01f;
+    assert_int_equal(poi_shade(&poi).present, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -471,6 +536,9 @@ int main(void)
         cmocka_unit_test(test_gathered_fish_do_not_jitter),
         cmocka_unit_test(test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers),
         cmocka_unit_test(test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly),
+        cmocka_unit_test(test_what_a_hand_holds_falls_on_the_tank_within_its_bounds),
+        cmocka_unit_test(test_a_fan_that_is_no_number_is_a_bug),
+        cmocka_unit_test(test_a_dry_poi_casts_its_paper_and_a_dipped_one_nothing),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);
     return cmocka_run_group_tests(tests, NULL, NULL);
