@@ -72,43 +72,6 @@ static void count_fish(struct tank_lab *lab)
     sums->fish_ticks += lab->tank.fish_count;
 }
 
-/* Whether the other of the encounter that `fish` just gives way in did so before: then it has been
- * counted. Of two that begin in one tick the first counts. */
-static int is_counted(const struct tank_lab *lab, const struct fish *fish, uint32_t index)
-{
-    const struct fish *other = &lab->tank.fish[fish->avoid_with];
-    const int same = other->avoiding != AVOID_NONE && other->avoid_with == index &&
-                     other->avoid_since == fish->avoid_since;
-    return same && (lab->avoided[fish->avoid_with] != AVOID_NONE || fish->avoid_with < index);
-}
-
-static void count_meeting(struct lab_meetings *meetings, uint8_t kind)
-{
-    meetings->head_on += kind == MEET_HEAD_ON ? 1u : 0u;
-    meetings->side += kind == MEET_SIDE ? 1u : 0u;
-    meetings->rear_end += kind == MEET_REAR_END ? 1u : 0u;
-}
-
-/* Onsets: a pair that meets once, each fish's turns and climbs. */
-static void count_meetings(struct tank_lab *lab)
-{
-    struct lab_meetings *meetings = &lab->meetings;
-    for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
-        const struct fish *fish = &lab->tank.fish[i];
-        const int begins = fish->avoiding != lab->avoided[i];
-        if (begins && fish->avoiding == AVOID_YAW) {
-            meetings->by_yaw++;
-            if (!is_counted(lab, fish, i)) {
-                count_meeting(meetings, fish->avoid_kind);
-            }
-        }
-        meetings->by_pitch += begins && fish->avoiding == AVOID_PITCH ? 1u : 0u;
-    }
-    for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
-        lab->avoided[i] = lab->tank.fish[i].avoiding;
-    }
-}
-
 /* ---- The tick ------------------------------------------------------------------------------- */
 
 static float elapsed_ns(const struct timespec *from)
@@ -176,7 +139,7 @@ void tank_lab_tick(struct tank_lab *lab)
     }
     lab->tick++;
     count_fish(lab);
-    count_meetings(lab);
+    meetings_watch(&lab->meetings, &lab->tank);
     overlap_add(&lab->overlap, &lab->tank, &lab->overlaps);
     if (lab->tick % CORE_TICK_HZ == 0) {
         count_second(lab);

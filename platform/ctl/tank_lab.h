@@ -12,6 +12,7 @@
 #include "core/poi/poi.h"
 #include "core/tank/tank.h"
 #include "platform/ctl/overlap.h"
+#include "platform/ctl/tank_meetings.h"
 #include "platform/ctl/tank_path.h"
 #include "platform/ctl/tank_plan.h"
 
@@ -20,11 +21,6 @@ struct lab_sums {
     uint64_t fish_ticks;
     uint64_t gait_ticks[GAIT_COUNT];
     double speed_m_s, speed_max_m_s, stamina;
-};
-
-/* What happened in the encounters so far: onsets. */
-struct lab_meetings {
-    uint64_t head_on, side, rear_end, by_yaw, by_pitch;
 };
 
 struct tank_lab {
@@ -39,8 +35,7 @@ struct tank_lab {
     struct overlap overlap;
     struct overlap_count overlaps;
     struct lab_sums sums;
-    struct lab_meetings meetings;
-    uint8_t avoided[TANK_FISH_MAX]; /* enum fish_avoiding of the tick before. */
+    struct meetings meetings;
     float oxygen_start_mg_l;
     float *tick_ns;         /* [plan->tick_count]: of the tank's tick alone. */
     uint32_t *shade_count;  /* [tank_lab_seconds()]: fish within the shades ... */

@@ -65,7 +65,7 @@ static void put_counts(const char *before, const uint32_t *counts, uint32_t coun
     putchar(']');
 }
 
-static void put_meetings(const struct lab_meetings *meetings)
+static void put_meetings(const struct meetings *meetings)
 {
     printf(", \"encounters\": {\"head_on\": %llu, \"side\": %llu, \"rear_end\": %llu, "
            "\"by_yaw\": %llu, \"by_pitch\": %llu}",
@@ -145,7 +145,7 @@ static void text_about(const struct tank_lab *lab)
 void tank_report_text(const struct tank_lab *lab, const struct tank_figures *figures)
 {
     const uint32_t seconds = tank_lab_seconds(lab->plan);
-    const struct lab_meetings *meetings = &lab->meetings;
+    const struct meetings *meetings = &lab->meetings;
     text_about(lab);
     printf("cost         %.0f ns a fish and tick; a tick %.3f ms median, %.3f ms p99\n",
            figures->ns_per_fish_tick, figures->tick_ms_median, figures->tick_ms_p99);

@@ -1,0 +1,68 @@
+/* tank_meetings.c -- who begins to give way to whom, and which pairs have parted. */
+#include "platform/ctl/tank_meetings.h"
+
+static int overlap(const struct tank *tank, const struct meeting *pair)
+{
+    struct box spaces[2];
+    for (uint32_t i = 0; i < 2; i++) {
+        const struct fish *fish = &tank->fish[i == 0 ? pair->low : pair->high];
+        const float margin_m = tank->space * fish->length_m;
+        spaces[i] = fish_box(fish);
+        spaces[i].half_m = v3_add(spaces[i].half_m, v3(margin_m, margin_m, margin_m));
+    }
+    return box_depth_m(&spaces[0], &spaces[1]) > 0.0f;
+}
+
+static void forget_the_parted(struct meetings *meetings, const struct tank *tank)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < meetings->open_count; i++) {
+        struct meeting pair = meetings->open[i];
+        pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + 1u;
+        if (pair.apart_ticks < MEETINGS_PART_TICKS) {
+            meetings->open[kept++] = pair;
+        }
+    }
+    meetings->open_count = kept;
+}
+
+static int is_open(const struct meetings *meetings, const struct meeting *pair)
+{
+    for (uint32_t i = 0; i < meetings->open_count; i++) {
+        if (meetings->open[i].low == pair->low && meetings->open[i].high == pair->high) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void begin(struct meetings *meetings, const struct fish *fish, fish_index index)
+{
+    const fish_index with = fish->avoid_with;
+    const struct meeting pair = { index < with ? index : with, index < with ? with : index, 0 };
+    if (is_open(meetings, &pair)) {
+        return;
+    }
+    if (meetings->open_count < MEETINGS_OPEN_MAX) {
+        meetings->open[meetings->open_count++] = pair;
+    }
+    meetings->head_on += fish->avoid_kind == MEET_HEAD_ON ? 1u : 0u;
+    meetings->side += fish->avoid_kind == MEET_SIDE ? 1u : 0u;
+    meetings->rear_end += fish->avoid_kind == MEET_REAR_END ? 1u : 0u;
+}
+
+void meetings_watch(struct meetings *meetings, const struct tank *tank)
+{
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        if (fish->avoiding != meetings->avoided[i]) {
+            if (fish->avoiding == AVOID_YAW) {
+                meetings->by_yaw++;
+                begin(meetings, fish, (fish_index)i);
+            }
+            meetings->by_pitch += fish->avoiding == AVOID_PITCH ? 1u : 0u;
+            meetings->avoided[i] = fish->avoiding;
+        }
+    }
+    forget_the_parted(meetings, tank);
+}
