@@ -24,8 +24,7 @@
 
 /* A C-start is a path, which is followed to the tick: from this haste on, turn and bend are at once
  * what they are ordered to be, and no arc bends the body. */
-#define HASTE_START 40.0f
-_Static_assert(HASTE_START * TURN_GAIN_PER_S * DT > 0.999f, "a start turns within the tick");
+#define HASTE_START (1.0f / (TURN_GAIN_PER_S * DT))
 
 /* Bainbridge 1958 and its low-speed end: f = U / 0.6 L up to 4 L/s, 4/3 (U / L + 1) above. */
 #define BEAT_LENGTHS 0.6f
