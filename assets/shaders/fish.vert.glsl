@@ -43,7 +43,7 @@ out vec4 haze;         // What water and gloss add; w: how much of the gill's ed
 
 const vec3 WHITE = vec3(1.0, 0.955, 0.90);
 const vec3 FRY = vec3(0.40, 0.42, 0.27);
-const float WAVE_NUMBER = 6.0;   // rad per body length: a little over one length a wave.
+const float WAVE_NUMBER = 6.45;  // rad per body length: 0.97 lengths a wave (Videler & Hess).
 const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
 const float ARC_MIDDLE = 0.02;   // Body lengths that a bend of 1 rad moves the mean of its mass by.
 const float SEAM = 0.005;        // m.

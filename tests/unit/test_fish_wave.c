@@ -1,0 +1,190 @@
+/* test_fish_wave.c -- the tail that the screen shows sweeps as far as the scene says: measured in
+ * pictures, from straight above. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/core.h"
+#include "platform/render/display_gl.h"
+
+#define SIDE_PX 600u
+#define PIXELS_SIZE (SIDE_PX * SIDE_PX * 3u)
+#define PHASES 16u
+#define LENGTH_M 0.08f
+#define EYE_M 0.25f  /* Above the fish. */
+#define FISH_M 0.06f /* Above the water, which would bend the picture. */
+
+static struct core core;
+static struct scene scene;
+static struct display_gl display;
+static struct hal_display device;
+static uint8_t empty[PIXELS_SIZE], pixels[PIXELS_SIZE];
+
+/* The snout is up. */
+struct outline {
+    float top, bottom, left, right; /* Pixels. */
+    float tail_x, nose_x; /* Columns of the rearmost and the foremost 3 % of the length. */
+};
+
+static int open_display(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 5, .fish_count = 1 };
+    core_init(&core, &config);
+    core_scene(&core, &scene);
+    display.config = (struct display_gl_config){ .width = SIDE_PX,
+                                                 .height = SIDE_PX,
+                                                 .off_screen = true,
+                                                 .scene_scale = 1.0f };
+    device = display_gl_device(&display);
+    return device.ops->open(device.self);
+}
+
+static int close_display(void **state)
+{
+    (void)state;
+    device.ops->close(device.self);
+    return 0;
+}
+
+static void picture(uint8_t *out)
+{
+    struct hal_image image = { .rgb = out, .size = PIXELS_SIZE };
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+}
+
+static void stage(float phase_rad, float amplitude, float bend_rad)
+{
+    struct scene_fish *fish = &scene.fish[0];
+    scene.view.eye_m = v3(0.0f, FISH_M + EYE_M, 0.0005f);
+    scene.view.target_m = v3(0.0f, 0.0f, 0.0f);
+    scene.view.half_height_tan = 0.25f;
+    scene.view.aspect_min = 1.0f;
+    scene.phase = PHASE_ROUND;
+    scene.phase_s = 30.0f;
+    scene.poi[0].present = 0;
+    scene.hint = HINT_NONE;
+    fish->place = SCENE_ON_POI;
+    fish->position_m = v3(0.0f, FISH_M, 0.0f);
+    fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
+    fish->length_m = LENGTH_M;
+    fish->tail_phase_rad = phase_rad;
+    fish->tail_amplitude = amplitude;
+    fish->bend_rad = bend_rad;
+    fish->look = 0;
+    fish->maturity = 1.0f;
+}
+
+/* Fish are redder than the water that they hide; their shadows are not. */
+static int is_fish(uint32_t x, uint32_t y)
+{
+    const size_t at = 3u * ((size_t)y * SIDE_PX + x);
+    return pixels[at] > empty[at] + 14;
+}
+
+static float middle_x(uint32_t from, uint32_t to)
+{
+    float sum = 0.0f, count = 0.0f;
+    for (uint32_t y = from; y <= to; y++) {
+        for (uint32_t x = 0; x < SIDE_PX; x++) {
+            sum += is_fish(x, y) ? (float)x : 0.0f;
+            count += is_fish(x, y) ? 1.0f : 0.0f;
+        }
+    }
+    assert_true(count > 0.0f);
+    return sum / count;
+}
+
+static struct outline outline(void)
+{
+    uint32_t top = SIDE_PX, bottom = 0, left = SIDE_PX, right = 0;
+    for (uint32_t y = SIDE_PX / 8u; y < SIDE_PX; y++) {
+        for (uint32_t x = SIDE_PX / 4u; x < 3u * SIDE_PX / 4u; x++) {
+            if (is_fish(x, y)) {
+                top = y < top ? y : top;
+                bottom = y > bottom ? y : bottom;
+                left = x < left ? x : left;
+                right = x > right ? x : right;
+            }
+        }
+    }
+    assert_true(bottom > top);
+    const uint32_t end = 1u + (bottom - top) * 3u / 100u;
+    return (struct outline){ (float)top,
+                             (float)bottom,
+                             (float)left,
+                             (float)right,
+                             middle_x(bottom - end, bottom),
+                             middle_x(top, top + end) };
+}
+
+static struct outline drawn(float phase_rad, float amplitude, float bend_rad)
+{
+    stage(phase_rad, amplitude, bend_rad);
+    scene.fish_count = 0;
+    picture(empty);
+    scene.fish_count = 1;
+    picture(pixels);
+    return outline();
+}
+
+/* Tip to tip, in lengths. */
+static void sweep(float amplitude, float *tail, float *nose)
+{
+    const struct outline straight = drawn(0.0f, 0.0f, 0.0f);
+    const float length_px = straight.bottom - straight.top;
+    float left[2] = { 1e6f, 1e6f }, right[2] = { 0.0f, 0.0f };
+    for (uint32_t i = 0; i < PHASES; i++) {
+        const struct outline shape = drawn(F_TAU * (float)i / (float)PHASES, amplitude, 0.0f);
+        left[0] = f_min(left[0], shape.tail_x);
+        right[0] = f_max(right[0], shape.tail_x);
+        left[1] = f_min(left[1], shape.nose_x);
+        right[1] = f_max(right[1], shape.nose_x);
+    }
+    *tail = (right[0] - left[0]) / length_px;
+    *nose = (right[1] - left[1]) / length_px;
+    print_message("length %.0f px; at stroke %.1f the tail sweeps %.3f lengths, the snout %.3f\n",
+                  (double)length_px, (double)amplitude, (double)*tail, (double)*nose);
+}
+
+static void test_the_full_stroke_sweeps_a_fifth_of_the_length(void **state)
+{
+    (void)state;
+    float tail = 0.0f, nose = 0.0f;
+    sweep(1.0f, &tail, &nose);
+    assert_float_equal(tail, 0.20f, 0.02f); /* Bainbridge 1958: L / 5 from tip to tip. */
+    assert_float_equal(nose, 0.04f, 0.015f);
+    float half = 0.0f;
+    sweep(0.5f, &half, &nose);
+    assert_float_equal(half, 0.5f * tail, 0.015f);
+}
+
+/* A half circle of length 1 is 0.64 across and 0.32 deep; 2.5 radians are a little less. */
+static void test_a_start_bends_the_whole_fish_into_a_c(void **state)
+{
+    (void)state;
+    const struct outline straight = drawn(0.0f, 0.0f, 0.0f), bent = drawn(0.0f, 0.0f, -2.5f);
+    const float length_px = straight.bottom - straight.top;
+    const float high = (bent.bottom - bent.top) / length_px;
+    const float deep = (bent.right - bent.left) / length_px;
+    const float off_left = (straight.left - bent.left) / length_px;
+    const float off_right = (bent.right - straight.right) / length_px;
+    print_message("a C is %.2f lengths high, %.2f deep\n", (double)high, (double)deep);
+    assert_true(high < 0.80f && high > 0.60f);
+    assert_true(deep > 0.35f && deep < 0.60f);
+    assert_true(off_left > off_right); /* Head and tail lie to its left. */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_full_stroke_sweeps_a_fifth_of_the_length),
+        cmocka_unit_test(test_a_start_bends_the_whole_fish_into_a_c),
+    };
+    return cmocka_run_group_tests(tests, open_display, close_display);
+}
