@@ -46,7 +46,7 @@ void pairs_begin(struct pairs *pairs, const struct pairs_of *of)
 int pairs_next(struct pairs *pairs, const struct pairs_of *of, struct found *found,
                uint32_t *count)
 {
-    LANES_PICK(of->lanes, pairs_near)(pairs);
+    LANES_PICK(of->lanes, pairs_near)(pairs, of);
     for (uint32_t lane = 0; lane < LANES_MAX; lane++) {
         pairs->near_a[pairs->near_count + lane] = 0;
         pairs->near_b[pairs->near_count + lane] = 0;

@@ -20,7 +20,7 @@
 #define PAIRS_COLUMNS(name) void name(struct pairs *pairs, const struct pairs_of *of)
 
 /* The next near pairs; pairs->near_count is 0 after the last. */
-#define PAIRS_NEAR(name) void name(struct pairs *pairs)
+#define PAIRS_NEAR(name) void name(struct pairs *pairs, const struct pairs_of *of)
 
 /* Keeps those near pairs that all fifteen axes leave. Returns how many. */
 #define PAIRS_JUDGE(name)                                                                          \
