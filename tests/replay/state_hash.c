@@ -1,9 +1,9 @@
 /* state_hash.c -- plays a fixed half-minute of the core and prints the state's hash every second.
  *
  * Usage: state_hash [LANES]; exit 77 when this machine has none so wide. Attract, a bot's round,
- * then a live hand that dips and sweeps: no clock, no file, no device, so the lines depend on the
- * core alone. Every compiler, level, board and number of lanes must print the same ones; those of
- * tests/replay/golden.txt are the known good. */
+ * then a live hand that dips and sweeps, beside another that holds a fan: no clock, no file, no
+ * device, so the lines depend on the core alone. Every compiler, level, board and number of lanes
+ * must print the same ones; those of tests/replay/golden.txt are the known good. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,6 +32,18 @@ static struct poi_target hand_at(uint32_t tick)
     };
 }
 
+/* It swings in, is held until fish gather, is led along and taken away. */
+static struct shade_input fan_at(uint32_t tick)
+{
+    const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;
+    return (struct shade_input){
+        .present = s > 1.0f && s < 8.0f,
+        .x_m = -0.2f + 0.3f * f_smoothstep(5.5f, 8.0f, s),
+        .z_m = 0.5f - 0.5f * f_smoothstep(1.0f, 1.5f, s),
+        .radius_m = 0.1f,
+    };
+}
+
 static struct input input_at(uint32_t tick)
 {
     struct input input = { 0 };
@@ -39,6 +51,7 @@ static struct input input_at(uint32_t tick)
     if (tick >= HAND_TICK) {
         input.poi[0].link = POI_LINK_LIVE;
         input.poi[0].target = hand_at(tick);
+        input.shade[1] = fan_at(tick);
     }
     if (tick == START_TICK) {
         input.held = input.pressed = INPUT_START;
