@@ -3,6 +3,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
+#include "core/tank/gait.h"
 
 #define EDGE_TAU_S 0.10f
 #define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 a frame, 60 frames a second. */
@@ -116,7 +117,7 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct law *law
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 own = v3(-f_sin(course->heading_rad), 0.0f, -f_cos(course->heading_rad));
     const vec3 drawn = v3_mad(less_crowd(pull_m_s, fish), own, course->speed_m_s);
-    const vec3 wanted = v3_limit(drawn, law->swim_speed_max * fish->length_m);
+    const vec3 wanted = v3_limit(drawn, gait_speed_max_m_s(fish, law));
     const float along_m_s = -f_sin(yaw_rad) * wanted.x - f_cos(yaw_rad) * wanted.z;
     course->heading_rad =
         v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;

@@ -62,8 +62,8 @@ int shade_covers(const struct shade_cast *cast, vec3 position_m);
 float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m);
 
 /* What all of them do to the course of a fish: course and pull are added as velocities and kept to
- * the law's top speed for a swimming fish (section 3.3), and the fish turns that way rather than
- * being carried sideways. Where the crowd pushes back, the pull gives way. Returns whether any
+ * its top speed for swimming (section 3.3), and the fish turns that way rather than being carried
+ * sideways. Where the crowd pushes back, the pull gives way. Returns whether any
  * pulls; if not, heading and speed stay as they are. */
 struct shade_course {
     float heading_rad; /* In: where its gait takes it. Out: where to turn. */

@@ -114,7 +114,7 @@ static int draw(struct shade_course *course, vec3 at_m, float yaw_rad)
 {
     const struct shade shade = still_fan(0.0f);
     const struct fish fish = { .position_m = at_m, .angles = { .yaw_rad = yaw_rad },
-                               .length_m = 0.05f };
+                               .length_m = 0.05f, .stamina = 1.0f };
     return shade_draw(&shade, 1, law_of(TANK_PRESET_THESIS), &fish, course);
 }
 
@@ -352,6 +352,26 @@ static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
     assert_true(all.at_10 * 100u > all.at_6 * 105u);
 }
 
+static void test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s(void **state)
+{
+    const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
+    uint32_t drawn = 0;
+    (void)state;
+    tank_init(&tank, TANK_PRESET_THESIS, 200, 2);
+    for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ; tick++) {
+        tank_cast(&tank, casts);
+        tank_tick(&tank, tick, NULL, 0);
+        for (uint32_t i = 0; i < tank.fish_count; i++) {
+            const struct fish *fish = &tank.fish[i];
+            if (fish->gait == GAIT_REST || fish->gait == GAIT_SWIM) {
+                assert_true(fish->speed_goal_m_s <= 0.0750001f);
+                drawn += fish->gait == GAIT_REST && fish->speed_goal_m_s > 0.04f;
+            }
+        }
+    }
+    assert_true(drawn > 100u); /* Resting fish are drawn, too. */
+}
+
 /* Noses that turn this way and that: reversals of turns faster than 20 degrees a second, for each
  * fish in the shade and each second. Free fish make 0.2 to 0.5, by how many they are. */
 static void test_gathered_fish_do_not_jitter(void **state)
@@ -533,6 +553,7 @@ int main(void)
         cmocka_unit_test(test_thesis_fish_know_no_fright_by_shadows),
         cmocka_unit_test(test_thin_paper_alarms_a_tenth_as_much_as_a_fan),
         cmocka_unit_test(test_fish_gather_as_in_figures_4_17_to_4_20),
+        cmocka_unit_test(test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s),
         cmocka_unit_test(test_gathered_fish_do_not_jitter),
         cmocka_unit_test(test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers),
         cmocka_unit_test(test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly),
