@@ -6,18 +6,17 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-#define STRAIGHT_CHANCE 0.9f /* Side meetings: the sensible way. */
-#define YAW_TIME_S 0.5f      /* Then pitch (section 3.4). */
+#define STRAIGHT_CHANCE 0.9f   /* Side meetings (section 3.4): behind the other. */
+#define YAW_TIME_S 0.5f        /* Then pitch (section 3.4). */
 #define PITCH_TIME_S 0.5f
 #define HOLD_DEPTH_S 0.5f      /* Afterwards: the depth it wants would lead it straight back. */
 #define CLOSING_MIN_M_S 0.010f /* What two resting fish drift together at; repulsion's work. */
-#define BRAKE_MIN 0.4f /* Less leaves a burst in a crowd less than half its pace. */
-#define STRUCK_SHARE 0.15f /* Turned harder, its tail would sweep into the hitter. */
-#define TURN_LAG_S 0.12f /* A turn dies out so. */
+#define BRAKE_MIN 0.4f         /* Less leaves a burst in a crowd less than half its pace. */
 #define LEAD_RAD (75.0f * F_DEG) /* The heading runs so far ahead of the nose meanwhile. */
-/* Headroom that section 3.3 leaves: 7.5 - 5.25 cm/s, in lengths of its 5 cm fish. */
-#define REPULSION_LENGTHS_PER_S 0.45f
-#define REPULSION_RANGE 0.2f /* 1 cm of 5. */
+#define STRUCK_SHARE 0.15f     /* Of that, 67 degrees a second: the tail hardly swings out. */
+#define TURN_LAG_S 0.12f       /* A turn dies out so. */
+#define REPULSION_LENGTHS_PER_S 0.45f /* 7.5 - 5.25 cm/s (section 3.3) of 5 cm fish. */
+#define REPULSION_RANGE 0.2f   /* 1 cm of 5. */
 
 static float flat_cos(vec3 a, vec3 b)
 {
@@ -79,7 +78,8 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
-/* Whether straight courses would bring the bodies near: fish that pass clear need not give way. */
+/* A living wakin's prudence, which the thesis does not know (struct law switches it): fish that
+ * pass clear need not give way, nor those that are far off; and who runs up to a body slows. */
 static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
                          const struct law *law)
 {

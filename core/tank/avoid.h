@@ -1,8 +1,21 @@
 /* avoid.h -- how two fish that come too near give way: head-on, from the side, from behind.
  *
- * The 2013 thesis, section 3.4. Where it is silent: only fish on courses that nearly touch meet;
- * who is struck turns away from the side it is struck on; of several meetings the soonest counts.
- */
+ * The 2013 thesis, section 3.4. Where it is silent or at odds with itself:
+ * - 3.4 reacts to "something within the space", 3.7 tests space against space: as 3.7 does.
+ * - Headings alone call fish that have passed each other head-on, and fish side by side rear-end:
+ *   only who approaches meets, and who runs up to another has it within 45 degrees of its nose.
+ * - Eq. 3.4 takes the angle in space, so a pitched fish head-on would be hit from the side: the
+ *   angle is that of the headings seen from above. Cosines are compared, so none is out of range.
+ * - "The one that hits" is the one that faces the other more; even, the lower index.
+ * - The one that is hit "turns left", on whichever side it is hit: half the time into the other. It
+ *   turns away from that side; the figure shows one of two mirror images.
+ * - How fast fish turn is said nowhere: as fast as the gait lets them (180 degrees a second while
+ *   swimming); who is hit, a third of it, else its tail sweeps into the other.
+ * - Of several meetings the soonest counts. Who has begun to turn keeps to its side.
+ * - Fig. 3.6 sends both fish of a pair up, or both down: the upper goes up and the lower down,
+ *   unless the surface or the floor is within a body's height.
+ * - The depths of 3.6 would undo a climb: they wait while it gives way, and half a second more.
+ * - Repulsion is named in 1.1 and 4.5 and defined nowhere: see below. */
 #ifndef KINGYO_CORE_TANK_AVOID_H
 #define KINGYO_CORE_TANK_AVOID_H
 
@@ -10,7 +23,7 @@
 #include "core/tank/surroundings.h"
 
 enum meeting_kind {
-    MEET_NONE = 0, /* Not approaching, or at walking pace. */
+    MEET_NONE = 0, /* Not approaching, or no faster than fish at rest drift. */
     MEET_HEAD_ON,  /* Headings within 20 degrees of opposite. */
     MEET_REAR_END, /* Headings within 20 degrees of equal, the other ahead. */
     MEET_SIDE,
@@ -57,8 +70,9 @@ int avoid_holds_depth(const struct fish *fish);
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
                 const struct surroundings *around);
 
-/* The thesis' repulsion (named, never written down): wanted speed apart for two bodies whose gap is
- * `gap_m`, for the smaller of them `length_m` long; 0 beyond a fifth of its length. */
+/* Repulsion: wanted speed apart for two bodies whose gap is `gap_m`, for the smaller of them
+ * `length_m` long; 0 beyond a fifth of its length, its personal space. At touch it is what section
+ * 3.3 leaves between 5.25 and 7.5 cm/s, the limit of all that "other forces" may add. */
 float avoid_repulsion_m_s(float gap_m, float length_m);
 
 #endif

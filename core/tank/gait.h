@@ -1,7 +1,18 @@
 /* gait.h -- burst, swim or rest: what a fish does next, for how long, and what it costs.
  *
- * The 2013 thesis, sections 3.2 and 3.3, with stamina h in [0, 1] where the thesis counts 0 .. 100.
- */
+ * The 2013 thesis, sections 2.1, 3.2, 3.3 and 3.6, where stamina H runs from 0 to 100. Where it is
+ * at odds with itself:
+ * - Eqs. 3.1 to 3.3 and the speed s = d (0.8 + H / 5) hold only for H / 100: at H = 90 eq. 3.2 gives
+ *   -3.5, and a rested fish would swim at 20.8 d. Costs and bands are of 100, as printed. Here
+ *   stamina h = H / 100 lies in [0, 1] throughout.
+ * - Eq. 3.2 leaves 0.1 for swimming at H = 0, the text says that it is not chosen then: the text.
+ * - Eq. 2.3 has no base of the logarithm and no unit: decadic, of centimetres, it gives the 0.163 s
+ *   that is printed (0.1639, cut).
+ * - 2.1 says what the run-up leads to, 95 %, and not how: v = v_t (1 - exp(-3 t / T_d)), since
+ *   exp(-3) is 0.05. 3.3 uses the same time for swimming.
+ * - 3.3 changes the heading with the gait and does not say by how much: struct law does.
+ * - 3.6 counts depths in 20 cm of water: they are shares of any depth. It lets a fish get there by
+ *   pitching, but a tired one rests nine tenths of its time: climbing needs no gait (swim.h). */
 #ifndef KINGYO_CORE_TANK_GAIT_H
 #define KINGYO_CORE_TANK_GAIT_H
 

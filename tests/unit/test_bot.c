@@ -145,6 +145,29 @@ static void test_a_short_round_nearly_always_catches_a_fish(void **state)
     assert_in_range(total, 10, 60);
 }
 
+/* Ten seconds each: the tank's size, depth and crowd are the bot's only rules. */
+static void test_it_plays_in_each_tank(void **state)
+{
+    (void)state;
+    for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
+        uint32_t caught = 0;
+        for (uint32_t seed = 1; seed <= 3; seed++) {
+            const struct core_config config = { .seed = seed, .preset = preset, .round_s = 10 };
+            assert_int_equal(core_init(&core, &config), CORE_OK);
+            assert_int_equal(core.tank.fish_count, tank_preset(preset)->fish_count);
+            input = (struct input){ .poi[0].link = POI_LINK_BOT, .pressed = INPUT_START };
+            output = (struct output){ 0 };
+            do {
+                tick();
+            } while (core.game.phase != PHASE_RESULT);
+            caught += output.record.caught;
+        }
+        print_message("%s: %u caught in three rounds of 10 s\n", tank_preset(preset)->name,
+                      caught);
+        assert_true(caught > 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +178,7 @@ int main(void)
         cmocka_unit_test(test_with_no_fish_to_take_it_only_looks),
         cmocka_unit_test(test_a_bots_round_is_the_same_each_time),
         cmocka_unit_test(test_a_short_round_nearly_always_catches_a_fish),
+        cmocka_unit_test(test_it_plays_in_each_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

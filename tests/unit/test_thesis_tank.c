@@ -164,6 +164,7 @@ static void test_3_6_the_bands_change_at_75_50_and_25_of_100(void **state)
     }
 }
 
+/* The thesis knows no flight: a disc that rushes by scares nobody. */
 static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
 {
     (void)state;
@@ -172,6 +173,20 @@ static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
     assert_false(law->air_by_oxygen);
     assert_float_equal(law->wander_rad_s + law->wall_follow + law->depth_stray, 0.0f, 0.0f);
     assert_float_equal(law->brake_s + law->meet_within_s + law->meet_miss, 0.0f, 0.0f);
+    tank_init(&tank, TANK_PRESET_THESIS, 200, 1);
+    for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+        const struct obstacle disc = {
+            .kind = OBSTACLE_DISC,
+            .centre_m = { -0.5f + 0.5f * (float)tick * CORE_TICK_S, -0.10f, 0.0f },
+            .normal = { 1.0f, 0.0f, 0.0f },
+            .velocity_m_s = { 0.5f, 0.0f, 0.0f },
+            .radius_m = 0.045f,
+        };
+        tank_tick(&tank, tick, &disc, 1);
+        for (uint32_t i = 0; i < 200; i++) {
+            assert_int_not_equal(tank.fish[i].gait, GAIT_ESCAPE);
+        }
+    }
 }
 
 /* ---- A full tank -------------------------------------------------------------------------- */
