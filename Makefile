@@ -69,6 +69,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/tests.mk
 -include tests/bench/bench.mk
 -include tests/render/render.mk
+-include tests/thesis/thesis.mk
 
 ## help: this list
 help:

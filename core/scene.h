@@ -63,6 +63,7 @@ struct scene_bowl {
 struct scene_fan {
     uint8_t present;
     uint8_t owner;           /* Player index, chooses its picture. */
+    uint8_t unseen;          /* Only its shadow shows: for who wants to see what is below. */
     float x_m, z_m;          /* Middle of the shadow on the water, straight below the light. */
     float radius_m;
     float dark;              /* [0, 1] of the light that it takes. */

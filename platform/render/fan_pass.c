@@ -52,7 +52,7 @@ void fan_pass_draw(const struct fan_pass *pass, const struct scene *scene,
     glBindVertexArray(pass->no_attributes);
     glEnable(GL_BLEND);
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        if (scene->fan[i].present) {
+        if (scene->fan[i].present && !scene->fan[i].unseen) {
             draw_fan(pass, &scene->fan[i], scene->tick);
         }
     }

@@ -1,0 +1,243 @@
+/* pictures.c -- the pictures of the 2013 thesis' chapter 4, taken of our tank: figures 4.1 to 4.24.
+ *
+ * Usage: pictures FOLDER. Each tank is what `kingyoctl tank` would run with the words that stand
+ * beside it, so anyone can look closer. A line a picture goes to FOLDER/pictures.tsv: number, file,
+ * the moment, what is seen, the words. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/ctl/tank_trace.h"
+#include "tests/thesis/easel.h"
+
+#define WORDS_MAX 24
+#define MEETING_TICKS_MAX (12u * CORE_TICK_HZ)
+#define AFTER_TICKS (CORE_TICK_HZ / 2u)
+
+static struct tank_lab lab;
+static struct tank_plan plan;
+static const char *folder;
+static FILE *list;
+
+static void fail(const char *what)
+{
+    fprintf(stderr, "pictures: %s\n", what);
+    exit(1);
+}
+
+/* Opens the tank that these words ask for. */
+static void open_lab(const char *words)
+{
+    static char text[512];
+    const char *argv[WORDS_MAX];
+    int argc = 0;
+    snprintf(text, sizeof text, "%s", words);
+    for (char *word = strtok(text, " "); word && argc < WORDS_MAX; word = strtok(NULL, " ")) {
+        argv[argc++] = word;
+    }
+    if (tank_plan_read(&plan, argc, argv) != EXIT_OK || tank_lab_open(&lab, &plan) != EXIT_OK) {
+        fail(words);
+    }
+}
+
+static void run_until(uint32_t tick)
+{
+    while (lab.tick < tick) {
+        tank_lab_tick(&lab);
+    }
+}
+
+static void shoot(const char *number, const struct easel_shot *shot, const char *seen,
+                  const char *words)
+{
+    char path[1024], file[64];
+    snprintf(file, sizeof file, "figure-%s.png", number);
+    snprintf(path, sizeof path, "%s/%s", folder, file);
+    if (easel_shoot(&lab, shot, path) != 0) {
+        exit(1);
+    }
+    fprintf(list, "%s\t%s\t%.2f s\t%s\t%s\n", number, file, (double)lab.tick / CORE_TICK_HZ, seen,
+            words);
+    printf("  %s  %s at %.2f s: %s\n", file, number, (double)lab.tick / CORE_TICK_HZ, seen);
+    fflush(stdout);
+}
+
+/* ---- 4.1 to 4.12: two fish meet ------------------------------------------------------------- */
+
+struct moments {
+    uint32_t begins, nearest, done;
+    double gap_mm;
+};
+
+static int anyone_avoids(void)
+{
+    return lab.tank.fish[0].avoiding != AVOID_NONE || lab.tank.fish[1].avoiding != AVOID_NONE;
+}
+
+static double apart_m(void)
+{
+    return (double)v3_length(v3_sub(lab.tank.fish[0].position_m, lab.tank.fish[1].position_m));
+}
+
+/* When they begin to give way, are nearest, and have done with it: by what happens, not by a clock.
+ */
+static struct moments find_moments(const char *words)
+{
+    struct moments found = { 0 };
+    double nearest_m = INFINITY;
+    open_lab(words);
+    while (lab.tick < MEETING_TICKS_MAX && lab.tick < plan.tick_count) {
+        tank_lab_tick(&lab);
+        found.begins = found.begins == 0 && anyone_avoids() ? lab.tick : found.begins;
+        if (apart_m() < nearest_m) {
+            nearest_m = apart_m();
+            found.nearest = lab.tick;
+        }
+        if (found.begins > 0 && anyone_avoids()) {
+            found.done = lab.tick + 1u;
+        }
+    }
+    found.gap_mm = 1000.0 * nearest_m;
+    tank_lab_close(&lab);
+    if (found.begins == 0) {
+        fail("nobody gave way");
+    }
+    return found;
+}
+
+static void trace_meeting(const char *name, const char *words, const struct moments *moments)
+{
+    char path[1024];
+    struct tank_trace trace;
+    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
+    open_lab(words);
+    if (tank_trace_open(&trace, path) != EXIT_OK) {
+        exit(1);
+    }
+    for (tank_trace_add(&trace, &lab.tank, 0); lab.tick < moments->done + AFTER_TICKS;) {
+        tank_lab_tick(&lab);
+        if (lab.tick % 6u == 0) {
+            tank_trace_add(&trace, &lab.tank, lab.tick);
+        }
+    }
+    if (tank_trace_close(&trace) != EXIT_OK) {
+        exit(1);
+    }
+    tank_lab_close(&lab);
+}
+
+/* One frame that holds both fish at all four moments, with a fish's length around them. */
+static void frame_all(struct easel_shot *shot, const char *words, const uint32_t ticks[4])
+{
+    vec3 low = { 9.0f, 0.0f, 9.0f }, high = { -9.0f, 0.0f, -9.0f };
+    open_lab(words);
+    for (int i = 0; i < 4; i++) {
+        run_until(ticks[i]);
+        for (int k = 0; k < 2; k++) {
+            const vec3 at = lab.tank.fish[k].position_m;
+            low = v3(f_min(low.x, at.x), at.y, f_min(low.z, at.z));
+            high = v3(f_max(high.x, at.x), at.y, f_max(high.z, at.z));
+        }
+    }
+    tank_lab_close(&lab);
+    const float wide_m = high.x - low.x + 0.10f, tall_m = high.z - low.z + 0.08f;
+    shot->look_at_m = v3_lerp(low, high, 0.5f);
+    shot->width_m = f_max(0.24f, f_max(wide_m, tall_m * 16.0f / 9.0f));
+}
+
+static void shoot_meeting(int first, const char *name, const char *what)
+{
+    char words[256], number[8], seen[160];
+    snprintf(words, sizeof words, "--place tests/thesis/%s.csv --seconds 12", name);
+    const struct moments found = find_moments(words);
+    struct easel_shot shot = { .camera = CAMERA_MEETING };
+    /* Between beginning and end they are nearest, unless they never come nearer. */
+    const uint32_t during = found.nearest > found.begins && found.nearest < found.done
+                                ? found.nearest
+                                : (found.begins + found.done) / 2u;
+    const uint32_t ticks[4] = { found.begins, during, found.done, found.done + AFTER_TICKS };
+    static const char *const moments[4] = { "they begin to give way", "they give way",
+                                            "they have given way", "each goes on" };
+    trace_meeting(name, words, &found);
+    frame_all(&shot, words, ticks);
+    open_lab(words);
+    for (int i = 0; i < 4; i++) {
+        run_until(ticks[i]);
+        snprintf(number, sizeof number, "4.%d", first + i);
+        snprintf(seen, sizeof seen, "%s: %s (centres %.1f cm apart)", what, moments[i],
+                 100.0 * apart_m());
+        shoot(number, &shot, seen, words);
+    }
+    tank_lab_close(&lab);
+}
+
+/* ---- 4.13 to 4.24 --------------------------------------------------------------------------- */
+
+static void shoot_crowd(void)
+{
+    static const char words[] = "--fish 600 --seconds 10";
+    static const char *const seen[] = { "600 fish from above", "the middle of the tank",
+                                        "through the wall", "from 60 degrees" };
+    static const enum easel_camera cameras[] = { CAMERA_TOP, CAMERA_CENTRE, CAMERA_SIDE,
+                                                 CAMERA_SLANT };
+    char number[8];
+    open_lab(words);
+    run_until(10u * CORE_TICK_HZ);
+    for (int i = 0; i < 4; i++) {
+        snprintf(number, sizeof number, "4.%d", 13 + i);
+        shoot(number, &(struct easel_shot){ .camera = cameras[i] }, seen[i], words);
+    }
+    tank_lab_close(&lab);
+}
+
+static void shoot_series(int first, const char *words, const uint32_t seconds[4],
+                         enum easel_camera camera, const char *csv, const char *what,
+                         uint32_t **counts)
+{
+    char number[8], seen[96], path[1024];
+    const struct easel_shot shot = { .camera = camera };
+    open_lab(words);
+    snprintf(path, sizeof path, "%s/%s", folder, csv);
+    FILE *table = fopen(path, "w");
+    if (!table) {
+        fail(path);
+    }
+    fprintf(table, "t_s,fish\n");
+    for (int i = 0; i < 4; i++) {
+        run_until(seconds[i] * CORE_TICK_HZ);
+        snprintf(number, sizeof number, "4.%d", first + i);
+        snprintf(seen, sizeof seen, "%u of 200 fish %s", (*counts)[seconds[i]], what);
+        shoot(number, &shot, seen, words);
+    }
+    run_until(plan.tick_count);
+    for (uint32_t second = 0; second < tank_lab_seconds(&plan); second++) {
+        fprintf(table, "%u,%u\n", second, (*counts)[second]);
+    }
+    fclose(table);
+    tank_lab_close(&lab);
+}
+
+int main(int argc, char **argv)
+{
+    char path[1024];
+    if (argc != 2) {
+        fail("usage: pictures FOLDER");
+    }
+    folder = argv[1];
+    snprintf(path, sizeof path, "%s/pictures.tsv", folder);
+    list = fopen(path, "w");
+    if (!list || easel_open(EASEL_FINER_MAX) != 0) {
+        fail("cannot begin");
+    }
+    shoot_meeting(1, "head_on", "head-on");
+    shoot_meeting(5, "side", "from the side");
+    shoot_meeting(9, "rear_end", "from behind");
+    shoot_crowd();
+    shoot_series(17, "--fish 200 --shade 0,0,10,0,20 --seconds 20", (uint32_t[]){ 0, 1, 6, 10 },
+                 CAMERA_SHADE, "shade.csv", "in the shade", &lab.shade_count);
+    shoot_series(21, "--fish 200 --stamina 20 --seconds 20", (uint32_t[]){ 0, 1, 3, 10 },
+                 CAMERA_NOSES, "gulping.csv", "gulp at the surface", &lab.surfacing_count);
+    easel_close();
+    return fclose(list) == 0 ? 0 : 1;
+}
