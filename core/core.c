@@ -114,6 +114,8 @@ static void gather_shades(struct core *core, const struct input *input)
 
 static void tick_fish(struct core *core, const struct input *input)
 {
+    const uint8_t has_pump = tank_preset(core->tank.preset)->pump;
+    core->tank.oxygen.pump = has_pump && game_pumps(&core->game, core->tick);
     struct obstacle obstacles[TANK_OBSTACLE_MAX];
     const uint32_t count = gather_obstacles(core, obstacles);
     gather_shades(core, input);

@@ -56,6 +56,7 @@ enum rng_purpose {
     RNG_FISH_GULP,        /* ... and how long a bout it gulps. */
     RNG_ESCAPE_TURN,      /* Of a C-start's first stage. */
     RNG_STARTLE_LATENCY,
+    RNG_WATER_BUBBLE,     /* Of the pump, where it bursts. */
 };
 
 #endif

@@ -323,6 +323,13 @@ uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game
         (struct rng_key){ seed, number, index + POI_MAX * (uint32_t)series, RNG_ROUND_SEED });
 }
 
+int game_pumps(const struct game *game, uint32_t tick)
+{
+    const uint32_t elapsed = (tick - game->phase_tick) % (GAME_STALE_TICKS + GAME_AIR_TICKS);
+    return game->phase == PHASE_ATTRACT ? elapsed >= GAME_STALE_TICKS
+                                        : game->phase != PHASE_ROUND;
+}
+
 float game_seconds_left(const struct game *game, uint32_t tick)
 {
     const uint32_t elapsed = tick - game->phase_tick;

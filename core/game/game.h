@@ -17,6 +17,8 @@
 #define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)     /* START in the result: not the last press. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* A dip is easier to do by accident. */
 #define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ) /* Nobody comes back: the round ends. */
+#define GAME_STALE_TICKS (115u * CORE_TICK_HZ) /* In attract the pump rests so long ... */
+#define GAME_AIR_TICKS (45u * CORE_TICK_HZ)    /* ... and then bubbles so long, by turns. */
 #define GAME_POI_GRADE 6u      /* What stalls hand out most. */
 #define GAME_DIP_Y_M (-0.010f) /* A hand that goes below this from above dips. */
 
@@ -62,6 +64,11 @@ enum game_series { GAME_SERIES_ROUND = 0, GAME_SERIES_ATTRACT = 1 };
 
 /* The seed of the poi that player `index` gets as the `number`th of a series. */
 uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series);
+
+/* Whether the keeper lets the stall's pump bubble: not while somebody plays (the federation's rule:
+ * the pump is stopped), and by turns while nobody does, so that who looks on sees the fish come up
+ * for air and go down again. */
+int game_pumps(const struct game *game, uint32_t tick);
 
 /* Seconds of the round that are left; in READY, until it begins; else 0. */
 float game_seconds_left(const struct game *game, uint32_t tick);

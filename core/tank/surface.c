@@ -62,7 +62,7 @@ static float top_m(const struct fish *fish)
 
 int surface_breathes(const struct fish *fish)
 {
-    return fish->air == AIR_GULPS && nose_m(fish) > -FILM_M;
+    return fish->gait == GAIT_SURFACE && fish->air == AIR_GULPS && nose_m(fish) > -FILM_M;
 }
 
 static float own_pitch_rad(const struct fish *fish)

@@ -29,6 +29,7 @@ static struct tank_config stall_with(float oxygen_mg_l)
     config.fish_count = 120;
     config.oxygen_mg_l = oxygen_mg_l;
     config.time_compression = 0.0f;
+    config.pump = 0;
     return config;
 }
 

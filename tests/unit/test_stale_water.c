@@ -1,0 +1,114 @@
+/* test_stale_water.c -- the keeper's pump, and what the stall's water does over a quarter of an
+ * hour: who looks on sees fish come up for air and go down again; a round begins in fair water. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/core.h"
+
+static struct core core;
+static struct input input;
+static struct output output;
+
+static int open_stall(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 300, .round_s = 60 };
+    memset(&input, 0, sizeof input);
+    return core_init(&core, &config);
+}
+
+static void run(uint32_t seconds)
+{
+    for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+        input.pressed = 0;
+    }
+}
+
+static void test_the_pump_rests_by_turns_and_while_somebody_plays(void **state)
+{
+    (void)state;
+    struct game game = { .phase = PHASE_ATTRACT, .phase_tick = 1000 };
+    assert_false(game_pumps(&game, 1000));
+    assert_false(game_pumps(&game, 1000 + GAME_STALE_TICKS - 1u));
+    assert_true(game_pumps(&game, 1000 + GAME_STALE_TICKS));
+    assert_true(game_pumps(&game, 1000 + GAME_STALE_TICKS + GAME_AIR_TICKS - 1u));
+    assert_false(game_pumps(&game, 1000 + GAME_STALE_TICKS + GAME_AIR_TICKS));
+    game.phase = PHASE_READY;
+    assert_true(game_pumps(&game, 1000));
+    game.phase = PHASE_ROUND;
+    assert_false(game_pumps(&game, 1000 + GAME_STALE_TICKS));
+    game.phase = PHASE_RESULT;
+    assert_true(game_pumps(&game, 1000));
+}
+
+static void test_who_looks_on_sees_fish_come_up_and_go_down_again(void **state)
+{
+    (void)state;
+    uint32_t most = 0, least_after = 300;
+    for (uint32_t second = 0; second < 155; second += 5) {
+        run(5);
+        const uint32_t count = tank_surfacing_count(&core.tank);
+        if (second < 80) {
+            assert_int_equal(count, 0);
+        }
+        most = count > most ? count : most;
+        least_after = second >= 135 && count < least_after ? count : least_after;
+    }
+    print_message("at most %u of 300 gulped before the pump came on, %u after; %.2f mg/L\n", most,
+                  least_after, (double)core.tank.oxygen.dissolved_mg_l);
+    assert_in_range(most, 15, 200);
+    assert_true(least_after <= 3);
+    assert_true(core.tank.oxygen.dissolved_mg_l > 6.0f);
+}
+
+static void test_a_round_that_begins_in_stale_water_ends_among_gulpers(void **state)
+{
+    (void)state;
+    core.tank.oxygen.dissolved_mg_l = 2.0f;
+    run(5);
+    const float stale_mg_l = core.tank.oxygen.dissolved_mg_l;
+    input.poi[0].link = POI_LINK_BOT;
+    input.pressed = INPUT_START;
+    run(4);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_true(core.tank.oxygen.dissolved_mg_l > stale_mg_l + 0.5f);
+    run(54);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    print_message("%.2f mg/L, after the call %.2f, %u at the surface near the end\n",
+                  (double)stale_mg_l, (double)core.tank.oxygen.dissolved_mg_l,
+                  tank_surfacing_count(&core.tank));
+    assert_true(tank_surfacing_count(&core.tank) >= 5);
+}
+
+static void test_only_a_stall_with_a_pump_has_one(void **state)
+{
+    (void)state;
+    const struct core_config config = { .preset = TANK_PRESET_OFFICIAL, .fish_count = 20 };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    core.tick = GAME_STALE_TICKS + 5u;
+    run(1);
+    assert_false(core.tank.oxygen.pump);
+    open_stall(state);
+    core.tick = GAME_STALE_TICKS + 5u;
+    run(1);
+    assert_true(core.tank.oxygen.pump);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_pump_rests_by_turns_and_while_somebody_plays),
+        cmocka_unit_test_setup(test_who_looks_on_sees_fish_come_up_and_go_down_again, open_stall),
+        cmocka_unit_test_setup(test_a_round_that_begins_in_stale_water_ends_among_gulpers,
+                               open_stall),
+        cmocka_unit_test_setup(test_only_a_stall_with_a_pump_has_one, open_stall),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
