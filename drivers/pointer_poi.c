@@ -25,6 +25,8 @@
 /* From where it waited back under the pointer: unhurried, or its paper would pay for it. */
 #define BACK_S 0.30f
 #define BACK_S_PER_WIDTH 0.9f /* And so much more for the width of the window. */
+#define BACK_FREE_M 0.025f    /* So high it is clear of the water, and goes at its pace; ... */
+#define BACK_UNDER_WATER 0.12f /* ... below it, at so much of that, or the paper would tear. */
 
 struct stroke {
     float height_m, speed_m_s, acceleration_m_s2;
@@ -76,6 +78,8 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
     const float dt = seconds_between(pointer->time_ns, time_ns);
     const float left = f_exp(-f_min(dt / TILT_TAU_S, 50.0f));
     pointer->tilt_rad = f_lerp(pointer->tilt_goal_rad, pointer->tilt_rad, left);
+    const float dry = f_smoothstep(0.0f, BACK_FREE_M, stroke_at(pointer, time_ns).height_m);
+    pointer->back_done_s += dt * f_lerp(BACK_UNDER_WATER, 1.0f, dry);
     if (time_ns > pointer->time_ns) {
         pointer->time_ns = time_ns;
     }
@@ -118,8 +122,9 @@ int pointer_report_is_usable(const struct pointer_report *report)
 /* The share of the way back that is still to go: smooth at both ends. */
 static float lag_left(const struct pointer_poi *pointer)
 {
-    const float t = seconds_between(pointer->back_ns, pointer->time_ns);
-    return pointer->back_s > 0.0f ? 1.0f - f_smoothstep(0.0f, pointer->back_s, t) : 0.0f;
+    return pointer->back_s > 0.0f
+               ? 1.0f - f_smoothstep(0.0f, pointer->back_s, pointer->back_done_s)
+               : 0.0f;
 }
 
 /* It waits where it is at this moment, be that on its way; or it sets off to (x, y). */
@@ -136,7 +141,7 @@ static void wait_or_come_back(struct pointer_poi *pointer, float x, float y, int
     }
     pointer->lag_x = at_x - x;
     pointer->lag_y = at_y - y;
-    pointer->back_ns = pointer->time_ns;
+    pointer->back_done_s = 0.0f;
     pointer->back_s = BACK_S + BACK_S_PER_WIDTH * 0.5f *
                                    f_sqrt(pointer->lag_x * pointer->lag_x +
                                           pointer->lag_y * pointer->lag_y);

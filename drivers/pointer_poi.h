@@ -45,10 +45,10 @@ struct pointer_poi {
     uint32_t buttons;
     uint64_t time_ns;           /* Of the newest report or sample. */
 
-    /* After it waited: how far it is from the pointer still, and since when it glides back. */
+    /* After it waited: how far from the pointer it sets off, how long its way back takes in the
+     * air, and how much of that is done. Under water it hardly goes on. */
     float lag_x, lag_y;
-    uint64_t back_ns;
-    float back_s;
+    float back_s, back_done_s;
 
     /* The present stroke: a quintic from where the ring was when the button changed. */
     uint64_t stroke_ns;

@@ -196,6 +196,29 @@ static void test_the_poi_glides_back_under_the_pointer(void **state)
     assert_float_equal(before.z, home.z, 1e-4f);
 }
 
+/* The button is held, or was let go together with the key: it comes up first, and then glides. */
+static void test_under_water_the_poi_glides_back_so_slowly_that_its_paper_lives(void **state)
+{
+    (void)state;
+    give(report(1000, 400.0f, 300.0f, 0));
+    give(report(1100, 400.0f, 300.0f, POINTER_FAN));
+    give(report(1500, 800.0f, 400.0f, POINTER_FAN | POINTER_DIP));
+    give(report(2500, 800.0f, 400.0f, POINTER_DIP));
+    vec3 before = poi_after(2500);
+    for (uint64_t ms = 2501; ms < 6000; ms++) {
+        if (ms == 3000) {
+            give(report(ms, 800.0f, 400.0f, 0));
+        }
+        const vec3 now = poi_after(ms);
+        const vec3 step = v3(now.x - before.x, 0.0f, now.z - before.z);
+        const int is_down = now.y < POINTER_DIP_M + 0.002f; /* A stroke goes along the ray. */
+        assert_true(!is_down || v3_length(step) < 0.00015f); /* 0.15 m/s and slower. */
+        before = now;
+    }
+    assert_float_equal(before.y, POINTER_HOVER_M, 1e-4f);
+    assert_true(before.x > on_water(760.0f, 400.0f).x);
+}
+
 /* ---- The mouse and its key ------------------------------------------------------------------ */
 
 static struct clock_sim bench_clock;
@@ -426,6 +449,8 @@ int main(void)
         cmocka_unit_test_setup(test_the_poi_waits_where_it_was_while_the_fan_is_led, fresh),
         cmocka_unit_test_setup(test_a_waiting_poi_dips_all_the_same, fresh),
         cmocka_unit_test_setup(test_the_poi_glides_back_under_the_pointer, fresh),
+        cmocka_unit_test_setup(
+            test_under_water_the_poi_glides_back_so_slowly_that_its_paper_lives, fresh),
         cmocka_unit_test_setup_teardown(test_key_f_holds_the_fan_while_it_is_down, open_mouse,
                                         close_mouse),
         cmocka_unit_test_setup(test_each_tick_has_its_own_place_on_the_fans_way, open_stall),
