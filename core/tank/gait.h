@@ -2,9 +2,9 @@
  *
  * The 2013 thesis, sections 2.1, 3.2, 3.3 and 3.6, where stamina H runs from 0 to 100. Where it is
  * at odds with itself:
- * - Eqs. 3.1 to 3.3 and the speed s = d (0.8 + H / 5) hold only for H / 100: at H = 90 eq. 3.2 gives
- *   -3.5, and a rested fish would swim at 20.8 d. Costs and bands are of 100, as printed. Here
- *   stamina h = H / 100 lies in [0, 1] throughout.
+ * - Eqs. 3.1 to 3.3 and the speed s = d (0.8 + H / 5) hold only for H / 100: at H = 90 eq. 3.2
+ *   gives -3.5, and a rested fish would swim at 20.8 d. Costs and bands are of 100, as printed.
+ *   Here stamina h = H / 100 lies in [0, 1] throughout.
  * - Eq. 3.2 leaves 0.1 for swimming at H = 0, the text says that it is not chosen then: the text.
  * - Eq. 2.3 has no base of the logarithm and no unit: decadic, of centimetres, it gives the 0.163 s
  *   that is printed (0.1639, cut).

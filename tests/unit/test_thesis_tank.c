@@ -185,6 +185,7 @@ static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
         tank_tick(&tank, tick, &disc, 1);
         for (uint32_t i = 0; i < 200; i++) {
             assert_int_not_equal(tank.fish[i].gait, GAIT_ESCAPE);
+            assert_float_equal(tank.fish[i].angles.roll_rad, 0.0f, 1e-6f);
         }
     }
 }
