@@ -39,7 +39,8 @@ void main()
     tint *= mix(vec3(1.0), vec3(0.70, 0.94, 1.02), drowned);
     tint *= 1.0 + inside * (light - 0.25) * 0.55 * drowned;
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
-    tint += pow(shine, 60.0) * 0.22;
+    float lamps = 1.0 - 0.7 * shade_at(world, bend.z);
+    tint = (tint + pow(shine, 60.0) * 0.22) * lamps;
     float depth = inside > 0.5 ? 0.0 : -world.y;
     vec3 left = water_passes(depth * 1.2);
     // As the poi: an outline is where the skin turns away, and fading there smooths it.

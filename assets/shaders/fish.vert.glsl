@@ -213,7 +213,7 @@ void main()
     float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
-    float shade = shade_at(world, bend.w);
+    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z); // Not by the poi it lies on.
     light *= 1.0 - 0.85 * shade;
     vec3 left = water_passes(depth * 1.2);
 #ifdef FIN

@@ -36,6 +36,7 @@ void main()
     vec3 n = normalize(face);
     vec3 view = normalize(eye.xyz - world);
     float lit = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
+    lit *= 1.0 - 0.7 * shade_at(world, bend.z);
     vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
     vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
     vec3 tint = mix(dry, soaked, wet) * lit;

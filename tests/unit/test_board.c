@@ -65,11 +65,30 @@ static void test_a_mouse_that_nobody_reads_cannot_fill_the_queue(void **state)
     }
 }
 
+/* F is nobody's there: not full screen any more, and there is no fan to hold. */
+static void test_in_the_bots_stall_nobody_holds_a_fan(void **state)
+{
+    (void)state;
+    struct button_sample buttons;
+    struct shade_input shade;
+    push_key(SDLK_f);
+    hal.buttons.ops->poll(hal.buttons.self, &buttons);
+    assert_int_equal(buttons.full_screen, 0);
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        assert_int_equal(hal.shade[i].ops->open(hal.shade[i].self), HAL_ERR_NONE);
+        assert_int_equal(hal.shade[i].ops->poll(hal.shade[i].self, &shade), HAL_ERR_NONE);
+    }
+    push_key(SDLK_F11);
+    hal.buttons.ops->poll(hal.buttons.self, &buttons);
+    assert_int_equal(buttons.full_screen, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_in_the_bots_stall_the_keys_still_work),
         cmocka_unit_test(test_a_mouse_that_nobody_reads_cannot_fill_the_queue),
+        cmocka_unit_test(test_in_the_bots_stall_nobody_holds_a_fan),
     };
     return cmocka_run_group_tests(tests, open_board, close_board);
 }
