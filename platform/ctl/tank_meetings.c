@@ -18,7 +18,7 @@ static void forget_the_parted(struct meetings *meetings, const struct tank *tank
     uint32_t kept = 0;
     for (uint32_t i = 0; i < meetings->open_count; i++) {
         struct meeting pair = meetings->open[i];
-        pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + 1u;
+        pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + MEETINGS_LOOK_TICKS;
         if (pair.apart_ticks < MEETINGS_PART_TICKS) {
             meetings->open[kept++] = pair;
         }
@@ -64,5 +64,7 @@ void meetings_watch(struct meetings *meetings, const struct tank *tank)
             meetings->avoided[i] = fish->avoiding;
         }
     }
-    forget_the_parted(meetings, tank);
+    if (++meetings->ticks % MEETINGS_LOOK_TICKS == 0) {
+        forget_the_parted(meetings, tank);
+    }
 }

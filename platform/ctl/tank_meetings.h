@@ -7,6 +7,7 @@
 #include "core/tank/tank.h"
 
 #define MEETINGS_OPEN_MAX (8u * TANK_FISH_MAX) /* At the thesis' density 1.4 a fish overlap. */
+#define MEETINGS_LOOK_TICKS 4u
 #define MEETINGS_PART_TICKS 60u /* Spaces that overlap again within half a second never parted. */
 
 /* Two fish that met and have not parted. */
@@ -21,6 +22,7 @@ struct meetings {
     /* Onsets, too, but of each fish's own turns (the trace's yaw) and climbs (pitch). */
     uint64_t by_yaw, by_pitch;
 
+    uint32_t ticks; /* Watched so far. */
     uint32_t open_count;
     struct meeting open[MEETINGS_OPEN_MAX];
     uint8_t avoided[TANK_FISH_MAX]; /* enum fish_avoiding of the tick before. */

@@ -89,8 +89,11 @@ static void test_a_pair_counts_again_only_when_it_has_parted(void **state)
     assert_int_equal(meetings.by_yaw, 3);
     const vec3 here = tank->fish[0].position_m;
     tank->fish[0].position_m.z += 0.02f; /* 8 cm between the middles: spaces of 7 are apart. */
-    for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
+    for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - MEETINGS_LOOK_TICKS; tick++) {
         assert_int_equal(meetings.open_count, 1);
+        meetings_watch(&meetings, tank);
+    }
+    for (uint32_t tick = 0; tick < 2u * MEETINGS_LOOK_TICKS; tick++) {
         meetings_watch(&meetings, tank);
     }
     assert_int_equal(meetings.open_count, 0);
