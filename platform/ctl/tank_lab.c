@@ -11,6 +11,7 @@
 #include "core/poi/catch.h"
 #include "core/tank/avoid.h"
 #include "platform/cpu.h"
+#include "platform/ctl/ctl.h"
 #include "platform/ctl/tank_place.h"
 
 #define POI_GRADE 5u /* The championship's. */
@@ -172,7 +173,11 @@ static enum exit_code open_tank(struct tank_lab *lab)
     if (code != EXIT_OK) {
         return code;
     }
-    const uint32_t most = tank_fish_max(config.preset, config.area_scale);
+    const uint32_t most = tank_config_fish_max(&config);
+    if (plan->has_fish && place.count != config.fish_count) {
+        return ctl_usage("tank", "--fish: %u, but %s places %u", config.fish_count, plan->place,
+                         place.count);
+    }
     if (place.count > most) {
         fprintf(stderr, "%s: %s: %u fish; this tank holds 1 to %u\n", place_speaker, plan->place,
                 place.count, most);

@@ -9,13 +9,16 @@
 #include "platform/ctl/ctl.h"
 #include "platform/number.h"
 
-#define SHADE_FIELD_MAX 48
+#define FIELD_MAX 48
+#define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f)) /* 0.30f is no 30 cm. */
 
 const char tank_plan_usage[] =
     "The tank\n"
     "  --preset NAME          thesis, official or festival (thesis)\n"
-    "  --fish N               how many (the preset's own; with --area-scale at its density)\n"
+    "  --fish N               how many (the preset's own; in more or less water at its density)\n"
     "  --area-scale K         of the preset's floor, 0.05 to 200 (1)\n"
+    "  --size-cm W,D,B        width, depth and breadth of the water (the preset's own)\n"
+    "  --wall-follow K        how much walls draw its fish along, 0 to 1 (0)\n"
     "  --stamina H            every fish starts with it, 0 to 100 (the preset's own spread)\n"
     "  --temperature-c T      of the water, 0 to 40 (the preset's own)\n"
     "  --pressure-hpa P       of the air, 870 to 1085 (1013.25)\n"
@@ -50,6 +53,7 @@ static const char name[] = "tank";
 /* Options whose value is a number, in the order of `ranges`. */
 enum figure {
     FIGURE_AREA_SCALE,
+    FIGURE_WALL_FOLLOW,
     FIGURE_SECONDS,
     FIGURE_SEED,
     FIGURE_STAMINA,
@@ -62,13 +66,14 @@ enum figure {
 };
 
 struct range {
-    const char *option;
+    const char *option; /* Or its part. */
     double min, max;
     uint8_t is_whole;
 };
 
 static const struct range ranges[FIGURE_COUNT] = {
     [FIGURE_AREA_SCALE] = { "--area-scale", 0.05, 200, 0 },
+    [FIGURE_WALL_FOLLOW] = { "--wall-follow", 0, 1, 0 },
     [FIGURE_SECONDS] = { "--seconds", 0.1, PLAN_SECONDS_MAX, 0 },
     [FIGURE_SEED] = { "--seed", 0, UINT32_MAX, 1 },
     [FIGURE_STAMINA] = { "--stamina", 0, 100, 0 },
@@ -95,7 +100,8 @@ struct words {
     uint8_t preset;
     uint8_t pump;     /* enum pump */
     uint8_t search;   /* enum pairs_search */
-    const char *fish; /* Null: not given. Its range hangs on preset and floor. */
+    double size_cm[3]; /* Width, depth, breadth; 0: the preset's. */
+    const char *fish;  /* Null: not given. Its range hangs on preset and floor. */
 };
 
 static enum exit_code refuse(const char *option, const char *value, const char *expected)
@@ -155,35 +161,53 @@ static enum exit_code take_path(const char **path, const char *option, const cha
     return value && *value ? EXIT_OK : refuse(option, value, "a path");
 }
 
-/* "X_CM,Z_CM,R_CM,FROM_S,TO_S" into five numbers: 1, or 0. */
-static int read_shade(const char *text, double out[5])
+/* `count` numbers with commas between them, each in its range: 1, or 0. */
+static int read_list(const char *text, const struct range *parts, int count, double *out)
 {
-    static const double min[5] = { -1000, -1000, 100.0 * (double)SHADE_RADIUS_MIN_M, 0, 0 };
-    static const double max[5] = { 1000, 1000, 100.0 * (double)SHADE_RADIUS_MAX_M,
-                                   PLAN_SECONDS_MAX, PLAN_SECONDS_MAX };
-    for (int i = 0; i < 5; i++) {
-        char field[SHADE_FIELD_MAX];
+    for (int i = 0; text && i < count; i++) {
+        char field[FIELD_MAX];
         const size_t length = strcspn(text, ",");
-        if (length >= sizeof field || (text[length] == ',') != (i < 4)) {
+        if (length >= sizeof field || (text[length] == ',') != (i + 1 < count)) {
             return 0;
         }
         memcpy(field, text, length);
         field[length] = '\0';
-        if (!number_parse_decimal(field, min[i], max[i], &out[i])) {
+        if (!number_parse_decimal(field, parts[i].min, parts[i].max, &out[i])) {
             return 0;
         }
-        text += length + (i < 4);
+        text += length + (i + 1 < count);
     }
-    return out[3] < out[4];
+    return text != NULL;
+}
+
+static enum exit_code take_size(struct words *words, const char *value)
+{
+    static const struct range parts[3] = {
+        { "width", CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M), 0 },
+        { "depth", CM(TANK_DEPTH_MIN_M), CM(TANK_DEPTH_MAX_M), 0 },
+        { "breadth", CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M), 0 },
+    };
+    if (!read_list(value, parts, 3, words->size_cm)) {
+        return refuse("--size-cm", value, "WIDTH,DEPTH,BREADTH of the water: 30 to 200 cm, "
+                                          "5 to 50 cm, 30 to 200 cm");
+    }
+    return EXIT_OK;
 }
 
 static enum exit_code take_shade(struct tank_plan *plan, const char *value)
 {
+    static const struct range parts[5] = {
+        { "x", -1000, 1000, 0 },
+        { "z", -1000, 1000, 0 },
+        { "radius", CM(SHADE_RADIUS_MIN_M), CM(SHADE_RADIUS_MAX_M), 0 },
+        { "from", 0, PLAN_SECONDS_MAX, 0 },
+        { "to", 0, PLAN_SECONDS_MAX, 0 },
+    };
     double part[5];
     if (plan->shade_count == SHADE_MAX) {
         return ctl_usage(name, "--shade: at most %u shades", SHADE_MAX);
     }
-    if (!value || !read_shade(value, part)) {
+    if (!read_list(value, parts, 5, part) || part[3] >= part[4]) {
         return refuse("--shade", value,
                       "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 1 to 30 cm, "
                       "0 <= FROM_S < TO_S <= 36000");
@@ -217,6 +241,9 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
     if (strcmp(option, "--pairs") == 0) {
         return take_pairs(words, value);
     }
+    if (strcmp(option, "--size-cm") == 0) {
+        return take_size(words, value);
+    }
     if (strcmp(option, "--shade") == 0) {
         return take_shade(plan, value);
     }
@@ -239,23 +266,34 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
 
 /* ---- All of them ---------------------------------------------------------------------------- */
 
-/* At the preset's density, unless a number is asked for. */
+/* The water that was asked for, by that of the preset. */
+static double waters(const struct tank_config *config)
+{
+    const vec3 own_m = tank_preset(config->preset)->size_m, size_m = config->size_m;
+    const double x = size_m.x > 0.0f ? (double)(size_m.x / own_m.x) : 1.0;
+    const double z = size_m.z > 0.0f ? (double)(size_m.z / own_m.z) : 1.0;
+    const double y = size_m.y > 0.0f ? (double)(size_m.y / own_m.y) : 1.0;
+    return x * y * z * (double)config->area_scale;
+}
+
+/* As dense as in the preset, unless a number is asked for. */
 static enum exit_code settle_fish(struct tank_plan *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;
     char tank[96];
-    const uint32_t most = tank_fish_max(config->preset, config->area_scale);
-    snprintf(tank, sizeof tank, "1 to %u fish in the %s tank with --area-scale %.6g", most,
-             tank_preset(config->preset)->name, (double)config->area_scale);
+    const uint32_t most = tank_config_fish_max(config);
+    snprintf(tank, sizeof tank, "1 to %u fish in %.3g times the water of the %s tank", most,
+             waters(config), tank_preset(config->preset)->name);
     if (words->fish) {
         return number_parse(words->fish, 1, most, &config->fish_count)
                    ? EXIT_OK
                    : refuse("--fish", words->fish, tank);
     }
-    const double as_dense = round((double)config->fish_count * (double)config->area_scale);
+    const double as_dense = round((double)config->fish_count * waters(config));
     if (as_dense > (double)most) {
-        return ctl_usage(name, "--area-scale: %.0f fish at the preset's density are too many; "
-                         "with --fish, %s", as_dense, tank);
+        return ctl_usage(name, "%s: %.0f fish at the preset's density are too many; with --fish, "
+                         "%s", words->given[FIGURE_AREA_SCALE] ? "--area-scale" : "--size-cm",
+                         as_dense, tank);
     }
     config->fish_count = as_dense > 1.0 ? (uint32_t)as_dense : 1u;
     return EXIT_OK;
@@ -291,12 +329,20 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
         config->area_scale = f_clamp((float)figure[FIGURE_AREA_SCALE], TANK_AREA_SCALE_MIN,
                                      TANK_AREA_SCALE_MAX);
     }
+    if (words->size_cm[0] > 0.0) {
+        config->size_m = v3((float)(0.01 * words->size_cm[0]), (float)(0.01 * words->size_cm[1]),
+                            (float)(0.01 * words->size_cm[2]));
+    }
+    if (words->given[FIGURE_WALL_FOLLOW]) {
+        config->wall_follow = (float)figure[FIGURE_WALL_FOLLOW];
+    }
     if (words->given[FIGURE_SEED]) {
         config->seed = (uint32_t)figure[FIGURE_SEED];
     }
     if (words->given[FIGURE_STAMINA]) {
         config->stamina_min = config->stamina_max = (float)(0.01 * figure[FIGURE_STAMINA]);
     }
+    plan->has_fish = words->fish != NULL;
     config->search = words->search;
     settle_water(config, words);
     plan->seconds = words->given[FIGURE_SECONDS] ? figure[FIGURE_SECONDS] : 10.0;

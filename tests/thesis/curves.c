@@ -1,5 +1,5 @@
-/* curves.c -- the 2013 thesis' figure 2.9 from our own water: what 100 g of goldfish breathe and what
- * a litre holds, by temperature. CSV on standard output. */
+/* curves.c -- the 2013 thesis' figure 2.9 from our own water: what 100 g of goldfish breathe and
+ * what a litre holds, by temperature. CSV on standard output. */
 #include <stdio.h>
 
 #include "core/tank/oxygen.h"

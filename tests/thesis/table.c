@@ -1,5 +1,5 @@
-/* table.c -- the 2013 thesis' table 4.2, measured here: updates a second for eight fish counts, near
- * fish found by the grid and each against each.
+/* table.c -- the 2013 thesis' table 4.2, measured here: updates a second for eight fish counts,
+ * near fish found by the grid and each against each.
  *
  * Usage: table FILE.csv. Ten seconds a tank, as the thesis; an update is one tick and one picture,
  * drawn by the kiosk's own renderer at 1280x720 without a screen. */

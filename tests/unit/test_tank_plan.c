@@ -103,6 +103,9 @@ static void test_the_ends_of_each_range_and_what_lies_beyond(void **state)
         { "--time-compression 0", "--time-compression 1000", "--time-compression -1",
           "--time-compression 1001" },
         { "--trace-every 1", "--trace-every 4320000", "--trace-every 0", "--trace-every 4320001" },
+        { "--wall-follow 0", "--wall-follow 1", "--wall-follow -0.1", "--wall-follow 1.1" },
+        { "--size-cm 30,5,30", "--size-cm 200,50,200 --fish 9", "--size-cm 29,5,30",
+          "--size-cm 200,51,200 --fish 9" },
         { "--fish 1", "--fish 1500", "--fish 0", "--fish 4000000000" },
         { "--shade 0,0,1,0,1", "--shade 0,0,30,0,36000", "--shade 0,0,0.9,0,1",
           "--shade 0,0,31,0,1" },
@@ -124,7 +127,8 @@ static void test_what_is_no_value_is_refused(void **state)
         "--shade", "--shade 1,2,3,4", "--shade 1,2,3,4,5,6", "--shade 0,0,5,3,3",
         "--shade a,b,c,d,e", "--shade 0,0,5,-1,3", "--trace", "--place", "--poi-path",
         "--trace-every 1.5", "--bogus",
-        "fish", "--seed 1e99", "--temperature-c 2O",
+        "fish", "--seed 1e99", "--size-cm 60,20",
+        "--size-cm", "--size-cm 60,20,30,1", "--temperature-c 2O",
     };
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
