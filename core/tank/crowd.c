@@ -1,13 +1,18 @@
 /* crowd.c -- bodies from fish, and what each fish is told of those about it. */
 #include "core/tank/crowd.h"
 
+#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
+#include "core/input.h"
+#include "core/tank/swim.h"
 
 #define ROOM_GAP_M 0.005f /* A tail sweeps so far in a few ticks of a hard turn. */
 #define ROOM_MIN 0.2f
-#define CONTACT_GAP_M 0.002f /* Nearer pairs may come to touch while others are parted. */
+#define REACH_SPARE_M 0.0035f /* Beyond 1.2 times what it does now: most starts and turns. */
+#define REACH_SPARE 1.2f
+#define RADIUS_PER_LENGTH 0.55f /* Half the diagonal of a body of 5 x 2 x 1. */
 
 float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
                   const struct law *law)
@@ -40,7 +45,9 @@ void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_coun
     crowd->count = fish_count;
     for (uint32_t i = 0; i < fish_count; i++) {
         crowd->flags[i] = 0;
-        if (fish_swims(&fish[i])) {
+        if (!fish_swims(&fish[i])) {
+            crowd->way_m[i] = SWIM_FAR_M; /* Until a look has seen it swim. */
+        } else {
             crowd->flags[i] = CROWD_SWIMS;
             crowd->flags[i] |= is_airborne(&crowd->body[i], fish_emerges_m(&fish[i]))
                                    ? CROWD_AIRBORNE
@@ -110,7 +117,7 @@ static void list_contact(struct crowd *crowd, struct contact contact, uint32_t s
     }
     if (place < CROWD_CONTACT_MAX) {
         crowd->contact[place] = contact;
-        crowd->contact_count =
+        crowd->near_count =
             crowd->touch_count < CROWD_CONTACT_MAX ? crowd->touch_count : CROWD_CONTACT_MAX;
     }
 }
@@ -162,6 +169,33 @@ static void take_found(const struct look *look, const struct found *found)
     }
 }
 
+/* How far it will come before the next look, by what it does now. */
+static float reach_m(const struct fish *fish)
+{
+    const float pace_m_s = fish->speed_m_s + f_abs(fish->climb_m_s) + v3_length(fish->push_m_s) +
+                           f_abs(fish->yaw_rate_rad_s) * RADIUS_PER_LENGTH * fish->length_m;
+    return REACH_SPARE * (float)CROWD_LOOK_TICKS * CORE_TICK_S * pace_m_s + REACH_SPARE_M;
+}
+
+static void seek(const struct look *look, const struct pairs_of *of, int ahead)
+{
+    struct crowd *crowd = look->crowd;
+    crowd->touch_count = 0;
+    crowd->near_count = 0;
+    crowd->overlap_count = 0;
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        crowd->company[i] = (struct company){ .brake = 1.0f, .room = 1.0f };
+        crowd->reach_m[i] = 0.5f * CROWD_TOUCH_M + (ahead ? reach_m(&look->fish[i]) : 0.0f);
+        crowd->way_m[i] = crowd->flags[i] & CROWD_SWIMS ? 0.0f : SWIM_FAR_M;
+    }
+    pairs_begin(&crowd->pairs, of);
+    for (uint32_t count; pairs_next(&crowd->pairs, of, crowd->found, &count);) {
+        for (uint32_t f = 0; f < count; f++) {
+            take_found(look, &crowd->found[f]);
+        }
+    }
+}
+
 void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
                 const struct surroundings *around)
 {
@@ -177,17 +211,57 @@ void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_searc
         .width_m = around->size_m.x,
         .breadth_m = around->size_m.z,
     };
-    crowd->touch_count = 0;
-    crowd->contact_count = 0;
-    crowd->overlap_count = 0;
-    for (uint32_t i = 0; i < crowd->count; i++) {
-        crowd->company[i] = (struct company){ .brake = 1.0f, .room = 1.0f };
-        crowd->reach_m[i] = 0.5f * CONTACT_GAP_M;
+    seek(&look, &of, 1);
+    if (crowd->touch_count > CROWD_CONTACT_MAX) { /* Rather the nearest of them, and look soon. */
+        seek(&look, &of, 0);
     }
-    pairs_begin(&crowd->pairs, &of);
-    for (uint32_t count; pairs_next(&crowd->pairs, &of, crowd->found, &count);) {
-        for (uint32_t f = 0; f < count; f++) {
-            take_found(&look, &crowd->found[f]);
+    crowd_touch(crowd);
+}
+
+void crowd_follow(struct crowd *crowd, struct fish *fish)
+{
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        const vec3 moved = v3_sub(crowd->body[i].centre_m, fish[i].position_m);
+        if (crowd->flags[i] & CROWD_SWIMS && v3_dot(moved, moved) > 0.0f) {
+            crowd->way_m[i] += v3_length(moved);
+            fish[i].position_m = crowd->body[i].centre_m;
         }
     }
+}
+
+int crowd_is_stale(const struct crowd *crowd)
+{
+    int farther = crowd->touch_count > CROWD_CONTACT_MAX;
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        const int swims = crowd->flags[i] & CROWD_SWIMS;
+        farther |= swims && crowd->way_m[i] > crowd->reach_m[i] - 0.5f * CROWD_TOUCH_M;
+    }
+    return farther;
+}
+
+void crowd_touch(struct crowd *crowd)
+{
+    uint32_t count = 0;
+    for (uint32_t c = 0; c < crowd->near_count; c++) {
+        const struct contact contact = crowd->contact[c];
+        const float ways_m = crowd->way_m[contact.a] + crowd->way_m[contact.b];
+        if (contact.gap_m - ways_m < CROWD_TOUCH_M) {
+            crowd->contact[c] = crowd->contact[count];
+            crowd->contact[count++] = contact;
+        }
+    }
+    crowd->contact_count = count;
+}
+
+uint64_t crowd_hash(uint64_t hash, const struct crowd *crowd)
+{
+    hash = hash_u32(hash, crowd->near_count);
+    hash = hash_u32(hash, crowd->touch_count);
+    for (uint32_t c = 0; c < crowd->near_count; c++) {
+        hash = hash_u32(hash, crowd->contact[c].a);
+        hash = hash_u32(hash, crowd->contact[c].b);
+        hash = hash_float(hash, crowd->contact[c].gap_m);
+    }
+    hash = hash_floats(hash, crowd->way_m, crowd->count);
+    return hash_floats(hash, crowd->reach_m, crowd->count);
 }

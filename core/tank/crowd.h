@@ -28,10 +28,14 @@ struct company {
     float brake, room;          /* As in struct fish. */
 };
 
+#define CROWD_LOOK_TICKS 4u /* From one look to the next, unless somebody moves faster than it
+                               seemed: 33 ms, as a fish thinks. */
+#define CROWD_TOUCH_M 0.002f /* Nearer pairs may come to touch while others are parted. */
+
 /* Two fish whose bodies could touch before the next look. */
 struct contact {
     fish_index a, b;
-    float gap_m; /* Between the bodies when the look found them; < 0 overlap. */
+    float gap_m; /* Between the bodies when the look found them, at least; < 0 overlap. */
 };
 
 struct crowd {
@@ -39,11 +43,14 @@ struct crowd {
     struct body body[TANK_FISH_MAX];
     uint8_t flags[TANK_FISH_MAX]; /* enum crowd_flag */
     struct company company[TANK_FISH_MAX];
-    uint32_t contact_count;
+    /* What a look finds holds until the next one: state, which crowd_hash() covers. */
+    uint32_t near_count;    /* Contacts, ... */
+    uint32_t contact_count; /* ... the first of which could touch in this tick. */
     struct contact contact[CROWD_CONTACT_MAX];
+    float way_m[TANK_FISH_MAX];   /* So far any point of a body came since the look, at most; ... */
+    float reach_m[TANK_FISH_MAX]; /* ... so far it could before the next one is due. */
     uint32_t overlap_count; /* Pairs whose bodies the look found overlapping. */
     uint32_t touch_count;   /* Pairs that could touch; the list has room for some of them. */
-    float reach_m[TANK_FISH_MAX]; /* Nearer than the sum of two, bodies could touch. */
     struct pairs pairs;
     struct found found[PAIRS_BATCH + LANES_MAX];
 };
@@ -61,8 +68,22 @@ struct crowd_search {
     uint8_t lanes;  /* 0, 4 or 8, as lanes_built() */
 };
 
+/* Counts as way what has moved bodies since their fish moved, and moves the fish there. */
+void crowd_follow(struct crowd *crowd, struct fish *fish);
+
+/* Whether the last look no longer tells all pairs that could touch: somebody came farther than its
+ * reach, or was not there. */
+int crowd_is_stale(const struct crowd *crowd);
+
+/* Brings those contacts to the front that could touch in this tick: gaps shrink by no more than the
+ * ways of both. Every pair that is nearer than CROWD_TOUCH_M is among them. */
+void crowd_touch(struct crowd *crowd);
+
+uint64_t crowd_hash(uint64_t hash, const struct crowd *crowd);
+
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
- * near, lists those that touch. `fish` are those whose bodies the crowd holds. */
+ * near, lists those that could touch before the next look, and calls crowd_touch(). `fish` are those
+ * whose bodies the crowd holds. */
 void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
                 const struct surroundings *around);
 

@@ -218,8 +218,15 @@ static void speed_up_or_glide(struct fish *fish)
     fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, keep);
 }
 
-void swim_move(struct fish *fish, const struct law *law)
+/* Half the diagonal of its box: what a turn by one radian moves a corner by, at most. */
+static float radius_m(const struct fish *fish)
 {
+    return 0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m));
+}
+
+float swim_move(struct fish *fish, const struct law *law)
+{
+    const struct angles before = fish->angles;
     turn(fish, law);
     fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
     fish->angles.pitch_rad =
@@ -232,6 +239,10 @@ void swim_move(struct fish *fish, const struct law *law)
         v3_limit(v3(x, 0.0f, z), f_max(gait_speed_max_m_s(fish, law), fish->speed_m_s));
     velocity.y = fish->push_m_s.y + fish->climb_m_s;
     fish->position_m = v3_mad(fish->position_m, velocity, DT);
+    const float turned_rad = f_abs(fish->yaw_rate_rad_s * DT) +
+                             f_abs(fish->angles.pitch_rad - before.pitch_rad) +
+                             f_abs(fish->angles.roll_rad - before.roll_rad);
+    return v3_length(velocity) * DT + radius_m(fish) * turned_rad;
 }
 
 int swim_fall(struct fish *fish)
@@ -333,14 +344,12 @@ void swim_move_all(const struct shoal *shoal, uint32_t lanes)
     for (uint32_t i = 0; i < shoal->count;) {
         struct fish *fish = &shoal->fish[i];
         if (is_block(shoal, i, width)) {
-            LANES_PICK(lanes, swim_move_block)(fish, &shoal->body[i], shoal->law, shoal->space);
+            LANES_PICK(lanes, swim_move_block)(shoal, i);
             i += width;
             continue;
         }
         if (fish_swims(fish)) {
-            if (!fish->falls) {
-                swim_move(fish, shoal->law);
-            }
+            shoal->way_m[i] += fish->falls ? SWIM_FAR_M : swim_move(fish, shoal->law);
             shoal->body[i] = make_body(fish, shoal->space);
         }
         i++;
@@ -354,11 +363,12 @@ void swim_settle_all(const struct shoal *shoal, uint32_t lanes)
         struct fish *fish = &shoal->fish[i];
         const struct body *body = &shoal->body[i];
         if (is_block(shoal, i, width)) {
-            LANES_PICK(lanes, swim_settle_block)(fish, body, &shoal->before_m[i]);
+            LANES_PICK(lanes, swim_settle_block)(shoal, i);
             i += width;
             continue;
         }
         if (fish_swims(fish)) {
+            shoal->way_m[i] += v3_length(v3_sub(body->centre_m, fish->position_m));
             fish->position_m = body->centre_m;
             swim_settle(fish, v3_sub(body->centre_m, shoal->before_m[i]),
                         v3_scale(body->back, -1.0f));

@@ -38,8 +38,9 @@ void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s);
 
 /* One tick by the fish's orders: turns, climbs, speeds up or glides, and moves. The horizontal
  * speed, pushes included, is at most gait_speed_max_m_s(), or the fish's own when that is more:
- * what is left of a burst or an escape runs out within half a second. */
-void swim_move(struct fish *fish, const struct law *law);
+ * what is left of a burst or an escape runs out within half a second. Returns how far any point of
+ * its body came, at most. */
+float swim_move(struct fish *fish, const struct law *law);
 
 /* A fish out of the water (dropped from a poi): falls, and gets away once it is in. Returns whether
  * it was in the air. */
@@ -49,10 +50,13 @@ int swim_fall(struct fish *fish);
  * the nose. */
 void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
 
+#define SWIM_FAR_M 1000.0f /* Farther than any tank is long. */
+
 /* All fish of a tank, in columns that are indexed by fish. */
 struct shoal {
     struct fish *fish;
     struct body *body;    /* Of those that swim; the others' are left alone. */
+    float *way_m;         /* How far any point of a body came, at most: grows. */
     const vec3 *before_m; /* Where they were when the tick began, and one more to read beyond. */
     uint32_t count;
     const struct law *law;
@@ -60,10 +64,10 @@ struct shoal {
 };
 
 /* swim_move() for all that swim, and their bodies: by blocks of `lanes` fish (0, 4 or 8) where all
- * of a block swim, else one by one. Who falls only gets its body. */
+ * of a block swim, else one by one. Who falls only gets its body, and has come SWIM_FAR_M. */
 void swim_move_all(const struct shoal *shoal, uint32_t lanes);
 
-/* Takes all that swim to where their bodies are now, and settles them. */
+/* Takes all that swim to where their bodies are now, which is way too, and settles them. */
 void swim_settle_all(const struct shoal *shoal, uint32_t lanes);
 
 #endif

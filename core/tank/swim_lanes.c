@@ -102,9 +102,21 @@ static inline void make_body(struct body *body, struct lanes_v3 centre, struct l
     store_body(body, 3, axes.back, space * size[0]);
 }
 
-void LANES_NAME(swim_move_block)(struct fish *fish, struct body *body, const struct law *law,
-                                 float space)
+/* How far a corner came: with the centre, and by turning about it. */
+static inline flanes way_m(struct lanes_v3 velocity, const struct turned *t,
+                           const flanes angles[4], const flanes size[4])
 {
+    const flanes turned_rad = lanes_abs(t->yaw_rate_rad_s * DT) +
+                              lanes_abs(t->pitch_rad - angles[1]) +
+                              lanes_abs(t->roll_rad - angles[2]);
+    const struct lanes_v3 whole = { size[2], size[1], size[0] };
+    return lanes_v3_length(velocity) * DT + 0.5f * lanes_v3_length(whole) * turned_rad;
+}
+
+void LANES_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
+{
+    struct fish *fish = &shoal->fish[first];
+    const struct law *law = shoal->law;
     flanes place[4], angles[4], push[4], course[4], pace[4], orders[4], size[4];
     load(place, fish, QUAD_PLACE);
     load(angles, fish, QUAD_ANGLES);
@@ -131,9 +143,11 @@ void LANES_NAME(swim_move_block)(struct fish *fish, struct body *body, const str
     store(fish, QUAD_ANGLES,
           (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
     store(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
-    make_body(body, centre,
+    make_body(&shoal->body[first], centre,
               lanes_basis(yaw, lanes_sin_cos(t.pitch_rad), lanes_sin_cos(t.roll_rad)), size,
-              space);
+              shoal->space);
+    float *way = &shoal->way_m[first];
+    lanes_store(way, lanes_load(way) + way_m(velocity, &t, angles, size));
 }
 
 static inline flanes beat_hz(flanes lengths_per_s)
@@ -166,9 +180,10 @@ static inline flanes lose_blocked_speed(flanes speed_m_s, struct lanes_v3 own_m_
                         lanes_lerp(speed_m_s, true_m_s, lanes_of(BLOCKED_SHARE)), speed_m_s);
 }
 
-void LANES_NAME(swim_settle_block)(struct fish *fish, const struct body *body,
-                                   const vec3 *before_m)
+void LANES_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
 {
+    struct fish *fish = &shoal->fish[first];
+    const struct body *body = &shoal->body[first];
     flanes place[4], angles[4], pushed[4], orders[4], size[4], still[4], tail[4];
     flanes centre[4], back[4], before[4];
     load(place, fish, QUAD_PLACE);
@@ -180,7 +195,7 @@ void LANES_NAME(swim_settle_block)(struct fish *fish, const struct body *body,
     load(tail, fish, QUAD_TAIL);
     lanes_load_quads(centre, body, sizeof *body);
     lanes_load_quads(back, (const char *)body + 48u, sizeof *body);
-    lanes_load_quads(before, before_m, sizeof *before_m);
+    lanes_load_quads(before, &shoal->before_m[first], sizeof shoal->before_m[0]);
 
     const struct lanes_v3 push = { pushed[0], pushed[1], pushed[2] };
     const struct lanes_v3 moved_m = { centre[0] - before[0], centre[1] - before[1],
@@ -201,6 +216,10 @@ void LANES_NAME(swim_settle_block)(struct fish *fish, const struct body *body,
     const flanes bend_rad =
         lanes_lerp(still[3], bend_goal_rad, hasten(orders[0], BEND_TAU_S));
 
+    const struct lanes_v3 shoved_m = { centre[0] - place[0], centre[1] - place[1],
+                                       centre[2] - place[2] };
+    float *way = &shoal->way_m[first];
+    lanes_store(way, lanes_load(way) + lanes_v3_length(shoved_m));
     store(fish, QUAD_PLACE, (flanes[4]){ centre[0], centre[1], centre[2], speed_m_s });
     store(fish, QUAD_TRUE, (flanes[4]){ v.x, v.y, v.z, bend_rad });
     store(fish, QUAD_TAIL,

@@ -3,16 +3,15 @@
 #define KINGYO_CORE_TANK_SWIM_LANES_H
 
 #include "core/base/lanes.h"
-#include "core/tank/body.h"
-#include "core/tank/fish.h"
+#include "core/tank/swim.h"
 
-/* Moves `fish`, all of which swim and none of which falls, and makes their bodies. */
-void swim_move_block_4(struct fish *fish, struct body *body, const struct law *law, float space);
-void swim_move_block_8(struct fish *fish, struct body *body, const struct law *law, float space);
+/* Moves the block that begins at `first`, all of which swim and none of which falls, and makes their
+ * bodies. */
+void swim_move_block_4(const struct shoal *shoal, uint32_t first);
+void swim_move_block_8(const struct shoal *shoal, uint32_t first);
 
-/* Takes each to where its body is now and settles it. `before_m`, where they were when the tick
- * began, is followed by at least one float more. */
-void swim_settle_block_4(struct fish *fish, const struct body *body, const vec3 *before_m);
-void swim_settle_block_8(struct fish *fish, const struct body *body, const vec3 *before_m);
+/* Takes each to where its body is now and settles it. */
+void swim_settle_block_4(const struct shoal *shoal, uint32_t first);
+void swim_settle_block_8(const struct shoal *shoal, uint32_t first);
 
 #endif

@@ -21,7 +21,7 @@
 #define BUBBLE_M 0.0007f /* ... and lift the surface so high. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-#define PUSH_SHARE 0.10f /* A tick: pushes come and go within a twelfth of a second. */
+#define PUSH_SHARE 0.344f /* A look: pushes come and go within a twelfth of a second. */
 #define ROOM_PER_S 2.0f  /* A fish that had no room takes half a second to trust that it has. */
 
 static struct tank_bounds tank_bounds(const struct tank *tank)
@@ -337,6 +337,7 @@ static struct shoal shoal_of(struct tank *tank)
     return (struct shoal){
         .fish = tank->fish,
         .body = tank->crowd.body,
+        .way_m = tank->crowd.way_m,
         .before_m = tank->before_m,
         .count = tank->fish_count,
         .law = tank_law(tank),
@@ -366,10 +367,21 @@ static void heed(struct tank *tank, const struct surroundings *around)
 static void look(struct tank *tank, const struct part_place *place,
                  const struct surroundings *around)
 {
-    crowd_mark(&tank->crowd, tank->fish, tank->fish_count);
-    part_clear(&tank->part, &tank->crowd, place);
-    crowd_look(&tank->crowd, tank->fish, search_of(tank), around);
-    heed(tank, around);
+    struct crowd *crowd = &tank->crowd;
+    const int is_time = around->tick % CROWD_LOOK_TICKS == 0;
+    crowd_mark(crowd, tank->fish, tank->fish_count);
+    part_clear(&tank->part, crowd, place);
+    crowd_follow(crowd, tank->fish);
+    if (!is_time && !crowd_is_stale(crowd)) {
+        crowd_touch(crowd);
+        return;
+    }
+    crowd_look(crowd, tank->fish, search_of(tank), around);
+    if (is_time) {
+        struct surroundings then = *around;
+        then.dt_s = (float)CROWD_LOOK_TICKS * CORE_TICK_S;
+        heed(tank, &then);
+    }
 }
 
 /* A surface that is never quite still. */
@@ -469,5 +481,6 @@ uint64_t tank_hash(uint64_t hash, const struct tank *tank)
         hash = shade_hash(hash, &tank->shade[i]);
     }
     hash = oxygen_hash(hash, &tank->oxygen);
+    hash = crowd_hash(hash, &tank->crowd);
     return water_hash(hash, &tank->water);
 }

@@ -279,6 +279,23 @@ static void test_the_hash_sees_how_many_there_are(void **state)
     }
 }
 
+/* A look's findings hold for some ticks, so they are state. */
+static void test_the_hash_sees_what_the_fish_last_saw(void **state)
+{
+    (void)state;
+    struct crowd *crowd = &core.tank.crowd;
+    crowd->near_count = 2;
+    crowd->contact[1] = (struct contact){ 1, 2, 0.001f };
+    const uint64_t before = core_hash(&core);
+    flip("contact.a", (uint8_t *)&crowd->contact[1].a, before);
+    flip("contact.b", (uint8_t *)&crowd->contact[1].b, before);
+    flip("contact.gap_m", (uint8_t *)&crowd->contact[1].gap_m, before);
+    flip("way_m", (uint8_t *)&crowd->way_m[11], before);
+    flip("reach_m", (uint8_t *)&crowd->reach_m[11], before);
+    crowd->near_count = 1;
+    assert_true(core_hash(&core) != before);
+}
+
 /* What no hash covers must not matter: else two equal hashes could part later. */
 static void test_scratch_that_is_overwritten_changes_nothing(void **state)
 {
@@ -287,6 +304,7 @@ static void test_scratch_that_is_overwritten_changes_nothing(void **state)
     const struct input input = { .pressed = INPUT_START };
     core.poi[0].rider_count = core.poi[0].load_count = 0;
     twin = core;
+    assert_int_equal(core.tick % CROWD_LOOK_TICKS, 0); /* All look anew. */
     memset(&twin.tank.crowd, 0x5a, sizeof twin.tank.crowd);
     memset(twin.tank.before_m, 0x5a, sizeof twin.tank.before_m);
     for (uint32_t i = 0; i < 100; i++) {
@@ -303,6 +321,7 @@ int main(void)
         cmocka_unit_test_setup(test_the_hash_sees_the_first_and_the_last_byte_of_every_member,
                                setup),
         cmocka_unit_test_setup(test_the_hash_sees_how_many_there_are, setup),
+        cmocka_unit_test_setup(test_the_hash_sees_what_the_fish_last_saw, setup),
         cmocka_unit_test_setup(test_scratch_that_is_overwritten_changes_nothing, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,8 +6,10 @@
 
 #include <cmocka.h>
 
+#include "core/base/mem.h"
 #include "core/base/rng.h"
 #include "core/tank/crowd.h"
+#include "core/tank/swim.h"
 #include "tests/unit/pond.h"
 
 static struct crowd crowd;
@@ -121,6 +123,105 @@ static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
     }
 }
 
+/* ---- Between looks -------------------------------------------------------------------------- */
+
+/* As lively as a tank ever is: some rest, some burst, turn hard and are pushed. */
+static void enliven(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        fish[i].speed_m_s = fish[i].speed_goal_m_s = draw(i, 7, 0.0f, 0.3f);
+        fish[i].heading_rad = draw(i, 8, -F_PI, F_PI);
+        fish[i].turn_rate_max_rad_s = draw(i, 9, 0.5f, 12.0f);
+        fish[i].haste = fish[i].brake = fish[i].room = 1.0f;
+        fish[i].pitch_goal_rad = draw(i, 10, -0.4f, 0.4f);
+        fish[i].push_m_s = v3(draw(i, 11, -0.02f, 0.02f), 0.0f, draw(i, 12, -0.02f, 0.02f));
+        fish[i].gait = GAIT_SWIM;
+    }
+}
+
+/* A tick in which nothing parts them. */
+static void swim_on(uint32_t count)
+{
+    static vec3 before_m[601];
+    const struct shoal shoal = { fish,  crowd.body,  crowd.way_m, before_m,
+                                 count, pond_law(), 0.2f };
+    for (uint32_t i = 0; i < count; i++) {
+        before_m[i] = fish[i].position_m;
+    }
+    swim_move_all(&shoal, 0);
+    crowd_mark(&crowd, fish, count);
+    crowd_follow(&crowd, fish);
+}
+
+static uint32_t touching_pairs_all_listed(uint32_t count)
+{
+    static uint8_t listed[600][600];
+    uint32_t touching = 0;
+    memset(listed, 0, sizeof listed);
+    crowd_touch(&crowd);
+    for (uint32_t c = 0; c < crowd.contact_count; c++) {
+        listed[crowd.contact[c].a][crowd.contact[c].b] = 1;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            const struct box a = fish_box(&fish[i]), b = fish_box(&fish[j]);
+            if (box_depth_m(&a, &b) > 0.0f) {
+                assert_true(listed[i][j] || listed[j][i]);
+                touching++;
+            }
+        }
+    }
+    return touching;
+}
+
+static void test_until_a_look_is_stale_it_knows_every_pair_that_touches(void **state)
+{
+    (void)state;
+    enum { COUNT = 300 };
+    uint32_t fresh = 0, stale = 0, touching = 0, listed = 0, near = 0;
+    for (uint32_t round = 0; round < 12; round++) {
+        fill_at_random(COUNT, 0.4f, 0.05f);
+        enliven(COUNT);
+        crowd_gather(&crowd, fish, COUNT, 0.2f);
+        look(round);
+        for (uint32_t tick = 0; tick < 12; tick++) {
+            swim_on(COUNT);
+            if (crowd_is_stale(&crowd)) {
+                stale++;
+                break;
+            }
+            fresh++;
+            touching += touching_pairs_all_listed(COUNT);
+            listed += crowd.contact_count;
+            near += crowd.near_count;
+        }
+    }
+    print_message("%u ticks after a look, %u pairs touch, %u could, %u stay near; %u looks ended\n",
+                  fresh, touching, listed, near, stale);
+    assert_true(fresh >= 12u * CROWD_LOOK_TICKS && stale == 12u);
+    assert_true(touching > 200u && listed < 6u * touching && listed < near);
+}
+
+static void test_who_is_shoved_far_or_put_into_the_water_ends_a_look(void **state)
+{
+    (void)state;
+    fill_at_random(20, 0.0f, 0.05f);
+    fish[3].gait = GAIT_HELD;
+    crowd_gather(&crowd, fish, 20, 0.2f);
+    look(0);
+    swim_on(20);
+    assert_false(crowd_is_stale(&crowd));
+    crowd.body[7].centre_m.x += 0.006f;
+    crowd_follow(&crowd, fish);
+    assert_true(crowd_is_stale(&crowd));
+    assert_true(fish[7].position_m.x == crowd.body[7].centre_m.x);
+    look(1);
+    assert_false(crowd_is_stale(&crowd));
+    fish[3].gait = GAIT_REST;
+    swim_on(20);
+    assert_true(crowd_is_stale(&crowd));
+}
+
 static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
 {
     (void)state;
@@ -161,6 +262,8 @@ int main(void)
         cmocka_unit_test(test_the_grid_finds_pairs_that_lie_across_its_lines),
         cmocka_unit_test(test_all_fish_in_one_corner_are_still_found),
         cmocka_unit_test(test_held_and_bowl_fish_are_not_in_the_crowd),
+        cmocka_unit_test(test_until_a_look_is_stale_it_knows_every_pair_that_touches),
+        cmocka_unit_test(test_who_is_shoved_far_or_put_into_the_water_ends_a_look),
         cmocka_unit_test(test_a_list_that_is_full_leaves_out_others_each_tick),
         cmocka_unit_test(test_personal_space_shrinks_only_in_a_crowd),
     };

@@ -361,15 +361,49 @@ static struct fish any_fish(uint32_t round, uint32_t index)
     return fish;
 }
 
+/* The farthest that a corner of the body came. */
+static float corner_way_m(const struct body *from, const struct body *to)
+{
+    float farthest_m = 0.0f;
+    for (int corner = 0; corner < 8; corner++) {
+        const float x = corner & 1 ? 1.0f : -1.0f, y = corner & 2 ? 1.0f : -1.0f,
+                    z = corner & 4 ? 1.0f : -1.0f;
+        const struct box a = body_box(from), b = body_box(to);
+        const vec3 half = v3(x * a.half_m.x, y * a.half_m.y, z * a.half_m.z);
+        const vec3 at_a = v3_add(a.centre_m, basis_to_world(&a.axes, half));
+        const vec3 at_b = v3_add(b.centre_m, basis_to_world(&b.axes, half));
+        farthest_m = f_max(farthest_m, v3_length(v3_sub(at_b, at_a)));
+    }
+    return farthest_m;
+}
+
+static void test_no_corner_comes_farther_than_the_fish_says(void **state)
+{
+    (void)state;
+    float closest = 1.0f;
+    for (uint32_t round = 0; round < 20000u; round++) {
+        struct fish fish = any_fish(round, 0);
+        const struct box before = fish_box(&fish);
+        const float way_m = swim_move(&fish, pond_law());
+        const struct box after = fish_box(&fish);
+        const struct body from = body_of(&before, 0.0f), to = body_of(&after, 0.0f);
+        const float corner_m = corner_way_m(&from, &to);
+        assert_true(corner_m <= way_m + 1e-6f);
+        closest = f_min(closest, way_m > 1e-3f ? 1.0f - corner_m / way_m : 1.0f);
+    }
+    assert_true(closest < 0.1f); /* Nor does it say much more than need be. */
+}
+
 struct school {
     struct fish fish[SHOAL];
     struct body body[SHOAL];
+    float way_m[SHOAL];
     vec3 before_m[SHOAL + 1u];
 };
 
 static struct shoal shoal_of(struct school *school, uint8_t preset)
 {
-    return (struct shoal){ school->fish,  school->body, school->before_m, SHOAL,
+    return (struct shoal){ school->fish, school->body, school->way_m, school->before_m, SHOAL,
                            &tank_preset(preset)->law, 0.2f };
 }
 
@@ -390,12 +424,12 @@ static void school_swim_one_by_one(struct school *school, uint8_t preset, vec3 s
         if (!fish_swims(fish)) {
             continue;
         }
-        if (!fish->falls) {
-            swim_move(fish, &tank_preset(preset)->law);
-        }
+        school->way_m[i] += fish->falls ? SWIM_FAR_M
+                                        : swim_move(fish, &tank_preset(preset)->law);
         const struct box box = fish_box(fish);
         school->body[i] = body_of(&box, 0.2f * fish->length_m);
         school->body[i].centre_m = v3_add(school->body[i].centre_m, shove_m);
+        school->way_m[i] += v3_length(v3_sub(school->body[i].centre_m, fish->position_m));
         fish->position_m = school->body[i].centre_m;
         swim_settle(fish, v3_sub(fish->position_m, school->before_m[i]),
                     v3_scale(school->body[i].back, -1.0f));
@@ -427,6 +461,7 @@ static void check_lanes(uint32_t lanes)
         for (uint32_t i = 0; i < SHOAL; i++) {
             assert_memory_equal(&by_lanes.fish[i], &one_by_one.fish[i], sizeof(struct fish));
             assert_memory_equal(&by_lanes.body[i], &one_by_one.body[i], sizeof(struct body));
+            assert_memory_equal(&by_lanes.way_m[i], &one_by_one.way_m[i], sizeof(float));
         }
     }
 }
@@ -469,6 +504,7 @@ int main(void)
         cmocka_unit_test(test_a_wall_ahead_is_left_before_it_is_touched),
         cmocka_unit_test(test_a_dropped_fish_falls_into_the_water_and_stays_there),
         cmocka_unit_test(test_what_fades_comes_to_an_end),
+        cmocka_unit_test(test_no_corner_comes_farther_than_the_fish_says),
         cmocka_unit_test(test_four_fish_at_once_swim_as_each_does_alone),
         cmocka_unit_test(test_eight_fish_at_once_do_so_too),
     };

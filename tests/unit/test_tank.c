@@ -183,7 +183,7 @@ static void test_a_copy_goes_on_as_the_tank_itself_does(void **state)
     tank_init(&tank, TANK_PRESET_FESTIVAL, 80, 3);
     run(&tank, 0, 500, 0, 0);
     twin = tank;
-    memset(&twin.crowd, 0x5a, sizeof twin.crowd); /* Scratch: nothing of it is remembered. */
+    memset(&twin.crowd, 0x5a, sizeof twin.crowd); /* 500 is a tick in which all look. */
     run(&tank, 500, 500, 0, 0);
     run(&twin, 500, 500, 0, 0);
     assert_true(tank_hash(HASH_START, &tank) == tank_hash(HASH_START, &twin));
