@@ -25,6 +25,11 @@
 #define LANES_NAME(name) name##_4
 #endif
 
+/* Kernels declared between LANES_BEGIN and LANES_END are the core's own: a pointer to one needs no
+ * table of the dynamic linker's. */
+#define LANES_BEGIN _Pragma("GCC visibility push(hidden)")
+#define LANES_END _Pragma("GCC visibility pop")
+
 /* What a state that holds 0, 4 or 8 calls: LANES_PICK(lanes, swim_move)(fish, count). */
 #ifdef __x86_64__
 #define LANES_MAX 8u

@@ -26,6 +26,7 @@
 #define PAIRS_JUDGE(name)                                                                          \
     uint32_t name(struct pairs *pairs, const struct pairs_of *of, struct found *found)
 
+LANES_BEGIN
 PAIRS_MEASURE(pairs_measure_4);
 PAIRS_CELLS(pairs_cells_4);
 PAIRS_COLUMNS(pairs_columns_4);
@@ -36,5 +37,6 @@ PAIRS_CELLS(pairs_cells_8);
 PAIRS_COLUMNS(pairs_columns_8);
 PAIRS_NEAR(pairs_near_8);
 PAIRS_JUDGE(pairs_judge_8);
+LANES_END
 
 #endif

@@ -5,6 +5,7 @@
 #include "core/base/lanes.h"
 #include "core/tank/swim.h"
 
+LANES_BEGIN
 /* Moves the block that begins at `first`, all of which swim and none of which falls, and makes their
  * bodies. */
 void swim_move_block_4(const struct shoal *shoal, uint32_t first);
@@ -13,5 +14,6 @@ void swim_move_block_8(const struct shoal *shoal, uint32_t first);
 /* Takes each to where its body is now and settles it. */
 void swim_settle_block_4(const struct shoal *shoal, uint32_t first);
 void swim_settle_block_8(const struct shoal *shoal, uint32_t first);
+LANES_END
 
 #endif
