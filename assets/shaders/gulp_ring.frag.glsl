@@ -3,22 +3,22 @@ in vec2 from;
 in float phase;
 out vec4 color;
 
-float crest(float r, float share)
+// Near enough to -x exp(-x x), without its exponential.
+float crest(float x)
 {
-    float at = (r - 0.05 - 0.52 * share) / 0.035;
-    return -at * exp(-at * at) * (1.0 - share) * step(0.0, share);
+    float k = max(1.0 - 0.25 * x * x, 0.0);
+    return -x * k * k;
 }
 
 void main()
 {
     float r = length(from);
-    float running = phase > 0.0 ? crest(r, phase) + 0.7 * crest(r, phase - 0.22)
-        + 0.5 * crest(r, phase + 0.45) * step(phase, 0.55) : 0.0;
-    float clings = (r - 0.075) / 0.030;
-    float slope = running + 0.55 * exp(-clings * clings);
-    float lean = slope * dot(from / max(r, 1e-4), normalize(vec2(0.5, -1.0)));
-    float fade = 1.0 - smoothstep(0.40, 0.60, r);
-    float light = max(lean, 0.0) * 0.95 * fade;
-    float dark = max(-lean, 0.0) * 0.42 * fade;
-    color = vec4(vec3(0.95, 1.0, 1.0) * light, light * 0.6 + dark);
+    float first = crest((r - 0.05 - 0.38 * phase) * 30.0) * (1.0 - 0.85 * phase);
+    float second = crest((r + 0.02 - 0.38 * phase) * 30.0) * (1.0 - 0.85 * phase) * 0.7;
+    float runs = phase > 0.0 ? first + second : 0.0;
+    float clings = max(1.0 - abs(r - 0.075) * 28.0, 0.0);
+    float lean = (runs + 0.55 * clings * clings) * dot(from, vec2(0.447, -0.894)) / max(r, 1e-4);
+    lean *= clamp((0.46 - r) * 8.0, 0.0, 1.0);
+    float light = max(lean, 0.0) * 1.5;
+    color = vec4(vec3(0.95, 1.0, 1.0) * light, light * 0.6 + max(-lean, 0.0) * 0.55);
 }

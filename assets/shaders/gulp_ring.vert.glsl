@@ -6,7 +6,7 @@ layout(location = 3) in vec2 gulp;
 out vec2 from;      // The snout, in body lengths.
 out float phase;
 
-const float REACH = 0.62; // Body lengths.
+const float REACH = 0.46; // Body lengths.
 
 void main()
 {
