@@ -52,7 +52,7 @@ void grid_sort(struct grid *grid, const fish_index *member, uint32_t count)
         grid->start[grid->cell_of[m]]++;
     }
     for (uint32_t c = 1; c <= cell_count; c++) {
-        grid->start[c] += grid->start[c - 1u];
+        grid->start[c] = (fish_index)(grid->start[c] + grid->start[c - 1u]);
     }
     /* Each start is now its cell's end; filling from the back leaves it at the beginning, in order.
      */

@@ -11,7 +11,7 @@
 #include "core/tank/body.h"
 #include "core/tank/fish.h"
 
-#define GRID_CELL_MAX TANK_FISH_MAX /* A 2 m x 2 m tank at the smallest reach offered. */
+#define GRID_CELL_MAX (TANK_FISH_MAX / 2u) /* Two fish a cell: sparser tanks have larger cells. */
 
 struct grid {
     float cell_m;      /* Side of a cell. */
@@ -19,10 +19,10 @@ struct grid {
     float origin_x_m, origin_z_m;
     uint32_t columns, rows; /* columns * rows <= GRID_CELL_MAX */
     uint32_t count;         /* Of items. */
-    uint32_t
+    fish_index
         start[GRID_CELL_MAX + 1u]; /* Members of cell c: item[start[c]] .. item[start[c+1]-1]. */
     fish_index item[TANK_FISH_MAX + LANES_MAX];
-    uint32_t cell_of[TANK_FISH_MAX + LANES_MAX]; /* Of each that is to be sorted. */
+    fish_index cell_of[TANK_FISH_MAX + LANES_MAX]; /* Of each that is to be sorted. */
 };
 
 /* Lays cells of side >= `reach_m` over a floor plan; larger where GRID_CELL_MAX would not do. */

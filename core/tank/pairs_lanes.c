@@ -121,7 +121,11 @@ PAIRS_CELLS(LANES_NAME(pairs_cells))
         const flanes row = lanes_clamp(z, lanes_of(0.0f), lanes_of(along));
         const ilanes cell = __builtin_convertvector(row, ilanes) * (int32_t)grid->columns +
                             __builtin_convertvector(column, ilanes);
-        MEM_COPY(&grid->cell_of[m], &cell, sizeof cell);
+        int32_t cells[LANES];
+        MEM_COPY(cells, &cell, sizeof cells);
+        for (uint32_t lane = 0; lane < LANES; lane++) {
+            grid->cell_of[m + lane] = (fish_index)cells[lane];
+        }
     }
 }
 
@@ -252,9 +256,9 @@ PAIRS_NEAR(LANES_NAME(pairs_near))
     pairs->near_count = noted;
 }
 
-/* What the axes tried so far say of LANES pairs. Gaps are squared, their signs kept, so that an axis
- * that is no unit vector costs a division and no root; and the last four bits of a square are the
- * axis it belongs to, so that the largest brings its axis with it. */
+/* What the axes tried so far say of LANES pairs. Gaps are squared, their signs kept, so that an
+ * axis that is no unit vector costs a division and no root; and the last four bits of a square are
+ * the axis it belongs to, so that the largest brings its axis with it. */
 struct verdict {
     flanes square; /* Of the gap between the bodies. */
     flanes space;  /* > 0: the spaces are apart; else the value means nothing. */
@@ -275,8 +279,8 @@ static inline void try_face(struct verdict *verdict, flanes offset, flanes halve
     verdict->square = lanes_max(verdict->square, mark(gap * lanes_abs(gap), axis));
 }
 
-/* The axis' length is the root of `length2`: edges that are parallel to a thousandth have none worth
- * the name, and face normals have said it all. */
+/* The axis' length is the root of `length2`: edges that are parallel to a thousandth have none
+ * worth the name, and face normals have said it all. */
 static inline void try_edges(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                              flanes length2, int32_t axis)
 {

@@ -22,7 +22,7 @@ static void fill(uint32_t count)
 {
     for (uint32_t m = 0; m < count; m++) {
         member[m] = (fish_index)m;
-        grid.cell_of[m] = grid_cell(&grid, points[m]);
+        grid.cell_of[m] = (fish_index)grid_cell(&grid, points[m]);
     }
     grid_sort(&grid, member, count);
 }
