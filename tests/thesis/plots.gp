@@ -25,6 +25,14 @@ plot 0.6 * x * 4.6 lw 3 lc rgb grey title 'U = 0.6 f L', \
      4.6 * (3 * x - 4) / 4 lw 2 dt 2 lc rgb blue title 'Bainbridge 1958', \
      csv('beats_46.csv') using 1:2 with points pt 7 ps 0.6 lc rgb '#30c8371f' title 'our fish of 4.6 cm'
 
+set output csv('figure-2.3.png')
+set title 'Figure 2.3  Where a single fish is along a tank of 60 x 30 cm'
+set xlabel 'place along the tank (cm)'; set ylabel 'share of its time in each 2 cm'
+set xrange [0:60]; set yrange [0:*]; set style fill solid 0.85 noborder; set boxwidth 1.7; set key center top
+plot csv('figure-2.3.csv') using 1:2 skip 1 with boxes lc rgb red title 'walls draw it (--wall-follow 1)', \
+     '' using 1:3 skip 1 with steps lw 2 lc rgb blue title 'they do not', \
+     1 / 30.0 lw 2 dt 2 lc rgb grey title 'everywhere alike'
+
 set output csv('figure-2.9.png')
 set title 'Figure 2.9  What water holds, and what 100 g of goldfish breathe'
 set xlabel 'water temperature (°C)'; set ylabel 'dissolved oxygen at saturation (mg/L)'
