@@ -158,7 +158,7 @@ static void meet_pair(const struct look *look, const struct found *found)
 static void take_found(const struct look *look, const struct found *found)
 {
     struct crowd *crowd = look->crowd;
-    if (found->spaces) {
+    if (found->spaces && !look->around->ball_spaces) {
         meet_pair(look, found);
     }
     crowd->overlap_count += found->gap_m < 0.0f;
@@ -196,6 +196,47 @@ static void seek(const struct look *look, const struct pairs_of *of, int ahead)
     }
 }
 
+/* Which of the axes of two boxes it is. */
+static uint8_t axis_index(const struct box *a, const struct box *b, vec3 axis)
+{
+    uint8_t best = 0;
+    for (uint8_t k = 1; k < 15u; k++) {
+        if (v3_dot(box_axis(a, b, k), axis) > v3_dot(box_axis(a, b, best), axis)) {
+            best = k;
+        }
+    }
+    return best;
+}
+
+static float ball_m(const struct body *body)
+{
+    const float m = body->margin_m;
+    return v3_length(v3(body->half_x_m + m, body->half_y_m + m, body->half_z_m + m));
+}
+
+/* What the thesis decided against in section 3.4: balls that hold the boxes of the spaces. Each
+ * against each, for it is there to be compared, not to run a stall. */
+static void meet_balls(const struct look *look)
+{
+    const struct crowd *crowd = look->crowd;
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            const struct body *a = &crowd->body[j], *b = &crowd->body[i];
+            const vec3 way = v3_sub(b->centre_m, a->centre_m);
+            const float both_m = ball_m(a) + ball_m(b);
+            if ((crowd->flags[i] & crowd->flags[j] & CROWD_SWIMS) &&
+                v3_dot(way, way) < both_m * both_m) {
+                const struct box box_a = body_box(a), box_b = body_box(b);
+                const struct box_gap gap = box_gap(&box_a, 1.0f, &box_b, 1.0f);
+                const struct found found = {
+                    .a = j, .b = i, .gap_m = gap.body_m, .axis = axis_index(&box_a, &box_b, gap.axis),
+                };
+                meet_pair(look, &found);
+            }
+        }
+    }
+}
+
 void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
                 const struct surroundings *around)
 {
@@ -214,6 +255,9 @@ void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_searc
     seek(&look, &of, 1);
     if (crowd->touch_count > CROWD_CONTACT_MAX) { /* Rather the nearest of them, and look soon. */
         seek(&look, &of, 0);
+    }
+    if (around->ball_spaces) {
+        meet_balls(&look);
     }
     crowd_touch(crowd);
 }

@@ -13,6 +13,7 @@ struct surroundings {
     const struct law *law;
     vec3 size_m; /* Inner width, water depth, breadth. */
     float wall_follow; /* [0, 1] how much walls draw it. */
+    uint8_t ball_spaces; /* As in struct tank_config. */
     uint32_t seed, tick;
     float dt_s; /* Since the same fish last thought. */
     float oxygen_mg_l; /* Dissolved in the water. */

@@ -53,6 +53,7 @@ static struct surroundings surroundings_of(const struct tank *tank, uint32_t tic
         .law = tank_law(tank),
         .size_m = tank->size_m,
         .wall_follow = tank->wall_follow,
+        .ball_spaces = tank->ball_spaces,
         .seed = tank->seed,
         .tick = tick,
         .dt_s = CORE_TICK_S,
@@ -263,6 +264,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     tank->size_m = size_of(config);
     tank->wall_height_m = f_max(preset->wall_height_m, tank->size_m.y);
     tank->wall_follow = config->wall_follow;
+    tank->ball_spaces = config->ball_spaces != 0;
     tank->fish_count = config->fish_count;
     water_init(&tank->water);
     tank->oxygen = oxygen_of(config);
@@ -472,6 +474,7 @@ uint64_t tank_hash(uint64_t hash, const struct tank *tank)
     hash = hash_vec3(hash, tank->size_m);
     hash = hash_float(hash, tank->wall_height_m);
     hash = hash_float(hash, tank->wall_follow);
+    hash = hash_u32(hash, tank->ball_spaces);
     hash = hash_float(hash, tank->space);
     hash = hash_u32(hash, tank->fish_count);
     for (uint32_t i = 0; i < tank->fish_count; i++) {

@@ -25,7 +25,8 @@ struct tank {
     uint8_t lanes, search; /* As in struct tank_config; no hash covers them. */
     vec3 size_m;
     float wall_height_m;
-    float wall_follow; /* As in struct tank_config. */
+    float wall_follow;   /* As in struct tank_config, ... */
+    uint8_t ball_spaces; /* ... as this. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
     float space; /* Personal space beyond the body, in body lengths; fixed at the start. */
@@ -48,6 +49,8 @@ struct tank_config {
     vec3 size_m;                    /* Inner size; where 0 the preset's, else in TANK_SIDE_*_M and
                                        TANK_DEPTH_*_M. */
     float wall_follow;              /* [0, 1] how much walls draw its fish: 0 in every preset. */
+    uint8_t ball_spaces;            /* Personal spaces are the balls round their boxes, and each
+                                       fish is tried against each: to compare (section 3.4). */
     float stamina_min, stamina_max; /* [0, 1] at the start, uniform. */
     float temperature_c;            /* OXYGEN_TEMPERATURE_MIN_C .. _MAX_C */
     float pressure_hpa;             /* OXYGEN_PRESSURE_MIN_HPA .. _MAX_HPA */

@@ -19,6 +19,7 @@ const char tank_plan_usage[] =
     "  --area-scale K         of the preset's floor, 0.05 to 200 (1)\n"
     "  --size-cm W,D,B        width, depth and breadth of the water (the preset's own)\n"
     "  --wall-follow K        how much walls draw its fish along, 0 to 1 (0)\n"
+    "  --spaces box|ball      personal spaces: boxes, or for comparison the balls round them\n"
     "  --stamina H            every fish starts with it, 0 to 100 (the preset's own spread)\n"
     "  --temperature-c T      of the water, 0 to 40 (the preset's own)\n"
     "  --pressure-hpa P       of the air, 870 to 1085 (1013.25)\n"
@@ -100,6 +101,7 @@ struct words {
     uint8_t preset;
     uint8_t pump;     /* enum pump */
     uint8_t search;   /* enum pairs_search */
+    uint8_t balls;    /* --spaces ball */
     double size_cm[3]; /* Width, depth, breadth; 0: the preset's. */
     const char *fish;  /* Null: not given. Its range hangs on preset and floor. */
 };
@@ -153,6 +155,14 @@ static enum exit_code take_pairs(struct words *words, const char *value)
     words->search = all ? PAIRS_ALL : PAIRS_GRID;
     return all || (value && strcmp(value, "grid") == 0) ? EXIT_OK
                                                         : refuse("--pairs", value, "grid or all");
+}
+
+static enum exit_code take_spaces(struct words *words, const char *value)
+{
+    words->balls = value && strcmp(value, "ball") == 0;
+    return words->balls || (value && strcmp(value, "box") == 0)
+               ? EXIT_OK
+               : refuse("--spaces", value, "box or ball");
 }
 
 static enum exit_code take_path(const char **path, const char *option, const char *value)
@@ -240,6 +250,9 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
     }
     if (strcmp(option, "--pairs") == 0) {
         return take_pairs(words, value);
+    }
+    if (strcmp(option, "--spaces") == 0) {
+        return take_spaces(words, value);
     }
     if (strcmp(option, "--size-cm") == 0) {
         return take_size(words, value);
@@ -344,6 +357,7 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
     }
     plan->has_fish = words->fish != NULL;
     config->search = words->search;
+    config->ball_spaces = words->balls;
     settle_water(config, words);
     plan->seconds = words->given[FIGURE_SECONDS] ? figure[FIGURE_SECONDS] : 10.0;
     plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);

@@ -83,7 +83,7 @@ check 'all pairs find what the grid finds' same "$first" \
     "$(hash_of --fish 300 --seconds 3 --seed 5 --pairs all)"
 check 'another seed does not' differ "$first" "$(hash_of --fish 300 --seconds 3 --seed 6)"
 for option in '--temperature-c 8' '--pressure-hpa 900' '--oxygen-mg-l 3' '--time-compression 200' '--stamina 50' \
-    '--area-scale 0.9' '--size-cm 100,20,60' '--wall-follow 1' '--shade 0,0,20,0,3' '--preset festival' '--pump on'; do
+    '--area-scale 0.9' '--size-cm 100,20,60' '--wall-follow 1' '--spaces ball' '--shade 0,0,20,0,3' '--preset festival' '--pump on'; do
     # shellcheck disable=SC2086
     check "$option has its effect" differ "$first" "$(hash_of --fish 300 --seconds 3 --seed 5 $option)"
 done

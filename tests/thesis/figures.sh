@@ -46,6 +46,9 @@ rm "$out/lone.trace"
 say 'chapter 2: oxygen by temperature (figure 2.9)'
 "$bin/curves" >"$out/figure-2.9.csv"
 
+say 'section 4.1: how near two fish pass, with boxes and with balls'
+"$bin/gaps" >"$out/gap.csv"
+
 say 'chapter 4: pictures (figures 4.1 to 4.24)'
 "$bin/pictures" "$out"
 

@@ -43,7 +43,7 @@ for name in '1 4 head_on' '5 8 side' '9 12 rear_end'; do
     pictures "$first" "$last"
     printf '</div><p><a href="%s.csv">where both were, CSV</a></p>\n' "$csv"
 done
-[ -f "$out/gap.png" ] && { echo '<div class="row">'; figure gap.png 'Balls against boxes: how near two fish pass.' gap.csv; echo '</div>'; }
+[ -f "$out/gap.png" ] && { echo '<div class="row">'; figure gap.png 'Boxes give way only to what comes within 3 cm; balls to what would pass 8.5 cm away.' gap.csv; echo '</div>'; }
 echo '<h2>600 fish after 10 s</h2>'
 words 4.13
 echo '<div class="row">'

@@ -44,6 +44,18 @@ plot csv('figure-2.9.csv') using 1:2 skip 1 with lines lw 3 lc rgb blue title 'h
      '' using 1:5 skip 1 axes x1y2 with lines lw 2 dt 2 lc rgb gold title 'breathed by one fish of 100 g (right)'
 unset y2label; unset y2tics; set border 3; unset y2range
 
+set output csv('gap.png')
+set title 'Section 4.1  Two fish meet: spaces as boxes, and as the balls that hold them'
+set xlabel 'their courses, apart (cm)'; set ylabel 'gap between the bodies as they pass (mm)'
+set y2label 'strayed from their courses until past (mm)'; set y2tics textcolor rgb '#333333'; set border 11
+set xrange [0:10]; set yrange [0:100]; set y2range [0:300]; set key top left
+plot csv('gap.csv') using 1:2 skip 1 with linespoints pt 7 lw 3 lc rgb red title 'gap, boxes', \
+     '' using 1:3 skip 1 with linespoints pt 7 lw 3 lc rgb blue title 'gap, balls', \
+     '' using 1:4 skip 1 axes x1y2 with lines lw 2 dt 2 lc rgb red title 'strayed, boxes (right)', \
+     '' using 1:5 skip 1 axes x1y2 with lines lw 2 dt 2 lc rgb blue title 'strayed, balls (right)', \
+     10 * (x - 1) lw 1 dt 3 lc rgb grey title 'gap if nobody gave way'
+unset y2label; unset y2tics; set border 3; unset y2range
+
 set output csv('shade.png')
 set title 'Figures 4.17 to 4.20  Fish within the shadow, second by second (200 fish)'
 set xlabel 'time (s)'; set ylabel 'fish in the shade'; set xrange [0:20]; set yrange [0:*]; set key right bottom

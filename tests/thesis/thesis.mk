@@ -1,7 +1,7 @@
 # thesis.mk -- the 2013 thesis' experiments, repeated with our tank.
 
 THESIS := $(BUILD)/tests/thesis
-THESIS_BIN := $(THESIS)/pictures $(THESIS)/table $(THESIS)/curves
+THESIS_BIN := $(THESIS)/pictures $(THESIS)/table $(THESIS)/curves $(THESIS)/gaps
 
 ## thesis-figures: the 2013 thesis' figures and tables as pictures, CSV and a page, in build/thesis/
 thesis-figures:
@@ -10,6 +10,7 @@ thesis-figures:
 	@BUILD=$(BUILD) tests/thesis/figures.sh
 
 $(THESIS)/pictures $(THESIS)/table: $(THESIS)/easel.o
+$(THESIS)/gaps: $(BUILD)/platform/panic.o
 
 $(THESIS_BIN): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)

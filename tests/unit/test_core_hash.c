@@ -104,7 +104,8 @@ static const struct field bowl_fields[] = {
 static const struct field tank_fields[] = {
     FIELD(tank, seed),          FIELD(tank, preset), SKIP(tank, lanes),
     SKIP(tank, search),         FIELD(tank, size_m),
-    FIELD(tank, wall_height_m), FIELD(tank, wall_follow), SKIP(tank, fish_count),
+    FIELD(tank, wall_height_m), FIELD(tank, wall_follow),
+    FIELD(tank, ball_spaces), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
     SKIP(tank, shade),          SKIP(tank, oxygen),  SKIP(tank, crowd),
     SKIP(tank, part),           SKIP(tank, before_m),

@@ -124,6 +124,7 @@ static void test_what_is_no_value_is_refused(void **state)
     static const char *const wrong[] = {
         "--fish", "--fish many", "--fish 1.5", "--seconds nan", "--seconds inf", "--stamina 0x10",
         "--preset pond", "--preset", "--pump maybe", "--pump", "--pairs some", "--pairs",
+        "--spaces", "--spaces cone",
         "--shade", "--shade 1,2,3,4", "--shade 1,2,3,4,5,6", "--shade 0,0,5,3,3",
         "--shade a,b,c,d,e", "--shade 0,0,5,-1,3", "--trace", "--place", "--poi-path",
         "--trace-every 1.5", "--bogus",

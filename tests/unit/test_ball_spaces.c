@@ -1,0 +1,62 @@
+/* test_ball_spaces.c -- what the 2013 thesis' section 3.4 spares itself with boxes: two fish that
+ * would pass a hand's breadth apart give way when their spaces are balls. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/tank/tank.h"
+
+static struct tank tank;
+
+/* Head-on, so far apart sideways. Whether either gives way within four seconds. */
+static int gives_way(float aside_m, uint8_t ball_spaces)
+{
+    struct tank_config config = tank_config_of(TANK_PRESET_THESIS);
+    struct tank_stage stages[2] = {
+        { .position_m = { -0.10f, -0.08f, 0.0f }, .angles = { -0.5f * F_PI, 0.0f, 0.0f } },
+        { .position_m = { 0.10f, -0.08f, aside_m }, .angles = { 0.5f * F_PI, 0.0f, 0.0f } },
+    };
+    stages[0].gait = stages[1].gait = GAIT_SWIM;
+    stages[0].speed_m_s = stages[1].speed_m_s = 0.0525f;
+    stages[0].stamina = stages[1].stamina = 1.0f;
+    config.fish_count = 2;
+    config.ball_spaces = ball_spaces;
+    assert_true(tank_open(&tank, &config));
+    tank_stage_all(&tank, stages, 2);
+    for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
+        tank_tick(&tank, tick, NULL, 0);
+        if (tank.fish[0].avoiding != AVOID_NONE || tank.fish[1].avoiding != AVOID_NONE) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Section 3.4: spaces are 3 cm wide, so courses 2.5 cm apart run into each other's. */
+static void test_boxes_give_way_to_what_comes_within_three_centimetres(void **state)
+{
+    (void)state;
+    assert_true(gives_way(0.025f, 0));
+    assert_false(gives_way(0.035f, 0));
+}
+
+/* A ball round 7 x 4 x 3 cm is 8.6 cm wide. */
+static void test_balls_give_way_to_what_would_pass_clear(void **state)
+{
+    (void)state;
+    assert_true(gives_way(0.035f, 1));
+    assert_true(gives_way(0.060f, 1));
+    assert_false(gives_way(0.090f, 1));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_boxes_give_way_to_what_comes_within_three_centimetres),
+        cmocka_unit_test(test_balls_give_way_to_what_would_pass_clear),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
