@@ -57,6 +57,7 @@ enum rng_purpose {
     RNG_ESCAPE_TURN,      /* Of a C-start's first stage. */
     RNG_STARTLE_LATENCY,
     RNG_WATER_BUBBLE,     /* Of the pump, where it bursts. */
+    RNG_FISH_KICK,        /* The turn of one. */
 };
 
 #endif

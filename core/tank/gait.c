@@ -4,22 +4,14 @@
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/escape.h"
+#include "core/tank/stroke.h"
 #include "core/tank/surface.h"
-#include "core/tank/swim.h"
-#include "core/tank/think.h"
 
 /* Section 3.2: stamina per second; the thesis' -1, -0.2 and +0.1 of 100. */
 #define BURST_COST_PER_S 0.010f
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
 #define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
-
-/* Beat and glide, in shares of each other; mean_stroke() brings them to the gait's speed. Both last
- * whole thoughts, so that a fish that looks at its rhythm once a thought keeps it exactly. */
-#define CYCLE_TICKS_MIN 84u /* 0.7 s, and up to 0.5 s more by individual. */
-#define BEAT_SHARE 0.45f
-#define BEAT_SPEED 1.32f
-#define GLIDE_SPEED 0.62f /* Where a glide without end would lead. */
 
 struct gait_chance gait_chance(float stamina)
 {
@@ -148,39 +140,12 @@ void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *aro
     }
 }
 
-/* Each fish has its own rhythm. */
-static uint32_t cycle_ticks(const struct fish *fish)
-{
-    return CYCLE_TICKS_MIN + THINK_TICKS * (fish->look >> 10 & 15u);
-}
-
-static uint32_t beat_ticks(uint32_t cycle)
-{
-    return THINK_TICKS * (uint32_t)(BEAT_SHARE * (float)cycle / (float)THINK_TICKS);
-}
-
 int gait_beats(const struct fish *fish, const struct surroundings *around)
 {
     if (fish->gait == GAIT_SWIM) {
-        const uint32_t ticks = cycle_ticks(fish), now = around->tick + (fish->look >> 14 & 255u);
-        return !around->law->glides || now % ticks < beat_ticks(ticks);
+        return !around->law->glides || stroke_beats(fish, around->tick);
     }
     return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
-}
-
-/* The mean over a cycle of the speed that a fish truly has, when BEAT_SPEED and GLIDE_SPEED are
- * asked in turn: it runs up to the one at once, nearly, but comes down to the other so slowly that
- * the asked mean would be 19 % too fast. A run-up's lag is its time constant. */
-static float mean_stroke(const struct fish *fish)
-{
-    const uint32_t cycle = cycle_ticks(fish), beat = beat_ticks(cycle);
-    const float cycle_s = (float)cycle * CORE_TICK_S, beat_s = (float)beat * CORE_TICK_S;
-    const float glide_s = cycle_s - beat_s;
-    const float lost = (BEAT_SPEED - GLIDE_SPEED) * (1.0f - f_exp(-glide_s / SWIM_GLIDE_TAU_S));
-    const float run_up_s = gait_run_up_s(fish->length_m);
-    return (BEAT_SPEED * beat_s - lost * run_up_s + GLIDE_SPEED * glide_s +
-            lost * SWIM_GLIDE_TAU_S) /
-           cycle_s;
 }
 
 /* Section 3.3: s = d (0.8 + H / 5), with H / 100 for H, else a rested fish would swim at 20.8 d; a
@@ -190,13 +155,14 @@ static float able_m_s(const struct fish *fish)
     return fish->length_m * (0.8f + 0.2f * fish->stamina);
 }
 
-/* [~0.6, ~1.4] of its gait's speed: above while it beats, below while it glides. */
-static float stroke(const struct fish *fish, const struct surroundings *around)
+/* Who beats and glides in turn must beat up to more than it means to keep; a glide asks nothing. */
+static float cruise_m_s(const struct fish *fish, const struct surroundings *around)
 {
+    const float mean_m_s = able_m_s(fish) * around->law->swim_speed;
     if (!around->law->glides) {
-        return 1.0f;
+        return mean_m_s;
     }
-    return (gait_beats(fish, around) ? BEAT_SPEED : GLIDE_SPEED) / mean_stroke(fish);
+    return stroke_beats(fish, around->tick) ? mean_m_s * stroke_share(fish, mean_m_s) : 0.0f;
 }
 
 float gait_speed_m_s(const struct fish *fish, const struct surroundings *around)
@@ -207,7 +173,7 @@ float gait_speed_m_s(const struct fish *fish, const struct surroundings *around)
     case GAIT_BURST:
         return able_m_s(fish) * law->burst_speed;
     case GAIT_SWIM:
-        return able_m_s(fish) * law->swim_speed * stroke(fish, around);
+        return cruise_m_s(fish, around);
     case GAIT_ESCAPE:
         return escape_speed_m_s(fish);
     default:

@@ -36,6 +36,7 @@ struct law {
 
     /* What a real fish does beyond the thesis' law. */
     float wander_rad_s;   /* Deviation of the slow whims of a swimming fish's course. */
+    float kick_rad;       /* Deviation of its turns, one with each kick; where it glides. */
     uint8_t glides;       /* Beats its tail and coasts in turn. */
     uint8_t banks;        /* Rolls into its turns. */
     float wall_follow;    /* [0, 1] how much a wall draws a fish along itself. */

@@ -6,6 +6,7 @@
 #include "core/tank/avoid.h"
 #include "core/tank/escape.h"
 #include "core/tank/gait.h"
+#include "core/tank/stroke.h"
 #include "core/tank/surface.h"
 #include "core/tank/swim_lanes.h"
 #include "core/tank/swim_rates.h"
@@ -13,6 +14,7 @@
 /* Yaw: bounds by gait (design; the thesis gives none). */
 #define TURN_RATE_REST (45.0f * F_DEG)
 #define TURN_RATE_SWIM (180.0f * F_DEG)
+#define TURN_RATE_KICK (500.0f * F_DEG)
 #define TURN_RATE_BURST (720.0f * F_DEG)
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG)
 #define TURN_RATE_START (4500.0f * F_DEG) /* 60 to 120 degrees of the head in 20 ms. */
@@ -113,7 +115,15 @@ static int starts_freely(const struct fish *fish)
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-static float turn_rate_max_rad_s(const struct fish *fish)
+/* Beside others it turns no faster than they leave it time for. */
+static int kicks(const struct fish *fish, const struct surroundings *around)
+{
+    return around->law->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
+           fish->avoiding == AVOID_NONE && fish->room >= 1.0f &&
+           stroke_kicks(fish, around->tick);
+}
+
+static float turn_rate_max_rad_s(const struct fish *fish, const struct surroundings *around)
 {
     switch (fish->gait) {
     case GAIT_ESCAPE:
@@ -121,7 +131,7 @@ static float turn_rate_max_rad_s(const struct fish *fish)
     case GAIT_BURST:
         return TURN_RATE_BURST;
     case GAIT_SWIM:
-        return TURN_RATE_SWIM;
+        return kicks(fish, around) ? TURN_RATE_KICK : TURN_RATE_SWIM;
     default:
         return TURN_RATE_REST;
     }
@@ -146,6 +156,9 @@ static float slow_tau_s(const struct fish *fish, const struct law *law)
     }
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, law);
+    if (law->glides && fish->gait == GAIT_SWIM && !runs_out) { /* Drag: dv/dt = -v^2 / way. */
+        return stroke_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f);
+    }
     return runs_out ? RUN_OUT_TAU_S : SWIM_GLIDE_TAU_S;
 }
 
@@ -173,10 +186,11 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
     fish->speed_up_keep =
         kept(CORE_TICK_S, starts ? START_TAU_S : gait_run_up_s(fish->length_m));
     fish->slow_keep = kept(CORE_TICK_S, slow_tau_s(fish, around->law));
-    fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish);
+    fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish, around);
     fish->haste = starts_freely(fish)             ? HASTE_START
                   : starts                        ? DASH_HASTE
                   : fish->avoiding == AVOID_YAW ? around->law->swerve_haste
+                  : kicks(fish, around)         ? STROKE_KICK_HASTE
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
     /* The nose follows the course; a fish that hangs still hardly tilts. */

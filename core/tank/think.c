@@ -5,6 +5,7 @@
 #include "core/tank/escape.h"
 #include "core/tank/fright.h"
 #include "core/tank/gait.h"
+#include "core/tank/stroke.h"
 #include "core/tank/surface.h"
 #include "core/tank/swim.h"
 #include "core/tank/wall.h"
@@ -71,7 +72,9 @@ static void feel(struct fish *fish, uint32_t index, const struct surroundings *a
  * gives way keeps the course that clears the other, at the speed of one who is drawn. */
 static void follow_shade(struct fish *fish, const struct surroundings *around)
 {
-    struct shade_course course = { fish->heading_rad, fish->speed_goal_m_s };
+    const int glides = fish->gait == GAIT_SWIM && fish->beats <= 0.0f;
+    struct shade_course course = { fish->heading_rad,
+                                   glides ? fish->speed_m_s : fish->speed_goal_m_s };
     const int heeds =
         (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST) && fish->air == AIR_ENOUGH;
     float goal_rad = 0.0f;
@@ -104,6 +107,7 @@ void think(struct fish *fish, uint32_t index, const struct surroundings *around)
     feel(fish, index, around);
     gait_tick(fish, index, around);
     swim_wander(fish, index, around);
+    stroke_turn(fish, index, around);
     wall_follow(fish, around);
     shun(fish, around);
     if (fish->gait == GAIT_ESCAPE) {

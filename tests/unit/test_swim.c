@@ -149,10 +149,12 @@ static void test_a_burst_runs_out_smoothly_and_within_half_a_second(void **state
     assert_true(last_m_s < 0.0751f);
 }
 
-static void check_turn(uint8_t gait, float rate_max_deg_s)
+/* `look` chooses where in its rhythm the fish is. */
+static void check_turn(uint8_t gait, uint32_t look, float rate_max_deg_s)
 {
     struct fish fish = swimmer();
     fish.gait = gait;
+    fish.look = look;
     fish.heading_rad = 170.0f * F_DEG;
     float last_rad = 0.0f;
     for (uint32_t tick = 0; tick < 8 * CORE_TICK_HZ; tick++) {
@@ -168,9 +170,10 @@ static void check_turn(uint8_t gait, float rate_max_deg_s)
 static void test_turns_are_bounded_by_gait_and_arrive(void **state)
 {
     (void)state;
-    check_turn(GAIT_REST, 45.0f);
-    check_turn(GAIT_SWIM, 180.0f); /* Ruled, as the next. */
-    check_turn(GAIT_BURST, 720.0f);
+    check_turn(GAIT_REST, 0, 45.0f);
+    check_turn(GAIT_SWIM, 40u << 14, 180.0f); /* Ruled, as the last; in a glide ... */
+    check_turn(GAIT_SWIM, 0, 500.0f);         /* ... and in a kick. */
+    check_turn(GAIT_BURST, 0, 720.0f);
 }
 
 static void test_an_escape_turns_a_right_angle_within_a_tenth_of_a_second(void **state)

@@ -1,0 +1,88 @@
+/* stroke.c -- the rhythm of a cruising fish, and what its drag makes of it. */
+#include "core/tank/stroke.h"
+
+#include "core/base/physics.h"
+#include "core/base/rng.h"
+#include "core/input.h"
+#include "core/tank/gait.h"
+#include "core/tank/think.h"
+
+/* Both parts of a cycle last whole thoughts, so that a fish that looks at its rhythm once a thought
+ * keeps it exactly. */
+#define CYCLE_TICKS_MIN 84u /* 0.7 s, and up to 0.5 s more by individual. */
+#define BEAT_SHARE 0.45f
+#define KICK_TICKS (5u * THINK_TICKS) /* 0.17 s. */
+#define KICK_MAX_RAD (80.0f * F_DEG)
+
+#define COAST_DRAG 0.060f /* Koi, wetted surface; 0.242 while it beats. */
+#define ADDED_MASS 0.10f  /* Of its own: water that goes along with a slender body. */
+#define SURFACE_PER_LENGTH2 0.65f /* Wetted, fins and both their sides included. */
+
+/* Each fish has its own rhythm, and its own place in it. */
+static uint32_t cycle_ticks(const struct fish *fish)
+{
+    return CYCLE_TICKS_MIN + THINK_TICKS * (fish->look >> 10 & 15u);
+}
+
+static uint32_t beat_ticks(uint32_t cycle)
+{
+    return THINK_TICKS * (uint32_t)(BEAT_SHARE * (float)cycle / (float)THINK_TICKS);
+}
+
+static uint32_t ticks_into(const struct fish *fish, uint32_t tick)
+{
+    return (tick + (fish->look >> 14 & 255u)) % cycle_ticks(fish);
+}
+
+int stroke_beats(const struct fish *fish, uint32_t tick)
+{
+    return ticks_into(fish, tick) < beat_ticks(cycle_ticks(fish));
+}
+
+int stroke_kicks(const struct fish *fish, uint32_t tick)
+{
+    return ticks_into(fish, tick) < KICK_TICKS;
+}
+
+/* The first thought of a beat turns it, whichever tick that falls in. */
+void stroke_turn(struct fish *fish, uint32_t index, const struct surroundings *around)
+{
+    const uint32_t into = ticks_into(fish, around->tick);
+    if (around->law->kick_rad <= 0.0f || fish->gait != GAIT_SWIM ||
+        (float)into * CORE_TICK_S > around->dt_s - 0.5f * CORE_TICK_S) {
+        return;
+    }
+    const struct rng_key key = { around->seed, around->tick - into, index, RNG_FISH_KICK };
+    const float turn_rad = around->law->kick_rad * rng_normal(key);
+    fish->heading_rad =
+        f_wrap_angle(fish->heading_rad + f_clamp(turn_rad, -KICK_MAX_RAD, KICK_MAX_RAD));
+}
+
+float stroke_glide_m(float length_m)
+{
+    const float mass_kg = (1.0f + ADDED_MASS) * fish_mass_kg(length_m);
+    return 2.0f * mass_kg /
+           (WATER_KG_M3 * SURFACE_PER_LENGTH2 * length_m * length_m * COAST_DRAG);
+}
+
+/* ln(1 + x) / x to 1e-3 for x up to 1: the share of a way that drag leaves a glide. */
+static float glided(float x)
+{
+    return (6.0f + x) / (6.0f + 4.0f * x);
+}
+
+float stroke_share(const struct fish *fish, float mean_m_s)
+{
+    const uint32_t cycle = cycle_ticks(fish), beat = beat_ticks(cycle);
+    const float glide_m = stroke_glide_m(fish->length_m);
+    const float run_up_s = gait_run_up_s(fish->length_m);
+    const float beat_s = (float)beat * CORE_TICK_S;
+    const float glide_s = (float)(cycle - beat) * CORE_TICK_S;
+    float share = 1.25f;
+    for (int round = 0; round < 3; round++) { /* The share changes little with itself. */
+        const float x = share * mean_m_s * glide_s / glide_m;
+        const float lost = x / (1.0f + x); /* Of its top speed, in the glide. */
+        share = (beat_s + glide_s) / (beat_s - lost * run_up_s + glide_s * glided(x));
+    }
+    return share;
+}
