@@ -7,8 +7,8 @@
 
 #define ALARM_FADE_PER_S 0.6f
 #define ALARM_AFTER 0.2f /* What a start leaves of it. */
-#define FRIGHT_S 0.06f   /* A stimulus of strength 1 gives an alarm of 1 in so long. */
-#define STRENGTH_MAX 3.0f
+#define FRIGHT_S 0.12f   /* A stimulus of strength 1 gives an alarm of 1 in so long. */
+#define STRENGTH_MAX 12.0f
 
 /* Eyes: an image of 20 (timid) to 30 degrees (bold) that grows by 260 degrees a second. */
 #define SEEN_RAD (20.0f * F_DEG)

@@ -172,7 +172,8 @@ static void test_a_patient_hand_lands_fish_with_a_mouse(void **state)
         }
         landed += player.kiosk.core.game.caught[0];
     }
-    assert_true(landed >= 3);
+    print_message("%u fish in four rounds\n", landed);
+    assert_true(landed >= 12); /* Three a round. */
 }
 
 static void test_four_careful_dips_leave_the_paper_whole(void **state)
