@@ -7,7 +7,6 @@
 
 #include <cmocka.h>
 
-#include "core/base/rng.h"
 #include "core/tank/avoid.h"
 #include "tests/unit/thesis.h"
 
@@ -286,6 +285,50 @@ static void test_3_4_personal_space_never_shrinks_in_the_thesis(void **state)
     assert_true(tank.space < 0.15f && tank.space > 0.04f);
 }
 
+/* Between one head-on and one from the side, a fish turns for the one that it would touch first. */
+static fish_index gives_way_to(float ahead_gap_cm, float aside_gap_cm)
+{
+    const struct tank_stage stage[] = {
+        swimmer(0.0f, -13.0f, 0.0f, 0.0f),
+        swimmer(0.0f, -13.0f, -5.0f - ahead_gap_cm, 180.0f),
+        swimmer(3.0f + aside_gap_cm, -13.0f, 0.0f, 90.0f),
+    };
+    struct tank *tank = thesis_stage(stage, 3, 2);
+    for (uint32_t tick = 0; tank->fish[0].avoiding == AVOID_NONE && tick < 8; tick++) {
+        tank_tick(tank, tick, NULL, 0);
+    }
+    assert_int_equal(tank->fish[0].avoiding, AVOID_YAW);
+    return tank->fish[0].avoid_with;
+}
+
+static void test_3_4_of_several_meetings_the_soonest_counts(void **state)
+{
+    (void)state;
+    assert_int_equal(gives_way_to(0.6f, 1.6f), 1);
+    assert_int_equal(gives_way_to(1.6f, 0.4f), 2);
+}
+
+static void test_3_4_repulsion_parts_fish_that_rest_too_near(void **state)
+{
+    (void)state;
+    struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 0.0f, 0.0f),
+                                  swimmer(1.2f, -13.0f, 0.0f, 0.0f) };
+    stage[0].gait = stage[1].gait = GAIT_REST;
+    stage[0].speed_m_s = stage[1].speed_m_s = 0.0f;
+    struct tank *tank = thesis_stage(stage, 2, 2);
+    float pushed_m_s = 0.0f;
+    for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
+        tank_tick(tank, tick, NULL, 0);
+        for (uint32_t i = 0; i < 2; i++) {
+            assert_int_equal(tank->fish[i].avoiding, AVOID_NONE); /* Nobody approaches. */
+            pushed_m_s = f_max(pushed_m_s, v3_length(tank->fish[i].push_m_s));
+        }
+    }
+    const float apart_m = tank->fish[1].position_m.x - tank->fish[0].position_m.x;
+    assert_true(apart_m > 0.017f && apart_m < 0.03f);
+    assert_true(pushed_m_s > 0.005f && pushed_m_s < 0.0225f);
+}
+
 /* ---- Figures 4.1 to 4.12 ------------------------------------------------------------------ */
 
 struct encounter {
@@ -416,6 +459,8 @@ int main(void)
         cmocka_unit_test(test_3_4_repulsion_fills_the_headroom_of_3_3_within_1_cm),
         cmocka_unit_test(test_3_4_personal_spaces_of_7_by_4_by_3_cm_meet_box_against_box),
         cmocka_unit_test(test_3_4_personal_space_never_shrinks_in_the_thesis),
+        cmocka_unit_test(test_3_4_of_several_meetings_the_soonest_counts),
+        cmocka_unit_test(test_3_4_repulsion_parts_fish_that_rest_too_near),
         cmocka_unit_test(test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch),
         cmocka_unit_test(test_figs_4_5_to_4_8_from_the_side_they_pass_without_a_touch),
         cmocka_unit_test(test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch),
