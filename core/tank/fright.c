@@ -33,7 +33,8 @@
 #define HABIT_STEP 0.25f /* Of what is missing to full habit; full doubles the threshold. */
 #define HABIT_FADE_S 60.0f
 
-/* A disc that moves within this reach makes a fish think in every tick. */
+/* A disc that moves within this reach of its rim makes a fish think in every tick: there it is
+ * seen at 21 degrees, and pushes no water to speak of beyond. */
 #define ALERT_M 0.20f
 #define ALERT_M_S 0.05f
 
@@ -147,6 +148,15 @@ static void sense_shades(struct fish *fish, uint32_t index, const struct surroun
     }
 }
 
+/* Cheap; 0 only where fright_of_disc() is nothing. */
+static int disturbs(const struct obstacle *disc, const struct fish *fish)
+{
+    const vec3 off = v3_sub(disc->centre_m, fish->position_m);
+    const float reach_m = disc->radius_m + ALERT_M;
+    return disc->kind == OBSTACLE_DISC && v3_dot(off, off) < reach_m * reach_m &&
+           v3_dot(disc->velocity_m_s, disc->velocity_m_s) > ALERT_M_S * ALERT_M_S;
+}
+
 void fright_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     if (!around->law->escapes) {
@@ -161,7 +171,7 @@ void fright_tick(struct fish *fish, uint32_t index, const struct surroundings *a
     sense_shades(fish, index, around);
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
         const struct obstacle *disc = &around->obstacles[i];
-        if (disc->kind == OBSTACLE_DISC) {
+        if (disturbs(disc, fish)) {
             const struct fright fright = fright_of_disc(disc, fish);
             fright_alarm(fish, fright.cause, disc->centre_m, fright.alarm_per_s * around->dt_s,
                          index, around);
@@ -175,11 +185,7 @@ int fright_alert(const struct fish *fish, const struct surroundings *around)
         return 1;
     }
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
-        const struct obstacle *disc = &around->obstacles[i];
-        const vec3 off = v3_sub(disc->centre_m, fish->position_m);
-        const float reach_m = disc->radius_m + ALERT_M;
-        if (disc->kind == OBSTACLE_DISC && v3_dot(off, off) < reach_m * reach_m &&
-            v3_dot(disc->velocity_m_s, disc->velocity_m_s) > ALERT_M_S * ALERT_M_S) {
+        if (disturbs(&around->obstacles[i], fish)) {
             return 1;
         }
     }

@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 
+#include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/escape.h"
 #include "core/tank/fright.h"
@@ -295,6 +296,31 @@ static void test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tic
     assert_true(fright_alert(&fish, &by_still));
 }
 
+static float drawn(uint32_t trial, uint32_t which, float low, float high)
+{
+    return rng_range((struct rng_key){ 9, trial, which, RNG_TEST }, low, high);
+}
+
+static void test_whoever_a_disc_frightens_thinks_in_every_tick(void **state)
+{
+    (void)state;
+    uint32_t frightened = 0;
+    for (uint32_t i = 0; i < 20000; i++) {
+        struct obstacle disc = disc_at(v3(0.0f, drawn(i, 0, -0.1f, 0.1f), 0.0f),
+                                       v3(drawn(i, 1, -0.8f, 0.8f), drawn(i, 2, -0.8f, 0.8f), 0));
+        disc.normal = v3_normalize_or(
+            v3(drawn(i, 3, -1, 1), drawn(i, 4, -1, 1), drawn(i, 5, -1, 1)), v3(0, 1.0f, 0));
+        struct fish fish =
+            fish_at(v3(drawn(i, 6, -0.35f, 0.35f), -0.05f, drawn(i, 7, -0.35f, 0.35f)));
+        const struct surroundings around = beside(&disc, 1, 0);
+        if (fright_of_disc(&disc, &fish).alarm_per_s > 0.0f) {
+            frightened++;
+            assert_true(fright_alert(&fish, &around));
+        }
+    }
+    assert_in_range(frightened, 500, 10000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -313,6 +339,7 @@ int main(void)
         cmocka_unit_test(test_a_fish_that_has_just_fled_is_not_startled_again_at_once),
         cmocka_unit_test(test_a_law_without_escapes_knows_no_fright),
         cmocka_unit_test(test_a_rushing_disc_is_answered_within_a_quarter_of_a_second),
+        cmocka_unit_test(test_whoever_a_disc_frightens_thinks_in_every_tick),
         cmocka_unit_test(
             test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tick),
     };
