@@ -146,6 +146,11 @@ void core_scene(const struct core *core, struct scene *scene)
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         show_fan(&tank->shade[i], i, &scene->fan[i]);
     }
+    scene->pump = (struct scene_pump){
+        .present = preset->pump,
+        .runs = tank->oxygen.pump,
+        .stone_m = tank_stone_m(tank->size_m),
+    };
     water_slopes(&tank->water, tank->size_m, scene->slope);
     show_game(core, scene);
 }

@@ -59,6 +59,13 @@ struct scene_bowl {
     uint32_t fish_count;
 };
 
+/* The air stone of a tank that has a pump. */
+struct scene_pump {
+    uint8_t present;
+    uint8_t runs;
+    vec3 stone_m; /* On the floor. */
+};
+
 /* A fan that someone holds over the water, and with it its shadow. */
 struct scene_fan {
     uint8_t present;
@@ -111,6 +118,7 @@ struct scene {
     struct scene_poi poi[POI_MAX];
     struct scene_bowl bowl[POI_MAX];
     struct scene_fan fan[SHADE_MAX];
+    struct scene_pump pump;
     int8_t slope[RIPPLE_Z][RIPPLE_X][2]; /* Surface slope (x, z) * 508: +-127 is +-0.25. */
 
     uint8_t phase;           /* enum scene_phase */

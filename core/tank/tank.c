@@ -18,7 +18,7 @@
 #define BUBBLES_M 0.014f /* ... so far about the stone, ... */
 #define STONE_INSET_M 0.045f
 #define BUBBLE_RADIUS_M 0.012f
-#define BUBBLE_M 0.0007f /* ... and lift the surface so high. */
+#define BUBBLE_M 0.0011f /* ... and lift the surface so high. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
 #define PUSH_SHARE 0.344f /* A look: pushes come and go within a twelfth of a second. */
@@ -400,7 +400,12 @@ static void drip(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, point, 0.025f, rng_range(size, 0.0001f, 0.0006f));
 }
 
-/* The air stone lies in the far left corner; where its bubbles burst, the water boils. */
+vec3 tank_stone_m(vec3 size_m)
+{
+    return v3(STONE_INSET_M - 0.5f * size_m.x, -size_m.y, STONE_INSET_M - 0.5f * size_m.z);
+}
+
+/* Where its bubbles burst, the water boils. */
 static void bubble(struct tank *tank, uint32_t tick)
 {
     if (!tank->oxygen.pump || tick % BUBBLE_TICKS != 0) {
@@ -408,8 +413,7 @@ static void bubble(struct tank *tank, uint32_t tick)
     }
     const struct rng_key key = { tank->seed, tick, 0, RNG_WATER_BUBBLE };
     const struct rng_key other = { tank->seed, tick, 1, RNG_WATER_BUBBLE };
-    const vec3 stone = v3(STONE_INSET_M - 0.5f * tank->size_m.x, 0.0f,
-                          STONE_INSET_M - 0.5f * tank->size_m.z);
+    const vec3 stone = tank_stone_m(tank->size_m);
     const vec3 off = v3(rng_range(key, -BUBBLES_M, BUBBLES_M), 0.0f,
                         rng_range(other, -BUBBLES_M, BUBBLES_M));
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);

@@ -116,6 +116,9 @@ uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast
 void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacles,
                uint32_t obstacle_count);
 
+/* Where the air stone of a pump lies: on the floor, in the far left corner. */
+vec3 tank_stone_m(vec3 size_m);
+
 /* Fish that gulp at the surface. */
 uint32_t tank_surfacing_count(const struct tank *tank);
 

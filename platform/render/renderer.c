@@ -87,6 +87,7 @@ static void open_passes(struct renderer *renderer)
     poi_pass_open(status, &renderer->poi);
     bowl_pass_open(status, &renderer->bowl);
     fan_pass_open(status, &renderer->fan);
+    air_pass_open(status, &renderer->air);
     char why[HAL_TEXT_SIZE] = "";
     if (!ui_init(&renderer->ui, why, sizeof why)) {
         gl_fail(status, "words: %s", why);
@@ -110,6 +111,7 @@ void renderer_close(struct renderer *renderer)
 {
     close_targets(renderer);
     ui_close(&renderer->ui);
+    air_pass_close(&renderer->air);
     fan_pass_close(&renderer->fan);
     bowl_pass_close(&renderer->bowl);
     poi_pass_close(&renderer->poi);
@@ -197,6 +199,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }
+    air_pass_draw(&renderer->air, scene);
     for (enum fish_group group = FISH_FAR; group <= FISH_GULPING; group++) {
         fish_pass_fins(&renderer->fish, group, caustics);
     }

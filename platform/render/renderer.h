@@ -7,6 +7,7 @@
 
 #include "core/scene.h"
 #include "platform/hal.h"
+#include "platform/render/air_pass.h"
 #include "platform/render/basin_pass.h"
 #include "platform/render/bowl_pass.h"
 #include "platform/render/fan_pass.h"
@@ -52,6 +53,7 @@ struct renderer {
     struct poi_pass poi;
     struct bowl_pass bowl;
     struct fan_pass fan;
+    struct air_pass air;
     struct ui ui;
     struct gl_target ground, life;
     struct gl_target screen; /* Only with multisampling; else the default framebuffer itself. */

@@ -161,6 +161,25 @@ static void test_a_gulp_opens_the_mouth_and_rings_the_water(void **state)
     assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
+static void test_a_pump_that_runs_bubbles_and_its_stone_stays(void **state)
+{
+    (void)state;
+    show_gulper(-0.06f, SCENE_IN_TANK);
+    scene.fish_count = 0;
+    scene.pump = (struct scene_pump){ .stone_m = { 0.0f, -0.12f, 0.0f } };
+    scene.view.target_m = v3(0.0f, -0.06f, 0.0f);
+    scene.view.eye_m = v3(0.0f, 0.2f, 0.1f);
+    picture(pixels[0]);
+    scene.pump.present = 1;
+    picture(pixels[1]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    scene.pump.runs = 1;
+    picture(pixels[0]);
+    assert_memory_not_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
 static void test_a_tank_can_be_shown_without_a_word(void **state)
 {
     (void)state;
@@ -295,6 +314,7 @@ int main(void)
         WITH_DISPLAY(
             test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water),
         WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_rings_the_water),
+        WITH_DISPLAY(test_a_pump_that_runs_bubbles_and_its_stone_stays),
         WITH_DISPLAY(test_a_tank_can_be_shown_without_a_word),
         WITH_DISPLAY(test_the_fullest_scene_draws_without_an_error),
         WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),

@@ -11,6 +11,7 @@
 #include "core/core.h"
 
 static struct core core;
+static struct scene scene;
 static struct input input;
 static struct output output;
 
@@ -95,10 +96,15 @@ static void test_only_a_stall_with_a_pump_has_one(void **state)
     core.tick = GAME_STALE_TICKS + 5u;
     run(1);
     assert_false(core.tank.oxygen.pump);
+    core_scene(&core, &scene);
+    assert_false(scene.pump.present);
     open_stall(state);
     core.tick = GAME_STALE_TICKS + 5u;
     run(1);
     assert_true(core.tank.oxygen.pump);
+    core_scene(&core, &scene);
+    assert_true(scene.pump.present && scene.pump.runs);
+    assert_float_equal(scene.pump.stone_m.y, -core.tank.size_m.y, 1e-6f);
 }
 
 int main(void)

@@ -1,0 +1,45 @@
+// The stone, then its bubbles: squares that face the eye. A bubble rises for half a second and
+// spreads; every third one floats a while where it came up, and bursts.
+uniform vec3 stone;
+out vec2 corner;
+out float grey;     // The stone; else a bubble ...
+out float whole;    // ... and how much of it is still there.
+
+const float STONE_M = 0.009;
+const float RISES_M_S = 0.24;
+const float FLOATS_S = 0.55;
+
+float chance(float seed)
+{
+    return fract(sin(seed * 12.9898) * 43758.5453);
+}
+
+void main()
+{
+    float id = float(gl_InstanceID);
+    corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+    grey = gl_InstanceID == 0 ? 1.0 : 0.0;
+    whole = 1.0;
+    vec3 at = stone;
+    float radius = STONE_M;
+    if (gl_InstanceID > 0) {
+        float way = -stone.y / RISES_M_S;
+        float life = way + (gl_InstanceID % 3 == 0 ? FLOATS_S : 0.0);
+        float turns = eye.w / life + chance(id);
+        float age = fract(turns) * life;
+        float seed = id * 7.0 + mod(floor(turns), 64.0);
+        float rises = min(age / way, 1.0);
+        float floats = max(age - way, 0.0) / FLOATS_S;
+        float angle = chance(seed) * 6.2832;
+        float out_m = (0.003 + 0.011 * rises + 0.014 * floats) * (0.3 + 0.7 * chance(seed + 0.5));
+        float sways = 0.0012 * sin(age * 26.0 + seed);
+        at += vec3(cos(angle) * out_m + sways, 0.0, sin(angle) * out_m - sways);
+        at.y = mix(stone.y + STONE_M * 0.6, -0.0008, rises);
+        radius = (0.0009 + 0.0011 * chance(seed + 0.25)) * (0.8 + 0.4 * rises);
+        whole = 1.0 - smoothstep(0.85, 1.0, floats);
+    }
+    vec3 view = normalize(eye.xyz - at);
+    vec3 side = normalize(vec3(view.z, 0.0, -view.x));
+    vec3 up = cross(view, side);
+    gl_Position = view_projection * vec4(at + radius * (corner.x * side + corner.y * up), 1.0);
+}
