@@ -229,7 +229,10 @@ static void meet_balls(const struct look *look)
                 const struct box box_a = body_box(a), box_b = body_box(b);
                 const struct box_gap gap = box_gap(&box_a, 1.0f, &box_b, 1.0f);
                 const struct found found = {
-                    .a = j, .b = i, .gap_m = gap.body_m, .axis = axis_index(&box_a, &box_b, gap.axis),
+                    .a = j,
+                    .b = i,
+                    .gap_m = gap.body_m,
+                    .axis = axis_index(&box_a, &box_b, gap.axis),
                 };
                 meet_pair(look, &found);
             }

@@ -1,9 +1,10 @@
-/* gaps.c -- section 4.1 of the 2013 thesis says that with boxes fish pass each other more closely and
- * smoothly than with balls. Here is by how much: two fish swim toward each other on courses 0 to
- * 10 cm apart, their spaces boxes or balls. CSV on standard output.
+/* gaps.c -- section 4.1 of the 2013 thesis says that with boxes fish pass each other more closely
+ * and smoothly than with balls. Here is by how much: two fish swim toward each other on courses 0
+ * to 10 cm apart, their spaces boxes or balls. CSV on standard output.
  *
- * Of each passage: the least gap between the bodies, how far the fish strayed from their courses, and
- * whether they gave way at all; means over SEEDS tanks, for the side that they choose is chance. */
+ * Of each passage: the least gap between the bodies, how far the fish strayed from their courses
+ * before they were past, and whether they gave way at all; means over SEEDS tanks, for the side
+ * that they choose is chance. */
 #include <math.h>
 #include <stdio.h>
 
