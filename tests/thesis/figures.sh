@@ -31,9 +31,9 @@ say 'chapter 2: where a single fish is in 60 x 30 cm (figure 2.3): eight fish, a
 lone() { # K: how much walls draw it; the share of time in each 2 cm of the tank's length
     local seed
     for seed in 1 2 3 4 5 6 7 8; do
-        tank --preset festival --fish 1 --size-cm 60,20,30 --wall-follow "$1" --seconds 900 --seed "$seed" --trace "$out/lone.trace" \
+        tank --preset festival --fish 1 --size-cm 60,20,30 --wall-follow "$1" --seconds 900 --seed "$seed" --trace "$out/lone-$1.trace" \
             --trace-every 60
-        awk -F, 'NR > 1 { print $3 }' "$out/lone.trace"
+        awk -F, 'NR > 1 { print $3 }' "$out/lone-$1.trace"
     done | awk '{ bin = int(($1 + 30) / 2); seen[bin < 0 ? 0 : bin > 29 ? 29 : bin]++; all++ }
         END { for (bin = 0; bin < 30; bin++) printf "%d,%.5f\n", 2 * bin + 1, seen[bin] / all }'
 }
@@ -41,7 +41,7 @@ lone() { # K: how much walls draw it; the share of time in each 2 cm of the tank
     echo 'x_cm,share_with_walls,share_without'
     paste -d, <(lone 1) <(lone 0 | cut -d, -f2)
 } >"$out/figure-2.3.csv"
-rm "$out/lone.trace"
+rm "$out"/lone-*.trace
 
 say 'chapter 2: oxygen by temperature (figure 2.9)'
 "$bin/curves" >"$out/figure-2.9.csv"
