@@ -82,8 +82,8 @@ void crowd_touch(struct crowd *crowd);
 uint64_t crowd_hash(uint64_t hash, const struct crowd *crowd);
 
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
- * near, lists those that could touch before the next look, and calls crowd_touch(). `fish` are those
- * whose bodies the crowd holds. */
+ * near, lists those that could touch before the next look, and calls crowd_touch(). `fish` are
+ * those whose bodies the crowd holds. */
 void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
                 const struct surroundings *around);
 

@@ -6,8 +6,8 @@
  * of them). Half of the nine cells is enough, for every pair is then met from one of its ends.
  *
  * Two steps, several pairs at once: balls, heights and sides leave 2.9 pairs a fish of 22 at the
- * thesis' density; of those, fifteen axes (separating-axis theorem) find 1.5. What is found, and in which
- * order, does not depend on how many lanes the machine has. */
+ * thesis' density; of those, fifteen axes (separating-axis theorem) find 1.5. What is found, and
+ * in which order, does not depend on how many lanes the machine has. */
 #ifndef KINGYO_CORE_TANK_PAIRS_H
 #define KINGYO_CORE_TANK_PAIRS_H
 

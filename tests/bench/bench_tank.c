@@ -1,20 +1,38 @@
-/* bench_tank.c -- what a tick of the tank costs: one row a fish count, median and p99 of one
- * thread.
+/* bench_tank.c -- what a tick of the tank costs a fish, from 50 fish to 100,000, and where it goes.
  *
- * Usage: bench_tank [TICKS]. Fish swim ten seconds first, so that the start's order is gone. */
+ * Usage: bench_tank [TSV]             the tables; also written to TSV, one figure a row
+ *        bench_tank FISH TICKS        that many ticks and no word, for valgrind to count
+ *
+ * Built with room for 131,072 fish (bench.mk). In the same run, on the same poses and by the same
+ * kernels, a bare search for pairs is timed: what the whole tick is measured against. Widths of
+ * lanes take turns on one tank, since they give the same bits. Stages are told apart by wrapping
+ * the calls between modules (the linker's --wrap): the core itself knows no clock. */
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "core/base/panic.h"
+#include "core/tank/swim.h"
 #include "core/tank/tank.h"
+#include "platform/cpu.h"
 
-#define TICKS_MAX 20000u
-#define WARM_TICKS (10u * CORE_TICK_HZ)
+#define SAMPLES_MAX 4000u
+#define SAMPLES_MIN 8u
+#define MEASURE_NS 0.9e9      /* For each count of fish. */
+#define WARM_NS 0.4e9
+#define WARM_TICKS 600u       /* Five seconds: the start's order is gone. */
+#define BLOCK CROWD_LOOK_TICKS /* Ticks between two clock readings: one of them looks. */
+#define THESIS_FISH 600.0f    /* On the thesis' floor: its density. */
 
 static struct tank tank;
-static double tick_us[TICKS_MAX];
+static struct pairs pairs;
+static struct found found[PAIRS_BATCH + LANES_MAX];
+static float no_reach[TANK_FISH_MAX];
+static double samples[3][SAMPLES_MAX];
+static FILE *tsv;
 
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
@@ -22,11 +40,152 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     abort();
 }
 
-static double now_us(void)
+static double clock_ns(clockid_t clock)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec * 1e6 + (double)now.tv_nsec * 1e-3;
+    clock_gettime(clock, &now);
+    return (double)now.tv_sec * 1e9 + (double)now.tv_nsec;
+}
+
+static double now_ns(void)
+{
+    return clock_ns(CLOCK_MONOTONIC);
+}
+
+/* Of this thread alone: what else runs on the machine takes caches from it, but no time. */
+static double work_ns(void)
+{
+    return clock_ns(CLOCK_THREAD_CPUTIME_ID);
+}
+
+static void row(const char *what, const char *name, uint32_t fish, uint32_t lanes, double value)
+{
+    if (tsv) {
+        fprintf(tsv, "%s\t%s\t%u\t%u\t%.6g\n", what, name, fish, lanes, value);
+    }
+}
+
+/* ---- Where a tick's time goes --------------------------------------------------------------- */
+
+enum stage { THINK, MOVE, WATCH, GRID, PAIRS, MEET, PART, SETTLE, AIR, STAGE_COUNT };
+static const char *const stage_name[STAGE_COUNT] = {
+    [THINK] = "think",  [MOVE] = "move", [WATCH] = "watch",   [GRID] = "grid", [PAIRS] = "pairs",
+    [MEET] = "meet",    [PART] = "part", [SETTLE] = "settle", [AIR] = "air",
+};
+static double spent_ns[STAGE_COUNT], since_ns;
+static enum stage stage_now;
+static int is_timed;
+
+/* Time from here on is the stage's; returns whose it was. */
+static enum stage enter(enum stage stage)
+{
+    const enum stage before = stage_now;
+    if (is_timed) {
+        const double now = now_ns();
+        spent_ns[before] += now - since_ns;
+        since_ns = now;
+        stage_now = stage;
+    }
+    return before;
+}
+
+#define WRAP(owner, name, parameters, arguments)                                                   \
+    void __real_##name parameters;                                                                 \
+    void __wrap_##name parameters;                                                                 \
+    void __wrap_##name parameters                                                                  \
+    {                                                                                              \
+        const enum stage before = enter(owner);                                                    \
+        __real_##name arguments;                                                                   \
+        enter(before);                                                                             \
+    }
+#define WRAP_INT(owner, name, parameters, arguments)                                               \
+    int __real_##name parameters;                                                                  \
+    int __wrap_##name parameters;                                                                  \
+    int __wrap_##name parameters                                                                   \
+    {                                                                                              \
+        const enum stage before = enter(owner);                                                    \
+        const int result = __real_##name arguments;                                                \
+        enter(before);                                                                             \
+        return result;                                                                             \
+    }
+
+/* Each is named in bench.mk, too. */
+WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
+WRAP(WATCH, crowd_mark, (struct crowd *crowd, const struct fish *fish, uint32_t count),
+     (crowd, fish, count))
+WRAP(WATCH, crowd_follow, (struct crowd *crowd, struct fish *fish), (crowd, fish))
+WRAP_INT(WATCH, crowd_is_stale, (const struct crowd *crowd), (crowd))
+WRAP(WATCH, crowd_touch, (struct crowd *crowd), (crowd))
+WRAP(MEET, crowd_look,
+     (struct crowd *crowd, const struct fish *fish, struct crowd_search how,
+      const struct surroundings *around),
+     (crowd, fish, how, around))
+WRAP(GRID, pairs_begin, (struct pairs *search, const struct pairs_of *of), (search, of))
+WRAP_INT(PAIRS, pairs_next,
+         (struct pairs *search, const struct pairs_of *of, struct found *to, uint32_t *count),
+         (search, of, to, count))
+WRAP(PART, part_clear, (struct part *part, struct crowd *crowd, const struct part_place *place),
+     (part, crowd, place))
+WRAP(PART, part_bodies, (struct part *part, struct crowd *crowd, const struct part_place *place),
+     (part, crowd, place))
+WRAP(SETTLE, swim_settle_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
+WRAP(AIR, oxygen_tick,
+     (struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
+      uint32_t tick),
+     (oxygen, fish, fish_count, size_m, tick))
+
+/* ---- Measuring ------------------------------------------------------------------------------ */
+
+static uint32_t tick;
+
+static void open_tank(uint32_t fish, float area_scale, uint8_t search)
+{
+    struct tank_config config = tank_config_of(TANK_PRESET_THESIS);
+    config.fish_count = fish;
+    config.area_scale = area_scale;
+    config.search = search;
+    config.lanes = (uint8_t)cpu_lanes();
+    if (!tank_open(&tank, &config)) {
+        fprintf(stderr, "bench_tank: no tank holds %u fish\n", fish);
+        exit(1);
+    }
+    tick = 0;
+}
+
+static void warm_up(double limit_ns)
+{
+    const double start = now_ns();
+    while (tick % BLOCK != 0 || (tick < WARM_TICKS && now_ns() - start < limit_ns)) {
+        tank_tick(&tank, tick++, NULL, 0);
+    }
+}
+
+/* One look period; ns a fish and tick. */
+static double block_ns(uint32_t lanes)
+{
+    tank.lanes = (uint8_t)lanes;
+    const double start = work_ns();
+    for (uint32_t i = 0; i < BLOCK; i++) {
+        tank_tick(&tank, tick++, NULL, 0);
+    }
+    return (work_ns() - start) / (double)(BLOCK * tank.fish_count);
+}
+
+/* One search of the poses that are; ns a fish. */
+static double bare_ns(uint32_t lanes, uint32_t *found_count)
+{
+    const struct pairs_of of = {
+        .body = tank.crowd.body, .flags = tank.crowd.flags, .reach_m = no_reach,
+        .count = tank.fish_count, .which = CROWD_SWIMS, .lanes = (uint8_t)lanes,
+        .width_m = tank.size_m.x, .breadth_m = tank.size_m.z,
+    };
+    const double start = work_ns();
+    *found_count = 0;
+    pairs_begin(&pairs, &of);
+    for (uint32_t some; pairs_next(&pairs, &of, found, &some);) {
+        *found_count += some;
+    }
+    return (work_ns() - start) / (double)tank.fish_count;
 }
 
 static int by_size(const void *left, const void *right)
@@ -35,32 +194,253 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-static void bench(uint32_t fish_count, uint32_t ticks)
+static double median(double *values, uint32_t count)
 {
-    tank_init(&tank, TANK_PRESET_FESTIVAL, fish_count, 1);
-    for (uint32_t tick = 0; tick < WARM_TICKS + ticks; tick++) {
-        const double start_us = now_us();
-        tank_tick(&tank, tick, NULL, 0);
-        if (tick >= WARM_TICKS) {
-            tick_us[tick - WARM_TICKS] = now_us() - start_us;
+    qsort(values, count, sizeof values[0], by_size);
+    return values[count / 2u];
+}
+
+struct figures {
+    double tick_ns[2], bare_ns[2]; /* A fish, with 4 lanes and with 8. */
+    double found;                  /* Pairs a fish. */
+};
+
+static struct figures measure(uint32_t fish)
+{
+    static double bare[2][SAMPLES_MAX];
+    struct figures figures = { 0 };
+    uint32_t count = 0, pair_count = 0;
+    open_tank(fish, (float)fish / THESIS_FISH, PAIRS_GRID);
+    warm_up(WARM_NS);
+    const double start = now_ns();
+    const uint32_t widths = cpu_lanes() == 8u ? 2u : 1u;
+    while (count < SAMPLES_MAX && (count < SAMPLES_MIN || now_ns() - start < MEASURE_NS)) {
+        for (uint32_t w = 0; w < widths; w++) {
+            const uint32_t lanes = 4u << w;
+            samples[w][count] = block_ns(lanes);
+            bare[w][count] = bare_ns(lanes, &pair_count);
+        }
+        count++;
+    }
+    for (uint32_t w = 0; w < widths; w++) {
+        figures.tick_ns[w] = median(samples[w], count);
+        figures.bare_ns[w] = median(bare[w], count);
+        row("tick_ns", "kingyo", fish, 4u << w, figures.tick_ns[w]);
+        row("bare_search_ns", "kingyo", fish, 4u << w, figures.bare_ns[w]);
+    }
+    figures.found = (double)pair_count / (double)fish;
+    return figures;
+}
+
+/* ---- Tables --------------------------------------------------------------------------------- */
+
+static const uint32_t counts[] = { 50,  100,  150,  200,  250,   300,   400,
+                                   600, 1000, 2000, 6000, 20000, 60000, 100000 };
+#define COUNTS (sizeof counts / sizeof counts[0])
+static struct figures all[COUNTS];
+
+static void print_cpu(void)
+{
+    char line[256], name[200] = "an unnamed processor";
+    FILE *info = fopen("/proc/cpuinfo", "r");
+    while (info && fgets(line, sizeof line, info)) {
+        if (sscanf(line, "model name : %199[^\n]", name) == 1) {
+            break;
         }
     }
-    qsort(tick_us, ticks, sizeof tick_us[0], by_size);
-    const double median_us = tick_us[ticks / 2u], p99_us = tick_us[ticks * 99u / 100u];
-    printf("%6u fish  best %8.1f us  median %8.1f us  p99 %8.1f us  %7.1f ns a fish and tick\n",
-           fish_count, tick_us[0], median_us, p99_us, 1000.0 * median_us / fish_count);
+    if (info) {
+        fclose(info);
+    }
+    printf("One thread on %s, %u lanes at most.\n", name, cpu_lanes());
+}
+
+static void print_growth(void)
+{
+    puts("\nA fish and tick at the thesis' density (600 on 136 x 65 cm), and a bare search for "
+         "pairs on the same poses");
+    puts("    fish   8 lanes: tick   bare  ratio   4 lanes: tick   bare  ratio   pairs a fish");
+    for (uint32_t c = 0; c < COUNTS; c++) {
+        all[c] = measure(counts[c]);
+        const struct figures *f = &all[c];
+        printf("  %6u   %10.1f ns %6.1f %6.2f   %10.1f ns %6.1f %6.2f   %8.2f\n", counts[c],
+               f->tick_ns[1], f->bare_ns[1], f->tick_ns[1] / fmax(f->bare_ns[1], 1e-9),
+               f->tick_ns[0], f->bare_ns[0], f->tick_ns[0] / f->bare_ns[0], f->found);
+        fflush(stdout);
+    }
+}
+
+/* The slope of log time over log count, from 600 fish on, by least squares. */
+static double exponent(uint32_t width)
+{
+    double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (uint32_t c = 0; c < COUNTS; c++) {
+        if (counts[c] >= 600u && all[c].tick_ns[width] > 0.0) {
+            const double log_n = log((double)counts[c]);
+            const double log_t = log((double)counts[c] * all[c].tick_ns[width]);
+            n += 1.0;
+            x += log_n;
+            y += log_t;
+            xx += log_n * log_n;
+            xy += log_n * log_t;
+        }
+    }
+    return n > 1.0 ? (n * xy - x * y) / (n * xx - x * x) : 0.0;
+}
+
+static void print_exponents(void)
+{
+    printf("\nA tick grows as the number of fish to the power of %.3f (4 lanes: %.3f), 600 to "
+           "100,000.\n",
+           exponent(1), exponent(0));
+    row("exponent", "kingyo", 100000, 8, exponent(1));
+    row("exponent", "kingyo", 100000, 4, exponent(0));
+}
+
+static void print_shares(uint32_t fish)
+{
+    double whole_ns = 0.0;
+    open_tank(fish, (float)fish / THESIS_FISH, PAIRS_GRID);
+    warm_up(WARM_NS);
+    memset(spent_ns, 0, sizeof spent_ns);
+    is_timed = 1;
+    stage_now = THINK;
+    const uint32_t from = tick;
+    const double start = since_ns = now_ns();
+    while (now_ns() - start < MEASURE_NS || (tick - from) % BLOCK != 0) {
+        tank_tick(&tank, tick++, NULL, 0);
+    }
+    enter(THINK);
+    is_timed = 0;
+    printf("  %6u", fish);
+    for (uint32_t s = 0; s < STAGE_COUNT; s++) {
+        const double ns = spent_ns[s] / ((double)fish * (double)(tick - from));
+        whole_ns += ns;
+        printf("  %6.1f", ns);
+        row("stage_ns", stage_name[s], fish, cpu_lanes(), ns);
+    }
+    printf("   %6.1f\n", whole_ns);
+    fflush(stdout);
+}
+
+static void print_stages(void)
+{
+    printf("\nWhere it goes, ns a fish and tick (%u lanes; a look comes every fourth tick, its "
+           "grid, pairs and\nmeetings shared among the four; reading the clock is part of it)\n"
+           "    fish",
+           cpu_lanes());
+    for (uint32_t s = 0; s < STAGE_COUNT; s++) {
+        printf("  %6s", stage_name[s]);
+    }
+    puts("    whole");
+    print_shares(600);
+    print_shares(6000);
+    print_shares(60000);
+}
+
+/* Ticks a second, nothing drawn. */
+static double ticks_per_s(uint32_t fish, uint8_t search)
+{
+    uint32_t count = 0;
+    open_tank(fish, 1.0f, search);
+    warm_up(0.3 * WARM_NS);
+    const double start = now_ns();
+    while (count < SAMPLES_MAX && (count < SAMPLES_MIN || now_ns() - start < 0.2 * MEASURE_NS)) {
+        samples[0][count++] = block_ns(cpu_lanes());
+    }
+    return 1e9 / (median(samples[0], count) * (double)fish);
+}
+
+/* Thesis, table 4.2, frames a second with its picture; 0: none is given. */
+static const struct {
+    uint32_t fish;
+    double grid, all;
+} table_4_2[] = {
+    { 50, 362.0, 70.3 }, { 100, 175.0, 9.7 }, { 150, 91.0, 2.7 }, { 200, 60.4, 1.9 },
+    { 250, 40.3, 0.5 },  { 300, 26.5, 0.3 },  { 400, 11.8, 0.0 }, { 600, 4.0, 0.0 },
+};
+
+static void print_table_4_2(void)
+{
+    puts("\nThe thesis' table 4.2, in its tank: steps a second with the grid and with each against "
+         "each.\nTheirs are frames with the picture drawn, on an Intel Core i7-2637M of 1.7 GHz "
+         "under Windows 7;\nours are ticks without a picture (make thesis-figures has them with "
+         "one).");
+    puts("    fish   thesis: grid    all   kingyo: grid          all");
+    for (uint32_t t = 0; t < sizeof table_4_2 / sizeof table_4_2[0]; t++) {
+        const uint32_t fish = table_4_2[t].fish;
+        const double grid = ticks_per_s(fish, PAIRS_GRID), each = ticks_per_s(fish, PAIRS_ALL);
+        printf("  %6u   %12.1f %6.1f   %12.0f %12.0f\n", fish, table_4_2[t].grid,
+               table_4_2[t].all, grid, each);
+        row("ticks_per_s", "grid", fish, cpu_lanes(), grid);
+        row("ticks_per_s", "all_pairs", fish, cpu_lanes(), each);
+        fflush(stdout);
+    }
+}
+
+/* Measured on a machine of this kind at the thesis' density, one thread; each of them only finds
+ * contacts or only steers. */
+static const struct {
+    const char *name;
+    double ns[3];
+} peers[] = {
+    { "ODE, sweep and prune", { 1314, 1988, 3667 } }, { "OpenSteer", { 1340, 1829, 4128 } },
+    { "RVO2", { 1624, 2045, 4653 } },                 { "Bullet", { 2020, 3901, 5377 } },
+    { "Jolt", { 4249, 5587, 8343 } },
+};
+
+static const struct figures *figures_of(uint32_t fish)
+{
+    uint32_t c = 0;
+    while (counts[c] != fish) {
+        c++;
+    }
+    return &all[c];
+}
+
+static void print_peers(void)
+{
+    const uint32_t fish[3] = { 600, 6000, 60000 };
+    const uint32_t width = cpu_lanes() == 8u ? 1u : 0u;
+    puts("\nBeside others, ns a fish and step (theirs measured before, on a machine of this kind: "
+         "finding\ncontacts or steering alone; ours is the whole tick)");
+    puts("                              600     6,000    60,000");
+    printf("  %-22s", "kingyo");
+    for (uint32_t f = 0; f < 3u; f++) {
+        printf("  %8.0f", figures_of(fish[f])->tick_ns[width]);
+    }
+    for (uint32_t p = 0; p < sizeof peers / sizeof peers[0]; p++) {
+        printf("\n  %-22s", peers[p].name);
+        for (uint32_t f = 0; f < 3u; f++) {
+            printf("  %8.0f", peers[p].ns[f]);
+            row("peer_ns", peers[p].name, fish[f], 0, peers[p].ns[f]);
+        }
+    }
+    puts("");
 }
 
 int main(int argc, char **argv)
 {
-    const long asked = argc > 1 ? strtol(argv[1], NULL, 10) : 2400;
-    if (asked < 100 || asked > (long)TICKS_MAX) {
-        fprintf(stderr, "bench_tank: TICKS must be 100 .. %u\n", TICKS_MAX);
-        return 2;
+    if (argc == 3) {
+        open_tank((uint32_t)strtoul(argv[1], NULL, 10), strtof(argv[1], NULL) / THESIS_FISH,
+                  PAIRS_GRID);
+        for (const uint32_t end = (uint32_t)strtoul(argv[2], NULL, 10); tick < end; tick++) {
+            tank_tick(&tank, tick, NULL, 0);
+        }
+        return 0;
     }
-    static const uint32_t counts[] = { 50, 100, 300, 600 };
-    for (uint32_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
-        bench(counts[i], (uint32_t)asked);
+    tsv = argc == 2 ? fopen(argv[1], "w") : NULL;
+    if (argc == 2 && !tsv) {
+        fprintf(stderr, "bench_tank: cannot write %s\n", argv[1]);
+        return 74;
     }
-    return 0;
+    if (tsv) {
+        fputs("what\tname\tfish\tlanes\tvalue\n", tsv);
+    }
+    print_cpu();
+    print_growth();
+    print_exponents();
+    print_stages();
+    print_table_4_2();
+    print_peers();
+    return tsv && fclose(tsv) != 0 ? 74 : 0;
 }
