@@ -20,6 +20,7 @@ void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     fish->angles.pitch_rad = 0.0f;
     fish->angles.roll_rad = 0.0f;
     fish->heading_rad = fish->angles.yaw_rad;
+    fish->yaw_rate_rad_s = 0.0f; /* Of the start that it was scooped out of. */
     fish->depth_goal_m = f_max(-0.6f * tank->size_m.y, half - tank->size_m.y);
     fish->gait = GAIT_BURST;
     fish->gait_left_s = 0.6f;

@@ -149,6 +149,7 @@ static void enter(struct fish *fish, uint32_t index, const struct surroundings *
     fish->avoid_left_s = 0.0f;
     fish->startle = 0;
     fish->startle_s = 0.0f;
+    fish->drawn_rad = 0.0f; /* No shade draws it now. */
     fish->bend_goal_rad = 0.0f;
 }
 

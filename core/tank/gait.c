@@ -117,7 +117,6 @@ static float stamina_per_s(uint8_t gait)
 static void calm_down(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     gait_enter(fish, GAIT_SWIM, index, around);
-    fish->bend_goal_rad = 0.0f;
     fish->gait_left_s = rng_range(key(luck_of(index, around), RNG_ESCAPE_CALM), 1.0f, 3.0f);
 }
 

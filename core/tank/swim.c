@@ -198,6 +198,8 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
     fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
     if (starts) { /* Nothing ahead holds it. */
         fish->brake = 1.0f;
+    } else { /* Also of one that was scooped out of its start. */
+        fish->bend_goal_rad = 0.0f;
     }
     surface_resolve(fish, around);
 }

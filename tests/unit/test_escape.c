@@ -258,6 +258,38 @@ static void test_one_that_falls_in_dashes_along_its_nose(void **state)
     }
 }
 
+static void test_one_that_is_scooped_out_of_its_start_straightens(void **state)
+{
+    (void)state;
+    struct fish fish = still_fish(1);
+    escape_start(&fish, v3(0.05f, 0.0f, 0.0f), 0, pond_at(1, 0));
+    tick_alone(&fish, 0, pond_at(1, 0));
+    tick_alone(&fish, 0, pond_at(1, 1));
+    assert_true(f_abs(fish.bend_rad) > 1.0f);
+    fish.gait = GAIT_BURST; /* As one that falls off the paper. */
+    fish.gait_left_s = 1.0f;
+    fish.heading_rad = fish.angles.yaw_rad;
+    fish.yaw_rate_rad_s = 0.0f;
+    for (uint32_t tick = 2; tick < 80; tick++) {
+        tick_alone(&fish, 0, pond_at(1, tick));
+    }
+    assert_float_equal(fish.bend_rad, 0.0f, 0.05f);
+}
+
+static void test_a_shade_that_drew_it_does_not_turn_its_start(void **state)
+{
+    (void)state;
+    struct fish fish = still_fish(1), drawn = fish;
+    drawn.drawn_rad = 1.0f;
+    escape_start(&fish, v3(0.05f, 0.0f, 0.0f), 0, pond_at(1, 0));
+    escape_start(&drawn, v3(0.05f, 0.0f, 0.0f), 0, pond_at(1, 0));
+    for (uint32_t tick = 0; tick < 12; tick++) {
+        tick_alone(&fish, 0, pond_at(1, tick));
+        tick_alone(&drawn, 0, pond_at(1, tick));
+    }
+    assert_float_equal(drawn.angles.yaw_rad, fish.angles.yaw_rad, 1e-6f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -272,6 +304,8 @@ int main(void)
         cmocka_unit_test(test_it_lasts_less_than_a_second_costs_stamina_and_swims_on),
         cmocka_unit_test(test_larger_fish_bend_slower),
         cmocka_unit_test(test_one_that_falls_in_dashes_along_its_nose),
+        cmocka_unit_test(test_one_that_is_scooped_out_of_its_start_straightens),
+        cmocka_unit_test(test_a_shade_that_drew_it_does_not_turn_its_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
