@@ -6,8 +6,8 @@
 #include "core/tank/swim.h"
 
 LANES_BEGIN
-/* Moves the block that begins at `first`, all of which swim and none of which falls, and makes their
- * bodies. */
+/* Moves the block that begins at `first`, all of which swim and none of which falls, and makes
+ * their bodies. */
 void swim_move_block_4(const struct shoal *shoal, uint32_t first);
 void swim_move_block_8(const struct shoal *shoal, uint32_t first);
 
