@@ -11,7 +11,8 @@
  *   turns away from that side; the figure shows one of two mirror images.
  * - How fast fish turn is said nowhere: as fast as the gait lets them (180 degrees a second while
  *   swimming); who is hit, a third of it, else its tail sweeps into the other.
- * - Of several meetings the soonest counts. Who has begun to turn keeps to its side.
+ * - Of several meetings the soonest counts. Who has begun to turn keeps to its side, and who is
+ *   clear of nobody after 0.5 s, be it another by then, has yawed in vain.
  * - Fig. 3.6 sends both fish of a pair up, or both down: the upper goes up and the lower down,
  *   unless the surface or the floor is within a body's height.
  * - The depths of 3.6 would undo a climb: they wait while it gives way, and half a second more.
