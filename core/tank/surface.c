@@ -133,9 +133,8 @@ static void breathe(struct fish *fish, const struct surroundings *around)
 {
     const struct law *law = around->law;
     const float lack = f_max(0.0f, 1.0f - around->oxygen_mg_l / STIFLE_MG_L);
-    const float per_s = surface_breathes(fish) ? law->gulp_gain_per_s
-                        : fish_swims(fish)     ? -law->stifle_per_s * lack
-                                               : 0.0f;
+    const float per_s =
+        surface_breathes(fish) ? law->gulp_gain_per_s : -law->stifle_per_s * lack;
     fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
 }
 
