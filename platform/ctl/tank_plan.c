@@ -46,8 +46,8 @@ const char tank_plan_usage[] =
     "Lengths are cm: x to the right, y up from the surface, z toward the player. Angles are\n"
     "degrees: yaw about +y (0 faces -z), then pitch (lifts the nose), then roll (lowers the\n"
     "right side). A tick is 1/120 s. Counts per second begin with the start, second 0.\n"
-    "Shares and means are over all fish and ticks; ns_per_fish_tick is the mean of the tank's\n"
-    "own tick; body_overlaps counts pairs and ticks deeper than 0.5 mm.\n";
+    "Shares and means are over all fish and ticks; ns_per_fish_tick is the mean CPU time of\n"
+    "the tank's own tick; body_overlaps counts pairs and ticks deeper than 0.5 mm.\n";
 
 static const char name[] = "tank";
 

@@ -3,6 +3,7 @@
  *
  * Usage: table FILE.csv. Ten seconds a tank, as the thesis; an update is one tick and one picture,
  * drawn by the kiosk's own renderer at 1280x720 without a screen. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,14 +51,16 @@ static double run_ms(uint32_t fish, const char *pairs)
     return 1e-6 * sum_ns / (double)lab.tick;
 }
 
+/* The quickest of some: others may work on the same machine. */
 static double draw_ms(void)
 {
-    easel_draw(&lab);
-    const double begin_ms = now_ms();
+    double best_ms = INFINITY;
     for (uint32_t i = 0; i < DRAWINGS; i++) {
+        const double begin_ms = now_ms();
         easel_draw(&lab);
+        best_ms = fmin(best_ms, now_ms() - begin_ms);
     }
-    return (now_ms() - begin_ms) / (double)DRAWINGS;
+    return best_ms;
 }
 
 static void name_machine(FILE *file)
