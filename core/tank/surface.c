@@ -164,6 +164,10 @@ static void leave(struct fish *fish, uint32_t index, const struct surroundings *
 
 int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
+    const int is_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
+    if (is_up && fish->gait != GAIT_SURFACE) { /* A poi took it, and here it is again. */
+        fish->air = AIR_ENOUGH;
+    }
     breathe(fish, around);
     if (fish->air == AIR_ENOUGH && fish->gait != GAIT_ESCAPE && !around->law->air_by_oxygen &&
         fish->stamina < TIRED_BELOW) {

@@ -399,6 +399,17 @@ static void test_a_frightened_gulper_gets_under_before_it_starts(void **state)
     assert_true(soon >= 8);
 }
 
+static void test_a_gulper_that_was_scooped_and_poured_back_does_as_others_do(void **state)
+{
+    (void)state;
+    struct fish fish = gulper();
+    fish.gait = GAIT_SWIM; /* As a bowl leaves it. */
+    fish.position_m.y = -0.05f;
+    assert_false(surface_breathes(&fish));
+    assert_false(surface_tick(&fish, 0, pond_at(1, 0)));
+    assert_int_equal(fish.air, AIR_ENOUGH);
+}
+
 static void test_a_gulper_bears_more_before_it_takes_fright(void **state)
 {
     (void)state;
@@ -426,6 +437,7 @@ int main(void)
         cmocka_unit_test(test_who_gulps_takes_nothing_from_the_water),
         cmocka_unit_test(test_bad_water_tires_and_the_film_refreshes),
         cmocka_unit_test(test_a_frightened_gulper_gets_under_before_it_starts),
+        cmocka_unit_test(test_a_gulper_that_was_scooped_and_poured_back_does_as_others_do),
         cmocka_unit_test(test_a_gulper_bears_more_before_it_takes_fright),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
