@@ -32,6 +32,7 @@
 #define THRESHOLD_MAX 0.95f
 #define HABIT_STEP 0.25f /* Of what is missing to full habit; full doubles the threshold. */
 #define HABIT_FADE_S 60.0f
+#define HABIT_NONE 1e-3f
 
 /* A disc that moves within this reach of its rim makes a fish think in every tick: there it is
  * seen at 21 degrees, and pushes no water to speak of beyond. */
@@ -163,7 +164,8 @@ void fright_tick(struct fish *fish, uint32_t index, const struct surroundings *a
         return;
     }
     fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * around->dt_s);
-    fish->habit *= 1.0f - around->dt_s / HABIT_FADE_S;
+    fish->habit = fish->habit < HABIT_NONE ? 0.0f
+                                           : fish->habit * (1.0f - around->dt_s / HABIT_FADE_S);
     fish->refractory_s = f_max(0.0f, fish->refractory_s - around->dt_s);
     if (fish->startle != FRIGHT_NONE) {
         wait(fish, index, around);

@@ -242,6 +242,10 @@ static void test_frights_grow_stale_and_that_fades(void **state)
         fright_tick(&fish, 0, pond_at(1, tick));
     }
     assert_float_equal(fright_threshold(&fish), fresh, 0.05f * fresh);
+    for (uint32_t tick = 0; tick < 600u * CORE_TICK_HZ; tick++) {
+        fright_tick(&fish, 0, pond_at(1, tick));
+    }
+    assert_float_equal(fish.habit, 0.0f, 0.0f); /* It ends. */
 }
 
 static void test_a_fish_that_has_just_fled_is_not_startled_again_at_once(void **state)
