@@ -14,7 +14,7 @@ pictures() { # FIRST LAST: figures 4.FIRST to 4.LAST
             $2, $2, $1, $3, $4 }' "$out/pictures.tsv"
 }
 words() { # NUMBER: what was run for that picture
-    awk -F'\t' -v number="$1" '$1 == number { printf "<p><code>kingyoctl tank %s</code></p>\n", $5 }' "$out/pictures.tsv"
+    awk -F'\t' -v number="$1" '$1 "" == number "" { printf "<p><code>kingyoctl tank %s</code></p>\n", $5 }' "$out/pictures.tsv"
 }
 
 cat <<'HTML'
