@@ -8,6 +8,7 @@ void fish_grow(struct fish *fish, float length_m, const struct law *law)
     fish->length_m = length_m;
     fish->height_m = law->height_per_length * length_m;
     fish->width_m = law->width_per_length * length_m;
+    fish->speed_up_keep = 0.0f; /* Not known for this length. */
 }
 
 struct box fish_box(const struct fish *fish)

@@ -28,6 +28,7 @@
 #define PITCH_MAX (24.0f * F_DEG)
 #define DASH_HASTE 8.0f   /* A dash turns at its fastest 15 ms after it wants to. */
 #define START_TAU_S 0.03f /* And is at full speed when a swimmer has hardly begun. */
+#define DASH_OUT_TAU_S 0.25f
 #define RUN_OUT_TAU_S 0.20f /* From a burst down to what a swimming fish may do. */
 
 static float ease(float from, float to, float tau_s)
@@ -71,7 +72,11 @@ void swim_shun_add(struct swim_shun *shun, const struct fish *fish, const struct
 {
     const float range_m = (law->wall_per_length + 0.05f) * fish->length_m +
                           law->wall_within_s * fish->speed_m_s;
-    const float weight = 1.0f - f_clamp((gap_m - 0.45f * fish->length_m) / range_m, 0.0f, 1.0f);
+    const float free_m = gap_m - 0.45f * fish->length_m;
+    if (free_m >= range_m) {
+        return;
+    }
+    const float weight = 1.0f - f_max(free_m / range_m, 0.0f);
     shun->into = v3_mad(shun->into, normal, weight);
     shun->weight = f_max(shun->weight, weight);
 }
@@ -148,18 +153,29 @@ static float climb_goal_m_s(const struct fish *fish)
                                    : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
 }
 
-/* What a slowing fish takes to lose 63 % of the difference. */
-static float slow_tau_s(const struct fish *fish, const struct law *law)
+/* The run-up depends on the length alone: once known, it is kept in all gaits but the escape. */
+static float speed_up_keep(const struct fish *fish)
+{
+    const float start_keep = kept(DT, START_TAU_S);
+    if (fish->gait == GAIT_ESCAPE) {
+        return start_keep;
+    }
+    const int known = fish->speed_up_keep > 0.0f && fish->speed_up_keep != start_keep;
+    return known ? fish->speed_up_keep : kept(DT, gait_run_up_s(fish->length_m));
+}
+
+/* A slowing fish loses 63 % of the difference in each of these times. */
+static float slow_keep(const struct fish *fish, const struct law *law)
 {
     if (fish->gait == GAIT_ESCAPE) {
-        return 0.25f;
+        return kept(DT, DASH_OUT_TAU_S);
     }
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, law);
     if (law->glides && fish->gait == GAIT_SWIM && !runs_out) { /* Drag: dv/dt = -v^2 / way. */
-        return stroke_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f);
+        return kept(DT, stroke_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
-    return runs_out ? RUN_OUT_TAU_S : SWIM_GLIDE_TAU_S;
+    return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);
 }
 
 /* What fades for ever ends in numbers so small that processors take ten times as long over them,
@@ -183,9 +199,8 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
     const int starts = fish->gait == GAIT_ESCAPE;
     fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
     fish->speed_goal_m_s = gait_speed_m_s(fish, around);
-    fish->speed_up_keep =
-        kept(CORE_TICK_S, starts ? START_TAU_S : gait_run_up_s(fish->length_m));
-    fish->slow_keep = kept(CORE_TICK_S, slow_tau_s(fish, around->law));
+    fish->speed_up_keep = speed_up_keep(fish);
+    fish->slow_keep = slow_keep(fish, around->law);
     fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish, around);
     fish->haste = starts_freely(fish)             ? HASTE_START
                   : starts                        ? DASH_HASTE
