@@ -193,16 +193,15 @@ static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, f
         fish->avoid_left_s = PITCH_TIME_S;
         fish->avoid_turn = possible_rise(fish, advice->rise, water_depth_m);
     } else {
+        fish->avoid_left_s = fish->avoiding == AVOID_PITCH ? HOLD_DEPTH_S : 0.0f;
         fish->avoiding = AVOID_NONE;
-        fish->avoid_left_s = HOLD_DEPTH_S;
         straighten(fish);
     }
 }
 
 int avoid_holds_depth(const struct fish *fish)
 {
-    return fish->avoiding == AVOID_YAW ||
-           (fish->avoiding == AVOID_NONE && fish->avoid_left_s > 0.0f);
+    return fish->avoiding == AVOID_NONE && fish->avoid_left_s > 0.0f;
 }
 
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,

@@ -15,7 +15,8 @@
  *   clear of nobody after 0.5 s, be it another by then, has yawed in vain.
  * - Fig. 3.6 sends both fish of a pair up, or both down: the upper goes up and the lower down,
  *   unless the surface or the floor is within a body's height.
- * - The depths of 3.6 would undo a climb: they wait while it gives way, and half a second more.
+ * - The depths of 3.6 would undo a climb or a dive: they wait meanwhile, and half a second more.
+ *   (Waiting in yaw as well leaves 600 fish no time for them: they drift off by 3 to 6 cm.)
  * - Repulsion is named in 1.1 and 4.5 and defined nowhere: see below. */
 #ifndef KINGYO_CORE_TANK_AVOID_H
 #define KINGYO_CORE_TANK_AVOID_H
@@ -63,8 +64,7 @@ struct avoid_pair {
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct law *law, uint32_t seed, uint32_t tick);
 
-/* Whether it keeps its depth, whatever the depth it wants: while it gives way in yaw, and 0.5 s
- * after it gave way. */
+/* Whether it keeps its depth, whatever the depth it wants: for 0.5 s after it gave way in pitch. */
 int avoid_holds_depth(const struct fish *fish);
 
 /* One tick of giving way by the soonest of this tick's advice, at the least brake of all. */

@@ -190,6 +190,26 @@ static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
     }
 }
 
+/* In a full tank, too: "when avoiding took it off its depth it goes back there". */
+static void test_3_6_six_hundred_fish_keep_to_their_depths(void **state)
+{
+    (void)state;
+    uint32_t near = 0, all = 0;
+    tank_init(&tank, TANK_PRESET_THESIS, FISH, 3);
+    for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
+        tank_tick(&tank, tick, NULL, 0);
+        for (uint32_t i = 0; tick % CORE_TICK_HZ == 0 && tick >= 15u * CORE_TICK_HZ && i < FISH;
+             i++) {
+            const struct fish *fish = &tank.fish[i];
+            near += f_abs(fish->position_m.y - gait_depth_m(fish->stamina, 0.20f)) < 0.02f;
+            all++;
+        }
+    }
+    print_message("%.2f of them within 2 cm of the depth of their band\n",
+                  (double)near / (double)all);
+    assert_true((float)near > 0.75f * (float)all);
+}
+
 /* ---- A full tank -------------------------------------------------------------------------- */
 
 struct bustle {
@@ -293,6 +313,7 @@ int main(void)
         cmocka_unit_test(
             test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most),
         cmocka_unit_test(test_3_6_the_bands_change_at_75_50_and_25_of_100),
+        cmocka_unit_test(test_3_6_six_hundred_fish_keep_to_their_depths),
         cmocka_unit_test(test_nobody_flees_or_dozes_or_whims_in_the_thesis),
         cmocka_unit_test(test_4_1_six_hundred_fish_keep_moving_naturally),
         cmocka_unit_test(test_a_thousand_fish_of_the_championship_do_so_too),
