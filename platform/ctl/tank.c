@@ -1,5 +1,7 @@
 /* tank.c -- `kingyoctl tank`: a tank without a screen, measured. */
+#include <errno.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "platform/ctl/ctl.h"
@@ -49,6 +51,10 @@ static enum exit_code measure(struct tank_lab *lab)
     }
     const struct tank_figures figures = tank_figures_of(lab);
     (plan->as_json ? tank_report_json : tank_report_text)(lab, &figures);
+    if (fflush(stdout) != 0) {
+        fprintf(stderr, "kingyoctl tank: standard output: %s\n", strerror(errno));
+        return EXIT_IO;
+    }
     return EXIT_OK;
 }
 

@@ -127,4 +127,12 @@ check 'an infinite angle is bad data, by line and column' mistake 65 'line 3, co
 sed 's/5.25,swim/5.25,fly/' "$work/place.csv" >"$work/bad.csv"
 check 'and so is a gait that is none' mistake 65 'line 2, column 6 (gait)' --place "$work/bad.csv"
 check 'a full disk is told' mistake 74 /dev/full --seconds 1 --trace /dev/full
+full_output() {
+    "$ctl" tank --fish 5 --seconds 1 --json >/dev/full
+    [ $? -eq 74 ]
+}
+check 'where the figures go, too' full_output
+check 'a folder is no file' mistake 74 "$work" --place "$work"
+printf 'x_cm,y_cm,z_cm,yaw_deg\n0,-5,0,0\n0,-5,4.9,0\n' >"$work/bad.csv"
+check 'fish in each other cannot be placed' mistake 65 'fish 0 and 1' --place "$work/bad.csv"
 echo "1..$count"

@@ -48,7 +48,7 @@ echo '<h2>600 fish after 10 s</h2>'
 words 4.13
 echo '<div class="row">'
 pictures 13 16
-echo '</div><h2>4.2 Shade</h2>'
+echo '</div><p><a href="crowd.csv">where all of them are, CSV</a></p><h2>4.2 Shade</h2>'
 words 4.17
 echo '<div class="row">'
 pictures 17 20

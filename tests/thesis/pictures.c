@@ -106,24 +106,34 @@ static struct moments find_moments(const char *words)
     return found;
 }
 
-static void trace_meeting(const char *name, const char *words, const struct moments *moments)
+static void open_trace(struct tank_trace *trace, const char *name)
 {
-    char path[1024];
-    struct tank_trace trace;
+    static char path[1024];
     snprintf(path, sizeof path, "%s/%s.csv", folder, name);
-    open_lab(words);
-    if (tank_trace_open(&trace, path) != EXIT_OK) {
+    if (tank_trace_open(trace, path) != EXIT_OK) {
         exit(1);
     }
+}
+
+static void close_trace(struct tank_trace *trace)
+{
+    if (tank_trace_close(trace) != EXIT_OK) {
+        exit(1);
+    }
+}
+
+static void trace_meeting(const char *name, const char *words, const struct moments *moments)
+{
+    struct tank_trace trace;
+    open_lab(words);
+    open_trace(&trace, name);
     for (tank_trace_add(&trace, &lab.tank, 0); lab.tick < moments->done + AFTER_TICKS;) {
         tank_lab_tick(&lab);
         if (lab.tick % 6u == 0) {
             tank_trace_add(&trace, &lab.tank, lab.tick);
         }
     }
-    if (tank_trace_close(&trace) != EXIT_OK) {
-        exit(1);
-    }
+    close_trace(&trace);
     tank_lab_close(&lab);
 }
 
@@ -182,8 +192,12 @@ static void shoot_crowd(void)
     static const enum easel_camera cameras[] = { CAMERA_TOP, CAMERA_CENTRE, CAMERA_SIDE,
                                                  CAMERA_SLANT };
     char number[8];
+    struct tank_trace trace;
     open_lab(words);
     run_until(10u * CORE_TICK_HZ);
+    open_trace(&trace, "crowd");
+    tank_trace_add(&trace, &lab.tank, lab.tick);
+    close_trace(&trace);
     for (int i = 0; i < 4; i++) {
         snprintf(number, sizeof number, "4.%d", 13 + i);
         shoot(number, &(struct easel_shot){ .camera = cameras[i] }, seen[i], words);
