@@ -15,8 +15,11 @@
 #define KICK_MAX_RAD (80.0f * F_DEG)
 
 #define COAST_DRAG 0.060f /* Koi, wetted surface; 0.242 while it beats. */
-#define ADDED_MASS 0.10f  /* Of its own: water that goes along with a slender body. */
+#define MASS_KG_PER_M3 23.1f      /* Per cube of its length: 2.9 g at 5 cm, as fish_mass_kg(). */
+#define ADDED_MASS 0.10f          /* Of its own: water that goes along with a slender body. */
 #define SURFACE_PER_LENGTH2 0.65f /* Wetted, fins and both their sides included. */
+#define GLIDE_LENGTHS                                                                              \
+    (2.0f * (1.0f + ADDED_MASS) * MASS_KG_PER_M3 / (WATER_KG_M3 * SURFACE_PER_LENGTH2 * COAST_DRAG))
 
 /* Each fish has its own rhythm, and its own place in it. */
 static uint32_t cycle_ticks(const struct fish *fish)
@@ -60,9 +63,7 @@ void stroke_turn(struct fish *fish, uint32_t index, const struct surroundings *a
 
 float stroke_glide_m(float length_m)
 {
-    const float mass_kg = (1.0f + ADDED_MASS) * fish_mass_kg(length_m);
-    return 2.0f * mass_kg /
-           (WATER_KG_M3 * SURFACE_PER_LENGTH2 * length_m * length_m * COAST_DRAG);
+    return GLIDE_LENGTHS * length_m;
 }
 
 /* ln(1 + x) / x to 1e-3 for x up to 1: the share of a way that drag leaves a glide. */

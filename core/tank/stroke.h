@@ -28,7 +28,7 @@ void stroke_turn(struct fish *fish, uint32_t index, const struct surroundings *a
 float stroke_share(const struct fish *fish, float mean_m_s);
 
 /* How far it glides while its speed falls to 1 / e, m: 2 m / (rho S C), with the added mass of its
- * water, the wetted surface S and C = 0.060. About 1.3 lengths. */
+ * water, the wetted surface S and C = 0.060: 1.3 lengths. */
 float stroke_glide_m(float length_m);
 
 #endif
