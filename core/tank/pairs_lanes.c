@@ -5,6 +5,7 @@
 
 #define APART_M 1e9f
 #define PARALLEL lanes_of(1e-6f) /* As in box.c. */
+#define AHEAD (2u * LANES) /* Items or pairs: as long as memory takes. */
 #define ROUNDING 1.00001f /* Of roots and products; no ball may be too small. */
 
 /* Quad `quad` of a body, and in eight lanes that of the fourth after it beside it. */
@@ -129,10 +130,20 @@ PAIRS_CELLS(LANES_NAME(pairs_cells))
     }
 }
 
+/* Calls LANES bodies into the cache, from item `k` on: in a large tank they lie anywhere. */
+static inline void call_bodies(const struct body *body, const fish_index *item, uint32_t k,
+                               uint32_t count)
+{
+    for (uint32_t lane = 0; lane < LANES && k + lane < count; lane++) {
+        __builtin_prefetch(&body[item[k + lane]]);
+    }
+}
+
 PAIRS_COLUMNS(LANES_NAME(pairs_columns))
 {
     const struct grid *grid = &pairs->grid;
     for (uint32_t k = 0; k < grid->count; k += LANES) {
+        call_bodies(of->body, grid->item, k + AHEAD, grid->count);
         struct bodies all;
         const flanes reach = load_members(&all, of, &grid->item[k]);
         lanes_store(&pairs->x_m[k], all.centre[0]);
@@ -367,6 +378,9 @@ PAIRS_JUDGE(LANES_NAME(pairs_judge))
     const fish_index *item = pairs->grid.item;
     uint32_t kept = 0;
     for (uint32_t n = 0; n < pairs->near_count; n += LANES) {
+        for (uint32_t lane = 0; lane < LANES && n + AHEAD + lane < pairs->near_count; lane++) {
+            __builtin_prefetch(&of->body[item[pairs->near_b[n + AHEAD + lane]]]);
+        }
         uint32_t first[LANES], second[LANES];
         for (uint32_t lane = 0; lane < LANES; lane++) {
             first[lane] = item[pairs->near_a[n + lane]];
