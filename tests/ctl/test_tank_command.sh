@@ -73,6 +73,29 @@ awk -F, -v OFS=, '$1 == 0 && $2 == 0 { x = $3; y = $4; z = $5 } $1 == 0 && $2 ==
     "$work/trace.csv" >"$work/moved.csv"
 check 'and the judge sees two fish in one place' judged "$work/moved.csv" 136 20 65 'overlaps [1-9]'
 
+# ---- Counts
+"$ctl" tank --fish 200 --seconds 10 --shade 0,0,10,0,10 --json --trace "$work/shade.csv" --trace-every 120 >"$work/shade.json"
+check 'a still shadow gathers fish (figures 4.17 to 4.20)' holds "$work/shade.json" \
+    "json_extract(j,'\$.shade_count[10]')>=2*json_extract(j,'\$.shade_count[0]')"
+from_trace() { # The fish within 10 cm of the middle, second by second, as the trace has them.
+    awk -F, 'NR > 1 { seen[$1 / 120] += $3 * $3 + $5 * $5 <= 100 }
+        END { for (s = 0; s <= 10; s++) printf "%s%d", s ? "," : "", seen[s]; print "" }' "$work/shade.csv"
+}
+equal_counts() {
+    from_trace
+    json "$work/shade.json" shade_count
+    [ "$(from_trace)" = "$(json "$work/shade.json" shade_count | tr -d '[] ')" ]
+}
+check 'and as many as the trace shows' equal_counts
+"$ctl" tank --fish 60 --stamina 20 --seconds 4 --json --trace "$work/gulp.csv" --trace-every 480 >"$work/gulp.json"
+gulpers() {
+    local seen
+    seen=$(awk -F, '$1 == 480 && $14 == "surface"' "$work/gulp.csv" | wc -l)
+    echo "$seen"
+    [ "$seen" -gt 0 ] && [ "$(json "$work/gulp.json" 'surfacing_count[4]')" = "$seen" ]
+}
+check 'tired fish come to the surface, as many as the trace shows' gulpers
+
 # ---- The same again
 hash_of() { "$ctl" tank "$@" --json >"$work/h.json" && json "$work/h.json" state_hash; }
 same() { [ "$1" = "$2" ] && [ -n "$1" ]; }
