@@ -1,6 +1,8 @@
 /* box.c -- separating axes, with the frames' cosines computed once for all of them. */
 #include "core/tank/box.h"
 
+#include "core/base/mem.h"
+
 #define PARALLEL 1e-6f /* Square of a cross product's length: edges within a thousandth. */
 
 struct frame {
@@ -31,65 +33,67 @@ static inline void try_axis(struct verdict *verdict, float gap_m, float margins_
     }
 }
 
-/* Two boxes, one as the other sees it. */
+/* Two boxes, one as the other sees it; rows are filled as they are asked for. */
 struct view_of_b {
-    struct frame a, b;
+    const struct box *a, *b;
+    vec3 way; /* From a to b. */
     float margin_a_m, margin_b_m;
+    float half_a[3], half_b[3];
     float cosine[3][3], size[3][3]; /* Of a's axes against b's; and their magnitudes. */
-    float d[3];                     /* The way from a to b, in a's frame. */
+    float d[3];                     /* The way in a's frame. */
 };
 
-static struct view_of_b view_of(const struct box *a, float margin_a_m, const struct box *b,
-                                float margin_b_m)
+static inline vec3 axis_of(const struct box *box, int index)
 {
-    struct view_of_b view = { .a = frame_of(a),
-                              .b = frame_of(b),
-                              .margin_a_m = margin_a_m,
-                              .margin_b_m = margin_b_m };
-    const vec3 way = v3_sub(b->centre_m, a->centre_m);
-    for (int i = 0; i < 3; i++) {
-        view.d[i] = v3_dot(way, view.a.axis[i]);
-        for (int j = 0; j < 3; j++) {
-            view.cosine[i][j] = v3_dot(view.a.axis[i], view.b.axis[j]);
-            view.size[i][j] = f_abs(view.cosine[i][j]);
-        }
-    }
-    return view;
+    return index == 0 ? box->axes.right : index == 1 ? box->axes.up : box->axes.back;
 }
 
-static void try_faces_of_a(struct verdict *verdict, const struct view_of_b *view)
+static inline void fill_row(struct view_of_b *view, int i)
 {
-    for (int i = 0; i < 3; i++) {
-        const float *m = view->size[i], *hb = view->b.half;
-        const float halves_m = view->a.half[i] + (m[0] * hb[0] + m[1] * hb[1] + m[2] * hb[2]);
-        try_axis(verdict, f_abs(view->d[i]) - halves_m,
-                 view->margin_a_m + view->margin_b_m * (m[0] + m[1] + m[2]), i);
-    }
+    const vec3 axis = axis_of(view->a, i);
+    float *c = view->cosine[i], *m = view->size[i];
+    view->d[i] = v3_dot(view->way, axis);
+    c[0] = v3_dot(axis, view->b->axes.right);
+    c[1] = v3_dot(axis, view->b->axes.up);
+    c[2] = v3_dot(axis, view->b->axes.back);
+    m[0] = f_abs(c[0]);
+    m[1] = f_abs(c[1]);
+    m[2] = f_abs(c[2]);
 }
 
-static void try_faces_of_b(struct verdict *verdict, const struct view_of_b *view)
+static inline int try_face_of_a(struct verdict *verdict, struct view_of_b *view, int i)
 {
-    for (int j = 0; j < 3; j++) {
-        const float m[3] = { view->size[0][j], view->size[1][j], view->size[2][j] };
-        const float *ha = view->a.half, *d = view->d;
-        const float offset_m = d[0] * view->cosine[0][j] + d[1] * view->cosine[1][j] +
-                               d[2] * view->cosine[2][j];
-        const float halves_m = view->b.half[j] + (m[0] * ha[0] + m[1] * ha[1] + m[2] * ha[2]);
-        try_axis(verdict, f_abs(offset_m) - halves_m,
-                 view->margin_b_m + view->margin_a_m * (m[0] + m[1] + m[2]), 3 + j);
-    }
+    fill_row(view, i);
+    const float *m = view->size[i], *hb = view->half_b;
+    const float halves_m = view->half_a[i] + (m[0] * hb[0] + m[1] * hb[1] + m[2] * hb[2]);
+    try_axis(verdict, f_abs(view->d[i]) - halves_m,
+             view->margin_a_m + view->margin_b_m * (m[0] + m[1] + m[2]), i);
+    return verdict->space_m > 0.0f;
+}
+
+static inline int try_face_of_b(struct verdict *verdict, const struct view_of_b *view, int j)
+{
+    const float m[3] = { view->size[0][j], view->size[1][j], view->size[2][j] };
+    const float *ha = view->half_a, *d = view->d;
+    const float offset_m =
+        d[0] * view->cosine[0][j] + d[1] * view->cosine[1][j] + d[2] * view->cosine[2][j];
+    const float halves_m = view->half_b[j] + (m[0] * ha[0] + m[1] * ha[1] + m[2] * ha[2]);
+    try_axis(verdict, f_abs(offset_m) - halves_m,
+             view->margin_b_m + view->margin_a_m * (m[0] + m[1] + m[2]), 3 + j);
+    return verdict->space_m > 0.0f;
 }
 
 /* The cross product's length makes true distances of what it shows. Edges that are parallel to a
  * thousandth have none worth the name; face normals have said it all. */
-static void try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
+static inline int try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
 {
-    const int p = (i + 1) % 3, q = (i + 2) % 3, r = (j + 1) % 3, s = (j + 2) % 3;
+    static const int after[3] = { 1, 2, 0 }, before[3] = { 2, 0, 1 };
+    const int p = after[i], q = before[i], r = after[j], s = before[j];
     const float(*c)[3] = view->cosine, (*m)[3] = view->size;
-    const float *ha = view->a.half, *hb = view->b.half;
+    const float *ha = view->half_a, *hb = view->half_b;
     const float square = c[p][j] * c[p][j] + c[q][j] * c[q][j];
     if (square <= PARALLEL) {
-        return;
+        return 0;
     }
     const float offset_m = f_abs(view->d[q] * c[p][j] - view->d[p] * c[q][j]);
     const float halves_m =
@@ -98,33 +102,51 @@ static void try_edges(struct verdict *verdict, const struct view_of_b *view, int
         view->margin_a_m * (m[q][j] + m[p][j]) + view->margin_b_m * (m[i][s] + m[i][r]);
     const float length = f_sqrt(square);
     try_axis(verdict, (offset_m - halves_m) / length, margins_m / length, 6 + 3 * i + j);
+    return verdict->space_m > 0.0f;
 }
 
 vec3 box_axis(const struct box *a, const struct box *b, int axis)
 {
-    const struct frame fa = frame_of(a), fb = frame_of(b);
-    vec3 along = fa.axis[axis % 3];
+    vec3 along = axis < 3 ? axis_of(a, axis) : axis_of(b, axis - 3);
     if (axis >= 6) {
-        along = v3_cross(fa.axis[(axis - 6) / 3], fb.axis[axis % 3]);
-        along = v3_normalize_or(along, fa.axis[1]);
-    } else if (axis >= 3) {
-        along = fb.axis[axis - 3];
+        const vec3 cross = v3_cross(axis_of(a, (axis - 6) / 3), axis_of(b, axis % 3));
+        along = v3_normalize_or(cross, a->axes.up);
     }
     return v3_dot(along, v3_sub(b->centre_m, a->centre_m)) < 0.0f ? v3_scale(along, -1.0f) : along;
 }
 
+/* Sides first, then nose and tail: so are most fish apart that are near. */
+static int are_apart(struct verdict *verdict, struct view_of_b *view)
+{
+    static const int order[3] = { 0, 2, 1 };
+    int apart = 0;
+    for (int k = 0; k < 3 && !apart; k++) {
+        apart = try_face_of_a(verdict, view, order[k]);
+    }
+    for (int k = 0; k < 3 && !apart; k++) {
+        apart = try_face_of_b(verdict, view, order[k]);
+    }
+    for (int k = 0; k < 9 && !apart; k++) {
+        apart = try_edges(verdict, view, k / 3, k % 3);
+    }
+    return apart;
+}
+
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
 {
-    const struct view_of_b view = view_of(a, margin_a_m, b, margin_b_m);
+    struct view_of_b view;
     struct verdict verdict = { -1e9f, -1e9f, 0 };
-    try_faces_of_a(&verdict, &view);
-    if (verdict.space_m <= 0.0f) {
-        try_faces_of_b(&verdict, &view);
-    }
-    for (int edges = 0; edges < 9 && verdict.space_m <= 0.0f; edges++) {
-        try_edges(&verdict, &view, edges / 3, edges % 3);
-    }
-    return (struct box_gap){ verdict.gap_m, verdict.space_m, box_axis(a, b, verdict.axis) };
+    view.a = a;
+    view.b = b;
+    view.way = v3_sub(b->centre_m, a->centre_m);
+    view.margin_a_m = margin_a_m;
+    view.margin_b_m = margin_b_m;
+    MEM_COPY(view.half_a, &a->half_m, sizeof view.half_a);
+    MEM_COPY(view.half_b, &b->half_m, sizeof view.half_b);
+    const int apart = are_apart(&verdict, &view);
+    const vec3 none = { 0.0f, 0.0f, 0.0f };
+    return (struct box_gap){ verdict.gap_m, verdict.space_m,
+                             apart ? none : box_axis(a, b, verdict.axis) };
 }
 
 float box_depth_m(const struct box *a, const struct box *b)

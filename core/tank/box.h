@@ -21,7 +21,7 @@ struct box_gap {
 
 /* By all fifteen axes (Gottschalk 1996; Ericson 2005, section 4.4.1), those of edges across edges
  * normalised, so that every gap is a true distance. `space_m` > 0 ends the search at once: the
- * other members are then those of the axes tried so far. */
+ * other members then mean nothing. */
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b,
                        float margin_b_m);
 

@@ -28,11 +28,8 @@
 #define BLOCK CROWD_LOOK_TICKS /* Ticks between two clock readings: one of them looks. */
 #define THESIS_FISH 600.0f    /* On the thesis' floor: its density. */
 
-/* 60 MiB at random: pages of 2 MiB spare the processor most look-ups of where they lie. */
-static struct {
-    _Alignas(1u << 21) struct tank tank;
-} store;
-#define tank store.tank
+static struct tank *store;
+#define tank (*store)
 static struct pairs pairs;
 static struct found found[PAIRS_BATCH + LANES_MAX];
 static float no_reach[TANK_FISH_MAX];
@@ -449,9 +446,21 @@ static void print_peers(void)
     puts("");
 }
 
+/* 60 MiB at random: pages of 2 MiB spare the processor most look-ups of where they lie. */
+static void open_store(void)
+{
+    const size_t page = 1u << 21, size = (sizeof *store + page - 1u) / page * page;
+    store = aligned_alloc(page, size);
+    if (!store) {
+        fprintf(stderr, "bench_tank: no memory for %zu bytes\n", size);
+        exit(1);
+    }
+    madvise(store, size, MADV_HUGEPAGE); /* Where it cannot, it costs what it costs. */
+}
+
 int main(int argc, char **argv)
 {
-    madvise(&store, sizeof store, MADV_HUGEPAGE); /* Where it cannot, it costs what it costs. */
+    open_store();
     if (argc == 3) {
         open_tank((uint32_t)strtoul(argv[1], NULL, 10), strtof(argv[1], NULL) / THESIS_FISH,
                   PAIRS_GRID);

@@ -85,7 +85,7 @@ static void test_edges_across_each_other_part_what_no_face_does(void **state)
      * middles. */
     const struct box a = { v3(0.0f, 0.0f, 0.0f), basis_from_angles(rolled), half },
                      b = { v3(0.0f, 0.030f, 0.0f), basis_from_angles(crossed), half };
-    const struct box_gap gap = box_gap(&a, 0.0f, &b, 0.0f);
+    const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
     assert_float_equal(gap.body_m, 0.030f - 2.0f * 0.01414214f, NEAR);
     assert_float_equal(gap.axis.y, 1.0f, NEAR);
     assert_float_equal(box_depth_m(&a, &b), 0.0f, NEAR);
