@@ -37,6 +37,9 @@ float f_floor(float x)
 
 float f_wrap_angle(float x)
 {
+    if (f_abs(x) < 3.0f) { /* The same bits, sooner. */
+        return x;
+    }
     return x - F_TAU * f_floor((x + F_PI) / F_TAU);
 }
 
