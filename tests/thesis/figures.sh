@@ -15,10 +15,10 @@ tank() { "$build/kingyoctl" tank "$@" >/dev/null; }
 
 say 'chapter 2: tail beats against speed (figures 2.1, 2.2), from traces of calm and of frightened fish'
 tank --preset thesis --fish 200 --seconds 20 --trace "$out/calm.csv" --trace-every 30
-tank --preset festival --seconds 8 --poi-path "$here/escape_path.csv" --trace "$out/fright.csv" --trace-every 10
+tank --preset festival --seconds 8 --poi-path "$here/escape_path.csv" --trace "$out/fright.csv" --trace-every 4
 {
     echo 'tail_hz,lengths_per_s,gait'
-    awk -F, -v OFS=, 'FNR > 1 && $1 > 0 && $14 != "held" && (FNR % 5 == 0 || $13 > 4.5) { print $13, $12 / $9, $14 }' \
+    awk -F, -v OFS=, 'FNR > 1 && $1 > 0 && $14 != "held" && (FNR % 12 == 0 || $13 > 4.5 && FNR % 2 == 0) { print $13, $12 / $9, $14 }' \
         "$out/calm.csv" "$out/fright.csv"
 } >"$out/beats.csv"
 {
