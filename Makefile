@@ -68,6 +68,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include $(wildcard assets/bake/*.mk)
 -include tests/tests.mk
 -include tests/bench/bench.mk
+-include tests/soak/soak.mk
 -include tests/render/render.mk
 -include tests/thesis/thesis.mk
 

@@ -112,6 +112,18 @@ static void gather_shades(struct core *core, const struct input *input)
     tank_cast(&core->tank, casts);
 }
 
+/* In the order in which they were gathered. */
+static void pois_give_way(struct core *core, const struct obstacle *obstacles, uint32_t count)
+{
+    uint32_t at = 0;
+    for (uint32_t i = 0; i < POI_MAX && at < count; i++) {
+        if (hand_plays(core, i)) {
+            poi_give_way(&core->poi[i], &obstacles[at++]);
+        }
+        at += core->bowl[i].present ? 1u : 0u;
+    }
+}
+
 static void tick_fish(struct core *core, const struct input *input)
 {
     const uint8_t has_pump = tank_preset(core->tank.preset)->pump;
@@ -120,6 +132,7 @@ static void tick_fish(struct core *core, const struct input *input)
     const uint32_t count = gather_obstacles(core, obstacles);
     gather_shades(core, input);
     tank_tick(&core->tank, core->tick, obstacles, count);
+    pois_give_way(core, obstacles, count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         bowl_tick(&core->bowl[i], i, &core->tank, core->tick);
     }

@@ -5,6 +5,7 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
+#include "core/tank/loose.h"
 
 #define SURFACE_M 0.012f  /* The bowl's own water stands so far under its mouth. */
 #define ROUND_RAD_S 1.6f  /* A lap in about four seconds. */
@@ -109,12 +110,8 @@ void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         struct fish *fish = &tank->fish[i];
         if (fish->gait == GAIT_BOWL && fish->holder == bowl_index) {
             fish->position_m = pouring_place(bowl, tank, i);
-            fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
-            fish->angles.pitch_rad = fish->angles.roll_rad = 0.0f;
-            fish->heading_rad = fish->angles.yaw_rad;
-            fish->gait = GAIT_SWIM;
-            fish->gait_left_s = 0.5f;
-            fish->depth_goal_m = fish->position_m.y;
+            fish->alarm = 0.0f;
+            loose_begin(tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
     }
     bowl->fish_count = 0;

@@ -10,6 +10,7 @@
 #define LEVEL_MIN 0.35f /* A steeper poi (70 degrees) takes nobody up. */
 #define STAND_SHARE                                                                                \
     1.05f /* Water over the paper, in body heights, in which a fish still stands ... */
+#define STAND_SPARE_M 0.0045f /* and more, for one that lies across the ring, 3 mm higher; */
 #define FLOAT_SHARE 1.50f   /* ... and in which a rider floats off. */
 #define BODY_FOOT_M 0.020f  /* Footprint of a body, against a tail's 2 to 5 mm. */
 #define LIFT_OFF_M_S2 0.5f  /* Pulled from the paper by more than this, it flies. */
@@ -165,16 +166,16 @@ static void ride_all(struct scoop *scoop)
 static int can_stand(const struct scoop *scoop, vec3 place, const struct fish *fish)
 {
     const float depth = -paper_y(scoop, place.x, place.z);
-    return depth > STAND_SHARE * fish->height_m;
+    return depth > STAND_SHARE * fish->height_m + STAND_SPARE_M;
 }
 
-/* No room left on the paper: it works its way out over the ring. */
-static void spill(const struct scoop *scoop, struct fish *fish, vec3 place)
+/* Out over the ring: a fish for which the paper has no room, or one that a ring comes up under and
+ * does not lift. */
+static void slip_off(const struct scoop *scoop, struct fish *fish)
 {
-    const vec3 out = v3_normalize_or(v3(place.x, 0.0f, place.z), v3(1.0f, 0.0f, 0.0f));
-    fish->position_m =
-        v3_mad(fish->position_m, basis_to_world(&scoop->axes, out), SPILL_M_S * CORE_TICK_S);
-    contact_stay_in_tank(fish, scoop->tank);
+    const vec3 away = v3_sub(fish->position_m, scoop->poi->position_m);
+    const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
+    fall_set_free(scoop->tank, fish, v3_scale(out, SPILL_M_S));
 }
 
 static void take_up(struct scoop *scoop, uint32_t index)
@@ -186,7 +187,7 @@ static void take_up(struct scoop *scoop, uint32_t index)
         return;
     }
     if (poi->rider_count == POI_RIDER_MAX) {
-        spill(scoop, fish, place);
+        slip_off(scoop, fish);
         return;
     }
     const struct basis body = basis_from_angles(fish->angles);
@@ -237,15 +238,16 @@ static void forget_strangers(struct scoop *scoop)
 
 static void meet_all(struct scoop *scoop)
 {
-    scoop->poi->floor_m = -scoop->tank->size_m.y;
     for (uint32_t i = 0; i < scoop->tank->fish_count; i++) {
         struct fish *fish = &scoop->tank->fish[i];
         if (fish->gait == GAIT_BOWL) {
             continue;
         }
         if (fish->gait != GAIT_HELD) {
-            if (contact_fish(scoop->poi, &scoop->axes, i, scoop->tank)) {
+            if (contact_fish(scoop->poi, &scoop->axes, fish)) {
                 take_up(scoop, i);
+            } else if (contact_squeezed(scoop->poi, fish)) {
+                slip_off(scoop, fish);
             }
         } else if (fish->holder == scoop->poi_index && !is_rider(scoop->poi, i)) {
             fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));

@@ -3,29 +3,16 @@
 
 #include "core/base/physics.h"
 #include "core/input.h"
+#include "core/tank/loose.h"
 
 #define FALL_HOME_M_S 1.5f /* Sideways at most, when it fell beyond a wall. */
 #define PLOP_M 0.004f      /* It dents the surface so deep. */
 
-/* Level again, under the surface, inside the walls, and in a hurry. */
+/* In a hurry, once it is clear of others. */
 void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
-    const float half = 0.5f * fish->height_m;
-    const float room_x = 0.5f * (tank->size_m.x - fish->length_m);
-    const float room_z = 0.5f * (tank->size_m.z - fish->length_m);
-    fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
-    fish->position_m.z = f_clamp(fish->position_m.z, -room_z, room_z);
-    fish->position_m.y = f_clamp(fish->position_m.y, half - tank->size_m.y, -half);
-    fish->velocity_m_s = v3_limit(velocity_m_s, 0.5f);
-    fish->angles.pitch_rad = 0.0f;
-    fish->angles.roll_rad = 0.0f;
-    fish->heading_rad = fish->angles.yaw_rad;
-    fish->yaw_rate_rad_s = 0.0f; /* Of the start that it was scooped out of. */
-    fish->depth_goal_m = f_max(-0.6f * tank->size_m.y, half - tank->size_m.y);
-    fish->gait = GAIT_BURST;
-    fish->gait_left_s = 0.6f;
-    fish->speed_m_s = 4.0f * fish->length_m;
     fish->alarm = 1.0f;
+    loose_begin(tank, fish, velocity_m_s);
 }
 
 static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)

@@ -9,7 +9,7 @@
 enum fall_end {
     FALL_GOES_ON = 0,
     FALL_INTO_BOWL,  /* The fish is the bowl's now, and counted there. */
-    FALL_INTO_WATER, /* It swims. */
+    FALL_INTO_WATER, /* It swims, as soon as it is clear. */
 };
 
 /* A rider leaves the poi at a world velocity. */

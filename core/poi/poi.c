@@ -9,6 +9,9 @@
 #include "core/poi/pose.h"
 #include "core/poi/yield.h"
 
+_Static_assert(OBSTACLE_PAPER_SIDE == SHEET_SIDE && OBSTACLE_PAPER_HOLDS == CELL_PAPER,
+               "fish read the sheet's own cells");
+
 /* The hand. One stiffness; damping grows with the water that has to move along, so that the spring
  * is critically damped along the normal under water and lags a moving hand by damping / stiffness:
  * 25 ms in air, 56 ms broadside under water. */
@@ -44,8 +47,7 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
     CORE_ASSERT(v3_is_finite(position_m));
     memset(poi, 0, sizeof *poi);
     poi->seed = seed;
-    poi->position_m = position_m;
-    poi->floor_m = -1.0f;
+    poi->position_m = poi->before_m = position_m;
     sheet_init(&poi->sheet, grade, POI_RADIUS_M, seed);
     poi->immersed = disc_immersed(POI_RADIUS_M, position_m.y, 1.0f);
 }
@@ -280,6 +282,8 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     CORE_ASSERT(f_is_finite(grip->target.angles.yaw_rad));
     CORE_ASSERT(f_is_finite(grip->target.angles.pitch_rad));
     CORE_ASSERT(f_is_finite(grip->target.angles.roll_rad));
+    poi->before_m = poi->position_m;
+    poi->before_angles = poi->angles;
     tip_over(poi, bowl, grip->has_wrist);
     const struct poi_target target = tipped(poi, bowl, grip->target);
     turn(poi, target.angles);
@@ -315,14 +319,35 @@ void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m)
 
 struct obstacle poi_obstacle(const struct poi *poi)
 {
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct angles now = poi->angles, before = poi->before_angles;
+    const struct basis axes = basis_from_angles(now);
     return (struct obstacle){
         .kind = OBSTACLE_DISC,
         .centre_m = poi->position_m,
         .normal = axes.up,
         .velocity_m_s = poi->velocity_m_s,
         .radius_m = POI_OUTER_RADIUS_M,
+        .step_m = v3_sub(poi->position_m, poi->before_m),
+        .axes = axes,
+        .axes_before = basis_from_angles(before),
+        .turned = now.yaw_rad != before.yaw_rad || now.pitch_rad != before.pitch_rad ||
+                  now.roll_rad != before.roll_rad,
+        .paper = poi->sheet.paper_cells > 0 ? poi->sheet.state : NULL,
+        .paper_radius_m = poi->sheet.radius_m,
     };
+}
+
+void poi_give_way(struct poi *poi, const struct obstacle *ring)
+{
+    poi->gave = ring->gave;
+    if (ring->gave & OBSTACLE_GAVE_PLACE) {
+        poi->position_m = ring->centre_m;
+        poi->velocity_m_s = ring->velocity_m_s;
+    }
+    if (ring->gave & OBSTACLE_GAVE_TURN) {
+        poi->angles = poi->before_angles;
+        poi->angular_velocity_rad_s = v3(0.0f, 0.0f, 0.0f);
+    }
 }
 
 /* Thin paper takes a third of the light, holes take none. A tilted ring casts an ellipse; the round
@@ -353,10 +378,13 @@ uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
 
 uint64_t poi_hash(uint64_t hash, const struct poi *poi)
 {
-    const float values[] = { poi->splash_m_s, poi->water_kg,    poi->tip,
-                             poi->floor_m,    poi->pressure_pa, poi->riders_kg };
+    const float values[] = { poi->splash_m_s,  poi->water_kg,  poi->tip,
+                             poi->pressure_pa, poi->riders_kg, poi->before_angles.yaw_rad,
+                             poi->before_angles.pitch_rad, poi->before_angles.roll_rad };
     hash = poi_hash_quick(hash, poi);
     hash = hash_u32(hash, poi->seed);
+    hash = hash_vec3(hash, poi->before_m);
+    hash = hash_u32(hash, poi->gave);
     hash = hash_vec3(hash, poi->angular_velocity_rad_s);
     hash = hash_vec3(hash, poi->acceleration_m_s2);
     hash = hash_vec3(hash, poi->jolt_m_s2);
@@ -374,9 +402,6 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
         const struct sheet_load *load = &poi->loads[i];
         hash = hash_vec3(hash, v3(load->x_m, load->diameter_m, load->z_m));
         hash = hash_float(hash, load->force_n);
-    }
-    for (uint32_t i = 0; i < TANK_FISH_MAX / 32u; i++) {
-        hash = hash_u32(hash_u32(hash, poi->near_bits[i]), poi->above_bits[i]);
     }
     return sheet_hash(hash, &poi->sheet);
 }

@@ -32,6 +32,9 @@ struct poi {
     uint32_t seed;                 /* Of this specimen; its fish slap by it. */
     vec3 position_m, velocity_m_s; /* Ring centre. */
     struct angles angles;
+    vec3 before_m; /* Where and how turned it was when the tick began: what it may give back. */
+    struct angles before_angles;
+    uint8_t gave; /* Bits of enum obstacle_gave: how fish held it up in the last tick. */
     vec3 angular_velocity_rad_s; /* Of yaw, pitch, roll, in that order. */
     vec3 acceleration_m_s2;      /* Over the last few ticks; what water and fish on it feel ... */
     vec3 jolt_m_s2;              /* ... and the first of the two filters that make it. */
@@ -40,7 +43,6 @@ struct poi {
     float water_kg;              /* On the paper; a load only out of the tank. */
     float tip;         /* [0, 1] how far the wrist has turned to empty into the bowl ... */
     vec3 tip_toward;   /* ... and which way: horizontal, unit, chosen when it begins. */
-    float floor_m;     /* Lowest height that fish caught under the ring leave it; <= 0. */
     float pressure_pa; /* On the paper in the last tick, positive toward +up. */
     uint32_t dips;     /* Times it went in: scoops. */
     uint32_t slap_tick, tear_tick; /* When each was last heard. */
@@ -52,9 +54,6 @@ struct poi {
     struct rider riders[POI_RIDER_MAX];
     uint32_t load_count; /* <= SHEET_LOAD_MAX; gathered by the last catch_tick. */
     struct sheet_load loads[SHEET_LOAD_MAX];
-    uint32_t near_bits[TANK_FISH_MAX / 32u]; /* Fish that were within the ring's cylinder ... */
-    uint32_t
-        above_bits[TANK_FISH_MAX / 32u]; /* ... and on which side: none passes through paper. */
 };
 
 /* A fresh poi of `grade` 4 .. 7 at rest; `position_m` above the water keeps it dry. */
@@ -70,8 +69,11 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
 /* Stirs the surface where the ring cuts or moves it. */
 void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m);
 
-/* How the fish see it. */
+/* How the fish see it, and how it came there in this tick. The paper is borrowed. */
 struct obstacle poi_obstacle(const struct poi *poi);
+
+/* After the fish's tick: where one could not get out of its way, it gives way as `ring` tells. */
+void poi_give_way(struct poi *poi, const struct obstacle *ring);
 
 /* What it casts on the water below it: none once it dips. */
 struct shade_cast poi_shade(const struct poi *poi);

@@ -86,7 +86,7 @@ void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
-    const float floor = f_max(half_extent(up.y) + FLOOR_GAP_M - tank->size_m.y, poi->floor_m);
+    const float floor = half_extent(up.y) + FLOOR_GAP_M - tank->size_m.y;
     yield_to_bowl(poi, bowl, before_m, up);
     keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
     yield_to_walls(poi, tank, before_m, up);

@@ -46,6 +46,7 @@ void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_coun
     crowd->count = fish_count;
     for (uint32_t i = 0; i < fish_count; i++) {
         crowd->flags[i] = 0;
+        crowd->play_m[i] = 0.5f * CROWD_TOUCH_M;
         if (!fish_swims(&fish[i])) {
             crowd->way_m[i] = SWIM_FAR_M; /* Until a look has seen it swim. */
         } else {
@@ -201,7 +202,7 @@ static void seek(const struct look *look, const struct pairs_of *of, int ahead)
     crowd->overlap_count = 0;
     for (uint32_t i = 0; i < crowd->count; i++) {
         crowd->company[i] = (struct company){ .brake = 1.0f, .room = 1.0f };
-        crowd->reach_m[i] = 0.5f * CROWD_TOUCH_M + (ahead ? reach_m(&look->fish[i]) : 0.0f);
+        crowd->reach_m[i] = crowd->play_m[i] + (ahead ? reach_m(&look->fish[i]) : 0.0f);
         crowd->way_m[i] = crowd->flags[i] & CROWD_SWIMS ? 0.0f : SWIM_FAR_M;
     }
     pairs_begin(&crowd->pairs, of);
@@ -300,7 +301,7 @@ int crowd_is_stale(const struct crowd *crowd)
     int farther = crowd->touch_count > CROWD_CONTACT_MAX;
     for (uint32_t i = 0; i < crowd->count; i++) {
         const int swims = crowd->flags[i] & CROWD_SWIMS;
-        farther |= swims && crowd->way_m[i] > crowd->reach_m[i] - 0.5f * CROWD_TOUCH_M;
+        farther |= swims && crowd->way_m[i] > crowd->reach_m[i] - crowd->play_m[i];
     }
     return farther;
 }
@@ -311,7 +312,8 @@ void crowd_touch(struct crowd *crowd)
     for (uint32_t c = 0; c < crowd->near_count; c++) {
         const struct contact contact = crowd->contact[c];
         const float ways_m = crowd->way_m[contact.a] + crowd->way_m[contact.b];
-        if (contact.gap_m - ways_m < CROWD_TOUCH_M) {
+        const float plays_m = crowd->play_m[contact.a] + crowd->play_m[contact.b];
+        if (contact.gap_m - ways_m < plays_m) {
             crowd->contact[c] = crowd->contact[count];
             crowd->contact[count++] = contact;
         }

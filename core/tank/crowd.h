@@ -19,6 +19,7 @@ enum crowd_flag {
     CROWD_AIRBORNE = 2, /* Above the surface: the surface does not hold it. */
     CROWD_BESIDE = 4,   /* An obstacle is in reach. */
     CROWD_GULPS = 8,    /* Its snout may stand out of the water. */
+    CROWD_BACK = 16,    /* Went back to the pose of the tick before. */
 };
 
 /* What the look tells a fish of those about it; holds until the next look. */
@@ -30,7 +31,8 @@ struct company {
 
 #define CROWD_LOOK_TICKS 4u /* From one look to the next, unless somebody moves faster than it
                                seemed: 33 ms, as a fish thinks. */
-#define CROWD_TOUCH_M 0.002f /* Nearer pairs may come to touch while others are parted. */
+#define CROWD_TOUCH_M 0.002f /* Nearer pairs may come to touch while others are parted: half of it
+                               is the play of a body, unless parting knows better. */
 
 /* Two fish whose bodies could touch before the next look. */
 struct contact {
@@ -51,6 +53,7 @@ struct crowd {
     float reach_m[TANK_FISH_MAX]; /* ... so far it could before the next one is due. */
     uint32_t overlap_count; /* Pairs whose bodies the look found overlapping. */
     uint32_t touch_count;   /* Pairs that could touch; the list has room for some of them. */
+    float play_m[TANK_FISH_MAX];  /* So far parting may move any point of a body in this tick. */
     struct pairs pairs;
     struct found found[PAIRS_BATCH + LANES_MAX];
 };
@@ -76,7 +79,7 @@ void crowd_follow(struct crowd *crowd, struct fish *fish);
 int crowd_is_stale(const struct crowd *crowd);
 
 /* Brings those contacts to the front that could touch in this tick: gaps shrink by no more than the
- * ways of both. Every pair that is nearer than CROWD_TOUCH_M is among them. */
+ * ways of both. Every pair that parting could bring together is among them. */
 void crowd_touch(struct crowd *crowd);
 
 uint64_t crowd_hash(uint64_t hash, const struct crowd *crowd);

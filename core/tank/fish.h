@@ -26,10 +26,13 @@ enum fish_gait {
     GAIT_BURST = 2,
     GAIT_ESCAPE = 3,  /* From the poi. */
     GAIT_SURFACE = 4, /* Gulping at the surface. */
-    GAIT_HELD = 5,    /* On a poi's paper, out of the water: the poi moves it. */
+    GAIT_HELD = 5,    /* On a poi's paper, out of the water: the poi moves it; see `holder`. */
     GAIT_BOWL = 6,    /* Caught: the bowl moves it. */
     GAIT_COUNT,
 };
+
+/* Who holds a GAIT_HELD fish that is back in the water and not yet clear of others (loose.h). */
+#define FISH_HOLDER_WATER 255u
 
 enum fish_avoiding {
     AVOID_NONE = 0,

@@ -5,13 +5,23 @@
 #include <stdint.h>
 
 #include "core/tank/fish.h"
+#include "core/tank/touch.h"
 
 enum obstacle_kind {
     OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across. */
     OBSTACLE_BOWL, /* A floating bowl's hull: half an ellipsoid hanging below the surface. */
 };
 
-/* What fish must swim round this tick. The poi and the bowls describe themselves this way. */
+#define OBSTACLE_PAPER_SIDE 32u /* As SHEET_SIDE. */
+#define OBSTACLE_PAPER_HOLDS 1u /* As CELL_PAPER. */
+
+enum obstacle_gave {
+    OBSTACLE_GAVE_PLACE = 1, /* It is not where it wanted to be ... */
+    OBSTACLE_GAVE_TURN = 2,  /* ... or not turned as it wanted. */
+};
+
+/* What fish must swim round this tick. The poi and the bowls describe themselves this way; a tick
+ * of the tank may take back some of the step that led here, where a fish cannot give way. */
 struct obstacle {
     uint8_t kind; /* enum obstacle_kind */
     vec3 centre_m;
@@ -19,10 +29,27 @@ struct obstacle {
     vec3 velocity_m_s;
     float radius_m; /* Outer. */
     float depth_m;  /* Of a bowl's hull below its mouth. */
+
+    /* How it came here in this tick; zero: it did not move. */
+    vec3 step_m;
+    struct basis axes, axes_before; /* A disc's; `axes.up` is `normal`. */
+    uint8_t turned;                 /* `axes_before` is another way than `axes`. */
+
+    /* A disc's paper: OBSTACLE_PAPER_SIDE rows of as many cells from its left far corner, that
+     * hold a fish where they are OBSTACLE_PAPER_HOLDS; borrowed for the tick. Null: none. */
+    const uint8_t *paper;
+    float paper_radius_m;
+
+    /* Out: how it gave way. */
+    uint8_t gave; /* Bits of enum obstacle_gave. */
+    uint8_t give_count;
 };
 
-/* A disc's ring is a torus of this thickness; the sheet inside it is the poi's own business. */
+/* A disc's ring is a torus of this thickness. */
 #define RING_TUBE_PER_RADIUS 0.07f
+
+/* The gap between the fish's box and the ring or the hull, and the fish's way out. */
+struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box);
 
 /* The least move that takes the fish's box off the ring or the hull; zero when it is clear. */
 vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box);

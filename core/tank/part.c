@@ -1,15 +1,22 @@
-/* part.c -- position-based separation of what the look found near. */
+/* part.c -- rounds of small pushes, then the judgement. */
 #include "core/tank/part.h"
 
+#include "core/base/panic.h"
 #include "core/input.h"
+#include "core/tank/rim.h"
 
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
 #define PART_ROUNDS_MAX 12      /* Most ticks need two; a shoved crowd uses them all. */
-#define CLEAR_STEP_MIN_M 0.002f /* A tick: what even a resting obstacle gives way by. */
 #define TOPPLE_ROUND 5          /* What four rounds could not part is jammed. */
 #define PART_STEP_MAX_M 0.002f  /* A round. */
-#define CLEAR_STEP_MAX_M 0.012f /* A tick; a poi at 1.4 m/s shoves no harder. */
-#define SHOVE_MAX_M 0.003f      /* A tick, beyond its own motion: more would look like a jump. */
+#define CLEAR_ROUNDS 4u
+#define STATION_M 0.003f        /* An obstacle's step; ring and fish together are four times so
+                                   thick. */
+#define STATIONS_MAX 6u         /* 2.1 m/s; a hand that is faster still takes longer steps. */
+
+#define ROUNDING_M 1e-6f        /* By which the same pose may seem deeper. */
+#define ROUNDS_SPARE 256u       /* Rounds in which only pois give way: eight of eight at most, and
+                                   the last look. */
 
 struct parting {
     struct part *part;
@@ -17,20 +24,45 @@ struct parting {
     const struct part_place *place;
 };
 
+/* Where it may go back to: where the step began. Fish hold their places between steps, and before
+ * the first their wishes. */
+static vec3 before_m(const struct parting *all, uint32_t index)
+{
+    return all->part->station == 0 ? all->part->began_m[index] : all->place->fish[index].position_m;
+}
+
+static int is_same(vec3 a, vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* Where a body of this fish would be within walls, floor and surface. */
+static vec3 kept_inside_m(const struct parting *all, uint32_t index, const struct body *body)
+{
+    const struct tank_bounds *bounds = &all->place->bounds;
+    const vec3 extent = body_extent_m(body);
+    const vec3 low = v3_add(bounds->low_m, extent), high = v3_sub(bounds->high_m, extent);
+    const uint8_t flags = all->crowd->flags[index];
+    vec3 p = body->centre_m;
+    p.x = f_clamp(p.x, low.x, high.x);
+    p.z = f_clamp(p.z, low.z, high.z);
+    p.y = f_max(p.y, low.y);
+    if (!(flags & CROWD_AIRBORNE)) {
+        const float out_m = flags & CROWD_GULPS ? 2.0f * body->half_y_m : 0.0f;
+        p.y = f_min(p.y, high.y + out_m);
+    }
+    return p;
+}
+
 static void keep_inside(const struct parting *all, uint32_t index)
 {
     struct body *body = &all->crowd->body[index];
-    const vec3 extent = body_extent_m(body);
-    const vec3 low = v3_add(all->place->bounds.low_m, extent),
-               high = v3_sub(all->place->bounds.high_m, extent);
-    vec3 *p = &body->centre_m;
-    p->x = f_clamp(p->x, low.x, high.x);
-    p->z = f_clamp(p->z, low.z, high.z);
-    p->y = f_max(p->y, low.y);
-    if (!(all->crowd->flags[index] & CROWD_AIRBORNE)) {
-        const float out_m = all->crowd->flags[index] & CROWD_GULPS ? 2.0f * body->half_y_m : 0.0f;
-        p->y = f_min(p->y, high.y + out_m);
-    }
+    body->centre_m = kept_inside_m(all, index, body);
+}
+
+static int is_inside(const struct parting *all, uint32_t index, const struct body *body)
+{
+    return is_same(kept_inside_m(all, index, body), body->centre_m);
 }
 
 /* Moves it as far as its step allows, and returns what is left. Back to where it came from it may
@@ -39,12 +71,9 @@ static vec3 shove(const struct parting *all, uint32_t index, vec3 move)
 {
     struct body *body = &all->crowd->body[index];
     const vec3 wanted = v3_add(body->centre_m, move);
-    body->centre_m = wanted;
-    if (all->place->before_m) {
-        const vec3 before = all->place->before_m[index];
-        const vec3 step = v3_limit(v3_sub(wanted, before), all->part->step_max_m[index]);
-        body->centre_m = v3_add(before, step);
-    }
+    const vec3 before = before_m(all, index);
+    const vec3 step = v3_limit(v3_sub(wanted, before), all->part->step_max_m[index]);
+    body->centre_m = v3_add(before, step);
     const vec3 left = v3_sub(wanted, body->centre_m);
     keep_inside(all, index);
     return left;
@@ -87,22 +116,68 @@ static int part_pair(const struct parting *all, const struct contact *contact, i
     return 1;
 }
 
-static void clear_obstacles(const struct parting *all, uint32_t index)
+/* The body in the pose that it may go back to. Bodies turn in the first step only. */
+static struct body before_of(const struct parting *all, uint32_t index)
 {
+    const struct part *part = all->part;
+    struct body body = all->crowd->body[index];
+    body.centre_m = before_m(all, index);
+    if (part->station == 0) {
+        const struct basis axes = basis_from_angles(part->began_angles[index]);
+        body.right = axes.right;
+        body.up = axes.up;
+        body.back = axes.back;
+    }
+    return body;
+}
+
+static int is_clear(const struct obstacle *obstacle, const struct body *body,
+                    const struct body *before)
+{
+    vec3 unused;
+    return rim_excess_m(obstacle, body, before, PART_FREE_M, &unused) <= ROUNDING_M;
+}
+
+/* What ring, hull and paper want of a body. */
+static vec3 push_off(const struct parting *all, uint32_t index, const struct obstacle *obstacle)
+{
+    const struct body *body = &all->crowd->body[index];
+    const vec3 hard = rim_hard_push(obstacle, body);
+    const vec3 paper = rim_paper_push(obstacle, body, before_m(all, index));
+    return v3_dot(hard, hard) > 0.0f ? hard : paper;
+}
+
+/* Pushes help nearly always. In the corner between paper and ring one undoes the other: there the
+ * fish goes along with the poi. */
+static void clear_obstacle(const struct parting *all, uint32_t index, uint32_t o)
+{
+    const struct obstacle *obstacle = &all->place->obstacles[o];
     struct body *body = &all->crowd->body[index];
-    for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
-        const struct obstacle *obstacle = &all->place->obstacles[o];
-        const struct box box = body_box(body);
-        const vec3 move = obstacle_clear(obstacle, &box);
-        if (v3_dot(move, move) > 0.0f) {
-            const float rush_m = 2.0f * CORE_TICK_S * v3_length(obstacle->velocity_m_s);
-            const float step_m = f_clamp(rush_m, CLEAR_STEP_MIN_M, CLEAR_STEP_MAX_M);
-            float *step_max_m = &all->part->step_max_m[index];
-            *step_max_m = f_max(*step_max_m, step_m);
-            body->centre_m = v3_add(body->centre_m, v3_limit(move, step_m));
+    const struct body before = before_of(all, index);
+    for (uint32_t k = 0; k < CLEAR_ROUNDS; k++) {
+        const vec3 move = push_off(all, index, obstacle);
+        if (v3_dot(move, move) == 0.0f) {
+            return;
+        }
+        all->part->fate[index] = (uint8_t)(PART_PRESSED + o);
+        shove(all, index, move);
+        if (is_clear(obstacle, body, &before)) {
+            return;
         }
     }
-    keep_inside(all, index);
+    struct body carried = *body;
+    carried.centre_m = rim_carry_m(obstacle, before.centre_m);
+    if (is_clear(obstacle, &carried, &before)) {
+        body->centre_m = carried.centre_m;
+        keep_inside(all, index);
+    }
+}
+
+static void clear_obstacles(const struct parting *all, uint32_t index)
+{
+    for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
+        clear_obstacle(all, index, o);
+    }
 }
 
 /* A body beside an obstacle must not be shoved into it. */
@@ -113,44 +188,351 @@ static void clear_if_beside(const struct parting *all, uint32_t index)
     }
 }
 
-static void look_beside(const struct parting *all, uint32_t index)
+/* Who could touch an obstacle in this step may be taken along by it so far. */
+static float look_beside(const struct parting *all, uint32_t index)
 {
     const struct box box = body_box(&all->crowd->body[index]);
+    float rush_m = 0.0f;
+    int beside = 0;
     for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
-        if (obstacle_in_reach(&all->place->obstacles[o], &box)) {
-            all->crowd->flags[index] |= CROWD_BESIDE;
+        const struct obstacle *obstacle = &all->place->obstacles[o];
+        if (obstacle_in_reach(obstacle, &box)) {
+            const vec3 from_m = before_m(all, index);
+            beside = 1;
+            rush_m = f_max(rush_m, v3_length(v3_sub(rim_carry_m(obstacle, from_m), from_m)));
         }
+    }
+    if (beside) {
+        all->crowd->flags[index] |= CROWD_BESIDE;
+        all->part->beside[all->part->beside_count++] = (fish_index)index;
+    }
+    return rush_m;
+}
+
+/* How far any point of a body goes by turning alone, at most. */
+static float sweep_m(const struct parting *all, uint32_t index)
+{
+    const struct angles now = all->place->fish[index].angles,
+                        was = all->part->began_angles[index];
+    const float turn_rad = f_abs(f_wrap_angle(now.yaw_rad - was.yaw_rad)) +
+                           f_abs(now.pitch_rad - was.pitch_rad) +
+                           f_abs(now.roll_rad - was.roll_rad);
+    const struct body *body = &all->crowd->body[index];
+    return all->part->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
+}
+
+static void relax(const struct parting *all)
+{
+    const struct crowd *crowd = all->crowd;
+    uint32_t parted = 1;
+    for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {
+        parted = 0;
+        for (uint32_t c = 0; c < crowd->contact_count; c++) {
+            if (part_pair(all, &crowd->contact[c], round)) {
+                clear_if_beside(all, crowd->contact[c].a);
+                clear_if_beside(all, crowd->contact[c].b);
+                parted++;
+            }
+        }
+    }
+}
+
+/* ---- The judgement -------------------------------------------------------------------------- */
+
+/* The six face normals say of nearly every pair that it is apart; only the rest need all fifteen
+ * axes. */
+static float pair_depth_m(const struct body *a, const struct body *b)
+{
+    const struct box box_a = body_box(a), box_b = body_box(b);
+    const struct box_gap gap = box_gap(&box_a, 0.0f, &box_b, 0.0f);
+    return gap.body_m >= -PART_FREE_M ? 0.0f : box_depth_m(&box_a, &box_b);
+}
+
+static float pair_allowed_m(const struct parting *all, uint32_t a, uint32_t b)
+{
+    const struct body was_a = before_of(all, a), was_b = before_of(all, b);
+    return f_max(PART_FREE_M, pair_depth_m(&was_a, &was_b));
+}
+
+/* Fish turn in the first step; later one only loses a shove. */
+static void note_turned_back(const struct parting *all, uint32_t index)
+{
+    if (all->part->station == 0) {
+        all->crowd->flags[index] |= CROWD_BACK;
+        all->part->turns_back = 1;
+    }
+}
+
+static void put_back(const struct parting *all, uint32_t index, uint32_t round)
+{
+    CORE_ASSERT(all->part->fate[index] != PART_BACK);
+    all->part->back_count++;
+    all->crowd->body[index] = before_of(all, index);
+    all->part->fate[index] = PART_BACK;
+    all->part->fresh_round[index] = (uint16_t)(round + 1u);
+    note_turned_back(all, index);
+}
+
+/* Whether it was moved in this round or the last, so that its pairs must be judged again. */
+static int is_fresh(const struct part *part, uint32_t index, uint32_t round)
+{
+    return round == 0 || part->fresh_round[index] >= round;
+}
+
+/* Lets a fish go along with an obstacle from where the step began: whoever goes along with the same
+ * one cannot come nearer to it. Returns 0, and leaves it, where walls leave no room. */
+static int carry(const struct parting *all, uint32_t index, uint32_t o, uint32_t round)
+{
+    struct part *part = all->part;
+    struct body body = before_of(all, index);
+    body.centre_m = rim_carry_m(&all->place->obstacles[o], body.centre_m);
+    const uint8_t fate = part->fate[index];
+    if (fate == PART_BACK || fate >= PART_CARRIED || !is_inside(all, index, &body)) {
+        return 0;
+    }
+    all->crowd->body[index] = body;
+    part->fate[index] = (uint8_t)(PART_CARRIED + o);
+    part->fresh_round[index] = (uint16_t)(round + 1u);
+    note_turned_back(all, index);
+    return 1;
+}
+
+/* Whom an obstacle presses into another would only be pressed again: it is carried. */
+static int carry_pressed(const struct parting *all, uint32_t index, uint32_t round)
+{
+    const uint8_t fate = all->part->fate[index];
+    return fate >= PART_PRESSED && fate < PART_CARRIED &&
+           carry(all, index, (uint32_t)fate - PART_PRESSED, round);
+}
+
+/* And who is in the way of one that is carried goes along, too. */
+static int carry_too(const struct parting *all, uint32_t carried, uint32_t other, uint32_t round)
+{
+    const uint8_t fate = all->part->fate[carried];
+    return fate >= PART_CARRIED && carry(all, other, (uint32_t)fate - PART_CARRIED, round);
+}
+
+/* Of two that are too deep in each other the one goes back whose going back is enough; when either
+ * would do, the one that came farther. */
+static void choose(const struct parting *all, uint32_t a, uint32_t b, float allowed_m,
+                   uint32_t round)
+{
+    const struct part *part = all->part;
+    const struct body *now = all->crowd->body;
+    const int pressed = carry_pressed(all, a, round) + carry_pressed(all, b, round);
+    if (pressed > 0 || carry_too(all, a, b, round) || carry_too(all, b, a, round)) {
+        return;
+    }
+    const struct body was_a = before_of(all, a), was_b = before_of(all, b);
+    const int can_a = part->fate[a] != PART_BACK, can_b = part->fate[b] != PART_BACK;
+    const int frees_a = can_a && pair_depth_m(&was_a, &now[b]) <= allowed_m;
+    const int frees_b = can_b && pair_depth_m(&now[a], &was_b) <= allowed_m;
+    if (frees_a && frees_b) {
+        const float way_a_m = v3_length(v3_sub(now[a].centre_m, was_a.centre_m));
+        const float way_b_m = v3_length(v3_sub(now[b].centre_m, was_b.centre_m));
+        put_back(all, way_a_m >= way_b_m ? a : b, round);
+        return;
+    }
+    if (can_a && !frees_b) {
+        put_back(all, a, round);
+    }
+    if (can_b && !frees_a) {
+        put_back(all, b, round);
+    }
+}
+
+static uint32_t judge_pairs(const struct parting *all, uint32_t round)
+{
+    const struct crowd *crowd = all->crowd;
+    const struct part *part = all->part;
+    uint32_t guilty = 0;
+    for (uint32_t c = 0; c < crowd->contact_count; c++) {
+        const uint32_t a = crowd->contact[c].a, b = crowd->contact[c].b;
+        if (!is_fresh(part, a, round) && !is_fresh(part, b, round)) {
+            continue;
+        }
+        const float depth_m = pair_depth_m(&crowd->body[a], &crowd->body[b]);
+        if (depth_m > PART_FREE_M && (part->fate[a] != PART_BACK || part->fate[b] != PART_BACK)) {
+            const float allowed_m = pair_allowed_m(all, a, b);
+            if (depth_m > allowed_m) {
+                choose(all, a, b, allowed_m, round);
+                guilty++;
+            }
+        }
+    }
+    return guilty;
+}
+
+/* A fish that ran into an obstacle goes back. One that the obstacle ran into would gain nothing by
+ * that: it is carried along. Where there is no room for that either, the obstacle gives way, unless
+ * it has nothing left to give. Returns whether anything changed. */
+static int settle_with(const struct parting *all, uint32_t index, uint32_t o, vec3 out,
+                       float excess_m, uint32_t round)
+{
+    struct part *part = all->part;
+    struct obstacle *obstacle = &all->place->obstacles[o];
+    const struct body before = before_of(all, index);
+    const int can = part->fate[index] != PART_BACK;
+    if (can && is_clear(obstacle, &before, &before)) {
+        put_back(all, index, round);
+        return 1;
+    }
+    if (carry(all, index, o, round)) {
+        return 1;
+    }
+    if (rim_give_way(obstacle, out, excess_m)) {
+        part->gave_round[o] = (uint16_t)(round + 1u);
+        return 1;
+    }
+    if (can) {
+        put_back(all, index, round);
+    }
+    return can;
+}
+
+static uint32_t judge_obstacles(const struct parting *all, uint32_t round)
+{
+    const struct part *part = all->part;
+    uint32_t changes = 0;
+    for (uint32_t k = 0; k < part->beside_count; k++) {
+        const uint32_t i = part->beside[k];
+        for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
+            if (!is_fresh(part, i, round) && part->gave_round[o] < round) {
+                continue;
+            }
+            vec3 out;
+            const struct body before = before_of(all, i);
+            const float excess_m = rim_excess_m(&all->place->obstacles[o], &all->crowd->body[i],
+                                                &before, PART_FREE_M, &out);
+            if (excess_m > ROUNDING_M) {
+                changes += (uint32_t)settle_with(all, i, o, out, excess_m, round);
+            }
+        }
+    }
+    return changes;
+}
+
+/* Each round puts somebody back or makes a poi give way; each fish can go back once, each poi give
+ * way a few times. */
+static void judge(const struct parting *all)
+{
+    uint32_t guilty = 1;
+    for (uint32_t round = 0; guilty > 0; round++) {
+        CORE_ASSERT(round <= all->crowd->count + ROUNDS_SPARE);
+        guilty = judge_pairs(all, round);
+        guilty += judge_obstacles(all, round);
+    }
+}
+
+/* ---- Public --------------------------------------------------------------------------------- */
+
+void part_begin(struct part *part, const struct fish *fish, uint32_t fish_count)
+{
+    for (uint32_t i = 0; i < fish_count; i++) {
+        part->began_m[i] = fish[i].position_m;
+        part->began_angles[i] = fish[i].angles;
+    }
+}
+
+uint32_t part_stations(struct part *part, const struct part_place *place)
+{
+    float longest_m = 0.0f;
+    for (uint32_t o = 0; o < place->obstacle_count; o++) {
+        struct obstacle *obstacle = &place->obstacles[o];
+        const vec3 from_m = v3_sub(obstacle->centre_m, obstacle->step_m);
+        part->course[o] = (struct course){ from_m, obstacle->step_m };
+        longest_m = f_max(longest_m, v3_length(obstacle->step_m));
+    }
+    part->back_count = 0;
+    part->turns_back = 0;
+    part->station_count = 1u + (uint32_t)f_min(longest_m / STATION_M, (float)(STATIONS_MAX - 1u));
+    return part->station_count;
+}
+
+/* All of a turn belongs to the first step. */
+void part_advance(struct part *part, struct crowd *crowd, const struct part_place *place,
+                  uint32_t station)
+{
+    part->station = station;
+    for (uint32_t o = 0; o < place->obstacle_count; o++) {
+        struct obstacle *obstacle = &place->obstacles[o];
+        if (station == 0) {
+            obstacle->centre_m = part->course[o].from_m;
+        } else {
+            obstacle->turned = 0;
+        }
+        obstacle->step_m = v3_scale(part->course[o].step_m, 1.0f / (float)part->station_count);
+        obstacle->centre_m = v3_add(obstacle->centre_m, obstacle->step_m);
+        obstacle->give_count = 0;
+    }
+    if (station > 0) {
+        crowd_follow(crowd, place->fish);
     }
 }
 
 void part_clear(struct part *part, struct crowd *crowd, const struct part_place *place)
 {
     const struct parting all = { part, crowd, place };
+    part->beside_count = 0;
+    for (uint32_t o = 0; o < TANK_OBSTACLE_MAX; o++) {
+        part->gave_round[o] = 0;
+    }
     for (uint32_t i = 0; i < crowd->count; i++) {
+        part->fate[i] = PART_MOVES;
+        part->fresh_round[i] = 0;
         if (crowd->flags[i] & CROWD_SWIMS) {
-            const vec3 moved = place->before_m
-                                   ? v3_sub(crowd->body[i].centre_m, place->before_m[i])
-                                   : v3(0.0f, 0.0f, 0.0f);
-            part->step_max_m[i] = v3_length(moved) + SHOVE_MAX_M;
-            look_beside(&all, i);
+            crowd->flags[i] &= (uint8_t)~CROWD_BESIDE;
+            const vec3 moved_m = v3_sub(crowd->body[i].centre_m, before_m(&all, i));
+            const float rush_m = look_beside(&all, i);
+            part->step_max_m[i] = v3_length(moved_m) + place->shove_max_m + rush_m;
             clear_if_beside(&all, i);
             keep_inside(&all, i);
+            const vec3 led_m = v3_sub(crowd->body[i].centre_m, before_m(&all, i));
+            crowd->play_m[i] = part->step_max_m[i] + v3_length(led_m) + sweep_m(&all, i);
         }
     }
+}
+
+void part_relax(struct part *part, struct crowd *crowd, const struct part_place *place)
+{
+    const struct parting all = { part, crowd, place };
+    relax(&all);
 }
 
 void part_bodies(struct part *part, struct crowd *crowd, const struct part_place *place)
 {
     const struct parting all = { part, crowd, place };
-    uint32_t parted = 1;
-    for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {
-        parted = 0;
-        for (uint32_t c = 0; c < crowd->contact_count; c++) {
-            if (part_pair(&all, &crowd->contact[c], round)) {
-                clear_if_beside(&all, crowd->contact[c].a);
-                clear_if_beside(&all, crowd->contact[c].b);
-                parted++;
-            }
+    relax(&all);
+    judge(&all);
+}
+
+void part_take(const struct crowd *crowd, struct fish *fish)
+{
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        if (crowd->flags[i] & CROWD_SWIMS) {
+            fish[i].position_m = crowd->body[i].centre_m;
         }
+    }
+}
+
+static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
+{
+    obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
+    if (obstacle->gave & OBSTACLE_GAVE_PLACE) {
+        const vec3 lost_m = v3_sub(course->step_m, obstacle->step_m);
+        obstacle->velocity_m_s = v3_mad(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);
+    }
+}
+
+void part_end(struct part *part, const struct crowd *crowd, const struct part_place *place)
+{
+    for (uint32_t i = 0; i < crowd->count && part->turns_back; i++) {
+        if (crowd->flags[i] & CROWD_BACK) {
+            place->fish[i].angles = part->began_angles[i];
+            place->fish[i].yaw_rate_rad_s = 0.0f;
+        }
+    }
+    for (uint32_t o = 0; o < place->obstacle_count; o++) {
+        lose_blocked_step(&place->obstacles[o], &part->course[o]);
     }
 }

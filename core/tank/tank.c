@@ -8,6 +8,7 @@
 #include "core/base/rng.h"
 #include "core/morph/morph.h"
 #include "core/tank/gait.h"
+#include "core/tank/loose.h"
 #include "core/tank/surface.h"
 #include "core/tank/swim.h"
 #include "core/tank/think.h"
@@ -19,6 +20,7 @@
 #define STONE_INSET_M 0.045f
 #define BUBBLE_RADIUS_M 0.012f
 #define BUBBLE_M 0.0011f /* ... and lift the surface so high. */
+#define START_SHOVE_M 0.004f /* A round. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
 #define PUSH_SHARE 0.344f /* A look: pushes come and go within a twelfth of a second. */
@@ -133,29 +135,22 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     return fish;
 }
 
-static void take_bodies(struct tank *tank)
-{
-    for (uint32_t i = 0; i < tank->crowd.count; i++) {
-        if (tank->crowd.flags[i] & CROWD_SWIMS) {
-            tank->fish[i].position_m = tank->crowd.body[i].centre_m;
-        }
-    }
-}
-
 /* Random places overlap; parting them until none does is quicker than drawing until none would. */
 static void spread_out(struct tank *tank)
 {
-    const struct part_place place = { .bounds = tank_bounds(tank) };
+    const struct part_place place = { tank->fish, tank_bounds(tank), NULL, 0, START_SHOVE_M };
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
         const struct surroundings around = surroundings_of(tank, round, NULL, 0);
         crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+        part_stations(&tank->part, &place);
+        part_begin(&tank->part, tank->fish, tank->fish_count);
         part_clear(&tank->part, &tank->crowd, &place);
         crowd_look(&tank->crowd, tank->fish, search_of(tank), &around);
         if (round > 0 && tank->crowd.overlap_count == 0) {
             return;
         }
-        part_bodies(&tank->part, &tank->crowd, &place);
-        take_bodies(tank);
+        part_relax(&tank->part, &tank->crowd, &place);
+        part_take(&tank->crowd, tank->fish);
     }
 }
 
@@ -325,7 +320,6 @@ static void think_in_turn(struct tank *tank, struct surroundings around)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
-        tank->before_m[i] = fish->position_m;
         if (fish_swims(fish) && think_due(fish, i, &around)) {
             around.dt_s = think_dt_s(fish, around.tick);
             think(fish, i, &around);
@@ -340,7 +334,7 @@ static struct shoal shoal_of(struct tank *tank)
         .fish = tank->fish,
         .body = tank->crowd.body,
         .way_m = tank->crowd.way_m,
-        .before_m = tank->before_m,
+        .before_m = tank->part.began_m,
         .count = tank->fish_count,
         .law = tank_law(tank),
         .space = tank->space,
@@ -366,14 +360,13 @@ static void heed(struct tank *tank, const struct surroundings *around)
 }
 
 /* Who is where, and what follows from it. */
-static void look(struct tank *tank, const struct part_place *place,
-                 const struct surroundings *around)
+static void look(struct tank *tank, uint32_t station, const struct surroundings *around)
 {
     struct crowd *crowd = &tank->crowd;
-    const int is_time = around->tick % CROWD_LOOK_TICKS == 0;
-    crowd_mark(crowd, tank->fish, tank->fish_count);
-    part_clear(&tank->part, crowd, place);
-    crowd_follow(crowd, tank->fish);
+    const int is_time = station == 0 && around->tick % CROWD_LOOK_TICKS == 0;
+    if (station == 0) {
+        crowd_follow(crowd, tank->fish);
+    }
     if (!is_time && !crowd_is_stale(crowd)) {
         crowd_touch(crowd);
         return;
@@ -384,6 +377,23 @@ static void look(struct tank *tank, const struct part_place *place,
         then.dt_s = (float)CROWD_LOOK_TICKS * CORE_TICK_S;
         heed(tank, &then);
     }
+}
+
+/* Who must give way to whom. */
+static void part_all(struct tank *tank, const struct part_place *place,
+                     const struct surroundings *around)
+{
+    const uint32_t stations = part_stations(&tank->part, place);
+    for (uint32_t station = 0; station < stations; station++) {
+        part_advance(&tank->part, &tank->crowd, place, station);
+        if (station == 0) {
+            crowd_mark(&tank->crowd, tank->fish, tank->fish_count);
+        }
+        part_clear(&tank->part, &tank->crowd, place);
+        look(tank, station, around);
+        part_bodies(&tank->part, &tank->crowd, place);
+    }
+    part_end(&tank->part, &tank->crowd, place);
 }
 
 /* A surface that is never quite still. */
@@ -419,22 +429,41 @@ static void bubble(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
 }
 
-void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacles,
+void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                uint32_t obstacle_count)
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct surroundings around = surroundings_of(tank, tick, obstacles, obstacle_count);
-    const struct part_place place = { tank_bounds(tank), obstacles, obstacle_count,
-                                      tank->before_m };
+    const struct part_place place = { tank->fish, tank_bounds(tank), obstacles, obstacle_count,
+                                      PART_SHOVE_M };
     drip(tank, tick);
     bubble(tank, tick);
+    part_begin(&tank->part, tank->fish, tank->fish_count);
     think_in_turn(tank, around);
     const struct shoal shoal = shoal_of(tank);
     swim_move_all(&shoal, tank->lanes);
-    look(tank, &place, &around);
-    part_bodies(&tank->part, &tank->crowd, &place);
+    part_all(tank, &place, &around);
     swim_settle_all(&shoal, tank->lanes);
+    loose_tick(tank, obstacles, obstacle_count);
     oxygen_tick(&tank->oxygen, tank->fish, tank->fish_count, tank->size_m, tick);
+}
+
+void tank_part(struct tank *tank, struct obstacle *obstacles, uint32_t obstacle_count)
+{
+    CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
+    const struct surroundings around = surroundings_of(tank, 0, obstacles, obstacle_count);
+    const struct part_place place = { tank->fish, tank_bounds(tank), obstacles, obstacle_count,
+                                      PART_SHOVE_M };
+    part_begin(&tank->part, tank->fish, tank->fish_count);
+    crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
+    part_all(tank, &place, &around);
+    swim_settle_all(&(struct shoal){ .fish = tank->fish,
+                                     .body = tank->crowd.body,
+                                     .way_m = tank->crowd.way_m,
+                                     .before_m = tank->part.began_m,
+                                     .count = tank->fish_count },
+                    tank->lanes);
+    loose_tick(tank, obstacles, obstacle_count);
 }
 
 void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX])

@@ -16,7 +16,7 @@
 #include "core/tank/shade.h"
 #include "core/tank/water.h"
 
-#define TANK_OBSTACLE_MAX (2u * POI_MAX)
+_Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each player");
 #define TANK_SHADE_MAX (SHADE_MAX + POI_MAX) /* Fans and hands, then the dry pois. */
 
 struct tank {
@@ -36,8 +36,6 @@ struct tank {
     /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
     struct crowd crowd;
     struct part part;
-    vec3 before_m[TANK_FISH_MAX + 1u]; /* Where fish were when the tick began; lanes read a float
-                                          beyond the last. */
 };
 
 /* A tank to open. */
@@ -113,7 +111,7 @@ uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast
 
 /* One tick of every fish that swims (held and bowl fish are moved by core/poi).
  * `obstacle_count` <= TANK_OBSTACLE_MAX. */
-void tank_tick(struct tank *tank, uint32_t tick, const struct obstacle *obstacles,
+void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                uint32_t obstacle_count);
 
 /* Where the air stone of a pump lies: on the floor, in the far left corner. */
@@ -121,6 +119,10 @@ vec3 tank_stone_m(vec3 size_m);
 
 /* Fish that gulp at the surface. */
 uint32_t tank_surfacing_count(const struct tank *tank);
+
+/* A tick of nothing but pushes: fish hold still unless a poi, a bowl or another fish is where they
+ * are. For test stands. */
+void tank_part(struct tank *tank, struct obstacle *obstacles, uint32_t obstacle_count);
 
 uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Fish and water. */
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Fish poses and gaits alone. */

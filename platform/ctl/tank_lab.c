@@ -84,7 +84,7 @@ static float elapsed_ns(const struct timespec *from)
                    (double)(now.tv_nsec - from->tv_nsec));
 }
 
-static void tick_tank(struct tank_lab *lab, const struct obstacle *obstacles, uint32_t count)
+static void tick_tank(struct tank_lab *lab, struct obstacle *obstacles, uint32_t count)
 {
     struct timespec begin;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
@@ -122,9 +122,10 @@ static void tick_with_poi(struct tank_lab *lab)
     if (lab->tick % 2u == 0) {
         water_step(&lab->tank.water, lab->tank.size_m);
     }
-    const struct obstacle ring = poi_obstacle(&lab->poi);
+    struct obstacle ring = poi_obstacle(&lab->poi);
     cast_shades(lab);
     tick_tank(lab, &ring, 1);
+    poi_give_way(&lab->poi, &ring);
     catch_tick(&lab->poi, 0, &lab->tank, &lab->bowl, lab->tick, &lab->output);
 }
 

@@ -59,6 +59,9 @@ static inline void stand_tick(struct stand *stand)
     stand->output.sound_count = 0;
     const struct poi_grip grip = { stand->hand, stand->has_wrist };
     poi_tick(poi, &grip, &stand->tank, &stand->bowl, &stand->force);
+    struct obstacle ring = poi_obstacle(poi);
+    tank_part(&stand->tank, &ring, 1);
+    poi_give_way(poi, &ring);
     bowl_tick(&stand->bowl, 0, &stand->tank, stand->tick);
     stand->landed +=
         catch_tick(poi, 0, &stand->tank, &stand->bowl, stand->tick, &stand->output).landed;

@@ -91,7 +91,8 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
     for (uint32_t i = 0; i < 60; i++) {
         const struct fish *fish = &tank.fish[i];
         const float half = 0.5f * fish->height_m;
-        assert_int_equal(fish->gait, GAIT_SWIM);
+        assert_int_equal(fish->gait, GAIT_HELD); /* By the water, until it is clear of others. */
+        assert_int_equal(fish->holder, FISH_HOLDER_WATER);
         assert_true(fish->position_m.y <= -half);
         assert_true(fish->position_m.y >= half - 0.15f);
         assert_true(f_abs(fish->position_m.x) <= 0.45f - 0.5f * fish->length_m + 1e-5f);

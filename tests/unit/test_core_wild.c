@@ -76,7 +76,8 @@ static void check_fish(const struct fish *fish)
     assert_true(f_is_finite(fish->angles.yaw_rad + fish->angles.pitch_rad + fish->angles.roll_rad));
     assert_true(f_is_finite(fish->tail_phase_rad + fish->bend_rad + fish->alarm));
     assert_true(v3_length(fish->position_m) < 3.0f);
-    if (fish->gait == GAIT_HELD) { /* Nobody hangs in the air without a poi. */
+    /* Nobody hangs in the air without a poi. */
+    if (fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER) {
         const struct poi *poi = &core.poi[fish->holder];
         uint32_t found = 0;
         for (uint32_t i = 0; i < poi->rider_count; i++) {

@@ -582,7 +582,7 @@ static void test_the_attract_bot_pours_a_full_bowl_back(void **state)
     core.poi[0].rider_count = 0;
     step();
     assert_int_equal(core.bowl[0].fish_count, 0);
-    assert_true(core.tank.fish[9].gait < GAIT_HELD);
+    assert_int_not_equal(core.tank.fish[9].gait, GAIT_BOWL);
 }
 
 static void punch(struct sheet *sheet, float x_m, float z_m, float radius_m)
@@ -721,7 +721,7 @@ static void test_a_fish_that_falls_into_the_bowl_before_the_round_is_poured_back
     steps(GAME_READY_TICKS - 100u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_int_equal(core.bowl[0].fish_count, 0);
-    assert_true(core.tank.fish[3].gait < GAIT_HELD);
+    assert_int_not_equal(core.tank.fish[3].gait, GAIT_BOWL);
 }
 
 static void hold_a_fish(uint32_t fish, float y_m)

@@ -1,0 +1,135 @@
+/* loose.c -- drift, pushes, and the moment in which it is clear. */
+#include "core/tank/loose.h"
+
+#include "core/input.h"
+#include "core/tank/rim.h"
+
+#define SPEED_MAX_M_S 0.5f /* Water takes the rest at once. */
+#define DRAG_PER_S 6.0f
+#define SINK_M_S 0.03f       /* A stunned fish wants down. */
+#define PUSH_MAX_M 0.0025f   /* A tick: 0.3 m/s, as a fish that slips between others. */
+#define ASIDE_M_S 0.06f      /* How fast those in its place make room. */
+#define HURRY_ALARM 0.5f
+#define BURST_S 0.6f
+#define BURST_LENGTHS 4.0f   /* A second. */
+#define SWIM_S 0.5f          /* Then it decides anew. */
+
+static int is_loose(const struct fish *fish)
+{
+    return fish->gait == GAIT_HELD && fish->holder == FISH_HOLDER_WATER;
+}
+
+static float reach_m(const struct fish *fish)
+{
+    return 0.5f * (fish->length_m + fish->height_m);
+}
+
+static void stay_in_tank(const struct tank *tank, struct fish *fish)
+{
+    const struct box box = fish_box(fish);
+    const vec3 extent = box_extent_m(&box);
+    const float room_x = 0.5f * tank->size_m.x - extent.x;
+    const float room_z = 0.5f * tank->size_m.z - extent.z;
+    fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
+    fish->position_m.z = f_clamp(fish->position_m.z, -room_z, room_z);
+    fish->position_m.y = f_clamp(fish->position_m.y, extent.y - tank->size_m.y, -extent.y);
+}
+
+void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
+{
+    fish->gait = GAIT_HELD;
+    fish->holder = FISH_HOLDER_WATER;
+    fish->velocity_m_s = v3_limit(velocity_m_s, SPEED_MAX_M_S);
+    fish->angles.pitch_rad = 0.0f;
+    fish->angles.roll_rad = 0.0f;
+    fish->yaw_rate_rad_s = 0.0f;
+    fish->heading_rad = fish->angles.yaw_rad;
+    fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
+    stay_in_tank(tank, fish);
+}
+
+/* The sum of what pushes it out of all others; they get a push the other way. Returns whether it is
+ * in none of them. */
+static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
+{
+    struct fish *fish = &tank->fish[index];
+    const struct box box = fish_box(fish);
+    int clear = 1;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        struct fish *other = &tank->fish[i];
+        const vec3 d = v3_sub(other->position_m, fish->position_m);
+        const float near_m = reach_m(fish) + reach_m(other);
+        if (i == index || !fish_swims(other) || v3_dot(d, d) > near_m * near_m) {
+            continue;
+        }
+        const struct box other_box = fish_box(other);
+        const struct box_gap gap = box_gap(&box, 0.0f, &other_box, 0.0f);
+        if (gap.body_m < 0.0f) {
+            *push_m = v3_mad(*push_m, gap.axis, gap.body_m);
+            other->push_m_s = v3_mad(other->push_m_s, gap.axis, ASIDE_M_S);
+            other->push_m_s = v3_limit(other->push_m_s, ASIDE_M_S);
+            clear = 0;
+        }
+    }
+    return clear;
+}
+
+/* The same of ring, paper and hull. */
+static int part_from_obstacles(const struct fish *fish, vec3 before_m,
+                               const struct obstacle *obstacles, uint32_t obstacle_count,
+                               vec3 *push_m)
+{
+    const struct box box = fish_box(fish);
+    const struct body body = body_of(&box, 0.0f);
+    int clear = 1;
+    for (uint32_t o = 0; o < obstacle_count; o++) {
+        const vec3 off = obstacle_clear(&obstacles[o], &box);
+        const vec3 paper = rim_paper_push(&obstacles[o], &body, before_m);
+        if (v3_dot(off, off) + v3_dot(paper, paper) > 0.0f) {
+            *push_m = v3_add(*push_m, v3_add(off, paper));
+            clear = 0;
+        }
+    }
+    return clear;
+}
+
+static void swim_off(const struct tank *tank, struct fish *fish)
+{
+    const int hurries = fish->alarm > HURRY_ALARM;
+    const float half_m = 0.5f * fish->height_m;
+    fish->gait = hurries ? GAIT_BURST : GAIT_SWIM;
+    fish->gait_left_s = hurries ? BURST_S : SWIM_S;
+    fish->speed_m_s = hurries ? BURST_LENGTHS * fish->length_m : 0.0f;
+    fish->depth_goal_m = hurries ? f_max(-0.6f * tank->size_m.y, half_m - tank->size_m.y)
+                                 : fish->position_m.y;
+    fish->climb_m_s = 0.0f;
+    fish->falls = 0;
+}
+
+static void drift(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
+                  uint32_t obstacle_count)
+{
+    struct fish *fish = &tank->fish[index];
+    const vec3 before_m = fish->position_m;
+    vec3 push_m = { 0.0f, 0.0f, 0.0f };
+    fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
+    fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
+    fish->position_m = v3_mad(before_m, fish->velocity_m_s, CORE_TICK_S);
+    stay_in_tank(tank, fish);
+    const int off_fish = part_from_fish(tank, index, &push_m);
+    if (part_from_obstacles(fish, before_m, obstacles, obstacle_count, &push_m) && off_fish) {
+        swim_off(tank, fish);
+        return;
+    }
+    fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
+    stay_in_tank(tank, fish);
+}
+
+void loose_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count)
+{
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        if (is_loose(&tank->fish[i])) {
+            drift(tank, i, obstacles, obstacle_count);
+        }
+    }
+}

@@ -1,0 +1,14 @@
+# soak.mk -- minutes of full tanks in which nothing may pass through anything.
+
+SOAK_BIN := $(BUILD)/tests/soak/soak
+SOAK_OBJ := $(BUILD)/tests/soak/apart.o $(BUILD)/tests/soak/drag.o
+
+## soak: 10 simulated minutes of each full tank, calm and dragged through; SECONDS=n for fewer
+soak: $(SOAK_BIN)
+	@$(SOAK_BIN) $(or $(SECONDS),600)
+
+$(SOAK_BIN): $(BUILD)/tests/soak/soak.o $(SOAK_OBJ) $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
+
+.PHONY: soak
