@@ -65,6 +65,28 @@ static int is_inside(const struct parting *all, uint32_t index, const struct bod
     return is_same(kept_inside_m(all, index, body), body->centre_m);
 }
 
+/* As crowd_follow() for one that was moved just now: is_apart() must know of it. In later steps of
+ * a tick fish hold the places where the step began. */
+static void follow(const struct parting *all, uint32_t index)
+{
+    if (all->part->station > 0) {
+        return;
+    }
+    struct fish *fish = &all->place->fish[index];
+    const vec3 centre_m = all->crowd->body[index].centre_m;
+    all->crowd->way_m[index] += v3_length(v3_sub(centre_m, fish->position_m));
+    fish->position_m = centre_m;
+}
+
+/* Whether what two bodies have come since the look leaves more than `apart_m` of their gap: then it
+ * need not be measured. Later steps of a tick begin with moves that nobody has counted. */
+static int is_apart(const struct parting *all, const struct contact *contact, float apart_m)
+{
+    const float *way_m = all->crowd->way_m;
+    return all->part->station == 0 &&
+           contact->gap_m - (way_m[contact->a] + way_m[contact->b]) > apart_m;
+}
+
 /* Moves it as far as its step allows, and returns what is left. Back to where it came from it may
  * go, however hard it ran into others. */
 static vec3 shove(const struct parting *all, uint32_t index, vec3 move)
@@ -76,6 +98,7 @@ static vec3 shove(const struct parting *all, uint32_t index, vec3 move)
     body->centre_m = v3_add(before, step);
     const vec3 left = v3_sub(wanted, body->centre_m);
     keep_inside(all, index);
+    follow(all, index);
     return left;
 }
 
@@ -95,12 +118,21 @@ static float mass_of(const struct body *body)
 }
 
 /* Whether the pair had to be parted. */
-static int part_pair(const struct parting *all, const struct contact *contact, int round)
+static int part_pair(const struct parting *all, struct contact *contact, int round)
 {
+    if (is_apart(all, contact, 2.0f * SKIN_M)) {
+        return 0;
+    }
     const struct body *a = &all->crowd->body[contact->a], *b = &all->crowd->body[contact->b];
     const struct box box_a = body_box(a), box_b = body_box(b);
     struct box_gap gap = box_gap(&box_a, SKIN_M, &box_b, SKIN_M);
-    if (gap.space_m > 0.0f || gap.body_m >= 0.0f) {
+    if (gap.space_m > 0.0f) { /* So far at least; until they come nearer, nobody asks again. */
+        const float *way_m = all->crowd->way_m;
+        const float gap_m = gap.space_m + way_m[contact->a] + way_m[contact->b];
+        contact->gap_m = f_max(contact->gap_m, gap_m);
+        return 0;
+    }
+    if (gap.body_m >= 0.0f) {
         return 0;
     }
     if (round >= TOPPLE_ROUND && f_abs(gap.axis.y) > 0.7f) {
@@ -221,16 +253,23 @@ static float sweep_m(const struct parting *all, uint32_t index)
     return all->part->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
 }
 
+/* One that parting has moved must not end in an obstacle. */
+static void clear_shoved(const struct parting *all, uint32_t index)
+{
+    clear_if_beside(all, index);
+    follow(all, index);
+}
+
 static void relax(const struct parting *all)
 {
-    const struct crowd *crowd = all->crowd;
+    struct crowd *crowd = all->crowd;
     uint32_t parted = 1;
     for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {
         parted = 0;
         for (uint32_t c = 0; c < crowd->contact_count; c++) {
             if (part_pair(all, &crowd->contact[c], round)) {
-                clear_if_beside(all, crowd->contact[c].a);
-                clear_if_beside(all, crowd->contact[c].b);
+                clear_shoved(all, crowd->contact[c].a);
+                clear_shoved(all, crowd->contact[c].b);
                 parted++;
             }
         }
@@ -260,6 +299,7 @@ static void note_turned_back(const struct parting *all, uint32_t index)
     if (all->part->station == 0) {
         all->crowd->flags[index] |= CROWD_BACK;
         all->part->turns_back = 1;
+        all->crowd->way_m[index] += sweep_m(all, index);
     }
 }
 
@@ -348,7 +388,9 @@ static uint32_t judge_pairs(const struct parting *all, uint32_t round)
     uint32_t guilty = 0;
     for (uint32_t c = 0; c < crowd->contact_count; c++) {
         const uint32_t a = crowd->contact[c].a, b = crowd->contact[c].b;
-        if (!is_fresh(part, a, round) && !is_fresh(part, b, round)) {
+        const int as_parted = part->fresh_round[a] == 0 && part->fresh_round[b] == 0;
+        if ((!is_fresh(part, a, round) && !is_fresh(part, b, round)) ||
+            (as_parted && is_apart(all, &crowd->contact[c], 0.0f))) {
             continue;
         }
         const float depth_m = pair_depth_m(&crowd->body[a], &crowd->body[b]);
