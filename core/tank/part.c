@@ -320,14 +320,18 @@ static int is_fresh(const struct part *part, uint32_t index, uint32_t round)
 }
 
 /* Lets a fish go along with an obstacle from where the step began: whoever goes along with the same
- * one cannot come nearer to it. Returns 0, and leaves it, where walls leave no room. */
+ * one cannot come nearer to it. Returns 0, and leaves it, where walls leave no room or the way is
+ * farther than it may go in a step: the look knows only whom it could meet on that. */
 static int carry(const struct parting *all, uint32_t index, uint32_t o, uint32_t round)
 {
     struct part *part = all->part;
     struct body body = before_of(all, index);
-    body.centre_m = rim_carry_m(&all->place->obstacles[o], body.centre_m);
+    const vec3 from_m = body.centre_m;
+    body.centre_m = rim_carry_m(&all->place->obstacles[o], from_m);
+    const float way_m = v3_length(v3_sub(body.centre_m, from_m));
     const uint8_t fate = part->fate[index];
-    if (fate == PART_BACK || fate >= PART_CARRIED || !is_inside(all, index, &body)) {
+    if (fate == PART_BACK || fate >= PART_CARRIED || way_m > part->step_max_m[index] ||
+        !is_inside(all, index, &body)) {
         return 0;
     }
     all->crowd->body[index] = body;

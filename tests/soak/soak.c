@@ -2,6 +2,9 @@
  *
  *     soak [SECONDS [SEED]]        600 s of each unless told
  *
+ * Depths in mm; pace: mean speed of swimming fish, of what their gait alone gives; rev/s: calm
+ * reversals of the turn per fish and second; walls: fish within 3 cm of walls, of an even spread;
+ * stuck, loose: the longest, s; lag: ring behind hand, mm; back: fish put back per fish-second.
  * Fails (1) when anything was deeper than 0.5 mm in anything else, or fish did not move as fish. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,8 +26,21 @@ static const struct density densities[] = {
 static struct drag drag;
 static struct apart apart;
 
+/* How fish must still move, however full the tank: no jitter, no gridlock, no pile at the walls. */
+#define PACE_MIN 0.5f
+#define REVERSALS_MAX_PER_S 1.0f
+#define YAW_RATE_MAX_RAD_S (720.0f * F_DEG) /* A burst's; giving way is no faster. */
+#define CROWDING_MAX 1.5f
+#define STUCK_MAX_S 5.0f
+#define LOOSE_MAX_S 2.0f
+
+static uint64_t back_count; /* Fish put back, each tick. */
+static int cells_missed;    /* All pairs know a deeper overlap than the cells found. */
+
 static void run(const struct density *density, int dragged, uint32_t seconds, uint32_t seed)
 {
+    back_count = 0;
+    cells_missed = 0;
     apart_init(&apart);
     drag_init(&drag, density->preset, density->fish_count, seed);
     if (dragged) {
@@ -36,8 +52,21 @@ static void run(const struct density *density, int dragged, uint32_t seconds, ui
         } else {
             drag_calm_tick(&drag);
         }
+        back_count += drag.core.tank.part.back_count;
         apart_look(&apart, &drag.core.tank, drag.core.poi, dragged ? 1u : 0u, drag.core.bowl, 1);
+        if (tick % (5u * CORE_TICK_HZ) == 0) {
+            cells_missed |= apart_all_pairs_m(&drag.core.tank) > apart.pair_m;
+        }
     }
+}
+
+static int is_well(void)
+{
+    return !cells_missed && apart_deepest_m(&apart) <= APART_DEEP_M && apart_pace(&apart) > PACE_MIN &&
+           apart_reversals_per_s(&apart) < REVERSALS_MAX_PER_S &&
+           apart.yaw_rate_max_rad_s < YAW_RATE_MAX_RAD_S &&
+           apart_wall_crowding(&apart, &drag.core.tank) < CROWDING_MAX &&
+           apart.stuck_s < STUCK_MAX_S && apart.loose_s < LOOSE_MAX_S;
 }
 
 static float mm(float m)
@@ -51,10 +80,12 @@ static void print(const struct density *density, int dragged)
            dragged ? "dragged" : "calm", apart.pair_count, apart.other_count, mm(apart.pair_m),
            mm(apart.wall_m), mm(apart.floor_m), mm(apart.surface_m), mm(apart.ring_m),
            mm(apart.hull_m));
-    printf("  %4.2f %6.0f %5.2f %5.2f %5.1f %5.1f %5.1f\n", apart_pace(&apart),
-           apart.yaw_rate_max_rad_s / F_DEG, apart_reversals_per_s(&apart),
-           apart_wall_crowding(&apart, &drag.core.tank), apart.stuck_s, apart.loose_s,
-           drag.ticks > 0 ? 1000.0 * drag.lag_sum_m / drag.ticks : 0.0);
+    const double fish_s = (double)apart.fish_ticks * (double)CORE_TICK_S;
+    printf("  %4.2f %6.0f %5.2f %5.2f %5.1f %5.1f %5.1f %6.4f  %s\n", (double)apart_pace(&apart),
+           (double)(apart.yaw_rate_max_rad_s / F_DEG), (double)apart_reversals_per_s(&apart),
+           (double)apart_wall_crowding(&apart, &drag.core.tank), (double)apart.stuck_s,
+           (double)apart.loose_s, drag.ticks > 0 ? 1000.0 * drag.lag_sum_m / drag.ticks : 0.0,
+           (double)back_count / fish_s, is_well() ? "ok" : "NOT OK");
     fflush(stdout);
 }
 
@@ -63,14 +94,14 @@ int main(int argc, char **argv)
     const uint32_t seconds = argc > 1 ? (uint32_t)strtoul(argv[1], 0, 10) : 600u;
     const uint32_t seed = argc > 2 ? (uint32_t)strtoul(argv[2], 0, 10) : 1u;
     int failed = 0;
-    printf("%-14s %-8s %6s %5s  %5s %5s %5s %5s %5s %5s  %4s %6s %5s %5s %5s %5s %5s\n", "tank", "",
+    printf("%-14s %-8s %6s %5s  %5s %5s %5s %5s %5s %5s  %4s %6s %5s %5s %5s %5s %5s %6s\n", "tank", "",
            "pairs", "other", "body", "wall", "floor", "surf", "ring", "hull", "pace", "deg/s",
-           "rev/s", "walls", "stuck", "loose", "lag");
+           "rev/s", "walls", "stuck", "loose", "lag", "back");
     for (uint32_t d = 0; d < sizeof densities / sizeof densities[0]; d++) {
         for (int dragged = 0; dragged < 2; dragged++) {
             run(&densities[d], dragged, seconds, seed);
             print(&densities[d], dragged);
-            failed |= apart_deepest_m(&apart) > APART_DEEP_M;
+            failed |= !is_well();
         }
     }
     return failed;

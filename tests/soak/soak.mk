@@ -11,4 +11,7 @@ $(SOAK_BIN): $(BUILD)/tests/soak/soak.o $(SOAK_OBJ) $(BUILD)/tests/unit/panic.o 
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
 
+# Some seconds of the same belong to `make test` (test_soak.sh).
+tests: $(SOAK_BIN)
+
 .PHONY: soak

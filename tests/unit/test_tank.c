@@ -255,6 +255,20 @@ static struct dragged drag(float speed_m_s, vec3 normal)
     return dragged;
 }
 
+static void test_the_fullest_tank_of_every_kind_begins_without_an_overlap(void **state)
+{
+    (void)state;
+    static const float scales[] = { TANK_AREA_SCALE_MIN, 0.3f, 1.0f };
+    for (uint32_t k = 0; k < 3u * TANK_PRESET_COUNT; k++) {
+        struct tank_config config = tank_config_of((uint8_t)(k / 3u));
+        config.area_scale = scales[k % 3u];
+        config.fish_count = tank_fish_max(config.preset, config.area_scale);
+        uint32_t over = 0;
+        assert_int_equal(tank_open(&tank, &config), 1);
+        assert_true(deepest_overlap_m(&tank, &over) <= PART_FREE_M);
+    }
+}
+
 static void test_haste_scatters_fish_and_patience_does_not(void **state)
 {
     (void)state;
@@ -365,6 +379,7 @@ int main(void)
         cmocka_unit_test(test_minutes_leave_every_fish_sane_apart_and_inside),
         cmocka_unit_test(test_the_same_seed_swims_the_same_and_another_does_not),
         cmocka_unit_test(test_a_copy_goes_on_as_the_tank_itself_does),
+        cmocka_unit_test(test_the_fullest_tank_of_every_kind_begins_without_an_overlap),
         cmocka_unit_test(test_haste_scatters_fish_and_patience_does_not),
         cmocka_unit_test(test_an_escape_costs_stamina_and_ends_within_a_second),
         cmocka_unit_test(test_held_and_bowl_fish_stay_as_they_are),
