@@ -36,10 +36,22 @@ static int is_same(vec3 a, vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+/* Whether no pose of the body could reach out. */
+static int is_far_inside(const struct tank_bounds *bounds, const struct body *body)
+{
+    const float reach_m = body->half_x_m + body->half_y_m + body->half_z_m;
+    const vec3 p = body->centre_m, low = bounds->low_m, high = bounds->high_m;
+    return p.x - low.x > reach_m && high.x - p.x > reach_m && p.y - low.y > reach_m &&
+           high.y - p.y > reach_m && p.z - low.z > reach_m && high.z - p.z > reach_m;
+}
+
 /* Where a body of this fish would be within walls, floor and surface. */
 static vec3 kept_inside_m(const struct parting *all, uint32_t index, const struct body *body)
 {
     const struct tank_bounds *bounds = &all->place->bounds;
+    if (is_far_inside(bounds, body)) {
+        return body->centre_m;
+    }
     const vec3 extent = body_extent_m(body);
     const vec3 low = v3_add(bounds->low_m, extent), high = v3_sub(bounds->high_m, extent);
     const uint8_t flags = all->crowd->flags[index];
@@ -117,6 +129,14 @@ static float mass_of(const struct body *body)
     return body->half_z_m * body->half_z_m * body->half_z_m;
 }
 
+/* So far at least they are apart now: until they come nearer, nobody asks again. */
+static void know_apart(const struct parting *all, struct contact *contact, float apart_m)
+{
+    const float *way_m = all->crowd->way_m;
+    const float gap_m = apart_m + (way_m[contact->a] + way_m[contact->b]);
+    contact->gap_m = f_max(contact->gap_m, gap_m);
+}
+
 /* Whether the pair had to be parted. */
 static int part_pair(const struct parting *all, struct contact *contact, int round)
 {
@@ -126,13 +146,8 @@ static int part_pair(const struct parting *all, struct contact *contact, int rou
     const struct body *a = &all->crowd->body[contact->a], *b = &all->crowd->body[contact->b];
     const struct box box_a = body_box(a), box_b = body_box(b);
     struct box_gap gap = box_gap(&box_a, SKIN_M, &box_b, SKIN_M);
-    if (gap.space_m > 0.0f) { /* So far at least; until they come nearer, nobody asks again. */
-        const float *way_m = all->crowd->way_m;
-        const float gap_m = gap.space_m + way_m[contact->a] + way_m[contact->b];
-        contact->gap_m = f_max(contact->gap_m, gap_m);
-        return 0;
-    }
-    if (gap.body_m >= 0.0f) {
+    if (gap.space_m > 0.0f || gap.body_m >= 0.0f) {
+        know_apart(all, contact, gap.space_m > 0.0f ? gap.space_m : gap.body_m);
         return 0;
     }
     if (round >= TOPPLE_ROUND && f_abs(gap.axis.y) > 0.7f) {
@@ -530,11 +545,13 @@ void part_clear(struct part *part, struct crowd *crowd, const struct part_place 
             crowd->flags[i] &= (uint8_t)~CROWD_BESIDE;
             const vec3 moved_m = v3_sub(crowd->body[i].centre_m, before_m(&all, i));
             const float rush_m = look_beside(&all, i);
-            part->step_max_m[i] = v3_length(moved_m) + place->shove_max_m + rush_m;
+            const float own_m = v3_length(moved_m);
+            part->step_max_m[i] = own_m + place->shove_max_m + rush_m;
             clear_if_beside(&all, i);
             keep_inside(&all, i);
             const vec3 led_m = v3_sub(crowd->body[i].centre_m, before_m(&all, i));
-            crowd->play_m[i] = part->step_max_m[i] + v3_length(led_m) + sweep_m(&all, i);
+            const float way_m = is_same(led_m, moved_m) ? own_m : v3_length(led_m);
+            crowd->play_m[i] = part->step_max_m[i] + way_m + sweep_m(&all, i);
         }
     }
 }
