@@ -62,9 +62,10 @@ static void run(const struct density *density, int dragged, uint32_t seconds, ui
 
 static int is_well(void)
 {
-    return !cells_missed && apart_deepest_m(&apart) <= APART_DEEP_M && apart_pace(&apart) > PACE_MIN &&
-           apart_reversals_per_s(&apart) < REVERSALS_MAX_PER_S &&
-           apart.yaw_rate_max_rad_s < YAW_RATE_MAX_RAD_S &&
+    const float calm_rad_s = apart.yaw_rate_max_rad_s, turns_s = apart_reversals_per_s(&apart);
+    return !cells_missed && apart_deepest_m(&apart) <= APART_DEEP_M &&
+           apart_pace(&apart) > PACE_MIN && turns_s < REVERSALS_MAX_PER_S &&
+           calm_rad_s < YAW_RATE_MAX_RAD_S &&
            apart_wall_crowding(&apart, &drag.core.tank) < CROWDING_MAX &&
            apart.stuck_s < STUCK_MAX_S && apart.loose_s < LOOSE_MAX_S;
 }
@@ -94,7 +95,8 @@ int main(int argc, char **argv)
     const uint32_t seconds = argc > 1 ? (uint32_t)strtoul(argv[1], 0, 10) : 600u;
     const uint32_t seed = argc > 2 ? (uint32_t)strtoul(argv[2], 0, 10) : 1u;
     int failed = 0;
-    printf("%-14s %-8s %6s %5s  %5s %5s %5s %5s %5s %5s  %4s %6s %5s %5s %5s %5s %5s %6s\n", "tank", "",
+    printf("%-14s %-8s %6s %5s  %5s %5s %5s %5s %5s %5s  %4s %6s %5s %5s %5s %5s %5s %6s\n",
+           "tank", "",
            "pairs", "other", "body", "wall", "floor", "surf", "ring", "hull", "pace", "deg/s",
            "rev/s", "walls", "stuck", "loose", "lag", "back");
     for (uint32_t d = 0; d < sizeof densities / sizeof densities[0]; d++) {
