@@ -37,8 +37,9 @@ static void step(struct poi_target hand, struct outcome *sum)
     struct poi_force force;
     output.sound_count = 0;
     poi_tick(&poi, &grip, &tank, &bowl, &force);
-    const struct obstacle ring = poi_obstacle(&poi);
+    struct obstacle ring = poi_obstacle(&poi);
     tank_tick(&tank, now, &ring, 1);
+    poi_give_way(&poi, &ring);
     catch_tick(&poi, 0, &tank, &bowl, now, &output);
     sum->strain_n_s_m += poi.strain.tension_max_n_m * CORE_TICK_S;
     now++;
