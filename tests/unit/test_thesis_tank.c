@@ -175,7 +175,7 @@ static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
     assert_float_equal(law->brake_s + law->meet_within_s + law->meet_miss, 0.0f, 0.0f);
     tank_init(&tank, TANK_PRESET_THESIS, 200, 1);
     for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
-        const struct obstacle disc = {
+        struct obstacle disc = {
             .kind = OBSTACLE_DISC,
             .centre_m = { -0.5f + 0.5f * (float)tick * CORE_TICK_S, -0.10f, 0.0f },
             .normal = { 1.0f, 0.0f, 0.0f },
