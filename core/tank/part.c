@@ -261,7 +261,8 @@ static float sweep_m(const struct parting *all, uint32_t index)
 {
     const struct angles now = all->place->fish[index].angles,
                         was = all->part->began_angles[index];
-    const float turn_rad = f_abs(f_wrap_angle(now.yaw_rad - was.yaw_rad)) +
+    const float yaw_rad = f_abs(now.yaw_rad - was.yaw_rad);
+    const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) +
                            f_abs(now.pitch_rad - was.pitch_rad) +
                            f_abs(now.roll_rad - was.roll_rad);
     const struct body *body = &all->crowd->body[index];
@@ -275,7 +276,8 @@ static void clear_shoved(const struct parting *all, uint32_t index)
     follow(all, index);
 }
 
-static void relax(const struct parting *all)
+/* Returns whether the last round found nobody to part: then the judgement knows all pairs. */
+static int relax(const struct parting *all)
 {
     struct crowd *crowd = all->crowd;
     uint32_t parted = 1;
@@ -289,6 +291,7 @@ static void relax(const struct parting *all)
             }
         }
     }
+    return parted == 0;
 }
 
 /* ---- The judgement -------------------------------------------------------------------------- */
@@ -475,12 +478,12 @@ static uint32_t judge_obstacles(const struct parting *all, uint32_t round)
 
 /* Each round puts somebody back or makes a poi give way; each fish can go back once, each poi give
  * way a few times. */
-static void judge(const struct parting *all)
+static void judge(const struct parting *all, int is_parted)
 {
     uint32_t guilty = 1;
     for (uint32_t round = 0; guilty > 0; round++) {
         CORE_ASSERT(round <= all->crowd->count + ROUNDS_SPARE);
-        guilty = judge_pairs(all, round);
+        guilty = round == 0 && is_parted ? 0 : judge_pairs(all, round);
         guilty += judge_obstacles(all, round);
     }
 }
@@ -565,8 +568,8 @@ void part_relax(struct part *part, struct crowd *crowd, const struct part_place 
 void part_bodies(struct part *part, struct crowd *crowd, const struct part_place *place)
 {
     const struct parting all = { part, crowd, place };
-    relax(&all);
-    judge(&all);
+    const int is_parted = relax(&all);
+    judge(&all, is_parted);
 }
 
 void part_take(const struct crowd *crowd, struct fish *fish)

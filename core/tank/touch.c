@@ -1,8 +1,8 @@
 /* touch.c -- distances from boxes to curved things, by walking along what is curved. */
 #include "core/tank/touch.h"
 
-#define RING_POINTS 32  /* 8.5 mm apart on a poi's ring: no fish's side slips between two ... */
-#define RING_HALVINGS 9 /* ... and from there to a fiftieth of a millimetre. */
+#define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish slips between two ... */
+#define RING_HALVINGS 8 /* ... and from there to a fiftieth of a millimetre. */
 #define HULL_SWEEPS 8   /* Coordinate descent over three coordinates; a fish's box needs five. */
 
 static float sign_of(float value)
