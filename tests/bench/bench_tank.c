@@ -2,6 +2,7 @@
  *
  * Usage: bench_tank [TSV]             the tables; also written to TSV, one figure a row
  *        bench_tank FISH TICKS        that many ticks and no word, for valgrind to count
+ *        bench_tank dragged           only what a poi in the water costs
  *
  * Built with room for 131,072 fish (bench.mk). In the same run, on the same poses and by the same
  * kernels, a bare search for pairs is timed: what the whole tick is measured against. Widths of
@@ -16,6 +17,7 @@
 #include <time.h>
 
 #include "core/base/panic.h"
+#include "core/poi/poi.h"
 #include "core/tank/swim.h"
 #include "core/tank/tank.h"
 #include "platform/cpu.h"
@@ -140,9 +142,9 @@ WRAP(AIR, oxygen_tick,
 
 static uint32_t tick;
 
-static void open_tank(uint32_t fish, float area_scale, uint8_t search)
+static void open_preset(uint8_t preset, uint32_t fish, float area_scale, uint8_t search)
 {
-    struct tank_config config = tank_config_of(TANK_PRESET_THESIS);
+    struct tank_config config = tank_config_of(preset);
     config.fish_count = fish;
     config.area_scale = area_scale;
     config.search = search;
@@ -154,11 +156,59 @@ static void open_tank(uint32_t fish, float area_scale, uint8_t search)
     tick = 0;
 }
 
+static void open_tank(uint32_t fish, float area_scale, uint8_t search)
+{
+    open_preset(TANK_PRESET_THESIS, fish, area_scale, search);
+}
+
+/* A poi that is dragged through: round the tank on an oval at mid depth, slanted, its paper whole. */
+static float drag_m_s; /* 0: there is none. */
+static struct obstacle disc;
+static uint8_t paper[OBSTACLE_PAPER_SIDE * OBSTACLE_PAPER_SIDE];
+
+static vec3 hand_m(void)
+{
+    const float x = 0.35f * tank.size_m.x, z = 0.30f * tank.size_m.z;
+    const float angle_rad = 2.0f * drag_m_s / (x + z) * CORE_TICK_S * (float)tick;
+    return v3(x * cosf(angle_rad), -0.5f * tank.size_m.y, z * sinf(angle_rad));
+}
+
+static void take_disc(float speed_m_s)
+{
+    drag_m_s = speed_m_s;
+    memset(paper, OBSTACLE_PAPER_HOLDS, sizeof paper);
+    const struct angles slant = { 0.0f, 35.0f * F_DEG, 0.0f };
+    const struct basis axes = basis_from_angles(slant);
+    disc = (struct obstacle){
+        .kind = OBSTACLE_DISC, .centre_m = hand_m(), .radius_m = POI_OUTER_RADIUS_M,
+        .normal = axes.up, .axes = axes, .axes_before = axes,
+        .paper = paper, .paper_radius_m = POI_RADIUS_M,
+    };
+}
+
+/* It lags behind the hand where fish are in its way, and comes after it a half faster. */
+static void pull_disc(void)
+{
+    const vec3 way_m = v3_sub(hand_m(), disc.centre_m);
+    disc.step_m = v3_limit(way_m, 1.5f * drag_m_s * CORE_TICK_S);
+    disc.centre_m = v3_add(disc.centre_m, disc.step_m);
+    disc.velocity_m_s = v3_scale(disc.step_m, (float)CORE_TICK_HZ);
+    disc.gave = 0;
+}
+
+static void tick_tank(void)
+{
+    if (drag_m_s > 0.0f) {
+        pull_disc();
+    }
+    tank_tick(&tank, tick++, &disc, drag_m_s > 0.0f);
+}
+
 static void warm_up(double limit_ns)
 {
     const double start = now_ns();
     while (tick % BLOCK != 0 || (tick < WARM_TICKS && now_ns() - start < limit_ns)) {
-        tank_tick(&tank, tick++, NULL, 0);
+        tick_tank();
     }
 }
 
@@ -168,7 +218,7 @@ static double block_ns(uint32_t lanes)
     tank.lanes = (uint8_t)lanes;
     const double start = work_ns();
     for (uint32_t i = 0; i < BLOCK; i++) {
-        tank_tick(&tank, tick++, NULL, 0);
+        tick_tank();
     }
     return (work_ns() - start) / (double)(BLOCK * tank.fish_count);
 }
@@ -365,6 +415,59 @@ static void print_stages(void)
     print_shares(60000);
 }
 
+/* The normal state of a stall. */
+static const struct {
+    const char *name;
+    uint8_t preset;
+    uint32_t fish;
+} stalls[] = {
+    { "festival", TANK_PRESET_FESTIVAL, 300 },
+    { "thesis", TANK_PRESET_THESIS, 600 },
+    { "official", TANK_PRESET_OFFICIAL, 1000 },
+};
+static const float drags_m_s[] = { 0.0f, 0.2f, 0.4f, 1.0f };
+#define DRAGS (sizeof drags_m_s / sizeof drags_m_s[0])
+
+/* The mean: what a poi costs is not spread evenly. Ns a fish and tick. */
+static double dragged_ns(uint32_t stall, float speed_m_s)
+{
+    double sum_ns = 0.0;
+    uint32_t count = 0;
+    open_preset(stalls[stall].preset, stalls[stall].fish, 1.0f, PAIRS_GRID);
+    take_disc(speed_m_s);
+    warm_up(WARM_NS);
+    const double start = now_ns();
+    while (count < SAMPLES_MIN || now_ns() - start < 2.0 * MEASURE_NS) {
+        sum_ns += block_ns(cpu_lanes());
+        count++;
+    }
+    return sum_ns / (double)count;
+}
+
+static void print_dragged(void)
+{
+    puts("\nWith a poi dragged through, ns a fish and tick (means; in braces of the calm tick's)");
+    printf("  %-8s   fish      calm", "");
+    for (uint32_t d = 1; d < DRAGS; d++) {
+        printf("      at %.1f m/s", (double)drags_m_s[d]);
+    }
+    for (uint32_t s = 0; s < sizeof stalls / sizeof stalls[0]; s++) {
+        const double calm_ns = dragged_ns(s, 0.0f);
+        printf("\n  %-8s %6u  %8.1f", stalls[s].name, stalls[s].fish, calm_ns);
+        row("calm_ns", stalls[s].name, stalls[s].fish, cpu_lanes(), calm_ns);
+        for (uint32_t d = 1; d < DRAGS; d++) {
+            const double ns = dragged_ns(s, drags_m_s[d]);
+            char what[32];
+            snprintf(what, sizeof what, "dragged_%.1f_m_s_ns", (double)drags_m_s[d]);
+            printf("  %8.1f (%3.1f)", ns, ns / calm_ns);
+            row(what, stalls[s].name, stalls[s].fish, cpu_lanes(), ns);
+        }
+        fflush(stdout);
+    }
+    puts("");
+    take_disc(0.0f);
+}
+
 /* Ticks a second, nothing drawn. */
 static double ticks_per_s(uint32_t fish, uint8_t search)
 {
@@ -469,6 +572,10 @@ int main(int argc, char **argv)
         }
         return 0;
     }
+    if (argc == 2 && strcmp(argv[1], "dragged") == 0) {
+        print_dragged();
+        return 0;
+    }
     tsv = argc == 2 ? fopen(argv[1], "w") : NULL;
     if (argc == 2 && !tsv) {
         fprintf(stderr, "bench_tank: cannot write %s\n", argv[1]);
@@ -481,6 +588,7 @@ int main(int argc, char **argv)
     print_growth();
     print_exponents();
     print_stages();
+    print_dragged();
     print_table_4_2();
     print_peers();
     return tsv && fclose(tsv) != 0 ? 74 : 0;
