@@ -14,6 +14,7 @@
 #include "core/tank/part.h"
 #include "core/tank/preset.h"
 #include "core/tank/shade.h"
+#include "core/tank/surroundings.h"
 #include "core/tank/water.h"
 
 _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each player");
@@ -120,9 +121,14 @@ vec3 tank_stone_m(vec3 size_m);
 /* Fish that gulp at the surface. */
 uint32_t tank_surfacing_count(const struct tank *tank);
 
-/* A tick of nothing but pushes: fish hold still unless a poi, a bowl or another fish is where they
- * are. For test stands. */
-void tank_part(struct tank *tank, struct obstacle *obstacles, uint32_t obstacle_count);
+/* What its parts ask a tank for. */
+struct tank_bounds tank_bounds(const struct tank *tank);
+struct crowd_search tank_search(const struct tank *tank);
+
+/* What a fish in it knows in tick `tick`; points into the tank and at `obstacles`, which may be
+ * null when there are none. */
+struct surroundings tank_surroundings(const struct tank *tank, uint32_t tick,
+                                      const struct obstacle *obstacles, uint32_t obstacle_count);
 
 uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Fish and water. */
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Fish poses and gaits alone. */

@@ -16,6 +16,8 @@
 #include "core/base/physics.h"
 #include "core/poi/catch.h"
 #include "core/poi/disc.h"
+#include "core/tank/loose.h"
+#include "core/tank/swim.h"
 
 struct stand {
     struct tank tank;
@@ -53,6 +55,33 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
     return index;
 }
 
+/* A tick of nothing but pushes: fish hold still unless the poi or another fish is where they are. */
+static inline void stand_part(struct tank *tank, struct obstacle *ring)
+{
+    struct crowd *crowd = &tank->crowd;
+    const struct surroundings around = tank_surroundings(tank, 0, ring, 1);
+    const struct part_place place = { tank->fish, tank_bounds(tank), ring, 1, PART_SHOVE_M };
+    part_begin(&tank->part, tank->fish, tank->fish_count);
+    crowd_gather(crowd, tank->fish, tank->fish_count, tank->space);
+    const uint32_t stations = part_stations(&tank->part, &place);
+    for (uint32_t station = 0; station < stations; station++) {
+        part_advance(&tank->part, crowd, &place, station);
+        part_clear(&tank->part, crowd, &place);
+        crowd_look(crowd, tank->fish, tank_search(tank), &around);
+        part_bodies(&tank->part, crowd, &place);
+    }
+    part_end(&tank->part, crowd, &place);
+    const struct shoal shoal = {
+        .fish = tank->fish,
+        .body = crowd->body,
+        .way_m = crowd->way_m,
+        .before_m = tank->part.began_m,
+        .count = tank->fish_count,
+    };
+    swim_settle_all(&shoal, tank->lanes);
+    loose_tick(tank, ring, 1);
+}
+
 static inline void stand_tick(struct stand *stand)
 {
     struct poi *poi = &stand->poi;
@@ -60,7 +89,7 @@ static inline void stand_tick(struct stand *stand)
     const struct poi_grip grip = { stand->hand, stand->has_wrist };
     poi_tick(poi, &grip, &stand->tank, &stand->bowl, &stand->force);
     struct obstacle ring = poi_obstacle(poi);
-    tank_part(&stand->tank, &ring, 1);
+    stand_part(&stand->tank, &ring);
     poi_give_way(poi, &ring);
     bowl_tick(&stand->bowl, 0, &stand->tank, stand->tick);
     stand->landed +=
