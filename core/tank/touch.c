@@ -1,8 +1,9 @@
-/* touch.c -- distances from boxes to curved things, by walking along what is curved. */
+/* touch.c -- distances from boxes to curved things, by walking along what is curved, no farther than
+ * the box reaches. */
 #include "core/tank/touch.h"
 
 #define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish slips between two ... */
-#define RING_HALVINGS 8 /* ... and from there to a fiftieth of a millimetre. */
+#define RING_HALVINGS 7 /* ... and from there to a thirtieth of a millimetre along the ring. */
 #define HULL_SWEEPS 8   /* Coordinate descent over three coordinates; a fish's box needs five. */
 
 static float sign_of(float value)
@@ -33,109 +34,175 @@ float touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
     return outside_m + inside_m;
 }
 
-/* The circle as points by angle. */
+/* ---- Ring ----------------------------------------------------------------------------------- */
+
+/* A direction in the plane of a ring, by the angle from its east: no angle itself is ever needed. */
+struct turn {
+    float cos, sin;
+};
+
+/* k / RING_POINTS of a turn, to the half; sines are cosines of a quarter less. */
+static const float ring_cos[RING_POINTS / 2 + 1] = {
+    1.0f,           0.995184727f,  0.98078528f,   0.956940336f,  0.923879533f,  0.881921264f,
+    0.831469612f,   0.773010453f,  0.707106781f,  0.634393284f,  0.555570233f,  0.471396737f,
+    0.382683432f,   0.290284677f,  0.195090322f,  0.0980171403f, 0.0f,          -0.0980171403f,
+    -0.195090322f,  -0.290284677f, -0.382683432f, -0.471396737f, -0.555570233f, -0.634393284f,
+    -0.707106781f,  -0.773010453f, -0.831469612f, -0.881921264f, -0.923879533f, -0.956940336f,
+    -0.98078528f,   -0.995184727f, -1.0f,
+};
+
+/* Half of that, a quarter, ... */
+static const struct turn ring_halving[RING_HALVINGS] = {
+    { 0.998795456f, 0.0490676743f },  { 0.999698819f, 0.0245412285f },
+    { 0.999924702f, 0.0122715383f },  { 0.999981175f, 0.00613588465f },
+    { 0.999995294f, 0.00306795676f }, { 0.999998823f, 0.00153398019f },
+    { 0.999999706f, 0.000766990319f },
+};
+
+static struct turn turn_by(struct turn turn, struct turn more, float side)
+{
+    return (struct turn){ turn.cos * more.cos - side * turn.sin * more.sin,
+                          turn.sin * more.cos + side * turn.cos * more.sin };
+}
+
+/* The circle as the box sees it. */
 struct circle {
-    const struct ring *ring;
-    vec3 east, north; /* Unit, in its plane, square to each other. */
+    vec3 centre_m;    /* From the box's, along its axes. */
+    vec3 east, north; /* The ring's middle that way from its centre, and square to it. */
+    vec3 half_m;      /* The box's. */
 };
 
-static struct circle circle_of(const struct ring *ring)
+static vec3 circle_point(const struct circle *circle, struct turn turn)
 {
-    const vec3 n = ring->normal;
-    const vec3 other = f_abs(n.x) < 0.7f ? v3(1.0f, 0.0f, 0.0f) : v3(0.0f, 0.0f, 1.0f);
-    const vec3 east = v3_normalize_or(v3_cross(n, other), v3(1.0f, 0.0f, 0.0f));
-    return (struct circle){ ring, east, v3_cross(n, east) };
+    return v3_mad(v3_mad(circle->centre_m, circle->east, turn.cos), circle->north, turn.sin);
 }
 
-static vec3 circle_point(const struct circle *circle, float angle_rad)
+/* Signed, as touch_point_m(). */
+static float circle_distance_m(const struct circle *circle, struct turn turn)
 {
-    const vec3 away = v3_add(v3_scale(circle->east, f_cos(angle_rad)),
-                             v3_scale(circle->north, f_sin(angle_rad)));
-    return v3_mad(circle->ring->centre_m, away, circle->ring->middle_m);
+    const vec3 p = circle_point(circle, turn), half = circle->half_m;
+    const vec3 q = v3(f_abs(p.x) - half.x, f_abs(p.y) - half.y, f_abs(p.z) - half.z);
+    const vec3 beyond = v3(f_max(q.x, 0.0f), f_max(q.y, 0.0f), f_max(q.z, 0.0f));
+    const float square = v3_dot(beyond, beyond);
+    return square > 0.0f ? f_sqrt(square) : f_max(q.x, f_max(q.y, q.z));
 }
 
+/* Where on the ring it is nearest to the box, or deepest in it. */
 struct nearest {
-    float angle_rad, distance_m;
-    vec3 out; /* From the box to the ring. */
+    struct turn turn;
+    float distance_m;
 };
 
-static void try_angle(struct nearest *best, const struct circle *circle, const struct box *box,
-                      float angle_rad)
+static void try_turn(struct nearest *best, const struct circle *circle, struct turn turn)
 {
-    vec3 out;
-    const float distance_m = touch_point_m(box, circle_point(circle, angle_rad), &out);
+    const float distance_m = circle_distance_m(circle, turn);
     if (distance_m < best->distance_m) {
-        *best = (struct nearest){ angle_rad, distance_m, out };
+        *best = (struct nearest){ turn, distance_m };
     }
 }
 
-/* Closes in on the least distance by halving steps about the best angle so far. */
-static struct nearest close_in(struct nearest best, const struct circle *circle,
-                               const struct box *box)
+/* Closes in on the least distance by halving steps about the best place so far. From a convex box
+ * the distance along a chord has one minimum, and so short an arc leaves its chord by 0.05 mm. */
+static struct nearest close_in(struct nearest best, const struct circle *circle)
 {
-    float step_rad = 0.5f * F_TAU / (float)RING_POINTS;
-    for (int k = 0; k < RING_HALVINGS; k++, step_rad *= 0.5f) {
-        const float about_rad = best.angle_rad;
-        try_angle(&best, circle, box, about_rad - step_rad);
-        try_angle(&best, circle, box, about_rad + step_rad);
+    for (int k = 0; k < RING_HALVINGS; k++) {
+        const struct turn about = best.turn;
+        try_turn(&best, circle, turn_by(about, ring_halving[k], -1.0f));
+        try_turn(&best, circle, turn_by(about, ring_halving[k], 1.0f));
+    }
+    return best;
+}
+
+/* Steps either way from east that cover what may be within `reach_m` of the box's centre, which
+ * lies `in_plane_m` to the east of the ring's and `away_m` in all. */
+static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
+{
+    const float least =
+        away_m * away_m + middle_m * middle_m - reach_m * reach_m; /* Law of cosines. */
+    int steps = 1;
+    while (steps < RING_POINTS / 2 && 2.0f * middle_m * in_plane_m * ring_cos[steps] > least) {
+        steps++;
+    }
+    return steps;
+}
+
+static struct turn turn_of(int step)
+{
+    const int size = step < 0 ? -step : step;
+    const int quarter = RING_POINTS / 4;
+    const float sine = ring_cos[size < quarter ? quarter - size : size - quarter];
+    return (struct turn){ ring_cos[size], step < 0 ? -sine : sine };
+}
+
+/* A box can be near two parts of the ring at once; a second dip that is not much shallower than the
+ * first at the coarse points may be the deeper one. So every coarse minimum is closed in on. */
+static struct nearest nearest_on(const struct circle *circle, int window, float maybe_m)
+{
+    struct nearest best = { { 1.0f, 0.0f }, TOUCH_FAR_M };
+    const int last = window < RING_POINTS / 2 ? window : RING_POINTS / 2 - 1;
+    float before_m = TOUCH_FAR_M;
+    float here_m = circle_distance_m(circle, turn_of(-window));
+    for (int step = -window; step <= last; step++) {
+        const float after_m =
+            step < last ? circle_distance_m(circle, turn_of(step + 1)) : TOUCH_FAR_M;
+        if (here_m < maybe_m && here_m <= before_m && here_m <= after_m) {
+            const struct nearest coarse = { turn_of(step), here_m };
+            const struct nearest fine = close_in(coarse, circle);
+            best = fine.distance_m < best.distance_m ? fine : best;
+        }
+        before_m = here_m;
+        here_m = after_m;
     }
     return best;
 }
 
 /* A ring that runs right through a box has no nearest face: only a move square to the ring clears
  * it, and there the ring is as good as a straight rod. */
-static struct touch pierced(const struct nearest *at, const struct circle *circle,
-                            const struct box *box)
+static struct touch pierced(const struct ring *ring, const struct box *box, vec3 point_m, vec3 out)
 {
-    const struct ring *ring = circle->ring;
-    const vec3 point_m = circle_point(circle, at->angle_rad);
     const vec3 along = v3_cross(ring->normal, v3_scale(v3_sub(point_m, ring->centre_m),
                                                        1.0f / ring->middle_m));
     const vec3 move = box_clear_rod(box, point_m, along, ring->tube_m);
-    return (struct touch){ -v3_length(move), v3_normalize_or(move, v3_scale(at->out, -1.0f)) };
+    return (struct touch){ -v3_length(move), v3_normalize_or(move, out) };
 }
 
-static struct touch touch_near(const struct nearest *at, const struct circle *circle,
-                               const struct box *box)
+static struct touch touch_near(const struct ring *ring, const struct box *box,
+                               const struct circle *circle, const struct nearest *at)
 {
-    if (at->distance_m < 0.0f) {
-        return pierced(at, circle, box);
-    }
-    return (struct touch){ at->distance_m - circle->ring->tube_m, v3_scale(at->out, -1.0f) };
+    const vec3 point_m = v3_add(box->centre_m,
+                                basis_to_world(&box->axes, circle_point(circle, at->turn)));
+    vec3 toward;
+    const float gap_m = touch_point_m(box, point_m, &toward) - ring->tube_m;
+    const vec3 out = v3_scale(toward, -1.0f);
+    return at->distance_m < 0.0f ? pierced(ring, box, point_m, out) : (struct touch){ gap_m, out };
 }
 
-/* A box can be near two parts of the ring at once; a second dip that is not much shallower than the
- * first at the coarse points may be the deeper one. So every coarse minimum is closed in on. */
 struct touch touch_ring(const struct ring *ring, const struct box *box)
 {
-    struct touch touch = { TOUCH_FAR_M, { 0.0f, 1.0f, 0.0f } };
+    const struct touch far = { TOUCH_FAR_M, { 0.0f, 1.0f, 0.0f } };
     const vec3 d = v3_sub(box->centre_m, ring->centre_m);
     const float off_plane_m = v3_dot(d, ring->normal);
-    const float in_plane_m = v3_length(v3_mad(d, ring->normal, -off_plane_m));
+    const vec3 in_plane = v3_mad(d, ring->normal, -off_plane_m);
+    const float in_plane_m = v3_length(in_plane);
     const float aside_m = in_plane_m - ring->middle_m;
     const float reach_m = v3_length(box->half_m) + ring->tube_m;
     if (off_plane_m * off_plane_m + aside_m * aside_m > reach_m * reach_m) {
-        return touch;
+        return far;
     }
-    const struct circle circle = circle_of(ring);
-    const float step_rad = F_TAU / (float)RING_POINTS;
-    const float maybe_m = ring->tube_m + ring->middle_m * step_rad;
-    struct nearest coarse[RING_POINTS];
-    for (int k = 0; k < RING_POINTS; k++) {
-        coarse[k] = (struct nearest){ 0.0f, TOUCH_FAR_M, touch.out };
-        try_angle(&coarse[k], &circle, box, step_rad * (float)k);
-    }
-    for (int k = 0; k < RING_POINTS; k++) {
-        const float before_m = coarse[(k + RING_POINTS - 1) % RING_POINTS].distance_m;
-        const float after_m = coarse[(k + 1) % RING_POINTS].distance_m;
-        const float here_m = coarse[k].distance_m;
-        if (here_m < maybe_m && here_m <= before_m && here_m <= after_m) {
-            const struct nearest fine = close_in(coarse[k], &circle, box);
-            const struct touch here = touch_near(&fine, &circle, box);
-            touch = here.gap_m < touch.gap_m ? here : touch;
-        }
-    }
-    return touch;
+    const vec3 n = ring->normal;
+    const vec3 other = f_abs(n.x) < 0.7f ? v3(1.0f, 0.0f, 0.0f) : v3(0.0f, 0.0f, 1.0f);
+    const vec3 east = v3_normalize_or(in_plane, v3_normalize_or(v3_cross(n, other), n));
+    const float middle_m = ring->middle_m;
+    const struct circle circle = {
+        .centre_m = basis_to_body(&box->axes, v3_scale(d, -1.0f)),
+        .east = basis_to_body(&box->axes, v3_scale(east, middle_m)),
+        .north = basis_to_body(&box->axes, v3_scale(v3_cross(n, east), middle_m)),
+        .half_m = box->half_m,
+    };
+    const int window = window_of(in_plane_m, v3_length(d), middle_m, reach_m);
+    const float maybe_m = ring->tube_m + middle_m * F_TAU / (float)RING_POINTS;
+    const struct nearest at = nearest_on(&circle, window, maybe_m);
+    return at.distance_m < TOUCH_FAR_M ? touch_near(ring, box, &circle, &at) : far;
 }
 
 /* ---- Hull ----------------------------------------------------------------------------------- */
