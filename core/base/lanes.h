@@ -66,19 +66,25 @@ static inline void lanes_store(float *to, flanes a)
     MEM_COPY(to, &a, sizeof a);
 }
 
-/* A row of four lanes, and in eight one of the fifth record on beside it. */
+/* A row of four floats from `low`, and in eight lanes four from `high` beside them. */
+static inline flanes lanes_load_beside(const void *low, const void *high)
+{
+    fquad first;
+    MEM_COPY(&first, low, sizeof first);
+#ifdef LANES_WIDE
+    fquad fifth;
+    MEM_COPY(&fifth, high, sizeof fifth);
+    return __builtin_shufflevector(first, fifth, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    (void)high;
+    return first;
+#endif
+}
+
+/* A row of a record, and in eight lanes that of the fourth record on beside it. */
 static inline flanes lanes_load_row(const void *first, size_t stride)
 {
-    fquad low;
-    MEM_COPY(&low, first, sizeof low);
-#ifdef LANES_WIDE
-    fquad high;
-    MEM_COPY(&high, (const char *)first + 4u * stride, sizeof high);
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-#else
-    (void)stride;
-    return low;
-#endif
+    return lanes_load_beside(first, (const char *)first + (LANES - 4u) * stride);
 }
 
 static inline void lanes_store_row(void *first, size_t stride, flanes row)
@@ -103,15 +109,9 @@ static inline void lanes_store_row(void *first, size_t stride, flanes row)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
 #endif
 
-/* Four members of LANES records, `stride` bytes apart, that lie side by side in each: column[m] is
- * member m of all. */
-static inline void lanes_load_quads(flanes column[4], const void *first, size_t stride)
+/* Rows of four turned into columns, column[m] member m of all; or columns into rows. */
+static inline void lanes_turn(flanes column[4], flanes row0, flanes row1, flanes row2, flanes row3)
 {
-    const char *from = first;
-    const flanes row0 = lanes_load_row(from, stride);
-    const flanes row1 = lanes_load_row(from + stride, stride);
-    const flanes row2 = lanes_load_row(from + 2u * stride, stride);
-    const flanes row3 = lanes_load_row(from + 3u * stride, stride);
     const flanes a = LOW(row0, row2), b = LOW(row1, row3);
     const flanes c = HIGH(row0, row2), d = HIGH(row1, row3);
     column[0] = LOW(a, b);
@@ -119,20 +119,29 @@ static inline void lanes_load_quads(flanes column[4], const void *first, size_t 
     column[2] = LOW(c, d);
     column[3] = HIGH(c, d);
 }
+#undef LOW
+#undef HIGH
+
+/* Four members of LANES records, `stride` bytes apart, that lie side by side in each. */
+static inline void lanes_load_quads(flanes column[4], const void *first, size_t stride)
+{
+    const char *from = first;
+    lanes_turn(column, lanes_load_row(from, stride), lanes_load_row(from + stride, stride),
+               lanes_load_row(from + 2u * stride, stride),
+               lanes_load_row(from + 3u * stride, stride));
+}
 
 /* The way back. */
 static inline void lanes_store_quads(void *first, size_t stride, const flanes column[4])
 {
     char *to = first;
-    const flanes a = LOW(column[0], column[2]), b = LOW(column[1], column[3]);
-    const flanes c = HIGH(column[0], column[2]), d = HIGH(column[1], column[3]);
-    lanes_store_row(to, stride, LOW(a, b));
-    lanes_store_row(to + stride, stride, HIGH(a, b));
-    lanes_store_row(to + 2u * stride, stride, LOW(c, d));
-    lanes_store_row(to + 3u * stride, stride, HIGH(c, d));
+    flanes row[4];
+    lanes_turn(row, column[0], column[1], column[2], column[3]);
+    lanes_store_row(to, stride, row[0]);
+    lanes_store_row(to + stride, stride, row[1]);
+    lanes_store_row(to + 2u * stride, stride, row[2]);
+    lanes_store_row(to + 3u * stride, stride, row[3]);
 }
-#undef LOW
-#undef HIGH
 
 /* `a` where the mask is set, else `b`; a lane's bits pass unchanged. */
 static inline flanes lanes_select(ilanes mask, flanes a, flanes b)

@@ -36,10 +36,8 @@ static inline struct box body_box(const struct body *body)
 /* Half the size of the upright box that holds the body. */
 static inline vec3 body_extent_m(const struct body *body)
 {
-    const float x = body->half_x_m, y = body->half_y_m, z = body->half_z_m;
-    return v3(f_abs(body->right.x) * x + f_abs(body->up.x) * y + f_abs(body->back.x) * z,
-              f_abs(body->right.y) * x + f_abs(body->up.y) * y + f_abs(body->back.y) * z,
-              f_abs(body->right.z) * x + f_abs(body->up.z) * y + f_abs(body->back.z) * z);
+    return box_upright_m(body->right, body->up, body->back,
+                         v3(body->half_x_m, body->half_y_m, body->half_z_m));
 }
 
 #endif

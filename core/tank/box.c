@@ -2,6 +2,7 @@
 #include "core/tank/box.h"
 
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 
 #define PARALLEL 1e-6f /* Square of a cross product's length: edges within a thousandth. */
 
@@ -21,7 +22,7 @@ static struct frame frame_of(const struct box *box)
 /* What the axes tried so far say of two boxes. */
 struct verdict {
     float gap_m, space_m;
-    int axis; /* 0 .. 2 of a, 3 .. 5 of b, 6 + 3 i + j: edge i of a across edge j of b. */
+    int axis; /* As box_axis() counts them. */
 };
 
 static inline void try_axis(struct verdict *verdict, float gap_m, float margins_m, int axis)
@@ -43,14 +44,14 @@ struct view_of_b {
     float d[3];                     /* The way in a's frame. */
 };
 
-static inline vec3 axis_of(const struct box *box, int index)
+static inline vec3 axis_of(const struct basis *axes, int index)
 {
-    return index == 0 ? box->axes.right : index == 1 ? box->axes.up : box->axes.back;
+    return index == 0 ? axes->right : index == 1 ? axes->up : axes->back;
 }
 
 static inline void fill_row(struct view_of_b *view, int i)
 {
-    const vec3 axis = axis_of(view->a, i);
+    const vec3 axis = axis_of(&view->a->axes, i);
     float *c = view->cosine[i], *m = view->size[i];
     view->d[i] = v3_dot(view->way, axis);
     c[0] = v3_dot(axis, view->b->axes.right);
@@ -105,14 +106,16 @@ static inline int try_edges(struct verdict *verdict, const struct view_of_b *vie
     return verdict->space_m > 0.0f;
 }
 
-vec3 box_axis(const struct box *a, const struct box *b, int axis)
+vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t which)
 {
+    CORE_ASSERT(which < 15u);
+    const int axis = which;
     vec3 along = axis < 3 ? axis_of(a, axis) : axis_of(b, axis - 3);
     if (axis >= 6) {
         const vec3 cross = v3_cross(axis_of(a, (axis - 6) / 3), axis_of(b, axis % 3));
-        along = v3_normalize_or(cross, a->axes.up);
+        along = v3_normalize_or(cross, a->up);
     }
-    return v3_dot(along, v3_sub(b->centre_m, a->centre_m)) < 0.0f ? v3_scale(along, -1.0f) : along;
+    return v3_dot(along, way) < 0.0f ? v3_scale(along, -1.0f) : along;
 }
 
 /* Sides first, then nose and tail: so are most fish apart that are near. */
@@ -144,9 +147,14 @@ struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *
     MEM_COPY(view.half_a, &a->half_m, sizeof view.half_a);
     MEM_COPY(view.half_b, &b->half_m, sizeof view.half_b);
     const int apart = are_apart(&verdict, &view);
+    const uint8_t which = (uint8_t)verdict.axis;
     const vec3 none = { 0.0f, 0.0f, 0.0f };
-    return (struct box_gap){ verdict.gap_m, verdict.space_m,
-                             apart ? none : box_axis(a, b, verdict.axis) };
+    return (struct box_gap){
+        verdict.gap_m,
+        verdict.space_m,
+        apart ? none : box_axis(&a->axes, &b->axes, view.way, which),
+        which,
+    };
 }
 
 float box_depth_m(const struct box *a, const struct box *b)
@@ -163,9 +171,7 @@ static float shadow_m(const struct frame *frame, vec3 axis)
 
 vec3 box_extent_m(const struct box *box)
 {
-    const struct frame frame = frame_of(box);
-    return v3(shadow_m(&frame, v3(1.0f, 0.0f, 0.0f)), shadow_m(&frame, v3(0.0f, 1.0f, 0.0f)),
-              shadow_m(&frame, v3(0.0f, 0.0f, 1.0f)));
+    return box_upright_m(box->axes.right, box->axes.up, box->axes.back, box->half_m);
 }
 
 /* Seen along the rod the box is a hexagon and the rod a disc: the sides' normals are the box's axes

@@ -216,18 +216,6 @@ static void seek(const struct look *look, const struct pairs_of *of, int ahead)
     }
 }
 
-/* Which of the axes of two boxes it is. */
-static uint8_t axis_index(const struct box *a, const struct box *b, vec3 axis)
-{
-    uint8_t best = 0;
-    for (uint8_t k = 1; k < 15u; k++) {
-        if (v3_dot(box_axis(a, b, k), axis) > v3_dot(box_axis(a, b, best), axis)) {
-            best = k;
-        }
-    }
-    return best;
-}
-
 static float ball_m(const struct body *body)
 {
     const float m = body->margin_m;
@@ -252,7 +240,7 @@ static void meet_balls(const struct look *look)
                     .a = j,
                     .b = i,
                     .gap_m = gap.body_m,
-                    .axis = axis_index(&box_a, &box_b, gap.axis),
+                    .axis = gap.which,
                 };
                 meet_pair(look, &found);
             }

@@ -55,19 +55,9 @@ int pairs_next(struct pairs *pairs, const struct pairs_of *of, struct found *fou
     return pairs->near_count > 0;
 }
 
-static vec3 axis_of(const struct body *body, uint32_t index)
-{
-    return index == 0 ? body->right : index == 1u ? body->up : body->back;
-}
-
-/* As box_axis(), without making boxes of bodies. */
 vec3 pairs_axis(const struct body *a, const struct body *b, uint8_t axis)
 {
-    CORE_ASSERT(axis < 15u);
-    vec3 along = axis < 3u ? axis_of(a, axis) : axis_of(b, axis - 3u);
-    if (axis >= 6u) {
-        const vec3 cross = v3_cross(axis_of(a, (axis - 6u) / 3u), axis_of(b, axis % 3u));
-        along = v3_normalize_or(cross, a->up);
-    }
-    return v3_dot(along, v3_sub(b->centre_m, a->centre_m)) < 0.0f ? v3_scale(along, -1.0f) : along;
+    const struct basis axes_a = { a->right, a->up, a->back },
+                       axes_b = { b->right, b->up, b->back };
+    return box_axis(&axes_a, &axes_b, v3_sub(b->centre_m, a->centre_m), axis);
 }

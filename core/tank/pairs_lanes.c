@@ -11,37 +11,17 @@
 /* Quad `quad` of a body, and in eight lanes that of the fourth after it beside it. */
 static inline flanes load_row(const struct body *body, const uint32_t *fish, uint32_t quad)
 {
-    fquad low;
-    MEM_COPY(&low, (const char *)&body[fish[0]] + quad * sizeof low, sizeof low);
-#ifdef LANES_WIDE
-    fquad high;
-    MEM_COPY(&high, (const char *)&body[fish[4]] + quad * sizeof high, sizeof high);
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-#else
-    return low;
-#endif
+    const size_t at = quad * sizeof(fquad);
+    return lanes_load_beside((const char *)&body[fish[0]] + at,
+                             (const char *)&body[fish[LANES - 4]] + at);
 }
-
-#ifdef LANES_WIDE
-#define LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
-#define HIGH(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
-#else
-#define LOW(a, b) __builtin_shufflevector(a, b, 0, 4, 1, 5)
-#define HIGH(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
-#endif
 
 /* The same of LANES bodies, wherever they lie: column[m] is member m of all. */
 static inline void load_quads(flanes column[4], const struct body *body, const uint32_t *fish,
                               uint32_t quad)
 {
-    const flanes row0 = load_row(body, fish, quad), row1 = load_row(body, fish + 1, quad),
-                 row2 = load_row(body, fish + 2, quad), row3 = load_row(body, fish + 3, quad);
-    const flanes a = LOW(row0, row2), b = LOW(row1, row3);
-    const flanes c = HIGH(row0, row2), d = HIGH(row1, row3);
-    column[0] = LOW(a, b);
-    column[1] = HIGH(a, b);
-    column[2] = LOW(c, d);
-    column[3] = HIGH(c, d);
+    lanes_turn(column, load_row(body, fish, quad), load_row(body, fish + 1, quad),
+               load_row(body, fish + 2, quad), load_row(body, fish + 3, quad));
 }
 
 /* LANES bodies, as struct body names its members. */

@@ -161,7 +161,7 @@ static void open_tank(uint32_t fish, float area_scale, uint8_t search)
     open_preset(TANK_PRESET_THESIS, fish, area_scale, search);
 }
 
-/* A poi that is dragged through: round the tank on an oval at mid depth, slanted, its paper whole. */
+/* A poi that is dragged through: round the tank on an oval at mid depth, slanted and whole. */
 static float drag_m_s; /* 0: there is none. */
 static struct obstacle disc;
 static uint8_t paper[OBSTACLE_PAPER_SIDE * OBSTACLE_PAPER_SIDE];

@@ -55,7 +55,7 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
     return index;
 }
 
-/* A tick of nothing but pushes: fish hold still unless the poi or another fish is where they are. */
+/* A tick of nothing but pushes: fish hold still unless the poi or another fish is there. */
 static inline void stand_part(struct tank *tank, struct obstacle *ring)
 {
     struct crowd *crowd = &tank->crowd;

@@ -68,6 +68,9 @@ static void test_moving_along_the_axis_by_the_depth_parts_two_boxes(void **state
         if (gap.body_m < 0.0f) {
             b.centre_m = v3_mad(b.centre_m, gap.axis, -gap.body_m + 1e-6f);
             assert_true(box_depth_m(&a, &b) < 1e-6f);
+            const vec3 way = v3_sub(b.centre_m, a.centre_m);
+            const vec3 same = box_axis(&a.axes, &b.axes, way, gap.which);
+            assert_true(v3_dot(same, gap.axis) > 0.9999f);
             parted++;
         }
     }

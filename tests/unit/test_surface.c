@@ -395,7 +395,7 @@ static void test_a_frightened_gulper_gets_under_before_it_starts(void **state)
         assert_true(top_m(fish) <= 0.0f);
     }
     assert_int_equal(gulpers, 10);
-    /* A sight takes 60 to 150 ms to start a fish anyway; one that lies upon another takes longer. */
+    /* A sight takes 60 to 150 ms to start a fish anyway; one upon another takes longer. */
     assert_true(soon >= 8);
 }
 
