@@ -301,7 +301,8 @@ void crowd_touch(struct crowd *crowd)
         const struct contact contact = crowd->contact[c];
         const float ways_m = crowd->way_m[contact.a] + crowd->way_m[contact.b];
         const float plays_m = crowd->play_m[contact.a] + crowd->play_m[contact.b];
-        if (contact.gap_m - ways_m < plays_m) {
+        const int swim = crowd->flags[contact.a] & crowd->flags[contact.b] & CROWD_SWIMS;
+        if (swim && contact.gap_m - ways_m < plays_m) {
             crowd->contact[c] = crowd->contact[count];
             crowd->contact[count++] = contact;
         }

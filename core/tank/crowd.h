@@ -79,7 +79,8 @@ void crowd_follow(struct crowd *crowd, struct fish *fish);
 int crowd_is_stale(const struct crowd *crowd);
 
 /* Brings those contacts to the front that could touch in this tick: gaps shrink by no more than the
- * ways of both. Every pair that parting could bring together is among them. */
+ * ways of both. Every pair that parting could bring together is among them, and nobody who was
+ * taken out of the water since the look. */
 void crowd_touch(struct crowd *crowd);
 
 uint64_t crowd_hash(uint64_t hash, const struct crowd *crowd);

@@ -24,11 +24,11 @@ struct parting {
     const struct part_place *place;
 };
 
-/* Where it may go back to: where the step began. Fish hold their places between steps, and before
- * the first their wishes. */
+/* Where it may go back to: where the step began. */
 static vec3 before_m(const struct parting *all, uint32_t index)
 {
-    return all->part->station == 0 ? all->part->began_m[index] : all->place->fish[index].position_m;
+    const struct part *part = all->part;
+    return part->station == 0 ? part->began_m[index] : part->step_began_m[index];
 }
 
 static int is_same(vec3 a, vec3 b)
@@ -77,13 +77,10 @@ static int is_inside(const struct parting *all, uint32_t index, const struct bod
     return is_same(kept_inside_m(all, index, body), body->centre_m);
 }
 
-/* As crowd_follow() for one that was moved just now: is_apart() must know of it. In later steps of
- * a tick fish hold the places where the step began. */
+/* As crowd_follow() for one that was moved just now: is_apart() must know of it. */
 static void follow(const struct parting *all, uint32_t index)
 {
-    if (all->part->station > 0) {
-        return;
-    }
+    CORE_ASSERT(all->crowd->flags[index] & CROWD_SWIMS);
     struct fish *fish = &all->place->fish[index];
     const vec3 centre_m = all->crowd->body[index].centre_m;
     all->crowd->way_m[index] += v3_length(v3_sub(centre_m, fish->position_m));
@@ -91,12 +88,11 @@ static void follow(const struct parting *all, uint32_t index)
 }
 
 /* Whether what two bodies have come since the look leaves more than `apart_m` of their gap: then it
- * need not be measured. Later steps of a tick begin with moves that nobody has counted. */
+ * need not be measured. */
 static int is_apart(const struct parting *all, const struct contact *contact, float apart_m)
 {
     const float *way_m = all->crowd->way_m;
-    return all->part->station == 0 &&
-           contact->gap_m - (way_m[contact->a] + way_m[contact->b]) > apart_m;
+    return contact->gap_m - (way_m[contact->a] + way_m[contact->b]) > apart_m;
 }
 
 /* Moves it as far as its step allows, and returns what is left. Back to where it came from it may
@@ -296,13 +292,10 @@ static int relax(const struct parting *all)
 
 /* ---- The judgement -------------------------------------------------------------------------- */
 
-/* The six face normals say of nearly every pair that it is apart; only the rest need all fifteen
- * axes. */
 static float pair_depth_m(const struct body *a, const struct body *b)
 {
     const struct box box_a = body_box(a), box_b = body_box(b);
-    const struct box_gap gap = box_gap(&box_a, 0.0f, &box_b, 0.0f);
-    return gap.body_m >= -PART_FREE_M ? 0.0f : box_depth_m(&box_a, &box_b);
+    return box_depth_m(&box_a, &box_b);
 }
 
 static float pair_allowed_m(const struct parting *all, uint32_t a, uint32_t b)
@@ -476,13 +469,13 @@ static uint32_t judge_obstacles(const struct parting *all, uint32_t round)
     return changes;
 }
 
-/* Each round puts somebody back or makes a poi give way; each fish can go back once, each poi give
- * way a few times. */
+/* Each round carries or puts back somebody or makes a poi give way; each fish can be carried once
+ * and go back once, even after it was carried, and each poi can give way a few times. */
 static void judge(const struct parting *all, int is_parted)
 {
     uint32_t guilty = 1;
     for (uint32_t round = 0; guilty > 0; round++) {
-        CORE_ASSERT(round <= all->crowd->count + ROUNDS_SPARE);
+        CORE_ASSERT(round <= 2u * all->crowd->count + ROUNDS_SPARE);
         guilty = round == 0 && is_parted ? 0 : judge_pairs(all, round);
         guilty += judge_obstacles(all, round);
     }
@@ -531,6 +524,9 @@ void part_advance(struct part *part, struct crowd *crowd, const struct part_plac
     }
     if (station > 0) {
         crowd_follow(crowd, place->fish);
+        for (uint32_t i = 0; i < crowd->count; i++) {
+            part->step_began_m[i] = place->fish[i].position_m;
+        }
     }
 }
 
@@ -594,6 +590,7 @@ void part_end(struct part *part, const struct crowd *crowd, const struct part_pl
 {
     for (uint32_t i = 0; i < crowd->count && part->turns_back; i++) {
         if (crowd->flags[i] & CROWD_BACK) {
+            CORE_ASSERT(crowd->flags[i] & CROWD_SWIMS);
             place->fish[i].angles = part->began_angles[i];
             place->fish[i].yaw_rate_rad_s = 0.0f;
         }

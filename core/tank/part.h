@@ -45,6 +45,7 @@ enum part_fate { /* What the judgement of this step made of a fish. */
 struct part {
     vec3 began_m[TANK_FISH_MAX + 1u]; /* Where all were when the tick began; lanes read a float
                                          beyond the last. */
+    vec3 step_began_m[TANK_FISH_MAX]; /* The same of a later step of the tick. */
     struct angles began_angles[TANK_FISH_MAX];
     float step_max_m[TANK_FISH_MAX];     /* How far from `before` a body may end. */
     uint8_t fate[TANK_FISH_MAX]; /* enum part_fate */

@@ -121,9 +121,7 @@ static void look(struct tank *tank, uint32_t station, const struct surroundings 
 {
     struct crowd *crowd = &tank->crowd;
     const int is_time = station == 0 && around->tick % CROWD_LOOK_TICKS == 0;
-    if (station == 0) {
-        crowd_follow(crowd, tank->fish);
-    }
+    crowd_follow(crowd, tank->fish);
     if (!is_time && !crowd_is_stale(crowd)) {
         crowd_touch(crowd);
         return;

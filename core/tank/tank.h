@@ -34,9 +34,8 @@ struct tank {
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
-    /* Scratch of one tick, which no hash covers; a small board has no stack for it. */
-    struct crowd crowd;
-    struct part part;
+    struct crowd crowd; /* What its last look found is state, which crowd_hash() covers. */
+    struct part part; /* Scratch of one tick, which no hash covers; no board's stack holds it. */
 };
 
 /* A tank to open. */

@@ -197,7 +197,7 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
         look();
         part_bodies(&part, &crowd, &place);
         part_take(&crowd, fish);
-    part_end(&part, &crowd, &place);
+        part_end(&part, &crowd, &place);
         back_count += part.back_count;
         for (uint32_t i = 0; i < COUNT; i++) {
             for (uint32_t j = 0; j < i; j++) {

@@ -1,0 +1,164 @@
+/* test_tank_parts.c -- what parting believes of a whole tank, held against where bodies really are.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/input.h"
+#include "core/tank/tank.h"
+
+#define POI_RADIUS 0.0465f
+#define ROUNDING_M 0.00002f
+
+static struct tank tank, twin;
+
+static void open_official(uint32_t fish_count)
+{
+    tank_init(&tank, TANK_PRESET_OFFICIAL, fish_count, 7);
+}
+
+static int swims(const struct tank *t, uint32_t index)
+{
+    return fish_swims(&t->fish[index]);
+}
+
+/* ---- Who is scooped between two looks ------------------------------------------------------- */
+
+/* Takes a fish out as a poi does. */
+static void scoop(struct tank *t, uint32_t index)
+{
+    t->fish[index].gait = GAIT_HELD;
+    t->fish[index].holder = 0;
+}
+
+/* Where its body was seen last, as far as anybody still knows. */
+static void ghost_at(struct tank *t, uint32_t index, vec3 place_m)
+{
+    t->crowd.body[index].centre_m = place_m;
+}
+
+static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **state)
+{
+    (void)state;
+    uint32_t staged = 0;
+    open_official(1000);
+    for (uint32_t tick = 0; tick < 60u; tick++) {
+        tank_tick(&tank, tick, NULL, 0);
+        if (tick % CROWD_LOOK_TICKS != 0 || tank.crowd.contact_count == 0) {
+            continue;
+        }
+        const struct contact contact = tank.crowd.contact[staged % tank.crowd.contact_count];
+        if (!swims(&tank, contact.a) || !swims(&tank, contact.b)) {
+            continue;
+        }
+        scoop(&tank, contact.a);
+        const struct fish held = tank.fish[contact.a];
+        memcpy(&twin, &tank, sizeof twin);
+        ghost_at(&tank, contact.a, tank.fish[contact.b].position_m);
+        ghost_at(&twin, contact.a, v3(0.0f, 1.0f, 0.0f));
+        for (uint32_t k = 1; k < CROWD_LOOK_TICKS; k++) {
+            tank_tick(&tank, ++tick, NULL, 0);
+            tank_tick(&twin, tick, NULL, 0);
+        }
+        const struct fish *after = &tank.fish[contact.a];
+        assert_memory_equal(&after->position_m, &held.position_m, sizeof held.position_m);
+        assert_memory_equal(&after->angles, &held.angles, sizeof held.angles);
+        assert_true(tank_hash_quick(HASH_START, &tank) == tank_hash_quick(HASH_START, &twin));
+        staged++;
+    }
+    assert_true(staged >= 10);
+}
+
+/* ---- What ways and gaps say ----------------------------------------------------------------- */
+
+static vec3 nearest_in(const struct box *box, vec3 point_m)
+{
+    const vec3 p = basis_to_body(&box->axes, v3_sub(point_m, box->centre_m)), h = box->half_m;
+    const vec3 q =
+        v3(f_clamp(p.x, -h.x, h.x), f_clamp(p.y, -h.y, h.y), f_clamp(p.z, -h.z, h.z));
+    return v3_add(box->centre_m, basis_to_world(&box->axes, q));
+}
+
+/* How far apart two boxes really are: corner to corner that is more than any one axis shows. From
+ * one to the other and back a point comes to where they are nearest. */
+static float apart_m(const struct box *a, const struct box *b)
+{
+    vec3 in_a = a->centre_m, in_b = b->centre_m;
+    for (int k = 0; k < 100; k++) {
+        in_a = nearest_in(a, in_b);
+        in_b = nearest_in(b, in_a);
+    }
+    return v3_length(v3_sub(in_a, in_b));
+}
+
+/* The most by which a pair is nearer than what parting believes, where it believes them apart. */
+static float worst_lie_m(const struct crowd *crowd)
+{
+    float worst_m = 0.0f;
+    for (uint32_t c = 0; c < crowd->near_count; c++) {
+        const struct contact *contact = &crowd->contact[c];
+        const float told_m =
+            contact->gap_m - (crowd->way_m[contact->a] + crowd->way_m[contact->b]);
+        if (told_m > 0.0f && swims(&tank, contact->a) && swims(&tank, contact->b)) {
+            const struct box a = fish_box(&tank.fish[contact->a]),
+                             b = fish_box(&tank.fish[contact->b]);
+            if (box_gap(&a, 0.0f, &b, 0.0f).body_m < told_m) {
+                worst_m = f_max(worst_m, told_m - apart_m(&a, &b));
+            }
+        }
+    }
+    return worst_m;
+}
+
+/* A ring that is swept to and fro through the crowd. */
+static struct obstacle swept(uint32_t tick, float speed_m_s)
+{
+    const float reach_m = 0.5f * tank.size_m.x - 0.06f;
+    const float laps = (float)tick * CORE_TICK_S * speed_m_s / (4.0f * reach_m);
+    const float share = laps - (float)(uint32_t)laps;
+    const float way = share < 0.5f ? 1.0f : -1.0f;
+    const float x = share < 0.5f ? 4.0f * share - 1.0f : 3.0f - 4.0f * share;
+    struct obstacle ring = { .kind = OBSTACLE_DISC,
+                             .centre_m = { x * reach_m, -0.5f * tank.size_m.y, 0.02f },
+                             .radius_m = POI_RADIUS,
+                             .axes = basis_from_angles((struct angles){ 0.0f, 0.4f, 0.9f }) };
+    ring.axes_before = ring.axes;
+    ring.normal = ring.axes.up;
+    ring.velocity_m_s = v3(way * speed_m_s, 0.0f, 0.0f);
+    ring.step_m = v3_scale(ring.velocity_m_s, CORE_TICK_S);
+    return ring;
+}
+
+static void test_a_pair_is_never_nearer_than_its_gap_and_its_ways_say(void **state)
+{
+    (void)state;
+    const float speeds_m_s[] = { 0.3f, 0.8f, 1.5f, 3.0f };
+    open_official(1000);
+    for (uint32_t s = 0; s < 4; s++) {
+        float worst_m = 0.0f;
+        uint32_t back_count = 0;
+        for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+            struct obstacle ring = swept(tick, speeds_m_s[s]);
+            tank_tick(&tank, s * 1000u + tick, &ring, 1);
+            back_count += tank.part.back_count;
+            worst_m = f_max(worst_m, worst_lie_m(&tank.crowd));
+        }
+        print_message("%.1f m/s: %.4f mm nearer at worst, %u put back\n", (double)speeds_m_s[s],
+                      (double)(1000.0f * worst_m), back_count);
+        assert_true(worst_m < ROUNDING_M);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind),
+        cmocka_unit_test(test_a_pair_is_never_nearer_than_its_gap_and_its_ways_say),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
