@@ -1,4 +1,4 @@
-/* swim_lanes.c -- a block of fish moves and settles; line by line what swim.c does for one.
+/* swim_lanes.c -- a block of fish moves and settles; line by line what swim_move.c does for one.
  *
  * The two forms agree to the last bit, which test_swim.c holds over random fish. */
 #include "core/tank/swim_lanes.h"

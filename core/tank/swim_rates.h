@@ -1,4 +1,4 @@
-/* swim_rates.h -- how quickly a fish follows its orders: for swim.c and its lanes, nobody else. */
+/* swim_rates.h -- how quickly a fish follows its orders: for swim*.c, nobody else. */
 #ifndef KINGYO_CORE_TANK_SWIM_RATES_H
 #define KINGYO_CORE_TANK_SWIM_RATES_H
 
