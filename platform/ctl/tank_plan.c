@@ -131,8 +131,9 @@ static enum exit_code take_figure(struct words *words, enum figure figure, const
     return EXIT_OK;
 }
 
-static enum exit_code take_preset(struct words *words, const char *value)
+static enum exit_code take_preset(struct tank_plan *plan, struct words *words, const char *value)
 {
+    (void)plan;
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
         if (value && strcmp(value, tank_preset(id)->name) == 0) {
             words->preset = id;
@@ -142,34 +143,80 @@ static enum exit_code take_preset(struct words *words, const char *value)
     return refuse("--preset", value, "thesis, official or festival");
 }
 
-static enum exit_code take_pump(struct words *words, const char *value)
+static enum exit_code take_fish(struct tank_plan *plan, struct words *words, const char *value)
 {
-    const int on = value && strcmp(value, "on") == 0;
-    words->pump = on ? PUMP_ON : PUMP_OFF;
-    return on || (value && strcmp(value, "off") == 0) ? EXIT_OK
-                                                      : refuse("--pump", value, "on or off");
+    (void)plan;
+    words->fish = value ? value : "";
+    return EXIT_OK;
 }
 
-static enum exit_code take_pairs(struct words *words, const char *value)
+/* One of two words: `*is_second` says which. */
+static enum exit_code take_choice(const char *option, const char *value, const char *first,
+                                  const char *second, uint8_t *is_second)
 {
-    const int all = value && strcmp(value, "all") == 0;
-    words->search = all ? PAIRS_ALL : PAIRS_GRID;
-    return all || (value && strcmp(value, "grid") == 0) ? EXIT_OK
-                                                        : refuse("--pairs", value, "grid or all");
+    char expected[32];
+    *is_second = value && strcmp(value, second) == 0;
+    if (*is_second || (value && strcmp(value, first) == 0)) {
+        return EXIT_OK;
+    }
+    snprintf(expected, sizeof expected, "%s or %s", first, second);
+    return refuse(option, value, expected);
 }
 
-static enum exit_code take_spaces(struct words *words, const char *value)
+static enum exit_code take_pump(struct tank_plan *plan, struct words *words, const char *value)
 {
-    words->balls = value && strcmp(value, "ball") == 0;
-    return words->balls || (value && strcmp(value, "box") == 0)
-               ? EXIT_OK
-               : refuse("--spaces", value, "box or ball");
+    uint8_t is_off;
+    (void)plan;
+    const enum exit_code code = take_choice("--pump", value, "on", "off", &is_off);
+    words->pump = is_off ? PUMP_OFF : PUMP_ON;
+    return code;
+}
+
+static enum exit_code take_pairs(struct tank_plan *plan, struct words *words, const char *value)
+{
+    uint8_t is_all;
+    (void)plan;
+    const enum exit_code code = take_choice("--pairs", value, "grid", "all", &is_all);
+    words->search = is_all ? PAIRS_ALL : PAIRS_GRID;
+    return code;
+}
+
+static enum exit_code take_spaces(struct tank_plan *plan, struct words *words, const char *value)
+{
+    (void)plan;
+    return take_choice("--spaces", value, "box", "ball", &words->balls);
 }
 
 static enum exit_code take_path(const char **path, const char *option, const char *value)
 {
     *path = value;
     return value && *value ? EXIT_OK : refuse(option, value, "a path");
+}
+
+static enum exit_code take_poi_path(struct tank_plan *plan, struct words *words, const char *value)
+{
+    (void)words;
+    return take_path(&plan->poi_path, "--poi-path", value);
+}
+
+static enum exit_code take_place(struct tank_plan *plan, struct words *words, const char *value)
+{
+    (void)words;
+    return take_path(&plan->place, "--place", value);
+}
+
+static enum exit_code take_trace(struct tank_plan *plan, struct words *words, const char *value)
+{
+    (void)words;
+    return take_path(&plan->trace, "--trace", value);
+}
+
+static enum exit_code take_json(struct tank_plan *plan, struct words *words, const char *value)
+{
+    (void)words;
+    (void)value;
+    plan->as_json = 1;
+    return EXIT_OK;
 }
 
 /* `count` numbers with commas between them, each in its range: 1, or 0. */
@@ -191,8 +238,9 @@ static int read_list(const char *text, const struct range *parts, int count, dou
     return text != NULL;
 }
 
-static enum exit_code take_size(struct words *words, const char *value)
+static enum exit_code take_size(struct tank_plan *plan, struct words *words, const char *value)
 {
+    (void)plan;
     static const struct range parts[3] = {
         { "width", CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M), 0 },
         { "depth", CM(TANK_DEPTH_MIN_M), CM(TANK_DEPTH_MAX_M), 0 },
@@ -205,8 +253,9 @@ static enum exit_code take_size(struct words *words, const char *value)
     return EXIT_OK;
 }
 
-static enum exit_code take_shade(struct tank_plan *plan, const char *value)
+static enum exit_code take_shade(struct tank_plan *plan, struct words *words, const char *value)
 {
+    (void)words;
     static const struct range parts[5] = {
         { "x", -1000, 1000, 0 },
         { "z", -1000, 1000, 0 },
@@ -229,6 +278,22 @@ static enum exit_code take_shade(struct tank_plan *plan, const char *value)
     return EXIT_OK;
 }
 
+/* Options whose value is no number. */
+struct option {
+    const char *name;
+    enum exit_code (*take)(struct tank_plan *plan, struct words *words, const char *value);
+    uint8_t word_count; /* With its value. */
+};
+
+static const struct option table[] = {
+    { "--preset", take_preset, 2 }, { "--fish", take_fish, 2 },
+    { "--pump", take_pump, 2 },     { "--pairs", take_pairs, 2 },
+    { "--spaces", take_spaces, 2 }, { "--size-cm", take_size, 2 },
+    { "--shade", take_shade, 2 },   { "--poi-path", take_poi_path, 2 },
+    { "--place", take_place, 2 },   { "--trace", take_trace, 2 },
+    { "--json", take_json, 1 },
+};
+
 /* Takes the option and its value; `*used` says how many words that were. */
 static enum exit_code take_option(struct tank_plan *plan, struct words *words, const char *option,
                                   const char *value, int *used)
@@ -239,41 +304,11 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
             return take_figure(words, figure, value);
         }
     }
-    if (strcmp(option, "--preset") == 0) {
-        return take_preset(words, value);
-    }
-    if (strcmp(option, "--fish") == 0) {
-        words->fish = value ? value : "";
-        return EXIT_OK;
-    }
-    if (strcmp(option, "--pump") == 0) {
-        return take_pump(words, value);
-    }
-    if (strcmp(option, "--pairs") == 0) {
-        return take_pairs(words, value);
-    }
-    if (strcmp(option, "--spaces") == 0) {
-        return take_spaces(words, value);
-    }
-    if (strcmp(option, "--size-cm") == 0) {
-        return take_size(words, value);
-    }
-    if (strcmp(option, "--shade") == 0) {
-        return take_shade(plan, value);
-    }
-    if (strcmp(option, "--poi-path") == 0) {
-        return take_path(&plan->poi_path, option, value);
-    }
-    if (strcmp(option, "--place") == 0) {
-        return take_path(&plan->place, option, value);
-    }
-    if (strcmp(option, "--trace") == 0) {
-        return take_path(&plan->trace, option, value);
-    }
-    if (strcmp(option, "--json") == 0) {
-        *used = 1;
-        plan->as_json = 1;
-        return EXIT_OK;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        if (strcmp(option, table[i].name) == 0) {
+            *used = table[i].word_count;
+            return table[i].take(plan, words, value);
+        }
     }
     return ctl_usage(name, "unknown option '%.100s'; --help lists them", option);
 }
