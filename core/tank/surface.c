@@ -114,6 +114,18 @@ void surface_rise(struct fish *fish, uint32_t index, const struct surroundings *
     begin_bout(fish, index, around);
 }
 
+static int is_up(const struct fish *fish)
+{
+    return top_m(fish) > -SNOUT_M;
+}
+
+void surface_stage(struct fish *fish, const struct law *law)
+{
+    fish->gait = is_up(fish) ? GAIT_SURFACE : GAIT_SWIM;
+    fish->air = is_up(fish) ? AIR_GULPS : AIR_RISES;
+    fish->gait_left_s = law->gulp_max_s;
+}
+
 int surface_ducks(struct fish *fish)
 {
     if (fish->gait != GAIT_SURFACE || top_m(fish) <= 0.0f) {
@@ -164,8 +176,8 @@ static void leave(struct fish *fish, uint32_t index, const struct surroundings *
 
 int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
-    const int is_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
-    if (is_up && fish->gait != GAIT_SURFACE) { /* A poi took it, and here it is again. */
+    const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
+    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi took it, and here it is again. */
         fish->air = AIR_ENOUGH;
     }
     breathe(fish, around);
@@ -175,7 +187,7 @@ int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *a
     }
     switch (fish->air) {
     case AIR_RISES:
-        if (top_m(fish) > -SNOUT_M) {
+        if (is_up(fish)) {
             fish->gait = GAIT_SURFACE;
             fish->air = AIR_GULPS;
         }

@@ -21,6 +21,10 @@ int surface_calls(const struct fish *fish, uint32_t index, const struct surround
  * never come up). */
 void surface_rise(struct fish *fish, uint32_t index, const struct surroundings *around);
 
+/* Staged as a gulper: its longest bout begins where its back is at the surface already, else it
+ * comes up first. */
+void surface_stage(struct fish *fish, const struct law *law);
+
 /* `around->dt_s` later: what bad water costs it, its way up, its gulps and its way down. Returns
  * whether it is about one of these: then it chooses no other gait. */
 int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *around);

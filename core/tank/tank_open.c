@@ -7,6 +7,7 @@
 #include "core/base/rng.h"
 #include "core/morph/morph.h"
 #include "core/tank/gait.h"
+#include "core/tank/surface.h"
 #include "core/tank/swim.h"
 
 #define PLACE_TRIES 12u /* For a spot clear of the bowl; then any will do. */
@@ -244,7 +245,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
 
 static void stage(struct fish *fish, const struct tank_stage *wanted, const struct law *law)
 {
-    CORE_ASSERT(wanted->gait <= GAIT_BURST);
+    CORE_ASSERT(wanted->gait <= GAIT_BURST || wanted->gait == GAIT_SURFACE);
     if (wanted->length_m > 0.0f) {
         fish_grow(fish, wanted->length_m, law);
     }
@@ -257,6 +258,10 @@ static void stage(struct fish *fish, const struct tank_stage *wanted, const stru
     fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Thesis, section 3.2. */
     fish->speed_m_s = wanted->speed_m_s;
     fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
+    fish->air = AIR_ENOUGH;
+    if (wanted->gait == GAIT_SURFACE) {
+        surface_stage(fish, law);
+    }
 }
 
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)

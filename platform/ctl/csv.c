@@ -8,6 +8,9 @@
 #include "platform/number.h"
 
 #define FIELD_SHOWN 40 /* Characters of a wrong value that are told again. */
+#define LIST_MAX 256u
+
+static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* U+FEFF in UTF-8. */
 
 static enum exit_code refuse_line(const struct csv *csv, const char *what)
 {
@@ -32,6 +35,15 @@ static int is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
+/* Some editors begin a file with it; it is no part of the first name. */
+static void drop_byte_order_mark(char *text)
+{
+    const size_t length = sizeof byte_order_mark - 1u;
+    if (strncmp(text, byte_order_mark, length) == 0) {
+        memmove(text, text + length, strlen(text + length) + 1u);
+    }
+}
+
 /* Reads the next line that is not empty into csv->text. `*is_end` when there is none. */
 static enum exit_code next_line(struct csv *csv, int *is_end)
 {
@@ -49,6 +61,9 @@ static enum exit_code next_line(struct csv *csv, int *is_end)
         const size_t length = strlen(csv->text);
         if (length == sizeof csv->text - 1 && csv->text[length - 1] != '\n') {
             return refuse_line(csv, "is longer than any line of numbers");
+        }
+        if (csv->line == 1) {
+            drop_byte_order_mark(csv->text);
         }
         size_t blank = 0;
         while (is_blank(csv->text[blank])) {
@@ -80,6 +95,38 @@ static char *cut_field(char **rest)
     return field;
 }
 
+/* Adds one to a list with commas. */
+static void list_word(char list[LIST_MAX], const char *word)
+{
+    const size_t used = strlen(list);
+    snprintf(list + used, LIST_MAX - used, "%s%s", used ? ", " : "", word);
+}
+
+static enum exit_code refuse_name(const struct csv *csv, const char *name, uint32_t number)
+{
+    char list[LIST_MAX] = "";
+    for (uint32_t i = 0; i < csv->column_count; i++) {
+        list_word(list, csv->columns[i].name);
+    }
+    fprintf(stderr, "%s: %s: line %u, column %u: '%.*s' is none of %s\n", csv->speaker, csv->path,
+            csv->line, number, FIELD_SHOWN, name, list);
+    return EXIT_BAD_DATA;
+}
+
+static enum exit_code take_name(struct csv *csv, const char *name, uint32_t number)
+{
+    for (uint32_t i = 0; i < csv->column_count; i++) {
+        if (strcmp(name, csv->columns[i].name) == 0) {
+            if (csv->field_of[i]) {
+                return csv_refuse(csv, i, "is there twice");
+            }
+            csv->field_of[i] = number;
+            return EXIT_OK;
+        }
+    }
+    return refuse_name(csv, name, number);
+}
+
 static enum exit_code read_head(struct csv *csv)
 {
     int is_end;
@@ -88,15 +135,10 @@ static enum exit_code read_head(struct csv *csv)
         return code != EXIT_OK ? code : refuse_line(csv, "is empty: a head of columns is missing");
     }
     char *rest = csv->text;
-    uint32_t number = 1;
-    for (char *name = cut_field(&rest); name; name = cut_field(&rest), number++) {
-        for (uint32_t i = 0; i < csv->column_count; i++) {
-            if (strcmp(name, csv->columns[i].name) == 0) {
-                if (csv->field_of[i]) {
-                    return csv_refuse(csv, i, "is there twice");
-                }
-                csv->field_of[i] = number;
-            }
+    for (char *name = cut_field(&rest); name; name = cut_field(&rest)) {
+        const enum exit_code right = take_name(csv, name, ++csv->field_count);
+        if (right != EXIT_OK) {
+            return right;
         }
     }
     for (uint32_t i = 0; i < csv->column_count; i++) {
@@ -131,15 +173,14 @@ int csv_has(const struct csv *csv, uint32_t index)
 static enum exit_code read_word(const struct csv *csv, uint32_t index, const char *text,
                                 double *value)
 {
-    char list[128] = "";
+    char list[LIST_MAX] = "";
     const char *const *words = csv->columns[index].words;
     for (uint32_t i = 0; words[i]; i++) {
         if (strcmp(text, words[i]) == 0) {
             *value = (double)i;
             return EXIT_OK;
         }
-        const size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
+        list_word(list, words[i]);
     }
     return csv_refuse(csv, index, "'%.*s' is none of %s", FIELD_SHOWN, text, list);
 }
@@ -148,6 +189,9 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
                                  double *value)
 {
     const struct csv_column *column = &csv->columns[index];
+    if (column->unread) {
+        return EXIT_OK;
+    }
     if (column->words) {
         return read_word(csv, index, text, value);
     }
@@ -158,35 +202,47 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
     return EXIT_OK;
 }
 
+/* The column that the file has at `number`, which the head has. */
+static uint32_t column_at(const struct csv *csv, uint32_t number)
+{
+    uint32_t index = 0;
+    while (csv->field_of[index] != number) {
+        index++;
+    }
+    return index;
+}
+
+static enum exit_code refuse_surplus(const struct csv *csv, const char *text)
+{
+    fprintf(stderr, "%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns\n",
+            csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, text,
+            csv->field_count);
+    return EXIT_BAD_DATA;
+}
+
 enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
 {
     const enum exit_code code = next_line(csv, is_end);
     if (code != EXIT_OK || *is_end) {
         return code;
     }
-    uint32_t found = 0, wanted = 0, number = 1;
     for (uint32_t i = 0; i < csv->column_count; i++) {
         values[i] = csv->columns[i].otherwise;
-        wanted += csv_has(csv, i) ? 1u : 0u;
     }
     char *rest = csv->text;
-    for (char *text = cut_field(&rest); text; text = cut_field(&rest), number++) {
-        for (uint32_t i = 0; i < csv->column_count; i++) {
-            if (csv->field_of[i] == number) {
-                found++;
-                const enum exit_code right = read_value(csv, i, text, &values[i]);
-                if (right != EXIT_OK) {
-                    return right;
-                }
-            }
+    for (uint32_t number = 1; number <= csv->field_count; number++) {
+        const uint32_t index = column_at(csv, number);
+        const char *text = cut_field(&rest);
+        if (!text) {
+            return csv_refuse(csv, index, "is missing: the line ends before it");
+        }
+        const enum exit_code right = read_value(csv, index, text, &values[index]);
+        if (right != EXIT_OK) {
+            return right;
         }
     }
-    for (uint32_t i = 0; found < wanted && i < csv->column_count; i++) {
-        if (csv->field_of[i] >= number) {
-            return csv_refuse(csv, i, "is missing: the line ends before it");
-        }
-    }
-    return EXIT_OK;
+    const char *surplus = cut_field(&rest);
+    return surplus ? refuse_surplus(csv, surplus) : EXIT_OK;
 }
 
 void csv_close(struct csv *csv)

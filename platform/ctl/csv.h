@@ -1,8 +1,9 @@
 /* csv.h -- tables of numbers that people write: columns by the names in the first line.
  *
- * Nothing is assumed of the order of the columns; those that nobody asks for are passed over. Lines
- * end in LF or CRLF, empty ones are skipped. What cannot be used is told in one line that names the
- * file, the line and the column. */
+ * Nothing is assumed of the order of the columns; but each must be a known one, and every row as
+ * long as the head: a misspelt name that was passed over would be a default in disguise. Lines end
+ * in LF or CRLF, empty ones are skipped, and so is the byte-order mark that some editors begin
+ * with. What cannot be used is told in one line that names the file, the line and the column. */
 #ifndef KINGYO_PLATFORM_CTL_CSV_H
 #define KINGYO_PLATFORM_CTL_CSV_H
 
@@ -14,12 +15,13 @@
 #define CSV_COLUMN_MAX 16u
 #define CSV_LINE_MAX 1024u
 
-/* A column that is asked for. */
+/* A column that is known. */
 struct csv_column {
     const char *name;
     double min, max;          /* Of its numbers. */
     const char *const *words; /* Not null: the value is the place of one of these, ends in null. */
     uint8_t may_miss;         /* Else a file without it is refused. */
+    uint8_t unread;           /* Its values are nobody's business: always `otherwise`. */
     double otherwise;         /* Its value where the file has no such column. */
 };
 
@@ -27,7 +29,8 @@ struct csv {
     const char *speaker; /* "kingyoctl tank: --place" */
     const char *path;
     FILE *file;
-    uint32_t line; /* Number of the newest line, from 1. */
+    uint32_t line;        /* Number of the newest line, from 1. */
+    uint32_t field_count; /* Of the head, and so of every row. */
     const struct csv_column *columns;
     uint32_t column_count;             /* <= CSV_COLUMN_MAX */
     uint32_t field_of[CSV_COLUMN_MAX]; /* In the file, from 1; 0: the file has none. */

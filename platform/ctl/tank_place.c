@@ -10,26 +10,37 @@
 #define TOUCH_M 0.0001 /* What rounding to a trace's decimals may put into a wall. */
 
 enum {
-    X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, LENGTH_CM, SPEED_CM_S, GAIT, STAMINA,
-    COLUMN_COUNT,
+    TICK, FISH, X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, LENGTH_CM, HEIGHT_CM, WIDTH_CM,
+    SPEED_CM_S, TAIL_HZ, GAIT, STAMINA, AVOIDING, COLUMN_COUNT,
 };
 
-/* The gaits that a fish can be told to begin with; in the order of `gaits`. */
-static const char *const gait_words[] = { "rest", "swim", "burst", NULL };
-static const uint8_t gaits[] = { GAIT_REST, GAIT_SWIM, GAIT_BURST };
+/* The trace's gaits, and what a fish of each begins with: who escaped bursts on, for what it fled
+ * from is not here. Nobody is here to hold one either: GAIT_HELD is refused. */
+static const char *const gait_words[] = { "rest", "swim", "burst", "escape", "surface", "held",
+                                          NULL };
+static const uint8_t gaits[] = { GAIT_REST, GAIT_SWIM, GAIT_BURST, GAIT_BURST, GAIT_SURFACE,
+                                 GAIT_HELD };
 #define GAIT_BY_SPEED (-1.0)
 
+/* Every column of the trace (tank_trace.c). The box follows from the length; a tail that beats and
+ * a way that is given begin anew. */
 static const struct csv_column columns[COLUMN_COUNT] = {
+    [TICK] = { .name = "tick", .min = 0, .max = UINT32_MAX, .may_miss = 1 },
+    [FISH] = { .name = "fish", .may_miss = 1, .unread = 1 },
     [X_CM] = { .name = "x_cm", .min = -1000, .max = 1000 },
-    [Y_CM] = { .name = "y_cm", .min = -100, .max = 0 },
+    [Y_CM] = { .name = "y_cm", .min = -100, .max = 100 },
     [Z_CM] = { .name = "z_cm", .min = -1000, .max = 1000 },
     [YAW_DEG] = { .name = "yaw_deg", .min = -360, .max = 360 },
     [PITCH_DEG] = { .name = "pitch_deg", .min = -90, .max = 90, .may_miss = 1 },
     [ROLL_DEG] = { .name = "roll_deg", .min = -180, .max = 180, .may_miss = 1 },
     [LENGTH_CM] = { .name = "length_cm", .min = 1, .max = 20, .may_miss = 1 },
-    [SPEED_CM_S] = { .name = "speed_cm_s", .min = 0, .max = 100, .may_miss = 1 },
+    [HEIGHT_CM] = { .name = "height_cm", .may_miss = 1, .unread = 1 },
+    [WIDTH_CM] = { .name = "width_cm", .may_miss = 1, .unread = 1 },
+    [SPEED_CM_S] = { .name = "speed_cm_s", .min = 0, .max = 1000, .may_miss = 1 },
+    [TAIL_HZ] = { .name = "tail_hz", .may_miss = 1, .unread = 1 },
     [GAIT] = { .name = "gait", .words = gait_words, .may_miss = 1, .otherwise = GAIT_BY_SPEED },
     [STAMINA] = { .name = "stamina", .min = 0, .max = 100, .may_miss = 1, .otherwise = 100 },
+    [AVOIDING] = { .name = "avoiding", .may_miss = 1, .unread = 1 },
 };
 
 /* Of cm, or of the thesis' stamina. */
@@ -57,19 +68,37 @@ static struct tank_stage stage_of(const double value[COLUMN_COUNT])
     };
 }
 
+static enum exit_code take_row(struct tank_place *place, const struct csv *csv,
+                               const double value[COLUMN_COUNT])
+{
+    if (place->count > 0 && value[TICK] != place->tick) {
+        place->rows_left_out++;
+        return EXIT_OK;
+    }
+    const struct tank_stage stage = stage_of(value);
+    if (stage.gait == GAIT_HELD) {
+        return csv_refuse(csv, GAIT, "nobody is here to hold it; leave its row out, or let it swim");
+    }
+    if (place->count == TANK_FISH_MAX) {
+        return csv_refuse(csv, X_CM, "more than %u fish", TANK_FISH_MAX);
+    }
+    place->tick = value[TICK];
+    place->line[place->count] = csv->line;
+    place->stage[place->count++] = stage;
+    return EXIT_OK;
+}
+
 enum exit_code tank_place_read(struct tank_place *place, const char *speaker, const char *file)
 {
     struct csv csv;
     double value[COLUMN_COUNT];
     int is_end = 0;
-    place->count = 0;
+    place->count = place->rows_left_out = 0;
     enum exit_code code = csv_open(&csv, speaker, file, columns, COLUMN_COUNT);
     while (code == EXIT_OK && !is_end) {
         code = csv_row(&csv, value, &is_end);
-        if (code == EXIT_OK && !is_end && place->count == TANK_FISH_MAX) {
-            code = csv_refuse(&csv, X_CM, "more than %u fish", TANK_FISH_MAX);
-        } else if (code == EXIT_OK && !is_end) {
-            place->stage[place->count++] = stage_of(value);
+        if (code == EXIT_OK && !is_end) {
+            code = take_row(place, &csv, value);
         }
     }
     if (code == EXIT_OK && place->count == 0) {
@@ -87,13 +116,23 @@ static double extent_m(const struct overlap_box *box, int along)
            box->half_m[2] * fabs(box->axis[2][along]);
 }
 
-static int is_in_water(const struct overlap_box *box, vec3 size_m)
+/* `emerges_m`: so much of it may stand out at the top. */
+static int is_in_water(const struct overlap_box *box, vec3 size_m, double emerges_m)
 {
     const double side[3] = { 0.5 * (double)size_m.x, (double)size_m.y, 0.5 * (double)size_m.z };
     return fabs(box->centre_m[0]) + extent_m(box, 0) <= side[0] + TOUCH_M &&
            fabs(box->centre_m[2]) + extent_m(box, 2) <= side[2] + TOUCH_M &&
-           box->centre_m[1] + extent_m(box, 1) <= TOUCH_M &&
+           box->centre_m[1] + extent_m(box, 1) <= emerges_m + TOUCH_M &&
            box->centre_m[1] - extent_m(box, 1) >= -side[1] - TOUCH_M;
+}
+
+static void tell_left_out(const struct tank_place *place, const char *speaker, const char *file)
+{
+    if (place->rows_left_out > 0) {
+        fprintf(stderr, "%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
+                "others are left out\n", speaker, file, place->count, place->tick,
+                place->rows_left_out);
+    }
 }
 
 enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tank,
@@ -101,10 +140,13 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
 {
     tank_stage_all(tank, place->stage, place->count);
     for (uint32_t i = 0; i < place->count; i++) {
-        const struct overlap_box box = overlap_box_of(&tank->fish[i]);
-        if (!is_in_water(&box, tank->size_m)) {
-            fprintf(stderr, "%s: %s: fish %u is not all in the water: %g x %g cm, %g cm deep\n",
-                    speaker, file, i, 100.0 * (double)tank->size_m.x,
+        const struct fish *fish = &tank->fish[i];
+        const struct overlap_box box = overlap_box_of(fish);
+        const double emerges_m =
+            place->stage[i].gait == GAIT_SURFACE ? (double)fish_emerges_m(fish) : 0.0;
+        if (!is_in_water(&box, tank->size_m, emerges_m)) {
+            fprintf(stderr, "%s: %s: line %u: fish %u is not all in the water: %g x %g cm, %g cm "
+                    "deep\n", speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
                     100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
             return EXIT_BAD_DATA;
         }
@@ -112,11 +154,12 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
             const struct overlap_box other = overlap_box_of(&tank->fish[j]);
             const double depth_mm = 1000.0 * overlap_depth_m(&box, &other);
             if (depth_mm > OVERLAP_DEEP_MM) {
-                fprintf(stderr, "%s: %s: fish %u and %u are %.1f mm in each other\n", speaker,
-                        file, j, i, depth_mm);
+                fprintf(stderr, "%s: %s: line %u: fish %u and %u are %.1f mm in each other\n",
+                        speaker, file, place->line[i], j, i, depth_mm);
                 return EXIT_BAD_DATA;
             }
         }
     }
+    tell_left_out(place, speaker, file);
     return EXIT_OK;
 }
