@@ -59,16 +59,24 @@ static void count_second(struct tank_lab *lab)
     }
 }
 
+static void count_speed(struct lab_sums *sums, const struct fish *fish)
+{
+    if (fish_swims(fish) && !fish->falls) {
+        const double speed_m_s = (double)v3_length(fish->velocity_m_s);
+        sums->swim_ticks++;
+        sums->speed_m_s += speed_m_s;
+        sums->speed_max_m_s = fmax(sums->speed_max_m_s, speed_m_s);
+    }
+}
+
 static void count_fish(struct tank_lab *lab)
 {
     struct lab_sums *sums = &lab->sums;
     for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
         const struct fish *fish = &lab->tank.fish[i];
-        const double speed_m_s = (double)v3_length(fish->velocity_m_s);
         sums->gait_ticks[fish->gait]++;
         sums->stamina += (double)fish->stamina;
-        sums->speed_m_s += speed_m_s;
-        sums->speed_max_m_s = fmax(sums->speed_max_m_s, speed_m_s);
+        count_speed(sums, fish);
     }
     sums->fish_ticks += lab->tank.fish_count;
 }

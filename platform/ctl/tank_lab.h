@@ -20,7 +20,9 @@
 struct lab_sums {
     uint64_t fish_ticks;
     uint64_t gait_ticks[GAIT_COUNT];
-    double speed_m_s, speed_max_m_s, stamina;
+    double stamina;
+    uint64_t swim_ticks; /* Of fish that swim: a poi or the air moves the others. */
+    double speed_m_s, speed_max_m_s;
 };
 
 struct tank_lab {

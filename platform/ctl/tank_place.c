@@ -77,7 +77,7 @@ static enum exit_code take_row(struct tank_place *place, const struct csv *csv,
     }
     const struct tank_stage stage = stage_of(value);
     if (stage.gait == GAIT_HELD) {
-        return csv_refuse(csv, GAIT, "nobody is here to hold it; leave its row out, or let it swim");
+        return csv_refuse(csv, GAIT, "nobody is here to hold it; leave it out, or let it swim");
     }
     if (place->count == TANK_FISH_MAX) {
         return csv_refuse(csv, X_CM, "more than %u fish", TANK_FISH_MAX);

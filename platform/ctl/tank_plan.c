@@ -29,7 +29,11 @@ const char tank_plan_usage[] =
     "                         preset's own)\n"
     "  --seed N               of everything random; equal seeds swim alike (1)\n"
     "  --place FILE           these fish: CSV with x_cm,y_cm,z_cm,yaw_deg, and if there\n"
-    "                         pitch_deg,roll_deg,length_cm,speed_cm_s,gait,stamina\n"
+    "                         pitch_deg,roll_deg,length_cm,speed_cm_s,gait,stamina; or a\n"
+    "                         trace, of which the first tick is taken. Gaits: rest, swim,\n"
+    "                         burst; escape bursts on; surface gulps on, or comes up to gulp\n"
+    "                         where it lies deep; held is refused: nobody is there to hold it.\n"
+    "                         The box follows from the length\n"
     "What happens\n"
     "  --seconds S            for so long, 0.1 to 36000 (10)\n"
     "  --shade X_CM,Z_CM,R_CM,FROM_S,TO_S\n"
@@ -47,8 +51,10 @@ const char tank_plan_usage[] =
     "Lengths are cm: x to the right, y up from the surface, z toward the player. Angles are\n"
     "degrees: yaw about +y (0 faces -z), then pitch (lifts the nose), then roll (lowers the\n"
     "right side). A tick is 1/120 s. Counts per second begin with the start, second 0.\n"
-    "Shares and means are over all fish and ticks; ns_per_fish_tick is the mean CPU time of\n"
-    "the tank's own tick; body_overlaps counts pairs and ticks deeper than 0.5 mm.\n";
+    "Shares and means are over all fish and ticks; speeds, mean and max, over those that swim:\n"
+    "not held by a poi, not falling through the air. ns_per_fish_tick is the mean CPU time of\n"
+    "the tank's own tick; body_overlaps counts pairs and ticks deeper than 0.5 mm.\n"
+    "In CSV every column must be a known one, and every row as long as the head.\n";
 
 static const char name[] = "tank";
 

@@ -30,9 +30,10 @@ struct tank_figures tank_figures_of(struct tank_lab *lab)
 {
     const struct lab_sums *sums = &lab->sums;
     const double fish_ticks = (double)sums->fish_ticks;
+    const double swim_ticks = sums->swim_ticks > 0 ? (double)sums->swim_ticks : 1.0;
     struct tank_figures figures = {
         .ns_per_fish_tick = mean_ns(lab) / (double)lab->tank.fish_count,
-        .speed_mean_cm_s = 100.0 * sums->speed_m_s / fish_ticks,
+        .speed_mean_cm_s = 100.0 * sums->speed_m_s / swim_ticks,
         .speed_max_cm_s = 100.0 * sums->speed_max_m_s,
         .stamina_mean = 100.0 * sums->stamina / fish_ticks,
     };

@@ -123,8 +123,39 @@ check 'and begin where they were placed' grep -q '^0,0,-12.0000,-10.0000,0.2000,
 check 'without touching' no_deep "$work/two.csv" 136 20 65
 "$ctl" tank --fish 20 --seconds 1 --trace "$work/every.csv" --trace-every 30 >"$work/text"
 check 'figures for people, too' grep -q 'ns a fish and tick' "$work/text"
-awk -F, 'NR == 1 || $1 == 120' "$work/every.csv" | sed 's/escape\|surface/swim/' >"$work/again.csv"
-check 'a trace can be placed again' "$ctl" tank --place "$work/again.csv" --seconds 1
+check 'a trace can be placed again' "$ctl" tank --place "$work/every.csv" --seconds 1
+placed_alike() { # TRACE PRESET: the fish of its only tick stand where they stood, but for rounding.
+    "$ctl" tank --preset "$2" --place "$1" --seconds 0.1 --trace "$work/alike.csv" >"$work/text" || return 1
+    awk -F, 'FNR == 1 { next } NR == FNR { for (k = 2; k <= 11; k++) was[FNR, k] = $k; rows++; next }
+        $1 == 0 { seen++; for (k = 2; k <= 11; k++) if (($k - was[FNR, k]) ^ 2 > 0.0003 ^ 2) { print; bad = 1 } }
+        END { print seen, "of", rows; exit bad || seen != rows || seen < 100 }' "$1" "$work/alike.csv"
+}
+# Of fish that fled from a poi in bad water, the last tick: all gaits there are, but for those on the poi.
+printf 't_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg\n0,-30,6,0,0,0,0\n1.5,-30,-5,0,0,0,0\n3,30,-5,0,0,0,0\n' >"$work/flee.csv"
+"$ctl" tank --preset festival --oxygen-mg-l 1 --seconds 2.4 --poi-path "$work/flee.csv" --trace "$work/fled.csv" \
+    --trace-every 288 >/dev/null
+awk -F, 'NR == 1 || $1 == 288 && $14 != "held"' "$work/fled.csv" >"$work/last.csv"
+has_gaits() { for gait in escape surface; do grep -c ",$gait," "$work/last.csv" || return 1; done; }
+check 'and one of fish that flee and gulp' has_gaits
+check 'each where it was' placed_alike "$work/last.csv" festival
+
+# A poi lifts fish and carries them off faster than they swim: their speed is not the shoal's.
+printf '%s\n' t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg 0,-30,6,0,0,0,0 0.5,-30,-7,0,0,40,0 1.5,-10,-7,0,0,10,0 \
+    3,0,5,0,0,0,0 3.3,40,5,0,0,0,0 >"$work/lift.csv"
+"$ctl" tank --preset official --oxygen-mg-l 1 --seconds 3.5 --poi-path "$work/lift.csv" --json --trace "$work/lift.trace" \
+    --trace-every 1 >"$work/lift.json"
+swim_speeds() { # Mean and greatest, of who is not held; of who is, how many there were.
+    awk -F, 'NR > 1 && $1 > 0 { if ($14 == "held") { held++; next } all++; sum += $12; top = $12 > top ? $12 : top }
+        END { printf "%.4f %.4f %d\n", sum / all, top, held }' "$work/lift.trace"
+}
+equal_speeds() {
+    local mean top held
+    read -r mean top held < <(swim_speeds)
+    echo "the trace: $mean $top, $held held; the figures: $(json "$work/lift.json" speed_cm_s)"
+    [ "$held" -gt 100 ] && holds "$work/lift.json" \
+        "abs(json_extract(j,'\$.speed_cm_s.mean')-$mean)<0.002 and abs(json_extract(j,'\$.speed_cm_s.max')-$top)<0.002"
+}
+check 'speeds are of fish that swim, not of those on the poi' equal_speeds
 
 # ---- Mistakes: one line that names the option, nothing on standard output
 mistake() { # STATUS NEEDLE OPTIONS...
@@ -149,6 +180,10 @@ check 'an infinite angle is bad data, by line and column' mistake 65 'line 3, co
     --poi-path "$work/bad.csv"
 sed 's/5.25,swim/5.25,fly/' "$work/place.csv" >"$work/bad.csv"
 check 'and so is a gait that is none' mistake 65 'line 2, column 6 (gait)' --place "$work/bad.csv"
+printf '%s\n' 'x_cm,y_cm,z_cm,yaw_deg,stamnia' '0,-5,0,0,50' >"$work/bad.csv"
+check 'a misspelt column is no default' mistake 65 "line 1, column 5: 'stamnia'" --place "$work/bad.csv"
+sed 's/^3,.*/&,9/' "$work/path.csv" >"$work/bad.csv"
+check 'nor are surplus fields passed over' mistake 65 "line 3, column 8: '9'" --poi-path "$work/bad.csv"
 check 'a full disk is told' mistake 74 /dev/full --seconds 1 --trace /dev/full
 full_output() {
     "$ctl" tank --fish 5 --seconds 1 --json >/dev/full

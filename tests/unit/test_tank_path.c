@@ -95,11 +95,11 @@ static void test_a_path_is_linear_between_rows_and_held_after_the_last(void **st
     assert_true(after.position_m.x == 0.1f && fabsf(after.angles.roll_rad - 10.0f * F_DEG) < 1e-6f);
 }
 
-static void test_columns_may_stand_in_any_order_beside_others(void **state)
+static void test_columns_may_stand_in_any_order_behind_a_byte_order_mark(void **state)
 {
     (void)state;
-    assert_int_equal(read_text("note, yaw_deg ,t_s,x_cm,y_cm,z_cm,pitch_deg,roll_deg\r\n\r\n"
-                               "hello,30,0,1,2,3,4,5\r\n", read_path), EXIT_OK);
+    assert_int_equal(read_text("\xEF\xBB\xBF yaw_deg ,t_s,x_cm,y_cm,z_cm,pitch_deg,roll_deg\r\n\r\n"
+                               "30,0,1,2,3,4,5\r\n", read_path), EXIT_OK);
     const struct poi_target pose = tank_path_at(&path, 0.0);
     assert_true(pose.position_m.x == 0.01f && fabsf(pose.angles.yaw_rad - 30.0f * F_DEG) < 1e-6f);
 }
@@ -120,6 +120,13 @@ static void test_a_bad_path_is_told_by_line_and_column(void **state)
         { HEAD "0,0,0,0,,0,0\n", "line 2, column 5 (yaw_deg)" },
         { HEAD "1,0,0,0,0,0,0\n1,0,0,0,0,0,0\n", "line 3, column 1 (t_s)" },
         { HEAD "-1,0,0,0,0,0,0\n", "line 2, column 1 (t_s)" },
+        { "t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,note\n",
+          "line 1, column 8: 'note' is none of t_s, x_cm" },
+        { "t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,rol_deg\n", "line 1, column 7: 'rol_deg'" },
+        { "t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,\n", "line 1, column 8: ''" },
+        { HEAD "0,0,0,0,0,0,0\n1,0,0,0,0,0,0,9\n", "line 3, column 8: '9' is beyond" },
+        { HEAD "0,0,0,0,0,0,0,\n", "line 2, column 8: ''" },
+        { HEAD "\xEF\xBB\xBF" "0,0,0,0,0,0,0\n", "line 2, column 1 (t_s)" },
     };
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -163,6 +170,53 @@ static void test_a_fish_that_has_speed_and_no_gait_swims(void **state)
     assert_true(tank.fish[0].length_m == 0.05f);
 }
 
+#define TRACE_HEAD \
+    "tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm," \
+    "speed_cm_s,tail_hz,gait,stamina,avoiding\n"
+
+static void test_a_trace_is_placed_by_its_first_tick(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text(TRACE_HEAD "12,0,-20,-5,0,-90,0,0,5,2,1,40,9,escape,60,none\n"
+                               "12,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n"
+                               "12,2,0,-9,0,0,0,0,5,2,1,0.5,2,surface,90,yaw\n"
+                               "24,0,-19,3,0,-90,0,0,5,2,1,40,9,held,60,none\n"
+                               "24,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n",
+                               stage_place), EXIT_OK);
+    expect_said("the 3 fish of the first tick, 12, are placed; 2 rows of others are left out");
+    const struct fish *fish = tank.fish;
+    assert_int_equal(tank.fish_count, 3);
+    assert_int_equal(fish[0].gait, GAIT_BURST);
+    assert_true(fabsf(fish[0].velocity_m_s.x - 0.4f) < 1e-6f);
+    assert_int_equal(fish[1].gait, GAIT_SURFACE);
+    assert_int_equal(fish[1].air, AIR_GULPS);
+    assert_int_equal(fish[2].air, AIR_RISES); /* It lies deep. */
+    assert_int_equal(fish[2].gait, GAIT_SWIM);
+}
+
+static void test_one_tick_is_placed_without_a_word(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text(TRACE_HEAD "12,0,-20,-5,0,-90,0,0,5,2,1,40,9,swim,60,none\n",
+                               stage_place), EXIT_OK);
+    assert_string_equal(said, "");
+}
+
+/* Section 3.6: it gulps for 3 s and is fully recovered; then it dives. */
+static void test_a_placed_gulper_gulps_and_dives(void **state)
+{
+    uint32_t tick = 0;
+    (void)state;
+    assert_int_equal(read_text("x_cm,y_cm,z_cm,yaw_deg,pitch_deg,gait,stamina\n"
+                               "0,-1.6,0,0,40,surface,10\n", stage_place), EXIT_OK);
+    assert_int_equal(tank.fish[0].gait, GAIT_SURFACE);
+    while (tick < 10u * CORE_TICK_HZ && tank.fish[0].gait == GAIT_SURFACE) {
+        tank_tick(&tank, tick++, NULL, 0);
+    }
+    assert_in_range(tick, 3u * CORE_TICK_HZ, 6u * CORE_TICK_HZ);
+    assert_true(tank.fish[0].stamina > 0.95f);
+}
+
 static void test_fish_that_cannot_be_placed_are_told(void **state)
 {
     static const struct {
@@ -173,9 +227,16 @@ static void test_fish_that_cannot_be_placed_are_told(void **state)
         { "x_cm,y_cm,z_cm,yaw_deg\n0,-0.9,0,0\n", "fish 0 is not all in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg\n0,-19.1,0,0\n", "fish 0 is not all in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,-5,0,0,hop\n", "line 2, column 5 (gait)" },
-        { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,-5,0,0,held\n", "line 2, column 5 (gait)" },
+        { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,-5,0,0,held\n",
+          "line 2, column 5 (gait): nobody is here to hold it" },
+        { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,1.4,0,0,surface\n",
+          "line 2: fish 0 is not all in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg,stamina\n0,-5,0,0,101\n", "line 2, column 5 (stamina)" },
-        { "x_cm,y_cm,z_cm,yaw_deg\n0,5,0,0\n", "line 2, column 2 (y_cm)" },
+        { "x_cm,y_cm,z_cm,yaw_deg,stamnia\n0,-5,0,0,50\n", "line 1, column 5: 'stamnia'" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n0,-5,0,0\n9,-5,0,0,7,8\n", "line 3, column 5: '7'" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n0,5,0,0\n", "line 2: fish 0 is not all in the water" },
+        { "x_cm,y_cm,z_cm,yaw_deg\n0,101,0,0\n", "line 2, column 2 (y_cm)" },
+        { "tick,x_cm,y_cm,z_cm,yaw_deg\n5,0,-5,0,0\n6,nan,-5,0,0\n", "line 3, column 2 (x_cm)" },
     };
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -189,10 +250,13 @@ int main(void)
     snprintf(file_name, sizeof file_name, "/tmp/kingyo-test-path.%d", (int)getpid());
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_path_is_linear_between_rows_and_held_after_the_last),
-        cmocka_unit_test(test_columns_may_stand_in_any_order_beside_others),
+        cmocka_unit_test(test_columns_may_stand_in_any_order_behind_a_byte_order_mark),
         cmocka_unit_test(test_a_bad_path_is_told_by_line_and_column),
         cmocka_unit_test(test_placed_fish_stand_where_they_are_wanted),
         cmocka_unit_test(test_a_fish_that_has_speed_and_no_gait_swims),
+        cmocka_unit_test(test_a_trace_is_placed_by_its_first_tick),
+        cmocka_unit_test(test_one_tick_is_placed_without_a_word),
+        cmocka_unit_test(test_a_placed_gulper_gulps_and_dives),
         cmocka_unit_test(test_fish_that_cannot_be_placed_are_told),
         cmocka_unit_test(test_a_file_that_is_not_there_is_no_bad_data),
     };
