@@ -10,7 +10,8 @@
  * poi's. */
 int contact_fish(const struct poi *poi, const struct basis *axes, const struct fish *fish);
 
-/* Whether the ring presses a fish against the surface. */
+/* Whether a ring that fish hold up presses this one against the surface, itself or by others that
+ * lie between: it must slip off, or the poi could never be lifted. */
 int contact_squeezed(const struct poi *poi, const struct fish *fish);
 
 #endif

@@ -18,6 +18,14 @@ _Static_assert(OBSTACLE_PAPER_SIDE == SHEET_SIDE && OBSTACLE_PAPER_HOLDS == CELL
 #define HAND_N_M 215.0f
 #define HAND_LAG_AIR_S 0.0250f
 #define HAND_N_MAX 20.0f     /* What a wrist gives; the poi yields beyond it. */
+/* Who pushes against what yields slowly feels it and slows down with it. Free again, the poi goes
+ * at the pace of the hand, now or a moment ago, and catches up at leisure: the spring alone would
+ * shoot it off at 3.7 m/s. What moves freely is behind by its speed times the lag: it may go at
+ * pace (1 + 4 lag), which is more than it ever goes: pace exp(lag / 0.3 s). */
+#define CATCH_UP_PER_S 4.0f /* Of the way that it is behind, ... */
+#define CATCH_UP_M_S 1.0f   /* ... at most. */
+#define PACE_TAU_S 0.30f    /* A hand's pace is forgotten in this time. */
+#define PACE_MAX_M_S 4.0f   /* No arm is faster; a report may be. */
 #define EDGE_ADDED_KG 0.010f /* Water that the ring drags along its plane. */
 #define TURN_RAD_S 80.0f     /* Wrist: lags by 25 ms. */
 #define GRIP_M 0.130f        /* Ring centre to the hand, along the handle. */
@@ -47,7 +55,7 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
     CORE_ASSERT(v3_is_finite(position_m));
     memset(poi, 0, sizeof *poi);
     poi->seed = seed;
-    poi->position_m = poi->before_m = position_m;
+    poi->position_m = poi->before_m = poi->hand_m = position_m;
     sheet_init(&poi->sheet, grade, POI_RADIUS_M, seed);
     poi->immersed = disc_immersed(POI_RADIUS_M, position_m.y, 1.0f);
 }
@@ -133,8 +141,6 @@ struct pull {
     vec3 hand_n;    /* On the ring, world. */
     vec3 water_n;   /* On the ring, world: drag and slam, without added mass. */
     vec3 weight_n;  /* Of ring, riders and water, as far as they are in air; world. */
-    float normal_n; /* The part of water_n along +up, all of it on the paper. */
-    float added_kg;
 };
 
 /* One axis of the ring: mass m, drag D v, spring k (bounded) and damper c, backward Euler. */
@@ -165,6 +171,21 @@ static float slam_n(const struct poi *poi, float immersed, float added_kg, float
     return -normal_m_s * added_kg * share / CORE_TICK_S;
 }
 
+/* How fast the hand goes, or went of late. */
+static void feel_pace(struct poi *poi, vec3 hand_m)
+{
+    const float now_m_s = v3_length(v3_sub(hand_m, poi->hand_m)) * (float)CORE_TICK_HZ;
+    const float late_m_s = poi->pace_m_s * (1.0f - CORE_TICK_S / PACE_TAU_S);
+    poi->pace_m_s = f_min(f_max(now_m_s, late_m_s), PACE_MAX_M_S);
+    poi->hand_m = hand_m;
+}
+
+static float catch_up_m_s(const struct poi *poi, vec3 target_m)
+{
+    const float behind_m = v3_length(v3_sub(target_m, poi->position_m));
+    return f_min(CATCH_UP_PER_S * behind_m, CATCH_UP_M_S);
+}
+
 static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes,
                              float immersed)
 {
@@ -184,26 +205,23 @@ static struct pull pull_ring(struct poi *poi, vec3 target_m, const struct basis 
     const float c_plane = HAND_N_M * HAND_LAG_AIR_S;
     const float c_normal = f_max(c_plane, 2.0f * f_sqrt(HAND_N_M * (POI_MASS_KG + added)));
     const float m_plane = load_kg + EDGE_ADDED_KG * immersed, m_normal = load_kg + added;
-    const vec3 next = v3(axis_speed(m_plane, v.x, spring.x, k, c_plane + drag_p, weight.x),
-                         axis_speed(m_normal, v.y, spring.y, k, c_normal + drag_n, weight.y + slam),
-                         axis_speed(m_plane, v.z, spring.z, k, c_plane + drag_p, weight.z));
-    const vec3 stretch = v3_scale(next, k * CORE_TICK_S);
-    const vec3 hand =
-        v3(spring.x - stretch.x - c_plane * next.x, spring.y - stretch.y - c_normal * next.y,
-           spring.z - stretch.z - c_plane * next.z);
+    const vec3 free =
+        v3(axis_speed(m_plane, v.x, spring.x, k, c_plane + drag_p, weight.x),
+           axis_speed(m_normal, v.y, spring.y, k, c_normal + drag_n, weight.y + slam),
+           axis_speed(m_plane, v.z, spring.z, k, c_plane + drag_p, weight.z));
+    const vec3 next = v3_limit(free, poi->pace_m_s + catch_up_m_s(poi, target_m));
+    const vec3 gain = v3_scale(v3_sub(next, v), 1.0f / CORE_TICK_S);
+    const vec3 hand = v3(m_plane * gain.x + drag_p * next.x - weight.x,
+                         m_normal * gain.y + drag_n * next.y - weight.y - slam,
+                         m_plane * gain.z + drag_p * next.z - weight.z);
     const vec3 water = v3(-drag_p * next.x, slam - drag_n * next.y, -drag_p * next.z);
-    const vec3 velocity = basis_to_world(axes, next);
-    const vec3 change = v3_scale(v3_sub(velocity, poi->velocity_m_s), 1.0f / CORE_TICK_S);
-    const float share = CORE_TICK_S / (FEEL_TAU_S + CORE_TICK_S);
-    poi->jolt_m_s2 = v3_lerp(poi->jolt_m_s2, v3_limit(change, 8.0f * FEEL_M_S2_MAX), share);
-    const vec3 felt = v3_lerp(poi->acceleration_m_s2, poi->jolt_m_s2, share);
-    poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
-    poi->velocity_m_s = velocity;
+    poi->velocity_m_s = basis_to_world(axes, next);
+    poi->drag_n_s_m = drag_n;
+    poi->slam_n = slam;
+    poi->added_kg = added;
     return (struct pull){ .hand_n = basis_to_world(axes, hand),
                           .water_n = basis_to_world(axes, water),
-                          .weight_n = basis_to_world(axes, weight),
-                          .normal_n = water.y,
-                          .added_kg = added };
+                          .weight_n = basis_to_world(axes, weight) };
 }
 
 /* About the hand: what the water and weights do at the ring's centre, and by how much more the fish
@@ -222,17 +240,29 @@ static vec3 torque_on_hand(const struct poi *poi, const struct pull *pull, const
 
 /* ---- Paper ---------------------------------------------------------------------------------- */
 
+/* Of the ring's true way: a hand that pulls at a ring that cannot move does not jolt it. */
+static void feel_jolt(struct poi *poi)
+{
+    const vec3 gain_m_s = v3_sub(poi->velocity_m_s, poi->before_m_s);
+    const vec3 jolt_m_s2 = v3_limit(v3_scale(gain_m_s, 1.0f / CORE_TICK_S), 8.0f * FEEL_M_S2_MAX);
+    const float share = CORE_TICK_S / (FEEL_TAU_S + CORE_TICK_S);
+    poi->jolt_m_s2 = v3_lerp(poi->jolt_m_s2, jolt_m_s2, share);
+    const vec3 felt = v3_lerp(poi->acceleration_m_s2, poi->jolt_m_s2, share);
+    poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
+}
+
 /* What bears on the paper, toward +up: drag and slam, water that must be accelerated along, and out
  * of the tank the weight of water and fish. */
-static float pressure(const struct poi *poi, const struct pull *pull, vec3 up, float immersed)
+static float pressure(const struct poi *poi, vec3 up)
 {
     const float whole = f_max(0.15f, sheet_left(&poi->sheet));
     const float area = whole * F_PI * POI_RADIUS_M * POI_RADIUS_M;
     const float lift = v3_dot(poi->acceleration_m_s2, up);
+    const float water = poi->slam_n - poi->drag_n_s_m * v3_dot(poi->velocity_m_s, up);
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area;
-    const float burden_kg = (paper_kg + poi->water_kg + poi->riders_kg) * (1.0f - immersed);
+    const float burden_kg = (paper_kg + poi->water_kg + poi->riders_kg) * (1.0f - poi->immersed);
     const float force =
-        pull->normal_n - pull->added_kg * lift - burden_kg * (GRAVITY_M_S2 * up.y + lift);
+        water - poi->added_kg * lift - burden_kg * (GRAVITY_M_S2 * up.y + lift);
     return force / area;
 }
 
@@ -254,12 +284,14 @@ static void carry_water(struct poi *poi, vec3 up)
     poi->water_kg = f_min(poi->water_kg, film) + more / (1.0f + rate * CORE_TICK_S);
 }
 
-static void strain_paper(struct poi *poi, const struct pull *pull, const struct basis *axes)
+static void strain_paper(struct poi *poi)
 {
-    poi->pressure_pa = pressure(poi, pull, axes->up, poi->immersed);
-    const struct sheet_wetting wet = { axes->right.y, axes->back.y, -poi->position_m.y };
+    const struct basis axes = basis_from_angles(poi->angles);
+    const struct sheet_wetting wet = { axes.right.y, axes.back.y, -poi->position_m.y };
+    feel_jolt(poi);
+    poi->pressure_pa = pressure(poi, axes.up);
     poi->strain = sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
-    carry_water(poi, axes->up);
+    carry_water(poi, axes.up);
 }
 
 /* ---- Public --------------------------------------------------------------------------------- */
@@ -283,9 +315,11 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     CORE_ASSERT(f_is_finite(grip->target.angles.pitch_rad));
     CORE_ASSERT(f_is_finite(grip->target.angles.roll_rad));
     poi->before_m = poi->position_m;
+    poi->before_m_s = poi->velocity_m_s;
     poi->before_angles = poi->angles;
     tip_over(poi, bowl, grip->has_wrist);
     const struct poi_target target = tipped(poi, bowl, grip->target);
+    feel_pace(poi, target.position_m);
     turn(poi, target.angles);
 
     const struct basis axes = basis_from_angles(poi->angles);
@@ -296,7 +330,6 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     poi->immersed = immersed;
     poi->position_m = v3_mad(before_m, poi->velocity_m_s, CORE_TICK_S);
     poi_yield(poi, tank, bowl, before_m, axes.up);
-    strain_paper(poi, &pull, &axes);
 
     force->force_n = v3_scale(pull.hand_n, -1.0f);
     force->torque_n_m = torque_on_hand(poi, &pull, &axes);
@@ -348,6 +381,7 @@ void poi_give_way(struct poi *poi, const struct obstacle *ring)
         poi->angles = poi->before_angles;
         poi->angular_velocity_rad_s = v3(0.0f, 0.0f, 0.0f);
     }
+    strain_paper(poi);
 }
 
 /* Thin paper takes a third of the light, holes take none. A tilted ring casts an ellipse; the round
@@ -380,10 +414,13 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
 {
     const float values[] = { poi->splash_m_s,  poi->water_kg,  poi->tip,
                              poi->pressure_pa, poi->riders_kg, poi->before_angles.yaw_rad,
-                             poi->before_angles.pitch_rad, poi->before_angles.roll_rad };
+                             poi->before_angles.pitch_rad, poi->before_angles.roll_rad,
+                             poi->pace_m_s, poi->drag_n_s_m, poi->slam_n, poi->added_kg };
     hash = poi_hash_quick(hash, poi);
     hash = hash_u32(hash, poi->seed);
     hash = hash_vec3(hash, poi->before_m);
+    hash = hash_vec3(hash, poi->hand_m);
+    hash = hash_vec3(hash, poi->before_m_s);
     hash = hash_u32(hash, poi->gave);
     hash = hash_vec3(hash, poi->angular_velocity_rad_s);
     hash = hash_vec3(hash, poi->acceleration_m_s2);

@@ -32,12 +32,16 @@ struct poi {
     uint32_t seed;                 /* Of this specimen; its fish slap by it. */
     vec3 position_m, velocity_m_s; /* Ring centre. */
     struct angles angles;
-    vec3 before_m; /* Where and how turned it was when the tick began: what it may give back. */
-    struct angles before_angles;
+    vec3 before_m, before_m_s;   /* Where, how fast and how turned it was when the tick began: */
+    struct angles before_angles; /* what it may give back. */
+    vec3 hand_m;                 /* Where the hand was in the last tick, ... */
+    float pace_m_s;              /* ... and how fast it goes, or went of late. */
     uint8_t gave; /* Bits of enum obstacle_gave: how fish held it up in the last tick. */
     vec3 angular_velocity_rad_s; /* Of yaw, pitch, roll, in that order. */
     vec3 acceleration_m_s2;      /* Over the last few ticks; what water and fish on it feel ... */
     vec3 jolt_m_s2;              /* ... and the first of the two filters that make it. */
+    float drag_n_s_m, slam_n;    /* Of water on the paper in this tick: for each m/s, and once; */
+    float added_kg;              /* and what of it moves along. */
     float immersed;              /* [0, 1] fraction of the disc below the surface. */
     float splash_m_s;            /* This tick the ring went in (> 0) or came out (< 0), so fast. */
     float water_kg;              /* On the paper; a load only out of the tank. */
@@ -59,10 +63,10 @@ struct poi {
 /* A fresh poi of `grade` 4 .. 7 at rest; `position_m` above the water keeps it dry. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
-/* One tick of the ring: pulled by the hand, held back by water, floor, walls and its own bowl;
- * wets, strains and tears the paper. Without a wrist it rises and turns toward the bowl when it is
- * over its mouth. Loads of the fish on it were gathered by the last catch_tick. A target that is
- * not finite is a bug and asserts. */
+/* One tick of the ring: pulled by the hand, held back by water, floor, walls and its own bowl.
+ * Without a wrist it rises and turns toward the bowl when it is over its mouth. A ring that was
+ * held back does not shoot off when it comes free: it is never faster than the hand goes, or went a
+ * moment ago, by more than 1 m/s. A target that is not finite is a bug and asserts. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl, struct poi_force *force);
 
@@ -72,7 +76,9 @@ void poi_stir(const struct poi *poi, struct water *water, vec3 tank_size_m);
 /* How the fish see it, and how it came there in this tick. The paper is borrowed. */
 struct obstacle poi_obstacle(const struct poi *poi);
 
-/* After the fish's tick: where one could not get out of its way, it gives way as `ring` tells. */
+/* After the fish's tick: where one could not get out of its way, it gives way as `ring` tells. Then
+ * the way that was truly made wets, strains and tears the paper, with the loads of the fish on it
+ * that the last catch_tick gathered. */
 void poi_give_way(struct poi *poi, const struct obstacle *ring);
 
 /* What it casts on the water below it: none once it dips. */

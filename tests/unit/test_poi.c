@@ -282,6 +282,102 @@ test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_n
     assert_in_range(torn, 18, 20);
 }
 
+/* ---- Held up by fish ------------------------------------------------------------------------ */
+
+/* A tick in which fish let the ring go nowhere. */
+static void tick_held(void)
+{
+    const struct poi_grip grip = { stand.hand, 1 };
+    poi_tick(&stand.poi, &grip, &stand.tank, &stand.bowl, &stand.force);
+    struct obstacle ring = poi_obstacle(&stand.poi);
+    ring.centre_m = v3_sub(ring.centre_m, ring.step_m);
+    ring.step_m = ring.velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+    ring.gave = OBSTACLE_GAVE_PLACE;
+    poi_give_way(&stand.poi, &ring);
+}
+
+/* The hand goes on for 0.8 s while the ring is held, and then for 0.5 s more. */
+static void test_a_ring_that_comes_free_follows_the_hand_and_does_not_shoot_off(void **state)
+{
+    (void)state;
+    const float hands_m_s[] = { 0.05f, 0.22f, 0.44f };
+    for (uint32_t i = 0; i < 6; i++) {
+        const float hand_m_s = hands_m_s[i / 2u];
+        stand_init(&stand, 5, 1);
+        stand.has_wrist = 1;
+        if (i % 2u == 1u) { /* A torn poi is a ring: next to no water holds it back. */
+            memset(stand.poi.sheet.state, CELL_HOLE, sizeof stand.poi.sheet.state);
+            stand.poi.sheet.paper_cells = 0;
+        }
+        stand.hand.position_m = stand.poi.position_m = v3(-0.35f, -0.07f, 0.0f);
+        stand.hand.angles.roll_rad = stand.poi.angles.roll_rad = 0.5f * F_PI;
+        stand_wait(&stand, 0.5f);
+        for (uint32_t tick = 0; tick < 156; tick++) {
+            stand.hand.position_m.x += hand_m_s * CORE_TICK_S;
+            if (tick < 96) {
+                tick_held();
+                assert_float_equal(stand.poi.position_m.x, -0.35f, 0.001f);
+                continue;
+            }
+            const float behind_m = stand.hand.position_m.x - stand.poi.position_m.x;
+            const float most_m_s = hand_m_s + f_min(4.0f * behind_m, 1.0f) + 0.01f;
+            const vec3 before_m = stand.poi.position_m;
+            stand_tick(&stand);
+            const vec3 step_m = v3_sub(stand.poi.position_m, before_m);
+            assert_true(v3_length(step_m) < most_m_s * CORE_TICK_S);
+        }
+        stand_wait(&stand, 1.0f);
+        assert_float_equal(stand.poi.position_m.x, stand.hand.position_m.x, 0.002f);
+    }
+}
+
+static void test_a_pull_at_a_ring_that_cannot_move_is_none_at_its_paper(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 0; seed < 10; seed++) {
+        stand_init(&stand, 5, seed);
+        stand_dip(&stand);
+        for (uint32_t tick = 0; tick < 30; tick++) {
+            stand.hand.position_m.y += 0.22f * CORE_TICK_S;
+            tick_held();
+        }
+        assert_true(f_abs(stand.poi.pressure_pa) < 1.0f);
+        assert_float_equal(sheet_left(&stand.poi.sheet), 1.0f, 0.0f);
+        stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.22f); /* It comes free and goes after it. */
+        stand_wait(&stand, 0.2f);
+        assert_true(stand.poi.position_m.y > 0.01f);
+        assert_true(sheet_left(&stand.poi.sheet) > 0.9f);
+    }
+}
+
+/* What moves freely knows no catching up: 0.5 m back and forth at up to 2 m/s, and a dead stop. */
+static void test_a_quick_hand_keeps_its_lag(void **state)
+{
+    (void)state;
+    const float heights_m[] = { 0.08f, -0.07f };
+    for (uint32_t i = 0; i < 2; i++) {
+        stand_init(&stand, 4, 1);
+        stand.has_wrist = 1;
+        stand.hand.position_m = stand.poi.position_m = v3(0.0f, heights_m[i], 0.0f);
+        stand_wait(&stand, 0.5f);
+        for (uint32_t tick = 1; tick < 3u * CORE_TICK_HZ / 2u; tick++) {
+            stand.hand.position_m.x = 0.25f * f_sin(8.0f * (float)tick * CORE_TICK_S);
+            stand_tick(&stand);
+            const float behind_m =
+                v3_length(v3_sub(stand.hand.position_m, stand.poi.position_m));
+            assert_true(v3_length(stand.poi.velocity_m_s) <
+                        0.999f * (stand.poi.pace_m_s + 4.0f * behind_m));
+        }
+        stand.hand.position_m = stand.poi.position_m = v3(-0.25f, heights_m[i], 0.0f);
+        stand_wait(&stand, 0.5f);
+        stand_move(&stand, v3(0.15f, heights_m[i], 0.0f), 2.0f);
+        const float lag_m = stand.hand.position_m.x - stand.poi.position_m.x;
+        assert_true(lag_m > 0.030f && lag_m < 0.058f);
+        stand_wait(&stand, 0.1f);
+        assert_float_equal(stand.poi.position_m.x, 0.15f, 0.002f);
+    }
+}
+
 /* ---- The mouse ------------------------------------------------------------------------------ */
 
 static float whole_pixel(float at_m)
@@ -539,6 +635,9 @@ int main(void)
             test_a_broadside_lift_at_1_m_s_tears_wet_grade_6_at_once_and_a_slow_one_does_not),
         cmocka_unit_test(
             test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not),
+        cmocka_unit_test(test_a_ring_that_comes_free_follows_the_hand_and_does_not_shoot_off),
+        cmocka_unit_test(test_a_pull_at_a_ring_that_cannot_move_is_none_at_its_paper),
+        cmocka_unit_test(test_a_quick_hand_keeps_its_lag),
         cmocka_unit_test(test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path),
         cmocka_unit_test(test_a_slower_mouse_does_so_on_most_courses_and_stays_within_an_eighth),
         cmocka_unit_test(test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back),
