@@ -51,9 +51,10 @@ void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_coun
             crowd->way_m[i] = SWIM_FAR_M; /* Until a look has seen it swim. */
         } else {
             crowd->flags[i] = CROWD_SWIMS;
-            crowd->flags[i] |= is_airborne(&crowd->body[i], fish_emerges_m(&fish[i]))
-                                   ? CROWD_AIRBORNE
-                                   : 0u;
+            crowd->flags[i] |=
+                fish[i].falls || is_airborne(&crowd->body[i], fish_emerges_m(&fish[i]))
+                    ? CROWD_AIRBORNE
+                    : 0u;
             crowd->flags[i] |= fish[i].gait == GAIT_SURFACE ? CROWD_GULPS : 0u;
         }
     }

@@ -5,7 +5,6 @@
 
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
-#define REACH_M 0.03f   /* A poi at 1.5 m/s, a fish in flight and what shoves it, in a tick. */
 #define STILL_M_S 0.01f /* A disc slower than this is a leaf. */
 
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box)
@@ -29,7 +28,7 @@ vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box)
 int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box)
 {
     const vec3 d = v3_sub(box->centre_m, obstacle->centre_m);
-    const float reach_m = obstacle->radius_m + v3_length(box->half_m) + REACH_M;
+    const float reach_m = obstacle->radius_m + v3_length(box->half_m) + OBSTACLE_REACH_M;
     return v3_dot(d, d) < reach_m * reach_m;
 }
 

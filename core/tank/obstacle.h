@@ -54,6 +54,10 @@ struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *b
 /* The least move that takes the fish's box off the ring or the hull; zero when it is clear. */
 vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box);
 
+/* What obstacle_in_reach() adds to both: a poi at 1.5 m/s, a fish in flight and what shoves it, in
+ * a tick. */
+#define OBSTACLE_REACH_M 0.03f
+
 /* Whether a body so near could touch it before the tick is over. */
 int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
 

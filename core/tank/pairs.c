@@ -55,6 +55,13 @@ int pairs_next(struct pairs *pairs, const struct pairs_of *of, struct found *fou
     return pairs->near_count > 0;
 }
 
+void pairs_gaps(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,
+                uint8_t lanes, float *gap_m)
+{
+    CORE_ASSERT(lanes_built(lanes));
+    LANES_PICK(lanes, pairs_gaps)(body, a, b, count, gap_m);
+}
+
 vec3 pairs_axis(const struct body *a, const struct body *b, uint8_t axis)
 {
     const struct basis axes_a = { a->right, a->up, a->back },

@@ -66,6 +66,12 @@ void pairs_begin(struct pairs *pairs, const struct pairs_of *of);
 int pairs_next(struct pairs *pairs, const struct pairs_of *of, struct found *found,
                uint32_t *count);
 
+/* The gaps between the bodies of `count` pairs of fish, as struct found gives them, right to 1 um
+ * where they are under half a metre; by as many `lanes` as lanes_built(). All three lists have room
+ * for LANES_MAX more, and what stands there in `a` and `b` is some fish or other. */
+void pairs_gaps(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,
+                uint8_t lanes, float *gap_m);
+
 /* Unit, from a toward b: the direction in which the gap of a found pair is measured. */
 vec3 pairs_axis(const struct body *a, const struct body *b, uint8_t axis);
 

@@ -323,8 +323,10 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
               ma * (view.m[q][j] + view.m[p][j]) + mb * (view.m[i][s] + view.m[i][r]),             \
               view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * i + j)
 
-/* All fifteen axes, in the order in which pairs_axis() counts them. */
-static inline struct verdict judge(const struct bodies *a, const struct bodies *b)
+/* All fifteen axes, in the order in which pairs_axis() counts them. Never a call: that would pass a
+ * kilobyte through memory. */
+__attribute__((always_inline)) static inline struct verdict judge(const struct bodies *a,
+                                                                  const struct bodies *b)
 {
     struct verdict verdict = { lanes_of(-APART_M * APART_M), lanes_of(-APART_M) };
     const flanes ha[3] = { a->centre[3], a->right[3], a->up[3] }, ma = a->back[3];
@@ -353,6 +355,28 @@ static inline struct verdict judge(const struct bodies *a, const struct bodies *
     return verdict;
 }
 
+static inline flanes gap_of(const struct verdict *verdict)
+{
+    const flanes root = lanes_sqrt(lanes_abs(verdict->square));
+    return lanes_select(verdict->square < 0.0f, -root, root);
+}
+
+PAIRS_GAPS(LANES_NAME(pairs_gaps))
+{
+    for (uint32_t n = 0; n < count; n += LANES) {
+        uint32_t first[LANES], second[LANES];
+        for (uint32_t lane = 0; lane < LANES; lane++) {
+            first[lane] = a[n + lane];
+            second[lane] = b[n + lane];
+        }
+        struct bodies all_a, all_b;
+        load_bodies(&all_a, body, first);
+        load_bodies(&all_b, body, second);
+        const struct verdict verdict = judge(&all_a, &all_b);
+        lanes_store(&gap_m[n], gap_of(&verdict));
+    }
+}
+
 PAIRS_JUDGE(LANES_NAME(pairs_judge))
 {
     const fish_index *item = pairs->grid.item;
@@ -371,10 +395,9 @@ PAIRS_JUDGE(LANES_NAME(pairs_judge))
         load_bodies(&b, of->body, second);
         const struct verdict verdict = judge(&a, &b);
         const uint32_t meets = lanes_bits(verdict.space <= 0.0f);
-        const flanes root = lanes_sqrt(lanes_abs(verdict.square));
         float gap_m[LANES];
         int32_t axis[LANES];
-        lanes_store(gap_m, lanes_select(verdict.square < 0.0f, -root, root));
+        lanes_store(gap_m, gap_of(&verdict));
         MEM_COPY(axis, &verdict.square, sizeof axis);
         for (uint32_t lane = 0; lane < LANES && n + lane < pairs->near_count; lane++) {
             const uint32_t i = first[lane], j = second[lane], meet = meets >> lane & 1u;

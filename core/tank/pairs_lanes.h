@@ -26,17 +26,24 @@
 #define PAIRS_JUDGE(name)                                                                          \
     uint32_t name(struct pairs *pairs, const struct pairs_of *of, struct found *found)
 
+/* pairs_gaps(). */
+#define PAIRS_GAPS(name)                                                                           \
+    void name(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,   \
+              float *gap_m)
+
 LANES_BEGIN
 PAIRS_MEASURE(pairs_measure_4);
 PAIRS_CELLS(pairs_cells_4);
 PAIRS_COLUMNS(pairs_columns_4);
 PAIRS_NEAR(pairs_near_4);
 PAIRS_JUDGE(pairs_judge_4);
+PAIRS_GAPS(pairs_gaps_4);
 PAIRS_MEASURE(pairs_measure_8);
 PAIRS_CELLS(pairs_cells_8);
 PAIRS_COLUMNS(pairs_columns_8);
 PAIRS_NEAR(pairs_near_8);
 PAIRS_JUDGE(pairs_judge_8);
+PAIRS_GAPS(pairs_gaps_8);
 LANES_END
 
 #endif

@@ -1,8 +1,10 @@
 /* part.c -- rounds of small pushes, then the judgement. */
 #include "core/tank/part.h"
 
+#include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/input.h"
+#include "core/tank/part_lanes.h"
 #include "core/tank/rim.h"
 
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
@@ -10,6 +12,7 @@
 #define TOPPLE_ROUND 5          /* What four rounds could not part is jammed. */
 #define PART_STEP_MAX_M 0.002f  /* A round. */
 #define CLEAR_ROUNDS 4u
+#define CLOSE_MAX 64u           /* Contacts measured at a time. */
 #define STATION_M 0.003f        /* An obstacle's step; ring and fish together are four times so
                                    thick. */
 #define STATIONS_MAX 6u         /* 2.1 m/s; a hand that is faster still takes longer steps. */
@@ -129,21 +132,18 @@ static float mass_of(const struct body *body)
 static void know_apart(const struct parting *all, struct contact *contact, float apart_m)
 {
     const float *way_m = all->crowd->way_m;
-    const float gap_m = apart_m + (way_m[contact->a] + way_m[contact->b]);
+    const float gap_m = apart_m - ROUNDING_M + (way_m[contact->a] + way_m[contact->b]);
     contact->gap_m = f_max(contact->gap_m, gap_m);
 }
 
 /* Whether the pair had to be parted. */
 static int part_pair(const struct parting *all, struct contact *contact, int round)
 {
-    if (is_apart(all, contact, 2.0f * SKIN_M)) {
-        return 0;
-    }
     const struct body *a = &all->crowd->body[contact->a], *b = &all->crowd->body[contact->b];
     const struct box box_a = body_box(a), box_b = body_box(b);
-    struct box_gap gap = box_gap(&box_a, SKIN_M, &box_b, SKIN_M);
-    if (gap.space_m > 0.0f || gap.body_m >= 0.0f) {
-        know_apart(all, contact, gap.space_m > 0.0f ? gap.space_m : gap.body_m);
+    struct box_gap gap = box_gap(&box_a, 0.0f, &box_b, 0.0f);
+    if (gap.body_m >= 0.0f) {
+        know_apart(all, contact, gap.body_m);
         return 0;
     }
     if (round >= TOPPLE_ROUND && f_abs(gap.axis.y) > 0.7f) {
@@ -272,20 +272,79 @@ static void clear_shoved(const struct parting *all, uint32_t index)
     follow(all, index);
 }
 
+/* Contacts whose gap may be used up, measured several at a time. */
+struct close {
+    uint32_t count;
+    uint32_t contact[CLOSE_MAX];
+    fish_index a[CLOSE_MAX + LANES_MAX], b[CLOSE_MAX + LANES_MAX];
+    float gap_m[CLOSE_MAX + LANES_MAX];
+};
+
+/* Notes that contact `c` is to be measured. */
+static void note_close(struct close *close, const struct contact *contact, uint32_t c)
+{
+    close->contact[close->count] = c;
+    close->a[close->count] = contact->a;
+    close->b[close->count++] = contact->b;
+}
+
+/* Measures those noted, and notes none. */
+static void measure(const struct parting *all, struct close *close)
+{
+    const uint32_t count = close->count;
+    for (uint32_t lane = 0; lane < LANES_MAX; lane++) {
+        close->a[count + lane] = 0;
+        close->b[count + lane] = 0;
+    }
+    pairs_gaps(all->crowd->body, close->a, close->b, count, all->place->lanes, close->gap_m);
+    for (uint32_t k = 0; k < count; k++) {
+        know_apart(all, &all->crowd->contact[close->contact[k]], close->gap_m[k]);
+    }
+    close->count = 0;
+}
+
+/* Learns anew of all contacts how far they are apart, where what is known does not keep them so:
+ * most were only seen to come near. */
+static void measure_close(const struct parting *all)
+{
+    const struct crowd *crowd = all->crowd;
+    struct close close;
+    close.count = 0;
+    for (uint32_t c = 0; c < crowd->contact_count; c++) {
+        if (!is_apart(all, &crowd->contact[c], 0.0f)) {
+            note_close(&close, &crowd->contact[c], c);
+        }
+        if (close.count == CLOSE_MAX) {
+            measure(all, &close);
+        }
+    }
+    measure(all, &close);
+}
+
+/* In turn, so that a shove goes on through all of a row that come later. Returns how many had to be
+ * parted. */
+static uint32_t relax_once(const struct parting *all, int round)
+{
+    struct crowd *crowd = all->crowd;
+    uint32_t parted = 0;
+    for (uint32_t c = 0; c < crowd->contact_count; c++) {
+        struct contact *contact = &crowd->contact[c];
+        if (!is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
+            clear_shoved(all, contact->a);
+            clear_shoved(all, contact->b);
+            parted++;
+        }
+    }
+    return parted;
+}
+
 /* Returns whether the last round found nobody to part: then the judgement knows all pairs. */
 static int relax(const struct parting *all)
 {
-    struct crowd *crowd = all->crowd;
     uint32_t parted = 1;
+    measure_close(all);
     for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {
-        parted = 0;
-        for (uint32_t c = 0; c < crowd->contact_count; c++) {
-            if (part_pair(all, &crowd->contact[c], round)) {
-                clear_shoved(all, crowd->contact[c].a);
-                clear_shoved(all, crowd->contact[c].b);
-                parted++;
-            }
-        }
+        parted = relax_once(all, round);
     }
     return parted == 0;
 }
@@ -481,6 +540,32 @@ static void judge(const struct parting *all, int is_parted)
     }
 }
 
+/* ---- Walls, and what is in the water -------------------------------------------------------- */
+
+static void clear_one(const struct parting *all, uint32_t index)
+{
+    struct crowd *crowd = all->crowd;
+    struct part *part = all->part;
+    crowd->flags[index] &= (uint8_t)~CROWD_BESIDE;
+    const vec3 moved_m = v3_sub(crowd->body[index].centre_m, before_m(all, index));
+    const float rush_m = look_beside(all, index);
+    part->step_max_m[index] = v3_length(moved_m) + all->place->shove_max_m + rush_m;
+    clear_if_beside(all, index);
+    keep_inside(all, index);
+    const vec3 led_m = v3_sub(crowd->body[index].centre_m, before_m(all, index));
+    crowd->play_m[index] = part->step_max_m[index] + v3_length(led_m) + sweep_m(all, index);
+}
+
+/* Whether part_clear_block() may have that many fish: all of them there, and plain swimmers. */
+static int is_plain(const struct crowd *crowd, uint32_t first, uint32_t width)
+{
+    uint32_t all_same = crowd->count - first >= width;
+    for (uint32_t i = first; i < first + width && all_same; i++) {
+        all_same = crowd->flags[i] == CROWD_SWIMS;
+    }
+    return (int)all_same;
+}
+
 /* ---- Public --------------------------------------------------------------------------------- */
 
 void part_begin(struct part *part, const struct fish *fish, uint32_t fish_count)
@@ -533,25 +618,23 @@ void part_advance(struct part *part, struct crowd *crowd, const struct part_plac
 void part_clear(struct part *part, struct crowd *crowd, const struct part_place *place)
 {
     const struct parting all = { part, crowd, place };
+    const uint32_t width = place->lanes == LANES_MAX ? LANES_MAX : 4u;
     part->beside_count = 0;
-    for (uint32_t o = 0; o < TANK_OBSTACLE_MAX; o++) {
-        part->gave_round[o] = 0;
-    }
-    for (uint32_t i = 0; i < crowd->count; i++) {
-        part->fate[i] = PART_MOVES;
-        part->fresh_round[i] = 0;
-        if (crowd->flags[i] & CROWD_SWIMS) {
-            crowd->flags[i] &= (uint8_t)~CROWD_BESIDE;
-            const vec3 moved_m = v3_sub(crowd->body[i].centre_m, before_m(&all, i));
-            const float rush_m = look_beside(&all, i);
-            const float own_m = v3_length(moved_m);
-            part->step_max_m[i] = own_m + place->shove_max_m + rush_m;
-            clear_if_beside(&all, i);
-            keep_inside(&all, i);
-            const vec3 led_m = v3_sub(crowd->body[i].centre_m, before_m(&all, i));
-            const float way_m = is_same(led_m, moved_m) ? own_m : v3_length(led_m);
-            crowd->play_m[i] = part->step_max_m[i] + way_m + sweep_m(&all, i);
+    memset(part->gave_round, 0, sizeof part->gave_round);
+    memset(part->fate, PART_MOVES, crowd->count * sizeof part->fate[0]);
+    memset(part->fresh_round, 0, crowd->count * sizeof part->fresh_round[0]);
+    for (uint32_t i = 0; i < crowd->count;) {
+        const uint32_t count = crowd->count - i < width ? crowd->count - i : width;
+        uint32_t left = (1u << count) - 1u; /* Whom nobody has cleared, a bit each. */
+        if (part->station == 0 && is_plain(crowd, i, width)) {
+            left = LANES_PICK(place->lanes, part_clear_block)(part, crowd, place, i);
         }
+        for (uint32_t k = 0; left != 0; k++, left >>= 1u) {
+            if (left & 1u && crowd->flags[i + k] & CROWD_SWIMS) {
+                clear_one(&all, i + k);
+            }
+        }
+        i += count;
     }
 }
 

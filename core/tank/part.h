@@ -32,6 +32,7 @@ struct part_place {
     struct obstacle *obstacles; /* They may give way; see rim.h. */
     uint32_t obstacle_count;
     float shove_max_m; /* What others shove a body by in a tick, beyond its own motion, at most. */
+    uint8_t lanes;     /* 0, 4 or 8, as lanes_built(): a matter of speed alone. */
 };
 
 enum part_fate { /* What the judgement of this step made of a fish. */
@@ -46,7 +47,7 @@ struct part {
     vec3 began_m[TANK_FISH_MAX + 1u]; /* Where all were when the tick began; lanes read a float
                                          beyond the last. */
     vec3 step_began_m[TANK_FISH_MAX]; /* The same of a later step of the tick. */
-    struct angles began_angles[TANK_FISH_MAX];
+    struct angles began_angles[TANK_FISH_MAX + 1u];
     float step_max_m[TANK_FISH_MAX];     /* How far from `before` a body may end. */
     uint8_t fate[TANK_FISH_MAX]; /* enum part_fate */
     uint16_t fresh_round[TANK_FISH_MAX];     /* 0, or one more than the round of the judgement that

@@ -77,7 +77,7 @@ int swim_fall(struct fish *fish)
     }
     const struct box box = fish_box(fish);
     const float emerged_m = fish->position_m.y + box_extent_m(&box).y;
-    if (emerged_m <= fish_emerges_m(fish)) {
+    if (emerged_m <= (fish->falls ? 0.0f : fish_emerges_m(fish))) { /* Once it falls, all of it. */
         return 0;
     }
     const float wet = f_clamp((half_m - fish->position_m.y) / (2.0f * half_m), 0.0f, 1.0f);

@@ -190,7 +190,7 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct surroundings around = tank_surroundings(tank, tick, obstacles, obstacle_count);
     const struct part_place place = { tank->fish, tank_bounds(tank), obstacles, obstacle_count,
-                                      PART_SHOVE_M };
+                                      PART_SHOVE_M, tank->lanes };
     drip(tank, tick);
     bubble(tank, tick);
     part_begin(&tank->part, tank->fish, tank->fish_count);

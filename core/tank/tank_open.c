@@ -199,7 +199,8 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
 /* Random places overlap; parting them until none does is quicker than drawing until none would. */
 static void spread_out(struct tank *tank)
 {
-    const struct part_place place = { tank->fish, tank_bounds(tank), NULL, 0, START_SHOVE_M };
+    const struct part_place place = { tank->fish, tank_bounds(tank), NULL, 0, START_SHOVE_M,
+                                      tank->lanes };
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
         const struct surroundings around = tank_surroundings(tank, round, NULL, 0);
         crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);

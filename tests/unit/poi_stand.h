@@ -60,7 +60,8 @@ static inline void stand_part(struct tank *tank, struct obstacle *ring)
 {
     struct crowd *crowd = &tank->crowd;
     const struct surroundings around = tank_surroundings(tank, 0, ring, 1);
-    const struct part_place place = { tank->fish, tank_bounds(tank), ring, 1, PART_SHOVE_M };
+    const struct part_place place = { tank->fish, tank_bounds(tank), ring, 1, PART_SHOVE_M,
+                                      tank->lanes };
     part_begin(&tank->part, tank->fish, tank->fish_count);
     crowd_gather(crowd, tank->fish, tank->fish_count, tank->space);
     const uint32_t stations = part_stations(&tank->part, &place);

@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 
+#include "core/base/mem.h"
 #include "core/base/rng.h"
 #include "core/tank/part.h"
 #include "tests/unit/pond.h"
@@ -166,6 +167,63 @@ static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **s
     assert_true(depth_m(0, 1) <= PART_FREE_M && depth_m(1, 2) <= PART_FREE_M);
 }
 
+enum { MANY = 203 }; /* No multiple of any width. */
+
+/* The crowd of begin_step(), cleared by so many lanes; `alone`: each fish by itself. */
+static void clear_anew(uint8_t lanes, int alone)
+{
+    place.lanes = lanes;
+    crowd_gather(&crowd, fish, MANY, 0.2f);
+    for (uint32_t i = 0; i < MANY && alone; i++) {
+        crowd.flags[i] |= CROWD_BESIDE; /* Of a step before: lanes leave such fish alone. */
+    }
+    part_stations(&part, &place);
+    part_advance(&part, &crowd, &place, 0);
+    part_clear(&part, &crowd, &place);
+    place.lanes = 0;
+}
+
+static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time(void **state)
+{
+    (void)state;
+    static struct body cleared[MANY];
+    static float play_m[MANY], step_max_m[MANY];
+    struct obstacle disc = { .kind = OBSTACLE_DISC,
+                             .centre_m = { 0.1f, -0.05f, 0.0f },
+                             .normal = { 0.0f, 1.0f, 0.0f },
+                             .radius_m = 0.05f,
+                             .axes = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+                             .step_m = { 0.001f, 0.0f, 0.0f } };
+    fill_at_random(MANY, 1.2f, 0.06f);
+    part_begin(&part, fish, MANY);
+    for (uint32_t i = 0; i < MANY; i++) { /* Some into walls, floor and surface. */
+        fish[i].position_m.x *= 1.05f;
+        fish[i].position_m.y += draw(i, 8, -0.008f, 0.008f);
+        fish[i].angles.yaw_rad += draw(i, 9, -0.2f, 0.2f);
+    }
+    place.fish = fish;
+    place.shove_max_m = PART_SHOVE_M;
+    place.obstacles = &disc;
+    place.obstacle_count = 1;
+    clear_anew(0, 1);
+    MEM_COPY(cleared, crowd.body, sizeof cleared);
+    MEM_COPY(play_m, crowd.play_m, sizeof play_m);
+    MEM_COPY(step_max_m, part.step_max_m, sizeof step_max_m);
+    const uint32_t beside = part.beside_count;
+    assert_true(beside > 2 && beside < MANY / 2);
+    for (uint8_t lanes = 4; lanes <= LANES_MAX; lanes *= 2) {
+        disc.centre_m = v3(0.1f, -0.05f, 0.0f);
+        disc.step_m = v3(0.001f, 0.0f, 0.0f);
+        clear_anew(lanes, 0);
+        assert_int_equal(part.beside_count, beside);
+        assert_memory_equal(cleared, crowd.body, sizeof cleared);
+        assert_memory_equal(play_m, crowd.play_m, sizeof play_m);
+        assert_memory_equal(step_max_m, part.step_max_m, sizeof step_max_m);
+    }
+    place.obstacles = NULL;
+    place.obstacle_count = 0;
+}
+
 /* Everybody moves anywhere and turns by any angle, forty times: what was free stays free. */
 static void test_what_was_free_stays_free_whatever_fish_do(void **state)
 {
@@ -220,6 +278,8 @@ int main(void)
         cmocka_unit_test(test_who_cannot_give_way_leaves_it_to_the_other),
         cmocka_unit_test(test_the_larger_of_two_gives_way_less),
         cmocka_unit_test(test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit),
+        cmocka_unit_test(
+            test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time),
         cmocka_unit_test(test_what_was_free_stays_free_whatever_fish_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
