@@ -35,10 +35,41 @@ static int gives_way_to(const struct avoid_party *a, const struct avoid_party *b
     return a->avoiding != AVOID_NONE && a->avoid_with == b->index;
 }
 
-static uint32_t encounter_since(const struct avoid_party *a, const struct avoid_party *b,
-                                uint32_t tick)
+/* A pair's meeting. `a` has the active part if it runs into the other: the lower index, if both. */
+struct encounter {
+    uint8_t kind; /* Of the active part. */
+    uint8_t a_is_active;
+    uint32_t since;
+};
+
+/* As one of the two began it: who gives way in turning changes the angle, not the meeting. */
+static struct encounter encounter_of(const struct avoid_party *first, int first_is_a)
 {
-    return gives_way_to(a, b) ? a->avoid_since : gives_way_to(b, a) ? b->avoid_since : tick;
+    const int is_active = first->avoid_kind != MEET_STRUCK;
+    return (struct encounter){
+        .kind = is_active ? first->avoid_kind : MEET_SIDE,
+        .a_is_active = is_active == first_is_a,
+        .since = first->avoid_since,
+    };
+}
+
+static struct encounter new_encounter(const struct avoid_party *a, const struct avoid_party *b,
+                                      float a_faces, float b_faces, uint32_t tick)
+{
+    const float along = flat_cos(a->forward, b->forward);
+    const uint8_t kind = along > COS_20_DEG    ? MEET_REAR_END
+                         : along < -COS_20_DEG ? MEET_HEAD_ON
+                                               : MEET_SIDE;
+    const int a_is_active = a_faces > b_faces || (a_faces == b_faces && a->index < b->index);
+    return (struct encounter){ kind, a_is_active != 0, tick };
+}
+
+static struct encounter encounter(const struct avoid_party *a, const struct avoid_party *b,
+                                  float a_faces, float b_faces, uint32_t tick)
+{
+    return gives_way_to(a, b)   ? encounter_of(a, 1)
+           : gives_way_to(b, a) ? encounter_of(b, 0)
+                                : new_encounter(a, b, a_faces, b_faces, tick);
 }
 
 static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party *b, uint32_t seed,
@@ -58,10 +89,8 @@ static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
 }
 
 /* Only the one behind gives way. */
-static void meet_rear_end(struct avoid_pair *pair, float a_faces, uint32_t draw)
+static void meet_rear_end(struct avoid_advice *follower, struct avoid_advice *leader, uint32_t draw)
 {
-    struct avoid_advice *follower = a_faces > 0.0f ? &pair->a : &pair->b;
-    struct avoid_advice *leader = a_faces > 0.0f ? &pair->b : &pair->a;
     follower->turn = draw & 1u ? 1.0f : -1.0f;
     leader->kind = MEET_NONE;
 }
@@ -74,6 +103,7 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     const float sense = (float)(draw >> 8) * (1.0f / 16777216.0f) < STRAIGHT_CHANCE ? 1.0f : -1.0f;
     const float runs_left = leftness(hitter_forward, struck_forward);
     const float hit_on_left = leftness(struck_forward, v3_scale(to_struck, -1.0f));
+    struck->kind = MEET_STRUCK;
     hitter->turn = runs_left > 0.0f ? -sense : sense;
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
@@ -110,6 +140,30 @@ static float brake_for(float faces, float gap_m, float closing_m_s, float brake_
     return f_clamp(gap_m / stop_m, BRAKE_MIN, 1.0f);
 }
 
+static void advise(struct avoid_pair *pair, const struct avoid_party *a,
+                   const struct avoid_party *b, const struct encounter *now, float contact_s,
+                   uint32_t seed)
+{
+    const vec3 apart = v3_sub(b->position_m, a->position_m);
+    const uint32_t draw = pair_draw(a, b, seed, now->since);
+    const int8_t a_rise =
+        apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1 : -1;
+    pair->a = (struct avoid_advice){ now->kind, a_rise, b->index, now->since, contact_s, 0.0f };
+    pair->b =
+        (struct avoid_advice){ now->kind, (int8_t)-a_rise, a->index, now->since, contact_s, 0.0f };
+    struct avoid_advice *active = now->a_is_active ? &pair->a : &pair->b;
+    struct avoid_advice *other = now->a_is_active ? &pair->b : &pair->a;
+    if (now->kind == MEET_REAR_END) {
+        meet_rear_end(active, other, draw);
+    } else if (now->kind == MEET_HEAD_ON) {
+        meet_head_on(pair, draw);
+    } else if (now->a_is_active) {
+        meet_side(active, a->forward, other, b->forward, apart, draw);
+    } else {
+        meet_side(active, b->forward, other, a->forward, v3_scale(apart, -1.0f), draw);
+    }
+}
+
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct law *law, uint32_t seed, uint32_t tick)
 {
@@ -124,28 +178,11 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
         !courses_cross(a, b, apart, law)) {
         return pair;
     }
-    const float along = flat_cos(a->forward, b->forward);
-    if (along > COS_20_DEG && f_max(a_faces, b_faces) < COS_45_DEG) {
+    if (flat_cos(a->forward, b->forward) > COS_20_DEG && f_max(a_faces, b_faces) < COS_45_DEG) {
         return pair; /* Side by side. */
     }
-    const uint32_t since = encounter_since(a, b, tick);
-    const uint32_t draw = pair_draw(a, b, seed, since);
-    const int a_rises = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index);
-    const uint8_t kind = along > COS_20_DEG    ? MEET_REAR_END
-                         : along < -COS_20_DEG ? MEET_HEAD_ON
-                                               : MEET_SIDE;
-    const float contact_s = f_max(gap_m, 0.0f) / closing_m_s;
-    pair.a = (struct avoid_advice){ kind, a_rises ? 1 : -1, b->index, since, contact_s, 0.0f };
-    pair.b = (struct avoid_advice){ kind, a_rises ? -1 : 1, a->index, since, contact_s, 0.0f };
-    if (kind == MEET_REAR_END) {
-        meet_rear_end(&pair, a_faces, draw);
-    } else if (kind == MEET_HEAD_ON) {
-        meet_head_on(&pair, draw);
-    } else if (a_faces > b_faces || (a_faces == b_faces && a->index < b->index)) {
-        meet_side(&pair.a, a->forward, &pair.b, b->forward, to_b, draw);
-    } else {
-        meet_side(&pair.b, b->forward, &pair.a, a->forward, v3_scale(to_b, -1.0f), draw);
-    }
+    const struct encounter now = encounter(a, b, a_faces, b_faces, tick);
+    advise(&pair, a, b, &now, f_max(gap_m, 0.0f) / closing_m_s, seed);
     return pair;
 }
 

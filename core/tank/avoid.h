@@ -13,6 +13,8 @@
  *   swimming); who is hit, a third of it, else its tail sweeps into the other.
  * - Of several meetings the soonest counts. Who has begun to turn keeps to its side, and who is
  *   clear of nobody after 0.5 s, be it another by then, has yawed in vain.
+ * - The class is that of the headings as the two meet: while one of them gives way, their meeting
+ *   keeps its class and its parts, however they have turned by then.
  * - Fig. 3.6 sends both fish of a pair up, or both down: the upper goes up and the lower down,
  *   unless the surface or the floor is within a body's height.
  * - The depths of 3.6 would undo a climb or a dive: they wait meanwhile, and half a second more.
@@ -28,7 +30,8 @@ enum meeting_kind {
     MEET_NONE = 0, /* Not approaching, or no faster than fish at rest drift. */
     MEET_HEAD_ON,  /* Headings within 20 degrees of opposite. */
     MEET_REAR_END, /* Headings within 20 degrees of equal, the other ahead. */
-    MEET_SIDE,
+    MEET_SIDE,     /* It runs into the side of the other, ... */
+    MEET_STRUCK,   /* ... or the other into its own. */
 };
 
 /* One of a pair. */
@@ -39,7 +42,7 @@ struct avoid_party {
     float length_m, height_m;
     fish_index index;
     /* As in struct fish: who gives way already, to whom, since when. */
-    uint8_t avoiding;
+    uint8_t avoiding, avoid_kind;
     fish_index avoid_with;
     uint32_t avoid_since;
 };

@@ -96,6 +96,7 @@ static struct avoid_party party_of(const struct body *body, const struct fish *f
         .height_m = 2.0f * body->half_y_m,
         .index = (fish_index)index,
         .avoiding = fish->avoiding,
+        .avoid_kind = fish->avoid_kind,
         .avoid_with = fish->avoid_with,
         .avoid_since = fish->avoid_since,
     };

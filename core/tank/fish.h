@@ -91,7 +91,7 @@ struct fish {
     float avoid_turn;     /* -1 right .. +1 left (yaw), or -1 down, +1 up (pitch). */
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */
     fish_index avoid_with;
-    uint8_t avoid_kind; /* enum meeting_kind of the encounter, as it began. */
+    uint8_t avoid_kind; /* enum meeting_kind: its part in the encounter, as it began. */
     uint8_t falls;      /* Through the air: nothing else moves it. */
     uint8_t air;        /* enum fish_air */
     uint8_t startle;    /* enum fright_cause whose latency runs; 0 is none. */

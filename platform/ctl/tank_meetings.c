@@ -47,7 +47,8 @@ static void begin(struct meetings *meetings, const struct fish *fish, fish_index
         meetings->open[meetings->open_count++] = pair;
     }
     meetings->head_on += fish->avoid_kind == MEET_HEAD_ON ? 1u : 0u;
-    meetings->side += fish->avoid_kind == MEET_SIDE ? 1u : 0u;
+    meetings->side +=
+        fish->avoid_kind == MEET_SIDE || fish->avoid_kind == MEET_STRUCK ? 1u : 0u;
     meetings->rear_end += fish->avoid_kind == MEET_REAR_END ? 1u : 0u;
 }
 

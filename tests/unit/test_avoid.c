@@ -56,6 +56,7 @@ static struct avoid_party giving_way(struct avoid_party party, const struct avoi
     struct fish fish = { WAKIN(party.length_m), .position_m = party.position_m };
     avoid_tick(&fish, advice, 1.0f, pond_at(1, 0));
     party.avoiding = fish.avoiding;
+    party.avoid_kind = fish.avoid_kind;
     party.avoid_with = fish.avoid_with;
     party.avoid_since = fish.avoid_since;
     return party;

@@ -443,6 +443,46 @@ static void test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch(void **s
     assert_true(gap_m > 0.003f);
 }
 
+/* Only the follower gives way: past 20 degrees of its turn the headings alone would make the two a
+ * side meeting, and the leader turn as one that is struck. */
+static void check_leader(const struct tank_stage stage[2], uint32_t seed, uint32_t *met)
+{
+    struct tank *tank = thesis_stage(stage, 2, seed);
+    const struct fish *follower = &tank->fish[0], *leader = &tank->fish[1];
+    uint8_t gave_way = 0;
+    for (uint32_t tick = 1; tick <= 4u * CORE_TICK_HZ; tick++) {
+        tank_tick(tank, tick, NULL, 0);
+        gave_way |= follower->avoiding == AVOID_YAW && follower->avoid_kind == MEET_REAR_END;
+        assert_int_equal(leader->avoiding, AVOID_NONE);
+        assert_float_equal(leader->angles.yaw_rad, 0.0f, 1e-6f);
+    }
+    *met += gave_way;
+}
+
+static void test_3_4_from_behind_the_leader_never_turns(void **state)
+{
+    (void)state;
+    uint32_t met = 0;
+    for (uint32_t seed = 1; seed <= 4u * SEEDS; seed++) {
+        const float off_cm = 0.25f * (float)(seed % 9u) - 1.0f;
+        struct tank_stage stage[] = { swimmer(off_cm, -13.0f, 12.0f, 0.0f),
+                                      swimmer(0.0f, -13.0f, 3.0f, 0.0f) };
+        stage[0].gait = GAIT_BURST;
+        stage[0].speed_m_s = 0.138f;
+        stage[1].stamina = 0.26f + 0.01f * (float)(seed % 70u);
+        check_leader(stage, seed, &met);
+        stage[0].gait = GAIT_SWIM; /* Hardly faster: it takes seconds, and goes on in pitch. */
+        stage[0].position_m.z = 0.10f;
+        stage[0].speed_m_s = 0.0525f;
+        stage[0].stamina = 1.0f;
+        stage[1].speed_m_s = 0.02f;
+        stage[1].gait = GAIT_REST;
+        check_leader(stage, seed, &met);
+    }
+    print_message("from behind: %u of %u followers gave way, no leader did\n", met, 8u * SEEDS);
+    assert_true(met > 7u * SEEDS);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -464,6 +504,7 @@ int main(void)
         cmocka_unit_test(test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch),
         cmocka_unit_test(test_figs_4_5_to_4_8_from_the_side_they_pass_without_a_touch),
         cmocka_unit_test(test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch),
+        cmocka_unit_test(test_3_4_from_behind_the_leader_never_turns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
