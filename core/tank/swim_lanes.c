@@ -1,6 +1,6 @@
 /* swim_lanes.c -- a block of fish moves and settles; line by line what swim_move.c does for one.
  *
- * The two forms agree to the last bit, which test_swim.c holds over random fish. */
+ * The two forms agree to the last bit, which test_swim_lanes.c holds over random fish. */
 #include "core/tank/swim_lanes.h"
 
 #include "core/base/lanes_vec.h"

@@ -3,6 +3,7 @@
 #define KINGYO_TESTS_POND_H
 
 #include "core/input.h"
+#include "core/tank/fish.h"
 #include "core/tank/preset.h"
 #include "core/tank/surroundings.h"
 
@@ -30,6 +31,19 @@ static inline const struct surroundings *pond_at(uint32_t seed, uint32_t tick)
         .oxygen_mg_l = 8.0f,
     };
     return &around;
+}
+
+/* On a level course at mid depth, as one who has thought; for more, set its members. */
+static inline struct fish pond_fish(float length_m, uint8_t gait)
+{
+    return (struct fish){ WAKIN(length_m),
+                          .stamina = 1.0f,
+                          .brake = 1.0f,
+                          .room = 1.0f,
+                          .haste = 1.0f,
+                          .gait = gait,
+                          .position_m = { 0.0f, -0.5f * POND_WATER_M, 0.0f },
+                          .depth_goal_m = -0.5f * POND_WATER_M };
 }
 
 #endif

@@ -7,38 +7,8 @@
 #include <cmocka.h>
 
 #include "core/base/mem.h"
-#include "core/base/rng.h"
-#include "core/tank/crowd.h"
 #include "core/tank/swim.h"
-#include "tests/unit/pond.h"
-
-static struct crowd crowd;
-static struct fish fish[600];
-static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
-
-static void look(uint32_t tick)
-{
-    struct surroundings around = *pond_at(1, tick);
-    around.size_m = tank_m;
-    crowd_look(&crowd, fish, (struct crowd_search){ 0 }, &around);
-}
-
-static float draw(uint32_t who, uint32_t purpose, float low, float high)
-{
-    return rng_range((struct rng_key){ 21, 0, who, purpose }, low, high);
-}
-
-static void fill_at_random(uint32_t count, float pitch_max, float length_max)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        fish[i] = (struct fish){
-            .position_m =
-                v3(draw(i, 1, -0.65f, 0.65f), draw(i, 2, -0.19f, -0.01f), draw(i, 3, -0.3f, 0.3f)),
-            .angles = { draw(i, 4, -F_PI, F_PI), draw(i, 5, -pitch_max, pitch_max), 0.0f },
-            WAKIN(draw(i, 6, 0.03f, length_max)),
-        };
-    }
-}
+#include "tests/unit/throng.h"
 
 /* Every pair of overlapping bodies that all-pairs finds must be among the crowd's contacts. */
 static uint32_t check_against_all_pairs(uint32_t count)

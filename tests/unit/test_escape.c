@@ -31,15 +31,9 @@ struct trial {
 
 static struct fish still_fish(uint32_t seed)
 {
-    return (struct fish){ WAKIN(LENGTH_M),
-                          .stamina = 1.0f,
-                          .brake = 1.0f,
-                          .room = 1.0f,
-                          .haste = 1.0f,
-                          .gait = GAIT_REST,
-                          .look = rng_u32((struct rng_key){ seed, 0, 0, RNG_TEST }),
-                          .position_m = { 0.0f, -0.06f, 0.0f },
-                          .depth_goal_m = -0.06f };
+    struct fish fish = pond_fish(LENGTH_M, GAIT_REST);
+    fish.look = rng_u32((struct rng_key){ seed, 0, 0, RNG_TEST });
+    return fish;
 }
 
 /* One tick as think() and the tank give it, with nobody else about. */

@@ -7,40 +7,12 @@
 #include <cmocka.h>
 
 #include "core/base/mem.h"
-#include "core/base/rng.h"
 #include "core/tank/part.h"
-#include "tests/unit/pond.h"
+#include "tests/unit/throng.h"
 
-static struct crowd crowd;
 static struct part part;
-static struct fish fish[400];
-static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
 static struct part_place place = { .bounds = { { -0.68f, -0.20f, -0.325f },
                                                { 0.68f, 0.0f, 0.325f } } };
-
-static void look(void)
-{
-    struct surroundings around = *pond_at(1, 0);
-    around.size_m = tank_m;
-    crowd_look(&crowd, fish, (struct crowd_search){ 0 }, &around);
-}
-
-static float draw(uint32_t who, uint32_t purpose, float low, float high)
-{
-    return rng_range((struct rng_key){ 21, 0, who, purpose }, low, high);
-}
-
-static void fill_at_random(uint32_t count, float pitch_max, float length_max)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        fish[i] = (struct fish){
-            .position_m =
-                v3(draw(i, 1, -0.65f, 0.65f), draw(i, 2, -0.19f, -0.01f), draw(i, 3, -0.3f, 0.3f)),
-            .angles = { draw(i, 4, -F_PI, F_PI), draw(i, 5, -pitch_max, pitch_max), 0.0f },
-            WAKIN(draw(i, 6, 0.03f, length_max)),
-        };
-    }
-}
 
 static void begin_step(uint32_t count, float shove_max_m)
 {
@@ -74,7 +46,7 @@ static void test_parting_ends_overlaps_and_keeps_walls(void **state)
     fill_at_random(400, 0.3f, 0.06f);
     gather(400, NULL);
     for (int tick = 0; tick < 40; tick++) {
-        look();
+        look(0);
         part_relax(&part, &crowd, &place);
         part_clear(&part, &crowd, &place);
     }
@@ -102,7 +74,7 @@ static void test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_mo
         before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
     }
     gather(300, before_m);
-    look();
+    look(0);
     const uint32_t before = crowd.overlap_count;
     part_relax(&part, &crowd, &place);
     float farthest_m = 0.0f;
@@ -123,7 +95,7 @@ static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
     gather(2, before_m);
-    look();
+    look(0);
     part_relax(&part, &crowd, &place);
     assert_true(crowd.body[0].centre_m.x > -0.00201f);
     assert_true(depth_m(0, 1) < 1e-5f);
@@ -135,7 +107,7 @@ static void test_the_larger_of_two_gives_way_less(void **state)
     fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.08f) };
     fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, WAKIN(0.04f) };
     gather(2, NULL);
-    look();
+    look(0);
     part_relax(&part, &crowd, &place);
     const float large_m = -crowd.body[0].centre_m.x,
                 small_m = crowd.body[1].centre_m.x - 0.009f;
@@ -157,7 +129,7 @@ static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **s
     part_begin(&part, fish, 3);
     fish[2].angles.yaw_rad = 0.9f;
     begin_step(3, PART_SHOVE_M);
-    look();
+    look(0);
     part_bodies(&part, &crowd, &place);
     part_take(&crowd, fish);
     part_end(&part, &crowd, &place);
@@ -238,7 +210,7 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
     }
     gather(COUNT, NULL);
     for (int round = 0; round < 60; round++) {
-        look();
+        look(0);
         part_relax(&part, &crowd, &place);
     }
     part_take(&crowd, fish);
@@ -252,7 +224,7 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
             fish[i].angles.pitch_rad += draw(i + COUNT * tick, 14, -0.05f, 0.05f);
         }
         begin_step(COUNT, PART_SHOVE_M);
-        look();
+        look(0);
         part_bodies(&part, &crowd, &place);
         part_take(&crowd, fish);
         part_end(&part, &crowd, &place);

@@ -7,32 +7,17 @@
 
 #include <cmocka.h>
 
-#include "core/tank/preset.h"
 #include "drivers/pointer_poi.h"
+#include "tests/unit/pointer.h"
 
-#define MS 1000000ull
 #define DOWN_MS ((uint64_t)(POINTER_DOWN_S * 1000.0f))
 #define UP_MS ((uint64_t)(POINTER_UP_S * 1000.0f))
-#define WIDTH 1280u
-#define HEIGHT 720u
 
 static struct pointer_poi fresh(void)
 {
     struct pointer_poi pointer;
-    pointer_poi_init(&pointer, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    pointer_poi_init(&pointer, stall_view());
     return pointer;
-}
-
-static struct pointer_report report(uint64_t ms, float x_px, float y_px, uint32_t buttons)
-{
-    return (struct pointer_report){
-        .time_ns = ms * MS,
-        .x_px = x_px,
-        .y_px = y_px,
-        .width_px = WIDTH,
-        .height_px = HEIGHT,
-        .buttons = buttons,
-    };
 }
 
 static void give(struct pointer_poi *pointer, struct pointer_report given)

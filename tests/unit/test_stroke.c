@@ -12,18 +12,6 @@
 #include "core/tank/think.h"
 #include "tests/unit/pond.h"
 
-static struct fish cruiser(float length_m)
-{
-    return (struct fish){ WAKIN(length_m),
-                          .stamina = 1.0f,
-                          .brake = 1.0f,
-                          .room = 1.0f,
-                          .haste = 1.0f,
-                          .gait = GAIT_SWIM,
-                          .position_m = { 0.0f, -0.06f, 0.0f },
-                          .depth_goal_m = -0.06f };
-}
-
 static void swim(struct fish *fish, uint32_t tick)
 {
     const vec3 before_m = fish->position_m;
@@ -48,7 +36,7 @@ static void test_a_glide_slows_as_drag_demands(void **state)
 {
     (void)state;
     for (float length_m = 0.033f; length_m < 0.085f; length_m += 0.0155f) {
-        struct fish fish = cruiser(length_m);
+        struct fish fish = pond_fish(length_m, GAIT_SWIM);
         const uint32_t from = glide_tick(&fish);
         const float start_m_s = 1.3f * length_m, way_m = stroke_glide_m(length_m);
         fish.speed_m_s = start_m_s;
@@ -71,7 +59,7 @@ static void test_a_kick_turns_the_course_once_and_a_glide_never(void **state)
     (void)state;
     float sum2 = 0.0f;
     const uint32_t cycles = 4000;
-    struct fish fish = cruiser(0.05f);
+    struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     uint32_t turns = 0;
     for (uint32_t tick = 0; tick < cycles * 84u; tick += THINK_TICKS) {
         struct surroundings around = *pond_at(1, tick);
@@ -90,7 +78,7 @@ static void test_a_kick_turns_the_course_once_and_a_glide_never(void **state)
 static void test_a_fish_that_thinks_in_every_tick_turns_no_oftener(void **state)
 {
     (void)state;
-    struct fish often = cruiser(0.05f), seldom = often;
+    struct fish often = pond_fish(0.05f, GAIT_SWIM), seldom = often;
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct surroundings around = *pond_at(1, tick);
         stroke_turn(&often, 7, &around);
@@ -105,7 +93,7 @@ static void test_a_fish_that_thinks_in_every_tick_turns_no_oftener(void **state)
 /* A turn at a kick: how long its middle 80 % take, and its tightest radius in lengths. */
 static void turn(float angle_rad, float *lasts_s, float *radius_lengths)
 {
-    struct fish fish = cruiser(0.05f);
+    struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     float first_s = 0.0f;
     fish.heading_rad = angle_rad;
     fish.speed_m_s = 0.9f * fish.length_m; /* As after a glide. */
@@ -142,7 +130,7 @@ static void test_a_turn_lasts_as_long_whatever_its_angle(void **state)
 static void test_a_law_without_kicks_turns_and_beats_evenly(void **state)
 {
     (void)state;
-    struct fish fish = cruiser(0.05f);
+    struct fish fish = pond_fish(0.05f, GAIT_SWIM);
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct surroundings around = *pond_at(1, tick);
         around.law = &tank_preset(TANK_PRESET_THESIS)->law;

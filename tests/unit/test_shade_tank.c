@@ -1,0 +1,265 @@
+/* test_shade_tank.c -- shadows over whole tanks: who gathers (2013 thesis, figures 4.17 to 4.20),
+ * who starts, and what casts them in the stall. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/core.h"
+#include "core/tank/tank.h"
+
+static struct tank tank;
+
+static struct shade_cast fan_at(float x_m, float z_m)
+{
+    return (struct shade_cast){ 1, x_m, z_m, 0.10f, SHADE_FAN_DARK };
+}
+
+/* ---- Whole tanks ---------------------------------------------------------------------------- */
+
+static void hold_fan(uint32_t *tick, const struct shade_cast *cast, uint32_t seconds)
+{
+    struct shade_cast casts[TANK_SHADE_MAX] = { [0] = *cast };
+    for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {
+        tank_cast(&tank, casts);
+        tank_tick(&tank, (*tick)++, NULL, 0);
+    }
+}
+
+struct gathering {
+    uint32_t at_0, at_1, at_6, at_10, at_30;
+};
+
+static struct gathering gather(uint32_t seed)
+{
+    const struct shade_cast fan = fan_at(0.0f, 0.0f);
+    struct gathering count = { 0 };
+    uint32_t tick = 0;
+    tank_init(&tank, TANK_PRESET_THESIS, 200, seed);
+    count.at_0 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 1);
+    count.at_1 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 5);
+    count.at_6 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 4);
+    count.at_10 = tank_shade_count(&tank, &fan);
+    hold_fan(&tick, &fan, 20);
+    count.at_30 = tank_shade_count(&tank, &fan);
+    return count;
+}
+
+/* Figures 4.17 to 4.20: 200 fish; more of them in the shade after 1, 6 and 10 s, and those who came
+ * stay. One fish that bursts away or gives way makes a single tank's count falter by a few. */
+static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
+{
+    (void)state;
+    struct gathering all = { 0 };
+    for (uint32_t seed = 1; seed <= 5; seed++) {
+        const struct gathering one = gather(seed);
+        print_message("seed %u: %u, %u, %u, %u, %u in the shade after 0, 1, 6, 10, 30 s\n", seed,
+                      one.at_0, one.at_1, one.at_6, one.at_10, one.at_30);
+        assert_true(one.at_1 > one.at_0);
+        assert_true(2u * one.at_6 >= 3u * one.at_1);
+        assert_true(one.at_10 + 3u >= one.at_6);
+        assert_true(one.at_30 + 3u >= one.at_10);
+        all.at_6 += one.at_6;
+        all.at_10 += one.at_10;
+    }
+    assert_true(all.at_10 * 100u > all.at_6 * 105u);
+}
+
+static void test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s(void **state)
+{
+    const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
+    uint32_t drawn = 0;
+    (void)state;
+    tank_init(&tank, TANK_PRESET_THESIS, 200, 2);
+    for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ; tick++) {
+        tank_cast(&tank, casts);
+        tank_tick(&tank, tick, NULL, 0);
+        for (uint32_t i = 0; i < tank.fish_count; i++) {
+            const struct fish *fish = &tank.fish[i];
+            if (fish->gait == GAIT_REST || fish->gait == GAIT_SWIM) {
+                assert_true(fish->speed_goal_m_s <= 0.0750001f);
+                drawn += fish->gait == GAIT_REST && fish->speed_goal_m_s > 0.04f;
+            }
+        }
+    }
+    assert_true(drawn > 100u); /* Resting fish are drawn, too. */
+}
+
+/* Noses that turn this way and that: reversals of turns faster than 20 degrees a second, for each
+ * fish in the shade and each second. Free fish make 0.2 to 0.5, by how many they are. */
+static void test_gathered_fish_do_not_jitter(void **state)
+{
+    static float turning[TANK_FISH_MAX];
+    const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
+    uint32_t reversals = 0, fish_ticks = 0;
+    (void)state;
+    tank_init(&tank, TANK_PRESET_THESIS, 600, 1);
+    for (uint32_t tick = 0; tick < 14u * CORE_TICK_HZ; tick++) {
+        tank_cast(&tank, casts);
+        tank_tick(&tank, tick, NULL, 0);
+        for (uint32_t i = 0; tick > 6u * CORE_TICK_HZ && i < tank.fish_count; i++) {
+            const struct fish *fish = &tank.fish[i];
+            const float rate = fish->yaw_rate_rad_s;
+            if (!shade_covers(&casts[0], fish->position_m) || f_abs(rate) < 20.0f * F_DEG) {
+                fish_ticks += (uint32_t)shade_covers(&casts[0], fish->position_m);
+                continue;
+            }
+            fish_ticks++;
+            reversals += rate * turning[i] < 0.0f;
+            turning[i] = rate;
+        }
+    }
+    const float per_s = (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
+    print_message("%.2f reversals a second by each of %.0f fish in the shade\n", (double)per_s,
+                  (double)fish_ticks / (8.0 * CORE_TICK_HZ));
+    assert_true(fish_ticks > 8u * CORE_TICK_HZ * 40u);
+    assert_true(per_s < 1.3f);
+}
+
+/* Where fish know fright, a fan that drops in empties its place; held still, it fills it. */
+static void test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers(void **state)
+{
+    const struct shade_cast fan = fan_at(0.0f, 0.0f);
+    const struct shade_cast none = { 0 };
+    (void)state;
+    for (uint32_t seed = 1; seed <= 3; seed++) {
+        uint32_t tick = 0;
+        tank_init(&tank, TANK_PRESET_FESTIVAL, 300, seed);
+        hold_fan(&tick, &none, 3);
+        const uint32_t before = tank_shade_count(&tank, &fan);
+        hold_fan(&tick, &fan, 1);
+        const uint32_t scattered = tank_shade_count(&tank, &fan);
+        hold_fan(&tick, &fan, 1);
+        assert_true(2u * tank_shade_count(&tank, &fan) < before); /* They flee for a while. */
+        hold_fan(&tick, &fan, 8);
+        const uint32_t gathered = tank_shade_count(&tank, &fan);
+        print_message("seed %u: %u before, %u after 1 s, %u after 10 s\n", seed, before, scattered,
+                      gathered);
+        assert_true(2u * scattered < before);
+        assert_true(gathered > before + before / 2u);
+    }
+}
+
+static uint32_t escaping(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tank.fish_count; i++) {
+        count += tank.fish[i].gait == GAIT_ESCAPE;
+    }
+    return count;
+}
+
+static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
+{
+    struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(-0.30f, 0.0f) };
+    uint32_t most = 0;
+    casts[0].dark = dark;
+    tank_init(&tank, preset, 200, 4);
+    for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+        casts[0].x_m += tick > CORE_TICK_HZ ? fan_m_s * CORE_TICK_S : 0.0f;
+        tank_cast(&tank, casts);
+        tank_tick(&tank, tick, NULL, 0);
+        if (tick > CORE_TICK_HZ) { /* The fright of its coming is over. */
+            const uint32_t now = escaping();
+            most = now > most ? now : most;
+        }
+    }
+    return most;
+}
+
+static void test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly(void **state)
+{
+    (void)state;
+    const uint32_t swept = escapes_under(TANK_PRESET_FESTIVAL, 0.30f, SHADE_FAN_DARK);
+    const uint32_t still = escapes_under(TANK_PRESET_FESTIVAL, 0.0f, SHADE_FAN_DARK);
+    const uint32_t paper = escapes_under(TANK_PRESET_FESTIVAL, 0.30f, 0.34f);
+    print_message("%u start under a sweeping fan, %u under a still one, %u under paper\n", swept,
+                  still, paper);
+    assert_true(swept >= 8u);
+    assert_true(still <= 2u);
+    assert_true(paper <= swept / 4u);
+    assert_int_equal(escapes_under(TANK_PRESET_THESIS, 0.30f, SHADE_FAN_DARK), 0);
+}
+
+/* ---- The stall ------------------------------------------------------------------------------ */
+
+static struct core core;
+static struct output output;
+
+static void open_stall(void)
+{
+    const struct core_config config = { .seed = 3, .fish_count = 60 };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+}
+
+static void test_what_a_hand_holds_falls_on_the_tank_within_its_bounds(void **state)
+{
+    struct input input = { .shade[2] = { 1, 0.1f, -0.2f, 0.12f } };
+    (void)state;
+    open_stall();
+    core_tick(&core, &input, &output);
+    const struct shade_cast *cast = &core.tank.shade[2].cast;
+    assert_true(cast->present && cast->x_m == 0.1f && cast->z_m == -0.2f);
+    assert_true(cast->radius_m == 0.12f && cast->dark == SHADE_FAN_DARK);
+    assert_int_equal(core.tank.shade[0].cast.present, 0);
+    input.shade[2] = (struct shade_input){ 1, 3e38f, -3e38f, 3e38f };
+    core_tick(&core, &input, &output);
+    assert_true(cast->x_m < 2.0f && cast->z_m > -2.0f && cast->radius_m == SHADE_RADIUS_MAX_M);
+    input.shade[2].radius_m = -1.0f;
+    core_tick(&core, &input, &output);
+    assert_true(cast->radius_m == SHADE_RADIUS_MIN_M);
+    input.shade[2] = (struct shade_input){ 0, 1.0f / 0.0f, 0.0f, 0.0f }; /* Not looked at. */
+    core_tick(&core, &input, &output);
+    assert_int_equal(cast->present, 0);
+}
+
+static void test_a_fan_that_is_no_number_is_a_bug(void **state)
+{
+    static const float broken[] = { 1.0f / 0.0f, -1.0f / 0.0f };
+    (void)state;
+    open_stall();
+    for (size_t i = 0; i < 2; i++) {
+        struct input input = { .shade[0] = { 1, broken[i], 0.0f, 0.1f } };
+        expect_assert_failure(core_tick(&core, &input, &output));
+        input.shade[0] = (struct shade_input){ 1, 0.0f, broken[i], 0.1f };
+        expect_assert_failure(core_tick(&core, &input, &output));
+        input.shade[0] = (struct shade_input){ 1, 0.0f, 0.0f, broken[i] };
+        expect_assert_failure(core_tick(&core, &input, &output));
+    }
+}
+
+static void test_a_dry_poi_casts_its_paper_and_a_dipped_one_nothing(void **state)
+{
+    struct poi poi;
+    (void)state;
+    poi_init(&poi, 6, v3(0.1f, 0.05f, -0.1f), 1);
+    const struct shade_cast level = poi_shade(&poi);
+    assert_true(level.present && level.x_m == 0.1f && level.z_m == -0.1f);
+    assert_float_equal(level.radius_m, POI_OUTER_RADIUS_M, 1e-4f);
+    assert_float_equal(level.dark, POI_PAPER_DARK, 1e-4f);
+    poi.angles.pitch_rad = 60.0f * F_DEG; /* An ellipse of half the area. */
+    assert_float_equal(poi_shade(&poi).radius_m, 0.7071f * POI_OUTER_RADIUS_M, 1e-4f);
+    poi.immersed = 0.01f;
+    assert_int_equal(poi_shade(&poi).present, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_fish_gather_as_in_figures_4_17_to_4_20),
+        cmocka_unit_test(test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s),
+        cmocka_unit_test(test_gathered_fish_do_not_jitter),
+        cmocka_unit_test(test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers),
+        cmocka_unit_test(test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly),
+        cmocka_unit_test(test_what_a_hand_holds_falls_on_the_tank_within_its_bounds),
+        cmocka_unit_test(test_a_fan_that_is_no_number_is_a_bug),
+        cmocka_unit_test(test_a_dry_poi_casts_its_paper_and_a_dipped_one_nothing),
+    };
+    cmocka_set_message_output(CM_OUTPUT_TAP);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
