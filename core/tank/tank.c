@@ -17,6 +17,7 @@
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
 #define PUSH_SHARE 0.344f /* A look: pushes come and go within a twelfth of a second. */
+#define BORNE_M_S 0.05f
 #define ROOM_PER_S 2.0f  /* A fish that had no room takes half a second to trust that it has. */
 
 struct tank_bounds tank_bounds(const struct tank *tank)
@@ -73,14 +74,25 @@ static void ring(struct tank *tank, const struct fish *fish, const struct surrou
     }
 }
 
+/* It has come down upon others, who bear it: water alone would draw it under at 12 cm/s. */
+static int is_borne(const struct fish *fish)
+{
+    return fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S;
+}
+
 static void think_in_turn(struct tank *tank, struct surroundings around)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish_swims(fish) && think_due(fish, i, &around)) {
+            const int fell = fish->falls && is_borne(fish);
             around.dt_s = think_dt_s(fish, around.tick);
             think(fish, i, &around);
             ring(tank, fish, &around);
+            if (fell && fish->falls) { /* It gets in among them like all that come back. */
+                fish->alarm = 1.0f;
+                loose_begin(tank, fish, fish->velocity_m_s);
+            }
         }
     }
 }

@@ -320,14 +320,21 @@ static void test_held_and_bowl_fish_stay_as_they_are(void **state)
     assert_true(fish_hash(HASH_START, &tank.fish[4]) == bowl);
 }
 
+/* 8 cm over the water, at rest. */
+static struct fish *drop(vec3 place_m)
+{
+    struct fish *fish = &tank.fish[0];
+    fish->gait = GAIT_ESCAPE;
+    fish->position_m = v3(place_m.x, 0.08f, place_m.z);
+    fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+    return fish;
+}
+
 static void test_a_fish_that_a_poi_lets_go_falls_in_and_flees(void **state)
 {
     (void)state;
-    tank_init(&tank, TANK_PRESET_FESTIVAL, 40, 8);
-    struct fish *fish = &tank.fish[0];
-    fish->gait = GAIT_ESCAPE;
-    fish->position_m = v3(0.1f, 0.08f, 0.0f);
-    fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 1, 8);
+    const struct fish *fish = drop(v3(0.1f, 0.0f, 0.0f));
     run(&tank, 0, 10, 0, 0);
     assert_true(fish->position_m.y < 0.08f &&
                 fish->position_m.y > 0.0f); /* It falls, it does not jump. */
@@ -335,6 +342,20 @@ static void test_a_fish_that_a_poi_lets_go_falls_in_and_flees(void **state)
     assert_int_equal(fish->gait, GAIT_ESCAPE);
     run(&tank, 50, 2u * CORE_TICK_HZ, 0, 0);
     check_inside(fish, tank.size_m);
+}
+
+static void test_a_fish_that_falls_upon_others_gets_in_among_them(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 0; seed < 12; seed++) {
+        tank_init(&tank, TANK_PRESET_FESTIVAL, 40, seed);
+        struct fish *under = &tank.fish[20];
+        under->position_m.y = -0.5f * under->height_m - 0.002f;
+        const struct fish *fish = drop(under->position_m);
+        run(&tank, 0, 50 + 2u * CORE_TICK_HZ, 0, 0);
+        assert_true(fish_swims(fish));
+        check_inside(fish, tank.size_m);
+    }
 }
 
 static void test_no_fish_swims_into_the_bowl(void **state)
@@ -384,6 +405,7 @@ int main(void)
         cmocka_unit_test(test_an_escape_costs_stamina_and_ends_within_a_second),
         cmocka_unit_test(test_held_and_bowl_fish_stay_as_they_are),
         cmocka_unit_test(test_a_fish_that_a_poi_lets_go_falls_in_and_flees),
+        cmocka_unit_test(test_a_fish_that_falls_upon_others_gets_in_among_them),
         cmocka_unit_test(test_no_fish_swims_into_the_bowl),
         cmocka_unit_test(test_the_surface_is_never_quite_still),
     };
