@@ -1,41 +1,10 @@
-/* pairs_lanes.c -- balls against balls, then boxes against boxes, several pairs at a time. */
+/* pairs_lanes.c -- balls against balls: who could be near whom, several at a time. */
 #include "core/tank/pairs_lanes.h"
 
 #include "core/base/mem.h"
+#include "core/tank/body_lanes.h"
 
-#define APART_M 1e9f
-#define PARALLEL lanes_of(1e-6f) /* As in box.c. */
-#define AHEAD (2u * LANES) /* Items or pairs: as long as memory takes. */
 #define ROUNDING 1.00001f /* Of roots and products; no ball may be too small. */
-
-/* Quad `quad` of a body, and in eight lanes that of the fourth after it beside it. */
-static inline flanes load_row(const struct body *body, const uint32_t *fish, uint32_t quad)
-{
-    const size_t at = quad * sizeof(fquad);
-    return lanes_load_beside((const char *)&body[fish[0]] + at,
-                             (const char *)&body[fish[LANES - 4]] + at);
-}
-
-/* The same of LANES bodies, wherever they lie: column[m] is member m of all. */
-static inline void load_quads(flanes column[4], const struct body *body, const uint32_t *fish,
-                              uint32_t quad)
-{
-    lanes_turn(column, load_row(body, fish, quad), load_row(body, fish + 1, quad),
-               load_row(body, fish + 2, quad), load_row(body, fish + 3, quad));
-}
-
-/* LANES bodies, as struct body names its members. */
-struct bodies {
-    flanes centre[4], right[4], up[4], back[4]; /* Vectors; [3] is a half size or the margin. */
-};
-
-static inline void load_bodies(struct bodies *all, const struct body *body, const uint32_t *fish)
-{
-    load_quads(all->centre, body, fish, 0);
-    load_quads(all->right, body, fish, 1);
-    load_quads(all->up, body, fish, 2);
-    load_quads(all->back, body, fish, 3);
-}
 
 /* Members of the crowd, and how far from their skins they are felt. */
 static inline flanes load_members(struct bodies *all, const struct pairs_of *of,
@@ -47,7 +16,7 @@ static inline flanes load_members(struct bodies *all, const struct pairs_of *of,
         fish[lane] = member[lane];
         reach_m[lane] = of->reach_m[member[lane]];
     }
-    load_bodies(all, of->body, fish);
+    bodies_load(all, of->body, fish);
     return lanes_load(reach_m);
 }
 
@@ -123,7 +92,7 @@ PAIRS_COLUMNS(LANES_NAME(pairs_columns))
 {
     const struct grid *grid = &pairs->grid;
     for (uint32_t k = 0; k < grid->count; k += LANES) {
-        call_bodies(of->body, grid->item, k + AHEAD, grid->count);
+        call_bodies(of->body, grid->item, k + PAIRS_AHEAD, grid->count);
         struct bodies all;
         const flanes reach = load_members(&all, of, &grid->item[k]);
         lanes_store(&pairs->x_m[k], all.centre[0]);
@@ -245,166 +214,4 @@ PAIRS_NEAR(LANES_NAME(pairs_near))
     pairs->item = item;
     pairs->other = other;
     pairs->near_count = noted;
-}
-
-/* What the axes tried so far say of LANES pairs. Gaps are squared, their signs kept, so that an
- * axis that is no unit vector costs a division and no root; and the last four bits of a square are
- * the axis it belongs to, so that the largest brings its axis with it. */
-struct verdict {
-    flanes square; /* Of the gap between the bodies. */
-    flanes space;  /* > 0: the spaces are apart; else the value means nothing. */
-};
-
-static inline flanes mark(flanes square, int32_t axis)
-{
-    return (flanes)(((ilanes)square & ~15) | axis);
-}
-
-/* One axis: how far apart the centres are along it, less what the bodies take of that, and less
- * what their margins take. */
-static inline void try_face(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
-                            int32_t axis)
-{
-    const flanes gap = lanes_abs(offset) - halves;
-    verdict->space = lanes_max(verdict->space, gap - margins);
-    verdict->square = lanes_max(verdict->square, mark(gap * lanes_abs(gap), axis));
-}
-
-/* The axis' length is the root of `length2`: edges that are parallel to a thousandth have none
- * worth the name, and face normals have said it all. */
-static inline void try_edges(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
-                             flanes length2, int32_t axis)
-{
-    const ilanes crossed = length2 > PARALLEL;
-    const flanes gap = lanes_select(crossed, lanes_abs(offset) - halves, lanes_of(-APART_M));
-    verdict->space = lanes_max(verdict->space, gap - margins);
-    verdict->square =
-        lanes_max(verdict->square, mark(gap * lanes_abs(gap) / lanes_max(length2, PARALLEL), axis));
-}
-
-static inline flanes dot(const flanes a[3], const flanes b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* Cosines of a's axes against b's, with their magnitudes; and the way between the centres in a's
- * frame. */
-struct view {
-    flanes c[3][3], m[3][3], d[3];
-};
-
-static inline void view_row(struct view *view, int i, const flanes axis[3], const flanes way[3],
-                            const struct bodies *b)
-{
-    view->d[i] = dot(way, axis);
-    view->c[i][0] = dot(axis, b->right);
-    view->c[i][1] = dot(axis, b->up);
-    view->c[i][2] = dot(axis, b->back);
-    view->m[i][0] = lanes_abs(view->c[i][0]);
-    view->m[i][1] = lanes_abs(view->c[i][1]);
-    view->m[i][2] = lanes_abs(view->c[i][2]);
-}
-
-#define FACE_A(i)                                                                                  \
-    try_face(&verdict, view.d[i], ha[i] + dot(view.m[i], hb),                                      \
-             ma + mb * (view.m[i][0] + view.m[i][1] + view.m[i][2]), i)
-
-#define FACE_B(j)                                                                                  \
-    try_face(&verdict,                                                                             \
-             view.d[0] * view.c[0][j] + view.d[1] * view.c[1][j] + view.d[2] * view.c[2][j],       \
-             hb[j] + (view.m[0][j] * ha[0] + view.m[1][j] * ha[1] + view.m[2][j] * ha[2]),         \
-             mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + j)
-
-/* Edge i of a across edge j of b: p, q follow i and r, s follow j round the three axes. */
-#define EDGES(i, p, q, j, r, s)                                                                    \
-    try_edges(&verdict, view.d[q] * view.c[p][j] - view.d[p] * view.c[q][j],                       \
-              ha[p] * view.m[q][j] + ha[q] * view.m[p][j] + hb[r] * view.m[i][s] +                 \
-                  hb[s] * view.m[i][r],                                                            \
-              ma * (view.m[q][j] + view.m[p][j]) + mb * (view.m[i][s] + view.m[i][r]),             \
-              view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * i + j)
-
-/* All fifteen axes, in the order in which pairs_axis() counts them. Never a call: that would pass a
- * kilobyte through memory. */
-__attribute__((always_inline)) static inline struct verdict judge(const struct bodies *a,
-                                                                  const struct bodies *b)
-{
-    struct verdict verdict = { lanes_of(-APART_M * APART_M), lanes_of(-APART_M) };
-    const flanes ha[3] = { a->centre[3], a->right[3], a->up[3] }, ma = a->back[3];
-    const flanes hb[3] = { b->centre[3], b->right[3], b->up[3] }, mb = b->back[3];
-    const flanes way[3] = { b->centre[0] - a->centre[0], b->centre[1] - a->centre[1],
-                            b->centre[2] - a->centre[2] };
-    struct view view;
-    view_row(&view, 0, a->right, way, b);
-    view_row(&view, 1, a->up, way, b);
-    view_row(&view, 2, a->back, way, b);
-    FACE_A(0);
-    FACE_A(1);
-    FACE_A(2);
-    FACE_B(0);
-    FACE_B(1);
-    FACE_B(2);
-    EDGES(0, 1, 2, 0, 1, 2);
-    EDGES(0, 1, 2, 1, 2, 0);
-    EDGES(0, 1, 2, 2, 0, 1);
-    EDGES(1, 2, 0, 0, 1, 2);
-    EDGES(1, 2, 0, 1, 2, 0);
-    EDGES(1, 2, 0, 2, 0, 1);
-    EDGES(2, 0, 1, 0, 1, 2);
-    EDGES(2, 0, 1, 1, 2, 0);
-    EDGES(2, 0, 1, 2, 0, 1);
-    return verdict;
-}
-
-static inline flanes gap_of(const struct verdict *verdict)
-{
-    const flanes root = lanes_sqrt(lanes_abs(verdict->square));
-    return lanes_select(verdict->square < 0.0f, -root, root);
-}
-
-PAIRS_GAPS(LANES_NAME(pairs_gaps))
-{
-    for (uint32_t n = 0; n < count; n += LANES) {
-        uint32_t first[LANES], second[LANES];
-        for (uint32_t lane = 0; lane < LANES; lane++) {
-            first[lane] = a[n + lane];
-            second[lane] = b[n + lane];
-        }
-        struct bodies all_a, all_b;
-        load_bodies(&all_a, body, first);
-        load_bodies(&all_b, body, second);
-        const struct verdict verdict = judge(&all_a, &all_b);
-        lanes_store(&gap_m[n], gap_of(&verdict));
-    }
-}
-
-PAIRS_JUDGE(LANES_NAME(pairs_judge))
-{
-    const fish_index *item = pairs->grid.item;
-    uint32_t kept = 0;
-    for (uint32_t n = 0; n < pairs->near_count; n += LANES) {
-        for (uint32_t lane = 0; lane < LANES && n + AHEAD + lane < pairs->near_count; lane++) {
-            __builtin_prefetch(&of->body[item[pairs->near_b[n + AHEAD + lane]]]);
-        }
-        uint32_t first[LANES], second[LANES];
-        for (uint32_t lane = 0; lane < LANES; lane++) {
-            first[lane] = item[pairs->near_a[n + lane]];
-            second[lane] = item[pairs->near_b[n + lane]];
-        }
-        struct bodies a, b;
-        load_bodies(&a, of->body, first);
-        load_bodies(&b, of->body, second);
-        const struct verdict verdict = judge(&a, &b);
-        const uint32_t meets = lanes_bits(verdict.space <= 0.0f);
-        float gap_m[LANES];
-        int32_t axis[LANES];
-        lanes_store(gap_m, gap_of(&verdict));
-        MEM_COPY(axis, &verdict.square, sizeof axis);
-        for (uint32_t lane = 0; lane < LANES && n + lane < pairs->near_count; lane++) {
-            const uint32_t i = first[lane], j = second[lane], meet = meets >> lane & 1u;
-            found[kept] = (struct found){ i, j, gap_m[lane], (uint8_t)(axis[lane] & 15),
-                                          (uint8_t)meet };
-            kept += meet | (gap_m[lane] < of->reach_m[i] + of->reach_m[j]);
-        }
-    }
-    return kept;
 }

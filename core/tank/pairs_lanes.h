@@ -7,6 +7,8 @@
 
 #include "core/tank/pairs.h"
 
+#define PAIRS_AHEAD (2u * LANES) /* Items or pairs: as long as memory takes. */
+
 /* Where the `count` > 0 members stand (pairs->x_m, z_m, in their order). Returns the radius of the
  * largest ball by which one of them is felt. */
 #define PAIRS_MEASURE(name)                                                                        \

@@ -2,22 +2,9 @@
 #include "core/tank/part_lanes.h"
 
 #include "core/base/lanes_vec.h"
+#include "core/tank/body_lanes.h"
 
 _Static_assert(sizeof(struct angles) == 12u && sizeof(vec3) == 12u, "three floats, side by side");
-
-/* LANES bodies, as struct body names its members. */
-struct bodies {
-    flanes centre[4], right[4], up[4], back[4]; /* Vectors; [3] is a half size or the margin. */
-};
-
-static inline void load_bodies(struct bodies *all, const struct body *body)
-{
-    const char *from = (const char *)body;
-    lanes_load_quads(all->centre, from, sizeof *body);
-    lanes_load_quads(all->right, from + 16u, sizeof *body);
-    lanes_load_quads(all->up, from + 32u, sizeof *body);
-    lanes_load_quads(all->back, from + 48u, sizeof *body);
-}
 
 /* As body_extent_m(), along one axis of the world. */
 static inline flanes extent_m(const struct bodies *all, int axis)
@@ -70,7 +57,7 @@ PART_CLEAR(LANES_NAME(part_clear_block))
     const vec3 low = place->bounds.low_m, high = place->bounds.high_m;
     struct bodies all;
     flanes began[4];
-    load_bodies(&all, &crowd->body[first]);
+    bodies_load_block(&all, &crowd->body[first]);
     lanes_load_quads(began, &part->began_m[first], sizeof part->began_m[0]);
     const ilanes beside = is_beside(place, &all);
     const struct lanes_v3 from = { began[0], began[1], began[2] };

@@ -1,0 +1,171 @@
+/* pairs_judge_lanes.c -- boxes against boxes, several pairs at a time; see box.c. */
+#include "core/tank/pairs_lanes.h"
+
+#include "core/base/mem.h"
+#include "core/tank/body_lanes.h"
+
+#define APART_M 1e9f
+#define PARALLEL lanes_of(1e-6f) /* As in box.c. */
+
+/* What the axes tried so far say of LANES pairs. Gaps are squared, their signs kept, so that an
+ * axis that is no unit vector costs a division and no root; and the last four bits of a square are
+ * the axis it belongs to, so that the largest brings its axis with it. */
+struct verdict {
+    flanes square; /* Of the gap between the bodies. */
+    flanes space;  /* > 0: the spaces are apart; else the value means nothing. */
+};
+
+static inline flanes mark(flanes square, int32_t axis)
+{
+    return (flanes)(((ilanes)square & ~15) | axis);
+}
+
+/* One axis: how far apart the centres are along it, less what the bodies take of that, and less
+ * what their margins take. */
+static inline void try_face(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
+                            int32_t axis)
+{
+    const flanes gap = lanes_abs(offset) - halves;
+    verdict->space = lanes_max(verdict->space, gap - margins);
+    verdict->square = lanes_max(verdict->square, mark(gap * lanes_abs(gap), axis));
+}
+
+/* The axis' length is the root of `length2`: edges that are parallel to a thousandth have none
+ * worth the name, and face normals have said it all. */
+static inline void try_edges(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
+                             flanes length2, int32_t axis)
+{
+    const ilanes crossed = length2 > PARALLEL;
+    const flanes gap = lanes_select(crossed, lanes_abs(offset) - halves, lanes_of(-APART_M));
+    verdict->space = lanes_max(verdict->space, gap - margins);
+    verdict->square =
+        lanes_max(verdict->square, mark(gap * lanes_abs(gap) / lanes_max(length2, PARALLEL), axis));
+}
+
+static inline flanes dot(const flanes a[3], const flanes b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Cosines of a's axes against b's, with their magnitudes; and the way between the centres in a's
+ * frame. */
+struct view {
+    flanes c[3][3], m[3][3], d[3];
+};
+
+static inline void view_row(struct view *view, int i, const flanes axis[3], const flanes way[3],
+                            const struct bodies *b)
+{
+    view->d[i] = dot(way, axis);
+    view->c[i][0] = dot(axis, b->right);
+    view->c[i][1] = dot(axis, b->up);
+    view->c[i][2] = dot(axis, b->back);
+    view->m[i][0] = lanes_abs(view->c[i][0]);
+    view->m[i][1] = lanes_abs(view->c[i][1]);
+    view->m[i][2] = lanes_abs(view->c[i][2]);
+}
+
+#define FACE_A(i)                                                                                  \
+    try_face(&verdict, view.d[i], ha[i] + dot(view.m[i], hb),                                      \
+             ma + mb * (view.m[i][0] + view.m[i][1] + view.m[i][2]), i)
+
+#define FACE_B(j)                                                                                  \
+    try_face(&verdict,                                                                             \
+             view.d[0] * view.c[0][j] + view.d[1] * view.c[1][j] + view.d[2] * view.c[2][j],       \
+             hb[j] + (view.m[0][j] * ha[0] + view.m[1][j] * ha[1] + view.m[2][j] * ha[2]),         \
+             mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + j)
+
+/* Edge i of a across edge j of b: p, q follow i and r, s follow j round the three axes. */
+#define EDGES(i, p, q, j, r, s)                                                                    \
+    try_edges(&verdict, view.d[q] * view.c[p][j] - view.d[p] * view.c[q][j],                       \
+              ha[p] * view.m[q][j] + ha[q] * view.m[p][j] + hb[r] * view.m[i][s] +                 \
+                  hb[s] * view.m[i][r],                                                            \
+              ma * (view.m[q][j] + view.m[p][j]) + mb * (view.m[i][s] + view.m[i][r]),             \
+              view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * i + j)
+
+/* All fifteen axes, in the order in which pairs_axis() counts them. Never a call: that would pass a
+ * kilobyte through memory. */
+__attribute__((always_inline)) static inline struct verdict judge(const struct bodies *a,
+                                                                  const struct bodies *b)
+{
+    struct verdict verdict = { lanes_of(-APART_M * APART_M), lanes_of(-APART_M) };
+    const flanes ha[3] = { a->centre[3], a->right[3], a->up[3] }, ma = a->back[3];
+    const flanes hb[3] = { b->centre[3], b->right[3], b->up[3] }, mb = b->back[3];
+    const flanes way[3] = { b->centre[0] - a->centre[0], b->centre[1] - a->centre[1],
+                            b->centre[2] - a->centre[2] };
+    struct view view;
+    view_row(&view, 0, a->right, way, b);
+    view_row(&view, 1, a->up, way, b);
+    view_row(&view, 2, a->back, way, b);
+    FACE_A(0);
+    FACE_A(1);
+    FACE_A(2);
+    FACE_B(0);
+    FACE_B(1);
+    FACE_B(2);
+    EDGES(0, 1, 2, 0, 1, 2);
+    EDGES(0, 1, 2, 1, 2, 0);
+    EDGES(0, 1, 2, 2, 0, 1);
+    EDGES(1, 2, 0, 0, 1, 2);
+    EDGES(1, 2, 0, 1, 2, 0);
+    EDGES(1, 2, 0, 2, 0, 1);
+    EDGES(2, 0, 1, 0, 1, 2);
+    EDGES(2, 0, 1, 1, 2, 0);
+    EDGES(2, 0, 1, 2, 0, 1);
+    return verdict;
+}
+
+static inline flanes gap_of(const struct verdict *verdict)
+{
+    const flanes root = lanes_sqrt(lanes_abs(verdict->square));
+    return lanes_select(verdict->square < 0.0f, -root, root);
+}
+
+PAIRS_GAPS(LANES_NAME(pairs_gaps))
+{
+    for (uint32_t n = 0; n < count; n += LANES) {
+        uint32_t first[LANES], second[LANES];
+        for (uint32_t lane = 0; lane < LANES; lane++) {
+            first[lane] = a[n + lane];
+            second[lane] = b[n + lane];
+        }
+        struct bodies all_a, all_b;
+        bodies_load(&all_a, body, first);
+        bodies_load(&all_b, body, second);
+        const struct verdict verdict = judge(&all_a, &all_b);
+        lanes_store(&gap_m[n], gap_of(&verdict));
+    }
+}
+
+PAIRS_JUDGE(LANES_NAME(pairs_judge))
+{
+    const fish_index *item = pairs->grid.item;
+    uint32_t kept = 0;
+    for (uint32_t n = 0; n < pairs->near_count; n += LANES) {
+        const uint32_t then = n + PAIRS_AHEAD;
+        for (uint32_t lane = 0; lane < LANES && then + lane < pairs->near_count; lane++) {
+            __builtin_prefetch(&of->body[item[pairs->near_b[then + lane]]]);
+        }
+        uint32_t first[LANES], second[LANES];
+        for (uint32_t lane = 0; lane < LANES; lane++) {
+            first[lane] = item[pairs->near_a[n + lane]];
+            second[lane] = item[pairs->near_b[n + lane]];
+        }
+        struct bodies a, b;
+        bodies_load(&a, of->body, first);
+        bodies_load(&b, of->body, second);
+        const struct verdict verdict = judge(&a, &b);
+        const uint32_t meets = lanes_bits(verdict.space <= 0.0f);
+        float gap_m[LANES];
+        int32_t axis[LANES];
+        lanes_store(gap_m, gap_of(&verdict));
+        MEM_COPY(axis, &verdict.square, sizeof axis);
+        for (uint32_t lane = 0; lane < LANES && n + lane < pairs->near_count; lane++) {
+            const uint32_t i = first[lane], j = second[lane], meet = meets >> lane & 1u;
+            found[kept] = (struct found){ i, j, gap_m[lane], (uint8_t)(axis[lane] & 15),
+                                          (uint8_t)meet };
+            kept += meet | (gap_m[lane] < of->reach_m[i] + of->reach_m[j]);
+        }
+    }
+    return kept;
+}
