@@ -13,6 +13,10 @@
 
 #define SIDE_PX 960u
 #define LENGTH_M 0.07f
+#define MIDDLE_X_M 0.015f /* Of the way that it makes in twelve ticks. */
+#define MIDDLE_Z_M 0.027f
+#define EYE_M 0.30f       /* Over the water. */
+#define HALF_TAN 0.165f   /* 11 cm of the depth at which it swims. */
 
 static struct core core;
 static struct scene scene;
@@ -51,10 +55,11 @@ static void stage(void)
 static void look_straight_down(void)
 {
     core_scene(&core, &scene);
-    scene.view.eye_m = v3(0.0f, 0.22f, 0.031f);
-    scene.view.target_m = v3(0.0f, 0.0f, 0.03f);
-    scene.phase = PHASE_ROUND;
-    scene.phase_s = 30.0f;
+    scene.view.eye_m = v3(MIDDLE_X_M, EYE_M, MIDDLE_Z_M + 0.001f);
+    scene.view.target_m = v3(MIDDLE_X_M, 0.0f, MIDDLE_Z_M);
+    scene.view.half_height_tan = HALF_TAN;
+    scene.view.aspect_min = 1.0f;
+    scene.phase = PHASE_WORDLESS;
     scene.poi[0].present = 0;
     scene.hint = HINT_NONE;
 }
