@@ -12,50 +12,6 @@
 #define FIELD_MAX 48
 #define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f)) /* 0.30f is no 30 cm. */
 
-const char tank_plan_usage[] =
-    "The tank\n"
-    "  --preset NAME          thesis, official or festival (thesis)\n"
-    "  --fish N               how many (the preset's own; in more or less water at its density)\n"
-    "  --area-scale K         of the preset's floor, 0.05 to 200 (1)\n"
-    "  --size-cm W,D,B        width, depth and breadth of the water (the preset's own)\n"
-    "  --wall-follow K        how much walls draw its fish along, 0 to 1 (0)\n"
-    "  --spaces box|ball      personal spaces: boxes, or for comparison the balls round them\n"
-    "  --stamina H            every fish starts with it, 0 to 100 (the preset's own spread)\n"
-    "  --temperature-c T      of the water, 0 to 40 (the preset's own)\n"
-    "  --pressure-hpa P       of the air, 870 to 1085 (1013.25)\n"
-    "  --oxygen-mg-l C        dissolved at the start, 0 to 20 (as much as the water holds)\n"
-    "  --pump on|off          whether the air stone bubbles (the preset's own)\n"
-    "  --time-compression K   hours of the water in an hour of the fish, 0 to 1000 (the\n"
-    "                         preset's own)\n"
-    "  --seed N               of everything random; equal seeds swim alike (1)\n"
-    "  --place FILE           these fish: CSV with x_cm,y_cm,z_cm,yaw_deg, and if there\n"
-    "                         pitch_deg,roll_deg,length_cm,speed_cm_s,gait,stamina; or a\n"
-    "                         trace, of which the first tick is taken. Gaits: rest, swim,\n"
-    "                         burst; escape bursts on; surface gulps on, or comes up to gulp\n"
-    "                         where it lies deep; held is refused: nobody is there to hold it.\n"
-    "                         The box follows from the length\n"
-    "What happens\n"
-    "  --seconds S            for so long, 0.1 to 36000 (10)\n"
-    "  --shade X_CM,Z_CM,R_CM,FROM_S,TO_S\n"
-    "                         a round shade over the water from then till then; up to 4 of\n"
-    "                         them. shade_count is who is within one, whether it falls or not\n"
-    "  --poi-path FILE        a hand leads a poi: CSV t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,\n"
-    "                         roll_deg; linear between rows, held after the last. It is the\n"
-    "                         game's own poi with No. 5 paper, and yields as it does\n"
-    "What is told\n"
-    "  --pairs grid|all       near fish are found by the grid, or each against each: the same,\n"
-    "                         and slower (grid)\n"
-    "  --json                 the figures for programs\n"
-    "  --trace FILE           where every fish is, as CSV\n"
-    "  --trace-every TICKS    so often, from tick 0 on (12)\n\n"
-    "Lengths are cm: x to the right, y up from the surface, z toward the player. Angles are\n"
-    "degrees: yaw about +y (0 faces -z), then pitch (lifts the nose), then roll (lowers the\n"
-    "right side). A tick is 1/120 s. Counts per second begin with the start, second 0.\n"
-    "Shares and means are over all fish and ticks; speeds, mean and max, over those that swim:\n"
-    "not held by a poi, not falling through the air. ns_per_fish_tick is the mean CPU time of\n"
-    "the tank's own tick; body_overlaps counts pairs and ticks deeper than 0.5 mm.\n"
-    "In CSV every column must be a known one, and every row as long as the head.\n";
-
 static const char name[] = "tank";
 
 /* Options whose value is a number, in the order of `ranges`. */
