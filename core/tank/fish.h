@@ -86,7 +86,7 @@ struct fish {
     uint8_t avoiding;     /* enum fish_avoiding */
     uint8_t holder;       /* Poi or bowl index while GAIT_HELD or GAIT_BOWL. */
     uint8_t thought_tick; /* Low bits of the tick in which it last thought. */
-    float gait_left_s;    /* Until the next choice of gait. */
+    float gait_left_s;    /* Until the next choice of gait; of one that is loose: since when. */
     float avoid_left_s;   /* Of giving way; then, of keeping its depth a little longer. */
     float avoid_turn;     /* -1 right .. +1 left (yaw), or -1 down, +1 up (pitch). */
     uint32_t avoid_since; /* Tick and partner of the encounter it gives way in. */

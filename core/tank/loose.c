@@ -1,4 +1,4 @@
-/* loose.c -- drift, pushes, and the moment in which it is clear. */
+/* loose.c -- drift, pushes, the nearest gap, and the moment in which it is clear. */
 #include "core/tank/loose.h"
 
 #include "core/input.h"
@@ -13,6 +13,19 @@
 #define BURST_S 0.6f
 #define BURST_LENGTHS 4.0f   /* A second. */
 #define SWIM_S 0.5f          /* Then it decides anew. */
+
+#define SEEK_TICKS 16u   /* Pushes have so long; then it goes for the nearest gap, ... */
+#define PUT_TICKS 48u    /* ... into which it is put when that was not enough. */
+#define AGAIN_TICKS 8u   /* From one look for a gap to the next. */
+#define SEEK_M_S 0.3f
+#define SEEK_M 0.05f     /* A length; paper on the way is seen within 6 cm (rim.c). */
+#define SEEK_SHELLS 14u
+
+/* Since it came back. */
+static uint32_t loose_ticks(const struct fish *fish)
+{
+    return (uint32_t)(fish->gait_left_s * (float)CORE_TICK_HZ + 0.5f);
+}
 
 static int is_loose(const struct fish *fish)
 {
@@ -45,7 +58,9 @@ void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     fish->yaw_rate_rad_s = 0.0f;
     fish->heading_rad = fish->angles.yaw_rad;
     fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
+    fish->gait_left_s = 0.0f;
     stay_in_tank(tank, fish);
+    tank->loose_count++;
 }
 
 /* The sum of what pushes it out of all others; they get a push the other way. Returns whether it is
@@ -93,6 +108,57 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
     return clear;
 }
 
+/* ---- Gaps ----------------------------------------------------------------------------------- */
+
+static int meets_fish(const struct tank *tank, uint32_t index, const struct fish *there)
+{
+    const struct box box = fish_box(there);
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *other = &tank->fish[i];
+        const vec3 d = v3_sub(other->position_m, there->position_m);
+        const float near_m = reach_m(there) + reach_m(other);
+        if (i == index || v3_dot(d, d) > near_m * near_m || !fish_swims(other)) {
+            continue;
+        }
+        const struct box other_box = fish_box(other);
+        if (box_gap(&box, 0.0f, &other_box, 0.0f).body_m < 0.0f) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* One of the 26 ways out of the middle of a cube of 27. */
+static vec3 way_out(uint32_t which)
+{
+    const uint32_t cell = which < 13u ? which : which + 1u;
+    const vec3 way = v3((float)(cell % 3u) - 1.0f, (float)(cell / 9u) - 1.0f,
+                        (float)(cell / 3u % 3u) - 1.0f);
+    return v3_normalize_or(way, way);
+}
+
+/* The nearest place within SEEK_M that is clear of all fish and obstacles, on its side of every
+ * paper. A third of all places is free in a full tank, so the first shells have one. Returns 0 when
+ * there is none. */
+static int find_gap(const struct tank *tank, uint32_t index, const struct obstacle *obstacles,
+                    uint32_t obstacle_count, vec3 *gap_m)
+{
+    const struct fish *fish = &tank->fish[index];
+    for (uint32_t k = 0; k < 26u * SEEK_SHELLS; k++) {
+        struct fish there = *fish;
+        vec3 unused_m = { 0.0f, 0.0f, 0.0f };
+        const float out_m = SEEK_M * (float)(k / 26u + 1u) / (float)SEEK_SHELLS;
+        there.position_m = v3_mad(fish->position_m, way_out(k % 26u), out_m);
+        stay_in_tank(tank, &there);
+        if (part_from_obstacles(&there, fish->position_m, obstacles, obstacle_count, &unused_m) &&
+            !meets_fish(tank, index, &there)) {
+            *gap_m = there.position_m;
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static void swim_off(const struct tank *tank, struct fish *fish)
 {
     const int hurries = fish->alarm > HURRY_ALARM;
@@ -106,30 +172,66 @@ static void swim_off(const struct tank *tank, struct fish *fish)
     fish->falls = 0;
 }
 
+/* Whom pushes have not freed for long goes for a gap, or is put there. */
+static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
+                     uint32_t obstacle_count)
+{
+    struct fish *fish = &tank->fish[index];
+    const uint32_t ticks = loose_ticks(fish);
+    vec3 gap_m;
+    if (ticks % AGAIN_TICKS != 0 || !find_gap(tank, index, obstacles, obstacle_count, &gap_m)) {
+        return;
+    }
+    if (ticks >= PUT_TICKS) {
+        fish->position_m = gap_m;
+        swim_off(tank, fish);
+    } else {
+        fish->velocity_m_s = v3_scale(
+            v3_normalize_or(v3_sub(gap_m, fish->position_m), fish->velocity_m_s), SEEK_M_S);
+    }
+}
+
+/* ---- A tick --------------------------------------------------------------------------------- */
+
+static void sink(const struct tank *tank, struct fish *fish)
+{
+    fish->gait_left_s += CORE_TICK_S;
+    fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
+    fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
+    fish->position_m = v3_mad(fish->position_m, fish->velocity_m_s, CORE_TICK_S);
+    stay_in_tank(tank, fish);
+}
+
+/* Who seeks a gap is no longer pushed by fish, which would only lead it astray. */
 static void drift(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                   uint32_t obstacle_count)
 {
     struct fish *fish = &tank->fish[index];
     const vec3 before_m = fish->position_m;
-    vec3 push_m = { 0.0f, 0.0f, 0.0f };
-    fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
-    fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
-    fish->position_m = v3_mad(before_m, fish->velocity_m_s, CORE_TICK_S);
-    stay_in_tank(tank, fish);
-    const int off_fish = part_from_fish(tank, index, &push_m);
+    vec3 fish_push_m = { 0.0f, 0.0f, 0.0f }, push_m = { 0.0f, 0.0f, 0.0f };
+    sink(tank, fish);
+    const int off_fish = part_from_fish(tank, index, &fish_push_m);
     if (part_from_obstacles(fish, before_m, obstacles, obstacle_count, &push_m) && off_fish) {
         swim_off(tank, fish);
         return;
     }
+    const int seeks = loose_ticks(fish) >= SEEK_TICKS;
+    push_m = seeks ? push_m : v3_add(push_m, fish_push_m);
     fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
     stay_in_tank(tank, fish);
+    if (seeks) {
+        seek_gap(tank, index, obstacles, obstacle_count);
+    }
 }
 
 void loose_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count)
 {
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
+    uint32_t left = 0;
+    for (uint32_t i = 0; i < tank->fish_count && tank->loose_count > 0; i++) {
         if (is_loose(&tank->fish[i])) {
             drift(tank, i, obstacles, obstacle_count);
+            left += (uint32_t)is_loose(&tank->fish[i]);
         }
     }
+    tank->loose_count = left;
 }

@@ -266,6 +266,7 @@ uint64_t tank_hash(uint64_t hash, const struct tank *tank)
         hash = shade_hash(hash, &tank->shade[i]);
     }
     hash = oxygen_hash(hash, &tank->oxygen);
+    hash = hash_u32(hash, tank->loose_count);
     hash = crowd_hash(hash, &tank->crowd);
     return water_hash(hash, &tank->water);
 }

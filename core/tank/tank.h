@@ -34,6 +34,7 @@ struct tank {
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
+    uint32_t loose_count; /* Fish that loose.h moves, at most; its next tick counts them anew. */
     struct crowd crowd; /* What its last look found is state, which crowd_hash() covers. */
     struct part part; /* Scratch of one tick, which no hash covers; no board's stack holds it. */
 };

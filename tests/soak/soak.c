@@ -32,7 +32,7 @@ static struct apart apart;
 #define YAW_RATE_MAX_RAD_S (720.0f * F_DEG) /* A burst's; giving way is no faster. */
 #define CROWDING_MAX 1.5f
 #define STUCK_MAX_S 5.0f
-#define LOOSE_MAX_S 2.0f
+#define LOOSE_MAX_S 0.5f
 
 static uint64_t back_count; /* Fish put back, each tick. */
 static int cells_missed;    /* All pairs know a deeper overlap than the cells found. */

@@ -110,8 +110,8 @@ static const struct field tank_fields[] = {
     FIELD(tank, wall_height_m), FIELD(tank, wall_follow),
     FIELD(tank, ball_spaces), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
-    SKIP(tank, shade),          SKIP(tank, oxygen),  SKIP(tank, crowd),
-    SKIP(tank, part),
+    SKIP(tank, shade),          SKIP(tank, oxygen),  FIELD(tank, loose_count),
+    SKIP(tank, crowd),          SKIP(tank, part),
 };
 
 static const struct field shade_fields[] = {

@@ -69,6 +69,15 @@ static void stir(struct input *input)
     }
 }
 
+/* Nor in the water without swimming, for longer than half a second. */
+static void check_loose(const struct fish *fish, uint32_t index)
+{
+    static uint32_t loose_ticks[FISH];
+    const int is_loose = fish->gait == GAIT_HELD && fish->holder == FISH_HOLDER_WATER;
+    loose_ticks[index] = is_loose ? loose_ticks[index] + 1u : 0u;
+    assert_true(loose_ticks[index] <= CORE_TICK_HZ / 2u);
+}
+
 static void check_fish(const struct fish *fish)
 {
     assert_true(v3_is_finite(fish->position_m));
@@ -111,6 +120,7 @@ static void play(uint32_t seed, uint32_t player_count)
         output.sound_count = 0;
         for (uint32_t i = 0; i < FISH; i++) {
             check_fish(&core.tank.fish[i]);
+            check_loose(&core.tank.fish[i], i);
         }
         for (uint32_t i = 0; i < POI_MAX; i++) {
             check_poi(&core.poi[i]);
