@@ -110,6 +110,12 @@ static void push_apart(struct company *company, vec3 forward, vec3 axis, float s
     company->push_m_s = v3_mad(company->push_m_s, push, speed_m_s);
 }
 
+static void leave_out(struct crowd *crowd, const struct contact *contact)
+{
+    crowd->flags[contact->a] |= CROWD_UNLISTED;
+    crowd->flags[contact->b] |= CROWD_UNLISTED;
+}
+
 /* In a list that is full, each further pair takes a drawn place or none, so that every pair has the
  * same chance and none waits for long (a reservoir). */
 static void list_contact(struct crowd *crowd, struct contact contact, uint32_t seed, uint32_t tick)
@@ -118,6 +124,7 @@ static void list_contact(struct crowd *crowd, struct contact contact, uint32_t s
     if (place >= CROWD_CONTACT_MAX) {
         const uint32_t lot = place | 1u << 31; /* No pair of fish has that key. */
         place = rng_u32((struct rng_key){ seed, tick, lot, RNG_FISH_AVOID_SIDE }) % (place + 1u);
+        leave_out(crowd, place < CROWD_CONTACT_MAX ? &crowd->contact[place] : &contact);
     }
     if (place < CROWD_CONTACT_MAX) {
         crowd->contact[place] = contact;
@@ -203,6 +210,7 @@ static void seek(const struct look *look, const struct pairs_of *of, int ahead)
     crowd->near_count = 0;
     crowd->overlap_count = 0;
     for (uint32_t i = 0; i < crowd->count; i++) {
+        crowd->flags[i] &= (uint8_t)~CROWD_UNLISTED;
         crowd->company[i] = (struct company){ .brake = 1.0f, .room = 1.0f };
         crowd->reach_m[i] = crowd->play_m[i] + (ahead ? reach_m(&look->fish[i]) : 0.0f);
         crowd->way_m[i] = crowd->flags[i] & CROWD_SWIMS ? 0.0f : SWIM_FAR_M;

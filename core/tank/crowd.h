@@ -20,6 +20,7 @@ enum crowd_flag {
     CROWD_BESIDE = 4,   /* An obstacle is in reach. */
     CROWD_GULPS = 8,    /* Its snout may stand out of the water. */
     CROWD_BACK = 16,    /* Went back to the pose of the tick before. */
+    CROWD_UNLISTED = 32, /* One of its contacts found no place in the list. */
 };
 
 /* What the look tells a fish of those about it; holds until the next look. */

@@ -12,6 +12,7 @@
 #define TOPPLE_ROUND 5          /* What four rounds could not part is jammed. */
 #define PART_STEP_MAX_M 0.002f  /* A round. */
 #define CLEAR_ROUNDS 4u
+#define PILE 2u                 /* Overlaps a fish: nobody free comes to that in a tick. */
 #define CLOSE_MAX 64u           /* Contacts measured at a time. */
 #define STATION_M 0.003f        /* An obstacle's step; ring and fish together are four times so
                                    thick. */
@@ -383,6 +384,24 @@ static void put_back(const struct parting *all, uint32_t index, uint32_t round)
     note_turned_back(all, index);
 }
 
+/* Where the list of contacts is full, nobody knows what the others could run into: whose contact
+ * found no place keeps the pose in which the step began. That was free of all who keep theirs, and
+ * of the rest the list tells. Places are drawn anew in each tick, so that some always move; and a
+ * pile that was staged so has nothing to lose, it is only parted. Returns how many are held. */
+static uint32_t hold_unlisted(const struct parting *all)
+{
+    const struct crowd *crowd = all->crowd;
+    const int is_full = crowd->touch_count > CROWD_CONTACT_MAX;
+    uint32_t held = 0;
+    for (uint32_t i = 0; i < crowd->count && is_full; i++) {
+        if (crowd->flags[i] & CROWD_UNLISTED && crowd->overlap_count <= PILE * crowd->count) {
+            put_back(all, i, 0);
+            held++;
+        }
+    }
+    return held;
+}
+
 /* Whether it was moved in this round or the last, so that its pairs must be judged again. */
 static int is_fresh(const struct part *part, uint32_t index, uint32_t round)
 {
@@ -648,7 +667,7 @@ void part_bodies(struct part *part, struct crowd *crowd, const struct part_place
 {
     const struct parting all = { part, crowd, place };
     const int is_parted = relax(&all);
-    judge(&all, is_parted);
+    judge(&all, hold_unlisted(&all) == 0 && is_parted);
 }
 
 void part_take(const struct crowd *crowd, struct fish *fish)

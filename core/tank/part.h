@@ -7,6 +7,8 @@
  * gives way, where the fish cannot. That ends, and it ends free: the poses of the tick before were
  * free of each other, so at worst all go back.
  *
+ * Where more pairs could touch than the crowd has room for, those left out keep still for the tick.
+ *
  * A crowd that starts with overlaps (staged by hand) is parted over its first ticks: then a pair
  * may be as deep as it was a tick before, and no deeper. */
 #ifndef KINGYO_CORE_TANK_PART_H

@@ -241,6 +241,46 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
     assert_true(deepest_m <= PART_FREE_M + 1e-6f);
 }
 
+/* Fish half a millimetre apart on every side, each of which could touch 26 others. */
+static void test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps(void **state)
+{
+    (void)state;
+    enum { COUNT = 768, ROW = 16, LAYER = ROW * 8 };
+    uint32_t moved = 0;
+    float deepest_m = 0.0f;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        const vec3 at =
+            v3((float)(i % ROW) * 0.0085f - 0.15f, (float)(i / LAYER) * -0.0149f - 0.02f,
+               (float)(i / ROW % 8u) * 0.0405f - 0.15f);
+        fish[i] = (struct fish){ .position_m = at, WAKIN(0.04f) };
+    }
+    for (uint32_t tick = 1; tick <= 6; tick++) {
+        part_begin(&part, fish, COUNT);
+        for (uint32_t i = 0; i < COUNT; i++) {
+            fish[i].position_m.x += draw(i + COUNT * tick, 11, -0.002f, 0.002f);
+            fish[i].position_m.y += draw(i + COUNT * tick, 12, -0.001f, 0.001f);
+            fish[i].angles.yaw_rad += draw(i + COUNT * tick, 13, -0.05f, 0.05f);
+        }
+        begin_step(COUNT, PART_SHOVE_M);
+        look(tick);
+        assert_true(crowd.touch_count > CROWD_CONTACT_MAX);
+        part_bodies(&part, &crowd, &place);
+        part_take(&crowd, fish);
+        part_end(&part, &crowd, &place);
+        moved += COUNT - part.back_count;
+        for (uint32_t i = 0; i < COUNT; i++) {
+            for (uint32_t j = 0; j < i; j++) {
+                const vec3 d = v3_sub(fish[i].position_m, fish[j].position_m);
+                deepest_m = v3_dot(d, d) < 0.0025f ? f_max(deepest_m, depth_m(i, j)) : deepest_m;
+            }
+        }
+    }
+    print_message("%u contacts, %u fish-ticks free, deepest %.3f mm\n", crowd.touch_count, moved,
+                  (double)(1000.0f * deepest_m));
+    assert_true(moved > 0);
+    assert_true(deepest_m <= PART_FREE_M + 1e-6f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -252,6 +292,8 @@ int main(void)
         cmocka_unit_test(test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit),
         cmocka_unit_test(
             test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time),
+        cmocka_unit_test(
+            test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps),
         cmocka_unit_test(test_what_was_free_stays_free_whatever_fish_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

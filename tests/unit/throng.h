@@ -7,7 +7,7 @@
 #include "tests/unit/pond.h"
 
 static struct crowd crowd;
-static struct fish fish[600];
+static struct fish fish[768];
 static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
 
 static inline void look(uint32_t tick)
