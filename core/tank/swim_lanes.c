@@ -180,6 +180,15 @@ static inline flanes lose_blocked_speed(flanes speed_m_s, struct lanes_v3 own_m_
                         lanes_lerp(speed_m_s, true_m_s, lanes_of(BLOCKED_SHARE)), speed_m_s);
 }
 
+/* To what it is ordered, and along the arc that it turns unless it is in a start. */
+static inline flanes bend(flanes bend_rad, flanes goal_rad, flanes yaw_rate_rad_s, flanes haste)
+{
+    const flanes arc_rad = within(BEND_PER_RAD_S * yaw_rate_rad_s, 1.0f);
+    const flanes wanted_rad =
+        goal_rad + lanes_select(haste < HASTE_START, arc_rad, lanes_of(0.0f));
+    return lanes_lerp(bend_rad, wanted_rad, hasten(haste, BEND_TAU_S));
+}
+
 void LANES_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
 {
     struct fish *fish = &shoal->fish[first];
@@ -210,11 +219,7 @@ void LANES_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
     const flanes amplitude =
         lanes_lerp(tail[2], stroke(hz, orders[3]), hasten(orders[0], STROKE_TAU_S));
     const flanes phase = tail[0] + F_TAU * hz * DT;
-    const flanes arc_rad = within(BEND_PER_RAD_S * angles[3], 1.0f);
-    const flanes bend_goal_rad =
-        tail[3] + lanes_select(orders[0] < HASTE_START, arc_rad, lanes_of(0.0f));
-    const flanes bend_rad =
-        lanes_lerp(still[3], bend_goal_rad, hasten(orders[0], BEND_TAU_S));
+    const flanes bend_rad = bend(still[3], tail[3], angles[3], orders[0]);
 
     const struct lanes_v3 shoved_m = { centre[0] - place[0], centre[1] - place[1],
                                        centre[2] - place[2] };
