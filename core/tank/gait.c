@@ -11,6 +11,10 @@
 #define BURST_COST_PER_S 0.010f
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
+#define BURST_MIN_S 1.0f
+#define BURST_MAX_S 3.0f
+#define STEADY_MIN_S 5.0f /* A swim, a rest. */
+#define STEADY_MAX_S 20.0f
 #define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
 
 struct gait_chance gait_chance(float stamina)
@@ -24,6 +28,16 @@ struct gait_chance gait_chance(float stamina)
         .swim = 0.5f - 2.0f * tired / 5.0f,                 /* eq. 3.2 */
         .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* eq. 3.3 */
     };
+}
+
+struct gait_chance gait_shares(float stamina)
+{
+    const struct gait_chance chance = gait_chance(stamina);
+    const float burst_s = chance.burst * 0.5f * (BURST_MIN_S + BURST_MAX_S);
+    const float swim_s = chance.swim * 0.5f * (STEADY_MIN_S + STEADY_MAX_S);
+    const float rest_s = chance.rest * 0.5f * (STEADY_MIN_S + STEADY_MAX_S);
+    const float all_s = burst_s + swim_s + rest_s;
+    return (struct gait_chance){ burst_s / all_s, swim_s / all_s, rest_s / all_s };
 }
 
 /* A fish and the tick in which it decides: what its numbers are drawn by. */
@@ -78,7 +92,8 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
     const struct rng_key time = key(luck, RNG_FISH_DURATION);
     fish->gait = (uint8_t)gait;
     fish->gait_left_s =
-        gait == GAIT_BURST ? rng_range(time, 1.0f, 3.0f) : rng_range(time, 5.0f, 20.0f);
+        gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
+                           : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
     fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck, around->law));
     fish->depth_stray = around->law->depth_stray * rng_normal(key(luck, RNG_FISH_DEPTH));
     fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);

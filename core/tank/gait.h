@@ -26,6 +26,9 @@ struct gait_chance {
 
 struct gait_chance gait_chance(float stamina);
 
+/* Shares of its time that it spends so, at a stamina that stays: chances times mean durations. */
+struct gait_chance gait_shares(float stamina);
+
 /* Enters a gait: its duration, a new heading about the old one, a new stray from its depth. `index`
  * is the fish's, here and below: what it draws its numbers by. */
 void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,

@@ -168,6 +168,16 @@ static float hatch_length_m(const struct tank *tank, const struct tank_preset *p
                                    : growth_length_m(&species_wakin.growth, age_days);
 }
 
+/* As if it had long been in the water: each gait by the share of time that it takes. */
+static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float stamina)
+{
+    const struct gait_chance share = gait_shares(stamina);
+    const float draw = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_GAIT });
+    return draw < share.swim                 ? GAIT_SWIM
+           : draw < share.swim + share.burst ? GAIT_BURST
+                                             : GAIT_REST;
+}
+
 static struct fish hatch(const struct tank *tank, const struct tank_config *config, uint32_t index)
 {
     const struct tank_preset *preset = tank_preset(config->preset);
@@ -186,12 +196,10 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish.tail_beat_hz = 0.5f;
     fish.tail_amplitude = 0.15f;
     fish.tail_phase_rad = (float)(fish.look & 1023u) * (F_TAU / 1024.0f);
-    /* A third already swim, as in the long run; all are somewhere in the middle of what they do. */
-    const struct rng_key start = { tank->seed, 0, index, RNG_FISH_START_GAIT };
-    const int swims = rng_unit(start) < 0.31f;
-    gait_enter(&fish, swims ? GAIT_SWIM : GAIT_REST, index, &around);
+    gait_enter(&fish, start_gait(tank, index, fish.stamina), index, &around);
     fish.heading_rad = fish.angles.yaw_rad; /* No change of gait turned it yet. */
     swim_resolve(&fish, &around);
+    /* All are somewhere in the middle of what they do. */
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;
 }
@@ -244,11 +252,12 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     return 1;
 }
 
-static void stage(struct fish *fish, const struct tank_stage *wanted, const struct law *law)
+static void stage(struct fish *fish, const struct tank_stage *wanted,
+                  const struct surroundings *around)
 {
     CORE_ASSERT(wanted->gait <= GAIT_BURST || wanted->gait == GAIT_SURFACE);
     if (wanted->length_m > 0.0f) {
-        fish_grow(fish, wanted->length_m, law);
+        fish_grow(fish, wanted->length_m, around->law);
     }
     fish->position_m = wanted->position_m;
     fish->angles = wanted->angles;
@@ -261,18 +270,19 @@ static void stage(struct fish *fish, const struct tank_stage *wanted, const stru
     fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
     fish->air = AIR_ENOUGH;
     if (wanted->gait == GAIT_SURFACE) {
-        surface_stage(fish, law);
+        surface_stage(fish, around->law);
     }
+    swim_resolve(fish, around); /* Until it thinks it does what it is staged to, not hatched to. */
 }
 
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)
 {
-    const struct law *law = tank_law(tank);
+    const struct surroundings around = tank_surroundings(tank, 0, NULL, 0);
     CORE_ASSERT(count <= tank->fish_count);
     for (uint32_t i = 0; i < count; i++) {
-        stage(&tank->fish[i], &stages[i], law);
+        stage(&tank->fish[i], &stages[i], &around);
     }
-    tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, law);
+    tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, around.law);
 }
 
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed)

@@ -52,6 +52,23 @@ static void test_3_2_stamina_begins_anywhere_from_30_to_100_alike(void **state)
     assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f); /* Sorted by now. */
 }
 
+/* By eqs. 3.1 to 3.3, 2 s a burst and 12.5 s a swim or a rest, H anywhere from 30 to 100. */
+static void test_3_2_gaits_begin_as_in_the_long_run_1_1_percent_burst_and_38_swim(void **state)
+{
+    uint32_t count[GAIT_COUNT] = { 0 };
+    const uint32_t seeds = 20, draws = seeds * FISH;
+    (void)state;
+    for (uint32_t seed = 0; seed < seeds; seed++) {
+        tank_init(&tank, TANK_PRESET_THESIS, FISH, seed);
+        for (uint32_t i = 0; i < FISH; i++) {
+            count[tank.fish[i].gait]++;
+        }
+    }
+    assert_float_equal((float)count[GAIT_BURST] / (float)draws, 0.0110f, 0.003f);
+    assert_float_equal((float)count[GAIT_SWIM] / (float)draws, 0.383f, 0.012f);
+    assert_int_equal(count[GAIT_BURST] + count[GAIT_SWIM] + count[GAIT_REST], draws);
+}
+
 static void test_3_3_headings_begin_anywhere_from_0_to_360_degrees_alike(void **state)
 {
     static float drawn[5u * FISH];
@@ -307,6 +324,7 @@ int main(void)
         cmocka_unit_test(test_3_1_the_tank_is_136_by_65_cm_with_walls_of_23_and_water_of_20),
         cmocka_unit_test(test_3_1_every_fish_is_a_box_of_5_by_2_by_1_cm),
         cmocka_unit_test(test_3_2_stamina_begins_anywhere_from_30_to_100_alike),
+        cmocka_unit_test(test_3_2_gaits_begin_as_in_the_long_run_1_1_percent_burst_and_38_swim),
         cmocka_unit_test(test_3_3_headings_begin_anywhere_from_0_to_360_degrees_alike),
         cmocka_unit_test(test_3_1_a_fish_that_hits_a_wall_yaws_away_from_it_and_not_before),
         cmocka_unit_test(test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from),
