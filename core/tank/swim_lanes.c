@@ -131,11 +131,11 @@ void LANES_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     const flanes speed_m_s = speed_up_or_glide(place[3], course[2], pace);
     const struct lanes_sin_cos yaw = lanes_sin_cos(t.yaw_rad);
     const flanes able_m_s = size[0] * (0.8f + 0.2f * size[3]);
-    const flanes most_m_s = lanes_max(able_m_s * law->swim_speed_max, speed_m_s);
-    const struct lanes_v3 flat = { -yaw.sin * speed_m_s + push[0], lanes_of(0.0f),
-                                   -yaw.cos * speed_m_s + push[2] };
-    struct lanes_v3 velocity = lanes_v3_limit(flat, most_m_s);
-    velocity.y = push[1] + climb_m_s;
+    const flanes most_m_s = lanes_max(able_m_s * law->swim_speed_max,
+                                      lanes_max(speed_m_s, lanes_abs(climb_m_s)));
+    const struct lanes_v3 all = { -yaw.sin * speed_m_s + push[0], climb_m_s + push[1],
+                                  -yaw.cos * speed_m_s + push[2] };
+    const struct lanes_v3 velocity = lanes_v3_limit(all, most_m_s);
     const struct lanes_v3 centre =
         lanes_v3_mad(lanes_v3(place[0], place[1], place[2]), velocity, lanes_of(DT));
 

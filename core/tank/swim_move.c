@@ -48,6 +48,13 @@ static float radius_m(const struct fish *fish)
     return 0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m));
 }
 
+/* Section 3.3 has a top speed for all that moves a fish: neither a climb nor a push adds to it, nor
+ * to what a burst leaves. Only who ducks may be faster down than it can swim. */
+static float speed_max_m_s(const struct fish *fish, const struct law *law)
+{
+    return f_max(gait_speed_max_m_s(fish, law), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));
+}
+
 float swim_move(struct fish *fish, const struct law *law)
 {
     const struct angles before = fish->angles;
@@ -56,12 +63,9 @@ float swim_move(struct fish *fish, const struct law *law)
     fish->angles.pitch_rad =
         f_lerp(fish->angles.pitch_rad, fish->pitch_goal_rad, hasten(fish, PITCH_TAU_S));
     speed_up_or_glide(fish);
-    const float x = -f_sin(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.x;
-    const float z = -f_cos(fish->angles.yaw_rad) * fish->speed_m_s + fish->push_m_s.z;
-    /* Pushes never add to what a burst leaves. */
-    vec3 velocity =
-        v3_limit(v3(x, 0.0f, z), f_max(gait_speed_max_m_s(fish, law), fish->speed_m_s));
-    velocity.y = fish->push_m_s.y + fish->climb_m_s;
+    const vec3 own_m_s = { -f_sin(fish->angles.yaw_rad) * fish->speed_m_s, fish->climb_m_s,
+                           -f_cos(fish->angles.yaw_rad) * fish->speed_m_s };
+    const vec3 velocity = v3_limit(v3_add(own_m_s, fish->push_m_s), speed_max_m_s(fish, law));
     fish->position_m = v3_mad(fish->position_m, velocity, DT);
     const float turned_rad = f_abs(fish->yaw_rate_rad_s * DT) +
                              f_abs(fish->angles.pitch_rad - before.pitch_rad) +

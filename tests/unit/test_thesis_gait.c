@@ -85,6 +85,29 @@ static void test_2_1_bursts_and_swims_run_up_by_the_same_law(void **state)
     check_run_up(GAIT_SWIM, 0.0525f);
 }
 
+/* The top speed is the whole motion's: who dives or climbs, or is pushed, is no faster for it. */
+static void check_top_speed(uint8_t gait, float push_m_s, float most_m_s, float least_m_s)
+{
+    const struct tank_stage start = { .position_m = { 0.0f, -0.05f, 0.25f }, .stamina = 1.0f,
+                                      .speed_m_s = 0.99f * most_m_s, .gait = gait };
+    struct tank *tank = thesis_stage(&start, 1, 3);
+    for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ / 2u; tick++) {
+        tank->fish[0].push_m_s = v3(0.0f, 0.0f, -push_m_s);
+        tank_tick(tank, tick, NULL, 0);
+        const float speed_m_s = v3_length(tank->fish[0].velocity_m_s);
+        assert_true(speed_m_s < most_m_s + 1e-5f && speed_m_s > least_m_s);
+    }
+    assert_true(tank->fish[0].climb_m_s < -0.02f);
+}
+
+static void test_3_3_neither_climbs_nor_pushes_add_to_the_top_speed(void **state)
+{
+    (void)state;
+    check_top_speed(GAIT_BURST, 0.0f, 0.15f, 0.144f);
+    check_top_speed(GAIT_BURST, 0.0225f, 0.15f, 0.10f);
+    check_top_speed(GAIT_SWIM, 0.0225f, 0.075f, 0.06f);
+}
+
 static void check_choice(float stamina, float burst, float swim)
 {
     uint32_t count[GAIT_COUNT] = { 0 };
@@ -280,6 +303,7 @@ int main(void)
         cmocka_unit_test(test_3_3_both_speeds_fall_to_four_fifths_with_stamina),
         cmocka_unit_test(test_eq_2_3_run_up_of_5_cm_is_0_1639_s),
         cmocka_unit_test(test_2_1_bursts_and_swims_run_up_by_the_same_law),
+        cmocka_unit_test(test_3_3_neither_climbs_nor_pushes_add_to_the_top_speed),
         cmocka_unit_test(test_eqs_3_1_to_3_3_choose_by_stamina),
         cmocka_unit_test(test_3_2_at_no_stamina_nothing_but_rest_is_chosen),
         cmocka_unit_test(test_3_2_a_burst_lasts_1_to_3_s_a_swim_or_a_rest_5_to_20),
