@@ -1,44 +1,18 @@
-/* part.c -- rounds of small pushes, then the judgement. */
+/* part.c -- rounds of small pushes, then the judgement (judge.c). */
 #include "core/tank/part.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/part_lanes.h"
-#include "core/tank/rim.h"
+#include "core/tank/parting.h"
 
 #define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
 #define PART_ROUNDS_MAX 12      /* Most ticks need two; a shoved crowd uses them all. */
 #define TOPPLE_ROUND 5          /* What four rounds could not part is jammed. */
 #define PART_STEP_MAX_M 0.002f  /* A round. */
 #define CLEAR_ROUNDS 4u
-#define PILE 2u                 /* Overlaps a fish: nobody free comes to that in a tick. */
 #define CLOSE_MAX 64u           /* Contacts measured at a time. */
-#define STATION_M 0.003f        /* An obstacle's step; ring and fish together are four times so
-                                   thick. */
-#define STATIONS_MAX 6u         /* 2.1 m/s; a hand that is faster still takes longer steps. */
-
-#define ROUNDING_M 1e-6f        /* By which the same pose may seem deeper. */
-#define ROUNDS_SPARE 256u       /* Rounds in which only pois give way: eight of eight at most, and
-                                   the last look. */
-
-struct parting {
-    struct part *part;
-    struct crowd *crowd;
-    const struct part_place *place;
-};
-
-/* Where it may go back to: where the step began. */
-static vec3 before_m(const struct parting *all, uint32_t index)
-{
-    const struct part *part = all->part;
-    return part->station == 0 ? part->began_m[index] : part->step_began_m[index];
-}
-
-static int is_same(vec3 a, vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
 
 /* Whether no pose of the body could reach out. */
 static int is_far_inside(const struct tank_bounds *bounds, const struct body *body)
@@ -49,8 +23,7 @@ static int is_far_inside(const struct tank_bounds *bounds, const struct body *bo
            high.y - p.y > reach_m && p.z - low.z > reach_m && high.z - p.z > reach_m;
 }
 
-/* Where a body of this fish would be within walls, floor and surface. */
-static vec3 kept_inside_m(const struct parting *all, uint32_t index, const struct body *body)
+vec3 parting_kept_inside_m(const struct parting *all, uint32_t index, const struct body *body)
 {
     const struct tank_bounds *bounds = &all->place->bounds;
     if (is_far_inside(bounds, body)) {
@@ -73,15 +46,10 @@ static vec3 kept_inside_m(const struct parting *all, uint32_t index, const struc
 static void keep_inside(const struct parting *all, uint32_t index)
 {
     struct body *body = &all->crowd->body[index];
-    body->centre_m = kept_inside_m(all, index, body);
+    body->centre_m = parting_kept_inside_m(all, index, body);
 }
 
-static int is_inside(const struct parting *all, uint32_t index, const struct body *body)
-{
-    return is_same(kept_inside_m(all, index, body), body->centre_m);
-}
-
-/* As crowd_follow() for one that was moved just now: is_apart() must know of it. */
+/* As crowd_follow() for one that was moved just now: parting_is_apart() must know of it. */
 static void follow(const struct parting *all, uint32_t index)
 {
     CORE_ASSERT(all->crowd->flags[index] & CROWD_SWIMS);
@@ -91,21 +59,13 @@ static void follow(const struct parting *all, uint32_t index)
     fish->position_m = centre_m;
 }
 
-/* Whether what two bodies have come since the look leaves more than `apart_m` of their gap: then it
- * need not be measured. */
-static int is_apart(const struct parting *all, const struct contact *contact, float apart_m)
-{
-    const float *way_m = all->crowd->way_m;
-    return contact->gap_m - (way_m[contact->a] + way_m[contact->b]) > apart_m;
-}
-
 /* Moves it as far as its step allows, and returns what is left. Back to where it came from it may
  * go, however hard it ran into others. */
 static vec3 shove(const struct parting *all, uint32_t index, vec3 move)
 {
     struct body *body = &all->crowd->body[index];
     const vec3 wanted = v3_add(body->centre_m, move);
-    const vec3 before = before_m(all, index);
+    const vec3 before = parting_before_m(all, index);
     const vec3 step = v3_limit(v3_sub(wanted, before), all->part->step_max_m[index]);
     body->centre_m = v3_add(before, step);
     const vec3 left = v3_sub(wanted, body->centre_m);
@@ -133,7 +93,7 @@ static float mass_of(const struct body *body)
 static void know_apart(const struct parting *all, struct contact *contact, float apart_m)
 {
     const float *way_m = all->crowd->way_m;
-    const float gap_m = apart_m - ROUNDING_M + (way_m[contact->a] + way_m[contact->b]);
+    const float gap_m = apart_m - PARTING_ROUNDING_M + (way_m[contact->a] + way_m[contact->b]);
     contact->gap_m = f_max(contact->gap_m, gap_m);
 }
 
@@ -160,34 +120,12 @@ static int part_pair(const struct parting *all, struct contact *contact, int rou
     return 1;
 }
 
-/* The body in the pose that it may go back to. Bodies turn in the first step only. */
-static struct body before_of(const struct parting *all, uint32_t index)
-{
-    const struct part *part = all->part;
-    struct body body = all->crowd->body[index];
-    body.centre_m = before_m(all, index);
-    if (part->station == 0) {
-        const struct basis axes = basis_from_angles(part->began_angles[index]);
-        body.right = axes.right;
-        body.up = axes.up;
-        body.back = axes.back;
-    }
-    return body;
-}
-
-static int is_clear(const struct obstacle *obstacle, const struct body *body,
-                    const struct body *before)
-{
-    vec3 unused;
-    return rim_excess_m(obstacle, body, before, PART_FREE_M, &unused) <= ROUNDING_M;
-}
-
 /* What ring, hull and paper want of a body. */
 static vec3 push_off(const struct parting *all, uint32_t index, const struct obstacle *obstacle)
 {
     const struct body *body = &all->crowd->body[index];
     const vec3 hard = rim_hard_push(obstacle, body);
-    const vec3 paper = rim_paper_push(obstacle, body, before_m(all, index));
+    const vec3 paper = rim_paper_push(obstacle, body, parting_before_m(all, index));
     return v3_dot(hard, hard) > 0.0f ? hard : paper;
 }
 
@@ -197,7 +135,7 @@ static void clear_obstacle(const struct parting *all, uint32_t index, uint32_t o
 {
     const struct obstacle *obstacle = &all->place->obstacles[o];
     struct body *body = &all->crowd->body[index];
-    const struct body before = before_of(all, index);
+    const struct body before = parting_before(all, index);
     for (uint32_t k = 0; k < CLEAR_ROUNDS; k++) {
         const vec3 move = push_off(all, index, obstacle);
         if (v3_dot(move, move) == 0.0f) {
@@ -205,13 +143,13 @@ static void clear_obstacle(const struct parting *all, uint32_t index, uint32_t o
         }
         all->part->fate[index] = (uint8_t)(PART_PRESSED + o);
         shove(all, index, move);
-        if (is_clear(obstacle, body, &before)) {
+        if (parting_is_clear(obstacle, body, &before)) {
             return;
         }
     }
     struct body carried = *body;
     carried.centre_m = rim_carry_m(obstacle, before.centre_m);
-    if (is_clear(obstacle, &carried, &before)) {
+    if (parting_is_clear(obstacle, &carried, &before)) {
         body->centre_m = carried.centre_m;
         keep_inside(all, index);
     }
@@ -241,7 +179,7 @@ static float look_beside(const struct parting *all, uint32_t index)
     for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
         const struct obstacle *obstacle = &all->place->obstacles[o];
         if (obstacle_in_reach(obstacle, &box)) {
-            const vec3 from_m = before_m(all, index);
+            const vec3 from_m = parting_before_m(all, index);
             beside = 1;
             rush_m = f_max(rush_m, v3_length(v3_sub(rim_carry_m(obstacle, from_m), from_m)));
         }
@@ -251,19 +189,6 @@ static float look_beside(const struct parting *all, uint32_t index)
         all->part->beside[all->part->beside_count++] = (fish_index)index;
     }
     return rush_m;
-}
-
-/* How far any point of a body goes by turning alone, at most. */
-static float sweep_m(const struct parting *all, uint32_t index)
-{
-    const struct angles now = all->place->fish[index].angles,
-                        was = all->part->began_angles[index];
-    const float yaw_rad = f_abs(now.yaw_rad - was.yaw_rad);
-    const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) +
-                           f_abs(now.pitch_rad - was.pitch_rad) +
-                           f_abs(now.roll_rad - was.roll_rad);
-    const struct body *body = &all->crowd->body[index];
-    return all->part->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
 }
 
 /* One that parting has moved must not end in an obstacle. */
@@ -312,7 +237,7 @@ static void measure_close(const struct parting *all)
     struct close close;
     close.count = 0;
     for (uint32_t c = 0; c < crowd->contact_count; c++) {
-        if (!is_apart(all, &crowd->contact[c], 0.0f)) {
+        if (!parting_is_apart(all, &crowd->contact[c], 0.0f)) {
             note_close(&close, &crowd->contact[c], c);
         }
         if (close.count == CLOSE_MAX) {
@@ -330,7 +255,7 @@ static uint32_t relax_once(const struct parting *all, int round)
     uint32_t parted = 0;
     for (uint32_t c = 0; c < crowd->contact_count; c++) {
         struct contact *contact = &crowd->contact[c];
-        if (!is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
+        if (!parting_is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
             clear_shoved(all, contact->a);
             clear_shoved(all, contact->b);
             parted++;
@@ -350,215 +275,6 @@ static int relax(const struct parting *all)
     return parted == 0;
 }
 
-/* ---- The judgement -------------------------------------------------------------------------- */
-
-static float pair_depth_m(const struct body *a, const struct body *b)
-{
-    const struct box box_a = body_box(a), box_b = body_box(b);
-    return box_depth_m(&box_a, &box_b);
-}
-
-static float pair_allowed_m(const struct parting *all, uint32_t a, uint32_t b)
-{
-    const struct body was_a = before_of(all, a), was_b = before_of(all, b);
-    return f_max(PART_FREE_M, pair_depth_m(&was_a, &was_b));
-}
-
-/* Fish turn in the first step; later one only loses a shove. */
-static void note_turned_back(const struct parting *all, uint32_t index)
-{
-    if (all->part->station == 0) {
-        all->crowd->flags[index] |= CROWD_BACK;
-        all->part->turns_back = 1;
-        all->crowd->way_m[index] += sweep_m(all, index);
-    }
-}
-
-static void put_back(const struct parting *all, uint32_t index, uint32_t round)
-{
-    CORE_ASSERT(all->part->fate[index] != PART_BACK);
-    all->part->back_count++;
-    all->crowd->body[index] = before_of(all, index);
-    all->part->fate[index] = PART_BACK;
-    all->part->fresh_round[index] = (uint16_t)(round + 1u);
-    note_turned_back(all, index);
-}
-
-/* Where the list of contacts is full, nobody knows what the others could run into: whose contact
- * found no place keeps the pose in which the step began. That was free of all who keep theirs, and
- * of the rest the list tells. Places are drawn anew in each tick, so that some always move; and a
- * pile that was staged so has nothing to lose, it is only parted. Returns how many are held. */
-static uint32_t hold_unlisted(const struct parting *all)
-{
-    const struct crowd *crowd = all->crowd;
-    const int is_full = crowd->touch_count > CROWD_CONTACT_MAX;
-    uint32_t held = 0;
-    for (uint32_t i = 0; i < crowd->count && is_full; i++) {
-        if (crowd->flags[i] & CROWD_UNLISTED && crowd->overlap_count <= PILE * crowd->count) {
-            put_back(all, i, 0);
-            held++;
-        }
-    }
-    return held;
-}
-
-/* Whether it was moved in this round or the last, so that its pairs must be judged again. */
-static int is_fresh(const struct part *part, uint32_t index, uint32_t round)
-{
-    return round == 0 || part->fresh_round[index] >= round;
-}
-
-/* Lets a fish go along with an obstacle from where the step began: whoever goes along with the same
- * one cannot come nearer to it. Returns 0, and leaves it, where walls leave no room or the way is
- * farther than it may go in a step: the look knows only whom it could meet on that. */
-static int carry(const struct parting *all, uint32_t index, uint32_t o, uint32_t round)
-{
-    struct part *part = all->part;
-    struct body body = before_of(all, index);
-    const vec3 from_m = body.centre_m;
-    body.centre_m = rim_carry_m(&all->place->obstacles[o], from_m);
-    const float way_m = v3_length(v3_sub(body.centre_m, from_m));
-    const uint8_t fate = part->fate[index];
-    if (fate == PART_BACK || fate >= PART_CARRIED || way_m > part->step_max_m[index] ||
-        !is_inside(all, index, &body)) {
-        return 0;
-    }
-    all->crowd->body[index] = body;
-    part->fate[index] = (uint8_t)(PART_CARRIED + o);
-    part->fresh_round[index] = (uint16_t)(round + 1u);
-    note_turned_back(all, index);
-    return 1;
-}
-
-/* Whom an obstacle presses into another would only be pressed again: it is carried. */
-static int carry_pressed(const struct parting *all, uint32_t index, uint32_t round)
-{
-    const uint8_t fate = all->part->fate[index];
-    return fate >= PART_PRESSED && fate < PART_CARRIED &&
-           carry(all, index, (uint32_t)fate - PART_PRESSED, round);
-}
-
-/* And who is in the way of one that is carried goes along, too. */
-static int carry_too(const struct parting *all, uint32_t carried, uint32_t other, uint32_t round)
-{
-    const uint8_t fate = all->part->fate[carried];
-    return fate >= PART_CARRIED && carry(all, other, (uint32_t)fate - PART_CARRIED, round);
-}
-
-/* Of two that are too deep in each other the one goes back whose going back is enough; when either
- * would do, the one that came farther. */
-static void choose(const struct parting *all, uint32_t a, uint32_t b, float allowed_m,
-                   uint32_t round)
-{
-    const struct part *part = all->part;
-    const struct body *now = all->crowd->body;
-    const int pressed = carry_pressed(all, a, round) + carry_pressed(all, b, round);
-    if (pressed > 0 || carry_too(all, a, b, round) || carry_too(all, b, a, round)) {
-        return;
-    }
-    const struct body was_a = before_of(all, a), was_b = before_of(all, b);
-    const int can_a = part->fate[a] != PART_BACK, can_b = part->fate[b] != PART_BACK;
-    const int frees_a = can_a && pair_depth_m(&was_a, &now[b]) <= allowed_m;
-    const int frees_b = can_b && pair_depth_m(&now[a], &was_b) <= allowed_m;
-    if (frees_a && frees_b) {
-        const float way_a_m = v3_length(v3_sub(now[a].centre_m, was_a.centre_m));
-        const float way_b_m = v3_length(v3_sub(now[b].centre_m, was_b.centre_m));
-        put_back(all, way_a_m >= way_b_m ? a : b, round);
-        return;
-    }
-    if (can_a && !frees_b) {
-        put_back(all, a, round);
-    }
-    if (can_b && !frees_a) {
-        put_back(all, b, round);
-    }
-}
-
-static uint32_t judge_pairs(const struct parting *all, uint32_t round)
-{
-    const struct crowd *crowd = all->crowd;
-    const struct part *part = all->part;
-    uint32_t guilty = 0;
-    for (uint32_t c = 0; c < crowd->contact_count; c++) {
-        const uint32_t a = crowd->contact[c].a, b = crowd->contact[c].b;
-        const int as_parted = part->fresh_round[a] == 0 && part->fresh_round[b] == 0;
-        if ((!is_fresh(part, a, round) && !is_fresh(part, b, round)) ||
-            (as_parted && is_apart(all, &crowd->contact[c], 0.0f))) {
-            continue;
-        }
-        const float depth_m = pair_depth_m(&crowd->body[a], &crowd->body[b]);
-        if (depth_m > PART_FREE_M && (part->fate[a] != PART_BACK || part->fate[b] != PART_BACK)) {
-            const float allowed_m = pair_allowed_m(all, a, b);
-            if (depth_m > allowed_m) {
-                choose(all, a, b, allowed_m, round);
-                guilty++;
-            }
-        }
-    }
-    return guilty;
-}
-
-/* A fish that ran into an obstacle goes back. One that the obstacle ran into would gain nothing by
- * that: it is carried along. Where there is no room for that either, the obstacle gives way, unless
- * it has nothing left to give. Returns whether anything changed. */
-static int settle_with(const struct parting *all, uint32_t index, uint32_t o, vec3 out,
-                       float excess_m, uint32_t round)
-{
-    struct part *part = all->part;
-    struct obstacle *obstacle = &all->place->obstacles[o];
-    const struct body before = before_of(all, index);
-    const int can = part->fate[index] != PART_BACK;
-    if (can && is_clear(obstacle, &before, &before)) {
-        put_back(all, index, round);
-        return 1;
-    }
-    if (carry(all, index, o, round)) {
-        return 1;
-    }
-    if (rim_give_way(obstacle, out, excess_m)) {
-        part->gave_round[o] = (uint16_t)(round + 1u);
-        return 1;
-    }
-    if (can) {
-        put_back(all, index, round);
-    }
-    return can;
-}
-
-static uint32_t judge_obstacles(const struct parting *all, uint32_t round)
-{
-    const struct part *part = all->part;
-    uint32_t changes = 0;
-    for (uint32_t k = 0; k < part->beside_count; k++) {
-        const uint32_t i = part->beside[k];
-        for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
-            if (!is_fresh(part, i, round) && part->gave_round[o] < round) {
-                continue;
-            }
-            vec3 out;
-            const struct body before = before_of(all, i);
-            const float excess_m = rim_excess_m(&all->place->obstacles[o], &all->crowd->body[i],
-                                                &before, PART_FREE_M, &out);
-            if (excess_m > ROUNDING_M) {
-                changes += (uint32_t)settle_with(all, i, o, out, excess_m, round);
-            }
-        }
-    }
-    return changes;
-}
-
-/* Each round carries or puts back somebody or makes a poi give way; each fish can be carried once
- * and go back once, even after it was carried, and each poi can give way a few times. */
-static void judge(const struct parting *all, int is_parted)
-{
-    uint32_t guilty = 1;
-    for (uint32_t round = 0; guilty > 0; round++) {
-        CORE_ASSERT(round <= 2u * all->crowd->count + ROUNDS_SPARE);
-        guilty = round == 0 && is_parted ? 0 : judge_pairs(all, round);
-        guilty += judge_obstacles(all, round);
-    }
-}
-
 /* ---- Walls, and what is in the water -------------------------------------------------------- */
 
 static void clear_one(const struct parting *all, uint32_t index)
@@ -566,13 +282,13 @@ static void clear_one(const struct parting *all, uint32_t index)
     struct crowd *crowd = all->crowd;
     struct part *part = all->part;
     crowd->flags[index] &= (uint8_t)~CROWD_BESIDE;
-    const vec3 moved_m = v3_sub(crowd->body[index].centre_m, before_m(all, index));
+    const vec3 moved_m = v3_sub(crowd->body[index].centre_m, parting_before_m(all, index));
     const float rush_m = look_beside(all, index);
     part->step_max_m[index] = v3_length(moved_m) + all->place->shove_max_m + rush_m;
     clear_if_beside(all, index);
     keep_inside(all, index);
-    const vec3 led_m = v3_sub(crowd->body[index].centre_m, before_m(all, index));
-    crowd->play_m[index] = part->step_max_m[index] + v3_length(led_m) + sweep_m(all, index);
+    const vec3 led_m = v3_sub(crowd->body[index].centre_m, parting_before_m(all, index));
+    crowd->play_m[index] = part->step_max_m[index] + v3_length(led_m) + parting_sweep_m(all, index);
 }
 
 /* Whether part_clear_block() may have that many fish: all of them there, and plain swimmers. */
@@ -586,53 +302,6 @@ static int is_plain(const struct crowd *crowd, uint32_t first, uint32_t width)
 }
 
 /* ---- Public --------------------------------------------------------------------------------- */
-
-void part_begin(struct part *part, const struct fish *fish, uint32_t fish_count)
-{
-    for (uint32_t i = 0; i < fish_count; i++) {
-        part->began_m[i] = fish[i].position_m;
-        part->began_angles[i] = fish[i].angles;
-    }
-}
-
-uint32_t part_stations(struct part *part, const struct part_place *place)
-{
-    float longest_m = 0.0f;
-    for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        struct obstacle *obstacle = &place->obstacles[o];
-        const vec3 from_m = v3_sub(obstacle->centre_m, obstacle->step_m);
-        part->course[o] = (struct course){ from_m, obstacle->step_m };
-        longest_m = f_max(longest_m, v3_length(obstacle->step_m));
-    }
-    part->back_count = 0;
-    part->turns_back = 0;
-    part->station_count = 1u + (uint32_t)f_min(longest_m / STATION_M, (float)(STATIONS_MAX - 1u));
-    return part->station_count;
-}
-
-/* All of a turn belongs to the first step. */
-void part_advance(struct part *part, struct crowd *crowd, const struct part_place *place,
-                  uint32_t station)
-{
-    part->station = station;
-    for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        struct obstacle *obstacle = &place->obstacles[o];
-        if (station == 0) {
-            obstacle->centre_m = part->course[o].from_m;
-        } else {
-            obstacle->turned = 0;
-        }
-        obstacle->step_m = v3_scale(part->course[o].step_m, 1.0f / (float)part->station_count);
-        obstacle->centre_m = v3_add(obstacle->centre_m, obstacle->step_m);
-        obstacle->give_count = 0;
-    }
-    if (station > 0) {
-        crowd_follow(crowd, place->fish);
-        for (uint32_t i = 0; i < crowd->count; i++) {
-            part->step_began_m[i] = place->fish[i].position_m;
-        }
-    }
-}
 
 void part_clear(struct part *part, struct crowd *crowd, const struct part_place *place)
 {
@@ -667,37 +336,5 @@ void part_bodies(struct part *part, struct crowd *crowd, const struct part_place
 {
     const struct parting all = { part, crowd, place };
     const int is_parted = relax(&all);
-    judge(&all, hold_unlisted(&all) == 0 && is_parted);
-}
-
-void part_take(const struct crowd *crowd, struct fish *fish)
-{
-    for (uint32_t i = 0; i < crowd->count; i++) {
-        if (crowd->flags[i] & CROWD_SWIMS) {
-            fish[i].position_m = crowd->body[i].centre_m;
-        }
-    }
-}
-
-static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
-{
-    obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
-    if (obstacle->gave & OBSTACLE_GAVE_PLACE) {
-        const vec3 lost_m = v3_sub(course->step_m, obstacle->step_m);
-        obstacle->velocity_m_s = v3_mad(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);
-    }
-}
-
-void part_end(struct part *part, const struct crowd *crowd, const struct part_place *place)
-{
-    for (uint32_t i = 0; i < crowd->count && part->turns_back; i++) {
-        if (crowd->flags[i] & CROWD_BACK) {
-            CORE_ASSERT(crowd->flags[i] & CROWD_SWIMS);
-            place->fish[i].angles = part->began_angles[i];
-            place->fish[i].yaw_rate_rad_s = 0.0f;
-        }
-    }
-    for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        lose_blocked_step(&place->obstacles[o], &part->course[o]);
-    }
+    parting_judge(&all, is_parted);
 }
