@@ -6,8 +6,8 @@
 #include "core/tank/fish.h"
 
 #define BODY_FILL_MAX                                                                              \
-    0.12f /* Of the water. 5 s of 600 fish (0.11) leave one pair a tick a hair's                   \
-             breadth deep; 800 (0.15) three, and half the pace. */
+    0.12f /* Of the water: 600 fish of the stall fill 0.11. A fuller one would lose                \
+             pace; part.h keeps bodies apart in any. */
 #define AGE_SAMPLES 32
 
 #define UNBOUND 1e9f

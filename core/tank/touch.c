@@ -1,5 +1,5 @@
-/* touch.c -- distances from boxes to curved things, by walking along what is curved, no farther than
- * the box reaches. */
+/* touch.c -- distances from boxes to curved things, by walking along what is curved, no farther
+ * than the box reaches. */
 #include "core/tank/touch.h"
 
 #define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish slips between two ... */
@@ -36,7 +36,7 @@ float touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
 
 /* ---- Ring ----------------------------------------------------------------------------------- */
 
-/* A direction in the plane of a ring, by the angle from its east: no angle itself is ever needed. */
+/* A direction in the plane of a ring, by the angle from its east: no angle is ever needed. */
 struct turn {
     float cos, sin;
 };

@@ -96,7 +96,7 @@ static void test_its_way_out_leads_off_the_ring(void **state)
         }
     }
     assert_true(touching > 700);
-    assert_true(freed * 10u > touching * 8u); /* In the rest two parts of the ring are in the way. */
+    assert_true(freed * 10u > touching * 8u); /* The rest are between two. */
 }
 
 static void test_a_fish_over_the_middle_is_clear_wherever_it_looks(void **state)
