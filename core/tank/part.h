@@ -20,7 +20,8 @@
 #define TANK_OBSTACLE_MAX 8u /* A poi and a bowl of each player. */
 
 #define PART_FREE_M 0.0003f  /* Two bodies that share no more than this count as apart. */
-#define PART_SHOVE_M 0.002f  /* For place.shove_max_m: more would look like a jump. */
+#define PART_SHOVE_M 0.002f  /* For place.shove_max_m: more would look like a jump ... */
+#define PART_CALM_SHOVE_M 0.0005f /* ... and in water that no poi stirs: 6 cm/s beside its own speed. */
 
 /* Inner faces that bodies keep within. */
 struct tank_bounds {

@@ -196,13 +196,24 @@ static void bubble(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
 }
 
+/* Fish make way for a poi in the water as fast as they must; left alone, they only ease apart. */
+static float shove_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
+{
+    int stirs = 0;
+    for (uint32_t o = 0; o < obstacle_count; o++) {
+        const vec3 step_m = obstacles[o].step_m;
+        stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m && v3_dot(step_m, step_m) > 0.0f;
+    }
+    return stirs ? PART_SHOVE_M : PART_CALM_SHOVE_M;
+}
+
 void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                uint32_t obstacle_count)
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct surroundings around = tank_surroundings(tank, tick, obstacles, obstacle_count);
     const struct part_place place = { tank->fish, tank_bounds(tank), obstacles, obstacle_count,
-                                      PART_SHOVE_M, tank->lanes };
+                                      shove_max_m(obstacles, obstacle_count), tank->lanes };
     drip(tank, tick);
     bubble(tank, tick);
     part_begin(&tank->part, tank->fish, tank->fish_count);
