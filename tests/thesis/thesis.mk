@@ -10,7 +10,7 @@ thesis-figures:
 	@BUILD=$(BUILD) tests/thesis/figures.sh
 
 $(THESIS)/pictures $(THESIS)/table: $(THESIS)/easel.o
-$(THESIS)/gaps: $(BUILD)/platform/panic.o
+$(THESIS)/curves $(THESIS)/gaps: $(BUILD)/platform/panic.o
 
 $(THESIS_BIN): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
