@@ -21,7 +21,7 @@
 
 #define PART_FREE_M 0.0003f  /* Two bodies that share no more than this count as apart. */
 #define PART_SHOVE_M 0.002f  /* For place.shove_max_m: more would look like a jump ... */
-#define PART_CALM_SHOVE_M 0.0005f /* ... and in water that no poi stirs: 6 cm/s beside its own speed. */
+#define PART_CALM_SHOVE_M 0.0005f /* ... and where no poi stirs the water: 6 cm/s. */
 
 /* Inner faces that bodies keep within. */
 struct tank_bounds {
