@@ -8,6 +8,8 @@
 #define DRAG_PER_S 6.0f
 #define SINK_M_S 0.03f       /* A stunned fish wants down. */
 #define PUSH_MAX_M 0.0025f   /* A tick: 0.3 m/s, as a fish that slips between others. */
+#define FALL_MAX_M 0.010f    /* A tick, for who slid off paper over the water. */
+#define SLIDE_M_S 0.3f       /* Off paper that would take it up. */
 #define ASIDE_M_S 0.06f      /* How fast those in its place make room. */
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
@@ -63,6 +65,14 @@ void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     tank->loose_count++;
 }
 
+/* The same, but over the surface it only falls. */
+static void come_down(const struct tank *tank, struct fish *fish)
+{
+    const float high_m = fish->position_m.y - FALL_MAX_M;
+    stay_in_tank(tank, fish);
+    fish->position_m.y = f_max(fish->position_m.y, high_m);
+}
+
 /* The sum of what pushes it out of all others; they get a push the other way. Returns whether it is
  * in none of them. */
 static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
@@ -106,6 +116,27 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
         }
     }
     return clear;
+}
+
+/* Paper that has no room for it takes it along, over the surface if need be, and it slides off over
+ * the ring: nobody passes through. Returns whether it was taken along. */
+static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacle *obstacles,
+                          uint32_t obstacle_count)
+{
+    int held = 0;
+    for (uint32_t o = 0; o < obstacle_count; o++) {
+        const struct box box = fish_box(fish);
+        const struct body body = body_of(&box, 0.0f);
+        const vec3 hold_m = rim_paper_hold(&obstacles[o], &body, before_m);
+        if (v3_dot(hold_m, hold_m) > 0.0f) {
+            const vec3 away = v3_sub(fish->position_m, obstacles[o].centre_m);
+            const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
+            fish->position_m = v3_add(fish->position_m, hold_m);
+            fish->velocity_m_s = v3_scale(out, SLIDE_M_S);
+            held = 1;
+        }
+    }
+    return held;
 }
 
 /* ---- Gaps ----------------------------------------------------------------------------------- */
@@ -199,7 +230,7 @@ static void sink(const struct tank *tank, struct fish *fish)
     fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
     fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
     fish->position_m = v3_mad(fish->position_m, fish->velocity_m_s, CORE_TICK_S);
-    stay_in_tank(tank, fish);
+    come_down(tank, fish);
 }
 
 /* Who seeks a gap is no longer pushed by fish, which would only lead it astray. */
@@ -211,15 +242,19 @@ static void drift(struct tank *tank, uint32_t index, const struct obstacle *obst
     vec3 fish_push_m = { 0.0f, 0.0f, 0.0f }, push_m = { 0.0f, 0.0f, 0.0f };
     sink(tank, fish);
     const int off_fish = part_from_fish(tank, index, &fish_push_m);
-    if (part_from_obstacles(fish, before_m, obstacles, obstacle_count, &push_m) && off_fish) {
+    const int swims = fish->position_m.y < 0.0f;
+    if (part_from_obstacles(fish, before_m, obstacles, obstacle_count, &push_m) && off_fish &&
+        swims) {
         swim_off(tank, fish);
         return;
     }
-    const int seeks = loose_ticks(fish) >= SEEK_TICKS;
+    const int seeks = loose_ticks(fish) >= SEEK_TICKS && swims;
     push_m = seeks ? push_m : v3_add(push_m, fish_push_m);
-    fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
-    stay_in_tank(tank, fish);
-    if (seeks) {
+    if (swims) { /* Over the water it slides over the ring, whatever is there. */
+        fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
+    }
+    come_down(tank, fish);
+    if (!keep_off_paper(fish, before_m, obstacles, obstacle_count) && seeks) {
         seek_gap(tank, index, obstacles, obstacle_count);
     }
 }

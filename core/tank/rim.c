@@ -99,6 +99,15 @@ vec3 rim_paper_push(const struct obstacle *disc, const struct body *now, vec3 be
     return v3_mad(off, pinned_along(disc, at.side * paper_m_s), CORE_TICK_S);
 }
 
+vec3 rim_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m)
+{
+    const struct side at = side_of(disc, now, before_m);
+    if (at.side == 0.0f || at.height_m >= SIDE_GAP_M) {
+        return v3(0.0f, 0.0f, 0.0f);
+    }
+    return v3_scale(disc->axes.up, at.side * (SIDE_GAP_M - at.height_m));
+}
+
 static float paper_excess_m(const struct obstacle *disc, const struct body *now,
                             const struct body *before, vec3 *out)
 {

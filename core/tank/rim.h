@@ -30,6 +30,9 @@ vec3 rim_hard_push(const struct obstacle *obstacle, const struct body *now);
  * and along with itself where the stream presses it on. Zero: it does not touch it. */
 vec3 rim_paper_push(const struct obstacle *disc, const struct body *now, vec3 before_m);
 
+/* The least move that keeps the fish's middle on its side of the paper. Zero: it is there. */
+vec3 rim_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m);
+
 /* Where a point that was at `before_m` is when it goes along with the obstacle. */
 vec3 rim_carry_m(const struct obstacle *obstacle, vec3 before_m);
 

@@ -319,10 +319,9 @@ static uint8_t rides(uint32_t fish)
            stand.tank.fish[fish].holder != FISH_HOLDER_WATER;
 }
 
-static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **state)
+static void crowd_the_paper(uint32_t seed)
 {
-    (void)state;
-    stand_init(&stand, 4, 1);
+    stand_init(&stand, 4, seed);
     stand_dip(&stand);
     for (uint32_t i = 0; i < POI_RIDER_MAX + 8u; i++) {
         const vec3 place = v3(0.0065f * (float)(i % 10u) - 0.029f,
@@ -330,6 +329,47 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
                               i / 10u % 2u == 0 ? -0.0155f : 0.0155f);
         stand_fish(&stand, place, 0.03f);
     }
+}
+
+/* 1 over the paper, -1 under it, 0 beside it. */
+static int side_of_paper(const struct fish *fish)
+{
+    const struct basis axes = basis_from_angles(stand.poi.angles);
+    const vec3 q = basis_to_body(&axes, v3_sub(fish->position_m, stand.poi.position_m));
+    return !sheet_holds(&stand.poi.sheet, q.x, q.z) ? 0 : q.y > 0.0f ? 1 : -1;
+}
+
+static void test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it(void **state)
+{
+    (void)state;
+    const float lifts_m_s[] = { 0.10f, 0.15f, 0.22f, 0.40f, 0.60f };
+    for (uint32_t i = 0; i < 5; i++) {
+        int8_t side[POI_RIDER_MAX + 8u] = { 0 };
+        uint32_t full = 0;
+        crowd_the_paper(i);
+        for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ / 2u; tick++) {
+            vec3 *const hand_m = &stand.hand.position_m;
+            hand_m->y = f_min(hand_m->y + lifts_m_s[i] * CORE_TICK_S, 0.06f);
+            stand_tick(&stand);
+            full += stand.poi.rider_count == POI_RIDER_MAX;
+            for (uint32_t k = 0; k < stand.tank.fish_count; k++) {
+                const int now = side_of_paper(&stand.tank.fish[k]);
+                assert_false(side[k] == 1 && now == -1);
+                side[k] = (int8_t)now;
+            }
+        }
+        assert_true(full > 0 || sheet_left(&stand.poi.sheet) < 1.0f);
+        for (uint32_t k = 0; k < stand.tank.fish_count; k++) { /* And none stays on the ring. */
+            const struct fish *fish = &stand.tank.fish[k];
+            assert_true(rides(k) || fish->position_m.y < 0.0f);
+        }
+    }
+}
+
+static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **state)
+{
+    (void)state;
+    crowd_the_paper(1);
     stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.15f);
     stand_wait(&stand, 0.5f);
     assert_true(stand.poi.rider_count <= POI_RIDER_MAX);
@@ -511,6 +551,7 @@ int main(void)
         cmocka_unit_test(test_a_rider_lowered_into_the_water_swims_off),
         cmocka_unit_test(test_a_renewed_poi_gives_its_fish_back),
         cmocka_unit_test(test_more_fish_than_the_poi_can_carry_spill_over_the_ring),
+        cmocka_unit_test(test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it),
         cmocka_unit_test(test_a_poi_that_sweeps_along_walls_pushes_no_fish_through_them),
         cmocka_unit_test(test_a_fish_over_the_very_edge_stays_on_its_side),
         cmocka_unit_test(test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost),
