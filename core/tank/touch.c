@@ -1,5 +1,5 @@
 /* touch.c -- distances from boxes to curved things, by walking along what is curved, no farther
- * than than the box reaches. */
+ * than the box reaches. */
 #include "core/tank/touch.h"
 
 #define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish slips between two ... */
