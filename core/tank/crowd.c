@@ -138,6 +138,7 @@ struct look {
     struct crowd *crowd;
     const struct fish *fish;
     const struct surroundings *around;
+    int contacts_only;
 };
 
 static void meet_pair(const struct look *look, const struct found *found)
@@ -169,7 +170,7 @@ static void meet_pair(const struct look *look, const struct found *found)
 static void take_found(const struct look *look, const struct found *found)
 {
     struct crowd *crowd = look->crowd;
-    if (found->spaces && !look->around->ball_spaces) {
+    if (found->spaces && !look->contacts_only && !look->around->ball_spaces) {
         meet_pair(look, found);
     }
     crowd->overlap_count += found->gap_m < 0.0f;
@@ -211,7 +212,9 @@ static void seek(const struct look *look, const struct pairs_of *of, int ahead)
     crowd->overlap_count = 0;
     for (uint32_t i = 0; i < crowd->count; i++) {
         crowd->flags[i] &= (uint8_t)~CROWD_UNLISTED;
-        crowd->company[i] = (struct company){ .brake = 1.0f, .room = 1.0f };
+        if (!look->contacts_only) {
+            crowd->company[i] = (struct company){ .brake = 1.0f, .room = 1.0f };
+        }
         crowd->reach_m[i] = crowd->play_m[i] + (ahead ? reach_m(&look->fish[i]) : 0.0f);
         crowd->way_m[i] = crowd->flags[i] & CROWD_SWIMS ? 0.0f : SWIM_FAR_M;
     }
@@ -261,7 +264,7 @@ static void meet_balls(const struct look *look)
 void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
                 const struct surroundings *around)
 {
-    const struct look look = { crowd, fish, around };
+    const struct look look = { crowd, fish, around, how.contacts_only };
     const struct pairs_of of = {
         .body = crowd->body,
         .flags = crowd->flags,
@@ -270,6 +273,7 @@ void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_searc
         .which = CROWD_SWIMS,
         .search = how.search,
         .lanes = how.lanes,
+        .bodies_only = how.contacts_only,
         .width_m = around->size_m.x,
         .breadth_m = around->size_m.z,
     };
@@ -277,7 +281,7 @@ void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_searc
     if (crowd->touch_count > CROWD_CONTACT_MAX) { /* Rather the nearest of them, and look soon. */
         seek(&look, &of, 0);
     }
-    if (around->ball_spaces) {
+    if (around->ball_spaces && !how.contacts_only) {
         meet_balls(&look);
     }
     crowd_touch(crowd);

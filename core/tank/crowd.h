@@ -66,10 +66,11 @@ void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_coun
  * bodies. */
 void crowd_gather(struct crowd *crowd, const struct fish *fish, uint32_t fish_count, float space);
 
-/* How the crowd is searched: a matter of speed alone. */
+/* How the crowd is searched; the first two are a matter of speed alone. */
 struct crowd_search {
     uint8_t search; /* enum pairs_search */
     uint8_t lanes;  /* 0, 4 or 8, as lanes_built() */
+    uint8_t contacts_only; /* Nobody is told of anybody: `company` stays as it is. */
 };
 
 /* Counts as way what has moved bodies since their fish moved, and moves the fish there. */
@@ -87,8 +88,8 @@ void crowd_touch(struct crowd *crowd);
 uint64_t crowd_hash(uint64_t hash, const struct crowd *crowd);
 
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are
- * near, lists those that could touch before the next look, and calls crowd_touch(). `fish` are
- * those whose bodies the crowd holds. */
+ * near, lists those that could touch before the next look, and calls crowd_touch(). Or only the
+ * last two, which is half the work. `fish` are those whose bodies the crowd holds. */
 void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_search how,
                 const struct surroundings *around);
 

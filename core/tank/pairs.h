@@ -32,6 +32,7 @@ struct pairs_of {
     uint8_t which;
     uint8_t search;          /* enum pairs_search */
     uint8_t lanes;           /* 0, 4 or 8, as lanes_built() */
+    uint8_t bodies_only;     /* Who is near by its personal space alone need not be found. */
     float width_m, breadth_m; /* The floor plan; whoever is outside is searched all the same. */
 };
 

@@ -6,6 +6,12 @@
 
 #define ROUNDING 1.00001f /* Of roots and products; no ball may be too small. */
 
+/* What margins count for. */
+static inline float spaces_of(const struct pairs_of *of)
+{
+    return of->bodies_only ? 0.0f : 1.0f;
+}
+
 /* Members of the crowd, and how far from their skins they are felt. */
 static inline flanes load_members(struct bodies *all, const struct pairs_of *of,
                                   const fish_index *member)
@@ -17,6 +23,7 @@ static inline flanes load_members(struct bodies *all, const struct pairs_of *of,
         reach_m[lane] = of->reach_m[member[lane]];
     }
     bodies_load(all, of->body, fish);
+    all->back[3] *= spaces_of(of);
     return lanes_load(reach_m);
 }
 
@@ -132,7 +139,8 @@ static inline struct seeker seeker_of(const struct pairs *pairs, const struct pa
 {
     const uint32_t fish = pairs->grid.item[item];
     const struct body *body = &of->body[fish];
-    const float side_m = body->half_x_m + f_max(body->margin_m, of->reach_m[fish]);
+    const float space_m = spaces_of(of) * body->margin_m;
+    const float side_m = body->half_x_m + f_max(space_m, of->reach_m[fish]);
     return (struct seeker){
         pairs->x_m[item],    pairs->y_m[item], pairs->z_m[item],  pairs->ball_m[item],
         pairs->slab_m[item], body->right,      ROUNDING * side_m,

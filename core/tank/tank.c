@@ -138,7 +138,9 @@ static void look(struct tank *tank, uint32_t station, const struct surroundings 
         crowd_touch(crowd);
         return;
     }
-    crowd_look(crowd, tank->fish, tank_search(tank), around);
+    struct crowd_search how = tank_search(tank);
+    how.contacts_only = !is_time; /* Who looks off its turn only asks whom it could touch. */
+    crowd_look(crowd, tank->fish, how, around);
     if (is_time) {
         struct surroundings then = *around;
         then.dt_s = (float)CROWD_LOOK_TICKS * CORE_TICK_S;
