@@ -12,6 +12,7 @@
 #define ROOM_MIN 0.2f
 #define REACH_SPARE_M 0.0035f /* Beyond 1.2 times what it does now: most starts and turns. */
 #define REACH_SPARE 1.2f
+#define AGAIN_MAX 8u /* Fish looked at alone; for more, a search of all is as cheap. */
 #define FETCH_AHEAD 8u /* Pairs: what a few of them take to judge is what memory takes to answer. */
 #define RADIUS_PER_LENGTH 0.55f /* Half the diagonal of a body of 5 x 2 x 1. */
 
@@ -298,14 +299,88 @@ void crowd_follow(struct crowd *crowd, struct fish *fish)
     }
 }
 
+static int is_beyond(const struct crowd *crowd, uint32_t i)
+{
+    const int swims = crowd->flags[i] & CROWD_SWIMS;
+    return swims && crowd->way_m[i] > crowd->reach_m[i] - crowd->play_m[i];
+}
+
 int crowd_is_stale(const struct crowd *crowd)
 {
     int farther = crowd->touch_count > CROWD_CONTACT_MAX;
     for (uint32_t i = 0; i < crowd->count; i++) {
-        const int swims = crowd->flags[i] & CROWD_SWIMS;
-        farther |= swims && crowd->way_m[i] > crowd->reach_m[i] - crowd->play_m[i];
+        farther |= is_beyond(crowd, i);
     }
     return farther;
+}
+
+static void forget(struct crowd *crowd, uint32_t fish)
+{
+    uint32_t kept = 0;
+    for (uint32_t c = 0; c < crowd->near_count; c++) {
+        const struct contact contact = crowd->contact[c];
+        crowd->contact[kept] = contact;
+        kept += contact.a != fish && contact.b != fish;
+    }
+    crowd->near_count = kept;
+    crowd->touch_count = kept;
+}
+
+/* Lists the pair if it could touch before either is looked at again. The gap is reckoned from where
+ * the other was when it was looked at last. */
+static void meet_again(struct crowd *crowd, uint32_t fish, uint32_t other)
+{
+    const struct body *a = &crowd->body[fish], *b = &crowd->body[other];
+    const float way_m = crowd->way_m[other];
+    const float left_m = f_max(crowd->reach_m[other] - way_m, 0.0f);
+    const vec3 d = v3_sub(b->centre_m, a->centre_m);
+    const float near_m = crowd->reach_m[fish] + left_m + a->half_x_m + a->half_y_m + a->half_z_m +
+                         b->half_x_m + b->half_y_m + b->half_z_m;
+    if (v3_dot(d, d) > near_m * near_m) {
+        return;
+    }
+    const struct box box_a = body_box(a), box_b = body_box(b);
+    const struct box_gap gap = box_gap(&box_a, crowd->reach_m[fish], &box_b, left_m);
+    if (gap.space_m <= 0.0f && gap.body_m < crowd->reach_m[fish] + left_m) {
+        CORE_ASSERT(crowd->near_count < CROWD_CONTACT_MAX);
+        crowd->contact[crowd->near_count++] =
+            (struct contact){ (fish_index)fish, (fish_index)other, gap.body_m + way_m };
+        crowd->touch_count = crowd->near_count;
+    }
+}
+
+static void see_again(struct crowd *crowd, const struct fish *fish, uint32_t index)
+{
+    forget(crowd, index);
+    crowd->way_m[index] = 0.0f;
+    crowd->reach_m[index] = crowd->play_m[index] + reach_m(&fish[index]);
+    for (uint32_t other = 0; other < crowd->count; other++) {
+        if (other != index && (crowd->flags[other] & CROWD_SWIMS)) {
+            meet_again(crowd, index, other);
+        }
+    }
+}
+
+int crowd_look_again(struct crowd *crowd, const struct fish *fish)
+{
+    fish_index beyond[AGAIN_MAX];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < crowd->count; i++) {
+        if (is_beyond(crowd, i)) {
+            if (count == AGAIN_MAX) {
+                return 0;
+            }
+            beyond[count++] = (fish_index)i;
+        }
+    }
+    if (crowd->touch_count + count * crowd->count > CROWD_CONTACT_MAX) {
+        return 0;
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        see_again(crowd, fish, beyond[k]);
+    }
+    crowd_touch(crowd);
+    return 1;
 }
 
 void crowd_touch(struct crowd *crowd)

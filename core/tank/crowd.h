@@ -85,6 +85,11 @@ int crowd_is_stale(const struct crowd *crowd);
  * taken out of the water since the look. */
 void crowd_touch(struct crowd *crowd);
 
+/* Where only some came farther than their reach, a look at those alone makes the list whole again:
+ * it ends with crowd_touch(), and costs a tenth of crowd_look(). Returns 0, and leaves the crowd as
+ * it is, where they are too many. */
+int crowd_look_again(struct crowd *crowd, const struct fish *fish);
+
 uint64_t crowd_hash(uint64_t hash, const struct crowd *crowd);
 
 /* Finds every pair whose personal spaces overlap: advises those that meet, pushes those that are

@@ -138,6 +138,9 @@ static void look(struct tank *tank, uint32_t station, const struct surroundings 
         crowd_touch(crowd);
         return;
     }
+    if (!is_time && crowd_look_again(crowd, tank->fish)) {
+        return;
+    }
     struct crowd_search how = tank_search(tank);
     how.contacts_only = !is_time; /* Who looks off its turn only asks whom it could touch. */
     crowd_look(crowd, tank->fish, how, around);
