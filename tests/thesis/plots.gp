@@ -69,7 +69,7 @@ plot csv('gulping.csv') using 1:2 skip 1 with linespoints pt 7 lw 3 lc rgb red t
 
 set output csv('table-4.2.png')
 set title 'Table 4.2  Updates a second'
-set xlabel 'fish'; set ylabel 'updates a second'; set logscale y; set xrange [0:650]; set yrange [0.1:1000000]
+set xlabel 'fish'; set ylabel 'updates a second'; set logscale y; set xrange [0:650]; set yrange [0.1:1e8]
 set key right top; set format y '10^{%T}'
 plot csv('table-4.2.csv') using 1:10 skip 2 with linespoints pt 7 lw 3 lc rgb red title 'ours, the tick alone', \
      '' using 1:11 skip 2 with linespoints pt 6 lw 2 dt 2 lc rgb red title 'each against each, the tick alone', \
