@@ -10,8 +10,9 @@ const vec3 WET_WOOD = vec3(0.07, 0.035, 0.02);
 
 void main()
 {
-    vec2 slope = texture(slopes, world.xz / tank.xz * 0.5 + 0.5).rg * 0.502 - 0.252;
-    vec2 at = gl_FragCoord.xy * screen.xy + slope * bend.xy;
+    vec4 slopes_here = texture(slopes, world.xz / tank.xz * 0.5 + 0.5);
+    vec2 slope = slopes_here.rg;
+    vec2 at = gl_FragCoord.xy * screen.xy + slopes_here.ba * bend.xy; // Bounded: see basin_pass.c.
     vec4 swims = texture(life, at);
     vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
 

@@ -11,7 +11,7 @@ struct basin_pass {
     GLuint vertex_array, vertex_buffer;
     struct gl_ring slope_ring;
     float waves[RIPPLE_Z][RIPPLE_X][2];
-    uint8_t slopes[RIPPLE_Z][RIPPLE_X][2]; /* As the scene's, with 128 for level. */
+    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* x, z for the mirror; x, z bounded for below. */
 };
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass);

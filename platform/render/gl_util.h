@@ -37,7 +37,7 @@ GLuint gl_program(struct gl_status *status, const char *name, const char *define
                   const char *vertex, const char *fragment, const char *samplers);
 
 struct gl_texture_desc {
-    GLenum internal_format, format; /* Both of 8-bit components. */
+    GLenum internal_format, format; /* Of 8-bit components where there are pixels. */
     uint32_t width, height;
     uint32_t layers;       /* 0: a plain 2D texture; else an array. */
     const uint8_t *pixels; /* Null: contents undefined. */
