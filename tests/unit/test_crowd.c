@@ -192,6 +192,52 @@ static void test_who_is_shoved_far_or_put_into_the_water_ends_a_look(void **stat
     assert_true(crowd_is_stale(&crowd));
 }
 
+static void test_who_came_too_far_is_looked_at_alone_and_the_list_is_whole_again(void **state)
+{
+    (void)state;
+    enum { COUNT = 300 };
+    uint32_t again = 0, touching = 0;
+    for (uint32_t round = 0; round < 12; round++) {
+        fill_at_random(COUNT, 0.4f, 0.05f);
+        enliven(COUNT);
+        crowd_gather(&crowd, fish, COUNT, 0.2f);
+        look(round);
+        for (uint32_t tick = 0; tick < 12; tick++) {
+            swim_on(COUNT);
+            const uint32_t hurried = 12u * round + tick;
+            crowd.body[hurried].centre_m.x *= 0.8f;
+            crowd_follow(&crowd, fish);
+            if (!crowd_is_stale(&crowd)) {
+                continue;
+            }
+            if (!crowd_look_again(&crowd, fish)) {
+                break;
+            }
+            again++;
+            assert_false(crowd_is_stale(&crowd));
+            touching += touching_pairs_all_listed(COUNT);
+        }
+    }
+    assert_true(again >= 40u && touching > 500u);
+}
+
+static void test_too_many_that_came_too_far_are_left_to_a_look_at_all(void **state)
+{
+    (void)state;
+    fill_at_random(60, 0.0f, 0.05f);
+    crowd_gather(&crowd, fish, 60, 0.2f);
+    look(0);
+    const uint32_t near_count = crowd.near_count;
+    for (uint32_t i = 0; i < 60; i++) {
+        crowd.body[i].centre_m.y += 0.02f;
+    }
+    crowd_follow(&crowd, fish);
+    assert_true(crowd_is_stale(&crowd));
+    assert_false(crowd_look_again(&crowd, fish));
+    assert_int_equal(crowd.near_count, near_count);
+    assert_true(crowd_is_stale(&crowd));
+}
+
 static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
 {
     (void)state;
@@ -234,6 +280,8 @@ int main(void)
         cmocka_unit_test(test_held_and_bowl_fish_are_not_in_the_crowd),
         cmocka_unit_test(test_until_a_look_is_stale_it_knows_every_pair_that_touches),
         cmocka_unit_test(test_who_is_shoved_far_or_put_into_the_water_ends_a_look),
+        cmocka_unit_test(test_who_came_too_far_is_looked_at_alone_and_the_list_is_whole_again),
+        cmocka_unit_test(test_too_many_that_came_too_far_are_left_to_a_look_at_all),
         cmocka_unit_test(test_a_list_that_is_full_leaves_out_others_each_tick),
         cmocka_unit_test(test_personal_space_shrinks_only_in_a_crowd),
     };
