@@ -51,7 +51,8 @@ struct poi_input {
  * what it shades is the round column of water under it. */
 struct shade_input {
     uint8_t present;
-    float x_m, z_m; /* Its middle, world; any finite value, clamped to the tank by the core. */
+    float x_m, z_m; /* Its middle, world; any finite value. The core clamps it to 1 m beyond the
+                       tank's walls, whence it swings in. */
     float radius_m; /* Any finite value, clamped to SHADE_RADIUS_MIN_M .. _MAX_M by the core. */
 };
 

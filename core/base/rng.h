@@ -31,8 +31,7 @@ enum rng_purpose {
     RNG_FISH_AVOID_SIDE,
     RNG_FISH_ESCAPE,
     RNG_FISH_DEPTH,
-    RNG_FISH_WANDER,
-    RNG_SHEET_STRENGTH,
+    RNG_SHEET_STRENGTH = 15, /* 14 is free: each keeps its number, and with it its draws. */
     RNG_SHEET_SLAP,
     RNG_SHEET_SPOT,
     RNG_BOT_REACTION,
@@ -58,6 +57,7 @@ enum rng_purpose {
     RNG_STARTLE_LATENCY,
     RNG_WATER_BUBBLE,     /* Of the pump, where it bursts. */
     RNG_FISH_KICK,        /* The turn of one. */
+    RNG_CONTACT_LOT,      /* Which pairs a full list keeps. */
 };
 
 #endif

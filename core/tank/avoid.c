@@ -77,7 +77,8 @@ static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party 
 {
     const uint32_t low = a->index < b->index ? a->index : b->index;
     const uint32_t high = a->index < b->index ? b->index : a->index;
-    return rng_u32((struct rng_key){ seed, since, low | high << 16, RNG_FISH_AVOID_SIDE });
+    const uint32_t draw = rng_u32((struct rng_key){ seed, since, low, RNG_FISH_AVOID_SIDE });
+    return rng_u32((struct rng_key){ draw, since, high, RNG_FISH_AVOID_SIDE });
 }
 
 static void meet_head_on(struct avoid_pair *pair, uint32_t draw)

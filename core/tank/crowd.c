@@ -123,8 +123,7 @@ static void list_contact(struct crowd *crowd, struct contact contact, uint32_t s
 {
     uint32_t place = crowd->touch_count++;
     if (place >= CROWD_CONTACT_MAX) {
-        const uint32_t lot = place | 1u << 31; /* No pair of fish has that key. */
-        place = rng_u32((struct rng_key){ seed, tick, lot, RNG_FISH_AVOID_SIDE }) % (place + 1u);
+        place = rng_u32((struct rng_key){ seed, tick, place, RNG_CONTACT_LOT }) % (place + 1u);
         leave_out(crowd, place < CROWD_CONTACT_MAX ? &crowd->contact[place] : &contact);
     }
     if (place < CROWD_CONTACT_MAX) {

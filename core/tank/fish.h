@@ -11,8 +11,8 @@
 #define TANK_FISH_MAX 2048u /* Room for the deepest tank; what each holds is in preset.h. The bench
                                builds with more. */
 #endif
-#if TANK_FISH_MAX <= 65536u
-typedef uint16_t fish_index;
+#if TANK_FISH_MAX < 65536u
+typedef uint16_t fish_index; /* Counts of fish are held in it, too: up to all of them. */
 #else
 typedef uint32_t fish_index;
 #endif

@@ -93,14 +93,26 @@ struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fis
     };
 }
 
+/* What nerves take over each cause. A shadow's alarm takes up to 4 ticks to grow (shade.c), and a
+ * start begins with the nearest tick: from the shadow on it is 67 to 150 ms. */
+static float nerves_s(enum fright_cause cause, struct rng_key key)
+{
+    switch (cause) {
+    case FRIGHT_LOOM:
+        return rng_range(key, 0.060f, 0.150f);
+    case FRIGHT_SHADOW:
+        return rng_range(key, 0.063f, 0.115f);
+    default:
+        return rng_range(key, 0.008f, 0.015f);
+    }
+}
+
 static float latency_s(const struct fish *fish, enum fright_cause cause, uint32_t index,
                        const struct surroundings *around)
 {
     const struct rng_key key = { around->seed, around->tick, index, RNG_STARTLE_LATENCY };
     const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
-    /* What an eye takes over a shadow is in the alarm already. */
-    return late * (cause == FRIGHT_LOOM ? rng_range(key, 0.060f, 0.150f)
-                                        : rng_range(key, 0.008f, 0.015f));
+    return late * nerves_s(cause, key);
 }
 
 /* A blow to the water overtakes what the eye still works on. */

@@ -11,6 +11,8 @@
 #include "core/tank/body.h"
 #include "core/tank/fish.h"
 
+_Static_assert((fish_index)TANK_FISH_MAX == TANK_FISH_MAX, "all may be before a cell's start");
+
 #define GRID_CELL_MAX (TANK_FISH_MAX / 2u) /* Two fish a cell: sparser tanks have larger cells. */
 
 struct grid {

@@ -35,12 +35,13 @@ struct law {
     float wall_within_s;   /* ... and so long a way at its speed. */
 
     /* What a real fish does beyond the thesis' law. */
-    float wander_rad_s;   /* Deviation of the slow whims of a swimming fish's course. */
-    float kick_rad;       /* Deviation of its turns, one with each kick; where it glides. */
+    float kick_rad;       /* Deviation of its turns, one with each kick; where it glides. A fish
+                             that does not keeps its course until its gait changes. */
     uint8_t glides;       /* Beats its tail and coasts in turn. */
     uint8_t banks;        /* Rolls into its turns. */
     float wall_follow;    /* [0, 1] how much a wall draws a fish along itself. */
     float shade_dwell_s;  /* A shadow gathers fish after it has been still so long ... */
+    uint8_t shade_draws_bursts; /* ... even those that burst: section 3.5 moves every fish ... */
     uint8_t shade_frights; /* ... and a new or moving one frightens them. */
     uint8_t escapes;      /* C-starts away from the poi and other frights. */
 

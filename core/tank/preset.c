@@ -27,6 +27,7 @@
  * Section 3.4: who comes into its personal space is given way to, at once and as hard as its gait
  * turns; nothing is foreseen, nobody slows down. Walls count the same: "anything" in the space.
  * The spaces stay whole at every density: 600 of them fill 28 % of the water.
+ * Section 3.5: a shadow moves all fish, the bursting too, at the speed that they have.
  * Section 3.6: the depths are the four of the bands, for all alike. Below 25 of 100 it gulps for
  * 3 s and is full again: at a rate, while its mouth is in the film, or all would dive in step. */
 #define THESIS_LAW                                                                                 \
@@ -34,7 +35,7 @@
         THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
         .space_fill_max = UNBOUND, .turn_rest_rad = 45.0f * F_DEG, .swerve_haste = 2.0f,           \
         .wall_per_length = 0.2f, .gulp_min_s = 3.0f, .gulp_max_s = 3.0f,                           \
-        .gulp_gain_per_s = 1.0f / 3.0f,                                                            \
+        .gulp_gain_per_s = 1.0f / 3.0f, .shade_draws_bursts = 1,                                   \
     }
 
 /* What a living wakin does: the thesis' speeds and choices, and what it left out.

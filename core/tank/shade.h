@@ -43,7 +43,7 @@ struct shade {
     struct shade_cast cast; /* Of the last tick. */
     float edge_m_s;         /* Speed of its fastest edge, eased over a tenth of a second: a mouse
                                steps from pixel to pixel, a shadow does not. */
-    float age_s;            /* Since it fell on the water. */
+    float age_s;            /* Since it fell on the water, that tick included. */
     float still_s;          /* Since its edge last moved faster than SHADE_MOVES_M_S. */
 };
 
@@ -62,9 +62,9 @@ int shade_covers(const struct shade_cast *cast, vec3 position_m);
 float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m);
 
 /* What all of them do to the course of a fish: course and pull are added as velocities and kept to
- * its top speed for swimming (section 3.3), and the fish turns that way rather than being carried
- * sideways. Where the crowd pushes back, the pull gives way. Returns whether any
- * pulls; if not, heading and speed stay as they are. */
+ * its top speed for swimming (section 3.3) or its own, if that is more: a burst's. It turns that
+ * way rather than being carried sideways. Where the crowd pushes back, the pull gives way. Returns
+ * whether any pulls; if not, heading and speed stay as they are. */
 struct shade_course {
     float heading_rad; /* In: where its gait takes it. Out: where to turn. */
     float speed_m_s;   /* In: its gait's. Out: along its nose, less while that points elsewhere. */
@@ -72,9 +72,10 @@ struct shade_course {
 int shade_draw(const struct shade *shades, uint32_t count, const struct law *law,
                const struct fish *fish, struct shade_course *course);
 
-/* What it adds to the alarm of a fish in `dt_s`, >= 0: a start within 60 to 150 ms under a fan that
- * sweeps by or drops in, an unease under a poi's thin paper (a weak contrast alarms, it does not
- * startle). 0 where the law knows no fright by shadows. */
+/* What it adds to the alarm of a fish that last thought `dt_s` ago, >= 0; no more than since it
+ * fell. Under a fan that sweeps by or drops in the calm need 17 to 33 ms to be startled, and their
+ * nerves the rest of 60 to 150 ms (fright.h); under a poi's thin paper there is an unease (a weak
+ * contrast alarms, it does not startle). 0 where the law knows no fright by shadows. */
 float shade_alarm(const struct shade *shade, const struct law *law, vec3 position_m, float dt_s);
 
 uint64_t shade_hash(uint64_t hash, const struct shade *shade);

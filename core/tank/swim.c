@@ -1,7 +1,6 @@
 /* swim.c -- what a fish wants becomes orders: bounded rates, so that every path is a smooth arc. */
 #include "core/tank/swim.h"
 
-#include "core/base/rng.h"
 #include "core/tank/avoid.h"
 #include "core/tank/escape.h"
 #include "core/tank/gait.h"
@@ -19,7 +18,6 @@
 
 #define NOTHING_M_S 1e-9f
 #define SHUN_TAU_S 0.05f
-#define WANDER_TICKS 108u /* A new whim each 0.9 s. */
 
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
@@ -34,24 +32,6 @@ static float kept(float dt_s, float tau_s)
 {
     const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
     return (even - 0.5f * x) / (even + 0.5f * x);
-}
-
-void swim_wander(struct fish *fish, uint32_t index, const struct surroundings *around)
-{
-    const uint32_t seed = around->seed;
-    if (fish->gait != GAIT_SWIM) {
-        return;
-    }
-    /* Whims of a crowd must not change in step. */
-    const uint32_t now = around->tick + (fish->look & 127u);
-    const uint32_t whim = now / WANDER_TICKS;
-    const float t = (float)(now % WANDER_TICKS) / (float)WANDER_TICKS;
-    const struct rng_key from = { seed, whim, index, RNG_FISH_WANDER };
-    const struct rng_key to = { seed, whim + 1u, index, RNG_FISH_WANDER };
-    /* Uniform in +-1.73 has deviation 1. */
-    const float rate = f_lerp(rng_range(from, -1.73f, 1.73f), rng_range(to, -1.73f, 1.73f),
-                              t * t * (3.0f - 2.0f * t));
-    fish->heading_rad += rate * around->law->wander_rad_s * around->dt_s;
 }
 
 void swim_shun_add(struct swim_shun *shun, const struct fish *fish, const struct law *law,

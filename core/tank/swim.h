@@ -8,9 +8,6 @@
 
 #define SWIM_GLIDE_TAU_S 0.55f /* Koi: drag while gliding is a quarter of that in a burst. */
 
-/* Gives the heading a slow, smooth wander of its own; drawn from (seed, tick, fish). */
-void swim_wander(struct fish *fish, uint32_t index, const struct surroundings *around);
-
 /* What a fish would run into: every near surface adds to it, so that a corner is one thing to leave
  * and not two walls that send it back and forth. Zero is open water. */
 struct swim_shun {

@@ -79,8 +79,9 @@ uint32_t tank_fish_max(uint8_t preset, float area_scale);
 /* The same for a tank to open; its count need not fit yet. 0 when its size is out of range. */
 uint32_t tank_config_fish_max(const struct tank_config *config);
 
-/* Fills `tank` with still water and fish that do not overlap. Returns whether it could: 0 leaves
- * it untouched, since a value lies outside its range. */
+/* Fills `tank` with still water and fish that do not overlap. Returns whether it could. 0: a value
+ * lies outside its range, and `tank` is untouched; or so many fish found no room in so small a
+ * tank, and `tank` must not be used. That is known only of tanks that are shorter than a fish. */
 int tank_open(struct tank *tank, const struct tank_config *config);
 
 /* The same for a preset with `fish_count` fish; what does not fit is a bug and asserts. */

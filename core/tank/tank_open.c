@@ -11,7 +11,8 @@
 #include "core/tank/swim.h"
 
 #define PLACE_TRIES 12u /* For a spot clear of the bowl; then any will do. */
-#define START_ROUNDS_MAX 200u
+#define START_ROUNDS_MAX 100u /* Full tanks take 3 to 48, ... */
+#define START_DRAWS_MAX 8u    /* ... but 1 % of the smallest gets stuck: other places. */
 #define START_SHOVE_M 0.004f /* A round. */
 
 /* ---- What is asked for ---------------------------------------------------------------------- */
@@ -134,18 +135,19 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
                           breadth };
 }
 
-/* In its plot; where the bowl has that, anywhere else. */
+/* In its plot; where the bowl has that, anywhere else. `draw` < START_DRAWS_MAX. */
 static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t index,
-                  const struct tank_preset *preset)
+                  const struct tank_preset *preset, uint32_t draw)
 {
     const float inset_m = 0.5f * fish->length_m;
     const float half_m = 0.5f * fish->height_m;
     const float x = tank->size_m.x - 2.0f * inset_m, z = tank->size_m.z - 2.0f * inset_m;
     const uint32_t seed = tank->seed;
     vec3 point = { 0.0f, 0.0f, 0.0f };
-    for (uint32_t attempt = 0; attempt < PLACE_TRIES; attempt++) {
+    const uint32_t first = draw * PLACE_TRIES;
+    for (uint32_t attempt = first; attempt < first + PLACE_TRIES; attempt++) {
         const struct plot plot =
-            attempt == 0 ? plot_of(tank, index) : (struct plot){ 0.0f, 0.0f, 1.0f, 1.0f };
+            attempt == first ? plot_of(tank, index) : (struct plot){ 0.0f, 0.0f, 1.0f, 1.0f };
         const float share_x = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_X }),
                     share_z = rng_unit((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Z });
         point.x = x * (plot.x + plot.width * share_x - 0.5f);
@@ -188,7 +190,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish_grow(&fish, hatch_length_m(tank, preset, index, fish.age_days), around.law);
     fish.stamina = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_STAMINA },
                              config->stamina_min, config->stamina_max);
-    fish.position_m = place(tank, &fish, index, preset);
+    fish.position_m = place(tank, &fish, index, preset, 0);
     fish.angles.yaw_rad =
         rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
     fish.brake = 1.0f;
@@ -204,8 +206,9 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     return fish;
 }
 
-/* Random places overlap; parting them until none does is quicker than drawing until none would. */
-static void spread_out(struct tank *tank)
+/* Random places overlap; parting them until none does is quicker than drawing until none would.
+ * Returns whether none does. */
+static int spread_out(struct tank *tank)
 {
     const struct part_place place = { tank->fish, tank_bounds(tank), NULL, 0, START_SHOVE_M,
                                       tank->lanes };
@@ -217,11 +220,26 @@ static void spread_out(struct tank *tank)
         part_clear(&tank->part, &tank->crowd, &place);
         crowd_look(&tank->crowd, tank->fish, tank_search(tank), &around);
         if (round > 0 && tank->crowd.overlap_count == 0) {
-            return;
+            return 1;
         }
         part_relax(&tank->part, &tank->crowd, &place);
         part_take(&tank->crowd, tank->fish);
     }
+    return 0;
+}
+
+/* Where all have room, or 0 where none was found. */
+static int find_room(struct tank *tank, const struct tank_preset *preset)
+{
+    for (uint32_t draw = 1; !spread_out(tank); draw++) {
+        if (draw == START_DRAWS_MAX) {
+            return 0;
+        }
+        for (uint32_t i = 0; i < tank->fish_count; i++) {
+            tank->fish[i].position_m = place(tank, &tank->fish[i], i, preset, draw);
+        }
+    }
+    return 1;
 }
 
 /* ---- The tank ------------------------------------------------------------------------------- */
@@ -248,8 +266,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
         tank->fish[i] = hatch(tank, config, i);
     }
     tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, &preset->law);
-    spread_out(tank);
-    return 1;
+    return find_room(tank, preset);
 }
 
 static void stage(struct fish *fish, const struct tank_stage *wanted,

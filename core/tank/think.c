@@ -10,7 +10,7 @@
 #include "core/tank/swim.h"
 #include "core/tank/wall.h"
 
-#define DRAWN_TAU_S 0.25f     /* A shadow draws softly: noses do not follow its every tug. */
+#define DRAWN_TAU_S 0.5f     /* A shadow draws softly: noses do not follow its every tug. */
 #define SIDESTEP_PER_S 12.0f  /* Of the sidestep that it is asked for. */
 #define HULL_SHUN_DEPTH_M                                                                          \
     0.01f /* A fish that passes deeper below a bowl than this need not turn. */
@@ -68,17 +68,23 @@ static void feel(struct fish *fish, uint32_t index, const struct surroundings *a
     fright_tick(fish, index, around);
 }
 
-/* What a gait does while a shadow draws: who bursts, flees or gulps has other things in mind. Who
- * gives way keeps the course that clears the other, at the speed of one who is drawn. */
+/* Who flees or gulps has other things in mind than a shadow; so has who bursts, by most laws. */
+static int heeds_shade(const struct fish *fish, const struct law *law)
+{
+    return fish->air == AIR_ENOUGH &&
+           (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST ||
+            (fish->gait == GAIT_BURST && law->shade_draws_bursts));
+}
+
+/* What a gait does while a shadow draws. Who gives way keeps the course that clears the other, at
+ * the speed of one who is drawn. */
 static void follow_shade(struct fish *fish, const struct surroundings *around)
 {
     const int glides = fish->gait == GAIT_SWIM && fish->beats <= 0.0f;
     struct shade_course course = { fish->heading_rad,
                                    glides ? fish->speed_m_s : fish->speed_goal_m_s };
-    const int heeds =
-        (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST) && fish->air == AIR_ENOUGH;
     float goal_rad = 0.0f;
-    if (heeds &&
+    if (heeds_shade(fish, around->law) &&
         shade_draw(around->shades, around->shade_count, around->law, fish, &course)) {
         goal_rad = fish->avoiding == AVOID_YAW
                        ? 0.0f
@@ -106,7 +112,6 @@ void think(struct fish *fish, uint32_t index, const struct surroundings *around)
     }
     feel(fish, index, around);
     gait_tick(fish, index, around);
-    swim_wander(fish, index, around);
     stroke_turn(fish, index, around);
     wall_follow(fish, around);
     shun(fish, around);

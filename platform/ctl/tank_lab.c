@@ -170,6 +170,16 @@ uint64_t tank_lab_hash(const struct tank_lab *lab)
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
+static enum exit_code open_or_say(struct tank_lab *lab, const struct tank_config *config)
+{
+    if (!tank_open(&lab->tank, config)) {
+        fprintf(stderr, "kingyoctl tank: %u fish find no room in this tank by seed %u\n",
+                config->fish_count, config->seed);
+        return EXIT_NOT_SO;
+    }
+    return EXIT_OK;
+}
+
 static enum exit_code open_tank(struct tank_lab *lab)
 {
     static struct tank_place place;
@@ -177,9 +187,9 @@ static enum exit_code open_tank(struct tank_lab *lab)
     struct tank_config config = plan->config;
     config.lanes = cpu_lanes();
     if (!plan->place) {
-        return tank_open(&lab->tank, &config) ? EXIT_OK : EXIT_NOT_SO;
+        return open_or_say(lab, &config);
     }
-    const enum exit_code code = tank_place_read(&place, place_speaker, plan->place);
+    enum exit_code code = tank_place_read(&place, place_speaker, plan->place);
     if (code != EXIT_OK) {
         return code;
     }
@@ -194,9 +204,10 @@ static enum exit_code open_tank(struct tank_lab *lab)
         return EXIT_BAD_DATA;
     }
     config.fish_count = place.count;
-    return tank_open(&lab->tank, &config)
-               ? tank_place_stage(&place, &lab->tank, place_speaker, plan->place)
-               : EXIT_NOT_SO;
+    code = open_or_say(lab, &config);
+    return code != EXIT_OK
+               ? code
+               : tank_place_stage(&place, &lab->tank, place_speaker, plan->place);
 }
 
 static enum exit_code open_poi(struct tank_lab *lab)

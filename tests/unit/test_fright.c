@@ -182,6 +182,8 @@ static void test_a_blow_is_answered_after_8_to_15_ms_and_a_sight_after_60_to_150
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
+    latency(FRIGHT_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s); /* Its alarm takes the rest. */
+    assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }
 
 static void test_who_gulps_answers_later_and_to_louder_alarms(void **state)

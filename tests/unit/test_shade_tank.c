@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -70,6 +71,34 @@ static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
     assert_true(all.at_10 * 100u > all.at_6 * 105u);
 }
 
+/* Section 3.5 moves every fish; who bursts keeps its speed, for 3.3 caps that of swimming alone. */
+static void test_by_the_thesis_a_shade_turns_a_bursting_fish_and_in_the_stall_it_does_not(
+    void **state)
+{
+    const uint8_t presets[] = { TANK_PRESET_THESIS, TANK_PRESET_FESTIVAL };
+    (void)state;
+    for (uint32_t p = 0; p < 2; p++) {
+        const struct tank_stage stage = { .position_m = { 0.08f, -0.06f, 0.0f }, .stamina = 1.0f,
+                                          .speed_m_s = 0.15f, .gait = GAIT_BURST };
+        const struct shade_cast fan = fan_at(0.0f, 0.0f);
+        uint32_t tick = 0;
+        tank_init(&tank, presets[p], 1, 3);
+        hold_fan(&tick, &fan, 3); /* The stall's dwell. */
+        tank_stage_all(&tank, &stage, 1);
+        tank.fish[0].drawn_rad = tank.fish[0].yaw_rate_rad_s = 0.0f; /* It was drawn before. */
+        tank.fish[0].push_m_s = v3(0.0f, 0.0f, 0.0f);
+        const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan };
+        for (uint32_t i = 0; i < 3u * CORE_TICK_HZ / 4u; i++, tick++) {
+            tank_cast(&tank, casts);
+            tank_tick(&tank, tick, NULL, 0);
+        }
+        const float turned_rad = tank.fish[0].angles.yaw_rad; /* The middle is to its left. */
+        assert_true(presets[p] == TANK_PRESET_THESIS ? turned_rad > 10.0f * F_DEG
+                                                     : f_abs(turned_rad) < 1.0f * F_DEG);
+        assert_true(tank.fish[0].speed_goal_m_s > 0.10f); /* No swimmer wants more than 0.075. */
+    }
+}
+
 static void test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s(void **state)
 {
     const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
@@ -90,35 +119,54 @@ static void test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s(void **state)
     assert_true(drawn > 100u); /* Resting fish are drawn, too. */
 }
 
-/* Noses that turn this way and that: reversals of turns faster than 20 degrees a second, for each
- * fish in the shade and each second. Free fish make 0.2 to 0.5, by how many they are. */
-static void test_gathered_fish_do_not_jitter(void **state)
+/* Reversals of turns faster than 20 degrees a second, by each fish within a circle and each second,
+ * from the sixth to the fourteenth. */
+static float reversals_per_s(uint32_t fish_count, uint32_t seed, const struct shade_cast *fan,
+                             const struct shade_cast *circle, float *within)
 {
     static float turning[TANK_FISH_MAX];
-    const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
+    const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = *fan };
     uint32_t reversals = 0, fish_ticks = 0;
-    (void)state;
-    tank_init(&tank, TANK_PRESET_THESIS, 600, 1);
+    memset(turning, 0, sizeof turning);
+    tank_init(&tank, TANK_PRESET_THESIS, fish_count, seed);
     for (uint32_t tick = 0; tick < 14u * CORE_TICK_HZ; tick++) {
         tank_cast(&tank, casts);
         tank_tick(&tank, tick, NULL, 0);
-        for (uint32_t i = 0; tick > 6u * CORE_TICK_HZ && i < tank.fish_count; i++) {
-            const struct fish *fish = &tank.fish[i];
-            const float rate = fish->yaw_rate_rad_s;
-            if (!shade_covers(&casts[0], fish->position_m) || f_abs(rate) < 20.0f * F_DEG) {
-                fish_ticks += (uint32_t)shade_covers(&casts[0], fish->position_m);
+        for (uint32_t i = 0; tick >= 6u * CORE_TICK_HZ && i < tank.fish_count; i++) {
+            const float rate = tank.fish[i].yaw_rate_rad_s;
+            if (!shade_covers(circle, tank.fish[i].position_m)) {
                 continue;
             }
             fish_ticks++;
-            reversals += rate * turning[i] < 0.0f;
-            turning[i] = rate;
+            if (f_abs(rate) >= 20.0f * F_DEG) {
+                reversals += rate * turning[i] < 0.0f;
+                turning[i] = rate;
+            }
         }
     }
-    const float per_s = (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
-    print_message("%.2f reversals a second by each of %.0f fish in the shade\n", (double)per_s,
-                  (double)fish_ticks / (8.0 * CORE_TICK_HZ));
-    assert_true(fish_ticks > 8u * CORE_TICK_HZ * 40u);
-    assert_true(per_s < 1.3f);
+    *within = (float)fish_ticks / (8.0f * (float)CORE_TICK_HZ);
+    return (float)(reversals * CORE_TICK_HZ) / (float)fish_ticks;
+}
+
+/* Noses that turn this way and that. Gathered fish meet more often than free ones, for they are
+ * more to a litre: the control is a tank without a fan that is as dense all over. Beyond that they
+ * turn back whenever they are on their way out of it, every few seconds. */
+static void test_gathered_fish_do_not_jitter(void **state)
+{
+    const struct shade_cast none = { 0 }, fan = fan_at(0.0f, 0.0f);
+    float gathered = 0.0f, dense = 0.0f;
+    (void)state;
+    for (uint32_t seed = 1; seed <= 2; seed++) {
+        float within, around;
+        gathered += reversals_per_s(600, seed, &fan, &fan, &within) / 2.0f;
+        dense += reversals_per_s(1700, seed, &none, &fan, &around) / 2.0f;
+        print_message("%.0f fish gathered, %.0f in a tank as dense\n", (double)within,
+                      (double)around);
+        assert_true(within > 40.0f);
+        assert_true(around > 0.8f * within && around < 1.25f * within);
+    }
+    print_message("%.2f and %.2f reversals a second\n", (double)gathered, (double)dense);
+    assert_true(gathered < 2.0f * dense);
 }
 
 /* Where fish know fright, a fan that drops in empties its place; held still, it fills it. */
@@ -152,6 +200,46 @@ static uint32_t escaping(void)
         count += tank.fish[i].gait == GAIT_ESCAPE;
     }
     return count;
+}
+
+/* From the tick in which a fan drops in to the one in which a C-start begins. Those with their
+ * snouts in the air answer half again as late, and duck first. */
+static void test_a_fan_that_drops_in_is_answered_after_60_to_150_ms(void **state)
+{
+    const struct shade_cast none = { 0 };
+    const struct shade_cast casts[TANK_SHADE_MAX] = { [0] = fan_at(0.0f, 0.0f) };
+    uint32_t started[TANK_FISH_MAX], after[32] = { 0 }, starts = 0, soon = 0, late = 0;
+    (void)state;
+    for (uint32_t seed = 1; seed <= 40; seed++) {
+        uint32_t tick = seed; /* Fish think by turns: all turns meet the fan. */
+        tank_init(&tank, TANK_PRESET_FESTIVAL, 300, seed);
+        hold_fan(&tick, &none, 1);
+        memset(started, 0, sizeof started);
+        for (uint32_t n = 0; n < 32; n++, tick++) {
+            tank_cast(&tank, casts);
+            tank_tick(&tank, tick, NULL, 0);
+            for (uint32_t i = 0; i < tank.fish_count; i++) {
+                const struct fish *fish = &tank.fish[i];
+                if (fish->gait == GAIT_ESCAPE && !started[i]) {
+                    started[i] = 1;
+                    after[n]++;
+                    starts++;
+                }
+            }
+        }
+    }
+    for (uint32_t n = 0; n < 32; n++) {
+        const float after_s = (float)n * CORE_TICK_S;
+        soon += after_s < 0.060f ? after[n] : 0u;
+        late += after_s > 0.1501f ? after[n] : 0u;
+        if (after[n] > 0) {
+            print_message("%3.0f ms: %u\n", (double)(1e3f * after_s), after[n]);
+        }
+    }
+    print_message("%u starts, %u before 60 ms, %u after 150\n", starts, soon, late);
+    assert_true(starts > 1000u);
+    assert_int_equal(soon, 0);
+    assert_true(100u * late < starts); /* Who swam in under it meanwhile. */
 }
 
 static uint32_t escapes_under(uint8_t preset, float fan_m_s, float dark)
@@ -252,9 +340,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fish_gather_as_in_figures_4_17_to_4_20),
+        cmocka_unit_test(
+            test_by_the_thesis_a_shade_turns_a_bursting_fish_and_in_the_stall_it_does_not),
         cmocka_unit_test(test_no_swimmer_in_a_tank_wants_more_than_7_5_cm_s),
         cmocka_unit_test(test_gathered_fish_do_not_jitter),
         cmocka_unit_test(test_in_the_stall_a_new_fan_scatters_and_a_still_one_gathers),
+        cmocka_unit_test(test_a_fan_that_drops_in_is_answered_after_60_to_150_ms),
         cmocka_unit_test(test_a_fan_that_sweeps_by_startles_and_a_poi_in_the_air_hardly),
         cmocka_unit_test(test_what_a_hand_holds_falls_on_the_tank_within_its_bounds),
         cmocka_unit_test(test_a_fan_that_is_no_number_is_a_bug),

@@ -269,6 +269,67 @@ static void test_the_fullest_tank_of_every_kind_begins_without_an_overlap(void *
     }
 }
 
+/* Between walls as near as these a few fish are shoved to and fro for ever, by one seed in a
+ * hundred; then they begin elsewhere. */
+static void test_the_smallest_tank_finds_room_for_its_fish_by_every_seed(void **state)
+{
+    (void)state;
+    struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
+    config.area_scale = TANK_AREA_SCALE_MIN;
+    config.fish_count = tank_fish_max(config.preset, config.area_scale);
+    for (config.seed = 1; config.seed <= 300; config.seed++) {
+        uint32_t over = 0;
+        assert_int_equal(tank_open(&tank, &config), 1);
+        assert_true(deepest_overlap_m(&tank, &over) <= PART_FREE_M);
+    }
+}
+
+/* Two fish of up to 8 cm in a tank of 6.7 by 6.7 cm: some seed's have no room, and it says so. */
+static void test_a_tank_without_room_is_refused_rather_than_opened_with_an_overlap(void **state)
+{
+    (void)state;
+    uint32_t refused = 0;
+    struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
+    config.area_scale = TANK_AREA_SCALE_MIN;
+    config.size_m = v3(TANK_SIDE_MIN_M, TANK_DEPTH_MIN_M, TANK_SIDE_MIN_M);
+    config.fish_count = tank_config_fish_max(&config);
+    for (config.seed = 1; config.seed <= 200; config.seed++) {
+        uint32_t over = 0;
+        if (tank_open(&tank, &config)) {
+            assert_true(deepest_overlap_m(&tank, &over) <= PART_FREE_M);
+        } else {
+            refused++;
+        }
+    }
+    print_message("%u of 200 refused\n", refused);
+    assert_in_range(refused, 1, 20);
+}
+
+/* Else it would go on for up to three ticks as it was hatched. */
+static void test_a_staged_fish_does_what_it_is_staged_for_from_the_first_tick_on(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 1; seed <= 40; seed++) {
+        const struct tank_stage stage = {
+            .position_m = { 0.0f, -0.06f, 0.0f }, .length_m = 0.06f, .speed_m_s = 0.05f,
+            .stamina = 1.0f, .gait = seed % 2u ? GAIT_BURST : GAIT_REST,
+        };
+        tank_init(&tank, TANK_PRESET_THESIS, 1, seed);
+        tank_stage_all(&tank, &stage, 1);
+        const float burst_m_s = 3.0f * 0.06f, drift_m_s = 0.1f * 0.06f;
+        for (uint32_t tick = 0; tick < 4; tick++) {
+            const float before_m_s = tank.fish[0].speed_m_s;
+            tank_tick(&tank, tick, NULL, 0);
+            const float now_m_s = tank.fish[0].speed_m_s;
+            const float goal_m_s = tank.fish[0].speed_goal_m_s;
+            assert_true(stage.gait == GAIT_BURST ? now_m_s > before_m_s : now_m_s < before_m_s);
+            assert_true(f_abs(now_m_s - before_m_s) < 0.2f * f_abs(before_m_s - goal_m_s));
+            assert_true(stage.gait == GAIT_BURST ? f_abs(goal_m_s - burst_m_s) < 1e-4f
+                                                 : goal_m_s <= drift_m_s);
+        }
+    }
+}
+
 static void test_haste_scatters_fish_and_patience_does_not(void **state)
 {
     (void)state;
@@ -401,6 +462,9 @@ int main(void)
         cmocka_unit_test(test_the_same_seed_swims_the_same_and_another_does_not),
         cmocka_unit_test(test_a_copy_goes_on_as_the_tank_itself_does),
         cmocka_unit_test(test_the_fullest_tank_of_every_kind_begins_without_an_overlap),
+        cmocka_unit_test(test_the_smallest_tank_finds_room_for_its_fish_by_every_seed),
+        cmocka_unit_test(test_a_tank_without_room_is_refused_rather_than_opened_with_an_overlap),
+        cmocka_unit_test(test_a_staged_fish_does_what_it_is_staged_for_from_the_first_tick_on),
         cmocka_unit_test(test_haste_scatters_fish_and_patience_does_not),
         cmocka_unit_test(test_an_escape_costs_stamina_and_ends_within_a_second),
         cmocka_unit_test(test_held_and_bowl_fish_stay_as_they_are),
