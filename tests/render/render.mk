@@ -18,4 +18,18 @@ film: $(BUILD)/tests/render/film
 	@mkdir -p out
 	@$< $(ARGS)
 
-.PHONY: shot film
+# Three of the tank's moments side by side: gulping, a fan, a start.
+PICTURE := out/pictures
+## pictures: the tank page's picture, made anew (assets/pictures/fish.jpg); needs ImageMagick
+pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
+	@mkdir -p $(PICTURE)
+	@$(BUILD)/tests/render/shot --oxygen 1 --seconds 25 --plain --close 0.1,0,0.22 -o $(PICTURE)/gulp.png
+	@$(BUILD)/tests/render/shot --seconds 14 --plain --fan 8,4 -o $(PICTURE)/fan.png
+	@$(BUILD)/tests/render/film -o $(PICTURE)/film.png
+	@convert \( $(PICTURE)/gulp.png -resize 800x450 \) \
+	    \( $(PICTURE)/fan.png -crop 820x461+420+110 +repage -resize 800x450 \) +append $(PICTURE)/top.png
+	@convert $(PICTURE)/film.png -resize 1600x $(PICTURE)/strip.png
+	@convert $(PICTURE)/top.png $(PICTURE)/strip.png -append -quality 86 assets/pictures/fish.jpg
+	@echo 'assets/pictures/fish.jpg'
+
+.PHONY: shot film pictures
