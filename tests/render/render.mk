@@ -28,7 +28,8 @@ pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@$(BUILD)/tests/render/film -o $(PICTURE)/film.png
 	@convert \( $(PICTURE)/gulp.png -resize 800x450 \) \
 	    \( $(PICTURE)/fan.png -crop 820x461+420+110 +repage -resize 800x450 \) +append $(PICTURE)/top.png
-	@convert $(PICTURE)/film.png -resize 1600x $(PICTURE)/strip.png
+	@convert $(PICTURE)/film.png -crop 100%x33.4% +repage -resize 800x $(PICTURE)/row-%d.png
+	@convert $(PICTURE)/row-0.png $(PICTURE)/row-1.png +append $(PICTURE)/strip.png
 	@convert $(PICTURE)/top.png $(PICTURE)/strip.png -append -quality 86 assets/pictures/fish.jpg
 	@echo 'assets/pictures/fish.jpg'
 
