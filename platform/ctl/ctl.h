@@ -14,7 +14,7 @@ struct ctl_command {
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
-extern const struct ctl_command ctl_play, ctl_replay, ctl_tank;
+extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid;
 
 /* One line on standard error, "kingyoctl COMMAND: ...", and EXIT_USAGE. */
 __attribute__((format(printf, 2, 3)))
