@@ -482,7 +482,7 @@ int64_t hid_field_value(const struct hid_descriptor *descriptor, const struct hi
     const uint8_t *payload = report.bytes + descriptor->has_report_ids;
     const uint32_t size = group->bit_size < 32u ? group->bit_size : 32u;
     const uint32_t raw = bits_at(payload, group->bit_offset + index * group->bit_size, size);
-    const int64_t half = 1ll << (size - 1u);
+    const int64_t half = (int64_t)1 << (size - 1u);
     const int is_signed = group->logical_min < 0 && (group->flags & HID_VARIABLE);
     return is_signed && raw >= half ? (int64_t)raw - 2 * half : (int64_t)raw;
 }
