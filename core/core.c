@@ -16,7 +16,10 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     if (config->preset >= TANK_PRESET_COUNT ||
         config->fish_count > tank_preset_fish_max(tank_preset(config->preset), 1.0f) ||
         config->language >= LANGUAGE_COUNT || !lanes_built(config->lanes) ||
-        (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600))) {
+        (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600)) ||
+        config->modes >= 1u << MODE_COUNT || config->players > POI_MAX ||
+        (config->grade != 0 &&
+         (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX))) {
         return CORE_ERR_RANGE;
     }
     const struct tank_preset *preset = tank_preset(config->preset);
@@ -182,7 +185,12 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     hash = hash_u32(hash, config->fish_count);
     hash = hash_u32(hash, config->language);
     hash = hash_u32(hash, config->round_s);
-    return hash_u32(hash, config->best_today);
+    for (uint32_t i = 0; i < MODE_COUNT; i++) {
+        hash = hash_u32(hash, config->best_today[i]);
+    }
+    hash = hash_u32(hash, config->modes);
+    hash = hash_u32(hash, config->grade);
+    return hash_u32(hash, config->players);
 }
 
 uint64_t core_hash(const struct core *core)

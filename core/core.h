@@ -28,8 +28,12 @@ struct core_config {
     uint8_t preset;      /* enum tank_preset_id */
     uint32_t fish_count; /* 0: the preset's own; else 1 .. tank_preset_fish_max(). */
     uint8_t language;    /* enum language */
-    uint32_t round_s;    /* 0: 60 s; else 10 .. 600. */
-    uint32_t best_today; /* What the store remembers; shown, and beaten. */
+    uint32_t round_s;    /* 0: the mode's own; else 10 .. 600. */
+    uint32_t best_today[MODE_COUNT]; /* What the store remembers; shown, and beaten. */
+    uint8_t modes;       /* Offered, a bit (1 << enum game_mode) each; 0: the festival alone. Of one
+                            there is nothing to choose. */
+    uint8_t grade;       /* Of the paper in the festival and in practice, 4 .. 7; 0: 6. */
+    uint8_t players;     /* Bowls at the tank, 1 .. POI_MAX; 0: 1. */
     uint8_t lanes;       /* 4 or, on x86-64 with AVX2, 8 floats at once; 0: 4. Changes no result, so
                             neither hashes nor recordings know of it. */
 };

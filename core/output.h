@@ -21,6 +21,9 @@ enum sound {
     SOUND_START,   /* A round begins. */
     SOUND_TICK,    /* Each of the last seconds. */
     SOUND_RESULT,  /* The round is over. */
+    SOUND_CALL,    /* The keeper calls the time: a minute, two, ten seconds left. */
+    SOUND_FOUL,    /* The umpire's whistle. */
+    SOUND_CHOOSE,  /* Another mode is pointed at. */
     SOUND_COUNT,
 };
 
@@ -30,19 +33,37 @@ struct sound_event {
     float pan;     /* -1 left .. 1 right */
 };
 
-/* The reaction on the hand that holds the poi, in the world's axes. */
+/* What the hand that holds the poi feels: the reaction of water, fish and walls in the world's axes,
+ * from the same physics that moves the ring; and three plain levels for a motor that only hums. */
 struct poi_force {
-    vec3 force_n;
-    vec3 torque_n_m;
+    vec3 force_n;    /* On the hand; each part within +-POI_FORCE_N_MAX. */
+    vec3 torque_n_m; /* About the grip; within +-POI_TORQUE_N_M_MAX. */
+    float drag;      /* [0, 1] of the water's push, 1 at POI_DRAG_N_FULL. */
+    float slap;      /* [0, 1] of a tail's blow in this tick. */
+    float tear;      /* [0, 1] of the paper that tore in this tick, 1 from ten cells on. */
 };
+
+#define POI_FORCE_N_MAX 20.0f    /* As much as a wrist gives. */
+#define POI_TORQUE_N_M_MAX 4.0f  /* That at the end of a handle of 13 cm, and half as much again. */
+#define POI_DRAG_N_FULL 2.0f     /* Broadside at 0.8 m/s: what paper bears at most. */
 
 /* What the operator's store keeps of a finished round. `id` rises by one with each record. */
 struct round_record {
     uint32_t id; /* 0: nothing to save. */
     uint32_t seed;
     uint32_t start_tick, end_tick;
-    uint32_t caught;
-    uint8_t by_bot; /* A demonstration is not a score. */
+    uint32_t caught;  /* Of all players together. */
+    uint8_t by_bot;   /* A demonstration is not a score. */
+    uint8_t mode;     /* enum game_mode */
+    uint8_t grade;    /* Of the paper, 4 .. 7. */
+    uint8_t players;  /* Who took part, a bit each. */
+    struct player_record {
+        uint32_t caught;
+        uint32_t scoops;        /* Times the ring went in. */
+        uint32_t hole_area_mm2; /* At the end. */
+        uint32_t torn_tick;     /* When its paper could hold nothing any more; 0: it lasted. */
+        uint8_t fouls;
+    } player[POI_MAX];
 };
 
 struct output {

@@ -122,7 +122,8 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->hint = game->hints.shown;
     scene->phase_s = (float)(core->tick - game->phase_tick) * CORE_TICK_S;
     scene->seconds_left = game_seconds_left(game, core->tick);
-    scene->best_today = game->best_today;
+    scene->best_today = game->best_today[game->mode];
+    scene->mode = game->mode;
     scene->by_bot = game->bot_played;
     memcpy(scene->caught, game->caught, sizeof scene->caught);
 }

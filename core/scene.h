@@ -46,14 +46,19 @@ struct scene_poi {
     float sag_m;             /* Depth of the paper's belly, along -up; negative bulges upward. */
     float paper_left;        /* [0, 1] area that is still there. */
     float shade_dark;        /* [0, 1] of the light that it takes from below; 0 once it dips. */
+    float water_m;           /* Mean depth of the water that lies on it, or hangs in it. */
+    uint8_t shows_stress;    /* Practice: the paper is coloured by `stress`. */
     uint8_t wetness[SHEET_SIDE * SHEET_SIDE];   /* 0 dry .. 255 wet; row 0 is the far edge (-z). */
     uint8_t integrity[SHEET_SIDE * SHEET_SIDE]; /* 255 whole .. 1 nearly torn, 0 hole. */
+    uint8_t stress[SHEET_SIDE * SHEET_SIDE]; /* Load over strength, raised where it gathers; 255: it
+                                                tears at once. 0 where there is no paper. */
 };
 
 struct scene_bowl {
     uint8_t present;
     uint8_t owner;
-    vec3 position_m;         /* Centre of the mouth. */
+    vec3 position_m;         /* Centre of the mouth: it floats, and the poi may push it about. */
+    struct angles angles;    /* How it heels. */
     float radius_m;          /* Of the mouth. */
     float depth_m;
     uint32_t fish_count;
@@ -83,6 +88,34 @@ enum scene_phase {
     PHASE_ROUND = 2,
     PHASE_RESULT = 3,
     PHASE_WORDLESS = 4, /* No phase of a game: a picture of the tank alone. */
+    PHASE_CHOOSE = 5,   /* Which mode? */
+};
+
+enum game_mode {
+    MODE_FESTIVAL = 0,     /* Until the paper cannot hold a fish, or the time is over. */
+    MODE_CHAMPIONSHIP = 1, /* The federation's: three minutes, one No. 5 poi, fouls. */
+    MODE_PRACTICE = 2,     /* The paper shows its stress; fresh paper for torn; no score. */
+    MODE_COUNT = 3,
+};
+
+/* Found in what was done, never declared. The third ends a player's round. */
+enum foul {
+    FOUL_NONE = 0,
+    FOUL_POURED = 1, /* Into the bowl from a ring that was not wholly above the water. */
+    FOUL_WALL = 2,   /* A fish pressed against the tank's wall and scooped there. */
+    FOUL_SHADE = 3,  /* A shadow held over the water before the start. */
+    FOUL_COUNT = 4,
+};
+#define FOUL_MAX 3u
+
+/* What the keeper calls out; each is shown and heard once. */
+enum time_call {
+    CALL_NONE = 0,
+    CALL_ONE_MINUTE = 1,  /* One minute has passed ... */
+    CALL_TWO_MINUTES = 2, /* ... two ... */
+    CALL_TEN_SECONDS = 3, /* ... ten seconds are left, ... */
+    CALL_COUNTDOWN = 4,   /* ... and the last five, one by one: see seconds_left. */
+    CALL_TIME = 5,        /* Time is up. */
 };
 
 /* What the stall calls to the player. The words are the renderer's, in the scene's language. */
@@ -98,6 +131,10 @@ enum scene_hint {
     HINT_GLIDE,       /* Dip beside a fish, slide under it, lift softly. */
     HINT_TORN,        /* The paper is gone. */
     HINT_LOST_POI,    /* The controller is away; the round waits. */
+    HINT_WET_ALL,     /* Wet all of the paper: it tears between wet and dry. */
+    HINT_NO_SHADE,    /* Keep your shadow off the water before the start. */
+    HINT_CLEAR_RIM,   /* Lift the whole ring out of the water before the bowl. */
+    HINT_CHOOSE,      /* LEFT and RIGHT choose, START begins. */
     HINT_COUNT,
 };
 
@@ -127,8 +164,23 @@ struct scene {
     float phase_s;           /* Since the phase began. */
     float seconds_left;      /* Of the round; in READY, until it begins; else 0. */
     uint32_t caught[POI_MAX];
-    uint32_t best_today;
+    uint32_t best_today;     /* In this mode. */
     uint8_t by_bot;          /* The bot had a hand in this round: no score of a person's. */
+
+    uint8_t mode;            /* enum game_mode of this round; in CHOOSE, the one pointed at. */
+    uint8_t modes;           /* Which are offered, a bit (1 << enum game_mode) each. */
+    uint8_t grade;           /* Of the round's paper. */
+    uint8_t paused;          /* A hand is lost; the clock waits for it. */
+    uint8_t call;            /* enum time_call: the latest ... */
+    float call_s;            /* ... and how long ago. */
+    struct scene_player {
+        uint8_t plays;       /* Takes part in this round. */
+        uint8_t lost;        /* Its controller is away or talks nonsense. */
+        uint8_t fouls;       /* 0 .. FOUL_MAX */
+        uint8_t foul;        /* enum foul: the latest ... */
+        float foul_s;        /* ... and how long ago. */
+        uint8_t out;         /* Its round is over: by fouls or for want of paper. */
+    } player[POI_MAX];
 };
 
 #endif

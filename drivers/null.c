@@ -66,6 +66,12 @@ static int null_poi_poll(void *self, struct poi_sample *out, uint32_t max)
     return HAL_ERR_NONE;
 }
 
+static void null_look(void *self, const struct view *view)
+{
+    (void)self;
+    (void)view;
+}
+
 static int null_feel(void *self, const struct poi_force *force)
 {
     (void)self;
@@ -79,6 +85,7 @@ struct hal_poi null_poi(const char *line)
         .open = null_open,
         .poll = null_poi_poll,
         .feel = null_feel,
+        .look = null_look,
         .describe = null_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = line_self(line) };
@@ -151,10 +158,12 @@ struct hal_audio null_audio(const char *line)
     return (struct hal_audio){ .ops = &ops, .self = line_self(line) };
 }
 
-static int null_best_today(void *self, uint32_t *out)
+static int null_best_today(void *self, uint32_t out[MODE_COUNT])
 {
     (void)self;
-    *out = 0;
+    for (uint32_t i = 0; i < MODE_COUNT; i++) {
+        out[i] = 0;
+    }
     return HAL_ERR_NONE;
 }
 

@@ -160,6 +160,12 @@ static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
+static void poi_mouse_look(void *self, const struct view *view)
+{
+    struct poi_mouse *mouse = self;
+    mouse->pointer.view = *view;
+}
+
 static int poi_mouse_feel(void *self, const struct poi_force *force)
 {
     (void)self;
@@ -208,6 +214,7 @@ struct hal_poi poi_mouse_device(struct poi_mouse *mouse)
         .open = poi_mouse_open,
         .poll = poi_mouse_poll,
         .feel = poi_mouse_feel,
+        .look = poi_mouse_look,
         .describe = poi_mouse_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = mouse };

@@ -81,6 +81,12 @@ static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
+static void poi_sim_look(void *self, const struct view *view)
+{
+    struct poi_sim *sim = self;
+    sim->pointer.view = *view;
+}
+
 static int poi_sim_feel(void *self, const struct poi_force *force)
 {
     struct poi_sim *sim = self;
@@ -132,6 +138,7 @@ struct hal_poi poi_sim_device(struct poi_sim *sim)
         .open = poi_sim_open,
         .poll = poi_sim_poll,
         .feel = poi_sim_feel,
+        .look = poi_sim_look,
         .describe = poi_sim_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = sim };

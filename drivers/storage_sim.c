@@ -1,16 +1,18 @@
 /* storage_sim.c -- a card with moods. */
 #include "drivers/storage_sim.h"
 
+#include <string.h>
+
 static int storage_sim_open(void *self)
 {
     (void)self;
     return HAL_OK;
 }
 
-static int storage_sim_best_today(void *self, uint32_t *out)
+static int storage_sim_best_today(void *self, uint32_t out[MODE_COUNT])
 {
     const struct storage_sim *sim = self;
-    *out = sim->best_today;
+    memcpy(out, sim->best_today, sizeof sim->best_today);
     return HAL_OK;
 }
 

@@ -13,7 +13,7 @@ struct storage_sim {
     uint32_t fail_left;         /* Then this many HAL_ERR_IO. */
     uint32_t delay_polls;       /* Calls of saved_id until an accepted record is on disk. */
     uint32_t polls_since;
-    uint32_t best_today;
+    uint32_t best_today[MODE_COUNT];
 };
 
 struct hal_storage storage_sim_device(struct storage_sim *sim);

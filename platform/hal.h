@@ -60,7 +60,8 @@ struct hal_display_ops {
 struct poi_sample {
     uint64_t time_ns;         /* Arrival, on the clock of hal_clock_ops. */
     uint8_t has_wrist;
-    struct poi_target target;
+    uint8_t trembles;         /* As struct poi_input's. */
+    struct poi_target target; /* Any bits that the device sent. */
 };
 #define HAL_POI_SAMPLES_MAX 64u /* 1,000 Hz reports over a 16 ms frame, with room for a slow one. */
 
@@ -69,6 +70,8 @@ struct hal_poi_ops {
     /* Copies at most `max` samples since the last poll, oldest first; returns how many. */
     int (*poll)(void *self, struct poi_sample *out, uint32_t max);
     int (*feel)(void *self, const struct poi_force *force); /* The reaction on the hand. */
+    /* How the tank is looked at from now on: who points at a picture needs it. Copied. */
+    void (*look)(void *self, const struct view *view);
     const char *(*describe)(void *self);
 };
 
@@ -107,7 +110,7 @@ struct hal_audio_ops {
 
 struct hal_storage_ops {
     int (*open)(void *self);
-    int (*best_today)(void *self, uint32_t *out);              /* At start. */
+    int (*best_today)(void *self, uint32_t out[MODE_COUNT]);   /* Of persons; at start. */
     int (*save)(void *self, const struct round_record *record); /* Copies; BUSY: next frame. */
     uint32_t (*saved_id)(void *self);                          /* Newest id known to be on disk. */
     uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */

@@ -4,8 +4,9 @@
  * one end mark, and nothing after it:
  *
  *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
- *            zero-filled), core_config as 6 u32 (seed, preset, fish_count, language, round_s,
- *            best_today), u64 sum of the 56 bytes before it
+ *            zero-filled), core_config as 11 u32 (seed, preset, fish_count, language, round_s,
+ *            modes, grade, players, best_today of each mode), u32 zero, u64 sum of the 80 bytes
+ *            before it
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u64 core_hash after the last tick, payload, u64 sum
  *   end      "ENDS", u32 tick count, u32 rounds begun, u32 fish caught, u64 core_hash, u64 sum
@@ -28,8 +29,8 @@
 #include "core/core.h"
 #include "core/input.h"
 
-#define REPLAY_VERSION 2u /* 1 knew no shadows: it is refused by its number. */
-#define REPLAY_HEADER_SIZE 64u
+#define REPLAY_VERSION 3u /* 1 knew no shadows, 2 no modes: each is refused by its number. */
+#define REPLAY_HEADER_SIZE 88u
 #define REPLAY_CHUNK_HEAD_SIZE 32u
 #define REPLAY_END_SIZE 32u
 #define REPLAY_SUM_SIZE 8u

@@ -89,7 +89,10 @@ static int read_header(struct replay_reader *reader)
         replay_get_u32(bytes + HEADER_TICK_HZ) != CORE_TICK_HZ ||
         !is_program_name(bytes + HEADER_PROGRAM) ||
         replay_get_u32(bytes + HEADER_CONFIG + 4) > UINT8_MAX ||
-        replay_get_u32(bytes + HEADER_CONFIG + 12) > UINT8_MAX) {
+        replay_get_u32(bytes + HEADER_CONFIG + 12) > UINT8_MAX ||
+        replay_get_u32(bytes + HEADER_CONFIG + 20) > UINT8_MAX ||
+        replay_get_u32(bytes + HEADER_CONFIG + 24) > UINT8_MAX ||
+        replay_get_u32(bytes + HEADER_CONFIG + 28) > UINT8_MAX) {
         return refuse(reader, 0, HEADER_SIZE_FIELD, "the header says what this program "
                                                     "never writes");
     }
@@ -100,8 +103,13 @@ static int read_header(struct replay_reader *reader)
         .fish_count = replay_get_u32(config + 8),
         .language = (uint8_t)replay_get_u32(config + 12),
         .round_s = replay_get_u32(config + 16),
-        .best_today = replay_get_u32(config + 20),
+        .modes = (uint8_t)replay_get_u32(config + 20),
+        .grade = (uint8_t)replay_get_u32(config + 24),
+        .players = (uint8_t)replay_get_u32(config + 28),
     };
+    for (uint32_t i = 0; i < MODE_COUNT; i++) {
+        reader->header.config.best_today[i] = replay_get_u32(config + 32 + 4 * i);
+    }
     memcpy(reader->header.program, bytes + HEADER_PROGRAM, REPLAY_PROGRAM_SIZE);
     reader->offset = REPLAY_HEADER_SIZE;
     return 0;

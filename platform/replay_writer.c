@@ -40,7 +40,10 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
 static uint64_t put_header(uint8_t *out, const struct core_config *config)
 {
     const uint32_t fields[] = { config->seed,     config->preset,  config->fish_count,
-                                config->language, config->round_s, config->best_today };
+                                config->language, config->round_s, config->modes,
+                                config->grade,    config->players, config->best_today[0],
+                                config->best_today[1], config->best_today[2] };
+    _Static_assert(MODE_COUNT == 3, "the header has a field for each mode's best");
     memset(out, 0, REPLAY_HEADER_SIZE);
     memcpy(out, REPLAY_MAGIC, 8);
     replay_put_u32(out + HEADER_VERSION, REPLAY_VERSION | REPLAY_HEADER_SIZE << 16);

@@ -79,7 +79,7 @@ static int read_best_today(struct storage *storage)
     if (code == SQLITE_OK) {
         code = sqlite3_step(select);
         if (code == SQLITE_ROW) {
-            storage->best_today = (uint32_t)sqlite3_column_int64(select, 0);
+            storage->best_today[MODE_FESTIVAL] = (uint32_t)sqlite3_column_int64(select, 0);
             code = SQLITE_OK;
         }
     }
@@ -260,13 +260,13 @@ static int storage_open(void *self)
     return HAL_ERR_IO;
 }
 
-static int storage_best_today(void *self, uint32_t *out)
+static int storage_best_today(void *self, uint32_t out[MODE_COUNT])
 {
     const struct storage *storage = self;
     if (!storage->running) {
         return HAL_ERR_NONE;
     }
-    *out = storage->best_today;
+    memcpy(out, storage->best_today, sizeof storage->best_today);
     return HAL_OK;
 }
 

@@ -33,7 +33,7 @@ struct storage {
 
     struct sqlite3 *db;   /* The thread's alone once it runs. */
     struct sqlite3_stmt *insert;
-    uint32_t best_today;  /* As the file said at open(); bots do not count. */
+    uint32_t best_today[MODE_COUNT]; /* As the file said at open(); bots do not count. */
     char path[STORAGE_PATH_SIZE];
     char set_aside[STORAGE_PATH_SIZE + 32]; /* Where a damaged file went; empty: none was. */
     char text[HAL_TEXT_SIZE];

@@ -147,8 +147,8 @@ static void finish_round(struct core *core, struct output *output)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         core->poi[i].rider_count = 0; /* Too late: they go back to the water. */
         total += game->caught[i];
-        if (!game->bot_played && game->caught[i] > game->best_today) {
-            game->best_today = game->caught[i];
+        if (!game->bot_played && game->caught[i] > game->best_today[game->mode]) {
+            game->best_today[game->mode] = game->caught[i];
         }
     }
     if (game->played) {
@@ -279,7 +279,7 @@ void game_init(struct game *game, const struct core_config *config)
     game->phase = PHASE_ATTRACT;
     game->language = config->language;
     game->round_s = config->round_s ? config->round_s : ROUND_S_DEFAULT;
-    game->best_today = config->best_today;
+    memcpy(game->best_today, config->best_today, sizeof game->best_today);
     hints_init(&game->hints);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->hand[i].position_m = v3(0.0f, 0.10f, 0.0f);
@@ -355,9 +355,12 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
     const uint32_t words[] = { game->phase,      game->language,    game->bot_played,
                                game->played,     game->phase_tick,  game->round_tick,
                                game->lost_ticks, game->gone_tick,   game->round_s,
-                               game->round_count, game->best_today, game->record_id };
+                               game->round_count, game->record_id, game->mode };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
+    }
+    for (uint32_t i = 0; i < MODE_COUNT; i++) {
+        hash = hash_u32(hash, game->best_today[i]);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = hash_u32(hash, game->caught[i]);

@@ -25,6 +25,7 @@
 struct game {
     uint8_t phase;       /* enum scene_phase */
     uint8_t language;    /* enum language */
+    uint8_t mode;        /* enum game_mode of this round, or the one pointed at. */
     uint8_t bot_played;  /* Some poi of this round was the bot's. */
     uint8_t played;      /* Somebody has held a poi in this round. */
     uint32_t phase_tick; /* When the phase began; shifted while the round's clock waits ... */
@@ -34,7 +35,7 @@ struct game {
     uint32_t round_s;
     uint32_t round_count; /* Rounds begun; seeds the next poi's paper. */
     uint32_t caught[POI_MAX];
-    uint32_t best_today;
+    uint32_t best_today[MODE_COUNT];
     uint32_t record_id;
     uint8_t handed[POI_MAX];         /* Has got its fresh paper for this round. */
     uint8_t holder[POI_MAX];         /* enum poi_link: who held the poi in the last tick. */

@@ -10,8 +10,11 @@
 #include "core/poi/poi.h"
 #include "core/tank/tank.h"
 
+/* Fish that came into the bowl in this tick, and how: each is in exactly one of the three. */
 struct catch_result {
-    uint32_t landed; /* Fish that came into the bowl this tick. */
+    uint32_t landed; /* From a poi whose rim was wholly above the water with the fish on it. */
+    uint32_t poured; /* From a ring that had not been clear of the water: washed in. */
+    uint32_t walled; /* As `landed`, but taken up where the ring pressed it against a wall. */
 };
 
 /* One tick of one poi against all fish, after they moved: carries, slides and drops the fish that

@@ -53,6 +53,8 @@ struct sheet {
     float strength[SHEET_CELL_COUNT]; /* This specimen's factor on the grade's strength, near 1. */
     float strength_min;               /* Of all cells. */
     uint8_t state[SHEET_CELL_COUNT];  /* enum sheet_cell_state */
+    uint8_t stress[SHEET_CELL_COUNT]; /* Load over strength in the last tick, raised where stress
+                                         gathers: 255 is 1 or more. For the eye alone. */
     uint32_t paper_cells;             /* CELL_PAPER left ... */
     uint32_t paper_cells_new;         /* ... and at the start. */
     float sag_m; /* From the last pressure; for the eye and for pooling water. */

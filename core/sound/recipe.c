@@ -92,4 +92,30 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 293.7f, .string_gain = 0.55f, .string_delay_ms = 520.0f,
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
+    /* Clappers of hard wood, once: the keeper has something to call. */
+    [SOUND_CALL] = {
+        .layer = {
+            TONE(0.34f, 0.0f, 0.4f, 45.0f, 1568.0f, 1540.0f, 20.0f),
+            TONE(0.16f, 0.0f, 0.4f, 18.0f, 3720.0f, 3720.0f, 0.0f),
+            NOISE(0.26f, 0.0f, 0.3f, 5.0f, 3600.0f, 3600.0f, 0.0f, 1.0f, 0.0f),
+        },
+        .length_ms = 450.0f,
+    },
+    /* The umpire's whistle, with breath in it. */
+    [SOUND_FOUL] = {
+        .layer = {
+            TONE(0.22f, 0.0f, 8.0f, 150.0f, 2349.0f, 2300.0f, 60.0f),
+            TONE(0.16f, 30.0f, 8.0f, 150.0f, 2420.0f, 2370.0f, 60.0f),
+            NOISE(0.16f, 0.0f, 6.0f, 120.0f, 2400.0f, 2400.0f, 0.0f, 0.5f, 0.0f),
+        },
+        .length_ms = 900.0f,
+    },
+    /* A wooden tag turned over. */
+    [SOUND_CHOOSE] = {
+        .layer = {
+            TONE(0.22f, 0.0f, 0.5f, 14.0f, 880.0f, 840.0f, 20.0f),
+            NOISE(0.12f, 0.0f, 0.3f, 4.0f, 2200.0f, 2200.0f, 0.0f, 1.0f, 0.0f),
+        },
+        .length_ms = 200.0f,
+    },
 };

@@ -148,19 +148,17 @@ static enum exit_code begin(struct session *session)
 {
     const struct options *options = &session->options;
     const struct hal_storage *storage = &session->hal.storage;
-    uint32_t best_today = 0;
-    storage->ops->best_today(storage->self, &best_today);
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : (uint32_t)time(NULL),
             .preset = options->tank,
             .fish_count = options->fish_count,
             .language = options->language,
-            .best_today = best_today,
         },
         .bot = { options->poi == BOARD_POI_BOT },
         .stopwatch = clock_device(),
     };
+    storage->ops->best_today(storage->self, config.core.best_today);
     return session_begin(session, &config);
 }
 

@@ -32,11 +32,13 @@ static const struct field core_fields[] = {
 static const struct field config_fields[] = {
     FIELD(core_config, seed),     FIELD(core_config, preset),  FIELD(core_config, fish_count),
     FIELD(core_config, language), FIELD(core_config, round_s), FIELD(core_config, best_today),
+    FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
     SKIP(core_config, lanes),
 };
 
 static const struct field game_fields[] = {
-    FIELD(game, phase),       FIELD(game, language),    FIELD(game, bot_played),
+    FIELD(game, phase),       FIELD(game, language),    FIELD(game, mode),
+    FIELD(game, bot_played),
     FIELD(game, played),      FIELD(game, phase_tick),  FIELD(game, round_tick),
     FIELD(game, lost_ticks),  FIELD(game, gone_tick),   FIELD(game, round_s),
     FIELD(game, round_count), FIELD(game, caught),      FIELD(game, best_today),
@@ -96,7 +98,8 @@ static const struct field sheet_fields[] = {
     FIELD(sheet, grade),    FIELD(sheet, touched),      FIELD(sheet, soaked),
     FIELD(sheet, radius_m), FIELD(sheet, fibre_x),      FIELD(sheet, fibre_z),
     FIELD(sheet, wetness),  FIELD(sheet, damage),       FIELD(sheet, strength),
-    FIELD(sheet, strength_min), FIELD(sheet, state),    FIELD(sheet, paper_cells),
+    FIELD(sheet, strength_min), FIELD(sheet, state),
+    SKIP(sheet, stress),    FIELD(sheet, paper_cells),
     FIELD(sheet, paper_cells_new), FIELD(sheet, sag_m),
 };
 

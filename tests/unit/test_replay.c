@@ -381,7 +381,7 @@ static void test_another_version_is_named(void **state)
     bytes[8] = 1; /* From before there were shadows. */
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
-    assert_string_equal(reader.problem.text, "format version 1; this program reads version 2");
+    assert_string_equal(reader.problem.text, "format version 1; this program reads version 3");
 }
 
 static void test_a_huge_file_of_nothing_is_refused_at_its_first_second(void **state)

@@ -129,23 +129,23 @@ static void test_a_saved_round_is_on_disk_with_every_field(void **state)
 static void test_the_best_of_today_is_a_persons(void **state)
 {
     struct stall *stall = *state;
-    uint32_t best = 99;
+    uint32_t best[MODE_COUNT] = { 99 };
     assert_int_equal(open_store(stall), HAL_OK);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_OK);
-    assert_int_equal(best, 0);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_OK);
+    assert_int_equal(best[MODE_FESTIVAL], 0);
     save(stall, 1, 3, 0);
     save(stall, 2, 4, 0);
     save(stall, 3, 40, 1); /* a bot's */
     wait_until_saved(stall, 3);
     reopen(stall);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_OK);
-    assert_int_equal(best, 4);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_OK);
+    assert_int_equal(best[MODE_FESTIVAL], 4);
 }
 
 static void test_yesterdays_rounds_are_not_todays_best(void **state)
 {
     struct stall *stall = *state;
-    uint32_t best = 99;
+    uint32_t best[MODE_COUNT] = { 99 };
     assert_int_equal(open_store(stall), HAL_OK);
     save(stall, 1, 8, 0);
     wait_until_saved(stall, 1);
@@ -155,8 +155,8 @@ static void test_yesterdays_rounds_are_not_todays_best(void **state)
     assert_int_equal(sqlite3_exec(db, "UPDATE rounds SET ended_at = ended_at - 86400", 0, 0, 0), 0);
     sqlite3_close(db);
     reopen(stall);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_OK);
-    assert_int_equal(best, 0);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_OK);
+    assert_int_equal(best[MODE_FESTIVAL], 0);
 }
 
 static void test_a_round_asked_for_every_frame_is_kept_once(void **state)
@@ -272,9 +272,9 @@ static void test_a_folder_that_cannot_be_written_is_one_line(void **state)
     assert_int_equal(open_store(stall), HAL_ERR_IO);
     assert_non_null(strstr(text(stall), "/proc"));
     assert_null(strchr(text(stall), '\n'));
-    uint32_t best;
+    uint32_t best[MODE_COUNT];
     assert_int_equal(save(stall, 1, 1, 0), HAL_ERR_NONE);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, &best), HAL_ERR_NONE);
+    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_ERR_NONE);
     assert_int_equal(saved_id(stall), 0);
 }
 

@@ -1,0 +1,40 @@
+/* rules.c -- the table of modes. */
+#include "core/game/rules.h"
+
+#include "core/base/panic.h"
+#include "core/tank/preset.h"
+
+static const struct rules table[MODE_COUNT] = {
+    [MODE_FESTIVAL] = {
+        .name = "festival",
+        .tank = TANK_PRESET_FESTIVAL,
+        .round_s = 60,
+        .ready_s = 3,
+        .ends_when_torn = 1,
+        .keeps_score = 1,
+    },
+    [MODE_CHAMPIONSHIP] = {
+        .name = "championship",
+        .tank = TANK_PRESET_OFFICIAL,
+        .grade = 5,
+        .round_s = 180,
+        .ready_s = 5,
+        .judges = 1,
+        .calls = 1,
+        .keeps_score = 1,
+    },
+    [MODE_PRACTICE] = {
+        .name = "practice",
+        .tank = TANK_PRESET_FESTIVAL,
+        .round_s = 180,
+        .ready_s = 3,
+        .renews_paper = 1,
+        .shows_stress = 1,
+    },
+};
+
+const struct rules *rules_of(uint8_t mode)
+{
+    CORE_ASSERT(mode < MODE_COUNT);
+    return &table[mode];
+}
