@@ -44,8 +44,8 @@ struct poi_target {
 struct poi_input {
     uint8_t link;             /* enum poi_link */
     uint8_t has_wrist;        /* 0: the controller cannot turn; the core does it at the bowl. */
-    uint8_t trembles;         /* A sensor that never says the same twice: one that does is frozen. */
-    uint16_t age_ticks;       /* Since its newest report arrived; a pointer that rests is not old. */
+    uint8_t trembles;         /* A sensor that never repeats itself: one that does is frozen. */
+    uint16_t age_ticks;       /* Since its newest report came; a pointer at rest is not old. */
     struct poi_target target; /* Ignored unless link is POI_LINK_LIVE. Any bits: a number that is
                                  none, or a leap that no arm makes, loses the hand, not the game. */
 };

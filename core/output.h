@@ -33,7 +33,7 @@ struct sound_event {
     float pan;     /* -1 left .. 1 right */
 };
 
-/* What the hand that holds the poi feels: the reaction of water, fish and walls in the world's axes,
+/* What the hand that holds the poi feels: the reaction of water, fish and walls, in world axes,
  * from the same physics that moves the ring; and three plain levels for a motor that only hums. */
 struct poi_force {
     vec3 force_n;    /* On the hand; each part within +-POI_FORCE_N_MAX. */

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 enum technique_side { SIDE_ANY = 0, SIDE_HEAD, SIDE_TAIL, SIDE_COUNT };  /* Of the fish, first. */
-enum technique_place { PLACE_CENTRE = 0, PLACE_RIM, PLACE_COUNT };       /* Of the paper, under it. */
+enum technique_place { PLACE_CENTRE = 0, PLACE_RIM, PLACE_COUNT }; /* Of the paper, under it. */
 enum technique_lift { LIFT_DRAINED = 0, LIFT_FAST, LIFT_COUNT };
 enum technique_hunt { HUNT_SHADE = 0, HUNT_CHASE, HUNT_COUNT };
 
@@ -17,7 +17,7 @@ struct technique {
     float wet;            /* [0, 1] share of the paper that is wetted before the first scoop. */
     float entry_deg;      /* [0, 60] slant of the paper as it goes into the water; 0 is flat. */
     float glide_deg;      /* [0, 90] between paper and its way under water; 90 is broadside. */
-    uint8_t side;         /* enum technique_side: which end of the fish comes over the ring first. */
+    uint8_t side;         /* enum technique_side: which end of the fish is over the ring first. */
     uint8_t place;        /* enum technique_place */
     uint8_t lift;         /* enum technique_lift: level and drained, or fast and flat. */
     uint8_t hunt;         /* enum technique_hunt: wait in a still shade, or chase. */
