@@ -272,15 +272,17 @@ static void rest(struct bot *bot, const struct core *core)
 
 /* ---- Public --------------------------------------------------------------------------------- */
 
-void bot_init(struct bot *bot)
+void bot_init(struct bot *bot, const struct technique *technique, uint32_t seed)
 {
-    *bot = (struct bot){ .prey = AIM_NO_FISH };
+    *bot = (struct bot){ .technique = *technique, .seed = seed, .prey = AIM_NO_FISH };
     bot->hand.position_m = v3(0.0f, HOVER_Y_M, 0.0f);
     bot->aim_m = bot->hand.position_m;
 }
 
-struct poi_target bot_tick(struct bot *bot, const struct core *core, uint32_t index)
+struct poi_target bot_tick(struct bot *bot, const struct sight *sight)
 {
+    const struct core *core = sight->core;
+    const uint32_t index = sight->player;
     const uint8_t phase = core->game.phase;
     if (phase == PHASE_READY || phase == PHASE_RESULT) {
         rest(bot, core);
@@ -295,6 +297,8 @@ struct poi_target bot_tick(struct bot *bot, const struct core *core, uint32_t in
 
 uint64_t bot_hash(uint64_t hash, const struct bot *bot)
 {
+    hash = technique_hash(hash, &bot->technique);
+    hash = hash_u32(hash, bot->seed);
     hash = hash_u32(hash, bot->stage);
     hash = hash_u32(hash, bot->prey);
     hash = hash_u32(hash, bot->stage_tick);

@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "core/game/sight.h"
+#include "core/game/technique.h"
 #include "core/input.h"
 
 enum bot_stage {
@@ -19,6 +21,8 @@ enum bot_stage {
 };
 
 struct bot {
+    struct technique technique;
+    uint32_t seed;          /* Of its luck. */
     uint8_t stage;          /* enum bot_stage */
     uint16_t prey;          /* Index of the fish it is after, or AIM_NO_FISH. */
     uint32_t stage_tick;    /* When the stage began. */
@@ -30,12 +34,12 @@ struct bot {
     struct angles aim_angles;
 };
 
-struct core;
+/* A bot that plays by a copy of `technique`; its hand begins over the middle of the tank. */
+void bot_init(struct bot *bot, const struct technique *technique, uint32_t seed);
 
-void bot_init(struct bot *bot);
-
-/* One tick of thought and motion for the bot that holds poi `index`. */
-struct poi_target bot_tick(struct bot *bot, const struct core *core, uint32_t index);
+/* One tick of thought and motion for the bot that holds the poi of `sight->player`: where its hand
+ * is now. */
+struct poi_target bot_tick(struct bot *bot, const struct sight *sight);
 
 uint64_t bot_hash(uint64_t hash, const struct bot *bot);
 

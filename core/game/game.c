@@ -284,7 +284,7 @@ void game_init(struct game *game, const struct core_config *config)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->hand[i].position_m = v3(0.0f, 0.10f, 0.0f);
         game->live_y_m[i] = -1.0f;
-        bot_init(&game->bot[i]);
+        bot_init(&game->bot[i], &technique_expert, config->seed + i);
         game->bot[i].hand = game->hand[i];
     }
 }

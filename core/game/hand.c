@@ -73,7 +73,7 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
         return;
     }
     if (link == POI_LINK_BOT) {
-        bot_init(&game->bot[index]);
+        bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
         game->bot[index].hand = game->hand[index];
     }
     game->holder[index] = link;
@@ -85,7 +85,7 @@ static void tick_hand(struct core *core, const struct input *input, uint32_t ind
     struct game *game = &core->game;
     struct poi_target wanted = game->hand[index]; /* A lost poi stays where it is. */
     if (core->poi[index].link == POI_LINK_BOT) {
-        wanted = bot_tick(&game->bot[index], core, index);
+        wanted = bot_tick(&game->bot[index], &(struct sight){ core, index });
     } else if (core->poi[index].link == POI_LINK_LIVE) {
         wanted = input->poi[index].target;
     }

@@ -36,4 +36,6 @@ extern const struct technique technique_novice;
 /* Wets all, slants in, glides edge first, takes the head first, near the rim, in still shade. */
 extern const struct technique technique_expert;
 
+uint64_t technique_hash(uint64_t hash, const struct technique *technique);
+
 #endif

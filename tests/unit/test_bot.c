@@ -98,7 +98,7 @@ static void test_it_leaves_fish_that_flee_or_hug_the_wall(void **state)
     core.tank.fish[8].position_m = v3(-0.05f, -0.02f, 0.03f);
     core.tank.fish[8].gait = GAIT_ESCAPE;
     for (uint32_t i = 0; i < 80; i++) { /* the tank stands still: the bot alone */
-        bot_tick(&core.game.bot[0], &core, 0);
+        bot_tick(&core.game.bot[0], &(struct sight){ &core, 0 });
         core.tick++;
     }
     assert_int_equal(core.game.bot[0].prey, 9);
@@ -112,7 +112,7 @@ static void test_with_no_fish_to_take_it_only_looks(void **state)
         core.tank.fish[i].gait = GAIT_BOWL;
     }
     for (uint32_t i = 0; i < 600; i++) {
-        const struct poi_target hand = bot_tick(&core.game.bot[0], &core, 0);
+        const struct poi_target hand = bot_tick(&core.game.bot[0], &(struct sight){ &core, 0 });
         assert_true(hand.position_m.y > 0.03f);
         core.tick++;
     }

@@ -53,7 +53,18 @@ static const struct field hints_fields[] = {
     FIELD(hints, dips_before), FIELD(hints, caught), FIELD(hints, moved_m),
 };
 
+static const struct field technique_fields[] = {
+    FIELD(technique, wet),        FIELD(technique, entry_deg),      FIELD(technique, glide_deg),
+    FIELD(technique, side),       FIELD(technique, place),          FIELD(technique, lift),
+    FIELD(technique, hunt),       FIELD(technique, fish_max),       FIELD(technique, arm_m_s),
+    FIELD(technique, dip_m_s),    FIELD(technique, glide_m_s),      FIELD(technique, lift_m_s),
+    FIELD(technique, carry_m_s),  FIELD(technique, drain_s),        FIELD(technique, patience_s),
+    FIELD(technique, aim_m),      FIELD(technique, tremor_m),
+    FIELD(technique, reaction_min_s), FIELD(technique, reaction_max_s),
+};
+
 static const struct field bot_fields[] = {
+    SKIP(bot, technique), FIELD(bot, seed),
     FIELD(bot, stage),   FIELD(bot, prey), FIELD(bot, stage_tick),   FIELD(bot, think_tick),
     FIELD(bot, yaw_rad), FIELD(bot, hand), FIELD(bot, velocity_m_s), FIELD(bot, aim_m),
     FIELD(bot, aim_angles),
@@ -186,6 +197,7 @@ static const struct table tables[] = {
     TABLE(game, game_fields, &core.game),
     TABLE(hints, hints_fields, &core.game.hints),
     TABLE(bot, bot_fields, &core.game.bot[0]),
+    TABLE(technique, technique_fields, &core.game.bot[0].technique),
     TABLE(bot, bot_fields, &core.game.bot[3]),
     TABLE(poi, poi_fields, &core.poi[0]),
     TABLE(poi, poi_fields, &core.poi[3]),
