@@ -28,17 +28,17 @@ enum input_button {
 
 enum poi_link {
     POI_LINK_ABSENT = 0, /* No such controller. */
-    POI_LINK_LOST = 1,   /* It was here; the poi waits where it is. */
+    POI_LINK_LOST = 1,   /* It was here; the poi drifts out of the water and waits. */
     POI_LINK_LIVE = 2,   /* `target` is fresh. */
     POI_LINK_BOT = 3,    /* The core's own bot holds this poi. */
 };
 
 /* Where a hand wants the ring's centre to be. The poi is pulled there by a spring and may lag. */
 struct poi_target {
-    vec3 position_m;      /* World; any finite value, clamped to the reach of an arm by the core. */
-    struct angles angles; /* Yaw 0: handle toward the player. Pitch > 0 lifts the far edge.
-                             Any finite value: whole turns are taken off, and what is beyond
-                             +-1,000 rad is no direction and means 0. */
+    vec3 position_m;      /* World; clamped to the reach of an arm by the core, and absurd beyond
+                             +-100 m. */
+    struct angles angles; /* Yaw 0: handle toward the player. Pitch > 0 lifts the far edge. Whole
+                             turns are taken off; absurd beyond +-1,000 rad. */
 };
 
 struct poi_input {
@@ -47,7 +47,8 @@ struct poi_input {
     uint8_t trembles;         /* A sensor that never repeats itself: one that does is frozen. */
     uint16_t age_ticks;       /* Since its newest report came; a pointer at rest is not old. */
     struct poi_target target; /* Ignored unless link is POI_LINK_LIVE. Any bits: a number that is
-                                 none, or a leap that no arm makes, loses the hand, not the game. */
+                                 none or absurd, or a leap that no arm makes, loses the hand, not
+                                 the game (core/game/trust.h). */
 };
 
 /* A fan (uchiwa) or a hand that someone holds over the water. Light falls from straight above, so

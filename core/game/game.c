@@ -78,9 +78,7 @@ static void start_round(struct core *core, struct output *output)
 static int any_dipped(const struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->bowl[i].present && input->poi[i].link == POI_LINK_LIVE &&
-            core->game.live_y_m[i] >= GAME_DIP_Y_M &&
-            input->poi[i].target.position_m.y < GAME_DIP_Y_M) {
+        if (core->bowl[i].present && hand_dips(core, input, i)) {
             return 1;
         }
     }
@@ -299,6 +297,7 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
     if (input->record_saved_id > game->record_id) {
         game->record_id = input->record_saved_id; /* The store remembers earlier days. */
     }
+    hand_read(core, input);
     hand_links(core, input);
     tick_phase(core, input, output);
     hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
@@ -369,6 +368,8 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = hash_u32(hash, game->grip_tick[i]);
         hash = hash_target(hash, &game->hand[i]);
         hash = hash_float(hash, game->live_y_m[i]);
+        hash = trust_hash(hash, &game->trust[i]);
+        hash = hash_u32(hash, game->back_ticks[i]);
         hash = bot_hash(hash, &game->bot[i]);
     }
     return hints_hash(hash, &game->hints);

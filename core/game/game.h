@@ -6,6 +6,7 @@
 
 #include "core/game/bot.h"
 #include "core/game/hints.h"
+#include "core/game/trust.h"
 #include "core/input.h"
 #include "core/output.h"
 #include "core/scene.h"
@@ -42,6 +43,9 @@ struct game {
     uint32_t grip_tick[POI_MAX];     /* When that holder took it. */
     struct poi_target hand[POI_MAX]; /* Where the poi's hand was in the last tick. */
     float live_y_m[POI_MAX];         /* Of the last live target; the dip is its way down. */
+    struct trust trust[POI_MAX];     /* What is thought of each controller. */
+    uint32_t back_ticks[POI_MAX];    /* How long a poi is on its way back to its hand; 0: it is
+                                        there. */
     struct hints hints;
     struct bot bot[POI_MAX];
 };

@@ -3,32 +3,55 @@
 
 #include "core/base/panic.h"
 #include "core/core.h"
+#include "core/game/drift.h"
 
 #define CLEAR_Y_M 0.035f     /* Pois are held above this while nothing may be scooped. */
 #define GRIP_TICKS 144u      /* 1.2 s from one hand to the next: 1 m/s across the tank. */
 #define REACH_SIDE_M 0.20f   /* Beyond the walls ... */
 #define REACH_HEIGHT_M 0.35f /* ... and above the water that an arm reaches. */
-#define ANGLE_RAD_MAX 1000.0f
 
 int hand_plays(const struct core *core, uint32_t index)
 {
     return core->bowl[index].present && core->poi[index].link != POI_LINK_ABSENT;
 }
 
-/* In attract nobody else's link counts. */
+int hand_is_lost(const struct core *core, uint32_t index)
+{
+    return hand_plays(core, index) && core->poi[index].link == POI_LINK_LOST;
+}
+
+void hand_read(struct core *core, const struct input *input)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        trust_tick(&core->game.trust[i], &input->poi[i]);
+    }
+}
+
+static int is_believed(const struct core *core, uint32_t index)
+{
+    return core->game.trust[index].verdict >= TRUST_CATCH_UP;
+}
+
+int hand_dips(const struct core *core, const struct input *input, uint32_t index)
+{
+    return is_believed(core, index) && core->game.live_y_m[index] >= GAME_DIP_Y_M &&
+           input->poi[index].target.position_m.y < GAME_DIP_Y_M;
+}
+
+/* In attract nobody else's link counts. Who is not believed is as good as away. */
 static uint8_t link_now(const struct core *core, const struct input *input, uint32_t index)
 {
     if (core->game.phase == PHASE_ATTRACT) {
         return index == 0 ? POI_LINK_BOT : POI_LINK_ABSENT;
     }
-    return input->poi[index].link;
+    const int is_lost = core->game.trust[index].verdict == TRUST_LOST;
+    return is_lost ? (uint8_t)POI_LINK_LOST : input->poi[index].link;
 }
 
-/* No wrist has turned so far: such an angle is a broken report, and too coarse for a direction. */
 static float direction(float angle_rad)
 {
-    CORE_ASSERT(f_is_finite(angle_rad));
-    return f_abs(angle_rad) <= ANGLE_RAD_MAX ? f_wrap_angle(angle_rad) : 0.0f;
+    CORE_ASSERT(f_abs(angle_rad) <= TRUST_ANGLE_RAD);
+    return f_wrap_angle(angle_rad);
 }
 
 static struct poi_target within_reach(const struct core *core, struct poi_target target)
@@ -76,27 +99,63 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
         bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
         game->bot[index].hand = game->hand[index];
     }
+    if (link == POI_LINK_LIVE && game->holder[index] == POI_LINK_LOST) {
+        game->back_ticks[index] = 1;
+    } else if (link != POI_LINK_LOST) {
+        game->grip_tick[index] = core->tick;
+    }
     game->holder[index] = link;
-    game->grip_tick[index] = core->tick;
 }
 
-static void tick_hand(struct core *core, const struct input *input, uint32_t index)
+static struct poi_target follow(struct core *core, uint32_t index, struct poi_target wanted)
 {
     struct game *game = &core->game;
-    struct poi_target wanted = game->hand[index]; /* A lost poi stays where it is. */
-    if (core->poi[index].link == POI_LINK_BOT) {
-        wanted = bot_tick(&game->bot[index], &(struct sight){ core, index });
-    } else if (core->poi[index].link == POI_LINK_LIVE) {
-        wanted = input->poi[index].target;
-    }
     const int begins = game->phase == PHASE_ROUND && core->tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
         game->grip_tick[index] = core->tick; /* Who waits with the button held enters gently. */
     }
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(core, wanted);
-    game->hand[index] =
-        age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
+    return age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
+}
+
+/* Its paper is spared until it is back, but not for ever. */
+static struct poi_target go_back(struct core *core, uint32_t index, struct poi_target wanted)
+{
+    struct game *game = &core->game;
+    const uint32_t ticks = game->back_ticks[index];
+    wanted = within_reach(core, wanted);
+    const struct poi_target hand = drift_back(game->hand[index], wanted, ticks);
+    const int is_back = drift_is_back(hand, wanted, ticks);
+    core->poi[index].spared = ticks < DRIFT_SPARE_TICKS_MAX;
+    game->back_ticks[index] = is_back ? 0u : ticks + 1u;
+    return hand;
+}
+
+static struct poi_target led_by_a_person(struct core *core, const struct input *input,
+                                         uint32_t index)
+{
+    struct game *game = &core->game;
+    if (game->trust[index].verdict == TRUST_CATCH_UP && game->back_ticks[index] == 0) {
+        game->back_ticks[index] = 1;
+    }
+    return game->back_ticks[index] > 0 ? go_back(core, index, input->poi[index].target)
+                                       : follow(core, index, input->poi[index].target);
+}
+
+static void tick_hand(struct core *core, const struct input *input, uint32_t index)
+{
+    struct game *game = &core->game;
+    struct poi *poi = &core->poi[index];
+    poi->spared = poi->link == POI_LINK_LOST;
+    if (poi->link == POI_LINK_BOT) {
+        const struct poi_target wanted = bot_tick(&game->bot[index], &(struct sight){ core, index });
+        game->hand[index] = follow(core, index, wanted);
+    } else if (poi->link == POI_LINK_LIVE) {
+        game->hand[index] = led_by_a_person(core, input, index);
+    } else {
+        game->hand[index] = within_reach(core, drift_out(poi, game->hand[index]));
+    }
 }
 
 void hand_tick_all(struct core *core, const struct input *input,
@@ -109,9 +168,10 @@ void hand_tick_all(struct core *core, const struct input *input,
             tick_hand(core, input, i);
         } else {
             core->game.holder[i] = POI_LINK_ABSENT;
+            core->game.back_ticks[i] = 0;
         }
         targets[i] = core->game.hand[i];
-        core->game.live_y_m[i] = input->poi[i].link == POI_LINK_LIVE
+        core->game.live_y_m[i] = is_believed(core, i)
                                      ? input->poi[i].target.position_m.y
                                      : -1.0f; /* No way down from a hand that was not there. */
     }

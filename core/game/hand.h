@@ -9,12 +9,23 @@ struct core;
 /* Whether a poi takes part: it has a bowl, and someone to hold it, lost or not. */
 int hand_plays(const struct core *core, uint32_t index);
 
+/* Judges what each controller says (trust.h); once a tick, before all else. */
+void hand_read(struct core *core, const struct input *input);
+
+/* Whether the controller of a poi that takes part is away or talks nonsense. Its poi drifts out of
+ * the water, its paper is spared, and it waits. */
+int hand_is_lost(const struct core *core, uint32_t index);
+
+/* Whether a person's hand goes down through GAME_DIP_Y_M in this tick, poi or no poi. */
+int hand_dips(const struct core *core, const struct input *input, uint32_t index);
+
 /* Writes into each poi who holds it in the present phase. In attract the stall's own bot has the
  * first poi, whoever holds a controller, and there is no other. */
 void hand_links(struct core *core, const struct input *input);
 
 /* Moves each hand to what its holder wants: within an arm's reach, above the water while nothing
- * may be scooped, smoothly after a change of holder, not at all while the controller is lost. */
+ * may be scooped, smoothly after a change of holder, out of the water while the controller is lost,
+ * and gently back to it when it is there again. */
 void hand_tick_all(struct core *core, const struct input *input,
                    struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 

@@ -290,7 +290,9 @@ static void strain_paper(struct poi *poi)
     const struct sheet_wetting wet = { axes.right.y, axes.back.y, -poi->position_m.y };
     feel_jolt(poi);
     poi->pressure_pa = pressure(poi, axes.up);
-    poi->strain = sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
+    poi->strain = poi->spared
+                      ? sheet_tick(&poi->sheet, 0.0f, wet, NULL, 0)
+                      : sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
     carry_water(poi, axes.up);
 }
 
@@ -418,6 +420,7 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
                              poi->pace_m_s, poi->drag_n_s_m, poi->slam_n, poi->added_kg };
     hash = poi_hash_quick(hash, poi);
     hash = hash_u32(hash, poi->seed);
+    hash = hash_u32(hash, poi->spared);
     hash = hash_vec3(hash, poi->before_m);
     hash = hash_vec3(hash, poi->hand_m);
     hash = hash_vec3(hash, poi->before_m_s);

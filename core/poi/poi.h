@@ -29,6 +29,7 @@ struct poi_grip {
 
 struct poi {
     uint8_t link;                  /* enum poi_link of the last input. */
+    uint8_t spared;                /* Nobody leads it: what happens to it tears no paper. */
     uint32_t seed;                 /* Of this specimen; its fish slap by it. */
     vec3 position_m, velocity_m_s; /* Ring centre. */
     struct angles angles;

@@ -44,7 +44,14 @@ static const struct field game_fields[] = {
     FIELD(game, round_count), FIELD(game, caught),      FIELD(game, best_today),
     FIELD(game, record_id),   FIELD(game, handed),      FIELD(game, holder),
     FIELD(game, grip_tick),   FIELD(game, hand),        FIELD(game, live_y_m),
+    SKIP(game, trust),        FIELD(game, back_ticks),
     SKIP(game, hints),        SKIP(game, bot),
+};
+
+static const struct field trust_fields[] = {
+    FIELD(trust, verdict),      FIELD(trust, knows),  FIELD(trust, same_ticks),
+    FIELD(trust, agree_ticks),  FIELD(trust, silent_ticks),
+    FIELD(trust, rush_m),       FIELD(trust, spin),   FIELD(trust, newest),
 };
 
 static const struct field hints_fields[] = {
@@ -71,7 +78,7 @@ static const struct field bot_fields[] = {
 };
 
 static const struct field poi_fields[] = {
-    FIELD(poi, link),        FIELD(poi, seed),
+    FIELD(poi, link),        FIELD(poi, spared),   FIELD(poi, seed),
     FIELD(poi, position_m),  FIELD(poi, velocity_m_s),
     FIELD(poi, angles),      FIELD(poi, before_m),
     FIELD(poi, before_m_s),  FIELD(poi, before_angles),
@@ -195,6 +202,8 @@ static const struct table tables[] = {
     TABLE(core, core_fields, &core),
     TABLE(core_config, config_fields, &core.config),
     TABLE(game, game_fields, &core.game),
+    TABLE(trust, trust_fields, &core.game.trust[0]),
+    TABLE(trust, trust_fields, &core.game.trust[3]),
     TABLE(hints, hints_fields, &core.game.hints),
     TABLE(bot, bot_fields, &core.game.bot[0]),
     TABLE(technique, technique_fields, &core.game.bot[0].technique),

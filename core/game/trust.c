@@ -1,0 +1,129 @@
+/* trust.c -- each way in which a hand is lost, one after the other. */
+#include "core/game/trust.h"
+
+#include "core/base/fmath.h"
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/vec.h"
+
+/* What an arm and a wrist do at most, and how far beyond that a pose may be before it is a leap:
+ * a sensor that strays for a moment costs nothing. A pointer moves a picture, not an arm: a quick
+ * wrist throws a mouse over the whole tank in a twentieth of a second. */
+#define ARM_M_S 4.0f
+#define POINTER_M_S 16.0f
+#define LEAP_M 0.30f
+#define WRIST_PER_S 40.0f /* Of the way that the tips of the unit axes go: rad/s while small. */
+#define LEAP_TURN 1.2f    /* 74 degrees in one tick. */
+#define CREDIT_KEEP 0.95f
+#define UNSEEN_M 0.03f    /* What a hand that was late has gone at once must be gone gently. */
+
+static int within(float value, float limit)
+{
+    return f_is_finite(value) && f_abs(value) <= limit;
+}
+
+static int is_readable(const struct poi_target *target)
+{
+    return within(target->position_m.x, TRUST_RANGE_M) &&
+           within(target->position_m.y, TRUST_RANGE_M) &&
+           within(target->position_m.z, TRUST_RANGE_M) &&
+           within(target->angles.yaw_rad, TRUST_ANGLE_RAD) &&
+           within(target->angles.pitch_rad, TRUST_ANGLE_RAD) &&
+           within(target->angles.roll_rad, TRUST_ANGLE_RAD);
+}
+
+/* By directions: angles that mean the same are no turn. */
+static float turned(struct angles from, struct angles to)
+{
+    const struct basis a = basis_from_angles(from), b = basis_from_angles(to);
+    return f_max(v3_length(v3_sub(a.up, b.up)), v3_length(v3_sub(a.back, b.back)));
+}
+
+/* What goes beyond an arm's pace sums up and is forgotten at that pace. Below 0 it is a credit:
+ * what a hand may have gone unseen. It fades within the frame that catches up. */
+static float beyond(float before, float step, float free)
+{
+    const float sum = before + step - free;
+    return sum >= 0.0f ? sum : CREDIT_KEEP * f_min(before + step, 0.0f);
+}
+
+static int leaps(struct trust *trust, const struct poi_input *input)
+{
+    const float pace_m_s = input->has_wrist ? ARM_M_S : POINTER_M_S;
+    const float unseen_s = (float)trust->silent_ticks * CORE_TICK_S;
+    const vec3 way_m = v3_sub(input->target.position_m, trust->newest.position_m);
+    const float turn = turned(trust->newest.angles, input->target.angles);
+    trust->rush_m = f_min(trust->rush_m, unseen_s > 0.0f ? -pace_m_s * unseen_s : trust->rush_m);
+    trust->spin = f_min(trust->spin, unseen_s > 0.0f ? -WRIST_PER_S * unseen_s : trust->spin);
+    trust->rush_m = beyond(trust->rush_m, v3_length(way_m), pace_m_s * CORE_TICK_S);
+    trust->spin = beyond(trust->spin, turn, WRIST_PER_S * CORE_TICK_S);
+    const int leapt = trust->rush_m > LEAP_M || trust->spin > LEAP_TURN;
+    if (leapt) {
+        trust->rush_m = trust->spin = 0.0f; /* From here on, if it stays. */
+    }
+    return leapt;
+}
+
+static int is_stuck(struct trust *trust, const struct poi_input *input)
+{
+    const int same = memcmp(&trust->newest, &input->target, sizeof input->target) == 0;
+    trust->same_ticks = same && trust->same_ticks < UINT16_MAX ? trust->same_ticks + 1u
+                        : same                                 ? UINT16_MAX
+                                                               : 0u;
+    return input->trembles && trust->same_ticks > TRUST_STUCK_TICKS;
+}
+
+/* Whether what is said now agrees with what was said before. */
+static int agrees(struct trust *trust, const struct poi_input *input)
+{
+    if (input->link != POI_LINK_LIVE || !is_readable(&input->target)) {
+        return 0;
+    }
+    const int is_first = !trust->knows;
+    const int is_sane = is_first || (!is_stuck(trust, input) & !leaps(trust, input));
+    trust->knows = 1;
+    trust->newest = input->target;
+    return is_sane && input->age_ticks <= TRUST_SILENT_TICKS;
+}
+
+/* Whether a hand whose reports come again after they were late has moved on unseen. */
+static int resumes(struct trust *trust, vec3 before_m)
+{
+    const vec3 way_m = v3_sub(trust->newest.position_m, before_m);
+    return trust->silent_ticks > 0 && v3_length(way_m) > UNSEEN_M;
+}
+
+enum trust_verdict trust_tick(struct trust *trust, const struct poi_input *input)
+{
+    if (input->link == POI_LINK_ABSENT || input->link == POI_LINK_BOT) {
+        *trust = (struct trust){ .verdict = TRUST_ABSENT };
+        return TRUST_ABSENT;
+    }
+    const int was_lost = trust->verdict == TRUST_LOST;
+    const vec3 before_m = trust->newest.position_m;
+    const int agreed = agrees(trust, input);
+    const int resumed = resumes(trust, before_m);
+    trust->silent_ticks = input->age_ticks >= TRUST_LATE_TICKS ? input->age_ticks : 0u;
+    trust->agree_ticks = agreed && trust->agree_ticks < TRUST_AGREE_TICKS ? trust->agree_ticks + 1u
+                         : agreed                                         ? TRUST_AGREE_TICKS
+                                                                          : 0u;
+    const int lost = !agreed || (was_lost && trust->agree_ticks < TRUST_AGREE_TICKS);
+    trust->verdict = lost                  ? TRUST_LOST
+                     : was_lost || resumed ? TRUST_CATCH_UP
+                                           : TRUST_BELIEVED;
+    return (enum trust_verdict)trust->verdict;
+}
+
+uint64_t trust_hash(uint64_t hash, const struct trust *trust)
+{
+    hash = hash_u32(hash, trust->verdict);
+    hash = hash_u32(hash, trust->knows);
+    hash = hash_u32(hash, trust->same_ticks);
+    hash = hash_u32(hash, trust->agree_ticks);
+    hash = hash_u32(hash, trust->silent_ticks);
+    hash = hash_float(hash, trust->rush_m);
+    hash = hash_float(hash, trust->spin);
+    hash = hash_vec3(hash, trust->newest.position_m);
+    return hash_vec3(hash, v3(trust->newest.angles.yaw_rad, trust->newest.angles.pitch_rad,
+                              trust->newest.angles.roll_rad));
+}

@@ -1,0 +1,43 @@
+/* trust.h -- is what a controller says a hand, or nonsense? Pure; a few words of memory a player.
+ *
+ * A cable that breaks, a sensor that freezes, bits that flip and reports that come late are
+ * weather. A hand is lost while its link is away, a number is none or absurd, its reports stay out, a sensor
+ * that trembles stands still to the bit, or it leaps as no arm does. It is believed again when it
+ * has said what agrees for a quarter of a second; a leap that stays is then where the hand is. */
+#ifndef KINGYO_CORE_GAME_TRUST_H
+#define KINGYO_CORE_GAME_TRUST_H
+
+#include <stdint.h>
+
+#include "core/input.h"
+
+#define TRUST_LATE_TICKS 10u    /* Reports this old are late: what follows them is caught up. */
+#define TRUST_SILENT_TICKS 60u  /* Half a second without a report: nobody is there. */
+#define TRUST_STUCK_TICKS 120u  /* So long a trembling sensor never said the same bits. */
+#define TRUST_AGREE_TICKS 30u   /* A quarter of a second brings a lost hand back. */
+#define TRUST_RANGE_M 100.0f    /* Farther than anyone walks away with a poi. */
+#define TRUST_ANGLE_RAD 1000.0f /* No wrist has turned so far. */
+
+enum trust_verdict {
+    TRUST_ABSENT = 0,   /* No person's controller. */
+    TRUST_LOST = 1,     /* Not to be followed. */
+    TRUST_CATCH_UP = 2, /* To be followed, but gently: what it says has moved on unseen. */
+    TRUST_BELIEVED = 3,
+};
+
+struct trust {
+    uint8_t verdict;         /* enum trust_verdict of the last tick. */
+    uint8_t knows;           /* `newest` holds a pose. */
+    uint16_t same_ticks;     /* How long it has said the same bits, ... */
+    uint16_t agree_ticks;    /* ... and what agrees with what it said before. */
+    uint16_t silent_ticks;   /* The age of its reports, as long as they were late. */
+    float rush_m, spin;      /* How far it went and turned beyond what an arm does. */
+    struct poi_target newest; /* The last readable pose. */
+};
+
+/* Judges one tick's input of one player; all of a zeroed `trust` is a fresh one. */
+enum trust_verdict trust_tick(struct trust *trust, const struct poi_input *input);
+
+uint64_t trust_hash(uint64_t hash, const struct trust *trust);
+
+#endif
