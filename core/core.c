@@ -11,6 +11,22 @@
 
 #define FAN_REACH_M 1.0f
 
+static uint32_t players_of(const struct core_config *config)
+{
+    return config->players ? config->players : 1u;
+}
+
+static void open_tank(struct core *core, uint32_t fish_count)
+{
+    struct tank_config config = tank_config_of(core->config.preset);
+    config.fish_count = fish_count;
+    config.seed = core->config.seed;
+    config.bowls = (uint8_t)players_of(&core->config);
+    config.lanes = core->config.lanes;
+    const int opened = tank_open(&core->tank, &config);
+    CORE_ASSERT(opened);
+}
+
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
@@ -26,13 +42,14 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     const uint32_t fish_count = config->fish_count ? config->fish_count : preset->fish_count;
     memset(core, 0, sizeof *core);
     core->config = *config;
-    tank_init(&core->tank, config->preset, fish_count, config->seed);
-    core->tank.lanes = config->lanes;
+    open_tank(core, fish_count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         poi_init(&core->poi[i], GAME_POI_GRADE, v3(0.0f, 0.05f, 0.0f),
                  game_poi_seed(config->seed, i, 0, GAME_SERIES_ROUND));
     }
-    bowl_init(&core->bowl[0], preset->bowl_m);
+    for (uint32_t i = 0; i < players_of(config); i++) {
+        bowl_init(&core->bowl[i], preset->bowl_m[i]);
+    }
     game_init(&core->game, config);
     return CORE_OK;
 }
@@ -142,14 +159,16 @@ static void tick_fish(struct core *core, const struct input *input)
     }
 }
 
-static void tick_catch(struct core *core, const uint8_t live[POI_MAX], uint32_t landed[POI_MAX],
-                       struct output *output)
+static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
+                       struct catch_result caught[POI_MAX], struct output *output)
 {
+    const struct stall stall = { &core->tank, core->bowl, POI_MAX };
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        struct poi *poi = &core->poi[i];
-        struct bowl *bowl = &core->bowl[i];
-        landed[i] = live[i] ? catch_tick(poi, i, &core->tank, bowl, core->tick, output).landed
-                            : let_go_tick(poi, i, &core->tank, bowl);
+        if (live[i]) {
+            catch_tick(&core->poi[i], i, &stall, core->tick, output, caught);
+        } else {
+            let_go_tick(&core->poi[i], i, &stall, caught);
+        }
     }
 }
 
@@ -157,14 +176,14 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
 {
     struct poi_target targets[POI_MAX];
     uint8_t live[POI_MAX];
-    uint32_t landed[POI_MAX];
+    struct catch_result caught[POI_MAX] = { 0 };
 
     game_tick(core, input, output, targets, live);
     tick_pois(core, input, targets, live, output);
     tick_water(core, live);
     tick_fish(core, input);
-    tick_catch(core, live, landed, output);
-    game_score(core, landed);
+    tick_catch(core, live, caught, output);
+    game_score(core, caught);
     core->tick++;
 }
 

@@ -307,11 +307,11 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
         game->phase == PHASE_ATTRACT && core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
-void game_score(struct core *core, const uint32_t landed[POI_MAX])
+void game_score(struct core *core, const struct catch_result caught[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (core->game.phase == PHASE_ROUND) {
-            core->game.caught[i] += landed[i];
+            core->game.caught[i] += caught[i].landed + caught[i].poured + caught[i].walled;
         }
     }
 }

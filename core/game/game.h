@@ -9,6 +9,7 @@
 #include "core/game/trust.h"
 #include "core/input.h"
 #include "core/output.h"
+#include "core/poi/catch.h"
 #include "core/scene.h"
 
 #define GAME_READY_TICKS (3u * CORE_TICK_HZ)    /* To take the poi and find the bowl. */
@@ -61,8 +62,8 @@ void game_init(struct game *game, const struct core_config *config);
 void game_tick(struct core *core, const struct input *input, struct output *output,
                struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 
-/* The last step of a tick: what was landed counts. */
-void game_score(struct core *core, const uint32_t landed[POI_MAX]);
+/* The last step of a tick: what came into the bowls counts. */
+void game_score(struct core *core, const struct catch_result caught[POI_MAX]);
 
 /* Which papers a seed is for: those of rounds, or those that the bot wears out in attract. */
 enum game_series { GAME_SERIES_ROUND = 0, GAME_SERIES_ATTRACT = 1 };

@@ -45,17 +45,20 @@ static void free_the_forgotten(const struct poi *poi, uint32_t poi_index, struct
     }
 }
 
-uint32_t let_go_tick(struct poi *poi, uint32_t poi_index, struct tank *tank, struct bowl *bowl)
+void let_go_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
+                 struct catch_result results[POI_MAX])
 {
-    uint32_t landed = 0;
+    struct tank *tank = stall->tank;
     uint32_t i = 0;
     let_go_all(poi, tank);
     while (i < poi->rider_count) {
         struct rider *rider = &poi->riders[i];
         const int is_ours = is_held(&tank->fish[rider->fish], poi_index);
-        const enum fall_end end =
-            is_ours ? fall_tick(rider, poi_index, bowl, tank) : FALL_INTO_WATER;
-        landed += end == FALL_INTO_BOWL;
+        uint32_t bowl = 0;
+        const enum fall_end end = is_ours ? fall_tick(rider, stall, &bowl) : FALL_INTO_WATER;
+        if (end == FALL_INTO_BOWL) {
+            catch_count(rider, poi_index, bowl, results);
+        }
         if (end == FALL_GOES_ON) {
             i++;
         } else {
@@ -64,5 +67,4 @@ uint32_t let_go_tick(struct poi *poi, uint32_t poi_index, struct tank *tank, str
         }
     }
     free_the_forgotten(poi, poi_index, tank);
-    return landed;
 }

@@ -6,13 +6,14 @@
 
 #include <stdint.h>
 
-#include "core/poi/poi.h"
+#include "core/poi/catch.h"
 
 /* Every rider begins to fall, at the speed that it had, up to that of a calm hand. */
 void let_go_all(struct poi *poi, const struct tank *tank);
 
 /* One tick of the fish of a poi that nobody plays with, instead of catch_tick: all that it held are
- * in the water or the bowl soon. Returns how many came into the bowl. */
-uint32_t let_go_tick(struct poi *poi, uint32_t poi_index, struct tank *tank, struct bowl *bowl);
+ * in the water or a bowl soon. What came into a bowl is added to `results`. */
+void let_go_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
+                 struct catch_result results[POI_MAX]);
 
 #endif

@@ -16,6 +16,13 @@ struct bowl {
     uint32_t fish_count; /* In it now. */
 };
 
+/* What a poi and its fish meet: the water and every bowl at it, by player. Borrowed for a call. */
+struct stall {
+    struct tank *tank;
+    struct bowl *bowls;
+    uint32_t bowl_count; /* <= POI_MAX */
+};
+
 void bowl_init(struct bowl *bowl, vec3 position_m);
 
 /* Moves the fish that are in it: small circles under a small sky. */

@@ -21,14 +21,15 @@
 struct scoop { /* What one tick's work shares. */
     struct poi *poi;
     uint32_t poi_index;
+    const struct stall *stall;
     struct tank *tank;
-    struct bowl *bowl;
     struct output *output;
     uint32_t tick;
     struct basis axes;
     struct ride ride;
     float pan;
-    uint32_t landed;
+    int clear; /* The whole ring is over the water. */
+    struct catch_result *results;
 };
 
 /* ---- Sounds --------------------------------------------------------------------------------- */
@@ -80,11 +81,12 @@ static void let_fall(const struct scoop *scoop, struct rider *rider)
 }
 
 /* Returns whether the fall is over. */
-static int fall(struct scoop *scoop, struct rider *rider)
+static int fall(const struct scoop *scoop, struct rider *rider)
 {
-    switch (fall_tick(rider, scoop->poi_index, scoop->bowl, scoop->tank)) {
+    uint32_t bowl;
+    switch (fall_tick(rider, scoop->stall, &bowl)) {
     case FALL_INTO_BOWL:
-        scoop->landed++;
+        catch_count(rider, scoop->poi_index, bowl, scoop->results);
         output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
         return 1;
     case FALL_INTO_WATER:
@@ -127,10 +129,21 @@ static int leaves_paper(const struct scoop *scoop, const struct rider *rider)
            !sheet_holds(&scoop->poi->sheet, rider->x_m, rider->z_m);
 }
 
+/* As an umpire does who wants to see it clear of the water with the fish on it. */
+static void see_ring(const struct scoop *scoop, struct rider *rider)
+{
+    if (!scoop->clear) {
+        rider->clear_ticks = 0;
+    } else if (rider->clear_ticks < RIDER_CLEAR_TICKS) {
+        rider->clear_ticks++;
+    }
+}
+
 /* Returns whether the rider is gone. */
 static int ride(struct scoop *scoop, struct rider *rider)
 {
     struct fish *fish = &scoop->tank->fish[rider->fish];
+    see_ring(scoop, rider);
     const float dry = dryness(scoop, rider, fish);
     sound_slap(scoop, rider_tick(rider, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick));
     const vec3 before = fish->position_m;
@@ -306,17 +319,32 @@ static void gather_loads(struct scoop *scoop)
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-struct catch_result catch_tick(struct poi *poi, uint32_t poi_index, struct tank *tank,
-                               struct bowl *bowl, uint32_t tick, struct output *output)
+void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
+                 struct catch_result results[POI_MAX])
+{
+    CORE_ASSERT(poi < POI_MAX);
+    CORE_ASSERT(bowl < POI_MAX);
+    if (rider->clear_ticks < RIDER_CLEAR_TICKS) {
+        results[poi].poured++;
+    } else if (rider->walled) {
+        results[poi].walled++;
+    } else {
+        results[bowl].landed++;
+    }
+}
+
+void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, uint32_t tick,
+                struct output *output, struct catch_result results[POI_MAX])
 {
     CORE_ASSERT(poi_index < POI_MAX);
+    CORE_ASSERT(stall->bowl_count <= POI_MAX);
     const struct basis axes = basis_from_angles(poi->angles);
     const vec3 pull = v3_sub(v3(0.0f, -GRAVITY_M_S2, 0.0f), poi->acceleration_m_s2);
     struct scoop scoop = {
         .poi = poi,
         .poi_index = poi_index,
-        .tank = tank,
-        .bowl = bowl,
+        .stall = stall,
+        .tank = stall->tank,
         .output = output,
         .tick = tick,
         .axes = axes,
@@ -324,12 +352,13 @@ struct catch_result catch_tick(struct poi *poi, uint32_t poi_index, struct tank 
                   .uphill_x = axes.right.y,
                   .uphill_z = axes.back.y,
                   .radius_m = POI_RADIUS_M },
-        .pan = f_clamp(2.0f * poi->position_m.x / tank->size_m.x, -1.0f, 1.0f),
+        .pan = f_clamp(2.0f * poi->position_m.x / stall->tank->size_m.x, -1.0f, 1.0f),
+        .clear = poi->position_m.y > poi_half_extent_m(axes.up.y),
+        .results = results,
     };
     forget_strangers(&scoop);
     sound_ring(&scoop);
     ride_all(&scoop);
     meet_all(&scoop);
     gather_loads(&scoop);
-    return (struct catch_result){ .landed = scoop.landed };
 }

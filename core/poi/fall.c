@@ -29,10 +29,10 @@ static float homeward(float at_m, float room_m)
     return -f_clamp(out / CORE_TICK_S, -FALL_HOME_M_S, FALL_HOME_M_S);
 }
 
-static void into_bowl(struct fish *fish, struct bowl *bowl, uint32_t poi_index)
+static void into_bowl(struct fish *fish, struct bowl *bowl, uint32_t bowl_index)
 {
     fish->gait = GAIT_BOWL;
-    fish->holder = (uint8_t)poi_index;
+    fish->holder = (uint8_t)bowl_index;
     fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);
     bowl->fish_count++;
 }
@@ -44,9 +44,9 @@ void fall_begin(struct rider *rider, vec3 velocity_m_s)
     rider->fall_m_s = velocity_m_s;
 }
 
-enum fall_end fall_tick(struct rider *rider, uint32_t poi_index, struct bowl *bowl,
-                        struct tank *tank)
+enum fall_end fall_tick(struct rider *rider, const struct stall *stall, uint32_t *bowl_index)
 {
+    struct tank *tank = stall->tank;
     struct fish *fish = &tank->fish[rider->fish];
     const vec3 before = fish->position_m;
     const vec3 home = v3(homeward(before.x, 0.5f * (tank->size_m.x - fish->length_m)), 0.0f,
@@ -55,9 +55,12 @@ enum fall_end fall_tick(struct rider *rider, uint32_t poi_index, struct bowl *bo
     fish->velocity_m_s = v3_add(rider->fall_m_s, home);
     fish->position_m = v3_mad(before, fish->velocity_m_s, CORE_TICK_S);
     fish->tail_amplitude = 1.0f;
-    if (through_mouth(bowl, before, fish->position_m)) {
-        into_bowl(fish, bowl, poi_index);
-        return FALL_INTO_BOWL;
+    for (uint32_t i = 0; i < stall->bowl_count; i++) {
+        if (through_mouth(&stall->bowls[i], before, fish->position_m)) {
+            into_bowl(fish, &stall->bowls[i], i);
+            *bowl_index = i;
+            return FALL_INTO_BOWL;
+        }
     }
     if (fish->position_m.y > -0.5f * fish->width_m) {
         return FALL_GOES_ON;

@@ -15,10 +15,9 @@ enum fall_end {
 /* A rider leaves the poi at a world velocity. */
 void fall_begin(struct rider *rider, vec3 velocity_m_s);
 
-/* One tick of a falling rider. Only from above, through the mouth, does a fish come into the bowl.
- */
-enum fall_end fall_tick(struct rider *rider, uint32_t poi_index, struct bowl *bowl,
-                        struct tank *tank);
+/* One tick of a falling rider. Only from above, through its mouth, does a fish come into a bowl,
+ * whosever that is; then `*bowl_index` tells which. */
+enum fall_end fall_tick(struct rider *rider, const struct stall *stall, uint32_t *bowl_index);
 
 /* Puts a fish that was held back into the water, under the surface and inside the walls, in a
  * hurry. */

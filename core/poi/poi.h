@@ -21,6 +21,13 @@
 #define POI_RIDER_MAX 16u /* 4 cm fish, side by side, cover it; more spill over the ring. */
 _Static_assert(SHEET_LOAD_MAX == 2u * POI_RIDER_MAX, "a body and a slap of each");
 
+/* Half the ring's extent along a world axis on which its unit normal has the part `n`. */
+static inline float poi_half_extent_m(float n)
+{
+    return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) +
+           0.5f * POI_THICKNESS_M * f_abs(n);
+}
+
 /* How a hand holds it. */
 struct poi_grip {
     struct poi_target target;

@@ -3,7 +3,6 @@
 
 #include "core/base/hash.h"
 #include "core/base/rng.h"
-#include "core/input.h"
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
@@ -179,6 +178,8 @@ uint64_t rider_hash(uint64_t hash, const struct rider *rider)
     hash = hash_u32(hash, rider->fish);
     hash = hash_u32(hash, rider->state);
     hash = hash_u32(hash, (uint32_t)(rider->side + 1));
+    hash = hash_u32(hash, rider->walled);
+    hash = hash_u32(hash, rider->clear_ticks);
     hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
     return hash_vec3(hash, rider->fall_m_s);
 }

@@ -7,8 +7,12 @@
 #include <stdint.h>
 
 #include "core/base/vec.h"
+#include "core/input.h"
 #include "core/poi/sheet.h"
 #include "core/tank/fish.h"
+
+/* What an umpire's eye takes to see that a ring is clear of the water: 50 ms. */
+#define RIDER_CLEAR_TICKS (CORE_TICK_HZ / 20u)
 
 enum rider_state {
     RIDER_LYING = 0,
@@ -19,6 +23,9 @@ struct rider {
     uint16_t fish;  /* Index in the tank. */
     uint8_t state;  /* enum rider_state */
     int8_t side;    /* +1 lies with its back to the left of its nose, -1 to the right. */
+    uint8_t walled; /* Taken up where the ring pressed it against a wall. */
+    uint8_t clear_ticks; /* So long, without a break, the whole ring has been over the water with
+                            it; at most RIDER_CLEAR_TICKS. */
     float x_m, z_m; /* Centre, in the poi's plane ... */
     float height_m; /* ... and over it. */
     float slide_x_m_s, slide_z_m_s;

@@ -18,13 +18,6 @@ static void keep(float *place, float *speed, float low, float high)
     }
 }
 
-/* Half the ring's extent along a world axis on which its normal has the part `n`. */
-static float half_extent(float n)
-{
-    return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) +
-           0.5f * POI_THICKNESS_M * f_abs(n);
-}
-
 /* How far a point is beyond a room about the origin; <= 0 within it. */
 static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
 {
@@ -36,10 +29,10 @@ static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
  * not how it is turned: a turn alone must never throw it over a wall. */
 static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
 {
-    const float low = half_extent(up.y);
+    const float low = poi_half_extent_m(up.y);
     const float rim = tank->wall_height_m - tank->size_m.y;
-    const float room_x = 0.5f * tank->size_m.x - half_extent(up.x);
-    const float room_z = 0.5f * tank->size_m.z - half_extent(up.z);
+    const float room_x = 0.5f * tank->size_m.x - poi_half_extent_m(up.x);
+    const float room_z = 0.5f * tank->size_m.z - poi_half_extent_m(up.z);
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     if (at->y - low >= rim) {
         return;
@@ -58,12 +51,12 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
 /* From above the ring rests on the mouth, from below under the hull, from aside it slides round. */
 static void yield_to_bowl(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
 {
-    const float low = half_extent(up.y);
+    const float low = poi_half_extent_m(up.y);
     const float mouth = bowl->position_m.y, bottom = mouth - BOWL_DEPTH_M;
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     const vec3 away = v3(at->x - bowl->position_m.x, 0.0f, at->z - bowl->position_m.z);
     const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
-    const float apart = bowl_hull_radius_m(mouth - at->y) + half_extent(v3_dot(up, out));
+    const float apart = bowl_hull_radius_m(mouth - at->y) + poi_half_extent_m(v3_dot(up, out));
     if (!bowl->present || v3_length(away) >= apart || at->y - low >= mouth ||
         at->y + low <= bottom) {
         return;
@@ -86,7 +79,7 @@ void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
-    const float floor = half_extent(up.y) + FLOOR_GAP_M - tank->size_m.y;
+    const float floor = poi_half_extent_m(up.y) + FLOOR_GAP_M - tank->size_m.y;
     yield_to_bowl(poi, bowl, before_m, up);
     keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
     yield_to_walls(poi, tank, before_m, up);

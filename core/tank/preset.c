@@ -66,7 +66,10 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .age_days_max = 222.0f,
         .stamina_min = 0.30f, /* 2013 thesis, section 3.2. */
         .stamina_max = 1.00f,
-        .bowl_m = { 0.335f, 0.012f, 0.185f },
+        .bowl_m = { { 0.335f, 0.012f, 0.185f },
+                    { -0.335f, 0.012f, 0.185f },
+                    { 0.335f, 0.012f, -0.035f },
+                    { -0.335f, 0.012f, -0.035f } },
         .bowl_radius_m = 0.075f, /* The federation allows a bowl of 160 mm at most. */
         .temperature_c = 24.0f,
         .time_compression = 60.0f, /* A minute of play is an hour of its water. */
@@ -89,7 +92,10 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .length_m = 0.05f,
         .stamina_min = 0.30f, /* Section 3.2. */
         .stamina_max = 1.00f,
-        .bowl_m = { 0.53f, 0.012f, 0.225f },
+        .bowl_m = { { 0.53f, 0.012f, 0.225f },
+                    { -0.53f, 0.012f, 0.225f },
+                    { 0.53f, 0.012f, -0.02f },
+                    { -0.53f, 0.012f, -0.02f } },
         .bowl_radius_m = 0.075f,
         .temperature_c = 25.0f,
         .time_compression = 1.0f,
@@ -112,7 +118,10 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .length_spread = 0.10f,
         .stamina_min = 0.30f,
         .stamina_max = 1.00f,
-        .bowl_m = { 0.53f, 0.012f, 0.225f },
+        .bowl_m = { { 0.53f, 0.012f, 0.225f },
+                    { -0.53f, 0.012f, 0.225f },
+                    { 0.53f, 0.012f, -0.02f },
+                    { -0.53f, 0.012f, -0.02f } },
         .bowl_radius_m = 0.075f,
         .temperature_c = 25.0f, /* 20 .. 30 C by the rules; the pump is off. */
         .time_compression = 1.0f,

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "core/base/vec.h"
+#include "core/input.h"
 #include "core/tank/law.h"
 #include "core/view.h"
 
@@ -25,7 +26,8 @@ struct tank_preset {
     float length_m;                   /* 0: by age; else every fish's, about `length_spread`. */
     float length_spread;              /* [0, 0.3] either way, as a share of it, uniform. */
     float stamina_min, stamina_max;   /* [0, 1] at the start, uniform. */
-    vec3 bowl_m;                      /* Mouth centre of the first player's bowl. */
+    vec3 bowl_m[POI_MAX];             /* Mouth centres of the players' bowls, as they are moored:
+                                         along the front and at the sides. */
     float bowl_radius_m;              /* Of its rim; fish start clear of it. */
     float temperature_c;              /* Of the water at the start. */
     float time_compression;           /* So much faster than the fish its oxygen changes. */

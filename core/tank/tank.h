@@ -56,6 +56,7 @@ struct tank_config {
     float oxygen_mg_l;              /* TANK_OXYGEN_SATURATED, or 0 .. OXYGEN_MAX_MG_L. */
     float time_compression;         /* 0 .. OXYGEN_TIME_COMPRESSION_MAX */
     uint8_t pump;                   /* Whether the air stone bubbles. */
+    uint8_t bowls;                  /* Of whose places fish start clear, 0 .. POI_MAX. */
     uint8_t lanes;  /* 0 or 4, or 8 (core/base/lanes.h): a matter of speed alone. */
     uint8_t search; /* enum pairs_search: the same. */
 };

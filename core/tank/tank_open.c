@@ -33,6 +33,7 @@ struct tank_config tank_config_of(uint8_t preset_id)
         .oxygen_mg_l = TANK_OXYGEN_SATURATED,
         .time_compression = preset->time_compression,
         .pump = preset->pump,
+        .bowls = 1,
     };
 }
 
@@ -105,15 +106,20 @@ static int config_fits(const struct tank_config *config)
            within(config->wall_follow, 0.0f, 1.0f) &&
            config->stamina_min >= 0.0f && config->stamina_max <= 1.0f &&
            config->stamina_min <= config->stamina_max && water_fits(config) &&
-           lanes_built(config->lanes) && config->search <= PAIRS_ALL;
+           config->bowls <= POI_MAX && lanes_built(config->lanes) && config->search <= PAIRS_ALL;
 }
 
 /* ---- Who is hatched, and where -------------------------------------------------------------- */
 
-static int under_bowl(vec3 point_m, vec3 bowl_m, float clear_m)
+static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, float clear_m)
 {
-    const float dx = point_m.x - bowl_m.x, dz = point_m.z - bowl_m.z;
-    return dx * dx + dz * dz < clear_m * clear_m;
+    for (uint32_t i = 0; i < bowl_count; i++) {
+        const float dx = point_m.x - bowls_m[i].x, dz = point_m.z - bowls_m[i].z;
+        if (dx * dx + dz * dz < clear_m * clear_m) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* The part of the floor that a fish is put into, as shares of it. */
@@ -135,10 +141,11 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
                           breadth };
 }
 
-/* In its plot; where the bowl has that, anywhere else. `draw` < START_DRAWS_MAX. */
+/* In its plot; where a bowl has that, anywhere else. `draw` < START_DRAWS_MAX. */
 static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t index,
-                  const struct tank_preset *preset, uint32_t draw)
+                  const struct tank_config *config, uint32_t draw)
 {
+    const struct tank_preset *preset = tank_preset(config->preset);
     const float inset_m = 0.5f * fish->length_m;
     const float half_m = 0.5f * fish->height_m;
     const float x = tank->size_m.x - 2.0f * inset_m, z = tank->size_m.z - 2.0f * inset_m;
@@ -154,7 +161,8 @@ static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t ind
         point.y = rng_range((struct rng_key){ seed, attempt, index, RNG_FISH_PLACE_Y },
                             half_m - tank->size_m.y, -half_m);
         point.z = z * (plot.z + plot.breadth * share_z - 0.5f);
-        if (!under_bowl(point, preset->bowl_m, preset->bowl_radius_m + inset_m)) {
+        const float clear_m = preset->bowl_radius_m + inset_m;
+        if (!under_bowl(point, preset->bowl_m, config->bowls, clear_m)) {
             break;
         }
     }
@@ -190,7 +198,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish_grow(&fish, hatch_length_m(tank, preset, index, fish.age_days), around.law);
     fish.stamina = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_STAMINA },
                              config->stamina_min, config->stamina_max);
-    fish.position_m = place(tank, &fish, index, preset, 0);
+    fish.position_m = place(tank, &fish, index, config, 0);
     fish.angles.yaw_rad =
         rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
     fish.brake = 1.0f;
@@ -229,14 +237,14 @@ static int spread_out(struct tank *tank)
 }
 
 /* Where all have room, or 0 where none was found. */
-static int find_room(struct tank *tank, const struct tank_preset *preset)
+static int find_room(struct tank *tank, const struct tank_config *config)
 {
     for (uint32_t draw = 1; !spread_out(tank); draw++) {
         if (draw == START_DRAWS_MAX) {
             return 0;
         }
         for (uint32_t i = 0; i < tank->fish_count; i++) {
-            tank->fish[i].position_m = place(tank, &tank->fish[i], i, preset, draw);
+            tank->fish[i].position_m = place(tank, &tank->fish[i], i, config, draw);
         }
     }
     return 1;
@@ -266,7 +274,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
         tank->fish[i] = hatch(tank, config, i);
     }
     tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, &preset->law);
-    return find_room(tank, preset);
+    return find_room(tank, config);
 }
 
 static void stage(struct fish *fish, const struct tank_stage *wanted,

@@ -134,7 +134,9 @@ static void tick_with_poi(struct tank_lab *lab)
     cast_shades(lab);
     tick_tank(lab, &ring, 1);
     poi_give_way(&lab->poi, &ring);
-    catch_tick(&lab->poi, 0, &lab->tank, &lab->bowl, lab->tick, &lab->output);
+    const struct stall stall = { &lab->tank, &lab->bowl, 1 };
+    struct catch_result caught[POI_MAX] = { 0 };
+    catch_tick(&lab->poi, 0, &stall, lab->tick, &lab->output, caught);
 }
 
 void tank_lab_tick(struct tank_lab *lab)

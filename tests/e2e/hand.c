@@ -222,7 +222,7 @@ static int something_lies_on_the_paper(void)
 
 static int try_once(void)
 {
-    const vec3 bowl_m = tank_preset(TANK_PRESET_FESTIVAL)->bowl_m;
+    const vec3 bowl_m = tank_preset(TANK_PRESET_FESTIVAL)->bowl_m[0];
     struct track track;
     if (!choose(&track)) {
         printf("# no fish keeps still\n");

@@ -28,7 +28,7 @@ struct stand {
     struct poi_force force;
     int has_wrist;
     uint32_t tick;
-    uint32_t landed; /* Since the start. */
+    uint32_t landed, poured, walled; /* Since the start. */
     float tension_max_n_m, tension_sum_n_m;
 };
 
@@ -93,8 +93,12 @@ static inline void stand_tick(struct stand *stand)
     stand_part(&stand->tank, &ring);
     poi_give_way(poi, &ring);
     bowl_tick(&stand->bowl, 0, &stand->tank, stand->tick);
-    stand->landed +=
-        catch_tick(poi, 0, &stand->tank, &stand->bowl, stand->tick, &stand->output).landed;
+    const struct stall stall = { &stand->tank, &stand->bowl, 1 };
+    struct catch_result caught[POI_MAX] = { 0 };
+    catch_tick(poi, 0, &stall, stand->tick, &stand->output, caught);
+    stand->landed += caught[0].landed;
+    stand->poured += caught[0].poured;
+    stand->walled += caught[0].walled;
     stand->tick++;
     stand->tension_max_n_m = f_max(stand->tension_max_n_m, poi->strain.tension_max_n_m);
     stand->tension_sum_n_m += poi->strain.tension_max_n_m;

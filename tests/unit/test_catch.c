@@ -475,7 +475,9 @@ static void test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost(v
         weight_n += fish_mass_kg(0.03f) * GRAVITY_M_S2 + 1e-3f;
     }
     stand.poi.rider_count = POI_RIDER_MAX;
-    catch_tick(&stand.poi, 0, &stand.tank, &stand.bowl, 0, &stand.output);
+    const struct stall stall = { &stand.tank, &stand.bowl, 1 };
+    struct catch_result caught[POI_MAX] = { 0 };
+    catch_tick(&stand.poi, 0, &stall, 0, &stand.output, caught);
     assert_int_equal(stand.poi.rider_count, POI_RIDER_MAX);
     assert_int_equal(stand.poi.load_count, 2u * POI_RIDER_MAX);
     float force_n = 0.0f;

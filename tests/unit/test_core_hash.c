@@ -100,6 +100,7 @@ static const struct field poi_fields[] = {
 
 static const struct field rider_fields[] = {
     FIELD(rider, fish),        FIELD(rider, state),       FIELD(rider, side),
+    FIELD(rider, walled),      FIELD(rider, clear_ticks),
     FIELD(rider, x_m),         FIELD(rider, z_m),         FIELD(rider, height_m),
     FIELD(rider, slide_x_m_s), FIELD(rider, slide_z_m_s), FIELD(rider, heading_rad),
     FIELD(rider, lie),         FIELD(rider, vigour),      FIELD(rider, rest_s),

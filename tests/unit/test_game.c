@@ -33,10 +33,10 @@ static void step(void)
 {
     struct poi_target targets[POI_MAX];
     uint8_t live[POI_MAX];
-    const uint32_t landed[POI_MAX] = { 0 };
+    const struct catch_result caught[POI_MAX] = { 0 };
     output.sound_count = 0;
     game_tick(&core, &input, &output, targets, live);
-    game_score(&core, landed);
+    game_score(&core, caught);
     core.tick++;
     input.pressed = 0;
     for (uint32_t i = 0; i < output.sound_count; i++) {
@@ -634,8 +634,8 @@ static void test_paper_with_a_hole_in_the_middle_still_holds_beside_it(void **st
 
 static void land(uint32_t count)
 {
-    const uint32_t landed[POI_MAX] = { count };
-    game_score(&core, landed);
+    const struct catch_result caught[POI_MAX] = { { .landed = count } };
+    game_score(&core, caught);
 }
 
 static void test_fish_count_only_while_the_round_runs(void **state)

@@ -40,7 +40,9 @@ static void step(struct poi_target hand, struct outcome *sum)
     struct obstacle ring = poi_obstacle(&poi);
     tank_tick(&tank, now, &ring, 1);
     poi_give_way(&poi, &ring);
-    catch_tick(&poi, 0, &tank, &bowl, now, &output);
+    const struct stall stall = { &tank, &bowl, 1 };
+    struct catch_result caught[POI_MAX] = { 0 };
+    catch_tick(&poi, 0, &stall, now, &output, caught);
     sum->strain_n_s_m += poi.strain.tension_max_n_m * CORE_TICK_S;
     now++;
 }

@@ -32,15 +32,21 @@ static void test_its_ages_give_fish_of_three_to_eight_centimetres(void **state)
                        0.003f);
 }
 
-static void test_the_bowl_floats_inside_each_tank(void **state)
+static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
 {
     (void)state;
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
         const struct tank_preset *preset = tank_preset(id);
         const float radius_m = preset->bowl_radius_m;
         assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The bowl that really floats there. */
-        assert_true(f_abs(preset->bowl_m.x) + radius_m < 0.5f * preset->size_m.x);
-        assert_true(f_abs(preset->bowl_m.z) + radius_m < 0.5f * preset->size_m.z);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            assert_true(f_abs(preset->bowl_m[i].x) + radius_m < 0.5f * preset->size_m.x);
+            assert_true(f_abs(preset->bowl_m[i].z) + radius_m < 0.5f * preset->size_m.z);
+            for (uint32_t k = 0; k < i; k++) { /* And a fish passes between any two. */
+                const vec3 apart_m = v3_sub(preset->bowl_m[i], preset->bowl_m[k]);
+                assert_true(v3_length(apart_m) > 2.0f * radius_m + 0.04f);
+            }
+        }
         assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y); /* Fish pass below it. */
     }
 }
@@ -136,7 +142,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_festival_is_the_stall_that_it_says),
         cmocka_unit_test(test_its_ages_give_fish_of_three_to_eight_centimetres),
-        cmocka_unit_test(test_the_bowl_floats_inside_each_tank),
+        cmocka_unit_test(test_four_bowls_float_inside_each_tank_and_apart),
         cmocka_unit_test(test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens),
         cmocka_unit_test(test_official_is_the_championship),
         cmocka_unit_test(test_living_fish_have_a_slimmer_box_than_the_thesis),

@@ -423,7 +423,7 @@ static void test_no_fish_swims_into_the_bowl(void **state)
 {
     (void)state;
     struct obstacle bowl = { .kind = OBSTACLE_BOWL,
-                             .centre_m = tank_preset(0)->bowl_m,
+                             .centre_m = tank_preset(0)->bowl_m[0],
                              .normal = { 0.0f, 1.0f, 0.0f },
                              .radius_m = 0.075f,
                              .depth_m = 0.055f };
