@@ -10,6 +10,7 @@ struct ctl_command {
     const char *name;
     const char *summary;
     const char *usage; /* What `kingyoctl NAME --help` prints, without the summary. */
+    void (*tell_more)(void); /* Prints what is behind the usage; may be null. */
     /* argv[0] is the first word behind the command's name; --help was already answered. */
     enum exit_code (*run)(int argc, const char *const *argv);
 };

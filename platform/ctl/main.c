@@ -28,6 +28,9 @@ static enum exit_code run_command(const struct ctl_command *command, int argc,
     for (int i = 0; i < argc; i++) {
         if (is_help(argv[i])) {
             printf("kingyoctl %s: %s\n\n%s", command->name, command->summary, command->usage);
+            if (command->tell_more) {
+                command->tell_more();
+            }
             return EXIT_OK;
         }
     }

@@ -1,130 +1,272 @@
-/* play.c -- `kingyoctl play`: the bot plays rounds, without a screen, at full speed. */
+/* play.c -- `kingyoctl play`: bots play rounds, without a screen, at full speed. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-#include "platform/cpu.h"
+#include "core/core.h"
+#include "core/game/rules.h"
+#include "platform/ctl/bot_file.h"
 #include "platform/ctl/ctl.h"
+#include "platform/ctl/rounds.h"
+#include "platform/ctl/summary.h"
+#include "platform/folder.h"
 #include "platform/number.h"
-#include "platform/kiosk/recorder.h"
 
 static const char name[] = "play";
+static const char speaker[] = "kingyoctl play";
 
-#define ROUND_TICKS_MAX (620u * CORE_TICK_HZ) /* The longest round with its ready and a margin. */
+#define PATH_MAX_CHARS (FOLDER_PATH_MAX + 32u)
 
 struct play_options {
-    uint32_t rounds, seed, fish_count, round_s;
-    const char *record;
+    const char *bot, *record;
+    uint32_t rounds, seed, fish_count, round_s, grade, jobs;
+    uint8_t mode;
     int as_json;
 };
 
-struct game_run {
-    struct core core;
-    struct input input;
-    struct output output;
-    struct recorder recorder;
+/* Everything of one run of the command. */
+struct evening {
+    const struct play_options *options;
+    struct round_plan *plans;
+    struct round_result *results;
+    char (*paths)[PATH_MAX_CHARS]; /* Of the recordings. */
+    uint32_t played, told;         /* In whichever order; and in theirs, without a gap. */
+    int shows_progress;
 };
 
-/* ---- One round ------------------------------------------------------------------------------ */
+/* ---- What is told --------------------------------------------------------------------------- */
 
-static void tick(struct game_run *run, const struct kiosk_tap *tap)
+/* With as many decimals as it has, one at most. */
+static void print_short(double value)
 {
-    run->output.sound_count = 0;
-    core_tick(&run->core, &run->input, &run->output);
-    if (tap->tick) {
-        tap->tick(tap->self, &run->input, &run->core);
-    }
-    run->input.pressed = 0;
+    char digits[NUMBER_FIXED_MAX];
+    const double whole = (double)(uint64_t)value;
+    const uint32_t length = number_print_fixed(digits, value, value > whole ? 1 : 0);
+    printf("%.*s", (int)length, digits);
 }
 
-/* START as often as it takes; the record says when the round is over. 0 when it never is. */
-static int play_round(struct game_run *run, const struct kiosk_tap *tap)
+static void print_fixed(const char *before, double value, uint32_t decimals)
 {
-    const uint32_t before = run->output.record.id;
-    for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
-        const uint8_t phase = run->core.game.phase;
-        const int idle = phase == PHASE_ATTRACT || phase == PHASE_RESULT;
-        run->input.pressed = idle && i % CORE_TICK_HZ == 0 ? INPUT_START : 0;
-        tick(run, tap);
-        if (run->output.record.id != before) {
+    char digits[NUMBER_FIXED_MAX];
+    const uint32_t length = number_print_fixed(digits, value, decimals);
+    printf("%s%.*s", before, (int)length, digits);
+}
+
+static void tell_json(const struct round_result *result, int is_first)
+{
+    printf("%s{\"caught\": %u, \"scoops\": %u, \"fouls\": %u, \"torn_at_s\": ",
+           is_first ? "" : ", ", result->caught, result->scoops, result->fouls);
+    if (result->torn) {
+        print_fixed("", result->torn_at_s, 3);
+    } else {
+        fputs("null", stdout);
+    }
+    print_fixed(", \"hole_area_mm2\": ", result->hole_area_mm2, 2);
+    printf(", \"state_hash\": \"%016llx\"}", (unsigned long long)result->state_hash);
+}
+
+static void tell_text(const struct round_plan *plan, const struct round_result *result,
+                      uint32_t number)
+{
+    printf("round %-4u seed %-10u %3u caught in", number, plan->seed, result->caught);
+    print_fixed(" ", result->length_s, 1);
+    printf(" s, %u scoops, %u fouls,", result->scoops, result->fouls);
+    if (result->torn) {
+        print_fixed(" torn at ", result->torn_at_s, 1);
+        fputs(" s,", stdout);
+    } else {
+        fputs(" not torn,", stdout);
+    }
+    print_fixed(" holes of ", result->hole_area_mm2, 0);
+    printf(" mm2, hash %016llx\n", (unsigned long long)result->state_hash);
+}
+
+static void tell_progress(const struct evening *evening)
+{
+    if (evening->shows_progress) {
+        fprintf(stderr, "\r%u of %u rounds%s", evening->played, evening->options->rounds,
+                evening->played == evening->options->rounds ? "\n" : "");
+    }
+}
+
+/* As soon as all before it are told. */
+static void tell_round(void *self, uint32_t index)
+{
+    struct evening *evening = self;
+    (void)index;
+    evening->played++;
+    while (evening->told < evening->options->rounds &&
+           evening->results[evening->told].code == EXIT_OK) {
+        const uint32_t at = evening->told++;
+        if (evening->options->as_json) {
+            tell_json(&evening->results[at], at == 0);
+        } else {
+            tell_text(&evening->plans[at], &evening->results[at], at + 1u);
+            fflush(stdout);
+        }
+    }
+    tell_progress(evening);
+}
+
+static void tell_summary(const struct evening *evening, const struct summary *summary)
+{
+    const struct play_options *options = evening->options;
+    fputs(options->as_json ? "], \"caught_median\": " : "caught: median ", stdout);
+    print_short(summary->median);
+    fputs(options->as_json ? ", \"caught_p90\": " : ", p90 ", stdout);
+    print_short(summary->p90);
+    if (options->as_json) {
+        printf(", \"caught_max\": %u}\n", summary->max);
+    } else {
+        printf(", most %u; %s, %u rounds of %s\n", summary->max, options->bot, options->rounds,
+               rules_of(options->mode)->name);
+    }
+}
+
+static enum exit_code tell_failure(const struct evening *evening)
+{
+    for (uint32_t i = 0; i < evening->options->rounds; i++) {
+        const struct round_result *result = &evening->results[i];
+        if (result->code == EXIT_IO) {
+            fprintf(stderr, "%s: %s: cannot record: %s\n", speaker, evening->paths[i],
+                    strerror(result->error));
+            return EXIT_IO;
+        }
+    }
+    fprintf(stderr, "%s: a round did not come to its end\n", speaker);
+    return EXIT_NOT_SO;
+}
+
+/* ---- The rounds ----------------------------------------------------------------------------- */
+
+static void plan_rounds(struct evening *evening, const struct technique *technique)
+{
+    const struct play_options *options = evening->options;
+    for (uint32_t i = 0; i < options->rounds; i++) {
+        evening->plans[i] = (struct round_plan){
+            .technique = *technique,
+            .seed = options->seed + i,
+            .mode = options->mode,
+            .grade = (uint8_t)options->grade,
+            .fish_count = options->fish_count,
+            .round_s = options->round_s,
+        };
+        if (options->record) {
+            snprintf(evening->paths[i], sizeof evening->paths[i], "%s/round-%05u.kgr",
+                     options->record, i + 1u);
+            evening->plans[i].record = evening->paths[i];
+        }
+    }
+}
+
+static enum exit_code end_output(void)
+{
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "%s: standard output cannot be written\n", speaker);
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code play(struct evening *evening)
+{
+    const struct play_options *options = evening->options;
+    const struct rounds rounds = {
+        .plans = evening->plans,
+        .results = evening->results,
+        .count = options->rounds,
+        .workers = options->jobs ? options->jobs : rounds_workers(),
+        .done = tell_round,
+        .self = evening,
+    };
+    fputs(options->as_json ? "{\"rounds\": [" : "", stdout);
+    if (rounds_play(&rounds) != EXIT_OK) {
+        return tell_failure(evening);
+    }
+    uint32_t *caught = malloc(options->rounds * sizeof *caught);
+    if (!caught) {
+        return tell_failure(evening);
+    }
+    for (uint32_t i = 0; i < options->rounds; i++) {
+        caught[i] = evening->results[i].caught;
+    }
+    const struct summary summary = summary_of(caught, options->rounds);
+    free(caught);
+    tell_summary(evening, &summary);
+    return end_output();
+}
+
+static enum exit_code hold_evening(const struct play_options *options,
+                                   const struct technique *technique)
+{
+    struct evening evening = {
+        .options = options,
+        .plans = calloc(options->rounds, sizeof *evening.plans),
+        .results = calloc(options->rounds, sizeof *evening.results),
+        .paths = calloc(options->record ? options->rounds : 1u, sizeof *evening.paths),
+        .shows_progress = isatty(STDERR_FILENO) && (options->as_json || !isatty(STDOUT_FILENO)),
+    };
+    enum exit_code code = EXIT_NOT_SO;
+    if (evening.plans && evening.results && evening.paths) {
+        plan_rounds(&evening, technique);
+        code = play(&evening);
+    } else {
+        fprintf(stderr, "%s: no memory for %u rounds\n", speaker, options->rounds);
+    }
+    free(evening.plans);
+    free(evening.results);
+    free(evening.paths);
+    return code;
+}
+
+/* ---- The command ---------------------------------------------------------------------------- */
+
+static int parse_mode(const char *value, uint8_t *out)
+{
+    for (uint8_t mode = 0; value && mode < MODE_COUNT; mode++) {
+        if (strcmp(value, rules_of(mode)->name) == 0) {
+            *out = mode;
             return 1;
         }
     }
     return 0;
 }
 
-static void tell_round(const struct game_run *run, const struct play_options *options,
-                       uint32_t index)
+static int parse_text(const char *value, const char **out)
 {
-    const struct round_record *record = &run->output.record;
-    const double seconds = (double)(record->end_tick - record->start_tick) / CORE_TICK_HZ;
-    if (options->as_json) {
-        printf("%s{\"round\": %u, \"caught\": %u, \"seconds\": %.3f, \"dips\": %u}",
-               index ? ", " : "", index + 1, record->caught, seconds, run->core.poi[0].dips);
-    } else {
-        printf("round %u: %u caught in %.1f s\n", index + 1, record->caught, seconds);
-    }
+    *out = value;
+    return value && value[0];
 }
 
-static enum exit_code play(struct game_run *run, const struct play_options *options)
+/* Whether `value` is right for `option`; -1: there is no such option. */
+static int take_value(struct play_options *options, const char *option, const char *value)
 {
-    const struct kiosk_tap tap =
-        options->record ? recorder_tap(&run->recorder) : (struct kiosk_tap){ 0 };
-    uint32_t caught = 0;
-    if (options->as_json) {
-        printf("{\"seed\": %u, \"bot\": \"stall\", \"rounds\": [", options->seed);
+    if (strcmp(option, "--bot") == 0) {
+        return parse_text(value, &options->bot);
     }
-    for (uint32_t i = 0; i < options->rounds; i++) {
-        if (!play_round(run, &tap)) {
-            fprintf(stderr, "kingyoctl play: round %u did not come to its end\n", i + 1);
-            return EXIT_NOT_SO;
-        }
-        caught += run->output.record.caught;
-        tell_round(run, options, i);
+    if (strcmp(option, "--mode") == 0) {
+        return parse_mode(value, &options->mode);
     }
-    const unsigned long long hash = core_hash(&run->core);
-    if (options->as_json) {
-        printf("], \"caught\": %u, \"ticks\": %u, \"hash\": \"%016llx\"}\n", caught,
-               run->core.tick, hash);
-    } else {
-        printf("%u rounds, %u caught, %u ticks, hash %016llx\n", options->rounds, caught,
-               run->core.tick, hash);
+    if (strcmp(option, "--grade") == 0) {
+        return number_parse(value, SHEET_GRADE_MIN, SHEET_GRADE_MAX, &options->grade);
     }
-    return EXIT_OK;
-}
-
-/* ---- The command ---------------------------------------------------------------------------- */
-
-static enum exit_code begin(struct game_run *run, const struct play_options *options)
-{
-    const struct core_config config = {
-        .seed = options->seed,
-        .fish_count = options->fish_count,
-        .round_s = options->round_s,
-        .lanes = cpu_lanes(),
-    };
-    if (core_init(&run->core, &config) != CORE_OK) {
-        return ctl_usage(name, "no such stall: --round-s is 10 to 600");
+    if (strcmp(option, "--rounds") == 0) {
+        return number_parse(value, 1, ROUNDS_MAX, &options->rounds);
     }
-    run->input.poi[0].link = POI_LINK_BOT;
-    const int error =
-        options->record ? recorder_begin(&run->recorder, options->record, &run->core) : 0;
-    if (error) {
-        fprintf(stderr, "kingyoctl play: %s: cannot record: %s\n", options->record,
-                strerror(-error));
-        return EXIT_IO;
+    if (strcmp(option, "--seed") == 0) {
+        return number_parse(value, 0, UINT32_MAX, &options->seed);
     }
-    return EXIT_OK;
-}
-
-static enum exit_code end(struct game_run *run, const struct play_options *options)
-{
-    const int error = options->record ? recorder_end(&run->recorder) : 0;
-    if (error) {
-        fprintf(stderr, "kingyoctl play: %s: recording stopped: %s\n", options->record,
-                strerror(-error));
-        return EXIT_IO;
+    if (strcmp(option, "--fish") == 0) {
+        return number_parse(value, 1, SCENE_FISH_MAX, &options->fish_count);
     }
-    return EXIT_OK;
+    if (strcmp(option, "--round-s") == 0) {
+        return number_parse(value, 10, 600, &options->round_s);
+    }
+    if (strcmp(option, "--jobs") == 0) {
+        return number_parse(value, 1, ROUNDS_WORKERS_MAX, &options->jobs);
+    }
+    return strcmp(option, "--record") == 0 ? parse_text(value, &options->record) : -1;
 }
 
 /* Takes the option at argv[*index] and its value. EXIT_OK, or told. */
@@ -132,32 +274,13 @@ static enum exit_code take_option(struct play_options *options, int argc, const 
                                   int *index)
 {
     const char *option = argv[*index];
-    const char *value = *index + 1 < argc ? argv[*index + 1] : NULL;
-    int right = 0;
     if (strcmp(option, "--json") == 0) {
         options->as_json = 1;
         return EXIT_OK;
     }
-    ++*index;
-    if (strcmp(option, "--bot") == 0) {
-        right = value && strcmp(value, "stall") == 0;
-    } else if (strcmp(option, "--rounds") == 0) {
-        right = number_parse(value, 1, 100000, &options->rounds);
-    } else if (strcmp(option, "--seed") == 0) {
-        right = number_parse(value, 0, UINT32_MAX, &options->seed);
-    } else if (strcmp(option, "--fish") == 0) {
-        const uint32_t max = tank_preset_fish_max(tank_preset(TANK_PRESET_FESTIVAL), 1.0f);
-        if (!number_parse(value, 1, max, &options->fish_count)) {
-            return ctl_usage(name, "--fish: '%.100s' is not right; the water holds 1 to %u",
-                             value ? value : "", max);
-        }
-        right = 1;
-    } else if (strcmp(option, "--round-s") == 0) {
-        right = number_parse(value, 10, 600, &options->round_s);
-    } else if (strcmp(option, "--record") == 0) {
-        options->record = value;
-        right = value != NULL;
-    } else {
+    const char *value = *index + 1 < argc ? argv[++*index] : NULL;
+    const int right = take_value(options, option, value);
+    if (right < 0) {
         return ctl_usage(name, "unknown option '%.100s'; --help lists them", option);
     }
     if (!right) {
@@ -167,34 +290,62 @@ static enum exit_code take_option(struct play_options *options, int argc, const 
     return EXIT_OK;
 }
 
+/* What options say only together. */
+static enum exit_code check_options(const struct play_options *options)
+{
+    const struct rules *rules = rules_of(options->mode);
+    const uint32_t fish_max = tank_preset_fish_max(tank_preset(rules->tank), 1.0f);
+    if (options->fish_count > fish_max) {
+        return ctl_usage(name, "--fish: '%u' is not right; the water of a %s holds 1 to %u",
+                         options->fish_count, rules->name, fish_max);
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code open_folder(const struct play_options *options)
+{
+    const int error = options->record ? folder_make(options->record) : 0;
+    if (error) {
+        fprintf(stderr, "%s: %s: cannot record: %s\n", speaker, options->record, strerror(-error));
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
 static enum exit_code run(int argc, const char *const *argv)
 {
-    static struct game_run game;
-    struct play_options options = { .rounds = 1 };
-    for (int i = 0; i < argc; i++) {
-        const enum exit_code code = take_option(&options, argc, argv, &i);
-        if (code != EXIT_OK) {
-            return code;
-        }
+    struct play_options options = { .bot = "expert", .rounds = 1 };
+    struct technique technique;
+    enum exit_code code = EXIT_OK;
+    for (int i = 0; i < argc && code == EXIT_OK; i++) {
+        code = take_option(&options, argc, argv, &i);
     }
-    enum exit_code code = begin(&game, &options);
-    if (code == EXIT_OK) {
-        code = play(&game, &options);
-        const enum exit_code ended = end(&game, &options);
-        code = code == EXIT_OK ? ended : code;
-    }
-    return code;
+    code = code == EXIT_OK ? check_options(&options) : code;
+    code = code == EXIT_OK ? bot_file_named(speaker, options.bot, &technique) : code;
+    code = code == EXIT_OK ? open_folder(&options) : code;
+    return code == EXIT_OK ? hold_evening(&options, &technique) : code;
 }
 
 const struct ctl_command ctl_play = {
     .name = name,
-    .summary = "rounds played by the bot, without a screen",
-    .usage = "  --bot NAME       who plays: stall, the bot of the attract picture\n"
-             "  --rounds N       how many rounds, 1 to 100000 (1)\n"
-             "  --seed N         of everything random (0)\n"
-             "  --fish N         how many fish, from 1 to what the water holds (the stall's own)\n"
-             "  --round-s N      seconds a round, 10 to 600 (60)\n"
-             "  --record FILE    write the play to FILE\n"
-             "  --json           for programs\n",
+    .summary = "rounds played by a bot, without a screen",
+    .usage =
+        "  --bot WHO        novice, expert, or a bot FILE: see below (expert)\n"
+        "  --mode MODE      festival, championship or practice (festival)\n"
+        "  --grade G        of the paper, 4 strong to 7 weak (festival and practice 6,\n"
+        "                   championship 5)\n"
+        "  --rounds N       how many rounds, 1 to 100000 (1)\n"
+        "  --seed N         of everything random (0): the i-th round is played at a stall of its\n"
+        "                   own with the seed N + i - 1, so it is the same alone, in any order,\n"
+        "                   and for two bots that are to be compared\n"
+        "  --fish N         how many fish, from 1 to what the water holds (the stall's own)\n"
+        "  --round-s N      seconds a round, 10 to 600 (the mode's own: 60, 180, 180)\n"
+        "  --jobs N         rounds at a time, 1 to 64 (a core each)\n"
+        "  --record DIR     write each round to DIR/round-00001.kgr and so on\n"
+        "  --json           for programs: caught (what counts), scoops (times the ring went in),\n"
+        "                   fouls, torn_at_s (second of the round from which its paper can hold\n"
+        "                   no fish; null: it lasted), hole_area_mm2 and state_hash of each round;\n"
+        "                   median, ninth decile and maximum of all\n",
+    .tell_more = bot_file_print_keys,
     .run = run,
 };

@@ -1,0 +1,215 @@
+/* rounds.c -- one round after the other by each worker, the next plan to whoever is free. */
+#include "platform/ctl/rounds.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <stdlib.h>
+
+#include "core/core.h"
+#include "core/game/rules.h"
+#include "platform/cpu.h"
+#include "platform/kiosk/recorder.h"
+
+#define ROUND_TICKS_MAX (700u * CORE_TICK_HZ) /* The longest round, its ready and a margin. */
+
+/* What one worker needs; too large for its stack. */
+struct seat {
+    struct core core;
+    struct input input;
+    struct output output;
+    struct bot bot;
+    struct recorder recorder;
+    struct kiosk_tap tap;
+};
+
+/* ---- One round ------------------------------------------------------------------------------ */
+
+static struct core_config config_of(const struct round_plan *plan)
+{
+    return (struct core_config){
+        .seed = plan->seed,
+        .preset = rules_of(plan->mode)->tank,
+        .fish_count = plan->fish_count,
+        .round_s = plan->round_s,
+        .modes = (uint8_t)(1u << plan->mode),
+        .grade = plan->grade,
+        .lanes = cpu_lanes(),
+    };
+}
+
+/* START whenever nothing is played yet; a hand that is always there, and that the stall helps to
+ * empty the poi, as it helps a pointer's. */
+static void act(struct seat *seat)
+{
+    const uint8_t phase = seat->core.game.phase;
+    const int idle = phase == PHASE_ATTRACT || phase == PHASE_CHOOSE;
+    struct poi_input *poi = &seat->input.poi[0];
+    seat->input.pressed = idle && seat->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+    poi->link = POI_LINK_LIVE;
+    poi->target = bot_tick(&seat->bot, &(struct sight){ .core = &seat->core, .player = 0 });
+}
+
+static void tick(struct seat *seat)
+{
+    seat->output.sound_count = 0;
+    act(seat);
+    core_tick(&seat->core, &seat->input, &seat->output);
+    if (seat->tap.tick) {
+        seat->tap.tick(seat->tap.self, &seat->input, &seat->core);
+    }
+}
+
+static double hole_area_mm2(const struct sheet *sheet)
+{
+    const double cell_mm = 1000.0 * (double)sheet_cell_m(sheet);
+    return cell_mm * cell_mm * (double)(sheet->paper_cells_new - sheet->paper_cells);
+}
+
+/* In the tick in which the round ended. */
+static void read_result(const struct seat *seat, uint32_t start_tick, struct round_result *result)
+{
+    const struct core *core = &seat->core;
+    const struct player_record *player = &seat->output.record.player[0];
+    result->caught = core->game.caught[0];
+    result->scoops = core->poi[0].dips;
+    result->fouls = player->fouls;
+    result->torn = player->torn_tick != 0;
+    result->torn_at_s =
+        result->torn ? (double)(player->torn_tick - start_tick) / CORE_TICK_HZ : 0.0;
+    result->hole_area_mm2 = hole_area_mm2(&core->poi[0].sheet);
+    result->length_s = (double)(core->tick - start_tick) / CORE_TICK_HZ;
+    result->state_hash = core_hash(core);
+}
+
+static enum exit_code play_through(struct seat *seat, struct round_result *result)
+{
+    uint32_t start_tick = 0;
+    for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
+        const uint8_t before = seat->core.game.phase;
+        tick(seat);
+        if (before == PHASE_READY && seat->core.game.phase == PHASE_ROUND) {
+            start_tick = seat->core.game.round_tick;
+        } else if (before == PHASE_ROUND && seat->core.game.phase != PHASE_ROUND) {
+            read_result(seat, start_tick, result);
+            return EXIT_OK;
+        }
+    }
+    return EXIT_NOT_SO;
+}
+
+static enum exit_code begin(struct seat *seat, const struct round_plan *plan, int *error)
+{
+    const struct core_config config = config_of(plan);
+    if (core_init(&seat->core, &config) != CORE_OK) {
+        return EXIT_USAGE;
+    }
+    seat->input = (struct input){ 0 };
+    seat->output = (struct output){ 0 };
+    seat->tap = (struct kiosk_tap){ 0 };
+    bot_init(&seat->bot, &plan->technique, plan->seed);
+    seat->bot.hand = seat->core.game.hand[0];
+    if (plan->record) {
+        *error = -recorder_begin(&seat->recorder, plan->record, &seat->core);
+        seat->tap = recorder_tap(&seat->recorder);
+    }
+    return *error ? EXIT_IO : EXIT_OK;
+}
+
+static struct round_result play_one(struct seat *seat, const struct round_plan *plan)
+{
+    struct round_result result = { 0 };
+    result.code = begin(seat, plan, &result.error);
+    if (result.code != EXIT_OK) {
+        return result;
+    }
+    result.code = play_through(seat, &result);
+    if (plan->record) {
+        result.error = -recorder_end(&seat->recorder);
+        result.code = result.error ? EXIT_IO : result.code;
+    }
+    return result;
+}
+
+/* ---- Many ----------------------------------------------------------------------------------- */
+
+struct hall {
+    const struct rounds *rounds;
+    pthread_mutex_t lock;
+    uint32_t next;       /* The plan that nobody has taken yet. */
+    enum exit_code code; /* Of the first failure; then nobody takes another. */
+};
+
+/* The next plan, or `count` when there is none. */
+static uint32_t take(struct hall *hall)
+{
+    pthread_mutex_lock(&hall->lock);
+    const uint32_t index = hall->code == EXIT_OK ? hall->next : hall->rounds->count;
+    hall->next += index < hall->rounds->count ? 1u : 0u;
+    pthread_mutex_unlock(&hall->lock);
+    return index;
+}
+
+static void hand_in(struct hall *hall, uint32_t index, struct round_result result)
+{
+    const struct rounds *rounds = hall->rounds;
+    pthread_mutex_lock(&hall->lock);
+    rounds->results[index] = result;
+    hall->code = hall->code == EXIT_OK ? result.code : hall->code;
+    if (rounds->done) {
+        rounds->done(rounds->self, index);
+    }
+    pthread_mutex_unlock(&hall->lock);
+}
+
+/* No memory for another seat. */
+static void give_up(struct hall *hall)
+{
+    pthread_mutex_lock(&hall->lock);
+    hall->code = EXIT_NOT_SO;
+    pthread_mutex_unlock(&hall->lock);
+}
+
+static void *work(void *self)
+{
+    struct hall *hall = self;
+    struct seat *seat = malloc(sizeof *seat);
+    if (!seat) {
+        give_up(hall);
+        return NULL;
+    }
+    for (uint32_t i = take(hall); i < hall->rounds->count; i = take(hall)) {
+        hand_in(hall, i, play_one(seat, &hall->rounds->plans[i]));
+    }
+    free(seat);
+    return NULL;
+}
+
+uint32_t rounds_workers(void)
+{
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) {
+        return 1;
+    }
+    const uint32_t cores = (uint32_t)CPU_COUNT(&allowed);
+    return cores < 1 ? 1 : cores > ROUNDS_WORKERS_MAX ? ROUNDS_WORKERS_MAX : cores;
+}
+
+/* The caller's thread is the first worker: where no other can be had, it plays all. */
+enum exit_code rounds_play(const struct rounds *rounds)
+{
+    struct hall hall = { .rounds = rounds, .lock = PTHREAD_MUTEX_INITIALIZER };
+    pthread_t threads[ROUNDS_WORKERS_MAX];
+    uint32_t helpers = 0;
+    for (uint32_t i = 0; i < rounds->count; i++) {
+        rounds->results[i] = (struct round_result){ .code = EXIT_NOT_SO };
+    }
+    while (helpers + 1u < rounds->workers && helpers + 1u < rounds->count &&
+           pthread_create(&threads[helpers], NULL, work, &hall) == 0) {
+        helpers++;
+    }
+    work(&hall);
+    for (uint32_t i = 0; i < helpers; i++) {
+        pthread_join(threads[i], NULL);
+    }
+    return hall.code;
+}
