@@ -2,9 +2,9 @@
  *
  * First a mask: which of held, pressed, coin_count, record_saved_id and of what hands hold follow.
  * Then those, the numbers as u32; of what hands hold, a mask of pois (low half) and shades (high
- * half), and of each of these a mask of its own, one byte (a poi's link and wrist, a shade's
- * presence), and those floats that changed, as their bits. Floats travel whole: a play must come
- * back to the last bit. */
+ * half), and of each of these a mask of its own, one byte (a poi's link, wrist and trembling, a
+ * shade's presence), those floats that changed, as their bits, and a poi's age as u16. Floats travel
+ * whole: a play must come back to the last bit, and of a hand's that broke each bit counts. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -28,16 +28,20 @@ enum {
     HELD_HAS_FLOAT = 1u << 1, /* Of the first. */
     POI_FLOATS = 6,
     SHADE_FLOATS = 3,
-    LINK_WRIST = 1u << 2, /* Bits 0 and 1 are the link. */
-    LINK_ALL = 7u,
+    POI_HAS_AGE = 1u << 7,    /* Beyond the byte's and the six floats' bits. */
+    LINK_WRIST = 1u << 2,     /* Bits 0 and 1 are the link. */
+    LINK_TREMBLES = 1u << 3,
+    LINK_ALL = 15u,
 };
 
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
 
-/* A poi or a shade in the form that both have on disk: a small number and some floats. */
+/* A poi or a shade in the form that both have on disk: a small number, some floats, an age. */
 struct held {
     uint8_t byte;
+    uint8_t has_age; /* It can have one. */
+    uint16_t age;
     uint32_t float_count;
     uint32_t bits[POI_FLOATS];
 };
@@ -79,7 +83,11 @@ static size_t put_if(int wanted, uint32_t value, uint8_t *out)
 
 static struct held poi_held(const struct poi_input *poi)
 {
-    struct held held = { .byte = (uint8_t)(poi->link | (poi->has_wrist ? LINK_WRIST : 0u)),
+    const uint32_t byte = poi->link | (poi->has_wrist ? (uint32_t)LINK_WRIST : 0u) |
+                          (poi->trembles ? (uint32_t)LINK_TREMBLES : 0u);
+    struct held held = { .byte = (uint8_t)byte,
+                         .has_age = 1,
+                         .age = poi->age_ticks,
                          .float_count = POI_FLOATS };
     memcpy(held.bits, &poi->target, sizeof poi->target);
     return held;
@@ -106,6 +114,11 @@ static size_t encode_held(const struct held *before, const struct held *held, ui
         const int changed = before->bits[i] != held->bits[i];
         mask |= (uint8_t)(changed ? (uint32_t)HELD_HAS_FLOAT << i : 0u);
         size += put_if(changed, held->bits[i], out + size);
+    }
+    if (held->age != before->age) {
+        mask |= POI_HAS_AGE;
+        out[size++] = (uint8_t)held->age;
+        out[size++] = (uint8_t)(held->age >> 8);
     }
     out[0] = mask;
     return mask ? size : 0;
@@ -180,28 +193,29 @@ static uint32_t take_u32(struct bytes_left *left)
     return value;
 }
 
-static uint32_t take_float_bits(struct bytes_left *left)
+static uint16_t take_u16(struct bytes_left *left)
 {
-    const uint32_t bits = take_u32(left);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    left->bad |= !f_is_finite(value);
-    return bits;
+    const uint32_t low = take_u8(left), high = take_u8(left);
+    return (uint16_t)(low | high << 8);
 }
 
 /* Changes what the mask names; the rest stays. */
 static void decode_held(struct held *held, uint8_t byte_max, struct bytes_left *left)
 {
     const uint8_t mask = take_u8(left);
-    left->bad |= mask == 0 || mask >> (1u + held->float_count) != 0;
+    const uint32_t known = (2u << held->float_count) - 1u;
+    left->bad |= mask == 0 || (mask & ~(known | (held->has_age ? (uint32_t)POI_HAS_AGE : 0u))) != 0;
     if (mask & HELD_HAS_BYTE) {
         held->byte = take_u8(left);
         left->bad |= held->byte > byte_max;
     }
     for (unsigned i = 0; i < held->float_count; i++) {
         if (mask & (uint32_t)HELD_HAS_FLOAT << i) {
-            held->bits[i] = take_float_bits(left);
+            held->bits[i] = take_u32(left);
         }
+    }
+    if (mask & POI_HAS_AGE) {
+        held->age = take_u16(left);
     }
 }
 
@@ -211,6 +225,8 @@ static void decode_poi(struct poi_input *poi, struct bytes_left *left)
     decode_held(&held, LINK_ALL, left);
     poi->link = held.byte & 3u;
     poi->has_wrist = (held.byte & LINK_WRIST) != 0;
+    poi->trembles = (held.byte & LINK_TREMBLES) != 0;
+    poi->age_ticks = held.age;
     memcpy(&poi->target, held.bits, sizeof poi->target);
 }
 
@@ -220,6 +236,9 @@ static void decode_shade(struct shade_input *shade, struct bytes_left *left)
     struct held held = shade_held(shade);
     decode_held(&held, 1, left);
     memcpy(floats, held.bits, sizeof floats);
+    for (unsigned i = 0; i < SHADE_FLOATS; i++) {
+        left->bad |= !f_is_finite(floats[i]);
+    }
     *shade = (struct shade_input){ held.byte, floats[0], floats[1], floats[2] };
 }
 

@@ -149,8 +149,8 @@ static void tick_hand(struct core *core, const struct input *input, uint32_t ind
     struct poi *poi = &core->poi[index];
     poi->spared = poi->link == POI_LINK_LOST;
     if (poi->link == POI_LINK_BOT) {
-        const struct poi_target wanted = bot_tick(&game->bot[index], &(struct sight){ core, index });
-        game->hand[index] = follow(core, index, wanted);
+        const struct sight sight = { core, index };
+        game->hand[index] = follow(core, index, bot_tick(&game->bot[index], &sight));
     } else if (poi->link == POI_LINK_LIVE) {
         game->hand[index] = led_by_a_person(core, input, index);
     } else {

@@ -1,9 +1,10 @@
 /* trust.h -- is what a controller says a hand, or nonsense? Pure; a few words of memory a player.
  *
  * A cable that breaks, a sensor that freezes, bits that flip and reports that come late are
- * weather. A hand is lost while its link is away, a number is none or absurd, its reports stay out, a sensor
- * that trembles stands still to the bit, or it leaps as no arm does. It is believed again when it
- * has said what agrees for a quarter of a second; a leap that stays is then where the hand is. */
+ * weather. A hand is lost while its link is away, a number is none or absurd, its reports stay out,
+ * a sensor that trembles stands still to the bit, or it leaps as no arm does. It is believed again
+ * when it has said what agrees for a quarter of a second; a leap that stays is then where the hand
+ * is. */
 #ifndef KINGYO_CORE_GAME_TRUST_H
 #define KINGYO_CORE_GAME_TRUST_H
 

@@ -1,0 +1,163 @@
+/* test_replay_codec.c -- one input as its difference from the one before: to the bit, and no longer
+ * than it must be. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "platform/replay.h"
+
+static void test_a_still_tick_costs_one_byte_beside_its_digest(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    const struct input next = { .held = INPUT_OK, .record_saved_id = 3 };
+    const struct input still = next;
+    assert_int_equal(replay_encode_input(&next, &still, bytes), 1);
+    assert_int_equal(bytes[0], 0);
+}
+
+static void test_the_largest_difference_fits_the_bound(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    const struct input before = { 0 };
+    struct input all = { .held = 1, .pressed = 2, .coin_count = 3, .record_saved_id = 4 };
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        all.poi[i] = (struct poi_input){
+            .link = POI_LINK_LIVE,
+            .has_wrist = 1,
+            .trembles = 1,
+            .age_ticks = 300,
+            .target = { .position_m = { 1.0f, 2.0f, 3.0f }, .angles = { 4.0f, 5.0f, 6.0f } },
+        };
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        all.shade[i] = (struct shade_input){ 1, 7.0f, 8.0f, 9.0f };
+    }
+    assert_int_equal(replay_encode_input(&before, &all, bytes), REPLAY_TICK_SIZE_MAX - 4u);
+}
+
+/* One mask says what follows, another which hands, a third what of the fan; then a float. */
+static void test_a_fan_that_glides_costs_seven_bytes_a_tick(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    struct input before = { .shade[3] = { 1, 0.1f, 0.2f, 0.1f } };
+    struct input after = before;
+    after.shade[3].x_m = 0.101f;
+    assert_int_equal(replay_encode_input(&before, &after, bytes), 7);
+    assert_int_equal(replay_decode_input(&before, bytes, 7), 7);
+    assert_memory_equal(&before.shade[3].x_m, &after.shade[3].x_m, sizeof(float));
+    for (size_t cut = 0; cut < 7; cut++) {
+        assert_int_equal(replay_decode_input(&before, bytes, cut), 0);
+    }
+}
+
+static void test_a_shade_that_no_recorder_writes_is_refused(void **state)
+{
+    (void)state;
+    enum { HANDS = 1 << 4, SHADE_0 = 1 << 4, BYTE = 1, X = 2, NO_SUCH = 16 };
+    static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
+    const uint8_t refused[][8] = {
+        { HANDS, 0 },                     /* Hands changed, but none did. */
+        { HANDS, SHADE_0, 0 },            /* A shade changed in nothing. */
+        { HANDS, SHADE_0, NO_SUCH },      /* A fourth float. */
+        { HANDS, SHADE_0, BYTE, 2 },      /* More than present. */
+        { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
+        { HANDS << 1, 0 },                /* A mask of a later version. */
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        struct input input = { 0 };
+        assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i]), 0);
+        assert_int_equal(input.shade[0].present, 0);
+    }
+    const uint8_t good[8] = { HANDS, SHADE_0, BYTE, 1 };
+    struct input input = { 0 };
+    assert_int_equal(replay_decode_input(&input, good, sizeof good), 4);
+    assert_int_equal(input.shade[0].present, 1);
+}
+
+static uint32_t draw(uint32_t tick, uint32_t what)
+{
+    return rng_u32((struct rng_key){ 5, tick, what, RNG_TEST });
+}
+
+/* A broken sensor's bits are what the core judged it by: a play must break in the same way. */
+static void test_any_bits_of_a_hand_come_back(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    struct input before = { 0 }, decoded = { 0 };
+    for (uint32_t tick = 0; tick < 20000; tick++) {
+        struct input input = before;
+        struct poi_input *poi = &input.poi[draw(tick, 0) % POI_MAX];
+        uint32_t bits[6];
+        for (uint32_t i = 0; i < 6; i++) {
+            bits[i] = draw(tick, i + 1u) | (draw(tick, 9) % 2u ? 0x7f800000u : 0u); /* Many NaN. */
+        }
+        memcpy(&poi->target, bits, sizeof poi->target);
+        poi->link = draw(tick, 10) % 4u;
+        poi->has_wrist = draw(tick, 11) % 2u;
+        poi->trembles = draw(tick, 12) % 2u;
+        poi->age_ticks = (uint16_t)draw(tick, 13);
+        const size_t size = replay_encode_input(&before, &input, bytes);
+        assert_true(size <= REPLAY_TICK_SIZE_MAX - 4u);
+        assert_int_equal(replay_decode_input(&decoded, bytes, size), size);
+        assert_memory_equal(decoded.poi, input.poi, sizeof input.poi);
+        before = input;
+    }
+}
+
+static void test_a_hand_that_only_grows_old_costs_five_bytes(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    struct input before = { .poi[2] = { .link = POI_LINK_LIVE, .age_ticks = 254 } };
+    struct input after = before;
+    for (after.poi[2].age_ticks = 255; after.poi[2].age_ticks < 258; after.poi[2].age_ticks++) {
+        assert_int_equal(replay_encode_input(&before, &after, bytes), 5);
+        assert_int_equal(replay_decode_input(&before, bytes, 5), 5);
+        assert_int_equal(before.poi[2].age_ticks, after.poi[2].age_ticks);
+        for (size_t cut = 0; cut < 5; cut++) {
+            assert_int_equal(replay_decode_input(&before, bytes, cut), 0);
+        }
+    }
+}
+
+static void test_a_poi_that_no_recorder_writes_is_refused(void **state)
+{
+    (void)state;
+    enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8 };
+    const uint8_t refused[][8] = {
+        { HANDS, POI_0, 0 },         /* A poi changed in nothing. */
+        { HANDS, POI_0, BYTE, 16 },  /* More than link, wrist and trembling. */
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        struct input input = { 0 };
+        assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i]), 0);
+    }
+    const uint8_t good[8] = { HANDS, POI_0, BYTE, TREMBLES | POI_LINK_LIVE };
+    struct input input = { 0 };
+    assert_int_equal(replay_decode_input(&input, good, sizeof good), 4);
+    assert_int_equal(input.poi[0].trembles, 1);
+    assert_int_equal(input.poi[0].has_wrist, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_still_tick_costs_one_byte_beside_its_digest),
+        cmocka_unit_test(test_the_largest_difference_fits_the_bound),
+        cmocka_unit_test(test_a_fan_that_glides_costs_seven_bytes_a_tick),
+        cmocka_unit_test(test_a_shade_that_no_recorder_writes_is_refused),
+        cmocka_unit_test(test_any_bits_of_a_hand_come_back),
+        cmocka_unit_test(test_a_hand_that_only_grows_old_costs_five_bytes),
+        cmocka_unit_test(test_a_poi_that_no_recorder_writes_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
