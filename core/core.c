@@ -11,22 +11,6 @@
 
 #define FAN_REACH_M 1.0f
 
-static uint32_t players_of(const struct core_config *config)
-{
-    return config->players ? config->players : 1u;
-}
-
-static void open_tank(struct core *core, uint32_t fish_count)
-{
-    struct tank_config config = tank_config_of(core->config.preset);
-    config.fish_count = fish_count;
-    config.seed = core->config.seed;
-    config.bowls = (uint8_t)players_of(&core->config);
-    config.lanes = core->config.lanes;
-    const int opened = tank_open(&core->tank, &config);
-    CORE_ASSERT(opened);
-}
-
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
@@ -38,19 +22,10 @@ enum core_error core_init(struct core *core, const struct core_config *config)
          (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX))) {
         return CORE_ERR_RANGE;
     }
-    const struct tank_preset *preset = tank_preset(config->preset);
-    const uint32_t fish_count = config->fish_count ? config->fish_count : preset->fish_count;
     memset(core, 0, sizeof *core);
     core->config = *config;
-    open_tank(core, fish_count);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_init(&core->poi[i], GAME_POI_GRADE, v3(0.0f, 0.05f, 0.0f),
-                 game_poi_seed(config->seed, i, 0, GAME_SERIES_ROUND));
-    }
-    for (uint32_t i = 0; i < players_of(config); i++) {
-        bowl_init(&core->bowl[i], preset->bowl_m[i]);
-    }
     game_init(&core->game, config);
+    keeper_open(core);
     return CORE_OK;
 }
 
@@ -183,7 +158,7 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
     tick_water(core, live);
     tick_fish(core, input);
     tick_catch(core, live, caught, output);
-    game_score(core, caught);
+    game_score(core, caught, output);
     core->tick++;
 }
 

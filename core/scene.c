@@ -85,6 +85,8 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     out->paper_left = sheet_left(&poi->sheet);
     const struct shade_cast *cast = &core->tank.shade[SHADE_MAX + index].cast;
     out->shade_dark = cast->present ? cast->dark : 0.0f;
+    out->shows_stress =
+        core->game.phase == PHASE_ROUND && rules_of(core->game.mode)->shows_stress;
     show_sheet(&poi->sheet, out);
 }
 
@@ -114,6 +116,23 @@ static void show_fan(const struct shade *shade, uint32_t index, struct scene_fan
     };
 }
 
+static void show_players(const struct core *core, struct scene *scene)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player *player = &core->game.player[i];
+        const int in_round = core->game.phase == PHASE_ROUND;
+        scene->caught[i] = player->caught;
+        scene->player[i] = (struct scene_player){
+            .plays = player->plays,
+            .lost = in_round && player->plays && !pause_holds(core, i),
+            .fouls = player->fouls,
+            .foul = player->foul,
+            .foul_s = (float)(core->tick - player->foul_tick) * CORE_TICK_S,
+            .out = player->out,
+        };
+    }
+}
+
 static void show_game(const struct core *core, struct scene *scene)
 {
     const struct game *game = &core->game;
@@ -123,9 +142,14 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->phase_s = (float)(core->tick - game->phase_tick) * CORE_TICK_S;
     scene->seconds_left = game_seconds_left(game, core->tick);
     scene->best_today = game->best_today[game->mode];
-    scene->mode = game->mode;
     scene->by_bot = game->bot_played;
-    memcpy(scene->caught, game->caught, sizeof scene->caught);
+    scene->mode = game->mode;
+    scene->modes = keeper_modes(&core->config);
+    scene->grade = keeper_grade(&core->config, game->mode);
+    scene->paused = game->paused;
+    scene->call = game->call;
+    scene->call_s = (float)(core->tick - game->call_tick) * CORE_TICK_S;
+    show_players(core, scene);
 }
 
 void core_scene(const struct core *core, struct scene *scene)

@@ -58,6 +58,7 @@ enum rng_purpose {
     RNG_WATER_BUBBLE,     /* Of the pump, where it bursts. */
     RNG_FISH_KICK,        /* The turn of one. */
     RNG_CONTACT_LOT,      /* Which pairs a full list keeps. */
+    RNG_TANK_SEED,        /* Of a tank that a mode opens. */
 };
 
 #endif

@@ -1,4 +1,8 @@
-/* game.h -- attract, ready, round, result: what the stall is doing, and the score. */
+/* game.h -- what the stall does: attract, choose, ready, round, result; who plays, and how well.
+ *
+ * Phases are files of their own (phases.h), so are the umpire (fouls.h), the keeper's calls
+ * (calls.h), waiting for lost hands (pause.h), tanks and paper (keeper.h) and counting (score.h).
+ * What differs between modes is data (rules.h). */
 #ifndef KINGYO_CORE_GAME_GAME_H
 #define KINGYO_CORE_GAME_GAME_H
 
@@ -6,19 +10,25 @@
 
 #include "core/game/bot.h"
 #include "core/game/hints.h"
+#include "core/game/pause.h"
+#include "core/game/player.h"
+#include "core/game/rules.h"
+#include "core/game/score.h"
+#include "core/game/keeper.h"
 #include "core/game/trust.h"
 #include "core/input.h"
 #include "core/output.h"
 #include "core/poi/catch.h"
 #include "core/scene.h"
 
-#define GAME_READY_TICKS (3u * CORE_TICK_HZ)    /* To take the poi and find the bowl. */
+#define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ) /* In the festival and in practice. */
 #define GAME_RESULT_TICKS (12u * CORE_TICK_HZ)  /* To read the result and call a friend. */
 #define GAME_GONE_TICKS (3u * CORE_TICK_HZ)     /* To see the hole before the result covers it. */
 #define GAME_CARRY_TICKS (3u * CORE_TICK_HZ)    /* After the call, to bring the last fish home. */
 #define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)     /* START in the result: not the last press. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* A dip is easier to do by accident. */
-#define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ) /* Nobody comes back: the round ends. */
+#define GAME_CHOOSE_TICKS (15u * CORE_TICK_HZ)  /* Nobody points any more: back to attract. */
+#define GAME_CHOOSE_TICKS_MIN (CORE_TICK_HZ / 2u) /* To see what there is; then a press counts. */
 #define GAME_STALE_TICKS (115u * CORE_TICK_HZ) /* In attract the pump rests so long ... */
 #define GAME_AIR_TICKS (45u * CORE_TICK_HZ)    /* ... and then bubbles so long, by turns. */
 #define GAME_POI_GRADE 6u      /* What stalls hand out most. */
@@ -30,16 +40,20 @@ struct game {
     uint8_t mode;        /* enum game_mode of this round, or the one pointed at. */
     uint8_t bot_played;  /* Some poi of this round was the bot's. */
     uint8_t played;      /* Somebody has held a poi in this round. */
+    uint8_t paused;      /* A hand is lost: the round waits for it. */
+    uint8_t call;        /* enum time_call: the latest of this round, ... */
+    uint32_t call_tick;  /* ... and when. */
     uint32_t phase_tick; /* When the phase began; shifted while the round's clock waits ... */
     uint32_t round_tick; /* When the round began, never shifted. */
-    uint32_t lost_ticks; /* How long the clock has waited without a break. */
-    uint32_t gone_tick;  /* ... as is when the last paper went; 0 while some holds. */
-    uint32_t round_s;
+    uint32_t point_tick; /* In CHOOSE: when somebody last pointed at a mode. */
+    uint32_t lost_ticks; /* How long the clock has waited for anybody, without a break. */
+    uint32_t gone_tick;  /* ... as is when the last one who played was out; 0 while some are not.
+                            In attract: since when the bot's paper is gone or its bowl full. */
+    uint32_t round_s;     /* Of this round. */
     uint32_t round_count; /* Rounds begun; seeds the next poi's paper. */
-    uint32_t caught[POI_MAX];
     uint32_t best_today[MODE_COUNT];
     uint32_t record_id;
-    uint8_t handed[POI_MAX];         /* Has got its fresh paper for this round. */
+    struct player player[POI_MAX];
     uint8_t holder[POI_MAX];         /* enum poi_link: who held the poi in the last tick. */
     uint32_t grip_tick[POI_MAX];     /* When that holder took it. */
     struct poi_target hand[POI_MAX]; /* Where the poi's hand was in the last tick. */
@@ -62,21 +76,17 @@ void game_init(struct game *game, const struct core_config *config);
 void game_tick(struct core *core, const struct input *input, struct output *output,
                struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 
-/* The last step of a tick: what came into the bowls counts. */
-void game_score(struct core *core, const struct catch_result caught[POI_MAX]);
-
-/* Which papers a seed is for: those of rounds, or those that the bot wears out in attract. */
-enum game_series { GAME_SERIES_ROUND = 0, GAME_SERIES_ATTRACT = 1 };
-
-/* The seed of the poi that player `index` gets as the `number`th of a series. */
-uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series);
+/* Whether player `index` may dip its poi: in attract, and in the round while the clock runs, time
+ * is left and it is not out. Else its hand is kept above the water. */
+int game_may_scoop(const struct core *core, uint32_t index);
 
 /* Whether the keeper lets the stall's pump bubble: not while somebody plays (the federation's rule:
  * the pump is stopped), and by turns while nobody does, so that who looks on sees the fish come up
  * for air and go down again. */
 int game_pumps(const struct game *game, uint32_t tick);
 
-/* Seconds of the round that are left; in READY, until it begins; else 0. */
+/* Seconds of the round that are left; in READY, until it begins; in CHOOSE, until the stall waits
+ * no longer; else 0. */
 float game_seconds_left(const struct game *game, uint32_t tick);
 
 uint64_t game_hash(uint64_t hash, const struct game *game);

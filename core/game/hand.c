@@ -54,14 +54,12 @@ static float direction(float angle_rad)
     return f_wrap_angle(angle_rad);
 }
 
-static struct poi_target within_reach(const struct core *core, struct poi_target target)
+static struct poi_target within_reach(const struct core *core, uint32_t index,
+                                      struct poi_target target)
 {
     const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
     const float depth_m = 0.5f * core->tank.size_m.z + REACH_SIDE_M;
-    const int in_time = core->game.phase == PHASE_ROUND &&
-                        game_seconds_left(&core->game, core->tick) > 0.0f;
-    const int scooping = in_time || core->game.phase == PHASE_ATTRACT;
-    const float low_m = scooping ? -core->tank.size_m.y : CLEAR_Y_M;
+    const float low_m = game_may_scoop(core, index) ? -core->tank.size_m.y : CLEAR_Y_M;
     CORE_ASSERT(v3_is_finite(target.position_m));
     target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
     target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
@@ -115,7 +113,7 @@ static struct poi_target follow(struct core *core, uint32_t index, struct poi_ta
         game->grip_tick[index] = core->tick; /* Who waits with the button held enters gently. */
     }
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
-    wanted = within_reach(core, wanted);
+    wanted = within_reach(core, index, wanted);
     return age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
 }
 
@@ -124,7 +122,7 @@ static struct poi_target go_back(struct core *core, uint32_t index, struct poi_t
 {
     struct game *game = &core->game;
     const uint32_t ticks = game->back_ticks[index];
-    wanted = within_reach(core, wanted);
+    wanted = within_reach(core, index, wanted);
     const struct poi_target hand = drift_back(game->hand[index], wanted, ticks);
     const int is_back = drift_is_back(hand, wanted, ticks);
     core->poi[index].spared = ticks < DRIFT_SPARE_TICKS_MAX;
@@ -154,7 +152,7 @@ static void tick_hand(struct core *core, const struct input *input, uint32_t ind
     } else if (poi->link == POI_LINK_LIVE) {
         game->hand[index] = led_by_a_person(core, input, index);
     } else {
-        game->hand[index] = within_reach(core, drift_out(poi, game->hand[index]));
+        game->hand[index] = within_reach(core, index, drift_out(poi, game->hand[index]));
     }
 }
 

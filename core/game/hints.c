@@ -49,7 +49,7 @@ static struct view_of_fish look_at_fish(const struct core *core)
 /* Dips in vain count from the last catch, or from when the poi was new. */
 static void count_dips(struct hints *hints, const struct core *core)
 {
-    const uint32_t caught = core->game.caught[0], dips = core->poi[0].dips;
+    const uint32_t caught = core->game.player[0].caught, dips = core->poi[0].dips;
     if (caught != hints->caught || dips < hints->dips_before) {
         hints->dips_before = caught != hints->caught ? dips : 0;
     }
@@ -65,7 +65,7 @@ static void observe(struct hints *hints, const struct core *core, struct view_of
     hints->learned |= hints->moved_m > MOVED_M ? BIT(HINT_MOVE) : 0u;
     hints->learned |= poi->immersed > 0.5f ? BIT(HINT_MOVE) | BIT(HINT_DIP) : 0u;
     hints->learned |= fish.held && poi->immersed <= 0.0f ? BIT(HINT_LIFT) : 0u;
-    hints->learned |= core->game.caught[0] > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
+    hints->learned |= core->game.player[0].caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
     hints->learned |=
         f_abs(core->game.hand[0].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
     if (hints->haste_cells >= HASTE_CELLS) {
@@ -107,7 +107,7 @@ static uint8_t lesson(const struct hints *hints, const struct core *core, struct
     if (missing & BIT(HINT_DIP)) {
         return HINT_DIP;
     }
-    return core->game.caught[0] > 0 && (missing & BIT(HINT_TILT)) ? HINT_TILT : HINT_NONE;
+    return core->game.player[0].caught > 0 && (missing & BIT(HINT_TILT)) ? HINT_TILT : HINT_NONE;
 }
 
 static uint8_t wanted(const struct hints *hints, const struct core *core, struct view_of_fish fish)

@@ -7,10 +7,9 @@
 static const struct rules table[MODE_COUNT] = {
     [MODE_FESTIVAL] = {
         .name = "festival",
-        .tank = TANK_PRESET_FESTIVAL,
+        .tank = RULES_STALLS_TANK,
         .round_s = 60,
-        .ready_s = 3,
-        .ends_when_torn = 1,
+        .ready_s = RULES_READY_S,
         .keeps_score = 1,
     },
     [MODE_CHAMPIONSHIP] = {
@@ -25,9 +24,9 @@ static const struct rules table[MODE_COUNT] = {
     },
     [MODE_PRACTICE] = {
         .name = "practice",
-        .tank = TANK_PRESET_FESTIVAL,
+        .tank = RULES_STALLS_TANK,
         .round_s = 180,
-        .ready_s = 3,
+        .ready_s = RULES_READY_S,
         .renews_paper = 1,
         .shows_stress = 1,
     },

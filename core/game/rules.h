@@ -10,15 +10,19 @@
 
 #include "core/scene.h"
 
+#define RULES_STALLS_TANK 0xffu /* The tank that the stall has open anyway. */
+#define RULES_READY_S 3u        /* To take the poi and find the bowl, where nobody judges. */
+
 struct rules {
     const char *name;      /* As the command line names it. */
-    uint8_t tank;          /* enum tank_preset_id */
+    uint8_t tank;          /* enum tank_preset_id, or RULES_STALLS_TANK */
     uint8_t grade;         /* Of the paper; 0: the stall's own. */
     uint32_t round_s;
     uint32_t ready_s;      /* To take the poi, before the start. */
-    uint8_t ends_when_torn; /* When no player's paper can hold a fish any more. */
-    uint8_t renews_paper;  /* A torn poi is changed for a fresh one, at once. */
-    uint8_t judges;        /* Fouls are called, and what came by a foul does not count. */
+    uint8_t renews_paper;  /* A poi that can hold no fish any more is changed for a fresh one; else
+                              who holds it is out. */
+    uint8_t judges;        /* Fouls are called, and what came by one does not count. Where nobody
+                              judges, every fish in the bowl does, as at a stall. */
     uint8_t calls;         /* The keeper calls the time. */
     uint8_t shows_stress;
     uint8_t keeps_score;   /* A record and a best of the day come of it. */

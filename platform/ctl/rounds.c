@@ -26,9 +26,10 @@ struct seat {
 
 static struct core_config config_of(const struct round_plan *plan)
 {
+    const struct core_config stall = { 0 };
     return (struct core_config){
         .seed = plan->seed,
-        .preset = rules_of(plan->mode)->tank,
+        .preset = keeper_preset(&stall, plan->mode),
         .fish_count = plan->fish_count,
         .round_s = plan->round_s,
         .modes = (uint8_t)(1u << plan->mode),
@@ -69,9 +70,10 @@ static double hole_area_mm2(const struct sheet *sheet)
 static void read_result(const struct seat *seat, uint32_t start_tick, struct round_result *result)
 {
     const struct core *core = &seat->core;
-    const struct player_record *player = &seat->output.record.player[0];
-    result->caught = core->game.caught[0];
-    result->scoops = core->poi[0].dips;
+    const struct round_record record = game_record(core);
+    const struct player_record *player = &record.player[0];
+    result->caught = player->caught;
+    result->scoops = player->scoops;
     result->fouls = player->fouls;
     result->torn = player->torn_tick != 0;
     result->torn_at_s =

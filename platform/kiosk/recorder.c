@@ -9,10 +9,10 @@ void recorder_count(struct replay_totals *totals, uint32_t caught[POI_MAX],
     totals->ticks++;
     totals->rounds = core->game.round_count;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->game.caught[i] > caught[i]) {
-            totals->caught += core->game.caught[i] - caught[i];
+        if (core->game.player[i].caught > caught[i]) {
+            totals->caught += core->game.player[i].caught - caught[i];
         }
-        caught[i] = core->game.caught[i];
+        caught[i] = core->game.player[i].caught;
     }
 }
 

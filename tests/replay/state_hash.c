@@ -87,7 +87,7 @@ int main(int argc, char **argv)
         core_tick(&core, &input, &output);
         if (core.tick % CORE_TICK_HZ == 0) {
             printf("%2" PRIu32 " s  %016" PRIx64 "  caught %" PRIu32 "\n", core.tick / CORE_TICK_HZ,
-                   core_hash(&core), core.game.caught[0]);
+                   core_hash(&core), core.game.player[0].caught);
         }
     }
     return 0;

@@ -37,15 +37,23 @@ static const struct field config_fields[] = {
 };
 
 static const struct field game_fields[] = {
-    FIELD(game, phase),       FIELD(game, language),    FIELD(game, mode),
-    FIELD(game, bot_played),
-    FIELD(game, played),      FIELD(game, phase_tick),  FIELD(game, round_tick),
-    FIELD(game, lost_ticks),  FIELD(game, gone_tick),   FIELD(game, round_s),
-    FIELD(game, round_count), FIELD(game, caught),      FIELD(game, best_today),
-    FIELD(game, record_id),   FIELD(game, handed),      FIELD(game, holder),
-    FIELD(game, grip_tick),   FIELD(game, hand),        FIELD(game, live_y_m),
-    SKIP(game, trust),        FIELD(game, back_ticks),
+    FIELD(game, phase),       FIELD(game, language),   FIELD(game, mode),
+    FIELD(game, bot_played),  FIELD(game, played),     FIELD(game, paused),
+    FIELD(game, call),        FIELD(game, call_tick),  FIELD(game, phase_tick),
+    FIELD(game, round_tick),  FIELD(game, point_tick), FIELD(game, lost_ticks),
+    FIELD(game, gone_tick),   FIELD(game, round_s),    FIELD(game, round_count),
+    FIELD(game, best_today),  FIELD(game, record_id),  SKIP(game, player),
+    FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
+    FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
     SKIP(game, hints),        SKIP(game, bot),
+};
+
+static const struct field player_fields[] = {
+    FIELD(player, plays),      FIELD(player, out),          FIELD(player, handed),
+    FIELD(player, points),     FIELD(player, fouls),        FIELD(player, foul),
+    FIELD(player, foul_tick),  FIELD(player, offence_tick), FIELD(player, caught),
+    FIELD(player, scoops),     FIELD(player, torn_tick),    FIELD(player, lost_ticks),
+    FIELD(player, stance),     FIELD(player, rest_x_m),     FIELD(player, rest_z_m),
 };
 
 static const struct field trust_fields[] = {
@@ -203,6 +211,8 @@ static const struct table tables[] = {
     TABLE(core, core_fields, &core),
     TABLE(core_config, config_fields, &core.config),
     TABLE(game, game_fields, &core.game),
+    TABLE(player, player_fields, &core.game.player[0]),
+    TABLE(player, player_fields, &core.game.player[3]),
     TABLE(trust, trust_fields, &core.game.trust[0]),
     TABLE(trust, trust_fields, &core.game.trust[3]),
     TABLE(hints, hints_fields, &core.game.hints),

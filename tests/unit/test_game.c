@@ -36,7 +36,7 @@ static void step(void)
     const struct catch_result caught[POI_MAX] = { 0 };
     output.sound_count = 0;
     game_tick(&core, &input, &output, targets, live);
-    game_score(&core, caught);
+    game_score(&core, caught, &output);
     core.tick++;
     input.pressed = 0;
     for (uint32_t i = 0; i < output.sound_count; i++) {
@@ -551,10 +551,10 @@ static void test_a_poi_under_water_gets_its_paper_when_it_is_clear(void **state)
     core.poi[0].immersed = 1.0f;
     start_with_a_hand();
     steps(30);
-    assert_int_equal(core.game.handed[0], 0);
+    assert_int_equal(core.game.player[0].handed, 0);
     core.poi[0].immersed = 0.0f;
     step();
-    assert_int_equal(core.game.handed[0], 1);
+    assert_int_equal(core.game.player[0].handed, 1);
 }
 
 static void test_the_attract_bot_gets_new_paper_when_its_own_is_gone(void **state)
@@ -635,24 +635,24 @@ static void test_paper_with_a_hole_in_the_middle_still_holds_beside_it(void **st
 static void land(uint32_t count)
 {
     const struct catch_result caught[POI_MAX] = { { .landed = count } };
-    game_score(&core, caught);
+    game_score(&core, caught, &output);
 }
 
 static void test_fish_count_only_while_the_round_runs(void **state)
 {
     (void)state;
     land(3);
-    assert_int_equal(core.game.caught[0], 0);
+    assert_int_equal(core.game.player[0].caught, 0);
     start_with_a_hand();
     land(3);
-    assert_int_equal(core.game.caught[0], 0);
+    assert_int_equal(core.game.player[0].caught, 0);
     steps(GAME_READY_TICKS);
     land(2);
     land(1);
-    assert_int_equal(core.game.caught[0], 3);
+    assert_int_equal(core.game.player[0].caught, 3);
     steps(ROUND_S * CORE_TICK_HZ);
     land(5);
-    assert_int_equal(core.game.caught[0], 3);
+    assert_int_equal(core.game.player[0].caught, 3);
 }
 
 static void test_a_round_leaves_a_record_with_the_next_id(void **state)

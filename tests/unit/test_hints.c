@@ -117,7 +117,7 @@ static void test_a_fish_on_the_lifted_poi_calls_for_the_bowl(void **state)
     put_fish_on_the_poi();
     assert_int_equal(hint_after(300), HINT_BOWL);
     core.tank.fish[0].gait = GAIT_BOWL;
-    core.game.caught[0] = 1;
+    core.game.player[0].caught = 1;
     learn(HINT_TILT);
     learn(HINT_MOVE);
     learn(HINT_DIP);
@@ -131,7 +131,7 @@ static void test_who_caught_one_hears_of_the_tilt_until_it_is_done(void **state)
     (void)state;
     learn(HINT_MOVE);
     learn(HINT_DIP);
-    core.game.caught[0] = 1;
+    core.game.player[0].caught = 1;
     assert_int_equal(hint_after(300), HINT_TILT);
     core.game.hand[0].angles.pitch_rad = -0.3f;
     assert_int_equal(hint_after(300), HINT_NONE);
@@ -157,7 +157,7 @@ static void test_dips_in_vain_call_for_a_word_on_how_it_is_done(void **state)
     assert_int_equal(hint_after(300), HINT_NONE);
     core.poi[0].dips = 2;
     assert_int_equal(hint_after(300), HINT_GLIDE);
-    core.game.caught[0] = 1;
+    core.game.player[0].caught = 1;
     learn(HINT_TILT);
     assert_int_equal(hint_after(300), HINT_NONE);
     core.poi[0].dips = 4;

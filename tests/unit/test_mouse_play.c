@@ -170,7 +170,7 @@ static void test_a_patient_hand_lands_fish_with_a_mouse(void **state)
         for (uint32_t i = 0; i < 12 && player.kiosk.core.game.phase == PHASE_ROUND; i++) {
             try_once();
         }
-        landed += player.kiosk.core.game.caught[0];
+        landed += player.kiosk.core.game.player[0].caught;
     }
     print_message("%u fish in twelve rounds\n", landed);
     assert_true(landed >= 30); /* 45 by now; four rounds alone scatter by half of it. */

@@ -121,7 +121,7 @@ static void test_the_game_is_told_as_it_is(void **state)
     core.game.phase = PHASE_ROUND;
     core.game.phase_tick = 240;
     core.tick = 360;
-    core.game.caught[0] = 5;
+    core.game.player[0].caught = 5;
     core.game.hints.shown = HINT_BOWL;
     core_scene(&core, &scene);
     assert_int_equal(scene.tick, 360);

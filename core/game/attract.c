@@ -1,0 +1,37 @@
+/* attract.c -- nobody plays: the stall's own bot does, until somebody dips or presses START. */
+#include "core/core.h"
+#include "core/game/paper.h"
+#include "core/game/phases.h"
+#include "core/game/keeper.h"
+
+#define SWAP_TICKS (2u * CORE_TICK_HZ) /* The bot keeps a torn poi for so long. */
+#define BOWL_MAX 10u                   /* Then it begins anew, or a night would empty the tank. */
+
+void attract_begin(struct core *core)
+{
+    core->game.mode = keeper_first_mode(&core->config);
+    core->game.gone_tick = 0;
+    phase_enter(core, PHASE_ATTRACT);
+    keeper_pour_back(core);
+    keeper_set_up(core, core->config.preset);
+}
+
+void attract_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct game *game = &core->game;
+    if ((input->pressed & INPUT_START) || phase_dipped(core, input) < POI_MAX) {
+        hints_init(&game->hints);
+        choose_begin(core, output);
+        return;
+    }
+    const int is_full = core->bowl[0].fish_count >= BOWL_MAX;
+    const int is_free = core->poi[0].immersed <= 0.0f && core->poi[0].rider_count == 0;
+    if (game->gone_tick == 0 && (is_full || !paper_can_hold(&core->poi[0].sheet))) {
+        game->gone_tick = core->tick;
+    }
+    if (game->gone_tick != 0 && core->tick - game->gone_tick >= SWAP_TICKS && is_free) {
+        keeper_hand_out(core, 0, core->tick, GAME_SERIES_ATTRACT);
+        bowl_pour_back(&core->bowl[0], 0, &core->tank);
+        game->gone_tick = 0;
+    }
+}

@@ -1,0 +1,114 @@
+/* choose.c -- which mode? LEFT and RIGHT point, and so does a hand: the tank's width has as many
+ * shares as there are modes, in their order. START, OK or a dip takes what is pointed at. */
+#include "core/core.h"
+#include "core/game/phases.h"
+#include "core/game/keeper.h"
+
+static uint32_t mode_count(uint8_t modes)
+{
+    uint32_t count = 0;
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        count += modes >> mode & 1u;
+    }
+    return count;
+}
+
+/* The `nth` of those offered, from 0. */
+static uint8_t nth_mode(uint8_t modes, uint32_t nth)
+{
+    uint8_t mode = 0;
+    for (; mode < MODE_COUNT - 1u; mode++) {
+        if (modes >> mode & 1u) {
+            if (nth == 0) {
+                break;
+            }
+            nth--;
+        }
+    }
+    return mode;
+}
+
+static uint32_t place_of(uint8_t modes, uint8_t mode)
+{
+    return mode_count((uint8_t)(modes & ((1u << mode) - 1u)));
+}
+
+static void point_at(struct core *core, uint32_t nth, struct output *output)
+{
+    const uint8_t mode = nth_mode(keeper_modes(&core->config), nth);
+    core->game.point_tick = core->tick;
+    if (mode != core->game.mode) {
+        core->game.mode = mode;
+        output_sound(output, SOUND_CHOOSE, 0.8f, 0.0f);
+    }
+}
+
+/* From 0, over which share of the tank a hand is; beyond a wall it is over the outermost. */
+static uint32_t share_under(const struct core *core, vec3 hand_m, uint32_t count)
+{
+    const float share = hand_m.x / core->tank.size_m.x + 0.5f;
+    return (uint32_t)f_clamp(share * (float)count, 0.0f, (float)count - 0.5f);
+}
+
+/* A hand points as it comes over another share; where it rests the buttons have their way. The
+ * first player's hand has the last word. */
+static void point_by_hands(struct core *core, struct output *output)
+{
+    const uint32_t count = mode_count(keeper_modes(&core->config));
+    for (uint32_t i = POI_MAX; i-- > 0;) {
+        struct player *player = &core->game.player[i];
+        if (!core->bowl[i].present || core->poi[i].link != POI_LINK_LIVE) {
+            player->points = 0;
+            continue;
+        }
+        const uint32_t share = share_under(core, core->game.trust[i].newest.position_m, count);
+        if (player->points != share + 1u) {
+            player->points = (uint8_t)(share + 1u);
+            point_at(core, share, output);
+        }
+    }
+}
+
+static void point_by_buttons(struct core *core, const struct input *input, struct output *output)
+{
+    const uint8_t modes = keeper_modes(&core->config);
+    const uint32_t count = mode_count(modes);
+    const uint32_t here = place_of(modes, core->game.mode);
+    if (input->pressed & INPUT_LEFT) {
+        point_at(core, (here + count - 1u) % count, output);
+    } else if (input->pressed & INPUT_RIGHT) {
+        point_at(core, (here + 1u) % count, output);
+    }
+}
+
+void choose_begin(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    if (mode_count(keeper_modes(&core->config)) == 1u) {
+        ready_begin(core, output);
+        return;
+    }
+    phase_enter(core, PHASE_CHOOSE);
+    game->point_tick = core->tick;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->player[i].points = 0;
+    }
+    keeper_pour_back(core);
+    output_sound(output, SOUND_CHOOSE, 1.0f, 0.0f);
+}
+
+void choose_tick(struct core *core, const struct input *input, struct output *output)
+{
+    const uint32_t dipped = phase_dipped(core, input);
+    point_by_hands(core, output);
+    if (dipped < POI_MAX) { /* Where it dips, whatever the buttons said since it came there. */
+        point_at(core, core->game.player[dipped].points - 1u, output);
+    }
+    point_by_buttons(core, input, output);
+    const int is_fresh = core->tick - core->game.phase_tick < GAME_CHOOSE_TICKS_MIN;
+    if (!is_fresh && (dipped < POI_MAX || (input->pressed & (INPUT_START | INPUT_OK)))) {
+        ready_begin(core, output);
+    } else if (core->tick - core->game.point_tick >= GAME_CHOOSE_TICKS) {
+        attract_begin(core);
+    }
+}

@@ -1,0 +1,83 @@
+/* fouls.c -- from what shadows and fish did to the umpire's call. */
+#include "core/game/fouls.h"
+
+#include "core/core.h"
+
+#define STIR_M 0.03f /* A hand that stays within this of where it was rests. */
+
+void foul_commit(struct core *core, uint32_t index, enum foul kind, struct output *output)
+{
+    struct player *player = &core->game.player[index];
+    const uint32_t last_tick = player->offence_tick[kind];
+    player->offence_tick[kind] = core->tick;
+    if (player->fouls >= FOUL_MAX ||
+        (last_tick != 0 && core->tick - last_tick < FOUL_APART_TICKS)) {
+        return;
+    }
+    player->fouls++;
+    player->foul = (uint8_t)kind;
+    player->foul_tick = core->tick;
+    player->out |= player->fouls == FOUL_MAX;
+    output_sound(output, SOUND_FOUL, 1.0f, 0.0f);
+}
+
+/* ---- Before the start ----------------------------------------------------------------------- */
+
+static int is_held_over_fish(const struct tank *tank, const struct shade *shade)
+{
+    return shade->cast.present && shade->still_s >= FOUL_SHADE_S &&
+           tank_shade_count(tank, &shade->cast) > 0;
+}
+
+/* What the keeper's changes do to the poi (another tank, a new holder) is no motion of the hand's,
+ * so the hand itself is looked at. */
+static void watch_stance(struct player *player, vec3 hand_m)
+{
+    const float x_m = hand_m.x - player->rest_x_m, z_m = hand_m.z - player->rest_z_m;
+    if (player->stance == STANCE_UNSEEN) {
+        player->stance = STANCE_RESTS;
+        player->rest_x_m = hand_m.x;
+        player->rest_z_m = hand_m.z;
+    } else if (x_m * x_m + z_m * z_m > STIR_M * STIR_M) {
+        player->stance = STANCE_MOVED;
+    }
+}
+
+static int has_moved(struct core *core, uint32_t index)
+{
+    struct player *player = &core->game.player[index];
+    if (core->poi[index].link == POI_LINK_LIVE) {
+        watch_stance(player, core->game.trust[index].newest.position_m);
+    } else if (core->poi[index].link == POI_LINK_BOT) {
+        watch_stance(player, core->game.hand[index].position_m);
+    }
+    return player->stance == STANCE_MOVED;
+}
+
+void fouls_before_start(struct core *core, struct output *output)
+{
+    const struct tank *tank = &core->tank;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const int moved = has_moved(core, i);
+        const int by_fan = is_held_over_fish(tank, &tank->shade[i]);
+        const int by_poi = moved && is_held_over_fish(tank, &tank->shade[SHADE_MAX + i]);
+        if (core->bowl[i].present && (by_fan || by_poi)) {
+            foul_commit(core, i, FOUL_SHADE, output);
+        }
+    }
+}
+
+/* ---- In the round --------------------------------------------------------------------------- */
+
+void fouls_of_catch(struct core *core, const struct catch_result caught[POI_MAX],
+                    struct output *output)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (caught[i].poured > 0) {
+            foul_commit(core, i, FOUL_POURED, output);
+        }
+        if (caught[i].walled > 0) {
+            foul_commit(core, i, FOUL_WALL, output);
+        }
+    }
+}

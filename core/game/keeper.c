@@ -1,0 +1,139 @@
+/* keeper.c -- tanks, bowls and paper. */
+#include "core/game/keeper.h"
+
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/base/rng.h"
+#include "core/core.h"
+#include "core/game/let_go.h"
+#include "core/game/rules.h"
+
+uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series)
+{
+    return rng_u32(
+        (struct rng_key){ seed, number, index + POI_MAX * (uint32_t)series, RNG_ROUND_SEED });
+}
+
+/* ---- What is offered ------------------------------------------------------------------------ */
+
+uint8_t keeper_modes(const struct core_config *config)
+{
+    return config->modes ? config->modes : 1u << MODE_FESTIVAL;
+}
+
+uint8_t keeper_first_mode(const struct core_config *config)
+{
+    const uint8_t modes = keeper_modes(config);
+    uint8_t mode = 0;
+    while (!(modes & (1u << mode))) {
+        mode++;
+    }
+    return mode;
+}
+
+uint8_t keeper_preset(const struct core_config *config, uint8_t mode)
+{
+    const uint8_t preset = rules_of(mode)->tank;
+    return preset == RULES_STALLS_TANK ? config->preset : preset;
+}
+
+uint8_t keeper_grade(const struct core_config *config, uint8_t mode)
+{
+    const uint8_t grade = rules_of(mode)->grade;
+    const uint8_t own = config->grade ? config->grade : GAME_POI_GRADE;
+    return grade ? grade : own;
+}
+
+uint32_t keeper_round_s(const struct core_config *config, uint8_t mode)
+{
+    return config->round_s ? config->round_s : rules_of(mode)->round_s;
+}
+
+/* ---- Tank and bowls ------------------------------------------------------------------------- */
+
+static uint32_t player_count(const struct core_config *config)
+{
+    return config->players ? config->players : 1u;
+}
+
+/* Over the water: the first in the middle, the others on the way to their bowls. */
+static vec3 poi_place(const struct tank_preset *preset, uint32_t index, float y_m)
+{
+    const vec3 bowl_m = preset->bowl_m[index];
+    return index == 0 ? v3(0.0f, y_m, 0.0f) : v3(0.5f * bowl_m.x, y_m, 0.5f * bowl_m.z);
+}
+
+static void place_all(struct core *core, const struct tank_preset *preset)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint32_t seed =
+            game_poi_seed(core->config.seed, i, core->game.round_count, GAME_SERIES_ROUND);
+        const uint8_t link = core->poi[i].link;
+        poi_init(&core->poi[i], keeper_grade(&core->config, core->game.mode),
+                 poi_place(preset, i, 0.05f), seed);
+        core->poi[i].link = link;
+        core->game.hand[i] = (struct poi_target){ .position_m = poi_place(preset, i, 0.10f) };
+        core->game.holder[i] = POI_LINK_ABSENT; /* Whoever holds it takes it over anew. */
+        if (i < player_count(&core->config)) {
+            bowl_init(&core->bowl[i], preset->bowl_m[i]);
+        }
+    }
+}
+
+static void open_tank(struct core *core, uint8_t preset, uint32_t seed)
+{
+    const int is_own = preset == core->config.preset && core->config.fish_count != 0;
+    struct tank_config config = tank_config_of(preset);
+    config.fish_count = is_own ? core->config.fish_count : tank_preset(preset)->fish_count;
+    config.seed = seed;
+    config.bowls = (uint8_t)player_count(&core->config);
+    config.lanes = core->config.lanes;
+    const int opened = tank_open(&core->tank, &config);
+    CORE_ASSERT(opened);
+    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
+        core->tank.fish[i].thought_tick = (uint8_t)core->tick; /* Hatched just now. */
+    }
+}
+
+void keeper_open(struct core *core)
+{
+    open_tank(core, core->config.preset, core->config.seed);
+    place_all(core, tank_preset(core->config.preset));
+}
+
+void keeper_set_up(struct core *core, uint8_t preset)
+{
+    if (preset == core->tank.preset) {
+        return;
+    }
+    const struct rng_key key = { core->config.seed, core->game.round_count, preset,
+                                 RNG_TANK_SEED };
+    open_tank(core, preset, rng_u32(key));
+    place_all(core, tank_preset(preset));
+}
+
+/* ---- Paper and fish ------------------------------------------------------------------------- */
+
+void keeper_hand_out(struct core *core, uint32_t index, uint32_t number, enum game_series series)
+{
+    struct poi *poi = &core->poi[index];
+    const uint8_t link = poi->link;
+    const struct angles angles = poi->angles;
+    const uint32_t rider_count = poi->rider_count;
+    struct rider riders[POI_RIDER_MAX];
+    let_go_all(poi, &core->tank);
+    memcpy(riders, poi->riders, sizeof riders);
+    poi_init(poi, keeper_grade(&core->config, core->game.mode), poi->position_m,
+             game_poi_seed(core->config.seed, index, number, series));
+    poi->link = link;
+    poi->angles = angles;
+    poi->rider_count = rider_count;
+    memcpy(poi->riders, riders, sizeof riders);
+}
+
+void keeper_pour_back(struct core *core)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        bowl_pour_back(&core->bowl[i], i, &core->tank);
+    }
+}

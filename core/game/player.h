@@ -1,0 +1,31 @@
+/* player.h -- what a round knows of each who plays in it. */
+#ifndef KINGYO_CORE_GAME_PLAYER_H
+#define KINGYO_CORE_GAME_PLAYER_H
+
+#include <stdint.h>
+
+#include "core/scene.h"
+
+/* What a hand has done since READY began. */
+enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
+
+struct player {
+    uint8_t plays;  /* Has held its poi in this round. */
+    uint8_t out;    /* Its round is over before time is called. */
+    uint8_t handed; /* Has got its fresh paper for this round. */
+    uint8_t points; /* In CHOOSE: at which share of the tank its hand was, from 1; 0: nowhere. */
+    uint8_t fouls;  /* 0 .. FOUL_MAX */
+    uint8_t foul;   /* enum foul: the latest, ... */
+    uint32_t foul_tick;                /* ... and when it was called. */
+    uint32_t offence_tick[FOUL_COUNT]; /* When each kind was last committed, called or not. */
+    uint32_t caught;
+    uint32_t scoops;     /* With papers before the one in hand. */
+    uint32_t torn_tick;  /* When its paper could hold no fish any more; 0: it can. */
+    uint32_t lost_ticks; /* How long others have waited for its hand without a break. */
+    uint8_t stance;      /* enum player_stance, in READY ... */
+    float rest_x_m, rest_z_m; /* ... and where its hand was when first seen there. */
+};
+
+uint64_t player_hash(uint64_t hash, const struct player *player);
+
+#endif

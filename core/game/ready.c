@@ -1,0 +1,53 @@
+/* ready.c -- a few seconds before the start: fresh paper, empty bowls, and hands off the fish. */
+#include "core/core.h"
+#include "core/game/fouls.h"
+#include "core/game/phases.h"
+#include "core/game/rules.h"
+#include "core/game/keeper.h"
+
+void ready_begin(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    game->round_count++;
+    game->round_s = keeper_round_s(&core->config, game->mode);
+    game->bot_played = 0;
+    game->played = 0;
+    game->paused = 0;
+    game->gone_tick = 0;
+    game->lost_ticks = 0;
+    game->call = CALL_NONE;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->player[i] = (struct player){ 0 };
+    }
+    keeper_pour_back(core);
+    keeper_set_up(core, keeper_preset(&core->config, game->mode));
+    phase_enter(core, PHASE_READY);
+    output_sound(output, SOUND_START, 1.0f, 0.0f);
+}
+
+/* Each poi gets its paper as soon as it is clear of the water, so that nothing jumps. */
+static void hand_out_paper(struct core *core, uint32_t elapsed, uint32_t total)
+{
+    struct game *game = &core->game;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const int clear = core->poi[i].immersed <= 0.0f || elapsed >= total / 2u;
+        if (!game->player[i].handed && clear) {
+            keeper_hand_out(core, i, game->round_count, GAME_SERIES_ROUND);
+            game->player[i].handed = 1;
+        }
+    }
+}
+
+void ready_tick(struct core *core, struct output *output)
+{
+    const struct rules *rules = rules_of(core->game.mode);
+    const uint32_t elapsed = core->tick - core->game.phase_tick;
+    const uint32_t total = rules->ready_s * CORE_TICK_HZ;
+    hand_out_paper(core, elapsed, total);
+    if (rules->judges) {
+        fouls_before_start(core, output);
+    }
+    if (elapsed >= total) {
+        round_begin(core, output);
+    }
+}

@@ -1,0 +1,28 @@
+/* result.c -- the round is over: the count stands there for a while. */
+#include "core/core.h"
+#include "core/game/phases.h"
+#include "core/game/score.h"
+
+void result_begin(struct core *core, struct output *output)
+{
+    core->game.paused = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        core->poi[i].rider_count = 0; /* Too late: they go back to the water. */
+    }
+    phase_enter(core, PHASE_RESULT);
+    score_keep(core, output);
+    output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
+}
+
+/* The same players go on: they know what they have learned. */
+void result_tick(struct core *core, const struct input *input, struct output *output)
+{
+    const uint32_t elapsed = core->tick - core->game.phase_tick;
+    const int dipped = phase_dipped(core, input) < POI_MAX;
+    if (((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
+        (dipped && elapsed >= GAME_AGAIN_DIP_TICKS)) {
+        choose_begin(core, output);
+    } else if (elapsed >= GAME_RESULT_TICKS) {
+        attract_begin(core);
+    }
+}

@@ -1,0 +1,136 @@
+/* round.c -- the round: its clock and calls, torn paper, and what ends it. */
+#include "core/core.h"
+#include "core/game/calls.h"
+#include "core/game/hand.h"
+#include "core/game/paper.h"
+#include "core/game/pause.h"
+#include "core/game/phases.h"
+#include "core/game/rules.h"
+#include "core/game/keeper.h"
+
+void round_begin(struct core *core, struct output *output)
+{
+    keeper_pour_back(core); /* What fell off an old poi meanwhile would lie there uncounted. */
+    phase_enter(core, PHASE_ROUND);
+    core->game.round_tick = core->tick;
+    output_sound(output, SOUND_START, 0.8f, 0.0f);
+}
+
+/* ---- Paper ---------------------------------------------------------------------------------- */
+
+/* In place of a torn one, once what is left of it is clear of the water, so that nothing jumps. */
+static void renew_paper(struct core *core, uint32_t index)
+{
+    struct player *player = &core->game.player[index];
+    if (core->poi[index].immersed <= 0.0f) {
+        player->scoops += core->poi[index].dips;
+        keeper_hand_out(core, index, core->tick, GAME_SERIES_SPARE);
+    }
+}
+
+static void watch_paper(struct core *core, struct output *output)
+{
+    const int renews = rules_of(core->game.mode)->renews_paper;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        struct player *player = &core->game.player[i];
+        if (!player->plays || paper_can_hold(&core->poi[i].sheet)) {
+            continue;
+        }
+        if (player->torn_tick == 0) {
+            player->torn_tick = core->tick;
+            output_sound(output, SOUND_GONE, 1.0f, 0.0f);
+        }
+        if (renews) {
+            renew_paper(core, i);
+        } else {
+            player->out = 1;
+        }
+    }
+}
+
+/* ---- The end -------------------------------------------------------------------------------- */
+
+static int all_are_out(const struct core *core)
+{
+    int played = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player *player = &core->game.player[i];
+        if (player->plays && !player->out) {
+            return 0;
+        }
+        played |= player->plays;
+    }
+    return played;
+}
+
+/* When time is called nothing more may be scooped, but what lies on paper may be brought home. */
+static int any_carries(const struct core *core)
+{
+    uint32_t riders = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        riders += hand_plays(core, i) ? core->poi[i].rider_count : 0;
+    }
+    return riders > 0;
+}
+
+static int is_over(const struct core *core, uint32_t elapsed, uint32_t total)
+{
+    const uint32_t gone_tick = core->game.gone_tick;
+    if (gone_tick != 0 && core->tick - gone_tick >= GAME_GONE_TICKS) {
+        return 1;
+    }
+    return elapsed >= total && (!any_carries(core) || elapsed >= total + GAME_CARRY_TICKS);
+}
+
+/* ---- Time ----------------------------------------------------------------------------------- */
+
+static void call_time(struct core *core, uint32_t elapsed, uint32_t total, struct output *output)
+{
+    const enum time_call call = call_at(elapsed, total);
+    if (call == CALL_COUNTDOWN) {
+        output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* In every mode. */
+    }
+    if (call == CALL_NONE || !rules_of(core->game.mode)->calls) {
+        return;
+    }
+    core->game.call = (uint8_t)call;
+    core->game.call_tick = core->tick;
+    if (call != CALL_COUNTDOWN) {
+        output_sound(output, SOUND_CALL, 1.0f, 0.0f);
+    }
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+static void note_who_plays(struct core *core)
+{
+    struct game *game = &core->game;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->played |= game->player[i].plays;
+        game->bot_played |= (uint8_t)(hand_plays(core, i) && core->poi[i].link == POI_LINK_BOT);
+    }
+}
+
+void round_tick(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    pause_tick(core);
+    note_who_plays(core);
+    if (pause_is_over(core)) {
+        result_begin(core, output);
+        return;
+    }
+    if (game->paused) {
+        return;
+    }
+    const uint32_t total = game->round_s * CORE_TICK_HZ;
+    const uint32_t elapsed = core->tick - game->phase_tick;
+    watch_paper(core, output);
+    if (game->gone_tick == 0 && all_are_out(core)) {
+        game->gone_tick = core->tick;
+    }
+    call_time(core, elapsed, total, output);
+    if (is_over(core, elapsed, total)) {
+        result_begin(core, output);
+    }
+}

@@ -1,0 +1,82 @@
+/* score.c -- counting fish. */
+#include "core/game/score.h"
+
+#include "core/core.h"
+#include "core/game/fouls.h"
+#include "core/game/rules.h"
+#include "core/game/keeper.h"
+
+/* Fish that a foul brought lie in the bowl with the others; the umpire does not count them. */
+static uint32_t valid(const struct rules *rules, const struct catch_result *caught)
+{
+    return rules->judges ? caught->landed : caught->landed + caught->walled + caught->poured;
+}
+
+void game_score(struct core *core, const struct catch_result caught[POI_MAX],
+                struct output *output)
+{
+    struct game *game = &core->game;
+    if (game->phase != PHASE_ROUND) {
+        return;
+    }
+    const struct rules *rules = rules_of(game->mode);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (game->player[i].fouls < FOUL_MAX) {
+            game->player[i].caught += valid(rules, &caught[i]);
+        }
+    }
+    if (rules->judges) {
+        fouls_of_catch(core, caught, output);
+    }
+}
+
+static uint32_t hole_area_mm2(const struct sheet *sheet)
+{
+    const float cell_mm = 1000.0f * sheet_cell_m(sheet);
+    const uint32_t holes = sheet->paper_cells_new - sheet->paper_cells;
+    return (uint32_t)((float)holes * cell_mm * cell_mm + 0.5f);
+}
+
+struct round_record game_record(const struct core *core)
+{
+    const struct game *game = &core->game;
+    struct round_record record = {
+        .seed = core->config.seed,
+        .start_tick = game->round_tick,
+        .end_tick = game->phase == PHASE_RESULT ? game->phase_tick : core->tick,
+        .by_bot = game->bot_played,
+        .mode = game->mode,
+        .grade = keeper_grade(&core->config, game->mode),
+    };
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player *player = &game->player[i];
+        if (player->plays) {
+            record.caught += player->caught;
+            record.players |= (uint8_t)(1u << i);
+            record.player[i] = (struct player_record){
+                .caught = player->caught,
+                .scoops = player->scoops + core->poi[i].dips,
+                .hole_area_mm2 = hole_area_mm2(&core->poi[i].sheet),
+                .torn_tick = player->torn_tick,
+                .fouls = player->fouls,
+            };
+        }
+    }
+    return record;
+}
+
+void score_keep(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    if (!game->played || !rules_of(game->mode)->keeps_score) {
+        return;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!game->bot_played && game->player[i].caught > game->best_today[game->mode]) {
+            game->best_today[game->mode] = game->player[i].caught;
+        }
+    }
+    game->record_id++;
+    output->record = game_record(core);
+    output->record.id = game->record_id;
+}

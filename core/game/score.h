@@ -1,0 +1,23 @@
+/* score.h -- what counts, and what is kept of a round. */
+#ifndef KINGYO_CORE_GAME_SCORE_H
+#define KINGYO_CORE_GAME_SCORE_H
+
+#include <stdint.h>
+
+#include "core/output.h"
+#include "core/poi/catch.h"
+
+struct core;
+
+/* The last step of a tick: what came into the bowls counts as the mode's rules say. */
+void game_score(struct core *core, const struct catch_result caught[POI_MAX],
+                struct output *output);
+
+/* The round that runs, or was the last to run, in figures; `id` is 0. */
+struct round_record game_record(const struct core *core);
+
+/* At the end of a round: the best of the day, and the record for the store. A round that nobody
+ * played and one without a score leave none. */
+void score_keep(struct core *core, struct output *output);
+
+#endif

@@ -1,0 +1,99 @@
+/* stall_stand.h -- a whole stall on a test stand: it is played by inputs alone, as in the kiosk. */
+#ifndef KINGYO_TESTS_STALL_STAND_H
+#define KINGYO_TESTS_STALL_STAND_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/core.h"
+
+#define STAND_ABOVE_M 0.06f
+#define STAND_BELOW_M (-0.05f)
+
+static struct core core;
+static struct input input;
+static struct output output;
+static struct scene scene;
+static uint32_t sounds[SOUND_COUNT]; /* Heard since the stall was opened, or they were cleared. */
+
+static inline void open_stall(const struct core_config *config)
+{
+    assert_int_equal(core_init(&core, config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    memset(sounds, 0, sizeof sounds);
+}
+
+static inline void tick(void)
+{
+    output.sound_count = 0;
+    core_tick(&core, &input, &output);
+    input.pressed = 0;
+    for (uint32_t i = 0; i < output.sound_count; i++) {
+        sounds[output.sounds[i].sound]++;
+    }
+}
+
+static inline void ticks(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        tick();
+    }
+}
+
+static inline void press(uint32_t buttons)
+{
+    input.pressed = buttons;
+    tick();
+}
+
+/* From now on player `index` holds its poi there, level, with a wrist. */
+static inline void hold(uint32_t index, vec3 at_m)
+{
+    input.poi[index] = (struct poi_input){
+        .link = POI_LINK_LIVE,
+        .has_wrist = 1,
+        .target.position_m = at_m,
+    };
+}
+
+static inline void dip(uint32_t index, float x_m, float z_m)
+{
+    hold(index, v3(x_m, STAND_ABOVE_M, z_m));
+    tick();
+    hold(index, v3(x_m, STAND_BELOW_M, z_m));
+    tick();
+}
+
+static inline const struct scene *look(void)
+{
+    core_scene(&core, &scene);
+    return &scene;
+}
+
+static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
+{
+    for (uint32_t i = 0; core.game.phase != phase && i < ticks_max; i++) {
+        tick();
+    }
+    assert_int_equal(core.game.phase, phase);
+}
+
+/* The paper of a poi is gone, all but the ring. */
+static inline void tear_all(uint32_t index)
+{
+    struct sheet *sheet = &core.poi[index].sheet;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        if (sheet->state[i] == CELL_PAPER) {
+            sheet->state[i] = CELL_HOLE;
+        }
+    }
+    sheet->paper_cells = 0;
+}
+
+#endif
