@@ -8,6 +8,8 @@
 #include "core/game/hand.h"
 #include "core/game/let_go.h"
 #include "core/poi/catch.h"
+#include "core/poi/haptics.h"
+#include "core/poi/wake.h"
 
 #define FAN_REACH_M 1.0f
 
@@ -44,18 +46,16 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
 }
 
 static void tick_pois(struct core *core, const struct input *input,
-                      const struct poi_target targets[POI_MAX], const uint8_t live[POI_MAX],
-                      struct output *output)
+                      const struct poi_target targets[POI_MAX], const uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        output->poi[i] = (struct poi_force){ 0 };
         if (live[i]) {
             const struct poi_grip grip = {
                 .target = targets[i],
                 .has_wrist = core->poi[i].link == POI_LINK_LOST || /* Nobody empties it. */
                              (core->poi[i].link == POI_LINK_LIVE && input->poi[i].has_wrist),
             };
-            poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i], &output->poi[i]);
+            poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i]);
         }
     }
 }
@@ -64,7 +64,7 @@ static void tick_water(struct core *core, const uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i]) {
-            poi_stir(&core->poi[i], &core->tank.water, core->tank.size_m);
+            wake_tick(&core->poi[i], &core->tank.water, core->tank.size_m);
         }
     }
     if (core->tick % 2u == 0) {
@@ -147,6 +147,18 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
     }
 }
 
+/* Once walls and fish have had their say: blows that catch_tick() gathers now are felt, and load
+ * the paper, in the next tick. */
+static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], struct output *output)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        output->poi[i] = (struct poi_force){ 0 };
+        if (live[i]) {
+            haptics_feel(&core->poi[i], &output->poi[i]);
+        }
+    }
+}
+
 void core_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct poi_target targets[POI_MAX];
@@ -154,9 +166,10 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
     struct catch_result caught[POI_MAX] = { 0 };
 
     game_tick(core, input, output, targets, live);
-    tick_pois(core, input, targets, live, output);
+    tick_pois(core, input, targets, live);
     tick_water(core, live);
     tick_fish(core, input);
+    feel_pois(core, live, output);
     tick_catch(core, live, caught, output);
     game_score(core, caught, output);
     core->tick++;

@@ -304,6 +304,7 @@ static void gather_loads(struct scoop *scoop)
             add_slap(poi, &poi->riders[i], &scoop->tank->fish[poi->riders[i].fish]);
         }
     }
+    poi->slap_count = poi->load_count;
     for (uint32_t i = 0; i < poi->rider_count; i++) {
         const struct rider *rider = &poi->riders[i];
         const struct fish *fish = &scoop->tank->fish[rider->fish];

@@ -50,3 +50,24 @@ float disc_edge_n_s_m(float radius_m, float plane_m_s)
     const float friction = 1.328f / f_sqrt(reynolds);
     return friction * 0.5f * WATER_KG_M3 * 2.0f * F_PI * radius_m * radius_m * speed;
 }
+
+/* (16/45) a^5 of turning against (8/3) a^3 of moving. */
+float disc_turn_added_kg_m2(float radius_m, float added_kg)
+{
+    return 2.0f / 15.0f * added_kg * radius_m * radius_m;
+}
+
+/* The integral of |x|^3 over a disc is (8/15) a^5. */
+float disc_turn_n_m_s(float radius_m, float rate_rad_s)
+{
+    const float square = radius_m * radius_m;
+    const float integral = 8.0f / 15.0f * square * square * radius_m;
+    return 0.5f * WATER_KG_M3 * CN_BROADSIDE * integral * f_abs(rate_rad_s);
+}
+
+/* The mean of x^2 over a disc is a^2 / 4. */
+float disc_turn_pa(float radius_m, float rate_rad_s)
+{
+    const float square_m2_s2 = 0.25f * radius_m * radius_m * rate_rad_s * rate_rad_s;
+    return 0.5f * WATER_KG_M3 * CN_BROADSIDE * square_m2_s2;
+}

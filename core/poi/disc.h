@@ -19,4 +19,11 @@ float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s);
 /* Friction along the plane / speed along the plane (N s/m), both faces, laminar plate. */
 float disc_edge_n_s_m(float radius_m, float plane_m_s);
 
+/* A disc that turns about its own diameter: water that turns along (kg m^2), where `added_kg` moves
+ * along its normal; torque / rate under water (N m s); and the pressure on it, of the mean square
+ * of its speed. (16/45) rho a^5 of water, and C_N of a broadside disc at each point of it. */
+float disc_turn_added_kg_m2(float radius_m, float added_kg);
+float disc_turn_n_m_s(float radius_m, float rate_rad_s);
+float disc_turn_pa(float radius_m, float rate_rad_s);
+
 #endif

@@ -9,6 +9,7 @@
 
 #include "core/base/hash.h"
 #include "core/poi/catch.h"
+#include "core/poi/wake.h"
 #include "core/tank/avoid.h"
 #include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
@@ -125,8 +126,8 @@ static void tick_with_poi(struct tank_lab *lab)
         .has_wrist = 1,
     };
     lab->output.sound_count = 0;
-    poi_tick(&lab->poi, &grip, &lab->tank, &lab->bowl, &lab->output.poi[0]);
-    poi_stir(&lab->poi, &lab->tank.water, lab->tank.size_m);
+    poi_tick(&lab->poi, &grip, &lab->tank, &lab->bowl);
+    wake_tick(&lab->poi, &lab->tank.water, lab->tank.size_m);
     if (lab->tick % 2u == 0) {
         water_step(&lab->tank.water, lab->tank.size_m);
     }

@@ -16,6 +16,7 @@
 #include "core/base/physics.h"
 #include "core/poi/catch.h"
 #include "core/poi/disc.h"
+#include "core/poi/haptics.h"
 #include "core/tank/loose.h"
 #include "core/tank/swim.h"
 
@@ -88,10 +89,11 @@ static inline void stand_tick(struct stand *stand)
     struct poi *poi = &stand->poi;
     stand->output.sound_count = 0;
     const struct poi_grip grip = { stand->hand, stand->has_wrist };
-    poi_tick(poi, &grip, &stand->tank, &stand->bowl, &stand->force);
+    poi_tick(poi, &grip, &stand->tank, &stand->bowl);
     struct obstacle ring = poi_obstacle(poi);
     stand_part(&stand->tank, &ring);
     poi_give_way(poi, &ring);
+    haptics_feel(poi, &stand->force);
     bowl_tick(&stand->bowl, 0, &stand->tank, stand->tick);
     const struct stall stall = { &stand->tank, &stand->bowl, 1 };
     struct catch_result caught[POI_MAX] = { 0 };

@@ -34,9 +34,8 @@ struct outcome {
 static void step(struct poi_target hand, struct outcome *sum)
 {
     const struct poi_grip grip = { hand, 1 };
-    struct poi_force force;
     output.sound_count = 0;
-    poi_tick(&poi, &grip, &tank, &bowl, &force);
+    poi_tick(&poi, &grip, &tank, &bowl);
     struct obstacle ring = poi_obstacle(&poi);
     tank_tick(&tank, now, &ring, 1);
     poi_give_way(&poi, &ring);

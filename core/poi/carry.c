@@ -1,0 +1,75 @@
+/* carry.c -- a film, and a pool in a tilted bowl: what room they have, and how the rest runs off.
+ */
+#include "core/poi/carry.h"
+
+#include "core/base/physics.h"
+
+#define FILM_KG 0.003f       /* Both faces of wet paper: 0.3 mm on each. */
+#define FILM_KEEP_KG 0.0008f /* Fibres let go of no more than that. */
+#define FILM_SLOW 4.0f       /* Thin water runs so many times slower than a pool. */
+#define DRAIN_TAU_S 0.15f    /* Divided by the sine of the tilt. */
+#define RIM_TAU_S 0.30f      /* Level, what stands above the rim runs off all round. */
+#define SEEP_TAU_S 6.0f      /* Level, it seeps through wet paper. */
+#define HOLES_PER_S 8.0f     /* All of it a hole would empty it in an eighth of a second. */
+#define RING_KG 0.0151f      /* Upside down the 3 mm ring is a bowl: pi a^2 times that. */
+
+/* A pool in a paraboloid of depth w0: tilted, its rim's lowest point cuts off a smaller one, of
+ * (1 - a tan / 2 w0)^4 its volume. */
+static float belly_room_kg(float sag_m, float tangent)
+{
+    const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
+    const float lost = f_min(1.0f, 0.5f * POI_RADIUS_M * tangent / f_max(sag_m, 1e-5f));
+    const float left = (1.0f - lost) * (1.0f - lost);
+    return whole_kg * left * left;
+}
+
+/* In a tilted drum the water's surface reaches the wall's lowest point; when it meets the bottom it
+ * is a wedge, whose volume goes as its length to 3/2. Half of the film lies under it. */
+static float ring_room_kg(float tangent)
+{
+    const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
+    const float wedge = 0.5f / f_max(fall, 0.5f);
+    const float share = fall < 0.5f ? 1.0f - fall : 0.5f * wedge * f_sqrt(wedge);
+    return f_max(0.0f, RING_KG * share - 0.5f * FILM_KG);
+}
+
+float carry_room_kg(const struct poi *poi, float up_y)
+{
+    const float level = f_max(f_abs(up_y), 1e-3f);
+    const float tangent = f_sqrt(f_max(0.0f, 1.0f - level * level)) / level;
+    const float room_kg =
+        up_y > 0.0f ? belly_room_kg(f_max(0.0f, poi->sheet.sag_m), tangent) : ring_room_kg(tangent);
+    return sheet_left(&poi->sheet) * room_kg;
+}
+
+/* What is left of `mass_kg` a tick later, of which all above `keep_kg` goes at `per_s`. */
+static float run_off(float mass_kg, float keep_kg, float per_s)
+{
+    const float more_kg = f_max(0.0f, mass_kg - keep_kg);
+    return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
+}
+
+/* What of the paper is under water has its film and its pool at once; what is above drains. */
+void carry_tick(struct poi *poi, float up_y)
+{
+    const float left = sheet_left(&poi->sheet);
+    const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
+    const float room_kg = carry_room_kg(poi, up_y);
+    const float tilt_per_s = tilt_sine / DRAIN_TAU_S;
+    const float seep_per_s = 1.0f / SEEP_TAU_S;
+    poi->pool_kg = run_off(poi->pool_kg, room_kg, f_max(tilt_per_s, 1.0f / RIM_TAU_S));
+    poi->pool_kg = run_off(poi->pool_kg, 0.0f, seep_per_s + HOLES_PER_S * (1.0f - left));
+    poi->film_kg = run_off(f_min(poi->film_kg, left * FILM_KG), left * FILM_KEEP_KG,
+                           tilt_per_s / FILM_SLOW + seep_per_s);
+    if (poi->immersed > 0.0f) {
+        poi->film_kg = f_max(poi->film_kg, left * FILM_KG * poi->immersed);
+        poi->pool_kg = f_max(poi->pool_kg, room_kg * poi->immersed);
+    }
+    poi->water_kg = poi->film_kg + poi->pool_kg;
+}
+
+float poi_water_m(const struct poi *poi)
+{
+    const float area_m2 = F_PI * POI_RADIUS_M * POI_RADIUS_M;
+    return (1.0f - poi->immersed) * poi->water_kg / (WATER_KG_M3 * area_m2);
+}

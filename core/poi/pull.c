@@ -1,0 +1,135 @@
+/* pull.c -- one implicit step of a spring between hand and ring, against the water. */
+#include "core/poi/pull.h"
+
+#include "core/base/physics.h"
+#include "core/poi/disc.h"
+#include "core/poi/load.h"
+
+/* The hand. One stiffness; damping grows with the water that has to move along, so that the spring
+ * is critically damped along the normal under water and lags a moving hand by damping / stiffness:
+ * 25 ms in air, 56 ms broadside under water. */
+#define HAND_N_M 215.0f
+#define HAND_LAG_AIR_S 0.0250f
+#define HAND_N_MAX 20.0f     /* What a wrist gives; the poi yields beyond it. */
+/* Who pushes against what yields slowly feels it and slows down with it. Free again, the poi goes
+ * at the pace of the hand, now or a moment ago, and catches up at leisure: the spring alone would
+ * shoot it off at 3.7 m/s. What moves freely is behind by its speed times the lag: it may go at
+ * pace (1 + 4 lag), which is more than it ever goes: pace exp(lag / 0.3 s). */
+#define CATCH_UP_PER_S 4.0f /* Of the way that it is behind, ... */
+#define CATCH_UP_M_S 1.0f   /* ... at most. */
+#define PACE_TAU_S 0.30f    /* A hand's pace is forgotten in this time. */
+#define PACE_MAX_M_S 4.0f   /* No arm is faster; a report may be. */
+#define EDGE_ADDED_KG 0.010f /* Water that the ring drags along its plane. */
+
+/* One axis of the ring: mass m, drag D v, spring k (bounded) and damper c, backward Euler. */
+static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float stiffness_n_m,
+                        float damping_n_s_m, float other_n)
+{
+    const float dt = CORE_TICK_S;
+    return (mass_kg * speed_m_s + dt * (spring_n + other_n)) /
+           (mass_kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
+}
+
+/* A spring stretched beyond HAND_N_MAX pulls with that and no more. */
+static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
+{
+    const vec3 full = v3_scale(stretch_m, HAND_N_M);
+    const int capped = v3_dot(full, full) > HAND_N_MAX * HAND_N_MAX;
+    *stiffness_n_m = capped ? 0.0f : HAND_N_M;
+    return v3_limit(full, HAND_N_MAX);
+}
+
+/* Water that starts to move with a disc that goes under: v dm/dt. Leaving, it is left behind. */
+static float slam_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
+{
+    if (immersed <= poi->immersed) {
+        return 0.0f;
+    }
+    const float share = (immersed - poi->immersed) / f_max(immersed, 1e-3f);
+    return -normal_m_s * added_kg * share / CORE_TICK_S;
+}
+
+/* How fast the hand goes, or went of late. */
+static void feel_pace(struct poi *poi, vec3 hand_m)
+{
+    const float now_m_s = v3_length(v3_sub(hand_m, poi->hand_m)) * (float)CORE_TICK_HZ;
+    const float late_m_s = poi->pace_m_s * (1.0f - CORE_TICK_S / PACE_TAU_S);
+    poi->pace_m_s = f_min(f_max(now_m_s, late_m_s), PACE_MAX_M_S);
+    poi->hand_m = hand_m;
+}
+
+static float catch_up_m_s(const struct poi *poi, vec3 target_m)
+{
+    const float behind_m = v3_length(v3_sub(target_m, poi->position_m));
+    return f_min(CATCH_UP_PER_S * behind_m, CATCH_UP_M_S);
+}
+
+static float damping_plane_n_s_m(void)
+{
+    return HAND_N_M * HAND_LAG_AIR_S;
+}
+
+static float damping_normal_n_s_m(const struct poi *poi)
+{
+    const float critical = 2.0f * f_sqrt(HAND_N_M * (POI_MASS_KG + poi->added_kg));
+    return f_max(damping_plane_n_s_m(), critical);
+}
+
+vec3 pull_mass_kg(const struct poi *poi)
+{
+    const float load_kg = POI_MASS_KG + poi->water_kg + poi->riders_kg;
+    const float plane_kg = load_kg + EDGE_ADDED_KG * poi->immersed;
+    return v3(plane_kg, load_kg + poi->added_kg, plane_kg);
+}
+
+/* What the water does to a ring that comes through it at `v`, in its own axes. A torn poi is a
+ * ring. */
+static void meet_water(struct poi *poi, vec3 v, float immersed)
+{
+    const float plane_m_s = f_sqrt(v.x * v.x + v.z * v.z);
+    const float whole = poi_whole(poi);
+    poi->added_kg = whole * disc_added_mass_kg(POI_RADIUS_M, poi->position_m.y, immersed);
+    poi->drag_n_s_m = whole * immersed * disc_normal_n_s_m(POI_RADIUS_M, v.y, plane_m_s);
+    poi->edge_n_s_m = immersed * disc_edge_n_s_m(POI_RADIUS_M, plane_m_s);
+    poi->slam_n = slam_n(poi, immersed, poi->added_kg, v.y);
+}
+
+/* The speed of a ring that nothing but its burden, the water and the spring moves. */
+static vec3 free_m_s(const struct poi *poi, vec3 v, vec3 spring_n, float k, vec3 burden_n)
+{
+    const vec3 mass_kg = pull_mass_kg(poi);
+    const float c_plane = damping_plane_n_s_m() + poi->edge_n_s_m;
+    const float c_normal = damping_normal_n_s_m(poi) + poi->drag_n_s_m;
+    const float normal_n = burden_n.y + poi->slam_n;
+    return v3(axis_speed(mass_kg.x, v.x, spring_n.x, k, c_plane, burden_n.x),
+              axis_speed(mass_kg.y, v.y, spring_n.y, k, c_normal, normal_n),
+              axis_speed(mass_kg.z, v.z, spring_n.z, k, c_plane, burden_n.z));
+}
+
+void pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed)
+{
+    const vec3 v = basis_to_body(axes, poi->velocity_m_s);
+    feel_pace(poi, target_m);
+    meet_water(poi, v, immersed);
+    poi->immersed = immersed;
+    poi->meniscus_n = load_meniscus_n(poi, axes->up.y);
+    const vec3 down_n = v3_add(load_weight_n(poi), v3(0.0f, -poi->meniscus_n, 0.0f));
+    vec3 burden_n = basis_to_body(axes, down_n);
+    burden_n.y += load_kick_n(poi);
+    float k;
+    const vec3 spring_n =
+        basis_to_body(axes, spring_force(v3_sub(target_m, poi->position_m), &k));
+    const vec3 free = free_m_s(poi, v, spring_n, k, burden_n);
+    const vec3 next = v3_limit(free, poi->pace_m_s + catch_up_m_s(poi, target_m));
+    poi->velocity_m_s = basis_to_world(axes, next);
+}
+
+vec3 pull_hand_n(const struct poi *poi, const struct basis *axes)
+{
+    float k;
+    const vec3 spring_n = spring_force(v3_sub(poi->hand_m, poi->position_m), &k);
+    const vec3 v = basis_to_body(axes, poi->velocity_m_s);
+    const float plane = damping_plane_n_s_m(), normal = damping_normal_n_s_m(poi);
+    const vec3 damper_n = v3(-plane * v.x, -normal * v.y, -plane * v.z);
+    return v3_add(spring_n, basis_to_world(axes, damper_n));
+}

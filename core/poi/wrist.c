@@ -1,0 +1,121 @@
+/* wrist.c -- a wrist as a damped spring about three axes, and the turn over the bowl. */
+#include "core/poi/wrist.h"
+
+#include "core/poi/disc.h"
+#include "core/poi/pose.h"
+
+#define TURN_RAD_S 80.0f     /* In air: lags by 25 ms. */
+#define TURN_KG_M2 1.2e-4f   /* The poi's 7 g, 13 cm from the hand that turns it. */
+#define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S) /* For each radian. */
+
+#define TIP_RAD (55.0f * F_DEG) /* Steep enough for a fish to roll over the ring. */
+#define TIP_PER_S 3.0f
+#define TIP_NEAR 0.45f /* Ring to mouth, centre to centre, in sums of their radii: full turn ...   \
+                        */
+#define TIP_FAR 0.95f  /* ... and none. */
+#define TIP_FALL_M 0.040f /* A fish leaves the ring so far from its centre; */
+#define TIP_HIT 0.65f     /* well within the mouth, in its radii, the turn is full. */
+#define TIP_BACK_SHARE 0.4f
+#define TIP_EDGE_M 0.010f /* The lower edge then keeps so far over the mouth. */
+
+
+/* ---- Over the bowl -------------------------------------------------------------------------- */
+
+/* [0, 1]: how far the ring is over the mouth of its bowl, clear of the water, and turned so that a
+ * fish would fall into the mouth. */
+static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
+{
+    if (!bowl->present) {
+        return 0.0f;
+    }
+    const float near = v3_length(way) / (BOWL_RADIUS_M + POI_RADIUS_M);
+    const vec3 fall = v3_mad(way, poi->tip_toward, -TIP_FALL_M);
+    const float miss = v3_length(fall) / BOWL_RADIUS_M;
+    const float goal = f_min(1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near),
+                             1.0f - f_smoothstep(TIP_HIT, 1.0f, miss));
+    return goal * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+}
+
+/* A wrist rolls a handle more easily than it raises it, and never lowers it: the handle would go
+ * through the bowl. Toward a bowl between ring and hand it only rolls. */
+static vec3 rather_sideways(vec3 way, float yaw_rad)
+{
+    const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
+    const vec3 back = v3(f_sin(yaw_rad), 0.0f, f_cos(yaw_rad));
+    const float aside = v3_dot(way, right), behind = f_min(v3_dot(way, back), 0.0f);
+    const vec3 mix = v3_mad(v3_scale(right, aside), back, TIP_BACK_SHARE * behind);
+    return v3_length(mix) > 1e-3f ? v3_normalize_or(mix, right) : right;
+}
+
+void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
+{
+    const vec3 way =
+        v3(bowl->position_m.x - poi->position_m.x, 0.0f, bowl->position_m.z - poi->position_m.z);
+    if (poi->tip < 0.02f) {
+        poi->tip_toward = rather_sideways(way, poi->angles.yaw_rad);
+    }
+    const float goal = has_wrist ? 0.0f : over_bowl(poi, bowl, way);
+    const float step = TIP_PER_S * CORE_TICK_S;
+    poi->tip += f_clamp(goal - poi->tip, -step, step);
+}
+
+/* The hand's target, tipped toward the bowl. The wrist that turns the ring also lifts it, or the
+ * fish would slide out below the bowl's mouth. */
+struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
+                                struct poi_target target)
+{
+    if (poi->tip <= 0.0f) {
+        return target;
+    }
+    const vec3 axis = v3_cross(v3(0.0f, 1.0f, 0.0f), poi->tip_toward);
+    const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
+    const float turn_rad = TIP_RAD * eased;
+    const struct basis held = basis_from_angles(target.angles);
+    const struct basis turned = pose_turn(&held, axis, turn_rad);
+    target.angles = pose_angles(&turned);
+    const float edge = (bowl->position_m.y + TIP_EDGE_M) * eased;
+    target.position_m.y = f_max(target.position_m.y, edge + POI_OUTER_RADIUS_M * f_sin(turn_rad));
+    return target;
+}
+
+/* ---- Turning -------------------------------------------------------------------------------- */
+
+/* Water's share in a turn about an axis that a disc has the part `along` of in its normal: none
+ * about the normal itself. */
+struct turn_water {
+    float kg_m2, n_m_s;
+};
+
+static struct turn_water turn_water(const struct poi *poi, float along, float rate_rad_s)
+{
+    const float share = poi_whole(poi) * f_max(0.0f, 1.0f - along * along);
+    return (struct turn_water){
+        .kg_m2 = share * disc_turn_added_kg_m2(POI_RADIUS_M, poi->added_kg),
+        .n_m_s = share * poi->immersed * disc_turn_n_m_s(POI_RADIUS_M, rate_rad_s),
+    };
+}
+
+/* Critically damped, implicit: stable at any stiffness. */
+static void turn_angle(float *angle, float *speed, float goal, struct turn_water water)
+{
+    const float error = f_wrap_angle(goal - *angle), dt = CORE_TICK_S;
+    const float mass = TURN_KG_M2 + water.kg_m2;
+    const float damping = 2.0f * f_sqrt(TURN_N_M * mass) + water.n_m_s;
+    *speed = (mass * *speed + dt * TURN_N_M * error) /
+             (mass + dt * damping + dt * dt * TURN_N_M);
+    *angle = f_wrap_angle(*angle + dt * *speed);
+}
+
+void wrist_turn(struct poi *poi, struct angles goal)
+{
+    const struct basis before = basis_from_angles(poi->angles);
+    vec3 *rate = &poi->angular_velocity_rad_s;
+    const vec3 side = v3(f_cos(poi->angles.yaw_rad), 0.0f, -f_sin(poi->angles.yaw_rad));
+    turn_angle(&poi->angles.yaw_rad, &rate->x, goal.yaw_rad,
+               turn_water(poi, before.up.y, rate->x));
+    turn_angle(&poi->angles.pitch_rad, &rate->y, goal.pitch_rad,
+               turn_water(poi, v3_dot(before.up, side), rate->y));
+    turn_angle(&poi->angles.roll_rad, &rate->z, goal.roll_rad, turn_water(poi, 0.0f, rate->z));
+    const vec3 up = basis_from_angles(poi->angles).up;
+    poi->spin_rad_s = v3_scale(v3_cross(before.up, up), (float)CORE_TICK_HZ);
+}
