@@ -294,7 +294,9 @@ static enum exit_code take_option(struct play_options *options, int argc, const 
 static enum exit_code check_options(const struct play_options *options)
 {
     const struct rules *rules = rules_of(options->mode);
-    const uint32_t fish_max = tank_preset_fish_max(tank_preset(rules->tank), 1.0f);
+    const struct core_config stall = { 0 };
+    const struct tank_preset *preset = tank_preset(keeper_preset(&stall, options->mode));
+    const uint32_t fish_max = tank_preset_fish_max(preset, 1.0f);
     if (options->fish_count > fish_max) {
         return ctl_usage(name, "--fish: '%u' is not right; the water of a %s holds 1 to %u",
                          options->fish_count, rules->name, fish_max);

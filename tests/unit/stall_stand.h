@@ -62,6 +62,18 @@ static inline void hold(uint32_t index, vec3 at_m)
     };
 }
 
+/* Its hand goes there, straight and as fast as an arm in no hurry: 0.5 m/s. */
+static inline void lead(uint32_t index, vec3 to_m)
+{
+    const vec3 way_m = v3_sub(to_m, input.poi[index].target.position_m);
+    const uint32_t count = 1u + (uint32_t)(v3_length(way_m) / (0.5f * CORE_TICK_S));
+    for (uint32_t i = 0; i < count; i++) {
+        const vec3 step_m = v3_scale(way_m, 1.0f / (float)count);
+        input.poi[index].target.position_m = v3_add(input.poi[index].target.position_m, step_m);
+        tick();
+    }
+}
+
 static inline void dip(uint32_t index, float x_m, float z_m)
 {
     hold(index, v3(x_m, STAND_ABOVE_M, z_m));

@@ -84,11 +84,9 @@ static void test_a_hand_points_at_the_share_of_the_tank_that_it_is_over(void **s
     hold(0, v3(RIGHT_M, STAND_ABOVE_M, 0.0f));
     choose();
     assert_int_equal(look()->mode, MODE_PRACTICE);
-    hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
-    tick();
+    lead(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
     assert_int_equal(look()->mode, MODE_CHAMPIONSHIP);
-    hold(0, v3(-9.0f, STAND_ABOVE_M, 0.0f));
-    tick();
+    lead(0, v3(-0.6f, STAND_ABOVE_M, 0.0f));
     assert_int_equal(look()->mode, MODE_FESTIVAL);
     press(INPUT_RIGHT); /* A hand that rests leaves the buttons their way. */
     ticks(60);
