@@ -1,63 +1,21 @@
-/* sheet.c -- wetting, tension, damage and tears, cell by cell. */
+/* sheet.c -- tension, damage and tears, cell by cell. */
 #include "core/poi/sheet.h"
 
 #include "core/base/hash.h"
+#include "core/base/mem.h"
 #include "core/base/panic.h"
+#include "core/poi/soak.h"
+#include "core/poi/tear.h"
 
-#define WET_TAU_S 1.0f     /* A cell under water loses its dry strength by this. */
-#define SOAKED 0.9999f     /* Driest cell of a sheet that need not be looked at any more. */
-#define WICK_M2_S 1.0e-6f  /* In-plane wicking: a front of about 1.4 mm after a second, sqrt(t). */
-#define DAMAGE_TAU_S 0.05f /* Life of a cell at its ultimate tension ... */
+#define DAMAGE_TAU_S 0.05f   /* Life of a cell at its ultimate tension ... */
 #define LOAD_RATIO_MIN 0.25f /* ... and below this share of it, a day: ratio^10 is under 1e-6. */
-#define EDGE_FACTOR 1.5f     /* Stress concentration along the ring, */
-#define WET_LINE_FACTOR 2.5f /* along the line between wet and dry paper (swelling differs), */
-#define TIP_FACTOR 2.5f      /* and in front of a tear. */
-#define WET_LINE_STEP 0.5f   /* Difference of wetness over two cells that counts as a full line. */
+#define LOAD_RATIO_NIL 0.02f /* Counts as none: its tenth power is no normal number. */
+#define EDGE_FACTOR 1.5f     /* Stress concentration along the ring ... */
+#define WET_LINE_FACTOR 2.5f /* ... and along the line between wet and dry (swelling differs). */
 #define FOOT_TENSION_MIN_N_M 0.3f /* A footprint is felt as far as this; less wears nothing. */
-#define FIBRE_SHARE 0.25f /* A tear along the fibres needs so much less, across so much more. */
-#define SAG_TAU_S 0.03f   /* The belly takes water along and cannot jump. */
+#define SAG_TAU_S 0.03f /* The belly takes water along and cannot jump. */
 
-/* ---- Water ---------------------------------------------------------------------------------- */
-
-/* Dry paper drinks from wet paper. */
-static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
-{
-    return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
-}
-
-/* Wets what is under water; elsewhere lets water creep. Row 0, column 0 and their opposites lie
- * outside the ring at their corners only, so borders are skipped: creep there is a cell's width. */
-static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
-{
-    const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
-    float driest = 1.0f;
-    const float spread = WICK_M2_S * CORE_TICK_S / (sheet_cell_m(sheet) * sheet_cell_m(sheet));
-    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
-        if (sheet->state[cell] != CELL_PAPER) {
-            continue;
-        }
-        if (wet.x * sheet_line_m(sheet, column) + wet.z * sheet_line_m(sheet, row) < wet.limit_m) {
-            sheet->wetness[cell] += soak * (1.0f - sheet->wetness[cell]);
-        } else if (row > 0 && column > 0 && row < SHEET_SIDE - 1u && column < SHEET_SIDE - 1u) {
-            const float flow = creep(sheet, cell, cell - 1u) + creep(sheet, cell, cell + 1u) +
-                               creep(sheet, cell, cell - SHEET_SIDE) +
-                               creep(sheet, cell, cell + SHEET_SIDE);
-            sheet->wetness[cell] += f_max(0.0f, spread * flow);
-        }
-        driest = f_min(driest, sheet->wetness[cell]);
-    }
-    sheet->soaked = driest >= SOAKED;
-}
-
-/* Whether any of the ring may be under the line; cheap, and right but for the corners. */
-static int reaches_water(const struct sheet *sheet, struct sheet_wetting wet)
-{
-    return -sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m;
-}
-
-/* ---- Tension -------------------------------------------------------------------------------- */
-
+/* One tick's loads on every cell. */
 struct strain {
     const struct paper_grade *grade;
     float centre_n_m, edge_n_m; /* Membrane tension. */
@@ -66,131 +24,191 @@ struct strain {
     struct footprint {
         float x_m, z_m;
         float own_m;      /* Its radius. */
-        float reach2_m2;  /* Beyond this square distance it is not felt. */
+        float reach_m;    /* Beyond it is not felt. */
         float pull_n_m_m; /* F / (2 pi): tension times radius. */
     } footprints[SHEET_LOAD_MAX];
+    struct tear_map map;
+    float load[SHEET_CELL_COUNT];  /* Tension over strength, 0 where there is no paper; ... */
+    float ratio[SHEET_CELL_COUNT]; /* ... raised where stress gathers. */
 };
+
+/* ---- Tension -------------------------------------------------------------------------------- */
 
 /* Footprint of force F: N = F / (pi d) at its own edge, falling as 1/r beyond it. */
 static struct footprint footprint(const struct sheet_load *load, float cell_size_m)
 {
     const float pull = f_abs(load->force_n) / F_TAU;
-    const float reach = f_max(pull / FOOT_TENSION_MIN_N_M, cell_size_m);
     return (struct footprint){ .x_m = load->x_m,
                                .z_m = load->z_m,
                                .own_m = 0.5f * load->diameter_m,
-                               .reach2_m2 = reach * reach,
+                               .reach_m = f_max(pull / FOOT_TENSION_MIN_N_M, cell_size_m),
                                .pull_n_m_m = pull };
 }
 
-static float footprint_tension(const struct strain *strain, float x_m, float z_m)
+static void add_footprint(const struct footprint *foot, const float x_m[SHEET_SIDE], float z_m,
+                          float cell_size_m, float tension[SHEET_SIDE])
 {
-    float tension = 0.0f;
-    for (uint32_t i = 0; i < strain->load_count; i++) {
-        const struct footprint *foot = &strain->footprints[i];
-        const float dx = x_m - foot->x_m, dz = z_m - foot->z_m;
+    const float dz = z_m - foot->z_m;
+    const float reach2 = foot->reach_m * foot->reach_m;
+    if (dz * dz >= reach2) {
+        return;
+    }
+    for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+        const float dx = x_m[column] - foot->x_m;
         const float square = dx * dx + dz * dz;
-        if (square < foot->reach2_m2) {
-            tension +=
-                foot->pull_n_m_m / f_max(foot->own_m, f_sqrt(square) - 0.5f * strain->cell_m);
-        }
+        const float away = f_max(foot->own_m, f_sqrt(square) - 0.5f * cell_size_m);
+        const float pull = square < reach2 ? foot->pull_n_m_m : 0.0f;
+        tension[column] += pull / away;
     }
-    return tension;
 }
 
-/* 0 away from holes; else the factor of a tear's tip, larger where it would run along the fibres.
- */
-static float tip_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
+/* What a cell bears at most. */
+static float holds_n_m(const struct sheet *sheet, const struct paper_grade *grade, uint32_t cell)
 {
-    float worst = 0.0f;
-    for (uint32_t i = 0; i < 9; i++) {
-        const uint32_t r = row + i / 3u - 1u, c = column + i % 3u - 1u; /* Wraps below 0: huge. */
-        if (r >= SHEET_SIDE || c >= SHEET_SIDE || sheet->state[r * SHEET_SIDE + c] != CELL_HOLE) {
-            continue;
-        }
-        const float dx = (float)(i % 3u) - 1.0f, dz = (float)(i / 3u) - 1.0f;
-        const float square = dx * dx + dz * dz; /* 1, or 2 at a corner, where it bites less. */
-        const float along = dx * sheet->fibre_x + dz * sheet->fibre_z;
-        const float grain = 1.0f + FIBRE_SHARE * (2.0f * along * along / square - 1.0f);
-        worst = f_max(worst, TIP_FACTOR * grain / f_sqrt(f_sqrt(square)));
-    }
-    return worst;
+    const float wet = grade->wet_n_m * soak_keeps(sheet, cell);
+    return f_lerp(grade->dry_n_m, wet, sheet->wetness[cell]) * sheet->strength[cell];
 }
 
-static float wet_line_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
+static void strain_row(struct strain *strain, const struct sheet *sheet, uint32_t row,
+                       float *tension_max_n_m)
 {
-    if (row == 0 || column == 0 || row == SHEET_SIDE - 1u || column == SHEET_SIDE - 1u) {
-        return 1.0f;
+    float x_m[SHEET_SIDE], tension[SHEET_SIDE];
+    const float z_m = sheet_line_m(sheet, row);
+    const float per_radius2 = 1.0f / (sheet->radius_m * sheet->radius_m);
+    for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+        x_m[column] = sheet_line_m(sheet, column);
+        const float square = (x_m[column] * x_m[column] + z_m * z_m) * per_radius2;
+        tension[column] = f_lerp(strain->centre_n_m, strain->edge_n_m, square);
     }
+    for (uint32_t i = 0; i < strain->load_count; i++) {
+        add_footprint(&strain->footprints[i], x_m, z_m, strain->cell_m, tension);
+    }
+    for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+        const uint32_t cell = row * SHEET_SIDE + column;
+        const float pull = sheet->state[cell] == CELL_PAPER ? tension[column] : 0.0f;
+        const float load = pull / f_max(holds_n_m(sheet, strain->grade, cell), 1e-3f);
+        strain->load[cell] = load < LOAD_RATIO_NIL ? 0.0f : load;
+        *tension_max_n_m = f_max(*tension_max_n_m, pull);
+    }
+}
+
+/* ---- Concentration -------------------------------------------------------------------------- */
+
+/* At the ring and along a wet line. */
+static float standing_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
+{
+    const float x = sheet_line_m(sheet, column), z = sheet_line_m(sheet, row);
+    const float inner = sheet->radius_m - sheet_cell_m(sheet);
+    const float edge = x * x + z * z > inner * inner ? EDGE_FACTOR : 1.0f;
+    const int has_line = sheet->touched && !sheet->soaked;
+    const float line = has_line ? soak_line(sheet, row, column) : 0.0f;
+    return f_max(edge, 1.0f + (WET_LINE_FACTOR - 1.0f) * line);
+}
+
+static void gather_stress(struct strain *strain, const struct sheet *sheet, uint32_t row,
+                          uint32_t column, int at_tear)
+{
     const uint32_t cell = row * SHEET_SIDE + column;
-    const uint32_t pairs[2][2] = { { cell - 1u, cell + 1u },
-                                   { cell - SHEET_SIDE, cell + SHEET_SIDE } };
-    float step = 0.0f;
-    for (uint32_t i = 0; i < 2; i++) {
-        if (sheet->state[pairs[i][0]] == CELL_PAPER && sheet->state[pairs[i][1]] == CELL_PAPER) {
-            step = f_max(step, f_abs(sheet->wetness[pairs[i][0]] - sheet->wetness[pairs[i][1]]));
-        }
+    if (strain->load[cell] <= 0.0f) {
+        strain->ratio[cell] = 0.0f;
+        return;
     }
-    return 1.0f + (WET_LINE_FACTOR - 1.0f) * f_min(step / WET_LINE_STEP, 1.0f);
+    float factor = 1.0f;
+    if (!sheet->ideal) {
+        const float tip = at_tear ? tear_factor(&strain->map, sheet, row, column) : 0.0f;
+        factor = f_max(standing_factor(sheet, row, column), tip);
+    }
+    strain->ratio[cell] = strain->load[cell] * factor;
 }
 
-static float concentration(const struct sheet *sheet, uint32_t row, uint32_t column,
-                           float from_edge_m)
+static void gather_stress_everywhere(struct strain *strain, const struct sheet *sheet)
 {
-    const float edge = from_edge_m < sheet_cell_m(sheet) ? EDGE_FACTOR : 1.0f;
-    return f_max(edge, f_max(wet_line_factor(sheet, row, column), tip_factor(sheet, row, column)));
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const uint32_t front = tear_front(&strain->map, row);
+        for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+            gather_stress(strain, sheet, row, column, (int)(front >> column & 1u));
+        }
+    }
+}
+
+/* After a tear grew: what is a hole bears nothing, and what lies beside one bears more. */
+static void gather_stress_at_tears(struct strain *strain, const struct sheet *sheet)
+{
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const uint32_t front = tear_front(&strain->map, row);
+        for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+            const uint32_t cell = row * SHEET_SIDE + column;
+            if (front >> column & 1u) {
+                gather_stress(strain, sheet, row, column, 1);
+            } else if (strain->map.hole[row] >> column & 1u) {
+                strain->load[cell] = strain->ratio[cell] = 0.0f;
+            }
+        }
+    }
 }
 
 /* ---- Damage --------------------------------------------------------------------------------- */
 
-/* dD/dt = (1 / tau) ratio^10. Returns whether the cell tore. */
-static int wear(struct sheet *sheet, uint32_t cell, float ratio)
+/* dD/dt = (1 / tau) ratio^10. */
+static float wear_per_s(float ratio)
 {
     const float r2 = ratio * ratio, r4 = r2 * r2, r8 = r4 * r4;
-    sheet->damage[cell] += CORE_TICK_S / DAMAGE_TAU_S * f_min(r8 * r2, 1e6f);
-    if (sheet->damage[cell] < 1.0f) {
-        return 0;
-    }
-    sheet->damage[cell] = 1.0f;
-    sheet->state[cell] = CELL_TEARING;
-    return 1;
+    return f_min(r8 * r2, 1e6f) * (1.0f / DAMAGE_TAU_S);
 }
 
-static void strain_cell(struct sheet *sheet, uint32_t cell, const struct strain *strain,
-                        struct sheet_events *events)
+/* Whether a cell tears before the tick is over. */
+static int tears_now(const struct strain *strain, const struct sheet *sheet)
 {
-    const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
-    const float x = ((float)column + 0.5f) * strain->cell_m - sheet->radius_m;
-    const float z = ((float)row + 0.5f) * strain->cell_m - sheet->radius_m;
-    const float square = (x * x + z * z) / (sheet->radius_m * sheet->radius_m);
-    const float tension =
-        f_lerp(strain->centre_n_m, strain->edge_n_m, square) + footprint_tension(strain, x, z);
-    events->tension_max_n_m = f_max(events->tension_max_n_m, tension);
-    const float material =
-        f_lerp(strain->grade->dry_n_m, strain->grade->wet_n_m, sheet->wetness[cell]);
-    const float holds = material * sheet->strength[cell];
-    if (tension * TIP_FACTOR * (1.0f + FIBRE_SHARE) < LOAD_RATIO_MIN * holds) {
-        return; /* Not even a tear's tip would move. */
-    }
-    const float from_edge = sheet->radius_m * (1.0f - f_sqrt(square));
-    if (wear(sheet, cell, tension / holds * concentration(sheet, row, column, from_edge))) {
-        events->cells_torn++;
-    }
-}
-
-static void open_tears(struct sheet *sheet, uint32_t torn)
-{
-    if (torn == 0) {
-        return;
-    }
+    float worst = 0.0f;
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        if (sheet->state[cell] == CELL_TEARING) {
+        const float wear = CORE_TICK_S * wear_per_s(strain->ratio[cell]);
+        worst = f_max(worst, wear > 0.0f ? sheet->damage[cell] + wear : 0.0f);
+    }
+    return worst >= 1.0f;
+}
+
+static void wear(const struct strain *strain, struct sheet *sheet, float seconds)
+{
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        sheet->damage[cell] += seconds * wear_per_s(strain->ratio[cell]);
+    }
+}
+
+/* What is worn through opens, all at once. Returns how many cells. */
+static uint32_t open_tears(struct strain *strain, struct sheet *sheet)
+{
+    uint32_t torn = 0;
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        if (sheet->state[cell] == CELL_PAPER && sheet->damage[cell] >= 1.0f) {
+            const uint32_t bit = 1u << cell % SHEET_SIDE;
+            sheet->damage[cell] = 1.0f;
             sheet->state[cell] = CELL_HOLE;
+            strain->map.paper[cell / SHEET_SIDE] &= ~bit;
+            strain->map.hole[cell / SHEET_SIDE] |= bit;
+            torn++;
         }
     }
-    CORE_ASSERT(sheet->paper_cells >= torn);
-    sheet->paper_cells -= torn;
+    return torn;
 }
+
+static uint32_t tear(struct strain *strain, struct sheet *sheet)
+{
+    uint32_t torn = 0;
+    for (uint32_t step = 0; step < SHEET_STEPS_MAX; step++) {
+        wear(strain, sheet, CORE_TICK_S / (float)SHEET_STEPS_MAX);
+        uint32_t gone = open_tears(strain, sheet);
+        if (gone > 0) {
+            gone += tear_drop_loose(&strain->map, sheet);
+            gather_stress_at_tears(strain, sheet);
+            CORE_ASSERT(sheet->paper_cells >= gone);
+            sheet->paper_cells -= gone;
+            torn += gone;
+        }
+    }
+    return torn;
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
 
 static void settle_sag(struct sheet *sheet, float pressure_pa)
 {
@@ -199,41 +217,63 @@ static void settle_sag(struct sheet *sheet, float pressure_pa)
     sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
 }
 
+/* Nothing on it but a pressure that would not even drive a tear on. */
+static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
+{
+    const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
+    const float weakest = sheet->strength_min * (sheet->touched ? wettest : grade->dry_n_m);
+    const float factor =
+        sheet->paper_cells < sheet->paper_cells_new ? TEAR_FACTOR_WORST : WET_LINE_FACTOR;
+    return factor * centre_n_m < LOAD_RATIO_MIN * weakest;
+}
+
+static void show_stress(const struct strain *strain, struct sheet *sheet)
+{
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        sheet->stress[cell] = (uint8_t)(f_min(strain->ratio[cell], 1.0f) * 255.0f);
+    }
+}
+
+static struct sheet_events strain_cells(struct sheet *sheet, struct strain *strain)
+{
+    struct sheet_events events = { 0 };
+    strain->map = tear_map_of(sheet);
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        strain_row(strain, sheet, row, &events.tension_max_n_m);
+    }
+    gather_stress_everywhere(strain, sheet);
+    if (tears_now(strain, sheet)) {
+        events.cells_torn = tear(strain, sheet);
+    } else {
+        wear(strain, sheet, CORE_TICK_S);
+    }
+    show_stress(strain, sheet);
+    return events;
+}
+
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
                                const struct sheet_load *loads, uint32_t load_count)
 {
     CORE_ASSERT(load_count <= SHEET_LOAD_MAX);
     CORE_ASSERT(f_is_finite(pressure_pa));
-    struct sheet_events events = { 0 };
     const struct paper_grade *grade = sheet_grade(sheet->grade);
-    struct strain strain = {
-        .grade = grade,
-        .centre_n_m = sheet_tension_centre(grade, pressure_pa, sheet->radius_m),
-        .edge_n_m = sheet_tension_edge(grade, pressure_pa, sheet->radius_m),
-        .cell_m = sheet_cell_m(sheet),
-        .load_count = load_count,
-    };
+    const float borne_pa = pressure_pa * sheet_left(sheet);
+    struct strain strain; /* 9 KiB, all of it written before it is read. */
+    strain.grade = grade;
+    strain.centre_n_m = sheet_tension_centre(grade, borne_pa, sheet->radius_m);
+    strain.edge_n_m = sheet_tension_edge(grade, borne_pa, sheet->radius_m);
+    strain.cell_m = sheet_cell_m(sheet);
+    strain.load_count = load_count;
+    settle_sag(sheet, pressure_pa);
+    soak_tick(sheet, wet);
+    if (load_count == 0 && is_calm(sheet, grade, strain.centre_n_m)) {
+        memset(sheet->stress, 0, sizeof sheet->stress);
+        return (struct sheet_events){ .tension_max_n_m = strain.centre_n_m };
+    }
     for (uint32_t i = 0; i < load_count; i++) {
         strain.footprints[i] = footprint(&loads[i], strain.cell_m);
     }
-    settle_sag(sheet, pressure_pa);
-    sheet->touched |= (uint8_t)reaches_water(sheet, wet);
-    if (sheet->touched && !sheet->soaked) {
-        wet_cells(sheet, wet);
-    }
-    const float weakest = sheet->strength_min * (sheet->touched ? grade->wet_n_m : grade->dry_n_m);
-    const float worst = TIP_FACTOR * (1.0f + FIBRE_SHARE) * strain.centre_n_m;
-    if (load_count == 0 && worst < LOAD_RATIO_MIN * weakest) {
-        events.tension_max_n_m = strain.centre_n_m;
-        return events; /* Most ticks of a round: nothing that could wear. */
-    }
-    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        if (sheet->state[cell] == CELL_PAPER) {
-            strain_cell(sheet, cell, &strain, &events);
-        }
-    }
-    open_tears(sheet, events.cells_torn);
-    return events;
+    return strain_cells(sheet, &strain);
 }
 
 /* ---- Questions ------------------------------------------------------------------------------ */
@@ -276,10 +316,14 @@ uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)
     hash = hash_u32(hash, sheet->grade);
     hash = hash_u32(hash, sheet->touched);
     hash = hash_u32(hash, sheet->soaked);
+    hash = hash_u32(hash, sheet->ideal);
     hash = hash_float(hash, sheet->radius_m);
     hash = hash_float(hash, sheet->fibre_x);
     hash = hash_float(hash, sheet->fibre_z);
     hash = hash_floats(hash, sheet->wetness, SHEET_CELL_COUNT);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        hash = hash_u32(hash, sheet->soak_ticks[cell]);
+    }
     hash = hash_floats(hash, sheet->damage, SHEET_CELL_COUNT);
     hash = hash_floats(hash, sheet->strength, SHEET_CELL_COUNT);
     hash = hash_bytes(hash, sheet->state, SHEET_CELL_COUNT);

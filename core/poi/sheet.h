@@ -2,7 +2,8 @@
  *
  * A square of SHEET_SIDE x SHEET_SIDE cells spans the ring; cells outside the ring do not exist.
  * Column 0 is the left edge (-x of the poi), row 0 the far edge (-z). A tear starts where tension,
- * raised at a wet edge, the ring or a hole, meets weak paper, and grows from cell to cell. */
+ * raised at a wet edge, the ring or a hole, meets weak paper, and grows from cell to cell: in a
+ * tick in which paper tears, up to SHEET_STEPS_MAX cells far. */
 #ifndef KINGYO_CORE_POI_SHEET_H
 #define KINGYO_CORE_POI_SHEET_H
 
@@ -12,6 +13,9 @@
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
 #define SHEET_LOAD_MAX 32u /* Footprints a tick: a body and a tail of 16 fish. */
+#define SHEET_STEPS_MAX 8u /* Of a tick in which paper tears: a tear runs at 2.4 m/s at most. */
+#define SHEET_SOFTENING 0.25f /* Of its wet strength paper loses so much more ... */
+#define SHEET_SOAK_TICKS (60u * CORE_TICK_HZ) /* ... in the minute after it got wet. */
 #define SHEET_GRADE_MIN 4u /* Strong. */
 #define SHEET_GRADE_MAX 7u /* Weak. */
 
@@ -19,7 +23,6 @@ enum sheet_cell_state {
     CELL_OUTSIDE = 0, /* Beyond the ring. */
     CELL_PAPER = 1,
     CELL_HOLE = 2,
-    CELL_TEARING = 3, /* Tore in this tick; a hole from the next, so that order does not matter. */
 };
 
 /* What a mill sells under a number. Line tensions are forces per width of paper. */
@@ -46,9 +49,11 @@ struct sheet {
     uint8_t grade;   /* SHEET_GRADE_MIN .. SHEET_GRADE_MAX */
     uint8_t touched; /* Some cell has been under water. */
     uint8_t soaked;  /* All are wet through. */
+    uint8_t ideal;   /* A laboratory's: uniform, and stress gathers nowhere (sheet_idealise). */
     float radius_m;
     float fibre_x, fibre_z;           /* Unit: the way most fibres run; tears like to follow it. */
     float wetness[SHEET_CELL_COUNT];  /* [0, 1] */
+    uint16_t soak_ticks[SHEET_CELL_COUNT]; /* Since it got wet, <= SHEET_SOAK_TICKS. */
     float damage[SHEET_CELL_COUNT];   /* [0, 1); a hole at 1. */
     float strength[SHEET_CELL_COUNT]; /* This specimen's factor on the grade's strength, near 1. */
     float strength_min;               /* Of all cells. */
@@ -62,7 +67,7 @@ struct sheet {
 
 /* What one tick did to the paper. */
 struct sheet_events {
-    uint32_t cells_torn;
+    uint32_t cells_torn;   /* And what hung loose after that. */
     float tension_max_n_m; /* Of membrane and footprints, without stress concentration. */
 };
 
@@ -90,8 +95,12 @@ float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radi
 /* A dry, whole sheet; weak spots, fibre and strength are this `seed`'s own. */
 void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t seed);
 
-/* One tick. `pressure_pa` acts along the normal on all paper, positive toward +up.
- * `load_count` <= SHEET_LOAD_MAX. */
+/* Makes it the sheet of which the membrane's formula speaks: strength 1 everywhere, and neither the
+ * ring, nor a wet line, nor a tear raises the stress. For measuring; nobody plays with one. */
+void sheet_idealise(struct sheet *sheet);
+
+/* One tick. `pressure_pa` acts along the normal on all paper, positive toward +up; a hole takes its
+ * area off that load and no more. `load_count` <= SHEET_LOAD_MAX. */
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
                                const struct sheet_load *loads, uint32_t load_count);
 

@@ -7,6 +7,7 @@
 
 #define STRENGTH_SD 0.12f /* Between specimens of one grade. */
 #define PATCH_SD 0.05f    /* Within a specimen, from cloud to cloud of the pulp. */
+#define FLOC 0.05f        /* Either way, from cell to cell: tears wander. */
 #define SPOT_COUNT 3u     /* Thin places a specimen has. */
 
 /* Strengths are the weakest-sourced figures of the kiosk: paper of 14 to 24 g/m^2 with a tensile
@@ -101,7 +102,9 @@ static void lay_cell(struct sheet *sheet, uint32_t row, uint32_t column, float w
     if (x * x + z * z >= sheet->radius_m * sheet->radius_m) {
         return;
     }
-    float strength = whole * (1.0f + PATCH_SD * cloud(seed, column, row));
+    const struct rng_key key = { seed, 3, cell, RNG_SHEET_STRENGTH };
+    const float floc = rng_range(key, 1.0f - FLOC, 1.0f + FLOC);
+    float strength = whole * floc * (1.0f + PATCH_SD * cloud(seed, column, row));
     for (uint32_t i = 0; i < SPOT_COUNT; i++) {
         const float dx = x - spots[i].x_m, dz = z - spots[i].z_m;
         const float near = (dx * dx + dz * dz) / (spots[i].radius_m * spots[i].radius_m);
@@ -135,4 +138,13 @@ void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t see
         }
     }
     sheet->paper_cells = sheet->paper_cells_new;
+}
+
+void sheet_idealise(struct sheet *sheet)
+{
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        sheet->strength[cell] = sheet->strength[cell] > 0.0f ? 1.0f : 0.0f;
+    }
+    sheet->strength_min = 1.0f;
+    sheet->ideal = 1;
 }

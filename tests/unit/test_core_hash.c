@@ -126,8 +126,10 @@ static const struct field load_fields[] = {
 
 static const struct field sheet_fields[] = {
     FIELD(sheet, grade),    FIELD(sheet, touched),      FIELD(sheet, soaked),
+    FIELD(sheet, ideal),
     FIELD(sheet, radius_m), FIELD(sheet, fibre_x),      FIELD(sheet, fibre_z),
-    FIELD(sheet, wetness),  FIELD(sheet, damage),       FIELD(sheet, strength),
+    FIELD(sheet, wetness),  FIELD(sheet, soak_ticks),
+    FIELD(sheet, damage),   FIELD(sheet, strength),
     FIELD(sheet, strength_min), FIELD(sheet, state),
     SKIP(sheet, stress),    FIELD(sheet, paper_cells),
     FIELD(sheet, paper_cells_new), FIELD(sheet, sag_m),

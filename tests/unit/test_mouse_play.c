@@ -195,11 +195,13 @@ static void test_plunging_over_and_over_tears_it(void **state)
 {
     (void)state;
     begin_round(1, 1);
+    float least = 1.0f; /* Who has torn one gets another, later. */
     for (uint32_t i = 0; i < 60; i++) {
         player.buttons ^= POINTER_DIP;
         frames(24);
+        least = f_min(least, paper_left());
     }
-    assert_true(paper_left() < 0.9f);
+    assert_true(least < 0.9f);
 }
 
 /* Under water from side to side, `step_px` a frame, between x 400 and 800. */

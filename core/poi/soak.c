@@ -1,0 +1,89 @@
+/* soak.c -- water in the paper, cell by cell. */
+#include "core/poi/soak.h"
+
+#define WET_TAU_S 1.0f    /* A cell under water loses its dry strength by this. */
+#define SOAKED 0.9999f    /* Driest cell of a sheet that need not be looked at any more. */
+#define WICK_M2_S 1.0e-6f /* In-plane wicking: a front of about 1.4 mm after a second, sqrt(t). */
+#define SOFTENS_FROM 0.5f /* Drier paper does not soften on. */
+#define LINE_STEP 0.5f    /* Difference of wetness over two cells that counts as a full line. */
+
+/* Dry paper drinks from wet paper. */
+static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
+{
+    return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
+}
+
+/* Row 0, column 0 and their opposites lie outside the ring at their corners only, so borders are
+ * skipped: creep there is a cell's width. */
+static int is_border(uint32_t row, uint32_t column)
+{
+    return row == 0 || column == 0 || row == SHEET_SIDE - 1u || column == SHEET_SIDE - 1u;
+}
+
+/* Wets what is under water; elsewhere lets water creep. */
+static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
+{
+    const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
+    const float spread = WICK_M2_S * CORE_TICK_S / (sheet_cell_m(sheet) * sheet_cell_m(sheet));
+    float driest = 1.0f;
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
+        if (sheet->state[cell] != CELL_PAPER) {
+            continue;
+        }
+        if (wet.x * sheet_line_m(sheet, column) + wet.z * sheet_line_m(sheet, row) < wet.limit_m) {
+            sheet->wetness[cell] += soak * (1.0f - sheet->wetness[cell]);
+        } else if (!is_border(row, column)) {
+            const float flow = creep(sheet, cell, cell - 1u) + creep(sheet, cell, cell + 1u) +
+                               creep(sheet, cell, cell - SHEET_SIDE) +
+                               creep(sheet, cell, cell + SHEET_SIDE);
+            sheet->wetness[cell] += f_max(0.0f, spread * flow);
+        }
+        driest = f_min(driest, sheet->wetness[cell]);
+    }
+    sheet->soaked = driest >= SOAKED;
+}
+
+/* Whether any of the ring may be under the line; cheap, and right but for the corners. */
+static int reaches_water(const struct sheet *sheet, struct sheet_wetting wet)
+{
+    return -sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m;
+}
+
+/* In air as under water: fibres go on swelling. */
+static void soften(struct sheet *sheet)
+{
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const uint16_t ticks = sheet->soak_ticks[cell];
+        const uint16_t more = sheet->wetness[cell] >= SOFTENS_FROM && ticks < SHEET_SOAK_TICKS;
+        sheet->soak_ticks[cell] = (uint16_t)(ticks + more);
+    }
+}
+
+void soak_tick(struct sheet *sheet, struct sheet_wetting wet)
+{
+    sheet->touched |= (uint8_t)reaches_water(sheet, wet);
+    if (sheet->touched && !sheet->soaked) {
+        wet_cells(sheet, wet);
+    }
+    if (sheet->touched) {
+        soften(sheet);
+    }
+}
+
+float soak_line(const struct sheet *sheet, uint32_t row, uint32_t column)
+{
+    if (is_border(row, column)) {
+        return 0.0f;
+    }
+    const uint32_t cell = row * SHEET_SIDE + column;
+    const uint32_t pairs[2][2] = { { cell - 1u, cell + 1u },
+                                   { cell - SHEET_SIDE, cell + SHEET_SIDE } };
+    float step = 0.0f;
+    for (uint32_t i = 0; i < 2; i++) {
+        if (sheet->state[pairs[i][0]] == CELL_PAPER && sheet->state[pairs[i][1]] == CELL_PAPER) {
+            step = f_max(step, f_abs(sheet->wetness[pairs[i][0]] - sheet->wetness[pairs[i][1]]));
+        }
+    }
+    return f_min(step / LINE_STEP, 1.0f);
+}

@@ -1,0 +1,153 @@
+/* tear.c -- holes as bits. */
+#include "core/poi/tear.h"
+
+#define RUN_MAX 3u /* Cells of a hole's length that are counted: beyond, TEAR_FACTOR_MAX rules. */
+#define WAYS 8u           /* Round a cell, clockwise from the right as seen from above. */
+#define CORNER_SHARE 0.84f /* 2^(-1/4): over a corner a tear bites less. */
+#define SWEEPS_MAX 4u     /* What falls can make others hang loose: the rest goes with the next. */
+
+struct way {
+    int32_t row, column;
+    float x, z; /* Unit. */
+};
+
+#define SLANT 0.70710678f
+static const struct way ways[WAYS] = {
+    { 0, 1, 1.0f, 0.0f },   { 1, 1, SLANT, SLANT },    { 1, 0, 0.0f, 1.0f },
+    { 1, -1, -SLANT, SLANT }, { 0, -1, -1.0f, 0.0f },  { -1, -1, -SLANT, -SLANT },
+    { -1, 0, 0.0f, -1.0f }, { -1, 1, SLANT, -SLANT },
+};
+
+struct tear_map tear_map_of(const struct sheet *sheet)
+{
+    struct tear_map map = { 0 };
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const uint8_t *state = &sheet->state[row * SHEET_SIDE];
+        for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+            map.paper[row] |= (uint32_t)(state[column] == CELL_PAPER) << column;
+            map.hole[row] |= (uint32_t)(state[column] == CELL_HOLE) << column;
+        }
+    }
+    return map;
+}
+
+static uint32_t wider(uint32_t bits)
+{
+    return bits | bits << 1 | bits >> 1;
+}
+
+uint32_t tear_front(const struct tear_map *map, uint32_t row)
+{
+    const uint32_t above = row > 0 ? map->hole[row - 1u] : 0u;
+    const uint32_t below = row + 1u < SHEET_SIDE ? map->hole[row + 1u] : 0u;
+    return map->paper[row] & (wider(above) | wider(map->hole[row]) | wider(below));
+}
+
+/* ---- Tips ----------------------------------------------------------------------------------- */
+
+/* Cells of hole from a cell on, exclusive, one way; at most RUN_MAX. */
+static uint32_t run(const struct tear_map *map, uint32_t row, uint32_t column, uint32_t way)
+{
+    uint32_t length = 0;
+    for (; length < RUN_MAX; length++) {
+        row += (uint32_t)ways[way].row; /* Below 0 it wraps: huge. */
+        column += (uint32_t)ways[way].column;
+        if (row >= SHEET_SIDE || column >= SHEET_SIDE || !(map->hole[row] >> column & 1u)) {
+            break;
+        }
+    }
+    return length;
+}
+
+float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_t row,
+                  uint32_t column)
+{
+    float worst = 0.0f;
+    for (uint32_t way = 0; way < WAYS; way++) {
+        const uint32_t length = run(map, row, column, way);
+        if (length == 0) {
+            continue;
+        }
+        const float sharp = f_min(TEAR_FACTOR * f_sqrt((float)length), TEAR_FACTOR_MAX);
+        const float along = ways[way].x * sheet->fibre_x + ways[way].z * sheet->fibre_z;
+        const float grain = 1.0f + TEAR_FIBRE_SHARE * (2.0f * along * along - 1.0f);
+        worst = f_max(worst, sharp * grain * (way % 2u ? CORNER_SHARE : 1.0f));
+    }
+    return worst;
+}
+
+/* ---- Loose paper ---------------------------------------------------------------------------- */
+
+/* Of the next row's bits, for each column that which lies that way. */
+static uint32_t aside(uint32_t bits, int32_t column)
+{
+    return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
+}
+
+/* Spreads along a row through paper, all the way: each step doubles the last. */
+static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
+{
+    for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
+        open |= paper & (column > 0 ? open >> step : open << step);
+        paper &= column > 0 ? paper >> step : paper << step;
+    }
+    return open;
+}
+
+/* The paper from which the ring is reached over paper alone, straight on, one way. */
+static void look(const struct tear_map *map, const struct way *way, uint32_t open[SHEET_SIDE])
+{
+    for (uint32_t i = 0; i < SHEET_SIDE; i++) {
+        const uint32_t row = way->row > 0 ? SHEET_SIDE - 1u - i : i;
+        const uint32_t next = row + (uint32_t)way->row;
+        const uint32_t inside = next < SHEET_SIDE ? map->paper[next] | map->hole[next] : 0u;
+        const uint32_t at_ring = map->paper[row] & ~aside(inside, way->column);
+        if (way->row == 0) {
+            open[row] = spread(at_ring, map->paper[row], way->column);
+        } else {
+            const uint32_t seen = next < SHEET_SIDE ? open[next] : 0u;
+            open[row] = at_ring | (map->paper[row] & aside(seen, way->column));
+        }
+    }
+}
+
+static uint32_t loose_of_row(uint32_t open[WAYS][SHEET_SIDE], uint32_t paper, uint32_t row)
+{
+    uint32_t held = 0;
+    for (uint32_t way = 0; way < WAYS; way++) {
+        held |= open[way][row] & (open[(way + 3u) % WAYS][row] | open[(way + 4u) % WAYS][row] |
+                                  open[(way + 5u) % WAYS][row]);
+    }
+    return paper & ~held;
+}
+
+static uint32_t drop_row(struct tear_map *map, struct sheet *sheet, uint32_t row, uint32_t loose)
+{
+    uint32_t count = 0;
+    map->paper[row] &= ~loose;
+    map->hole[row] |= loose;
+    for (uint32_t column = 0; loose != 0 && column < SHEET_SIDE; column++) {
+        if (loose >> column & 1u) {
+            sheet->state[row * SHEET_SIDE + column] = CELL_HOLE;
+            count++;
+        }
+    }
+    return count;
+}
+
+uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet)
+{
+    uint32_t open[WAYS][SHEET_SIDE];
+    uint32_t total = 0, dropped = 1;
+    for (uint32_t sweep = 0; sweep < SWEEPS_MAX && dropped > 0; sweep++) {
+        dropped = 0;
+        for (uint32_t way = 0; way < WAYS; way++) {
+            look(map, &ways[way], open[way]);
+        }
+        for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+            dropped += drop_row(map, sheet, row, loose_of_row(open, map->paper[row], row));
+        }
+        total += dropped;
+    }
+    return total;
+}
