@@ -2,6 +2,7 @@
 #include "core/base/mem.h"
 #include "core/core.h"
 #include "core/game/hand.h"
+#include "core/game/rules.h"
 #include "core/morph/morph.h"
 #include "core/tank/surface.h"
 
@@ -65,9 +66,11 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
         const float whole = f_clamp(1.0f - sheet->damage[i], 0.0f, 1.0f);
         out->wetness[i] = (uint8_t)(int32_t)(f_clamp(sheet->wetness[i], 0.0f, 1.0f) * 255.0f);
         out->integrity[i] = is_paper ? (uint8_t)(1 + (int32_t)(whole * 254.0f)) : 0;
+        out->stress[i] = is_paper ? sheet->stress[i] : 0;
     }
     spread_to_rim(sheet, out->wetness);
     spread_to_rim(sheet, out->integrity);
+    spread_to_rim(sheet, out->stress);
 }
 
 static void show_poi(const struct core *core, uint32_t index, struct scene_poi *out)
@@ -85,6 +88,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     out->paper_left = sheet_left(&poi->sheet);
     const struct shade_cast *cast = &core->tank.shade[SHADE_MAX + index].cast;
     out->shade_dark = cast->present ? cast->dark : 0.0f;
+    out->water_m = poi_water_m(poi);
     out->shows_stress =
         core->game.phase == PHASE_ROUND && rules_of(core->game.mode)->shows_stress;
     show_sheet(&poi->sheet, out);
@@ -133,6 +137,14 @@ static void show_players(const struct core *core, struct scene *scene)
     }
 }
 
+/* What a mode is played with here. */
+static void show_offer(const struct core *core, uint8_t mode, struct scene_offer *out)
+{
+    const struct core_config *config = &core->config;
+    out->round_s = (uint16_t)keeper_round_s(config, mode);
+    out->grade = keeper_grade(config, mode);
+}
+
 static void show_game(const struct core *core, struct scene *scene)
 {
     const struct game *game = &core->game;
@@ -150,6 +162,9 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->call = game->call;
     scene->call_s = (float)(core->tick - game->call_tick) * CORE_TICK_S;
     show_players(core, scene);
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        show_offer(core, mode, &scene->offer[mode]);
+    }
 }
 
 void core_scene(const struct core *core, struct scene *scene)

@@ -169,6 +169,10 @@ struct scene {
 
     uint8_t mode;            /* enum game_mode of this round; in CHOOSE, the one pointed at. */
     uint8_t modes;           /* Which are offered, a bit (1 << enum game_mode) each. */
+    struct scene_offer {
+        uint16_t round_s;    /* How long at most. */
+        uint8_t grade;       /* Of its paper. */
+    } offer[MODE_COUNT];     /* Of every mode, offered or not. */
     uint8_t grade;           /* Of the round's paper. */
     uint8_t paused;          /* A hand is lost; the clock waits for it. */
     uint8_t call;            /* enum time_call: the latest ... */

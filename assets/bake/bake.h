@@ -19,7 +19,7 @@
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u
-#define FONT_ATLAS_WIDTH 1024u
+#define FONT_ATLAS_WIDTH 2048u
 #define FONT_EDGE 160u            /* Distance value on the outline: most of the range is outside. */
 #define FONT_STEP 16u             /* Value per atlas pixel: reaches 10 px out and 6 px in. */
 #define FONT_MAX 8u

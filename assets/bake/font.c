@@ -11,7 +11,7 @@
 
 #define GLYPHS_MAX 2048u
 #define FONT_PADDING 10 /* Atlas pixels around a glyph: as far as FONT_EDGE / FONT_STEP reaches. */
-#define KEY_PATTERNS_MAX 32u
+#define KEY_PATTERNS_MAX 48u
 
 struct glyph {
     uint32_t code;
@@ -80,13 +80,10 @@ static uint32_t read_faces(struct face faces[FONT_MAX], const char *path)
 
 static int matches(const char *pattern, const char *key)
 {
-    if (strcmp(pattern, "*") == 0) {
-        return 1;
-    }
     while (*pattern != 0 && *key != 0 && (*pattern == '?' || *pattern == *key)) {
         pattern++, key++;
     }
-    return *pattern == 0 && *key == 0;
+    return strcmp(pattern, "*") == 0 || (*pattern == 0 && *key == 0);
 }
 
 static int draws_key(const struct face *face, const char *key)

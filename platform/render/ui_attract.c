@@ -1,5 +1,6 @@
 /* ui_attract.c -- before the round: the stall calls, then counts down. */
 #include <math.h>
+#include <stdio.h>
 
 #include "platform/render/ui_signs.h"
 
@@ -35,6 +36,20 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     key_lines(frame);
 }
 
+/* What is about to be played, and with which paper. */
+static void mode_tag(const struct ui_frame *frame, const struct scene *scene, float y, float alpha)
+{
+    char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
+    text_number(paper, sizeof paper, text_words(frame->language, TEXT_PAPER), scene->grade);
+    snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode), paper);
+    const struct ui_ribbon tag = { .x = 0.5f * frame->width, .y = y, .size_px = 29.0f * frame->unit,
+                                   .font = FONT_STALL, .fill = UI_NIGHT, .line = UI_GOLD_DIM,
+                                   .ink = UI_GOLD, .room_px = frame->width - 32.0f * frame->unit };
+    frame->batch->opacity = alpha;
+    ui_ribbon(frame, &tag, words);
+    frame->batch->opacity = 1.0f;
+}
+
 /* The curtain rises, then three seconds run down in a ring over the water. */
 void ui_ready(const struct ui_frame *frame, const struct scene *scene,
               const struct ui_memory *memory)
@@ -65,5 +80,9 @@ void ui_ready(const struct ui_frame *frame, const struct scene *scene,
         ui_big_word(frame, FONT_STALL, y, 190.0f * u * pop,
                     in * (1.0f - ui_smooth(0.82f, 1.0f, gone)), digit);
     }
-    ui_hint_ribbon(frame, scene, memory);
+    mode_tag(frame, scene, y - radius - 42.0f * u, in);
+    ui_umpire(frame, scene);
+    if (!scene->paused) {
+        ui_hint_ribbon(frame, scene, memory);
+    }
 }

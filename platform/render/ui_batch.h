@@ -9,7 +9,7 @@
 
 #include "platform/render/text.h"
 
-#define UI_QUADS_MAX 640u /* The longest screen (attract, English) needs about 300; a test knows. */
+#define UI_QUADS_MAX 768u /* The longest screen (four players, a call) needs 400; a test knows. */
 
 /* What is drawn in a quad, and what `shape` holds for it; lengths are pixels. */
 enum ui_kind {
@@ -22,6 +22,8 @@ enum ui_kind {
     UI_LANTERN = 6, /* half width, half height, light [0, 1] */
     UI_FISH = 7,    /* half width, half height, tail's swing [-1, 1] */
     UI_POI = 8,     /* ring radius, paper left [0, 1] */
+    UI_WOOD = 9,    /* ... as UI_PANEL, of planed wood */
+    UI_HEAT = 10,   /* ... as UI_PANEL, in the colours of the paper's stress from left to right */
     UI_KIND_COUNT,
 };
 

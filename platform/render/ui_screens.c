@@ -11,9 +11,11 @@ static void remember(struct ui_memory *memory, const struct scene *scene)
         memory->hint = scene->hint;
         memory->hint_tick = scene->tick;
     }
-    if (scene->caught[0] != memory->caught) {
-        memory->caught = scene->caught[0];
-        memory->caught_tick = scene->tick;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->caught[i] != memory->caught[i]) {
+            memory->caught[i] = scene->caught[i];
+            memory->caught_tick[i] = scene->tick;
+        }
     }
     if (scene->phase != PHASE_RESULT) {
         memory->best_before = scene->best_today;
@@ -42,6 +44,9 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         break;
     case PHASE_RESULT:
         ui_result(&frame, scene, memory);
+        break;
+    case PHASE_CHOOSE:
+        ui_choose(&frame, scene);
         break;
     case PHASE_ATTRACT:
         ui_attract(&frame, scene);

@@ -10,9 +10,9 @@
 /* What was shown last, so that a change can be eased in. Zero is a valid start. */
 struct ui_memory {
     uint32_t hint_tick;          /* When the hint last changed ... */
-    uint32_t caught_tick;        /* ... and the first player's catch. */
-    uint32_t caught;
-    uint32_t best_before;        /* Today's best as the round began. */
+    uint32_t caught_tick[POI_MAX]; /* ... and each player's catch. */
+    uint32_t caught[POI_MAX];
+    uint32_t best_before;        /* The mode's best of the day as the round began. */
     uint8_t hint;
 };
 

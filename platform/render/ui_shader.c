@@ -71,6 +71,31 @@ const char *const ui_fragment_head =
     "    colour = framed(body);\n"                                                                 \
     "}\n"
 
+/* A tag of planed cedar: grain along it in soft bands, a bevel that the lamps catch at the top. */
+#define WOOD                                                                                       \
+    "void main() {\n"                                                                              \
+    "    vec2 p = at / s.y;\n"                                                                     \
+    "    float slow = fibre(vec2(p.x * 0.09 + inner.r, p.y * 0.035));\n"                           \
+    "    float year = fract((p.x + 0.16 * p.y * p.y * p.x) * 5.0 + 5.0 * slow);\n"                 \
+    "    float fine = fibre(vec2(p.x * 2.6, p.y * 0.13)) - 0.5;\n"                                 \
+    "    float d = box(at, s.xy, s.z);\n"                                                          \
+    "    float bevel = smoothstep(-2.2 * s.w - 3.0, -s.w, d);\n"                                   \
+    "    float grain = 0.10 * year * year * (1.0 - smoothstep(0.86, 1.0, year));\n"                \
+    "    vec3 body = inner.rgb * (1.03 - grain * vec3(0.8, 1.1, 1.4) + 0.20 * fine);\n"            \
+    "    body *= (1.0 - 0.06 * p.y) * (1.0 - 0.22 * bevel * (p.y + 0.3 * at.x / s.x));\n"          \
+    "    colour = framed(vec4(body, inner.a));\n"                                                  \
+    "}\n"
+
+/* The same ramp as assets/shaders/poi_paper.frag.glsl. */
+#define HEAT                                                                                       \
+    "void main() {\n"                                                                              \
+    "    float t = clamp(at.x / s.x * 0.5 + 0.5, 0.0, 1.0);\n"                                     \
+    "    vec3 c = mix(vec3(0.07, 0.16, 0.52), vec3(0.05, 0.55, 0.60), smoothstep(0.0, 0.35, t));\n"\
+    "    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.35, 0.75, t));\n"                         \
+    "    c = mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.75, 1.0, t));\n"                            \
+    "    colour = framed(vec4(c, inner.a));\n"                                                     \
+    "}\n"
+
 /* Sea waves: rows of overlapping arcs, each of three lines, the lower row in front; the cloth falls
  * in two soft folds. */
 #define WAVES                                                                                      \
@@ -184,5 +209,5 @@ const char *const ui_fragment_head =
 const char *const ui_fragment_sources[UI_KIND_COUNT] = {
     [UI_GLYPH] = GLYPH, [UI_PANEL] = PANEL,     [UI_WASHI] = WASHI, [UI_WAVES] = WAVES,
     [UI_RING] = RING,   [UI_GLOW] = GLOW,       [UI_LANTERN] = LANTERN,
-    [UI_FISH] = FISH,   [UI_POI] = POI,
+    [UI_FISH] = FISH,   [UI_POI] = POI,         [UI_WOOD] = WOOD,   [UI_HEAT] = HEAT,
 };

@@ -44,6 +44,10 @@ static const char *hint_words(uint8_t language, uint8_t hint)
         [HINT_SLOWLY] = TEXT_HINT_SLOWLY, [HINT_GLIDE] = TEXT_HINT_GLIDE,
         [HINT_TORN] = TEXT_HINT_TORN,
         [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
+        [HINT_WET_ALL] = TEXT_HINT_WET_ALL,
+        [HINT_NO_SHADE] = TEXT_HINT_NO_SHADE,
+        [HINT_CLEAR_RIM] = TEXT_HINT_CLEAR_RIM,
+        [HINT_CHOOSE] = TEXT_HINT_CHOOSE,
     };
     return text_words(language, (enum text_key)keys[hint]);
 }
@@ -108,26 +112,4 @@ void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float
     frame->batch->opacity = alpha;
     ui_text(frame->batch, &text, 0.5f * frame->width, ui_text_middle(&fitted, y), words);
     frame->batch->opacity = 1.0f;
-}
-
-/* The others at the tank, each a chip in the colour of their ring. */
-void ui_other_players(const struct ui_frame *frame, const struct scene *scene)
-{
-    const float u = frame->unit;
-    float top = 114.0f * u;
-    for (uint32_t i = 1; i < POI_MAX; i++) {
-        if (!scene->poi[i].present) {
-            continue;
-        }
-        char number[12];
-        text_number(number, sizeof number, "{}", scene->caught[i]);
-        const struct ui_text digits = { .font = FONT_STALL, .size_px = 32.0f * u,
-                                        .fill = 0xfff8eaffu };
-        const float width = 66.0f * u + ui_text_width(&digits, number);
-        ui_plate(frame, (struct ui_box){ 18.0f * u, top, width, 46.0f * u });
-        ui_poi_sign(frame, 44.0f * u, top + 19.0f * u, 11.0f * u, scene->poi[i].paper_left,
-                 ui_player_colours[i]);
-        ui_text(frame->batch, &digits, 68.0f * u, ui_text_middle(&digits, top + 23.0f * u), number);
-        top += 52.0f * u;
-    }
 }

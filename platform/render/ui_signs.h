@@ -2,6 +2,7 @@
 #ifndef KINGYO_PLATFORM_RENDER_UI_SIGNS_H
 #define KINGYO_PLATFORM_RENDER_UI_SIGNS_H
 
+#include "core/game/rules.h"
 #include "core/scene.h"
 #include "platform/render/ui_parts.h"
 #include "platform/render/ui_screens.h"
@@ -18,6 +19,9 @@ void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, f
 /* Night-blue cloth that lets the tank through: what figures stand on. */
 void ui_plate(const struct ui_frame *frame, struct ui_box box);
 
+/* What a mode is called; an unknown one is the festival. */
+const char *ui_mode_name(uint8_t language, uint8_t mode);
+
 /* The scene's hint at the bottom, if there is one; eases in while it is young. */
 void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory);
@@ -32,11 +36,28 @@ void ui_best_words(const struct scene *scene, char *out, size_t out_size);
 void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
                  float alpha, const char *words);
 
-/* The second to fourth player's catch, each in the colour of their ring, down the left side. */
-void ui_other_players(const struct ui_frame *frame, const struct scene *scene);
+/* How many play, and the first of them; 0 when none does. */
+uint32_t ui_player_count(const struct scene *scene);
+uint32_t ui_first_player(const struct scene *scene);
+
+/* A player's number on a round of their colour, centred at (x, y). */
+void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player);
+
+/* Three lamps, lit for fouls, the first at (x, y) and each `step` further down or right. */
+void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius, float step,
+                   uint32_t fouls);
+
+/* Several players' plates, each with number, catch, paper and fouls: in one row, beside what takes
+ * `right_px` of it, or in a second row where they do not fit. Returns where they end, downward. */
+float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
+                      const struct ui_memory *memory, float right_px);
+
+/* Over everything: the keeper's call, the umpire's foul, and the wait for a hand that is lost. */
+void ui_umpire(const struct ui_frame *frame, const struct scene *scene);
 
 /* A whole screen each. */
 void ui_attract(const struct ui_frame *frame, const struct scene *scene);
+void ui_choose(const struct ui_frame *frame, const struct scene *scene);
 void ui_ready(const struct ui_frame *frame, const struct scene *scene,
               const struct ui_memory *memory);
 void ui_round(const struct ui_frame *frame, const struct scene *scene,

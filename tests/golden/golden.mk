@@ -6,10 +6,8 @@ ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui
 	@$< out/ui $(BACKDROP)
 
-UI_OBJ := $(patsubst %.c,$(BUILD)/%.o,$(wildcard platform/render/text.c platform/render/ui*.c \
-            platform/render/gl_util.c))
-
-$(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(UI_OBJ) $(GENERATED_OBJ)
+$(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(BUILD)/platform/panic.o \
+    $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 

@@ -2,7 +2,7 @@
  *
  *   build/tests/golden/ui_shots OUT [BACKDROP.png]
  *
- * Draws each phase in both languages at three sizes, off screen, over a backdrop (a still of the
+ * Draws each screen in both languages at four sizes, off screen, over a backdrop (a still of the
  * tank, or plain water), and writes OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. Also says what one screen
  * costs. */
 #include <GLES3/gl3.h>
@@ -29,20 +29,59 @@ struct shot {
     float phase_s, seconds_left;
     uint32_t caught, best;
     float paper_left;
-    uint8_t players;
+    uint8_t players, mode, call, foul;
+    uint8_t paused, shows_stress, two_modes;
 };
 
 static const struct shot shots[] = {
-    { "attract", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1 },
-    { "ready", PHASE_READY, HINT_MOVE, 0.85f, 2.15f, 0, 12, 1.0f, 1 },
-    { "go", PHASE_ROUND, HINT_DIP, 0.4f, 59.6f, 0, 12, 1.0f, 1 },
-    { "round", PHASE_ROUND, HINT_TILT, 30.0f, 30.0f, 7, 12, 0.66f, 4 },
-    { "torn", PHASE_ROUND, HINT_TORN, 52.0f, 7.5f, 13, 12, 0.0f, 1 },
-    { "result", PHASE_RESULT, HINT_NONE, 2.4f, 0.0f, 13, 13, 0.0f, 1 },
-    { "again", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 4, 12, 0.4f, 1 },
+    { "attract", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
+    { "choose", PHASE_CHOOSE, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_CHAMPIONSHIP, 0, 0, 0,
+      0, 0 },
+    { "choose2", PHASE_CHOOSE, HINT_CHOOSE, 4.0f, 11.0f, 0, 12, 1.0f, 1, MODE_FESTIVAL, 0, 0, 0, 0,
+      1 },
+    { "ready", PHASE_READY, HINT_NO_SHADE, 0.85f, 2.15f, 0, 12, 1.0f, 1, MODE_CHAMPIONSHIP, 0, 0, 0,
+      0, 0 },
+    { "go", PHASE_ROUND, HINT_DIP, 0.4f, 59.6f, 0, 12, 1.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "round", PHASE_ROUND, HINT_TILT, 30.0f, 30.0f, 7, 12, 0.66f, 4, 0, 0, 0, 0, 0, 0 },
+    { "torn", PHASE_ROUND, HINT_TORN, 52.0f, 7.5f, 13, 12, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "minute", PHASE_ROUND, HINT_NONE, 60.4f, 119.6f, 21, 46, 0.93f, 1, MODE_CHAMPIONSHIP,
+      CALL_ONE_MINUTE, FOUL_WALL, 0, 0, 0 },
+    { "contest", PHASE_ROUND, HINT_CLEAR_RIM, 100.0f, 80.0f, 21, 46, 0.93f, 4, MODE_CHAMPIONSHIP, 0,
+      FOUL_POURED, 0, 0, 0 },
+    { "lastten", PHASE_ROUND, HINT_NONE, 170.4f, 9.6f, 21, 46, 0.93f, 2, MODE_CHAMPIONSHIP,
+      CALL_TEN_SECONDS, 0, 0, 0, 0 },
+    { "last", PHASE_ROUND, HINT_NONE, 176.7f, 3.3f, 21, 46, 0.93f, 2, MODE_CHAMPIONSHIP,
+      CALL_COUNTDOWN, 0, 0, 0, 0 },
+    { "time", PHASE_RESULT, HINT_NONE, 0.7f, 0.0f, 21, 46, 0.93f, 1, MODE_CHAMPIONSHIP,
+      CALL_TIME, 0, 0, 0, 0 },
+    { "paused", PHASE_ROUND, HINT_LOST_POI, 100.0f, 80.0f, 21, 46, 0.93f, 3, MODE_CHAMPIONSHIP, 0,
+      0, 1, 0, 0 },
+    { "practice", PHASE_ROUND, HINT_WET_ALL, 40.0f, 140.0f, 3, 0, 0.8f, 1, MODE_PRACTICE, 0, 0, 0,
+      1, 0 },
+    { "result", PHASE_RESULT, HINT_NONE, 2.4f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "again", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 4, 12, 0.4f, 1, MODE_PRACTICE, 0, 0, 0, 0, 0 },
+    { "winner", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 47, 47, 0.4f, 1, MODE_CHAMPIONSHIP, 0,
+      FOUL_WALL, 0, 0, 0 },
+    { "ranking", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 21, 46, 0.4f, 4, MODE_CHAMPIONSHIP, 0,
+      FOUL_WALL, 0, 0, 0 },
 };
 
-static const int sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 720, 1280 } };
+static const int sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 720, 1280 }, { 640, 360 } };
+
+static void fill_player(struct scene *scene, const struct shot *shot, uint8_t player)
+{
+    struct scene_player *const out = &scene->player[player];
+    out->plays = 1;
+    scene->poi[player].present = 1;
+    scene->poi[player].shows_stress = shot->shows_stress;
+    scene->poi[player].paper_left = player == 0 ? shot->paper_left : 0.9f - 0.2f * (float)player;
+    scene->caught[player] = player == 0 ? shot->caught : shot->caught + 5u - 6u * player;
+    out->foul = player == 0 ? shot->foul : FOUL_NONE;
+    out->foul_s = 0.8f;
+    out->fouls = shot->mode != MODE_CHAMPIONSHIP ? 0 : player == 0 ? shot->foul != 0 : player;
+    out->out = player == 3 && shot->mode == MODE_CHAMPIONSHIP;
+    out->lost = player == 1 && shot->paused;
+}
 
 static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t language)
 {
@@ -54,10 +93,18 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->seconds_left = shot->seconds_left;
     scene->best_today = shot->best;
     scene->language = language;
-    for (uint32_t i = 0; i < shot->players; i++) {
-        scene->poi[i].present = 1;
-        scene->poi[i].paper_left = i == 0 ? shot->paper_left : 0.9f - 0.2f * (float)i;
-        scene->caught[i] = i == 0 ? shot->caught : 2u * i;
+    scene->mode = shot->mode;
+    scene->modes = shot->two_modes ? 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE
+                                   : (1u << MODE_COUNT) - 1u;
+    scene->offer[MODE_FESTIVAL] = (struct scene_offer){ 60, 6 };
+    scene->offer[MODE_CHAMPIONSHIP] = (struct scene_offer){ 180, 5 };
+    scene->offer[MODE_PRACTICE] = (struct scene_offer){ 180, 6 };
+    scene->grade = scene->offer[shot->mode].grade;
+    scene->paused = shot->paused;
+    scene->call = shot->call;
+    scene->call_s = 0.6f;
+    for (uint8_t i = 0; i < shot->players; i++) {
+        fill_player(scene, shot, i);
     }
 }
 
@@ -170,8 +217,9 @@ int main(int count, char **arguments)
             for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
                 char path[512];
                 fill_scene(&scene, &shots[i], language);
-                ui.memory = (struct ui_memory){ .hint = shots[i].hint, .caught = shots[i].caught,
-                                                .best_before = 12, .hint_tick = 800 };
+                ui.memory = (struct ui_memory){ .hint = shots[i].hint, .best_before = 12,
+                                                .hint_tick = 800 };
+                memcpy(ui.memory.caught, scene.caught, sizeof scene.caught);
                 glBindFramebuffer(GL_FRAMEBUFFER, target);
                 if (language == 0) {
                     say_cost(&ui, &scene, shots[i].name, width, height);

@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "assets.h"
 #include "platform/render/text.h"
 
 static uint32_t first(const char *bytes)
@@ -99,7 +100,7 @@ static void test_glyphs_are_in_order_and_inside_the_atlas(void **state)
         for (uint32_t i = 0; i < face->glyph_count; i++) {
             const struct font_glyph *glyph = &face->glyphs[i];
             assert_true(i == 0 || face->glyphs[i - 1].code < glyph->code);
-            assert_true(glyph->x + glyph->width <= 1024u);
+            assert_true(glyph->x + glyph->width <= ASSET_FONT_WIDTH);
             assert_true(glyph->y + glyph->height <= ASSET_FONT_HEIGHT);
             assert_ptr_equal(text_glyph((enum font_id)font, glyph->code), glyph);
         }

@@ -20,6 +20,7 @@ struct size {
 static const struct size sizes[] = {
     { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 },  { 1080, 1920 },
     { 640, 480 },  { 1024, 768 },  { 3440, 1440 }, { 480, 800 },   { 1280, 1280 },
+    { 640, 360 },
 };
 #define SIZE_COUNT (sizeof sizes / sizeof *sizes)
 
@@ -55,10 +56,35 @@ static void set_scene(uint8_t phase, uint8_t language, uint8_t hint, float phase
     scene.phase_s = phase_s;
     scene.seconds_left = phase == PHASE_READY ? 3.0f - phase_s : 600.0f - phase_s;
     scene.best_today = 9999;
+    scene.modes = (1u << MODE_COUNT) - 1u;
+    scene.grade = 7;
+    for (uint32_t i = 0; i < MODE_COUNT; i++) {
+        scene.offer[i] = (struct scene_offer){ .round_s = 90, .grade = 7 };
+    }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        scene.poi[i].present = 1;
+        scene.poi[i].present = scene.player[i].plays = 1;
         scene.poi[i].paper_left = 0.5f;
         scene.caught[i] = 1000u + i;
+        scene.player[i].foul_s = 60.0f;
+    }
+    scene.call_s = 60.0f;
+}
+
+/* A mode, so many players, and what the umpire has to say to each. */
+static void set_match(uint8_t mode, uint32_t players, uint8_t variant)
+{
+    scene.mode = mode;
+    scene.call = variant % (CALL_TIME + 1u);
+    scene.call_s = 0.15f * (float)(variant % 11u);
+    scene.paused = variant % 5u == 4u;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.poi[i].present = scene.player[i].plays = i < players;
+        scene.poi[i].shows_stress = mode == MODE_PRACTICE;
+        scene.player[i].fouls = (uint8_t)((variant + i) % (FOUL_MAX + 1u));
+        scene.player[i].foul = (uint8_t)((variant + i) % FOUL_COUNT);
+        scene.player[i].foul_s = 0.3f * (float)(variant % 10u);
+        scene.player[i].lost = (variant + i) % 3u == 0;
+        scene.player[i].out = (variant + i) % 4u == 1;
     }
 }
 
@@ -116,6 +142,26 @@ static void test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment(
     }
 }
 
+static void test_every_mode_fits_with_one_to_four_players_and_all_that_is_called(void **state)
+{
+    (void)state;
+    static const uint8_t phases[] = { PHASE_CHOOSE, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
+    static const float moments_s[] = { 0.4f, 2.0f, 597.3f };
+    memory = (struct ui_memory){ 0 };
+    for (uint32_t k = 0; k < SIZE_COUNT * 4u * MODE_COUNT * POI_MAX; k++) {
+        const struct size size = sizes[k % SIZE_COUNT];
+        const uint8_t phase = phases[k / SIZE_COUNT % 4u];
+        const uint8_t mode = (uint8_t)(k / (SIZE_COUNT * 4u) % MODE_COUNT);
+        for (uint8_t variant = 0; variant < 60u; variant++) {
+            set_scene(phase, variant % LANGUAGE_COUNT, variant % HINT_COUNT,
+                      moments_s[variant / 2u % 3u]);
+            set_match(mode, (uint32_t)(k / (SIZE_COUNT * 4u * MODE_COUNT)) + 1u, variant);
+            lay_out(size);
+            check_inside(size);
+        }
+    }
+}
+
 static void test_every_count_of_fish_fits(void **state)
 {
     (void)state;
@@ -125,9 +171,12 @@ static void test_every_count_of_fish_fits(void **state)
             for (uint8_t phase = PHASE_ATTRACT; phase <= PHASE_RESULT; phase++) {
                 for (size_t s = 0; s < SIZE_COUNT; s++) {
                     set_scene(phase, language, HINT_START, 5.0f);
-                    scene.caught[0] = scene.best_today = counts[i];
-                    lay_out(sizes[s]);
-                    check_inside(sizes[s]);
+                    for (uint8_t players = 1; players <= POI_MAX; players++) {
+                        set_match(MODE_CHAMPIONSHIP, players, 0);
+                        scene.caught[0] = scene.best_today = counts[i];
+                        lay_out(sizes[s]);
+                        check_inside(sizes[s]);
+                    }
                 }
             }
         }
@@ -251,11 +300,159 @@ static void test_only_more_than_the_days_best_earns_the_seal(void **state)
         scene.best_today = 12;
         lay_out(sizes[0]);
         set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_NONE, 4.0f);
+        set_match(MODE_FESTIVAL, 1, 0);
         scene.caught[0] = caught;
         scene.best_today = caught > 12 ? caught : 12;
         lay_out(sizes[0]);
         assert_int_equal(seals(), caught > 12 ? 2 : 1); /* The card is one. */
     }
+}
+
+static void test_practice_earns_no_seal(void **state)
+{
+    (void)state;
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        memory = (struct ui_memory){ .best_before = 5 };
+        set_scene(PHASE_RESULT, LANGUAGE_JA, HINT_NONE, 4.0f);
+        set_match(mode, 1, 0);
+        scene.caught[0] = 9;
+        lay_out(sizes[0]);
+        assert_int_equal(seals(), mode == MODE_PRACTICE ? 1 : 2);
+    }
+}
+
+static void test_whoever_of_several_beats_the_day_earns_the_seal(void **state)
+{
+    (void)state;
+    memory = (struct ui_memory){ .best_before = 5 };
+    set_scene(PHASE_RESULT, LANGUAGE_JA, HINT_NONE, 4.0f);
+    set_match(MODE_FESTIVAL, 2, 0);
+    scene.caught[0] = 2;
+    scene.caught[1] = 6;
+    lay_out(sizes[0]);
+    assert_int_equal(seals(), 2);
+    scene.caught[1] = 5;
+    lay_out(sizes[0]);
+    assert_int_equal(seals(), 1);
+}
+
+static uint32_t quads_of(enum ui_kind kind)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        count += batch.kinds[i] == kind;
+    }
+    return count;
+}
+
+static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher(void **state)
+{
+    (void)state;
+    for (uint8_t modes = 1; modes < 1u << MODE_COUNT; modes++) {
+        set_scene(PHASE_CHOOSE, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
+        scene.modes = modes;
+        scene.mode = modes & 1u ? MODE_FESTIVAL : modes & 2u ? MODE_CHAMPIONSHIP : MODE_PRACTICE;
+        lay_out(sizes[0]);
+        const uint32_t offered = (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2);
+        assert_int_equal(quads_of(UI_WOOD), offered);
+        float first_top = 0.0f, other_top = 1e9f;
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            const float top = bounds_of(i).top;
+            if (batch.kinds[i] == UI_WOOD && first_top == 0.0f) {
+                first_top = top; /* The lowest mode that is offered: the one pointed at. */
+            } else if (batch.kinds[i] == UI_WOOD) {
+                other_top = top < other_top ? top : other_top;
+            }
+        }
+        assert_true(first_top < other_top - 10.0f);
+    }
+}
+
+static int overlap(const struct bounds *a, const struct bounds *b)
+{
+    return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
+}
+
+static void test_no_plate_lies_on_another_while_a_round_is_played(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * MODE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
+        const struct size size = sizes[k % SIZE_COUNT];
+        set_scene(PHASE_ROUND, k / SIZE_COUNT % LANGUAGE_COUNT, HINT_NONE, 20.0f);
+        set_match((uint8_t)(k / (SIZE_COUNT * LANGUAGE_COUNT) % MODE_COUNT),
+                  (uint32_t)(k / (SIZE_COUNT * LANGUAGE_COUNT * MODE_COUNT)) + 1u, 0);
+        lay_out(size);
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            for (uint32_t j = 0; j < i && batch.kinds[i] == UI_WAVES; j++) {
+                const struct bounds a = bounds_of(i), b = bounds_of(j);
+                assert_false(batch.kinds[j] == UI_WAVES && overlap(&a, &b));
+            }
+        }
+    }
+}
+
+static uint32_t vermilion_lamps(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const uint8_t *fill = batch.vertices[i * 4u].fill;
+        count += batch.kinds[i] == UI_PANEL && fill[0] == 0xff && fill[1] == 0x52;
+    }
+    return count;
+}
+
+static void test_each_foul_lights_a_lamp_where_fouls_are_called(void **state)
+{
+    (void)state;
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        for (uint8_t fouls = 0; fouls <= FOUL_MAX; fouls++) {
+            for (uint32_t players = 1; players <= 2u; players++) {
+                set_scene(PHASE_ROUND, LANGUAGE_JA, HINT_NONE, 20.0f);
+                set_match(mode, players, 0);
+                scene.player[0].fouls = fouls;
+                scene.player[0].lost = scene.player[1].lost = 0;
+                scene.player[1].fouls = 0;
+                scene.player[0].foul_s = 60.0f;
+                scene.player[1].foul_s = 60.0f;
+                lay_out(sizes[0]);
+                assert_int_equal(vermilion_lamps(), mode == MODE_CHAMPIONSHIP ? fouls : 0);
+            }
+        }
+    }
+}
+
+static void test_a_call_is_seen_once_and_leaves_the_water_free(void **state)
+{
+    (void)state;
+    for (uint8_t call = CALL_ONE_MINUTE; call <= CALL_TIME; call++) {
+        set_scene(PHASE_ROUND, LANGUAGE_JA, HINT_NONE, 20.0f);
+        set_match(MODE_CHAMPIONSHIP, 1, 0);
+        scene.seconds_left = call == CALL_COUNTDOWN ? 3.5f : 60.0f;
+        scene.player[0].foul_s = 60.0f;
+        lay_out(sizes[0]);
+        const uint32_t without = glyph_quads();
+        scene.call = call;
+        scene.call_s = 0.5f;
+        lay_out(sizes[0]);
+        assert_true(glyph_quads() > without);
+        scene.call_s = 3.0f;
+        scene.seconds_left -= call == CALL_COUNTDOWN ? 0.48f : 0.0f; /* Each digit goes, too. */
+        lay_out(sizes[0]);
+        assert_int_equal(glyph_quads(), without);
+    }
+}
+
+static void test_a_pause_is_told_over_the_water(void **state)
+{
+    (void)state;
+    set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 20.0f);
+    set_match(MODE_CHAMPIONSHIP, 1, 0);
+    scene.player[0].foul_s = 60.0f;
+    lay_out(sizes[0]);
+    const uint32_t without = glyph_quads();
+    scene.paused = scene.player[0].lost = 1;
+    lay_out(sizes[0]);
+    assert_true(glyph_quads() > without + 20u);
 }
 
 static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **state)
@@ -287,12 +484,21 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment),
+        cmocka_unit_test(test_every_mode_fits_with_one_to_four_players_and_all_that_is_called),
         cmocka_unit_test(test_every_count_of_fish_fits),
         cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
         cmocka_unit_test(test_what_a_player_must_read_is_readable_from_two_metres),
         cmocka_unit_test(test_no_hint_means_no_ribbon),
         cmocka_unit_test(test_a_new_hint_fades_in),
         cmocka_unit_test(test_only_more_than_the_days_best_earns_the_seal),
+        cmocka_unit_test(test_practice_earns_no_seal),
+        cmocka_unit_test(test_whoever_of_several_beats_the_day_earns_the_seal),
+        cmocka_unit_test(
+            test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher),
+        cmocka_unit_test(test_no_plate_lies_on_another_while_a_round_is_played),
+        cmocka_unit_test(test_each_foul_lights_a_lamp_where_fouls_are_called),
+        cmocka_unit_test(test_a_call_is_seen_once_and_leaves_the_water_free),
+        cmocka_unit_test(test_a_pause_is_told_over_the_water),
         cmocka_unit_test(test_a_full_batch_drops_and_counts_instead_of_overrunning),
         cmocka_unit_test(test_text_shrinks_to_its_room_and_aligns),
     };
