@@ -3,18 +3,16 @@
 
 #include "core/base/panic.h"
 #include "core/base/physics.h"
-#include "core/base/rng.h"
+#include "core/poi/burden.h"
 #include "core/poi/contact.h"
 #include "core/poi/fall.h"
+#include "core/poi/footing.h"
+#include "core/poi/huddle.h"
+#include "core/poi/take_up.h"
 
-#define LEVEL_MIN 0.35f /* A steeper poi (70 degrees) takes nobody up. */
-#define STAND_SHARE                                                                                \
-    1.05f /* Water over the paper, in body heights, in which a fish still stands ... */
-#define STAND_SPARE_M 0.0045f /* and more, for one that lies across the ring, 3 mm higher; */
-#define FLOAT_SHARE 1.50f   /* ... and in which a rider floats off. */
-#define BODY_FOOT_M 0.020f  /* Footprint of a body, against a tail's 2 to 5 mm. */
+#define FLOAT_SHARE 1.50f   /* Water over the paper, in body heights: a rider floats off. */
+#define SLACK_N_M 1.5f /* A fish alone stretches wet paper so much. */
 #define LIFT_OFF_M_S2 0.5f  /* Pulled from the paper by more than this, it flies. */
-#define SPILL_M_S 0.4f      /* Fish beyond POI_RIDER_MAX leave over the ring so fast. */
 #define SLAP_EVERY_TICKS 8u /* Sounds of one kind, at most this often. */
 #define TEAR_EVERY_TICKS 14u
 
@@ -105,28 +103,10 @@ static float paper_y(const struct scoop *scoop, float x_m, float z_m)
     return scoop->poi->position_m.y + x_m * scoop->axes.right.y + z_m * scoop->axes.back.y;
 }
 
-/* How much of a rider's weight is out of the water. */
-static float dryness(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
-{
-    const float thick = fish->width_m;
-    const float low = paper_y(scoop, rider->x_m, rider->z_m);
-    return f_clamp((low + thick) / thick, 0.0f, 1.0f);
-}
-
 static int floats_off(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
 {
     const float depth = -paper_y(scoop, rider->x_m, rider->z_m);
     return depth > FLOAT_SHARE * fish->height_m;
-}
-
-static int leaves_paper(const struct scoop *scoop, const struct rider *rider)
-{
-    const float square = rider->x_m * rider->x_m + rider->z_m * rider->z_m;
-    if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
-        return 1;
-    }
-    return square < POI_RADIUS_M * POI_RADIUS_M &&
-           !sheet_holds(&scoop->poi->sheet, rider->x_m, rider->z_m);
 }
 
 /* As an umpire does who wants to see it clear of the water with the fish on it. */
@@ -144,16 +124,17 @@ static int ride(struct scoop *scoop, struct rider *rider)
 {
     struct fish *fish = &scoop->tank->fish[rider->fish];
     see_ring(scoop, rider);
-    const float dry = dryness(scoop, rider, fish);
+    const float dry = burden_dryness(scoop->poi, &scoop->axes, rider, fish);
     sound_slap(scoop, rider_tick(rider, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick));
     const vec3 before = fish->position_m;
-    rider_pose(rider, scoop->poi->position_m, &scoop->axes, fish);
+    rider_pose(rider, &scoop->ride, scoop->poi->position_m, &scoop->axes, fish);
     fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
     if (floats_off(scoop, rider, fish)) {
         fall_set_free(scoop->tank, fish, fish->velocity_m_s);
         return 1;
     }
-    if (leaves_paper(scoop, rider) || scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2) {
+    const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
+    if (flies || !footing_holds(&scoop->poi->sheet, rider, fish)) {
         let_fall(scoop, rider);
     }
     return 0;
@@ -162,6 +143,7 @@ static int ride(struct scoop *scoop, struct rider *rider)
 static void ride_all(struct scoop *scoop)
 {
     uint32_t i = 0;
+    huddle_tick(scoop->poi, scoop->tank->fish);
     while (i < scoop->poi->rider_count) {
         struct rider *rider = &scoop->poi->riders[i];
         CORE_ASSERT(rider->fish < scoop->tank->fish_count);
@@ -174,56 +156,7 @@ static void ride_all(struct scoop *scoop)
     }
 }
 
-/* ---- Taking up ------------------------------------------------------------------------------ */
-
-static int can_stand(const struct scoop *scoop, vec3 place, const struct fish *fish)
-{
-    const float depth = -paper_y(scoop, place.x, place.z);
-    return depth > STAND_SHARE * fish->height_m + STAND_SPARE_M;
-}
-
-/* Out over the ring: a fish for which the paper has no room, or one that a ring comes up under and
- * does not lift. */
-static void slip_off(const struct scoop *scoop, struct fish *fish)
-{
-    const vec3 away = v3_sub(fish->position_m, scoop->poi->position_m);
-    const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
-    fall_set_free(scoop->tank, fish, v3_scale(out, SPILL_M_S));
-}
-
-static void take_up(struct scoop *scoop, uint32_t index)
-{
-    struct poi *poi = scoop->poi;
-    struct fish *fish = &scoop->tank->fish[index];
-    const vec3 place = basis_to_body(&scoop->axes, v3_sub(fish->position_m, poi->position_m));
-    if (scoop->axes.up.y < LEVEL_MIN || can_stand(scoop, place, fish)) {
-        return;
-    }
-    if (poi->rider_count == POI_RIDER_MAX) {
-        slip_off(scoop, fish);
-        return;
-    }
-    const struct basis body = basis_from_angles(fish->angles);
-    const vec3 tail = basis_to_body(&scoop->axes, body.back);
-    const vec3 right = basis_to_body(&scoop->axes, body.right);
-    const vec3 speed = basis_to_body(&scoop->axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
-    const struct rng_key key = { poi->seed, scoop->tick, index, RNG_RIDER_REST };
-    poi->riders[poi->rider_count++] = (struct rider){
-        .fish = (uint16_t)index,
-        .state = RIDER_LYING,
-        .side = right.y > 0.0f ? 1 : -1,
-        .x_m = place.x,
-        .z_m = place.z,
-        .height_m = f_max(place.y, 0.0f),
-        .slide_x_m_s = f_clamp(speed.x, -0.2f, 0.2f),
-        .slide_z_m_s = f_clamp(speed.z, -0.2f, 0.2f),
-        .heading_rad = f_atan2(tail.x, tail.z),
-        .vigour = 0.5f + 0.5f * fish->stamina,
-        .rest_s = 0.05f + 0.2f * rng_unit(key),
-    };
-    fish->gait = GAIT_HELD;
-    fish->holder = (uint8_t)scoop->poi_index;
-}
+/* ---- Meeting the others ---------------------------------------------------------------------- */
 
 static int is_rider(const struct poi *poi, uint32_t index)
 {
@@ -258,62 +191,12 @@ static void meet_all(struct scoop *scoop)
         }
         if (fish->gait != GAIT_HELD) {
             if (contact_fish(scoop->poi, &scoop->axes, fish)) {
-                take_up(scoop, i);
+                take_up(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, i, scoop->tick);
             } else if (contact_squeezed(scoop->poi, fish)) {
-                slip_off(scoop, fish);
+                take_up_slip_off(scoop->poi, scoop->tank, fish);
             }
         } else if (fish->holder == scoop->poi_index && !is_rider(scoop->poi, i)) {
             fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
-        }
-    }
-}
-
-/* ---- Loads ---------------------------------------------------------------------------------- */
-
-static void add_load(struct poi *poi, struct sheet_load load)
-{
-    if (load.force_n != 0.0f) {
-        CORE_ASSERT(poi->load_count < SHEET_LOAD_MAX);
-        poi->loads[poi->load_count++] = load;
-    }
-}
-
-/* A tail that is off the paper slaps the air; its body takes the kick on ten times the area. */
-static void add_slap(struct poi *poi, const struct rider *rider, const struct fish *fish)
-{
-    float x, z;
-    rider_tail(rider, fish->length_m, &x, &z);
-    if (rider->slap_s <= 0.0f) {
-        return;
-    }
-    if (sheet_holds(&poi->sheet, x, z)) {
-        add_load(poi, (struct sheet_load){ x, z, rider->slap_d_m, -rider->slap_n });
-    } else {
-        add_load(poi, (struct sheet_load){ rider->x_m, rider->z_m, BODY_FOOT_M, -rider->slap_n });
-    }
-}
-
-/* A slap and a body of each: SHEET_LOAD_MAX has room for all. */
-static void gather_loads(struct scoop *scoop)
-{
-    struct poi *poi = scoop->poi;
-    poi->load_count = 0;
-    poi->riders_kg = 0.0f;
-    for (uint32_t i = 0; i < poi->rider_count; i++) {
-        if (poi->riders[i].state == RIDER_LYING) {
-            add_slap(poi, &poi->riders[i], &scoop->tank->fish[poi->riders[i].fish]);
-        }
-    }
-    poi->slap_count = poi->load_count;
-    for (uint32_t i = 0; i < poi->rider_count; i++) {
-        const struct rider *rider = &poi->riders[i];
-        const struct fish *fish = &scoop->tank->fish[rider->fish];
-        if (rider->state == RIDER_LYING) {
-            const float mass = fish_mass_kg(fish->length_m) * dryness(scoop, rider, fish);
-            const float force = mass * scoop->ride.pull_m_s2.y;
-            poi->riders_kg += mass;
-            add_load(poi, (struct sheet_load){ rider->x_m, rider->z_m, BODY_FOOT_M,
-                                               f_min(force, 0.0f) });
         }
     }
 }
@@ -334,6 +217,14 @@ void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
     }
 }
 
+/* By the tension that water and riders together put on the paper. */
+static float give_per_n(const struct poi *poi)
+{
+    const struct paper_grade *grade = sheet_grade(poi->sheet.grade);
+    const float tension_n_m = sheet_tension_centre(grade, poi->pressure_pa, POI_RADIUS_M);
+    return 1.0f / (F_TAU * f_max(tension_n_m, SLACK_N_M));
+}
+
 void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, uint32_t tick,
                 struct output *output, struct catch_result results[POI_MAX])
 {
@@ -352,7 +243,9 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
         .ride = { .pull_m_s2 = basis_to_body(&axes, pull),
                   .uphill_x = axes.right.y,
                   .uphill_z = axes.back.y,
-                  .radius_m = POI_RADIUS_M },
+                  .radius_m = POI_RADIUS_M,
+                  .belly_m = poi->sheet.sag_m,
+                  .give_per_n = give_per_n(poi) },
         .pan = f_clamp(2.0f * poi->position_m.x / stall->tank->size_m.x, -1.0f, 1.0f),
         .clear = poi->position_m.y > poi_half_extent_m(axes.up.y),
         .results = results,
@@ -361,5 +254,5 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
     sound_ring(&scoop);
     ride_all(&scoop);
     meet_all(&scoop);
-    gather_loads(&scoop);
+    burden_gather(poi, &axes, scoop.ride.pull_m_s2.y, stall->tank->fish);
 }

@@ -19,7 +19,17 @@
 #define SLAP_N_MAX 0.15f
 #define CALM_TAU_S 3.0f   /* Out of water it tires, */
 #define CALM_HEAD_UP 2.5f /* and sooner with its head up. */
-#define FLOP_M_S 0.60f    /* A slap also throws the fish about; few throw it so fast. */
+#define CALM_CRADLE 1.5f  /* Or in a belly of paper that lies round it on all sides ... */
+#define CRADLE_M 0.003f   /* ... when it is so deep. */
+#define FLOP_M_S 0.35f    /* A slap also throws the fish about; few throw it so fast. */
+#define HOP_S 0.060f      /* A slap of 20 m/s^2 for 20 ms throws a body up for 80 ms; a tail alone
+                             lifts it for less. */
+#define HOP_SLIP 0.05f    /* What then still brakes it. */
+#define AGROUND 0.3f      /* Drier than this it can slap, and the ring is in its way. */
+#define FOOT_M 0.010f     /* Half a body's footprint. */
+#define LEAN_MAX 0.25f    /* At the ring, which bears a part of what lies beside it. */
+#define SWIM_LENGTHS 4.0f /* A second: how fast it makes off while it is afloat ... */
+#define SWIM_PER_S 10.0f  /* ... and how soon it goes so fast. */
 #define VIGOUR_MIN 0.08f  /* It never quite gives up. */
 
 enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
@@ -66,6 +76,7 @@ static float begin_slap(struct rider *rider, const struct fish *fish, uint32_t s
     rider->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
     rider->slap_d_m = f_lerp(0.002f, 0.005f, draw(rider, seed, tick, DRAW_FOOT));
     rider->rest_s = f_lerp(0.1f, 0.2f, draw(rider, seed, tick, DRAW_GAP)) + (pause ? 0.5f : 0.0f);
+    rider->hop_s = HOP_S * (0.4f + 0.6f * rider->vigour);
     throw_about(rider, rider->vigour, seed, tick);
     return rider->slap_n;
 }
@@ -75,11 +86,13 @@ static float slap(struct rider *rider, const struct fish *fish, const struct rid
 {
     const float nose_x = -f_sin(rider->heading_rad), nose_z = -f_cos(rider->heading_rad);
     const float head_up = nose_x * ride->uphill_x + nose_z * ride->uphill_z;
-    const float tire = head_up > 0.25f ? CALM_HEAD_UP : 1.0f;
+    const float cradle = f_clamp(ride->belly_m / CRADLE_M, 0.0f, 1.0f);
+    const float tire =
+        (head_up > 0.25f ? CALM_HEAD_UP : 1.0f) * f_lerp(1.0f, CALM_CRADLE, cradle);
     rider->vigour += (VIGOUR_MIN - rider->vigour) * dry * tire * CORE_TICK_S / CALM_TAU_S;
     rider->rest_s -= CORE_TICK_S;
     rider->slap_s = f_max(0.0f, rider->slap_s - CORE_TICK_S);
-    if (rider->rest_s > 0.0f || dry < 0.3f) {
+    if (rider->rest_s > 0.0f || dry < AGROUND) {
         return 0.0f;
     }
     return begin_slap(rider, fish, seed, tick);
@@ -87,20 +100,44 @@ static float slap(struct rider *rider, const struct fish *fish, const struct rid
 
 /* ---- Sliding -------------------------------------------------------------------------------- */
 
-static void slide(struct rider *rider, const struct ride *ride, float dry)
+/* How the paper leans under a rider toward its middle, for each metre that it is off it. The belly
+ * of what bears on all the paper is a paraboloid. One body of force F on a round membrane of
+ * tension T is deepest in the middle, too: F / (2 pi T) ln((a^2 - r^2) / (a foot)). */
+static float lean_per_m(const struct rider *rider, const struct ride *ride, float press_n)
+{
+    const float wide = ride->radius_m * ride->radius_m;
+    const float square = f_min(rider->x_m * rider->x_m + rider->z_m * rider->z_m, wide);
+    const float own = 2.0f * press_n * ride->give_per_n / (wide - square + FOOT_M * FOOT_M);
+    return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
+}
+
+/* Afloat over the paper it is a fish in shallow water. */
+static void make_off(struct rider *rider, const struct fish *fish, float afloat)
+{
+    const float goal_m_s = SWIM_LENGTHS * fish->length_m * rider->vigour;
+    const float keep = 1.0f - SWIM_PER_S * afloat * CORE_TICK_S;
+    const float gain_m_s = goal_m_s * (1.0f - keep);
+    rider->slide_x_m_s = rider->slide_x_m_s * keep - gain_m_s * f_sin(rider->heading_rad);
+    rider->slide_z_m_s = rider->slide_z_m_s * keep - gain_m_s * f_cos(rider->heading_rad);
+}
+
+/* Friction as an implicit factor: it stops a fish, never turns it back. */
+static void slide(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry)
 {
     const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;
-    const float pull_x = ride->pull_m_s2.x * dry, pull_z = ride->pull_m_s2.z * dry;
+    const float lean = press * lean_per_m(rider, ride, press * fish_mass_kg(fish->length_m));
+    const float pull_x = ride->pull_m_s2.x * dry - lean * rider->x_m;
+    const float pull_z = ride->pull_m_s2.z * dry - lean * rider->z_m;
     const float pull = f_sqrt(pull_x * pull_x + pull_z * pull_z);
     const float speed =
         f_sqrt(rider->slide_x_m_s * rider->slide_x_m_s + rider->slide_z_m_s * rider->slide_z_m_s);
-    if (speed < 0.01f && pull <= STICK * press) {
+    const int hops = rider->hop_s > 0.0f;
+    rider->hop_s = f_max(0.0f, rider->hop_s - CORE_TICK_S);
+    if (!hops && dry > 0.0f && speed < 0.01f && pull <= STICK * press) {
         rider->slide_x_m_s = rider->slide_z_m_s = 0.0f;
         return;
     }
-    /* Friction and the water's drag as one implicit factor: they stop a fish, never turn it back.
-     */
-    const float brake = SLIP * press / f_max(speed, 0.01f) + 6.0f * (1.0f - dry);
+    const float brake = (hops ? HOP_SLIP : SLIP) * press / f_max(speed, 0.01f);
     const float keep = 1.0f / (1.0f + CORE_TICK_S * brake);
     rider->slide_x_m_s = (rider->slide_x_m_s + pull_x * CORE_TICK_S) * keep;
     rider->slide_z_m_s = (rider->slide_z_m_s + pull_z * CORE_TICK_S) * keep;
@@ -142,14 +179,24 @@ float rider_tick(struct rider *rider, const struct fish *fish, const struct ride
                  uint32_t seed, uint32_t key_tick)
 {
     const float force_n = slap(rider, fish, ride, dry, seed, key_tick);
-    slide(rider, ride, dry);
-    meet_wall(rider, ride);
+    make_off(rider, fish, 1.0f - dry);
+    slide(rider, fish, ride, dry);
+    if (dry > AGROUND) {
+        meet_wall(rider, ride);
+    }
     settle(rider, fish, dry);
     return force_n;
 }
 
-void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_axes,
-                struct fish *fish)
+/* How deep the paper lies under a rider. */
+static float sunk_m(const struct rider *rider, const struct ride *ride)
+{
+    const float square = rider->x_m * rider->x_m + rider->z_m * rider->z_m;
+    return ride->belly_m * f_max(0.0f, 1.0f - square / (ride->radius_m * ride->radius_m));
+}
+
+void rider_pose(const struct rider *rider, const struct ride *ride, vec3 poi_m,
+                const struct basis *poi_axes, struct fish *fish)
 {
     const float sine = f_sin(rider->heading_rad), cosine = f_cos(rider->heading_rad);
     const float tilt = LIE_RAD * rider->lie;
@@ -158,7 +205,8 @@ void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_a
     const vec3 back = v3(-cosine * across, f_cos(tilt), sine * across);
     const struct basis axes =
         pose_look(basis_to_world(poi_axes, nose), basis_to_world(poi_axes, back));
-    const vec3 place = basis_to_world(poi_axes, v3(rider->x_m, rider->height_m, rider->z_m));
+    const float over_m = rider->height_m - sunk_m(rider, ride);
+    const vec3 place = basis_to_world(poi_axes, v3(rider->x_m, over_m, rider->z_m));
     fish->position_m = v3_add(poi_m, place);
     fish->angles = pose_angles(&axes);
     const float beat = rider->slap_s > 0.0f ? 1.0f : 0.15f;
@@ -174,7 +222,8 @@ uint64_t rider_hash(uint64_t hash, const struct rider *rider)
     const float values[] = { rider->x_m,         rider->z_m,         rider->height_m,
                              rider->slide_x_m_s, rider->slide_z_m_s, rider->heading_rad,
                              rider->lie,         rider->vigour,      rider->rest_s,
-                             rider->slap_s,      rider->slap_n,      rider->slap_d_m };
+                             rider->slap_s,      rider->slap_n,      rider->slap_d_m,
+                             rider->hop_s };
     hash = hash_u32(hash, rider->fish);
     hash = hash_u32(hash, rider->state);
     hash = hash_u32(hash, (uint32_t)(rider->side + 1));

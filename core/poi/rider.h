@@ -36,6 +36,7 @@ struct rider {
     float slap_s;      /* Left of this one. */
     float slap_n;      /* Its force on the paper, ... */
     float slap_d_m;    /* ... its footprint. */
+    float hop_s;       /* Left of what a slap lifts it for: so long hardly anything holds it. */
     vec3 fall_m_s;     /* World velocity while falling. */
 };
 
@@ -44,22 +45,26 @@ struct ride {
     vec3 pull_m_s2; /* Gravity less the poi's own acceleration, in body axes; -y presses. */
     float uphill_x, uphill_z; /* The world's up, along the plane: [-1, 1], 0 when level. */
     float radius_m;           /* Of the paper. */
+    float belly_m;            /* How deep it sags in its middle; < 0: it bulges up. */
+    float give_per_n;         /* 1 / (2 pi tension): how it gives under one body; 0: a board. */
 };
 
 /* Half the thickness of a fish's ellipsoid along a unit direction given in the fish's axes. */
 float fish_half_extent_m(const struct fish *fish, vec3 direction);
 
-/* One tick of a lying rider. `dry` in [0, 1]: how much of its weight the water no longer bears.
- * `key_tick` and `seed` choose its slaps. Returns the force of a slap that begins now, else 0. */
+/* One tick of a lying rider. It slides down a slope and into the belly, each slap shakes it loose;
+ * with water to swim in it makes off along its nose, the harder the less calm it is. `dry` in
+ * [0, 1]: how much of its weight the water no longer bears. `key_tick` and `seed` choose its
+ * slaps. Returns the force of a slap that begins now, else 0. */
 float rider_tick(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry,
                  uint32_t seed, uint32_t key_tick);
 
 /* The tail's place in the poi's plane. */
 void rider_tail(const struct rider *rider, float length_m, float *x_m, float *z_m);
 
-/* Writes the fish's pose from the rider's and the poi's. */
-void rider_pose(const struct rider *rider, vec3 poi_m, const struct basis *poi_axes,
-                struct fish *fish);
+/* Writes the fish's pose from the rider's and the poi's. It lies in the paper's belly. */
+void rider_pose(const struct rider *rider, const struct ride *ride, vec3 poi_m,
+                const struct basis *poi_axes, struct fish *fish);
 
 uint64_t rider_hash(uint64_t hash, const struct rider *rider);
 

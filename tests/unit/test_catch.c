@@ -13,6 +13,7 @@ static uint32_t lifted_facing(uint8_t grade, uint32_t seed, float off_x_m, float
     stand_dip(&stand);
     const uint32_t index = stand_fish(&stand, v3(off_x_m, -0.045f, 0.005f), FISH_M);
     stand.tank.fish[index].angles.yaw_rad = yaw_rad;
+    stand.tank.fish[index].alarm = 1.0f; /* As one that was chased: it thrashes. */
     stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
     return index;
 }

@@ -116,6 +116,7 @@ static const struct field rider_fields[] = {
     FIELD(rider, slide_x_m_s), FIELD(rider, slide_z_m_s), FIELD(rider, heading_rad),
     FIELD(rider, lie),         FIELD(rider, vigour),      FIELD(rider, rest_s),
     FIELD(rider, slap_s),      FIELD(rider, slap_n),      FIELD(rider, slap_d_m),
+    FIELD(rider, hop_s),
     FIELD(rider, fall_m_s),
 };
 

@@ -108,7 +108,8 @@ static void test_the_tail_is_behind_the_nose(void **state)
     assert_float_equal(z, 0.021f, 1e-6f); /* The nose looks along -z. */
     const struct basis level = basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
     rider.heading_rad = 1.0f;
-    rider_pose(&rider, v3(0.1f, 0.2f, 0.3f), &level, &fish);
+    const struct ride flat = tilted(0.0f);
+    rider_pose(&rider, &flat, v3(0.1f, 0.2f, 0.3f), &level, &fish);
     assert_float_equal(fish.angles.yaw_rad, 1.0f, 1e-4f);
     assert_float_equal(f_abs(fish.angles.roll_rad), 80.0f * F_DEG, 1e-3f);
     assert_float_equal(fish.position_m.y, 0.205f, 1e-5f);

@@ -1,0 +1,159 @@
+/* huddle.c -- riders as capsules in the paper's plane. */
+#include "core/poi/huddle.h"
+
+#define SPINE_HALF 0.30f  /* Of the length: half the capsule's axis; snout and fin are thin. */
+#define GIRTH 0.36f       /* Its radius, of the body's extent in the plane: bodies taper, too. */
+#define PUSH_MAX_M 0.0015f /* A tick: 0.18 m/s. */
+#define WALL_M 0.004f     /* Centre to ring when the belly touches it. */
+#define SQUEEZE 0.5f      /* Of the way apart: deeper in one another, one climbs over the ring. */
+
+struct flat { /* A point or a way in the plane. */
+    float x, z;
+};
+
+struct capsule {
+    struct flat centre, axis; /* Unit. */
+    float half_m, radius_m;
+};
+
+static struct capsule capsule_of(const struct rider *rider, const struct fish *fish)
+{
+    return (struct capsule){
+        .centre = { rider->x_m, rider->z_m },
+        .axis = { f_sin(rider->heading_rad), f_cos(rider->heading_rad) },
+        .half_m = SPINE_HALF * fish->length_m,
+        .radius_m = GIRTH * f_lerp(fish->width_m, fish->height_m, rider->lie),
+    };
+}
+
+static struct flat along(const struct capsule *capsule, float way_m)
+{
+    return (struct flat){ capsule->centre.x + way_m * capsule->axis.x,
+                          capsule->centre.z + way_m * capsule->axis.z };
+}
+
+/* From a point to the nearest of a capsule's axis. */
+static struct flat to_axis(struct flat from, const struct capsule *capsule)
+{
+    const float x = from.x - capsule->centre.x, z = from.z - capsule->centre.z;
+    const float way = f_clamp(x * capsule->axis.x + z * capsule->axis.z, -capsule->half_m,
+                              capsule->half_m);
+    const struct flat on = along(capsule, way);
+    return (struct flat){ on.x - from.x, on.z - from.z };
+}
+
+static float square_m2(struct flat way)
+{
+    return way.x * way.x + way.z * way.z;
+}
+
+static int axes_cross(const struct capsule *a, const struct capsule *b)
+{
+    const float cross = a->axis.x * b->axis.z - a->axis.z * b->axis.x;
+    const float x = b->centre.x - a->centre.x, z = b->centre.z - a->centre.z;
+    if (f_abs(cross) < 1e-4f) {
+        return 0; /* Parallel: their ends tell. */
+    }
+    const float on_a = (x * b->axis.z - z * b->axis.x) / cross;
+    const float on_b = (x * a->axis.z - z * a->axis.x) / cross;
+    return f_abs(on_a) < a->half_m && f_abs(on_b) < b->half_m;
+}
+
+/* The shortest way from a's axis to b's. Of two that cross, what parts them: centre to centre, as
+ * short as can be. */
+static struct flat way_between(const struct capsule *a, const struct capsule *b)
+{
+    struct flat best = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
+    if (axes_cross(a, b)) {
+        const float length = f_max(f_sqrt(square_m2(best)), 1e-6f);
+        return (struct flat){ 1e-6f * best.x / length, 1e-6f * best.z / length };
+    }
+    for (int end = -1; end <= 1; end += 2) {
+        const struct flat out = to_axis(along(a, (float)end * a->half_m), b);
+        const struct flat in = to_axis(along(b, (float)end * b->half_m), a);
+        best = square_m2(out) < square_m2(best) ? out : best;
+        best = square_m2(in) < square_m2(best) ? (struct flat){ -in.x, -in.z } : best;
+    }
+    return best;
+}
+
+static float overlap_m(const struct capsule *a, const struct capsule *b, struct flat *out)
+{
+    const float reach_m = a->half_m + a->radius_m + b->half_m + b->radius_m;
+    const struct flat apart = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
+    if (square_m2(apart) >= reach_m * reach_m) {
+        return -1.0f;
+    }
+    const struct flat way = way_between(a, b);
+    const float length_m = f_sqrt(square_m2(way));
+    *out = length_m > 1e-9f ? (struct flat){ way.x / length_m, way.z / length_m }
+                            : (struct flat){ a->axis.z, -a->axis.x };
+    return a->radius_m + b->radius_m - length_m;
+}
+
+float huddle_overlap_m(const struct rider *a, const struct fish *fish_a, const struct rider *b,
+                       const struct fish *fish_b)
+{
+    const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
+    struct flat unused;
+    return overlap_m(&one, &other, &unused);
+}
+
+/* Aside, but no farther than the ring, unless it is squeezed. */
+static void push(struct rider *rider, float x_m, float z_m, int is_squeezed)
+{
+    const float wall_m = POI_RADIUS_M - WALL_M;
+    const float before_m = f_sqrt(rider->x_m * rider->x_m + rider->z_m * rider->z_m);
+    rider->x_m += x_m;
+    rider->z_m += z_m;
+    const float now_m = f_sqrt(rider->x_m * rider->x_m + rider->z_m * rider->z_m);
+    const float most_m = f_max(before_m, wall_m);
+    if (now_m > most_m && !is_squeezed) {
+        rider->x_m *= most_m / now_m;
+        rider->z_m *= most_m / now_m;
+    }
+}
+
+/* Two that meet go on together. */
+static void meet(struct rider *a, struct rider *b, struct flat out, float share_a)
+{
+    const float closing = (a->slide_x_m_s - b->slide_x_m_s) * out.x +
+                          (a->slide_z_m_s - b->slide_z_m_s) * out.z;
+    if (closing > 0.0f) {
+        a->slide_x_m_s -= share_a * closing * out.x;
+        a->slide_z_m_s -= share_a * closing * out.z;
+        b->slide_x_m_s += (1.0f - share_a) * closing * out.x;
+        b->slide_z_m_s += (1.0f - share_a) * closing * out.z;
+    }
+}
+
+static void part(struct rider *a, const struct fish *fish_a, struct rider *b,
+                 const struct fish *fish_b)
+{
+    const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
+    struct flat out;
+    const float deep_m = overlap_m(&one, &other, &out);
+    if (deep_m <= 0.0f) {
+        return;
+    }
+    const float mass_a = fish_mass_kg(fish_a->length_m), mass_b = fish_mass_kg(fish_b->length_m);
+    const float share_a = mass_b / (mass_a + mass_b);
+    const float step_m = f_min(0.5f * deep_m, PUSH_MAX_M);
+    const int is_squeezed = deep_m > SQUEEZE * (one.radius_m + other.radius_m);
+    push(a, -share_a * step_m * out.x, -share_a * step_m * out.z, is_squeezed);
+    push(b, (1.0f - share_a) * step_m * out.x, (1.0f - share_a) * step_m * out.z, is_squeezed);
+    meet(a, b, out, share_a);
+}
+
+void huddle_tick(struct poi *poi, const struct fish *fish)
+{
+    for (uint32_t i = 1; i < poi->rider_count; i++) {
+        struct rider *a = &poi->riders[i];
+        for (uint32_t k = 0; k < i && a->state == RIDER_LYING; k++) {
+            struct rider *b = &poi->riders[k];
+            if (b->state == RIDER_LYING) {
+                part(b, &fish[b->fish], a, &fish[a->fish]);
+            }
+        }
+    }
+}

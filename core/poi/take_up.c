@@ -1,0 +1,104 @@
+/* take_up.c -- who can stand, who is pressed against a wall, and how a rider begins. */
+#include "core/poi/take_up.h"
+
+#include "core/base/rng.h"
+#include "core/poi/fall.h"
+
+#define LEVEL_MIN 0.35f /* A steeper poi (70 degrees) takes nobody up. */
+#define STAND_SHARE                                                                                \
+    1.05f /* Water over the paper, in body heights, in which a fish still stands ... */
+#define STAND_SPARE_M 0.0045f /* and more, for one that lies across the ring, 3 mm higher. */
+#define SPILL_M_S 0.4f  /* Fish beyond POI_RIDER_MAX leave over the ring so fast. */
+#define WALL_GAP_M 0.015f
+#define WALL_M_S 0.02f     /* Toward a wall: more than a trembling hand. */
+#define WALL_PRESS_M 0.004f /* The hand is so far beyond a ring that a wall stops: 0.9 N. */
+#define CALM_VIGOUR 0.55f  /* A fish that rests or gulps is taken by surprise: it slaps by so much
+                              less than one in flight. */
+
+static int can_stand(const struct poi *poi, const struct basis *axes, vec3 place,
+                     const struct fish *fish)
+{
+    const float paper_y = poi->position_m.y + place.x * axes->right.y + place.z * axes->back.y;
+    return -paper_y > STAND_SHARE * fish->height_m + STAND_SPARE_M;
+}
+
+void take_up_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish)
+{
+    const vec3 away = v3_sub(fish->position_m, poi->position_m);
+    const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
+    fall_set_free(tank, fish, v3_scale(out, SPILL_M_S));
+}
+
+/* Against the wall that lies `half_m` from the middle of the tank, the way that `out` looks. */
+static int is_pressed(const struct poi *poi, const struct basis *axes, const struct fish *fish,
+                      vec3 out, float half_m)
+{
+    const struct box box = fish_box(fish);
+    const vec3 extent = box_extent_m(&box);
+    const float ring_m = v3_dot(poi->position_m, out), fish_m = v3_dot(fish->position_m, out);
+    const float ring_gap_m = half_m - ring_m - poi_half_extent_m(v3_dot(axes->up, out));
+    const float fish_gap_m = half_m - fish_m - f_abs(v3_dot(extent, out));
+    const int pushes = v3_dot(poi->velocity_m_s, out) > WALL_M_S ||
+                       v3_dot(v3_sub(poi->hand_m, poi->position_m), out) > WALL_PRESS_M;
+    return ring_gap_m < WALL_GAP_M && fish_gap_m < WALL_GAP_M && fish_m > ring_m && pushes;
+}
+
+int take_up_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
+                      const struct fish *fish)
+{
+    const float half_x = 0.5f * tank->size_m.x, half_z = 0.5f * tank->size_m.z;
+    return is_pressed(poi, axes, fish, v3(1.0f, 0.0f, 0.0f), half_x) ||
+           is_pressed(poi, axes, fish, v3(-1.0f, 0.0f, 0.0f), half_x) ||
+           is_pressed(poi, axes, fish, v3(0.0f, 0.0f, 1.0f), half_z) ||
+           is_pressed(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
+}
+
+/* [0, 1]: how hard it will slap. Strong by its stamina, and by how much it was afraid. */
+static float vigour_of(const struct fish *fish)
+{
+    const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;
+    const float fear = flees ? 1.0f : f_clamp(fish->alarm, 0.0f, 1.0f);
+    return (0.5f + 0.5f * fish->stamina) * f_lerp(CALM_VIGOUR, 1.0f, fear);
+}
+
+static struct rider rider_of(const struct poi *poi, const struct basis *axes,
+                             const struct fish *fish, vec3 place)
+{
+    const struct basis body = basis_from_angles(fish->angles);
+    const vec3 tail = basis_to_body(axes, body.back);
+    const vec3 right = basis_to_body(axes, body.right);
+    const vec3 speed = basis_to_body(axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
+    return (struct rider){
+        .state = RIDER_LYING,
+        .side = right.y > 0.0f ? 1 : -1,
+        .x_m = place.x,
+        .z_m = place.z,
+        .height_m = f_max(place.y, 0.0f),
+        .slide_x_m_s = f_clamp(speed.x, -0.2f, 0.2f),
+        .slide_z_m_s = f_clamp(speed.z, -0.2f, 0.2f),
+        .heading_rad = f_atan2(tail.x, tail.z),
+        .vigour = vigour_of(fish),
+    };
+}
+
+void take_up(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
+             uint32_t index, uint32_t tick)
+{
+    struct fish *fish = &tank->fish[index];
+    const vec3 place = basis_to_body(axes, v3_sub(fish->position_m, poi->position_m));
+    if (axes->up.y < LEVEL_MIN || can_stand(poi, axes, place, fish)) {
+        return;
+    }
+    if (poi->rider_count == POI_RIDER_MAX) {
+        take_up_slip_off(poi, tank, fish);
+        return;
+    }
+    struct rider *rider = &poi->riders[poi->rider_count++];
+    const struct rng_key key = { poi->seed, tick, index, RNG_RIDER_REST };
+    *rider = rider_of(poi, axes, fish, place);
+    rider->fish = (uint16_t)index;
+    rider->rest_s = 0.05f + 0.2f * rng_unit(key);
+    rider->walled = (uint8_t)take_up_is_walled(poi, axes, tank, fish);
+    fish->gait = GAIT_HELD;
+    fish->holder = (uint8_t)poi_index;
+}
