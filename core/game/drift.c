@@ -35,10 +35,19 @@ static struct angles turn_all(struct angles from, struct angles to, float share,
     };
 }
 
-/* Its far edge first where there is more room beyond, else its near edge. */
+/* Its far edge first where there is more room beyond, else its near edge. Once it has set off it
+ * keeps its way, or it would swing to and fro over the middle. */
+static float way_out(struct poi_target hand)
+{
+    const float pitch_rad = hand.angles.pitch_rad;
+    const int is_off = f_abs(pitch_rad) > SLANT_RAD - SLANT_NEAR_RAD;
+    const float lean = is_off ? pitch_rad : hand.position_m.z * f_cos(hand.angles.yaw_rad);
+    return lean >= 0.0f ? 1.0f : -1.0f;
+}
+
 static struct poi_target slip_out(struct poi_target hand)
 {
-    const float way = hand.position_m.z * f_cos(hand.angles.yaw_rad) >= 0.0f ? 1.0f : -1.0f;
+    const float way = way_out(hand);
     const struct angles goal = { hand.angles.yaw_rad, way * SLANT_RAD, 0.0f };
     hand.angles = turn_all(hand.angles, goal, 1.0f, TURN_RAD_S * CORE_TICK_S);
     if (f_abs(hand.angles.pitch_rad - goal.pitch_rad) < SLANT_NEAR_RAD) {

@@ -54,12 +54,17 @@ static float direction(float angle_rad)
     return f_wrap_angle(angle_rad);
 }
 
-static struct poi_target within_reach(const struct core *core, uint32_t index,
-                                      struct poi_target target)
+/* No poi that is led goes below this. */
+static float lowest_m(const struct core *core, uint32_t index)
+{
+    return game_may_scoop(core, index) ? -core->tank.size_m.y : CLEAR_Y_M;
+}
+
+static struct poi_target within_reach(const struct core *core, struct poi_target target,
+                                      float low_m)
 {
     const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
     const float depth_m = 0.5f * core->tank.size_m.z + REACH_SIDE_M;
-    const float low_m = game_may_scoop(core, index) ? -core->tank.size_m.y : CLEAR_Y_M;
     CORE_ASSERT(v3_is_finite(target.position_m));
     target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
     target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
@@ -113,7 +118,7 @@ static struct poi_target follow(struct core *core, uint32_t index, struct poi_ta
         game->grip_tick[index] = core->tick; /* Who waits with the button held enters gently. */
     }
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
-    wanted = within_reach(core, index, wanted);
+    wanted = within_reach(core, wanted, lowest_m(core, index));
     return age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
 }
 
@@ -122,7 +127,7 @@ static struct poi_target go_back(struct core *core, uint32_t index, struct poi_t
 {
     struct game *game = &core->game;
     const uint32_t ticks = game->back_ticks[index];
-    wanted = within_reach(core, index, wanted);
+    wanted = within_reach(core, wanted, lowest_m(core, index));
     const struct poi_target hand = drift_back(game->hand[index], wanted, ticks);
     const int is_back = drift_is_back(hand, wanted, ticks);
     core->poi[index].spared = ticks < DRIFT_SPARE_TICKS_MAX;
@@ -141,18 +146,32 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
                                        : follow(core, index, input->poi[index].target);
 }
 
+/* Nobody leads it. Whoever is there again, or waits for somebody else, fetches it from there. */
+static void drift(struct core *core, uint32_t index)
+{
+    struct game *game = &core->game;
+    const struct poi_target out = drift_out(&core->poi[index], game->hand[index]);
+    game->hand[index] = within_reach(core, out, -core->tank.size_m.y);
+    if (core->poi[index].link == POI_LINK_BOT) {
+        game->bot[index].hand = game->hand[index];
+    } else {
+        game->back_ticks[index] = 1;
+    }
+}
+
+/* While the round waits for a lost hand, all let go alike. */
 static void tick_hand(struct core *core, const struct input *input, uint32_t index)
 {
     struct game *game = &core->game;
     struct poi *poi = &core->poi[index];
-    poi->spared = poi->link == POI_LINK_LOST;
-    if (poi->link == POI_LINK_BOT) {
+    poi->spared = poi->link == POI_LINK_LOST || game->paused;
+    if (poi->spared) {
+        drift(core, index);
+    } else if (poi->link == POI_LINK_BOT) {
         const struct sight sight = { core, index };
         game->hand[index] = follow(core, index, bot_tick(&game->bot[index], &sight));
-    } else if (poi->link == POI_LINK_LIVE) {
-        game->hand[index] = led_by_a_person(core, input, index);
     } else {
-        game->hand[index] = within_reach(core, index, drift_out(poi, game->hand[index]));
+        game->hand[index] = led_by_a_person(core, input, index);
     }
 }
 

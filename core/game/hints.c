@@ -121,7 +121,8 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     default:
         break;
     }
-    if (core->poi[0].link == POI_LINK_LOST || core->poi[0].link == POI_LINK_ABSENT) {
+    if (game->paused || core->poi[0].link == POI_LINK_LOST ||
+        core->poi[0].link == POI_LINK_ABSENT) {
         return HINT_LOST_POI;
     }
     if (game->gone_tick != 0) {

@@ -9,24 +9,26 @@ int pause_holds(const struct core *core, uint32_t index)
     return hand_plays(core, index) && !hand_is_lost(core, index);
 }
 
-struct hands {
-    uint32_t any;  /* In hand, by whoever takes part. */
-    uint32_t busy; /* Of those, whose round goes on. */
-    uint32_t lost; /* Whose round would go on, but their hand is away. */
-};
-
-static struct hands count_hands(struct core *core)
+static uint32_t note_who_holds(struct core *core)
 {
-    struct hands hands = { 0 };
+    uint32_t count = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        struct player *player = &core->game.player[i];
         const int holds = pause_holds(core, i);
-        player->plays |= (uint8_t)holds;
-        hands.any += holds ? 1u : 0u;
-        hands.busy += holds && !player->out;
-        hands.lost += !holds && player->plays && !player->out;
+        core->game.player[i].plays |= (uint8_t)holds;
+        count += holds ? 1u : 0u;
     }
-    return hands;
+    return count;
+}
+
+/* Whose round goes on, with their poi in hand, or with that hand away. */
+static uint32_t count_in(const struct core *core, int holds)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player *player = &core->game.player[i];
+        count += player->plays && !player->out && !pause_holds(core, i) == !holds;
+    }
+    return count;
 }
 
 /* Waiting counts only while somebody waits. */
@@ -46,10 +48,10 @@ static void lose_patience(struct core *core, int others_wait)
 void pause_tick(struct core *core)
 {
     struct game *game = &core->game;
-    const struct hands hands = count_hands(core);
-    lose_patience(core, hands.busy > 0);
-    game->paused = hands.lost > 0 || hands.any == 0;
-    game->lost_ticks = game->paused && hands.busy == 0 ? game->lost_ticks + 1u : 0;
+    const uint32_t holding = note_who_holds(core), busy = count_in(core, 1);
+    lose_patience(core, busy > 0);
+    game->paused = holding == 0 || count_in(core, 0) > 0;
+    game->lost_ticks = game->paused && busy == 0 ? game->lost_ticks + 1u : 0;
     if (game->paused) {
         game->phase_tick++;
         game->gone_tick += game->gone_tick != 0 ? 1u : 0u;
