@@ -32,7 +32,8 @@ struct core_config {
     uint32_t best_today[MODE_COUNT]; /* What the store remembers; shown, and beaten. */
     uint8_t modes;       /* Offered, a bit (1 << enum game_mode) each; 0: the festival alone. Of one
                             there is nothing to choose. */
-    uint8_t grade;       /* Of the paper in the festival and in practice, 4 .. 7; 0: 6. */
+    uint8_t grade;       /* Of the paper, 4 .. 7, in a mode whose rules leave it open or that is the
+                            only one offered; 0: the mode's own, else 6. */
     uint8_t players;     /* Bowls at the tank, 1 .. POI_MAX; 0: 1. */
     uint8_t lanes;       /* 4 or, on x86-64 with AVX2, 8 floats at once; 0: 4. Changes no result, so
                             neither hashes nor recordings know of it. */

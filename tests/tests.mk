@@ -62,6 +62,9 @@ $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/ctl.a $(BUILD)/shell.
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $^ -lcmocka $(HOST_LIBS)
 
+# The judge of the technique bench (tests/bench/technique.c) is a part of the bench alone.
+$(BUILD)/tests/unit/test_statistics: $(BUILD)/tests/bench/statistics.o
+
 # What allocates, as our objects ask for it; libraries' own asking is not turned aside.
 $(BUILD)/tests/unit/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
     -Wl,--wrap=strdup,--wrap=fopen

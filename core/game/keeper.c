@@ -41,7 +41,8 @@ uint8_t keeper_grade(const struct core_config *config, uint8_t mode)
 {
     const uint8_t grade = rules_of(mode)->grade;
     const uint8_t own = config->grade ? config->grade : GAME_POI_GRADE;
-    return grade ? grade : own;
+    const int is_only_mode = keeper_modes(config) == 1u << mode;
+    return grade && !(config->grade && is_only_mode) ? grade : own;
 }
 
 uint32_t keeper_round_s(const struct core_config *config, uint8_t mode)

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include "core/core.h"
-#include "core/game/rules.h"
 #include "platform/ctl/bot_file.h"
 #include "platform/ctl/ctl.h"
 #include "platform/ctl/rounds.h"
@@ -62,8 +61,8 @@ static void tell_json(const struct round_result *result, int is_first)
     } else {
         fputs("null", stdout);
     }
-    print_fixed(", \"hole_area_mm2\": ", result->hole_area_mm2, 2);
-    printf(", \"state_hash\": \"%016llx\"}", (unsigned long long)result->state_hash);
+    printf(", \"hole_area_mm2\": %u, \"state_hash\": \"%016llx\"}", result->hole_area_mm2,
+           (unsigned long long)result->state_hash);
 }
 
 static void tell_text(const struct round_plan *plan, const struct round_result *result,
@@ -78,8 +77,8 @@ static void tell_text(const struct round_plan *plan, const struct round_result *
     } else {
         fputs(" not torn,", stdout);
     }
-    print_fixed(" holes of ", result->hole_area_mm2, 0);
-    printf(" mm2, hash %016llx\n", (unsigned long long)result->state_hash);
+    printf(" holes of %u mm2, hash %016llx\n", result->hole_area_mm2,
+           (unsigned long long)result->state_hash);
 }
 
 static void tell_progress(const struct evening *evening)
@@ -345,8 +344,8 @@ const struct ctl_command ctl_play = {
         "  --jobs N         rounds at a time, 1 to 64 (a core each)\n"
         "  --record DIR     write each round to DIR/round-00001.kgr and so on\n"
         "  --json           for programs: caught (what counts), scoops (times the ring went in),\n"
-        "                   fouls, torn_at_s (second of the round from which its paper can hold\n"
-        "                   no fish; null: it lasted), hole_area_mm2 and state_hash of each round;\n"
+        "                   fouls, torn_at_s (second of the round from which its paper holds no\n"
+        "                   fish; null: it lasted), hole_area_mm2, state_hash of each round;\n"
         "                   median, ninth decile and maximum of all\n",
     .tell_more = bot_file_print_keys,
     .run = run,

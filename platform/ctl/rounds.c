@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "core/core.h"
-#include "core/game/rules.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder.h"
 
@@ -24,18 +23,24 @@ struct seat {
 
 /* ---- One round ------------------------------------------------------------------------------ */
 
+/* What the mode leaves open is written out, so that who names it plays at the same stall. */
 static struct core_config config_of(const struct round_plan *plan)
 {
-    const struct core_config stall = { 0 };
-    return (struct core_config){
+    struct core_config config = {
         .seed = plan->seed,
-        .preset = keeper_preset(&stall, plan->mode),
         .fish_count = plan->fish_count,
         .round_s = plan->round_s,
         .modes = (uint8_t)(1u << plan->mode),
         .grade = plan->grade,
         .lanes = cpu_lanes(),
     };
+    config.preset = keeper_preset(&config, plan->mode);
+    config.grade = keeper_grade(&config, plan->mode);
+    config.round_s = keeper_round_s(&config, plan->mode);
+    if (config.fish_count == 0) {
+        config.fish_count = tank_preset(config.preset)->fish_count;
+    }
+    return config;
 }
 
 /* START whenever nothing is played yet; a hand that is always there, and that the stall helps to
@@ -60,39 +65,34 @@ static void tick(struct seat *seat)
     }
 }
 
-static double hole_area_mm2(const struct sheet *sheet)
+static double seconds(uint32_t ticks)
 {
-    const double cell_mm = 1000.0 * (double)sheet_cell_m(sheet);
-    return cell_mm * cell_mm * (double)(sheet->paper_cells_new - sheet->paper_cells);
+    return (double)ticks / CORE_TICK_HZ;
 }
 
-/* In the tick in which the round ended. */
-static void read_result(const struct seat *seat, uint32_t start_tick, struct round_result *result)
+/* In the tick in which the round ended. From the keeper, not from the output: practice leaves no
+ * record there. */
+static void read_result(const struct seat *seat, struct round_result *result)
 {
-    const struct core *core = &seat->core;
-    const struct round_record record = game_record(core);
+    const struct round_record record = game_record(&seat->core);
     const struct player_record *player = &record.player[0];
     result->caught = player->caught;
     result->scoops = player->scoops;
     result->fouls = player->fouls;
+    result->hole_area_mm2 = player->hole_area_mm2;
     result->torn = player->torn_tick != 0;
-    result->torn_at_s =
-        result->torn ? (double)(player->torn_tick - start_tick) / CORE_TICK_HZ : 0.0;
-    result->hole_area_mm2 = hole_area_mm2(&core->poi[0].sheet);
-    result->length_s = (double)(core->tick - start_tick) / CORE_TICK_HZ;
-    result->state_hash = core_hash(core);
+    result->torn_at_s = result->torn ? seconds(player->torn_tick - record.start_tick) : 0.0;
+    result->length_s = seconds(record.end_tick - record.start_tick);
+    result->state_hash = core_hash(&seat->core);
 }
 
 static enum exit_code play_through(struct seat *seat, struct round_result *result)
 {
-    uint32_t start_tick = 0;
     for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
         const uint8_t before = seat->core.game.phase;
         tick(seat);
-        if (before == PHASE_READY && seat->core.game.phase == PHASE_ROUND) {
-            start_tick = seat->core.game.round_tick;
-        } else if (before == PHASE_ROUND && seat->core.game.phase != PHASE_ROUND) {
-            read_result(seat, start_tick, result);
+        if (before == PHASE_ROUND && seat->core.game.phase != PHASE_ROUND) {
+            read_result(seat, result);
             return EXIT_OK;
         }
     }

@@ -34,7 +34,7 @@ struct round_result {
     uint32_t fouls;
     uint8_t torn;           /* Its paper could hold nothing any more ... */
     double torn_at_s;       /* ... from this second of the round on. */
-    double hole_area_mm2;   /* Of its paper, at the end. */
+    uint32_t hole_area_mm2; /* Of its paper, at the end. */
     double length_s;        /* Of the round. */
     uint64_t state_hash;    /* core_hash when the round was over. */
 };

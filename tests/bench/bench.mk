@@ -48,3 +48,33 @@ $(MANY)/core/%_8.o: core/%.c | generated
 	$(Q)$(CC) $(CORE_CFLAGS) $(WIDE_CFLAGS) $(MANY_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
 .PHONY: bench bench-tank
+
+# Bots' rounds, on every core: minutes. Pictures where there is a gnuplot (board/setup.sh dev).
+BENCH_PLAY := $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/scores
+BENCH_PLOT = if command -v gnuplot >/dev/null; then gnuplot -e "dir='$(1)'" $(2) && echo "picture: $(3)"; \
+    else echo 'no gnuplot, no picture'; fi
+SEEDS ?= 200
+ROUNDS ?= 200
+
+## bench-technique: whether each good technique pays, SEEDS (200) paired rounds; table, TSV and plot in build/technique/
+bench-technique:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/tests/bench/technique
+	@mkdir -p $(BUILD)/technique
+	@$(BUILD)/tests/bench/technique $(SEEDS) tests/bench/technique $(BUILD)/technique; code=$$?; \
+	    [ $$code -gt 1 ] || { $(call BENCH_PLOT,$(BUILD)/technique,tests/bench/technique.gp,$(BUILD)/technique/technique.png); }; \
+	    exit $$code
+
+## bench-scores: whether novice and expert catch what people do, ROUNDS (200) each; table, TSV and plot in build/scores/
+bench-scores:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/tests/bench/scores
+	@mkdir -p $(BUILD)/scores
+	@$(BUILD)/tests/bench/scores $(ROUNDS) $(BUILD)/scores; code=$$?; \
+	    [ $$code -gt 1 ] || { $(call BENCH_PLOT,$(BUILD)/scores,tests/bench/scores.gp,$(BUILD)/scores/scores.png); }; \
+	    exit $$code
+
+$(BENCH_PLAY): %: %.o $(BUILD)/tests/bench/league.o $(BUILD)/tests/bench/statistics.o \
+    $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: bench-technique bench-scores

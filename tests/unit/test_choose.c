@@ -201,6 +201,19 @@ static void test_the_paper_is_the_stalls_but_for_the_championships(void **state)
     }
 }
 
+static void test_a_championship_that_is_offered_alone_takes_the_paper_that_is_named(void **state)
+{
+    (void)state;
+    const uint8_t named[] = { 0, 4, 7 }, played[] = { 5, 4, 7 };
+    for (size_t i = 0; i < sizeof named; i++) {
+        const struct core_config config = { .preset = TANK_PRESET_OFFICIAL, .fish_count = 12,
+                                            .modes = 1u << MODE_CHAMPIONSHIP, .grade = named[i] };
+        assert_int_equal(keeper_grade(&config, MODE_CHAMPIONSHIP), played[i]);
+        open_stall(&config);
+        assert_int_equal(core.poi[0].sheet.grade, played[i]);
+    }
+}
+
 static void test_the_same_presses_choose_and_play_the_same(void **state)
 {
     uint64_t hash[2];

@@ -1,0 +1,156 @@
+/* league.c -- plans from arms and seeds, and a line on standard error while somebody waits. */
+#include "tests/bench/league.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "platform/ctl/bot_file.h"
+
+#define PATH_CHARS 1200u
+
+static double now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+/* ---- Progress ------------------------------------------------------------------------------- */
+
+struct progress {
+    const char *speaker;
+    uint32_t played, count, told_percent;
+    double begin_s;
+    int is_watched;
+};
+
+/* Each round where somebody looks, each tenth where a log is kept. */
+static void tell_progress(void *self, uint32_t index)
+{
+    struct progress *progress = self;
+    (void)index;
+    progress->played++;
+    const uint32_t percent = 100u * progress->played / progress->count;
+    const double took_s = now_s() - progress->begin_s;
+    const double left_s = took_s / (double)progress->played *
+                          (double)(progress->count - progress->played);
+    if (progress->is_watched) {
+        fprintf(stderr, "\r%s: %u of %u rounds, %.0f s, %.0f s to go \b", progress->speaker,
+                progress->played, progress->count, took_s, left_s);
+    } else if (percent / 10u > progress->told_percent / 10u) {
+        fprintf(stderr, "%s: %u of %u rounds, %.0f s, %.0f s to go\n", progress->speaker,
+                progress->played, progress->count, took_s, left_s);
+    }
+    progress->told_percent = percent;
+}
+
+/* ---- Arms ----------------------------------------------------------------------------------- */
+
+static int same_plan(const struct round_plan *a, const struct round_plan *b)
+{
+    return bot_file_same(&a->technique, &b->technique) && a->mode == b->mode &&
+           a->grade == b->grade && a->fish_count == b->fish_count && a->round_s == b->round_s;
+}
+
+uint32_t league_arm(struct league *league, const char *name, const struct round_plan *plan)
+{
+    for (uint32_t i = 0; i < league->arm_count; i++) {
+        if (same_plan(&league->arms[i].plan, plan)) {
+            return i;
+        }
+    }
+    if (league->arm_count == LEAGUE_ARMS_MAX) {
+        fprintf(stderr, "%s: more than %u arms\n", league->speaker, LEAGUE_ARMS_MAX);
+        abort(); /* The tables of the benches are shorter. */
+    }
+    league->arms[league->arm_count] = (struct arm){ .name = name, .plan = *plan };
+    return league->arm_count++;
+}
+
+/* Seed by seed through all arms, so that the time to go is a fair guess. */
+static struct round_plan *plan_all(const struct league *league)
+{
+    struct round_plan *plans = calloc((size_t)league->seeds * league->arm_count, sizeof *plans);
+    for (uint32_t i = 0; plans && i < league->seeds * league->arm_count; i++) {
+        plans[i] = league->arms[i % league->arm_count].plan;
+        plans[i].seed = i / league->arm_count;
+    }
+    return plans;
+}
+
+/* From seed by seed to arm by arm. */
+static struct round_result *sort_results(const struct league *league,
+                                         const struct round_result *played)
+{
+    const uint32_t count = league->seeds * league->arm_count;
+    struct round_result *sorted = calloc(count, sizeof *sorted);
+    for (uint32_t i = 0; sorted && i < count; i++) {
+        sorted[i % league->arm_count * league->seeds + i / league->arm_count] = played[i];
+    }
+    return sorted;
+}
+
+enum exit_code league_play(struct league *league)
+{
+    const uint32_t count = league->seeds * league->arm_count;
+    struct progress progress = { .speaker = league->speaker, .count = count, .begin_s = now_s(),
+                                 .is_watched = isatty(STDERR_FILENO) };
+    struct round_plan *plans = plan_all(league);
+    struct round_result *played = calloc(count, sizeof *played);
+    const struct rounds rounds = { .plans = plans, .results = played, .count = count,
+                                   .workers = rounds_workers(), .done = tell_progress,
+                                   .self = &progress };
+    const enum exit_code code = plans && played ? rounds_play(&rounds) : EXIT_NOT_SO;
+    struct round_result *sorted = code == EXIT_OK ? sort_results(league, played) : NULL;
+    free(plans);
+    free(played);
+    league->took_s = now_s() - progress.begin_s;
+    fputs(progress.is_watched ? "\n" : "", stderr);
+    if (!sorted) {
+        fprintf(stderr, "%s: a round did not come to its end\n", league->speaker);
+        return EXIT_NOT_SO;
+    }
+    for (uint32_t i = 0; i < league->arm_count; i++) {
+        league->arms[i].results = sorted + (size_t)i * league->seeds;
+    }
+    return EXIT_OK;
+}
+
+void league_end(struct league *league)
+{
+    free((void *)(uintptr_t)league->arms[0].results);
+    league->arm_count = 0;
+}
+
+void league_caught(const struct league *league, uint32_t index, uint32_t *caught)
+{
+    for (uint32_t i = 0; i < league->seeds; i++) {
+        caught[i] = league->arms[index].results[i].caught;
+    }
+}
+
+/* ---- Files ---------------------------------------------------------------------------------- */
+
+FILE *league_file(const struct league *league, const char *folder, const char *name)
+{
+    char path[PATH_CHARS];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        fprintf(stderr, "%s: %s: %s\n", league->speaker, path, strerror(errno));
+    }
+    return file;
+}
+
+enum exit_code league_close(const struct league *league, FILE *file, const char *name)
+{
+    const int failed = ferror(file);
+    if (fclose(file) != 0 || failed) {
+        fprintf(stderr, "%s: %s: cannot be written\n", league->speaker, name);
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}

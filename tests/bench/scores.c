@@ -1,0 +1,118 @@
+/* scores.c -- do bots catch as people do?
+ *
+ *     scores ROUNDS OUT     OUT: where scores.tsv goes
+ *
+ * Festival with No. 6 paper and championship with No. 5, each the stall's own. The goals: of a
+ * festival's crowd most do well to get two or three fish; a first-timer gets one or two at the
+ * championship; its winners of seven years had 35 to 87, and the record is 107. Exit 1: not so. */
+#include <stdio.h>
+
+#include "core/scene.h"
+#include "platform/ctl/summary.h"
+#include "platform/number.h"
+#include "tests/bench/league.h"
+
+static const char speaker[] = "scores";
+
+static const struct goal {
+    const char *name;
+    const struct technique *technique;
+    uint8_t mode;
+    double median_min, median_max;
+    uint32_t max_below; /* 0: whatever. */
+} goals[] = {
+    { "festival novice", &technique_novice, MODE_FESTIVAL, 1, 3, 0 },
+    { "championship novice", &technique_novice, MODE_CHAMPIONSHIP, 0, 3, 0 },
+    { "championship expert", &technique_expert, MODE_CHAMPIONSHIP, 35, 70, 120 },
+};
+#define GOAL_COUNT (sizeof goals / sizeof goals[0])
+
+static int is_met(const struct goal *goal, const struct summary *found)
+{
+    return found->median >= goal->median_min && found->median <= goal->median_max &&
+           (goal->max_below == 0 || found->max < goal->max_below);
+}
+
+static double mean_scoops(const struct league *league, uint32_t arm)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < league->seeds; i++) {
+        sum += (double)league->arms[arm].results[i].scoops;
+    }
+    return sum / (double)league->seeds;
+}
+
+static uint32_t count_torn(const struct league *league, uint32_t arm)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < league->seeds; i++) {
+        count += league->arms[arm].results[i].torn;
+    }
+    return count;
+}
+
+/* One line; whether the goal is met. */
+static int tell_goal(const struct league *league, uint32_t arm, const struct goal *goal)
+{
+    uint32_t caught[LEAGUE_SEEDS_MAX];
+    char wanted[64];
+    league_caught(league, arm, caught);
+    const struct summary found = summary_of(caught, league->seeds);
+    const int met = is_met(goal, &found);
+    snprintf(wanted, sizeof wanted, goal->max_below ? "median %g to %g, most under %u"
+                                                    : "median %g to %g",
+             goal->median_min, goal->median_max, goal->max_below);
+    printf("  %-20s %6.1f %6.1f %5u  %6.1f %5u  %-33s %s\n", goal->name, found.median, found.p90,
+           found.max, mean_scoops(league, arm), count_torn(league, arm), wanted,
+           met ? "so" : "NOT SO");
+    return met;
+}
+
+static enum exit_code write_rounds(const struct league *league, const char *folder)
+{
+    FILE *file = league_file(league, folder, "scores.tsv");
+    if (!file) {
+        return EXIT_IO;
+    }
+    fputs("bot\tseed\tcaught\tscoops\tfouls\ttorn_at_s\thole_area_mm2\tstate_hash\n", file);
+    for (uint32_t a = 0; a < league->arm_count; a++) {
+        for (uint32_t i = 0; i < league->seeds; i++) {
+            const struct round_result *result = &league->arms[a].results[i];
+            fprintf(file, "%s\t%u\t%u\t%u\t%u\t", league->arms[a].name, i, result->caught,
+                    result->scoops, result->fouls);
+            fprintf(file, result->torn ? "%.3f" : "", result->torn_at_s);
+            fprintf(file, "\t%u\t%016llx\n", result->hole_area_mm2,
+                    (unsigned long long)result->state_hash);
+        }
+    }
+    return league_close(league, file, "scores.tsv");
+}
+
+int main(int argc, char **argv)
+{
+    struct league league = { .speaker = speaker };
+    uint32_t arms[GOAL_COUNT];
+    int well = 1;
+    if (argc != 3 || !number_parse(argv[1], 1, LEAGUE_SEEDS_MAX, &league.seeds)) {
+        fprintf(stderr, "usage: scores ROUNDS OUT; ROUNDS is 1 to %u\n", LEAGUE_SEEDS_MAX);
+        return EXIT_USAGE;
+    }
+    for (size_t i = 0; i < GOAL_COUNT; i++) {
+        const struct round_plan plan = { .technique = *goals[i].technique, .mode = goals[i].mode };
+        arms[i] = league_arm(&league, goals[i].name, &plan);
+    }
+    enum exit_code code = league_play(&league);
+    if (code != EXIT_OK) {
+        return (int)code;
+    }
+    printf("%u rounds each, seeds 0 to %u; %.0f s on %u cores\n\n", league.seeds,
+           league.seeds - 1u, league.took_s, rounds_workers());
+    printf("  %-20s %6s %6s %5s  %6s %5s  %s\n", "fish caught", "median", "p90", "most", "scoops",
+           "torn", "goal");
+    for (size_t i = 0; i < GOAL_COUNT; i++) {
+        well &= tell_goal(&league, arms[i], &goals[i]);
+    }
+    code = write_rounds(&league, argv[2]);
+    league_end(&league);
+    return (int)(code != EXIT_OK ? code : well ? EXIT_OK : EXIT_NOT_SO);
+}

@@ -1,0 +1,205 @@
+/* technique.c -- does good technique pay? Seven experiments on one habit of the hand each.
+ *
+ *     technique SEEDS BOTS OUT     BOTS: the folder of *.bot files; OUT: where technique.tsv goes
+ *
+ * In the festival, 300 fish, No. 6 paper, 60 s at most, both arms of an experiment play the same
+ * seeds: the same fish, the same paper. What the stall's lore says must show in what was caught
+ * (facts about technique are in the README). Exit 0: all pay; with less than SEEDS_ENOUGH seeds, at
+ * least PAYS_MIN of them do and none goes the wrong way. Exit 1: not so. */
+#include <stdio.h>
+#include <string.h>
+
+#include "core/scene.h"
+#include "platform/ctl/bot_file.h"
+#include "platform/number.h"
+#include "tests/bench/league.h"
+#include "tests/bench/statistics.h"
+
+#define SEEDS_ENOUGH 200u
+#define PAYS_MIN 4u /* Of seven with a tenth of the seeds: see verdict_of_all(). */
+#define FISH_COUNT 300u
+#define ROUND_S 60u
+#define GRADE 6u
+#define SIGNIFICANT 0.05 /* All seven must hold at once, which only makes this stricter. */
+#define PATH_CHARS 1200u
+
+static const char speaker[] = "technique";
+
+static const struct experiment {
+    const char *better, *worse; /* Names of bot files. */
+    const char *title;
+} experiments[] = {
+    { "all-wet", "half-wet", "all wet over half wet" },
+    { "slanted", "flat", "slanted over flat entry" },
+    { "edge-leading", "broadside", "edge-leading over broadside glide" },
+    { "head-first", "tail-first", "head first over tail on" },
+    { "near-rim", "centre", "near the rim over the centre" },
+    { "drained-lift", "fast-lift", "level drained over fast flat lift" },
+    { "still-shade", "chase", "still shade over chasing" },
+};
+#define EXPERIMENT_COUNT (sizeof experiments / sizeof experiments[0])
+
+enum verdict { VERDICT_PAYS, VERDICT_NOT_SHOWN, VERDICT_WRONG_WAY, VERDICT_COUNT };
+static const char *const verdict_names[VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
+
+struct trial {
+    uint32_t better, worse; /* Arms. */
+    struct comparison found;
+    enum verdict verdict;
+};
+
+/* ---- Arms ----------------------------------------------------------------------------------- */
+
+static enum exit_code add_arm(struct league *league, const char *folder, const char *name,
+                              uint32_t *out)
+{
+    struct round_plan plan = { .mode = MODE_FESTIVAL, .grade = GRADE, .fish_count = FISH_COUNT,
+                               .round_s = ROUND_S };
+    char path[PATH_CHARS];
+    snprintf(path, sizeof path, "%s/%s.bot", folder, name);
+    const enum exit_code code = bot_file_read(speaker, path, &plan.technique);
+    if (code == EXIT_OK) {
+        *out = league_arm(league, name, &plan);
+    }
+    return code;
+}
+
+/* Two arms that play just so would be an experiment on nothing. */
+static enum exit_code add_experiment(struct league *league, const char *folder,
+                                     const struct experiment *experiment, struct trial *trial)
+{
+    enum exit_code code = add_arm(league, folder, experiment->better, &trial->better);
+    code = code == EXIT_OK ? add_arm(league, folder, experiment->worse, &trial->worse) : code;
+    if (code == EXIT_OK && trial->better == trial->worse) {
+        fprintf(stderr, "%s: %s.bot and %s.bot play alike\n", speaker, experiment->better,
+                experiment->worse);
+        return EXIT_BAD_DATA;
+    }
+    return code;
+}
+
+/* ---- Judgement ------------------------------------------------------------------------------ */
+
+static enum verdict verdict_of(const struct comparison *found)
+{
+    if (found->p >= SIGNIFICANT) {
+        return VERDICT_NOT_SHOWN;
+    }
+    if (found->difference < 0.0) {
+        return VERDICT_WRONG_WAY;
+    }
+    return found->low > 0.0 ? VERDICT_PAYS : VERDICT_NOT_SHOWN;
+}
+
+static void judge(const struct league *league, struct trial *trial)
+{
+    uint32_t better[LEAGUE_SEEDS_MAX], worse[LEAGUE_SEEDS_MAX];
+    league_caught(league, trial->better, better);
+    league_caught(league, trial->worse, worse);
+    trial->found = statistics_compare(better, worse, league->seeds);
+    trial->verdict = verdict_of(&trial->found);
+}
+
+/* With few seeds a true but small effect may not show, so not each must. */
+static int all_is_well(const struct trial *trials, uint32_t seeds)
+{
+    uint32_t count[VERDICT_COUNT] = { 0 };
+    for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
+        count[trials[i].verdict]++;
+    }
+    const uint32_t needed = seeds >= SEEDS_ENOUGH ? (uint32_t)EXPERIMENT_COUNT : PAYS_MIN;
+    const int well = count[VERDICT_PAYS] >= needed && count[VERDICT_WRONG_WAY] == 0;
+    printf("\n%s: %u of %zu pay, %u the wrong way; with %u seeds %u must pay and none go wrong\n",
+           well ? "so" : "NOT SO", count[VERDICT_PAYS], EXPERIMENT_COUNT,
+           count[VERDICT_WRONG_WAY], seeds, needed);
+    return well;
+}
+
+/* ---- Report --------------------------------------------------------------------------------- */
+
+static void print_p(FILE *file, double p)
+{
+    fprintf(file, p < 1e-4 ? "%.0e" : "%.4f", p);
+}
+
+static void print_trials(const struct league *league, const struct trial *trials)
+{
+    printf("festival, %u fish, No. %u paper, at most %u s, %u paired seeds; %.0f s on %u cores\n"
+           "95 %% confidence by paired t; p by the exact two-sided signed-rank test\n\n"
+           "  %-34s %6s %6s  %7s  %-16s %-7s %s\n",
+           FISH_COUNT, GRADE, ROUND_S, league->seeds, league->took_s, rounds_workers(),
+           "catches per poi: A over B", "A", "B", "A - B", "95 %", "p", "verdict");
+    for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
+        const struct comparison *found = &trials[i].found;
+        printf("  %-34s %6.2f %6.2f  %+7.2f  %+6.2f .. %+6.2f ", experiments[i].title,
+               found->mean_a, found->mean_b, found->difference, found->low, found->high);
+        print_p(stdout, found->p);
+        printf("%*s%s\n", found->p < 1e-4 ? 3 : 2, "", verdict_names[trials[i].verdict]);
+    }
+}
+
+static enum exit_code write_trials(const struct league *league, const struct trial *trials,
+                                   const char *folder)
+{
+    FILE *file = league_file(league, folder, "technique.tsv");
+    if (!file) {
+        return EXIT_IO;
+    }
+    fputs("technique\tseeds\tmean_a\tmean_b\tdifference\tlow\thigh\tp\tverdict\n", file);
+    for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
+        const struct comparison *found = &trials[i].found;
+        fprintf(file, "%s\t%u\t%.4f\t%.4f\t%.4f\t%.4f\t%.4f\t", experiments[i].title,
+                league->seeds, found->mean_a, found->mean_b, found->difference, found->low,
+                found->high);
+        fprintf(file, "%.3g\t%s\n", found->p, verdict_names[trials[i].verdict]);
+    }
+    return league_close(league, file, "technique.tsv");
+}
+
+/* Each round of each arm, for whoever wants to count otherwise. */
+static enum exit_code write_rounds(const struct league *league, const char *folder)
+{
+    FILE *file = league_file(league, folder, "rounds.tsv");
+    if (!file) {
+        return EXIT_IO;
+    }
+    fputs("arm\tseed\tcaught\tscoops\ttorn_at_s\thole_area_mm2\tstate_hash\n", file);
+    for (uint32_t a = 0; a < league->arm_count; a++) {
+        for (uint32_t i = 0; i < league->seeds; i++) {
+            const struct round_result *result = &league->arms[a].results[i];
+            fprintf(file, "%s\t%u\t%u\t%u\t", league->arms[a].name, i, result->caught,
+                    result->scoops);
+            fprintf(file, result->torn ? "%.3f" : "", result->torn_at_s);
+            fprintf(file, "\t%u\t%016llx\n", result->hole_area_mm2,
+                    (unsigned long long)result->state_hash);
+        }
+    }
+    return league_close(league, file, "rounds.tsv");
+}
+
+int main(int argc, char **argv)
+{
+    struct league league = { .speaker = speaker };
+    struct trial trials[EXPERIMENT_COUNT] = { 0 };
+    if (argc != 4 || !number_parse(argv[1], 1, LEAGUE_SEEDS_MAX, &league.seeds)) {
+        fprintf(stderr, "usage: technique SEEDS BOTS OUT; SEEDS is 1 to %u\n", LEAGUE_SEEDS_MAX);
+        return EXIT_USAGE;
+    }
+    enum exit_code code = EXIT_OK;
+    for (size_t i = 0; i < EXPERIMENT_COUNT && code == EXIT_OK; i++) {
+        code = add_experiment(&league, argv[2], &experiments[i], &trials[i]);
+    }
+    code = code == EXIT_OK ? league_play(&league) : code;
+    if (code != EXIT_OK) {
+        return (int)code;
+    }
+    for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
+        judge(&league, &trials[i]);
+    }
+    print_trials(&league, trials);
+    code = write_trials(&league, trials, argv[3]);
+    code = code == EXIT_OK ? write_rounds(&league, argv[3]) : code;
+    const int well = all_is_well(trials, league.seeds);
+    league_end(&league);
+    return (int)(code != EXIT_OK ? code : well ? EXIT_OK : EXIT_NOT_SO);
+}

@@ -1,0 +1,140 @@
+/* test_statistics.c -- the judge of techniques is judged: by printed tables, worked examples of
+ * textbooks, and by dealing out every sign. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "tests/bench/statistics.h"
+
+static void expect_near(double value, double expected, double within)
+{
+    if (!(fabs(value - expected) <= within)) {
+        fail_msg("%.9g is not %.9g", value, expected);
+    }
+}
+
+static void test_t_agrees_with_the_printed_table(void **state)
+{
+    (void)state;
+    expect_near(statistics_t_95(1), 12.706, 5e-4);
+    expect_near(statistics_t_95(2), 4.303, 5e-4);
+    expect_near(statistics_t_95(5), 2.571, 5e-4);
+    expect_near(statistics_t_95(19), 2.093, 5e-4);
+    expect_near(statistics_t_95(199), 1.972, 5e-4);
+    expect_near(statistics_t_95(1999), 1.961, 5e-4);
+}
+
+/* Student's own ten patients (1908), hours of sleep gained by two drugs, here in tenths of an hour
+ * and 2 h more: the mean difference is 1.58 h, from 0.70 to 2.46 h. */
+static void test_the_interval_is_that_of_students_sleepers(void **state)
+{
+    (void)state;
+    static const uint32_t first[] = { 27, 4, 18, 8, 19, 54, 57, 28, 20, 40 };
+    static const uint32_t second[] = { 39, 28, 31, 21, 19, 64, 75, 36, 66, 54 };
+    const struct comparison found = statistics_compare(second, first, 10);
+    expect_near(found.mean_a - found.mean_b, 15.8, 1e-9);
+    expect_near(found.difference, 15.8, 1e-9);
+    expect_near(found.low, 7.0011, 1e-3);
+    expect_near(found.high, 24.5989, 1e-3);
+}
+
+/* Nine patients before and after (Hollander and Wolfe, Nonparametric Statistical Methods, table
+ * 3.1): signed ranks sum to 40 of 45, and 10 of the 512 ways are as far from the middle. */
+static void test_signed_ranks_are_those_of_a_worked_example(void **state)
+{
+    (void)state;
+    static const double before[] = { 1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30 };
+    static const double after[] = { 0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29 };
+    double differences[9];
+    for (uint32_t i = 0; i < 9; i++) {
+        differences[i] = before[i] - after[i];
+    }
+    expect_near(statistics_signed_rank_p(differences, 9), 20.0 / 512.0, 1e-12);
+}
+
+/* What count_ways() counts cleverly, one way after the other. `ranks` are doubled, as there. */
+static double by_every_sign(const uint32_t *ranks, uint32_t positive, uint32_t count)
+{
+    uint32_t sum = 0, observed = 0, as_far = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        sum += ranks[i];
+        observed += positive >> i & 1u ? ranks[i] : 0;
+    }
+    const uint32_t far = 2u * observed > sum ? 2u * observed - sum : sum - 2u * observed;
+    for (uint32_t signs = 0; signs < 1u << count; signs++) {
+        uint32_t dealt = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            dealt += signs >> i & 1u ? ranks[i] : 0;
+        }
+        const uint32_t off = 2u * dealt > sum ? 2u * dealt - sum : sum - 2u * dealt;
+        as_far += off >= far;
+    }
+    return (double)as_far / (double)(1u << count);
+}
+
+/* Catches are small numbers: most differences are alike, and many are none. */
+static void test_ties_and_zeros_are_counted_as_by_dealing_out_every_sign(void **state)
+{
+    (void)state;
+    static const double sizes[] = { 1, 1, 1, 2, 2, 3, 3, 3, 3, 7 };
+    static const uint32_t ranks[] = { 4, 4, 4, 9, 9, 15, 15, 15, 15, 20 };
+    for (uint32_t signs = 0; signs < 1u << 10; signs += 7) {
+        double differences[14] = { 0 }; /* Two zeros before, two behind. */
+        for (uint32_t i = 0; i < 10; i++) {
+            differences[i + 2] = signs >> i & 1u ? sizes[i] : -sizes[i];
+        }
+        expect_near(statistics_signed_rank_p(differences, 14), by_every_sign(ranks, signs, 10),
+                    1e-12);
+    }
+}
+
+static void test_who_catches_the_same_does_not_differ(void **state)
+{
+    (void)state;
+    static const uint32_t same[] = { 3, 0, 7, 7, 1 };
+    const struct comparison found = statistics_compare(same, same, 5);
+    expect_near(found.p, 1.0, 0.0);
+    expect_near(found.low, 0.0, 0.0);
+    expect_near(found.high, 0.0, 0.0);
+}
+
+static void test_one_pair_proves_nothing(void **state)
+{
+    (void)state;
+    const uint32_t many = 9, none = 0;
+    const struct comparison found = statistics_compare(&many, &none, 1);
+    expect_near(found.difference, 9.0, 0.0);
+    assert_true(isinf(found.low) && isinf(found.high));
+    expect_near(found.p, 1.0, 0.0);
+}
+
+/* 200 pairs that all differ the same way: one way of 2^200 to each side. */
+static void test_two_hundred_of_one_mind_are_as_rare_as_they_are(void **state)
+{
+    (void)state;
+    uint32_t a[200], b[200];
+    for (uint32_t i = 0; i < 200; i++) {
+        a[i] = 5u + i % 3u;
+        b[i] = 2u;
+    }
+    expect_near(log2(statistics_compare(a, b, 200).p), -199.0, 1e-6);
+    expect_near(statistics_compare(b, a, 200).p, statistics_compare(a, b, 200).p, 0.0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_t_agrees_with_the_printed_table),
+        cmocka_unit_test(test_the_interval_is_that_of_students_sleepers),
+        cmocka_unit_test(test_signed_ranks_are_those_of_a_worked_example),
+        cmocka_unit_test(test_ties_and_zeros_are_counted_as_by_dealing_out_every_sign),
+        cmocka_unit_test(test_who_catches_the_same_does_not_differ),
+        cmocka_unit_test(test_one_pair_proves_nothing),
+        cmocka_unit_test(test_two_hundred_of_one_mind_are_as_rare_as_they_are),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
