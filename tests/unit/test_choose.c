@@ -254,6 +254,7 @@ int main(void)
         TEST(test_each_championship_draws_its_tank_anew),
         TEST(test_festival_and_practice_are_played_in_the_stalls_own_tank),
         TEST(test_the_paper_is_the_stalls_but_for_the_championships),
+        TEST(test_a_championship_that_is_offered_alone_takes_the_paper_that_is_named),
         TEST(test_the_same_presses_choose_and_play_the_same),
         TEST(test_start_in_the_result_asks_again),
     };
