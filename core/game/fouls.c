@@ -10,7 +10,7 @@ void foul_commit(struct core *core, uint32_t index, enum foul kind, struct outpu
     struct player *player = &core->game.player[index];
     const uint32_t last_tick = player->offence_tick[kind];
     player->offence_tick[kind] = core->tick;
-    if (player->fouls >= FOUL_MAX ||
+    if (!rules_of(core->game.mode)->judges || player->fouls >= FOUL_MAX ||
         (last_tick != 0 && core->tick - last_tick < FOUL_APART_TICKS)) {
         return;
     }

@@ -1,7 +1,8 @@
 /* fouls.h -- the umpire: what was done against the rules, found in the motion itself.
  *
- * What lasts, or follows within FOUL_APART_TICKS, is one incident and called once. The third call
- * ends a player's round. */
+ * It is noted in every mode, for the coach; where the rules judge, it is called. What lasts, or
+ * follows within FOUL_APART_TICKS, is one incident and called once. The third call ends a player's
+ * round. */
 #ifndef KINGYO_CORE_GAME_FOULS_H
 #define KINGYO_CORE_GAME_FOULS_H
 
@@ -17,7 +18,7 @@
 
 struct core;
 
-/* Player `index` does what is a foul of this kind in this tick. */
+/* Player `index` does in this tick what is a foul of this kind. */
 void foul_commit(struct core *core, uint32_t index, enum foul kind, struct output *output);
 
 /* Before the start: who holds a shadow over fish? A fan has nothing to do there, however it came; a

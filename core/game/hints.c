@@ -12,6 +12,10 @@
 #define TILT_RAD 0.15f            /* A wrist that turned on purpose. */
 #define FRUITLESS_DIPS 2u         /* So many in vain, and a word on how it is done helps. */
 #define ABOVE_M 0.045f            /* A fish so near the ring's axis is over it. */
+#define WET_CELL 0.5f             /* So much of it through, a cell counts as wet, ... */
+#define WET_PART_MIN 0.15f        /* ... and between these shares of the paper as wet in part. */
+#define WET_PART_MAX 0.85f
+#define POURED_TICKS (4u * CORE_TICK_HZ) /* So long the word on a pour stands. */
 
 #define BIT(hint) (1u << (hint))
 
@@ -85,12 +89,35 @@ static void watch_haste(struct hints *hints, const struct poi *poi)
     hints->paper_cells = now;
 }
 
+/* Dry and wet paper tear where they meet. */
+static int is_wet_in_part(const struct poi *poi)
+{
+    uint32_t wet = 0;
+    if (poi->immersed > 0.0f || !poi->sheet.touched || poi->sheet.soaked) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        wet += poi->sheet.state[i] == CELL_PAPER && poi->sheet.wetness[i] > WET_CELL;
+    }
+    const float share = (float)wet / f_max((float)poi->sheet.paper_cells, 1.0f);
+    return share > WET_PART_MIN && share < WET_PART_MAX;
+}
+
+static int has_poured(const struct core *core)
+{
+    const uint32_t poured_tick = core->game.player[0].offence_tick[FOUL_POURED];
+    return poured_tick != 0 && core->tick - poured_tick < POURED_TICKS;
+}
+
 /* The lesson: the first thing not done yet that fits the moment. */
 static uint8_t lesson(const struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
     const uint32_t missing = ~hints->learned;
     if (hints->haste_tick != 0 && core->tick - hints->haste_tick < HASTE_TICKS) {
         return HINT_SLOWLY;
+    }
+    if (is_wet_in_part(&core->poi[0])) {
+        return HINT_WET_ALL;
     }
     if (fish.held && core->poi[0].immersed <= 0.0f && (missing & BIT(HINT_BOWL))) {
         return HINT_BOWL;
@@ -110,12 +137,40 @@ static uint8_t lesson(const struct hints *hints, const struct core *core, struct
     return core->game.player[0].caught > 0 && (missing & BIT(HINT_TILT)) ? HINT_TILT : HINT_NONE;
 }
 
+static uint8_t wanted_in_round(const struct hints *hints, const struct core *core,
+                               struct view_of_fish fish)
+{
+    const struct player *player = &core->game.player[0];
+    if (player->out) {
+        return player->torn_tick != 0 ? HINT_TORN : HINT_NONE;
+    }
+    if (core->poi[0].link == POI_LINK_BOT) {
+        return HINT_NONE;
+    }
+    if (has_poured(core)) {
+        return HINT_CLEAR_RIM;
+    }
+    return rules_of(core->game.mode)->coaches ? lesson(hints, core, fish) : HINT_NONE;
+}
+
+/* Before the start: an umpire says what is forbidden, else it is time to find one's poi. */
+static uint8_t wanted_in_ready(const struct hints *hints, const struct core *core)
+{
+    if (rules_of(core->game.mode)->judges) {
+        return HINT_NO_SHADE;
+    }
+    const int knows = core->poi[0].link == POI_LINK_BOT || (hints->learned & BIT(HINT_MOVE));
+    return knows ? HINT_NONE : HINT_MOVE;
+}
+
 static uint8_t wanted(const struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
     const struct game *game = &core->game;
     switch (game->phase) {
     case PHASE_ATTRACT:
         return HINT_START;
+    case PHASE_CHOOSE:
+        return HINT_CHOOSE;
     case PHASE_RESULT:
         return core->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? HINT_START : HINT_NONE;
     default:
@@ -125,16 +180,8 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
         core->poi[0].link == POI_LINK_ABSENT) {
         return HINT_LOST_POI;
     }
-    if (game->gone_tick != 0) {
-        return HINT_TORN;
-    }
-    if (core->poi[0].link == POI_LINK_BOT) {
-        return HINT_NONE;
-    }
-    if (game->phase == PHASE_READY) {
-        return hints->learned & BIT(HINT_MOVE) ? HINT_NONE : HINT_MOVE;
-    }
-    return lesson(hints, core, fish);
+    return game->phase == PHASE_READY ? wanted_in_ready(hints, core)
+                                      : wanted_in_round(hints, core, fish);
 }
 
 void hints_init(struct hints *hints)

@@ -1,5 +1,7 @@
 /* hints.h -- what the stall calls to a player: one thing at a time, the next one to learn.
  *
+ * With several at the tank it looks at the first one: one keeper, one voice. That a hand is missing
+ * it says of any.
  * A rule looks at what the player does and says what would help; a hint is shown until it is done,
  * and no hint gives way within HINT_TICKS_MIN unless it was followed or something urgent is to be
  * said. */

@@ -40,13 +40,10 @@ static void hand_out_paper(struct core *core, uint32_t elapsed, uint32_t total)
 
 void ready_tick(struct core *core, struct output *output)
 {
-    const struct rules *rules = rules_of(core->game.mode);
     const uint32_t elapsed = core->tick - core->game.phase_tick;
-    const uint32_t total = rules->ready_s * CORE_TICK_HZ;
+    const uint32_t total = rules_of(core->game.mode)->ready_s * CORE_TICK_HZ;
     hand_out_paper(core, elapsed, total);
-    if (rules->judges) {
-        fouls_before_start(core, output);
-    }
+    fouls_before_start(core, output);
     if (elapsed >= total) {
         round_begin(core, output);
     }

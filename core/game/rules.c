@@ -10,6 +10,7 @@ static const struct rules table[MODE_COUNT] = {
         .tank = RULES_STALLS_TANK,
         .round_s = 60,
         .ready_s = RULES_READY_S,
+        .coaches = 1,
         .keeps_score = 1,
     },
     [MODE_CHAMPIONSHIP] = {
@@ -28,6 +29,7 @@ static const struct rules table[MODE_COUNT] = {
         .round_s = 180,
         .ready_s = RULES_READY_S,
         .renews_paper = 1,
+        .coaches = 1,
         .shows_stress = 1,
     },
 };

@@ -24,6 +24,7 @@ struct rules {
     uint8_t judges;        /* Fouls are called, and what came by one does not count. Where nobody
                               judges, every fish in the bowl does, as at a stall. */
     uint8_t calls;         /* The keeper calls the time. */
+    uint8_t coaches;       /* ... and says what to do next; an umpire says only what is wrong. */
     uint8_t shows_stress;
     uint8_t keeps_score;   /* A record and a best of the day come of it. */
 };

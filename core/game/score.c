@@ -25,9 +25,7 @@ void game_score(struct core *core, const struct catch_result caught[POI_MAX],
             game->player[i].caught += valid(rules, &caught[i]);
         }
     }
-    if (rules->judges) {
-        fouls_of_catch(core, caught, output);
-    }
+    fouls_of_catch(core, caught, output);
 }
 
 static uint32_t hole_area_mm2(const struct sheet *sheet)

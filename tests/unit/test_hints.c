@@ -206,7 +206,8 @@ static void test_what_is_urgent_does_not_wait(void **state)
     core.poi[0].link = POI_LINK_LOST;
     assert_int_equal(hint_after(13), HINT_LOST_POI);
     core.poi[0].link = POI_LINK_LIVE;
-    core.game.gone_tick = core.tick;
+    core.game.player[0].out = 1;
+    core.game.player[0].torn_tick = core.tick;
     assert_int_equal(hint_after(13), HINT_TORN);
 }
 

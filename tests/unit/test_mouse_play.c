@@ -18,7 +18,7 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
-static struct player {
+static struct mouse_player {
     struct clock_sim clock;
     struct poi_sim poi;
     struct hal hal;
