@@ -1,181 +1,197 @@
-/* aim.c -- a person's eye: sees where fish are and how they move, not what they mean to do. */
+/* aim.c -- ways through water, and what they cost. Costs are seconds of a player's time: those that
+ * the way takes, and those that a poor chance of success will take for the next try. */
 #include "core/game/aim.h"
 
-#include "core/core.h"
-#include "core/game/paper.h"
+#include "core/base/mem.h"
 
-#define CHOICE_ROOM_M 0.015f    /* More room than needed is wanted of a fish that will move on. */
-#define SLANT_RUN 1.19175f      /* Forward for each metre down: 1 / tan(40 degrees). */
-#define STOP_M 0.030f           /* It stops so far short of the fish, and glides the rest. */
-#define RING_ROOM_M 0.052f      /* From a wall to the ring's centre. */
-#define FLOOR_ROOM_M 0.034f     /* For the far edge of the slanted ring. */
-#define TAIL_OFF 0.22f          /* The ring is ahead of the fish by this share of its length. */
-#define CROWD_M 0.060f
-#define FORESIGHT_S 0.25f
+#define WALL_ROOM_M 0.052f      /* From a wall to the ring's centre. */
+#define FLOOR_ROOM_M 0.012f     /* Under the ring. */
+#define BOWL_ROOM_M 0.050f
+#define CLEAR_M 0.010f          /* The ring's lowest edge over the water before it goes in. */
+#define BESIDE_SHARE 0.30f      /* Of its length: so far from its middle the ring stops first. */
+#define TAIL_SHARE 0.25f        /* The quarter of a fish that stays off the paper, */
+#define RIM_MIN 0.40f           /* but its middle lies on it: place in radii, ... */
+#define RIM_MAX 0.75f
+#define STEEP_RAD (35.0f * F_DEG) /* From here on it slides in along the paper's plane. */
 
 /* How a right hand can hold the handle: toward the player, and turned out to the right. */
-static const float yaws_rad[] = { 0.35f, -0.30f, 0.90f, 1.45f };
+static const float yaws_rad[] = { 0.35f, -0.30f, 0.90f, 1.45f, -0.80f };
 #define YAW_COUNT (sizeof yaws_rad / sizeof yaws_rad[0])
 #define YAW_EASY_RAD 0.35f
 
-/* Costs are metres of way that a player would rather go. */
-#define COST_DEPTH 12.0f        /* For each metre under water. */
-#define COST_SPEED 3.0f         /* For each m/s. */
-#define COST_LENGTH 1.0f        /* For each metre of fish: a big one tears the paper. */
-#define COST_CROWD 0.30f        /* For each neighbour that would come along, or give the alarm. */
-#define COST_TAIL_FIRST 0.10f
-#define COST_YAW 0.06f          /* For each radian away from easy. */
-#define COST_ALARM 0.30f
+#define START_S 0.60f           /* From now until the ring is under the fish, and the way. */
+#define DEPTH_S_M 8.0f
+#define SPEED_S_PER_M_S 4.0f
+#define LENGTH_S_M 4.0f         /* A big one tears the paper. */
+#define LENGTH_FREE_M 0.035f
+#define SIDE_S 0.40f            /* The wrong end first. */
+#define YAW_S_RAD 0.10f
+#define GULP_S 0.30f            /* Who gulps sees and dives late. */
+#define COMPANY_M 0.030f
+#define COMPANY_S 0.25f         /* Each that comes along saves a part of a way of its own. */
+#define RIVAL_M 0.10f           /* Another player's poi is so near: */
+#define RIVAL_S 0.60f           /* there is trouble. */
 
-static vec3 forward_of(float yaw_rad)
+vec3 aim_forward(float yaw_rad)
 {
     return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
 }
 
-static int inside_walls(const struct tank *tank, vec3 point_m, float room_m)
+/* ---- Ways ----------------------------------------------------------------------------------- */
+
+/* Where in the poi's plane the fish shall lie: x to the right, z toward the handle. */
+static void choose_place(const struct technique *technique, const struct look *look,
+                         float length_m, float *x_m, float *z_m)
 {
-    return f_abs(point_m.x) < 0.5f * tank->size_m.x - room_m &&
-           f_abs(point_m.z) < 0.5f * tank->size_m.z - room_m;
+    const float radius_m = look->poi.radius_m;
+    const float rim = f_clamp(1.0f - TAIL_SHARE * length_m / f_max(radius_m, 0.01f), RIM_MIN,
+                              RIM_MAX);
+    *x_m = look->paper.middle ? 0.0f : look->paper.x_m;
+    *z_m = look->paper.middle ? 0.0f : look->paper.z_m;
+    if (look->paper.middle && technique->place == PLACE_RIM) {
+        *z_m = -rim * radius_m;
+    }
 }
 
-/* Whether the ring's way over the floor plan stays clear of a bowl. */
-static int clears_bowl(const struct bowl *bowl, vec3 from_m, vec3 to_m, float room_m)
+/* Flat paper goes straight down; the more it slants, the more the way is along its plane. */
+static float slope_rad(const struct technique *technique)
+{
+    const float entry_rad = technique->entry_deg * F_DEG;
+    const float share = f_min(entry_rad / STEEP_RAD, 1.0f);
+    return f_lerp(0.5f * F_PI, f_max(entry_rad, STEEP_RAD), share);
+}
+
+static int inside_walls(vec3 tank_m, vec3 point_m)
+{
+    return f_abs(point_m.x) < 0.5f * tank_m.x - WALL_ROOM_M &&
+           f_abs(point_m.z) < 0.5f * tank_m.z - WALL_ROOM_M;
+}
+
+/* Whether the ring's way over the floor plan stays clear of the bowl. */
+static int clears_bowl(const struct sight_bowl *bowl, vec3 from_m, vec3 to_m)
 {
     const float dx = to_m.x - from_m.x, dz = to_m.z - from_m.z;
     const float bx = bowl->position_m.x - from_m.x, bz = bowl->position_m.z - from_m.z;
     const float t = f_clamp((bx * dx + bz * dz) / f_max(dx * dx + dz * dz, 1e-9f), 0.0f, 1.0f);
     const float ex = bx - t * dx, ez = bz - t * dz;
-    const float clear_m = BOWL_RADIUS_M + room_m;
+    const float clear_m = bowl->radius_m + BOWL_ROOM_M;
     return !bowl->present || ex * ex + ez * ez > clear_m * clear_m;
 }
 
-vec3 aim_foresee(const struct core *core, uint32_t fish, float ahead_s)
+int aim_way_to(const struct technique *technique, const struct look *look, vec3 fish_m,
+               float length_m, float yaw_rad, struct aim_way *way)
 {
-    const struct fish *seen = &core->tank.fish[fish];
-    return v3_mad(seen->position_m, seen->velocity_m_s, ahead_s);
+    const vec3 ahead = aim_forward(yaw_rad), right = v3(-ahead.z, 0.0f, ahead.x);
+    const float slope = slope_rad(technique);
+    float x_m, z_m;
+    choose_place(technique, look, length_m, &x_m, &z_m);
+    const float deepest_m = FLOOR_ROOM_M - look->tank_m.y;
+    way->yaw_rad = yaw_rad;
+    way->under_m = v3_mad(v3_mad(fish_m, right, -x_m), ahead, z_m);
+    way->under_m.y = f_max(fish_m.y - AIM_UNDER_M, deepest_m);
+    const float run_m = AIM_RING_M + BESIDE_SHARE * length_m + z_m;
+    way->stop_m = v3_mad(way->under_m, ahead, -run_m);
+    way->entry_m = way->stop_m;
+    way->entry_m.y = AIM_RING_M * f_sin(technique->entry_deg * F_DEG) + CLEAR_M;
+    const float back_m = (way->entry_m.y - way->stop_m.y) * f_cos(slope) / f_sin(slope);
+    way->entry_m = v3_mad(way->entry_m, ahead, -back_m);
+    return inside_walls(look->tank_m, way->entry_m) && inside_walls(look->tank_m, way->under_m) &&
+           clears_bowl(&look->bowl, way->entry_m, way->under_m) &&
+           fish_m.y > way->under_m.y + 0.5f * AIM_UNDER_M;
 }
 
-/* The ring's centre such that the fish lies on the best paper, its tail toward the rim. */
-static vec3 ring_under(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad)
+/* ---- Costs ---------------------------------------------------------------------------------- */
+
+static float flat_m(vec3 a, vec3 b)
 {
-    const struct fish *seen = &core->tank.fish[fish];
-    const vec3 nose = forward_of(seen->angles.yaw_rad);
-    const vec3 ahead = forward_of(yaw_rad);
-    const vec3 right = v3(-ahead.z, 0.0f, ahead.x);
-    float x_m = 0.0f;
-    float z_m = 0.0f;
-    (void)paper_spot(&core->poi[poi].sheet, &x_m, &z_m);
-    vec3 centre = aim_foresee(core, fish, FORESIGHT_S);
-    if (x_m == 0.0f && z_m == 0.0f) {
-        centre = v3_mad(centre, nose, TAIL_OFF * seen->length_m);
+    return v3_length(v3(a.x - b.x, 0.0f, a.z - b.z));
+}
+
+static float company_s(const struct technique *technique, const struct look *look,
+                       const struct look_fish *fish)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < look->near_count; i++) {
+        const struct look_fish *other = &look->near[i];
+        count += other != fish && flat_m(other->position_m, fish->position_m) < COMPANY_M &&
+                 other->position_m.y > fish->position_m.y - 0.5f * AIM_UNDER_M;
     }
-    centre = v3_mad(v3_mad(centre, right, -x_m), ahead, z_m);
-    centre.y = f_max(centre.y - AIM_UNDER_M, -core->tank.size_m.y + FLOOR_ROOM_M);
-    return centre;
+    const uint32_t wanted = (uint32_t)technique->fish_max - 1u;
+    return -COMPANY_S * (float)(count < wanted ? count : wanted);
 }
 
-/* Fills `way` and says whether it keeps `room_m` from walls and bowl. */
-static int lay_way(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad,
-                   float room_m, struct way_in *way)
+static float rivals_s(const struct look *look, vec3 fish_m)
 {
-    const vec3 ahead = forward_of(yaw_rad);
-    way->under_m = ring_under(core, poi, fish, yaw_rad);
-    way->stop_m = v3_mad(way->under_m, ahead, -STOP_M);
-    way->entry_m = v3_mad(way->stop_m, ahead, -SLANT_RUN * (AIM_ENTRY_Y_M - way->stop_m.y));
-    way->entry_m.y = AIM_ENTRY_Y_M;
-    return inside_walls(&core->tank, way->entry_m, room_m) &&
-           inside_walls(&core->tank, way->under_m, room_m) &&
-           clears_bowl(&core->bowl[poi], way->entry_m, way->under_m, room_m) &&
-           core->tank.fish[fish].position_m.y > way->under_m.y + 0.5f * AIM_UNDER_M;
-}
-
-int aim_way_in(const struct core *core, uint32_t poi, uint32_t fish, float yaw_rad,
-               struct way_in *way)
-{
-    return lay_way(core, poi, fish, yaw_rad, RING_ROOM_M, way);
-}
-
-static int is_calm(const struct fish *fish)
-{
-    return fish->gait < GAIT_HELD && fish->gait != GAIT_ESCAPE && fish->gait != GAIT_BURST;
-}
-
-static float cost_of_fish(const struct fish *fish, vec3 hand_m)
-{
-    const vec3 way = v3(fish->position_m.x - hand_m.x, 0.0f, fish->position_m.z - hand_m.z);
-    return v3_length(way) - COST_DEPTH * fish->position_m.y +
-           COST_SPEED * v3_length(fish->velocity_m_s) + COST_LENGTH * fish->length_m +
-           COST_ALARM * fish->alarm;
-}
-
-static float cost_of_crowd(const struct tank *tank, uint32_t index)
-{
-    float cost = 0.0f;
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        const vec3 d = v3_sub(tank->fish[i].position_m, tank->fish[index].position_m);
-        if (i != index && d.x * d.x + d.z * d.z < CROWD_M * CROWD_M && d.y > -AIM_UNDER_M) {
-            cost += COST_CROWD;
-        }
+    float cost_s = 0.0f;
+    for (uint32_t i = 0; i < look->rival_count; i++) {
+        cost_s += flat_m(look->rival_m[i], fish_m) < RIVAL_M ? RIVAL_S : 0.0f;
     }
-    return cost;
+    return cost_s;
 }
 
-/* The cheapest hand for a fish, if any is free. */
-static int choose_yaw(const struct core *core, uint32_t poi, uint32_t fish, float *yaw_rad,
-                      float *cost)
+static float cost_of_fish(const struct technique *technique, const struct look *look,
+                          const struct look_fish *fish)
 {
-    const vec3 nose = forward_of(core->tank.fish[fish].angles.yaw_rad);
-    int found = 0;
-    for (uint32_t i = 0; i < YAW_COUNT; i++) {
-        struct way_in way;
-        const float tail_first = 0.5f * (1.0f + v3_dot(nose, forward_of(yaws_rad[i])));
-        const float strain_rad = f_abs(yaws_rad[i] - YAW_EASY_RAD);
-        const float price = COST_TAIL_FIRST * tail_first + COST_YAW * strain_rad;
-        if ((!found || price < *cost) &&
-            lay_way(core, poi, fish, yaws_rad[i], RING_ROOM_M + CHOICE_ROOM_M, &way)) {
-            found = 1;
-            *cost = price;
-            *yaw_rad = yaws_rad[i];
-        }
-    }
-    return found;
+    return -DEPTH_S_M * fish->position_m.y + SPEED_S_PER_M_S * v3_length(fish->velocity_m_s) +
+           LENGTH_S_M * f_max(0.0f, fish->length_m - LENGTH_FREE_M) -
+           (fish->gulps ? GULP_S : 0.0f) + rivals_s(look, fish->position_m) +
+           company_s(technique, look, fish);
 }
 
-uint16_t aim_choose(const struct core *core, uint32_t poi, vec3 hand_m, float *yaw_rad)
+/* Which end of the fish a ring that comes this way is under first. */
+static float cost_of_yaw(const struct technique *technique, const struct look_fish *fish,
+                         float yaw_rad)
 {
-    uint16_t best = AIM_NO_FISH;
-    float best_cost = 1e9f;
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        const struct fish *fish = &core->tank.fish[i];
-        float cost = cost_of_fish(fish, hand_m);
-        if (!is_calm(fish) || cost >= best_cost) {
-            continue; /* The dear questions are put only to what is cheap so far. */
-        }
-        float yaw = 0.0f;
-        float yaw_cost = 0.0f;
-        cost += cost_of_crowd(&core->tank, i);
-        if (cost < best_cost && choose_yaw(core, poi, i, &yaw, &yaw_cost) &&
-            cost + yaw_cost < best_cost) {
-            best = (uint16_t)i;
-            best_cost = cost + yaw_cost;
-            *yaw_rad = yaw;
+    const float along = v3_dot(aim_forward(fish->heading_rad), aim_forward(yaw_rad));
+    const float tail_first = 0.5f * (1.0f + along);
+    const float side_s = technique->side == SIDE_HEAD   ? SIDE_S * tail_first
+                         : technique->side == SIDE_TAIL ? SIDE_S * (1.0f - tail_first)
+                                                        : 0.0f;
+    return side_s + YAW_S_RAD * f_abs(yaw_rad - YAW_EASY_RAD);
+}
+
+static float cost_of_way(const struct technique *technique, const struct look *look,
+                         const struct aim_way *way, vec3 hand_m)
+{
+    return flat_m(way->entry_m, hand_m) / technique->arm_m_s +
+           flat_m(way->under_m, look->bowl.position_m) / technique->carry_m_s;
+}
+
+const struct look_fish *aim_choose(const struct technique *technique, const struct look *look,
+                                   vec3 hand_m, float age_s, float *yaw_rad)
+{
+    const struct look_fish *best = NULL;
+    float best_s = 1e9f;
+    for (uint32_t i = 0; i < look->near_count; i++) {
+        const struct look_fish *fish = &look->near[i];
+        const vec3 then_m = look_foresee(fish, age_s + START_S);
+        const float fish_s = cost_of_fish(technique, look, fish);
+        for (uint32_t y = 0; y < YAW_COUNT; y++) {
+            struct aim_way way;
+            if (!aim_way_to(technique, look, then_m, fish->length_m, yaws_rad[y], &way)) {
+                continue;
+            }
+            const float cost_s = fish_s + cost_of_yaw(technique, fish, yaws_rad[y]) +
+                                 cost_of_way(technique, look, &way, hand_m);
+            if (cost_s < best_s) {
+                best_s = cost_s;
+                best = fish;
+                *yaw_rad = yaws_rad[y];
+            }
         }
     }
     return best;
 }
 
-uint16_t aim_over_ring(const struct core *core, uint32_t poi, float reach_m)
+const struct look_fish *aim_nearest(const struct look *look, vec3 ring_m, float reach_m)
 {
-    const vec3 ring = core->poi[poi].position_m;
-    uint16_t best = AIM_NO_FISH;
-    float best_square = reach_m * reach_m;
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        const struct fish *fish = &core->tank.fish[i];
-        const vec3 d = v3_sub(fish->position_m, ring);
-        const float square = d.x * d.x + d.z * d.z;
-        if (is_calm(fish) && d.y > 0.0f && square < best_square) {
-            best = (uint16_t)i;
-            best_square = square;
+    const struct look_fish *best = NULL;
+    for (uint32_t i = 0; i < look->near_count; i++) {
+        const struct look_fish *fish = &look->near[i];
+        const float away_m = flat_m(fish->position_m, ring_m);
+        if (fish->position_m.y > ring_m.y && away_m < reach_m) {
+            best = fish;
+            reach_m = away_m;
         }
     }
     return best;

@@ -100,7 +100,7 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     }
     if (link == POI_LINK_BOT) {
         bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
-        game->bot[index].hand = game->hand[index];
+        game->bot[index].hand.pose = game->hand[index];
     }
     if (link == POI_LINK_LIVE && game->holder[index] == POI_LINK_LOST) {
         game->back_ticks[index] = 1;
@@ -153,7 +153,7 @@ static void drift(struct core *core, uint32_t index)
     const struct poi_target out = drift_out(&core->poi[index], game->hand[index]);
     game->hand[index] = within_reach(core, out, -core->tank.size_m.y);
     if (core->poi[index].link == POI_LINK_BOT) {
-        game->bot[index].hand = game->hand[index];
+        game->bot[index].hand.pose = game->hand[index];
     } else {
         game->back_ticks[index] = 1;
     }

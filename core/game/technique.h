@@ -10,6 +10,7 @@
 
 enum technique_side { SIDE_ANY = 0, SIDE_HEAD, SIDE_TAIL, SIDE_COUNT };  /* Of the fish, first. */
 enum technique_place { PLACE_CENTRE = 0, PLACE_RIM, PLACE_COUNT }; /* Of the paper, under it. */
+/* Fast is two and a half times `lift_m_s`, dead level, and nothing runs off. */
 enum technique_lift { LIFT_DRAINED = 0, LIFT_FAST, LIFT_COUNT };
 enum technique_hunt { HUNT_SHADE = 0, HUNT_CHASE, HUNT_COUNT };
 

@@ -52,6 +52,8 @@ static void act(struct seat *seat)
     struct poi_input *poi = &seat->input.poi[0];
     seat->input.pressed = idle && seat->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     poi->link = POI_LINK_LIVE;
+    poi->has_wrist = 1;
+    poi->trembles = 1;
     poi->target = bot_tick(&seat->bot, &(struct sight){ .core = &seat->core, .player = 0 });
 }
 
@@ -109,7 +111,7 @@ static enum exit_code begin(struct seat *seat, const struct round_plan *plan, in
     seat->output = (struct output){ 0 };
     seat->tap = (struct kiosk_tap){ 0 };
     bot_init(&seat->bot, &plan->technique, plan->seed);
-    seat->bot.hand = seat->core.game.hand[0];
+    seat->bot.hand.pose = seat->core.game.hand[0];
     if (plan->record) {
         *error = -recorder_begin(&seat->recorder, plan->record, &seat->core);
         seat->tap = recorder_tap(&seat->recorder);

@@ -1,4 +1,4 @@
-/* test_bot.c -- the bot moves and decides within a person's means, and the same way each time. */
+/* test_bot.c -- the bot sees, decides and moves within a person's means; each habit shows. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,177 +8,400 @@
 #include <cmocka.h>
 
 #include "core/base/hash.h"
-#include "core/core.h"
+#include "tests/unit/bot_stall.h"
 
-static struct core core;
-static struct input input;
-static struct output output;
+static struct bot_stall stall;
+static struct core scrambled;
 
-static void open_stall(uint32_t seed, uint32_t round_s)
+static void open_with(const struct technique *technique, uint32_t seed)
 {
-    const struct core_config config = { .seed = seed, .round_s = round_s };
-    assert_int_equal(core_init(&core, &config), CORE_OK);
-    memset(&input, 0, sizeof input);
-    memset(&output, 0, sizeof output);
-    input.poi[0].link = POI_LINK_BOT;
+    const struct core_config config = { .seed = seed };
+    bot_stall_open(&stall, &config, technique);
 }
 
-static void tick(void)
+static void begin_with(const struct technique *technique, uint32_t seed)
 {
-    output.sound_count = 0;
-    core_tick(&core, &input, &output);
-    input.pressed = 0;
+    open_with(technique, seed);
+    bot_stall_begin(&stall);
 }
 
-/* A whole round by the bot; the fish it caught. */
-static uint32_t play_round(uint32_t seed, uint32_t round_s)
-{
-    open_stall(seed, round_s);
-    input.pressed = INPUT_START;
-    do {
-        tick();
-    } while (core.game.phase != PHASE_RESULT);
-    return output.record.caught;
-}
+/* ---- Means of a person ---------------------------------------------------------------------- */
 
-static void test_the_hand_moves_no_faster_than_an_arm(void **state)
+/* The arm's own limits, and what a tremor of at most 1.5 mm adds at 9 Hz. */
+static void holds_arm_limits(const struct technique *technique)
 {
-    (void)state;
-    open_stall(5, 60);
-    vec3 last = core.game.hand[0].position_m;
+    begin_with(technique, 5);
+    vec3 last = stall.input.poi[0].target.position_m;
     vec3 last_step = v3(0.0f, 0.0f, 0.0f);
+    const float fastest_m_s = technique->arm_m_s > technique->lift_m_s ? technique->arm_m_s
+                                                                       : technique->lift_m_s;
     for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
-        tick();
-        const vec3 now = core.game.hand[0].position_m;
+        bot_stall_tick(&stall);
+        const vec3 now = stall.input.poi[0].target.position_m;
         const vec3 way = v3_sub(now, last);
-        assert_true(v3_length(way) < 0.7f * CORE_TICK_S);
-        assert_true(i == 0 || v3_length(v3_sub(way, last_step)) < 8.0f * CORE_TICK_S * CORE_TICK_S);
+        const float gain_m_s2 = v3_length(v3_sub(way, last_step)) / (CORE_TICK_S * CORE_TICK_S);
+        assert_true(v3_length(way) < (fastest_m_s + 0.15f) * CORE_TICK_S);
+        assert_true(i == 0 || gain_m_s2 < BOT_HAND_M_S2_MAX + 6.0f);
         last = now;
         last_step = way;
     }
 }
 
-static void test_it_decides_no_oftener_than_a_person(void **state)
+static void test_the_hand_moves_no_faster_than_an_arm(void **state)
 {
     (void)state;
-    open_stall(5, 60);
-    uint32_t thoughts = 0;
-    uint32_t last = core.game.bot[0].think_tick;
-    for (uint32_t i = 0; i < 10u * CORE_TICK_HZ; i++) {
-        tick();
-        thoughts += core.game.bot[0].think_tick != last;
-        last = core.game.bot[0].think_tick;
-    }
-    assert_in_range(thoughts, 35, 80); /* 150 to 250 ms, and a look at each change of stage */
+    holds_arm_limits(&technique_expert);
+    holds_arm_limits(&technique_novice);
 }
 
-static void test_it_rests_above_the_water_between_rounds(void **state)
+static void test_it_looks_no_oftener_than_a_person(void **state)
 {
     (void)state;
-    open_stall(5, 10);
-    input.pressed = INPUT_START;
-    for (uint32_t i = 0; i < GAME_READY_TICKS; i++) {
-        tick();
+    begin_with(&technique_expert, 5);
+    uint32_t last = stall.bot.act_tick;
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+        const uint32_t taken = stall.bot.seen.tick;
+        bot_stall_tick(&stall);
+        if (stall.bot.act_tick != last) {
+            assert_in_range(stall.bot.seen.tick - taken, 18, 30); /* 150 to 250 ms */
+            last = stall.bot.act_tick;
+        }
     }
-    assert_int_equal(core.game.phase, PHASE_READY);
-    assert_true(core.game.hand[0].position_m.y > 0.0f);
-    assert_true(core.poi[0].immersed <= 0.0f);
 }
 
-static void test_it_leaves_fish_that_flee_or_hug_the_wall(void **state)
+/* What it acts on is never younger than its reaction. */
+static void test_what_it_knows_is_the_past(void **state)
 {
     (void)state;
-    open_stall(5, 60);
-    for (uint32_t i = 0; i < core.tank.fish_count; i++) {
-        struct fish *fish = &core.tank.fish[i];
-        fish->position_m = v3(0.5f * core.tank.size_m.x - 0.02f, -0.03f, 0.0f);
-        fish->gait = GAIT_REST;
+    begin_with(&technique_expert, 6);
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+        assert_in_range(stall.core.tick - 1u - stall.bot.known.tick, 18, 60);
     }
-    core.tank.fish[9].position_m = v3(-0.05f, -0.04f, 0.0f);
-    core.tank.fish[8].position_m = v3(-0.05f, -0.02f, 0.03f);
-    core.tank.fish[8].gait = GAIT_ESCAPE;
-    for (uint32_t i = 0; i < 80; i++) { /* the tank stands still: the bot alone */
-        bot_tick(&core.game.bot[0], &(struct sight){ &core, 0 });
-        core.tick++;
-    }
-    assert_int_equal(core.game.bot[0].prey, 9);
 }
 
-static void test_with_no_fish_to_take_it_only_looks(void **state)
+/* Two stalls that are one until, in the second, the prey is gone from one tick to the next: for
+ * 150 ms at least the hands go the same way, and soon they do not. */
+static void test_it_answers_a_vanished_fish_after_its_reaction_time(void **state)
 {
     (void)state;
-    open_stall(5, 60);
-    for (uint32_t i = 0; i < core.tank.fish_count; i++) {
-        core.tank.fish[i].gait = GAIT_BOWL;
+    static struct bot_stall other;
+    for (uint32_t seed = 1; seed <= 10; seed++) {
+        begin_with(&technique_expert, seed);
+        assert_true(bot_stall_until(&stall, BOT_APPROACH, 30));
+        other = stall;
+        other.core.tank.fish[stall.bot.prey].gait = GAIT_BOWL;
+        uint32_t same_ticks = 0;
+        int same = 1;
+        while (same && same_ticks < 2u * CORE_TICK_HZ) {
+            bot_stall_tick(&stall);
+            bot_stall_tick(&other);
+            same = memcmp(&stall.input.poi[0].target, &other.input.poi[0].target,
+                          sizeof stall.input.poi[0].target) == 0;
+            same_ticks += (uint32_t)same;
+        }
+        assert_in_range(same_ticks, 18, 60);
     }
+}
+
+/* Every field that no scene shows, with other values: the hand goes the very same way. */
+static void scramble(struct core *core, const struct core *from)
+{
+    *core = *from;
+    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
+        struct fish *fish = &core->tank.fish[i];
+        fish->velocity_m_s = v3(3.0f, 1.0f, 2.0f);
+        fish->stamina = 0.123f;
+        fish->alarm = 0.9f;
+        fish->habit = 0.7f;
+        fish->startle_s = 0.2f;
+        fish->depth_goal_m = -0.01f;
+        fish->heading_rad += 1.0f;
+        fish->speed_goal_m_s = 1.0f;
+        fish->gait_left_s = 9.0f;
+        fish->gait = fish->gait == GAIT_REST || fish->gait == GAIT_ESCAPE ? GAIT_SWIM : fish->gait;
+    }
+    core->poi[0].velocity_m_s = v3(1.0f, 2.0f, 3.0f);
+    core->poi[0].pressure_pa = 77.0f;
+    core->poi[0].sheet.strength[500] = 0.1f;
+    core->config.seed = ~core->config.seed;
+}
+
+static void test_it_knows_nothing_that_no_scene_shows(void **state)
+{
+    (void)state;
+    begin_with(&technique_expert, 8);
+    for (uint32_t i = 0; i < 8u * CORE_TICK_HZ; i++) {
+        static struct bot twin;
+        twin = stall.bot;
+        scramble(&scrambled, &stall.core);
+        const struct poi_target blind = bot_tick(&twin, &(struct sight){ &scrambled, 0 });
+        bot_stall_tick(&stall);
+        assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
+        assert_true(bot_hash(HASH_START, &twin) == bot_hash(HASH_START, &stall.bot));
+    }
+}
+
+/* ---- Manners -------------------------------------------------------------------------------- */
+
+static void test_before_the_start_poi_and_shadow_stay_off_the_water(void **state)
+{
+    (void)state;
+    open_with(&technique_expert, 5);
+    while (stall.core.game.phase != PHASE_READY) {
+        bot_stall_tick(&stall);
+    }
+    const struct core *core = &stall.core;
+    for (uint32_t i = 0; stall.core.game.phase == PHASE_READY; i++) {
+        bot_stall_tick(&stall);
+        if (i > 3u * CORE_TICK_HZ / 2u) { /* It begins over the middle, and has an arm's pace. */
+            const float edge_m = core->poi[0].position_m.z - POI_OUTER_RADIUS_M;
+            assert_true(edge_m > 0.5f * core->tank.size_m.z);
+        }
+        assert_true(core->poi[0].immersed <= 0.0f);
+    }
+}
+
+static void test_with_no_fish_to_take_it_only_hovers(void **state)
+{
+    (void)state;
+    begin_with(&technique_expert, 5);
+    assert_true(bot_stall_until(&stall, BOT_CHOOSE, 30));
+    for (uint32_t i = 0; i < stall.core.tank.fish_count; i++) {
+        stall.core.tank.fish[i].gait = GAIT_BOWL;
+    }
+    const struct sight sight = bot_stall_sight(&stall);
     for (uint32_t i = 0; i < 600; i++) {
-        const struct poi_target hand = bot_tick(&core.game.bot[0], &(struct sight){ &core, 0 });
-        assert_true(hand.position_m.y > 0.03f);
-        core.tick++;
+        const struct poi_target hand = bot_tick(&stall.bot, &sight);
+        assert_true(i < 300 || hand.position_m.y > 0.03f);
+        stall.core.tick++;
     }
-    assert_int_equal(core.game.bot[0].stage, BOT_LOOK);
+    assert_int_equal(stall.bot.stage, BOT_CHOOSE);
+}
+
+static void test_its_hand_is_a_place_and_a_direction_whatever_it_sees(void **state)
+{
+    (void)state;
+    begin_with(&technique_expert, 9);
+    for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
+        struct core *core = &stall.core;
+        core->bowl[0].present = i % 700u < 500u;
+        core->game.phase = i % 1000u < 800u ? PHASE_ROUND : PHASE_RESULT;
+        const struct sight sight = bot_stall_sight(&stall);
+        const struct poi_target hand = bot_tick(&stall.bot, &sight);
+        assert_true(v3_is_finite(hand.position_m));
+        assert_true(v3_length(hand.position_m) < 2.0f);
+        assert_true(f_is_finite(hand.angles.yaw_rad) && f_abs(hand.angles.yaw_rad) <= F_PI);
+        assert_true(f_is_finite(hand.angles.pitch_rad) && f_abs(hand.angles.pitch_rad) <= F_PI);
+        assert_true(f_is_finite(hand.angles.roll_rad) && f_abs(hand.angles.roll_rad) <= F_PI);
+        core->tick++;
+    }
+}
+
+static uint64_t play(uint32_t seed, uint32_t seconds)
+{
+    begin_with(&technique_expert, seed);
+    for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+    }
+    return hash_u64(bot_hash(HASH_START, &stall.bot), core_hash(&stall.core));
 }
 
 static void test_a_bots_round_is_the_same_each_time(void **state)
 {
     (void)state;
-    const uint32_t caught = play_round(31, 12);
-    const uint64_t hash = core_hash(&core);
-    assert_int_equal(play_round(31, 12), caught);
-    assert_true(core_hash(&core) == hash);
-    play_round(32, 12);
-    assert_true(core_hash(&core) != hash);
+    const uint64_t hash = play(31, 12);
+    assert_true(play(31, 12) == hash);
+    assert_true(play(32, 12) != hash);
 }
 
-/* Ten rounds of 15 s, as the demo plays them: one empty one is bad luck, more are a fault. */
-static void test_a_short_round_nearly_always_catches_a_fish(void **state)
+/* ---- Habits --------------------------------------------------------------------------------- */
+
+static float wet_share(void)
+{
+    const struct sheet *sheet = &stall.core.poi[0].sheet;
+    float wet = 0.0f;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        wet += sheet->state[i] == CELL_PAPER ? sheet->wetness[i] : 0.0f;
+    }
+    return wet / (float)sheet->paper_cells;
+}
+
+static float wet_share_at_the_first_dip(float wet)
+{
+    struct technique technique = technique_expert;
+    technique.wet = wet;
+    begin_with(&technique, 5);
+    assert_true(bot_stall_until(&stall, BOT_DIP, 30));
+    return wet_share();
+}
+
+static void test_wet_is_the_share_that_is_wet_before_the_first_scoop(void **state)
 {
     (void)state;
-    uint32_t empty = 0;
-    uint32_t total = 0;
-    for (uint32_t seed = 1; seed <= 10; seed++) {
-        const uint32_t caught = play_round(seed, 15);
-        empty += caught == 0;
-        total += caught;
-    }
-    assert_in_range(empty, 0, 1);
-    assert_in_range(total, 10, 60);
+    const float all = wet_share_at_the_first_dip(1.0f);
+    const float half = wet_share_at_the_first_dip(0.5f);
+    print_message("wet before the first scoop: %.2f and %.2f\n", (double)all, (double)half);
+    assert_true(all > 0.80f);
+    assert_true(half > 0.35f && half < 0.60f);
+    assert_true(wet_share_at_the_first_dip(0.0f) < 0.02f);
 }
 
-/* Ten seconds each: the tank's size, depth and crowd are the bot's only rules. */
+/* The poi's true pitch at the first tick under water of the first scoop. */
+static float entry_pitch_deg(float entry_deg)
+{
+    struct technique technique = technique_expert;
+    technique.entry_deg = entry_deg;
+    begin_with(&technique, 5);
+    assert_true(bot_stall_until(&stall, BOT_DIP, 30));
+    while (stall.core.poi[0].immersed <= 0.0f) {
+        bot_stall_tick(&stall);
+    }
+    return stall.core.poi[0].angles.pitch_rad / F_DEG;
+}
+
+static void test_entry_is_the_slant_at_which_it_goes_in(void **state)
+{
+    (void)state;
+    assert_true(f_abs(entry_pitch_deg(40.0f) + 40.0f) < 6.0f);
+    assert_true(f_abs(entry_pitch_deg(20.0f) + 20.0f) < 6.0f);
+    assert_true(f_abs(entry_pitch_deg(0.0f)) < 6.0f);
+}
+
+static void test_glide_is_the_angle_between_paper_and_way(void **state)
+{
+    (void)state;
+    for (float glide_deg = 5.0f; glide_deg <= 65.0f; glide_deg += 60.0f) {
+        struct technique technique = technique_expert;
+        technique.glide_deg = glide_deg;
+        begin_with(&technique, 5);
+        assert_true(bot_stall_until(&stall, BOT_GLIDE, 30));
+        bot_stall_tick(&stall);
+        assert_true(f_abs(stall.bot.goal.angles.pitch_rad + glide_deg * F_DEG) < 1e-3f);
+    }
+}
+
+/* The fastest that the poi rises in its first scoops. */
+static float rise_m_s(uint8_t lift)
+{
+    struct technique technique = technique_expert;
+    technique.lift = lift;
+    begin_with(&technique, 5);
+    float fastest_m_s = 0.0f;
+    for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+        if (stall.bot.stage == BOT_LIFT) {
+            fastest_m_s = f_max(fastest_m_s, stall.bot.hand.velocity_m_s.y);
+        }
+    }
+    return fastest_m_s;
+}
+
+static void test_a_fast_lift_is_fast(void **state)
+{
+    (void)state;
+    const float drained_m_s = rise_m_s(LIFT_DRAINED), fast_m_s = rise_m_s(LIFT_FAST);
+    print_message("lift: %.2f and %.2f m/s\n", (double)drained_m_s, (double)fast_m_s);
+    assert_true(drained_m_s < 1.15f * technique_expert.lift_m_s);
+    assert_true(fast_m_s > 1.7f * drained_m_s);
+}
+
+static void test_who_chases_never_waits(void **state)
+{
+    (void)state;
+    struct technique technique = technique_expert;
+    technique.hunt = HUNT_CHASE;
+    begin_with(&technique, 5);
+    assert_false(bot_stall_until(&stall, BOT_WATCH, 20));
+    assert_true(bot_stall_until(&stall, BOT_DIP, 20));
+    begin_with(&technique_expert, 5);
+    assert_true(bot_stall_until(&stall, BOT_WATCH, 20));
+}
+
+/* ---- Play ----------------------------------------------------------------------------------- */
+
+/* What the thesis blames in an arcade game: one scoop, one paper. */
+static void test_one_paper_survives_many_scoops_in_good_hands(void **state)
+{
+    (void)state;
+    const struct core_config config = {
+        .seed = 3, .preset = TANK_PRESET_OFFICIAL, .modes = 1u << MODE_CHAMPIONSHIP
+    };
+    bot_stall_open(&stall, &config, &technique_expert);
+    bot_stall_begin(&stall);
+    for (uint32_t i = 0; i < 40u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+    }
+    print_message("40 s: %u scoops, %u fish, %.3f of the paper left\n", stall.core.poi[0].dips,
+                  stall.core.game.player[0].caught, (double)sheet_left(&stall.core.poi[0].sheet));
+    assert_true(stall.core.poi[0].dips >= 8);
+    assert_true(sheet_left(&stall.core.poi[0].sheet) > 0.8f);
+}
+
+/* Twenty seconds each: the tank's size, depth and crowd are the bot's only rules. */
 static void test_it_plays_in_each_tank(void **state)
 {
     (void)state;
     for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
-        uint32_t caught = 0;
-        for (uint32_t seed = 1; seed <= 3; seed++) {
-            const struct core_config config = { .seed = seed, .preset = preset, .round_s = 10 };
-            assert_int_equal(core_init(&core, &config), CORE_OK);
-            assert_int_equal(core.tank.fish_count, tank_preset(preset)->fish_count);
-            input = (struct input){ .poi[0].link = POI_LINK_BOT, .pressed = INPUT_START };
-            output = (struct output){ 0 };
-            do {
-                tick();
-            } while (core.game.phase != PHASE_RESULT);
-            caught += output.record.caught;
+        const struct core_config config = { .seed = 1, .preset = preset };
+        bot_stall_open(&stall, &config, &technique_expert);
+        bot_stall_begin(&stall);
+        for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+            bot_stall_tick(&stall);
         }
-        print_message("%s: %u caught in three rounds of 10 s\n", tank_preset(preset)->name,
-                      caught);
-        assert_true(caught > 0);
+        print_message("%s: %u caught in 20 s\n", tank_preset(preset)->name,
+                      stall.core.game.player[0].caught);
+        assert_true(stall.core.game.player[0].caught > 0);
     }
+}
+
+/* Each has a bowl and a poi; their eyes are seldom on one fish. */
+static void test_two_bots_seldom_go_for_the_same_fish(void **state)
+{
+    (void)state;
+    static struct bot other;
+    const struct core_config config = { .seed = 4, .players = 2 };
+    bot_stall_open(&stall, &config, &technique_expert);
+    bot_init(&other, &technique_expert, 99);
+    uint32_t same = 0, both = 0;
+    for (uint32_t i = 0; i < 30u * CORE_TICK_HZ; i++) {
+        stall.input.poi[1] = (struct poi_input){
+            .link = POI_LINK_LIVE, .has_wrist = 1, .trembles = 1,
+            .target = bot_tick(&other, &(struct sight){ &stall.core, 1 }),
+        };
+        bot_stall_tick(&stall);
+        const int hunts = stall.bot.stage >= BOT_APPROACH && stall.bot.stage <= BOT_GLIDE &&
+                          other.stage >= BOT_APPROACH && other.stage <= BOT_GLIDE;
+        both += (uint32_t)hunts;
+        same += hunts && other.prey == stall.bot.prey;
+    }
+    print_message("two hunt for %u ticks, the same fish for %u; caught %u and %u\n", both, same,
+                  stall.core.game.player[0].caught, stall.core.game.player[1].caught);
+    assert_true(both > 300);
+    assert_true(same < both / 10u);
+    assert_true(stall.core.game.player[0].caught > 0 && stall.core.game.player[1].caught > 0);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_hand_moves_no_faster_than_an_arm),
-        cmocka_unit_test(test_it_decides_no_oftener_than_a_person),
-        cmocka_unit_test(test_it_rests_above_the_water_between_rounds),
-        cmocka_unit_test(test_it_leaves_fish_that_flee_or_hug_the_wall),
-        cmocka_unit_test(test_with_no_fish_to_take_it_only_looks),
+        cmocka_unit_test(test_it_looks_no_oftener_than_a_person),
+        cmocka_unit_test(test_what_it_knows_is_the_past),
+        cmocka_unit_test(test_it_answers_a_vanished_fish_after_its_reaction_time),
+        cmocka_unit_test(test_it_knows_nothing_that_no_scene_shows),
+        cmocka_unit_test(test_before_the_start_poi_and_shadow_stay_off_the_water),
+        cmocka_unit_test(test_with_no_fish_to_take_it_only_hovers),
+        cmocka_unit_test(test_its_hand_is_a_place_and_a_direction_whatever_it_sees),
         cmocka_unit_test(test_a_bots_round_is_the_same_each_time),
-        cmocka_unit_test(test_a_short_round_nearly_always_catches_a_fish),
+        cmocka_unit_test(test_wet_is_the_share_that_is_wet_before_the_first_scoop),
+        cmocka_unit_test(test_entry_is_the_slant_at_which_it_goes_in),
+        cmocka_unit_test(test_glide_is_the_angle_between_paper_and_way),
+        cmocka_unit_test(test_a_fast_lift_is_fast),
+        cmocka_unit_test(test_who_chases_never_waits),
+        cmocka_unit_test(test_one_paper_survives_many_scoops_in_good_hands),
         cmocka_unit_test(test_it_plays_in_each_tank),
+        cmocka_unit_test(test_two_bots_seldom_go_for_the_same_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

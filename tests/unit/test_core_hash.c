@@ -79,10 +79,38 @@ static const struct field technique_fields[] = {
 };
 
 static const struct field bot_fields[] = {
-    SKIP(bot, technique), FIELD(bot, seed),
-    FIELD(bot, stage),   FIELD(bot, prey), FIELD(bot, stage_tick),   FIELD(bot, think_tick),
-    FIELD(bot, yaw_rad), FIELD(bot, hand), FIELD(bot, velocity_m_s), FIELD(bot, aim_m),
-    FIELD(bot, aim_angles),
+    SKIP(bot, technique), FIELD(bot, seed),     FIELD(bot, stage),  FIELD(bot, prey),
+    FIELD(bot, stage_tick), FIELD(bot, act_tick), FIELD(bot, tries), FIELD(bot, yaw_rad),
+    FIELD(bot, miss_m),   FIELD(bot, goal),     FIELD(bot, speed_m_s), FIELD(bot, ease_s),
+    FIELD(bot, hand),     SKIP(bot, known),     SKIP(bot, seen),
+};
+
+static const struct field look_fields[] = {
+    FIELD(look, tick),   FIELD(look, phase),       FIELD(look, mode),
+    FIELD(look, seconds_left), FIELD(look, tank_m), SKIP(look, poi),
+    SKIP(look, bowl),    SKIP(look, paper),        FIELD(look, rival_count),
+    FIELD(look, rival_m), FIELD(look, riders),     FIELD(look, over),
+    SKIP(look, prey),    FIELD(look, near_count),  SKIP(look, near),
+};
+
+static const struct field look_fish_fields[] = {
+    FIELD(look_fish, fish),       FIELD(look_fish, place),        FIELD(look_fish, gulps),
+    FIELD(look_fish, position_m), FIELD(look_fish, velocity_m_s), FIELD(look_fish, heading_rad),
+    FIELD(look_fish, length_m),
+};
+
+static const struct field look_paper_fields[] = {
+    FIELD(look_paper, wet),    FIELD(look_paper, left), FIELD(look_paper, holds),
+    FIELD(look_paper, middle), FIELD(look_paper, x_m),  FIELD(look_paper, z_m),
+};
+
+static const struct field sight_poi_fields[] = {
+    FIELD(sight_poi, present),  FIELD(sight_poi, position_m), FIELD(sight_poi, angles),
+    FIELD(sight_poi, radius_m), FIELD(sight_poi, paper_left), FIELD(sight_poi, water_m),
+};
+
+static const struct field sight_bowl_fields[] = {
+    FIELD(sight_bowl, present), FIELD(sight_bowl, position_m), FIELD(sight_bowl, radius_m),
 };
 
 static const struct field poi_fields[] = {
@@ -224,6 +252,13 @@ static const struct table tables[] = {
     TABLE(hints, hints_fields, &core.game.hints),
     TABLE(bot, bot_fields, &core.game.bot[0]),
     TABLE(technique, technique_fields, &core.game.bot[0].technique),
+    TABLE(look, look_fields, &core.game.bot[0].known),
+    TABLE(look, look_fields, &core.game.bot[3].seen),
+    TABLE(look_fish, look_fish_fields, &core.game.bot[0].known.prey),
+    TABLE(look_fish, look_fish_fields, &core.game.bot[0].seen.near[LOOK_NEAR_MAX - 1u]),
+    TABLE(look_paper, look_paper_fields, &core.game.bot[0].known.paper),
+    TABLE(sight_poi, sight_poi_fields, &core.game.bot[0].known.poi),
+    TABLE(sight_bowl, sight_bowl_fields, &core.game.bot[0].known.bowl),
     TABLE(bot, bot_fields, &core.game.bot[3]),
     TABLE(poi, poi_fields, &core.poi[0]),
     TABLE(poi, poi_fields, &core.poi[3]),

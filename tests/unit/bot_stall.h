@@ -1,0 +1,71 @@
+/* bot_stall.h -- a stall at which a bot of any technique holds the first poi, from outside. */
+#ifndef KINGYO_TESTS_UNIT_BOT_STALL_H
+#define KINGYO_TESTS_UNIT_BOT_STALL_H
+
+#include "core/core.h"
+#include "core/game/rules.h"
+
+struct bot_stall {
+    struct core core;
+    struct input input;
+    struct output output;
+    struct bot bot;
+};
+
+static inline void bot_stall_open(struct bot_stall *stall, const struct core_config *config,
+                                  const struct technique *technique)
+{
+    assert_int_equal(core_init(&stall->core, config), CORE_OK);
+    memset(&stall->input, 0, sizeof stall->input);
+    memset(&stall->output, 0, sizeof stall->output);
+    bot_init(&stall->bot, technique, config->seed);
+    stall->bot.hand.pose = stall->core.game.hand[0];
+}
+
+static inline struct sight bot_stall_sight(const struct bot_stall *stall)
+{
+    return (struct sight){ .core = &stall->core, .player = 0 };
+}
+
+/* START while nothing is played; else the bot's hand alone. */
+static inline void bot_stall_tick(struct bot_stall *stall)
+{
+    const uint8_t phase = stall->core.game.phase;
+    const int idle = phase == PHASE_ATTRACT || phase == PHASE_CHOOSE;
+    const struct sight sight = bot_stall_sight(stall);
+    stall->input.pressed = idle && stall->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+    stall->input.poi[0] = (struct poi_input){
+        .link = POI_LINK_LIVE,
+        .has_wrist = 1,
+        .trembles = 1,
+        .target = bot_tick(&stall->bot, &sight),
+    };
+    stall->output.sound_count = 0;
+    core_tick(&stall->core, &stall->input, &stall->output);
+}
+
+/* Until the round has begun. */
+static inline void bot_stall_begin(struct bot_stall *stall)
+{
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ && stall->core.game.phase != PHASE_ROUND; i++) {
+        bot_stall_tick(stall);
+    }
+    assert_int_equal(stall->core.game.phase, PHASE_ROUND);
+}
+
+/* Until the bot enters `stage`; returns whether it did so within `seconds` of the round. */
+static inline int bot_stall_until(struct bot_stall *stall, uint8_t stage, uint32_t seconds)
+{
+    for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {
+        if (stall->bot.stage == stage) {
+            return 1;
+        }
+        if (stall->core.game.phase == PHASE_RESULT) {
+            return 0;
+        }
+        bot_stall_tick(stall);
+    }
+    return 0;
+}
+
+#endif
