@@ -13,31 +13,7 @@
 #include "platform/folder.h"
 
 #define RETRY_S 1           /* Between two tries at a card that refused. */
-#define BUSY_MS 2000        /* Another program (kingyoctl, a backup) may hold the file this long. */
 #define SET_ASIDE_MAX 1000u /* Damaged files that may lie beside the good one. */
-
-/* A rollback journal, not WAL: one small write a minute, and no extra file has to survive for the
- * last one to count. EXTRA also syncs the folder after the journal is gone, so that a power cut
- * cannot bring the journal back and undo a round that saved_id() has named. */
-static const char schema[] = "PRAGMA journal_mode = DELETE;"
-                             "PRAGMA synchronous = EXTRA;"
-                             "CREATE TABLE IF NOT EXISTS rounds ("
-                             " number INTEGER PRIMARY KEY," /* Over all runs of the kiosk. */
-                             " id INTEGER NOT NULL,"        /* Within one run. */
-                             " seed INTEGER NOT NULL,"
-                             " start_tick INTEGER NOT NULL,"
-                             " end_tick INTEGER NOT NULL,"
-                             " caught INTEGER NOT NULL,"
-                             " by_bot INTEGER NOT NULL,"
-                             " ended_at INTEGER NOT NULL);"; /* Unix time, seconds. */
-
-static const char insert_round[] =
-    "INSERT INTO rounds (id, seed, start_tick, end_tick, caught, by_bot, ended_at)"
-    " VALUES (?, ?, ?, ?, ?, ?, ?)";
-
-static const char select_best_today[] =
-    "SELECT coalesce(max(caught), 0) FROM rounds WHERE by_bot = 0 AND ended_at >="
-    " CAST(strftime('%s', 'now', 'localtime', 'start of day', 'utc') AS INTEGER)";
 
 static void say(struct storage *storage, const char *what, const char *why, const char *advice)
 {
@@ -46,67 +22,15 @@ static void say(struct storage *storage, const char *what, const char *why, cons
 
 /* ---- opening ------------------------------------------------------------------------------ */
 
-static void close_database(struct storage *storage)
+/* Opens the file and reads what it knows of today, before the thread has it. */
+static int open_file(struct storage *storage)
 {
-    sqlite3_finalize(storage->insert);
-    sqlite3_close(storage->db);
-    storage->insert = NULL;
-    storage->db = NULL;
-}
-
-/* SQLITE_OK, or why the file cannot be used. SQLite finds most damage only when asked to look. */
-static int check_database(sqlite3 *db)
-{
-    sqlite3_stmt *check = NULL;
-    int code = sqlite3_prepare_v2(db, "PRAGMA quick_check(1)", -1, &check, NULL);
+    int code = score_file_open(&storage->file, storage->path);
     if (code == SQLITE_OK) {
-        code = sqlite3_step(check);
-        if (code == SQLITE_ROW) {
-            const unsigned char *verdict = sqlite3_column_text(check, 0);
-            const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
-            code = good ? SQLITE_OK : SQLITE_CORRUPT;
+        code = score_file_best_today(&storage->file, storage->best_today);
+        if (code != SQLITE_OK) {
+            score_file_close(&storage->file);
         }
-    }
-    sqlite3_finalize(check);
-    return code;
-}
-
-/* Before the thread has the connection. */
-static int read_best_today(struct storage *storage)
-{
-    sqlite3_stmt *select = NULL;
-    int code = sqlite3_prepare_v2(storage->db, select_best_today, -1, &select, NULL);
-    if (code == SQLITE_OK) {
-        code = sqlite3_step(select);
-        if (code == SQLITE_ROW) {
-            storage->best_today[MODE_FESTIVAL] = (uint32_t)sqlite3_column_int64(select, 0);
-            code = SQLITE_OK;
-        }
-    }
-    sqlite3_finalize(select);
-    return code;
-}
-
-static int open_database(struct storage *storage)
-{
-    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-    int code = sqlite3_open_v2(storage->path, &storage->db, flags, NULL);
-    if (code == SQLITE_OK) {
-        sqlite3_busy_timeout(storage->db, BUSY_MS);
-        code = check_database(storage->db);
-    }
-    if (code == SQLITE_OK) {
-        code = sqlite3_exec(storage->db, schema, NULL, NULL, NULL);
-    }
-    if (code == SQLITE_OK) {
-        code = sqlite3_prepare_v3(storage->db, insert_round, -1, SQLITE_PREPARE_PERSISTENT,
-                                  &storage->insert, NULL);
-    }
-    if (code == SQLITE_OK) {
-        code = read_best_today(storage);
-    }
-    if (code != SQLITE_OK) {
-        close_database(storage);
     }
     return code;
 }
@@ -150,28 +74,13 @@ static bool folder_is_there(struct storage *storage)
 
 /* ---- the thread --------------------------------------------------------------------------- */
 
-static int write_round(struct storage *storage, const struct storage_slot *slot)
-{
-    sqlite3_stmt *insert = storage->insert;
-    const struct round_record *record = &slot->record;
-    const int64_t values[] = { record->id,       record->seed,   record->start_tick,
-                               record->end_tick, record->caught, record->by_bot,
-                               slot->ended_s };
-    for (int i = 0; i < (int)(sizeof values / sizeof values[0]); i++) {
-        sqlite3_bind_int64(insert, i + 1, values[i]);
-    }
-    const int code = sqlite3_step(insert); /* Its own transaction: synced when it is done. */
-    sqlite3_reset(insert);
-    return code == SQLITE_DONE ? SQLITE_OK : code;
-}
-
 /* Writes what is queued, oldest first, and stops at the first refusal. */
 static void drain(struct storage *storage)
 {
     unsigned written = atomic_load(&storage->written);
     while (written != atomic_load(&storage->pushed)) {
         const struct storage_slot *slot = &storage->queue[written % STORAGE_QUEUE_MAX];
-        const int code = write_round(storage, slot);
+        const int code = score_file_write(&storage->file, &slot->record, slot->ended_s);
         atomic_store(&storage->error, code);
         if (code != SQLITE_OK) {
             atomic_fetch_add(&storage->refused, 1);
@@ -245,15 +154,15 @@ static int storage_open(void *self)
         return storage->dir ? HAL_ERR_IO : HAL_ERR_NONE;
     }
     sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
-    int code = open_database(storage);
+    int code = open_file(storage);
     if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && set_aside(storage)) {
-        code = open_database(storage);
+        code = open_file(storage);
     }
     if (code == SQLITE_OK && start_writer(storage)) {
         return HAL_OK;
     }
-    const char *why = code != SQLITE_OK ? sqlite3_errstr(code) : "no thread to be had";
-    close_database(storage);
+    const char *why = code != SQLITE_OK ? score_file_error(code) : "no thread to be had";
+    score_file_close(&storage->file);
     char what[HAL_TEXT_SIZE / 2];
     snprintf(what, sizeof what, "no store: %.56s", storage->path);
     say(storage, what, why, "rounds are not kept");
@@ -312,7 +221,7 @@ static void say_refused(struct storage *storage, int error, const char *advice)
 {
     char what[HAL_TEXT_SIZE / 2];
     snprintf(what, sizeof what, "store: %u rounds not written", unwritten_count(storage));
-    say(storage, what, sqlite3_errstr(error), advice);
+    say(storage, what, score_file_error(error), advice);
 }
 
 static const char *advice_for(int error)
@@ -362,7 +271,7 @@ static uint32_t storage_close(void *self)
         say_refused(storage, atomic_load(&storage->error), "they are lost");
     }
     sem_destroy(&storage->wake);
-    close_database(storage);
+    score_file_close(&storage->file);
     storage->running = false;
     atomic_store(&storage->stop, false);
     return lost;

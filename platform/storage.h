@@ -16,9 +16,7 @@
 #include <stdint.h>
 
 #include "platform/hal.h"
-
-struct sqlite3;
-struct sqlite3_stmt;
+#include "platform/score_file.h"
 
 #define STORAGE_FILE "kingyo.db"
 #define STORAGE_PATH_SIZE 512u
@@ -31,8 +29,7 @@ struct sqlite3_stmt;
 struct storage {
     const char *dir;      /* Where the file lives; must outlive this. Null: nothing is kept. */
 
-    struct sqlite3 *db;   /* The thread's alone once it runs. */
-    struct sqlite3_stmt *insert;
+    struct score_file file; /* The thread's alone once it runs. */
     uint32_t best_today[MODE_COUNT]; /* As the file said at open(); bots do not count. */
     char path[STORAGE_PATH_SIZE];
     char set_aside[STORAGE_PATH_SIZE + 32]; /* Where a damaged file went; empty: none was. */

@@ -60,7 +60,8 @@ static int open_store(struct stall *stall)
 static int save(struct stall *stall, uint32_t id, uint32_t caught, uint8_t by_bot)
 {
     const struct round_record record = { .id = id,          .seed = 7,        .start_tick = 120,
-                                         .end_tick = 7320, .caught = caught, .by_bot = by_bot };
+                                         .end_tick = 7320, .caught = caught, .by_bot = by_bot,
+                                         .players = 1,      .player = { { .caught = caught } } };
     return stall->device.ops->save(stall->device.self, &record);
 }
 
