@@ -24,13 +24,13 @@ static float belly_room_kg(float sag_m, float tangent)
 }
 
 /* In a tilted drum the water's surface reaches the wall's lowest point; when it meets the bottom it
- * is a wedge, whose volume goes as its length to 3/2. Half of the film lies under it. */
+ * is a wedge, whose volume goes as its length to 3/2. The film is part of what the ring holds. */
 static float ring_room_kg(float tangent)
 {
     const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
     const float wedge = 0.5f / f_max(fall, 0.5f);
     const float share = fall < 0.5f ? 1.0f - fall : 0.5f * wedge * f_sqrt(wedge);
-    return f_max(0.0f, RING_KG * share - 0.5f * FILM_KG);
+    return f_max(0.0f, RING_KG * share - FILM_KG);
 }
 
 float carry_room_kg(const struct poi *poi, float up_y)

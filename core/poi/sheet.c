@@ -7,11 +7,11 @@
 #include "core/poi/soak.h"
 #include "core/poi/tear.h"
 
-#define DAMAGE_TAU_S 0.05f   /* Life of a cell at its ultimate tension ... */
-#define LOAD_RATIO_MIN 0.25f /* ... and below this share of it, a day: ratio^10 is under 1e-6. */
+#define LOAD_RATIO_MIN 0.25f /* Of its ultimate tension paper bears for half a day. */
 #define LOAD_RATIO_NIL 0.02f /* Counts as none: its tenth power is no normal number. */
 #define EDGE_FACTOR 1.5f     /* Stress concentration along the ring ... */
 #define WET_LINE_FACTOR 2.5f /* ... and along the line between wet and dry (swelling differs). */
+#define STANDING_FACTOR_WORST (EDGE_FACTOR * WET_LINE_FACTOR)
 #define FOOT_TENSION_MIN_N_M 0.3f /* A footprint is felt as far as this; less wears nothing. */
 #define SAG_TAU_S 0.03f /* The belly takes water along and cannot jump. */
 
@@ -94,7 +94,7 @@ static void strain_row(struct strain *strain, const struct sheet *sheet, uint32_
 
 /* ---- Concentration -------------------------------------------------------------------------- */
 
-/* At the ring and along a wet line. */
+/* At the ring and along a wet line; where the two meet each raises what the other did. */
 static float standing_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
 {
     const float x = sheet_line_m(sheet, column), z = sheet_line_m(sheet, row);
@@ -102,7 +102,7 @@ static float standing_factor(const struct sheet *sheet, uint32_t row, uint32_t c
     const float edge = x * x + z * z > inner * inner ? EDGE_FACTOR : 1.0f;
     const int has_line = sheet->touched && !sheet->soaked;
     const float line = has_line ? soak_line(sheet, row, column) : 0.0f;
-    return f_max(edge, 1.0f + (WET_LINE_FACTOR - 1.0f) * line);
+    return edge * (1.0f + (WET_LINE_FACTOR - 1.0f) * line);
 }
 
 static void gather_stress(struct strain *strain, const struct sheet *sheet, uint32_t row,
@@ -149,11 +149,13 @@ static void gather_stress_at_tears(struct strain *strain, const struct sheet *sh
 
 /* ---- Damage --------------------------------------------------------------------------------- */
 
+_Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
+
 /* dD/dt = (1 / tau) ratio^10. */
 static float wear_per_s(float ratio)
 {
     const float r2 = ratio * ratio, r4 = r2 * r2, r8 = r4 * r4;
-    return f_min(r8 * r2, 1e6f) * (1.0f / DAMAGE_TAU_S);
+    return f_min(r8 * r2, 1e6f) * (1.0f / SHEET_DAMAGE_TAU_S);
 }
 
 /* Whether a cell tears before the tick is over. */
@@ -223,7 +225,7 @@ static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, f
     const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
     const float weakest = sheet->strength_min * (sheet->touched ? wettest : grade->dry_n_m);
     const float factor =
-        sheet->paper_cells < sheet->paper_cells_new ? TEAR_FACTOR_WORST : WET_LINE_FACTOR;
+        sheet->paper_cells < sheet->paper_cells_new ? TEAR_FACTOR_WORST : STANDING_FACTOR_WORST;
     return factor * centre_n_m < LOAD_RATIO_MIN * weakest;
 }
 

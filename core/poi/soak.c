@@ -71,19 +71,22 @@ void soak_tick(struct sheet *sheet, struct sheet_wetting wet)
     }
 }
 
+/* Of wetness, between two cells on both sides of one; 0 unless paper is there. */
+static float step_between(const struct sheet *sheet, uint32_t before, uint32_t after)
+{
+    const int is_paper = sheet->state[before] == CELL_PAPER && sheet->state[after] == CELL_PAPER;
+    return is_paper ? f_abs(sheet->wetness[before] - sheet->wetness[after]) : 0.0f;
+}
+
 float soak_line(const struct sheet *sheet, uint32_t row, uint32_t column)
 {
-    if (is_border(row, column)) {
-        return 0.0f;
-    }
-    const uint32_t cell = row * SHEET_SIDE + column;
-    const uint32_t pairs[2][2] = { { cell - 1u, cell + 1u },
-                                   { cell - SHEET_SIDE, cell + SHEET_SIDE } };
+    const uint32_t cell = row * SHEET_SIDE + column, last = SHEET_SIDE - 1u;
     float step = 0.0f;
-    for (uint32_t i = 0; i < 2; i++) {
-        if (sheet->state[pairs[i][0]] == CELL_PAPER && sheet->state[pairs[i][1]] == CELL_PAPER) {
-            step = f_max(step, f_abs(sheet->wetness[pairs[i][0]] - sheet->wetness[pairs[i][1]]));
-        }
+    if (column > 0 && column < last) {
+        step = step_between(sheet, cell - 1u, cell + 1u);
+    }
+    if (row > 0 && row < last) {
+        step = f_max(step, step_between(sheet, cell - SHEET_SIDE, cell + SHEET_SIDE));
     }
     return f_min(step / LINE_STEP, 1.0f);
 }

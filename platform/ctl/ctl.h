@@ -15,7 +15,7 @@ struct ctl_command {
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
-extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid;
+extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper;
 
 /* One line on standard error, "kingyoctl COMMAND: ...", and EXIT_USAGE. */
 __attribute__((format(printf, 2, 3)))

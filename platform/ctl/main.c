@@ -5,7 +5,8 @@
 #include "core/core.h"
 #include "platform/ctl/ctl.h"
 
-static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_play, &ctl_replay, &ctl_hid };
+static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_paper, &ctl_play,
+                                                      &ctl_replay, &ctl_hid };
 
 static void print_help(void)
 {
