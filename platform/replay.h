@@ -8,8 +8,10 @@
  *            modes, grade, players, best_today of each mode), u32 zero, u64 sum of the 80 bytes
  *            before it
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
- *            caught, u64 core_hash after the last tick, payload, u64 sum
- *   end      "ENDS", u32 tick count, u32 rounds begun, u32 fish caught, u64 core_hash, u64 sum
+ *            caught, u32 fouls, u16 modes played, u16 players, u64 core_hash after the last tick,
+ *            payload, u64 sum
+ *   end      "ENDS", u32 tick count, u32 rounds begun, u32 fish caught, u32 fouls, u16 modes
+ *            played, u16 players, u64 core_hash, u64 sum
  *   payload  a tick after the other: the input as what changed since the one before
  *            (replay_codec.c), then the low 32 bits of core_hash_quick after the tick
  *
@@ -31,8 +33,8 @@
 
 #define REPLAY_VERSION 3u /* 1 knew no shadows, 2 no modes: each is refused by its number. */
 #define REPLAY_HEADER_SIZE 88u
-#define REPLAY_CHUNK_HEAD_SIZE 32u
-#define REPLAY_END_SIZE 32u
+#define REPLAY_CHUNK_HEAD_SIZE 40u
+#define REPLAY_END_SIZE 40u
 #define REPLAY_SUM_SIZE 8u
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
 #define REPLAY_PROGRAM_SIZE 16u
@@ -53,7 +55,9 @@ struct replay_header {
 
 /* What a part's end says of everything up to there. */
 struct replay_totals {
-    uint32_t ticks, rounds, caught;
+    uint32_t ticks, rounds, caught, fouls;
+    uint16_t modes;   /* Of rounds, a bit (1 << enum game_mode) each. */
+    uint16_t players; /* Who took part in one, a bit each. */
     uint64_t hash; /* core_hash */
 };
 
@@ -71,6 +75,9 @@ size_t replay_encode_input(const struct input *before, const struct input *input
 /* Reads one input into `input`, which holds the tick before. Returns the bytes used, or 0 when
  * they end early or say what no recorder writes: then `input` is as it was. */
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size);
+
+/* Whether two agree in everything but ticks and hash. */
+int replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b);
 
 /* ---- Writer (replay_writer.c) ---- */
 

@@ -281,3 +281,9 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
     *input = next;
     return (size_t)(left.at - bytes);
 }
+
+int replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b)
+{
+    return a->rounds == b->rounds && a->caught == b->caught && a->fouls == b->fouls &&
+           a->modes == b->modes && a->players == b->players;
+}

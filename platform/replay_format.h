@@ -20,13 +20,17 @@ enum {
     CHUNK_TICK_COUNT = 12,
     CHUNK_ROUNDS = 16,
     CHUNK_CAUGHT = 20,
-    CHUNK_HASH = 24,
+    CHUNK_FOULS = 24,
+    CHUNK_WHO = 28,
+    CHUNK_HASH = 32,
 
     END_TICKS = 4,
     END_ROUNDS = 8,
     END_CAUGHT = 12,
-    END_HASH = 16,
-    END_SUM = 24,
+    END_FOULS = 16,
+    END_WHO = 20,
+    END_HASH = 24,
+    END_SUM = 32,
 };
 
 #endif

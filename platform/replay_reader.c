@@ -151,12 +151,13 @@ static int read_end(struct replay_reader *reader)
         .ticks = replay_get_u32(end + END_TICKS),
         .rounds = replay_get_u32(end + END_ROUNDS),
         .caught = replay_get_u32(end + END_CAUGHT),
+        .fouls = replay_get_u32(end + END_FOULS),
+        .modes = (uint16_t)replay_get_u32(end + END_WHO),
+        .players = (uint16_t)(replay_get_u32(end + END_WHO) >> 16),
         .hash = replay_get_u64(end + END_HASH),
     };
-    const int same = totals.ticks == reader->tick && totals.rounds == reader->totals.rounds &&
-                     totals.caught == reader->totals.caught &&
-                     (reader->tick == 0 || totals.hash == reader->totals.hash);
-    if (!same) {
+    if (!replay_totals_agree(&totals, &reader->totals) || totals.ticks != reader->tick ||
+        (reader->tick != 0 && totals.hash != reader->totals.hash)) {
         return refuse(reader, 0, reader->offset, "the end mark does not agree with the "
                                                  "last second");
     }
@@ -203,6 +204,9 @@ static int read_chunk(struct replay_reader *reader)
         .ticks = reader->tick + tick_count,
         .rounds = replay_get_u32(head + CHUNK_ROUNDS),
         .caught = replay_get_u32(head + CHUNK_CAUGHT),
+        .fouls = replay_get_u32(head + CHUNK_FOULS),
+        .modes = (uint16_t)replay_get_u32(head + CHUNK_WHO),
+        .players = (uint16_t)(replay_get_u32(head + CHUNK_WHO) >> 16),
         .hash = replay_get_u64(head + CHUNK_HASH),
     };
     reader->chunk_left = tick_count;

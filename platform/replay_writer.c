@@ -27,12 +27,19 @@ static int write_at(int fd, const uint8_t *bytes, size_t size, uint64_t offset)
     return 0;
 }
 
+static uint32_t who_played(const struct replay_totals *totals)
+{
+    return (uint32_t)totals->modes | (uint32_t)totals->players << 16;
+}
+
 static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t sum)
 {
     memcpy(out, REPLAY_END_TAG, 4);
     replay_put_u32(out + END_TICKS, totals->ticks);
     replay_put_u32(out + END_ROUNDS, totals->rounds);
     replay_put_u32(out + END_CAUGHT, totals->caught);
+    replay_put_u32(out + END_FOULS, totals->fouls);
+    replay_put_u32(out + END_WHO, who_played(totals));
     replay_put_u64(out + END_HASH, totals->hash);
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
@@ -124,6 +131,8 @@ static void write_chunk(struct replay_writer *writer)
     replay_put_u32(head + CHUNK_TICK_COUNT, writer->chunk_ticks);
     replay_put_u32(head + CHUNK_ROUNDS, writer->totals.rounds);
     replay_put_u32(head + CHUNK_CAUGHT, writer->totals.caught);
+    replay_put_u32(head + CHUNK_FOULS, writer->totals.fouls);
+    replay_put_u32(head + CHUNK_WHO, who_played(&writer->totals));
     replay_put_u64(head + CHUNK_HASH, writer->totals.hash);
 
     const size_t summed = REPLAY_CHUNK_HEAD_SIZE + writer->payload_size;

@@ -4,6 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/core.h"
 #include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
 #include "platform/kiosk/replayer.h"
@@ -13,6 +14,54 @@ static const char speaker[] = "kingyoctl replay";
 
 /* ---- info ----------------------------------------------------------------------------------- */
 
+static uint32_t count_bits(uint32_t bits)
+{
+    uint32_t count = 0;
+    for (; bits; bits &= bits - 1u) {
+        count++;
+    }
+    return count;
+}
+
+/* Each mode that was played, with the paper's grade. */
+static void print_modes(const struct core_config *config, uint32_t modes, int as_json)
+{
+    uint32_t count = 0;
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        if (modes >> mode & 1u) {
+            printf(as_json ? "%s{\"mode\": \"%s\", \"grade\": %u}" : "%s%s with No. %u paper",
+                   count++ ? ", " : "", rules_of(mode)->name, keeper_grade(config, mode));
+        }
+    }
+}
+
+static void info_json(const struct replay_header *header, const struct replay_totals *totals)
+{
+    const struct core_config *config = &header->config;
+    printf("{\"format\": %u, \"program\": \"%s\", \"seed\": %u, \"fish\": %u, \"round_s\": %u, "
+           "\"ticks\": %u, \"seconds\": %.3f, \"modes\": [",
+           REPLAY_VERSION, header->program, config->seed, config->fish_count, config->round_s,
+           totals->ticks, (double)totals->ticks / CORE_TICK_HZ);
+    print_modes(config, totals->modes, 1);
+    printf("], \"players\": %u, \"rounds\": %u, \"caught\": %u, \"fouls\": %u, "
+           "\"hash\": \"%016llx\"}\n",
+           count_bits(totals->players), totals->rounds, totals->caught, totals->fouls,
+           (unsigned long long)totals->hash);
+}
+
+static void info_text(const struct replay_header *header, const struct replay_totals *totals)
+{
+    printf("recorded by  Kingyo %s, format %u\nseed         %u\nlength       %.1f s, %u ticks\n"
+           "played       ",
+           header->program, REPLAY_VERSION, header->config.seed,
+           (double)totals->ticks / CORE_TICK_HZ, totals->ticks);
+    print_modes(&header->config, totals->modes, 0);
+    printf("%s\nplayers      %u\nrounds       %u\ncaught       %u\nfouls        %u\n"
+           "state hash   %016llx\n",
+           totals->modes ? "" : "nothing", count_bits(totals->players), totals->rounds,
+           totals->caught, totals->fouls, (unsigned long long)totals->hash);
+}
+
 static enum exit_code info(const char *path, int as_json)
 {
     static struct replay_reader reader;
@@ -20,21 +69,7 @@ static enum exit_code info(const char *path, int as_json)
     if (replay_scan(&reader, path, &totals)) {
         return replayer_tell_problem(speaker, path, &reader.problem);
     }
-    const struct core_config *config = &reader.header.config;
-    const double seconds = (double)totals.ticks / CORE_TICK_HZ;
-    const unsigned long long hash = totals.hash;
-    if (as_json) {
-        printf("{\"format\": %u, \"program\": \"%s\", \"seed\": %u, \"fish\": %u, \"round_s\": %u, "
-               "\"ticks\": %u, \"seconds\": %.3f, \"rounds\": %u, \"caught\": %u, "
-               "\"hash\": \"%016llx\"}\n",
-               REPLAY_VERSION, reader.header.program, config->seed, config->fish_count,
-               config->round_s, totals.ticks, seconds, totals.rounds, totals.caught, hash);
-    } else {
-        printf("recorded by  Kingyo %s, format %u\nseed         %u\nlength       %.1f s, %u ticks\n"
-               "rounds       %u\ncaught       %u\nstate hash   %016llx\n",
-               reader.header.program, REPLAY_VERSION, config->seed, seconds, totals.ticks,
-               totals.rounds, totals.caught, hash);
-    }
+    (as_json ? info_json : info_text)(&reader.header, &totals);
     return EXIT_OK;
 }
 
@@ -78,8 +113,9 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
                (unsigned long long)difference->computed);
         return EXIT_NOT_SO;
     }
-    printf("%s: true: %u ticks, %u rounds, %u caught, hash %016llx, %.0f times real time\n", path,
-           totals->ticks, totals->rounds, totals->caught,
+    printf("%s: true: %u ticks, %u rounds, %u caught, %u fouls, hash %016llx, "
+           "%.0f times real time\n",
+           path, totals->ticks, totals->rounds, totals->caught, totals->fouls,
            (unsigned long long)replayer->reader.totals.hash,
            took_s > 0.0 ? (double)totals->ticks / CORE_TICK_HZ / took_s : 0.0);
     return EXIT_OK;
@@ -143,7 +179,8 @@ const struct ctl_command ctl_replay = {
     .name = name,
     .summary = "what is in a recording, and whether it is true",
     .usage =
-        "  kingyoctl replay info FILE [--json]   length, rounds, catch and hash, without a play\n"
+        "  kingyoctl replay info FILE [--json]   length, modes with their paper, players, rounds,\n"
+        "                                        catch, fouls and hash, without a play\n"
         "  kingyoctl replay verify FILE          plays it again at full speed, without a screen;\n"
         "                                        names the first tick that differs (exit 1)\n",
     .run = run,

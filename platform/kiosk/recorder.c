@@ -3,23 +3,34 @@
 
 #include <string.h>
 
-void recorder_count(struct replay_totals *totals, uint32_t caught[POI_MAX],
+/* How much a count rose since `*before`. */
+static uint32_t risen(uint32_t *before, uint32_t now)
+{
+    const uint32_t rise = now > *before ? now - *before : 0;
+    *before = now;
+    return rise;
+}
+
+void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
                     const struct core *core)
 {
+    const struct game *game = &core->game;
     totals->ticks++;
-    totals->rounds = core->game.round_count;
+    totals->rounds = game->round_count;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->game.player[i].caught > caught[i]) {
-            totals->caught += core->game.player[i].caught - caught[i];
+        totals->caught += risen(&tally->caught[i], game->player[i].caught);
+        totals->fouls += risen(&tally->fouls[i], game->player[i].fouls);
+        if (game->phase == PHASE_ROUND && game->player[i].plays) {
+            totals->modes |= (uint16_t)(1u << game->mode);
+            totals->players |= (uint16_t)(1u << i);
         }
-        caught[i] = core->game.player[i].caught;
     }
 }
 
 int recorder_begin(struct recorder *recorder, const char *path, const struct core *core)
 {
     memset(&recorder->totals, 0, sizeof recorder->totals);
-    memset(recorder->caught, 0, sizeof recorder->caught);
+    memset(&recorder->tally, 0, sizeof recorder->tally);
     recorder->core = core;
     recorder->is_in_tick = 0;
     recorder->totals.hash = core_hash(core);
@@ -37,7 +48,7 @@ static void recorder_tick(void *self, const struct input *input, const struct co
 {
     struct recorder *recorder = self;
     recorder->is_in_tick = 0;
-    recorder_count(&recorder->totals, recorder->caught, core);
+    recorder_count(&recorder->totals, &recorder->tally, core);
     if (replay_wants_hash(&recorder->writer)) {
         recorder->totals.hash = core_hash(core);
     }

@@ -8,17 +8,23 @@
 #include "platform/kiosk/kiosk.h"
 #include "platform/replay.h"
 
+/* Catches and fouls after the last tick, to see them rise. */
+struct recorder_tally {
+    uint32_t caught[POI_MAX], fouls[POI_MAX];
+};
+
 struct recorder {
     struct replay_writer writer;
     struct replay_totals totals;
-    uint32_t caught[POI_MAX]; /* The scores after the last tick, to see them rise. */
+    struct recorder_tally tally;
     const struct core *core;  /* Hashed once more for the last, begun second. */
     struct input begun;       /* Of the tick that runs now ... */
     uint8_t is_in_tick;       /* ... if one does. */
 };
 
-/* Counts rounds begun and fish landed up to and with this tick. A score that fell began anew. */
-void recorder_count(struct replay_totals *totals, uint32_t caught[POI_MAX],
+/* Counts rounds begun, fish caught and fouls up to and with this tick, and who played what. A count
+ * that fell began anew. */
+void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
                     const struct core *core);
 
 /* Begins a recording of `core`, which is fresh and outlives it. 0 or a negative errno. */

@@ -47,12 +47,14 @@ static void replayer_tick(void *self, const struct input *input, const struct co
     struct replayer *replayer = self;
     const struct replay_reader *reader = &replayer->reader;
     (void)input;
-    recorder_count(&replayer->totals, replayer->caught, core);
+    recorder_count(&replayer->totals, &replayer->tally, core);
     compare(replayer, 0, reader->digest, (uint32_t)core_hash_quick(core));
     if (reader->chunk_left == 0 && !replayer->difference.found) {
         compare(replayer, 1, reader->totals.hash, core_hash(core));
         compare(replayer, 1, reader->totals.rounds, replayer->totals.rounds);
         compare(replayer, 1, reader->totals.caught, replayer->totals.caught);
+        compare(replayer, 1, reader->totals.fouls, replayer->totals.fouls);
+        compare(replayer, 1, 1, (uint64_t)replay_totals_agree(&reader->totals, &replayer->totals));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "platform/kiosk/kiosk.h"
 #include "platform/kiosk/options.h"
+#include "platform/kiosk/recorder.h"
 #include "platform/replay.h"
 
 /* The first tick whose digest, or whose second's hash, is not the recorded one. */
@@ -17,7 +18,7 @@ struct replay_difference {
 struct replayer {
     struct replay_reader reader;
     struct replay_totals totals; /* As computed so far. */
-    uint32_t caught[POI_MAX];
+    struct recorder_tally tally;
     struct replay_difference difference;
     uint8_t damaged;             /* The file ended in an error: reader.problem. */
 };

@@ -85,6 +85,15 @@ for i in 1 2 3; do
         "'$ctl' replay verify '$work/rec/round-0000$i.kgr' | grep -F \"\$(value '$work/a.json' 'rounds[$((i - 1))].state_hash')\""
 done
 
+play --bot expert --mode championship --grade 7 --json --record "$work/won" >"$work/c.json"
+"$ctl" replay info --json "$work/won/round-00001.kgr" >"$work/info.json"
+check 'a recording tells who played what, and with what paper' holds "$work/info.json" \
+    "json_extract(j,'\$.modes')=json('[{\"mode\":\"championship\",\"grade\":7}]') and json_extract(j,'\$.players')=1
+     and json_extract(j,'\$.rounds')=1"
+check 'and what came of it' eval '[ "$(value "$work/info.json" caught) $(value "$work/info.json" fouls) $(value "$work/info.json" hash)" = \
+    "$(value "$work/c.json" "rounds[0].caught") $(value "$work/c.json" "rounds[0].fouls") $(value "$work/c.json" "rounds[0].state_hash")" ]'
+check 'for people too' eval '"$ctl" replay info "$work/won/round-00001.kgr" | grep -q "championship with No. 7 paper"'
+
 # ---- Bots from files
 printf 'base=novice\n' >"$work/novice.bot"
 play --bot "$work/novice.bot" --rounds 3 --seed 7 --json >"$work/b.json"

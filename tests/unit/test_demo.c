@@ -46,7 +46,7 @@ static void record(const char *name, uint32_t count, uint32_t wrong)
     assert_int_equal(recorder_begin(&recorder, recording, &core), 0);
     for (uint32_t tick = 0; tick < count; tick++) {
         core_tick(&core, &input, &output);
-        recorder_count(&recorder.totals, recorder.caught, &core);
+        recorder_count(&recorder.totals, &recorder.tally, &core);
         recorder.totals.hash = core_hash(&core);
         const uint32_t digest = (uint32_t)core_hash_quick(&core) ^ (uint32_t)(tick == wrong);
         replay_add(&recorder.writer, &input, digest, &recorder.totals);

@@ -80,6 +80,9 @@ static void write_ticks(uint32_t count)
         const struct input input = input_of(tick);
         totals.ticks++;
         totals.caught = tick / 100u;
+        totals.fouls = tick / 200u;
+        totals.modes = (uint16_t)(1u << tick / 300u);
+        totals.players = (uint16_t)(tick / 100u | 8u);
         totals.hash = 1000u + tick;
         replay_add(&writer, &input, tick * 3u, &totals);
     }
@@ -147,6 +150,9 @@ static void test_every_input_comes_back_to_the_bit(void **state)
     assert_int_equal(replay_next(&reader, &none), 0);
     assert_int_equal(reader.totals.ticks, 500);
     assert_int_equal(reader.totals.caught, 4);
+    assert_int_equal(reader.totals.fouls, 2);
+    assert_int_equal(reader.totals.modes, 1u << MODE_CHAMPIONSHIP);
+    assert_int_equal(reader.totals.players, 12);
     assert_int_equal(reader.totals.hash, 1499);
     replay_close(&reader);
 }
@@ -452,6 +458,39 @@ static void test_a_true_recording_is_found_true(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
+/* Attract is nobody's; then the first player's festival. */
+static void test_a_recording_knows_who_played_what(void **state)
+{
+    (void)state;
+    play_and_record(3, UINT32_MAX);
+    assert_int_equal(recorder.totals.rounds, 1);
+    assert_int_equal(recorder.totals.modes, 0);
+    assert_int_equal(recorder.totals.players, 0);
+    play_and_record(5, UINT32_MAX);
+    replay_all();
+    assert_int_equal(replayer.difference.found, 0);
+    assert_int_equal(replayer.reader.totals.modes, 1u << MODE_FESTIVAL);
+    assert_int_equal(replayer.reader.totals.players, 1);
+}
+
+/* Each count that a foul or a catch raises is held against the file, whichever of its seconds. */
+static void test_counts_rise_with_the_scores_and_begin_anew_with_a_round(void **state)
+{
+    static const uint32_t caught[] = { 0, 2, 2, 0, 1 }, fouls[] = { 1, 1, 3, 0, 1 };
+    struct replay_totals totals = { 0 };
+    struct recorder_tally tally = { 0 };
+    (void)state;
+    memset(&core, 0, sizeof core);
+    for (size_t i = 0; i < sizeof caught / sizeof caught[0]; i++) {
+        core.game.player[2].caught = caught[i];
+        core.game.player[2].fouls = (uint8_t)fouls[i];
+        recorder_count(&totals, &tally, &core);
+    }
+    assert_int_equal(totals.ticks, 5);
+    assert_int_equal(totals.caught, 3);
+    assert_int_equal(totals.fouls, 4);
+}
+
 static void test_the_first_tick_that_differs_is_named(void **state)
 {
     (void)state;
@@ -522,6 +561,8 @@ int main(void)
         cmocka_unit_test(test_a_recording_is_never_replaced),
         cmocka_unit_test(test_a_path_that_cannot_be_written_is_told),
         cmocka_unit_test(test_a_true_recording_is_found_true),
+        cmocka_unit_test(test_a_recording_knows_who_played_what),
+        cmocka_unit_test(test_counts_rise_with_the_scores_and_begin_anew_with_a_round),
         cmocka_unit_test(test_the_first_tick_that_differs_is_named),
         cmocka_unit_test(test_a_recording_that_a_panic_ends_leads_to_the_panic),
         cmocka_unit_test(test_a_panic_between_ticks_adds_none),
