@@ -1,6 +1,6 @@
 in vec3 world;
 in vec3 face;
-in vec2 shell;
+in vec3 shell;
 uniform vec4 mouth;
 uniform vec4 form;
 uniform vec4 paint;
@@ -30,7 +30,9 @@ void main()
     vec3 enamel = vec3(1.0, 0.995, 0.97);
     float band = smoothstep(0.90, 0.925, shell.y);
     float stripe = (1.0 - smoothstep(0.015, 0.030, abs(shell.y - 0.82))) * (1.0 - shell.x);
-    vec3 tint = mix(enamel, paint.rgb, max(band, 0.8 * stripe));
+    float gap = min(paint.w, 1.0)
+        * smoothstep(cos(0.21 * paint.w), cos(0.16 * paint.w) + 1e-4, shell.z);
+    vec3 tint = mix(enamel, paint.rgb, max(band, 0.8 * stripe) * (1.0 - gap));
     float inside = 1.0 - shell.x;
     float light = texture(caustics, world.xz * CAUSTIC_TILES * 1.6).r;
     tint *= lit * mix(1.0, 0.62 + 0.38 * shell.y, inside * 0.55);

@@ -4,20 +4,24 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 surface;   // x: 0 inside, 1 outside; y: 0 bottom .. 1 lip.
 uniform vec4 mouth;                     // Centre; w: radius.
 uniform vec4 form;                      // x: depth, m; y: from the water's disc to the mouth's.
+uniform mat3 heel;                      // How it leans; its water stays level.
 out vec3 world;
 out vec3 face;
-out vec2 shell;
+uniform vec4 paint;                     // w: how many white gaps its band has.
+out vec3 shell;                         // z: 1 in the middle of a gap.
 
 void main()
 {
 #ifdef HOLE
-    vec3 local = vec3(position.x * form.y, 0.0, position.z * form.y);
+    vec3 local = heel * (vec3(position.x * form.y, 0.0, position.z * form.y) * mouth.w);
+#elif defined(WATER)
+    vec3 local = position * vec3(mouth.w * 1.015, form.x, mouth.w * 1.015); // Into the wall.
 #else
-    vec3 local = position;
+    vec3 local = heel * (position * vec3(mouth.w, form.x, mouth.w));
 #endif
-    world = mouth.xyz + local * vec3(mouth.w, form.x, mouth.w);
-    face = normalize(normal / vec3(mouth.w, form.x, mouth.w));
-    shell = surface;
+    world = mouth.xyz + local;
+    face = heel * normalize(normal / vec3(mouth.w, form.x, mouth.w));
+    shell = vec3(surface, cos(paint.w * atan(position.x, position.z)));
     gl_Position = view_projection * vec4(world, 1.0);
 #ifdef HOLE
     gl_Position.z = gl_Position.w; // The far plane: what a bowl holds shows over the tank's water.

@@ -1,7 +1,19 @@
 in vec3 world;
 in vec3 face;
-uniform vec4 paint;
+in vec3 at;                     // In ring radii.
+uniform vec4 paint;             // w: how many white marks tell this player from the others.
 out vec4 color;
+
+// So many bands about the handle and round the ring, for who cannot tell the colours.
+float marks()
+{
+    float along = (at.z - 2.0) / 0.30;
+    float band = step(0.0, along) * step(along, paint.w)
+        * (1.0 - smoothstep(0.22, 0.26, abs(fract(along) - 0.5)));
+    float turn = fract(atan(at.x, -at.z) / 6.2831853 * paint.w) - 0.5;
+    float on_ring = 1.0 - smoothstep(0.045, 0.055, abs(turn) / max(paint.w, 1.0));
+    return min(paint.w, 1.0) * (at.z > 1.19 ? band : on_ring);
+}
 
 void main()
 {
@@ -16,7 +28,8 @@ void main()
     // The outline of a round solid is where it turns away: fading there, one pixel wide, is its
     // anti-aliasing, with or without multisampling.
     float cover = clamp(facing / fwidth(facing), 0.0, 1.0);
-    vec3 tint = paint.rgb * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);
+    vec3 plastic = mix(paint.rgb, vec3(1.0, 0.98, 0.94), marks());
+    vec3 tint = plastic * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);
     vec3 left = water_passes(-world.y * 1.2);
     color = vec4(mix(WATER_COLOR, tint, left), 1.0) * cover;
 }

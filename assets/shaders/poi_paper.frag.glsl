@@ -1,10 +1,11 @@
 in vec3 world;
 in vec3 face;
 in vec2 at;
-uniform vec4 paper;
+uniform vec4 paper;             // z: 1 in practice, when its colour is its stress.
+uniform vec2 pool;              // World height of the water that lies on it; depth of its film.
 uniform vec4 rests[2];          // Fish on this paper: middle, length in m.
 uniform vec3 spines[2];
-uniform sampler2DArray sheet;   // r: wetness, g: integrity, b: paper is there.
+uniform sampler2DArray sheet;   // r: wetness, g: integrity, b: paper is there, a: stress.
 uniform sampler2D fibres;
 out vec4 color;
 
@@ -18,9 +19,23 @@ float shade(vec4 rest, vec3 spine)
         * (1.0 - smoothstep(0.34, 0.62, abs(along) / max(rest.w, 1e-4)));
 }
 
+// From an easy load to one that tears: dark to bright all the way, for every eye. As ui_shader.c.
+vec3 heat(float t)
+{
+    vec3 c = mix(vec3(0.07, 0.16, 0.52), vec3(0.05, 0.55, 0.60), smoothstep(0.0, 0.35, t));
+    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.35, 0.75, t));
+    return mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.75, 1.0, t));
+}
+
+float fifth_powers(float x)     // x to the 32nd: a lamp in a wet skin.
+{
+    x *= x; x *= x; x *= x; x *= x;
+    return x * x;
+}
+
 void main()
 {
-    vec3 cell = texture(sheet, vec3(at, paper.y)).rgb;
+    vec4 cell = texture(sheet, vec3(at, paper.y));
     float fibre = texture(fibres, at * 1.7).r;
     float frayed = texture(fibres, at * 3.1 + 0.3).r - 0.5;
     float solid = cell.b + (fibre - 0.5) * 0.45 + frayed * 0.5;
@@ -33,23 +48,47 @@ void main()
     float lip = (1.0 - smoothstep(0.5, 0.72, solid)) * (1.0 - step(0.995, cell.b));
     float fold = smoothstep(0.60, 0.82, solid) * (1.0 - smoothstep(0.82, 1.0, solid))
         * (1.0 - step(0.995, cell.b));
-    vec3 n = normalize(face);
     vec3 view = normalize(eye.xyz - world);
+    vec3 n = normalize(face);
+    n *= sign(dot(n, view)); // Either face of it.
     float lit = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
     lit *= 1.0 - 0.7 * shade_at(world, bend.z);
     vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
     vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
-    vec3 tint = mix(dry, soaked, wet) * lit;
+    vec3 load = mix(dry, heat(cell.a) * (0.80 + 0.36 * fibre), 0.78 + 0.20 * wet);
+    float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Where wet meets dry.
+    load *= 0.45 + 0.55 * smoothstep(0.7, 1.7, front);
+    vec3 tint = mix(mix(dry, soaked, wet), load, paper.z) * lit;
     float dark = max(shade(rests[0], spines[0]), shade(rests[1], spines[1]));
     tint *= (1.0 - 0.30 * fold) * (1.0 - 0.55 * dark);
     tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.55 * lip);
     float alpha = mix(0.95, 0.34 + 0.32 * fibre, wet) * (1.0 - 0.28 * worn * wet);
+    alpha = mix(alpha, 0.92 - 0.12 * wet, paper.z);
     alpha += 0.30 * dark * (1.0 - alpha);
     alpha = mix(alpha, 0.95, max(0.8 * lip, 0.35 * fold));
-    float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);
-    shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+    // Water on it: a film that shines with the fibres, and a pool that lies level, deeper in
+    // colour, with a bright edge where it climbs the paper.
     float above = step(0.0, world.y);
-    tint += shine * wet * above * 0.35;
+    vec3 lamp = normalize(view + LAMP_DIRECTION);
+    float deep = above * max(pool.x - world.y, 0.0);
+    float pooled = smoothstep(0.0, 0.0004, deep);
+    float edge = pooled * (1.0 - smoothstep(0.0004, 0.0013, deep));
+    float film = above * smoothstep(0.0, 0.0004, pool.y) * wet * (1.0 - pooled);
+    vec3 skin = normalize(n + vec3(fibre - 0.5, 0.0, frayed) * 0.10);
+    float gloss = film * fifth_powers(max(dot(skin, lamp), 0.0));
+    vec3 ripple = normalize(vec3(0.10 * sin(at.y * 21.0 + eye.w * 3.0 + 4.0 * frayed), 1.0,
+                                 0.08 * sin(at.x * 26.0 - eye.w * 2.3 + 3.0 * fibre)));
+    float mirror = pooled * fifth_powers(max(dot(ripple, lamp), 0.0));
+    mirror *= mirror;
+    float away = 1.0 - max(view.y, 0.0);
+    tint *= mix(vec3(1.0), vec3(0.70, 0.90, 0.96), pooled * (1.0 - exp(-260.0 * deep)));
+    alpha = mix(alpha, max(alpha, 0.80), pooled * 0.6);
+    tint += pooled * (0.02 + 0.5 * away * away * away) * vec3(0.75, 0.90, 1.0);
+    float shine = max(dot(n, lamp), 0.0);
+    shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+    float glints = shine * wet * above * (0.35 - 0.25 * pooled);
+    glints += 0.25 * gloss * gloss + 0.30 * mirror + 0.16 * edge;
+    tint += glints * (1.0 - 0.75 * paper.z); // On the map of stress white has a meaning.
     vec3 left = water_passes(-world.y * 1.2);
     color = vec4(mix(WATER_COLOR, tint, left) * alpha, alpha);
 }

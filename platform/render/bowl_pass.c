@@ -90,6 +90,7 @@ static struct bowl_part open_part(struct gl_status *status, const char *name, co
     part.mouth = glGetUniformLocation(part.program, "mouth");
     part.form = glGetUniformLocation(part.program, "form");
     part.paint = glGetUniformLocation(part.program, "paint");
+    part.heel = glGetUniformLocation(part.program, "heel");
     return part;
 }
 
@@ -123,7 +124,11 @@ void bowl_pass_close(struct bowl_pass *pass)
 static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
 {
     const vec3 at = bowl->position_m;
+    const struct basis axes = basis_from_angles(bowl->angles);
+    const float heel[9] = { axes.right.x, axes.right.y, axes.right.z, axes.up.x, axes.up.y,
+                            axes.up.z,    axes.back.x,  axes.back.y,  axes.back.z };
     glUseProgram(part->program);
+    glUniformMatrix3fv(part->heel, 1, GL_FALSE, heel);
     glUniform4f(part->mouth, at.x, at.y, at.z, bowl->radius_m);
     glUniform4f(part->form, bowl->depth_m, 1.0f / radius_at(WATER_LEVEL), 0.0f, 0.0f);
     glUniform4fv(part->paint, 1, poi_paint(bowl->owner));

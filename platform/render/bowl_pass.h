@@ -7,7 +7,7 @@
 
 struct bowl_part {
     GLuint program;
-    GLint mouth, form, paint;
+    GLint mouth, form, paint, heel;
 };
 
 struct bowl_pass {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "platform/render/poi_pool.h"
 #include "shaders.h"
 
 #define RING_MIDDLE 1.08f /* Inner 40 mm, outer 46.5 mm. */
@@ -23,10 +24,10 @@
 const float *poi_paint(uint8_t owner)
 {
     static const float paints[POI_MAX][4] = {
-        { 0.97f, 0.30f, 0.46f, 1.0f }, /* Peach pink, as stalls use most. */
-        { 0.20f, 0.52f, 0.95f, 1.0f },
-        { 0.25f, 0.76f, 0.36f, 1.0f },
-        { 0.98f, 0.74f, 0.16f, 1.0f },
+        { 0.97f, 0.30f, 0.46f, 0.0f }, /* Peach pink, as stalls use most. */
+        { 0.20f, 0.52f, 0.95f, 2.0f },
+        { 0.25f, 0.76f, 0.36f, 3.0f },
+        { 0.98f, 0.74f, 0.16f, 4.0f },
     };
     CORE_ASSERT(owner < POI_MAX);
     return paints[owner];
@@ -89,6 +90,7 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
     pass->paper_paper = glGetUniformLocation(pass->paper_program, "paper");
     pass->paper_rests = glGetUniformLocation(pass->paper_program, "rests");
     pass->paper_spines = glGetUniformLocation(pass->paper_program, "spines");
+    pass->paper_pool = glGetUniformLocation(pass->paper_program, "pool");
     gl_ring_open(status, "sheets", &pass->sheet_ring,
                  &(struct gl_texture_desc){ .internal_format = GL_RGBA8,
                                             .format = GL_RGBA,
@@ -120,6 +122,7 @@ void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
             pass->cells[cell][0] = poi->wetness[cell];
             pass->cells[cell][1] = poi->integrity[cell];
             pass->cells[cell][2] = poi->integrity[cell] ? 255 : 0;
+            pass->cells[cell][3] = poi->stress[cell];
         }
         glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, (GLint)i, SHEET_SIDE, SHEET_SIDE, 1, GL_RGBA,
                         GL_UNSIGNED_BYTE, pass->cells);
@@ -185,7 +188,10 @@ void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint
     gl_bind_texture(1, GL_TEXTURE_2D, textures->paper);
     glUniformMatrix4fv(pass->paper_pose, 1, GL_FALSE, pose);
     set_rests(pass, scene, poi);
-    glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index, 0.0f, 0.0f);
+    glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index,
+                poi->shows_stress ? 1.0f : 0.0f, 0.0f);
+    const struct poi_pool pool = poi_pool_of(poi);
+    glUniform2f(pass->paper_pool, pool.level_m, pool.film_m);
     glEnable(GL_BLEND);
     shape_draw(&pass->disc);
     glDisable(GL_BLEND);

@@ -10,13 +10,14 @@
 
 struct poi_pass {
     GLuint frame_program, paper_program;
-    GLint frame_pose, frame_paint, paper_pose, paper_paper, paper_rests, paper_spines;
+    GLint frame_pose, frame_paint, paper_pose, paper_paper, paper_rests, paper_spines, paper_pool;
     struct shape_buffers solid, disc;
     struct gl_ring sheet_ring;                 /* Arrays, a layer a player. */
-    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Wetness, integrity, presence, unused. */
+    uint8_t cells[SHEET_SIDE * SHEET_SIDE][4]; /* Wetness, integrity, presence, stress. */
 };
 
-/* Players' colours, for what belongs to each; `owner` < POI_MAX. */
+/* Players' colours, for what belongs to each, and fourth the number of white marks that tell them
+ * from one another without colours; `owner` < POI_MAX. */
 const float *poi_paint(uint8_t owner);
 
 void poi_pass_open(struct gl_status *status, struct poi_pass *pass);

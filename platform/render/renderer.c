@@ -88,6 +88,7 @@ static void open_passes(struct renderer *renderer)
     bowl_pass_open(status, &renderer->bowl);
     fan_pass_open(status, &renderer->fan);
     air_pass_open(status, &renderer->air);
+    drip_pass_open(status, &renderer->drip);
     char why[HAL_TEXT_SIZE] = "";
     if (!ui_init(&renderer->ui, why, sizeof why)) {
         gl_fail(status, "words: %s", why);
@@ -111,6 +112,7 @@ void renderer_close(struct renderer *renderer)
 {
     close_targets(renderer);
     ui_close(&renderer->ui);
+    drip_pass_close(&renderer->drip);
     air_pass_close(&renderer->air);
     fan_pass_close(&renderer->fan);
     bowl_pass_close(&renderer->bowl);
@@ -283,6 +285,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     draw_snouts(renderer);
     draw_bowls(renderer, scene);
     basin_pass_deck(&renderer->basin, &renderer->textures);
+    drip_pass_draw(&renderer->drip, scene);
     draw_pois(renderer, scene);
     glDisable(GL_DEPTH_TEST);
     fan_pass_draw(&renderer->fan, scene, &renderer->textures);

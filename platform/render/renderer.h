@@ -10,6 +10,7 @@
 #include "platform/render/air_pass.h"
 #include "platform/render/basin_pass.h"
 #include "platform/render/bowl_pass.h"
+#include "platform/render/drip_pass.h"
 #include "platform/render/fan_pass.h"
 #include "platform/render/fish_pass.h"
 #include "platform/render/frame_block.h"
@@ -54,6 +55,7 @@ struct renderer {
     struct bowl_pass bowl;
     struct fan_pass fan;
     struct air_pass air;
+    struct drip_pass drip;
     struct ui ui;
     struct gl_target ground, life;
     struct gl_target screen; /* Only with multisampling; else the default framebuffer itself. */

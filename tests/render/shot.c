@@ -20,6 +20,10 @@ struct options {
     float close_x_m, close_z_m, close_m; /* A camera so near to a point of the surface; 0: none. */
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
+    uint8_t stress, owner;       /* Of --paper: coloured as in practice; whose it is, ... */
+    float water_m, tilt_rad, heel_rad; /* ... what lies on it, how it lies; and how bowls lie. */
+    float follow_m;              /* A camera so near to the first poi; 0: none. */
+    uint8_t players, mode, modes; /* Who plays, what is pointed at, and what is offered. */
     struct shade_input fan; /* X_CM,Z_CM on the command line. */
     const char *out;
 };
@@ -58,6 +62,17 @@ static uint8_t preset_named(const char *name)
     exit(2);
 }
 
+static uint8_t mode_named(const char *name)
+{
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        if (!strcmp(rules_of(mode)->name, name)) {
+            return mode;
+        }
+    }
+    fprintf(stderr, "no mode '%s': festival, championship or practice\n", name);
+    exit(2);
+}
+
 static struct options parse(int argc, char **argv)
 {
     struct options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png",
@@ -73,6 +88,26 @@ static struct options parse(int argc, char **argv)
             o.passes = 1;
         } else if (!strcmp(name, "--paper")) {
             o.paper = 1;
+        } else if (!strcmp(name, "--players")) {
+            o.players = (uint8_t)strtoul(value, NULL, 10);
+        } else if (!strcmp(name, "--mode")) {
+            o.mode = mode_named(value);
+            o.modes = (uint8_t)(1u << o.mode);
+        } else if (!strcmp(name, "--choose")) {
+            o.modes = (1u << MODE_COUNT) - 1u;
+            o.start = 1;
+        } else if (!strcmp(name, "--stress")) {
+            o.stress = 1;
+        } else if (!strcmp(name, "--owner")) {
+            o.owner = (uint8_t)(strtoul(value, NULL, 10) % POI_MAX);
+        } else if (!strcmp(name, "--water")) {
+            o.water_m = 0.001f * strtof(value, NULL);
+        } else if (!strcmp(name, "--tilt")) {
+            o.tilt_rad = strtof(value, NULL) * F_DEG;
+        } else if (!strcmp(name, "--heel")) {
+            o.heel_rad = strtof(value, NULL) * F_DEG;
+        } else if (!strcmp(name, "--follow")) {
+            o.follow_m = strtof(value, NULL);
         } else if (!strcmp(name, "--preset")) {
             o.preset = preset_named(value);
         } else if (!strcmp(name, "--plain")) {
@@ -131,11 +166,20 @@ static void come_close(const struct options *options)
                           options->close_z_m + 0.66f * options->close_m);
 }
 
+static void follow(const struct options *options)
+{
+    const vec3 at = scene.poi[0].position_m;
+    scene.view.target_m = at;
+    scene.view.eye_m = v3_add(at, v3(0.0f, 0.75f * options->follow_m, 0.66f * options->follow_m));
+}
+
 static void play(const struct options *options)
 {
     const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
                                         .preset = options->preset,
                                         .fish_count = options->fish,
+                                        .players = options->players,
+                                        .modes = options->modes,
                                         .language = options->english ? LANGUAGE_EN : LANGUAGE_JA };
     struct output output = { 0 };
     if (core_init(&core, &config) != CORE_OK) {
@@ -145,7 +189,9 @@ static void play(const struct options *options)
     const uint32_t ticks = (uint32_t)(options->seconds * (float)CORE_TICK_HZ);
     for (uint32_t i = 0; i < ticks; i++) {
         struct input input = { 0 };
-        input.poi[0].link = POI_LINK_BOT;
+        for (uint32_t k = 0; k < POI_MAX && k <= options->players; k++) {
+            input.poi[k].link = k == 0 || k < options->players ? POI_LINK_BOT : POI_LINK_ABSENT;
+        }
         input.shade[0] = options->fan;
         if (options->start && i == 60u) {
             input.pressed = INPUT_START;
@@ -157,14 +203,21 @@ static void play(const struct options *options)
 }
 
 /* A half wet, torn poi held close to the eye. */
-static void show_paper(void)
+static void show_paper(const struct options *options)
 {
     struct scene_poi *const poi = &scene.poi[0];
     poi->present = 1;
+    poi->owner = options->owner;
+    poi->shows_stress = options->stress;
+    poi->water_m = options->water_m;
     poi->position_m = v3(0.02f, 0.035f, 0.02f);
     poi->angles = (struct angles){ 0.3f, 0.35f, 0.1f };
-    poi->ring_radius_m = 0.04f;
     poi->sag_m = 0.006f;
+    if (options->tilt_rad != 0.0f) {
+        poi->angles = (struct angles){ 0.3f, 0.0f, options->tilt_rad };
+        poi->sag_m = options->tilt_rad > 0.5f * F_PI ? -0.003f : 0.003f;
+    }
+    poi->ring_radius_m = 0.04f;
     for (uint32_t z = 0; z < SHEET_SIDE; z++) {
         for (uint32_t x = 0; x < SHEET_SIDE; x++) {
             const float u = ((float)x - 15.5f) / 16.0f;
@@ -172,6 +225,8 @@ static void show_paper(void)
             const float hole = f_sqrt((u - 0.3f) * (u - 0.3f) + (v + 0.2f) * (v + 0.2f) * 0.5f);
             const float small = f_sqrt((u + 0.4f) * (u + 0.4f) + (v - 0.3f) * (v - 0.3f));
             const uint32_t cell = z * SHEET_SIDE + x;
+            const float load = f_max(0.5f - 0.6f * f_abs(v - 0.1f), 0.28f - f_min(hole, small));
+            poi->stress[cell] = (uint8_t)(255.0f * f_clamp(1.8f * load, 0.0f, 1.0f));
             poi->wetness[cell] =
                 (uint8_t)(255.0f * (1.0f - f_smoothstep(-0.3f, 0.3f, v + 0.4f * u)));
             poi->integrity[cell] =
@@ -255,7 +310,13 @@ int main(int argc, char **argv)
         come_close(&options);
     }
     if (options.paper) {
-        show_paper();
+        show_paper(&options);
+    }
+    if (options.follow_m > 0.0f) {
+        follow(&options);
+    }
+    for (uint32_t i = 0; i < POI_MAX && options.heel_rad != 0.0f; i++) {
+        scene.bowl[i].angles.roll_rad = options.heel_rad;
     }
     const double before = now_ms();
     if (device.ops->open(device.self) != HAL_OK) {

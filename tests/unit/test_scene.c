@@ -106,6 +106,86 @@ static void test_cells_beyond_the_ring_continue_the_paper_inside(void **state)
     assert_int_equal(scene.poi[0].integrity[row], 255);
 }
 
+static void test_paper_shows_its_stress_and_has_none_where_it_has_gone(void **state)
+{
+    (void)state;
+    core.poi[0].link = POI_LINK_BOT;
+    struct sheet *sheet = &core.poi[0].sheet;
+    const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
+    memset(sheet->stress, 40, sizeof sheet->stress);
+    sheet->stress[middle] = 255;
+    sheet->stress[middle + 1u] = 200;
+    sheet->state[middle + 1u] = CELL_HOLE;
+    core_scene(&core, &scene);
+    assert_int_equal(scene.poi[0].stress[middle], 255);
+    assert_int_equal(scene.poi[0].stress[middle + 1u], 0);
+    assert_int_equal(scene.poi[0].stress[middle + 2u], 40);
+    assert_int_equal(scene.poi[0].stress[SHEET_SIDE / 4u * SHEET_SIDE], 40); /* Spread outward. */
+}
+
+static void test_only_a_round_of_practice_colours_the_paper(void **state)
+{
+    (void)state;
+    core.poi[0].link = POI_LINK_BOT;
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        for (uint8_t phase = PHASE_ATTRACT; phase <= PHASE_RESULT; phase++) {
+            core.game.mode = mode;
+            core.game.phase = phase;
+            core_scene(&core, &scene);
+            assert_int_equal(scene.poi[0].shows_stress,
+                             mode == MODE_PRACTICE && phase == PHASE_ROUND);
+        }
+    }
+}
+
+static void test_every_mode_tells_its_time_and_paper(void **state)
+{
+    (void)state;
+    core_scene(&core, &scene);
+    assert_int_equal(scene.offer[MODE_FESTIVAL].round_s, 60);
+    assert_int_equal(scene.offer[MODE_FESTIVAL].grade, 6);
+    assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].round_s, 180);
+    assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5);
+    core.config.grade = 4;
+    core.config.round_s = 90;
+    core_scene(&core, &scene);
+    assert_int_equal(scene.offer[MODE_FESTIVAL].grade, 4);
+    assert_int_equal(scene.offer[MODE_CHAMPIONSHIP].grade, 5); /* The rules say so. */
+    assert_int_equal(scene.offer[MODE_PRACTICE].round_s, 90);
+}
+
+static void test_what_a_poi_carries_is_told_as_a_depth(void **state)
+{
+    (void)state;
+    core.poi[0].link = POI_LINK_BOT;
+    core.poi[0].film_kg = 0.0f;
+    core.poi[0].water_kg = core.poi[0].pool_kg = 0.005f; /* 5 g on 50 cm2: 1 mm. */
+    core_scene(&core, &scene);
+    assert_float_equal(scene.poi[0].water_m, 0.001f, 2e-5f);
+}
+
+static void test_players_calls_and_fouls_are_told_with_their_age(void **state)
+{
+    (void)state;
+    core.tick = 1200;
+    core.game.phase = PHASE_ROUND;
+    core.game.call = CALL_ONE_MINUTE;
+    core.game.call_tick = 1080;
+    core.game.player[2].plays = 1;
+    core.game.player[2].fouls = 2;
+    core.game.player[2].foul = FOUL_WALL;
+    core.game.player[2].foul_tick = 960;
+    core_scene(&core, &scene);
+    assert_int_equal(scene.call, CALL_ONE_MINUTE);
+    assert_float_equal(scene.call_s, 1.0f, 1e-5f);
+    assert_int_equal(scene.player[2].plays, 1);
+    assert_int_equal(scene.player[2].fouls, 2);
+    assert_int_equal(scene.player[2].foul, FOUL_WALL);
+    assert_float_equal(scene.player[2].foul_s, 2.0f, 1e-5f);
+    assert_int_equal(scene.player[1].plays, 0);
+    assert_int_equal(scene.player[1].foul, FOUL_NONE);
+}
+
 static void test_an_absent_poi_and_bowl_are_not_shown(void **state)
 {
     (void)state;
@@ -153,6 +233,11 @@ int main(void)
         TEST(test_fish_redden_between_fifty_and_a_hundred_and_twenty_days),
         TEST(test_paper_shows_wetness_damage_and_holes),
         TEST(test_cells_beyond_the_ring_continue_the_paper_inside),
+        TEST(test_paper_shows_its_stress_and_has_none_where_it_has_gone),
+        TEST(test_only_a_round_of_practice_colours_the_paper),
+        TEST(test_every_mode_tells_its_time_and_paper),
+        TEST(test_what_a_poi_carries_is_told_as_a_depth),
+        TEST(test_players_calls_and_fouls_are_told_with_their_age),
         TEST(test_an_absent_poi_and_bowl_are_not_shown),
         TEST(test_the_game_is_told_as_it_is),
         TEST(test_looking_changes_nothing),

@@ -1,0 +1,36 @@
+// Drops that fall from the low side of a wet poi. Each lets go, falls freely, and is gone at the
+// water; the fuller the paper, the more of them there are.
+uniform vec4 lip;           // Where they let go; w: how many there are at once.
+out vec2 corner;
+out float shown;
+
+const float EVERY_S = 0.22;
+const float GRAVITY = 9.81;
+const float RADIUS_M = 0.0019;
+
+float chance(float seed)
+{
+    return fract(sin(seed * 12.9898) * 43758.5453);
+}
+
+void main()
+{
+    float id = float(gl_InstanceID);
+    float falls = sqrt(2.0 * max(lip.y, 0.0) / GRAVITY);
+    float life = max(falls, EVERY_S);
+    float turns = eye.w / life + id * 0.37 + chance(id) * 0.2;
+    float seed = id * 7.0 + mod(floor(turns), 64.0);
+    float age = fract(turns) * life - (life - falls); // It hangs and swells before it falls.
+    float drop = max(age, 0.0);
+    corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+    shown = clamp(lip.w - id, 0.0, 1.0);
+    vec3 at = lip.xyz + vec3(chance(seed) - 0.5, 0.0, chance(seed + 0.5) - 0.5) * 0.014;
+    at.y -= 0.5 * GRAVITY * drop * drop;
+    float swells = smoothstep(-0.25, 0.0, age);
+    float long_ = 1.0 + min(GRAVITY * drop, 1.0) * 1.6; // Streaked by its speed, as an eye sees it.
+    vec3 view = normalize(eye.xyz - at);
+    vec3 side = normalize(vec3(view.z, 0.0, -view.x));
+    vec3 up = cross(view, side);
+    gl_Position = view_projection
+        * vec4(at + RADIUS_M * swells * (corner.x * side + corner.y * long_ * up), 1.0);
+}

@@ -1,0 +1,54 @@
+/* drip_pass.c -- see drip_pass.h. */
+#include "platform/render/drip_pass.h"
+
+#include "shaders.h"
+
+#define DROPS_MAX 5
+#define DRIPS_FROM_M 0.0002f /* Mean depth of water: less clings. */
+#define DRIPS_FULL_M 0.0015f
+#define CLEAR_M 0.008f       /* Its low side is so far over the water. */
+#define RING_REACH 1.17f     /* In paper radii: drops let go of the outer edge. */
+
+void drip_pass_open(struct gl_status *status, struct drip_pass *pass)
+{
+    pass->program = gl_program(status, "drops", "", shader_drip_vert, shader_drip_frag, "");
+    pass->lip = glGetUniformLocation(pass->program, "lip");
+    glGenVertexArrays(1, &pass->no_attributes);
+}
+
+void drip_pass_close(struct drip_pass *pass)
+{
+    glDeleteProgram(pass->program);
+    glDeleteVertexArrays(1, &pass->no_attributes);
+}
+
+/* The lowest point of the ring; of a level one, the middle of the belly. */
+static vec3 low_side(const struct scene_poi *poi)
+{
+    const vec3 up = basis_from_angles(poi->angles).up;
+    const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y); /* Along its plane. */
+    const float steep = v3_length(down);
+    const float reach_m = RING_REACH * poi->ring_radius_m * f_smoothstep(0.03f, 0.20f, steep);
+    return v3_mad(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)), reach_m);
+}
+
+void drip_pass_draw(const struct drip_pass *pass, const struct scene *scene)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_poi *const poi = &scene->poi[i];
+        const vec3 at = low_side(poi);
+        if (!poi->present || poi->water_m < DRIPS_FROM_M || at.y < CLEAR_M) {
+            continue;
+        }
+        const float wet = (poi->water_m - DRIPS_FROM_M) / (DRIPS_FULL_M - DRIPS_FROM_M);
+        const float drops = (float)DROPS_MAX * f_clamp(0.2f + 0.8f * wet, 0.0f, 1.0f);
+        glUseProgram(pass->program);
+        glUniform4f(pass->lip, at.x, at.y, at.z, drops);
+        glBindVertexArray(pass->no_attributes);
+        glEnable(GL_BLEND);
+        glDepthMask(GL_FALSE);
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, DROPS_MAX);
+        glDepthMask(GL_TRUE);
+        glDisable(GL_BLEND);
+    }
+}

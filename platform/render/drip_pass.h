@@ -1,0 +1,20 @@
+/* drip_pass.h -- drops from a wet poi that is held over the water. */
+#ifndef KINGYO_PLATFORM_RENDER_DRIP_PASS_H
+#define KINGYO_PLATFORM_RENDER_DRIP_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/gl_util.h"
+
+struct drip_pass {
+    GLuint program, no_attributes;
+    GLint lip;
+};
+
+void drip_pass_open(struct gl_status *status, struct drip_pass *pass);
+void drip_pass_close(struct drip_pass *pass);
+
+/* Into a target with depth, after bowls and before pois. Nothing while every poi is dry or in the
+ * water. */
+void drip_pass_draw(const struct drip_pass *pass, const struct scene *scene);
+
+#endif

@@ -1,0 +1,115 @@
+/* The water on a poi, as it is drawn: level, as much as there is, and where it must lie. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "platform/render/poi_pool.h"
+
+#define RADIUS_M 0.040f
+#define FINE 160
+
+static struct scene_poi poi_with(float water_m, float pitch_deg, float roll_deg, float sag_m)
+{
+    return (struct scene_poi){
+        .present = 1,
+        .position_m = v3(0.1f, 0.07f, -0.05f),
+        .angles = { 0.7f, pitch_deg * F_DEG, roll_deg * F_DEG },
+        .ring_radius_m = RADIUS_M,
+        .sag_m = sag_m,
+        .water_m = water_m,
+    };
+}
+
+/* World height of the paper at a point of its disc, in radii, as the vertex shader bends it. */
+static float height_m(const struct scene_poi *poi, float x, float z)
+{
+    const struct basis axes = basis_from_angles(poi->angles);
+    const vec3 local = v3(RADIUS_M * x, -poi->sag_m * (1.0f - x * x - z * z), RADIUS_M * z);
+    return v3_add(poi->position_m, basis_to_world(&axes, local)).y;
+}
+
+/* Mean depth over the disc, by a grid that the module does not know. */
+static float drawn_m(const struct scene_poi *poi, const struct poi_pool *pool)
+{
+    double sum = 0.0;
+    uint32_t count = 0;
+    for (int i = 0; i < FINE * FINE; i++) {
+        const float x = 2.0f * ((float)(i % FINE) + 0.5f) / (float)FINE - 1.0f;
+        const float z = 2.0f * ((float)(i / FINE) + 0.5f) / (float)FINE - 1.0f;
+        if (x * x + z * z <= 1.0f) {
+            sum += (double)f_max(pool->level_m - height_m(poi, x, z), 0.0f);
+            count++;
+        }
+    }
+    return (float)(sum / (double)count) + pool->film_m;
+}
+
+static void test_a_dry_poi_shows_no_water(void **state)
+{
+    (void)state;
+    const struct scene_poi poi = poi_with(0.0f, 0.0f, 0.0f, 0.002f);
+    const struct poi_pool pool = poi_pool_of(&poi);
+    assert_float_equal(pool.film_m, 0.0f, 0.0f);
+    assert_float_equal(pool.level_m, POI_NO_POOL_M, 0.0f);
+}
+
+static void test_a_little_water_is_a_film_and_no_pool(void **state)
+{
+    (void)state;
+    const struct scene_poi poi = poi_with(0.5f * POI_FILM_M, 10.0f, 0.0f, 0.002f);
+    const struct poi_pool pool = poi_pool_of(&poi);
+    assert_float_equal(pool.film_m, 0.5f * POI_FILM_M, 1e-9f);
+    assert_float_equal(pool.level_m, POI_NO_POOL_M, 0.0f);
+}
+
+static void test_as_much_is_drawn_as_there_is_however_it_lies(void **state)
+{
+    (void)state;
+    static const float waters_m[] = { 0.0008f, 0.0012f, 0.002f, 0.003f };
+    static const float tilts_deg[] = { 0.0f, 3.0f, 12.0f, -25.0f, 40.0f, 168.0f, 180.0f };
+    for (uint32_t w = 0; w < 4u; w++) {
+        for (uint32_t p = 0; p < 7u; p++) {
+            for (uint32_t r = 0; r < 7u; r++) {
+                const struct scene_poi poi =
+                    poi_with(waters_m[w], tilts_deg[p], tilts_deg[r], r % 2u ? 0.003f : 0.0f);
+                const struct poi_pool pool = poi_pool_of(&poi);
+                const float drawn = drawn_m(&poi, &pool);
+                assert_float_equal(drawn, waters_m[w], 0.08f * waters_m[w] + 2e-5f);
+            }
+        }
+    }
+}
+
+static void test_a_tilted_pool_leaves_the_high_side(void **state)
+{
+    (void)state;
+    const struct scene_poi poi = poi_with(0.0015f, 20.0f, 0.0f, 0.002f); /* The far edge is up. */
+    const struct poi_pool pool = poi_pool_of(&poi);
+    assert_true(height_m(&poi, 0.0f, -0.9f) > pool.level_m);
+    assert_true(height_m(&poi, 0.0f, 0.9f) < pool.level_m);
+}
+
+static void test_a_level_belly_holds_it_in_the_middle(void **state)
+{
+    (void)state;
+    const struct scene_poi poi = poi_with(0.0012f, 0.0f, 0.0f, 0.004f);
+    const struct poi_pool pool = poi_pool_of(&poi);
+    assert_true(height_m(&poi, 0.0f, 0.0f) < pool.level_m);
+    assert_true(height_m(&poi, 0.95f, 0.0f) > pool.level_m);
+    assert_true(height_m(&poi, 0.0f, -0.95f) > pool.level_m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_dry_poi_shows_no_water),
+        cmocka_unit_test(test_a_little_water_is_a_film_and_no_pool),
+        cmocka_unit_test(test_as_much_is_drawn_as_there_is_however_it_lies),
+        cmocka_unit_test(test_a_tilted_pool_leaves_the_high_side),
+        cmocka_unit_test(test_a_level_belly_holds_it_in_the_middle),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
