@@ -3,16 +3,24 @@
 
 #include "core/base/fmath.h"
 
-#define RISE_M_S 0.12f         /* Broadside 0.04 N: a tenth of what tears wet paper of grade 7. */
+#define COAST_M_S2 2.0f        /* A fish on level paper just keeps its place. */
+#define COAST_LAG_S 0.025f     /* So far a hand is before its ring in air, in seconds of its way. */
+#define COAST_DONE_M_S 0.15f
+#define RISE_M_S 0.08f         /* What half wet paper of grade 7 bears broadside. */
 #define TURN_RAD_S 1.5f
 #define SLANT_RAD (45.0f * F_DEG)
 #define SLANT_NEAR_RAD (10.0f * F_DEG) /* Turned so far, it sets off. */
 #define BACK_DRY_M_S 1.0f
-#define BACK_WET_M_S 0.25f
+#define BACK_WET_M_S 0.10f
 #define WET_BELOW_M 0.035f     /* Some of a tilted ring is under water. */
 #define BACK_TURN_RAD_S 4.0f
-#define BACK_NEAR_M 0.002f
+#define BACK_SHARE 0.08f       /* Of the way that is left, each tick: it ends softly. */
+#define BACK_HASTE_PER_S 5.0f
+#define BACK_SHARE_PER_S 0.5f
+#define BACK_NEAR_M 0.006f     /* The spring of the hand takes up so much without a blow. */
 #define BACK_NEAR_RAD 0.02f
+#define BACK_FAR_M 0.15f       /* So far aside it leaves the water for it, ... */
+#define BACK_ASIDE_M 0.03f     /* ... and goes down only so near. */
 
 static float toward(float from, float to, float step)
 {
@@ -35,19 +43,19 @@ static struct angles turn_all(struct angles from, struct angles to, float share,
     };
 }
 
-/* Its far edge first where there is more room beyond, else its near edge. Once it has set off it
- * keeps its way, or it would swing to and fro over the middle. */
-static float way_out(struct poi_target hand)
+/* Which edge leaves the water first: the higher one of a slanted ring, else that beyond which
+ * there is more room. 1 is the far one, -1 the near one. */
+static float first_edge(struct poi_target hand)
 {
-    const float pitch_rad = hand.angles.pitch_rad;
-    const int is_off = f_abs(pitch_rad) > SLANT_RAD - SLANT_NEAR_RAD;
-    const float lean = is_off ? pitch_rad : hand.position_m.z * f_cos(hand.angles.yaw_rad);
-    return lean >= 0.0f ? 1.0f : -1.0f;
+    if (f_abs(hand.angles.pitch_rad) > SLANT_NEAR_RAD) {
+        return hand.angles.pitch_rad > 0.0f ? 1.0f : -1.0f;
+    }
+    return hand.position_m.z * f_cos(hand.angles.yaw_rad) >= 0.0f ? 1.0f : -1.0f;
 }
 
 static struct poi_target slip_out(struct poi_target hand)
 {
-    const float way = way_out(hand);
+    const float way = first_edge(hand);
     const struct angles goal = { hand.angles.yaw_rad, way * SLANT_RAD, 0.0f };
     hand.angles = turn_all(hand.angles, goal, 1.0f, TURN_RAD_S * CORE_TICK_S);
     if (f_abs(hand.angles.pitch_rad - goal.pitch_rad) < SLANT_NEAR_RAD) {
@@ -66,22 +74,50 @@ static struct poi_target lift_level(struct poi_target hand)
     return hand;
 }
 
+struct poi_target drift_begin(const struct poi *poi, struct poi_target hand)
+{
+    hand.position_m = poi->position_m;
+    hand.angles = poi->tip > 0.0f ? hand.angles : poi->angles;
+    return hand;
+}
+
 struct poi_target drift_out(const struct poi *poi, struct poi_target hand)
 {
+    const float speed_m_s = v3_length(poi->velocity_m_s);
+    if (speed_m_s > COAST_DONE_M_S) {
+        const vec3 next = v3_limit(poi->velocity_m_s, speed_m_s - COAST_M_S2 * CORE_TICK_S);
+        hand.position_m = v3_mad(poi->position_m, next, COAST_LAG_S + CORE_TICK_S);
+        return hand;
+    }
     const int in_water = poi->immersed > 0.0f && hand.position_m.y < DRIFT_HOVER_M;
     return in_water && poi->rider_count == 0 ? slip_out(hand) : lift_level(hand);
 }
 
+/* Far is over the water, not through it: out of it first, over the place, and then down. */
+static vec3 way_back(vec3 from_m, vec3 to_m)
+{
+    const vec3 way_m = v3_sub(to_m, from_m);
+    const float aside_m = f_sqrt(way_m.x * way_m.x + way_m.z * way_m.z);
+    if (from_m.y < WET_BELOW_M) {
+        return aside_m > BACK_FAR_M ? v3(0.0f, DRIFT_HOVER_M - from_m.y, 0.0f) : way_m;
+    }
+    return aside_m > BACK_ASIDE_M && way_m.y < 0.0f ? v3(way_m.x, 0.0f, way_m.z) : way_m;
+}
+
+/* The longer it takes beyond what is spared, the more haste it makes: no hand flees for ever. */
 struct poi_target drift_back(struct poi_target hand, struct poi_target wanted, uint32_t ticks)
 {
     const float age = f_min((float)ticks / (float)DRIFT_BACK_TICKS_MIN, 1.0f);
-    const float share = age * age * age;
-    const float low_m = f_min(hand.position_m.y, wanted.position_m.y);
-    const float haste = 1.0f + (float)ticks / (float)CORE_TICK_HZ;
-    const float pace_m_s = haste * (low_m < WET_BELOW_M ? BACK_WET_M_S : BACK_DRY_M_S);
-    const vec3 way_m = v3_scale(v3_sub(wanted.position_m, hand.position_m), share);
+    const float late_s =
+        ticks > DRIFT_SPARE_TICKS_MAX ? (float)(ticks - DRIFT_SPARE_TICKS_MAX) * CORE_TICK_S : 0.0f;
+    const float share = age * age * f_min(BACK_SHARE + BACK_SHARE_PER_S * late_s, 1.0f);
+    const vec3 way_m = way_back(hand.position_m, wanted.position_m);
+    const int is_wet = hand.position_m.y < WET_BELOW_M || way_m.y < 0.0f;
+    const float pace_m_s =
+        (1.0f + BACK_HASTE_PER_S * late_s) * (is_wet ? BACK_WET_M_S : BACK_DRY_M_S);
+    const vec3 step_m = v3_limit(v3_scale(way_m, share), pace_m_s * CORE_TICK_S);
     return (struct poi_target){
-        .position_m = v3_add(hand.position_m, v3_limit(way_m, pace_m_s * CORE_TICK_S)),
+        .position_m = v3_add(hand.position_m, step_m),
         .angles = turn_all(hand.angles, wanted.angles, share, BACK_TURN_RAD_S * CORE_TICK_S),
     };
 }

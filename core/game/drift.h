@@ -9,15 +9,18 @@
 
 #define DRIFT_HOVER_M 0.060f       /* Where it waits: its lowest edge is clear of the water. */
 #define DRIFT_BACK_TICKS_MIN 48u   /* Back to its hand it takes 0.4 s at least. */
-#define DRIFT_SPARE_TICKS_MAX 360u /* Its paper is spared on the way for 3 s at most. */
+#define DRIFT_SPARE_TICKS_MAX 360u /* Its paper is spared on the way for 3 s at most: then a hand
+                                      that flees from it is followed with more haste. */
+
+/* Where the hand of a poi is that is lost in this tick: with the ring, whatever it said last. */
+struct poi_target drift_begin(const struct poi *poi, struct poi_target hand);
 
 /* Where the hand of a poi that nobody leads is in the next tick, which is at `hand` in this one.
- * With fish on it the ring goes level and straight up; without, it slants and leaves the water
- * along its own plane, toward the tank's middle. */
+ * What was moving glides to rest first. With fish on it the ring goes level and straight up;
+ * without, it slants and leaves the water along its own plane, toward the tank's middle. */
 struct poi_target drift_out(const struct poi *poi, struct poi_target hand);
 
-/* The same of a poi that goes back to where its hand is again, `ticks` after it began. The longer
- * it takes, the faster it goes: a hand that flees from it is caught in the end. */
+/* The same of a poi that goes back to where its hand is again, `ticks` after it began. */
 struct poi_target drift_back(struct poi_target hand, struct poi_target wanted, uint32_t ticks);
 
 /* Whether it is back: from then on the hand leads. */

@@ -104,7 +104,9 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     }
     if (link == POI_LINK_LIVE && game->holder[index] == POI_LINK_LOST) {
         game->back_ticks[index] = 1;
-    } else if (link != POI_LINK_LOST) {
+    } else if (link == POI_LINK_LOST) {
+        game->hand[index] = drift_begin(&core->poi[index], game->hand[index]);
+    } else {
         game->grip_tick[index] = core->tick;
     }
     game->holder[index] = link;
@@ -120,6 +122,14 @@ static struct poi_target follow(struct core *core, uint32_t index, struct poi_ta
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(core, wanted, lowest_m(core, index));
     return age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
+}
+
+/* A sensor that strays for a moment does not throw the poi about. */
+static struct poi_target at_arms_pace(struct poi_target from, struct poi_target to)
+{
+    const vec3 way_m = v3_sub(to.position_m, from.position_m);
+    to.position_m = v3_add(from.position_m, v3_limit(way_m, TRUST_ARM_M_S * CORE_TICK_S));
+    return to;
 }
 
 /* Its paper is spared until it is back, but not for ever. */
@@ -142,8 +152,11 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
     if (game->trust[index].verdict == TRUST_CATCH_UP && game->back_ticks[index] == 0) {
         game->back_ticks[index] = 1;
     }
-    return game->back_ticks[index] > 0 ? go_back(core, index, input->poi[index].target)
-                                       : follow(core, index, input->poi[index].target);
+    if (game->back_ticks[index] > 0) {
+        return go_back(core, index, input->poi[index].target);
+    }
+    const struct poi_target next = follow(core, index, input->poi[index].target);
+    return input->poi[index].has_wrist ? at_arms_pace(game->hand[index], next) : next;
 }
 
 /* Nobody leads it. Whoever is there again, or waits for somebody else, fetches it from there. */

@@ -6,12 +6,12 @@
 #include "core/base/mem.h"
 #include "core/base/vec.h"
 
-/* What an arm and a wrist do at most, and how far beyond that a pose may be before it is a leap:
- * a sensor that strays for a moment costs nothing. A pointer moves a picture, not an arm: a quick
- * wrist throws a mouse over the whole tank in a twentieth of a second. */
-#define ARM_M_S 4.0f
+/* How far beyond an arm's pace a pose may be before it is a leap: reports come a little unevenly,
+ * and a sensor may stray. A pointer moves a picture, not an arm: a quick wrist throws a mouse over
+ * the whole tank in a twentieth of a second. */
+#define ARM_LEAP_M 0.12f
 #define POINTER_M_S 16.0f
-#define LEAP_M 0.30f
+#define POINTER_LEAP_M 0.30f
 #define WRIST_PER_S 40.0f /* Of the way that the tips of the unit axes go: rad/s while small. */
 #define LEAP_TURN 1.2f    /* 74 degrees in one tick. */
 #define CREDIT_KEEP 0.95f
@@ -49,7 +49,8 @@ static float beyond(float before, float step, float free)
 
 static int leaps(struct trust *trust, const struct poi_input *input)
 {
-    const float pace_m_s = input->has_wrist ? ARM_M_S : POINTER_M_S;
+    const float pace_m_s = input->has_wrist ? TRUST_ARM_M_S : POINTER_M_S;
+    const float leap_m = input->has_wrist ? ARM_LEAP_M : POINTER_LEAP_M;
     const float unseen_s = (float)trust->silent_ticks * CORE_TICK_S;
     const vec3 way_m = v3_sub(input->target.position_m, trust->newest.position_m);
     const float turn = turned(trust->newest.angles, input->target.angles);
@@ -57,7 +58,7 @@ static int leaps(struct trust *trust, const struct poi_input *input)
     trust->spin = f_min(trust->spin, unseen_s > 0.0f ? -WRIST_PER_S * unseen_s : trust->spin);
     trust->rush_m = beyond(trust->rush_m, v3_length(way_m), pace_m_s * CORE_TICK_S);
     trust->spin = beyond(trust->spin, turn, WRIST_PER_S * CORE_TICK_S);
-    const int leapt = trust->rush_m > LEAP_M || trust->spin > LEAP_TURN;
+    const int leapt = trust->rush_m > leap_m || trust->spin > LEAP_TURN;
     if (leapt) {
         trust->rush_m = trust->spin = 0.0f; /* From here on, if it stays. */
     }

@@ -16,6 +16,7 @@
 #define TRUST_SILENT_TICKS 60u  /* Half a second without a report: nobody is there. */
 #define TRUST_STUCK_TICKS 120u  /* So long a trembling sensor never said the same bits. */
 #define TRUST_AGREE_TICKS 30u   /* A quarter of a second brings a lost hand back. */
+#define TRUST_ARM_M_S 4.0f      /* No arm is faster. */
 #define TRUST_RANGE_M 100.0f    /* Farther than anyone walks away with a poi. */
 #define TRUST_ANGLE_RAD 1000.0f /* No wrist has turned so far. */
 

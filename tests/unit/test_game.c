@@ -421,10 +421,10 @@ static void test_any_hand_is_brought_within_reach(void **state)
 static void test_a_hand_turns_over_the_short_way_round(void **state)
 {
     (void)state;
+    input.poi[0].target.angles.yaw_rad = -3.1f;
     play_into_round();
     core.game.hand[0].angles.yaw_rad = 3.1f;
     core.game.grip_tick[0] = core.tick;
-    input.poi[0].target.angles.yaw_rad = -3.1f;
     for (uint32_t i = 0; i < 160; i++) {
         step();
         assert_true(f_abs(core.game.hand[0].angles.yaw_rad) > 3.0f);
