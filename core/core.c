@@ -52,7 +52,8 @@ static void tick_pois(struct core *core, const struct input *input,
         if (live[i]) {
             const struct poi_grip grip = {
                 .target = targets[i],
-                .has_wrist = core->poi[i].link == POI_LINK_LOST || /* Nobody empties it. */
+                .has_wrist = core->poi[i].link == POI_LINK_BOT ||
+                             core->poi[i].link == POI_LINK_LOST || /* Nobody empties it. */
                              (core->poi[i].link == POI_LINK_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i]);

@@ -31,6 +31,8 @@
 #define APPROACH_S_MAX 1.5f
 #define CRADLE_RAD (8.0f * F_DEG) /* Far edge up: water runs off, the fish lies against the rim. */
 
+#define JAM_M 0.075f              /* A ring seen so far below the hand is held by fish: wait. */
+
 #define TIP_RAD (58.0f * F_DEG)   /* Steep enough for a fish to roll over the ring. */
 #define TIP_FALL_M 0.046f         /* It leaves the ring so far from its centre. */
 #define TIP_EDGE_M 0.010f         /* The lower edge keeps so far over the mouth. */
@@ -288,11 +290,11 @@ static void lift(struct bot *bot, uint32_t tick)
 {
     const int drains = bot->technique.lift == LIFT_DRAINED;
     vec3 up_m = hand_m(bot);
-    up_m.y = LIFTED_Y_M;
+    up_m.y = f_min(LIFTED_Y_M, bot->known.poi.position_m.y + JAM_M);
     const float haste = drains ? 1.0f : HASTY_SHARE;
     want(bot, up_m, drains ? CRADLE_RAD : 0.0f, haste * bot->technique.lift_m_s);
     bot->ease_s = drains ? EASE_S : HASTY_EASE_S;
-    if (way_left_m(bot) > THERE_M) {
+    if (hand_m(bot).y < LIFTED_Y_M - THERE_M) {
         return;
     }
     const float drain_s = drains ? bot->technique.drain_s : 0.0f;
