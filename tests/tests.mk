@@ -27,7 +27,8 @@ test:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
 ## tests: builds what `make test` runs, without running it
-tests: build $(UNIT) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace
+tests: build $(UNIT) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
+    $(BUILD)/tests/bench/technique
 
 ## check: what a change must pass before it is kept: boundaries, tests, sizes
 check: boundaries

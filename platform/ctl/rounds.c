@@ -43,8 +43,8 @@ static struct core_config config_of(const struct round_plan *plan)
     return config;
 }
 
-/* START whenever nothing is played yet; a hand that is always there, and that the stall helps to
- * empty the poi, as it helps a pointer's. */
+/* START whenever nothing is played yet; a controller that is always there, with a wrist, and that
+ * feels how the hand trembles. */
 static void act(struct seat *seat)
 {
     const uint8_t phase = seat->core.game.phase;

@@ -148,3 +148,13 @@ struct comparison statistics_compare(const uint32_t *a, const uint32_t *b, uint3
     result.p = statistics_signed_rank_p(differences, count);
     return result;
 }
+
+enum verdict statistics_verdict(const struct comparison *found)
+{
+    if (found->p >= STATISTICS_SIGNIFICANT) {
+        return VERDICT_NOT_SHOWN;
+    }
+    return found->low > 0.0    ? VERDICT_PAYS
+           : found->high < 0.0 ? VERDICT_WRONG_WAY
+                               : VERDICT_NOT_SHOWN;
+}

@@ -20,6 +20,14 @@ struct comparison {
 /* `count` in 1 .. STATISTICS_PAIRS_MAX pairs. */
 struct comparison statistics_compare(const uint32_t *a, const uint32_t *b, uint32_t count);
 
+#define STATISTICS_SIGNIFICANT 0.05
+
+enum verdict { VERDICT_PAYS, VERDICT_NOT_SHOWN, VERDICT_WRONG_WAY, VERDICT_COUNT };
+
+/* Whether a caught more than b: it pays only where the interval and the ranks both say so, and goes
+ * the wrong way only where both say that. */
+enum verdict statistics_verdict(const struct comparison *found);
+
 /* Two-sided p of the signed ranks of `count` <= STATISTICS_PAIRS_MAX differences: zeros are left
  * out, equal sizes share their mean rank, and every one of the 2^n ways to deal out the signs
  * counts the same. */

@@ -20,7 +20,6 @@
 #define FISH_COUNT 300u
 #define ROUND_S 60u
 #define GRADE 6u
-#define SIGNIFICANT 0.05 /* All seven must hold at once, which only makes this stricter. */
 #define PATH_CHARS 1200u
 
 static const char speaker[] = "technique";
@@ -39,7 +38,6 @@ static const struct experiment {
 };
 #define EXPERIMENT_COUNT (sizeof experiments / sizeof experiments[0])
 
-enum verdict { VERDICT_PAYS, VERDICT_NOT_SHOWN, VERDICT_WRONG_WAY, VERDICT_COUNT };
 static const char *const verdict_names[VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
 
 struct trial {
@@ -80,27 +78,17 @@ static enum exit_code add_experiment(struct league *league, const char *folder,
 
 /* ---- Judgement ------------------------------------------------------------------------------ */
 
-static enum verdict verdict_of(const struct comparison *found)
-{
-    if (found->p >= SIGNIFICANT) {
-        return VERDICT_NOT_SHOWN;
-    }
-    if (found->difference < 0.0) {
-        return VERDICT_WRONG_WAY;
-    }
-    return found->low > 0.0 ? VERDICT_PAYS : VERDICT_NOT_SHOWN;
-}
-
 static void judge(const struct league *league, struct trial *trial)
 {
     uint32_t better[LEAGUE_SEEDS_MAX], worse[LEAGUE_SEEDS_MAX];
     league_caught(league, trial->better, better);
     league_caught(league, trial->worse, worse);
     trial->found = statistics_compare(better, worse, league->seeds);
-    trial->verdict = verdict_of(&trial->found);
+    trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* With few seeds a true but small effect may not show, so not each must. */
+/* Seven at 5 % each are no fishing for one: all must hold, so none needs a stricter level. With few
+ * seeds a true but small effect may not show, so not each must. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
     uint32_t count[VERDICT_COUNT] = { 0 };

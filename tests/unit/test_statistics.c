@@ -125,6 +125,32 @@ static void test_two_hundred_of_one_mind_are_as_rare_as_they_are(void **state)
     expect_near(statistics_compare(b, a, 200).p, statistics_compare(a, b, 200).p, 0.0);
 }
 
+/* The same catches, told of the other hand. */
+static void test_what_pays_one_way_goes_the_wrong_way_the_other(void **state)
+{
+    (void)state;
+    static const uint32_t more[] = { 5, 4, 6, 5, 7, 3, 5, 6 }, less[] = { 2, 2, 3, 1, 5, 2, 1, 2 };
+    struct comparison found = statistics_compare(more, less, 8);
+    assert_int_equal(statistics_verdict(&found), VERDICT_PAYS);
+    found = statistics_compare(less, more, 8);
+    assert_int_equal(statistics_verdict(&found), VERDICT_WRONG_WAY);
+    found = statistics_compare(more, less, 5); /* All five agree, but so do 2 ways of 32. */
+    assert_int_equal(statistics_verdict(&found), VERDICT_NOT_SHOWN);
+}
+
+/* Ranks see that nearly all are a little better; the mean sees the one that is far worse. */
+static void test_where_mean_and_ranks_disagree_nothing_is_shown(void **state)
+{
+    (void)state;
+    static const uint32_t a[] = { 4, 5, 6, 7, 8, 9, 10, 11, 12, 0 };
+    static const uint32_t b[] = { 3, 4, 5, 6, 7, 8, 9, 10, 11, 40 };
+    const struct comparison found = statistics_compare(a, b, 10);
+    assert_true(found.low < 0.0 && found.high > 0.0);
+    assert_int_equal(statistics_verdict(&found), VERDICT_NOT_SHOWN);
+    const struct comparison opposed = { .difference = 1.0, .low = -1.0, .high = 3.0, .p = 0.01 };
+    assert_int_equal(statistics_verdict(&opposed), VERDICT_NOT_SHOWN);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -134,6 +160,8 @@ int main(void)
         cmocka_unit_test(test_ties_and_zeros_are_counted_as_by_dealing_out_every_sign),
         cmocka_unit_test(test_who_catches_the_same_does_not_differ),
         cmocka_unit_test(test_one_pair_proves_nothing),
+        cmocka_unit_test(test_what_pays_one_way_goes_the_wrong_way_the_other),
+        cmocka_unit_test(test_where_mean_and_ranks_disagree_nothing_is_shown),
         cmocka_unit_test(test_two_hundred_of_one_mind_are_as_rare_as_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,78 @@
+#!/bin/bash
+# test_technique_bench.sh -- the bench that asks whether technique pays is itself asked: does each of its
+# experiments differ in one key, can anybody play an arm again, and does it refuse what proves nothing?
+# Speaks TAP.
+set -u
+build=${BUILD:-build}
+ctl=$build/kingyoctl
+bench=$build/tests/bench/technique
+bots=$(dirname "$0")/../bench/technique
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+
+check() { # TITLE COMMAND...
+    local title=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$work/said"
+    fi
+}
+
+# ---- The arms
+keys() { sed 's/[[:space:]]*#.*//; /^[[:space:]]*$/d' "$bots/$1.bot"; }
+one_key() { # BETTER WORSE: the same keys, one of another value
+    keys "$1" && keys "$2"
+    [ "$(keys "$1" | cut -d= -f1)" = "$(keys "$2" | cut -d= -f1)" ] &&
+        [ "$(diff <(keys "$1") <(keys "$2") | grep -c '^<')" = 1 ] && [ "$(diff <(keys "$1") <(keys "$2") | grep -c '^>')" = 1 ]
+}
+for pair in 'all-wet half-wet' 'slanted flat' 'edge-leading broadside' 'head-first tail-first' 'near-rim centre' \
+    'drained-lift fast-lift' 'still-shade chase'; do
+    # shellcheck disable=SC2086
+    check "${pair/ / and } differ in one key" one_key $pair
+done
+
+# ---- One seed
+"$bench" 1 "$bots" "$work" >"$work/text" 2>"$work/err"
+status=$?
+check 'one seed proves nothing, and the bench says so' test $status -eq 1
+check 'seven experiments are told' eval '[ "$(grep -c "not shown$" "$work/text")" = 7 ] && grep -q "^NOT SO: 0 of 7 pay" "$work/text"'
+check 'and written, each with its figures' awk -F'\t' 'NR > 1 && (NF != 9 || $2 != 1 || $8 != 1) { bad = 1 } END { exit bad || NR != 8 }' \
+    "$work/technique.tsv"
+check 'the difference is that of the means' awk -F'\t' \
+    'NR > 1 && (($3 - $4 - $5) ^ 2 > 1e-6) { print; bad = 1 } END { exit bad }' "$work/technique.tsv"
+played_alike() { # ARM: anybody gets the same round from the file alone
+    local here there
+    here=$(awk -F'\t' -v arm="$1" '$1 == arm && $2 == 0 { print $7, $3 }' "$work/rounds.tsv")
+    "$ctl" play --bot "$bots/$1.bot" --mode festival --grade 6 --fish 300 --round-s 60 --seed 0 --json >"$work/one.json"
+    there=$(sqlite3 :memory: "select json_extract(j,'\$.rounds[0].state_hash') || ' ' || json_extract(j,'\$.rounds[0].caught')
+        from (select readfile('$work/one.json') as j)")
+    echo "the bench: $here; kingyoctl play: $there"
+    [ -n "$here" ] && [ "$here" = "$there" ]
+}
+for arm in half-wet tail-first; do
+    check "$arm is the round that kingyoctl play plays" played_alike "$arm"
+done
+
+# ---- What proves nothing
+refused() { # STATUS NEEDLE SEEDS BOTS OUT
+    local expected=$1 needle=$2 status
+    shift 2
+    "$bench" "$@" >"$work/out" 2>"$work/err"
+    status=$?
+    cat "$work/err"
+    echo "exit $status"
+    [ $status -eq "$expected" ] && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -qF -- "$needle" "$work/err"
+}
+mkdir "$work/bots"
+cp "$bots"/*.bot "$work/bots"
+cp "$bots/all-wet.bot" "$work/bots/half-wet.bot"
+check 'two arms that play alike' refused 65 'half-wet.bot' 1 "$work/bots" "$work"
+printf 'base=expert\nwet=2\n' >"$work/bots/half-wet.bot"
+check 'an arm that is no bot' refused 65 "$work/bots/half-wet.bot:2: wet" 1 "$work/bots" "$work"
+rm "$work/bots/half-wet.bot"
+check 'an arm that is not there' refused 74 "$work/bots/half-wet.bot" 1 "$work/bots" "$work"
+check 'no seeds' refused 2 'SEEDS' 0 "$bots" "$work"
+echo "1..$count"
