@@ -3,6 +3,7 @@
 
 #include "core/base/rng.h"
 #include "core/tank/escape.h"
+#include "core/tank/flow.h"
 #include "core/tank/surface.h"
 
 #define ALARM_FADE_PER_S 0.6f
@@ -19,10 +20,9 @@
 
 /* Ear and lateral line. Asa et al.: fish of 1.6 g hear sounds 15 dB fainter than those of
  * 23.6 g do: 5.6 times less pressure at 2.5 times less length. */
-#define PUSH_M_S 0.024f
-#define PUSH_SPAN_M_S 0.06f
-#define BODY_M 0.015f /* Felt along all of a body, which is no point: no nearer than this. */
-#define EDGE_ON_SHARE 0.3f /* Of the push that the same speed broadside would give. */
+#define PUSH_M2_S2 0.005f /* A paper that rises at 0.1 m/s under a fish is not felt; ... */
+#define PUSH_SPAN_M2_S2 0.016f /* ... at 0.15 m/s it is, and fast. */
+#define WAKE_SHARE 0.5f
 #define LENGTH_M 0.05f
 #define LINE_THICKNESS 0.07f /* Of an edge-on disc's image, per diameter: its ring. */
 
@@ -35,7 +35,8 @@
 #define HABIT_NONE 1e-3f
 
 /* A disc that moves within this reach of its rim makes a fish think in every tick: there it is
- * seen at 21 degrees, and pushes no water to speak of beyond. */
+ * seen at 21 degrees. The water that it pushes is felt beyond only at more than 1 m/s, and no
+ * farther than in proportion to that. */
 #define ALERT_M 0.20f
 #define ALERT_M_S 0.05f
 
@@ -65,16 +66,11 @@ struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m)
     };
 }
 
-float fright_push_m_s(const struct obstacle *disc, vec3 point_m)
+/* What a disc leaves behind comes after it in a wake, more slowly than it was pushed ahead. */
+static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
 {
-    const float speed_m_s = v3_length(disc->velocity_m_s);
-    if (disc->centre_m.y > 0.0f || speed_m_s <= 0.0f) {
-        return 0.0f;
-    }
-    const float broadside = f_abs(v3_dot(disc->velocity_m_s, disc->normal)) / speed_m_s;
-    const float off_m = f_max(BODY_M, obstacle_disc_distance_m(disc, point_m));
-    const float near = disc->radius_m / (disc->radius_m + off_m);
-    return speed_m_s * f_lerp(EDGE_ON_SHARE, 1.0f, broadside) * near * near * near;
+    const float ahead = v3_dot(disc->velocity_m_s, v3_sub(point_m, disc->centre_m));
+    return (ahead < 0.0f ? WAKE_SHARE : 1.0f) * flow_push_m2_s2(disc, point_m);
 }
 
 struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fish)
@@ -83,9 +79,9 @@ struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fis
     const int large = view.size_rad > SEEN_RAD + SEEN_SPREAD_RAD * boldness(fish);
     const float clear = disc->centre_m.y > 0.0f ? IN_AIR_SHARE : 1.0f;
     const float keen = LENGTH_M / f_max(fish->length_m, 0.2f * LENGTH_M);
-    const float push_m_s = keen * fright_push_m_s(disc, fish->position_m);
+    const float push = keen * push_m2_s2(disc, fish->position_m);
     const float seen = large ? clear * (view.growth_rad_s - GROWTH_RAD_S) / GROWTH_SPAN_RAD_S : 0;
-    const float felt = (push_m_s - PUSH_M_S) / PUSH_SPAN_M_S;
+    const float felt = (push - PUSH_M2_S2) / PUSH_SPAN_M2_S2;
     const float most = f_clamp(f_max(seen, felt), 0.0f, STRENGTH_MAX);
     return (struct fright){
         .cause = most <= 0.0f ? FRIGHT_NONE : felt >= seen ? FRIGHT_PRESSURE : FRIGHT_LOOM,
@@ -166,8 +162,9 @@ static int disturbs(const struct obstacle *disc, const struct fish *fish)
 {
     const vec3 off = v3_sub(disc->centre_m, fish->position_m);
     const float reach_m = disc->radius_m + ALERT_M;
-    return disc->kind == OBSTACLE_DISC && v3_dot(off, off) < reach_m * reach_m &&
-           v3_dot(disc->velocity_m_s, disc->velocity_m_s) > ALERT_M_S * ALERT_M_S;
+    const float square_m2_s2 = v3_dot(disc->velocity_m_s, disc->velocity_m_s);
+    return disc->kind == OBSTACLE_DISC && square_m2_s2 > ALERT_M_S * ALERT_M_S &&
+           v3_dot(off, off) < reach_m * reach_m * f_max(1.0f, square_m2_s2);
 }
 
 void fright_tick(struct fish *fish, uint32_t index, const struct surroundings *around)

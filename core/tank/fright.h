@@ -1,7 +1,7 @@
 /* fright.h -- what startles a fish, how much, and how long its nerves take to answer.
  *
  * Eyes see a disc loom: its image is large enough and grows fast. The ear and the lateral line feel
- * the water that a fast disc pushes. Shadows add what shade.h says. All add to one alarm; past what
+ * the pressure of the water that a disc pushes (flow.h), which goes with the square of its speed. Shadows add what shade.h says. All add to one alarm; past what
  * the individual bears, a start waits for its latency and then begins, 8 to 15 ms after a blow to
  * the water (Eaton et al. 1977), 60 to 150 ms after a sight. The figures of stimuli are design, set
  * by play, but for the angle that must be seen.
@@ -26,11 +26,6 @@ struct fright_view {
 };
 
 struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m);
-
-/* Speed of the water that a disc pushes against a body there: as the cube of its nearness, as round
- * any moving body; a disc that moves along its own plane pushes 0.3 of what it would broadside. In
- * air it pushes none. */
-float fright_push_m_s(const struct obstacle *disc, vec3 point_m);
 
 /* Alarm a second that a disc gives a fish of middling temper, and by which sense more. */
 struct fright {

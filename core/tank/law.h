@@ -39,6 +39,7 @@ struct law {
                              that does not keeps its course until its gait changes. */
     uint8_t glides;       /* Beats its tail and coasts in turn. */
     uint8_t banks;        /* Rolls into its turns. */
+    float flow_share;     /* [0, 1] of the flow round a poi (flow.h) that carries it along. */
     float wall_follow;    /* [0, 1] how much a wall draws a fish along itself. */
     float shade_dwell_s;  /* A shadow gathers fish after it has been still so long ... */
     uint8_t shade_draws_bursts; /* ... even those that burst: section 3.5 moves every fish ... */

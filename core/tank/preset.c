@@ -49,7 +49,8 @@
         .space_fill_max = 0.35f, .turn_rest_rad = 12.0f * F_DEG, .depth_stray = 0.13f,             \
         .meet_within_s = 0.8f, .meet_miss = 0.3f, .brake_s = 0.15f,                                \
         .swerve_haste = 1.5f, .wall_per_length = 0.27f, .wall_within_s = 0.65f,                    \
-        .kick_rad = 25.0f * F_DEG, .glides = 1, .banks = 1, .shade_dwell_s = 2.5f,             \
+        .kick_rad = 25.0f * F_DEG, .glides = 1, .banks = 1, .flow_share = 1.0f,                \
+        .shade_dwell_s = 2.5f,                                                                 \
         .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1, .gulp_min_s = 2.0f,                  \
         .gulp_max_s = 5.0f, .gulp_gain_per_s = 0.02f, .stifle_per_s = 0.002f,                      \
     }

@@ -3,6 +3,7 @@
 
 #include "core/input.h"
 #include "core/tank/escape.h"
+#include "core/tank/flow.h"
 #include "core/tank/fright.h"
 #include "core/tank/gait.h"
 #include "core/tank/stroke.h"
@@ -11,7 +12,7 @@
 #include "core/tank/wall.h"
 
 #define DRAWN_TAU_S 0.5f     /* A shadow draws softly: noses do not follow its every tug. */
-#define SIDESTEP_PER_S 12.0f  /* Of the sidestep that it is asked for. */
+#define PUSH_PER_S 12.0f     /* Pushes fade as fast: what goes on is followed in full. */
 #define HULL_SHUN_DEPTH_M                                                                          \
     0.01f /* A fish that passes deeper below a bowl than this need not turn. */
 
@@ -58,12 +59,15 @@ static void shun(struct fish *fish, const struct surroundings *around)
     swim_shun_turn(fish, &all, around->dt_s);
 }
 
-/* Steps aside of the poi, or takes fright. */
+/* Drifts with the water that the poi moves, steps aside of it, or takes fright. */
 static void feel(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
-        const vec3 aside_m_s = obstacle_sidestep_m_s(&around->obstacles[i], fish->position_m);
-        fish->push_m_s = v3_mad(fish->push_m_s, aside_m_s, SIDESTEP_PER_S * around->dt_s);
+        const struct obstacle *disc = &around->obstacles[i];
+        const vec3 aside_m_s = obstacle_sidestep_m_s(disc, fish->position_m);
+        const vec3 drift_m_s = v3_scale(flow_at(disc, fish->position_m), around->law->flow_share);
+        fish->push_m_s =
+            v3_mad(fish->push_m_s, v3_add(aside_m_s, drift_m_s), PUSH_PER_S * around->dt_s);
     }
     fright_tick(fish, index, around);
 }

@@ -187,6 +187,7 @@ static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
     (void)state;
     const struct law *law = thesis_law();
     assert_false(law->escapes || law->glides || law->banks || law->shade_frights);
+    assert_float_equal(law->flow_share, 0.0f, 0.0f);
     assert_false(law->air_by_oxygen);
     assert_float_equal(law->kick_rad + law->wall_follow + law->depth_stray, 0.0f, 0.0f);
     assert_float_equal(law->brake_s + law->meet_within_s + law->meet_miss, 0.0f, 0.0f);
