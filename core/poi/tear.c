@@ -1,7 +1,6 @@
 /* tear.c -- holes as bits. */
 #include "core/poi/tear.h"
 
-#define RUN_MAX 3u /* Cells of a hole's length that are counted: beyond, TEAR_FACTOR_MAX rules. */
 #define WAYS 8u           /* Round a cell, clockwise from the right as seen from above. */
 #define CORNER_SHARE 0.84f /* 2^(-1/4): over a corner a tear bites less. */
 #define SWEEPS_MAX 4u     /* What falls can make others hang loose: the rest goes with the next. */
@@ -45,11 +44,11 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row)
 
 /* ---- Tips ----------------------------------------------------------------------------------- */
 
-/* Cells of hole from a cell on, exclusive, one way; at most RUN_MAX. */
+/* Cells of hole from a cell on, exclusive, one way; at most TEAR_RUN_MAX. */
 static uint32_t run(const struct tear_map *map, uint32_t row, uint32_t column, uint32_t way)
 {
     uint32_t length = 0;
-    for (; length < RUN_MAX; length++) {
+    for (; length < TEAR_RUN_MAX; length++) {
         row += (uint32_t)ways[way].row; /* Below 0 it wraps: huge. */
         column += (uint32_t)ways[way].column;
         if (row >= SHEET_SIDE || column >= SHEET_SIDE || !(map->hole[row] >> column & 1u)) {

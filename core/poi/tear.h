@@ -11,6 +11,7 @@ _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 
 #define TEAR_FACTOR 2.5f       /* Stress before a tear of one cell; with the root of its length, */
 #define TEAR_FACTOR_MAX 4.0f   /* up to here; */
+#define TEAR_RUN_MAX 3u        /* that is, to this length in cells; */
 #define TEAR_FIBRE_SHARE 0.12f /* so much more along the fibres, so much less across them. */
 #define TEAR_FACTOR_WORST (TEAR_FACTOR_MAX * (1.0f + TEAR_FIBRE_SHARE))
 
