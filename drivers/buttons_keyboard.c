@@ -72,7 +72,7 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
 static const char *buttons_keyboard_describe(void *self)
 {
     (void)self;
-    return "keyboard: Space starts, L language, F11 full screen, Esc quits";
+    return "keyboard: Space starts, arrows choose, L language, F11 full screen, Esc quits";
 }
 
 struct hal_buttons buttons_keyboard_device(struct buttons_keyboard *keyboard)

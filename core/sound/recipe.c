@@ -92,30 +92,36 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 293.7f, .string_gain = 0.55f, .string_delay_ms = 520.0f,
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
-    /* Clappers of hard wood, once: the keeper has something to call. */
+    /* Hyoshigi: bars of hard oak struck together, "chon, chon": one bright mode each, the second blow
+     * a little lower, and the crack of the edges. The keeper has something to call. */
     [SOUND_CALL] = {
         .layer = {
-            TONE(0.34f, 0.0f, 0.4f, 45.0f, 1568.0f, 1540.0f, 20.0f),
-            TONE(0.16f, 0.0f, 0.4f, 18.0f, 3720.0f, 3720.0f, 0.0f),
-            NOISE(0.26f, 0.0f, 0.3f, 5.0f, 3600.0f, 3600.0f, 0.0f, 1.0f, 0.0f),
+            TONE(0.34f, 0.0f, 0.3f, 34.0f, 2120.0f, 2090.0f, 12.0f),
+            NOISE(0.34f, 0.0f, 0.3f, 6.0f, 4300.0f, 3600.0f, 8.0f, 0.7f, 0.0f),
+            TONE(0.36f, 190.0f, 0.3f, 62.0f, 2010.0f, 1985.0f, 12.0f),
+            NOISE(0.36f, 190.0f, 0.3f, 7.0f, 4100.0f, 3400.0f, 8.0f, 0.7f, 0.0f),
         },
-        .length_ms = 450.0f,
+        .length_ms = 600.0f,
     },
-    /* The umpire's whistle, with breath in it. */
+    /* The umpire's whistle: a pip, then a blast whose two near tones beat 36 times a second, as the
+     * pea does that rolls in it, over breath. */
     [SOUND_FOUL] = {
         .layer = {
-            TONE(0.22f, 0.0f, 8.0f, 150.0f, 2349.0f, 2300.0f, 60.0f),
-            TONE(0.16f, 30.0f, 8.0f, 150.0f, 2420.0f, 2370.0f, 60.0f),
-            NOISE(0.16f, 0.0f, 6.0f, 120.0f, 2400.0f, 2400.0f, 0.0f, 0.5f, 0.0f),
+            TONE(0.24f, 0.0f, 6.0f, 32.0f, 2780.0f, 2820.0f, 20.0f),
+            TONE(0.17f, 150.0f, 14.0f, 210.0f, 2790.0f, 2832.0f, 60.0f),
+            TONE(0.17f, 150.0f, 14.0f, 210.0f, 2826.0f, 2868.0f, 60.0f),
+            NOISE(0.10f, 0.0f, 10.0f, 190.0f, 2800.0f, 2800.0f, 0.0f, 0.5f, 0.5f),
         },
-        .length_ms = 900.0f,
+        .length_ms = 1300.0f,
     },
-    /* A wooden tag turned over. */
+    /* A wooden tag swings round on its cord and knocks against its neighbour: "ka-ta". */
     [SOUND_CHOOSE] = {
         .layer = {
-            TONE(0.22f, 0.0f, 0.5f, 14.0f, 880.0f, 840.0f, 20.0f),
-            NOISE(0.12f, 0.0f, 0.3f, 4.0f, 2200.0f, 2200.0f, 0.0f, 1.0f, 0.0f),
+            TONE(0.26f, 0.0f, 0.4f, 17.0f, 930.0f, 905.0f, 14.0f),
+            NOISE(0.22f, 0.0f, 0.3f, 4.0f, 2400.0f, 2000.0f, 5.0f, 0.9f, 0.0f),
+            TONE(0.13f, 64.0f, 0.4f, 13.0f, 1180.0f, 1160.0f, 14.0f),
+            NOISE(0.10f, 64.0f, 0.3f, 3.0f, 2900.0f, 2900.0f, 0.0f, 0.9f, 0.0f),
         },
-        .length_ms = 200.0f,
+        .length_ms = 260.0f,
     },
 };

@@ -371,9 +371,9 @@ void options_print_help(void)
 {
     puts("kingyo: a goldfish-scooping stall. The mouse is the poi: hold the left button to dip\n"
          "it, let go to lift; the wheel tilts it, the right button levels it. While F is held\n"
-         "the mouse leads a fan over the water, whose still shade gathers fish. Space starts, L\n"
-         "changes the language, F11 is full screen, Esc quits. Without a screen the bot plays,\n"
-         "and pictures of it are written.\n");
+         "the mouse leads a fan over the water, whose still shade gathers fish. Space starts, the\n"
+         "arrows choose a mode, L changes the language, F11 is full screen, Esc quits. Without a\n"
+         "screen the bot plays, and pictures of it are written.\n");
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         char left[40], right[TEXT_MAX];
         snprintf(left, sizeof left, "--%s %s", table[i].name, table[i].value ? table[i].value : "");

@@ -80,7 +80,8 @@ void ui_ready(const struct ui_frame *frame, const struct scene *scene,
         ui_big_word(frame, FONT_STALL, y, 190.0f * u * pop,
                     in * (1.0f - ui_smooth(0.82f, 1.0f, gone)), digit);
     }
-    mode_tag(frame, scene, y - radius - 42.0f * u, in);
+    mode_tag(frame, scene, y - radius - 50.0f * u, in);
+    ui_bowl_marks(frame, scene, in);
     ui_umpire(frame, scene);
     if (!scene->paused) {
         ui_hint_ribbon(frame, scene, memory);

@@ -1,6 +1,7 @@
 /* ui_players.c -- who plays: numbers, lamps, and a plate for each of several players. */
 #include <math.h>
 
+#include "core/view.h"
 #include "platform/render/ui_signs.h"
 
 #define POP_S 0.45f /* The count jumps when a fish lands. */
@@ -127,4 +128,31 @@ float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
         }
     }
     return box.y + box.height;
+}
+
+/* Where a point of the world is on the screen, in pixels. */
+static void project(const struct ui_frame *frame, const struct view *view, vec3 at_m, float *x,
+                    float *y)
+{
+    const float aspect = frame->width / frame->height, tan_y = view_half_height_tan(view, aspect);
+    const struct basis axes = view_basis(view);
+    const vec3 seen = v3_sub(at_m, view->eye_m);
+    const float away = fmaxf(-v3_dot(seen, axes.back), 0.01f);
+    *x = 0.5f * frame->width * (1.0f + v3_dot(seen, axes.right) / (away * tan_y * aspect));
+    *y = 0.5f * frame->height * (1.0f - v3_dot(seen, axes.up) / (away * tan_y));
+}
+
+void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha)
+{
+    const float radius = 24.0f * frame->unit, edge = radius + 4.0f * frame->unit;
+    for (uint32_t i = 0; i < POI_MAX && ui_player_count(scene) > 1u; i++) {
+        if (scene->player[i].plays && scene->bowl[i].present) {
+            float x, y;
+            project(frame, &scene->view, scene->bowl[i].position_m, &x, &y);
+            frame->batch->opacity = alpha;
+            ui_player_mark(frame, fminf(fmaxf(x, edge), frame->width - edge),
+                           fminf(fmaxf(y, edge), frame->height - edge), radius, i);
+        }
+    }
+    frame->batch->opacity = 1.0f;
 }

@@ -99,7 +99,7 @@ static void heading(const struct ui_frame *frame, const struct scene *scene, str
     char words[2u * TEXT_LINE_MAX];
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
              text_words(frame->language, TEXT_RESULT));
-    ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 52.0f * u, words);
+    ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
 }
 
 /* The day's best in this mode, or for who practised a word of the keeper's. */
@@ -149,7 +149,7 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
     if (rules_of(scene->mode)->judges) {
         const struct ui_text label = { .font = FONT_STALL, .size_px = 24.0f * u,
                                        .fill = UI_INK_SOFT };
-        const float x = box.x + 28.0f * u, y = box.y + 42.0f * u;
+        const float x = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
         const float width = ui_text(frame->batch, &label, x, ui_text_middle(&label, y),
                                     text_words(frame->language, TEXT_FOUL));
         ui_foul_lamps(frame, x + width + 22.0f * u, y, 9.5f * u, 25.0f * u,
@@ -267,7 +267,7 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     const int record = rules_of(scene->mode)->keeps_score && !scene->by_bot &&
                        most_caught(scene) > memory->best_before;
     if (stamped > 0.0f && record) {
-        seal(frame, box.x + box.width - 130.0f * u, box.y + 8.0f * u, stamped);
+        seal(frame, box.x + box.width - 130.0f * u, box.y - 8.0f * u, stamped);
     }
     result_foot(frame, scene, memory);
 }

@@ -6,6 +6,7 @@
 
 #define HURRY_S 10.0f /* The clock turns red. */
 #define POP_S 0.45f   /* The count jumps when a fish lands. */
+#define BOWL_MARKS_S 3.0f
 #define LONG_ROUND_S 99.5f
 #define TIME_WIDTH 136.0f /* Of "9:59", in units. */
 
@@ -184,6 +185,8 @@ void ui_round(const struct ui_frame *frame, const struct scene *scene,
     } else {
         one_players_signs(frame, scene, memory);
     }
+    ui_bowl_marks(frame, scene,
+                  1.0f - ui_smooth(BOWL_MARKS_S - 0.5f, BOWL_MARKS_S, scene->phase_s));
     if (shows_stress(scene)) {
         stress_legend(frame, bottom + 8.0f * frame->unit);
     }

@@ -154,6 +154,41 @@ static void test_unknown_and_empty_sounds_are_not_heard(void **state)
     assert_int_equal(synth_voices(&synth), 0);
 }
 
+/* The loudest sample between two times. */
+static int loudest(uint32_t from_ms, uint32_t to_ms)
+{
+    const uint32_t per_ms = SYNTH_RATE_HZ / 1000u;
+    return peak(heard + 2u * from_ms * per_ms, (to_ms - from_ms) * per_ms, 0);
+}
+
+static void test_the_keepers_clappers_are_struck_twice(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    play(SOUND_CALL, 1.0f, 0.0f);
+    synth_render(&synth, heard, FRAMES_MAX);
+    const int first = loudest(0, 20), between = loudest(150, 185), second = loudest(190, 215);
+    assert_true(first > 6000 && second > 6000);
+    assert_true(between * 10 < first);
+}
+
+/* A whistle with a pea in it flutters some 36 times a second. */
+static void test_the_umpires_whistle_flutters(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    play(SOUND_FOUL, 1.0f, 0.0f);
+    synth_render(&synth, heard, FRAMES_MAX);
+    uint32_t turns = 0;
+    int rising = 0;
+    for (uint32_t ms = 180; ms < 460u; ms += 4u) {
+        const int now = loudest(ms, ms + 6u), next = loudest(ms + 4u, ms + 10u);
+        turns += rising && next < now;
+        rising = next > now;
+    }
+    assert_in_range(turns, 8, 12); /* 0.28 s of 36 Hz: ten. */
+}
+
 static void test_two_dips_do_not_sound_quite_alike(void **state)
 {
     (void)state;
@@ -178,6 +213,8 @@ int main(void)
         cmocka_unit_test(test_a_crowd_of_loud_sounds_stays_inside_the_format),
         cmocka_unit_test(test_the_oldest_voice_gives_way),
         cmocka_unit_test(test_unknown_and_empty_sounds_are_not_heard),
+        cmocka_unit_test(test_the_keepers_clappers_are_struck_twice),
+        cmocka_unit_test(test_the_umpires_whistle_flutters),
         cmocka_unit_test(test_two_dips_do_not_sound_quite_alike),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
