@@ -163,7 +163,7 @@ static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
 static void poi_mouse_look(void *self, const struct view *view)
 {
     struct poi_mouse *mouse = self;
-    mouse->pointer.view = *view;
+    mouse->pointer.view = mouse->fan.view = *view;
 }
 
 static int poi_mouse_feel(void *self, const struct poi_force *force)

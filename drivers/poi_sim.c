@@ -84,7 +84,7 @@ static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 static void poi_sim_look(void *self, const struct view *view)
 {
     struct poi_sim *sim = self;
-    sim->pointer.view = *view;
+    sim->pointer.view = sim->fan.view = *view;
 }
 
 static int poi_sim_feel(void *self, const struct poi_force *force)

@@ -22,7 +22,7 @@ static int within(float value, float limit)
     return f_is_finite(value) && f_abs(value) <= limit;
 }
 
-static int is_readable(const struct poi_target *target)
+int trust_can_read(const struct poi_target *target)
 {
     return within(target->position_m.x, TRUST_RANGE_M) &&
            within(target->position_m.y, TRUST_RANGE_M) &&
@@ -39,6 +39,24 @@ static float turned(struct angles from, struct angles to)
     return f_max(v3_length(v3_sub(a.up, b.up)), v3_length(v3_sub(a.back, b.back)));
 }
 
+static float pace_m_s(int has_wrist)
+{
+    return has_wrist ? TRUST_ARM_M_S : POINTER_M_S;
+}
+
+static float leap_m(int has_wrist)
+{
+    return has_wrist ? ARM_LEAP_M : POINTER_LEAP_M;
+}
+
+int trust_is_leap(const struct poi_target *from, const struct poi_target *to, float seconds,
+                  int has_wrist)
+{
+    const float way_m = v3_length(v3_sub(to->position_m, from->position_m));
+    return way_m > pace_m_s(has_wrist) * seconds + leap_m(has_wrist) ||
+           turned(from->angles, to->angles) > WRIST_PER_S * seconds + LEAP_TURN;
+}
+
 /* What goes beyond an arm's pace sums up and is forgotten at that pace. Below 0 it is a credit:
  * what a hand may have gone unseen. It fades within the frame that catches up. */
 static float beyond(float before, float step, float free)
@@ -49,16 +67,15 @@ static float beyond(float before, float step, float free)
 
 static int leaps(struct trust *trust, const struct poi_input *input)
 {
-    const float pace_m_s = input->has_wrist ? TRUST_ARM_M_S : POINTER_M_S;
-    const float leap_m = input->has_wrist ? ARM_LEAP_M : POINTER_LEAP_M;
+    const float pace = pace_m_s(input->has_wrist);
     const float unseen_s = (float)trust->silent_ticks * CORE_TICK_S;
     const vec3 way_m = v3_sub(input->target.position_m, trust->newest.position_m);
     const float turn = turned(trust->newest.angles, input->target.angles);
-    trust->rush_m = f_min(trust->rush_m, unseen_s > 0.0f ? -pace_m_s * unseen_s : trust->rush_m);
+    trust->rush_m = f_min(trust->rush_m, unseen_s > 0.0f ? -pace * unseen_s : trust->rush_m);
     trust->spin = f_min(trust->spin, unseen_s > 0.0f ? -WRIST_PER_S * unseen_s : trust->spin);
-    trust->rush_m = beyond(trust->rush_m, v3_length(way_m), pace_m_s * CORE_TICK_S);
+    trust->rush_m = beyond(trust->rush_m, v3_length(way_m), pace * CORE_TICK_S);
     trust->spin = beyond(trust->spin, turn, WRIST_PER_S * CORE_TICK_S);
-    const int leapt = trust->rush_m > leap_m || trust->spin > LEAP_TURN;
+    const int leapt = trust->rush_m > leap_m(input->has_wrist) || trust->spin > LEAP_TURN;
     if (leapt) {
         trust->rush_m = trust->spin = 0.0f; /* From here on, if it stays. */
     }
@@ -77,7 +94,7 @@ static int is_stuck(struct trust *trust, const struct poi_input *input)
 /* Whether what is said now agrees with what was said before. */
 static int agrees(struct trust *trust, const struct poi_input *input)
 {
-    if (input->link != POI_LINK_LIVE || !is_readable(&input->target)) {
+    if (input->link != POI_LINK_LIVE || !trust_can_read(&input->target)) {
         return 0;
     }
     const int is_first = !trust->knows;

@@ -37,6 +37,13 @@ struct trust {
     struct poi_target newest; /* The last readable pose. */
 };
 
+/* Whether each number of it is one, and within TRUST_RANGE_M or TRUST_ANGLE_RAD. */
+int trust_can_read(const struct poi_target *target);
+
+/* Whether no hand goes from one readable pose to the next in `seconds` >= 0. */
+int trust_is_leap(const struct poi_target *from, const struct poi_target *to, float seconds,
+                  int has_wrist);
+
 /* Judges one tick's input of one player; all of a zeroed `trust` is a fresh one. */
 enum trust_verdict trust_tick(struct trust *trust, const struct poi_input *input);
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#define RETRY_NS 1000000000ull /* A lost poi, a failed save: once a second is often enough. */
+#define RETRY_NS 1000000000ull /* A lost card, a failed save: once a second is often enough. */
 
 /* HAL_ERR_NONE is the null driver's answer and BUSY a matter of patience; the rest are faults. */
 static int is_fault(int result)
@@ -16,13 +16,16 @@ static uint64_t clock_ns(struct hal_clock clock)
     return clock.ops ? clock.ops->now_ns(clock.self) : 0;
 }
 
-static void open_hand(struct kiosk_hand *hand, const struct hal_poi *poi, uint32_t *faults)
+/* Whoever points at the picture is told when it is another one. */
+static void show_hands(struct kiosk *kiosk, const struct hal *hal)
 {
-    const int result = poi->ops->open(poi->self);
-    hand->link = result == HAL_OK ? POI_LINK_LIVE
-                 : result == HAL_ERR_NONE ? POI_LINK_ABSENT
-                                          : POI_LINK_LOST;
-    *faults += (uint32_t)is_fault(result);
+    if (memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
+        return;
+    }
+    kiosk->view = kiosk->scene.view;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hal->poi[i].ops->look(hal->poi[i].self, &kiosk->view);
+    }
 }
 
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
@@ -36,56 +39,14 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     }
     const uint64_t now_ns = clock_ns(hal->clock);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        open_hand(&kiosk->hands[i], &hal->poi[i], &kiosk->faults.poi);
-        kiosk->hands[i].retry_ns = now_ns + RETRY_NS;
+        kiosk->faults.poi += poi_hand_open(&kiosk->hands[i], &hal->poi[i], now_ns);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         kiosk->faults.shade += shade_hand_open(&kiosk->shades[i], &hal->shade[i], now_ns);
     }
     core_scene(&kiosk->core, &kiosk->scene);
+    show_hands(kiosk, hal);
     return CORE_OK;
-}
-
-static void lose_hand(struct kiosk_hand *hand, uint64_t now_ns)
-{
-    hand->link = POI_LINK_LOST;
-    hand->retry_ns = now_ns + RETRY_NS;
-    resample_reset(&hand->path);
-}
-
-static void look_for_hand(struct kiosk *kiosk, struct kiosk_hand *hand, const struct hal_poi *poi,
-                          uint64_t now_ns)
-{
-    if (now_ns >= hand->retry_ns) {
-        hand->retry_ns = now_ns + RETRY_NS;
-        if (poi->ops->open(poi->self) == HAL_OK) {
-            hand->link = POI_LINK_LIVE;
-        } else {
-            kiosk->faults.poi++;
-        }
-    }
-}
-
-static void sample_hand(struct kiosk *kiosk, struct kiosk_hand *hand, const struct hal_poi *poi,
-                        uint64_t now_ns)
-{
-    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
-    if (hand->link == POI_LINK_LOST) {
-        look_for_hand(kiosk, hand, poi, now_ns);
-    }
-    if (hand->link != POI_LINK_LIVE) {
-        return;
-    }
-    const int result = poi->ops->poll(poi->self, samples, HAL_POI_SAMPLES_MAX);
-    kiosk->faults.poi += (uint32_t)is_fault(result);
-    if (result == HAL_ERR_GONE) {
-        lose_hand(hand, now_ns);
-    }
-    for (int i = 0; i < result; i++) {
-        kiosk->faults.poi += (uint32_t)!resample_push(&hand->path, &samples[i]);
-        hand->has_wrist = samples[i].has_wrist;
-        hand->was_seen = 1;
-    }
 }
 
 static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
@@ -125,9 +86,9 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
         kiosk->end = KIOSK_DISPLAY_LOST;
     }
     sample_buttons(kiosk, hal);
-    const uint64_t now_ns = clock_ns(hal->clock);
+    const uint64_t now_ns = kiosk->sampled_ns = clock_ns(hal->clock);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        sample_hand(kiosk, &kiosk->hands[i], &hal->poi[i], now_ns);
+        kiosk->faults.poi += poi_hand_sample(&kiosk->hands[i], &hal->poi[i], now_ns);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         kiosk->faults.shade += shade_hand_sample(&kiosk->shades[i], &hal->shade[i], now_ns);
@@ -136,27 +97,13 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     count_refused_writes(kiosk, &hal->storage);
 }
 
-/* A controller that never gave a reading is not here yet; one that gave some and stopped is
- * away. */
-static uint8_t link_of(const struct kiosk_hand *hand)
-{
-    if (hand->link == POI_LINK_LIVE && hand->path.count > 0) {
-        return POI_LINK_LIVE;
-    }
-    return hand->was_seen ? POI_LINK_LOST : POI_LINK_ABSENT;
-}
-
 /* The part of the input that each tick has for itself: one pose a tick, none used twice. */
 static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct kiosk_hand *hand = &kiosk->hands[i];
         struct poi_input *poi = &kiosk->input.poi[i];
-        poi->link = kiosk->config.bot[i] ? POI_LINK_BOT : link_of(hand);
-        poi->has_wrist = hand->has_wrist;
-        if (hand->path.count > 0) {
-            poi->target = resample_at(&hand->path, index, tick_count);
-        }
+        poi_hand_at(&kiosk->hands[i], index, tick_count, kiosk->sampled_ns, poi);
+        poi->link = kiosk->config.bot[i] ? (uint8_t)POI_LINK_BOT : poi->link;
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         kiosk->input.shade[i] = shade_hand_at(&kiosk->shades[i], index, tick_count);
@@ -196,7 +143,7 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     }
     if (done > 0) {
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            resample_end(&kiosk->hands[i].path);
+            poi_hand_end(&kiosk->hands[i]);
         }
         for (uint32_t i = 0; i < SHADE_MAX; i++) {
             shade_hand_end(&kiosk->shades[i]);
@@ -321,6 +268,7 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
+    show_hands(kiosk, hal);
     present(kiosk, hal, tick_count);
     if (tick_count > 0) {
         hal->watchdog.ops->kick(hal->watchdog.self); /* A hung core restarts the kiosk. */

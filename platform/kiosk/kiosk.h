@@ -9,8 +9,8 @@
 
 #include "core/core.h"
 #include "platform/hal.h"
+#include "platform/kiosk/hands.h"
 #include "platform/kiosk/pace.h"
-#include "platform/kiosk/resample.h"
 #include "platform/kiosk/shades.h"
 #include "platform/kiosk/timing.h"
 
@@ -48,15 +48,6 @@ struct kiosk_faults {
     uint32_t poi, shade, display, audio, storage, lamps;
 };
 
-/* One player's controller, as the loop sees it. */
-struct kiosk_hand {
-    struct resampler path;
-    uint64_t retry_ns;  /* When a lost one is looked for again. */
-    uint8_t link;       /* enum poi_link, but never BOT. */
-    uint8_t has_wrist;
-    uint8_t was_seen;   /* It gave a reading once. */
-};
-
 struct kiosk {
     struct kiosk_config config;
     struct core core;
@@ -64,8 +55,10 @@ struct kiosk {
     struct output output;
     struct scene scene;
     struct pace pace;
-    struct kiosk_hand hands[POI_MAX];
+    struct poi_hand hands[POI_MAX];
     struct shade_hand shades[SHADE_MAX];
+    uint64_t sampled_ns;   /* When the devices were last asked. */
+    struct view view;      /* Of the tank, as the pois' devices were told last. */
     uint32_t accepted_id;  /* Newest record that the store took, or will never take. */
     uint64_t save_retry_ns;
     uint64_t audio_retry_ns; /* When a sound card that went is looked for again; 0: none went. */

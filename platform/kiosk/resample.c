@@ -2,26 +2,11 @@
 #include "platform/kiosk/resample.h"
 
 #include "core/base/panic.h"
-
-#define RANGE_MAX 1000.0f /* Metres or radians: beyond it is no hand, but a broken report. */
+#include "core/game/trust.h"
 
 void resample_reset(struct resampler *resampler)
 {
     resampler->count = 0;
-}
-
-/* NaN compares false, so it is out of range too. */
-static int in_range(float value)
-{
-    return f_abs(value) <= RANGE_MAX;
-}
-
-static int target_is_sane(const struct poi_target *target)
-{
-    const vec3 at = target->position_m;
-    const struct angles angles = target->angles;
-    return in_range(at.x) && in_range(at.y) && in_range(at.z) && in_range(angles.yaw_rad) &&
-           in_range(angles.pitch_rad) && in_range(angles.roll_rad);
 }
 
 static void drop_second(struct resampler *resampler)
@@ -34,9 +19,6 @@ static void drop_second(struct resampler *resampler)
 
 int resample_push(struct resampler *resampler, const struct poi_sample *sample)
 {
-    if (!target_is_sane(&sample->target)) {
-        return 0;
-    }
     struct poi_sample next = *sample;
     if (resampler->count > 0) {
         const uint64_t newest_ns = resampler->path[resampler->count - 1].time_ns;
@@ -49,7 +31,7 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
         drop_second(resampler);
     }
     resampler->path[resampler->count++] = next;
-    return 1;
+    return trust_can_read(&next.target);
 }
 
 static float angle_between(float from_rad, float to_rad, float t)
@@ -68,6 +50,21 @@ static struct poi_target target_between(const struct poi_target *from, const str
             .roll_rad = angle_between(from->angles.roll_rad, to->angles.roll_rad, t),
         },
     };
+}
+
+/* A place on the way from one reading to the next; where there is no way, the one that stands. */
+static struct poi_target target_on_way(const struct poi_sample *from, const struct poi_sample *to,
+                                       float t)
+{
+    const uint64_t gap_ns = to->time_ns - from->time_ns;
+    if (!trust_can_read(&from->target)) {
+        return to->target;
+    }
+    if (!trust_can_read(&to->target) ||
+        trust_is_leap(&from->target, &to->target, (float)gap_ns * 1e-9f, to->has_wrist)) {
+        return t < 1.0f ? from->target : to->target;
+    }
+    return target_between(&from->target, &to->target, t);
 }
 
 struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
@@ -90,7 +87,7 @@ struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
     const uint64_t from_ns = path[next - 1].time_ns;
     const uint64_t gap_ns = path[next].time_ns - from_ns; /* 0 only in a path of a few ns. */
     const float t = gap_ns > 0 ? (float)(time_ns - from_ns) / (float)gap_ns : 1.0f;
-    return target_between(&path[next - 1].target, &path[next].target, t);
+    return target_on_way(&path[next - 1], &path[next], t);
 }
 
 void resample_end(struct resampler *resampler)

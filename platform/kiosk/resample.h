@@ -3,7 +3,8 @@
  * A tick that reused a pose would see a hand that stops and starts: speed 2v, 0, 2v, and drag,
  * which grows with its square, four-fold. So the readings of a frame are spread over the frame's
  * ticks: the newest tick gets the newest reading (no latency is added), the ones before it get
- * the path between that and the last frame's end, linear between readings. */
+ * the path between that and the last frame's end, linear between readings. A way that no hand goes
+ * is not walked: numbers that are none, and leaps, stand in the tick that they belong to. */
 #ifndef KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 
@@ -23,7 +24,8 @@ struct resampler {
 void resample_reset(struct resampler *resampler);
 
 /* Adds a reading. One of the same or an earlier time replaces the newest; when full, the oldest but
- * one goes. A pose with a number that is none, or beyond +-1,000 (m, rad), is refused: 0. */
+ * one goes. Any bits are taken, for the core to judge; 0: some number is none, or beyond what
+ * core/game/trust.h reads. */
 int resample_push(struct resampler *resampler, const struct poi_sample *sample);
 
 /* The pose for tick `index` of the `tick_count` >= 1 ticks of this frame; needs count > 0. */

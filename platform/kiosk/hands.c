@@ -1,0 +1,105 @@
+/* hands.c -- from a device's readings to one input a tick. */
+#include "platform/kiosk/hands.h"
+
+#define RETRY_NS 1000000000ull
+#define NS_PER_S 1000000000ull
+
+/* HAL_ERR_NONE is the null driver's answer and BUSY a matter of patience; the rest are faults. */
+static uint32_t is_fault(int result)
+{
+    return result < 0 && result != HAL_ERR_NONE && result != HAL_ERR_BUSY;
+}
+
+uint32_t poi_hand_open(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns)
+{
+    const int result = device->ops->open(device->self);
+    hand->retry_ns = now_ns + RETRY_NS;
+    hand->link = result == HAL_OK ? POI_LINK_LIVE
+                 : result == HAL_ERR_NONE ? POI_LINK_ABSENT
+                                          : POI_LINK_LOST;
+    return is_fault(result);
+}
+
+/* One that was here is away until it opens; whatever open() says else, it did not. */
+static uint32_t look_for(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns)
+{
+    if (now_ns < hand->retry_ns) {
+        return 0;
+    }
+    hand->retry_ns = now_ns + RETRY_NS;
+    if (device->ops->open(device->self) != HAL_OK) {
+        return 1;
+    }
+    hand->link = POI_LINK_LIVE;
+    return 0;
+}
+
+/* The way between what it said last and what it will say next is not travelled. */
+static void lose(struct poi_hand *hand, uint64_t now_ns)
+{
+    hand->link = POI_LINK_LOST;
+    hand->retry_ns = now_ns + RETRY_NS;
+    resample_reset(&hand->path);
+}
+
+static uint32_t take(struct poi_hand *hand, const struct poi_sample *sample)
+{
+    hand->has_wrist = sample->has_wrist;
+    hand->trembles = sample->trembles;
+    hand->newest_ns = sample->time_ns;
+    hand->was_seen = 1;
+    return !resample_push(&hand->path, sample);
+}
+
+uint32_t poi_hand_sample(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    uint32_t faults = 0;
+    if (hand->link == POI_LINK_LOST) {
+        faults += look_for(hand, device, now_ns);
+    }
+    if (hand->link != POI_LINK_LIVE) {
+        return faults;
+    }
+    const int result = device->ops->poll(device->self, samples, HAL_POI_SAMPLES_MAX);
+    for (int i = 0; i < result; i++) {
+        faults += take(hand, &samples[i]);
+    }
+    if (result == HAL_ERR_GONE) {
+        lose(hand, now_ns);
+    }
+    return faults + is_fault(result);
+}
+
+static uint8_t link_of(const struct poi_hand *hand)
+{
+    if (hand->link == POI_LINK_LIVE && hand->path.count > 0) {
+        return POI_LINK_LIVE;
+    }
+    return hand->was_seen ? POI_LINK_LOST : POI_LINK_ABSENT;
+}
+
+/* A reading from the future (a clock that was set back) is new. */
+static uint16_t age_ticks(const struct poi_hand *hand, uint64_t now_ns)
+{
+    const uint64_t age_ns = now_ns > hand->newest_ns ? now_ns - hand->newest_ns : 0;
+    const uint64_t ticks = age_ns / (NS_PER_S / CORE_TICK_HZ);
+    return ticks < UINT16_MAX ? (uint16_t)ticks : UINT16_MAX;
+}
+
+void poi_hand_at(const struct poi_hand *hand, uint32_t index, uint32_t tick_count, uint64_t now_ns,
+                 struct poi_input *out)
+{
+    out->link = link_of(hand);
+    out->has_wrist = hand->has_wrist;
+    out->trembles = hand->trembles;
+    out->age_ticks = out->link == POI_LINK_LIVE ? age_ticks(hand, now_ns) : 0u;
+    if (hand->path.count > 0) {
+        out->target = resample_at(&hand->path, index, tick_count);
+    }
+}
+
+void poi_hand_end(struct poi_hand *hand)
+{
+    resample_end(&hand->path);
+}

@@ -1,0 +1,40 @@
+/* hands.h -- the controllers of the pois, as the frame loop sees them.
+ *
+ * Devices are polled once a frame; each tick of the frame gets a pose of its own on the way there
+ * (resample.h). What a device says is passed on as it is, nonsense too: the core judges it. */
+#ifndef KINGYO_PLATFORM_KIOSK_HANDS_H
+#define KINGYO_PLATFORM_KIOSK_HANDS_H
+
+#include <stdint.h>
+
+#include "core/input.h"
+#include "platform/hal.h"
+#include "platform/kiosk/resample.h"
+
+/* One player's controller. */
+struct poi_hand {
+    struct resampler path;
+    uint64_t retry_ns;  /* When a lost one is looked for again. */
+    uint64_t newest_ns; /* When its newest reading arrived. */
+    uint8_t link;       /* enum poi_link, but never BOT. */
+    uint8_t has_wrist, trembles; /* As its newest reading says. */
+    uint8_t was_seen;   /* It gave a reading once. */
+};
+
+/* Looks for the device. Returns whether that was a fault. */
+uint32_t poi_hand_open(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns);
+
+/* Takes the readings since the last frame; a lost device is looked for once a second. Returns how
+ * many faults it met: failed calls, and readings with numbers that are none. */
+uint32_t poi_hand_sample(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns);
+
+/* For tick `index` of the `tick_count` >= 1 ticks of the frame that began at `now_ns`. A controller
+ * that never gave a reading is not here yet; one that gave some and stopped is away, and its target
+ * stays what it was. */
+void poi_hand_at(const struct poi_hand *hand, uint32_t index, uint32_t tick_count, uint64_t now_ns,
+                 struct poi_input *out);
+
+/* After the frame's last tick: the way is done. */
+void poi_hand_end(struct poi_hand *hand);
+
+#endif
