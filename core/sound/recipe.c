@@ -92,8 +92,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 293.7f, .string_gain = 0.55f, .string_delay_ms = 520.0f,
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
-    /* Hyoshigi: bars of hard oak struck together, "chon, chon": one bright mode each, the second blow
-     * a little lower, and the crack of the edges. The keeper has something to call. */
+    /* Hyoshigi: bars of hard oak struck together, "chon, chon": one bright mode each, the second
+     * blow a little lower, and the crack of the edges. The keeper has something to call. */
     [SOUND_CALL] = {
         .layer = {
             TONE(0.34f, 0.0f, 0.3f, 34.0f, 2120.0f, 2090.0f, 12.0f),
