@@ -154,3 +154,31 @@ enum exit_code league_close(const struct league *league, FILE *file, const char 
     }
     return EXIT_OK;
 }
+
+static void write_round(FILE *file, const char *arm, uint32_t seed,
+                        const struct round_result *result)
+{
+    fprintf(file, "%s\t%u\t%u\t%u\t%u\t", arm, seed, result->caught, result->scoops,
+            result->fouls);
+    if (result->torn) {
+        fprintf(file, "%.3f", result->torn_at_s);
+    }
+    fprintf(file, "\t%u\t%016llx\n", result->hole_area_mm2,
+            (unsigned long long)result->state_hash);
+}
+
+enum exit_code league_write_rounds(const struct league *league, const char *folder,
+                                   const char *name)
+{
+    FILE *file = league_file(league, folder, name);
+    if (!file) {
+        return EXIT_IO;
+    }
+    fputs("arm\tseed\tcaught\tscoops\tfouls\ttorn_at_s\thole_area_mm2\tstate_hash\n", file);
+    for (uint32_t a = 0; a < league->arm_count; a++) {
+        for (uint32_t i = 0; i < league->seeds; i++) {
+            write_round(file, league->arms[a].name, i, &league->arms[a].results[i]);
+        }
+    }
+    return league_close(league, file, name);
+}

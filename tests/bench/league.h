@@ -35,7 +35,12 @@ void league_end(struct league *league);
 /* What arm `index` caught with each seed, into `caught[seeds]`. */
 void league_caught(const struct league *league, uint32_t index, uint32_t *caught);
 
-/* Where figures go: opened for writing, or null, told. */
+/* Writes each round of each arm into `name`, for whoever wants to count otherwise: tab-separated,
+ * arm after arm, seed after seed. EXIT_OK, or EXIT_IO, told. */
+enum exit_code league_write_rounds(const struct league *league, const char *folder,
+                                   const char *name);
+
+/* Where other figures go: opened for writing, or null, told. */
 FILE *league_file(const struct league *league, const char *folder, const char *name);
 
 /* Closes it. EXIT_OK, or EXIT_IO, told. */

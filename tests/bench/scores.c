@@ -68,26 +68,6 @@ static int tell_goal(const struct league *league, uint32_t arm, const struct goa
     return met;
 }
 
-static enum exit_code write_rounds(const struct league *league, const char *folder)
-{
-    FILE *file = league_file(league, folder, "scores.tsv");
-    if (!file) {
-        return EXIT_IO;
-    }
-    fputs("bot\tseed\tcaught\tscoops\tfouls\ttorn_at_s\thole_area_mm2\tstate_hash\n", file);
-    for (uint32_t a = 0; a < league->arm_count; a++) {
-        for (uint32_t i = 0; i < league->seeds; i++) {
-            const struct round_result *result = &league->arms[a].results[i];
-            fprintf(file, "%s\t%u\t%u\t%u\t%u\t", league->arms[a].name, i, result->caught,
-                    result->scoops, result->fouls);
-            fprintf(file, result->torn ? "%.3f" : "", result->torn_at_s);
-            fprintf(file, "\t%u\t%016llx\n", result->hole_area_mm2,
-                    (unsigned long long)result->state_hash);
-        }
-    }
-    return league_close(league, file, "scores.tsv");
-}
-
 int main(int argc, char **argv)
 {
     struct league league = { .speaker = speaker };
@@ -112,7 +92,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < GOAL_COUNT; i++) {
         well &= tell_goal(&league, arms[i], &goals[i]);
     }
-    code = write_rounds(&league, argv[2]);
+    code = league_write_rounds(&league, argv[2], "scores.tsv");
     league_end(&league);
     return (int)(code != EXIT_OK ? code : well ? EXIT_OK : EXIT_NOT_SO);
 }

@@ -17,7 +17,7 @@ of(arm) = strcol(1) eq arm ? 1 : 0
 bin(x, width) = width * floor(x / width) + 0.5 * width
 set multiplot layout 3,1 title "Fish caught in a round: bots (bars), and what people are known to catch (behind them)\n"
 
-set xrange [-0.6:12.6]
+set xrange [-0.6:12.6<*]
 set xtics 1
 set boxwidth 0.8
 set title 'festival, No. 6 paper: the novice, and the two or three that most people are content with'
@@ -30,7 +30,7 @@ plot tsv using 3:(of('championship novice')) skip 1 smooth frequency with boxes 
 
 set title 'championship, No. 5 paper: the expert, the 35 to 87 of winners, and the record of 107'
 set xlabel 'fish caught'
-set xrange [0:125]
+set xrange [0:125<*]
 set xtics 10
 set boxwidth 4.4
 set object 1 rectangle from 35,graph 0 to 87,graph 1

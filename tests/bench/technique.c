@@ -144,27 +144,6 @@ static enum exit_code write_trials(const struct league *league, const struct tri
     return league_close(league, file, "technique.tsv");
 }
 
-/* Each round of each arm, for whoever wants to count otherwise. */
-static enum exit_code write_rounds(const struct league *league, const char *folder)
-{
-    FILE *file = league_file(league, folder, "rounds.tsv");
-    if (!file) {
-        return EXIT_IO;
-    }
-    fputs("arm\tseed\tcaught\tscoops\ttorn_at_s\thole_area_mm2\tstate_hash\n", file);
-    for (uint32_t a = 0; a < league->arm_count; a++) {
-        for (uint32_t i = 0; i < league->seeds; i++) {
-            const struct round_result *result = &league->arms[a].results[i];
-            fprintf(file, "%s\t%u\t%u\t%u\t", league->arms[a].name, i, result->caught,
-                    result->scoops);
-            fprintf(file, result->torn ? "%.3f" : "", result->torn_at_s);
-            fprintf(file, "\t%u\t%016llx\n", result->hole_area_mm2,
-                    (unsigned long long)result->state_hash);
-        }
-    }
-    return league_close(league, file, "rounds.tsv");
-}
-
 int main(int argc, char **argv)
 {
     struct league league = { .speaker = speaker };
@@ -186,7 +165,7 @@ int main(int argc, char **argv)
     }
     print_trials(&league, trials);
     code = write_trials(&league, trials, argv[3]);
-    code = code == EXIT_OK ? write_rounds(&league, argv[3]) : code;
+    code = code == EXIT_OK ? league_write_rounds(&league, argv[3], "rounds.tsv") : code;
     const int well = all_is_well(trials, league.seeds);
     league_end(&league);
     return (int)(code != EXIT_OK ? code : well ? EXIT_OK : EXIT_NOT_SO);

@@ -45,7 +45,7 @@ check 'the difference is that of the means' awk -F'\t' \
     'NR > 1 && (($3 - $4 - $5) ^ 2 > 1e-6) { print; bad = 1 } END { exit bad }' "$work/technique.tsv"
 played_alike() { # ARM: anybody gets the same round from the file alone
     local here there
-    here=$(awk -F'\t' -v arm="$1" '$1 == arm && $2 == 0 { print $7, $3 }' "$work/rounds.tsv")
+    here=$(awk -F'\t' -v arm="$1" '$1 == arm && $2 == 0 { print $8, $3 }' "$work/rounds.tsv")
     "$ctl" play --bot "$bots/$1.bot" --mode festival --grade 6 --fish 300 --round-s 60 --seed 0 --json >"$work/one.json"
     there=$(sqlite3 :memory: "select json_extract(j,'\$.rounds[0].state_hash') || ' ' || json_extract(j,'\$.rounds[0].caught')
         from (select readfile('$work/one.json') as j)")
