@@ -1,5 +1,5 @@
-/* game_stand.h -- the game alone on a test stand, with a still tank: its clock and rules are what is
- * tested. stall_stand.h plays the whole stall. */
+/* game_stand.h -- the game alone on a test stand, with a still tank: its clock and rules are what
+ * is tested. stall_stand.h plays the whole stall. */
 #ifndef KINGYO_TESTS_GAME_STAND_H
 #define KINGYO_TESTS_GAME_STAND_H
 
