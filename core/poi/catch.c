@@ -13,6 +13,7 @@
 #define FLOAT_SHARE 1.50f   /* Water over the paper, in body heights: a rider floats off. */
 #define SLACK_N_M 1.5f /* A fish alone stretches wet paper so much. */
 #define LIFT_OFF_M_S2 0.5f  /* Pulled from the paper by more than this, it flies. */
+#define LAND_M_S 0.2f        /* Wet paper takes most of what a fish comes down aslant with. */
 #define SLAP_EVERY_TICKS 8u /* Sounds of one kind, at most this often. */
 #define TEAR_EVERY_TICKS 14u
 
@@ -78,9 +79,36 @@ static void let_fall(const struct scoop *scoop, struct rider *rider)
     fall_begin(rider, v3_add(scoop->poi->velocity_m_s, basis_to_world(&scoop->axes, slide)));
 }
 
+/* A fish that was thrown up, or a poi that comes up under it: paper that it meets from above has it
+ * again. `before_m` is where it was a tick ago. Unturned in the poi's axes, as both fly. */
+static int lands(const struct scoop *scoop, const struct rider *rider, vec3 before_m,
+                 struct rider *lying)
+{
+    const struct poi *poi = scoop->poi;
+    const struct fish *fish = &scoop->tank->fish[rider->fish];
+    const struct basis was = basis_from_angles(poi->before_angles);
+    const vec3 from = basis_to_body(&was, v3_sub(before_m, poi->before_m));
+    const vec3 to = basis_to_body(&scoop->axes, v3_sub(fish->position_m, poi->position_m));
+    const vec3 speed = basis_to_body(&scoop->axes, v3_sub(rider->fall_m_s, poi->velocity_m_s));
+    if (from.y < 0.0f || to.y >= 0.0f) {
+        return 0;
+    }
+    const vec3 at = v3_lerp(from, to, from.y / (from.y - to.y));
+    *lying = *rider;
+    lying->state = RIDER_LYING;
+    lying->x_m = at.x;
+    lying->z_m = at.z;
+    lying->height_m = 0.0f;
+    lying->slide_x_m_s = f_clamp(speed.x, -LAND_M_S, LAND_M_S);
+    lying->slide_z_m_s = f_clamp(speed.z, -LAND_M_S, LAND_M_S);
+    return footing_holds(&poi->sheet, lying, fish);
+}
+
 /* Returns whether the fall is over. */
 static int fall(const struct scoop *scoop, struct rider *rider)
 {
+    const vec3 before_m = scoop->tank->fish[rider->fish].position_m;
+    struct rider lying;
     uint32_t bowl;
     switch (fall_tick(rider, scoop->stall, &bowl)) {
     case FALL_INTO_BOWL:
@@ -91,6 +119,11 @@ static int fall(const struct scoop *scoop, struct rider *rider)
         output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
         return 1;
     default:
+        if (lands(scoop, rider, before_m, &lying)) {
+            *rider = lying;
+            rider_pose(rider, &scoop->ride, scoop->poi->position_m, &scoop->axes,
+                       &scoop->tank->fish[rider->fish]);
+        }
         return 0;
     }
 }
