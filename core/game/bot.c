@@ -31,7 +31,7 @@
 #define APPROACH_S_MAX 1.5f
 #define CRADLE_RAD (8.0f * F_DEG) /* Far edge up: water runs off, the fish lies against the rim. */
 
-#define JAM_M 0.075f              /* A ring seen so far below the hand is held by fish: wait. */
+#define JAM_M 0.050f              /* A ring seen so far below the hand is held by fish: wait. */
 
 #define TIP_RAD (58.0f * F_DEG)   /* Steep enough for a fish to roll over the ring. */
 #define TIP_FALL_M 0.046f         /* It leaves the ring so far from its centre. */
