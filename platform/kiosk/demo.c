@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/game/rules.h"
 #include "core/tank/preset.h"
 #include "platform/board.h"
 #include "platform/clock.h"
@@ -15,7 +16,7 @@
 #define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
 #define NS_PER_S 1000000000ull
 #define START_NS 1500000000ull   /* The attract picture first, then the round. */
-#define AROUND_ROUND_S 8u        /* Attract, the seconds to take the poi, a look at the result. */
+#define AROUND_ROUND_S 5u        /* Attract, and a look at the result. */
 #define ROUND_S_MIN 10u
 #define FOLDER_DEFAULT "out/demo"
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
@@ -42,22 +43,32 @@ static void wire(struct demo *demo)
     board_open_rehearsal(&demo->session->hal, &board, START_NS);
 }
 
+/* To take the poi, in the first mode that is offered. */
+static uint32_t ready_s(const struct options *options)
+{
+    uint8_t mode = 0;
+    while (mode < MODE_COUNT - 1u && options->modes != 0 && !(options->modes >> mode & 1u)) {
+        mode++;
+    }
+    return rules_of(mode)->ready_s;
+}
+
 static enum exit_code begin(struct demo *demo)
 {
     const struct options *options = &demo->session->options;
-    const uint32_t round_s =
-        options->demo_s > AROUND_ROUND_S ? options->demo_s - AROUND_ROUND_S : 0;
+    const uint32_t around_s = AROUND_ROUND_S + ready_s(options);
+    const uint32_t round_s = options->demo_s > around_s ? options->demo_s - around_s : 0;
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : DEMO_SEED,
-            .preset = options->tank,
-            .fish_count = options->fish_count,
-            .language = options->language,
             .round_s = round_s > ROUND_S_MIN ? round_s : ROUND_S_MIN,
         },
-        .bot = { 1 },
         .stopwatch = clock_device(),
     };
+    options_stall(options, 1u << MODE_FESTIVAL, &config.core);
+    for (uint32_t i = 0; i < options_players(options); i++) {
+        config.bot[i] = 1;
+    }
     demo->whole_replay = options->replay[0] && !options->demo;
     demo->end_ns = demo->whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ
                                 : options->demo_s * NS_PER_S;
@@ -163,8 +174,12 @@ static void print_summary(const struct demo *demo)
            (double)kiosk->core.tick / CORE_TICK_HZ,
            session->options.replay[0] ? "of a recording" : "played by the bot",
            kiosk->core.config.seed, kiosk->core.tank.fish_count);
-    printf("  fish caught   %u\n", kiosk->scene.caught[0]);
-    printf("  paper left    %.0f %%\n", 100.0 * (double)kiosk->scene.poi[0].paper_left);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (kiosk->scene.bowl[i].present) {
+            printf("  player %u      %u fish caught, %.0f %% of the paper left\n", i + 1u,
+                   kiosk->scene.caught[i], 100.0 * (double)kiosk->scene.poi[i].paper_left);
+        }
+    }
     printf("  ticks         %u, %llu dropped\n", kiosk->core.tick,
            (unsigned long long)kiosk->pace.dropped);
     printf("  frames        %llu of %ux%u; frame time median %.1f ms, p99 %.1f ms\n",

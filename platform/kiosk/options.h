@@ -6,11 +6,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/core.h"
+
 #define OPTIONS_PATH_MAX 1024u
 #define OPTIONS_ERROR_MAX 256u
 #define OPTIONS_DEMO_S 20u
 #define OPTIONS_DEMO_S_MIN 5u
 #define OPTIONS_DEMO_S_MAX 600u
+#define OPTIONS_MODES_ALL ((1u << MODE_COUNT) - 1u)
 
 /* The exit codes of both programs. */
 enum exit_code {
@@ -32,6 +35,9 @@ struct options {
     uint32_t seed;
     uint8_t tank;                  /* enum tank_preset_id */
     uint32_t fish_count;           /* 0: the tank's own. */
+    uint8_t modes;                 /* As core_config's; 0: nobody said. */
+    uint8_t grade;                 /* As core_config's. */
+    uint8_t players;               /* As core_config's. */
     char record[OPTIONS_PATH_MAX]; /* Each "" when not asked for. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
@@ -51,6 +57,13 @@ int options_parse(struct options *options, int argc, const char *const *argv,
  * file cannot be read. */
 int options_read_config(struct options *options, const char *path,
                         void (*warn)(const char *line));
+
+/* Writes what they ask of the stall into `core`: tank, fish, language, modes (`modes` where nobody
+ * said), paper and players. The rest of it stays. */
+void options_stall(const struct options *options, uint8_t modes, struct core_config *core);
+
+/* How many bowls there will be, 1 .. POI_MAX. */
+uint32_t options_players(const struct options *options);
 
 /* What --help prints. */
 void options_print_help(void);

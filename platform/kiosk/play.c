@@ -151,13 +151,13 @@ static enum exit_code begin(struct session *session)
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : (uint32_t)time(NULL),
-            .preset = options->tank,
-            .fish_count = options->fish_count,
-            .language = options->language,
         },
-        .bot = { options->poi == BOARD_POI_BOT },
         .stopwatch = clock_device(),
     };
+    options_stall(options, OPTIONS_MODES_ALL, &config.core);
+    for (uint32_t i = 0; i < options_players(options); i++) {
+        config.bot[i] = options->poi == BOARD_POI_BOT;
+    }
     storage->ops->best_today(storage->self, config.core.best_today);
     return session_begin(session, &config);
 }

@@ -8,7 +8,7 @@ recording=$work/play.kgr
 open_screen
 # The stall as it opens: 300 fish. Our hand lands one in about five tries on an idle machine and, tried at
 # four pictures a second beside three busy loops on two cores, one in about ten.
-start_kiosk --seed 5 --record "$recording"
+start_kiosk --seed 5 --mode festival --record "$recording"
 ok $? 'the kiosk opens its window and shows a picture' "$work/err" || { done_testing; exit 1; }
 xdotool key space
 sleep 4 # Three seconds to take the poi.

@@ -34,6 +34,7 @@ static void test_every_option_is_understood(void **state)
         "kingyo",        "--window", "800x600", "--poi",  "bot",   "--record", "a.kgr",
         "--shots",       "pics",     "--data=scores",     "--config", "c.conf",
         "--lang",        "en",       "--seed",  "0255",   "--fish", "50",
+        "--mode",        "championship", "--grade", "4",  "--players", "3",
         "--demo",        "30",
     };
     (void)state;
@@ -49,6 +50,9 @@ static void test_every_option_is_understood(void **state)
     assert_int_equal(options.seed, 255);
     assert_int_equal(options.has_seed, 1);
     assert_int_equal(options.fish_count, 50);
+    assert_int_equal(options.modes, 1u << MODE_CHAMPIONSHIP);
+    assert_int_equal(options.grade, 4);
+    assert_int_equal(options.players, 3);
     assert_int_equal(options.demo, 1);
     assert_int_equal(options.demo_s, 30);
 }
@@ -87,6 +91,15 @@ static void test_a_wrong_option_is_one_line_that_names_it(void **state)
         { "kingyo", "--seed", " 1", NULL },
         { "kingyo", "--fish", "0", NULL },
         { "kingyo", "--fish", "2048", NULL },
+        { "kingyo", "--mode", "tournament", NULL },
+        { "kingyo", "--mode", "", NULL },
+        { "kingyo", "--mode", NULL },
+        { "kingyo", "--grade", "3", NULL },
+        { "kingyo", "--grade", "8", NULL },
+        { "kingyo", "--grade", "5.5", NULL },
+        { "kingyo", "--players", "0", NULL },
+        { "kingyo", "--players", "5", NULL },
+        { "kingyo", "--players", "two", NULL },
         { "kingyo", "--demo", "4", NULL },
         { "kingyo", "--demo", "601", NULL },
         { "kingyo", "--demo=", NULL },
@@ -144,6 +157,48 @@ static void test_the_stall_opens_the_festival_tank_and_no_unknown_one(void **sta
     assert_non_null(strstr(error, "festival, thesis or official"));
 }
 
+static void test_a_mode_is_one_of_three_or_asked_for(void **state)
+{
+    static const char *const modes[] = { "festival", "championship", "practice" };
+    (void)state;
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        const char *const argv[] = { "kingyo", "--mode", modes[mode] };
+        assert_int_equal(parse(COUNT(argv), argv), 0);
+        assert_int_equal(options.modes, 1u << mode);
+    }
+    const char *const argv[] = { "kingyo", "--mode=choose" };
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.modes, OPTIONS_MODES_ALL);
+}
+
+static void test_what_is_asked_reaches_the_stall(void **state)
+{
+    static const char *const none[] = { "kingyo" };
+    static const char *const all[] = { "kingyo", "--mode", "practice", "--grade", "7", "--players",
+                                       "4", "--tank", "thesis", "--fish", "50", "--lang", "en" };
+    struct core_config core = { .seed = 9, .round_s = 30, .best_today = { 4 } };
+    (void)state;
+    assert_int_equal(parse(COUNT(none), none), 0);
+    options_stall(&options, OPTIONS_MODES_ALL, &core);
+    assert_int_equal(core.modes, OPTIONS_MODES_ALL); /* Of the screen; the demo says otherwise. */
+    assert_int_equal(core.grade, 0);
+    assert_int_equal(core.players, 0);
+    assert_int_equal(options_players(&options), 1);
+    assert_int_equal(core.preset, TANK_PRESET_FESTIVAL);
+    assert_int_equal(parse(COUNT(all), all), 0);
+    options_stall(&options, OPTIONS_MODES_ALL, &core);
+    assert_int_equal(core.modes, 1u << MODE_PRACTICE);
+    assert_int_equal(core.grade, 7);
+    assert_int_equal(core.players, 4);
+    assert_int_equal(options_players(&options), 4);
+    assert_int_equal(core.preset, TANK_PRESET_THESIS);
+    assert_int_equal(core.fish_count, 50);
+    assert_int_equal(core.language, LANGUAGE_EN);
+    assert_int_equal(core.seed, 9);
+    assert_int_equal(core.round_s, 30);
+    assert_int_equal(core.best_today[0], 4);
+}
+
 static void test_recording_a_replay_is_refused(void **state)
 {
     static const char *const argv[] = { "kingyo", "--record", "a", "--replay", "b" };
@@ -193,12 +248,16 @@ static void test_a_configuration_file_sets_the_same_things(void **state)
 {
     (void)state;
     assert_int_equal(read_text("# the stall at the station\n\n lang = en   # for visitors\n"
-                               "window=1920x1080\nfish = 400"),
+                               "window=1920x1080\nfish = 400\n"
+                               "mode = championship\ngrade = 4\nplayers = 2"),
                      0);
     assert_int_equal(warning_count, 0);
     assert_int_equal(options.language, LANGUAGE_EN);
     assert_int_equal(options.width, 1920);
     assert_int_equal(options.fish_count, 400);
+    assert_int_equal(options.modes, 1u << MODE_CHAMPIONSHIP);
+    assert_int_equal(options.grade, 4);
+    assert_int_equal(options.players, 2);
 }
 
 static void test_a_number_is_decimal_whatever_it_begins_with(void **state)
@@ -267,6 +326,8 @@ int main(void)
         cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
         cmocka_unit_test(test_as_many_fish_as_the_tank_holds_and_not_one_more),
         cmocka_unit_test(test_the_stall_opens_the_festival_tank_and_no_unknown_one),
+        cmocka_unit_test(test_a_mode_is_one_of_three_or_asked_for),
+        cmocka_unit_test(test_what_is_asked_reaches_the_stall),
         cmocka_unit_test(test_recording_a_replay_is_refused),
         cmocka_unit_test(test_a_path_longer_than_any_is_refused),
         cmocka_unit_test(test_a_configuration_file_sets_the_same_things),

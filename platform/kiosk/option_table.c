@@ -1,0 +1,241 @@
+/* option_table.c -- what each option is called, takes and says. */
+#include "platform/kiosk/option_table.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/game/rules.h"
+#include "core/poi/sheet.h"
+#include "core/scene.h"
+#include "core/tank/tank.h"
+#include "platform/board.h"
+#include "platform/number.h"
+
+/* ---- Values --------------------------------------------------------------------------------- */
+
+static int copy_path(char out[OPTIONS_PATH_MAX], const char *text)
+{
+    const size_t length = strlen(text);
+    if (length == 0 || length >= OPTIONS_PATH_MAX) {
+        return 0;
+    }
+    memcpy(out, text, length + 1);
+    return 1;
+}
+
+static int set_demo(struct options *options, const char *value)
+{
+    options->demo = 1;
+    options->demo_s = OPTIONS_DEMO_S;
+    return !value || number_parse(value, OPTIONS_DEMO_S_MIN, OPTIONS_DEMO_S_MAX, &options->demo_s);
+}
+
+static int set_window(struct options *options, const char *value)
+{
+    char width[16];
+    const char *cross = strchr(value, 'x');
+    if (!cross || cross == value || (size_t)(cross - value) >= sizeof width) {
+        return 0;
+    }
+    snprintf(width, sizeof width, "%.*s", (int)(cross - value), value);
+    return number_parse(width, 320, 8192, &options->width) &&
+           number_parse(cross + 1, 240, 8192, &options->height);
+}
+
+static int find_name(const char *const *names, uint8_t count, const char *value, uint8_t *out)
+{
+    for (uint8_t i = 0; i < count; i++) {
+        if (strcmp(names[i], value) == 0) {
+            *out = i;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int set_poi(struct options *options, const char *value)
+{
+    static const char *const names[] = { "auto", "mouse", "pad", "usb", "bot" };
+    return find_name(names, sizeof names / sizeof names[0], value, &options->poi);
+}
+
+static int set_language(struct options *options, const char *value)
+{
+    static const char *const names[] = { "ja", "en" };
+    options->has_language = 1;
+    return find_name(names, LANGUAGE_COUNT, value, &options->language);
+}
+
+static int set_seed(struct options *options, const char *value)
+{
+    options->has_seed = 1;
+    return number_parse(value, 0, UINT32_MAX, &options->seed);
+}
+
+static int set_tank(struct options *options, const char *value)
+{
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        if (strcmp(tank_preset(id)->name, value) == 0) {
+            options->tank = id;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static uint32_t fish_max(uint8_t tank)
+{
+    return tank_preset_fish_max(tank_preset(tank), 1.0f);
+}
+
+/* Whether its tank holds them is asked when the tank is known: too_many_fish(). */
+static int set_fish(struct options *options, const char *value)
+{
+    return number_parse(value, 1, TANK_FISH_MAX, &options->fish_count);
+}
+
+/* One mode, or all of them to choose from. */
+static int set_mode(struct options *options, const char *value)
+{
+    uint8_t mode;
+    const char *names[MODE_COUNT];
+    for (mode = 0; mode < MODE_COUNT; mode++) {
+        names[mode] = rules_of(mode)->name;
+    }
+    if (strcmp(value, "choose") == 0) {
+        options->modes = OPTIONS_MODES_ALL;
+        return 1;
+    }
+    if (!find_name(names, MODE_COUNT, value, &mode)) {
+        return 0;
+    }
+    options->modes = (uint8_t)(1u << mode);
+    return 1;
+}
+
+static int set_small(const char *value, uint32_t least, uint32_t most, uint8_t *out)
+{
+    uint32_t number;
+    if (!number_parse(value, least, most, &number)) {
+        return 0;
+    }
+    *out = (uint8_t)number;
+    return 1;
+}
+
+static int set_grade(struct options *options, const char *value)
+{
+    return set_small(value, SHEET_GRADE_MIN, SHEET_GRADE_MAX, &options->grade);
+}
+
+static int set_players(struct options *options, const char *value)
+{
+    return set_small(value, 1, POI_MAX, &options->players);
+}
+
+static int set_record(struct options *options, const char *value)
+{
+    return copy_path(options->record, value);
+}
+
+static int set_replay(struct options *options, const char *value)
+{
+    return copy_path(options->replay, value);
+}
+
+static int set_shots(struct options *options, const char *value)
+{
+    return copy_path(options->shots, value);
+}
+
+static int set_data(struct options *options, const char *value)
+{
+    return copy_path(options->data, value);
+}
+
+static int set_config(struct options *options, const char *value)
+{
+    return copy_path(options->config, value);
+}
+
+static int set_help(struct options *options, const char *value)
+{
+    (void)value;
+    options->help = 1;
+    return 1;
+}
+
+static int set_version(struct options *options, const char *value)
+{
+    (void)value;
+    options->version = 1;
+    return 1;
+}
+
+/* ---- The table ------------------------------------------------------------------------------ */
+
+static const struct option table[] = {
+    { "demo", "[SECONDS]", "let the bot play off screen and write pictures (20 s)",
+      "5 to 600 seconds", set_demo, 1 },
+    { "window", "WxH", "play in a window of that size; else full screen",
+      "WIDTHxHEIGHT from 320x240 to 8192x8192", set_window, 0 },
+    { "poi", "KIND", "who holds the poi: auto, mouse, pad, usb or bot, who holds all",
+      "auto, mouse, pad, usb or bot", set_poi, 0 },
+    { "mode", "NAME", "festival, championship, practice, or choose: START asks (demo: festival)",
+      "festival, championship, practice or choose", set_mode, 0 },
+    { "grade", "N", "paper from 4, strong, to 7, weak (6; a championship has 5)", "4 to 7",
+      set_grade, 0 },
+    { "players", "N", "bowls at the tank; who has no controller leaves one empty", "1 to 4",
+      set_players, 0 },
+    { "record", "FILE", "write the play to FILE, a new one, to be shown again", "a path",
+      set_record, 0 },
+    { "replay", "FILE", "show a recorded play and check it", "a path", set_replay, 1 },
+    { "shots", "DIR", "where pictures go (demo: out/demo; else one each 5 s)", "a path",
+      set_shots, 0 },
+    { "data", "DIR", "where scores are kept (~/.local/share/kingyo)", "a path", set_data, 0 },
+    { "config", "FILE", "read 'option = value' lines first; options here win", "a path",
+      set_config, 1 },
+    { "lang", "ja|en", "language of the stall", "ja or en", set_language, 0 },
+    { "tank", "NAME", "festival (the stall), thesis (2013) or official (championship)",
+      "festival, thesis or official", set_tank, 0 },
+    { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed, 0 },
+    { "fish", "N", "how many fish; the tanks hold", "1 to", set_fish, 0 },
+    { "help", NULL, "this text", NULL, set_help, 1 },
+    { "version", NULL, "the version", NULL, set_version, 1 },
+};
+
+const struct option *option_find(const char *name, size_t length)
+{
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        if (strlen(table[i].name) == length && memcmp(table[i].name, name, length) == 0) {
+            return &table[i];
+        }
+    }
+    return NULL;
+}
+
+const char *option_says(const struct option *option, const char *text, char out[OPTION_TEXT_MAX])
+{
+    if (option->set != set_fish) {
+        return text;
+    }
+    snprintf(out, OPTION_TEXT_MAX, "%s %u, %u or %u", text, fish_max(TANK_PRESET_FESTIVAL),
+             fish_max(TANK_PRESET_THESIS), fish_max(TANK_PRESET_OFFICIAL));
+    return out;
+}
+
+int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])
+{
+    const uint32_t most = fish_max(options->tank);
+    if (options->fish_count <= most) {
+        return 0;
+    }
+    snprintf(says, OPTION_TEXT_MAX, "%u is too many; the %s tank holds 1 to %u", options->fish_count,
+             tank_preset(options->tank)->name, most);
+    return 1;
+}
+
+const struct option *option_at(uint32_t index)
+{
+    return index < sizeof table / sizeof table[0] ? &table[index] : NULL;
+}
