@@ -68,6 +68,9 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
             relieve_row(strain, row);
         }
     }
+    if (sheet->ideal) {
+        return;
+    }
     const uint32_t near = changed | changed << 1 | changed << 2 | changed << 3 | changed >> 1 |
                           changed >> 2 | changed >> 3;
     _Static_assert(TEAR_RUN_MAX == 3u, "as many rows up and down");
@@ -118,9 +121,7 @@ static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
     }
     if (gone > 0) {
         gone += tear_drop_loose(&strain->map, sheet);
-        if (!sheet->ideal) {
-            regather(strain, sheet, changed_rows(strain, before));
-        }
+        regather(strain, sheet, changed_rows(strain, before));
         CORE_ASSERT(sheet->paper_cells >= gone);
         sheet->paper_cells -= gone;
     }

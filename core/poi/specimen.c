@@ -10,9 +10,22 @@
 #define FLOC 0.05f        /* Either way, from cell to cell: tears wander. */
 #define SPOT_COUNT 3u     /* Thin places a specimen has. */
 
-/* Strengths are the weakest-sourced figures of the kiosk: paper of 14 to 24 g/m^2 with a tensile
- * index of a soft tissue, keeping 8 to 15 % of it when wet. A tunable table, to be calibrated by
- * hanging weights on a wet poi. */
+/* The weakest-sourced figures of the kiosk, all of them here. How well each is known:
+ *
+ *   areal mass   a guess. Poi paper feels like tissue, which is 14 to 25 g/m^2; nobody prints it.
+ *                That a higher number is thinner paper is told by every seller but one.
+ *   dry          a guess: areal mass times 20 N m/g, the tensile index of a soft tissue (15 to 30;
+ *                kozo 40 to 70).
+ *   wet          the ratio is sourced: plain paper keeps less than a tenth of its strength when
+ *                wet, wet-strength paper 15 % and more. Here 7 to 12.5 %, so that each grade can
+ *                be told from the next; tuned by play.
+ *   stiffness    a guess: wet, it strains by 1 to 2 % before it breaks.
+ *   STRENGTH_SD  a guess; contestants choose among poi by eye, so they do differ.
+ *   FLOC, spots  a guess. That pois have thin places and a fibre direction is what finalists look
+ *                for (they choose by both).
+ *
+ * README.md, Calibrate, says how to measure the wet strength with weights; `kingyoctl paper
+ * --calibrate` turns them into a line of this table. */
 static const struct paper_grade grades[SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u] = {
     { .areal_kg_m2 = 0.024f, .dry_n_m = 480.0f, .wet_n_m = 60.0f, .stiffness_n_m = 2800.0f },
     { .areal_kg_m2 = 0.020f, .dry_n_m = 400.0f, .wet_n_m = 45.0f, .stiffness_n_m = 2300.0f },
