@@ -88,7 +88,7 @@ void main()
     shine *= shine; shine *= shine; shine *= shine; shine *= shine;
     float glints = shine * wet * above * (0.35 - 0.25 * pooled);
     glints += 0.25 * gloss * gloss + 0.30 * mirror + 0.16 * edge;
-    tint += glints * (1.0 - 0.75 * paper.z); // On the map of stress white has a meaning.
+    tint += min(glints, 0.32) * (1.0 - 0.75 * paper.z); // On the map of stress white has a meaning.
     vec3 left = water_passes(-world.y * 1.2);
     color = vec4(mix(WATER_COLOR, tint, left) * alpha, alpha);
 }

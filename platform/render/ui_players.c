@@ -145,8 +145,13 @@ static void project(const struct ui_frame *frame, const struct view *view, vec3 
 void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha)
 {
     const float radius = 24.0f * frame->unit, edge = radius + 4.0f * frame->unit;
-    for (uint32_t i = 0; i < POI_MAX && ui_player_count(scene) > 1u; i++) {
-        if (scene->player[i].plays && scene->bowl[i].present) {
+    uint32_t bowls = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        bowls += scene->bowl[i].present != 0;
+    }
+    for (uint32_t i = 0; i < POI_MAX && bowls > 1u; i++) {
+        const int wanted = scene->phase == PHASE_READY || scene->player[i].plays;
+        if (wanted && scene->bowl[i].present) {
             float x, y;
             project(frame, &scene->view, scene->bowl[i].position_m, &x, &y);
             frame->batch->opacity = alpha;

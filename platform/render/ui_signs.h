@@ -52,7 +52,7 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
 float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
                       const struct ui_memory *memory, float right_px);
 
-/* Of several players: whose bowl is whose, in numbers over them. */
+/* Of several bowls: whose is whose, in numbers over them; once a round runs, of those who play. */
 void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha);
 
 /* Over everything: the keeper's call, the umpire's foul, and the wait for a hand that is lost. */
