@@ -2,9 +2,10 @@
  *
  * Eyes see a disc loom: its image is large enough and grows fast. The ear and the lateral line feel
  * the pressure of the water that a disc pushes (flow.h), which grows as the square of its speed.
- * the individual bears, a start waits for its latency and then begins, 8 to 15 ms after a blow to
- * the water (Eaton et al. 1977), 60 to 150 ms after a sight. The figures of stimuli are design, set
- * by play, but for the angle that must be seen.
+ * Shadows add what shade.h says. All add to one alarm; past what the individual bears, a start
+ * waits for its latency and then begins, 8 to 15 ms after a blow to the water (Eaton et al. 1977),
+ * 60 to 150 ms after a sight. The figures of stimuli are design, set by play, but for the angle
+ * that must be seen.
  */
 #ifndef KINGYO_CORE_TANK_FRIGHT_H
 #define KINGYO_CORE_TANK_FRIGHT_H
