@@ -12,7 +12,7 @@
 #define TILT_RAD 0.15f            /* A wrist that turned on purpose. */
 #define FRUITLESS_DIPS 2u         /* So many in vain, and a word on how it is done helps. */
 #define ABOVE_M 0.045f            /* A fish so near the ring's axis is over it. */
-#define WET_CELL 0.5f             /* So much of it through, a cell counts as wet, ... */
+#define WET_CELL 0.2f             /* A cell that was under for a quarter of a second, ... */
 #define WET_PART_MIN 0.15f        /* ... and between these shares of the paper as wet in part. */
 #define WET_PART_MAX 0.85f
 #define POURED_TICKS (4u * CORE_TICK_HZ) /* So long the word on a pour stands. */

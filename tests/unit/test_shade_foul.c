@@ -1,5 +1,5 @@
-/* test_shade_foul.c -- before the start the umpire sees who holds a shadow over fish: hands and fans
- * move, nobody declares anything. */
+/* test_shade_foul.c -- before the start the umpire sees who holds a shadow over fish: hands and
+ * fans move, nobody declares anything. */
 #include "stall_stand.h"
 
 #include "core/game/fouls.h"
