@@ -1,6 +1,7 @@
 /* ui_choose.c -- which mode? Wooden tags hang side by side from the stall's pole. */
 #include <math.h>
 
+#include "core/game/game.h"
 #include "platform/render/ui_signs.h"
 
 #define CEDAR 0xd9a667ffu
@@ -106,18 +107,17 @@ static void pole(const struct ui_frame *frame, float y, float width)
                                                .shape = { 0, 0, 7.0f * u, 2.0f * u } });
 }
 
-/* How long there is to choose, before the tag that is pointed at is taken. */
+/* How long the keeper waits for somebody to point or to take a tag. */
 static void seconds_ring(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const float u = frame->unit, radius = 36.0f * u;
     const float left = fminf(fmaxf(scene->seconds_left, 0.0f), SECONDS_SHOWN);
-    const float total = scene->phase_s + left;
     const struct ui_box box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
     char number[12];
     text_number(number, sizeof number, "{}", (uint32_t)ceilf(left));
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = UI_NIGHT,
                                                .shape = { 0, 0, radius } });
-    const float part = total > 0.0f ? left / total : 0.0f;
+    const float part = ui_clamp01(left / ((float)GAME_CHOOSE_TICKS * CORE_TICK_S));
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_RING, .fill = UI_GOLD,
                                                .line = 0xffffff28u,
                                                .shape = { radius, 6.0f * u, part } });

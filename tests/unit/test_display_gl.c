@@ -148,6 +148,89 @@ static void test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_
     assert_true(middle(pixels[0], 0) > middle(pixels[1], 0) + 25u * 12u);
 }
 
+/* A poi that lies level 5 cm over the water; the eye is over its middle. */
+static void show_poi(void)
+{
+    struct scene_poi *const poi = &scene.poi[0];
+    scene.phase = PHASE_WORDLESS;
+    scene.fish_count = 0;
+    scene.bowl[0].present = 0;
+    memset(scene.slope, 0, sizeof scene.slope);
+    *poi = (struct scene_poi){ .present = 1,
+                               .position_m = v3(0.0f, 0.05f, 0.0f),
+                               .ring_radius_m = 0.04f,
+                               .paper_left = 1.0f };
+    memset(poi->wetness, 255, sizeof poi->wetness);
+    memset(poi->integrity, 255, sizeof poi->integrity);
+    scene.view.target_m = poi->position_m;
+    scene.view.eye_m = v3(0.0f, 0.30f, 0.02f);
+}
+
+static uint32_t brightness(const uint8_t rgb[PIXELS_SIZE])
+{
+    return 3u * middle(rgb, 0) + 6u * middle(rgb, 1) + middle(rgb, 2); /* As an eye weighs them. */
+}
+
+static void test_more_stress_is_brighter_for_every_eye_and_only_in_practice(void **state)
+{
+    (void)state;
+    show_poi();
+    picture(pixels[0]);
+    memset(scene.poi[0].stress, 128, sizeof scene.poi[0].stress);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    uint32_t before = 0;
+    scene.poi[0].shows_stress = 1;
+    for (uint32_t stress = 0; stress <= 250u; stress += 25u) {
+        memset(scene.poi[0].stress, (int)stress, sizeof scene.poi[0].stress);
+        picture(pixels[0]);
+        assert_true(brightness(pixels[0]) > before);
+        before = brightness(pixels[0]);
+    }
+}
+
+static void test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface(void **state)
+{
+    (void)state;
+    show_poi();
+    scene.poi[0].sag_m = 0.003f;
+    picture(pixels[0]);
+    scene.poi[0].water_m = 0.002f;
+    picture(pixels[1]);
+    assert_true(middle(pixels[0], 0) > middle(pixels[1], 0)); /* Bluer where it is deep. */
+    scene.poi[0].position_m.y = -0.04f;
+    picture(pixels[1]);
+    scene.poi[0].water_m = 0.0f;
+    picture(pixels[0]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+/* How many pixels in the picture are white plastic. */
+static uint32_t white_pixels(const uint8_t rgb[PIXELS_SIZE])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < PIXELS_SIZE; i += 3u) {
+        count += rgb[i] > 190 && rgb[i + 1] > 180 && rgb[i + 2] > 170;
+    }
+    return count;
+}
+
+static void test_players_are_told_apart_without_colours(void **state)
+{
+    (void)state;
+    uint32_t before = 0;
+    for (uint8_t owner = 0; owner < POI_MAX; owner++) {
+        show_poi();
+        scene.poi[0].owner = owner;
+        memset(scene.poi[0].integrity, 0, sizeof scene.poi[0].integrity); /* The ring alone. */
+        picture(pixels[0]);
+        const uint32_t white = white_pixels(pixels[0]);
+        print_message("player %d: %u white pixels\n", owner + 1, white);
+        assert_true(owner == 0 || white > before + before / 8u);
+        before = white;
+    }
+}
+
 static void test_a_gulp_opens_the_mouth_and_rings_the_water(void **state)
 {
     (void)state;
@@ -313,6 +396,9 @@ int main(void)
         WITH_DISPLAY(test_one_fish_a_hole_and_a_wave_each_change_the_picture),
         WITH_DISPLAY(
             test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water),
+        WITH_DISPLAY(test_more_stress_is_brighter_for_every_eye_and_only_in_practice),
+        WITH_DISPLAY(test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface),
+        WITH_DISPLAY(test_players_are_told_apart_without_colours),
         WITH_DISPLAY(test_a_gulp_opens_the_mouth_and_rings_the_water),
         WITH_DISPLAY(test_a_pump_that_runs_bubbles_and_its_stone_stays),
         WITH_DISPLAY(test_a_tank_can_be_shown_without_a_word),
