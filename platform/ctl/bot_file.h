@@ -33,10 +33,4 @@ enum exit_code bot_file_read(const char *speaker, const char *path, struct techn
 /* Who plays: "novice", "expert", or else the path of a bot FILE. As bot_file_read(). */
 enum exit_code bot_file_named(const char *speaker, const char *bot, struct technique *out);
 
-/* Whether two techniques are one: no key of theirs differs. */
-int bot_file_same(const struct technique *a, const struct technique *b);
-
-/* Prints a table of all keys: what is right for each, what novice and expert do, what it means. */
-void bot_file_print_keys(void);
-
 #endif

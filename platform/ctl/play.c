@@ -6,7 +6,9 @@
 
 #include "core/core.h"
 #include "platform/ctl/bot_file.h"
+#include "platform/ctl/bot_keys.h"
 #include "platform/ctl/ctl.h"
+#include "platform/ctl/play_report.h"
 #include "platform/ctl/rounds.h"
 #include "platform/ctl/summary.h"
 #include "platform/folder.h"
@@ -30,56 +32,12 @@ struct evening {
     struct round_plan *plans;
     struct round_result *results;
     char (*paths)[PATH_MAX_CHARS]; /* Of the recordings. */
+    uint32_t *caught;              /* To be sorted. */
     uint32_t played, told;         /* In whichever order; and in theirs, without a gap. */
     int shows_progress;
 };
 
 /* ---- What is told --------------------------------------------------------------------------- */
-
-/* With as many decimals as it has, one at most. */
-static void print_short(double value)
-{
-    char digits[NUMBER_FIXED_MAX];
-    const double whole = (double)(uint64_t)value;
-    const uint32_t length = number_print_fixed(digits, value, value > whole ? 1 : 0);
-    printf("%.*s", (int)length, digits);
-}
-
-static void print_fixed(const char *before, double value, uint32_t decimals)
-{
-    char digits[NUMBER_FIXED_MAX];
-    const uint32_t length = number_print_fixed(digits, value, decimals);
-    printf("%s%.*s", before, (int)length, digits);
-}
-
-static void tell_json(const struct round_result *result, int is_first)
-{
-    printf("%s{\"caught\": %u, \"scoops\": %u, \"fouls\": %u, \"torn_at_s\": ",
-           is_first ? "" : ", ", result->caught, result->scoops, result->fouls);
-    if (result->torn) {
-        print_fixed("", result->torn_at_s, 3);
-    } else {
-        fputs("null", stdout);
-    }
-    printf(", \"hole_area_mm2\": %u, \"state_hash\": \"%016llx\"}", result->hole_area_mm2,
-           (unsigned long long)result->state_hash);
-}
-
-static void tell_text(const struct round_plan *plan, const struct round_result *result,
-                      uint32_t number)
-{
-    printf("round %-4u seed %-10u %3u caught in", number, plan->seed, result->caught);
-    print_fixed(" ", result->length_s, 1);
-    printf(" s, %u scoops, %u fouls,", result->scoops, result->fouls);
-    if (result->torn) {
-        print_fixed(" torn at ", result->torn_at_s, 1);
-        fputs(" s,", stdout);
-    } else {
-        fputs(" not torn,", stdout);
-    }
-    printf(" holes of %u mm2, hash %016llx\n", result->hole_area_mm2,
-           (unsigned long long)result->state_hash);
-}
 
 static void tell_progress(const struct evening *evening)
 {
@@ -89,38 +47,35 @@ static void tell_progress(const struct evening *evening)
     }
 }
 
-/* As soon as all before it are told. */
+/* People are told as soon as all rounds before it are; a program wants all or nothing. */
 static void tell_round(void *self, uint32_t index)
 {
     struct evening *evening = self;
     (void)index;
     evening->played++;
-    while (evening->told < evening->options->rounds &&
+    while (!evening->options->as_json && evening->told < evening->options->rounds &&
            evening->results[evening->told].code == EXIT_OK) {
         const uint32_t at = evening->told++;
-        if (evening->options->as_json) {
-            tell_json(&evening->results[at], at == 0);
-        } else {
-            tell_text(&evening->plans[at], &evening->results[at], at + 1u);
-            fflush(stdout);
-        }
+        play_report_round(at + 1u, evening->plans[at].seed, &evening->results[at]);
+        fflush(stdout);
     }
     tell_progress(evening);
 }
 
-static void tell_summary(const struct evening *evening, const struct summary *summary)
+static void tell_all(struct evening *evening)
 {
     const struct play_options *options = evening->options;
-    fputs(options->as_json ? "], \"caught_median\": " : "caught: median ", stdout);
-    print_short(summary->median);
-    fputs(options->as_json ? ", \"caught_p90\": " : ", p90 ", stdout);
-    print_short(summary->p90);
-    if (options->as_json) {
-        printf(", \"caught_max\": %u}\n", summary->max);
-    } else {
-        printf(", most %u; %s, %u rounds of %s\n", summary->max, options->bot, options->rounds,
-               rules_of(options->mode)->name);
+    for (uint32_t i = 0; i < options->rounds; i++) {
+        evening->caught[i] = evening->results[i].caught;
     }
+    const struct summary summary = summary_of(evening->caught, options->rounds);
+    if (options->as_json) {
+        play_report_json(evening->results, options->rounds, &summary);
+        return;
+    }
+    play_report_summary(&summary);
+    printf("; %s, %u rounds of %s\n", options->bot, options->rounds,
+           rules_of(options->mode)->name);
 }
 
 static enum exit_code tell_failure(const struct evening *evening)
@@ -179,20 +134,10 @@ static enum exit_code play(struct evening *evening)
         .done = tell_round,
         .self = evening,
     };
-    fputs(options->as_json ? "{\"rounds\": [" : "", stdout);
     if (rounds_play(&rounds) != EXIT_OK) {
         return tell_failure(evening);
     }
-    uint32_t *caught = malloc(options->rounds * sizeof *caught);
-    if (!caught) {
-        return tell_failure(evening);
-    }
-    for (uint32_t i = 0; i < options->rounds; i++) {
-        caught[i] = evening->results[i].caught;
-    }
-    const struct summary summary = summary_of(caught, options->rounds);
-    free(caught);
-    tell_summary(evening, &summary);
+    tell_all(evening);
     return end_output();
 }
 
@@ -203,11 +148,12 @@ static enum exit_code hold_evening(const struct play_options *options,
         .options = options,
         .plans = calloc(options->rounds, sizeof *evening.plans),
         .results = calloc(options->rounds, sizeof *evening.results),
+        .caught = calloc(options->rounds, sizeof *evening.caught),
         .paths = calloc(options->record ? options->rounds : 1u, sizeof *evening.paths),
         .shows_progress = isatty(STDERR_FILENO) && (options->as_json || !isatty(STDOUT_FILENO)),
     };
     enum exit_code code = EXIT_NOT_SO;
-    if (evening.plans && evening.results && evening.paths) {
+    if (evening.plans && evening.results && evening.caught && evening.paths) {
         plan_rounds(&evening, technique);
         code = play(&evening);
     } else {
@@ -215,6 +161,7 @@ static enum exit_code hold_evening(const struct play_options *options,
     }
     free(evening.plans);
     free(evening.results);
+    free(evening.caught);
     free(evening.paths);
     return code;
 }
@@ -347,6 +294,6 @@ const struct ctl_command ctl_play = {
         "                   fouls, torn_at_s (second of the round from which its paper holds no\n"
         "                   fish; null: it lasted), hole_area_mm2, state_hash of each round;\n"
         "                   median, ninth decile and maximum of all\n",
-    .tell_more = bot_file_print_keys,
+    .tell_more = bot_keys_print,
     .run = run,
 };

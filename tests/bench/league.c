@@ -7,7 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/ctl/bot_file.h"
+#include "platform/ctl/bot_keys.h"
 
 #define PATH_CHARS 1200u
 
@@ -51,7 +51,7 @@ static void tell_progress(void *self, uint32_t index)
 
 static int same_plan(const struct round_plan *a, const struct round_plan *b)
 {
-    return bot_file_same(&a->technique, &b->technique) && a->mode == b->mode &&
+    return bot_keys_same(&a->technique, &b->technique) && a->mode == b->mode &&
            a->grade == b->grade && a->fish_count == b->fish_count && a->round_s == b->round_s;
 }
 

@@ -150,7 +150,7 @@ check 'a round of no length' mistake 2 '--round-s' --round-s 9
 check 'a folder that cannot be made' mistake 74 '/dev/null/rec' --record /dev/null/rec
 recorded_twice() {
     play --bot novice --json --record "$work/rec" >"$work/out" 2>"$work/err"
-    [ $? -eq 74 ] && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -qF "$work/rec/round-00001.kgr" "$work/err"
+    [ $? -eq 74 ] && [ ! -s "$work/out" ] && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -qF "$work/rec/round-00001.kgr" "$work/err"
 }
 check 'a recording that is there already is not written over' recorded_twice
 full_output() {

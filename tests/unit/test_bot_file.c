@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "platform/ctl/bot_file.h"
+#include "platform/ctl/bot_keys.h"
 
 static const struct technique untouched = { .wet = 0.123f };
 
@@ -27,7 +28,7 @@ static void expect_refused(const char *text, uint32_t line, const char *needle)
     struct technique technique = untouched;
     struct bot_file_problem problem = { 0 };
     assert_int_equal(bot_file_parse(text, strlen(text), &technique, &problem), -1);
-    assert_true(bot_file_same(&technique, &untouched));
+    assert_true(bot_keys_same(&technique, &untouched));
     assert_int_equal(problem.line, line);
     if (!strstr(problem.text, needle)) {
         fail_msg("'%s' does not tell of '%s'", problem.text, needle);
@@ -37,7 +38,7 @@ static void expect_refused(const char *text, uint32_t line, const char *needle)
 
 static int is(const struct technique *technique, const struct technique *other)
 {
-    return bot_file_same(technique, other);
+    return bot_keys_same(technique, other);
 }
 
 static void test_a_base_alone_is_that_bot(void **state)
