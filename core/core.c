@@ -7,7 +7,10 @@
 #include "core/base/panic.h"
 #include "core/game/hand.h"
 #include "core/game/let_go.h"
+#include "core/poi/afloat.h"
+#include "core/poi/bowl_fish.h"
 #include "core/poi/catch.h"
+#include "core/poi/yield.h"
 #include "core/poi/haptics.h"
 #include "core/poi/wake.h"
 
@@ -45,6 +48,16 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
     return count;
 }
 
+/* Those of other players: its own the poi knows. */
+static void keep_off_bowls(struct core *core, uint32_t index)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (i != index) {
+            poi_yield_to_bowl(&core->poi[index], &core->bowl[i]);
+        }
+    }
+}
+
 static void tick_pois(struct core *core, const struct input *input,
                       const struct poi_target targets[POI_MAX], const uint8_t live[POI_MAX])
 {
@@ -57,8 +70,11 @@ static void tick_pois(struct core *core, const struct input *input,
                              (core->poi[i].link == POI_LINK_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i]);
+            keep_off_bowls(core, i);
         }
     }
+    const struct stall stall = { &core->tank, core->bowl, POI_MAX };
+    afloat_tick(&stall, core->poi, live, POI_MAX);
 }
 
 static void tick_water(struct core *core, const uint8_t live[POI_MAX])
@@ -110,14 +126,16 @@ static void gather_shades(struct core *core, const struct input *input)
 }
 
 /* In the order in which they were gathered. */
-static void pois_give_way(struct core *core, const struct obstacle *obstacles, uint32_t count)
+static void give_way(struct core *core, const struct obstacle *obstacles)
 {
     uint32_t at = 0;
-    for (uint32_t i = 0; i < POI_MAX && at < count; i++) {
+    for (uint32_t i = 0; i < POI_MAX; i++) {
         if (hand_plays(core, i)) {
             poi_give_way(&core->poi[i], &obstacles[at++]);
         }
-        at += core->bowl[i].present ? 1u : 0u;
+        if (core->bowl[i].present) {
+            bowl_give_way(&core->bowl[i], &obstacles[at++]);
+        }
     }
 }
 
@@ -129,9 +147,9 @@ static void tick_fish(struct core *core, const struct input *input)
     const uint32_t count = gather_obstacles(core, obstacles);
     gather_shades(core, input);
     tank_tick(&core->tank, core->tick, obstacles, count);
-    pois_give_way(core, obstacles, count);
+    give_way(core, obstacles);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        bowl_tick(&core->bowl[i], i, &core->tank, core->tick);
+        bowl_fish_tick(&core->bowl[i], i, &core->tank);
     }
 }
 

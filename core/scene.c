@@ -100,8 +100,10 @@ static void show_bowl(const struct bowl *bowl, uint32_t index, struct scene_bowl
         .present = bowl->present,
         .owner = (uint8_t)index,
         .position_m = bowl->position_m,
+        .angles = bowl_angles(bowl),
         .radius_m = BOWL_RADIUS_M,
         .depth_m = BOWL_DEPTH_M,
+        .water_below_m = bowl_level_m(bowl),
         .fish_count = bowl->fish_count,
     };
 }

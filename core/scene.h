@@ -61,6 +61,7 @@ struct scene_bowl {
     struct angles angles;    /* How it heels. */
     float radius_m;          /* Of the mouth. */
     float depth_m;
+    float water_below_m;     /* So far under its mouth its own water stands. */
     uint32_t fish_count;
 };
 

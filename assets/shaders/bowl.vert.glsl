@@ -3,7 +3,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 surface;   // x: 0 inside, 1 outside; y: 0 bottom .. 1 lip.
 uniform vec4 mouth;                     // Centre; w: radius.
-uniform vec4 form;                      // x: depth, m; y: from the water's disc to the mouth's.
+uniform vec4 form;                      // x: depth, m; of its water, y: height, z: radius.
 uniform mat3 heel;                      // How it leans; its water stays level.
 out vec3 world;
 out vec3 face;
@@ -13,9 +13,10 @@ out vec3 shell;                         // z: 1 in the middle of a gap.
 void main()
 {
 #ifdef HOLE
-    vec3 local = heel * (vec3(position.x * form.y, 0.0, position.z * form.y) * mouth.w);
+    vec3 local = heel * (position * mouth.w);
 #elif defined(WATER)
-    vec3 local = position * vec3(mouth.w * 1.015, form.x, mouth.w * 1.015); // Into the wall.
+    float wide = 1.015 * form.z * mouth.w; // Into the wall.
+    vec3 local = vec3(position.x * wide, form.y * form.x, position.z * wide);
 #else
     vec3 local = heel * (position * vec3(mouth.w, form.x, mouth.w));
 #endif

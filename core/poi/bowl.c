@@ -1,32 +1,24 @@
-/* bowl.c -- fish in a bowl swim rounds, each at its own depth, width and pace. */
+/* bowl.c -- the hull, what it holds, and how it is emptied. */
 #include "core/poi/bowl.h"
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
+#include "core/base/physics.h"
 #include "core/base/rng.h"
 #include "core/tank/loose.h"
 
-#define SURFACE_M 0.012f  /* The bowl's own water stands so far under its mouth. */
-#define ROUND_RAD_S 1.6f  /* A lap in about four seconds. */
-#define SETTLE_PER_S 3.0f /* How soon a newcomer joins its round. */
-#define HULL_GAP_M 0.004f
+#define FREEBOARD_MIN_M 0.002f
+#define ROCK_KG_M2 0.0012f /* About its middle, with the water that goes along. */
 
 void bowl_init(struct bowl *bowl, vec3 position_m)
 {
+    CORE_ASSERT(v3_is_finite(position_m));
     memset(bowl, 0, sizeof *bowl);
+    position_m.y = f_clamp(position_m.y, FREEBOARD_MIN_M, 0.5f * BOWL_DEPTH_M);
     bowl->present = 1;
-    bowl->position_m = position_m;
-}
-
-static float draw(uint32_t seed, uint32_t fish, uint32_t which)
-{
-    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_ROUND });
-}
-
-static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
-{
-    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_POUR });
+    bowl->home_m = bowl->position_m = bowl->before_m = position_m;
+    bowl->water_kg = WATER_KG_M3 * bowl_room_m3(position_m.y) - BOWL_HULL_KG;
 }
 
 float bowl_hull_radius_m(float below_m)
@@ -35,58 +27,65 @@ float bowl_hull_radius_m(float below_m)
     return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
 }
 
-/* Where on its round a fish is: y below the mouth, radius such that snout and tail clear the hull.
- */
-static vec3 place_on_round(const struct fish *fish, uint32_t index, uint32_t seed, float angle_rad)
+/* The integral of pi r^2 from there to the bottom. */
+float bowl_room_m3(float below_m)
 {
-    const float half = 0.5f * fish->height_m;
-    const float top = SURFACE_M + half;
-    const float bottom = f_max(top, 0.8f * BOWL_DEPTH_M - half);
-    const float below = f_lerp(top, bottom, draw(seed, index, 1));
-    const float hull = bowl_hull_radius_m(below + half) - HULL_GAP_M;
-    const float reach = f_sqrt(f_max(0.0f, hull * hull - 0.25f * fish->length_m * fish->length_m));
-    const float radius = reach * (0.45f + 0.5f * draw(seed, index, 2));
-    return v3(radius * f_cos(angle_rad), -below, radius * f_sin(angle_rad));
+    const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);
+    const float left = 2.0f / 3.0f - share + share * share * share / 3.0f;
+    return F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M * BOWL_DEPTH_M * left;
 }
 
-static void swim(struct fish *fish, uint32_t index, const struct bowl *bowl, uint32_t seed,
-                 uint32_t tick)
+/* Newton's way: room falls by the water's surface with each metre. */
+float bowl_level_m(const struct bowl *bowl)
 {
-    const float way = draw(seed, index, 3) < 0.5f ? -1.0f : 1.0f;
-    const float pace = way * ROUND_RAD_S * (0.7f + 0.6f * draw(seed, index, 4));
-    /* Time within an hour keeps the angle's float exact enough; the leap once an hour is smoothed.
-     */
-    const float seconds = (float)(tick % (CORE_TICK_HZ * 3600u)) * CORE_TICK_S;
-    const float angle = f_wrap_angle(F_TAU * draw(seed, index, 5) + pace * seconds);
-    const vec3 goal = v3_add(bowl->position_m, place_on_round(fish, index, seed, angle));
-    const vec3 before = fish->position_m;
-    fish->position_m = v3_lerp(before, goal, SETTLE_PER_S * CORE_TICK_S);
-    fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
-    const vec3 v = fish->velocity_m_s;
-    const float heading =
-        v.x * v.x + v.z * v.z > 1e-6f ? f_atan2(-v.x, -v.z) : fish->angles.yaw_rad;
-    const float turn = f_wrap_angle(heading - fish->angles.yaw_rad);
-    fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + 0.08f * turn);
-    fish->angles.pitch_rad *= 0.95f;
-    fish->angles.roll_rad *= 0.95f;
-    fish->bend_rad += (-0.25f * way - fish->bend_rad) * 0.05f;
-    fish->tail_amplitude += (0.7f - fish->tail_amplitude) * 0.05f;
-    fish->tail_beat_hz = 2.0f;
-    fish->tail_phase_rad += F_TAU * fish->tail_beat_hz * CORE_TICK_S;
-    fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
+    const float wanted_m3 = (bowl->water_kg + bowl->fish_kg) / WATER_KG_M3;
+    float below_m = 0.25f * BOWL_DEPTH_M;
+    for (int i = 0; i < 4; i++) {
+        const float radius_m = f_max(bowl_hull_radius_m(below_m), 0.1f * BOWL_RADIUS_M);
+        below_m += (bowl_room_m3(below_m) - wanted_m3) / (F_PI * radius_m * radius_m);
+        below_m = f_clamp(below_m, 0.0f, BOWL_DEPTH_M);
+    }
+    return below_m;
 }
 
-void bowl_tick(const struct bowl *bowl, uint32_t bowl_index, struct tank *tank, uint32_t tick)
+int bowl_is_full(const struct bowl *bowl)
 {
-    if (!bowl->present || bowl->fish_count == 0) {
-        return;
+    return bowl->fish_count >= BOWL_FISH_MAX || bowl->fish_kg >= BOWL_FISH_KG_MAX;
+}
+
+/* What comes down at a place of the bowl pushes it and turns it about its middle. */
+static void rock(struct bowl *bowl, vec3 place_m, float kg, vec3 velocity_m_s)
+{
+    const float all_kg = BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg + kg;
+    const vec3 gain_m_s = v3_sub(velocity_m_s, bowl->velocity_m_s);
+    const vec3 arm_m = v3_sub(place_m, bowl->position_m);
+    const float blow = -kg * gain_m_s.y / ROCK_KG_M2;
+    bowl->velocity_m_s = v3_mad(bowl->velocity_m_s, gain_m_s, kg / all_kg);
+    bowl->heel_x_rad_s += blow * arm_m.x;
+    bowl->heel_z_rad_s += blow * arm_m.z;
+}
+
+void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct fish *fish,
+               vec3 velocity_m_s)
+{
+    CORE_ASSERT(bowl->present);
+    if (bowl_is_full(bowl)) {
+        bowl_pour_back(bowl, bowl_index, tank);
     }
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        struct fish *fish = &tank->fish[i];
-        if (fish->gait == GAIT_BOWL && fish->holder == bowl_index) {
-            swim(fish, i, bowl, tank->seed, tick);
-        }
-    }
+    const float kg = fish_mass_kg(fish->length_m);
+    rock(bowl, fish->position_m, kg, velocity_m_s);
+    fish->gait = GAIT_BOWL;
+    fish->holder = (uint8_t)bowl_index;
+    fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);
+    bowl->fish_kg += kg;
+    bowl->fish_count++;
+}
+
+/* ---- Pouring back --------------------------------------------------------------------------- */
+
+static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
+{
+    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_POUR });
 }
 
 /* On a ring round the hull, under water, inside the walls. */
@@ -115,14 +114,10 @@ void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         }
     }
     bowl->fish_count = 0;
+    bowl->fish_kg = 0.0f;
 }
 
-uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl)
-{
-    hash = hash_u32(hash, bowl->present);
-    hash = hash_vec3(hash, bowl->position_m);
-    return hash_u32(hash, bowl->fish_count);
-}
+/* ---- For others ----------------------------------------------------------------------------- */
 
 struct obstacle bowl_obstacle(const struct bowl *bowl)
 {
@@ -130,7 +125,35 @@ struct obstacle bowl_obstacle(const struct bowl *bowl)
         .kind = OBSTACLE_BOWL,
         .centre_m = bowl->position_m,
         .normal = v3(0.0f, 1.0f, 0.0f),
+        .velocity_m_s = bowl->velocity_m_s,
         .radius_m = BOWL_RADIUS_M,
         .depth_m = BOWL_DEPTH_M,
+        .step_m = v3_sub(bowl->position_m, bowl->before_m),
     };
+}
+
+void bowl_give_way(struct bowl *bowl, const struct obstacle *hull)
+{
+    if (hull->gave & OBSTACLE_GAVE_PLACE) {
+        bowl->position_m = hull->centre_m;
+        bowl->velocity_m_s = hull->velocity_m_s;
+    }
+}
+
+struct angles bowl_angles(const struct bowl *bowl)
+{
+    return (struct angles){ .pitch_rad = bowl->heel_z, .roll_rad = bowl->heel_x };
+}
+
+uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl)
+{
+    const float values[] = { bowl->heel_x,       bowl->heel_z,   bowl->heel_x_rad_s,
+                             bowl->heel_z_rad_s, bowl->water_kg, bowl->fish_kg };
+    hash = hash_u32(hash, bowl->present);
+    hash = hash_vec3(hash, bowl->home_m);
+    hash = hash_vec3(hash, bowl->position_m);
+    hash = hash_vec3(hash, bowl->before_m);
+    hash = hash_vec3(hash, bowl->velocity_m_s);
+    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
+    return hash_u32(hash, bowl->fish_count);
 }

@@ -15,11 +15,29 @@ void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     loose_begin(tank, fish, velocity_m_s);
 }
 
+/* Seen from a bowl that moves. */
 static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
 {
-    const float dx = now_m.x - bowl->position_m.x, dz = now_m.z - bowl->position_m.z;
-    return bowl->present && before_m.y > bowl->position_m.y && now_m.y <= bowl->position_m.y &&
-           dx * dx + dz * dz < BOWL_RADIUS_M * BOWL_RADIUS_M;
+    const vec3 from = v3_sub(before_m, bowl->before_m), to = v3_sub(now_m, bowl->position_m);
+    return from.y > 0.0f && to.y <= 0.0f &&
+           to.x * to.x + to.z * to.z < BOWL_RADIUS_M * BOWL_RADIUS_M;
+}
+
+/* Who misses the mouth hits the hull, or its rim, and slides down outside. */
+static void off_hull(const struct bowl *bowl, struct fish *fish, struct rider *rider)
+{
+    const vec3 away = v3(fish->position_m.x - bowl->position_m.x, 0.0f,
+                         fish->position_m.z - bowl->position_m.z);
+    const float below = bowl->position_m.y - fish->position_m.y;
+    const float apart = bowl_hull_radius_m(below) + 0.5f * fish->width_m;
+    const float far = v3_length(away);
+    if (below <= 0.0f || below > BOWL_DEPTH_M || far >= apart) {
+        return;
+    }
+    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
+    const float inward = f_min(v3_dot(rider->fall_m_s, out), 0.0f);
+    fish->position_m = v3_mad(fish->position_m, out, apart - far);
+    rider->fall_m_s = v3_mad(rider->fall_m_s, out, -inward);
 }
 
 /* Beyond a wall it is led back: fish that jump out of a stall's tank are put back, too. */
@@ -27,14 +45,6 @@ static float homeward(float at_m, float room_m)
 {
     const float out = at_m - f_clamp(at_m, -room_m, room_m);
     return -f_clamp(out / CORE_TICK_S, -FALL_HOME_M_S, FALL_HOME_M_S);
-}
-
-static void into_bowl(struct fish *fish, struct bowl *bowl, uint32_t bowl_index)
-{
-    fish->gait = GAIT_BOWL;
-    fish->holder = (uint8_t)bowl_index;
-    fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);
-    bowl->fish_count++;
 }
 
 void fall_begin(struct rider *rider, vec3 velocity_m_s)
@@ -56,10 +66,14 @@ enum fall_end fall_tick(struct rider *rider, const struct stall *stall, uint32_t
     fish->position_m = v3_mad(before, fish->velocity_m_s, CORE_TICK_S);
     fish->tail_amplitude = 1.0f;
     for (uint32_t i = 0; i < stall->bowl_count; i++) {
-        if (through_mouth(&stall->bowls[i], before, fish->position_m)) {
-            into_bowl(fish, &stall->bowls[i], i);
+        struct bowl *bowl = &stall->bowls[i];
+        if (bowl->present && through_mouth(bowl, before, fish->position_m)) {
+            bowl_take(bowl, i, tank, fish, rider->fall_m_s);
             *bowl_index = i;
             return FALL_INTO_BOWL;
+        }
+        if (bowl->present) {
+            off_hull(bowl, fish, rider);
         }
     }
     if (fish->position_m.y > -0.5f * fish->width_m) {

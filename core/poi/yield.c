@@ -49,7 +49,7 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
 }
 
 /* From above the ring rests on the mouth, from below under the hull, from aside it slides round. */
-static void yield_to_bowl(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
+static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);
     const float mouth = bowl->position_m.y, bottom = mouth - BOWL_DEPTH_M;
@@ -80,9 +80,17 @@ void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
     const float floor = poi_half_extent_m(up.y) + FLOOR_GAP_M - tank->size_m.y;
-    yield_to_bowl(poi, bowl, before_m, up);
+    yield_to(poi, bowl, before_m, up);
     keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
     yield_to_walls(poi, tank, before_m, up);
     keep(&at->x, &speed->x, -reach_x, reach_x);
     keep(&at->z, &speed->z, -reach_z, reach_z);
+}
+
+void poi_yield_to_bowl(struct poi *poi, const struct bowl *bowl)
+{
+    const vec3 free_m = poi->position_m;
+    yield_to(poi, bowl, poi->before_m, basis_from_angles(poi->angles).up);
+    const vec3 off_m = v3_sub(poi->position_m, free_m);
+    poi->stopped |= v3_dot(off_m, off_m) > 0.0f;
 }

@@ -9,4 +9,7 @@
 void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
                vec3 up);
 
+/* After poi_tick(): out of one bowl more, another player's. */
+void poi_yield_to_bowl(struct poi *poi, const struct bowl *bowl);
+
 #endif

@@ -71,7 +71,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { -0.335f, 0.012f, 0.185f },
                     { 0.335f, 0.012f, -0.035f },
                     { -0.335f, 0.012f, -0.035f } },
-        .bowl_radius_m = 0.075f, /* The federation allows a bowl of 160 mm at most. */
+        .bowl_radius_m = 0.080f, /* The federation allows a bowl of 160 mm at most. */
         .temperature_c = 24.0f,
         .time_compression = 60.0f, /* A minute of play is an hour of its water. */
         .pump = 1,
@@ -97,7 +97,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { -0.53f, 0.012f, 0.225f },
                     { 0.53f, 0.012f, -0.02f },
                     { -0.53f, 0.012f, -0.02f } },
-        .bowl_radius_m = 0.075f,
+        .bowl_radius_m = 0.080f,
         .temperature_c = 25.0f,
         .time_compression = 1.0f,
         .law = THESIS_LAW,
@@ -123,7 +123,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { -0.53f, 0.012f, 0.225f },
                     { 0.53f, 0.012f, -0.02f },
                     { -0.53f, 0.012f, -0.02f } },
-        .bowl_radius_m = 0.075f,
+        .bowl_radius_m = 0.080f,
         .temperature_c = 25.0f, /* 20 .. 30 C by the rules; the pump is off. */
         .time_compression = 1.0f,
         .law = LIVING_WAKIN,

@@ -9,6 +9,7 @@
 #include "core/tank/swim.h"
 #include "core/tank/think.h"
 
+#define STIRS_M 0.0001f /* A tick: what moves slower, 12 mm/s, is no poi at work. */
 #define BUBBLE_TICKS 6u /* 20 a second come up, ... */
 #define BUBBLES_M 0.014f /* ... so far about the stone, ... */
 #define STONE_INSET_M 0.045f
@@ -204,10 +205,10 @@ static void bubble(struct tank *tank, uint32_t tick)
 /* Fish make way for a poi in the water as fast as they must; left alone, they only ease apart. */
 static float shove_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
 {
-    int stirs = 0;
+    int stirs = 0; /* A bowl that rocks on ripples does not. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 step_m = obstacles[o].step_m;
-        stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m && v3_dot(step_m, step_m) > 0.0f;
+        stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m && v3_dot(step_m, step_m) > STIRS_M * STIRS_M;
     }
     return stirs ? PART_SHOVE_M : PART_CALM_SHOVE_M;
 }

@@ -66,6 +66,20 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
     }
 }
 
+float water_height_m(const struct water *water, vec3 size_m, float x_m, float z_m)
+{
+    const float(*height)[RIPPLE_X] = water->height_m[water->newest];
+    const float x = f_clamp((x_m / size_m.x + 0.5f) * (float)RIPPLE_X - 0.5f, 0.0f,
+                            (float)RIPPLE_X - 1.001f);
+    const float z = f_clamp((z_m / size_m.z + 0.5f) * (float)RIPPLE_Z - 0.5f, 0.0f,
+                            (float)RIPPLE_Z - 1.001f);
+    const uint32_t column = (uint32_t)x, row = (uint32_t)z;
+    const float right = x - (float)column, near = z - (float)row;
+    const float far_m = f_lerp(height[row][column], height[row][column + 1u], right);
+    const float near_m = f_lerp(height[row + 1u][column], height[row + 1u][column + 1u], right);
+    return f_lerp(far_m, near_m, near);
+}
+
 static float next_height(float now, float before, float curve)
 {
     return LEVEL_KEEP * now + WAVE_KEEP * (now - before) + curve;

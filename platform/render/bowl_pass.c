@@ -9,7 +9,6 @@
 #define LIP_ROWS 4u
 #define WALL 0.030f  /* Thickness in mouth radii: 2 mm of enamelled steel. */
 #define BOTTOM 0.94f /* Depth of the inside's floor. */
-#define WATER_LEVEL -0.30f
 #define DISC_ROWS 2u
 
 struct lathe {
@@ -55,12 +54,9 @@ static struct shape_vertex lip_point(float u, float v, const void *context)
 
 static struct shape_vertex disc_point(float u, float v, const void *context)
 {
-    const float *const level_radius = context;
+    (void)context;
     const float around = -u * F_TAU;
-    const float r = v * level_radius[1];
-    return (struct shape_vertex){
-        .position = v3(r * f_cos(around), level_radius[0], r * f_sin(around)),
-    };
+    return (struct shape_vertex){ .position = v3(v * f_cos(around), 0.0f, v * f_sin(around)) };
 }
 
 /* The profile's inner radius at height `y` in depths, by halving. */
@@ -98,7 +94,6 @@ void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass)
 {
     static const struct lathe inside = { 0.0f, 1.0f, false };
     static const struct lathe outside = { 0.25f, 1.0f, true };
-    const float water[2] = { WATER_LEVEL, radius_at(WATER_LEVEL) };
     struct shape shape = { 0 };
     pass->shell_part = open_part(status, "bowl", "");
     pass->hole_part = open_part(status, "bowl hole", "#define HOLE\n");
@@ -108,7 +103,7 @@ void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass)
     shape_grid(&shape, SHELL_COLUMNS, LIP_ROWS, lip_point, NULL);
     shape_upload(&shape, &pass->shell);
     shape.vertex_count = shape.index_count = 0;
-    shape_grid(&shape, SHELL_COLUMNS, DISC_ROWS, disc_point, water);
+    shape_grid(&shape, SHELL_COLUMNS, DISC_ROWS, disc_point, NULL);
     shape_upload(&shape, &pass->disc);
 }
 
@@ -127,10 +122,11 @@ static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
     const struct basis axes = basis_from_angles(bowl->angles);
     const float heel[9] = { axes.right.x, axes.right.y, axes.right.z, axes.up.x, axes.up.y,
                             axes.up.z,    axes.back.x,  axes.back.y,  axes.back.z };
+    const float level = -bowl->water_below_m / bowl->depth_m;
     glUseProgram(part->program);
     glUniformMatrix3fv(part->heel, 1, GL_FALSE, heel);
     glUniform4f(part->mouth, at.x, at.y, at.z, bowl->radius_m);
-    glUniform4f(part->form, bowl->depth_m, 1.0f / radius_at(WATER_LEVEL), 0.0f, 0.0f);
+    glUniform4f(part->form, bowl->depth_m, level, radius_at(level), 0.0f);
     glUniform4fv(part->paint, 1, poi_paint(bowl->owner));
 }
 

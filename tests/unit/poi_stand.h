@@ -14,6 +14,8 @@
 
 #include "core/base/hash.h"
 #include "core/base/physics.h"
+#include "core/poi/afloat.h"
+#include "core/poi/bowl_fish.h"
 #include "core/poi/catch.h"
 #include "core/poi/disc.h"
 #include "core/poi/haptics.h"
@@ -57,11 +59,11 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
 }
 
 /* A tick of nothing but pushes: fish hold still unless the poi or another fish is there. */
-static inline void stand_part(struct tank *tank, struct obstacle *ring)
+static inline void stand_part(struct tank *tank, struct obstacle around_it[2])
 {
     struct crowd *crowd = &tank->crowd;
-    const struct surroundings around = tank_surroundings(tank, 0, ring, 1);
-    const struct part_place place = { tank->fish, tank_bounds(tank), ring, 1, PART_SHOVE_M,
+    const struct surroundings around = tank_surroundings(tank, 0, around_it, 2);
+    const struct part_place place = { tank->fish, tank_bounds(tank), around_it, 2, PART_SHOVE_M,
                                       tank->lanes };
     part_begin(&tank->part, tank->fish, tank->fish_count);
     crowd_gather(crowd, tank->fish, tank->fish_count, tank->space);
@@ -81,7 +83,7 @@ static inline void stand_part(struct tank *tank, struct obstacle *ring)
         .count = tank->fish_count,
     };
     swim_settle_all(&shoal, tank->lanes);
-    loose_tick(tank, ring, 1);
+    loose_tick(tank, around_it, 2);
 }
 
 static inline void stand_tick(struct stand *stand)
@@ -90,12 +92,15 @@ static inline void stand_tick(struct stand *stand)
     stand->output.sound_count = 0;
     const struct poi_grip grip = { stand->hand, stand->has_wrist };
     poi_tick(poi, &grip, &stand->tank, &stand->bowl);
-    struct obstacle ring = poi_obstacle(poi);
-    stand_part(&stand->tank, &ring);
-    poi_give_way(poi, &ring);
-    haptics_feel(poi, &stand->force);
-    bowl_tick(&stand->bowl, 0, &stand->tank, stand->tick);
     const struct stall stall = { &stand->tank, &stand->bowl, 1 };
+    const uint8_t live = 1;
+    afloat_tick(&stall, poi, &live, 1);
+    struct obstacle around[2] = { poi_obstacle(poi), bowl_obstacle(&stand->bowl) };
+    stand_part(&stand->tank, around);
+    poi_give_way(poi, &around[0]);
+    haptics_feel(poi, &stand->force);
+    bowl_give_way(&stand->bowl, &around[1]);
+    bowl_fish_tick(&stand->bowl, 0, &stand->tank);
     struct catch_result caught[POI_MAX] = { 0 };
     catch_tick(poi, 0, &stall, stand->tick, &stand->output, caught);
     stand->landed += caught[0].landed;

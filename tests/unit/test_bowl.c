@@ -44,7 +44,7 @@ static void test_fish_in_the_bowl_swim_and_never_leave_it(void **state)
     const vec3 start = tank.fish[0].position_m;
     float farthest = 0.0f;
     for (uint32_t tick = 0; tick < 3600; tick++) {
-        bowl_tick(&bowl, 0, &tank, tick);
+        bowl_fish_tick(&bowl, 0, &tank);
         for (uint32_t i = 0; i < 40; i++) {
             assert_true(inside_hull(&tank.fish[i]));
             assert_true(v3_length(tank.fish[i].velocity_m_s) < 0.25f);
@@ -60,7 +60,7 @@ static void test_they_swim_at_different_depths(void **state)
     (void)state;
     fill(20);
     for (uint32_t tick = 0; tick < 600; tick++) {
-        bowl_tick(&bowl, 0, &tank, tick);
+        bowl_fish_tick(&bowl, 0, &tank);
     }
     float high = -1.0f, low = 1.0f;
     for (uint32_t i = 0; i < 20; i++) {
@@ -77,7 +77,7 @@ static void test_another_bowls_fish_are_not_moved(void **state)
     tank.fish[1].holder = 2;
     const vec3 before = tank.fish[1].position_m;
     for (uint32_t tick = 0; tick < 60; tick++) {
-        bowl_tick(&bowl, 0, &tank, tick);
+        bowl_fish_tick(&bowl, 0, &tank);
     }
     assert_float_equal(v3_length(v3_sub(tank.fish[1].position_m, before)), 0.0f, 0.0f);
 }

@@ -224,7 +224,7 @@ static void test_from_whichever_side_it_comes_the_fish_lands_in_the_bowl(void **
     for (uint32_t i = 0; i < 16; i++) {
         const float angle = F_TAU * (float)i / 16.0f;
         lifted(4, i, 0.0f);
-        stand.bowl.position_m = v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle));
+        bowl_init(&stand.bowl, v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle)));
         stand_wait(&stand, 0.5f);
         stand_move(&stand, v3(stand.bowl.position_m.x, 0.05f, stand.bowl.position_m.z), 0.25f);
         stand_wait(&stand, 1.5f);

@@ -165,7 +165,10 @@ static const struct field sheet_fields[] = {
 };
 
 static const struct field bowl_fields[] = {
-    FIELD(bowl, present), FIELD(bowl, position_m), FIELD(bowl, fish_count),
+    FIELD(bowl, present),      FIELD(bowl, home_m),       FIELD(bowl, position_m),
+    FIELD(bowl, before_m),     FIELD(bowl, velocity_m_s), FIELD(bowl, heel_x),
+    FIELD(bowl, heel_z),       FIELD(bowl, heel_x_rad_s), FIELD(bowl, heel_z_rad_s),
+    FIELD(bowl, water_kg),     FIELD(bowl, fish_kg),      FIELD(bowl, fish_count),
 };
 
 static const struct field tank_fields[] = {

@@ -488,7 +488,7 @@ static void test_the_wrist_never_lowers_the_handle_into_the_bowl(void **state)
     for (uint32_t i = 0; i < 16; i++) {
         const float angle = F_TAU * (float)i / 16.0f;
         stand_init(&stand, 6, 1);
-        stand.bowl.position_m = v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle));
+        bowl_init(&stand.bowl, v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle)));
         stand_move(&stand, v3(stand.bowl.position_m.x, 0.035f, stand.bowl.position_m.z), 0.3f);
         float steepest = 1.0f;
         for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
