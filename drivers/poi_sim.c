@@ -1,6 +1,10 @@
 /* poi_sim.c -- the simulated twin of the mouse poi. */
 #include "drivers/poi_sim.h"
 
+#include <string.h>
+
+#include "core/base/rng.h"
+
 void poi_sim_init(struct poi_sim *sim, struct hal_clock clock, const struct view *view)
 {
     *sim = (struct poi_sim){
@@ -36,12 +40,33 @@ static struct poi_sample sample_now(struct poi_sim *sim, uint64_t time_ns)
     };
 }
 
+static float any_bits(uint32_t index, uint32_t what)
+{
+    const uint32_t bits = rng_u32((struct rng_key){ 79, index, what, RNG_TEST });
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* Every fourth is no number for sure. */
+static void spoil(struct pointer_report *report, uint32_t index)
+{
+    report->x_px = index % 4u ? any_bits(index, 0) : 0.0f / 0.0f;
+    report->y_px = any_bits(index, 1);
+    report->wheel_notches = any_bits(index, 2);
+    report->buttons = rng_u32((struct rng_key){ 79, index, 3, RNG_TEST });
+    report->width_px = index % 3u ? report->width_px : 0u;
+}
+
 static struct pointer_report take_report(struct poi_sim *sim)
 {
     struct pointer_report report = sim->reports[sim->next];
     if (sim->next == sim->jump_at) {
         report.x_px = (float)report.width_px;
         report.y_px = 0.0f;
+    }
+    if (sim->next >= sim->spoil_from && sim->next < sim->spoil_to) {
+        spoil(&report, sim->spoil_count++);
     }
     sim->next++;
     return report;

@@ -1,7 +1,8 @@
 /* poi_sim.h -- a mouse made of memory: plays raw pointer reports through the real decoder.
  *
  * Faults are injected below the decoder, where cables and hands are: unplugged at any report,
- * reports doubled, jumps across the screen, silence. The caller owns the state and the reports. */
+ * reports doubled, jumps across the screen, any bits for numbers, silence and the burst after it.
+ * The caller owns the state and the reports. */
 #ifndef KINGYO_DRIVERS_POI_SIM_H
 #define KINGYO_DRIVERS_POI_SIM_H
 
@@ -20,6 +21,8 @@ struct poi_sim {
     uint64_t replug_ns;       /* From this time on open() finds it again. */
     uint32_t double_every;    /* Every n-th report arrives twice; 0: none does. */
     uint32_t jump_at;         /* This report lands in the far corner for once; POI_SIM_NEVER. */
+    uint32_t spoil_from, spoil_to; /* These reports say any bits for numbers: NaN, too. */
+    uint32_t spoil_count;     /* So many did. */
     uint64_t silent_from_ns, silent_to_ns; /* Nothing arrives in between; it comes all at once. */
     uint8_t gone;
     uint32_t open_count;

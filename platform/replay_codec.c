@@ -3,8 +3,8 @@
  * First a mask: which of held, pressed, coin_count, record_saved_id and of what hands hold follow.
  * Then those, the numbers as u32; of what hands hold, a mask of pois (low half) and shades (high
  * half), and of each of these a mask of its own, one byte (a poi's link, wrist and trembling, a
- * shade's presence), those floats that changed, as their bits, and a poi's age as u16. Floats travel
- * whole: a play must come back to the last bit, and of a hand's that broke each bit counts. */
+ * shade's presence), those floats that changed, as their bits, and a poi's age as u16. Floats
+ * travel whole: a play must come back to the last bit, and of a hand that broke each counts. */
 #include "platform/replay.h"
 
 #include <string.h>

@@ -230,8 +230,8 @@ int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MA
     if (options->fish_count <= most) {
         return 0;
     }
-    snprintf(says, OPTION_TEXT_MAX, "%u is too many; the %s tank holds 1 to %u", options->fish_count,
-             tank_preset(options->tank)->name, most);
+    snprintf(says, OPTION_TEXT_MAX, "%u is too many; the %s tank holds 1 to %u",
+             options->fish_count, tank_preset(options->tank)->name, most);
     return 1;
 }
 

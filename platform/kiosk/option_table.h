@@ -1,4 +1,4 @@
-/* option_table.h -- one table of options, for the command line, the configuration file and --help. */
+/* option_table.h -- one table of options, for command line, configuration file and --help. */
 #ifndef KINGYO_PLATFORM_KIOSK_OPTION_TABLE_H
 #define KINGYO_PLATFORM_KIOSK_OPTION_TABLE_H
 

@@ -186,9 +186,9 @@ void options_print_help(void)
         snprintf(left, sizeof left, "--%s %s", option->name, option->value ? option->value : "");
         printf("  %-18s %s\n", left, option_says(option, option->help, right));
     }
-    puts("\nEach player needs a controller; a seat without one waits empty, and with --poi bot the\n"
-         "stall's bot plays them all. A championship is held in the official tank, and the stall\n"
-         "then changes tanks.\n"
+    puts("\nEach player needs a controller; a seat without one waits empty, and with --poi bot\n"
+         "the stall's bot plays them all. A championship is held in the official tank: the stall\n"
+         "changes tanks for it.\n"
          "\nA recording is never written over: --record refuses a file that holds anything. It is\n"
          "whole after each second: a kiosk that is killed loses one at most, a power cut more.\n"
          "\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay\n"
