@@ -11,10 +11,11 @@ void let_go_all(struct poi *poi, const struct tank *tank)
     CORE_ASSERT(poi->rider_count <= POI_RIDER_MAX);
     for (uint32_t i = 0; i < poi->rider_count; i++) {
         struct rider *rider = &poi->riders[i];
-        if (rider->state != RIDER_FALLING) {
+        if (rider->state == RIDER_LYING) {
             const vec3 velocity_m_s = tank->fish[rider->fish].velocity_m_s;
             fall_begin(rider, v3_limit(velocity_m_s, THROW_M_S_MAX));
         }
+        rider->state = RIDER_LET_GO;
     }
     poi->riders_kg = 0.0f;
     poi->load_count = 0;

@@ -119,7 +119,7 @@ static int fall(const struct scoop *scoop, struct rider *rider)
         output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
         return 1;
     default:
-        if (lands(scoop, rider, before_m, &lying)) {
+        if (rider->state == RIDER_FALLING && lands(scoop, rider, before_m, &lying)) {
             *rider = lying;
             rider_pose(rider, &scoop->ride, scoop->poi->position_m, &scoop->axes,
                        &scoop->tank->fish[rider->fish]);
@@ -180,7 +180,7 @@ static void ride_all(struct scoop *scoop)
     while (i < scoop->poi->rider_count) {
         struct rider *rider = &scoop->poi->riders[i];
         CORE_ASSERT(rider->fish < scoop->tank->fish_count);
-        const int gone = rider->state == RIDER_FALLING ? fall(scoop, rider) : ride(scoop, rider);
+        const int gone = rider->state == RIDER_LYING ? ride(scoop, rider) : fall(scoop, rider);
         if (gone) {
             remove_rider(scoop->poi, i);
         } else {

@@ -17,6 +17,7 @@
 enum rider_state {
     RIDER_LYING = 0,
     RIDER_FALLING = 1, /* In the air, off the poi: its world velocity carries it. */
+    RIDER_LET_GO = 2,  /* The same, and its poi is gone: a fresh one in its place is not for it. */
 };
 
 struct rider {
