@@ -74,6 +74,19 @@ struct output {
     struct round_record record; /* The newest; stays until the next, for a store that is busy. */
 };
 
+/* Adds a tick's force to its frame's, which the frame loop cleared: a device is told of the hardest
+ * blow and tear of a frame, and of the latest pull where there is no blow. */
+static inline void output_feel(struct poi_force *frame, const struct poi_force *tick)
+{
+    const struct poi_force before = *frame;
+    if (tick->slap >= before.slap) {
+        *frame = *tick;
+    }
+    frame->drag = f_max(before.drag, tick->drag);
+    frame->slap = f_max(before.slap, tick->slap);
+    frame->tear = f_max(before.tear, tick->tear);
+}
+
 /* Appends one sound, or drops it when the frame already has OUTPUT_SOUND_MAX. */
 static inline void output_sound(struct output *output, enum sound sound, float gain, float pan)
 {

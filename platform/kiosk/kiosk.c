@@ -129,11 +129,17 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     const struct kiosk_tap *tap = &kiosk->config.tap;
     uint32_t done = 0;
     kiosk->output.sound_count = 0;
+    if (tick_count > 0) { /* Else the hand goes on feeling what it felt. */
+        memset(kiosk->felt, 0, sizeof kiosk->felt);
+    }
     while (done < tick_count && prepare_tick(kiosk, done, tick_count)) {
         if (tap->before) {
             tap->before(tap->self, &kiosk->input);
         }
         core_tick(&kiosk->core, &kiosk->input, &kiosk->output);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            output_feel(&kiosk->felt[i], &kiosk->output.poi[i]);
+        }
         if (tap->tick) {
             tap->tick(tap->self, &kiosk->input, &kiosk->core);
         }
@@ -191,7 +197,7 @@ static void present_forces(struct kiosk *kiosk, const struct hal *hal)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (kiosk->hands[i].link == POI_LINK_LIVE) {
-            const int result = hal->poi[i].ops->feel(hal->poi[i].self, &kiosk->output.poi[i]);
+            const int result = hal->poi[i].ops->feel(hal->poi[i].self, &kiosk->felt[i]);
             kiosk->faults.poi += (uint32_t)is_fault(result);
         }
     }

@@ -53,6 +53,7 @@ struct kiosk {
     struct core core;
     struct input input;    /* Of the next tick; edges wait in it until one tick has seen them. */
     struct output output;
+    struct poi_force felt[POI_MAX]; /* By all ticks of the frame; see output_feel(). */
     struct scene scene;
     struct pace pace;
     struct poi_hand hands[POI_MAX];
