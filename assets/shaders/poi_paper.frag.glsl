@@ -19,11 +19,14 @@ float shade(vec4 rest, vec3 spine)
         * (1.0 - smoothstep(0.34, 0.62, abs(along) / max(rest.w, 1e-4)));
 }
 
-// From an easy load to one that tears: dark to bright all the way, for every eye. As ui_shader.c.
-vec3 heat(float t)
+// From an easy load to one that tears, dark to bright all the way, for every eye; as ui_shader.c.
+// By the square root, for most loads are a tenth of what tears: half of it, which paper bears for a
+// minute, is yellow.
+vec3 heat(float stress)
 {
-    vec3 c = mix(vec3(0.07, 0.16, 0.52), vec3(0.05, 0.55, 0.60), smoothstep(0.0, 0.35, t));
-    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.35, 0.75, t));
+    float t = sqrt(stress);
+    vec3 c = mix(vec3(0.12, 0.18, 0.62), vec3(0.20, 0.66, 0.30), smoothstep(0.05, 0.40, t));
+    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.40, 0.75, t));
     return mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.75, 1.0, t));
 }
 
@@ -55,7 +58,7 @@ void main()
     lit *= 1.0 - 0.7 * shade_at(world, bend.z);
     vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
     vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
-    vec3 load = mix(dry, heat(cell.a) * (0.80 + 0.36 * fibre), 0.78 + 0.20 * wet);
+    vec3 load = mix(dry, heat(cell.a) * (0.62 + 0.66 * fibre), 0.76 + 0.20 * wet);
     float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Where wet meets dry.
     load *= 0.45 + 0.55 * smoothstep(0.7, 1.7, front);
     vec3 tint = mix(mix(dry, soaked, wet), load, paper.z) * lit;
@@ -63,7 +66,7 @@ void main()
     tint *= (1.0 - 0.30 * fold) * (1.0 - 0.55 * dark);
     tint = mix(tint, vec3(1.0, 0.98, 0.95), 0.55 * lip);
     float alpha = mix(0.95, 0.34 + 0.32 * fibre, wet) * (1.0 - 0.28 * worn * wet);
-    alpha = mix(alpha, 0.92 - 0.12 * wet, paper.z);
+    alpha = mix(alpha, 0.92 - (0.30 - 0.22 * fibre) * wet, paper.z);
     alpha += 0.30 * dark * (1.0 - alpha);
     alpha = mix(alpha, 0.95, max(0.8 * lip, 0.35 * fold));
     // Water on it: a film that shines with the fibres, and a pool that lies level, deeper in
