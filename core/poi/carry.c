@@ -8,8 +8,9 @@
 #define FILM_KEEP_KG 0.0008f /* Fibres let go of no more than that. */
 #define FILM_SLOW 4.0f       /* Thin water runs so many times slower than a pool. */
 #define DRAIN_TAU_S 0.15f    /* Divided by the sine of the tilt. */
-#define RIM_TAU_S 0.30f      /* Level, what stands above the rim runs off all round. */
-#define SEEP_TAU_S 6.0f      /* Level, it seeps through wet paper. */
+#define RIM_PER_S 3.3f       /* Level, what stands above the rim runs off all round; ... */
+#define RIM_SINE 0.1f        /* ... so steep, it does at one place. */
+#define SEEP_TAU_S 15.0f     /* Level, it seeps through wet paper and drips. */
 #define HOLES_PER_S 8.0f     /* All of it a hole would empty it in an eighth of a second. */
 #define RING_KG 0.0151f      /* Upside down the 3 mm ring is a bowl: pi a^2 times that. */
 
@@ -57,7 +58,8 @@ void carry_tick(struct poi *poi, float up_y)
     const float room_kg = carry_room_kg(poi, up_y);
     const float tilt_per_s = tilt_sine / DRAIN_TAU_S;
     const float seep_per_s = 1.0f / SEEP_TAU_S;
-    poi->pool_kg = run_off(poi->pool_kg, room_kg, f_max(tilt_per_s, 1.0f / RIM_TAU_S));
+    const float rim_per_s = RIM_PER_S * f_max(0.0f, 1.0f - tilt_sine / RIM_SINE);
+    poi->pool_kg = run_off(poi->pool_kg, room_kg, tilt_per_s + rim_per_s);
     poi->pool_kg = run_off(poi->pool_kg, 0.0f, seep_per_s + HOLES_PER_S * (1.0f - left));
     poi->film_kg = run_off(f_min(poi->film_kg, left * FILM_KG), left * FILM_KEEP_KG,
                            tilt_per_s / FILM_SLOW + seep_per_s);
