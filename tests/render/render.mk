@@ -4,7 +4,10 @@ $(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/shell.a $(BUIL
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-## shot: a picture of the stall in out/shot.png; ARGS="--preset official --seconds 9 --size 1920x1080 --passes -o FILE"
+# --start presses START after half a second; --mode NAME offers that mode alone, --choose all three;
+# --players N are bots; --follow M looks at the first poi from so near; --paper holds one up, with
+# --stress, --water MM, --tilt DEGREES, --owner N; --heel DEGREES tilts the bowls.
+## shot: a picture of the stall in out/shot.png; ARGS="--mode championship --players 4 --start --seconds 40 --passes -o FILE"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
 	@$< $(ARGS)
@@ -18,10 +21,23 @@ film: $(BUILD)/tests/render/film
 	@mkdir -p out
 	@$< $(ARGS)
 
-# Three of the tank's moments side by side: gulping, a fan, a start.
 PICTURE := out/pictures
-## pictures: the tank page's picture, made anew (assets/pictures/fish.jpg); needs ImageMagick
-pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
+## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
+pictures: fish-pictures game-pictures
+
+# The choice of a mode, a championship of four, and a tail that tears the paper in practice: bots
+# play, so the moments move with the physics; look before you keep them.
+game-pictures: $(BUILD)/tests/render/shot
+	@mkdir -p $(PICTURE)
+	@$< --choose --seconds 3 -o $(PICTURE)/choose.png
+	@$< --mode championship --players 4 --start --seconds 43 -o $(PICTURE)/championship.png
+	@$< --mode practice --start --seed 3 --seconds 28.74 --follow 0.22 -o $(PICTURE)/practice.png
+	@for name in choose championship practice; do \
+	    convert $(PICTURE)/$$name.png -resize 1120x -quality 88 assets/pictures/$$name.jpg; \
+	    echo "assets/pictures/$$name.jpg"; done
+
+# Three of the tank's moments side by side: gulping, a fan, a start.
+fish-pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@mkdir -p $(PICTURE)
 	@$(BUILD)/tests/render/shot --oxygen 1 --seconds 25 --plain --close 0.1,0,0.22 -o $(PICTURE)/gulp.png
 	@$(BUILD)/tests/render/shot --seconds 14 --plain --fan 8,4 -o $(PICTURE)/fan.png
@@ -33,4 +49,4 @@ pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@convert $(PICTURE)/top.png $(PICTURE)/strip.png -append -quality 86 assets/pictures/fish.jpg
 	@echo 'assets/pictures/fish.jpg'
 
-.PHONY: shot film pictures
+.PHONY: shot film pictures fish-pictures game-pictures
