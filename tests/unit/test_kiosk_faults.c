@@ -230,6 +230,25 @@ static void test_a_pointer_that_is_warped_over_the_tank_under_water_tears_nothin
     assert_float_equal(rig.kiosk.core.poi[0].position_m.x, seen()->target.position_m.x, 0.01f);
 }
 
+/* As fast as a hand throws one, there and back, at the pace of a bell. */
+static void test_a_mouse_that_is_thrown_over_the_window_stays_in_hand(void **state)
+{
+    (void)state;
+    open_with_pointer();
+    start_round();
+    rig.lost_frames = 0;
+    for (uint32_t frame_count = 6; frame_count < 20; frame_count++) { /* From 100 ms on. */
+        for (uint32_t i = 1; i <= frame_count; i++) {
+            const float t = (float)i / (float)frame_count;
+            const float share = f_smoothstep(0.0f, 1.0f, frame_count % 2u ? 1.0f - t : t);
+            rig.report.x_px = f_floor(40.0f + 1200.0f * share);
+            frame();
+        }
+        frames(20);
+    }
+    assert_int_equal(rig.lost_frames, 0);
+}
+
 static void test_a_pointer_whose_reports_are_any_bits_stays_a_pointer(void **state)
 {
     (void)state;
@@ -341,6 +360,7 @@ int main(void)
         cmocka_unit_test(test_the_age_of_a_hand_is_that_of_its_newest_report),
         cmocka_unit_test(test_numbers_that_are_none_are_faults_and_reach_the_core_as_they_are),
         cmocka_unit_test(test_a_pointer_that_is_warped_over_the_tank_under_water_tears_nothing),
+        cmocka_unit_test(test_a_mouse_that_is_thrown_over_the_window_stays_in_hand),
         cmocka_unit_test(test_a_pointer_whose_reports_are_any_bits_stays_a_pointer),
         cmocka_unit_test(test_a_pointer_at_rest_is_never_old),
         cmocka_unit_test(test_who_points_at_the_picture_is_told_when_it_changes),

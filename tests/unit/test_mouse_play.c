@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "core/game/hand.h"
 #include "core/tank/preset.h"
 #include "drivers/clock_sim.h"
 #include "drivers/null.h"
@@ -43,6 +44,7 @@ static void frame(void)
     player.poi.report_count = 1;
     player.poi.next = 0;
     kiosk_frame(&player.kiosk, &player.hal);
+    assert_false(hand_is_lost(&player.kiosk.core, 0)); /* Whatever a mouse does is a hand's. */
 }
 
 static void frames(uint32_t count)
