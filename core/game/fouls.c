@@ -23,10 +23,12 @@ void foul_commit(struct core *core, uint32_t index, enum foul kind, struct outpu
 
 /* ---- Before the start ----------------------------------------------------------------------- */
 
-static int is_held_over_fish(const struct tank *tank, const struct shade *shade)
+/* What was there when READY began has as long to go as what comes. */
+static int is_held_over_fish(const struct core *core, const struct shade *shade)
 {
-    return shade->cast.present && shade->still_s >= FOUL_SHADE_S &&
-           tank_shade_count(tank, &shade->cast) > 0;
+    const float ready_s = (float)(core->tick - core->game.phase_tick) * CORE_TICK_S;
+    return shade->cast.present && f_min(shade->still_s, ready_s) >= FOUL_SHADE_S &&
+           tank_shade_count(&core->tank, &shade->cast) > 0;
 }
 
 /* What the keeper's changes do to the poi (another tank, a new holder) is no motion of the hand's,
@@ -59,8 +61,8 @@ void fouls_before_start(struct core *core, struct output *output)
     const struct tank *tank = &core->tank;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const int moved = has_moved(core, i);
-        const int by_fan = is_held_over_fish(tank, &tank->shade[i]);
-        const int by_poi = moved && is_held_over_fish(tank, &tank->shade[SHADE_MAX + i]);
+        const int by_fan = is_held_over_fish(core, &tank->shade[i]);
+        const int by_poi = moved && is_held_over_fish(core, &tank->shade[SHADE_MAX + i]);
         if (core->bowl[i].present && (by_fan || by_poi)) {
             foul_commit(core, i, FOUL_SHADE, output);
         }

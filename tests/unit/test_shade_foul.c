@@ -61,6 +61,23 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
     assert_int_equal(sounds[SOUND_FOUL], 1);
 }
 
+static void test_a_fan_that_was_there_already_has_a_second_and_a_half_to_go(void **state)
+{
+    (void)state;
+    const struct core_config config = {
+        .seed = 3, .preset = TANK_PRESET_OFFICIAL, .modes = 1u << MODE_CHAMPIONSHIP
+    };
+    open_stall(&config);
+    hold(0, aside_m);
+    fan(1, 0.1f);
+    ticks(300);
+    press(INPUT_START);
+    ticks(170);
+    assert_int_equal(look()->player[0].fouls, 0);
+    ticks(20);
+    assert_int_equal(look()->player[0].fouls, 1);
+}
+
 static void test_a_fan_that_passes_or_waves_is_none(void **state)
 {
     (void)state;
@@ -183,6 +200,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_who_leaves_the_water_alone_commits_no_foul),
         TEST(test_a_fan_held_over_fish_before_the_start_is_one_foul),
+        cmocka_unit_test(test_a_fan_that_was_there_already_has_a_second_and_a_half_to_go),
         TEST(test_a_fan_that_passes_or_waves_is_none),
         TEST(test_a_fan_over_water_without_fish_is_none),
         TEST(test_two_seconds_later_it_is_another),
