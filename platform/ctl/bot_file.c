@@ -21,6 +21,14 @@ struct parser {
     struct bot_file_problem *problem;
 };
 
+/* What a file holds must not steer the terminal that shows it. */
+static void calm(char *text)
+{
+    for (; *text; text++) {
+        *text = (unsigned char)*text < ' ' || *text == 0x7f ? '?' : *text;
+    }
+}
+
 __attribute__((format(printf, 2, 3)))
 static int refuse(struct parser *parser, const char *format, ...)
 {
@@ -28,6 +36,7 @@ static int refuse(struct parser *parser, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(parser->problem->text, sizeof parser->problem->text, format, arguments);
     va_end(arguments);
+    calm(parser->problem->text);
     parser->problem->line = parser->line;
     return -1;
 }

@@ -38,7 +38,7 @@ static void tell_progress(void *self, uint32_t index)
     const double left_s = took_s / (double)progress->played *
                           (double)(progress->count - progress->played);
     if (progress->is_watched) {
-        fprintf(stderr, "\r%s: %u of %u rounds, %.0f s, %.0f s to go \b", progress->speaker,
+        fprintf(stderr, "\r%s: %u of %u rounds, %.0f s, %.0f s to go   ", progress->speaker,
                 progress->played, progress->count, took_s, left_s);
     } else if (percent / 10u > progress->told_percent / 10u) {
         fprintf(stderr, "%s: %u of %u rounds, %.0f s, %.0f s to go\n", progress->speaker,

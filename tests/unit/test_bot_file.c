@@ -186,6 +186,8 @@ static void test_what_is_no_text_is_refused_where_it_stops_being_one(void **stat
     char line[1000];
     assert_int_equal(bot_file_parse(bytes, sizeof bytes - 1, &technique, &problem), -1);
     assert_int_equal(problem.line, 2);
+    expect_refused("\033[2J=\001\r2\177", 1, "'?[2J' is no key");
+    expect_refused("wet=\001\r2\177", 1, "'??2?'");
     memset(line, 'a', sizeof line - 1);
     line[sizeof line - 1] = '\0';
     expect_refused(line, 1, "999 characters");
