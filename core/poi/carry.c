@@ -12,6 +12,8 @@
 #define RIM_SINE 0.1f        /* ... so steep, it does at one place. */
 #define SEEP_TAU_S 15.0f     /* Level, it seeps through wet paper and drips. */
 #define HOLES_PER_S 8.0f     /* All of it a hole would empty it in an eighth of a second. */
+#define DROP_KG 0.00005f     /* A drop of 4.6 mm. */
+#define DROPS_MAX 4u         /* In a tick; more are a trickle, which rings no louder. */
 #define RING_KG 0.0151f      /* Upside down the 3 mm ring is a bowl: pi a^2 times that. */
 
 /* A pool in a paraboloid of depth w0: tilted, its rim's lowest point cuts off a smaller one, of
@@ -50,6 +52,21 @@ static float run_off(float mass_kg, float keep_kg, float per_s)
     return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
 }
 
+/* Into the water itself nothing drops. */
+static void let_drop(struct poi *poi, float lost_kg)
+{
+    poi->drops = 0;
+    if (poi->immersed > 0.0f) {
+        poi->drip_kg = 0.0f;
+        return;
+    }
+    poi->drip_kg += f_max(0.0f, lost_kg);
+    while (poi->drip_kg >= DROP_KG && poi->drops < DROPS_MAX) {
+        poi->drip_kg -= DROP_KG;
+        poi->drops++;
+    }
+}
+
 /* What of the paper is under water has its film and its pool at once; what is above drains. */
 void carry_tick(struct poi *poi, float up_y)
 {
@@ -67,7 +84,9 @@ void carry_tick(struct poi *poi, float up_y)
         poi->film_kg = f_max(poi->film_kg, left * FILM_KG * poi->immersed);
         poi->pool_kg = f_max(poi->pool_kg, room_kg * poi->immersed);
     }
+    const float before_kg = poi->water_kg;
     poi->water_kg = poi->film_kg + poi->pool_kg;
+    let_drop(poi, before_kg - poi->water_kg);
 }
 
 float poi_water_m(const struct poi *poi)

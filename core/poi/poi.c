@@ -146,7 +146,8 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
                              poi->pressure_pa, poi->riders_kg, poi->before_angles.yaw_rad,
                              poi->before_angles.pitch_rad, poi->before_angles.roll_rad,
                              poi->pace_m_s, poi->drag_n_s_m, poi->slam_n, poi->added_kg,
-                             poi->edge_n_s_m, poi->meniscus_n, poi->film_kg, poi->pool_kg };
+                             poi->edge_n_s_m, poi->meniscus_n, poi->film_kg, poi->pool_kg,
+                             poi->drip_kg };
     hash = poi_hash_quick(hash, poi);
     hash = hash_u32(hash, poi->seed);
     hash = hash_u32(hash, poi->spared);
@@ -156,6 +157,7 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
     hash = hash_u32(hash, poi->gave);
     hash = hash_u32(hash, poi->stopped);
     hash = hash_u32(hash, poi->clings);
+    hash = hash_u32(hash, poi->drops);
     hash = hash_vec3(hash, poi->angular_velocity_rad_s);
     hash = hash_vec3(hash, poi->spin_rad_s);
     hash = hash_vec3(hash, poi->acceleration_m_s2);

@@ -58,7 +58,9 @@ struct poi {
     float immersed;              /* [0, 1] fraction of the disc below the surface. */
     float splash_m_s;            /* This tick the ring went in (> 0) or came out (< 0), so fast. */
     float water_kg;              /* On the paper; a load only out of the tank: ... */
-    float film_kg, pool_kg;      /* ... what clings to it, and what lies in it. */
+    float film_kg, pool_kg;      /* ... what clings to it, and what lies in it; ... */
+    float drip_kg;               /* ... and what hangs below it until it is a drop. */
+    uint8_t drops;               /* Fell in the last tick. */
     float tip;         /* [0, 1] how far the wrist has turned to empty into the bowl ... */
     vec3 tip_toward;   /* ... and which way: horizontal, unit, chosen when it begins. */
     float pressure_pa; /* On the paper in the last tick, positive toward +up. */

@@ -1,17 +1,76 @@
-/* wake.c -- presses on the height field of the surface. */
+/* wake.c -- presses on the height field of the surface.
+ *
+ * A ring that cuts the surface presses two points ahead of itself, each of which draws a V behind
+ * it as soon as it outruns the ripples, at 0.23 m/s. */
 #include "core/poi/wake.h"
+
+#define HEAVE_SHARE 0.5f   /* Of the way up or down that the surface follows a disc below it; ... */
+#define HEAVE_DEPTH_M 0.03f /* ... less with its depth; ... */
+#define HEAVE_MAX_M 0.003f /* ... and in a tick at most. */
+#define PLUNGE_MAX_M 0.004f
+#define BOW_RADIUS_M 0.012f
+#define BOW_SHARE 0.25f    /* Of the way along the surface that a cutting edge presses it by, ... */
+#define BOW_MAX_M 0.0012f  /* ... in a tick at most. */
+#define LEVEL_SLOPE 0.15f  /* Flatter than 9 degrees a ring has no two points: all of it enters. */
+#define DROP_RADIUS_M 0.008f
+#define DROP_M 0.0005f
+
+/* Up the paper's slope, unit, and how steep that is: the sine of its tilt. */
+static vec3 uphill(vec3 up, float *slope)
+{
+    const vec3 rise = v3_mad(v3(0.0f, 1.0f, 0.0f), up, -up.y);
+    *slope = v3_length(rise);
+    return v3_normalize_or(rise, v3(0.0f, 0.0f, 0.0f));
+}
+
+/* Where the ring's edge goes through the surface. */
+static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
+{
+    float slope;
+    const vec3 rise = uphill(up, &slope);
+    const vec3 along = v3_cross(up, rise);
+    const float reach = slope > LEVEL_SLOPE ? -poi->position_m.y / (POI_OUTER_RADIUS_M * slope)
+                                            : 1.0f;
+    if (f_abs(reach) >= 1.0f) {
+        return;
+    }
+    const float aside = f_sqrt(1.0f - reach * reach);
+    const vec3 level_m_s = v3(poi->velocity_m_s.x, 0.0f, poi->velocity_m_s.z);
+    const float press = f_min(BOW_SHARE * v3_length(level_m_s) * CORE_TICK_S, BOW_MAX_M);
+    for (int side = -1; side <= 1; side += 2) {
+        const vec3 edge = v3_mad(v3_scale(rise, reach), along, (float)side * aside);
+        water_press(water, tank_size_m, v3_mad(poi->position_m, edge, POI_OUTER_RADIUS_M),
+                    BOW_RADIUS_M, press);
+    }
+}
+
+/* From the lowest point of the ring, or of the belly of a level one. */
+static void drip(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
+{
+    float slope;
+    const vec3 rise = uphill(up, &slope);
+    const float off_m = POI_OUTER_RADIUS_M * f_min(1.0f, slope / LEVEL_SLOPE);
+    water_press(water, tank_size_m, v3_mad(poi->position_m, rise, -off_m), DROP_RADIUS_M,
+                DROP_M * (float)poi->drops);
+}
 
 void wake_tick(const struct poi *poi, struct water *water, vec3 tank_size_m)
 {
-    const float depth = -poi->position_m.y;
-    const float heave = poi->velocity_m_s.y * CORE_TICK_S;
-    if (poi->immersed > 0.0f && poi->immersed < 1.0f) {
-        const float sweep = v3_length(poi->velocity_m_s) * CORE_TICK_S;
-        const float press = f_clamp(0.5f * sweep - 0.5f * heave, -0.004f, 0.004f);
-        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press);
-    } else if (poi->immersed >= 1.0f) {
-        const float press = -0.5f * heave * f_exp(-depth / 0.03f);
-        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M,
-                    f_clamp(press, -0.003f, 0.003f));
+    const vec3 up = basis_from_angles(poi->angles).up;
+    const float heave_m = HEAVE_SHARE * poi->velocity_m_s.y * CORE_TICK_S;
+    float press_m = 0.0f;
+    if (poi->immersed >= 1.0f) {
+        const float near = f_exp(poi->position_m.y / HEAVE_DEPTH_M);
+        press_m = f_clamp(-heave_m * near, -HEAVE_MAX_M, HEAVE_MAX_M);
+    } else if (poi->immersed > 0.0f) {
+        const float sweep_m = HEAVE_SHARE * v3_length(poi->velocity_m_s) * CORE_TICK_S;
+        press_m = f_clamp(sweep_m - heave_m, -PLUNGE_MAX_M, PLUNGE_MAX_M);
+        cut(poi, water, tank_size_m, up);
+    }
+    if (press_m != 0.0f) {
+        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press_m);
+    }
+    if (poi->drops > 0) {
+        drip(poi, water, tank_size_m, up);
     }
 }
