@@ -172,7 +172,7 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
-        if (live[i]) {
+        if (live[i] && !core->poi[i].spared) { /* Who does not lead it must not be pulled by it. */
             haptics_feel(&core->poi[i], &output->poi[i]);
         }
     }

@@ -229,6 +229,7 @@ static void check_fault(const struct scene_of *of)
         const int is_led = !hand_is_lost(&core, 0) && core.game.back_ticks[0] == 0;
         leads = is_led && !broken;
         if (!is_led) {
+            assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* It pulls at nobody. */
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
             memcpy(damage, poi->sheet.damage, sizeof damage); /* Led, it wears as ever: ... */

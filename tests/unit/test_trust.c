@@ -288,8 +288,11 @@ static void test_a_late_hand_that_stayed_has_nothing_to_catch_up(void **state)
     (void)state;
     expect_for(10, TRUST_BELIEVED);
     silence(50);
-    hand.target.position_m.x += 0.02f;
+    hand.target.position_m.x += 0.011f;
     expect_for(20, TRUST_BELIEVED);
+    silence(50);
+    hand.target.position_m.x += 0.013f;
+    assert_int_equal(tick(), TRUST_CATCH_UP);
 }
 
 static void test_a_late_hand_that_went_farther_than_an_arm_is_lost(void **state)
