@@ -37,7 +37,8 @@ void main()
     float light = texture(caustics, world.xz * CAUSTIC_TILES * 1.6).r;
     tint *= lit * mix(1.0, 0.62 + 0.38 * shell.y, inside * 0.55);
     // The bowl's own water, a hand deep: enough to be blue, not enough to dim its fish.
-    float drowned = inside * (1.0 - smoothstep(-0.34, -0.28, (world.y - mouth.y) / form.x));
+    float under = form.y - (world.y - mouth.y) / form.x;
+    float drowned = inside * smoothstep(-0.02, 0.04, under);
     tint *= mix(vec3(1.0), vec3(0.70, 0.94, 1.02), drowned);
     tint *= 1.0 + inside * (light - 0.25) * 0.55 * drowned;
     float shine = max(dot(n, normalize(view + LAMP_DIRECTION)), 0.0);

@@ -5,9 +5,9 @@ layout(location = 2) in vec2 surface;   // x: 0 inside, 1 outside; y: 0 bottom .
 uniform vec4 mouth;                     // Centre; w: radius.
 uniform vec4 form;                      // x: depth, m; of its water, y: height, z: radius.
 uniform mat3 heel;                      // How it leans; its water stays level.
+uniform vec4 paint;                     // w: how many white gaps its band has.
 out vec3 world;
 out vec3 face;
-uniform vec4 paint;                     // w: how many white gaps its band has.
 out vec3 shell;                         // z: 1 in the middle of a gap.
 
 void main()

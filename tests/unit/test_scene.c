@@ -195,6 +195,23 @@ static void test_an_absent_poi_and_bowl_are_not_shown(void **state)
     assert_int_equal(scene.bowl[0].present, 1);
 }
 
+static void test_a_bowl_leans_as_it_heels_and_tells_where_its_water_stands(void **state)
+{
+    (void)state;
+    core.bowl[0].heel_x = 0.10f;
+    core.bowl[0].heel_z = -0.05f;
+    core_scene(&core, &scene);
+    const vec3 up = basis_from_angles(scene.bowl[0].angles).up;
+    assert_float_equal(up.x, 0.10f, 2e-3f);
+    assert_float_equal(up.z, -0.05f, 2e-3f);
+    assert_true(scene.bowl[0].water_below_m > 0.0f);
+    assert_true(scene.bowl[0].water_below_m < scene.bowl[0].depth_m);
+    core.bowl[0].water_kg *= 0.5f;
+    const float before_m = scene.bowl[0].water_below_m;
+    core_scene(&core, &scene);
+    assert_true(scene.bowl[0].water_below_m > before_m);
+}
+
 static void test_the_game_is_told_as_it_is(void **state)
 {
     (void)state;
@@ -239,6 +256,7 @@ int main(void)
         TEST(test_what_a_poi_carries_is_told_as_a_depth),
         TEST(test_players_calls_and_fouls_are_told_with_their_age),
         TEST(test_an_absent_poi_and_bowl_are_not_shown),
+        TEST(test_a_bowl_leans_as_it_heels_and_tells_where_its_water_stands),
         TEST(test_the_game_is_told_as_it_is),
         TEST(test_looking_changes_nothing),
     };
