@@ -208,7 +208,8 @@ static float shove_max_m(const struct obstacle *obstacles, uint32_t obstacle_cou
     int stirs = 0; /* A bowl that rocks on ripples does not. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 step_m = obstacles[o].step_m;
-        stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m && v3_dot(step_m, step_m) > STIRS_M * STIRS_M;
+        stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m &&
+                 v3_dot(step_m, step_m) > STIRS_M * STIRS_M;
     }
     return stirs ? PART_SHOVE_M : PART_CALM_SHOVE_M;
 }

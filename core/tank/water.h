@@ -18,7 +18,8 @@ void water_init(struct water *water);
  * Points outside the tank are ignored. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m);
 
-/* How high the surface stands at a point, between the cells' middles; beyond the walls as at them. */
+/* How high the surface stands at a point, between the middles of cells; beyond the walls as at
+ * them. */
 float water_height_m(const struct water *water, vec3 size_m, float x_m, float z_m);
 
 /* One step of the wave equation with damping; called every second tick. */

@@ -152,6 +152,48 @@ static inline void stand_dip(struct stand *stand)
     stand->tension_max_n_m = stand->tension_sum_n_m = 0.0f;
 }
 
+/* A poi that has just lifted one thrashing fish of 45 mm, level, 6 cm over the water: taken up so
+ * far beside its middle, with its nose that way. Returns which fish. */
+static inline uint32_t stand_lift(struct stand *stand, uint8_t grade, uint32_t seed, float off_x_m,
+                                  float yaw_rad)
+{
+    stand_init(stand, grade, seed);
+    stand_dip(stand);
+    const uint32_t index = stand_fish(stand, v3(off_x_m, -0.045f, 0.005f), 0.045f);
+    stand->tank.fish[index].angles.yaw_rad = yaw_rad;
+    stand->tank.fish[index].alarm = 1.0f; /* As one that was chased. */
+    stand_move(stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
+    return index;
+}
+
+/* A fish laid on the paper where the test wants it: at rest, flat, still for a long time. */
+static inline struct rider *stand_lay(struct stand *stand, float length_m, float x_m, float z_m,
+                                      float heading_rad)
+{
+    const uint32_t index = stand_fish(stand, stand->poi.position_m, length_m);
+    struct rider *rider = &stand->poi.riders[stand->poi.rider_count++];
+    stand->tank.fish[index].gait = GAIT_HELD;
+    *rider = (struct rider){
+        .fish = (uint16_t)index, .side = 1, .x_m = x_m, .z_m = z_m, .heading_rad = heading_rad,
+        .height_m = 0.1f * length_m, .lie = 1.0f, .rest_s = 1e3f, .slap_d_m = 0.003f
+    };
+    return rider;
+}
+
+/* Takes the paper away within `radius_m` of a point of the poi's plane. */
+static inline void stand_punch(struct stand *stand, float x_m, float z_m, float radius_m)
+{
+    struct sheet *sheet = &stand->poi.sheet;
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const float x = sheet_line_m(sheet, cell % SHEET_SIDE) - x_m;
+        const float z = sheet_line_m(sheet, cell / SHEET_SIDE) - z_m;
+        if (sheet->state[cell] == CELL_PAPER && x * x + z * z < radius_m * radius_m) {
+            sheet->state[cell] = CELL_HOLE;
+            sheet->paper_cells--;
+        }
+    }
+}
+
 /* A uniform specimen, wet through: what the formulas speak of. */
 static inline void stand_plain_paper(struct sheet *sheet, float wetness)
 {

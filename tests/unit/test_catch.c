@@ -1,4 +1,4 @@
-/* test_catch.c -- fish on paper, through paper, into the bowl. */
+/* test_catch.c -- fish that come on the paper, and those for which it is a wall. */
 #include "core/tank/rim.h"
 #include "poi_stand.h"
 
@@ -6,21 +6,9 @@
 
 static struct stand stand;
 
-/* A poi that has just lifted one fish, level, 6 cm over the water. */
-static uint32_t lifted_facing(uint8_t grade, uint32_t seed, float off_x_m, float yaw_rad)
-{
-    stand_init(&stand, grade, seed);
-    stand_dip(&stand);
-    const uint32_t index = stand_fish(&stand, v3(off_x_m, -0.045f, 0.005f), FISH_M);
-    stand.tank.fish[index].angles.yaw_rad = yaw_rad;
-    stand.tank.fish[index].alarm = 1.0f; /* As one that was chased: it thrashes. */
-    stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
-    return index;
-}
-
 static uint32_t lifted(uint8_t grade, uint32_t seed, float off_x_m)
 {
-    return lifted_facing(grade, seed, off_x_m, 0.0f);
+    return stand_lift(&stand, grade, seed, off_x_m, 0.0f);
 }
 
 static float height_over_paper(uint32_t fish)
@@ -162,136 +150,6 @@ static void test_a_careless_scooper_loses_it_after_a_few(void **state)
         total += careless_scoops(seed);
     }
     assert_in_range(total, 40u * 3u / 2u, 40u * 3u); /* As at a festival. */
-}
-
-static void test_a_fish_falls_through_a_hole_that_is_under_it(void **state)
-{
-    (void)state;
-    const uint32_t fish = lifted(4, 1, 0.0f);
-    const struct rider rider = stand.poi.riders[0];
-    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        const float x = ((float)(cell % SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - rider.x_m;
-        const float z = ((float)(cell / SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - rider.z_m;
-        if (stand.poi.sheet.state[cell] == CELL_PAPER && x * x + z * z < 0.015f * 0.015f) {
-            stand.poi.sheet.state[cell] = CELL_HOLE;
-            stand.poi.sheet.paper_cells--;
-        }
-    }
-    stand_wait(&stand, 0.05f);
-    assert_int_equal(stand.poi.riders[0].state, RIDER_FALLING);
-    stand_wait(&stand, 0.5f);
-    assert_int_equal(stand.poi.rider_count, 0);
-    assert_int_not_equal(stand.tank.fish[fish].gait, GAIT_HELD);
-    assert_true(stand.tank.fish[fish].position_m.y < 0.0f);
-    assert_int_equal(stand.landed, 0);
-}
-
-static void test_a_hole_elsewhere_drops_nobody(void **state)
-{
-    (void)state;
-    lifted(4, 1, 0.0f);
-    const float away = stand.poi.riders[0].x_m > 0.0f ? -0.03f : 0.03f;
-    const uint32_t column = (uint32_t)((away + 0.04f) / 0.0025f);
-    stand.poi.sheet.state[SHEET_SIDE / 2u * SHEET_SIDE + column] = CELL_HOLE;
-    stand.poi.sheet.paper_cells--;
-    stand_wait(&stand, 0.5f);
-    assert_int_equal(stand.poi.rider_count, 1);
-}
-
-static void test_tipped_over_the_bowl_a_fish_lands_and_counts_once(void **state)
-{
-    (void)state;
-    uint32_t landed = 0;
-    for (uint32_t seed = 0; seed < 60; seed++) {
-        const uint32_t fish = lifted(4, seed, 0.0f);
-        stand_move(&stand, v3(0.20f, 0.05f, 0.10f), 0.3f);
-        assert_int_equal(stand.landed, 0);
-        stand_move(&stand, v3(0.30f, 0.035f, 0.15f),
-                   0.3f); /* A pointer's height: low over the mouth. */
-        stand_wait(&stand, 1.5f);
-        assert_int_equal(stand.poured + stand.walled, 0);
-        assert_int_equal(stand.bowl.fish_count, stand.landed);
-        assert_int_equal(stand.tank.fish[fish].gait == GAIT_BOWL, stand.landed == 1);
-        landed += stand.landed;
-        stand_wait(&stand, 0.5f);
-        assert_int_equal(stand.bowl.fish_count, stand.landed);
-        assert_int_equal(stand.poi.rider_count, 0);
-    }
-    assert_in_range(landed, 57, 60); /* One that thrashes leaves when it likes. */
-}
-
-static void test_from_whichever_side_it_comes_the_fish_lands_in_the_bowl(void **state)
-{
-    (void)state;
-    uint32_t landed = 0;
-    for (uint32_t i = 0; i < 16; i++) {
-        const float angle = F_TAU * (float)i / 16.0f;
-        lifted(4, i, 0.0f);
-        bowl_init(&stand.bowl, v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle)));
-        stand_wait(&stand, 0.5f);
-        stand_move(&stand, v3(stand.bowl.position_m.x, 0.05f, stand.bowl.position_m.z), 0.25f);
-        stand_wait(&stand, 1.5f);
-        landed += stand.landed;
-    }
-    assert_in_range(landed, 15, 16);
-}
-
-static void test_tipped_over_the_tank_a_fish_slides_off_and_swims_on(void **state)
-{
-    (void)state;
-    const uint32_t fish = lifted(4, 3, 0.0f);
-    stand_turn(&stand, 0.0f, 55.0f * F_DEG, 0.3f);
-    stand_wait(&stand, 1.0f);
-    assert_int_equal(stand.poi.rider_count, 0);
-    assert_int_equal(stand.landed, 0);
-    assert_true(stand.tank.fish[fish].position_m.y < 0.0f);
-    assert_true(stand.tank.fish[fish].position_m.x > 0.0f); /* Off the lowered right side. */
-}
-
-static void test_a_slight_tilt_keeps_the_fish_behind_the_ring(void **state)
-{
-    (void)state;
-    uint32_t kept = 0;
-    for (uint32_t seed = 0; seed < 20; seed++) {
-        lifted(4, seed, 0.0f);
-        stand_turn(&stand, 0.0f, 24.0f * F_DEG, 0.5f);
-        stand_wait(&stand, 1.0f);
-        kept += stand.poi.rider_count;
-    }
-    assert_in_range(kept, 17, 20);
-}
-
-static void test_near_the_rim_a_fish_may_flop_out_and_in_the_middle_it_hardly_does(void **state)
-{
-    (void)state;
-    uint32_t rim = 0, middle = 0;
-    for (uint32_t seed = 0; seed < 40; seed++) {
-        lifted_facing(4, seed, 0.0f, -0.5f * F_PI);
-        stand_wait(&stand, 2.0f);
-        middle += stand.poi.rider_count;
-        lifted_facing(4, seed, 0.034f, -0.5f * F_PI); /* Nose out over the ring. */
-        stand_wait(&stand, 2.0f);
-        rim += stand.poi.rider_count;
-    }
-    assert_true(middle >= 38);
-    assert_in_range(rim, 20, middle - 1u);
-}
-
-static void test_a_fish_slaps_and_calms_down(void **state)
-{
-    (void)state;
-    lifted(4, 1, 0.0f);
-    uint32_t early = 0, late = 0;
-    for (uint32_t tick = 0; tick < 10u * CORE_TICK_HZ; tick++) {
-        stand_tick(&stand);
-        assert_int_equal(stand.poi.rider_count, 1);
-        const struct rider *rider = &stand.poi.riders[0];
-        assert_true(rider->slap_n <= 0.15f);
-        early += tick < 2u * CORE_TICK_HZ && rider->slap_s > 0.0f && rider->slap_n > 0.02f;
-        late += tick >= 8u * CORE_TICK_HZ && rider->slap_s > 0.0f && rider->slap_n > 0.02f;
-    }
-    assert_true(early > 10);
-    assert_true(late < early / 4u);
 }
 
 static void test_a_rider_lowered_into_the_water_swims_off(void **state)
@@ -462,35 +320,6 @@ static void test_a_fish_over_the_very_edge_stays_on_its_side(void **state)
     assert_true(rim_paper_push(&ring, &body, before_m).y > 0.01f);
 }
 
-static void test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost(void **state)
-{
-    (void)state;
-    stand_init(&stand, 4, 1);
-    float weight_n = 0.0f;
-    for (uint32_t i = 0; i < POI_RIDER_MAX; i++) {
-        const uint32_t fish = stand_fish(&stand, v3(0.0f, 0.06f, 0.0f), 0.03f);
-        const float x_m = 0.012f * (float)(i % 4u) - 0.018f;
-        const float z_m = 0.012f * (float)(i / 4u) - 0.018f;
-        stand.tank.fish[fish].gait = GAIT_HELD;
-        stand.poi.riders[i] = (struct rider){
-            .fish = (uint16_t)fish, .side = 1, .x_m = x_m, .z_m = z_m, .height_m = 0.003f,
-            .lie = 1.0f, .rest_s = 1.0f, .slap_s = 0.02f, .slap_n = 1e-3f, .slap_d_m = 0.003f
-        };
-        weight_n += fish_mass_kg(0.03f) * GRAVITY_M_S2 + 1e-3f;
-    }
-    stand.poi.rider_count = POI_RIDER_MAX;
-    const struct stall stall = { &stand.tank, &stand.bowl, 1 };
-    struct catch_result caught[POI_MAX] = { 0 };
-    catch_tick(&stand.poi, 0, &stall, 0, &stand.output, caught);
-    assert_int_equal(stand.poi.rider_count, POI_RIDER_MAX);
-    assert_int_equal(stand.poi.load_count, 2u * POI_RIDER_MAX);
-    float force_n = 0.0f;
-    for (uint32_t i = 0; i < stand.poi.load_count; i++) {
-        force_n -= stand.poi.loads[i].force_n;
-    }
-    assert_float_equal(force_n, weight_n, 1e-3f * weight_n);
-}
-
 static void test_sounds_say_what_happens_and_do_not_rattle(void **state)
 {
     (void)state;
@@ -546,21 +375,12 @@ int main(void)
         cmocka_unit_test(test_a_fish_above_is_never_left_below),
         cmocka_unit_test(test_a_careful_scooper_keeps_the_paper_for_many_fish),
         cmocka_unit_test(test_a_careless_scooper_loses_it_after_a_few),
-        cmocka_unit_test(test_a_fish_falls_through_a_hole_that_is_under_it),
-        cmocka_unit_test(test_a_hole_elsewhere_drops_nobody),
-        cmocka_unit_test(test_tipped_over_the_bowl_a_fish_lands_and_counts_once),
-        cmocka_unit_test(test_from_whichever_side_it_comes_the_fish_lands_in_the_bowl),
-        cmocka_unit_test(test_tipped_over_the_tank_a_fish_slides_off_and_swims_on),
-        cmocka_unit_test(test_a_slight_tilt_keeps_the_fish_behind_the_ring),
-        cmocka_unit_test(test_near_the_rim_a_fish_may_flop_out_and_in_the_middle_it_hardly_does),
-        cmocka_unit_test(test_a_fish_slaps_and_calms_down),
         cmocka_unit_test(test_a_rider_lowered_into_the_water_swims_off),
         cmocka_unit_test(test_a_renewed_poi_gives_its_fish_back),
         cmocka_unit_test(test_more_fish_than_the_poi_can_carry_spill_over_the_ring),
         cmocka_unit_test(test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it),
         cmocka_unit_test(test_a_poi_that_sweeps_along_walls_pushes_no_fish_through_them),
         cmocka_unit_test(test_a_fish_over_the_very_edge_stays_on_its_side),
-        cmocka_unit_test(test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost),
         cmocka_unit_test(test_sounds_say_what_happens_and_do_not_rattle),
         cmocka_unit_test(test_the_same_scoop_ends_the_same_way),
     };

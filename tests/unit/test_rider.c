@@ -115,6 +115,106 @@ static void test_the_tail_is_behind_the_nose(void **state)
     assert_float_equal(fish.position_m.y, 0.205f, 1e-5f);
 }
 
+static void test_slaps_shake_it_down_a_slope_that_would_hold_it(void **state)
+{
+    (void)state;
+    const struct ride ride = tilted(12.0f * F_DEG);
+    float still = 0.0f, shaken = 0.0f;
+    for (uint32_t seed = 0; seed < 20; seed++) {
+        lay(0.0f);
+        ride_for(12.0f * F_DEG, 2.0f);
+        still += rider.x_m;
+        lay(0.0f);
+        rider.rest_s = 0.1f;
+        for (uint32_t i = 0; i < 2u * CORE_TICK_HZ; i++) {
+            rider.vigour = 0.5f;
+            rider_tick(&rider, &fish, &ride, 1.0f, seed, i);
+        }
+        shaken += rider.x_m;
+    }
+    assert_float_equal(still, 0.0f, 0.0f);
+    assert_true(shaken / 20.0f > 0.010f); /* To the low side, the right one. */
+}
+
+/* How far from the middle it lies after `seconds` of slaps, on the mean, from 20 mm off it. */
+static float drawn_in_m(float belly_m, float give_per_n, float seconds)
+{
+    struct ride ride = tilted(0.0f);
+    float sum_m = 0.0f;
+    ride.belly_m = belly_m;
+    ride.give_per_n = give_per_n;
+    for (uint32_t seed = 0; seed < 50; seed++) {
+        lay(F_TAU * (float)seed / 50.0f);
+        rider.x_m = 0.020f;
+        rider.rest_s = 0.1f;
+        for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
+            rider.vigour = 0.4f;
+            rider_tick(&rider, &fish, &ride, 1.0f, seed, i);
+        }
+        sum_m += f_sqrt(rider.x_m * rider.x_m + rider.z_m * rider.z_m);
+    }
+    return sum_m / 50.0f;
+}
+
+static void test_it_slides_toward_the_middle_of_the_belly(void **state)
+{
+    (void)state;
+    const float board_m = drawn_in_m(0.0f, 0.0f, 3.0f);
+    const float belly_m = drawn_in_m(0.003f, 1.0f / (F_TAU * 2.0f), 3.0f);
+    print_message("from 20 mm: on a board to %.1f mm, on paper that sags 3 mm to %.1f mm\n",
+                  1e3 * (double)board_m, 1e3 * (double)belly_m);
+    assert_true(board_m > 0.020f);
+    assert_true(belly_m < 0.014f);
+}
+
+static void test_a_deep_belly_draws_in_even_who_lies_still(void **state)
+{
+    (void)state;
+    struct ride ride = tilted(0.0f);
+    ride.belly_m = 0.008f;
+    ride.give_per_n = 1.0f / (F_TAU * 2.0f);
+    lay(0.0f);
+    rider.x_m = 0.036f;
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        rider_tick(&rider, &fish, &ride, 1.0f, 1, i);
+    }
+    assert_true(rider.x_m < 0.030f);
+}
+
+static float vigour_after(float belly_m)
+{
+    struct ride ride = tilted(0.0f);
+    ride.belly_m = belly_m;
+    lay(0.0f);
+    rider.vigour = 1.0f;
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        rider_tick(&rider, &fish, &ride, 1.0f, 1, i);
+    }
+    return rider.vigour;
+}
+
+static void test_paper_that_sags_round_it_calms_it(void **state)
+{
+    (void)state;
+    const float flat = vigour_after(0.0f), cradled = vigour_after(0.003f);
+    assert_float_equal(1.0f - cradled, 1.45f * (1.0f - flat), 0.15f * (1.0f - flat));
+    assert_true(vigour_after(-0.003f) >= flat); /* Bulging up, it cradles nobody. */
+}
+
+static void test_it_lies_in_the_belly_not_over_it(void **state)
+{
+    (void)state;
+    const struct basis level = basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
+    struct ride ride = tilted(0.0f);
+    ride.belly_m = 0.003f;
+    lay(0.0f);
+    rider_pose(&rider, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
+    assert_float_equal(fish.position_m.y, 0.002f, 1e-6f);
+    rider.x_m = 0.040f; /* At the ring paper does not give. */
+    rider_pose(&rider, &ride, v3(0.0f, 0.0f, 0.0f), &level, &fish);
+    assert_float_equal(fish.position_m.y, 0.005f, 1e-6f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -125,6 +225,11 @@ int main(void)
         cmocka_unit_test(test_head_up_it_calms_down_sooner),
         cmocka_unit_test(test_slaps_come_at_five_to_ten_hertz_and_as_hard_as_life),
         cmocka_unit_test(test_the_tail_is_behind_the_nose),
+        cmocka_unit_test(test_slaps_shake_it_down_a_slope_that_would_hold_it),
+        cmocka_unit_test(test_it_slides_toward_the_middle_of_the_belly),
+        cmocka_unit_test(test_a_deep_belly_draws_in_even_who_lies_still),
+        cmocka_unit_test(test_paper_that_sags_round_it_calms_it),
+        cmocka_unit_test(test_it_lies_in_the_belly_not_over_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
