@@ -1,11 +1,12 @@
-/* ui.h -- the words and signs over the tank: title, countdown, score, hints, results.
+/* ui.h -- the words and signs over the tank: title, choice of mode, countdown, score,
+ * calls and fouls, hints, results.
  *
  * Drawn from the scene alone, in the scene's language, as one batch of quads: letters are
  * distance fields and shapes are formulas, so all is sharp at every size. The layout scales with
  * the screen, from 720p to 4K and upright, and keeps the tank's middle free
  * while a round is played.
  *
- * The caller owns `struct ui` (about 105 KB, no pointers) and a current OpenGL ES 3.0 context.
+ * The caller owns `struct ui` (about 85 KB, no pointers) and a current OpenGL ES 3.0 context.
  * After ui_init() nothing is allocated by us. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_H
 #define KINGYO_PLATFORM_RENDER_UI_H

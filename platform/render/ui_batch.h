@@ -9,7 +9,7 @@
 
 #include "platform/render/text.h"
 
-#define UI_QUADS_MAX 768u /* The longest screen (four players, a call) needs 400; a test knows. */
+#define UI_QUADS_MAX 512u /* The longest screen (attract, English) needs 290; a test knows. */
 
 /* What is drawn in a quad, and what `shape` holds for it; lengths are pixels. */
 enum ui_kind {

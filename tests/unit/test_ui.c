@@ -100,8 +100,11 @@ static int may_leave(uint32_t quad, const struct bounds *bounds)
     return batch.kinds[quad] == UI_GLOW || curtain;
 }
 
+static uint32_t longest; /* The most quads of any screen so far. */
+
 static void check_inside(struct size size)
 {
+    longest = batch.quad_count > longest ? batch.quad_count : longest;
     assert_int_equal(batch.dropped_count, 0);
     assert_true(batch.quad_count > 0);
     for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -224,14 +227,20 @@ static float em_px_of(uint32_t quad)
 static void test_what_a_player_must_read_is_readable_from_two_metres(void **state)
 {
     (void)state;
-    for (uint8_t phase = PHASE_READY; phase <= PHASE_RESULT; phase++) {
+    static const uint8_t phases[] = { PHASE_CHOOSE, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
+    for (uint32_t k = 0; k < 4u * MODE_COUNT * POI_MAX; k++) {
         for (uint8_t hint = 0; hint < HINT_COUNT * LANGUAGE_COUNT; hint++) {
-            set_scene(phase, hint % LANGUAGE_COUNT, hint / LANGUAGE_COUNT, 2.0f);
+            set_scene(phases[k % 4u], hint % LANGUAGE_COUNT, hint / LANGUAGE_COUNT, 2.0f);
+            set_match((uint8_t)(k / 4u % MODE_COUNT), k / (4u * MODE_COUNT) + 1u, hint);
             scene.caught[0] = 12;
             memory = (struct ui_memory){ .hint = scene.hint };
             lay_out((struct size){ 1280, 720 });
             for (uint32_t i = 0; i < batch.quad_count; i++) {
-                assert_true(batch.kinds[i] != UI_GLYPH || em_px_of(i) >= 0.03f * 720.0f);
+                if (batch.kinds[i] == UI_GLYPH && em_px_of(i) < 0.03f * 720.0f) {
+                    fail_msg("phase %d mode %d language %d hint %d: letter %u is %.1f px",
+                             scene.phase, scene.mode, scene.language, scene.hint, i,
+                             (double)em_px_of(i));
+                }
             }
         }
     }
@@ -455,6 +464,14 @@ static void test_a_pause_is_told_over_the_water(void **state)
     assert_true(glyph_quads() > without + 20u);
 }
 
+/* After the tests that lay out everything there is. */
+static void test_the_longest_screen_leaves_room_for_a_language_with_longer_words(void **state)
+{
+    (void)state;
+    print_message("the longest screen has %u quads of %u\n", longest, UI_QUADS_MAX);
+    assert_in_range(longest, 200, UI_QUADS_MAX * 2u / 3u);
+}
+
 static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **state)
 {
     (void)state;
@@ -499,6 +516,7 @@ int main(void)
         cmocka_unit_test(test_each_foul_lights_a_lamp_where_fouls_are_called),
         cmocka_unit_test(test_a_call_is_seen_once_and_leaves_the_water_free),
         cmocka_unit_test(test_a_pause_is_told_over_the_water),
+        cmocka_unit_test(test_the_longest_screen_leaves_room_for_a_language_with_longer_words),
         cmocka_unit_test(test_a_full_batch_drops_and_counts_instead_of_overrunning),
         cmocka_unit_test(test_text_shrinks_to_its_room_and_aligns),
     };
