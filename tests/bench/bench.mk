@@ -47,7 +47,18 @@ $(MANY)/core/%_8.o: core/%.c | generated
 	$(call step,CC,$< (many fish, 8 lanes))
 	$(Q)$(CC) $(CORE_CFLAGS) $(WIDE_CFLAGS) $(MANY_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-.PHONY: bench bench-tank
+BENCH_POI := $(BUILD)/tests/bench/bench_poi
+
+## bench-poi: what a tick of the paper costs with five fish on it, as a table and build/bench_poi.tsv
+bench-poi:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_POI)
+	@$(BENCH_POI) $(BUILD)/bench_poi.tsv
+
+$(BENCH_POI): %: %.o $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
+
+.PHONY: bench bench-tank bench-poi
 
 # Bots' rounds, on every core: minutes. Pictures where there is a gnuplot (board/setup.sh dev).
 BENCH_PLAY := $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/scores

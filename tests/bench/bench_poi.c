@@ -1,0 +1,191 @@
+/* bench_poi.c -- what a tick of a sheet costs with five fish on it, and a tick of the whole poi.
+ *
+ * Usage: bench_poi [TSV]   the table; also written to TSV, one figure a row
+ *
+ * CPU time of this thread, tick by tick; reading the clock is part of each figure. Status 1: the
+ * sheet with five fish on it takes more than GOAL_US, in the median of its worst state. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/base/panic.h"
+#include "core/poi/catch.h"
+#include "core/poi/strain.h"
+#include "core/tank/preset.h"
+
+#define SAMPLES 40000u
+#define GOAL_US 60.0
+#define FISH 5u
+#define SEEDS 32u
+
+static const struct sheet_wetting in_air = { 0.0f, 0.0f, -1.0f };
+static double samples[SAMPLES];
+static FILE *tsv;
+
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "bench_poi: %s:%d: %s\n", file, line, condition);
+    abort();
+}
+
+static double now_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec * 1e6 + (double)now.tv_nsec * 1e-3;
+}
+
+static int by_size(const void *left, const void *right)
+{
+    const double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/* Prints a row of `count` samples; returns their median. */
+static double report(const char *what, uint32_t count)
+{
+    qsort(samples, count, sizeof samples[0], by_size);
+    const double median = samples[count / 2u], p99 = samples[count - 1u - count / 100u];
+    printf("  %-58s %7.2f %7.2f %7.2f   %u\n", what, median, p99, samples[count - 1u], count);
+    if (tsv) {
+        fprintf(tsv, "%s\t%.3f\t%.3f\t%u\n", what, median, p99, count);
+    }
+    return median;
+}
+
+/* ---- The sheet ------------------------------------------------------------------------------ */
+
+struct state {
+    const char *what;
+    float pressure_pa;
+    float slap_n, body_n;    /* Of each fish; 0: none lies there. */
+    uint8_t half_wet;
+    uint8_t only_tearing;    /* Ticks in which nothing tears are left out. */
+};
+
+static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
+{
+    sheet_init(sheet, 5, POI_RADIUS_M, seed);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const int is_dry = state->half_wet && cell % SHEET_SIDE >= SHEET_SIDE / 2u;
+        sheet->wetness[cell] = is_dry ? 0.0f : 1.0f;
+    }
+    sheet->touched = 1;
+    sheet->soaked = !state->half_wet;
+}
+
+/* Bodies side by side, each with its tail beside it. */
+static uint32_t load(const struct state *state, struct sheet_load loads[2u * FISH])
+{
+    if (state->body_n == 0.0f) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < FISH; i++) {
+        const float x_m = 0.014f * ((float)i - 2.0f), z_m = i % 2u ? 0.012f : -0.012f;
+        loads[i] = (struct sheet_load){ x_m, z_m, 0.003f, -state->slap_n };
+        loads[FISH + i] = (struct sheet_load){ x_m, 0.0f, 0.020f, -state->body_n };
+    }
+    return 2u * FISH;
+}
+
+/* Specimens one after the other, a fresh one when little is left of it. */
+static double measure(const struct state *state)
+{
+    static struct sheet sheet;
+    struct sheet_load loads[2u * FISH];
+    const uint32_t load_count = load(state, loads);
+    uint32_t count = 0, seed = 0;
+    lay(state, seed, &sheet);
+    for (uint32_t tick = 0; tick < 8u * SAMPLES && count < SAMPLES; tick++) {
+        const double start = now_us();
+        const struct sheet_events events =
+            sheet_tick(&sheet, state->pressure_pa, in_air, loads, load_count);
+        samples[count] = now_us() - start;
+        count += !state->only_tearing || events.cells_torn > 0;
+        if (sheet_left(&sheet) < 0.3f) {
+            lay(state, ++seed % SEEDS, &sheet);
+        }
+    }
+    return report(state->what, count);
+}
+
+/* ---- The poi -------------------------------------------------------------------------------- */
+
+static struct tank tank;
+static struct poi poi;
+
+/* Held over the water with five fish on it, in the festival's tank; they slap as they do. */
+static double measure_poi(void)
+{
+    struct bowl bowl;
+    const vec3 place = v3(0.0f, 0.08f, 0.0f);
+    const struct stall stall = { &tank, &bowl, 1 };
+    tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 1);
+    bowl_init(&bowl, v3(0.30f, 0.02f, 0.15f));
+    poi_init(&poi, 5, place, 1);
+    poi.link = POI_LINK_LIVE;
+    for (uint32_t i = 0; i < FISH; i++) {
+        struct fish *fish = &tank.fish[i];
+        fish_grow(fish, 0.04f, tank_law(&tank));
+        fish->position_m = v3(0.010f * ((float)i - 2.0f), place.y + 0.006f, 0.0f);
+        fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+        fish->angles = (struct angles){ 0 };
+    }
+    const struct poi_grip grip = { .target.position_m = place, .has_wrist = 1 };
+    uint32_t count = 0;
+    for (uint32_t tick = 0; count < 30u * CORE_TICK_HZ; tick++) {
+        struct output output = { 0 };
+        struct catch_result caught[POI_MAX] = { 0 };
+        const double start = now_us();
+        poi_tick(&poi, &grip, &tank, &bowl);
+        const struct obstacle ring = poi_obstacle(&poi);
+        poi_give_way(&poi, &ring);
+        catch_tick(&poi, 0, &stall, tick, &output, caught);
+        samples[count++] = now_us() - start;
+        if (poi.rider_count < FISH) {
+            break;
+        }
+    }
+    return report("poi and catch: ring, paper, 5 real fish of 4 cm, 300 in tank", count);
+}
+
+int main(int argc, char **argv)
+{
+    static const struct state states[] = {
+        { .what = "calm: a slow glide, soaked, no fish", .pressure_pa = 2.0f },
+        { .what = "5 fish lie on it, soaked", .pressure_pa = -29.0f, .body_n = 0.014f },
+        { .what = "5 fish slap at once, soaked", .pressure_pa = -29.0f, .body_n = 0.014f,
+          .slap_n = 0.04f },
+        { .what = "the same, half wet", .pressure_pa = -29.0f, .body_n = 0.014f, .slap_n = 0.04f,
+          .half_wet = 1 },
+        { .what = "worst: 5 slap with 0.15 N at once, and it tears", .pressure_pa = -100.0f,
+          .body_n = 0.028f, .slap_n = 0.15f, .only_tearing = 1 },
+        { .what = "worst, half wet", .pressure_pa = -150.0f, .body_n = 0.028f, .slap_n = 0.15f,
+          .half_wet = 1, .only_tearing = 1 },
+    };
+    double worst_us = 0.0;
+    tsv = argc == 2 ? fopen(argv[1], "w") : NULL;
+    if (argc == 2 && !tsv) {
+        fprintf(stderr, "bench_poi: cannot write %s\n", argv[1]);
+        return 74;
+    }
+    if (tsv) {
+        fputs("what\tmedian_us\tp99_us\tticks\n", tsv);
+    }
+    printf("Microseconds a tick (No. 5; the core's budget for a tick is 8,333)\n"
+           "  %-58s %7s %7s %7s   %s\n", "", "median", "p99", "most", "ticks");
+    for (uint32_t i = 0; i < sizeof states / sizeof states[0]; i++) {
+        const double median_us = measure(&states[i]);
+        worst_us = median_us > worst_us ? median_us : worst_us;
+    }
+    measure_poi();
+    printf("Sizes: a sheet %zu bytes, a poi %zu; on the stack of a tick %zu more. No allocation.\n",
+           sizeof(struct sheet), sizeof(struct poi), sizeof(struct strain));
+    printf("The sheet's worst median, %.1f us, is %s the goal of %.0f.\n", worst_us,
+           worst_us < GOAL_US ? "within" : "OVER", GOAL_US);
+    if (tsv && fclose(tsv) != 0) {
+        return 74;
+    }
+    return worst_us < GOAL_US ? 0 : 1;
+}
