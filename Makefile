@@ -71,6 +71,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/soak/soak.mk
 -include tests/render/render.mk
 -include tests/thesis/thesis.mk
+-include tests/paper/paper.mk
 
 ## help: this list
 help:

@@ -73,7 +73,7 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
     }
     const uint32_t near = changed | changed << 1 | changed << 2 | changed << 3 | changed >> 1 |
                           changed >> 2 | changed >> 3;
-    _Static_assert(TEAR_RUN_MAX == 3u, "as many rows up and down");
+    _Static_assert(TEAR_REACH == 3u, "as many rows up and down");
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         const uint32_t front = near >> row & 1u ? tear_front(&strain->map, row) : 0u;
         for (uint32_t column = 0; front != 0 && column < SHEET_SIDE; column++) {
@@ -113,17 +113,26 @@ static uint32_t changed_rows(const struct strain *strain, const uint32_t before[
 
 static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
 {
+    const float seconds = CORE_TICK_S / (float)SHEET_STEPS_MAX;
     uint32_t before[SHEET_SIDE], gone = 0;
     MEM_COPY(before, strain->map.hole, sizeof before);
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        const float seconds = CORE_TICK_S / (float)SHEET_STEPS_MAX;
         gone += open_row(strain, sheet, row, strain_wear_4(strain, sheet, row, seconds));
     }
     if (gone > 0) {
         gone += tear_drop_loose(&strain->map, sheet);
         regather(strain, sheet, changed_rows(strain, before));
-        CORE_ASSERT(sheet->paper_cells >= gone);
-        sheet->paper_cells -= gone;
+    }
+    return gone;
+}
+
+/* What the last step made loose falls, and what that made loose, to an end. */
+static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
+{
+    uint32_t gone = 0, dropped = 1;
+    for (uint32_t sweep = 0; dropped > 0 && sweep < SHEET_SIDE; sweep++) {
+        dropped = tear_drop_loose(&strain->map, sheet);
+        gone += dropped;
     }
     return gone;
 }
@@ -142,6 +151,9 @@ static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
     for (uint32_t step = 0; tears && step < SHEET_STEPS_MAX; step++) {
         torn += tear_step(strain, sheet);
     }
+    torn += torn > 0 ? drop_all(strain, sheet) : 0;
+    CORE_ASSERT(sheet->paper_cells >= torn);
+    sheet->paper_cells -= torn;
     return torn;
 }
 

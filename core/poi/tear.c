@@ -1,9 +1,8 @@
 /* tear.c -- holes as bits. */
 #include "core/poi/tear.h"
 
-#define WAYS 8u           /* Round a cell, clockwise from the right as seen from above. */
-#define CORNER_SHARE 0.84f /* 2^(-1/4): over a corner a tear bites less. */
-#define SWEEPS_MAX 4u     /* What falls can make others hang loose: the rest goes with the next. */
+#define WAYS 8u /* Round a cell, clockwise from the right as seen from above. */
+#define CORNER_SHARE 0.966f /* 2^(-1/20): its tenth power is 1 / sqrt 2. */
 
 struct way {
     int32_t row, column;
@@ -27,7 +26,25 @@ struct tear_map tear_map_of(const struct sheet *sheet)
             map.hole[row] |= (uint32_t)(state[column] == CELL_HOLE) << column;
         }
     }
+    tear_measure(&map);
     return map;
+}
+
+void tear_measure(struct tear_map *map)
+{
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const uint32_t here = map->hole[row];
+        const uint32_t up = row > 0 ? map->hole[row - 1u] : 0u;
+        const uint32_t up2 = row > 1u ? map->hole[row - 2u] : 0u;
+        const uint32_t down = row + 1u < SHEET_SIDE ? map->hole[row + 1u] : 0u;
+        const uint32_t down2 = row + 2u < SHEET_SIDE ? map->hole[row + 2u] : 0u;
+        const uint32_t left = here << 1, left2 = here << 2, right = here >> 1, right2 = here >> 2;
+        const uint32_t across = (left & left2) | (left & right) | (right & right2);
+        const uint32_t along = (up & up2) | (up & down) | (down & down2);
+        const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1; /* 2.8 cells. */
+        map->pair[row] = here & (left | right | up | down);
+        map->wide[row] = here & (across | along | slant);
+    }
 }
 
 static uint32_t wider(uint32_t bits)
@@ -44,18 +61,12 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row)
 
 /* ---- Tips ----------------------------------------------------------------------------------- */
 
-/* Cells of hole from a cell on, exclusive, one way; at most TEAR_RUN_MAX. */
-static uint32_t run(const struct tear_map *map, uint32_t row, uint32_t column, uint32_t way)
+static float factor_of(const struct tear_map *map, uint32_t row, uint32_t column)
 {
-    uint32_t length = 0;
-    for (; length < TEAR_RUN_MAX; length++) {
-        row += (uint32_t)ways[way].row; /* Below 0 it wraps: huge. */
-        column += (uint32_t)ways[way].column;
-        if (row >= SHEET_SIDE || column >= SHEET_SIDE || !(map->hole[row] >> column & 1u)) {
-            break;
-        }
+    if (map->wide[row] >> column & 1u) {
+        return TEAR_FACTOR_MAX;
     }
-    return length;
+    return map->pair[row] >> column & 1u ? TEAR_FACTOR * 1.41421356f : TEAR_FACTOR;
 }
 
 float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_t row,
@@ -63,14 +74,14 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 {
     float worst = 0.0f;
     for (uint32_t way = 0; way < WAYS; way++) {
-        const uint32_t length = run(map, row, column, way);
-        if (length == 0) {
-            continue;
+        const uint32_t r = row + (uint32_t)ways[way].row; /* Below 0 it wraps: huge. */
+        const uint32_t c = column + (uint32_t)ways[way].column;
+        if (r < SHEET_SIDE && c < SHEET_SIDE && map->hole[r] >> c & 1u) {
+            const float along = ways[way].x * sheet->fibre_x + ways[way].z * sheet->fibre_z;
+            const float grain = 1.0f + TEAR_FIBRE_SHARE * (2.0f * along * along - 1.0f);
+            const float step = way % 2u ? CORNER_SHARE : 1.0f;
+            worst = f_max(worst, factor_of(map, r, c) * grain * step);
         }
-        const float sharp = f_min(TEAR_FACTOR * f_sqrt((float)length), TEAR_FACTOR_MAX);
-        const float along = ways[way].x * sheet->fibre_x + ways[way].z * sheet->fibre_z;
-        const float grain = 1.0f + TEAR_FIBRE_SHARE * (2.0f * along * along - 1.0f);
-        worst = f_max(worst, sharp * grain * (way % 2u ? CORNER_SHARE : 1.0f));
     }
     return worst;
 }
@@ -137,16 +148,13 @@ static uint32_t drop_row(struct tear_map *map, struct sheet *sheet, uint32_t row
 uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet)
 {
     uint32_t open[WAYS][SHEET_SIDE];
-    uint32_t total = 0, dropped = 1;
-    for (uint32_t sweep = 0; sweep < SWEEPS_MAX && dropped > 0; sweep++) {
-        dropped = 0;
-        for (uint32_t way = 0; way < WAYS; way++) {
-            look(map, &ways[way], open[way]);
-        }
-        for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-            dropped += drop_row(map, sheet, row, loose_of_row(open, map->paper[row], row));
-        }
-        total += dropped;
+    uint32_t dropped = 0;
+    for (uint32_t way = 0; way < WAYS; way++) {
+        look(map, &ways[way], open[way]);
     }
-    return total;
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        dropped += drop_row(map, sheet, row, loose_of_row(open, map->paper[row], row));
+    }
+    tear_measure(map);
+    return dropped;
 }

@@ -45,6 +45,10 @@ static int by_size(const void *left, const void *right)
 /* Prints a row of `count` samples; returns their median. */
 static double report(const char *what, uint32_t count)
 {
+    if (count == 0) {
+        printf("  %-58s nothing to measure\n", what);
+        return 0.0;
+    }
     qsort(samples, count, sizeof samples[0], by_size);
     const double median = samples[count / 2u], p99 = samples[count - 1u - count / 100u];
     printf("  %-58s %7.2f %7.2f %7.2f   %u\n", what, median, p99, samples[count - 1u], count);
@@ -95,7 +99,7 @@ static double measure(const struct state *state)
     static struct sheet sheet;
     struct sheet_load loads[2u * FISH];
     const uint32_t load_count = load(state, loads);
-    uint32_t count = 0, seed = 0;
+    uint32_t count = 0, seed = 0, idle = 0;
     lay(state, seed, &sheet);
     for (uint32_t tick = 0; tick < 8u * SAMPLES && count < SAMPLES; tick++) {
         const double start = now_us();
@@ -103,8 +107,10 @@ static double measure(const struct state *state)
             sheet_tick(&sheet, state->pressure_pa, in_air, loads, load_count);
         samples[count] = now_us() - start;
         count += !state->only_tearing || events.cells_torn > 0;
-        if (sheet_left(&sheet) < 0.3f) {
+        idle = events.cells_torn > 0 ? 0 : idle + 1u;
+        if (sheet_left(&sheet) < 0.3f || (state->only_tearing && idle > 60u)) {
             lay(state, ++seed % SEEDS, &sheet);
+            idle = 0;
         }
     }
     return report(state->what, count);

@@ -1,6 +1,7 @@
 /* test_tear.c -- holes: their tips, their shape, and the paper that hangs loose of them. */
 #include "poi_stand.h"
 
+#include "core/base/rng.h"
 #include "core/poi/tear.h"
 
 #define RADIUS_M 0.040f
@@ -36,19 +37,56 @@ static float factor_at(uint32_t row, uint32_t column)
     return tear_factor(&map, &sheet, row, column);
 }
 
-static void test_stress_before_a_tear_rises_with_the_root_of_its_length(void **state)
+static void test_stress_beside_a_hole_rises_with_the_root_of_its_length(void **state)
 {
     (void)state;
     plain(5);
     sheet.fibre_x = sheet.fibre_z = 0.70710678f; /* Favours neither rows nor columns. */
-    const float lengths[] = { 2.5f, 3.5355f, 4.0f, 4.0f, 4.0f };
+    const float factors[] = { 2.5f, 3.5355f, 4.0f, 4.0f, 4.0f };
     for (uint32_t i = 0; i < 5; i++) {
         cut(MIDDLE, 10u + i);
-        assert_float_equal(factor_at(MIDDLE, 11u + i), lengths[i], 1e-3f);
-        assert_float_equal(factor_at(MIDDLE, 9u), lengths[i], 1e-3f);
+        assert_float_equal(factor_at(MIDDLE, 11u + i), factors[i], 1e-3f);
+        assert_float_equal(factor_at(MIDDLE, 9u), factors[i], 1e-3f);
         assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f); /* No hole is beside it. */
     }
-    assert_float_equal(factor_at(MIDDLE - 1u, 12u), 2.5f, 0.2f); /* Its flank. */
+    plain(5);
+    sheet.fibre_x = sheet.fibre_z = 0.70710678f;
+    cut(MIDDLE, MIDDLE);
+    cut(MIDDLE - 1u, MIDDLE + 1u); /* Corner to corner: 2.8 cells. */
+    assert_float_equal(factor_at(MIDDLE, MIDDLE - 1u), 4.0f, 1e-3f);
+    assert_float_equal(factor_at(MIDDLE - 1u, MIDDLE + 2u), 4.0f, 1e-3f);
+}
+
+static void test_what_is_measured_of_holes_is_what_a_look_at_each_gives(void **state)
+{
+    (void)state;
+    plain(5);
+    for (uint32_t i = 0; i < 220; i++) {
+        const struct rng_key key = { 5, i, 0, RNG_TEST }, other = { 5, i, 1, RNG_TEST };
+        cut((uint32_t)(32.0f * rng_unit(key)), (uint32_t)(32.0f * rng_unit(other)));
+    }
+    const struct tear_map map = tear_map_of(&sheet);
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        const int32_t row = (int32_t)(i / SHEET_SIDE), column = (int32_t)(i % SHEET_SIDE);
+        int32_t best = 0;
+        for (int32_t way = 0; way < 4 && sheet.state[i] == CELL_HOLE; way++) {
+            const int32_t dr = way == 0 ? 0 : 1, dc = way == 1 ? 0 : way == 3 ? -1 : 1;
+            int32_t length = 1;
+            for (int32_t sign = -1; sign <= 1; sign += 2) {
+                int32_t r = row + sign * dr, c = column + sign * dc;
+                while (r >= 0 && c >= 0 && r < 32 && c < 32 &&
+                       sheet.state[r * 32 + c] == CELL_HOLE) {
+                    length++;
+                    r += sign * dr;
+                    c += sign * dc;
+                }
+            }
+            const int32_t level = way > 1 && length > 1 ? 3 : length; /* A slant is longer. */
+            best = level > best ? level : best;
+        }
+        assert_int_equal(map.wide[row] >> column & 1u, best >= 3);
+        assert_int_equal((map.pair[row] | map.wide[row]) >> column & 1u, best >= 2);
+    }
 }
 
 static void test_tears_follow_the_fibres(void **state)
@@ -56,8 +94,8 @@ static void test_tears_follow_the_fibres(void **state)
     (void)state;
     plain(5);
     cut(MIDDLE, MIDDLE);
-    assert_float_equal(factor_at(MIDDLE, MIDDLE + 1u), 2.5f * 1.12f, 1e-3f);
-    assert_float_equal(factor_at(MIDDLE + 1u, MIDDLE), 2.5f * 0.88f, 1e-3f);
+    assert_float_equal(factor_at(MIDDLE, MIDDLE + 1u), 2.5f * 1.08f, 1e-3f);
+    assert_float_equal(factor_at(MIDDLE + 1u, MIDDLE), 2.5f * 0.92f, 1e-3f);
     assert_true(factor_at(MIDDLE + 1u, MIDDLE + 1u) < factor_at(MIDDLE, MIDDLE + 1u));
 }
 
@@ -239,7 +277,8 @@ static void test_holes_are_longer_along_the_fibres(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stress_before_a_tear_rises_with_the_root_of_its_length),
+        cmocka_unit_test(test_stress_beside_a_hole_rises_with_the_root_of_its_length),
+        cmocka_unit_test(test_what_is_measured_of_holes_is_what_a_look_at_each_gives),
         cmocka_unit_test(test_tears_follow_the_fibres),
         cmocka_unit_test(test_the_front_is_what_touches_a_hole),
         cmocka_unit_test(test_whole_paper_and_a_slit_hold),

@@ -1,0 +1,20 @@
+# paper.mk -- the paper's figures, to be looked at.
+
+PAPER_CURVES := $(BUILD)/tests/paper/curves
+
+## paper-figures: time to tear, force and holes of the paper as SVG and PNG in build/paper/
+paper-figures:
+	@board/setup.sh dev
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(PAPER_CURVES)
+	@mkdir -p $(BUILD)/paper
+	@$(PAPER_CURVES) tear >$(BUILD)/paper/tear.tsv
+	@$(PAPER_CURVES) force >$(BUILD)/paper/force.tsv
+	@$(PAPER_CURVES) holes $(BUILD)/paper
+	@gnuplot -e "dir='$(BUILD)/paper'" tests/paper/plots.gp
+	@ls $(BUILD)/paper/*.svg $(BUILD)/paper/*.png
+
+$(PAPER_CURVES): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: paper-figures
