@@ -91,14 +91,21 @@ static int is_stuck(struct trust *trust, const struct poi_input *input)
     return input->trembles && trust->same_ticks > TRUST_STUCK_TICKS;
 }
 
+/* Both are asked each time, for each keeps count. */
+static int goes_on(struct trust *trust, const struct poi_input *input)
+{
+    const int stuck = is_stuck(trust, input);
+    const int leapt = leaps(trust, input);
+    return !stuck && !leapt;
+}
+
 /* Whether what is said now agrees with what was said before. */
 static int agrees(struct trust *trust, const struct poi_input *input)
 {
     if (input->link != POI_LINK_LIVE || !trust_can_read(&input->target)) {
         return 0;
     }
-    const int is_first = !trust->knows;
-    const int is_sane = is_first || (!is_stuck(trust, input) & !leaps(trust, input));
+    const int is_sane = !trust->knows || goes_on(trust, input);
     trust->knows = 1;
     trust->newest = input->target;
     return is_sane && input->age_ticks <= TRUST_SILENT_TICKS;

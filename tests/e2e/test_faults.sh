@@ -21,6 +21,9 @@ refuses 2 window 'a window of no size' kingyo --window 12
 refuses 2 seed 'a seed that is no number' kingyo --seed tuna
 refuses 2 record 'an option without its value' kingyo --record
 refuses 2 lang 'a language that we do not speak' kingyo --lang fr
+refuses 2 mode 'a mode that nobody plays' kingyo --mode tournament
+refuses 2 grade 'paper that no mill sells' kingyo --grade 9
+refuses 2 players 'more players than find room' kingyo --players 5
 refuses 2 word 'a word that is no option' kingyo word
 refuses 74 /nowhere/x.kgr 'a replay that is not there' kingyo --replay /nowhere/x.kgr
 refuses 74 /proc/x.kgr 'a recording that cannot be written' kingyo --demo 5 --record /proc/x.kgr --shots "$work"
