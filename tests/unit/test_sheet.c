@@ -284,6 +284,105 @@ static void test_whole_paper_holds_up_to_the_ring_and_a_bare_ring_nowhere(void *
     assert_int_equal(held, 0);
 }
 
+static float stress_at(const struct sheet *sheet, uint32_t row, uint32_t column)
+{
+    return (float)sheet->stress[row * SHEET_SIDE + column] / 255.0f;
+}
+
+static void test_the_stress_map_shows_load_over_strength_and_where_it_gathers(void **state)
+{
+    (void)state;
+    const uint32_t middle = SHEET_SIDE / 2u;
+    struct sheet sheet = plain(5, 1.0f);
+    sheet.soaked = 1;
+    const float pressure_pa = 120.0f;
+    press(&sheet, pressure_pa, 0.01f);
+    const float centre =
+        sheet_tension_centre(sheet_grade(5), pressure_pa, RADIUS_M) / sheet_grade(5)->wet_n_m;
+    const float edge = 1.5f * 0.328f / 0.423f * centre;
+    assert_float_equal(stress_at(&sheet, middle, middle), centre, 0.01f);
+    assert_float_equal(stress_at(&sheet, middle, 0), edge, 0.03f);
+    assert_float_equal(stress_at(&sheet, 0, 0), 0.0f, 0.0f); /* Beyond the ring. */
+    press(&sheet, 3000.0f, 0.01f);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        assert_true(sheet.state[cell] == CELL_PAPER || sheet.stress[cell] == 0);
+    }
+    press(&sheet, 0.0f, 0.01f);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        assert_int_equal(sheet.stress[cell], 0);
+    }
+}
+
+static void test_where_the_wet_line_meets_the_ring_each_raises_what_the_other_did(void **state)
+{
+    (void)state;
+    struct sheet sheet = plain(5, 0.0f);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        sheet.wetness[cell] = cell % SHEET_SIDE < SHEET_SIDE / 2u ? 1.0f : 0.0f;
+    }
+    sheet.touched = 1;
+    press(&sheet, 40.0f, 0.01f);
+    const uint32_t line = SHEET_SIDE / 2u - 1u; /* The last wet column. */
+    const float off = stress_at(&sheet, SHEET_SIDE / 2u, line - 4u);
+    assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, line) / off, 2.5f, 0.1f);
+    const float ring = stress_at(&sheet, 0, line - 2u); /* Of the ring's own row, off the line. */
+    assert_float_equal(stress_at(&sheet, 0, line) / ring, 2.5f, 0.15f);
+    assert_float_equal(ring / stress_at(&sheet, 3, line - 2u), 1.5f, 0.15f);
+}
+
+static void test_a_laboratorys_sheet_is_uniform_and_gathers_no_stress(void **state)
+{
+    (void)state;
+    struct sheet sheet;
+    sheet_init(&sheet, 5, RADIUS_M, 9);
+    const uint64_t hash = sheet_hash(HASH_START, &sheet);
+    sheet_idealise(&sheet);
+    assert_true(sheet_hash(HASH_START, &sheet) != hash);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const float strength = sheet.state[cell] == CELL_PAPER ? 1.0f : 0.0f;
+        assert_float_equal(sheet.strength[cell], strength, 0.0f);
+        sheet.wetness[cell] = cell % SHEET_SIDE < SHEET_SIDE / 2u ? 1.0f : 0.9f;
+    }
+    sheet.touched = 1;
+    press(&sheet, 150.0f, 0.01f);
+    const float middle = stress_at(&sheet, SHEET_SIDE / 2u, SHEET_SIDE / 2u - 2u);
+    assert_float_equal(stress_at(&sheet, SHEET_SIDE / 2u, 0) / middle, 0.328f / 0.423f, 0.02f);
+}
+
+/* Over many specimens: thin places, clouds wider than a cell, fibres every way. */
+static void test_specimens_have_weak_spots_clouds_and_fibres_of_their_own(void **state)
+{
+    (void)state;
+    uint32_t with_spot = 0, ways[4] = { 0 };
+    float together = 0.0f, apart = 0.0f, squares = 0.0f;
+    for (uint32_t seed = 0; seed < 200; seed++) {
+        struct sheet sheet;
+        float mean = 0.0f;
+        sheet_init(&sheet, 5, RADIUS_M, seed);
+        for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+            mean += sheet.strength[cell] / (float)sheet.paper_cells_new;
+        }
+        with_spot += sheet.strength_min < 0.87f * mean;
+        const float angle = f_atan2(sheet.fibre_z, sheet.fibre_x);
+        ways[(uint32_t)(4.0f * f_clamp(angle / F_PI, 0.0f, 0.999f))]++;
+        for (uint32_t row = 8; row < 24; row++) {
+            const float *at = &sheet.strength[row * SHEET_SIDE + 8u];
+            const float one = at[0] - mean;
+            together += one * (at[1] - mean);
+            apart += one * (at[16] - mean);
+            squares += one * one;
+        }
+        assert_float_equal(sheet.fibre_x * sheet.fibre_x + sheet.fibre_z * sheet.fibre_z, 1.0f,
+                           1e-4f);
+    }
+    assert_true(with_spot > 180);
+    assert_true(together / squares > 0.4f); /* Neighbours are alike, ... */
+    assert_true(apart / squares < 0.2f);    /* ... those 4 cm apart are not. */
+    for (uint32_t i = 0; i < 4; i++) {
+        assert_in_range(ways[i], 30, 70);
+    }
+}
+
 static void test_a_grade_that_is_not_sold_is_a_bug(void **state)
 {
     (void)state;
@@ -311,6 +410,10 @@ int main(void)
         cmocka_unit_test(test_the_same_seed_gives_the_same_tears),
         cmocka_unit_test(test_points_outside_the_ring_hold_nothing),
         cmocka_unit_test(test_whole_paper_holds_up_to_the_ring_and_a_bare_ring_nowhere),
+        cmocka_unit_test(test_the_stress_map_shows_load_over_strength_and_where_it_gathers),
+        cmocka_unit_test(test_where_the_wet_line_meets_the_ring_each_raises_what_the_other_did),
+        cmocka_unit_test(test_a_laboratorys_sheet_is_uniform_and_gathers_no_stress),
+        cmocka_unit_test(test_specimens_have_weak_spots_clouds_and_fibres_of_their_own),
         cmocka_unit_test(test_a_grade_that_is_not_sold_is_a_bug),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
