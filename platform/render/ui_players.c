@@ -15,6 +15,15 @@ uint32_t ui_player_count(const struct scene *scene)
     return count;
 }
 
+uint32_t ui_seat_count(const struct scene *scene)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        count += scene->player[i].plays || scene->bowl[i].present;
+    }
+    return count;
+}
+
 uint32_t ui_first_player(const struct scene *scene)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -145,11 +154,7 @@ static void project(const struct ui_frame *frame, const struct view *view, vec3 
 void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha)
 {
     const float radius = 24.0f * frame->unit, edge = radius + 4.0f * frame->unit;
-    uint32_t bowls = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        bowls += scene->bowl[i].present != 0;
-    }
-    for (uint32_t i = 0; i < POI_MAX && bowls > 1u; i++) {
+    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
         const int wanted = scene->phase == PHASE_READY || scene->player[i].plays;
         if (wanted && scene->bowl[i].present) {
             float x, y;

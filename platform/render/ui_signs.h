@@ -40,6 +40,9 @@ void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float
 uint32_t ui_player_count(const struct scene *scene);
 uint32_t ui_first_player(const struct scene *scene);
 
+/* How many may play here: who plays shows only once a round has begun, and bowls before. */
+uint32_t ui_seat_count(const struct scene *scene);
+
 /* A player's number on a round of their colour, centred at (x, y). */
 void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player);
 

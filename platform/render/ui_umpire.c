@@ -56,15 +56,14 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
     };
     const struct scene_player *state = &scene->player[player];
     const float u = frame->unit, height = 66.0f * u;
-    if (!state->plays || state->foul == FOUL_NONE || state->foul >= FOUL_COUNT ||
-        state->foul_s >= FOUL_S) {
+    if (state->foul == FOUL_NONE || state->foul >= FOUL_COUNT || state->foul_s >= FOUL_S) {
         return 0.0f;
     }
     const char *foul = text_words(frame->language, TEXT_FOUL);
     const char *name = text_words(frame->language, (enum text_key)keys[state->foul]);
     const struct ui_text head = { .font = FONT_STALL, .size_px = 32.0f * u, .fill = 0xffd9a0ffu };
     const struct ui_text body = { .font = FONT_STALL, .size_px = 42.0f * u, .fill = 0xfff8eaffu };
-    const float mark = ui_player_count(scene) > 1u ? 58.0f * u : 0.0f;
+    const float mark = ui_seat_count(scene) > 1u ? 58.0f * u : 0.0f;
     const float head_width = ui_text_width(&head, foul), gap = 20.0f * u, lamps = 112.0f * u;
     const float width = 2.0f * 26.0f * u + mark + head_width + gap + ui_text_width(&body, name) +
                         lamps;
@@ -88,9 +87,12 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
 
 static void fouls(const struct ui_frame *frame, const struct scene *scene)
 {
-    float y = 0.47f * frame->height;
+    /* Below the digits that count down, the later ones over the first. */
+    const int counts_down = scene->phase == PHASE_READY;
+    float y = (counts_down ? 0.72f : 0.47f) * frame->height;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        y += foul_flag(frame, scene, i, y);
+        const float height = foul_flag(frame, scene, i, y);
+        y += counts_down ? -height : height;
     }
 }
 
@@ -109,7 +111,7 @@ static void pause(const struct ui_frame *frame, const struct scene *scene)
     ui_text(frame->batch, &words, 0.5f * frame->width, y + 82.0f * u,
             text_words(frame->language, TEXT_PAUSED_WORDS));
     float x = 0.5f * frame->width + 270.0f * u;
-    for (uint32_t i = 0; i < POI_MAX && ui_player_count(scene) > 1u; i++) {
+    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
         if (scene->player[i].lost) {
             ui_player_mark(frame, x, y - 30.0f * u, 24.0f * u, i);
             x += 56.0f * u;
