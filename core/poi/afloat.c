@@ -19,6 +19,7 @@
 #define HEEL_MAX 0.14f      /* 8 degrees: then the mouth would ship water. */
 #define HEEL_SHARE 0.25f    /* Of the slope that a push makes of gravity. */
 #define WALL_GAP_M 0.001f
+#define PART_ROUNDS 4u /* A row of four, pushed against a wall. */
 #define TOUCH_M 0.0015f
 #define PUSH_N_MAX 4.0f  /* More would throw it. */
 #define PRESS_N_MAX 0.8f /* Down on its mouth: 5 mm. */
@@ -58,7 +59,9 @@ static vec3 push_of(const struct bowl *bowl, const struct poi *poi)
         const int rests = poi->position_m.y - low <= mouth + TOUCH_M;
         return v3(0.0f, rests ? f_clamp(hand_n.y, -PRESS_N_MAX, 0.0f) : 0.0f, 0.0f);
     }
-    return v3_scale(out, f_clamp(v3_dot(hand_n, out), -PUSH_N_MAX, 0.0f));
+    /* An edge that dips in from above slips along the rim. */
+    const float most_n = poi->position_m.y < mouth ? PUSH_N_MAX : 0.0f;
+    return v3_scale(out, f_clamp(v3_dot(hand_n, out), -most_n, 0.0f));
 }
 
 static vec3 pushes_of(const struct bowl *bowl, const struct poi *pois, const uint8_t *live,
@@ -181,6 +184,11 @@ static void keep_apart(struct bowl *a, struct bowl *b)
 
 static void keep_all_apart(const struct stall *stall)
 {
+    for (uint32_t i = 0; i < stall->bowl_count; i++) {
+        if (stall->bowls[i].present) {
+            stay_inside(&stall->bowls[i], stall->tank);
+        }
+    }
     for (uint32_t i = 1; i < stall->bowl_count; i++) {
         for (uint32_t k = 0; k < i; k++) {
             if (stall->bowls[i].present && stall->bowls[k].present) {
@@ -214,10 +222,7 @@ void afloat_tick(const struct stall *stall, const struct poi *pois, const uint8_
             float_on(bowl, stall->tank, pushes_of(bowl, pois, live, poi_count));
         }
     }
-    keep_all_apart(stall);
-    for (uint32_t i = 0; i < stall->bowl_count; i++) {
-        if (stall->bowls[i].present) {
-            stay_inside(&stall->bowls[i], stall->tank);
-        }
+    for (uint32_t round = 0; round < PART_ROUNDS; round++) {
+        keep_all_apart(stall);
     }
 }

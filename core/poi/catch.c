@@ -162,12 +162,13 @@ static int ride(struct scoop *scoop, struct rider *rider)
     const vec3 before = fish->position_m;
     rider_pose(rider, &scoop->ride, scoop->poi->position_m, &scoop->axes, fish);
     fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
-    if (floats_off(scoop, rider, fish)) {
-        fall_set_free(scoop->tank, fish, fish->velocity_m_s);
+    const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
+    const int leaves = flies || !footing_holds(&scoop->poi->sheet, rider, fish);
+    if (floats_off(scoop, rider, fish) || (leaves && dry <= 0.0f)) {
+        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* It swims. */
         return 1;
     }
-    const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
-    if (flies || !footing_holds(&scoop->poi->sheet, rider, fish)) {
+    if (leaves) {
         let_fall(scoop, rider);
     }
     return 0;

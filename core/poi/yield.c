@@ -66,7 +66,9 @@ static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, ve
     } else if (before_m.y + low <= bottom + 1e-3f) {
         keep(&at->y, &speed->y, -10.0f, bottom - low);
     } else {
-        const float step = f_min(apart - v3_length(away), ASIDE_M_S * CORE_TICK_S);
+        const float came_m =
+            at->y < mouth ? f_max(0.0f, -v3_dot(v3_sub(*at, before_m), out)) : 0.0f;
+        const float step = f_min(apart - v3_length(away), came_m + ASIDE_M_S * CORE_TICK_S);
         const float inward = f_min(v3_dot(*speed, out), 0.0f);
         *at = v3_mad(*at, out, step);
         *speed = v3_mad(*speed, out, -inward);
