@@ -86,6 +86,7 @@ struct obstacle poi_obstacle(const struct poi *poi)
                   now.roll_rad != before.roll_rad,
         .paper = poi->sheet.paper_cells > 0 ? poi->sheet.state : NULL,
         .paper_radius_m = poi->sheet.radius_m,
+        .open = 1.0f - poi_whole(poi),
     };
 }
 

@@ -80,9 +80,10 @@ vec3 flow_at(const struct obstacle *disc, vec3 point_m)
     const vec3 out = v3_normalize_or(flat, v3(0.0f, 0.0f, 0.0f));
     const float normal_m_s = v3_dot(disc->velocity_m_s, disc->normal);
     const vec3 plane_m_s = v3_mad(disc->velocity_m_s, disc->normal, -normal_m_s);
+    const float pushing_m_s = (1.0f - disc->open) * normal_m_s;
     const struct place push = broadside(at);
     const vec3 pushed = v3_add(v3_scale(disc->normal, push.along), v3_scale(out, push.off));
-    const vec3 flow = v3_mad(v3_scale(pushed, normal_m_s), plane_m_s, edgewise(at));
+    const vec3 flow = v3_mad(v3_scale(pushed, pushing_m_s), plane_m_s, edgewise(at));
     return v3_limit(v3_scale(flow, immersed(disc)), v3_length(disc->velocity_m_s));
 }
 

@@ -11,8 +11,8 @@
 #include "core/tank/obstacle.h"
 
 /* Velocity of the water at a point, world; never faster than the disc. Zero round a disc in air,
- * above the surface, and farther than six radii off; near the surface by as much as is under water.
- * Of a hull: zero. */
+ * above the surface, and farther than six radii off; near the surface by as much as is under water,
+ * and of a torn disc by what is left of it. Of a hull: zero. */
 vec3 flow_at(const struct obstacle *disc, vec3 point_m);
 
 /* The pressure that this brings, over rho: the disc's speed times the flow's there (m^2/s^2). Of

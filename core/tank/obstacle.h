@@ -39,6 +39,7 @@ struct obstacle {
      * hold a fish where they are OBSTACLE_PAPER_HOLDS; borrowed for the tick. Null: none. */
     const uint8_t *paper;
     float paper_radius_m;
+    float open; /* [0, 1] of a disc that lets water through: its paper is torn. */
 
     /* Out: how it gave way. */
     uint8_t gave; /* Bits of enum obstacle_gave. */

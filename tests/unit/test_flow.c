@@ -131,6 +131,15 @@ static void test_in_air_and_round_a_disc_at_rest_there_is_none(void **state)
     assert_float_equal(half, 0.5f * whole, 1e-4f);
 }
 
+static void test_what_is_torn_lets_the_water_through(void **state)
+{
+    (void)state;
+    struct obstacle torn = disc(v3(0.0f, 0.3f, 0.0f));
+    const float whole_m_s = flow_at(&torn, near_disc(0.0f, 0.6f, 0.0f)).y;
+    torn.open = 0.85f; /* A ring alone. */
+    assert_float_equal(flow_at(&torn, near_disc(0.0f, 0.6f, 0.0f)).y, 0.15f * whole_m_s, 1e-5f);
+}
+
 static void test_a_glide_along_the_plane_pushes_little_and_the_slower_by_the_square(void **state)
 {
     (void)state;
@@ -217,6 +226,7 @@ int main(void)
         cmocka_unit_test(test_no_water_comes_from_nowhere),
         cmocka_unit_test(test_it_is_never_faster_than_the_disc_and_always_a_number),
         cmocka_unit_test(test_in_air_and_round_a_disc_at_rest_there_is_none),
+        cmocka_unit_test(test_what_is_torn_lets_the_water_through),
         cmocka_unit_test(test_a_glide_along_the_plane_pushes_little_and_the_slower_by_the_square),
         cmocka_unit_test(test_lanes_of_any_width_drift_to_the_same_bit),
         cmocka_unit_test(test_a_living_fish_drifts_with_it_and_the_thesis_fish_feels_none),
