@@ -255,9 +255,11 @@ static uint64_t play(const struct core_config *config, uint32_t ticks)
         }
         count();
     }
-    print_message("%u rounds, %u dips, led for %u s, lost for %u s, %u cells torn\n", tally.rounds,
-                  tally.dips, tally.led / CORE_TICK_HZ, tally.lost / CORE_TICK_HZ, tally.torn);
-    return core_hash(&core);
+    const uint64_t hash = core_hash(&core);
+    print_message("%u rounds, %u dips, led for %u s, lost for %u s, %u cells torn, %016llx\n",
+                  tally.rounds, tally.dips, tally.led / CORE_TICK_HZ, tally.lost / CORE_TICK_HZ,
+                  tally.torn, (unsigned long long)hash);
+    return hash;
 }
 
 static void test_four_wild_players_break_nothing_and_do_it_again_alike(void **state)

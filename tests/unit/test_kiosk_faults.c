@@ -277,6 +277,47 @@ static void test_a_pointer_at_rest_is_never_old(void **state)
     assert_int_equal(seen()->trembles, 0);
 }
 
+/* ---- Four at one tank ----------------------------------------------------------------------- */
+
+static void test_four_sensors_play_and_all_wait_for_the_one_that_breaks(void **state)
+{
+    static struct sensor_sim others[POI_MAX];
+    struct kiosk_config four = config;
+    (void)state;
+    four.core.players = POI_MAX;
+    open_kiosk(&four);
+    const struct core *core = &rig.kiosk.core;
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        sensor_sim_init(&others[i], rig.hal.clock, 250);
+        others[i].hand.position_m = v3(0.12f * (float)i - 0.3f, 0.06f, -0.08f);
+        rig.hal.poi[i] = sensor_sim_device(&others[i]);
+    }
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &four), CORE_OK);
+    start_round();
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        assert_true(v3_length(v3_sub(core->poi[i].position_m, others[i].hand.position_m)) < 0.01f);
+    }
+    for (uint32_t step = 0; step < 60; step++) {
+        for (uint32_t i = 1; i < POI_MAX; i++) {
+            others[i].hand.position_m.y -= 0.0015f;
+        }
+        frame();
+    }
+    break_for(SENSOR_NOT_A_NUMBER, 500);
+    frames(15);
+    const float left_s = game_seconds_left(&core->game, core->tick);
+    frames(15);
+    assert_float_equal(game_seconds_left(&core->game, core->tick), left_s, 0.001f);
+    frames(240);
+    assert_true(game_seconds_left(&core->game, core->tick) < left_s - 2.0f);
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        const struct sheet *sheet = &core->poi[i].sheet;
+        assert_int_equal(sheet->paper_cells, sheet->paper_cells_new);
+        assert_true(v3_length(v3_sub(core->poi[i].position_m, others[i].hand.position_m)) < 0.01f);
+        assert_true(others[i].felt.force_n.y != 0.0f); /* Each feels its own. */
+    }
+}
+
 /* ---- Other tanks, other plays --------------------------------------------------------------- */
 
 static void test_who_points_at_the_picture_is_told_when_it_changes(void **state)
@@ -363,6 +404,7 @@ int main(void)
         cmocka_unit_test(test_a_mouse_that_is_thrown_over_the_window_stays_in_hand),
         cmocka_unit_test(test_a_pointer_whose_reports_are_any_bits_stays_a_pointer),
         cmocka_unit_test(test_a_pointer_at_rest_is_never_old),
+        cmocka_unit_test(test_four_sensors_play_and_all_wait_for_the_one_that_breaks),
         cmocka_unit_test(test_who_points_at_the_picture_is_told_when_it_changes),
         cmocka_unit_test(test_a_play_with_every_fault_is_replayed_to_the_bit),
         cmocka_unit_test(test_the_same_faults_give_the_same_play),
