@@ -4,7 +4,7 @@
  *                                   median, least and greatest time of SPECIMENS; > LAST_S: none
  *        curves force > force.tsv   force over tilt at 0.3 m/s: degrees, N
  *        curves holes FOLDER        FOLDER/hole-SPECIMEN-MOMENT.txt: a matrix each, the stress of
- *                                   cells 0 .. 255, -1 a hole, NaN beyond the ring */
+ *                                   cells 0 .. 255, -1 a hole, -9 beyond the ring */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -114,7 +114,7 @@ static int put_sheet(const char *folder, uint32_t specimen, uint32_t moment)
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         const char *end = cell % SHEET_SIDE == SHEET_SIDE - 1u ? "\n" : " ";
         if (sheet->state[cell] == CELL_OUTSIDE) {
-            fprintf(file, "nan%s", end);
+            fprintf(file, "-9%s", end);
         } else {
             fprintf(file, "%d%s", sheet->state[cell] == CELL_HOLE ? -1 : sheet->stress[cell], end);
         }
@@ -130,7 +130,7 @@ static int put_hole(const char *folder, uint32_t specimen)
     struct paper_plan plan = wet(6);
     plan.wet_fraction = is_half_wet ? 0.5f : 1.0f;
     plan.seed = specimen;
-    plan.speed_m_s = is_half_wet ? 0.30f : 0.52f;
+    plan.speed_m_s = is_half_wet ? 0.33f : 0.52f;
     paper_lab_open(&lab, &plan);
     while (lab.tick < plan.tick_count && lab.tore_tick == 0) {
         paper_lab_tick(&lab);

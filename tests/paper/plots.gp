@@ -7,14 +7,14 @@ wet(g) = g == 4 ? 60 : g == 5 ? 45 : g == 6 ? 32 : 20
 stiff(g) = g == 4 ? 2800 : g == 5 ? 2300 : g == 6 ? 2000 : 1600
 formula(g) = sqrt(2 * (wet(g) / 0.423) ** 1.5 / sqrt(stiff(g)) / 0.04 / 1170)
 
-set style fill transparent solid 0.12 noborder
-set grid lw 0.5 lc "#cccccc"
-set border 3 lw 0.8
-set tics nomirror
-
 do for [kind in "svg png"] {
-    if (kind eq "svg") { set terminal svg size 1000,640 font "sans,15" background "#ffffff" } \
-    else { set terminal pngcairo size 1000,640 font "sans,12" }
+    reset
+    set style fill transparent solid 0.12 noborder
+    set grid lw 0.5 lc "#cccccc"
+    set border 3 lw 0.8
+    set tics nomirror
+    if (kind eq "svg") { set terminal svg size 1160,640 font "sans,15" background "#ffffff" } \
+    else { set terminal pngcairo size 1160,640 font "sans,12" }
 
     set output dir."/tear.".kind
     set title "How long wet paper lasts, led broadside through water at one speed"
@@ -25,17 +25,15 @@ do for [kind in "svg png"] {
     set yrange [0.007:20]
     set xtics (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1, 1.2, 1.6)
     set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20)
-    set key bottom left spacing 1.2 samplen 2
+    set key outside right top Left reverse spacing 1.2 samplen 2
     set arrow 1 from 0.1, 0.05 to 1.6, 0.05 nohead lc "#888888" dt 3
-    set label 1 "instant: 0.05 s" at 1.58, 0.055 right tc "#666666"
+    set label 1 "instant: 0.05 s" at 0.102, 0.058 left tc "#666666"
     plot for [i = 1:4] dir."/tear.tsv" index (2 * i - 2) using 3:5:6 with filledcurves lc rgb colour(int(word(grades, i))) notitle, \
          for [i = 1:4] dir."/tear.tsv" index (2 * i - 1) using 3:5:6 with filledcurves lc rgb colour(int(word(grades, i))) notitle, \
          for [i = 1:4] dir."/tear.tsv" index (2 * i - 2) using 3:($4 < 100 ? $4 : NaN) with lines lw 2.5 lc rgb colour(int(word(grades, i))) title "No. ".word(grades, i).", all wet", \
          for [i = 1:4] dir."/tear.tsv" index (2 * i - 1) using 3:($4 < 100 ? $4 : NaN) with lines lw 2.5 dt 2 lc rgb colour(int(word(grades, i))) title "No. ".word(grades, i).", half wet", \
          for [i = 1:4] "+" using (formula(int(word(grades, i)))):(0.05) every ::0::0 with points pt 7 ps 1.1 lc rgb colour(int(word(grades, i))) title i == 4 ? "membrane formula, instant" : ""
-    unset arrow 1
-    unset label 1
-    unset logscale
+    unset logscale; unset arrow; unset label
 
     set output dir."/force.".kind
     set title "What 0.3 m/s presses on the paper, by its tilt to the way"
@@ -57,14 +55,12 @@ do for [kind in "svg png"] {
     set size ratio -1
     set xrange [-0.5:31.5]
     set yrange [31.5:-0.5]
-    set cbrange [-1:255]
+    set cbrange [-9:255]
     unset colorbox
-    set palette defined (-1 "#10242e", -0.5 "#10242e", 0 "#f6efe0", 90 "#f3d9a4", 180 "#e8863a", 255 "#b3201f")
+    set palette defined (-9 "#ffffff", -5 "#ffffff", -4.9 "#10242e", -0.5 "#10242e", 0 "#f6efe0", 90 "#f3d9a4", 180 "#e8863a", 255 "#b3201f")
     set multiplot layout 5,4 title "Paper No. 6, dark where it is torn, coloured by stress: as it tears, after 0.1, 0.4 and 1 s\nFour specimens all wet; the last one wet in its left half" margins 0.02,0.98,0.01,0.93 spacing 0.01,0.01
     do for [specimen = 1:5] { do for [moment = 0:3] {
         plot dir.sprintf("/hole-%d-%d.txt", specimen, moment) matrix with image
     } }
     unset multiplot
-    set border 3; set tics; set grid; set size noratio
-    set xtics auto; set ytics auto
 }
