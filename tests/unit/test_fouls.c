@@ -1,5 +1,5 @@
-/* test_fouls.c -- how a fish was scooped is seen in the motion: along the wall it is a foul and the
- * fish does not count; the third foul ends the round. */
+/* test_fouls.c -- how a fish was scooped is seen in the motion: along the wall, or swept into the
+ * bowl from the water, it is a foul and the fish does not count; the third foul ends the round. */
 #include "stall_stand.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
@@ -12,6 +12,7 @@ static void begin(uint8_t mode, uint32_t fish_count)
         .seed = 3,
         .preset = TANK_PRESET_OFFICIAL,
         .fish_count = fish_count,
+        .grade = 5,
         .modes = (uint8_t)(1u << mode),
     };
     open_stall(&config);
@@ -55,6 +56,22 @@ static void lay_fish(float x_m, float z_m)
     tank_stage_all(&core.tank, stages, 6);
 }
 
+/* Six fish over the dipped poi, side by side, toward the ring's right. */
+static void lay_fish_over_the_poi(float x_m, float z_m)
+{
+    struct tank_stage stages[6];
+    for (uint32_t i = 0; i < 6; i++) {
+        stages[i] = (struct tank_stage){
+            .position_m = v3(x_m + (i % 2u ? 0.018f : 0.038f), -0.018f,
+                             z_m + 0.025f * ((float)(i / 2u) - 1.0f)),
+            .length_m = 0.04f,
+            .stamina = 0.9f,
+            .gait = GAIT_REST,
+        };
+    }
+    tank_stage_all(&core.tank, stages, 6);
+}
+
 static void bring_home(void)
 {
     const vec3 bowl_m = core.bowl[0].position_m;
@@ -87,10 +104,39 @@ static void scoop_in_the_open(void)
     bring_home();
 }
 
+/* A bowl with a hundred fish in it has its rim 3 mm over the water. A poi with fish on it comes
+ * along in the film, ever faster, up to 1.7 m/s, its rim `end_m` over the water in the end, and
+ * stops at the bowl: what lies in front slides on. */
+static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
+{
+    const vec3 bowl_m = core.bowl[0].position_m;
+    const float from_m = bowl_m.x - 0.40f;
+    const float way_m = bowl_m.x - BOWL_RADIUS_M - POI_OUTER_RADIUS_M - from_m;
+    const uint32_t count = (uint32_t)(2.0f * way_m / (1.7f * CORE_TICK_S));
+    bowl_init(&core.bowl[0], v3(bowl_m.x, 0.003f, bowl_m.z));
+    lead_tilted(v3(from_m, 0.06f, bowl_m.z), 0.0f, 0.0f);
+    lead_tilted(v3(from_m, -0.035f, bowl_m.z), 0.0f, 0.0f);
+    ticks(wait_ticks);
+    lay_fish_over_the_poi(from_m, bowl_m.z);
+    lead_tilted(v3(from_m, -0.003f, bowl_m.z), 0.0f, 0.0f);
+    for (uint32_t i = 1; i <= count; i++) {
+        const float share = (float)i / (float)count;
+        const float square = share * share;
+        const float late = square * square * square * square;
+        input.poi[0].target.position_m.x = from_m + way_m * square;
+        input.poi[0].target.position_m.y = f_lerp(-0.003f, end_m, late);
+        input.poi[0].target.angles.roll_rad = -0.04f * share;
+        tick();
+    }
+    ticks(60);
+}
+
+/* Alike in all modes, to the tick. */
 static void play(uint8_t mode)
 {
     begin(mode, 6);
     wait_for_phase(PHASE_ROUND, READY_TICKS + 10u);
+    ticks(READY_TICKS + 20u - core.tick);
 }
 
 static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void **state)
@@ -112,6 +158,55 @@ static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void 
         }
     }
     assert_true(fouls >= 2);
+}
+
+struct sweeps {
+    uint32_t caught, in_bowl, fouls, poured;
+};
+
+/* Fish are where they like: many tries, each a few ticks later than the last. */
+static struct sweeps sweep_often(uint8_t mode, float end_m)
+{
+    struct sweeps sum = { 0 };
+    for (uint32_t i = 0; i < 40; i++) {
+        play(mode);
+        sweep_into_the_bowl(7u * i, end_m);
+        look();
+        const uint32_t poured = core.game.player[0].offence_tick[FOUL_POURED] != 0;
+        assert_true(scene.player[0].fouls == 0 || scene.player[0].foul == FOUL_POURED);
+        assert_int_equal(scene.player[0].fouls, rules_of(mode)->judges ? poured : 0u);
+        sum.caught += scene.caught[0];
+        sum.in_bowl += scene.bowl[0].fish_count;
+        sum.fouls += scene.player[0].fouls;
+        sum.poured += poured;
+    }
+    return sum;
+}
+
+static void test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count(void **state)
+{
+    (void)state;
+    const struct sweeps sum = sweep_often(MODE_CHAMPIONSHIP, 0.004f);
+    assert_true(sum.fouls > 0);
+    assert_true(sum.caught + sum.fouls <= sum.in_bowl);
+}
+
+static void test_at_a_stall_what_was_swept_in_counts(void **state)
+{
+    (void)state;
+    const struct sweeps sum = sweep_often(MODE_FESTIVAL, 0.004f);
+    assert_true(sum.poured > 0); /* The same motions; only nobody whistles. */
+    assert_int_equal(sum.caught, sum.in_bowl);
+}
+
+/* The same, but the ring rises clear of the water before the bowl. */
+static void test_a_ring_that_was_lifted_clear_first_pours_nothing(void **state)
+{
+    (void)state;
+    const struct sweeps sum = sweep_often(MODE_CHAMPIONSHIP, 0.030f);
+    assert_true(sum.caught > 0);
+    assert_int_equal(sum.caught, sum.in_bowl);
+    assert_int_equal(sum.fouls, 0);
 }
 
 static void test_fish_from_open_water_count_without_a_foul(void **state)
@@ -161,6 +256,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count),
+        cmocka_unit_test(
+            test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count),
+        cmocka_unit_test(test_at_a_stall_what_was_swept_in_counts),
+        cmocka_unit_test(test_a_ring_that_was_lifted_clear_first_pours_nothing),
         cmocka_unit_test(test_fish_from_open_water_count_without_a_foul),
         cmocka_unit_test(test_the_third_foul_ends_the_players_round),
         cmocka_unit_test(test_at_a_stall_a_fish_from_the_wall_counts),
