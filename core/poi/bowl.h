@@ -13,8 +13,8 @@
 #define BOWL_RADIUS_M 0.080f /* The federation's standard: 160 mm at most. */
 #define BOWL_DEPTH_M 0.059f
 #define BOWL_HULL_KG 0.030f
-#define BOWL_FISH_MAX 120u      /* Of 4 cm, before they swim in one another; the record is 107. */
-#define BOWL_FISH_KG_MAX 0.185f /* So much those weigh; of larger fish it holds fewer. */
+#define BOWL_FISH_MAX 112u      /* Of 4 cm, before they swim in one another; the record is 107. */
+#define BOWL_FISH_KG_MAX 0.172f /* So much those weigh; of larger fish it holds fewer. */
 
 struct bowl {
     uint8_t present;

@@ -11,8 +11,9 @@
 #define CROWD_KG 0.080f   /* From so many on they go round as one. */
 #define SPINE_HALF 0.32f  /* Of the length: half the capsule's axis; snout and fin are thin. */
 #define GIRTH 0.40f       /* Its radius, of the width. */
-#define PART_SHARE 0.4f   /* Of what two share, each tick, ... */
+#define PART_SHARE 0.6f   /* Of what two share, each tick, ... */
 #define PART_MAX_M 0.0012f /* ... at most: 14 cm/s. */
+#define CROSSED 0.3f
 #define ENDS 0.45f        /* Of the length from the middle: snout and tail. */
 #define SPEED_MAX_M_S 0.22f
 
@@ -145,8 +146,10 @@ static void part(struct fish *a, struct spine on_a, struct fish *b, struct spine
     if (square >= girths * girths) {
         return;
     }
-    const vec3 out = v3_normalize_or(way, v3(0.0f, 1.0f, 0.0f));
-    const float step_m = f_min(PART_SHARE * (girths - f_sqrt(square)), PART_MAX_M);
+    /* Spines that cross have no way between them: their middles part them. */
+    const float deep = 1.0f - f_sqrt(square) / girths;
+    const vec3 out = v3_normalize_or(v3_mad(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
+    const float step_m = f_min(PART_SHARE * deep * girths, PART_MAX_M);
     a->position_m = v3_mad(a->position_m, out, -0.5f * step_m);
     b->position_m = v3_mad(b->position_m, out, 0.5f * step_m);
 }

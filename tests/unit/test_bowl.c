@@ -103,6 +103,117 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
     }
 }
 
+/* ---- Room ----------------------------------------------------------------------------------- */
+
+/* Drops `count` fish of about 4 cm in, three a second, as at a stall. */
+static void drop_in_all(uint32_t count, float length_m)
+{
+    const struct stall stall = { &tank, &bowl, 1 };
+    memset(&tank, 0, sizeof tank);
+    tank.size_m = v3(1.36f, 0.10f, 0.65f);
+    bowl_init(&bowl, v3(0.53f, 0.012f, 0.225f));
+    tank.fish_count = count;
+    for (uint32_t i = 0; i < count; i++) {
+        struct fish *fish = &tank.fish[i];
+        fish_grow(fish, length_m * (0.9f + 0.02f * (float)(i % 11u)), tank_law(&tank));
+        fish->position_m = v3_add(bowl.position_m,
+                                  v3(0.04f * f_sin((float)i), 0.0f, 0.04f * f_cos(2.0f * (float)i)));
+        bowl_take(&bowl, 0, &tank, fish, v3(0.0f, -0.5f, 0.0f));
+        for (uint32_t tick = 0; tick < 40; tick++) {
+            afloat_tick(&stall, NULL, NULL, 0);
+            bowl_fish_tick(&bowl, 0, &tank);
+        }
+    }
+}
+
+struct tightness {
+    float worst_m;       /* The deepest that two lie in one another ... */
+    float pairs_per_look; /* ... and how many share more than a millimetre. */
+    float fastest_m_s;
+};
+
+static struct tightness look_for(float seconds)
+{
+    const struct stall stall = { &tank, &bowl, 1 };
+    struct tightness sum = { 0 };
+    uint32_t looks = 0;
+    for (uint32_t tick = 0; (float)tick < seconds * (float)CORE_TICK_HZ; tick++) {
+        afloat_tick(&stall, NULL, NULL, 0);
+        bowl_fish_tick(&bowl, 0, &tank);
+        looks += tick % 30u == 0;
+        for (uint32_t i = 0; i < tank.fish_count && tick % 30u == 0; i++) {
+            assert_true(inside_hull(&tank.fish[i]));
+            sum.fastest_m_s = f_max(sum.fastest_m_s, v3_length(tank.fish[i].velocity_m_s));
+            for (uint32_t k = 0; k < i; k++) {
+                const float deep_m = bowl_fish_overlap_m(&tank.fish[i], &tank.fish[k]);
+                sum.worst_m = f_max(sum.worst_m, deep_m);
+                sum.pairs_per_look += deep_m > 0.001f;
+            }
+        }
+    }
+    sum.pairs_per_look /= (float)looks;
+    return sum;
+}
+
+static void test_they_keep_out_of_one_another_up_to_the_record(void **state)
+{
+    (void)state;
+    const uint32_t counts[] = { 20, 60, 80, 107, BOWL_FISH_MAX };
+    const float pairs_max[] = { 0.0f, 0.2f, 1.0f, 4.0f, 5.0f };
+    const float worst_mm[] = { 1.0f, 3.0f, 4.0f, 7.0f, 7.0f }; /* For a moment. */
+    for (int i = 0; i < 5; i++) {
+        drop_in_all(counts[i], 0.04f);
+        const struct tightness tight = look_for(10.0f);
+        print_message("%3u fish of 4 cm: %.2f pairs share more than 1 mm, worst %.1f mm\n",
+                      counts[i], (double)tight.pairs_per_look, 1e3 * (double)tight.worst_m);
+        assert_int_equal(bowl.fish_count, counts[i]);
+        assert_true(tight.pairs_per_look <= pairs_max[i]);
+        assert_true(1e3f * tight.worst_m < worst_mm[i]);
+        assert_true(tight.fastest_m_s < 0.25f);
+    }
+}
+
+static void test_they_mill_the_same_way_round_and_look_where_they_swim(void **state)
+{
+    (void)state;
+    drop_in_all(30, 0.04f);
+    look_for(3.0f);
+    for (uint32_t i = 0; i < 30; i++) {
+        const struct fish *fish = &tank.fish[i];
+        const vec3 at = v3_sub(fish->position_m, bowl.position_m);
+        const vec3 v = fish->velocity_m_s;
+        const float turn = at.z * v.x - at.x * v.z;
+        assert_true(v3_length(at) < 0.015f || turn < 0.0f);
+        assert_true(v3_length(v) < 0.02f || v3_dot(v, fish_forward(fish)) > 0.0f);
+    }
+}
+
+static void test_a_full_bowl_is_poured_back_before_the_next_falls_in(void **state)
+{
+    (void)state;
+    drop_in_all(BOWL_FISH_MAX, 0.04f);
+    assert_true(bowl_is_full(&bowl));
+    struct fish *last = &tank.fish[tank.fish_count++];
+    fish_grow(last, 0.04f, tank_law(&tank));
+    last->position_m = bowl.position_m;
+    bowl_take(&bowl, 0, &tank, last, v3(0.0f, -0.5f, 0.0f));
+    assert_int_equal(bowl.fish_count, 1);
+    assert_float_equal(bowl.fish_kg, fish_mass_kg(last->length_m), 1e-9f);
+    assert_int_equal(last->gait, GAIT_BOWL);
+    for (uint32_t i = 0; i < BOWL_FISH_MAX; i++) { /* The others are in the tank. */
+        assert_int_equal(tank.fish[i].gait, GAIT_HELD);
+        assert_int_equal(tank.fish[i].holder, FISH_HOLDER_WATER);
+    }
+}
+
+static void test_of_large_fish_it_holds_fewer(void **state)
+{
+    (void)state;
+    drop_in_all(40, 0.06f);
+    assert_true(bowl.fish_count < 40); /* 0.172 kg are 33 of these: it has been emptied once. */
+    assert_true(bowl.fish_count > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -110,6 +221,10 @@ int main(void)
         cmocka_unit_test(test_they_swim_at_different_depths),
         cmocka_unit_test(test_another_bowls_fish_are_not_moved),
         cmocka_unit_test(test_pouring_back_puts_every_fish_under_water_beside_the_bowl),
+        cmocka_unit_test(test_they_keep_out_of_one_another_up_to_the_record),
+        cmocka_unit_test(test_they_mill_the_same_way_round_and_look_where_they_swim),
+        cmocka_unit_test(test_a_full_bowl_is_poured_back_before_the_next_falls_in),
+        cmocka_unit_test(test_of_large_fish_it_holds_fewer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
