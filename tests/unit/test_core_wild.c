@@ -57,8 +57,12 @@ static float toward(float from, float to, float step)
 static void wander(struct wild_hand *hand)
 {
     if (draw(60) == 0) {
-        hand->goal.position_m = v3(reach_m(0.6f), reach_m(0.2f), reach_m(0.4f));
-        hand->goal.angles = (struct angles){ reach_m(3.0f), reach_m(2.0f), reach_m(3.0f) };
+        hand->goal.position_m.x = reach_m(0.6f); /* One by one: a compiler may draw in any order. */
+        hand->goal.position_m.y = reach_m(0.2f);
+        hand->goal.position_m.z = reach_m(0.4f);
+        hand->goal.angles.yaw_rad = reach_m(3.0f);
+        hand->goal.angles.pitch_rad = reach_m(2.0f);
+        hand->goal.angles.roll_rad = reach_m(3.0f);
         hand->pace_m_s = draw(3) == 0 ? 3.9f : 0.3f;
         hand->turn_rad_s = draw(3) == 0 ? 15.0f : 2.0f;
     }
@@ -94,7 +98,9 @@ static void spoil(struct poi_input *poi, struct wild_hand *hand)
         }
         break;
     case 2:
-        poi->target.position_m = v3(pick_m(), pick_m(), pick_m());
+        poi->target.position_m.x = pick_m();
+        poi->target.position_m.y = pick_m();
+        poi->target.position_m.z = pick_m();
         break;
     case 3:
         poi->age_ticks = (uint16_t)draw(65536);
@@ -145,8 +151,10 @@ static void stir(struct input *input)
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         if (draw(60) == 0) {
-            input->shade[i] =
-                (struct shade_input){ (uint8_t)draw(2), pick_m(), pick_m(), pick_m() };
+            input->shade[i].present = (uint8_t)draw(2);
+            input->shade[i].x_m = pick_m();
+            input->shade[i].z_m = pick_m();
+            input->shade[i].radius_m = pick_m();
         }
     }
 }
