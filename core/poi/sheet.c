@@ -134,6 +134,9 @@ static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
         dropped = tear_drop_loose(&strain->map, sheet);
         gone += dropped;
     }
+    for (uint32_t row = 0; gone > 0 && row < SHEET_SIDE; row++) {
+        relieve_row(strain, row);
+    }
     return gone;
 }
 

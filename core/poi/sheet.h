@@ -14,9 +14,8 @@
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
 #define SHEET_LOAD_MAX 32u /* Footprints a tick: a body and a tail of 16 fish. */
 #define SHEET_STEPS_MAX 8u /* Of a tick in which paper tears: a tear runs at 2.4 m/s at most. */
-#define SHEET_DAMAGE_TAU_S 0.05f /* Paper lives so long at its ultimate tension, and at a share of
-                                    it longer by that share to the power of ... */
-#define SHEET_DAMAGE_EXPONENT 10
+#define SHEET_DAMAGE_TAU_S 0.05f /* Paper lives so long at its ultimate tension; at a share of it */
+#define SHEET_DAMAGE_EXPONENT 10 /* so long over that share to this power: 51 s at half. */
 #define SHEET_SOFTENING 0.25f /* Of its wet strength paper loses so much more ... */
 #define SHEET_SOAK_TICKS (60u * CORE_TICK_HZ) /* ... in the minute after it got wet. */
 #define SHEET_GRADE_MIN 4u /* Strong. */

@@ -208,6 +208,27 @@ static void test_a_tear_runs_cells_far_in_a_tick_but_no_faster_than_its_steps(vo
     }
 }
 
+static void test_holes_bear_no_stress_while_they_grow(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 0; seed < 12; seed++) {
+        sheet_init(&sheet, 7, RADIUS_M, seed);
+        stand_plain_paper(&sheet, 1.0f);
+        for (uint32_t t = 0; t < 40; t++) {
+            const uint32_t was = sheet.paper_cells;
+            const struct sheet_events events = sheet_tick(&sheet, 130.0f, in_air, NULL, 0);
+            uint32_t left = 0;
+            for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+                left += sheet.state[cell] == CELL_PAPER;
+                assert_true(sheet.state[cell] == CELL_PAPER || sheet.stress[cell] == 0);
+            }
+            assert_int_equal(sheet.paper_cells, left);
+            assert_int_equal(events.cells_torn, was - left);
+        }
+        assert_true(sheet_left(&sheet) < 0.9f);
+    }
+}
+
 static void test_paper_breaks_after_the_same_time_in_small_steps_and_large(void **state)
 {
     (void)state;
@@ -286,6 +307,7 @@ int main(void)
         cmocka_unit_test(test_a_flap_bears_nothing),
         cmocka_unit_test(test_a_hole_takes_its_area_off_the_load),
         cmocka_unit_test(test_a_tear_runs_cells_far_in_a_tick_but_no_faster_than_its_steps),
+        cmocka_unit_test(test_holes_bear_no_stress_while_they_grow),
         cmocka_unit_test(test_paper_breaks_after_the_same_time_in_small_steps_and_large),
         cmocka_unit_test(test_holes_are_longer_along_the_fibres),
     };
