@@ -78,6 +78,32 @@ static void test_edge_on_it_feels_almost_nothing(void **state)
     assert_true(stand.force.force_n.x > -0.010f);
 }
 
+/* How far a wrist that rolls at 4 rad/s, or turns the handle about the paper's own normal, is ahead
+ * of its ring, s. */
+static float turn_lag_s(float height_m, int about_normal)
+{
+    stand_init(&stand, 4, 1);
+    stand.has_wrist = 1;
+    stand.hand.position_m = stand.poi.position_m = v3(0.0f, height_m, 0.0f);
+    stand_wait(&stand, 0.5f);
+    float *hand = about_normal ? &stand.hand.angles.yaw_rad : &stand.hand.angles.roll_rad;
+    const float *ring = about_normal ? &stand.poi.angles.yaw_rad : &stand.poi.angles.roll_rad;
+    for (uint32_t tick = 0; tick < 36; tick++) {
+        *hand += 4.0f * CORE_TICK_S;
+        stand_tick(&stand);
+    }
+    return (*hand - *ring) / 4.0f;
+}
+
+static void test_water_slows_a_ring_that_turns_broadside_and_not_one_that_spins(void **state)
+{
+    (void)state;
+    const float air_s = turn_lag_s(0.10f, 0), water_s = turn_lag_s(-0.075f, 0);
+    assert_true(water_s > 1.1f * air_s);
+    assert_true(water_s < 1.4f * air_s); /* A wrist turns it all the same. */
+    assert_float_equal(turn_lag_s(-0.075f, 1), air_s, 1e-4f);
+}
+
 static void test_a_poi_that_hangs_in_air_weighs_what_it_weighs(void **state)
 {
     (void)state;
@@ -624,6 +650,7 @@ int main(void)
         cmocka_unit_test(test_a_hand_that_shakes_wildly_cannot_blow_the_poi_up),
         cmocka_unit_test(test_the_hand_feels_a_quarter_newton_broadside_at_0_3_m_s),
         cmocka_unit_test(test_edge_on_it_feels_almost_nothing),
+        cmocka_unit_test(test_water_slows_a_ring_that_turns_broadside_and_not_one_that_spins),
         cmocka_unit_test(test_a_poi_that_hangs_in_air_weighs_what_it_weighs),
         cmocka_unit_test(test_the_ring_yields_to_floor_walls_and_the_reach_of_an_arm),
         cmocka_unit_test(
