@@ -69,6 +69,13 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     poi->stopped = v3_dot(off_m, off_m) > 0.0f;
 }
 
+/* [0, 1] of the speed it wants that fish did not let it have in the last tick. */
+static float stalled(const struct poi *poi)
+{
+    const float wants_m_s = v3_length(poi->velocity_m_s), had_m_s = v3_length(poi->before_m_s);
+    return poi->gave && had_m_s < wants_m_s ? 1.0f - had_m_s / wants_m_s : 0.0f;
+}
+
 struct obstacle poi_obstacle(const struct poi *poi)
 {
     const struct angles now = poi->angles, before = poi->before_angles;
@@ -78,6 +85,7 @@ struct obstacle poi_obstacle(const struct poi *poi)
         .centre_m = poi->position_m,
         .normal = axes.up,
         .velocity_m_s = poi->velocity_m_s,
+        .stalled = stalled(poi),
         .radius_m = POI_OUTER_RADIUS_M,
         .step_m = v3_sub(poi->position_m, poi->before_m),
         .axes = axes,

@@ -11,6 +11,7 @@
 #define HAND_N_M 215.0f
 #define HAND_LAG_AIR_S 0.0250f
 #define HAND_N_MAX 20.0f     /* What a wrist gives; the poi yields beyond it. */
+
 /* Who pushes against what yields slowly feels it and slows down with it. Free again, the poi goes
  * at the pace of the hand, now or a moment ago, and catches up at leisure: the spring alone would
  * shoot it off at 3.7 m/s. What moves freely is behind by its speed times the lag: it may go at

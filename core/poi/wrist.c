@@ -10,14 +10,12 @@
 
 #define TIP_RAD (55.0f * F_DEG) /* Steep enough for a fish to roll over the ring. */
 #define TIP_PER_S 3.0f
-#define TIP_NEAR 0.45f /* Ring to mouth, centre to centre, in sums of their radii: full turn ...   \
-                        */
+#define TIP_NEAR 0.45f /* Ring to mouth, centre to centre, in sums of their radii: full turn, ... */
 #define TIP_FAR 0.95f  /* ... and none. */
 #define TIP_FALL_M 0.040f /* A fish leaves the ring so far from its centre; */
 #define TIP_HIT 0.65f     /* well within the mouth, in its radii, the turn is full. */
 #define TIP_BACK_SHARE 0.4f
 #define TIP_EDGE_M 0.010f /* The lower edge then keeps so far over the mouth. */
-
 
 /* ---- Over the bowl -------------------------------------------------------------------------- */
 

@@ -61,11 +61,11 @@ static float edgewise(struct place at)
 /* Cheap; where it says no there is no flow. */
 static int stirs(const struct obstacle *disc, vec3 point_m)
 {
-    const vec3 off_m = v3_sub(point_m, disc->centre_m);
+    const vec3 off_m = v3_sub(point_m, disc->centre_m), goes_m_s = obstacle_goes_m_s(disc);
     const float reach_m = FAR * disc->radius_m;
     return disc->kind == OBSTACLE_DISC && point_m.y <= 0.0f &&
            v3_dot(off_m, off_m) < reach_m * reach_m &&
-           v3_dot(disc->velocity_m_s, disc->velocity_m_s) > STILL_M_S * STILL_M_S;
+           v3_dot(goes_m_s, goes_m_s) > STILL_M_S * STILL_M_S;
 }
 
 vec3 flow_at(const struct obstacle *disc, vec3 point_m)
@@ -78,16 +78,17 @@ vec3 flow_at(const struct obstacle *disc, vec3 point_m)
     const vec3 flat = v3_mad(to, disc->normal, -along);
     const struct place at = { along, v3_length(flat) };
     const vec3 out = v3_normalize_or(flat, v3(0.0f, 0.0f, 0.0f));
-    const float normal_m_s = v3_dot(disc->velocity_m_s, disc->normal);
-    const vec3 plane_m_s = v3_mad(disc->velocity_m_s, disc->normal, -normal_m_s);
+    const vec3 goes_m_s = obstacle_goes_m_s(disc);
+    const float normal_m_s = v3_dot(goes_m_s, disc->normal);
+    const vec3 plane_m_s = v3_mad(goes_m_s, disc->normal, -normal_m_s);
     const float pushing_m_s = (1.0f - disc->open) * normal_m_s;
     const struct place push = broadside(at);
     const vec3 pushed = v3_add(v3_scale(disc->normal, push.along), v3_scale(out, push.off));
     const vec3 flow = v3_mad(v3_scale(pushed, pushing_m_s), plane_m_s, edgewise(at));
-    return v3_limit(v3_scale(flow, immersed(disc)), v3_length(disc->velocity_m_s));
+    return v3_limit(v3_scale(flow, immersed(disc)), v3_length(goes_m_s));
 }
 
 float flow_push_m2_s2(const struct obstacle *disc, vec3 point_m)
 {
-    return v3_length(disc->velocity_m_s) * v3_length(flow_at(disc, point_m));
+    return v3_length(obstacle_goes_m_s(disc)) * v3_length(flow_at(disc, point_m));
 }

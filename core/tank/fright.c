@@ -58,7 +58,7 @@ struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m)
     const vec3 toward = v3_scale(to, 1.0f / distance_m);
     const float face = f_max(f_abs(v3_dot(toward, disc->normal)), LINE_THICKNESS);
     const float half_m = disc->radius_m * f_sqrt(face); /* Of the circle of the same area. */
-    const float closing_m_s = v3_dot(disc->velocity_m_s, toward);
+    const float closing_m_s = v3_dot(obstacle_goes_m_s(disc), toward);
     return (struct fright_view){
         .size_rad = 2.0f * f_atan2(half_m, distance_m),
         .growth_rad_s =
@@ -162,7 +162,8 @@ static int disturbs(const struct obstacle *disc, const struct fish *fish)
 {
     const vec3 off = v3_sub(disc->centre_m, fish->position_m);
     const float reach_m = disc->radius_m + ALERT_M;
-    const float square_m2_s2 = v3_dot(disc->velocity_m_s, disc->velocity_m_s);
+    const vec3 goes_m_s = obstacle_goes_m_s(disc);
+    const float square_m2_s2 = v3_dot(goes_m_s, goes_m_s);
     return disc->kind == OBSTACLE_DISC && square_m2_s2 > ALERT_M_S * ALERT_M_S &&
            v3_dot(off, off) < reach_m * reach_m * f_max(1.0f, square_m2_s2);
 }

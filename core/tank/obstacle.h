@@ -26,7 +26,8 @@ struct obstacle {
     uint8_t kind; /* enum obstacle_kind */
     vec3 centre_m;
     vec3 normal; /* Unit; a disc's up. */
-    vec3 velocity_m_s;
+    vec3 velocity_m_s; /* As it wants to go; ... */
+    float stalled;     /* ... [0, 1] of it it could not when it last tried. */
     float radius_m; /* Outer. */
     float depth_m;  /* Of a bowl's hull below its mouth. */
 
@@ -48,6 +49,13 @@ struct obstacle {
 
 /* A disc's ring is a torus of this thickness. */
 #define RING_TUBE_PER_RADIUS 0.07f
+
+/* How fast it seems to go: what moves water, and looms. One that fish hold up does neither, however
+ * hard a hand pulls at it. */
+static inline vec3 obstacle_goes_m_s(const struct obstacle *obstacle)
+{
+    return v3_scale(obstacle->velocity_m_s, 1.0f - obstacle->stalled);
+}
 
 /* The gap between the fish's box and the ring or the hull, and the fish's way out. */
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box);
