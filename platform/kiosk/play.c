@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -48,7 +49,21 @@ static void tell_devices(const struct hal *hal)
     tell_device("sound", hal->audio.ops->describe(hal->audio.self));
     tell_device("store", hal->storage.ops->describe(hal->storage.self));
     tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
-    fflush(stdout);
+}
+
+/* Who asked for more bowls than there are controllers is told which seats that leaves. */
+static void tell_seats(const struct kiosk *kiosk)
+{
+    char text[HAL_TEXT_SIZE] = "";
+    for (uint32_t i = 1; i < kiosk->core.config.players; i++) {
+        if (!kiosk->config.bot[i] && kiosk->hands[i].link == POI_LINK_ABSENT) {
+            const size_t length = strlen(text);
+            snprintf(text + length, sizeof text - length, "%s%u", length ? ", " : "", i + 1u);
+        }
+    }
+    if (text[0]) {
+        printf("  %-9s no controller for player %s: that bowl stays empty\n", "seats", text);
+    }
 }
 
 static void close_devices(const struct hal *hal)
@@ -206,6 +221,8 @@ enum exit_code play_run(struct session *session)
         return code;
     }
     tell_devices(&session->hal);
+    tell_seats(&session->kiosk);
+    fflush(stdout);
     code = end_play(session, run(session));
     close_devices(&session->hal);
     return code;

@@ -346,6 +346,38 @@ static void test_a_lost_poi_leaves_the_water_by_itself(void **state)
     assert_true(core.poi[0].immersed <= 0.0f);
 }
 
+/* Corners, walls, the floor, the bowl's side; however it was turned. */
+static void test_it_finds_its_way_out_from_anywhere(void **state)
+{
+    (void)state;
+    const struct scene_of of = { .device = POINTER, .place = DEEP };
+    uint32_t slowest = 0;
+    begin(&of);
+    static struct core there;
+    there = core;
+    for (uint32_t i = 0; i < 5u * 3u * 2u * 5u; i++) {
+        core = there;
+        struct poi *poi = &core.poi[0];
+        const vec3 half_m = v3_scale(core.tank.size_m, 0.5f);
+        poi->position_m = v3(half_m.x * (-0.9f + 0.45f * (float)(i % 5u)),
+                             i / 15u % 2u ? -0.03f : -0.11f,
+                             half_m.z * (-0.85f + 0.85f * (float)(i / 5u % 3u)));
+        poi->angles.pitch_rad = -1.2f + 0.6f * (float)(i / 30u);
+        poi->angles.roll_rad = 0.4f - 0.2f * (float)(i / 30u);
+        poi->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+        core.game.hand[0] = (struct poi_target){ poi->position_m, poi->angles };
+        input.poi[0].link = POI_LINK_LOST;
+        uint32_t ticks = 0;
+        while (poi->immersed > 0.0f || poi->position_m.y < 0.9f * DRIFT_HOVER_M) {
+            run_tick();
+            assert_true(++ticks < 6u * CORE_TICK_HZ);
+        }
+        slowest = ticks > slowest ? ticks : slowest;
+        assert_int_equal(poi->sheet.paper_cells, there.poi[0].sheet.paper_cells);
+    }
+    print_message("hovers after %u ticks at the latest\n", slowest);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -353,6 +385,7 @@ int main(void)
         cmocka_unit_test(test_a_fish_that_was_carried_through_a_fault_is_brought_home_and_counts),
         cmocka_unit_test(test_the_poi_glides_back_and_does_not_leap),
         cmocka_unit_test(test_a_lost_poi_leaves_the_water_by_itself),
+        cmocka_unit_test(test_it_finds_its_way_out_from_anywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
