@@ -1,8 +1,8 @@
 /* attract.c -- nobody plays: the stall's own bot does, until somebody dips or presses START. */
 #include "core/core.h"
+#include "core/game/keeper.h"
 #include "core/game/paper.h"
 #include "core/game/phases.h"
-#include "core/game/keeper.h"
 
 #define SWAP_TICKS (2u * CORE_TICK_HZ) /* The bot keeps a torn poi for so long. */
 #define BOWL_MAX 10u                   /* Then it begins anew, or a night would empty the tank. */

@@ -1,8 +1,8 @@
 /* choose.c -- which mode? LEFT and RIGHT point, and so does a hand: the tank's width has as many
  * shares as there are modes, in their order. START, OK or a dip takes what is pointed at. */
 #include "core/core.h"
-#include "core/game/phases.h"
 #include "core/game/keeper.h"
+#include "core/game/phases.h"
 
 static uint32_t mode_count(uint8_t modes)
 {

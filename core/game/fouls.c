@@ -75,6 +75,9 @@ void fouls_of_catch(struct core *core, const struct catch_result caught[POI_MAX]
                     struct output *output)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!pause_holds(core, i) || core->game.paused) {
+            continue; /* What falls off a poi that nobody leads is nobody's doing. */
+        }
         if (caught[i].poured > 0) {
             foul_commit(core, i, FOUL_POURED, output);
         }

@@ -10,11 +10,11 @@
 
 #include "core/game/bot.h"
 #include "core/game/hints.h"
+#include "core/game/keeper.h"
 #include "core/game/pause.h"
 #include "core/game/player.h"
 #include "core/game/rules.h"
 #include "core/game/score.h"
-#include "core/game/keeper.h"
 #include "core/game/trust.h"
 #include "core/input.h"
 #include "core/output.h"

@@ -141,10 +141,10 @@ static uint8_t wanted_in_round(const struct hints *hints, const struct core *cor
                                struct view_of_fish fish)
 {
     const struct player *player = &core->game.player[0];
-    if (player->out) {
-        return player->torn_tick != 0 ? HINT_TORN : HINT_NONE;
+    if (player->torn_tick != 0) {
+        return HINT_TORN;
     }
-    if (core->poi[0].link == POI_LINK_BOT) {
+    if (player->out || core->poi[0].link == POI_LINK_BOT) {
         return HINT_NONE;
     }
     if (has_poured(core)) {

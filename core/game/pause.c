@@ -20,13 +20,13 @@ static uint32_t note_who_holds(struct core *core)
     return count;
 }
 
-/* Whose round goes on, with their poi in hand, or with that hand away. */
+/* Whose round goes on: with their poi in hand (1), or with that hand away (0). */
 static uint32_t count_in(const struct core *core, int holds)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &core->game.player[i];
-        count += player->plays && !player->out && !pause_holds(core, i) == !holds;
+        count += player->plays && !player->out && pause_holds(core, i) == holds;
     }
     return count;
 }

@@ -20,7 +20,7 @@ struct player {
     uint32_t offence_tick[FOUL_COUNT]; /* When each kind was last committed, called or not. */
     uint32_t caught;
     uint32_t scoops;     /* With papers before the one in hand. */
-    uint32_t torn_tick;  /* When its paper could hold no fish any more; 0: it can. */
+    uint32_t torn_tick;  /* Since when the paper in hand can hold no fish; 0: it can. */
     uint32_t lost_ticks; /* How long others have waited for its hand without a break. */
     uint8_t stance;      /* enum player_stance, in READY ... */
     float rest_x_m, rest_z_m; /* ... and where its hand was when first seen there. */

@@ -1,9 +1,9 @@
 /* ready.c -- a few seconds before the start: fresh paper, empty bowls, and hands off the fish. */
 #include "core/core.h"
 #include "core/game/fouls.h"
+#include "core/game/keeper.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
-#include "core/game/keeper.h"
 
 void ready_begin(struct core *core, struct output *output)
 {

@@ -2,11 +2,13 @@
 #include "core/core.h"
 #include "core/game/calls.h"
 #include "core/game/hand.h"
+#include "core/game/keeper.h"
 #include "core/game/paper.h"
 #include "core/game/pause.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
-#include "core/game/keeper.h"
+
+#define RENEW_TICKS CORE_TICK_HZ /* To see the hole before the poi is changed. */
 
 void round_begin(struct core *core, struct output *output)
 {
@@ -22,8 +24,10 @@ void round_begin(struct core *core, struct output *output)
 static void renew_paper(struct core *core, uint32_t index)
 {
     struct player *player = &core->game.player[index];
-    if (core->poi[index].immersed <= 0.0f) {
+    const int was_seen = core->tick - player->torn_tick >= RENEW_TICKS;
+    if (was_seen && core->poi[index].immersed <= 0.0f) {
         player->scoops += core->poi[index].dips;
+        player->torn_tick = 0;
         keeper_hand_out(core, index, core->tick, GAME_SERIES_SPARE);
     }
 }

@@ -19,8 +19,8 @@ struct rules {
     uint8_t grade;         /* Of the paper; 0: the stall's own. */
     uint32_t round_s;
     uint32_t ready_s;      /* To take the poi, before the start. */
-    uint8_t renews_paper;  /* A poi that can hold no fish any more is changed for a fresh one; else
-                              who holds it is out. */
+    uint8_t renews_paper;  /* A poi that can hold no fish any more is changed for a fresh one, a
+                              second later and clear of the water; else who holds it is out. */
     uint8_t judges;        /* Fouls are called, and what came by one does not count. Where nobody
                               judges, every fish in the bowl does, as at a stall. */
     uint8_t calls;         /* The keeper calls the time. */

@@ -3,8 +3,8 @@
 
 #include "core/core.h"
 #include "core/game/fouls.h"
-#include "core/game/rules.h"
 #include "core/game/keeper.h"
+#include "core/game/rules.h"
 
 /* Fish that a foul brought lie in the bowl with the others; the umpire does not count them. */
 static uint32_t valid(const struct rules *rules, const struct catch_result *caught)

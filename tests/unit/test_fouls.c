@@ -219,6 +219,33 @@ static void test_fish_from_open_water_count_without_a_foul(void **state)
     assert_true(scene.caught[0] > 0);
 }
 
+/* One fish over the bowl, from a ring that was in the water a moment ago. */
+static void drop_a_fish(void)
+{
+    core.tank.fish[0].gait = GAIT_HELD;
+    core.tank.fish[0].holder = 0;
+    core.tank.fish[0].position_m = v3_add(core.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
+    core.poi[0].riders[0] = (struct rider){ .fish = 0, .state = RIDER_FALLING };
+    core.poi[0].rider_count = 1;
+    ticks(40);
+    assert_int_equal(core.bowl[0].fish_count, 1);
+}
+
+static void test_what_falls_off_a_poi_that_nobody_leads_is_no_foul(void **state)
+{
+    (void)state;
+    static const uint8_t links[] = { POI_LINK_ABSENT, POI_LINK_LOST };
+    for (size_t i = 0; i < sizeof links; i++) {
+        play(MODE_CHAMPIONSHIP);
+        input.poi[0].link = links[i];
+        drop_a_fish();
+        assert_int_equal(look()->player[0].fouls, 0);
+    }
+    play(MODE_CHAMPIONSHIP);
+    drop_a_fish();
+    assert_int_equal(look()->player[0].fouls, 1); /* Of one that is led it is. */
+}
+
 /* Two scoops along the wall are two fouls; with one before the start they are three. */
 static void test_the_third_foul_ends_the_players_round(void **state)
 {
@@ -261,6 +288,7 @@ int main(void)
         cmocka_unit_test(test_at_a_stall_what_was_swept_in_counts),
         cmocka_unit_test(test_a_ring_that_was_lifted_clear_first_pours_nothing),
         cmocka_unit_test(test_fish_from_open_water_count_without_a_foul),
+        cmocka_unit_test(test_what_falls_off_a_poi_that_nobody_leads_is_no_foul),
         cmocka_unit_test(test_the_third_foul_ends_the_players_round),
         cmocka_unit_test(test_at_a_stall_a_fish_from_the_wall_counts),
     };

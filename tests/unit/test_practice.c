@@ -40,13 +40,16 @@ static void test_a_torn_poi_is_changed_for_a_whole_and_other_one(void **state)
     static struct sheet first, second;
     first = core.poi[0].sheet;
     tear_all(0);
+    ticks(CORE_TICK_HZ);
+    assert_int_equal(core.poi[0].sheet.paper_cells, 0); /* The hole is seen for a second. */
     ticks(2);
     second = core.poi[0].sheet;
     assert_int_equal(second.paper_cells, second.paper_cells_new);
     assert_memory_not_equal(second.strength, first.strength, sizeof first.strength);
     assert_false(look()->player[0].out);
     tear_all(0);
-    ticks(2);
+    ticks(CORE_TICK_HZ + 2u);
+    assert_int_equal(sounds[SOUND_GONE], 2);
     assert_memory_not_equal(core.poi[0].sheet.strength, second.strength, sizeof first.strength);
     assert_int_equal(core.poi[0].sheet.grade, 6);
 }
@@ -57,7 +60,7 @@ static void test_it_is_changed_when_it_is_clear_of_the_water(void **state)
     lead(0, v3(there_m.x, STAND_BELOW_M, there_m.z));
     ticks(120);
     tear_all(0);
-    ticks(60);
+    ticks(2u * CORE_TICK_HZ);
     assert_int_equal(core.poi[0].sheet.paper_cells, 0);
     lead(0, there_m);
     ticks(120);
