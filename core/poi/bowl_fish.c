@@ -44,7 +44,7 @@ static struct round round_of(const struct fish *fish, uint32_t index, const stru
     const float below = f_lerp(top, bottom, deep * (0.5f + 0.5f * deep));
     const float hull = f_max(0.0f, bowl_hull_radius_m(below + half) - HULL_GAP_M);
     const float reach = f_sqrt(f_max(0.0f, hull * hull - end * end));
-    const float spread = 0.3f * (1.0f - crowd_of(bowl));
+    const float spread = 0.5f * (1.0f - crowd_of(bowl));
     return (struct round){
         .below_m = below,
         .radius_m = reach * f_sqrt(0.04f + 0.96f * wide),
