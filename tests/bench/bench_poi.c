@@ -1,4 +1,4 @@
-/* bench_poi.c -- what a tick of a sheet costs with five fish on it, and a tick of the whole poi.
+/* bench_poi.c -- what a tick costs: of a sheet with five fish on it, of the whole poi, of bowls.
  *
  * Usage: bench_poi [TSV]   the table; also written to TSV, one figure a row
  *
@@ -10,6 +10,8 @@
 #include <time.h>
 
 #include "core/base/panic.h"
+#include "core/poi/afloat.h"
+#include "core/poi/bowl_fish.h"
 #include "core/poi/catch.h"
 #include "core/poi/strain.h"
 #include "core/tank/preset.h"
@@ -156,6 +158,60 @@ static double measure_poi(void)
     return report("poi and catch: ring, paper, 5 real fish of 4 cm, 300 in tank", count);
 }
 
+/* ---- Fish on it, and in bowls --------------------------------------------------------------- */
+
+/* In the championship's tank: a poi over 1,000 fish that carries as many as it can. */
+static void measure_catch(uint32_t riders, const char *what)
+{
+    struct bowl bowl;
+    const struct stall stall = { &tank, &bowl, 1 };
+    struct catch_result caught[POI_MAX] = { 0 };
+    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
+    bowl_init(&bowl, tank_preset(TANK_PRESET_OFFICIAL)->bowl_m[0]);
+    poi_init(&poi, 5, v3(0.0f, 0.08f, 0.0f), 1);
+    for (uint32_t i = 0; i < riders; i++) {
+        const float x_m = 0.014f * ((float)(i % 4u) - 1.5f), z_m = 0.014f * ((float)(i / 4u) - 1.5f);
+        tank.fish[i].gait = GAIT_HELD;
+        poi.riders[poi.rider_count++] = (struct rider){
+            .fish = (uint16_t)i, .side = 1, .x_m = x_m, .z_m = z_m, .lie = 1.0f, .rest_s = 1e3f
+        };
+    }
+    for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
+        struct output output = { 0 };
+        const double start = now_us();
+        catch_tick(&poi, 0, &stall, tick, &output, caught);
+        samples[tick] = now_us() - start;
+    }
+    report(what, 30u * CORE_TICK_HZ);
+}
+
+static void measure_bowls(uint32_t fish_count, const char *what)
+{
+    static struct bowl bowls[POI_MAX];
+    const struct stall stall = { &tank, bowls, POI_MAX };
+    const uint8_t live[POI_MAX] = { 1, 1, 1, 1 };
+    static struct poi pois[POI_MAX];
+    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        bowl_init(&bowls[i], tank_preset(TANK_PRESET_OFFICIAL)->bowl_m[i]);
+        poi_init(&pois[i], 5, v3_add(bowls[i].position_m, v3(0.0f, 0.05f, 0.0f)), i);
+    }
+    for (uint32_t i = 0; i < POI_MAX * fish_count; i++) {
+        const vec3 off_m = v3(0.04f * f_sin((float)i), 0.0f, 0.04f * f_cos(2.0f * (float)i));
+        tank.fish[i].position_m = v3_add(bowls[i % POI_MAX].position_m, off_m);
+        bowl_take(&bowls[i % POI_MAX], i % POI_MAX, &tank, &tank.fish[i], v3(0.0f, 0.0f, 0.0f));
+    }
+    for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
+        const double start = now_us();
+        afloat_tick(&stall, pois, live, POI_MAX);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            bowl_fish_tick(&bowls[i], i, &tank);
+        }
+        samples[tick] = now_us() - start;
+    }
+    report(what, 30u * CORE_TICK_HZ);
+}
+
 int main(int argc, char **argv)
 {
     static const struct state states[] = {
@@ -186,6 +242,11 @@ int main(int argc, char **argv)
         worst_us = median_us > worst_us ? median_us : worst_us;
     }
     measure_poi();
+    measure_catch(0, "catch: a poi over 1,000 fish");
+    measure_catch(POI_RIDER_MAX, "catch: the same, 16 fish on it");
+    measure_bowls(0, "four empty bowls, four pois");
+    measure_bowls(40, "four bowls with 40 fish of 4 cm in each");
+    measure_bowls(107, "four bowls with 107, the record, in each");
     printf("Sizes: a sheet %zu bytes, a poi %zu; on the stack of a tick %zu more. No allocation.\n",
            sizeof(struct sheet), sizeof(struct poi), sizeof(struct strain));
     printf("The sheet's worst median, %.1f us, is %s the goal of %.0f.\n", worst_us,
