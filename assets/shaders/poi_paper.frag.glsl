@@ -25,9 +25,9 @@ float shade(vec4 rest, vec3 spine)
 vec3 heat(float stress)
 {
     float t = sqrt(stress);
-    vec3 c = mix(vec3(0.12, 0.18, 0.62), vec3(0.20, 0.66, 0.30), smoothstep(0.05, 0.40, t));
-    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.40, 0.75, t));
-    return mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.75, 1.0, t));
+    vec3 c = mix(vec3(0.12, 0.18, 0.62), vec3(0.20, 0.66, 0.30), smoothstep(0.05, 0.36, t));
+    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.36, 0.66, t));
+    return mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.70, 1.0, t));
 }
 
 float fifth_powers(float x)     // x to the 32nd: a lamp in a wet skin.
@@ -58,7 +58,7 @@ void main()
     lit *= 1.0 - 0.7 * shade_at(world, bend.z);
     vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
     vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
-    vec3 load = mix(dry, heat(cell.a) * (0.62 + 0.66 * fibre), 0.76 + 0.20 * wet);
+    vec3 load = mix(dry, heat(cell.a) * (0.62 + 0.66 * fibre), 0.88 + 0.10 * wet);
     float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Where wet meets dry.
     load *= 0.45 + 0.55 * smoothstep(0.7, 1.7, front);
     vec3 tint = mix(mix(dry, soaked, wet), load, paper.z) * lit;

@@ -91,9 +91,9 @@ const char *const ui_fragment_head =
     "void main() {\n"                                                                              \
     "    float t = clamp(at.x / s.x * 0.5 + 0.5, 0.0, 1.0);\n"                                     \
     "    vec3 c = mix(vec3(0.12, 0.18, 0.62), vec3(0.20, 0.66, 0.30),\n"                           \
-    "                 smoothstep(0.05, 0.40, t));\n"                                               \
-    "    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.40, 0.75, t));\n"                         \
-    "    c = mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.75, 1.0, t));\n"                            \
+    "                 smoothstep(0.05, 0.36, t));\n"                                               \
+    "    c = mix(c, vec3(0.98, 0.82, 0.16), smoothstep(0.36, 0.66, t));\n"                         \
+    "    c = mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.70, 1.0, t));\n"                            \
     "    colour = framed(vec4(c, inner.a));\n"                                                     \
     "}\n"
 

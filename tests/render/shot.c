@@ -12,6 +12,7 @@
 
 #define PIXELS_MAX (3840u * 2160u)
 #define PASS_FRAMES 40u
+#define PUSH_M_S 0.80f
 
 struct options {
     float seconds, scale;
@@ -22,6 +23,7 @@ struct options {
     uint8_t start, english, passes, paper, preset;
     uint8_t stress, owner;       /* Of --paper: coloured as in practice; whose it is, ... */
     float water_m, tilt_rad, heel_rad; /* ... what lies on it, how it lies; and how bowls lie. */
+    uint8_t careless;
     float follow_m;              /* A camera so near to the first poi; 0: none. */
     uint8_t players, mode, modes; /* Who plays, what is pointed at, and what is offered. */
     struct shade_input fan; /* X_CM,Z_CM on the command line. */
@@ -106,6 +108,8 @@ static struct options parse(int argc, char **argv)
             o.tilt_rad = strtof(value, NULL) * F_DEG;
         } else if (!strcmp(name, "--heel")) {
             o.heel_rad = strtof(value, NULL) * F_DEG;
+        } else if (!strcmp(name, "--careless")) {
+            o.careless = 1;
         } else if (!strcmp(name, "--follow")) {
             o.follow_m = strtof(value, NULL);
         } else if (!strcmp(name, "--preset")) {
@@ -173,6 +177,21 @@ static void follow(const struct options *options)
     scene.view.eye_m = v3_add(at, v3(0.0f, 0.75f * options->follow_m, 0.66f * options->follow_m));
 }
 
+/* A hand that does it wrong: it wets one half of the paper, steeply, and pushes it flat through the
+ * water. */
+static struct poi_input careless_hand(float time_s)
+{
+    const float sinks = f_smoothstep(4.0f, 4.6f, time_s);
+    const float turns = f_smoothstep(3.6f, 4.0f, time_s);
+    const float pushes_s = f_max(time_s - 5.0f, 0.0f);
+    return (struct poi_input){
+        .link = POI_LINK_LIVE,
+        .has_wrist = 1,
+        .target = { .position_m = v3(-0.22f + PUSH_M_S * pushes_s, 0.055f - 0.056f * sinks, 0.05f),
+                    .angles = { .roll_rad = -40.0f * F_DEG * turns } },
+    };
+}
+
 static void play(const struct options *options)
 {
     const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
@@ -191,6 +210,9 @@ static void play(const struct options *options)
         struct input input = { 0 };
         for (uint32_t k = 0; k < POI_MAX && k <= options->players; k++) {
             input.poi[k].link = k == 0 || k < options->players ? POI_LINK_BOT : POI_LINK_ABSENT;
+        }
+        if (options->careless) {
+            input.poi[0] = careless_hand((float)i * CORE_TICK_S);
         }
         input.shade[0] = options->fan;
         if (options->start && i == 60u) {
