@@ -6,17 +6,17 @@
 #define COAST_M_S2 2.0f        /* A fish on level paper just keeps its place. */
 #define COAST_LAG_S 0.025f     /* So far a hand is before its ring in air, in seconds of its way. */
 #define COAST_DONE_M_S 0.15f
-#define RISE_M_S 0.08f         /* What half wet paper of grade 7 bears broadside. */
+#define RISE_M_S 0.08f         /* Half wet paper of grade 7 bears that broadside (test_drift). */
 #define TURN_RAD_S 1.5f
 #define SLANT_RAD (45.0f * F_DEG)
 #define SLANT_NEAR_RAD (10.0f * F_DEG) /* Turned so far, it sets off. */
-#define BACK_DRY_M_S 1.0f
-#define BACK_WET_M_S 0.10f
+#define BACK_DRY_M_S 1.0f      /* From the bowl to the far corner within a second ... */
+#define BACK_WET_M_S 0.10f     /* ... and down into the water; borne broadside, too. */
 #define WET_BELOW_M 0.035f     /* Some of a tilted ring is under water. */
 #define BACK_TURN_RAD_S 4.0f
 #define BACK_SHARE 0.08f       /* Of the way that is left, each tick: it ends softly. */
-#define BACK_HASTE_PER_S 5.0f
-#define BACK_SHARE_PER_S 0.5f
+#define BACK_HASTE_PER_S 5.0f  /* Of that pace, ... */
+#define BACK_SHARE_PER_S 0.5f  /* ... and of the way, for each second beyond what is spared. */
 #define BACK_NEAR_M 0.006f     /* The spring of the hand takes up so much without a blow. */
 #define BACK_NEAR_RAD 0.02f
 #define BACK_FAR_M 0.15f       /* So far aside it leaves the water for it, ... */

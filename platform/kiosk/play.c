@@ -62,7 +62,7 @@ static void tell_seats(const struct kiosk *kiosk)
         }
     }
     if (text[0]) {
-        printf("  %-9s no controller for player %s: that bowl stays empty\n", "seats", text);
+        printf("  %-9s nobody at %s: no controller\n", "seats", text);
     }
 }
 

@@ -29,8 +29,8 @@ row 'a frame off screen, 300 fish: median, p99' "$(pick "$work/demo" 'median \K[
 row 'one tick of the core' "$(pick "$work/demo" '[0-9.]+ ms(?= a tick)')" "$demo"
 
 open_screen
-bot="kingyo --window 1280x720 --poi bot --seed 2013"
-"$BUILD/kingyo" --window 1280x720 --poi bot --seed 2013 --data "$work/data" >"$work/bot" 2>&1 &
+bot="kingyo --window 1280x720 --mode festival --poi bot --seed 2013"
+"$BUILD/kingyo" --window 1280x720 --mode festival --poi bot --seed 2013 --data "$work/data" >"$work/bot" 2>&1 &
 kiosk_pid=$!
 sleep 3
 xdotool key space # A round of 60 s, of which the figures see the first 25.
