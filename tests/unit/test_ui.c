@@ -400,6 +400,106 @@ static void test_no_plate_lies_on_another_while_a_round_is_played(void **state)
     }
 }
 
+#define LINES_MAX 128u
+
+/* A line of letters: those that follow one another in the batch, in one size, to the right. */
+struct line {
+    struct bounds bounds;
+    float size;
+};
+
+static uint32_t gather_lines(struct line lines[LINES_MAX])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        if (batch.kinds[i] != UI_GLYPH) {
+            continue;
+        }
+        const struct bounds next = bounds_of(i);
+        const float size = batch.vertices[i * 4u].shape[3];
+        struct line *last = count > 0 ? &lines[count - 1u] : NULL;
+        const float middle = 0.5f * (next.top + next.bottom);
+        if (last != NULL && batch.kinds[i - 1u] == UI_GLYPH && last->size == size &&
+            next.right > last->bounds.right && middle > last->bounds.top - 4.0f &&
+            middle < last->bounds.bottom + 4.0f) {
+            last->bounds.right = next.right;
+            last->bounds.top = next.top < last->bounds.top ? next.top : last->bounds.top;
+            last->bounds.bottom =
+                next.bottom > last->bounds.bottom ? next.bottom : last->bounds.bottom;
+        } else {
+            assert_true(count < LINES_MAX);
+            lines[count++] = (struct line){ next, size };
+        }
+    }
+    return count;
+}
+
+static float area(const struct bounds *bounds)
+{
+    const float width = bounds->right - bounds->left, height = bounds->bottom - bounds->top;
+    return width > 0.0f && height > 0.0f ? width * height : 0.0f;
+}
+
+/* What two lines share, of the smaller one; 0 for a line and its own outline. */
+static float shared(const struct line *a, const struct line *b)
+{
+    const struct bounds both = {
+        a->bounds.left > b->bounds.left ? a->bounds.left : b->bounds.left,
+        a->bounds.top > b->bounds.top ? a->bounds.top : b->bounds.top,
+        a->bounds.right < b->bounds.right ? a->bounds.right : b->bounds.right,
+        a->bounds.bottom < b->bounds.bottom ? a->bounds.bottom : b->bounds.bottom,
+    };
+    const float area_a = area(&a->bounds), area_b = area(&b->bounds);
+    const float smaller = area_a < area_b ? area_a : area_b;
+    const float larger = area_a < area_b ? area_b : area_a;
+    const int same = a->size == b->size && area(&both) > 0.98f * smaller && larger < 3.0f * smaller;
+    return same || smaller <= 0.0f ? 0.0f : area(&both) / smaller;
+}
+
+static void check_no_line_on_another(struct size size)
+{
+    static struct line lines[LINES_MAX];
+    const uint32_t count = gather_lines(lines);
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            if (shared(&lines[i], &lines[j]) > 0.10f) {
+                fail_msg("phase %d mode %d language %d on %gx%g: letters at %.0f,%.0f .. %.0f,%.0f "
+                         "lie on those at %.0f,%.0f .. %.0f,%.0f",
+                         scene.phase, scene.mode, scene.language, (double)size.width,
+                         (double)size.height, (double)lines[i].bounds.left,
+                         (double)lines[i].bounds.top, (double)lines[i].bounds.right,
+                         (double)lines[i].bounds.bottom, (double)lines[j].bounds.left,
+                         (double)lines[j].bounds.top, (double)lines[j].bounds.right,
+                         (double)lines[j].bounds.bottom);
+            }
+        }
+    }
+}
+
+static void test_no_words_lie_on_others_on_any_screen_at_rest(void **state)
+{
+    (void)state;
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_CHOOSE, PHASE_READY, PHASE_ROUND,
+                                      PHASE_RESULT };
+    for (uint32_t k = 0; k < SIZE_COUNT * 5u * MODE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
+        const struct size size = sizes[k % SIZE_COUNT];
+        uint32_t rest = (uint32_t)(k / SIZE_COUNT);
+        const uint8_t phase = phases[rest % 5u];
+        rest /= 5u;
+        set_scene(phase, (uint8_t)(rest % LANGUAGE_COUNT), HINT_START,
+                  phase == PHASE_READY ? 1.3f : 8.0f);
+        rest /= LANGUAGE_COUNT;
+        set_match((uint8_t)(rest % MODE_COUNT), rest / MODE_COUNT + 1u, 0);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            scene.caught[i] = 107u - i; /* The record. */
+            scene.player[i].foul_s = 60.0f;
+        }
+        memory = (struct ui_memory){ .best_before = 46 };
+        lay_out(size);
+        check_no_line_on_another(size);
+    }
+}
+
 static uint32_t vermilion_lamps(void)
 {
     uint32_t count = 0;
@@ -513,6 +613,7 @@ int main(void)
         cmocka_unit_test(
             test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher),
         cmocka_unit_test(test_no_plate_lies_on_another_while_a_round_is_played),
+        cmocka_unit_test(test_no_words_lie_on_others_on_any_screen_at_rest),
         cmocka_unit_test(test_each_foul_lights_a_lamp_where_fouls_are_called),
         cmocka_unit_test(test_a_call_is_seen_once_and_leaves_the_water_free),
         cmocka_unit_test(test_a_pause_is_told_over_the_water),
