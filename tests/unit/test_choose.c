@@ -172,6 +172,22 @@ static void test_each_championship_draws_its_tank_anew(void **state)
     assert_int_not_equal(core.tank.seed, first);
 }
 
+/* Fish count ticks since their last thought in a byte: those of a tank that opens late have not
+ * slept for seconds. */
+static void test_fish_of_a_tank_that_opens_late_have_just_thought(void **state)
+{
+    (void)state;
+    ticks(200u - core.tick % 256u);
+    press(INPUT_START);
+    ticks(GAME_CHOOSE_TICKS_MIN);
+    press(INPUT_RIGHT);
+    press(INPUT_START);
+    assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
+    for (uint32_t i = 0; i < core.tank.fish_count; i++) {
+        assert_in_range((uint8_t)(core.tick - core.tank.fish[i].thought_tick), 0, 2);
+    }
+}
+
 static void test_festival_and_practice_are_played_in_the_stalls_own_tank(void **state)
 {
     (void)state;
@@ -252,6 +268,7 @@ int main(void)
         TEST(test_a_poi_stays_above_the_water_while_somebody_chooses),
         TEST(test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stalls),
         TEST(test_each_championship_draws_its_tank_anew),
+        TEST(test_fish_of_a_tank_that_opens_late_have_just_thought),
         TEST(test_festival_and_practice_are_played_in_the_stalls_own_tank),
         TEST(test_the_paper_is_the_stalls_but_for_the_championships),
         TEST(test_a_championship_that_is_offered_alone_takes_the_paper_that_is_named),

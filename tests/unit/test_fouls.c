@@ -219,13 +219,14 @@ static void test_fish_from_open_water_count_without_a_foul(void **state)
     assert_true(scene.caught[0] > 0);
 }
 
-/* One fish over the bowl, from a ring that was in the water a moment ago. */
-static void drop_a_fish(void)
+/* One fish falls into the empty bowl; so long its ring has been clear of the water. */
+static void drop_a_fish(uint8_t clear_ticks)
 {
     core.tank.fish[0].gait = GAIT_HELD;
     core.tank.fish[0].holder = 0;
     core.tank.fish[0].position_m = v3_add(core.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
-    core.poi[0].riders[0] = (struct rider){ .fish = 0, .state = RIDER_FALLING };
+    core.poi[0].riders[0] = (struct rider){ .fish = 0, .state = RIDER_FALLING,
+                                           .clear_ticks = clear_ticks };
     core.poi[0].rider_count = 1;
     ticks(40);
     assert_int_equal(core.bowl[0].fish_count, 1);
@@ -238,12 +239,23 @@ static void test_what_falls_off_a_poi_that_nobody_leads_is_no_foul(void **state)
     for (size_t i = 0; i < sizeof links; i++) {
         play(MODE_CHAMPIONSHIP);
         input.poi[0].link = links[i];
-        drop_a_fish();
+        drop_a_fish(0);
         assert_int_equal(look()->player[0].fouls, 0);
     }
     play(MODE_CHAMPIONSHIP);
-    drop_a_fish();
+    drop_a_fish(0);
     assert_int_equal(look()->player[0].fouls, 1); /* Of one that is led it is. */
+}
+
+static void test_after_the_third_foul_nothing_counts(void **state)
+{
+    (void)state;
+    for (uint8_t before = 0; before <= FOUL_MAX; before++) {
+        play(MODE_CHAMPIONSHIP);
+        core.game.player[0].fouls = before;
+        drop_a_fish(RIDER_CLEAR_TICKS);
+        assert_int_equal(look()->caught[0], before < FOUL_MAX);
+    }
 }
 
 /* Two scoops along the wall are two fouls; with one before the start they are three. */
@@ -289,6 +301,7 @@ int main(void)
         cmocka_unit_test(test_a_ring_that_was_lifted_clear_first_pours_nothing),
         cmocka_unit_test(test_fish_from_open_water_count_without_a_foul),
         cmocka_unit_test(test_what_falls_off_a_poi_that_nobody_leads_is_no_foul),
+        cmocka_unit_test(test_after_the_third_foul_nothing_counts),
         cmocka_unit_test(test_the_third_foul_ends_the_players_round),
         cmocka_unit_test(test_at_a_stall_a_fish_from_the_wall_counts),
     };
