@@ -50,21 +50,31 @@ static uint32_t share_under(const struct core *core, vec3 hand_m, uint32_t count
     return (uint32_t)f_clamp(share * (float)count, 0.0f, (float)count - 0.5f);
 }
 
-/* A hand points as it comes over another share; where it rests the buttons have their way. The
- * first player's hand has the last word. */
+/* A hand points as it comes over another share; where it rests the buttons have their way. One that
+ * moves on is somebody who looks at what there is. */
+static void follow_hand(struct core *core, uint32_t index, struct output *output)
+{
+    struct player *player = &core->game.player[index];
+    const vec3 hand_m = core->game.trust[index].newest.position_m;
+    const uint32_t share = share_under(core, hand_m, mode_count(keeper_modes(&core->config)));
+    if (player->points != share + 1u) {
+        player->points = (uint8_t)(share + 1u);
+        point_at(core, share, output);
+    }
+    if (player_stirs(player, hand_m)) {
+        player_rests(player, hand_m);
+        core->game.point_tick = core->tick;
+    }
+}
+
+/* The first player's hand has the last word. */
 static void point_by_hands(struct core *core, struct output *output)
 {
-    const uint32_t count = mode_count(keeper_modes(&core->config));
     for (uint32_t i = POI_MAX; i-- > 0;) {
-        struct player *player = &core->game.player[i];
-        if (!core->bowl[i].present || core->poi[i].link != POI_LINK_LIVE) {
-            player->points = 0;
-            continue;
-        }
-        const uint32_t share = share_under(core, core->game.trust[i].newest.position_m, count);
-        if (player->points != share + 1u) {
-            player->points = (uint8_t)(share + 1u);
-            point_at(core, share, output);
+        if (core->bowl[i].present && core->poi[i].link == POI_LINK_LIVE) {
+            follow_hand(core, i, output);
+        } else {
+            core->game.player[i].points = 0;
         }
     }
 }

@@ -3,8 +3,6 @@
 
 #include "core/core.h"
 
-#define STIR_M 0.03f /* A hand that stays within this of where it was rests. */
-
 void foul_commit(struct core *core, uint32_t index, enum foul kind, struct output *output)
 {
     struct player *player = &core->game.player[index];
@@ -35,12 +33,10 @@ static int is_held_over_fish(const struct core *core, const struct shade *shade)
  * so the hand itself is looked at. */
 static void watch_stance(struct player *player, vec3 hand_m)
 {
-    const float x_m = hand_m.x - player->rest_x_m, z_m = hand_m.z - player->rest_z_m;
     if (player->stance == STANCE_UNSEEN) {
         player->stance = STANCE_RESTS;
-        player->rest_x_m = hand_m.x;
-        player->rest_z_m = hand_m.z;
-    } else if (x_m * x_m + z_m * z_m > STIR_M * STIR_M) {
+        player_rests(player, hand_m);
+    } else if (player_stirs(player, hand_m)) {
         player->stance = STANCE_MOVED;
     }
 }

@@ -4,7 +4,10 @@
 
 #include <stdint.h>
 
+#include "core/base/vec.h"
 #include "core/scene.h"
+
+#define PLAYER_STIR_M 0.03f /* A hand that stays within this of where it was rests. */
 
 /* What a hand has done since READY began. */
 enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
@@ -22,9 +25,23 @@ struct player {
     uint32_t scoops;     /* With papers before the one in hand. */
     uint32_t torn_tick;  /* Since when the paper in hand can hold no fish; 0: it can. */
     uint32_t lost_ticks; /* How long others have waited for its hand without a break. */
-    uint8_t stance;      /* enum player_stance, in READY ... */
-    float rest_x_m, rest_z_m; /* ... and where its hand was when first seen there. */
+    uint8_t stance;           /* enum player_stance, in READY ... */
+    float rest_x_m, rest_z_m; /* ... and where its hand was when first seen there; in CHOOSE, where
+                                 it was when it last moved on. */
 };
+
+/* Whether a hand at `hand_m` is no longer where it rested. */
+static inline int player_stirs(const struct player *player, vec3 hand_m)
+{
+    const float x_m = hand_m.x - player->rest_x_m, z_m = hand_m.z - player->rest_z_m;
+    return x_m * x_m + z_m * z_m > PLAYER_STIR_M * PLAYER_STIR_M;
+}
+
+static inline void player_rests(struct player *player, vec3 hand_m)
+{
+    player->rest_x_m = hand_m.x;
+    player->rest_z_m = hand_m.z;
+}
 
 uint64_t player_hash(uint64_t hash, const struct player *player);
 

@@ -131,6 +131,20 @@ static void test_fifteen_seconds_without_pointing_end_the_choice(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
+static void test_a_hand_that_moves_about_is_somebody_who_chooses(void **state)
+{
+    (void)state;
+    hold(0, v3(LEFT_M, STAND_ABOVE_M, 0.0f));
+    choose();
+    for (uint32_t i = 0; i < 5; i++) {
+        ticks(GAME_CHOOSE_TICKS - CORE_TICK_HZ);
+        lead(0, v3(LEFT_M, STAND_ABOVE_M, i % 2u ? 0.0f : 0.1f));
+        assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    }
+    ticks(GAME_CHOOSE_TICKS + 1u); /* One that rests is a poi that lies there. */
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
 static void test_a_poi_stays_above_the_water_while_somebody_chooses(void **state)
 {
     (void)state;
@@ -265,6 +279,7 @@ int main(void)
         TEST(test_a_dip_takes_the_mode_where_it_dips),
         TEST(test_the_press_that_opens_the_choice_takes_nothing),
         TEST(test_fifteen_seconds_without_pointing_end_the_choice),
+        TEST(test_a_hand_that_moves_about_is_somebody_who_chooses),
         TEST(test_a_poi_stays_above_the_water_while_somebody_chooses),
         TEST(test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stalls),
         TEST(test_each_championship_draws_its_tank_anew),

@@ -339,6 +339,20 @@ static void test_a_second_damaged_file_does_not_replace_the_first(void **state)
     assert_int_equal(access(second, F_OK), 0);
 }
 
+static void test_a_file_of_a_later_kingyo_is_one_line_and_left_alone(void **state)
+{
+    struct stall *stall = *state;
+    assert_int_equal(open_store(stall), HAL_OK);
+    stall->device.ops->close(stall->device.self);
+    sqlite3 *db;
+    sqlite3_open(stall->file, &db);
+    assert_int_equal(sqlite3_exec(db, "PRAGMA user_version = 99", 0, 0, 0), 0);
+    sqlite3_close(db);
+    assert_int_equal(open_store(stall), HAL_ERR_IO);
+    assert_non_null(strstr(text(stall), "a later Kingyo wrote it"));
+    assert_int_equal(ask(stall, "PRAGMA user_version"), 99);
+}
+
 static void test_sqlite_has_a_hard_limit_on_memory(void **state)
 {
     struct stall *stall = *state;
@@ -368,6 +382,7 @@ int main(void)
         IN_A_FOLDER(test_a_file_that_is_no_database_is_set_aside),
         IN_A_FOLDER(test_damage_inside_the_file_is_found_and_set_aside),
         IN_A_FOLDER(test_a_second_damaged_file_does_not_replace_the_first),
+        IN_A_FOLDER(test_a_file_of_a_later_kingyo_is_one_line_and_left_alone),
         IN_A_FOLDER(test_sqlite_has_a_hard_limit_on_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
