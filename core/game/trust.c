@@ -7,9 +7,9 @@
 #include "core/base/vec.h"
 
 /* How far beyond an arm's pace a pose may be before it is a leap: reports come a little unevenly,
- * and a sensor may stray. A pointer moves a picture, not an arm: a quick wrist throws a mouse over
+ * and 3 m/s with a report missing is 3.4 cm too much. A pointer moves a picture, not an arm: a quick wrist throws a mouse over
  * the whole tank in a twentieth of a second. */
-#define ARM_LEAP_M 0.12f
+#define ARM_LEAP_M 0.05f
 #define POINTER_M_S 16.0f
 #define POINTER_LEAP_M 0.30f
 #define WRIST_PER_S 40.0f /* Of the way that the tips of the unit axes go: rad/s while small. */

@@ -146,10 +146,10 @@ static void test_a_sensor_that_strays_by_a_hands_breadth_is_believed(void **stat
 {
     (void)state;
     for (uint32_t i = 0; i < 40; i++) {
-        hand.target.position_m.x += i % 20u == 0 ? 0.08f : i % 20u == 1 ? -0.08f : 0.0f;
+        hand.target.position_m.x += i % 20u == 0 ? 0.05f : i % 20u == 1 ? -0.05f : 0.0f;
         assert_int_equal(tick(), TRUST_BELIEVED);
     }
-    hand.target.position_m.x += 0.16f;
+    hand.target.position_m.x += 0.09f;
     assert_int_equal(tick(), TRUST_LOST);
 }
 
@@ -165,10 +165,25 @@ static int believed_at(float pace_m_s)
     return believed;
 }
 
+/* 60 reports a second meet 60 frames a second: one frame hears none, the next hears two. */
+static int believed_unevenly_at(float pace_m_s)
+{
+    int believed = 1;
+    set_up(NULL);
+    for (uint32_t i = 0; i < 60; i++) {
+        hand.target.position_m.x += i / 2u % 8u == 0   ? 0.0f
+                                    : i / 2u % 8u == 1 ? 2.0f * pace_m_s * CORE_TICK_S
+                                                       : pace_m_s * CORE_TICK_S;
+        believed &= tick() == TRUST_BELIEVED;
+    }
+    return believed;
+}
+
 static void test_an_arm_is_believed_at_four_metres_a_second_and_not_at_six(void **state)
 {
     (void)state;
     assert_true(believed_at(3.9f));
+    assert_true(believed_unevenly_at(3.0f));
     assert_true(believed_at(-3.9f));
     assert_false(believed_at(6.0f));
 }
