@@ -69,7 +69,8 @@ struct hal_poi_ops {
     int (*open)(void *self);  /* Also reopens after HAL_ERR_GONE. */
     /* Copies at most `max` samples since the last poll, oldest first; returns how many. */
     int (*poll)(void *self, struct poi_sample *out, uint32_t max);
-    int (*feel)(void *self, const struct poi_force *force); /* The reaction on the hand. */
+    /* The reaction on the hand: once a frame, the hardest blow of its ticks; see output_feel(). */
+    int (*feel)(void *self, const struct poi_force *force);
     /* How the tank is looked at from now on: who points at a picture needs it. Copied. */
     void (*look)(void *self, const struct view *view);
     const char *(*describe)(void *self);
