@@ -5,6 +5,8 @@
 #include "platform/render/ui_signs.h"
 
 #define POP_S 0.45f /* The count jumps when a fish lands. */
+#define PLATE_WIDTH 200.0f
+#define PLATE_WIDTH_MIN 152.0f
 
 uint32_t ui_player_count(const struct scene *scene)
 {
@@ -122,18 +124,21 @@ static void plate(const struct ui_frame *frame, const struct scene *scene,
 float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
                        const struct ui_memory *memory, float right_px)
 {
-    const float u = frame->unit, gap = 8.0f * u, edge = 18.0f * u;
-    const float count = (float)ui_player_count(scene), least = 152.0f * u;
+    const float gap = 8.0f * frame->unit, edge = 18.0f * frame->unit;
+    const float count = (float)ui_player_count(scene);
     const float beside = frame->width - 2.0f * edge - right_px - gap;
-    const int fits = count * (least + gap) <= beside;
-    const float room = fits ? beside : frame->width - 2.0f * edge;
-    const float width = fminf(room / count - gap, 200.0f * u);
-    struct ui_box box = { edge, fits ? 16.0f * u : 110.0f * u, width,
-                          rules_of(scene->mode)->judges ? 74.0f * u : 58.0f * u };
+    const int fits = count * (PLATE_WIDTH_MIN * frame->unit + gap) <= beside;
+    const float room = (fits ? beside : frame->width - 2.0f * edge) / count - gap;
+    /* Where there is room for few, they are as large as one player's. */
+    struct ui_frame larger = *frame;
+    larger.unit *= fminf(fmaxf(room / (PLATE_WIDTH * frame->unit), 1.0f), fits ? 1.2f : 1.0f);
+    struct ui_box box = { edge, (fits ? 16.0f : 110.0f) * frame->unit,
+                          fminf(room, PLATE_WIDTH * larger.unit),
+                          (rules_of(scene->mode)->judges ? 74.0f : 58.0f) * larger.unit };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->player[i].plays) {
-            plate(frame, scene, memory, i, box);
-            box.x += width + gap;
+            plate(&larger, scene, memory, i, box);
+            box.x += box.width + gap;
         }
     }
     return box.y + box.height;

@@ -75,7 +75,7 @@ static void fill_player(struct scene *scene, const struct shot *shot, uint8_t pl
     scene->poi[player].present = 1;
     scene->poi[player].shows_stress = shot->shows_stress;
     scene->poi[player].paper_left = player == 0 ? shot->paper_left : 0.9f - 0.2f * (float)player;
-    scene->caught[player] = player == 0 ? shot->caught : shot->caught + 5u - 6u * player;
+    scene->caught[player] = shot->caught * (4u - player) / 4u;
     out->foul = player == 0 ? shot->foul : FOUL_NONE;
     out->foul_s = 0.8f;
     out->fouls = shot->mode != MODE_CHAMPIONSHIP ? 0 : player == 0 ? shot->foul != 0 : player;
