@@ -7,6 +7,7 @@
 #define CEDAR 0xd9a667ffu
 #define CEDAR_DIM 0xa77d50ffu
 #define SECONDS_SHOWN 99.0f
+#define RAISE_S 0.16f
 
 struct tag {
     enum text_key name, ends;
@@ -69,6 +70,16 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
     ui_text(frame->batch, &line, x, box.y + 228.0f * u, words);
     ui_text(frame->batch, &line, x, box.y + 268.0f * u,
             text_words(frame->language, tags[mode].ends));
+}
+
+/* [0, 1] how far a tag is drawn up: the one that is pointed at rises as the last one sinks. */
+static float raised(const struct scene *scene, const struct ui_memory *memory, uint8_t mode)
+{
+    const float age_s = (float)(scene->tick - memory->pointed_tick) * CORE_TICK_S;
+    const float moved = ui_smooth(0.0f, RAISE_S, age_s);
+    return mode == scene->mode              ? moved
+           : mode == memory->pointed_before ? 1.0f - moved
+                                            : 0.0f;
 }
 
 /* The one that is pointed at hangs higher and in the light. */
@@ -143,7 +154,8 @@ static void foot(const struct ui_frame *frame, const struct scene *scene)
     ui_ribbon(frame, &keys, text_words(frame->language, TEXT_CHOOSE_KEYS));
 }
 
-void ui_choose(const struct ui_frame *frame, const struct scene *scene)
+void ui_choose(const struct ui_frame *frame, const struct scene *scene,
+               const struct ui_memory *memory)
 {
     const float u = frame->unit, in = ui_smooth(0.0f, 0.35f, scene->phase_s);
     uint32_t count = 0;
@@ -172,7 +184,7 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene)
             continue;
         }
         struct ui_box hung = box;
-        hung.y += (mode == scene->mode ? -10.0f : 22.0f) * u - 60.0f * u * (1.0f - in);
+        hung.y += (22.0f - 32.0f * raised(scene, memory, mode)) * u - 60.0f * u * (1.0f - in);
         wooden_tag(frame, scene, mode, hung, pole_y);
         box.x += width + gap;
     }

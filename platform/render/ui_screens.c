@@ -17,6 +17,11 @@ static void remember(struct ui_memory *memory, const struct scene *scene)
             memory->caught_tick[i] = scene->tick;
         }
     }
+    if (scene->mode != memory->pointed) {
+        memory->pointed_before = memory->pointed;
+        memory->pointed = scene->mode;
+        memory->pointed_tick = scene->tick;
+    }
     if (scene->phase != PHASE_RESULT) {
         memory->best_before = scene->best_today;
     }
@@ -46,7 +51,7 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         ui_result(&frame, scene, memory);
         break;
     case PHASE_CHOOSE:
-        ui_choose(&frame, scene);
+        ui_choose(&frame, scene, memory);
         break;
     case PHASE_ATTRACT:
         ui_attract(&frame, scene);

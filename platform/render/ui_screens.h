@@ -12,6 +12,8 @@ struct ui_memory {
     uint32_t hint_tick;          /* When the hint last changed ... */
     uint32_t caught_tick[POI_MAX]; /* ... and each player's catch. */
     uint32_t caught[POI_MAX];
+    uint32_t pointed_tick;       /* When another mode was last pointed at ... */
+    uint8_t pointed, pointed_before; /* ... and which two those were. */
     uint32_t best_before;        /* The mode's best of the day as the round began. */
     uint8_t hint;
 };

@@ -63,7 +63,8 @@ void ui_umpire(const struct ui_frame *frame, const struct scene *scene);
 
 /* A whole screen each. */
 void ui_attract(const struct ui_frame *frame, const struct scene *scene);
-void ui_choose(const struct ui_frame *frame, const struct scene *scene);
+void ui_choose(const struct ui_frame *frame, const struct scene *scene,
+               const struct ui_memory *memory);
 void ui_ready(const struct ui_frame *frame, const struct scene *scene,
               const struct ui_memory *memory);
 void ui_round(const struct ui_frame *frame, const struct scene *scene,

@@ -362,6 +362,8 @@ static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_
         scene.modes = modes;
         scene.mode = modes & 1u ? MODE_FESTIVAL : modes & 2u ? MODE_CHAMPIONSHIP : MODE_PRACTICE;
         lay_out(sizes[0]);
+        scene.tick += 60; /* It is drawn up meanwhile. */
+        lay_out(sizes[0]);
         const uint32_t offered = (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2);
         assert_int_equal(quads_of(UI_WOOD), offered);
         float first_top = 0.0f, other_top = 1e9f;
@@ -398,6 +400,39 @@ static void test_no_plate_lies_on_another_while_a_round_is_played(void **state)
             }
         }
     }
+}
+
+/* The top of the `nth` wooden tag. */
+static float tag_top(uint32_t nth)
+{
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        if (batch.kinds[i] == UI_WOOD && nth-- == 0) {
+            return bounds_of(i).top;
+        }
+    }
+    fail_msg("no such tag");
+    return 0.0f;
+}
+
+static void test_as_one_tag_rises_the_last_one_sinks(void **state)
+{
+    (void)state;
+    set_scene(PHASE_CHOOSE, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
+    memory = (struct ui_memory){ 0 };
+    lay_out(sizes[0]);
+    const float high = tag_top(0), low = tag_top(1);
+    assert_true(high < low - 10.0f);
+    scene.mode = MODE_CHAMPIONSHIP;
+    lay_out(sizes[0]);
+    assert_float_equal(tag_top(0), high, 0.1f); /* No jump. */
+    scene.tick += 10;
+    lay_out(sizes[0]);
+    assert_true(tag_top(0) > high + 1.0f && tag_top(0) < low - 1.0f);
+    assert_true(tag_top(1) > high + 1.0f && tag_top(1) < low - 1.0f);
+    scene.tick += 30;
+    lay_out(sizes[0]);
+    assert_float_equal(tag_top(0), low, 0.1f);
+    assert_float_equal(tag_top(1), high, 0.1f);
 }
 
 #define LINES_MAX 128u
@@ -612,6 +647,7 @@ int main(void)
         cmocka_unit_test(test_whoever_of_several_beats_the_day_earns_the_seal),
         cmocka_unit_test(
             test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher),
+        cmocka_unit_test(test_as_one_tag_rises_the_last_one_sinks),
         cmocka_unit_test(test_no_plate_lies_on_another_while_a_round_is_played),
         cmocka_unit_test(test_no_words_lie_on_others_on_any_screen_at_rest),
         cmocka_unit_test(test_each_foul_lights_a_lamp_where_fouls_are_called),
