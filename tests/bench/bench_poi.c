@@ -170,7 +170,8 @@ static void measure_catch(uint32_t riders, const char *what)
     bowl_init(&bowl, tank_preset(TANK_PRESET_OFFICIAL)->bowl_m[0]);
     poi_init(&poi, 5, v3(0.0f, 0.08f, 0.0f), 1);
     for (uint32_t i = 0; i < riders; i++) {
-        const float x_m = 0.014f * ((float)(i % 4u) - 1.5f), z_m = 0.014f * ((float)(i / 4u) - 1.5f);
+        const float x_m = 0.014f * ((float)(i % 4u) - 1.5f);
+        const float z_m = 0.014f * ((float)(i / 4u) - 1.5f);
         tank.fish[i].gait = GAIT_HELD;
         poi.riders[poi.rider_count++] = (struct rider){
             .fish = (uint16_t)i, .side = 1, .x_m = x_m, .z_m = z_m, .lie = 1.0f, .rest_s = 1e3f

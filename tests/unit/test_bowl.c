@@ -116,8 +116,8 @@ static void drop_in_all(uint32_t count, float length_m)
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank.fish[i];
         fish_grow(fish, length_m * (0.9f + 0.02f * (float)(i % 11u)), tank_law(&tank));
-        fish->position_m = v3_add(bowl.position_m,
-                                  v3(0.04f * f_sin((float)i), 0.0f, 0.04f * f_cos(2.0f * (float)i)));
+        const float x_m = 0.04f * f_sin((float)i), z_m = 0.04f * f_cos(2.0f * (float)i);
+        fish->position_m = v3_add(bowl.position_m, v3(x_m, 0.0f, z_m));
         bowl_take(&bowl, 0, &tank, fish, v3(0.0f, -0.5f, 0.0f));
         for (uint32_t tick = 0; tick < 40; tick++) {
             afloat_tick(&stall, NULL, NULL, 0);

@@ -1,5 +1,4 @@
-/* test_stall.c -- four players at one tank, wild: no fish is created or lost, none is in two places.
- */
+/* test_stall.c -- four wild players at one tank: no fish is created, lost or in two places. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
