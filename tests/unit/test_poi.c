@@ -2,6 +2,7 @@
 #include "poi_stand.h"
 
 #include "core/base/rng.h"
+#include "core/tank/flow.h"
 
 #define SCREEN_PX 1280.0f
 #define VIEW_M 0.95f /* What the screen's width shows of the tank. */
@@ -377,6 +378,37 @@ static void test_a_pull_at_a_ring_that_cannot_move_is_none_at_its_paper(void **s
     }
 }
 
+/* Broadside, half a metre a second under water: free it pushes water, held it pushes none. */
+static void test_a_ring_that_is_held_moves_no_water_however_the_hand_pulls(void **state)
+{
+    (void)state;
+    stand_init(&stand, 5, 1);
+    stand.has_wrist = 1;
+    stand.hand.position_m = stand.poi.position_m = v3(-0.2f, -0.07f, 0.0f);
+    stand.hand.angles.roll_rad = stand.poi.angles.roll_rad = 0.5f * F_PI;
+    stand_wait(&stand, 0.5f);
+    for (uint32_t tick = 0; tick < 48; tick++) {
+        stand.hand.position_m.x += 0.3f * CORE_TICK_S;
+        if (tick < 24) {
+            stand_tick(&stand);
+        } else {
+            tick_held();
+        }
+        const struct poi_grip grip = { stand.hand, 1 };
+        struct poi next = stand.poi;
+        poi_tick(&next, &grip, &stand.tank, &stand.bowl);
+        const struct obstacle ring = poi_obstacle(&next);
+        const vec3 ahead_m = v3(next.position_m.x + 0.02f, -0.07f, 0.0f);
+        const float flow_m_s = v3_length(flow_at(&ring, ahead_m));
+        if (tick == 23) {
+            assert_true(flow_m_s > 0.1f);
+        } else if (tick > 24) {
+            assert_true(v3_length(ring.velocity_m_s) > 0.1f); /* It wants to. */
+            assert_float_equal(flow_m_s, 0.0f, 0.001f);
+        }
+    }
+}
+
 /* What moves freely knows no catching up: 0.5 m back and forth at up to 2 m/s, and a dead stop. */
 static void test_a_quick_hand_keeps_its_lag(void **state)
 {
@@ -667,6 +699,7 @@ int main(void)
             test_sweeping_fast_and_flat_under_water_tears_and_gliding_along_the_plane_does_not),
         cmocka_unit_test(test_a_ring_that_comes_free_follows_the_hand_and_does_not_shoot_off),
         cmocka_unit_test(test_a_pull_at_a_ring_that_cannot_move_is_none_at_its_paper),
+        cmocka_unit_test(test_a_ring_that_is_held_moves_no_water_however_the_hand_pulls),
         cmocka_unit_test(test_a_quick_hand_keeps_its_lag),
         cmocka_unit_test(test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path),
         cmocka_unit_test(test_a_slower_mouse_does_so_on_most_courses_and_stays_within_an_eighth),

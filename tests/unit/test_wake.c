@@ -60,6 +60,24 @@ static void test_a_ring_that_outruns_its_ripples_draws_them_behind_it(void **sta
     assert_true(aside < 0.2f * behind); /* A wedge. */
 }
 
+/* The ring as a whole presses nothing as far off as its own edge is. */
+static void test_each_of_the_two_points_where_it_cuts_the_surface_is_pressed(void **state)
+{
+    (void)state;
+    struct water *water = &stand.tank.water;
+    plough(0.6f);
+    water_init(water);
+    stand.hand.position_m.x += 0.6f * CORE_TICK_S;
+    stand_tick(&stand);
+    wake_tick(&stand.poi, water, stand.tank.size_m);
+    const vec3 at = stand.poi.position_m;
+    for (float side = -1.0f; side < 2.0f; side += 2.0f) {
+        const float x_m = at.x + side * POI_OUTER_RADIUS_M;
+        assert_true(water_height_m(water, stand.tank.size_m, x_m, at.z) < -0.0003f);
+    }
+    assert_float_equal(water_height_m(water, stand.tank.size_m, at.x, at.z + 0.06f), 0.0f, 1e-5f);
+}
+
 static void test_a_slow_ring_stirs_less_and_a_still_one_not_at_all(void **state)
 {
     (void)state;
@@ -108,6 +126,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_ring_that_outruns_its_ripples_draws_them_behind_it),
+        cmocka_unit_test(test_each_of_the_two_points_where_it_cuts_the_surface_is_pressed),
         cmocka_unit_test(test_a_slow_ring_stirs_less_and_a_still_one_not_at_all),
         cmocka_unit_test(test_a_wet_poi_drips_where_it_is_lowest_and_then_it_stops),
     };
