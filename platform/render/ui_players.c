@@ -77,16 +77,16 @@ static void player_state(const struct ui_frame *frame, const struct scene *scene
 {
     const float u = frame->unit;
     const struct scene_player *state = &scene->player[player];
-    if (state->lost) {
-        const struct ui_text ask = { .font = FONT_STALL, .size_px = 40.0f * u, .align = 0.5f,
-                                     .fill = ui_fade(0xff9a80ffu,
-                                                     0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)) };
-        ui_text(frame->batch, &ask, x, ui_text_middle(&ask, y), "?");
-    } else if (state->out) {
+    if (state->out) { /* Also whom the others have waited for long enough. */
         const struct ui_text stamp = { .font = FONT_STALL, .size_px = 28.0f * u, .align = 0.5f,
                                        .fill = 0xff9a80ffu, .fit_px = 46.0f * u };
         ui_text(frame->batch, &stamp, x, ui_text_middle(&stamp, y),
                 text_words(frame->language, TEXT_OUT));
+    } else if (state->lost) {
+        const struct ui_text ask = { .font = FONT_STALL, .size_px = 40.0f * u, .align = 0.5f,
+                                     .fill = ui_fade(0xff9a80ffu,
+                                                     0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)) };
+        ui_text(frame->batch, &ask, x, ui_text_middle(&ask, y), "?");
     } else {
         ui_poi_sign(frame, x, y - 5.0f * u, 14.0f * u, scene->poi[player].paper_left,
                     ui_player_colours[player]);

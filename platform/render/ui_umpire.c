@@ -112,7 +112,7 @@ static void pause(const struct ui_frame *frame, const struct scene *scene)
             text_words(frame->language, TEXT_PAUSED_WORDS));
     float x = 0.5f * frame->width + 270.0f * u;
     for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
-        if (scene->player[i].lost) {
+        if (scene->player[i].lost && !scene->player[i].out) {
             ui_player_mark(frame, x, y - 30.0f * u, 24.0f * u, i);
             x += 56.0f * u;
         }
