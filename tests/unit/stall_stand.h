@@ -74,12 +74,12 @@ static inline void lead(uint32_t index, vec3 to_m)
     }
 }
 
+/* A hand comes, is seen there for half a second, and goes straight down. */
 static inline void dip(uint32_t index, float x_m, float z_m)
 {
     hold(index, v3(x_m, STAND_ABOVE_M, z_m));
-    tick();
-    hold(index, v3(x_m, STAND_BELOW_M, z_m));
-    tick();
+    ticks(60);
+    lead(index, v3(x_m, STAND_BELOW_M, z_m));
 }
 
 static inline const struct scene *look(void)
