@@ -99,8 +99,10 @@ void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass)
     pass->hole_part = open_part(status, "bowl hole", "#define HOLE\n");
     pass->water_part = open_part(status, "bowl water", "#define WATER\n");
     shape_grid(&shape, SHELL_COLUMNS, SHELL_ROWS, shell_point, &inside);
+    pass->hull_first = shape.index_count;
     shape_grid(&shape, SHELL_COLUMNS, SHELL_ROWS, shell_point, &outside);
     shape_grid(&shape, SHELL_COLUMNS, LIP_ROWS, lip_point, NULL);
+    pass->hull_count = shape.index_count - pass->hull_first;
     shape_upload(&shape, &pass->shell);
     shape.vertex_count = shape.index_count = 0;
     shape_grid(&shape, SHELL_COLUMNS, DISC_ROWS, disc_point, NULL);
@@ -140,15 +142,26 @@ void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl)
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
+static void draw_enamel(const struct bowl_pass *pass, const struct scene_bowl *bowl,
+                        GLuint caustics, uint32_t first, uint32_t count)
 {
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     use(&pass->shell_part, bowl);
     glEnable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    shape_draw(&pass->shell);
+    shape_draw_part(&pass->shell, first, count);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
+}
+
+void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
+{
+    draw_enamel(pass, bowl, caustics, pass->hull_first, pass->hull_count);
+}
+
+void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
+{
+    draw_enamel(pass, bowl, caustics, 0, (uint32_t)pass->shell.index_count);
 }
 
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl)

@@ -13,6 +13,7 @@ struct bowl_part {
 struct bowl_pass {
     struct bowl_part shell_part, hole_part, water_part;
     struct shape_buffers shell, disc;
+    uint32_t hull_first, hull_count; /* Indices of the shell's outside and lip. */
 };
 
 void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);
@@ -20,6 +21,8 @@ void bowl_pass_close(struct bowl_pass *pass);
 
 /* Takes the tank's surface out of the depth buffer where the bowl holds it off. */
 void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
+/* What of it is under water, without its inside, which is drawn with the shell, above. */
+void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
 void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
 

@@ -195,7 +195,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
-            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics);
+            bowl_pass_hull(&renderer->bowl, &scene->bowl[i], caustics);
         }
         if (poi_is_below(&scene->poi[i])) {
             poi_pass_frame(&renderer->poi, &scene->poi[i]);

@@ -69,6 +69,12 @@ void shape_close(struct shape_buffers *buffers)
 
 void shape_draw(const struct shape_buffers *buffers)
 {
+    shape_draw_part(buffers, 0, (uint32_t)buffers->index_count);
+}
+
+void shape_draw_part(const struct shape_buffers *buffers, uint32_t first, uint32_t count)
+{
     glBindVertexArray(buffers->vertex_array);
-    glDrawElements(GL_TRIANGLES, buffers->index_count, GL_UNSIGNED_SHORT, NULL);
+    glDrawElements(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_SHORT,
+                   (const void *)(first * sizeof(uint16_t)));
 }
