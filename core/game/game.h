@@ -46,7 +46,8 @@ struct game {
     uint32_t phase_tick; /* When the phase began; shifted while the round's clock waits ... */
     uint32_t round_tick; /* When the round began, never shifted. */
     uint32_t point_tick; /* In CHOOSE: when somebody last pointed at a mode. */
-    uint32_t lost_ticks; /* How long the clock has waited for anybody, without a break. */
+    uint32_t lost_ticks; /* How long the clock has waited for anybody, without a break, ... */
+    uint32_t waited_ticks; /* ... and in all of this round. */
     uint32_t gone_tick;  /* ... as is when the last one who played was out; 0 while some are not.
                             In attract: since when the bot's paper is gone or its bowl full. */
     uint32_t round_s;     /* Of this round. */

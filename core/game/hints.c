@@ -176,8 +176,9 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     default:
         break;
     }
-    if (game->paused || core->poi[0].link == POI_LINK_LOST ||
-        core->poi[0].link == POI_LINK_ABSENT) {
+    const int nobody_leads =
+        core->poi[0].link == POI_LINK_LOST || core->poi[0].link == POI_LINK_ABSENT;
+    if (game->paused || (nobody_leads && !game->player[0].out)) {
         return HINT_LOST_POI;
     }
     return game->phase == PHASE_READY ? wanted_in_ready(hints, core)

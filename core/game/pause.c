@@ -9,15 +9,16 @@ int pause_holds(const struct core *core, uint32_t index)
     return hand_plays(core, index) && !hand_is_lost(core, index);
 }
 
-static uint32_t note_who_holds(struct core *core)
+/* Whether anybody has held a poi in this round. */
+static int note_who_plays(struct core *core)
 {
-    uint32_t count = 0;
+    int any = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const int holds = pause_holds(core, i);
-        core->game.player[i].plays |= (uint8_t)holds;
-        count += holds ? 1u : 0u;
+        struct player *player = &core->game.player[i];
+        player->plays |= (uint8_t)pause_holds(core, i);
+        any |= player->plays;
     }
-    return count;
+    return any;
 }
 
 /* Whose round goes on: with their poi in hand (1), or with that hand away (0). */
@@ -40,7 +41,9 @@ static void lose_patience(struct core *core, int others_wait)
             player->lost_ticks = 0;
         } else if (player->plays && others_wait && !player->out) {
             player->lost_ticks++;
-            player->out |= player->lost_ticks > GAME_LOST_TICKS_OTHERS;
+            player->waited_ticks++;
+            player->out |= player->lost_ticks > GAME_LOST_TICKS_OTHERS ||
+                           player->waited_ticks > GAME_WAIT_TICKS_OTHERS;
         }
     }
 }
@@ -48,11 +51,14 @@ static void lose_patience(struct core *core, int others_wait)
 void pause_tick(struct core *core)
 {
     struct game *game = &core->game;
-    const uint32_t holding = note_who_holds(core), busy = count_in(core, 1);
-    lose_patience(core, busy > 0);
-    game->paused = holding == 0 || count_in(core, 0) > 0;
+    const int anybody_played = note_who_plays(core);
+    const int in_time = game_seconds_left(game, core->tick) > 0.0f; /* Else none are waited for. */
+    const uint32_t busy = count_in(core, 1);
+    lose_patience(core, in_time && busy > 0);
+    game->paused = in_time && (!anybody_played || count_in(core, 0) > 0);
     game->lost_ticks = game->paused && busy == 0 ? game->lost_ticks + 1u : 0;
     if (game->paused) {
+        game->waited_ticks += busy == 0 ? 1u : 0u;
         game->phase_tick++;
         game->gone_tick += game->gone_tick != 0 ? 1u : 0u;
     }
@@ -60,5 +66,6 @@ void pause_tick(struct core *core)
 
 int pause_is_over(const struct core *core)
 {
-    return core->game.lost_ticks > GAME_LOST_TICKS_MAX;
+    return core->game.lost_ticks > GAME_LOST_TICKS_MAX ||
+           core->game.waited_ticks > GAME_WAIT_TICKS_MAX;
 }

@@ -6,12 +6,15 @@
 
 #define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ)    /* Nobody comes back: the round ends. */
 #define GAME_LOST_TICKS_OTHERS (10u * CORE_TICK_HZ) /* So long the others wait for one hand. */
+#define GAME_WAIT_TICKS_OTHERS (30u * CORE_TICK_HZ) /* The same, of all its absences in a round ... */
+#define GAME_WAIT_TICKS_MAX (120u * CORE_TICK_HZ)   /* ... and of all when nobody was there: a plug
+                                                       that comes and goes ends a round too. */
 
 struct core;
 
-/* One tick of the round before all else: notes who holds a poi, and whether somebody is waited for.
- * While so, the round's clock is held back and nothing can be scooped. Whom the others have waited
- * for long enough is out. */
+/* One tick of the round before all else: notes who holds a poi, and whether somebody is waited for:
+ * whoever plays, is not out and has time left. While so, the round's clock is held back and nothing
+ * can be scooped. Whom the others have waited for long enough, at once or in all, is out. */
 void pause_tick(struct core *core);
 
 /* Whether player `index` has its poi in hand: a live controller's or the bot's. */

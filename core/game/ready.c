@@ -14,7 +14,7 @@ void ready_begin(struct core *core, struct output *output)
     game->played = 0;
     game->paused = 0;
     game->gone_tick = 0;
-    game->lost_ticks = 0;
+    game->lost_ticks = game->waited_ticks = 0;
     game->call = CALL_NONE;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->player[i] = (struct player){ 0 };

@@ -41,6 +41,7 @@ static const struct field game_fields[] = {
     FIELD(game, bot_played),  FIELD(game, played),     FIELD(game, paused),
     FIELD(game, call),        FIELD(game, call_tick),  FIELD(game, phase_tick),
     FIELD(game, round_tick),  FIELD(game, point_tick), FIELD(game, lost_ticks),
+    FIELD(game, waited_ticks),
     FIELD(game, gone_tick),   FIELD(game, round_s),    FIELD(game, round_count),
     FIELD(game, best_today),  FIELD(game, record_id),  SKIP(game, player),
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
@@ -53,6 +54,7 @@ static const struct field player_fields[] = {
     FIELD(player, points),     FIELD(player, fouls),        FIELD(player, foul),
     FIELD(player, foul_tick),  FIELD(player, offence_tick), FIELD(player, caught),
     FIELD(player, scoops),     FIELD(player, torn_tick),    FIELD(player, lost_ticks),
+    FIELD(player, waited_ticks),
     FIELD(player, stance),     FIELD(player, rest_x_m),     FIELD(player, rest_z_m),
 };
 

@@ -121,16 +121,95 @@ static void test_after_ten_seconds_the_others_go_on_without_it(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-static void test_short_losses_do_not_add_up(void **state)
+static void test_a_few_short_losses_are_forgiven(void **state)
 {
     (void)state;
-    for (uint32_t i = 0; i < 4; i++) {
+    for (uint32_t i = 0; i < 3; i++) {
         lose(OTHER);
         ticks(GAME_LOST_TICKS_OTHERS - CORE_TICK_HZ);
         return_hand(OTHER);
         ticks(CORE_TICK_HZ);
     }
     assert_false(look()->player[OTHER].out);
+}
+
+/* Ticks until the round is over, of a hand that is away for 9 s of each 9.3. */
+static uint32_t play_with_a_flaky_plug(uint32_t index)
+{
+    uint32_t passed = 0;
+    for (; core.game.phase == PHASE_ROUND; passed++) {
+        const int away = passed % 1120u < 1080u;
+        input.poi[index].link = away ? POI_LINK_LOST : POI_LINK_LIVE;
+        tick();
+        assert_true(passed < 1200u * CORE_TICK_HZ);
+    }
+    return passed;
+}
+
+static void test_a_flaky_plug_does_not_stop_the_table_for_ever(void **state)
+{
+    (void)state;
+    const uint32_t passed = play_with_a_flaky_plug(OTHER);
+    const uint32_t round = (ROUND_S - 1u) * CORE_TICK_HZ; /* One second of it is gone. */
+    assert_true(core.game.player[OTHER].out && !core.game.player[MINE].out);
+    assert_in_range(passed, round + GAME_WAIT_TICKS_OTHERS, round + GAME_WAIT_TICKS_OTHERS + 5u);
+}
+
+static void test_alone_a_flaky_plug_ends_the_round_too(void **state)
+{
+    (void)state;
+    const uint32_t passed = play_with_a_flaky_plug(MINE);
+    assert_in_range(passed, GAME_WAIT_TICKS_MAX, GAME_WAIT_TICKS_MAX * 11u / 10u);
+}
+
+static void test_each_round_has_patience_of_its_own(void **state)
+{
+    (void)state;
+    play_with_a_flaky_plug(OTHER);
+    return_hand(OTHER);
+    ticks(5u * CORE_TICK_HZ);
+    press(INPUT_START);
+    wait_for_phase(PHASE_ROUND, 6u * CORE_TICK_HZ);
+    ticks(1);
+    assert_int_equal(core.game.waited_ticks, 0);
+    assert_int_equal(core.game.player[OTHER].waited_ticks, 0);
+}
+
+static void test_who_is_out_and_puts_the_poi_away_is_not_waited_for(void **state)
+{
+    (void)state;
+    tear_all(MINE);
+    ticks(2);
+    assert_true(core.game.player[MINE].out);
+    lose(MINE);
+    uint32_t passed = 0;
+    for (; core.game.phase == PHASE_ROUND; passed++) {
+        tick();
+        assert_false(look()->paused);
+        assert_true(scene.hint != HINT_LOST_POI);
+        assert_true(passed <= GAME_GONE_TICKS);
+    }
+}
+
+static void test_after_time_was_called_nobody_is_waited_for(void **state)
+{
+    (void)state;
+    while (game_seconds_left(&core.game, core.tick + 1u) > 0.0f) {
+        tick();
+    }
+    core.poi[MINE].rider_count = 1; /* As if a fish lay there: the round waits for it, ... */
+    core.poi[MINE].riders[0].fish = 0;
+    core.tank.fish[0].gait = GAIT_HELD;
+    ticks(1);
+    assert_true(game_seconds_left(&core.game, core.tick) == 0.0f);
+    lose(MINE); /* ... but not for the hand. */
+    uint32_t passed = 0;
+    for (; core.game.phase == PHASE_ROUND; passed++) {
+        tick();
+        assert_false(look()->paused);
+        assert_true(passed <= GAME_CARRY_TICKS);
+    }
+    assert_true(passed > 1u);
 }
 
 static void test_nobody_waits_for_who_never_held_a_poi(void **state)
@@ -200,7 +279,12 @@ int main(void)
         cmocka_unit_test_setup(test_it_goes_on_when_the_hand_is_back, two),
         cmocka_unit_test_setup(test_who_waits_is_led_out_of_the_water_as_who_is_waited_for, two),
         cmocka_unit_test_setup(test_after_ten_seconds_the_others_go_on_without_it, two),
-        cmocka_unit_test_setup(test_short_losses_do_not_add_up, two),
+        cmocka_unit_test_setup(test_a_few_short_losses_are_forgiven, two),
+        cmocka_unit_test_setup(test_a_flaky_plug_does_not_stop_the_table_for_ever, two),
+        cmocka_unit_test_setup(test_alone_a_flaky_plug_ends_the_round_too, alone),
+        cmocka_unit_test_setup(test_each_round_has_patience_of_its_own, two),
+        cmocka_unit_test_setup(test_who_is_out_and_puts_the_poi_away_is_not_waited_for, alone),
+        cmocka_unit_test_setup(test_after_time_was_called_nobody_is_waited_for, alone),
         cmocka_unit_test(test_nobody_waits_for_who_never_held_a_poi),
         cmocka_unit_test_setup(test_alone_it_is_waited_for_a_minute, alone),
         cmocka_unit_test_setup(test_a_minute_in_pieces_is_no_minute, alone),
