@@ -98,10 +98,7 @@ static int read_version(struct score_file *file, int *version)
 
 static int raise_version(struct score_file *file, int version)
 {
-    if (version > SCORE_FILE_VERSION) {
-        return SCORE_FILE_NEWER;
-    }
-    int code = SQLITE_OK;
+    int code = version > SCORE_FILE_VERSION ? SCORE_FILE_NEWER : SQLITE_OK;
     if (version < 2) {
         code = run(file, version_1);
         code = code == SQLITE_OK ? run(file, version_2) : code;
@@ -137,6 +134,14 @@ static int prepare(struct score_file *file)
                                                   &file->insert_player, NULL);
 }
 
+/* Before anything that would change the file. */
+static int refuse_newer(struct score_file *file)
+{
+    int version = 0;
+    const int code = read_version(file, &version);
+    return code == SQLITE_OK && version > SCORE_FILE_VERSION ? SCORE_FILE_NEWER : code;
+}
+
 int score_file_open(struct score_file *file, const char *path)
 {
     const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
@@ -145,6 +150,7 @@ int score_file_open(struct score_file *file, const char *path)
         sqlite3_busy_timeout(file->db, BUSY_MS);
         code = check(file);
     }
+    code = code == SQLITE_OK ? refuse_newer(file) : code;
     code = code == SQLITE_OK ? run(file, settings) : code;
     code = code == SQLITE_OK ? bring_up_to_date(file) : code;
     code = code == SQLITE_OK ? prepare(file) : code;

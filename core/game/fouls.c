@@ -44,7 +44,9 @@ static void watch_stance(struct player *player, vec3 hand_m)
 static int has_moved(struct core *core, uint32_t index)
 {
     struct player *player = &core->game.player[index];
-    if (core->poi[index].link == POI_LINK_LIVE) {
+    if (!pause_holds(core, index)) {
+        player->stance = STANCE_UNSEEN; /* A cable that breaks commits no foul. */
+    } else if (core->poi[index].link == POI_LINK_LIVE) {
         watch_stance(player, core->game.trust[index].newest.position_m);
     } else if (core->poi[index].link == POI_LINK_BOT) {
         watch_stance(player, core->game.hand[index].position_m);

@@ -3,6 +3,7 @@
 
 #include "core/base/hash.h"
 #include "core/core.h"
+#include "core/game/pause.h"
 
 #define LOOK_TICKS 12u            /* Rules look ten times a second. */
 #define MOVED_M 0.15f             /* So far a hand has tried to move the poi. */
@@ -31,19 +32,44 @@ static int is_followed(uint8_t hint, const struct poi *poi)
     return hint == HINT_LIFT ? poi->immersed < 0.5f : hint == HINT_DIP && poi->immersed > 0.5f;
 }
 
+static const struct poi *poi_of(const struct hints *hints, const struct core *core)
+{
+    return &core->poi[hints->pupil];
+}
+
+static const struct player *player_of(const struct hints *hints, const struct core *core)
+{
+    return &core->game.player[hints->pupil];
+}
+
+/* One keeper, one voice: for the first who has a poi in hand. Another one begins from the start. */
+static void turn_to_pupil(struct hints *hints, const struct core *core)
+{
+    for (uint8_t i = 0; i < POI_MAX; i++) {
+        if (pause_holds(core, i)) {
+            if (i != hints->pupil) {
+                *hints = (struct hints){ .pupil = i, .shown = hints->shown,
+                                         .shown_tick = hints->shown_tick,
+                                         .paper_cells = core->poi[i].sheet.paper_cells };
+            }
+            return;
+        }
+    }
+}
+
 struct view_of_fish {
     int held;  /* Some fish lies on the poi. */
     int above; /* Some fish swims over it. */
 };
 
-static struct view_of_fish look_at_fish(const struct core *core)
+static struct view_of_fish look_at_fish(const struct hints *hints, const struct core *core)
 {
     struct view_of_fish view = { 0 };
-    const vec3 centre = core->poi[0].position_m;
+    const vec3 centre = poi_of(hints, core)->position_m;
     for (uint32_t i = 0; i < core->tank.fish_count; i++) {
         const struct fish *fish = &core->tank.fish[i];
         const vec3 d = v3_sub(fish->position_m, centre);
-        view.held |= fish->gait == GAIT_HELD && fish->holder == 0;
+        view.held |= fish->gait == GAIT_HELD && fish->holder == hints->pupil;
         const int near = d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M;
         view.above |= near && d.y > 0.0f && fish->gait < GAIT_HELD;
     }
@@ -53,7 +79,8 @@ static struct view_of_fish look_at_fish(const struct core *core)
 /* Dips in vain count from the last catch, or from when the poi was new. */
 static void count_dips(struct hints *hints, const struct core *core)
 {
-    const uint32_t caught = core->game.player[0].caught, dips = core->poi[0].dips;
+    const uint32_t caught = player_of(hints, core)->caught;
+    const uint32_t dips = poi_of(hints, core)->dips;
     if (caught != hints->caught || dips < hints->dips_before) {
         hints->dips_before = caught != hints->caught ? dips : 0;
     }
@@ -63,15 +90,16 @@ static void count_dips(struct hints *hints, const struct core *core)
 /* What the last tenth of a second taught or tore. */
 static void observe(struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
-    const struct poi *poi = &core->poi[0];
+    const struct poi *poi = poi_of(hints, core);
     const float speed_m_s = v3_length(poi->velocity_m_s);
     hints->moved_m = f_min(hints->moved_m + speed_m_s * CORE_TICK_S * (float)LOOK_TICKS, 1.0f);
     hints->learned |= hints->moved_m > MOVED_M ? BIT(HINT_MOVE) : 0u;
     hints->learned |= poi->immersed > 0.5f ? BIT(HINT_MOVE) | BIT(HINT_DIP) : 0u;
     hints->learned |= fish.held && poi->immersed <= 0.0f ? BIT(HINT_LIFT) : 0u;
-    hints->learned |= core->game.player[0].caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
     hints->learned |=
-        f_abs(core->game.hand[0].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
+        player_of(hints, core)->caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
+    hints->learned |=
+        f_abs(core->game.hand[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
     if (hints->haste_cells >= HASTE_CELLS) {
         hints->haste_tick = core->tick;
     }
@@ -103,9 +131,9 @@ static int is_wet_in_part(const struct poi *poi)
     return share > WET_PART_MIN && share < WET_PART_MAX;
 }
 
-static int has_poured(const struct core *core)
+static int has_poured(const struct hints *hints, const struct core *core)
 {
-    const uint32_t poured_tick = core->game.player[0].offence_tick[FOUL_POURED];
+    const uint32_t poured_tick = player_of(hints, core)->offence_tick[FOUL_POURED];
     return poured_tick != 0 && core->tick - poured_tick < POURED_TICKS;
 }
 
@@ -116,16 +144,16 @@ static uint8_t lesson(const struct hints *hints, const struct core *core, struct
     if (hints->haste_tick != 0 && core->tick - hints->haste_tick < HASTE_TICKS) {
         return HINT_SLOWLY;
     }
-    if (is_wet_in_part(&core->poi[0])) {
+    if (is_wet_in_part(poi_of(hints, core))) {
         return HINT_WET_ALL;
     }
-    if (fish.held && core->poi[0].immersed <= 0.0f && (missing & BIT(HINT_BOWL))) {
+    if (fish.held && poi_of(hints, core)->immersed <= 0.0f && (missing & BIT(HINT_BOWL))) {
         return HINT_BOWL;
     }
-    if (core->poi[0].immersed > 0.5f) {
+    if (poi_of(hints, core)->immersed > 0.5f) {
         return fish.above && (missing & BIT(HINT_LIFT)) ? HINT_LIFT : HINT_NONE;
     }
-    if (core->poi[0].dips >= hints->dips_before + FRUITLESS_DIPS && !fish.held) {
+    if (poi_of(hints, core)->dips >= hints->dips_before + FRUITLESS_DIPS && !fish.held) {
         return HINT_GLIDE;
     }
     if (missing & BIT(HINT_MOVE)) {
@@ -134,20 +162,21 @@ static uint8_t lesson(const struct hints *hints, const struct core *core, struct
     if (missing & BIT(HINT_DIP)) {
         return HINT_DIP;
     }
-    return core->game.player[0].caught > 0 && (missing & BIT(HINT_TILT)) ? HINT_TILT : HINT_NONE;
+    const int may_tilt = player_of(hints, core)->caught > 0 && (missing & BIT(HINT_TILT));
+    return may_tilt ? HINT_TILT : HINT_NONE;
 }
 
 static uint8_t wanted_in_round(const struct hints *hints, const struct core *core,
                                struct view_of_fish fish)
 {
-    const struct player *player = &core->game.player[0];
+    const struct player *player = player_of(hints, core);
     if (player->torn_tick != 0) {
         return HINT_TORN;
     }
-    if (player->out || core->poi[0].link == POI_LINK_BOT) {
+    if (player->out || poi_of(hints, core)->link == POI_LINK_BOT) {
         return HINT_NONE;
     }
-    if (has_poured(core)) {
+    if (has_poured(hints, core)) {
         return HINT_CLEAR_RIM;
     }
     return rules_of(core->game.mode)->coaches ? lesson(hints, core, fish) : HINT_NONE;
@@ -159,8 +188,8 @@ static uint8_t wanted_in_ready(const struct hints *hints, const struct core *cor
     if (rules_of(core->game.mode)->judges) {
         return HINT_NO_SHADE;
     }
-    const int knows = core->poi[0].link == POI_LINK_BOT || (hints->learned & BIT(HINT_MOVE));
-    return knows ? HINT_NONE : HINT_MOVE;
+    const int is_bot = poi_of(hints, core)->link == POI_LINK_BOT;
+    return is_bot || (hints->learned & BIT(HINT_MOVE)) ? HINT_NONE : HINT_MOVE;
 }
 
 static uint8_t wanted(const struct hints *hints, const struct core *core, struct view_of_fish fish)
@@ -176,9 +205,8 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     default:
         break;
     }
-    const int nobody_leads =
-        core->poi[0].link == POI_LINK_LOST || core->poi[0].link == POI_LINK_ABSENT;
-    if (game->paused || (nobody_leads && !game->player[0].out)) {
+    const int nobody_leads = !pause_holds(core, hints->pupil); /* The pupil is away: all are. */
+    if (game->paused || (nobody_leads && !player_of(hints, core)->out)) {
         return HINT_LOST_POI;
     }
     return game->phase == PHASE_READY ? wanted_in_ready(hints, core)
@@ -192,16 +220,17 @@ void hints_init(struct hints *hints)
 
 void hints_tick(struct hints *hints, const struct core *core)
 {
-    watch_haste(hints, &core->poi[0]);
+    turn_to_pupil(hints, core);
+    watch_haste(hints, poi_of(hints, core));
     const int edge = core->tick == core->game.phase_tick; /* A new phase speaks at once. */
     if (!edge && core->tick % LOOK_TICKS != 0) {
         return;
     }
-    const struct view_of_fish fish = look_at_fish(core);
+    const struct view_of_fish fish = look_at_fish(hints, core);
     observe(hints, core, fish);
     const uint8_t next = wanted(hints, core, fish);
     if (next != hints->shown &&
-        (edge || is_urgent(next) || is_followed(hints->shown, &core->poi[0]) ||
+        (edge || is_urgent(next) || is_followed(hints->shown, poi_of(hints, core)) ||
          core->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
         hints->shown = next;
         hints->shown_tick = core->tick;
@@ -210,6 +239,7 @@ void hints_tick(struct hints *hints, const struct core *core)
 
 uint64_t hints_hash(uint64_t hash, const struct hints *hints)
 {
+    hash = hash_u32(hash, hints->pupil);
     hash = hash_u32(hash, hints->shown);
     hash = hash_u32(hash, hints->shown_tick);
     hash = hash_u32(hash, hints->learned);

@@ -6,10 +6,10 @@
 #include "core/game/keeper.h"
 #include "core/game/rules.h"
 
-/* Fish that a foul brought lie in the bowl with the others; the umpire does not count them. */
+/* Fish that a foul brought lie in a bowl with the others; the umpire does not count them. */
 static uint32_t valid(const struct rules *rules, const struct catch_result *caught)
 {
-    return rules->judges ? caught->landed : caught->landed + caught->walled + caught->poured;
+    return rules->judges ? caught->landed : caught->bowled;
 }
 
 void game_score(struct core *core, const struct catch_result caught[POI_MAX],

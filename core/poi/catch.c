@@ -242,6 +242,7 @@ void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
 {
     CORE_ASSERT(poi < POI_MAX);
     CORE_ASSERT(bowl < POI_MAX);
+    results[bowl].bowled++;
     if (rider->clear_ticks < RIDER_CLEAR_TICKS) {
         results[poi].poured++;
     } else if (rider->walled) {

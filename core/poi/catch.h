@@ -17,6 +17,7 @@ struct catch_result {
     uint32_t landed; /* From a poi whose rim was wholly above the water with the fish on it. */
     uint32_t poured; /* From a ring that had not been clear of the water: washed in. */
     uint32_t walled; /* As `landed`, but taken up where the ring pressed it against a wall. */
+    uint32_t bowled; /* Any of these, whoever's poi it was: it lies in this one's bowl. */
 };
 
 /* Counts a fish that fell off poi `poi` into bowl `bowl`, both < POI_MAX. */

@@ -11,6 +11,8 @@
 #include "core/poi/wrist.h"
 #include "core/poi/yield.h"
 
+#define SCOOP_IMMERSED 0.2f /* Of the disc: a level one is 3 mm under by its middle. */
+
 _Static_assert(OBSTACLE_PAPER_SIDE == SHEET_SIDE && OBSTACLE_PAPER_HOLDS == CELL_PAPER,
                "fish read the sheet's own cells");
 
@@ -29,9 +31,19 @@ static void note_splash(struct poi *poi, float before)
     poi->splash_m_s = 0.0f;
     if (before <= 0.0f && poi->immersed > 0.0f) {
         poi->splash_m_s = v3_length(poi->velocity_m_s) + 0.01f;
-        poi->dips++;
     } else if (before > 0.0f && poi->immersed <= 0.0f) {
         poi->splash_m_s = -v3_length(poi->velocity_m_s) - 0.01f;
+    }
+}
+
+/* A scoop goes in by more than a ripple laps at it, and somebody leads it. */
+static void count_dips(struct poi *poi)
+{
+    if (poi->immersed <= 0.0f) {
+        poi->is_in = 0;
+    } else if (!poi->is_in && poi->immersed > SCOOP_IMMERSED) {
+        poi->is_in = 1;
+        poi->dips += poi->spared ? 0u : 1u;
     }
 }
 
@@ -62,6 +74,7 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
               disc_immersed(POI_RADIUS_M, poi->position_m.y, axes.up.y));
     poi->clings = poi->immersed > 0.0f || poi->meniscus_n > 0.0f;
     note_splash(poi, was_immersed);
+    count_dips(poi);
     const vec3 free_m = v3_mad(poi->before_m, poi->velocity_m_s, CORE_TICK_S);
     poi->position_m = free_m;
     poi_yield(poi, tank, bowl, poi->before_m, axes.up);
@@ -146,6 +159,7 @@ uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
     hash = hash_float(hash, poi->immersed);
     hash = hash_u32(hash, poi->sheet.paper_cells);
     hash = hash_u32(hash, poi->rider_count);
+    hash = hash_u32(hash, poi->is_in);
     return hash_u32(hash, poi->dips);
 }
 

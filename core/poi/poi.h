@@ -64,7 +64,8 @@ struct poi {
     float tip;         /* [0, 1] how far the wrist has turned to empty into the bowl ... */
     vec3 tip_toward;   /* ... and which way: horizontal, unit, chosen when it begins. */
     float pressure_pa; /* On the paper in the last tick, positive toward +up. */
-    uint32_t dips;     /* Times it went in: scoops. */
+    uint32_t dips;     /* Times a hand put it in: scoops. */
+    uint8_t is_in;     /* It is in for such a one. */
     uint32_t slap_tick, tear_tick; /* When each was last heard. */
     struct sheet sheet;
     struct sheet_events strain; /* What the last tick did to the paper. */

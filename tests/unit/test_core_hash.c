@@ -65,7 +65,7 @@ static const struct field trust_fields[] = {
 };
 
 static const struct field hints_fields[] = {
-    FIELD(hints, shown),      FIELD(hints, shown_tick),  FIELD(hints, learned),
+    FIELD(hints, pupil), FIELD(hints, shown),      FIELD(hints, shown_tick),  FIELD(hints, learned),
     FIELD(hints, haste_tick), FIELD(hints, haste_cells), FIELD(hints, paper_cells),
     FIELD(hints, dips_before), FIELD(hints, caught), FIELD(hints, moved_m),
 };
@@ -132,7 +132,7 @@ static const struct field poi_fields[] = {
     FIELD(poi, drops),
     FIELD(poi, tip),         FIELD(poi, tip_toward),
     FIELD(poi, pressure_pa),
-    FIELD(poi, dips),        FIELD(poi, slap_tick),
+    FIELD(poi, dips),        FIELD(poi, is_in), FIELD(poi, slap_tick),
     FIELD(poi, tear_tick),   SKIP(poi, sheet),
     FIELD(poi, strain),      FIELD(poi, riders_kg),
     SKIP(poi, rider_count), /* Below: a count that no array bears out cannot be hashed. */

@@ -226,6 +226,20 @@ static void test_a_new_player_learns_anew(void **state)
     assert_int_equal(hint_after(300), HINT_MOVE);
 }
 
+static void test_the_lesson_is_for_who_has_a_poi_in_hand(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 2, .players = 2 };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    core.game.phase = PHASE_ROUND;
+    core.poi[1].link = POI_LINK_LIVE; /* The first seat is empty. */
+    core.poi[1].position_m = v3(0.0f, 0.06f, 0.0f);
+    core.tick = 5000;
+    assert_int_equal(hint_after(300), HINT_MOVE);
+    core.poi[1].link = POI_LINK_LOST;
+    assert_int_equal(hint_after(60), HINT_LOST_POI);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
@@ -246,6 +260,7 @@ int main(void)
         TEST(test_what_is_urgent_does_not_wait),
         TEST(test_a_bot_is_told_nothing),
         TEST(test_a_new_player_learns_anew),
+        TEST(test_the_lesson_is_for_who_has_a_poi_in_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -211,6 +211,8 @@ static void test_a_foul_is_the_hands_that_did_it(void **state)
     catch_count(&rider, 2, 3, results);
     assert_int_equal(results[2].poured, 1);
     assert_int_equal(results[3].poured + results[3].landed, 0);
+    assert_int_equal(results[3].bowled, 1); /* There it lies, whoever did it. */
+    assert_int_equal(results[2].bowled, 0);
 }
 
 static void test_a_fish_that_misses_the_mouth_slides_off_the_hull_into_the_water(void **state)

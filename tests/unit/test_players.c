@@ -227,6 +227,41 @@ static void test_who_comes_late_plays(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
+/* As if it was washed in: its ring was never clear of the water. */
+static void test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in(void **state)
+{
+    (void)state;
+    play(2, 0x3u);
+    struct fish *fish = &core.tank.fish[0];
+    struct poi *poi = &core.poi[0];
+    fish->gait = GAIT_HELD;
+    fish->holder = 0;
+    fish->position_m = v3_add(core.bowl[1].position_m, v3(0.0f, 0.03f, 0.0f));
+    poi->riders[poi->rider_count++] = (struct rider){ .fish = 0, .state = RIDER_FALLING };
+    ticks(30);
+    assert_int_equal(core.bowl[1].fish_count, 1);
+    assert_int_equal(look()->caught[1], 1);
+    assert_int_equal(scene.caught[0], 0);
+}
+
+static void test_a_scoop_counts_where_a_hand_leads_it(void **state)
+{
+    (void)state;
+    play(1, 0x1u);
+    lead(0, v3(0.0f, STAND_BELOW_M, 0.0f));
+    ticks(60);
+    assert_int_equal(core.poi[0].dips, 1);
+    for (uint32_t i = 0; i < 3; i++) { /* It drifts out and is led back, three times. */
+        input.poi[0].link = POI_LINK_LOST;
+        ticks(4u * CORE_TICK_HZ);
+        assert_true(core.poi[0].immersed <= 0.0f);
+        input.poi[0].link = POI_LINK_LIVE;
+        ticks(4u * CORE_TICK_HZ);
+        assert_true(core.poi[0].immersed > 0.5f);
+    }
+    assert_int_equal(core.poi[0].dips, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -241,6 +276,8 @@ int main(void)
         cmocka_unit_test(test_in_attract_only_the_stalls_own_bot_is_there),
         cmocka_unit_test(test_anybody_may_start_by_a_dip),
         cmocka_unit_test(test_who_comes_late_plays),
+        cmocka_unit_test(test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in),
+        cmocka_unit_test(test_a_scoop_counts_where_a_hand_leads_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 
 static void land(uint32_t count)
 {
-    const struct catch_result caught[POI_MAX] = { { .landed = count } };
+    const struct catch_result caught[POI_MAX] = { { .landed = count, .bowled = count } };
     game_score(&core, caught, &output);
 }
 

@@ -186,11 +186,12 @@ static void test_a_file_of_a_later_version_is_left_alone(void **state)
 {
     (void)state;
     do_sql(first_version);
-    do_sql("PRAGMA user_version = 3");
+    do_sql("PRAGMA user_version = 3; PRAGMA journal_mode = WAL"); /* As that one likes it. */
     assert_int_equal(score_file_open(&file, path), SCORE_FILE_NEWER);
     assert_null(file.db);
     assert_string_equal(score_file_error(SCORE_FILE_NEWER), "a later Kingyo wrote it");
     assert_int_equal(ask("PRAGMA user_version"), 3);
+    assert_int_equal(ask("SELECT journal_mode = 'wal' FROM pragma_journal_mode"), 1);
     assert_int_equal(ask("SELECT count(*) FROM pragma_table_info('rounds')"), 8);
 }
 

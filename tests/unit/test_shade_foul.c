@@ -194,6 +194,16 @@ static void test_in_the_round_shade_is_technique(void **state)
     assert_int_equal(look()->player[0].fouls, 0);
 }
 
+static void test_a_cable_that_breaks_casts_no_guilty_shadow(void **state)
+{
+    (void)state;
+    lead(0, v3(0.1f, STAND_ABOVE_M, 0.0f)); /* Over fish, a moment after READY began. */
+    input.poi[0].link = POI_LINK_LOST;
+    ticks(READY_TICKS - 180u);
+    assert_int_equal(core.game.phase, PHASE_READY);
+    assert_int_equal(look()->player[0].fouls, 0);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, championship)
@@ -207,6 +217,7 @@ int main(void)
         TEST(test_within_two_seconds_it_is_the_same),
         TEST(test_a_poi_brought_over_fish_and_held_there_is_a_foul),
         TEST(test_a_poi_that_has_rested_since_ready_began_is_none),
+        TEST(test_a_cable_that_breaks_casts_no_guilty_shadow),
         TEST(test_the_umpire_says_beforehand_what_is_forbidden),
         cmocka_unit_test(test_a_fan_is_a_foul_of_the_player_whose_it_is),
         cmocka_unit_test(test_at_a_stall_shade_is_nobodys_business),
