@@ -31,8 +31,8 @@ pictures: fish-pictures game-pictures
 game-pictures: $(BUILD)/tests/render/shot
 	@mkdir -p $(PICTURE)
 	@$< --choose --seconds 3 -o $(PICTURE)/choose.png
-	@$< --mode championship --players 4 --start --seconds 43 -o $(PICTURE)/championship.png
-	@$< --mode practice --start --seed 3 --seconds 28.74 --follow 0.22 -o $(PICTURE)/practice.png
+	@$< --mode championship --players 4 --start --seconds 66.2 -o $(PICTURE)/championship.png
+	@$< --mode practice --start --seed 3 --seconds 66.22 --follow 0.22 -o $(PICTURE)/practice.png
 	@for name in choose championship practice; do \
 	    convert $(PICTURE)/$$name.png -resize 1120x -quality 88 assets/pictures/$$name.jpg; \
 	    echo "assets/pictures/$$name.jpg"; done
