@@ -9,22 +9,24 @@
 #define BOWL_ROOM_M 0.050f
 #define CLEAR_M 0.010f          /* The ring's lowest edge over the water before it goes in. */
 #define BESIDE_SHARE 0.30f      /* Of its length: so far from its middle the ring stops first. */
-#define TAIL_SHARE 0.25f        /* The quarter of a fish that stays off the paper, */
-#define RIM_MIN 0.40f           /* but its middle lies on it: place in radii, ... */
-#define RIM_MAX 0.75f
+#define TAIL_SHARE 0.42f        /* Of its length: so far behind its middle a tail slaps, */
+#define TAIL_OFF_M 0.003f       /* beyond the paper; */
+#define RIM_MIN 0.20f           /* but its middle lies on it: place in radii. */
+#define RIM_MAX 0.45f
 #define STEEP_RAD (35.0f * F_DEG) /* From here on it slides in along the paper's plane. */
 
-/* How a right hand can hold the handle: toward the player, and turned out to the right. */
-static const float yaws_rad[] = { 0.35f, -0.30f, 0.90f, 1.45f, -0.80f };
-#define YAW_COUNT (sizeof yaws_rad / sizeof yaws_rad[0])
+/* How a right hand can hold the handle: toward the player, and turned out to either side. */
+#define YAW_MIN_RAD (-1.2f)
+#define YAW_MAX_RAD 1.6f
 #define YAW_EASY_RAD 0.35f
+static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
+#define YAW_COUNT (sizeof yaws_rad / sizeof yaws_rad[0])
 
 #define START_S 0.60f           /* From now until the ring is under the fish, and the way. */
 #define DEPTH_S_M 8.0f
 #define SPEED_S_PER_M_S 4.0f
-#define LENGTH_S_M 4.0f         /* A big one tears the paper. */
-#define LENGTH_FREE_M 0.035f
-#define SIDE_S 0.40f            /* The wrong end first. */
+#define LENGTH_S_M 10.0f        /* For each metre that it is not as long as they like. */
+#define SIDE_S 2.50f            /* The wrong end first. */
 #define YAW_S_RAD 0.10f
 #define GULP_S 0.30f            /* Who gulps sees and dives late. */
 #define COMPANY_M 0.030f
@@ -44,12 +46,12 @@ static void choose_place(const struct technique *technique, const struct look *l
                          float length_m, float *x_m, float *z_m)
 {
     const float radius_m = look->poi.radius_m;
-    const float rim = f_clamp(1.0f - TAIL_SHARE * length_m / f_max(radius_m, 0.01f), RIM_MIN,
-                              RIM_MAX);
+    const float rim = f_clamp(radius_m + TAIL_OFF_M - TAIL_SHARE * length_m, RIM_MIN * radius_m,
+                              RIM_MAX * radius_m);
     *x_m = look->paper.middle ? 0.0f : look->paper.x_m;
     *z_m = look->paper.middle ? 0.0f : look->paper.z_m;
     if (look->paper.middle && technique->place == PLACE_RIM) {
-        *z_m = -rim * radius_m;
+        *z_m = -rim;
     }
 }
 
@@ -129,13 +131,19 @@ static float rivals_s(const struct look *look, vec3 fish_m)
     return cost_s;
 }
 
+/* Deep, quick fish are hard to take, and one that gulps is easy: who chases does not ask. */
+static float hardness_s(const struct look_fish *fish)
+{
+    return -DEPTH_S_M * fish->position_m.y + SPEED_S_PER_M_S * v3_length(fish->velocity_m_s) -
+           (fish->gulps ? GULP_S : 0.0f);
+}
+
 static float cost_of_fish(const struct technique *technique, const struct look *look,
                           const struct look_fish *fish)
 {
-    return -DEPTH_S_M * fish->position_m.y + SPEED_S_PER_M_S * v3_length(fish->velocity_m_s) +
-           LENGTH_S_M * f_max(0.0f, fish->length_m - LENGTH_FREE_M) -
-           (fish->gulps ? GULP_S : 0.0f) + rivals_s(look, fish->position_m) +
-           company_s(technique, look, fish);
+    return (technique->hunt == HUNT_CHASE ? 0.0f : hardness_s(fish)) +
+           LENGTH_S_M * f_abs(fish->length_m - technique->fish_m) +
+           rivals_s(look, fish->position_m) + company_s(technique, look, fish);
 }
 
 /* Which end of the fish a ring that comes this way is under first. */
@@ -157,6 +165,39 @@ static float cost_of_way(const struct technique *technique, const struct look *l
            flat_m(way->under_m, look->bowl.position_m) / technique->carry_m_s;
 }
 
+float aim_yaw(const struct technique *technique, const struct look_fish *fish, float yaw_rad)
+{
+    const float back_rad = technique->side == SIDE_HEAD ? F_PI : 0.0f;
+    const float wanted_rad = f_wrap_angle(fish->heading_rad + back_rad);
+    const int fits = technique->side != SIDE_ANY && wanted_rad >= YAW_MIN_RAD &&
+                     wanted_rad <= YAW_MAX_RAD;
+    return fits ? wanted_rad : yaw_rad;
+}
+
+/* The cheapest hand for a fish; 0 where none has room. */
+static int choose_yaw(const struct technique *technique, const struct look *look, vec3 hand_m,
+                      const struct look_fish *fish, float age_s, float *yaw_rad, float *cost_s)
+{
+    const vec3 then_m = look_foresee(fish, age_s + START_S);
+    int found = 0;
+    for (uint32_t i = 0; i <= YAW_COUNT; i++) {
+        const float yaw =
+            i < YAW_COUNT ? yaws_rad[i] : aim_yaw(technique, fish, YAW_EASY_RAD);
+        struct aim_way way;
+        if (!aim_way_to(technique, look, then_m, fish->length_m, yaw, &way)) {
+            continue;
+        }
+        const float price_s =
+            cost_of_yaw(technique, fish, yaw) + cost_of_way(technique, look, &way, hand_m);
+        if (!found || price_s < *cost_s) {
+            found = 1;
+            *cost_s = price_s;
+            *yaw_rad = yaw;
+        }
+    }
+    return found;
+}
+
 const struct look_fish *aim_choose(const struct technique *technique, const struct look *look,
                                    vec3 hand_m, float age_s, float *yaw_rad)
 {
@@ -164,19 +205,13 @@ const struct look_fish *aim_choose(const struct technique *technique, const stru
     float best_s = 1e9f;
     for (uint32_t i = 0; i < look->near_count; i++) {
         const struct look_fish *fish = &look->near[i];
-        const vec3 then_m = look_foresee(fish, age_s + START_S);
-        const float fish_s = cost_of_fish(technique, look, fish);
-        for (uint32_t y = 0; y < YAW_COUNT; y++) {
-            struct aim_way way;
-            if (!aim_way_to(technique, look, then_m, fish->length_m, yaws_rad[y], &way)) {
-                continue;
-            }
-            const float cost_s = fish_s + cost_of_yaw(technique, fish, yaws_rad[y]) +
-                                 cost_of_way(technique, look, &way, hand_m);
+        float yaw = 0.0f, way_s = 0.0f;
+        if (choose_yaw(technique, look, hand_m, fish, age_s, &yaw, &way_s)) {
+            const float cost_s = way_s + cost_of_fish(technique, look, fish);
             if (cost_s < best_s) {
                 best_s = cost_s;
                 best = fish;
-                *yaw_rad = yaws_rad[y];
+                *yaw_rad = yaw;
             }
         }
     }

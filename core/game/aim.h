@@ -33,6 +33,10 @@ int aim_way_to(const struct technique *technique, const struct look *look, vec3 
 const struct look_fish *aim_choose(const struct technique *technique, const struct look *look,
                                    vec3 hand_m, float age_s, float *yaw_rad);
 
+/* The handle's yaw that brings the technique's end of a fish over the ring first; `yaw_rad` where
+ * that is any, or no wrist turns so far. */
+float aim_yaw(const struct technique *technique, const struct look_fish *fish, float yaw_rad);
+
 /* The fish seen nearest to where a ring under water is, within `reach_m`, or null. */
 const struct look_fish *aim_nearest(const struct look *look, vec3 ring_m, float reach_m);
 

@@ -29,9 +29,15 @@
 #define GLIDE_S_MAX 0.9f
 #define DIP_S_MAX 1.2f
 #define APPROACH_S_MAX 1.5f
-#define CRADLE_RAD (8.0f * F_DEG) /* Far edge up: water runs off, the fish lies against the rim. */
+#define CRADLE_RAD (0.0f * F_DEG) /* Far edge down: water runs off, and a fish lies at the rim. */
 
 #define JAM_M 0.050f              /* A ring seen so far below the hand is held by fish: wait. */
+
+#define STUCK_S 1.4f              /* No lift takes so long: */
+#define STUCK_Y_M (-0.005f)       /* it is stuck, if it is still under water. */
+#define STUCK_BACK_M 0.035f
+#define STUCK_BACK_S 0.35f
+#define STUCK_TURN_S 1.2f
 
 #define TIP_RAD (58.0f * F_DEG)   /* Steep enough for a fish to roll over the ring. */
 #define TIP_FALL_M 0.046f         /* It leaves the ring so far from its centre. */
@@ -213,6 +219,7 @@ static int keep_over_entry(struct bot *bot, uint32_t tick)
 {
     struct aim_way way;
     const float reach_s = way_left_m(bot) / bot->technique.arm_m_s;
+    bot->yaw_rad = aim_yaw(&bot->technique, &bot->known.prey, bot->yaw_rad);
     if (!prey_swims(bot) || stage_s(bot, tick) > APPROACH_S_MAX + bot->technique.patience_s ||
         !way_to_prey(bot, tick, f_min(reach_s, 0.3f) + stroke_s(bot), &way)) {
         go(bot, BOT_CHOOSE, tick);
@@ -286,11 +293,30 @@ static void glide(struct bot *bot, uint32_t tick)
     }
 }
 
+/* Fish that lie between ring and surface hold it down: it gives way, draws back, tries again. */
+static int frees_ring(struct bot *bot, uint32_t tick)
+{
+    const float turn_s = stage_s(bot, tick) - STUCK_S;
+    const float rounds = f_floor(turn_s / STUCK_TURN_S);
+    const int stuck = turn_s > 0.0f && bot->known.poi.position_m.y < STUCK_Y_M;
+    if (!stuck || turn_s - rounds * STUCK_TURN_S > STUCK_BACK_S) {
+        return 0;
+    }
+    const vec3 ring_m = bot->known.poi.position_m;
+    vec3 back_m = v3_mad(ring_m, aim_forward(bot->yaw_rad), -STUCK_BACK_M);
+    back_m.y = f_max(ring_m.y - STUCK_BACK_M, 0.02f - bot->known.tank_m.y);
+    want(bot, back_m, 0.0f, bot->technique.lift_m_s);
+    return 1;
+}
+
 static void lift(struct bot *bot, uint32_t tick)
 {
     const int drains = bot->technique.lift == LIFT_DRAINED;
     vec3 up_m = hand_m(bot);
-    up_m.y = f_min(LIFTED_Y_M, bot->known.poi.position_m.y + JAM_M);
+    if (frees_ring(bot, tick)) {
+        return;
+    }
+    up_m.y = drains ? f_min(LIFTED_Y_M, bot->known.poi.position_m.y + JAM_M) : LIFTED_Y_M;
     const float haste = drains ? 1.0f : HASTY_SHARE;
     want(bot, up_m, drains ? CRADLE_RAD : 0.0f, haste * bot->technique.lift_m_s);
     bot->ease_s = drains ? EASE_S : HASTY_EASE_S;

@@ -10,7 +10,7 @@
 
 enum technique_side { SIDE_ANY = 0, SIDE_HEAD, SIDE_TAIL, SIDE_COUNT };  /* Of the fish, first. */
 enum technique_place { PLACE_CENTRE = 0, PLACE_RIM, PLACE_COUNT }; /* Of the paper, under it. */
-/* Fast is two and a half times `lift_m_s`, dead level, and nothing runs off. */
+/* Fast is two and a half times `lift_m_s`, whether the ring follows or not; nothing runs off. */
 enum technique_lift { LIFT_DRAINED = 0, LIFT_FAST, LIFT_COUNT };
 enum technique_hunt { HUNT_SHADE = 0, HUNT_CHASE, HUNT_COUNT };
 
@@ -23,6 +23,7 @@ struct technique {
     uint8_t lift;         /* enum technique_lift: level and drained, or fast and flat. */
     uint8_t hunt;         /* enum technique_hunt: wait in a still shade, or chase. */
     uint8_t fish_max;     /* 1 .. 8 that it wants on the paper before it lifts. */
+    float fish_m;         /* [0.02, 0.1] the length of fish that it likes best. */
     float arm_m_s, dip_m_s, glide_m_s, lift_m_s, carry_m_s; /* (0, 2] at most, each. */
     float drain_s;        /* [0, 3] that it lets water run off. */
     float patience_s;     /* [0, 20] that it waits for a fish to come to rest. */

@@ -53,6 +53,7 @@ static const struct key keys[] = {
     WORD(hunt, hunts, "wait in a still shade, or chase"),
     { .name = "fish_max", .kind = KIND_COUNT, .offset = AT(fish_max), .min = 1.0, .max = 8.0,
       .meaning = "fish that it wants on the paper before it lifts" },
+    REAL(fish_m, 0.02, 0.1, "length of fish that it likes best"),
     SPEED(arm_m_s, "speed of its arm over the water"),
     SPEED(dip_m_s, "into the water"),
     SPEED(glide_m_s, "under the water"),
@@ -66,7 +67,7 @@ static const struct key keys[] = {
     REAL(reaction_max_s, 0.15, 1.0, "... and at most"),
 };
 _Static_assert(sizeof keys / sizeof keys[0] == BOT_KEY_COUNT, "the header counts them");
-_Static_assert(sizeof(struct technique) == 64, "a new field of a technique wants a key");
+_Static_assert(sizeof(struct technique) == 68, "a new field of a technique wants a key");
 
 static double value_of(const struct key *key, const struct technique *technique)
 {

@@ -7,7 +7,7 @@
 
 #include "core/game/technique.h"
 
-#define BOT_KEY_COUNT 19u
+#define BOT_KEY_COUNT 20u
 #define BOT_KEY_RANGE_MAX 64u
 
 /* The name of a key < BOT_KEY_COUNT, else these assert; and the key of a name, or BOT_KEY_COUNT. */

@@ -110,7 +110,7 @@ check 'people get a line a round and a summary' eval \
     '[ "$(grep -c "^round [12] .*caught.*scoops.*fouls.*hash" "$work/text")" = 2 ] && grep -q "^caught: median .*, p90 .*, most " "$work/text" &&
      [ "$(wc -l <"$work/text")" = 3 ]'
 check 'the help tells every key of a bot' eval \
-    '"$ctl" play --help >"$work/help"; for key in base wet entry_deg glide_deg side place lift hunt fish_max arm_m_s dip_m_s glide_m_s lift_m_s \
+    '"$ctl" play --help >"$work/help"; for key in base wet entry_deg glide_deg side place lift hunt fish_max fish_m arm_m_s dip_m_s glide_m_s lift_m_s \
      carry_m_s drain_s patience_s aim_m tremor_m reaction_min_s reaction_max_s; do grep -qw -- "$key" "$work/help" || { echo $key; exit 1; }; done'
 check 'and every option' eval \
     'for option in bot mode grade rounds seed fish round-s jobs record json; do grep -q -- "--$option " "$work/help" || { echo $option; exit 1; }; done'

@@ -73,7 +73,8 @@ static const struct field hints_fields[] = {
 static const struct field technique_fields[] = {
     FIELD(technique, wet),        FIELD(technique, entry_deg),      FIELD(technique, glide_deg),
     FIELD(technique, side),       FIELD(technique, place),          FIELD(technique, lift),
-    FIELD(technique, hunt),       FIELD(technique, fish_max),       FIELD(technique, arm_m_s),
+    FIELD(technique, hunt),       FIELD(technique, fish_max),       FIELD(technique, fish_m),
+    FIELD(technique, arm_m_s),
     FIELD(technique, dip_m_s),    FIELD(technique, glide_m_s),      FIELD(technique, lift_m_s),
     FIELD(technique, carry_m_s),  FIELD(technique, drain_s),        FIELD(technique, patience_s),
     FIELD(technique, aim_m),      FIELD(technique, tremor_m),
