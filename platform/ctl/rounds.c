@@ -44,7 +44,7 @@ static struct core_config config_of(const struct round_plan *plan)
 }
 
 /* START whenever nothing is played yet; a controller that is always there, with a wrist, and that
- * feels how the hand trembles. */
+ * feels how the hand trembles, if it does: a hand as still as a stuck sensor is no fault of it. */
 static void act(struct seat *seat)
 {
     const uint8_t phase = seat->core.game.phase;
@@ -53,7 +53,7 @@ static void act(struct seat *seat)
     seat->input.pressed = idle && seat->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     poi->link = POI_LINK_LIVE;
     poi->has_wrist = 1;
-    poi->trembles = 1;
+    poi->trembles = seat->bot.technique.tremor_m > 0.0f;
     poi->target = bot_tick(&seat->bot, &(struct sight){ .core = &seat->core, .player = 0 });
 }
 

@@ -92,6 +92,17 @@ static void test_a_round_is_as_long_as_it_was_told_to_be(void **state)
     assert_false(result.torn);
 }
 
+/* It waits three seconds before each scoop and moves no hair's breadth. */
+static void test_a_hand_without_a_tremor_is_not_taken_for_a_stuck_sensor(void **state)
+{
+    (void)state;
+    struct round_plan plan = plan_of(2);
+    plan.grade = 4;
+    plan.technique.tremor_m = 0.0f;
+    plan.technique.reaction_min_s = plan.technique.reaction_max_s = 3.0f;
+    assert_true(alone(plan).length_s < 13.1); /* A round waits for a hand that is lost. */
+}
+
 /* Slapped through the water all round long, with nobody called out: the paper goes, the round with
  * it, and what is left of the paper agrees. */
 static void test_torn_paper_ends_a_festival_and_is_told(void **state)
@@ -183,6 +194,7 @@ int main(void)
         cmocka_unit_test(test_a_round_is_the_same_alone_and_among_others),
         cmocka_unit_test(test_each_round_is_told_once),
         cmocka_unit_test(test_a_round_is_as_long_as_it_was_told_to_be),
+        cmocka_unit_test(test_a_hand_without_a_tremor_is_not_taken_for_a_stuck_sensor),
         cmocka_unit_test(test_torn_paper_ends_a_festival_and_is_told),
         cmocka_unit_test(test_practice_has_figures_though_it_leaves_no_record),
         cmocka_unit_test(test_a_mode_is_played_in_its_own_tank_with_its_own_paper),
