@@ -65,13 +65,14 @@ BENCH_PLAY := $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/scores
 BENCH_PLOT = if command -v gnuplot >/dev/null; then gnuplot -e "dir='$(1)'" $(2) && echo "picture: $(3)"; \
     else echo 'no gnuplot, no picture'; fi
 SEEDS ?= 200
+FIRST ?= 0
 ROUNDS ?= 200
 
-## bench-technique: whether each good technique pays, SEEDS (200) paired rounds; table, TSV and plot in build/technique/
+## bench-technique: whether each good technique pays, SEEDS (200) paired rounds from seed FIRST (0); table, TSV and plot in build/technique/
 bench-technique:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/tests/bench/technique
 	@mkdir -p $(BUILD)/technique
-	@$(BUILD)/tests/bench/technique $(SEEDS) tests/bench/technique $(BUILD)/technique; code=$$?; \
+	@$(BUILD)/tests/bench/technique $(SEEDS) tests/bench/technique $(BUILD)/technique $(FIRST); code=$$?; \
 	    [ $$code -gt 1 ] || { $(call BENCH_PLOT,$(BUILD)/technique,tests/bench/technique.gp,$(BUILD)/technique/technique.png); }; \
 	    exit $$code
 

@@ -76,7 +76,7 @@ static struct round_plan *plan_all(const struct league *league)
     struct round_plan *plans = calloc((size_t)league->seeds * league->arm_count, sizeof *plans);
     for (uint32_t i = 0; plans && i < league->seeds * league->arm_count; i++) {
         plans[i] = league->arms[i % league->arm_count].plan;
-        plans[i].seed = i / league->arm_count;
+        plans[i].seed = league->first + i / league->arm_count;
     }
     return plans;
 }
@@ -177,7 +177,7 @@ enum exit_code league_write_rounds(const struct league *league, const char *fold
     fputs("arm\tseed\tcaught\tscoops\tfouls\ttorn_at_s\thole_area_mm2\tstate_hash\n", file);
     for (uint32_t a = 0; a < league->arm_count; a++) {
         for (uint32_t i = 0; i < league->seeds; i++) {
-            write_round(file, league->arms[a].name, i, &league->arms[a].results[i]);
+            write_round(file, league->arms[a].name, league->first + i, &league->arms[a].results[i]);
         }
     }
     return league_close(league, file, name);

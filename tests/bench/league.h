@@ -10,7 +10,7 @@
 #define LEAGUE_SEEDS_MAX 2000u
 #define LEAGUE_ARMS_MAX 16u
 
-/* One way to play, with the seeds 0 .. seeds - 1. `results` are the league's. */
+/* One way to play, with each of the league's seeds. `results` are the league's. */
 struct arm {
     const char *name;
     struct round_plan plan; /* Its seed is set by the league. */
@@ -19,7 +19,8 @@ struct arm {
 
 struct league {
     const char *speaker;
-    uint32_t seeds; /* 1 .. LEAGUE_SEEDS_MAX */
+    uint32_t seeds; /* 1 .. LEAGUE_SEEDS_MAX of them, ... */
+    uint32_t first; /* ... from this one on. */
     uint32_t arm_count;
     struct arm arms[LEAGUE_ARMS_MAX];
     double took_s;
