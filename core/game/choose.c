@@ -118,7 +118,7 @@ void choose_tick(struct core *core, const struct input *input, struct output *ou
     const int is_fresh = core->tick - core->game.phase_tick < GAME_CHOOSE_TICKS_MIN;
     if (!is_fresh && (dipped < POI_MAX || (input->pressed & (INPUT_START | INPUT_OK)))) {
         ready_begin(core, output);
-    } else if (core->tick - core->game.point_tick >= GAME_CHOOSE_TICKS) {
+    } else if (game_seconds_left(&core->game, core->tick) <= 0.0f) {
         attract_begin(core);
     }
 }

@@ -103,14 +103,19 @@ int game_pumps(const struct game *game, uint32_t tick)
                                         : game->phase != PHASE_ROUND;
 }
 
+/* Until nobody pointed for too long, and at most so long in all. */
+static uint32_t choice_ticks(const struct game *game)
+{
+    const uint32_t pointed = game->point_tick - game->phase_tick + GAME_CHOOSE_TICKS;
+    return pointed < GAME_CHOOSE_TICKS_MAX ? pointed : GAME_CHOOSE_TICKS_MAX;
+}
+
 float game_seconds_left(const struct game *game, uint32_t tick)
 {
-    uint32_t since_tick = game->phase_tick;
     uint32_t total = 0;
     switch (game->phase) {
     case PHASE_CHOOSE:
-        since_tick = game->point_tick;
-        total = GAME_CHOOSE_TICKS;
+        total = choice_ticks(game);
         break;
     case PHASE_READY:
         total = rules_of(game->mode)->ready_s * CORE_TICK_HZ;
@@ -121,7 +126,7 @@ float game_seconds_left(const struct game *game, uint32_t tick)
     default:
         break;
     }
-    const uint32_t elapsed = tick - since_tick;
+    const uint32_t elapsed = tick - game->phase_tick;
     return elapsed < total ? (float)(total - elapsed) * CORE_TICK_S : 0.0f;
 }
 

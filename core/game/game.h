@@ -28,6 +28,8 @@
 #define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)     /* START in the result: not the last press. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* A dip is easier to do by accident. */
 #define GAME_CHOOSE_TICKS (15u * CORE_TICK_HZ)  /* Nobody points any more: back to attract. */
+#define GAME_CHOOSE_TICKS_MAX (120u * CORE_TICK_HZ) /* Nor does who points so long choose: it is a
+                                                       poi that swings on its cord. */
 #define GAME_CHOOSE_TICKS_MIN (CORE_TICK_HZ / 2u) /* To see what there is; then a press counts. */
 #define GAME_STALE_TICKS (115u * CORE_TICK_HZ) /* In attract the pump rests so long ... */
 #define GAME_AIR_TICKS (45u * CORE_TICK_HZ)    /* ... and then bubbles so long, by turns. */

@@ -101,6 +101,7 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     if (link == POI_LINK_BOT) {
         bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
         game->bot[index].hand.pose = game->hand[index];
+        game->back_ticks[index] = 0; /* It is led to nobody any more. */
     }
     if (link == POI_LINK_LIVE && game->holder[index] == POI_LINK_LOST) {
         game->back_ticks[index] = 1;

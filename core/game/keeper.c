@@ -75,6 +75,7 @@ static void place_all(struct core *core, const struct tank_preset *preset)
         core->poi[i].link = link;
         core->game.hand[i] = (struct poi_target){ .position_m = poi_place(preset, i, 0.10f) };
         core->game.holder[i] = POI_LINK_ABSENT; /* Whoever holds it takes it over anew. */
+        core->game.back_ticks[i] = 0;
         if (i < player_count(&core->config)) {
             bowl_init(&core->bowl[i], preset->bowl_m[i]);
         }

@@ -145,6 +145,43 @@ static void test_a_hand_that_moves_about_is_somebody_who_chooses(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
+/* A poi on its cord swings past the stall's edge for ever. */
+static void test_no_choice_lasts_longer_than_two_minutes(void **state)
+{
+    (void)state;
+    hold(0, v3(LEFT_M, STAND_ABOVE_M, 0.0f));
+    choose();
+    const uint32_t begin_tick = core.game.phase_tick;
+    while (core.game.phase == PHASE_CHOOSE && core.tick - begin_tick <= GAME_CHOOSE_TICKS_MAX) {
+        lead(0, v3(LEFT_M, STAND_ABOVE_M, core.tick % 2u ? 0.0f : 0.1f));
+        press(core.tick % 3u ? 0 : INPUT_RIGHT);
+        assert_true(look()->seconds_left <= 15.0f);
+    }
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_in_range(core.game.phase_tick - begin_tick, 120u * CORE_TICK_HZ,
+                    120u * CORE_TICK_HZ + 1u);
+}
+
+/* Away while the player chooses, back elsewhere: the poi is on its way to the hand when it opens. */
+static void test_in_a_tank_that_opens_nobodys_poi_is_still_led_back(void **state)
+{
+    (void)state;
+    hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
+    choose();
+    input.poi[0].link = POI_LINK_LOST;
+    ticks(60);
+    hold(0, v3(0.0f, STAND_ABOVE_M, 0.2f));
+    for (uint32_t i = 0; i < 120 && core.game.back_ticks[0] < 2u; i++) {
+        tick();
+    }
+    assert_true(core.game.back_ticks[0] > 0);
+    assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP); /* It points there. */
+    press(INPUT_START);
+    assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
+    assert_int_equal(core.game.back_ticks[0], 0);
+    assert_int_equal(core.poi[0].spared, 0);
+}
+
 static void test_a_poi_stays_above_the_water_while_somebody_chooses(void **state)
 {
     (void)state;
@@ -280,6 +317,8 @@ int main(void)
         TEST(test_the_press_that_opens_the_choice_takes_nothing),
         TEST(test_fifteen_seconds_without_pointing_end_the_choice),
         TEST(test_a_hand_that_moves_about_is_somebody_who_chooses),
+        TEST(test_no_choice_lasts_longer_than_two_minutes),
+        TEST(test_in_a_tank_that_opens_nobodys_poi_is_still_led_back),
         TEST(test_a_poi_stays_above_the_water_while_somebody_chooses),
         TEST(test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stalls),
         TEST(test_each_championship_draws_its_tank_anew),

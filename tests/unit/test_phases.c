@@ -207,6 +207,21 @@ static void test_in_attract_the_bot_has_the_poi_whatever_is_linked(void **state)
     assert_int_equal(core.poi[1].link, POI_LINK_ABSENT);
 }
 
+/* Who lost it has gone; whoever comes next is not led back to where that hand was. */
+static void test_what_the_bot_takes_over_is_on_its_way_back_to_nobody(void **state)
+{
+    (void)state;
+    start_with_a_hand();
+    input.poi[0].link = POI_LINK_LOST;
+    steps(60);
+    assert_true(core.game.back_ticks[0] > 0);
+    core.game.phase = PHASE_RESULT;
+    core.game.phase_tick = core.tick;
+    steps(GAME_RESULT_TICKS + 2u);
+    assert_int_equal(core.game.holder[0], POI_LINK_BOT);
+    assert_int_equal(core.game.back_ticks[0], 0);
+}
+
 static void test_language_changes_with_each_press_in_any_phase(void **state)
 {
     (void)state;
@@ -259,6 +274,7 @@ int main(void)
         TEST(test_seconds_left_count_down_through_ready_and_round),
         TEST(test_each_of_the_last_five_seconds_ticks_once),
         TEST(test_in_attract_the_bot_has_the_poi_whatever_is_linked),
+        TEST(test_what_the_bot_takes_over_is_on_its_way_back_to_nobody),
         TEST(test_language_changes_with_each_press_in_any_phase),
         TEST(test_the_start_lamp_blinks_only_where_start_would_be_heard),
     };
