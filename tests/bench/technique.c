@@ -2,7 +2,7 @@
  *
  *     technique SEEDS BOTS OUT [FIRST]
  *
- * BOTS is the folder of *.bot files, OUT where technique.tsv goes, FIRST the first of the seeds (0).
+ * BOTS is the folder of *.bot files, OUT where technique.tsv goes, FIRST the first seed (0).
  *
  * In the festival, 300 fish, No. 6 paper, 60 s at most, both arms of an experiment play the same
  * seeds: the same fish, the same paper. What the stall's lore says must show in what was caught
