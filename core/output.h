@@ -60,8 +60,9 @@ struct round_record {
     struct player_record {
         uint32_t caught;
         uint32_t scoops;        /* Times the ring went in. */
-        uint32_t hole_area_mm2; /* At the end. */
-        uint32_t torn_tick;     /* When its paper could hold nothing any more; 0: it lasted. */
+        uint32_t hole_area_mm2; /* Of the paper that it held at the end. */
+        uint32_t torn_tick;     /* When its first paper could hold nothing more; 0: it lasted. */
+        uint32_t sheets;        /* Papers that it got: 1 where nobody renews them. */
         uint8_t fouls;
     } player[POI_MAX];
 };

@@ -28,6 +28,7 @@ static void renew_paper(struct core *core, uint32_t index)
     if (was_seen && core->poi[index].immersed <= 0.0f) {
         player->scoops += core->poi[index].dips;
         player->torn_tick = 0;
+        player->sheets_before++;
         keeper_hand_out(core, index, core->tick, GAME_SERIES_SPARE);
     }
 }
@@ -42,6 +43,8 @@ static void watch_paper(struct core *core, struct output *output)
         }
         if (player->torn_tick == 0) {
             player->torn_tick = core->tick;
+            player->first_torn_tick =
+                player->first_torn_tick ? player->first_torn_tick : core->tick;
             output_sound(output, SOUND_GONE, 1.0f, 0.0f);
         }
         if (renews) {

@@ -30,9 +30,7 @@ void game_score(struct core *core, const struct catch_result caught[POI_MAX],
 
 static uint32_t hole_area_mm2(const struct sheet *sheet)
 {
-    const float cell_mm = 1000.0f * sheet_cell_m(sheet);
-    const uint32_t holes = sheet->paper_cells_new - sheet->paper_cells;
-    return (uint32_t)((float)holes * cell_mm * cell_mm + 0.5f);
+    return (uint32_t)(1e6f * sheet_hole_m2(sheet) + 0.5f);
 }
 
 struct round_record game_record(const struct core *core)
@@ -55,7 +53,8 @@ struct round_record game_record(const struct core *core)
                 .caught = player->caught,
                 .scoops = player->scoops + core->poi[i].dips,
                 .hole_area_mm2 = hole_area_mm2(&core->poi[i].sheet),
-                .torn_tick = player->torn_tick,
+                .torn_tick = player->first_torn_tick,
+                .sheets = 1u + player->sheets_before,
                 .fouls = player->fouls,
             };
         }

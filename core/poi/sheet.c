@@ -267,6 +267,11 @@ float sheet_left(const struct sheet *sheet)
                                       : 0.0f;
 }
 
+float sheet_hole_m2(const struct sheet *sheet)
+{
+    return (1.0f - sheet_left(sheet)) * F_PI * sheet->radius_m * sheet->radius_m;
+}
+
 uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)
 {
     hash = hash_u32(hash, sheet->grade);

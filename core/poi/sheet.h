@@ -111,6 +111,10 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
 int sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 
 float sheet_left(const struct sheet *sheet); /* [0, 1] of the area. */
+
+/* Of its holes, from 0 to the disc's own area: the ring cuts its outermost cells, so that all cells
+ * as squares are more than the paper. */
+float sheet_hole_m2(const struct sheet *sheet);
 uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet);
 
 #endif

@@ -214,6 +214,11 @@ enum exit_code bot_file_read(const char *speaker, const char *path, struct techn
     char text[BOT_FILE_SIZE_MAX];
     struct bot_file_problem problem = { 0 };
     FILE *file = fopen(path, "rb");
+    if (!file && errno == ENOENT) { /* As likely a name misspelt. */
+        fprintf(stderr, "%s: %s: %s; novice, expert or a FILE is a bot\n", speaker, path,
+                strerror(errno));
+        return EXIT_IO;
+    }
     if (!file) {
         return tell_io(speaker, path, errno);
     }

@@ -11,7 +11,6 @@
 
 #define DEPTH_M 0.20f   /* So deep no surface is felt. */
 #define HEIGHT_M 0.10f
-#define CELL_MM (1000.0 * 2.0 * (double)POI_RADIUS_M / SHEET_SIDE)
 #define INSTANT_TICKS 6u /* 0.05 s */
 #define NEVER_S 1e6f
 
@@ -172,6 +171,5 @@ int paper_lab_is_instant(const struct paper_lab *lab)
 
 double paper_lab_hole_mm2(const struct paper_lab *lab)
 {
-    const struct sheet *sheet = &lab->poi.sheet;
-    return CELL_MM * CELL_MM * (double)(sheet->paper_cells_new - sheet->paper_cells);
+    return 1e6 * (double)sheet_hole_m2(&lab->poi.sheet);
 }

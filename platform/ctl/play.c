@@ -287,12 +287,15 @@ const struct ctl_command ctl_play = {
         "                   own with the seed N + i - 1, so it is the same alone, in any order,\n"
         "                   and for two bots that are to be compared\n"
         "  --fish N         how many fish, from 1 to what the water holds (the stall's own)\n"
-        "  --round-s N      seconds a round, 10 to 600 (the mode's own: 60, 180, 180)\n"
+        "  --round-s N      seconds a round, 10 to 600 (the mode's own: 60, 180, 180); what lies\n"
+        "                   on the paper when time is called may be brought home, 3 s at most\n"
         "  --jobs N         rounds at a time, 1 to 64 (a core each)\n"
         "  --record DIR     write each round to DIR/round-00001.kgr and so on\n"
         "  --json           for programs: caught (what counts), scoops (times the ring went in),\n"
-        "                   fouls, torn_at_s (second of the round from which its paper holds no\n"
-        "                   fish; null: it lasted), hole_area_mm2, state_hash of each round;\n"
+        "                   fouls, torn_at_s (second of the round from which its first paper\n"
+        "                   holds no fish; null: it lasted), sheets (of paper; a torn one is\n"
+        "                   renewed in practice alone), hole_area_mm2 (of the last of them, at the\n"
+        "                   end; 5027 is all), state_hash of each round;\n"
         "                   median, ninth decile and maximum of all\n",
     .tell_more = bot_keys_print,
     .run = run,

@@ -29,6 +29,9 @@ void play_report_round(uint32_t number, uint32_t seed, const struct round_result
     if (result->torn) {
         print_fixed(" torn at ", result->torn_at_s, 1);
         fputs(" s,", stdout);
+        if (result->sheets > 1) {
+            printf(" %u sheets,", result->sheets);
+        }
     } else {
         fputs(" not torn,", stdout);
     }
@@ -54,8 +57,8 @@ static void tell_json(const struct round_result *result, int is_first)
     } else {
         fputs("null", stdout);
     }
-    printf(", \"hole_area_mm2\": %u, \"state_hash\": \"%016llx\"}", result->hole_area_mm2,
-           (unsigned long long)result->state_hash);
+    printf(", \"sheets\": %u, \"hole_area_mm2\": %u, \"state_hash\": \"%016llx\"}",
+           result->sheets, result->hole_area_mm2, (unsigned long long)result->state_hash);
 }
 
 void play_report_json(const struct round_result *results, uint32_t count,

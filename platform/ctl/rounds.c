@@ -82,6 +82,7 @@ static void read_result(const struct seat *seat, struct round_result *result)
     result->scoops = player->scoops;
     result->fouls = player->fouls;
     result->hole_area_mm2 = player->hole_area_mm2;
+    result->sheets = player->sheets;
     result->torn = player->torn_tick != 0;
     result->torn_at_s = result->torn ? seconds(player->torn_tick - record.start_tick) : 0.0;
     result->length_s = seconds(record.end_tick - record.start_tick);

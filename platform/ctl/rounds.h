@@ -32,9 +32,10 @@ struct round_result {
     uint32_t caught;        /* What counts of what came to the bowl. */
     uint32_t scoops;        /* Times the ring went in. */
     uint32_t fouls;
-    uint8_t torn;           /* Its paper could hold nothing any more ... */
+    uint8_t torn;           /* Its first paper could hold nothing any more ... */
     double torn_at_s;       /* ... from this second of the round on. */
-    uint32_t hole_area_mm2; /* Of its paper, at the end. */
+    uint32_t sheets;        /* Papers that it got: in practice a torn one is renewed. */
+    uint32_t hole_area_mm2; /* Of the last of them, at the end. */
     double length_s;        /* Of the round. */
     uint64_t state_hash;    /* core_hash when the round was over. */
 };

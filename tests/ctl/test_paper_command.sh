@@ -35,6 +35,8 @@ check 'what does not tear has no time' holds "$(get time_to_tear_s) is null and 
     --speed-m-s 0.1
 check 'what tears has one, and a hole' holds "$(get time_to_tear_s)<=0.05 and $(get hole_area_mm2)>100" \
     --grade 7 --speed-m-s 1 --seconds 0.5
+check 'no hole is larger than the paper' holds "abs($(get hole_area_mm2)-5026.55)<0.01" --grade 6 \
+    --speed-m-s 0.8
 text() { # PATTERN OPTIONS...
     local pattern=$1
     shift

@@ -36,13 +36,13 @@ keys_are() { # PATH KEYS
 }
 check 'the JSON is valid' holds "$work/a.json" 'json_valid(j)'
 check 'and has the keys that were promised, in their order' keys_are '$' 'rounds caught_median caught_p90 caught_max'
-check 'and so has each round' keys_are '$.rounds[2]' 'caught scoops fouls torn_at_s hole_area_mm2 state_hash'
+check 'and so has each round' keys_are '$.rounds[2]' 'caught scoops fouls torn_at_s sheets hole_area_mm2 state_hash'
 check 'there are as many rounds as were asked for' holds "$work/a.json" "json_array_length(j,'\$.rounds')=3"
 check 'numbers are numbers, and hashes 16 digits' holds "$work/a.json" \
     "(select count(*) from json_each(j,'\$.rounds') r where json_type(r.value,'\$.caught')='integer'
       and json_type(r.value,'\$.scoops')='integer' and json_type(r.value,'\$.fouls')='integer'
       and json_type(r.value,'\$.torn_at_s') in ('null','real') and json_type(r.value,'\$.hole_area_mm2')='integer'
-      and length(json_extract(r.value,'\$.state_hash'))=16)=3"
+      and json_extract(r.value,'\$.sheets')=1 and length(json_extract(r.value,'\$.state_hash'))=16)=3"
 check 'the figures of all are those of the rounds' holds "$work/a.json" \
     "(select max(json_extract(value,'\$.caught')) from json_each(j,'\$.rounds'))=json_extract(j,'\$.caught_max')
      and json_extract(j,'\$.caught_median')=(select json_extract(value,'\$.caught') from json_each(j,'\$.rounds')
@@ -109,6 +109,8 @@ play --rounds 2 >"$work/text"
 check 'people get a line a round and a summary' eval \
     '[ "$(grep -c "^round [12] .*caught.*scoops.*fouls.*hash" "$work/text")" = 2 ] && grep -q "^caught: median .*, p90 .*, most " "$work/text" &&
      [ "$(wc -l <"$work/text")" = 3 ]'
+check 'and the help says how long a round may be beyond its seconds' eval \
+    '"$ctl" play --help | tr -s " \n" "  " | grep -q "what lies on the paper when time is called may be brought home, 3 s at most"'
 check 'the help tells every key of a bot' eval \
     '"$ctl" play --help >"$work/help"; for key in base wet entry_deg glide_deg side place lift hunt fish_max fish_m arm_m_s dip_m_s glide_m_s lift_m_s \
      carry_m_s drain_s patience_s aim_m tremor_m reaction_min_s reaction_max_s; do grep -qw -- "$key" "$work/help" || { echo $key; exit 1; }; done'
@@ -131,6 +133,8 @@ bad_bot() { # NEEDLE TEXT: a bot file that is refused
     mistake 65 "$work/bad.bot$1" --bot "$work/bad.bot"
 }
 check 'a bot that is not there is told' mistake 74 "$work/none.bot" --bot "$work/none.bot"
+check 'and what a bot can be' mistake 74 'experrt: No such file or directory; novice, expert or a FILE is a bot' \
+    --bot experrt
 check 'a folder is no bot' mistake 74 "$work" --bot "$work"
 check 'a misspelt key is named with its line' bad_bot ":3: 'wett'" 'base=novice\n\nwett=0.5\n'
 check 'a value out of its range, with what is right' bad_bot ":1: wet: '1.5' is not right; 0 to 1 is" 'wet=1.5\n'

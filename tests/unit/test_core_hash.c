@@ -53,7 +53,8 @@ static const struct field player_fields[] = {
     FIELD(player, plays),      FIELD(player, out),          FIELD(player, handed),
     FIELD(player, points),     FIELD(player, fouls),        FIELD(player, foul),
     FIELD(player, foul_tick),  FIELD(player, offence_tick), FIELD(player, caught),
-    FIELD(player, scoops),     FIELD(player, torn_tick),    FIELD(player, lost_ticks),
+    FIELD(player, scoops),     FIELD(player, torn_tick),    FIELD(player, first_torn_tick),
+    FIELD(player, sheets_before), FIELD(player, lost_ticks),
     FIELD(player, waited_ticks),
     FIELD(player, stance),     FIELD(player, rest_x_m),     FIELD(player, rest_z_m),
 };

@@ -167,7 +167,8 @@ static void test_the_record_names_who_played_and_what_each_did(void **state)
     assert_int_equal(record->player[0].torn_tick, torn_tick);
     assert_int_equal(record->player[2].caught, 2);
     assert_int_equal(record->player[2].scoops, 1);
-    assert_in_range(record->player[2].hole_area_mm2, 4900, 5150); /* All of an 80 mm disc. */
+    assert_int_equal(record->player[2].hole_area_mm2, 5027); /* All of an 80 mm disc. */
+    assert_int_equal(record->player[2].sheets, 1);
     assert_int_equal(record->player[1].caught, 0);
     assert_int_equal(record->by_bot, 0);
 }

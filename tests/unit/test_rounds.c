@@ -103,6 +103,15 @@ static void test_a_hand_without_a_tremor_is_not_taken_for_a_stuck_sensor(void **
     assert_true(alone(plan).length_s < 13.1); /* A round waits for a hand that is lost. */
 }
 
+static struct technique slapping(void)
+{
+    struct technique technique = technique_novice;
+    technique.dip_m_s = technique.glide_m_s = technique.lift_m_s = 2.0f;
+    technique.glide_deg = 90.0f;
+    technique.fish_max = 8;
+    return technique;
+}
+
 /* Slapped through the water all round long, with nobody called out: the paper goes, the round with
  * it, and what is left of the paper agrees. */
 static void test_torn_paper_ends_a_festival_and_is_told(void **state)
@@ -111,15 +120,14 @@ static void test_torn_paper_ends_a_festival_and_is_told(void **state)
     struct round_plan plan = plan_of(3);
     plan.grade = 7;
     plan.round_s = 60;
-    plan.technique.dip_m_s = plan.technique.glide_m_s = plan.technique.lift_m_s = 2.0f;
-    plan.technique.glide_deg = 90.0f;
-    plan.technique.fish_max = 8;
+    plan.technique = slapping();
     const struct round_result result = alone(plan);
     assert_true(result.torn);
     assert_true(result.torn_at_s > 0.0 && result.torn_at_s < result.length_s);
     assert_true(result.length_s < 60.0);
+    assert_int_equal(result.sheets, 1);
     assert_true(result.scoops > 0);
-    assert_true(result.hole_area_mm2 > 100 && result.hole_area_mm2 < 5027);
+    assert_true(result.hole_area_mm2 > 100 && result.hole_area_mm2 <= 5027);
 }
 
 static void test_practice_has_figures_though_it_leaves_no_record(void **state)
@@ -130,6 +138,22 @@ static void test_practice_has_figures_though_it_leaves_no_record(void **state)
     const struct round_result result = alone(plan);
     assert_true(result.scoops > 0);
     assert_true(result.state_hash != 0);
+    assert_true(result.sheets > 0);
+}
+
+/* The same slaps as in the festival: the first sheet goes, and others after it. */
+static void test_practice_tells_its_first_tear_though_the_paper_is_renewed(void **state)
+{
+    (void)state;
+    struct round_plan plan = plan_of(3);
+    plan.mode = MODE_PRACTICE;
+    plan.grade = 7;
+    plan.round_s = 60;
+    plan.technique = slapping();
+    const struct round_result result = alone(plan);
+    assert_true(result.torn);
+    assert_true(result.sheets > 2);
+    assert_true(result.torn_at_s > 0.0 && result.torn_at_s < 30.0);
 }
 
 static void test_a_mode_is_played_in_its_own_tank_with_its_own_paper(void **state)
@@ -197,6 +221,7 @@ int main(void)
         cmocka_unit_test(test_a_hand_without_a_tremor_is_not_taken_for_a_stuck_sensor),
         cmocka_unit_test(test_torn_paper_ends_a_festival_and_is_told),
         cmocka_unit_test(test_practice_has_figures_though_it_leaves_no_record),
+        cmocka_unit_test(test_practice_tells_its_first_tear_though_the_paper_is_renewed),
         cmocka_unit_test(test_a_mode_is_played_in_its_own_tank_with_its_own_paper),
         cmocka_unit_test(test_a_recording_that_cannot_begin_stops_the_others),
         cmocka_unit_test(test_quantiles_fall_between_values_in_proportion),
