@@ -22,6 +22,7 @@ struct sight_game sight_game(const struct sight *sight)
         .tick = core->tick,
         .phase = core->game.phase,
         .mode = core->game.mode,
+        .fouls = core->game.player[sight->player].fouls,
         .seconds_left = game_seconds_left(&core->game, core->tick),
     };
 }
@@ -64,6 +65,7 @@ struct sight_poi sight_poi(const struct sight *sight, uint32_t index)
         .angles = poi->angles,
         .radius_m = POI_RADIUS_M,
         .paper_left = sheet_left(&poi->sheet),
+        .water_m = poi_water_m(poi),
     };
 }
 

@@ -33,6 +33,9 @@ breach() { # ALLOWED RULE
 }
 
 core_rule='core includes only core and the freestanding headers'
+bot_rule='a bot knows the stall by core/game/sight.h alone'
+bot_files='/(bot|bot_hand|aim|look|technique)\.[ch]$'
+bot_headers='core/game/(bot|bot_hand|aim|look|technique|sight)\.h|core/poi/pose\.h'
 driver_rule="a driver includes only platform/hal.h, the core's contracts, drivers and libraries"
 shell_rule='only board/ and main wire drivers and boards; kingyoctl may show a pure decoder'
 decoders='drivers/hid_descriptor\.h'
@@ -41,6 +44,9 @@ breaches=$({
     # shellcheck disable=SC2086
     files core | pairs $CORE_CFLAGS |
         breach "(core|$BUILD/generated)/.*|$own_include/$freestanding" "$core_rule"
+    # shellcheck disable=SC2086
+    files core/game | grep -E "$bot_files" | pairs $CORE_CFLAGS |
+        breach "$bot_headers|$contracts|$own_include/$freestanding" "$bot_rule"
     # shellcheck disable=SC2086
     files drivers | pairs $HOST_CFLAGS |
         breach "platform/hal\.h|$contracts|drivers/.*|/.*" "$driver_rule"
