@@ -10,9 +10,10 @@
 #include "core/poi/afloat.h"
 #include "core/poi/bowl_fish.h"
 #include "core/poi/catch.h"
-#include "core/poi/yield.h"
 #include "core/poi/haptics.h"
+#include "core/poi/rings.h"
 #include "core/poi/wake.h"
+#include "core/poi/yield.h"
 
 #define FAN_REACH_M 1.0f
 
@@ -58,6 +59,18 @@ static void keep_off_bowls(struct core *core, uint32_t index)
     }
 }
 
+/* Walls and its own bowl have the last word of a ring that another one moved. */
+static void part_rings(struct core *core, const uint8_t live[POI_MAX])
+{
+    for (uint32_t k = 0; k < POI_MAX * POI_MAX; k++) {
+        const uint32_t a = k / POI_MAX, b = k % POI_MAX;
+        if (a < b && live[a] && live[b] && rings_part(&core->poi[a], &core->poi[b])) {
+            poi_yield_again(&core->poi[a], &core->tank, &core->bowl[a]);
+            poi_yield_again(&core->poi[b], &core->tank, &core->bowl[b]);
+        }
+    }
+}
+
 static void tick_pois(struct core *core, const struct input *input,
                       const struct poi_target targets[POI_MAX], const uint8_t live[POI_MAX])
 {
@@ -73,6 +86,7 @@ static void tick_pois(struct core *core, const struct input *input,
             keep_off_bowls(core, i);
         }
     }
+    part_rings(core, live);
     const struct stall stall = { &core->tank, core->bowl, POI_MAX };
     afloat_tick(&stall, core->poi, live, POI_MAX);
 }

@@ -10,7 +10,6 @@
 #include "core/poi/huddle.h"
 #include "core/poi/take_up.h"
 
-#define FLOAT_SHARE 1.50f   /* Water over the paper, in body heights: a rider floats off. */
 #define SLACK_N_M 1.5f /* A fish alone stretches wet paper so much. */
 #define LIFT_OFF_M_S2 0.5f  /* Pulled from the paper by more than this, it flies. */
 #define LAND_M_S 0.2f        /* Wet paper takes most of what a fish comes down aslant with. */
@@ -139,7 +138,7 @@ static float paper_y(const struct scoop *scoop, float x_m, float z_m)
 static int floats_off(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
 {
     const float depth = -paper_y(scoop, rider->x_m, rider->z_m);
-    return depth > FLOAT_SHARE * fish->height_m;
+    return depth > TAKE_UP_FLOAT_SHARE * fish->height_m;
 }
 
 /* As an umpire does who wants to see it clear of the water with the fish on it. */
@@ -216,6 +215,31 @@ static void forget_strangers(struct scoop *scoop)
     }
 }
 
+static void meet(struct scoop *scoop, uint32_t index)
+{
+    struct fish *fish = &scoop->tank->fish[index];
+    if (contact_fish(scoop->poi, &scoop->axes, fish)) {
+        take_up(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, index, scoop->tick);
+    } else if (contact_squeezed(scoop->poi, fish)) {
+        take_up_slip_off(scoop->poi, scoop->tank, fish);
+    }
+}
+
+/* Of those that hold a ring fast the ones farthest out wriggle out over its edge, until it moves:
+ * those within may yet be lifted. */
+static void free_jam(struct scoop *scoop)
+{
+    struct poi *poi = scoop->poi;
+    const int jams = contact_jams(poi);
+    poi->jam_ticks = (uint8_t)(jams ? poi->jam_ticks + (poi->jam_ticks < UINT8_MAX) : 0);
+    for (uint32_t i = 0; i < scoop->tank->fish_count && jams; i++) {
+        struct fish *fish = &scoop->tank->fish[i];
+        if (fish_swims(fish) && contact_holds(poi, &scoop->axes, fish)) {
+            take_up_slip_off(poi, scoop->tank, fish);
+        }
+    }
+}
+
 static void meet_all(struct scoop *scoop)
 {
     for (uint32_t i = 0; i < scoop->tank->fish_count; i++) {
@@ -224,11 +248,7 @@ static void meet_all(struct scoop *scoop)
             continue;
         }
         if (fish->gait != GAIT_HELD) {
-            if (contact_fish(scoop->poi, &scoop->axes, fish)) {
-                take_up(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, i, scoop->tick);
-            } else if (contact_squeezed(scoop->poi, fish)) {
-                take_up_slip_off(scoop->poi, scoop->tank, fish);
-            }
+            meet(scoop, i);
         } else if (fish->holder == scoop->poi_index && !is_rider(scoop->poi, i)) {
             fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
@@ -289,5 +309,6 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
     sound_ring(&scoop);
     ride_all(&scoop);
     meet_all(&scoop);
+    free_jam(&scoop);
     burden_gather(poi, &axes, scoop.ride.pull_m_s2.y, stall->tank->fish);
 }

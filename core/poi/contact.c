@@ -3,8 +3,9 @@
 
 #define ZONE_M 0.06f /* Farther from the plane none can touch. */
 #define SQUEEZE_GAP_M 0.0005f
-#define JAM_PULL_M 0.03f /* A hand so far over a ring that stands still pulls at a jam. */
-#define JAM_M_S 0.02f
+#define JAM_PULL_M 0.03f /* A hand so far over a ring that stands still pulls at a jam: 6.5 N. */
+#define JAM_TICKS 12.0f /* In 0.1 s all who lie over it have left, from the edge inward. */
+#define JAM_M (0.02f * CORE_TICK_S)
 #define TOUCH_M 0.005f /* Who lies across the ring is held 3 mm over the paper by it. */
 
 /* Whether a point, seen from the ring's centre, is in the cylinder of ZONE_M over the paper; if so,
@@ -36,28 +37,50 @@ static int at_surface(const struct fish *fish)
     return fish->position_m.y + box_extent_m(&box).y > -SQUEEZE_GAP_M;
 }
 
-static int ring_presses(const struct poi *poi, const struct fish *fish)
+/* Whether the ring is at the fish, and from below or whichever way. */
+static int ring_touches(const struct poi *poi, const struct fish *fish, int from_below)
 {
     const struct box box = fish_box(fish);
     const struct obstacle ring = poi_obstacle(poi);
     const struct touch touch = obstacle_touch(&ring, &box);
-    return touch.gap_m < SQUEEZE_GAP_M && touch.out.y > 0.0f;
+    return touch.gap_m < SQUEEZE_GAP_M && (!from_below || touch.out.y > 0.0f);
 }
 
-/* Fish upon fish between paper and surface. */
-static int is_jammed(const struct poi *poi)
+int contact_jams(const struct poi *poi)
 {
-    return poi->hand_m.y > poi->position_m.y + JAM_PULL_M && poi->velocity_m_s.y < JAM_M_S;
+    const vec3 made_m = v3_sub(poi->position_m, poi->before_m);
+    return poi->gave & OBSTACLE_GAVE_PLACE && poi->hand_m.y > poi->position_m.y + JAM_PULL_M &&
+           v3_dot(made_m, made_m) < JAM_M * JAM_M;
+}
+
+static int is_near(const struct fish *fish, vec3 away)
+{
+    const float reach_m = POI_OUTER_RADIUS_M + fish->length_m;
+    return v3_dot(away, away) < reach_m * reach_m;
 }
 
 int contact_squeezed(const struct poi *poi, const struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
-    const float reach_m = POI_OUTER_RADIUS_M + fish->length_m;
-    if (!(poi->gave & OBSTACLE_GAVE_PLACE) || v3_dot(away, away) > reach_m * reach_m ||
-        !at_surface(fish)) {
-        return 0;
+    return poi->gave & OBSTACLE_GAVE_PLACE && is_near(fish, away) && at_surface(fish) &&
+           ring_touches(poi, fish, 1);
+}
+
+/* Between the disc and the surface, farther than `from_m` from its middle, however deep it is. */
+static int lies_over(const struct basis *axes, vec3 away, float from_m)
+{
+    const float side_m2 = away.x * away.x + away.z * away.z;
+    return side_m2 < POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M && side_m2 >= from_m * from_m &&
+           v3_dot(away, axes->up) > 0.0f;
+}
+
+int contact_holds(const struct poi *poi, const struct basis *axes, const struct fish *fish)
+{
+    const vec3 away = v3_sub(fish->position_m, poi->position_m);
+    const float left = 1.0f - (float)poi->jam_ticks / JAM_TICKS;
+    if (lies_over(axes, away, f_max(left, 0.0f) * POI_OUTER_RADIUS_M) && at_surface(fish)) {
+        return 1;
     }
-    return ring_presses(poi, fish) ||
-           (is_jammed(poi) && v3_dot(away, away) < POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M);
+    return left <= 0.0f && is_near(fish, away) &&
+           (ring_touches(poi, fish, 0) || contact_fish(poi, axes, fish));
 }

@@ -179,6 +179,7 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
     hash = hash_vec3(hash, poi->before_m_s);
     hash = hash_u32(hash, poi->gave);
     hash = hash_u32(hash, poi->stopped);
+    hash = hash_u32(hash, poi->jam_ticks);
     hash = hash_u32(hash, poi->clings);
     hash = hash_u32(hash, poi->drops);
     hash = hash_vec3(hash, poi->angular_velocity_rad_s);

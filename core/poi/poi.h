@@ -46,6 +46,7 @@ struct poi {
     float pace_m_s;              /* ... and how fast that goes, or went of late. */
     uint8_t gave;    /* Bits of enum obstacle_gave: how fish held it up in the last tick. */
     uint8_t stopped; /* Walls, floor or bowl held it up in this one. */
+    uint8_t jam_ticks; /* So long fish have held it against a hand that pulls up; <= 255. */
     uint8_t clings;  /* It was in the water, which has not let go of its edge yet. */
     vec3 angular_velocity_rad_s; /* Of yaw, pitch, roll, in that order. */
     vec3 spin_rad_s;             /* World; the part that turns its normal. */

@@ -2,12 +2,14 @@
 #include "core/poi/take_up.h"
 
 #include "core/base/rng.h"
+#include "core/poi/contact.h"
 #include "core/poi/fall.h"
 
 #define LEVEL_MIN 0.35f /* A steeper poi (70 degrees) takes nobody up. */
 #define STAND_SHARE                                                                                \
     1.05f /* Water over the paper, in body heights, in which a fish still stands ... */
 #define STAND_SPARE_M 0.0045f /* and more, for one that lies across the ring, 3 mm higher. */
+#define HELD_SHARE (TAKE_UP_FLOAT_SHARE - 0.05f)
 #define SPILL_M_S 0.4f  /* Fish beyond POI_RIDER_MAX leave over the ring so fast. */
 #define WALL_GAP_M 0.015f
 #define WALL_M_S 0.02f     /* Toward a wall: more than a trembling hand. */
@@ -15,11 +17,15 @@
 #define CALM_VIGOUR 0.55f  /* A fish that rests or gulps is taken by surprise: it slaps by so much
                               less than one in flight. */
 
+/* On a ring that a hand pulls at in vain nobody stands: what is held between paper and surface lies
+ * on the paper, but where water would float it off again. */
 static int can_stand(const struct poi *poi, const struct basis *axes, vec3 place,
                      const struct fish *fish)
 {
     const float paper_y = poi->position_m.y + place.x * axes->right.y + place.z * axes->back.y;
-    return -paper_y > STAND_SHARE * fish->height_m + STAND_SPARE_M;
+    const float stands_m = STAND_SHARE * fish->height_m + STAND_SPARE_M;
+    const float held_m = contact_jams(poi) ? HELD_SHARE * fish->height_m : 0.0f;
+    return -paper_y > f_max(stands_m, held_m);
 }
 
 void take_up_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish)

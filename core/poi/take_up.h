@@ -4,6 +4,8 @@
 
 #include "core/poi/poi.h"
 
+#define TAKE_UP_FLOAT_SHARE 1.50f /* Water over the paper, in body heights: a rider floats off. */
+
 /* Fish `index`, over paper that holds and near it, which the poi takes up unless it can stand or
  * the poi is too steep; for one for which the paper has no room it is a wall, and it slips off over
  * the ring. `axes` are the poi's, `poi_index` < POI_MAX. */

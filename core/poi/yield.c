@@ -96,3 +96,8 @@ void poi_yield_to_bowl(struct poi *poi, const struct bowl *bowl)
     const vec3 off_m = v3_sub(poi->position_m, free_m);
     poi->stopped |= v3_dot(off_m, off_m) > 0.0f;
 }
+
+void poi_yield_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl)
+{
+    poi_yield(poi, tank, bowl, poi->before_m, basis_from_angles(poi->angles).up);
+}

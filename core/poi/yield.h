@@ -12,4 +12,7 @@ void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl
 /* After poi_tick(): out of one bowl more, another player's. */
 void poi_yield_to_bowl(struct poi *poi, const struct bowl *bowl);
 
+/* The same of walls, floor and its own bowl, for a ring that something moved after poi_tick(). */
+void poi_yield_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl);
+
 #endif

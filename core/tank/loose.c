@@ -39,7 +39,8 @@ static float reach_m(const struct fish *fish)
     return 0.5f * (fish->length_m + fish->height_m);
 }
 
-static void stay_in_tank(const struct tank *tank, struct fish *fish)
+/* Within `high_m` too, but for a fish that lies level there. */
+static void stay_within(const struct tank *tank, struct fish *fish, float high_m)
 {
     const struct box box = fish_box(fish);
     const vec3 extent = box_extent_m(&box);
@@ -47,7 +48,13 @@ static void stay_in_tank(const struct tank *tank, struct fish *fish)
     const float room_z = 0.5f * tank->size_m.z - extent.z;
     fish->position_m.x = f_clamp(fish->position_m.x, -room_x, room_x);
     fish->position_m.z = f_clamp(fish->position_m.z, -room_z, room_z);
-    fish->position_m.y = f_clamp(fish->position_m.y, extent.y - tank->size_m.y, -extent.y);
+    fish->position_m.y =
+        f_clamp(fish->position_m.y, extent.y - tank->size_m.y, f_max(high_m, -extent.y));
+}
+
+static void stay_in_tank(const struct tank *tank, struct fish *fish)
+{
+    stay_within(tank, fish, -1.0f);
 }
 
 void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
@@ -61,7 +68,7 @@ void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     fish->heading_rad = fish->angles.yaw_rad;
     fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
     fish->gait_left_s = 0.0f;
-    stay_in_tank(tank, fish);
+    stay_within(tank, fish, fish->position_m.y); /* Nobody is pushed down through paper. */
     tank->loose_count++;
 }
 

@@ -60,6 +60,7 @@ struct part {
     fish_index beside[TANK_FISH_MAX]; /* Who could touch an obstacle in this step. */
     struct course { /* Of an obstacle, as it wanted to go. */
         vec3 from_m, step_m;
+        uint8_t turned;
     } course[TANK_OBSTACLE_MAX];
     uint32_t station, station_count;
     uint8_t turns_back;  /* Somebody has its old angles again. */

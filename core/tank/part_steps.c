@@ -21,7 +21,7 @@ uint32_t part_stations(struct part *part, const struct part_place *place)
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
         const vec3 from_m = v3_sub(obstacle->centre_m, obstacle->step_m);
-        part->course[o] = (struct course){ from_m, obstacle->step_m };
+        part->course[o] = (struct course){ from_m, obstacle->step_m, obstacle->turned };
         longest_m = f_max(longest_m, v3_length(obstacle->step_m));
     }
     part->back_count = 0;
@@ -63,9 +63,11 @@ void part_take(const struct crowd *crowd, struct fish *fish)
     }
 }
 
+/* Its step is that of the whole tick again, for who looks where it came from (loose.c). */
 static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
 {
     obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
+    obstacle->turned = course->turned && !(obstacle->gave & OBSTACLE_GAVE_TURN);
     if (obstacle->gave & OBSTACLE_GAVE_PLACE) {
         const vec3 lost_m = v3_sub(course->step_m, obstacle->step_m);
         obstacle->velocity_m_s = v3_mad(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);

@@ -46,7 +46,6 @@ static const struct field game_fields[] = {
     FIELD(game, best_today),  FIELD(game, record_id),  SKIP(game, player),
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
-    FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
     SKIP(game, hints),        SKIP(game, bot),
 };
 
@@ -63,7 +62,6 @@ static const struct field player_fields[] = {
 static const struct field trust_fields[] = {
     FIELD(trust, verdict),      FIELD(trust, knows),  FIELD(trust, same_ticks),
     FIELD(trust, agree_ticks),  FIELD(trust, silent_ticks),
-    FIELD(trust, late_ticks),
     FIELD(trust, rush_m),       FIELD(trust, spin),   FIELD(trust, newest),
 };
 
@@ -125,7 +123,8 @@ static const struct field poi_fields[] = {
     FIELD(poi, angles),      FIELD(poi, before_m),
     FIELD(poi, before_m_s),  FIELD(poi, before_angles),
     FIELD(poi, hand_m),      FIELD(poi, pace_m_s),
-    FIELD(poi, gave),        FIELD(poi, stopped), FIELD(poi, clings),
+    FIELD(poi, gave),        FIELD(poi, stopped), FIELD(poi, jam_ticks),
+    FIELD(poi, clings),
     FIELD(poi, angular_velocity_rad_s), FIELD(poi, spin_rad_s),
     FIELD(poi, acceleration_m_s2), FIELD(poi, jolt_m_s2),
     FIELD(poi, drag_n_s_m),  FIELD(poi, slam_n), FIELD(poi, edge_n_s_m),
