@@ -1,6 +1,7 @@
 # bench.mk -- the figures, one row each with the command that gives it.
 
-BENCH_BIN := $(BUILD)/tests/bench/bench_start $(BUILD)/tests/bench/bench_latency
+BENCH_BIN := $(BUILD)/tests/bench/bench_start $(BUILD)/tests/bench/bench_latency \
+    $(BUILD)/tests/bench/bench_open
 
 ## bench: frame time, start, memory, latency and sizes of this machine, as a table and build/bench.tsv
 bench:

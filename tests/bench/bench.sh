@@ -28,6 +28,13 @@ row 'drawn by' "$(pick "$work/demo" 'drawn by +\K.*')" "$demo"
 row 'a frame off screen, 300 fish: median, p99' "$(pick "$work/demo" 'median \K[0-9.]+ ms, p99 [0-9.]+ ms')" "$demo"
 row 'one tick of the core' "$(pick "$work/demo" '[0-9.]+ ms(?= a tick)')" "$demo"
 
+"$BUILD/tests/bench/bench_open" >"$work/open"
+within=$?
+read -r open_ms open_max_ms back_ms back_max_ms <"$work/open"
+row "opening the championship's tank: median, max" "$open_ms, $open_max_ms ms" bench_open
+row "and the stall's own again: median, max" "$back_ms, $back_max_ms ms" bench_open
+[ $within -eq 0 ] || row 'opening a tank' 'OVER ITS BOUND' 'bench_open'
+
 open_screen
 bot="kingyo --window 1280x720 --mode festival --poi bot --seed 2013"
 "$BUILD/kingyo" --window 1280x720 --mode festival --poi bot --seed 2013 --data "$work/data" >"$work/bot" 2>&1 &

@@ -1,0 +1,87 @@
+/* bench_open.c -- the longest tick of all: the one that opens another mode's tank.
+ *
+ * Prints, over ROUNDS stalls each of its own seed, the median and the most of the processor's time
+ * that the tick takes in which START opens the championship's tank, and the tick in which attract
+ * mode opens the stall's own again: `open_ms open_max_ms back_ms back_max_ms`. Such a tick is long,
+ * but it drops none: the frame that it is in comes late by so much, just as the picture changes to
+ * another tank, and the next frame runs the ticks that are owed (pace.h). Exit code 1 when one
+ * takes more than a frame: where processors are a quarter as fast that would be four. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/phases.h"
+#include "platform/cpu.h"
+
+#define ROUNDS 200u
+#define BOUND_MS (1e3 / 60.0)
+
+static struct core core;
+static struct input input;
+static struct output output;
+
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "%s:%d: %s\n", file, line, condition);
+    abort();
+}
+
+static double now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+static double tick_ms(uint32_t pressed)
+{
+    const double began_ms = now_ms();
+    input.pressed = pressed;
+    core_tick(&core, &input, &output);
+    return now_ms() - began_ms;
+}
+
+/* START asks for the championship at once; back is what attract mode does after a result. */
+static int measure(uint32_t seed, double *open_ms, double *back_ms)
+{
+    const struct core_config config = { .seed = seed, .modes = 1u << MODE_CHAMPIONSHIP,
+                                        .lanes = cpu_lanes() };
+    if (core_init(&core, &config) != CORE_OK) {
+        return -1;
+    }
+    const uint8_t own = core.tank.preset;
+    tick_ms(0);
+    *open_ms = tick_ms(INPUT_START);
+    if (core.tank.preset == own) {
+        return -1;
+    }
+    const double began_ms = now_ms();
+    attract_begin(&core);
+    *back_ms = now_ms() - began_ms + tick_ms(0);
+    return core.tank.preset == own ? 0 : -1;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+int main(void)
+{
+    static double open_ms[ROUNDS], back_ms[ROUNDS];
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        if (measure(i, &open_ms[i], &back_ms[i])) {
+            fprintf(stderr, "bench_open: seed %u: no other tank was opened\n", i);
+            return 2;
+        }
+    }
+    qsort(open_ms, ROUNDS, sizeof open_ms[0], compare);
+    qsort(back_ms, ROUNDS, sizeof back_ms[0], compare);
+    const double most_open_ms = open_ms[ROUNDS - 1u], most_back_ms = back_ms[ROUNDS - 1u];
+    printf("%.1f %.1f %.1f %.1f\n", open_ms[ROUNDS / 2u], most_open_ms, back_ms[ROUNDS / 2u],
+           most_back_ms);
+    return most_open_ms < BOUND_MS && most_back_ms < BOUND_MS ? 0 : 1;
+}
