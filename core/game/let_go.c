@@ -26,21 +26,11 @@ static int is_held(const struct fish *fish, uint32_t poi_index)
     return fish->gait == GAIT_HELD && fish->holder == poi_index;
 }
 
-static int is_rider(const struct poi *poi, uint32_t index)
-{
-    for (uint32_t i = 0; i < poi->rider_count; i++) {
-        if (poi->riders[i].fish == index) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* A fish that is held without being a rider has nothing that would let it fall. */
 static void free_the_forgotten(const struct poi *poi, uint32_t poi_index, struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
-        if (is_held(&tank->fish[i], poi_index) && !is_rider(poi, i)) {
+        if (is_held(&tank->fish[i], poi_index) && !catch_has_rider(poi, i)) {
             fall_set_free(tank, &tank->fish[i], v3(0.0f, 0.0f, 0.0f));
         }
     }

@@ -206,19 +206,20 @@ static uint32_t gather(struct bowl *bowl, uint32_t bowl_index, const struct tank
     return count;
 }
 
-/* It was at `velocity_m_s` before it swam. A newcomer sinks in, it does not jump. */
-static void end_tick(struct fish *fish, const struct bowl *bowl, float level_m, vec3 moved_m)
+/* It was at `from_m` before it swam. A newcomer sinks in, it does not jump. */
+static void end_tick(struct fish *fish, const struct bowl *bowl, float level_m, vec3 from_m,
+                     vec3 moved_m)
 {
-    const vec3 from = fish->velocity_m_s;
     stay_in_hull(fish, bowl, level_m);
-    const vec3 step = v3_limit(v3_sub(fish->position_m, from), SPEED_MAX_M_S * CORE_TICK_S);
-    fish->position_m = v3_add(from, step);
+    const vec3 step = v3_limit(v3_sub(fish->position_m, from_m), SPEED_MAX_M_S * CORE_TICK_S);
+    fish->position_m = v3_add(from_m, step);
     fish->velocity_m_s = v3_scale(v3_add(step, moved_m), (float)CORE_TICK_HZ);
 }
 
 void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
 {
     fish_index mine[BOWL_FISH_MAX];
+    vec3 from_m[BOWL_FISH_MAX];
     const vec3 moved_m = v3_sub(bowl->position_m, bowl->before_m);
     if (!bowl->present || bowl->fish_count == 0) {
         return;
@@ -229,12 +230,12 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank->fish[mine[i]];
         fish->position_m = v3_add(fish->position_m, moved_m);
-        fish->velocity_m_s = fish->position_m; /* Until the tick knows where it ends. */
+        from_m[i] = fish->position_m;
         const struct round round = round_of(fish, mine[i], bowl, level_m, tank->seed);
         swim(fish, bowl, way, &round);
     }
     part_all(tank->fish, mine, count);
     for (uint32_t i = 0; i < count; i++) {
-        end_tick(&tank->fish[mine[i]], bowl, level_m, moved_m);
+        end_tick(&tank->fish[mine[i]], bowl, level_m, from_m[i], moved_m);
     }
 }

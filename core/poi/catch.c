@@ -191,16 +191,6 @@ static void ride_all(struct scoop *scoop)
 
 /* ---- Meeting the others ---------------------------------------------------------------------- */
 
-static int is_rider(const struct poi *poi, uint32_t index)
-{
-    for (uint32_t i = 0; i < poi->rider_count; i++) {
-        if (poi->riders[i].fish == index) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* A rider whose fish someone else moved on (a new round) is no rider any more. */
 static void forget_strangers(struct scoop *scoop)
 {
@@ -249,13 +239,23 @@ static void meet_all(struct scoop *scoop)
         }
         if (fish->gait != GAIT_HELD) {
             meet(scoop, i);
-        } else if (fish->holder == scoop->poi_index && !is_rider(scoop->poi, i)) {
+        } else if (fish->holder == scoop->poi_index && !catch_has_rider(scoop->poi, i)) {
             fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
     }
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
+
+int catch_has_rider(const struct poi *poi, uint32_t fish)
+{
+    for (uint32_t i = 0; i < poi->rider_count; i++) {
+        if (poi->riders[i].fish == fish) {
+            return 1;
+        }
+    }
+    return 0;
+}
 
 void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
                  struct catch_result results[POI_MAX])

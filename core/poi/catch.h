@@ -20,6 +20,9 @@ struct catch_result {
     uint32_t bowled; /* Any of these, whoever's poi it was: it lies in this one's bowl. */
 };
 
+/* Whether a fish is among those that lie on the poi or fall off it. */
+int catch_has_rider(const struct poi *poi, uint32_t fish);
+
 /* Counts a fish that fell off poi `poi` into bowl `bowl`, both < POI_MAX. */
 void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
                  struct catch_result results[POI_MAX]);

@@ -189,10 +189,57 @@ static void say_cost(struct ui *ui, const struct scene *scene, const char *name,
            ui->batch.quad_count, 1e3 * used_s / COST_DRAWS);
 }
 
+/* What is drawn on, and what lies behind. */
+struct canvas {
+    GLuint target, backdrop;
+    int width, height, back_width, back_height;
+};
+
+static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const char *out,
+                 const struct canvas *canvas)
+{
+    static struct scene scene;
+    char path[512];
+    const int width = canvas->width, height = canvas->height;
+    fill_scene(&scene, shot, language);
+    ui->memory = (struct ui_memory){ .hint = shot->hint, .best_before = 12, .hint_tick = 800 };
+    memcpy(ui->memory.caught, scene.caught, sizeof scene.caught);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
+    if (language == 0) {
+        say_cost(ui, &scene, shot->name, width, height);
+    }
+    draw_backdrop(canvas->backdrop, canvas->back_width, canvas->back_height, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
+    ui_draw(ui, &scene, (float)width, (float)height);
+    snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", out, shot->name,
+             language == 0 ? "ja" : "en", width, height);
+    if (!write_picture(path, width, height)) {
+        fprintf(stderr, "ui_shots: cannot write %s\n", path);
+        return 0;
+    }
+    return 1;
+}
+
+/* Every screen in every size and language; returns whether all were written. */
+static int shoot_all(struct ui *ui, const char *out, struct canvas canvas)
+{
+    int all = 1;
+    for (size_t s = 0; s < sizeof sizes / sizeof *sizes && all; s++) {
+        canvas.width = sizes[s][0];
+        canvas.height = sizes[s][1];
+        canvas.target = make_target(canvas.width, canvas.height);
+        for (size_t i = 0; i < sizeof shots / sizeof *shots; i++) {
+            for (uint8_t language = 0; language < LANGUAGE_COUNT && all; language++) {
+                all = shoot(ui, &shots[i], language, out, &canvas);
+            }
+        }
+    }
+    return all;
+}
+
 int main(int count, char **arguments)
 {
     static struct ui ui;
-    static struct scene scene;
     char why[256];
     SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
     if (count < 2 || count > 3) {
@@ -207,34 +254,11 @@ int main(int count, char **arguments)
         fprintf(stderr, "ui_shots: %s\n", why);
         return 1;
     }
-    int back_width = 0, back_height = 0;
-    const GLuint backdrop =
-        load_backdrop(count > 2 ? arguments[2] : NULL, &back_width, &back_height);
-    for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
-        const int width = sizes[s][0], height = sizes[s][1];
-        const GLuint target = make_target(width, height);
-        for (size_t i = 0; i < sizeof shots / sizeof *shots; i++) {
-            for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
-                char path[512];
-                fill_scene(&scene, &shots[i], language);
-                ui.memory = (struct ui_memory){ .hint = shots[i].hint, .best_before = 12,
-                                                .hint_tick = 800 };
-                memcpy(ui.memory.caught, scene.caught, sizeof scene.caught);
-                glBindFramebuffer(GL_FRAMEBUFFER, target);
-                if (language == 0) {
-                    say_cost(&ui, &scene, shots[i].name, width, height);
-                }
-                draw_backdrop(backdrop, back_width, back_height, width, height);
-                glBindFramebuffer(GL_FRAMEBUFFER, target);
-                ui_draw(&ui, &scene, (float)width, (float)height);
-                snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", arguments[1], shots[i].name,
-                         language == 0 ? "ja" : "en", width, height);
-                if (!write_picture(path, width, height)) {
-                    fprintf(stderr, "ui_shots: cannot write %s\n", path);
-                    return 74;
-                }
-            }
-        }
+    struct canvas canvas = { 0 };
+    canvas.backdrop =
+        load_backdrop(count > 2 ? arguments[2] : NULL, &canvas.back_width, &canvas.back_height);
+    if (!shoot_all(&ui, arguments[1], canvas)) {
+        return 74;
     }
     ui_close(&ui);
     return 0;

@@ -1,6 +1,7 @@
 /* shot.c -- plays the stall for a while without a screen and keeps a picture, or times the passes.
  *
  * A developer's eye: `make shot ARGS="--seconds 12 --size 1920x1080 -o shot.png"`. */
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,72 +76,98 @@ static uint8_t mode_named(const char *name)
     exit(2);
 }
 
+enum kind { KIND_FLAG, KIND_BYTE, KIND_NUMBER, KIND_FLOAT, KIND_TEXT };
+
+/* An option that sets one member as it stands. */
+static const struct plain_option {
+    const char *name;
+    enum kind kind;
+    size_t offset;
+    float unit; /* Of a float. */
+} plain_options[] = {
+    { "--start", KIND_FLAG, offsetof(struct options, start), 0.0f },
+    { "--en", KIND_FLAG, offsetof(struct options, english), 0.0f },
+    { "--passes", KIND_FLAG, offsetof(struct options, passes), 0.0f },
+    { "--paper", KIND_FLAG, offsetof(struct options, paper), 0.0f },
+    { "--stress", KIND_FLAG, offsetof(struct options, stress), 0.0f },
+    { "--careless", KIND_FLAG, offsetof(struct options, careless), 0.0f },
+    { "--plain", KIND_FLAG, offsetof(struct options, plain), 0.0f },
+    { "--players", KIND_BYTE, offsetof(struct options, players), 0.0f },
+    { "--samples", KIND_NUMBER, offsetof(struct options, samples), 0.0f },
+    { "--fish", KIND_NUMBER, offsetof(struct options, fish), 0.0f },
+    { "--seed", KIND_NUMBER, offsetof(struct options, seed), 0.0f },
+    { "--water", KIND_FLOAT, offsetof(struct options, water_m), 0.001f },
+    { "--tilt", KIND_FLOAT, offsetof(struct options, tilt_rad), F_DEG },
+    { "--heel", KIND_FLOAT, offsetof(struct options, heel_rad), F_DEG },
+    { "--follow", KIND_FLOAT, offsetof(struct options, follow_m), 1.0f },
+    { "--stamina", KIND_FLOAT, offsetof(struct options, stamina), 1.0f },
+    { "--oxygen", KIND_FLOAT, offsetof(struct options, oxygen_mg_l), 1.0f },
+    { "--seconds", KIND_FLOAT, offsetof(struct options, seconds), 1.0f },
+    { "--scale", KIND_FLOAT, offsetof(struct options, scale), 1.0f },
+    { "-o", KIND_TEXT, offsetof(struct options, out), 0.0f },
+};
+
+static void set_member(void *member, const struct plain_option *option, const char *value)
+{
+    switch (option->kind) {
+    case KIND_FLAG:
+        *(uint8_t *)member = 1;
+        break;
+    case KIND_BYTE:
+        *(uint8_t *)member = (uint8_t)strtoul(value, NULL, 10);
+        break;
+    case KIND_NUMBER:
+        *(uint32_t *)member = (uint32_t)strtoul(value, NULL, 10);
+        break;
+    case KIND_FLOAT:
+        *(float *)member = option->unit * strtof(value, NULL);
+        break;
+    case KIND_TEXT:
+        *(const char **)member = value;
+        break;
+    }
+}
+
+static void read_plain(struct options *o, const char *name, const char *value)
+{
+    for (size_t i = 0; i < sizeof plain_options / sizeof *plain_options; i++) {
+        if (!strcmp(name, plain_options[i].name)) {
+            set_member((char *)o + plain_options[i].offset, &plain_options[i], value);
+        }
+    }
+}
+
+static void read_named(struct options *o, const char *name, const char *value)
+{
+    if (!strcmp(name, "--mode")) {
+        o->mode = mode_named(value);
+        o->modes = (uint8_t)(1u << o->mode);
+    } else if (!strcmp(name, "--choose")) {
+        o->modes = (1u << MODE_COUNT) - 1u;
+        o->start = 1;
+    } else if (!strcmp(name, "--owner")) {
+        o->owner = (uint8_t)(strtoul(value, NULL, 10) % POI_MAX);
+    } else if (!strcmp(name, "--preset")) {
+        o->preset = preset_named(value);
+    } else if (!strcmp(name, "--close")) {
+        sscanf(value, "%f,%f,%f", &o->close_x_m, &o->close_z_m, &o->close_m);
+    } else if (!strcmp(name, "--fan")) {
+        float x_cm = 0.0f, z_cm = 0.0f;
+        const int is_there = sscanf(value, "%f,%f", &x_cm, &z_cm) == 2;
+        o->fan = (struct shade_input){ (uint8_t)is_there, 0.01f * x_cm, 0.01f * z_cm, 0.10f };
+    } else if (!strcmp(name, "--size")) {
+        sscanf(value, "%ux%u", &o->width, &o->height);
+    }
+}
+
 static struct options parse(int argc, char **argv)
 {
     struct options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png",
                          .stamina = -1.0f, .oxygen_mg_l = -1.0f };
     for (int i = 1; i < argc; i++) {
         const char *const value = i + 1 < argc ? argv[i + 1] : "";
-        const char *const name = argv[i];
-        if (!strcmp(name, "--start")) {
-            o.start = 1;
-        } else if (!strcmp(name, "--en")) {
-            o.english = 1;
-        } else if (!strcmp(name, "--passes")) {
-            o.passes = 1;
-        } else if (!strcmp(name, "--paper")) {
-            o.paper = 1;
-        } else if (!strcmp(name, "--players")) {
-            o.players = (uint8_t)strtoul(value, NULL, 10);
-        } else if (!strcmp(name, "--mode")) {
-            o.mode = mode_named(value);
-            o.modes = (uint8_t)(1u << o.mode);
-        } else if (!strcmp(name, "--choose")) {
-            o.modes = (1u << MODE_COUNT) - 1u;
-            o.start = 1;
-        } else if (!strcmp(name, "--stress")) {
-            o.stress = 1;
-        } else if (!strcmp(name, "--owner")) {
-            o.owner = (uint8_t)(strtoul(value, NULL, 10) % POI_MAX);
-        } else if (!strcmp(name, "--water")) {
-            o.water_m = 0.001f * strtof(value, NULL);
-        } else if (!strcmp(name, "--tilt")) {
-            o.tilt_rad = strtof(value, NULL) * F_DEG;
-        } else if (!strcmp(name, "--heel")) {
-            o.heel_rad = strtof(value, NULL) * F_DEG;
-        } else if (!strcmp(name, "--careless")) {
-            o.careless = 1;
-        } else if (!strcmp(name, "--follow")) {
-            o.follow_m = strtof(value, NULL);
-        } else if (!strcmp(name, "--preset")) {
-            o.preset = preset_named(value);
-        } else if (!strcmp(name, "--plain")) {
-            o.plain = 1;
-        } else if (!strcmp(name, "--stamina")) {
-            o.stamina = strtof(value, NULL);
-        } else if (!strcmp(name, "--oxygen")) {
-            o.oxygen_mg_l = strtof(value, NULL);
-        } else if (!strcmp(name, "--close")) {
-            sscanf(value, "%f,%f,%f", &o.close_x_m, &o.close_z_m, &o.close_m);
-        } else if (!strcmp(name, "--seconds")) {
-            o.seconds = strtof(value, NULL);
-        } else if (!strcmp(name, "--scale")) {
-            o.scale = strtof(value, NULL);
-        } else if (!strcmp(name, "--samples")) {
-            o.samples = (uint32_t)strtoul(value, NULL, 10);
-        } else if (!strcmp(name, "--fish")) {
-            o.fish = (uint32_t)strtoul(value, NULL, 10);
-        } else if (!strcmp(name, "--seed")) {
-            o.seed = (uint32_t)strtoul(value, NULL, 10);
-        } else if (!strcmp(name, "--fan")) {
-            o.fan.present = sscanf(value, "%f,%f", &o.fan.x_m, &o.fan.z_m) == 2;
-            o.fan = (struct shade_input){ o.fan.present, 0.01f * o.fan.x_m, 0.01f * o.fan.z_m,
-                                          0.10f };
-        } else if (!strcmp(name, "--size")) {
-            sscanf(value, "%ux%u", &o.width, &o.height);
-        } else if (!strcmp(name, "-o")) {
-            o.out = value;
-        }
+        read_plain(&o, argv[i], value);
+        read_named(&o, argv[i], value);
     }
     return o;
 }
