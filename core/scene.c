@@ -4,22 +4,11 @@
 #include "core/game/hand.h"
 #include "core/game/rules.h"
 #include "core/morph/morph.h"
+#include "core/show.h"
 #include "core/tank/surface.h"
 
 #define COLOUR_START_DAYS 50.0f /* Keepers see the first red at 50 to 60 days ... */
 #define COLOUR_FULL_DAYS 120.0f /* ... and clear red within three to four months. */
-
-static uint8_t place_of(uint8_t gait)
-{
-    switch (gait) {
-    case GAIT_HELD:
-        return SCENE_ON_POI;
-    case GAIT_BOWL:
-        return SCENE_IN_BOWL;
-    default:
-        return SCENE_IN_TANK;
-    }
-}
 
 static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish *out)
 {
@@ -33,7 +22,7 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->gulp = surface_gulp(fish, tick);
     out->maturity = f_smoothstep(COLOUR_START_DAYS, COLOUR_FULL_DAYS, fish->age_days);
     out->look = fish->look;
-    out->place = place_of(fish->gait);
+    out->place = show_place(fish->gait);
     morph_weights(&species_wakin, morph_progress(&species_wakin, fish->length_m), out->weight);
 }
 
@@ -62,11 +51,9 @@ static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_CO
 static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
 {
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
-        const int is_paper = sheet->state[i] == CELL_PAPER;
-        const float whole = f_clamp(1.0f - sheet->damage[i], 0.0f, 1.0f);
-        out->wetness[i] = (uint8_t)(int32_t)(f_clamp(sheet->wetness[i], 0.0f, 1.0f) * 255.0f);
-        out->integrity[i] = is_paper ? (uint8_t)(1 + (int32_t)(whole * 254.0f)) : 0;
-        out->stress[i] = is_paper ? sheet->stress[i] : 0;
+        out->wetness[i] = show_wetness(sheet, i);
+        out->integrity[i] = show_integrity(sheet, i);
+        out->stress[i] = sheet->state[i] == CELL_PAPER ? sheet->stress[i] : 0;
     }
     spread_to_rim(sheet, out->wetness);
     spread_to_rim(sheet, out->integrity);

@@ -64,6 +64,10 @@ struct game {
     struct trust trust[POI_MAX];     /* What is thought of each controller. */
     uint32_t back_ticks[POI_MAX];    /* How long a poi is on its way back to its hand; 0: it is
                                         there. */
+    uint8_t was_lost[POI_MAX];       /* It goes that way because it was lost: it is spared. */
+    uint32_t spared_ticks[POI_MAX];  /* What its paper was spared on such ways, less what being led
+                                        since has given back. */
+    uint32_t doubt_ticks[POI_MAX];   /* How long it is said to be where no arm could be so soon. */
     struct hints hints;
     struct bot bot[POI_MAX];
 };

@@ -7,6 +7,13 @@
 
 #define CLEAR_Y_M 0.035f     /* Pois are held above this while nothing may be scooped. */
 #define GRIP_TICKS 144u      /* 1.2 s from one hand to the next: 1 m/s across the tank. */
+#define DOUBT_TICKS 8u       /* A stray of a sixteenth of a second moves no poi. */
+#define FAR_M 0.30f          /* What is so far away after that ... */
+#define FAR_TURN 0.3f        /* ... or turned so much is gone to gently, ... */
+#define FAR_LEAN 0.8f        /* ... but a mouse leans its poi as it hurries. */
+#define WET_BELOW_M 0.020f   /* Some of a tilted ring may be under water. */
+#define SPARE_TICKS_ALL (2u * DRIFT_SPARE_TICKS_MAX) /* Of many ways back one after the other. */
+#define REFILL_TICKS 8u      /* So long it is led for each tick more that it may be spared. */
 #define REACH_SIDE_M 0.20f   /* Beyond the walls ... */
 #define REACH_HEIGHT_M 0.35f /* ... and above the water that an arm reaches. */
 
@@ -29,7 +36,7 @@ void hand_read(struct core *core, const struct input *input)
 
 static int is_believed(const struct core *core, uint32_t index)
 {
-    return core->game.trust[index].verdict >= TRUST_CATCH_UP;
+    return core->game.trust[index].verdict == TRUST_BELIEVED;
 }
 
 int hand_dips(const struct core *core, const struct input *input, uint32_t index)
@@ -92,6 +99,12 @@ static struct poi_target blend(struct poi_target from, struct poi_target to, flo
     };
 }
 
+void hand_forget_way(struct game *game, uint32_t index)
+{
+    game->back_ticks[index] = game->doubt_ticks[index] = 0;
+    game->was_lost[index] = 0;
+}
+
 static void take_hold(struct core *core, uint32_t index, uint8_t link)
 {
     struct game *game = &core->game;
@@ -101,10 +114,10 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     if (link == POI_LINK_BOT) {
         bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
         game->bot[index].hand.pose = game->hand[index];
-        game->back_ticks[index] = 0; /* It is led to nobody any more. */
+        hand_forget_way(game, index); /* It is led to nobody any more. */
     }
     if (link == POI_LINK_LIVE && game->holder[index] == POI_LINK_LOST) {
-        game->back_ticks[index] = 1;
+        game->back_ticks[index] = game->was_lost[index] = 1;
     } else if (link == POI_LINK_LOST) {
         game->hand[index] = drift_begin(&core->poi[index], game->hand[index]);
     } else {
@@ -125,15 +138,57 @@ static struct poi_target follow(struct core *core, uint32_t index, struct poi_ta
     return age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
 }
 
-/* A sensor that strays for a moment does not throw the poi about. */
-static struct poi_target at_arms_pace(struct poi_target from, struct poi_target to)
+/* Where a stray costs paper or a fish. Who may scoop no more has neither to lose. */
+static int is_at_stake(const struct core *core, uint32_t index, vec3 next_m)
 {
-    const vec3 way_m = v3_sub(to.position_m, from.position_m);
-    to.position_m = v3_add(from.position_m, v3_limit(way_m, TRUST_ARM_M_S * CORE_TICK_S));
-    return to;
+    const struct poi *poi = &core->poi[index];
+    const float low_m = f_min(core->game.hand[index].position_m.y, poi->position_m.y);
+    return f_min(low_m, next_m.y) < WET_BELOW_M || poi->rider_count > 0;
 }
 
-/* Its paper is spared until it is back, but not for ever. */
+/* [0, 1]: as much of the way as goes in a tick. */
+static float share_in_a_tick(const struct poi_target *from, const struct poi_target *to,
+                             float pace_m_s, float pace_rad_s)
+{
+    const float way_m = v3_length(v3_sub(to->position_m, from->position_m));
+    const float turn_rad = trust_turn(from->angles, to->angles);
+    const float pace_m = pace_m_s * CORE_TICK_S, pace_rad = pace_rad_s * CORE_TICK_S;
+    return f_min(way_m > pace_m ? pace_m / way_m : 1.0f,
+                 turn_rad > pace_rad ? pace_rad / turn_rad : 1.0f);
+}
+
+static int is_far(const struct poi_target *from, const struct poi_target *to, int has_wrist)
+{
+    return v3_length(v3_sub(to->position_m, from->position_m)) > FAR_M ||
+           trust_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
+}
+
+/* A pose that is farther away than an arm goes may be a sensor that strays for a moment: the hand
+ * stays where it is until that is over, or has lasted for long enough to be its way. A mouse may be
+ * thrown, over the water. */
+static struct poi_target steady(struct core *core, uint32_t index, struct poi_target next,
+                                int has_wrist)
+{
+    struct game *game = &core->game;
+    const struct poi_target hand = game->hand[index];
+    const int at_stake = is_at_stake(core, index, next.position_m);
+    const int is_arm = has_wrist || at_stake;
+    const float share =
+        share_in_a_tick(&hand, &next, is_arm ? TRUST_ARM_M_S : TRUST_POINTER_M_S,
+                        has_wrist ? TRUST_WRIST_RAD_S : TRUST_POINTER_RAD_S);
+    const int is_doubted = share < 1.0f && is_arm && game_may_scoop(core, index);
+    game->doubt_ticks[index] = is_doubted ? game->doubt_ticks[index] + 1u : 0u;
+    if (is_doubted && game->doubt_ticks[index] <= DOUBT_TICKS) {
+        return hand;
+    }
+    if (is_doubted && at_stake && is_far(&hand, &next, has_wrist)) {
+        game->back_ticks[index] = 1;
+        return hand;
+    }
+    return share < 1.0f ? blend(hand, next, share) : next;
+}
+
+/* Its paper is spared until it is back, but not for ever: neither on one way, nor on many. */
 static struct poi_target go_back(struct core *core, uint32_t index, struct poi_target wanted)
 {
     struct game *game = &core->game;
@@ -141,8 +196,13 @@ static struct poi_target go_back(struct core *core, uint32_t index, struct poi_t
     wanted = within_reach(core, wanted, lowest_m(core, index));
     const struct poi_target hand = drift_back(game->hand[index], wanted, ticks);
     const int is_back = drift_is_back(hand, wanted, ticks);
-    core->poi[index].spared = ticks < DRIFT_SPARE_TICKS_MAX;
+    core->poi[index].spared =
+        game->was_lost[index] && ticks < DRIFT_SPARE_TICKS_MAX &&
+        game->spared_ticks[index] < SPARE_TICKS_ALL;
+    game->spared_ticks[index] += core->poi[index].spared;
     game->back_ticks[index] = is_back ? 0u : ticks + 1u;
+    game->was_lost[index] &= !is_back;
+    game->doubt_ticks[index] = 0;
     return hand;
 }
 
@@ -150,14 +210,17 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
                                          uint32_t index)
 {
     struct game *game = &core->game;
-    if (game->trust[index].verdict == TRUST_CATCH_UP && game->back_ticks[index] == 0) {
-        game->back_ticks[index] = 1;
-    }
+    const struct poi_input *says = &input->poi[index];
     if (game->back_ticks[index] > 0) {
-        return go_back(core, index, input->poi[index].target);
+        return go_back(core, index, says->target);
     }
-    const struct poi_target next = follow(core, index, input->poi[index].target);
-    return input->poi[index].has_wrist ? at_arms_pace(game->hand[index], next) : next;
+    if (core->tick % REFILL_TICKS == 0 && game->spared_ticks[index] > 0) {
+        game->spared_ticks[index]--;
+    }
+    const float share = trust_share(&game->trust[index]);
+    struct poi_target next = follow(core, index, says->target);
+    next = share < 1.0f ? blend(game->hand[index], next, share) : next;
+    return steady(core, index, next, says->has_wrist);
 }
 
 /* Nobody leads it. Whoever is there again, or waits for somebody else, fetches it from there. */
@@ -169,7 +232,7 @@ static void drift(struct core *core, uint32_t index)
     if (core->poi[index].link == POI_LINK_BOT) {
         game->bot[index].hand.pose = game->hand[index];
     } else {
-        game->back_ticks[index] = 1;
+        game->back_ticks[index] = game->was_lost[index] = 1;
     }
 }
 
@@ -199,7 +262,7 @@ void hand_tick_all(struct core *core, const struct input *input,
             tick_hand(core, input, i);
         } else {
             core->game.holder[i] = POI_LINK_ABSENT;
-            core->game.back_ticks[i] = 0;
+            hand_forget_way(&core->game, i);
         }
         targets[i] = core->game.hand[i];
         core->game.live_y_m[i] = is_believed(core, i)

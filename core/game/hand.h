@@ -5,6 +5,7 @@
 #include "core/input.h"
 
 struct core;
+struct game;
 
 /* Whether a poi takes part: it has a bowl, and someone to hold it, lost or not. */
 int hand_plays(const struct core *core, uint32_t index);
@@ -29,5 +30,8 @@ void hand_links(struct core *core, const struct input *input);
  * sixteenth of a second first, where it could cost paper or a fish. */
 void hand_tick_all(struct core *core, const struct input *input,
                    struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
+
+/* A poi that is taken over anew, or put elsewhere, is on no way back to any hand. */
+void hand_forget_way(struct game *game, uint32_t index);
 
 #endif

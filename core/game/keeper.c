@@ -5,6 +5,7 @@
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/core.h"
+#include "core/game/hand.h"
 #include "core/game/let_go.h"
 #include "core/game/rules.h"
 
@@ -75,7 +76,7 @@ static void place_all(struct core *core, const struct tank_preset *preset)
         core->poi[i].link = link;
         core->game.hand[i] = (struct poi_target){ .position_m = poi_place(preset, i, 0.10f) };
         core->game.holder[i] = POI_LINK_ABSENT; /* Whoever holds it takes it over anew. */
-        core->game.back_ticks[i] = 0;
+        hand_forget_way(&core->game, i);
         if (i < player_count(&core->config)) {
             bowl_init(&core->bowl[i], preset->bowl_m[i]);
         }

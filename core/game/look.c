@@ -3,13 +3,12 @@
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
+#include "core/game/patch.h"
 
 #define DEPTH_WEIGHT 4.0f   /* A fish a centimetre lower is as far as one 4 cm farther. */
 #define GULP_M 0.04f        /* Who gulps catches the eye, from so much farther. */
 #define OVER_M 0.045f       /* Water over the paper that is looked into. */
 #define RIDE_M 0.025f       /* Who lies on the paper is not higher. */
-#define PATCH_M 0.010f      /* What a small fish needs under its body. */
-#define WINDS 8u
 
 static struct look_fish see_fish(const struct sight *sight, uint32_t index)
 {
@@ -126,46 +125,19 @@ static float line_m(float radius_m, uint32_t line)
     return (((float)line + 0.5f) * 2.0f / (float)SHEET_SIDE - 1.0f) * radius_m;
 }
 
-static int is_whole(const struct sight *sight, float radius_m, float x_m, float z_m)
-{
-    const float per_m = 0.5f * (float)SHEET_SIDE / radius_m;
-    const float column = f_clamp((x_m + radius_m) * per_m, 0.0f, (float)SHEET_SIDE - 1.0f);
-    const float row = f_clamp((z_m + radius_m) * per_m, 0.0f, (float)SHEET_SIDE - 1.0f);
-    return sight_integrity(sight, (uint32_t)row * SHEET_SIDE + (uint32_t)column) > 0;
-}
+struct picture {
+    const struct sight *sight;
+    float radius_m;
+};
 
-/* The eight winds, so that no sine is needed; the far edge first. */
-#define DIAGONAL 0.7071f
-static const float wind_x[WINDS] = { 0.0f,  DIAGONAL, -DIAGONAL, 1.0f,
-                                     -1.0f, DIAGONAL, -DIAGONAL, 0.0f };
-static const float wind_z[WINDS] = { -1.0f, -DIAGONAL, -DIAGONAL, 0.0f,
-                                     0.0f,  DIAGONAL,  DIAGONAL,  1.0f };
-
-static int patch_is_whole(const struct sight *sight, float radius_m, float x_m, float z_m)
+static int is_whole(const void *paper, float x_m, float z_m)
 {
-    int whole = is_whole(sight, radius_m, x_m, z_m);
-    for (uint32_t i = 0; i < WINDS && whole; i++) {
-        whole = is_whole(sight, radius_m, x_m + PATCH_M * wind_x[i], z_m + PATCH_M * wind_z[i]);
-    }
-    return whole;
-}
-
-/* In the middle, or on two circles round it, the far side first. */
-static void find_patch(struct look_paper *paper, const struct sight *sight, float radius_m)
-{
-    static const float circles[] = { 0.0f, 0.35f, 0.65f };
-    for (uint32_t c = 0; c < sizeof circles / sizeof circles[0]; c++) {
-        const float r = circles[c] * radius_m;
-        for (uint32_t i = 0; i < WINDS; i++) {
-            if (patch_is_whole(sight, radius_m, r * wind_x[i], r * wind_z[i])) {
-                paper->holds = 1;
-                paper->middle = c == 0;
-                paper->x_m = r * wind_x[i];
-                paper->z_m = r * wind_z[i];
-                return;
-            }
-        }
-    }
+    const struct picture *picture = paper;
+    const float per_m = 0.5f * (float)SHEET_SIDE / picture->radius_m;
+    const float column =
+        f_clamp((x_m + picture->radius_m) * per_m, 0.0f, (float)SHEET_SIDE - 1.0f);
+    const float row = f_clamp((z_m + picture->radius_m) * per_m, 0.0f, (float)SHEET_SIDE - 1.0f);
+    return sight_integrity(picture->sight, (uint32_t)row * SHEET_SIDE + (uint32_t)column) > 0;
 }
 
 static void see_paper(struct look *look, const struct sight *sight)
@@ -185,7 +157,12 @@ static void see_paper(struct look *look, const struct sight *sight)
         }
     }
     look->paper.wet = count > 0.0f ? wet / count : 0.0f;
-    find_patch(&look->paper, sight, radius_m);
+    const struct picture picture = { sight, radius_m };
+    struct patch patch = { 0 };
+    look->paper.holds = (uint8_t)patch_find(is_whole, &picture, radius_m, &patch);
+    look->paper.middle = patch.middle;
+    look->paper.x_m = patch.x_m;
+    look->paper.z_m = patch.z_m;
 }
 
 /* ---- Public --------------------------------------------------------------------------------- */

@@ -5,19 +5,13 @@
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/hand.h"
+#include "core/show.h"
 #include "core/tank/surface.h"
-
-static uint8_t place_of(uint8_t gait)
-{
-    if (gait == GAIT_HELD) {
-        return SCENE_ON_POI;
-    }
-    return gait == GAIT_BOWL ? SCENE_IN_BOWL : SCENE_IN_TANK;
-}
 
 struct sight_game sight_game(const struct sight *sight)
 {
     const struct core *core = sight->core;
+    CORE_ASSERT(sight->player < POI_MAX);
     return (struct sight_game){
         .tick = core->tick,
         .phase = core->game.phase,
@@ -48,7 +42,7 @@ struct sight_fish sight_fish(const struct sight *sight, uint32_t fish)
         .bend_rad = seen->bend_rad,
         .gape = surface_gape(seen, sight->core->tick),
         .gulp = surface_gulp(seen, sight->core->tick),
-        .place = place_of(seen->gait),
+        .place = show_place(seen->gait),
     };
 }
 
@@ -106,14 +100,10 @@ static const struct sheet *own_paper(const struct sight *sight, uint32_t cell)
 
 uint8_t sight_integrity(const struct sight *sight, uint32_t cell)
 {
-    const struct sheet *sheet = own_paper(sight, cell);
-    const float whole = f_clamp(1.0f - sheet->damage[cell], 0.0f, 1.0f);
-    return sheet->state[cell] == CELL_PAPER ? (uint8_t)(1 + (int32_t)(whole * 254.0f)) : 0;
+    return show_integrity(own_paper(sight, cell), cell);
 }
 
 uint8_t sight_wetness(const struct sight *sight, uint32_t cell)
 {
-    const struct sheet *sheet = own_paper(sight, cell);
-    const float wet = f_clamp(sheet->wetness[cell], 0.0f, 1.0f);
-    return sheet->state[cell] == CELL_OUTSIDE ? 0 : (uint8_t)(int32_t)(wet * 255.0f);
+    return show_wetness(own_paper(sight, cell), cell);
 }

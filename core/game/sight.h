@@ -1,9 +1,9 @@
 /* sight.h -- what a person at the stall sees: the picture of the scene, asked one thing at a time.
  *
  * A bot knows the stall through these functions alone. None tells more than core_scene() shows, and
- * each tells the same (a test compares them): where fish are, not where they go or what they mean
- * to do; the picture of the paper, not its strength. The eye borrows the core for the call it is
- * handed to, and keeps nothing. */
+ * each tells the same (tests/unit/test_sight.c): where fish are, not where they go or what they
+ * mean to do; the picture of the paper, not its strength. The eye borrows the core for the call it
+ * is handed to, and keeps nothing. */
 #ifndef KINGYO_CORE_GAME_SIGHT_H
 #define KINGYO_CORE_GAME_SIGHT_H
 

@@ -5,7 +5,7 @@
 
 const struct technique technique_novice = {
     .wet = 0.3f,
-    .entry_deg = 14.0f,
+    .entry_deg = 10.0f,
     .glide_deg = 20.0f,
     .side = SIDE_ANY,
     .place = PLACE_CENTRE,
@@ -20,7 +20,7 @@ const struct technique technique_novice = {
     .carry_m_s = 0.55f,
     .drain_s = 0.0f,
     .patience_s = 1.0f,
-    .aim_m = 0.006f,
+    .aim_m = 0.009f,
     .tremor_m = 0.0015f,
     .reaction_min_s = 0.20f,
     .reaction_max_s = 0.25f,

@@ -7,15 +7,12 @@
 #include "core/base/vec.h"
 
 /* How far beyond an arm's pace a pose may be before it is a leap: reports come a little unevenly,
- * and 3 m/s with a report missing is 3.4 cm too much. A pointer moves a picture, not an arm: a quick wrist throws a mouse over
- * the whole tank in a twentieth of a second. */
-#define ARM_LEAP_M 0.05f
-#define POINTER_M_S 16.0f
+ * and 3 m/s with a report missing is 3.4 cm too much. */
+#define ARM_LEAP_M 0.035f
 #define POINTER_LEAP_M 0.30f
 #define WRIST_PER_S 40.0f /* Of the way that the tips of the unit axes go: rad/s while small. */
-#define LEAP_TURN 1.2f    /* 74 degrees in one tick. */
+#define LEAP_TURN 0.3f    /* 36 degrees in one tick. */
 #define CREDIT_KEEP 0.95f
-#define UNSEEN_M 0.012f   /* At once, this makes a ring 0.15 m/s fast: what is more goes gently. */
 
 static int within(float value, float limit)
 {
@@ -32,8 +29,7 @@ int trust_can_read(const struct poi_target *target)
            within(target->angles.roll_rad, TRUST_ANGLE_RAD);
 }
 
-/* By directions: angles that mean the same are no turn. */
-static float turned(struct angles from, struct angles to)
+float trust_turn(struct angles from, struct angles to)
 {
     const struct basis a = basis_from_angles(from), b = basis_from_angles(to);
     return f_max(v3_length(v3_sub(a.up, b.up)), v3_length(v3_sub(a.back, b.back)));
@@ -41,7 +37,7 @@ static float turned(struct angles from, struct angles to)
 
 static float pace_m_s(int has_wrist)
 {
-    return has_wrist ? TRUST_ARM_M_S : POINTER_M_S;
+    return has_wrist ? TRUST_ARM_M_S : TRUST_POINTER_M_S;
 }
 
 static float leap_m(int has_wrist)
@@ -54,7 +50,7 @@ int trust_is_leap(const struct poi_target *from, const struct poi_target *to, fl
 {
     const float way_m = v3_length(v3_sub(to->position_m, from->position_m));
     return way_m > pace_m_s(has_wrist) * seconds + leap_m(has_wrist) ||
-           turned(from->angles, to->angles) > WRIST_PER_S * seconds + LEAP_TURN;
+           trust_turn(from->angles, to->angles) > WRIST_PER_S * seconds + LEAP_TURN;
 }
 
 /* What goes beyond an arm's pace sums up and is forgotten at that pace. Below 0 it is a credit:
@@ -70,7 +66,7 @@ static int leaps(struct trust *trust, const struct poi_input *input)
     const float pace = pace_m_s(input->has_wrist);
     const float unseen_s = (float)trust->silent_ticks * CORE_TICK_S;
     const vec3 way_m = v3_sub(input->target.position_m, trust->newest.position_m);
-    const float turn = turned(trust->newest.angles, input->target.angles);
+    const float turn = trust_turn(trust->newest.angles, input->target.angles);
     trust->rush_m = f_min(trust->rush_m, unseen_s > 0.0f ? -pace * unseen_s : trust->rush_m);
     trust->spin = f_min(trust->spin, unseen_s > 0.0f ? -WRIST_PER_S * unseen_s : trust->spin);
     trust->rush_m = beyond(trust->rush_m, v3_length(way_m), pace * CORE_TICK_S);
@@ -79,7 +75,7 @@ static int leaps(struct trust *trust, const struct poi_input *input)
     if (leapt) {
         trust->rush_m = trust->spin = 0.0f; /* From here on, if it stays. */
     }
-    return leapt;
+    return leapt && input->has_wrist;
 }
 
 static int is_stuck(struct trust *trust, const struct poi_input *input)
@@ -111,11 +107,23 @@ static int agrees(struct trust *trust, const struct poi_input *input)
     return is_sane && input->age_ticks <= TRUST_SILENT_TICKS;
 }
 
-/* Whether a hand whose reports come again after they were late has moved on unseen. */
-static int resumes(struct trust *trust, vec3 before_m)
+/* After reports that were late, the way that was missed is gone in three quarters of the time that
+ * it took: broken into straight pieces a way is shorter, and the paper would wear less by it. */
+static void count_late(struct trust *trust, const struct poi_input *input)
 {
-    const vec3 way_m = v3_sub(trust->newest.position_m, before_m);
-    return trust->silent_ticks > 0 && v3_length(way_m) > UNSEEN_M;
+    const uint16_t before = trust->silent_ticks;
+    const uint16_t now = input->age_ticks >= TRUST_LATE_TICKS ? input->age_ticks : 0u;
+    if (input->age_ticks < before && before <= TRUST_SILENT_TICKS) {
+        trust->late_ticks = (uint16_t)(3u * (before + 1u) / 4u);
+    } else if (trust->late_ticks > 0) {
+        trust->late_ticks--;
+    }
+    trust->silent_ticks = now;
+}
+
+float trust_share(const struct trust *trust)
+{
+    return trust->late_ticks > 1 ? 1.0f / (float)trust->late_ticks : 1.0f;
 }
 
 enum trust_verdict trust_tick(struct trust *trust, const struct poi_input *input)
@@ -125,17 +133,13 @@ enum trust_verdict trust_tick(struct trust *trust, const struct poi_input *input
         return TRUST_ABSENT;
     }
     const int was_lost = trust->verdict == TRUST_LOST;
-    const vec3 before_m = trust->newest.position_m;
     const int agreed = agrees(trust, input);
-    const int resumed = resumes(trust, before_m);
-    trust->silent_ticks = input->age_ticks >= TRUST_LATE_TICKS ? input->age_ticks : 0u;
+    count_late(trust, input);
     trust->agree_ticks = agreed && trust->agree_ticks < TRUST_AGREE_TICKS ? trust->agree_ticks + 1u
                          : agreed                                         ? TRUST_AGREE_TICKS
                                                                           : 0u;
     const int lost = !agreed || (was_lost && trust->agree_ticks < TRUST_AGREE_TICKS);
-    trust->verdict = lost                  ? TRUST_LOST
-                     : was_lost || resumed ? TRUST_CATCH_UP
-                                           : TRUST_BELIEVED;
+    trust->verdict = lost ? TRUST_LOST : TRUST_BELIEVED;
     return (enum trust_verdict)trust->verdict;
 }
 
@@ -146,6 +150,7 @@ uint64_t trust_hash(uint64_t hash, const struct trust *trust)
     hash = hash_u32(hash, trust->same_ticks);
     hash = hash_u32(hash, trust->agree_ticks);
     hash = hash_u32(hash, trust->silent_ticks);
+    hash = hash_u32(hash, trust->late_ticks);
     hash = hash_float(hash, trust->rush_m);
     hash = hash_float(hash, trust->spin);
     hash = hash_vec3(hash, trust->newest.position_m);

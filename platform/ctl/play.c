@@ -294,8 +294,8 @@ const struct ctl_command ctl_play = {
         "  --json           for programs: caught (what counts), scoops (times the ring went in),\n"
         "                   fouls, torn_at_s (second of the round from which its first paper\n"
         "                   holds no fish; null: it lasted), sheets (of paper; a torn one is\n"
-        "                   renewed in practice alone), hole_area_mm2 (of the last of them, at the\n"
-        "                   end; 5027 is all), state_hash of each round;\n"
+        "                   renewed in practice alone), hole_area_mm2 (of the last of them,\n"
+        "                   at the end; 5027 is all), state_hash of each round;\n"
         "                   median, ninth decile and maximum of all\n",
     .tell_more = bot_keys_print,
     .run = run,

@@ -6,7 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/game/rules.h"
 #include "core/tank/preset.h"
 #include "platform/board.h"
 #include "platform/clock.h"
@@ -15,9 +14,12 @@
 
 #define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
 #define NS_PER_S 1000000000ull
-#define START_NS 1500000000ull   /* The attract picture first, then the round. */
-#define AROUND_ROUND_S 5u        /* Attract, and a look at the result. */
-#define ROUND_S_MIN 10u
+#define START_NS FRAME_NS        /* START is pressed at once: ... */
+#define PRELUDE_NS (NS_PER_S / CORE_TICK_HZ * PACE_TICKS_MAX) /* ... unseen, in large steps, ... */
+#define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
+#define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u) /* ... until each hand is over its water. */
+#define AFTER_ROUND_S 5u         /* To bring the last fish home, and a look at the result. */
+#define ROUND_S_MIN 25u          /* A short demonstration shows play alone. */
 #define FOLDER_DEFAULT "out/demo"
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
 
@@ -43,21 +45,11 @@ static void wire(struct demo *demo)
     board_open_rehearsal(&demo->session->hal, &board, START_NS);
 }
 
-/* To take the poi, in the first mode that is offered. */
-static uint32_t ready_s(const struct options *options)
-{
-    uint8_t mode = 0;
-    while (mode < MODE_COUNT - 1u && options->modes != 0 && !(options->modes >> mode & 1u)) {
-        mode++;
-    }
-    return rules_of(mode)->ready_s;
-}
-
 static enum exit_code begin(struct demo *demo)
 {
     const struct options *options = &demo->session->options;
-    const uint32_t around_s = AROUND_ROUND_S + ready_s(options);
-    const uint32_t round_s = options->demo_s > around_s ? options->demo_s - around_s : 0;
+    const uint32_t round_s =
+        options->demo_s > AFTER_ROUND_S ? options->demo_s - AFTER_ROUND_S : 0;
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : DEMO_SEED,
@@ -126,6 +118,25 @@ static void write_sheet(struct demo *demo)
 
 /* ---- The run -------------------------------------------------------------------------------- */
 
+static int round_is_under_way(const struct core *core)
+{
+    return core->game.phase == PHASE_ROUND && core->tick - core->game.round_tick >= IN_ROUND_TICKS;
+}
+
+/* Nobody wants to see how a bot waits for the start, with its poi beside the tank. */
+static enum kiosk_end skip_to_round(struct demo *demo)
+{
+    struct session *session = demo->session;
+    const struct core *core = &session->kiosk.core;
+    enum kiosk_end end = KIOSK_RUNS;
+    while (end == KIOSK_RUNS && !*session->stop && !round_is_under_way(core) &&
+           core->tick < PRELUDE_TICKS_MAX) {
+        end = kiosk_frame(&session->kiosk, &session->hal);
+        board_rehearsal_advance(PRELUDE_NS);
+    }
+    return end;
+}
+
 /* One line that is rewritten on a terminal, a line each five seconds elsewhere. */
 static void tell_progress(const struct demo *demo)
 {
@@ -141,7 +152,7 @@ static void tell_progress(const struct demo *demo)
 static enum kiosk_end run(struct demo *demo)
 {
     struct session *session = demo->session;
-    enum kiosk_end end = KIOSK_RUNS;
+    enum kiosk_end end = session->options.replay[0] ? KIOSK_RUNS : skip_to_round(demo);
     while (end == KIOSK_RUNS && !*session->stop &&
            (demo->whole_replay || demo->now_ns < demo->end_ns)) {
         end = kiosk_frame(&session->kiosk, &session->hal);
@@ -171,7 +182,7 @@ static void print_summary(const struct demo *demo)
     const double ticks = kiosk->core.tick > 0 ? kiosk->core.tick : 1;
     const double share = frame->sum_ns > 0 ? (double)kiosk->core_ns / (double)frame->sum_ns : 0.0;
     printf("Kingyo %s: %.0f s %s, seed %u, %u fish\n", KINGYO_VERSION,
-           (double)kiosk->core.tick / CORE_TICK_HZ,
+           (double)demo->now_ns / (double)NS_PER_S,
            session->options.replay[0] ? "of a recording" : "played by the bot",
            kiosk->core.config.seed, kiosk->core.tank.fish_count);
     for (uint32_t i = 0; i < POI_MAX; i++) {

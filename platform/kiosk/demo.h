@@ -1,5 +1,6 @@
 /* demo.h -- the bot plays a round off screen, on a clock that only the program moves, and
- * pictures of it are written. Equal options give equal plays, to the last bit. */
+ * pictures of it are written. It begins when the hands are over the water: what comes before, from
+ * START on, is played unseen. Equal options give equal plays, to the last bit. */
 #ifndef KINGYO_PLATFORM_KIOSK_DEMO_H
 #define KINGYO_PLATFORM_KIOSK_DEMO_H
 

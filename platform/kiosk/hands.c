@@ -1,8 +1,12 @@
 /* hands.c -- from a device's readings to one input a tick. */
 #include "platform/kiosk/hands.h"
 
+#include "core/game/trust.h"
+
 #define RETRY_NS 1000000000ull
 #define NS_PER_S 1000000000ull
+#define TICK_NS (NS_PER_S / CORE_TICK_HZ)
+#define UNSEEN_NS 100000000ull /* So much time without ticks is a gap in what was seen of a hand. */
 
 /* HAL_ERR_NONE is the null driver's answer and BUSY a matter of patience; the rest are faults. */
 static uint32_t is_fault(int result)
@@ -83,8 +87,26 @@ static uint8_t link_of(const struct poi_hand *hand)
 static uint16_t age_ticks(const struct poi_hand *hand, uint64_t now_ns)
 {
     const uint64_t age_ns = now_ns > hand->newest_ns ? now_ns - hand->newest_ns : 0;
-    const uint64_t ticks = age_ns / (NS_PER_S / CORE_TICK_HZ);
+    const uint64_t ticks = age_ns / TICK_NS;
     return ticks < UINT16_MAX ? (uint16_t)ticks : UINT16_MAX;
+}
+
+/* A stall of ours: ticks were dropped, and the way that the hand made meanwhile would have to be
+ * made in the few that are left, at a haste that was never the hand's. */
+static int was_unseen(const struct poi_hand *hand, uint32_t tick_count)
+{
+    const struct resampler *path = &hand->path;
+    const uint64_t span_ns = path->path[path->count - 1].time_ns - path->path[0].time_ns;
+    return span_ns > tick_count * TICK_NS + UNSEEN_NS;
+}
+
+/* It comes to the core as reports do that were late: it stays where it was for a tick, at an age
+ * that is no loss yet, and has moved on unseen in the next. */
+static void pass_over(const struct poi_hand *hand, uint32_t index, struct poi_input *out)
+{
+    const struct resampler *path = &hand->path;
+    out->target = path->path[index == 0 ? 0 : path->count - 1].target;
+    out->age_ticks = index == 0 ? TRUST_SILENT_TICKS : 0u;
 }
 
 void poi_hand_at(const struct poi_hand *hand, uint32_t index, uint32_t tick_count, uint64_t now_ns,
@@ -94,7 +116,9 @@ void poi_hand_at(const struct poi_hand *hand, uint32_t index, uint32_t tick_coun
     out->has_wrist = hand->has_wrist;
     out->trembles = hand->trembles;
     out->age_ticks = out->link == POI_LINK_LIVE ? age_ticks(hand, now_ns) : 0u;
-    if (hand->path.count > 0) {
+    if (out->link == POI_LINK_LIVE && was_unseen(hand, tick_count)) {
+        pass_over(hand, index, out);
+    } else if (hand->path.count > 0) {
         out->target = resample_at(&hand->path, index, tick_count);
     }
 }

@@ -30,7 +30,9 @@ uint32_t poi_hand_sample(struct poi_hand *hand, const struct hal_poi *device, ui
 
 /* For tick `index` of the `tick_count` >= 1 ticks of the frame that began at `now_ns`. A controller
  * that never gave a reading is not here yet; one that gave some and stopped is away, and its target
- * stays what it was. */
+ * stays what it was. A way that took much longer than the frame's ticks do is not walked: it is
+ * passed on as that of a hand whose reports were late (core/game/trust.h), which is caught up with
+ * gently. */
 void poi_hand_at(const struct poi_hand *hand, uint32_t index, uint32_t tick_count, uint64_t now_ns,
                  struct poi_input *out);
 

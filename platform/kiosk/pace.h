@@ -4,7 +4,10 @@
 
 #include <stdint.h>
 
-#define PACE_TICKS_MAX 24u /* 0.2 s: a longer stall is dropped, or catching up would stall again. */
+/* 0.5 s: a longer stall is dropped, or catching up would stall again. Ticks are cheap where
+ * pictures are dear, and hands go on in the time that is dropped: a stroke of a third of a second
+ * in less of it would tear the paper. */
+#define PACE_TICKS_MAX 60u
 
 struct pace {
     uint64_t last_ns;

@@ -42,6 +42,7 @@ int eye_look(struct eye *eye, struct rect wanted)
         const uint8_t *row = (const uint8_t *)image->data + (y - r.top) * image->bytes_per_line;
         for (int x = r.left; x < r.right; x++) {
             eye->warm[y][x] = (uint8_t)is_warm(row + 4 * (x - r.left));
+            eye->blue[y][x] = row[4 * (x - r.left)];
         }
     }
     XDestroyImage(image);
@@ -52,12 +53,13 @@ struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int 
 {
     const struct rect *seen = &eye->seen;
     const int left = (int)centre_x - reach_px, top = (int)centre_y - reach_px;
-    struct blob blob = { 0 };
+    struct blob blob = { .blue = 255 };
     for (int y = top; y <= top + 2 * reach_px; y++) {
         for (int x = left; x <= left + 2 * reach_px; x++) {
             if (x >= seen->left && x < seen->right && y >= seen->top && y < seen->bottom &&
                 eye->warm[y][x]) {
                 blob.count++;
+                blob.blue = eye->blue[y][x] < blob.blue ? eye->blue[y][x] : blob.blue;
                 blob.x += (float)x;
                 blob.y += (float)y;
             }

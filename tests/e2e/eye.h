@@ -19,12 +19,14 @@ struct eye {
     Window window;
     struct rect seen; /* By the last look. */
     uint8_t warm[SCREEN_HEIGHT][SCREEN_WIDTH];
+    uint8_t blue[SCREEN_HEIGHT][SCREEN_WIDTH];
 };
 
-/* Warm pixels around a place and their centre. */
+/* Warm pixels around a place, their centre, and the least blue of them: all water is blue, and the
+ * more of it lies over a fish the less of its own red comes through. */
 struct blob {
     float x, y;
-    int count;
+    int count, blue;
 };
 
 /* `window` is a number as xdotool prints it, on the screen that DISPLAY names. 1 on success. */

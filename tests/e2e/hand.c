@@ -20,7 +20,8 @@
 #define LOOK_S 0.03          /* Between two looks: a screen shows 60 pictures a second at best. */
 #define CALM_LOOKS 12        /* So long fish are watched before one is chosen. */
 #define CHOICE_MAX 40
-#define FISH_DEPTH_M 0.020f  /* Of a fish that can be scooped: between the surface and the paper. */
+#define BLUE_PX_S 4.0f       /* A deep fish is 20 of 255 bluer: rather a livelier one. */
+#define PALE_BLUE 40         /* On the paper 4, under it 80 to 150: 25 where that is torn. */
 #define ASIDE_PX 90.0f       /* The ring goes in here, 50 px of it: beside the fish, not upon it. */
 #define HOVER_PX_S 480.0f    /* How fast a hand goes in the air, ... */
 #define UNDER_PX_S 150.0f    /* ... under water, where haste tears the paper, ... */
@@ -34,7 +35,7 @@ struct point {
 struct track {
     struct point at, speed;
     double seen_s;
-    int size;
+    int size, blue;
 };
 
 static struct eye eye;
@@ -71,16 +72,6 @@ static struct point to_screen(vec3 place_m)
         0.5f * (1.0f + seen.x / (-seen.z * tan_y * aspect)) * SCREEN_WIDTH,
         0.5f * (1.0f - seen.y / (-seen.z * tan_y)) * SCREEN_HEIGHT,
     };
-}
-
-/* Where the pointer must be so that the dipped ring is right under what is seen here. */
-static struct point under(struct point seen)
-{
-    const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
-    const vec3 fish_m = view_point_on_plane(
-        view, (float)SCREEN_WIDTH / SCREEN_HEIGHT, 2.0f * seen.x / SCREEN_WIDTH - 1.0f,
-        1.0f - 2.0f * seen.y / SCREEN_HEIGHT, -FISH_DEPTH_M);
-    return to_screen(v3(fish_m.x, POINTER_DIP_M, fish_m.z));
 }
 
 static float distance(struct point a, struct point b)
@@ -179,11 +170,14 @@ static int choose(struct track *best)
     float least = 1e9f;
     for (int i = 0; i < count; i++) {
         const struct point at = { now[i].x, now[i].y };
-        const float effort = wandered[i] / passed_s + 0.05f * distance(at, pointer);
+        const float effort = wandered[i] / passed_s + 0.05f * distance(at, pointer) +
+                             BLUE_PX_S * (float)found[i].blue;
         if (effort < least && now[i].count > found[i].count / 2 &&
             now[i].count < 2 * found[i].count) {
             least = effort;
-            *best = (struct track){ .at = at, .seen_s = time_s, .size = now[i].count };
+            *best = (struct track){
+                .at = at, .seen_s = time_s, .size = now[i].count, .blue = found[i].blue
+            };
             best->speed = (struct point){ (at.x - found[i].x) / passed_s,
                                           (at.y - found[i].y) / passed_s };
         }
@@ -203,8 +197,7 @@ static int approach(struct track *track, float aside_px, float px_s, double limi
             return 0;
         }
         const struct point seen = expected(track);
-        const struct point below = under(seen);
-        const struct point goal = { below.x + aside_px, below.y };
+        const struct point goal = { seen.x + aside_px, seen.y };
         const double time_s = now_s();
         near_count = step_to(goal, px_s * (float)(time_s - then_s)) < 8.0f ? near_count + 1 : 0;
         then_s = time_s;
@@ -213,11 +206,16 @@ static int approach(struct track *track, float aside_px, float px_s, double limi
     return 1;
 }
 
+/* What is seen through the paper is paler than what lies on it. */
 static int something_lies_on_the_paper(void)
 {
     const struct rect around = { (int)pointer.x - 60, (int)pointer.y - 60, (int)pointer.x + 60,
                                  (int)pointer.y + 60 };
-    return eye_look(&eye, around) && eye_blob(&eye, pointer.x, pointer.y, 34).count > 40;
+    if (!eye_look(&eye, around)) {
+        return 0;
+    }
+    const struct blob blob = eye_blob(&eye, pointer.x, pointer.y, 34);
+    return blob.count > 40 && blob.blue < PALE_BLUE;
 }
 
 static int try_once(void)
@@ -228,8 +226,9 @@ static int try_once(void)
         printf("# no fish keeps still\n");
         return 1;
     }
-    printf("# fish at %.0f,%.0f of %d px, %.0f px/s", (double)track.at.x, (double)track.at.y,
-           track.size, (double)hypotf(track.speed.x, track.speed.y));
+    printf("# fish at %.0f,%.0f of %d px, blue %d, %.0f px/s", (double)track.at.x,
+           (double)track.at.y, track.size, track.blue,
+           (double)hypotf(track.speed.x, track.speed.y));
     const float aside_px = pointer.x > track.at.x ? ASIDE_PX : -ASIDE_PX;
     if (!approach(&track, aside_px, HOVER_PX_S, 1.5)) {
         printf(", away before the dip\n");
@@ -239,8 +238,8 @@ static int try_once(void)
     int is_there = approach(&track, aside_px, UNDER_PX_S, 0.3) &&
                    approach(&track, 0.0f, UNDER_PX_S, 1.5);
     button(0);
-    const struct point lifted = under(expected(&track));
-    printf(", %s %.0f px off", is_there ? "scooped" : "away,", (double)distance(pointer, lifted));
+    printf(", %s %.0f px off", is_there ? "scooped" : "away,",
+           (double)distance(pointer, expected(&track)));
     wait_s(0.6);
     if (!is_there || !something_lies_on_the_paper()) {
         printf(", no fish\n");

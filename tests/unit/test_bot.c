@@ -11,7 +11,6 @@
 #include "tests/unit/bot_stall.h"
 
 static struct bot_stall stall;
-static struct core scrambled;
 
 static void open_with(const struct technique *technique, uint32_t seed)
 {
@@ -105,44 +104,6 @@ static void test_it_answers_a_vanished_fish_after_its_reaction_time(void **state
         answers += same_ticks <= 60;
     }
     assert_in_range(answers, 8, 10); /* The others had just turned to another fish. */
-}
-
-/* Every field that no scene shows, with other values: the hand goes the very same way. */
-static void scramble(struct core *core, const struct core *from)
-{
-    *core = *from;
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        struct fish *fish = &core->tank.fish[i];
-        fish->velocity_m_s = v3(3.0f, 1.0f, 2.0f);
-        fish->stamina = 0.123f;
-        fish->alarm = 0.9f;
-        fish->habit = 0.7f;
-        fish->startle_s = 0.2f;
-        fish->depth_goal_m = -0.01f;
-        fish->heading_rad += 1.0f;
-        fish->speed_goal_m_s = 1.0f;
-        fish->gait_left_s = 9.0f;
-        fish->gait = fish->gait == GAIT_REST || fish->gait == GAIT_ESCAPE ? GAIT_SWIM : fish->gait;
-    }
-    core->poi[0].velocity_m_s = v3(1.0f, 2.0f, 3.0f);
-    core->poi[0].pressure_pa = 77.0f;
-    core->poi[0].sheet.strength[500] = 0.1f;
-    core->config.seed = ~core->config.seed;
-}
-
-static void test_it_knows_nothing_that_no_scene_shows(void **state)
-{
-    (void)state;
-    begin_with(&technique_expert, 8);
-    for (uint32_t i = 0; i < 8u * CORE_TICK_HZ; i++) {
-        static struct bot twin;
-        twin = stall.bot;
-        scramble(&scrambled, &stall.core);
-        const struct poi_target blind = bot_tick(&twin, &(struct sight){ &scrambled, 0 });
-        bot_stall_tick(&stall);
-        assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
-        assert_true(bot_hash(HASH_START, &twin) == bot_hash(HASH_START, &stall.bot));
-    }
 }
 
 /* ---- Manners -------------------------------------------------------------------------------- */
@@ -392,7 +353,6 @@ int main(void)
         cmocka_unit_test(test_it_looks_no_oftener_than_a_person),
         cmocka_unit_test(test_what_it_knows_is_the_past),
         cmocka_unit_test(test_it_answers_a_vanished_fish_after_its_reaction_time),
-        cmocka_unit_test(test_it_knows_nothing_that_no_scene_shows),
         cmocka_unit_test(test_before_the_start_poi_and_shadow_stay_off_the_water),
         cmocka_unit_test(test_with_no_fish_to_take_it_only_hovers),
         cmocka_unit_test(test_its_hand_is_a_place_and_a_direction_whatever_it_sees),

@@ -162,7 +162,7 @@ static void test_no_choice_lasts_longer_than_two_minutes(void **state)
                     120u * CORE_TICK_HZ + 1u);
 }
 
-/* Away while the player chooses, back elsewhere: the poi is on its way to the hand when it opens. */
+/* Away while the player chooses, back elsewhere: the poi is on its way to the hand as it opens. */
 static void test_in_a_tank_that_opens_nobodys_poi_is_still_led_back(void **state)
 {
     (void)state;

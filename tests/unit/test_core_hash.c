@@ -46,6 +46,7 @@ static const struct field game_fields[] = {
     FIELD(game, best_today),  FIELD(game, record_id),  SKIP(game, player),
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
+    FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
     SKIP(game, hints),        SKIP(game, bot),
 };
 
@@ -62,6 +63,7 @@ static const struct field player_fields[] = {
 static const struct field trust_fields[] = {
     FIELD(trust, verdict),      FIELD(trust, knows),  FIELD(trust, same_ticks),
     FIELD(trust, agree_ticks),  FIELD(trust, silent_ticks),
+    FIELD(trust, late_ticks),
     FIELD(trust, rush_m),       FIELD(trust, spin),   FIELD(trust, newest),
 };
 

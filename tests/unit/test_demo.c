@@ -1,5 +1,5 @@
 /* test_demo.c -- a recording shown off screen is shown to its last tick, and judged by all of
- * them. */
+ * them; and a demonstration is of the round, not of waiting for it. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -88,12 +88,27 @@ static void test_a_recording_of_nothing_is_one_picture(void **state)
     assert_int_equal(session.kiosk.frames, 1);
 }
 
+static void test_a_demonstration_begins_in_the_round_and_catches_something(void **state)
+{
+    (void)state;
+    session.options = (struct options){ .width = 320, .height = 240, .demo = 1, .demo_s = 15 };
+    snprintf(session.options.shots, sizeof session.options.shots, "%s", folder);
+    assert_int_equal(demo_run(&session), EXIT_OK);
+    const struct core *played = &session.kiosk.core;
+    assert_int_equal(played->game.phase, PHASE_ROUND);
+    /* Half a second for the hand to come over the water, before the first picture. */
+    assert_in_range(played->tick - played->game.round_tick, 31u * CORE_TICK_HZ / 2u,
+                    16u * CORE_TICK_HZ);
+    assert_true(played->game.player[0].caught > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_tick_of_a_recording_is_shown),
         cmocka_unit_test(test_a_recording_that_is_wrong_in_its_last_tick_is_not_as_recorded),
         cmocka_unit_test(test_a_recording_of_nothing_is_one_picture),
+        cmocka_unit_test(test_a_demonstration_begins_in_the_round_and_catches_something),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

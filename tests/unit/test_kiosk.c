@@ -124,8 +124,8 @@ static void test_a_stall_is_dropped_and_counted(void **state)
     (void)state;
     frames(1);
     frame_after(1000 * MS);
-    assert_int_equal(rig.kiosk.core.tick, 2 + 24);
-    assert_int_equal(rig.kiosk.pace.dropped, 96);
+    assert_int_equal(rig.kiosk.core.tick, 2 + 60);
+    assert_int_equal(rig.kiosk.pace.dropped, 60);
 }
 
 /* ---- Buttons and coins ---------------------------------------------------------------------- */

@@ -225,7 +225,7 @@ static void test_a_pointer_that_is_warped_over_the_tank_under_water_tears_nothin
     rig.lost_frames = 0;
     rig.report.x_px = 1030.0f;
     frames(240);
-    assert_in_range(rig.lost_frames, 14, 17);
+    assert_int_equal(rig.lost_frames, 0); /* It goes there gently, and the round goes on. */
     assert_int_equal(rig.kiosk.core.poi[0].sheet.paper_cells, cells);
     assert_float_equal(rig.kiosk.core.poi[0].position_m.x, seen()->target.position_m.x, 0.01f);
 }

@@ -1,5 +1,7 @@
 /* test_mouse_play.c -- a round played with a pointer through the real decoder and the real frame
- * loop: the ways of a mouse must be good enough to scoop, and rough ways must cost paper. */
+ * loop: the ways of a mouse must be good enough to scoop, and rough ways must cost paper, however
+ * many pictures a second there are. The hand moves 60 times a second; a player sees what the last
+ * picture showed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +17,8 @@
 #include "drivers/poi_sim.h"
 #include "platform/kiosk/kiosk.h"
 
-#define FRAME_NS 16666667ull
+#define MOMENT_NS 16666667ull /* From one report of the mouse to the next. */
+#define MOMENTS_MAX 60u      /* A second. */
 #define WIDTH 1280u
 #define HEIGHT 720u
 
@@ -24,33 +27,46 @@ static struct mouse_player {
     struct poi_sim poi;
     struct hal hal;
     struct kiosk kiosk;
-    struct pointer_report report; /* The one report of each frame. */
+    struct pointer_report reports[MOMENTS_MAX]; /* Since the last frame. */
+    struct pointer_report last;
+    uint32_t report_count, moment_count;
+    uint32_t moments; /* That a frame takes, 1 .. MOMENTS_MAX. */
     float x_px, y_px;
     uint32_t buttons;
 } player;
 
 static void frame(void)
 {
-    player.clock.now_ns += FRAME_NS;
-    player.report = (struct pointer_report){
-        .time_ns = player.clock.now_ns,
-        .x_px = f_floor(player.x_px + 0.5f), /* A mouse knows whole pixels only. */
-        .y_px = f_floor(player.y_px + 0.5f),
-        .width_px = WIDTH,
-        .height_px = HEIGHT,
-        .buttons = player.buttons,
-    };
-    player.poi.reports = &player.report;
-    player.poi.report_count = 1;
+    player.poi.reports = player.reports;
+    player.poi.report_count = player.report_count;
     player.poi.next = 0;
     kiosk_frame(&player.kiosk, &player.hal);
+    player.report_count = player.moment_count = 0;
     assert_false(hand_is_lost(&player.kiosk.core, 0)); /* Whatever a mouse does is a hand's. */
 }
 
-static void frames(uint32_t count)
+/* A mouse at rest reports nothing, and knows whole pixels only. */
+static void moment(void)
+{
+    const struct pointer_report *last = &player.last;
+    struct pointer_report now = *last;
+    player.clock.now_ns += MOMENT_NS;
+    now.time_ns = player.clock.now_ns;
+    now.x_px = f_floor(player.x_px + 0.5f);
+    now.y_px = f_floor(player.y_px + 0.5f);
+    now.buttons = player.buttons;
+    if (now.x_px != last->x_px || now.y_px != last->y_px || now.buttons != last->buttons) {
+        player.last = player.reports[player.report_count++] = now;
+    }
+    if (++player.moment_count >= player.moments) {
+        frame();
+    }
+}
+
+static void moments(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        frame();
+        moment();
     }
 }
 
@@ -59,6 +75,8 @@ static void begin_round(uint32_t seed, uint32_t fish_count)
 {
     const struct kiosk_config config = { .core = { .seed = seed, .fish_count = fish_count } };
     memset(&player, 0, sizeof player);
+    player.last = (struct pointer_report){ .width_px = WIDTH, .height_px = HEIGHT };
+    player.moments = 1;
     player.x_px = 640.0f;
     player.y_px = 330.0f;
     player.hal = null_hal();
@@ -66,10 +84,10 @@ static void begin_round(uint32_t seed, uint32_t fish_count)
     poi_sim_init(&player.poi, player.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     player.hal.poi[0] = poi_sim_device(&player.poi);
     assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);
-    frames(10);
+    moments(10);
     player.kiosk.input.pressed = INPUT_START;
     while (player.kiosk.core.game.phase != PHASE_ROUND) {
-        frame();
+        moment();
         assert_true(player.kiosk.core.tick < 10 * CORE_TICK_HZ);
     }
 }
@@ -85,28 +103,28 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * (float)HEIGHT;
 }
 
-/* One frame of a move toward a screen point; 1 when there. */
-static int step_to(float x_px, float y_px, float px_per_frame)
+/* A moment of a move toward a screen point; 1 when there. */
+static int step_to(float x_px, float y_px, float px_per_moment)
 {
     const float dx = x_px - player.x_px;
     const float dy = y_px - player.y_px;
     const float distance = f_sqrt(dx * dx + dy * dy);
-    const float step = f_min(distance, px_per_frame);
+    const float step = f_min(distance, px_per_moment);
     if (distance < 1.0f) {
         return 1;
     }
     player.x_px += dx / distance * step;
     player.y_px += dy / distance * step;
-    frame();
+    moment();
     return 0;
 }
 
-static void move_to(vec3 point, float px_per_frame)
+static void move_to(vec3 point, float px_per_moment)
 {
     float x_px;
     float y_px;
     to_screen(point, &x_px, &y_px);
-    while (!step_to(x_px, y_px, px_per_frame)) {
+    while (!step_to(x_px, y_px, px_per_moment)) {
     }
 }
 
@@ -136,18 +154,19 @@ static const struct fish *choose(void)
     return best;
 }
 
-/* In beside it, under it, up, and over the bowl: what a person does. */
+/* In beside it, under it, up, and over the bowl: what a person does. The ring comes up along the
+ * line of sight: who points at the fish meets it with the middle of the paper. */
 static void try_once(void)
 {
     const struct fish *fish = choose();
     if (!fish) {
-        frames(20);
+        moments(20);
         return;
     }
     const float side = fish->position_m.x > 0.0f ? -0.08f : 0.08f;
     move_to(v3_add(fish->position_m, v3(side, 0.0f, 0.0f)), 8.0f);
     player.buttons = POINTER_DIP;
-    frames(20);
+    moments(20);
     for (uint32_t i = 0; i < 45; i++) {
         float x_px;
         float y_px;
@@ -155,27 +174,85 @@ static void try_once(void)
         step_to(x_px, y_px, 2.6f);
     }
     player.buttons = 0;
-    frames(28);
+    moments(28 + player.moments); /* And a look at the paper. */
     if (player.kiosk.core.poi[0].rider_count > 0) {
         const vec3 bowl = player.kiosk.core.bowl[0].position_m;
         move_to(v3(bowl.x, POINTER_HOVER_M, bowl.z), 6.0f);
-        frames(80);
+        moments(80);
     }
 }
 
-static void test_a_patient_hand_lands_fish_with_a_mouse(void **state)
+/* Fish landed in so many rounds at so many moments a picture. Four rounds alone scatter by half of
+ * what they bring. */
+static uint32_t landed_in(uint32_t rounds, uint32_t picture_moments)
 {
     uint32_t landed = 0;
-    (void)state;
-    for (uint32_t seed = 1; seed <= 12; seed++) {
+    for (uint32_t seed = 1; seed <= rounds; seed++) {
         begin_round(seed, 300);
+        player.moments = picture_moments;
         for (uint32_t i = 0; i < 12 && player.kiosk.core.game.phase == PHASE_ROUND; i++) {
             try_once();
         }
         landed += player.kiosk.core.game.player[0].caught;
     }
-    print_message("%u fish in twelve rounds\n", landed);
-    assert_true(landed >= 30); /* 45 by now; four rounds alone scatter by half of it. */
+    print_message("%u fish in %u rounds at %u pictures a second\n", landed, rounds,
+                  60u / picture_moments);
+    return landed;
+}
+
+static void test_a_patient_hand_lands_fish_with_a_mouse(void **state)
+{
+    (void)state;
+    assert_true(landed_in(12, 1) >= 36); /* 51 by now. */
+}
+
+static void test_so_it_does_at_20_pictures_a_second(void **state)
+{
+    (void)state;
+    assert_true(landed_in(8, 3) >= 24); /* 35 by now. */
+}
+
+static void test_so_it_does_at_10_pictures_a_second(void **state)
+{
+    (void)state;
+    assert_true(landed_in(8, 6) >= 24); /* 44 by now. */
+}
+
+static void glide(float px_per_moment, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        player.x_px += px_per_moment;
+        moment();
+    }
+}
+
+/* At `picture_moments` a picture: a dip, a glide of 5 cm and back under water, and a lift. */
+static void dip_twice(uint32_t seed, uint32_t picture_moments)
+{
+    begin_round(seed, 1);
+    player.moments = picture_moments;
+    moments(17); /* The button changes in mid-frame. */
+    for (uint32_t i = 0; i < 2; i++) {
+        player.buttons = POINTER_DIP;
+        glide(1.3f, 61);
+        assert_true(picture_moments > 30 || player.kiosk.core.poi[0].immersed > 0.0f);
+        glide(-1.3f, 61);
+        player.buttons = 0;
+        moments(61);
+    }
+}
+
+/* A hand's strokes take a third of a second, whatever the time is that the stall has for them. */
+static void test_pictures_that_stand_still_tear_no_paper(void **state)
+{
+    static const uint32_t picture_moments[] = { 1, 6, 15, 30, 33, 40, 60 };
+    (void)state;
+    for (uint32_t i = 0; i < sizeof picture_moments / sizeof picture_moments[0]; i++) {
+        for (uint32_t seed = 1; seed <= 6; seed++) {
+            dip_twice(seed, picture_moments[i]);
+            assert_true(paper_left() > 0.99f);
+        }
+    }
 }
 
 static void test_four_careful_dips_leave_the_paper_whole(void **state)
@@ -185,9 +262,9 @@ static void test_four_careful_dips_leave_the_paper_whole(void **state)
         begin_round(seed, 1);
         for (uint32_t i = 0; i < 4; i++) {
             player.buttons = POINTER_DIP;
-            frames(40);
+            moments(40);
             player.buttons = 0;
-            frames(60);
+            moments(60);
         }
         assert_true(paper_left() > 0.99f);
     }
@@ -200,24 +277,24 @@ static void test_plunging_over_and_over_tears_it(void **state)
     float least = 1.0f; /* Who has torn one gets another, later. */
     for (uint32_t i = 0; i < 60; i++) {
         player.buttons ^= POINTER_DIP;
-        frames(24);
+        moments(24);
         least = f_min(least, paper_left());
     }
     assert_true(least < 0.9f);
 }
 
-/* Under water from side to side, `step_px` a frame, between x 400 and 800. */
+/* Under water from side to side, `step_px` a moment, between x 400 and 800. */
 static void sweep(float step_px, uint32_t sweeps)
 {
     player.x_px = 400.0f;
-    frames(30);
+    moments(30);
     player.buttons = POINTER_DIP;
-    frames(40);
+    moments(40);
     for (uint32_t i = 0; i < sweeps; i++) {
         const float way = i % 2 ? -step_px : step_px;
         for (float gone = 0.0f; gone < 400.0f; gone += step_px) {
             player.x_px += way;
-            frame();
+            moment();
         }
     }
 }
@@ -246,6 +323,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_patient_hand_lands_fish_with_a_mouse),
+        cmocka_unit_test(test_so_it_does_at_20_pictures_a_second),
+        cmocka_unit_test(test_so_it_does_at_10_pictures_a_second),
+        cmocka_unit_test(test_pictures_that_stand_still_tear_no_paper),
         cmocka_unit_test(test_four_careful_dips_leave_the_paper_whole),
         cmocka_unit_test(test_rushing_through_the_water_tears_it_within_a_few_sweeps),
         cmocka_unit_test(test_gliding_through_the_water_does_not),
