@@ -30,10 +30,11 @@ static int is_held_over_fish(const struct core *core, const struct shade *shade)
 }
 
 /* What the keeper's changes do to the poi (another tank, a new holder) is no motion of the hand's,
- * so the hand itself is looked at. */
-static void watch_stance(struct player *player, vec3 hand_m)
+ * so the hand itself is looked at. A pointer points at other water when the picture is another one,
+ * a frame later, and lays its way there onto the next frame: where it is by then, it rests. */
+static void watch_stance(struct player *player, vec3 hand_m, uint32_t ready_ticks)
 {
-    if (player->stance == STANCE_UNSEEN) {
+    if (player->stance == STANCE_UNSEEN || ready_ticks < FOUL_SETTLE_TICKS) {
         player->stance = STANCE_RESTS;
         player_rests(player, hand_m);
     } else if (player_stirs(player, hand_m)) {
@@ -44,12 +45,13 @@ static void watch_stance(struct player *player, vec3 hand_m)
 static int has_moved(struct core *core, uint32_t index)
 {
     struct player *player = &core->game.player[index];
+    const uint32_t ready_ticks = core->tick - core->game.phase_tick;
     if (!pause_holds(core, index)) {
         player->stance = STANCE_UNSEEN; /* A cable that breaks commits no foul. */
     } else if (core->poi[index].link == POI_LINK_LIVE) {
-        watch_stance(player, core->game.trust[index].newest.position_m);
+        watch_stance(player, core->game.trust[index].newest.position_m, ready_ticks);
     } else if (core->poi[index].link == POI_LINK_BOT) {
-        watch_stance(player, core->game.hand[index].position_m);
+        watch_stance(player, core->game.hand[index].position_m, ready_ticks);
     }
     return player->stance == STANCE_MOVED;
 }

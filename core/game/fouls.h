@@ -15,6 +15,8 @@
 
 #define FOUL_APART_TICKS (2u * CORE_TICK_HZ)
 #define FOUL_SHADE_S 1.5f /* A shadow that rests so long over fish before the start is held. */
+#define FOUL_SETTLE_TICKS 144u /* 1.2 s of READY: a poi then has come from the stall's hand to its
+                                  own, and two of the longest frames are over. */
 
 struct core;
 

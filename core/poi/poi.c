@@ -182,6 +182,7 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
     hash = hash_u32(hash, poi->jam_ticks);
     hash = hash_u32(hash, poi->clings);
     hash = hash_u32(hash, poi->drops);
+    hash = hash_u32(hash, poi->laden_ticks);
     hash = hash_vec3(hash, poi->angular_velocity_rad_s);
     hash = hash_vec3(hash, poi->spin_rad_s);
     hash = hash_vec3(hash, poi->acceleration_m_s2);

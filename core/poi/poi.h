@@ -31,7 +31,7 @@ static inline float poi_half_extent_m(float n)
 /* How a hand holds it. */
 struct poi_grip {
     struct poi_target target;
-    int has_wrist; /* 0: the poi turns over its bowl by itself. */
+    int has_wrist; /* 0: the poi empties itself over its bowl. */
 };
 
 struct poi {
@@ -62,6 +62,7 @@ struct poi {
     float film_kg, pool_kg;      /* ... what clings to it, and what lies in it; ... */
     float drip_kg;               /* ... and what hangs below it until it is a drop. */
     uint8_t drops;               /* Fell in the last tick. */
+    uint8_t laden_ticks;         /* Until it forgets that fish lay on it, and tips back. */
     float tip;         /* [0, 1] how far the wrist has turned to empty into the bowl ... */
     vec3 tip_toward;   /* ... and which way: horizontal, unit, chosen when it begins. */
     float pressure_pa; /* On the paper in the last tick, positive toward +up. */
@@ -83,10 +84,10 @@ struct poi {
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
 /* One tick of the ring: pulled by the hand, held back by water, floor, walls and its own bowl.
- * Without a wrist it rises and turns toward the bowl when it is over its mouth. A ring that was
- * held back does not shoot off when it comes free: it is never faster than the hand goes, or went a
- * moment ago, by more than 1 m/s. A target that is not finite is a bug and asserts. What the hand
- * feels of it: haptics.h; what the surface does: wake.h. */
+ * Without a wrist it rises and turns toward the bowl when it is over its mouth with fish on it. A
+ * ring that was held back does not shoot off when it comes free: it is never faster than the hand
+ * goes, or went a moment ago, by more than 1 m/s. A target that is not finite is a bug and asserts.
+ * What the hand feels of it: haptics.h; what the surface does: wake.h. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 

@@ -15,6 +15,8 @@
 #define TIP_FALL_M 0.040f /* A fish leaves the ring so far from its centre; */
 #define TIP_HIT 0.65f     /* well within the mouth, in its radii, the turn is full. */
 #define TIP_BACK_SHARE 0.4f
+#define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u) /* After the last fish it stays turned so long: what
+                                               still rolls over the ring falls in, too. */
 #define TIP_EDGE_M 0.010f /* The lower edge then keeps so far over the mouth. */
 
 /* ---- Over the bowl -------------------------------------------------------------------------- */
@@ -52,7 +54,10 @@ void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
     if (poi->tip < 0.02f) {
         poi->tip_toward = rather_sideways(way, poi->angles.yaw_rad);
     }
-    const float goal = has_wrist ? 0.0f : over_bowl(poi, bowl, way);
+    poi->laden_ticks = poi->rider_count > 0   ? TIP_LADEN_TICKS
+                       : poi->laden_ticks > 0 ? (uint8_t)(poi->laden_ticks - 1u)
+                                              : 0u;
+    const float goal = has_wrist || poi->laden_ticks == 0 ? 0.0f : over_bowl(poi, bowl, way);
     const float step = TIP_PER_S * CORE_TICK_S;
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }

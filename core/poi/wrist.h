@@ -4,8 +4,8 @@
 
 #include "core/poi/poi.h"
 
-/* Of a hand that cannot turn: how far the poi tips over its bowl now, and which way. With
- * `has_wrist` it tips back. */
+/* Of a hand that cannot turn: how far the poi tips over its bowl now, and which way: while
+ * fish lie on it, and for half a second more. Empty, or with `has_wrist`, it tips back. */
 void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist);
 
 /* The hand's target, tipped toward the bowl as far as wrist_tip() says. */

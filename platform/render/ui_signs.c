@@ -52,6 +52,24 @@ static const char *hint_words(uint8_t language, uint8_t hint)
     return text_words(language, (enum text_key)keys[hint]);
 }
 
+struct hint_paint {
+    uint32_t fill, line;
+};
+
+/* Bad news is red; the moment to do something is green, as go is; advice waits in the dark. */
+static struct hint_paint paint_of(uint8_t hint)
+{
+    switch (hint) {
+    case HINT_TORN:
+    case HINT_LOST_POI:
+        return (struct hint_paint){ 0xb8301ee8u, UI_GOLD };
+    case HINT_LIFT:
+        return (struct hint_paint){ 0x17754ee8u, UI_GOLD };
+    default:
+        return (struct hint_paint){ UI_NIGHT, UI_GOLD_DIM };
+    }
+}
+
 void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory)
 {
@@ -60,15 +78,14 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
     }
     const float u = frame->unit, age_s = (float)(scene->tick - memory->hint_tick) * CORE_TICK_S;
     const float in = ui_smooth(0.0f, HINT_FADE_S, age_s);
-    const int urgent = scene->hint == HINT_TORN || scene->hint == HINT_LOST_POI ||
-                       scene->hint == HINT_LIFT;
+    const struct hint_paint paint = paint_of(scene->hint);
     const struct ui_ribbon ribbon = {
         .x = 0.5f * frame->width,
         .y = frame->height - 52.0f * u + 14.0f * u * (1.0f - in),
         .size_px = 32.0f * u,
         .font = FONT_BODY,
-        .fill = urgent ? 0xb8301ee8u : UI_NIGHT,
-        .line = urgent ? UI_GOLD : UI_GOLD_DIM,
+        .fill = paint.fill,
+        .line = paint.line,
         .ink = 0xfff8eaffu,
         .room_px = frame->width - 32.0f * u,
     };

@@ -30,6 +30,7 @@ struct stand {
     struct poi_target hand;
     struct poi_force force;
     int has_wrist;
+    int laden; /* It tips as if a fish lay on it. */
     uint32_t tick;
     uint32_t landed, poured, walled; /* Since the start. */
     float tension_max_n_m, tension_sum_n_m;
@@ -91,6 +92,7 @@ static inline void stand_tick(struct stand *stand)
     struct poi *poi = &stand->poi;
     stand->output.sound_count = 0;
     const struct poi_grip grip = { stand->hand, stand->has_wrist };
+    poi->laden_ticks = stand->laden ? UINT8_MAX : poi->laden_ticks;
     poi_tick(poi, &grip, &stand->tank, &stand->bowl);
     const struct stall stall = { &stand->tank, &stand->bowl, 1 };
     const uint8_t live = 1;

@@ -134,7 +134,7 @@ static const struct field poi_fields[] = {
     FIELD(poi, immersed),
     FIELD(poi, splash_m_s),  FIELD(poi, water_kg),
     FIELD(poi, film_kg),     FIELD(poi, pool_kg), FIELD(poi, drip_kg),
-    FIELD(poi, drops),
+    FIELD(poi, drops),       FIELD(poi, laden_ticks),
     FIELD(poi, tip),         FIELD(poi, tip_toward),
     FIELD(poi, pressure_pa),
     FIELD(poi, dips),        FIELD(poi, is_in), FIELD(poi, slap_tick),

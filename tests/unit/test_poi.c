@@ -525,6 +525,7 @@ static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(vo
 {
     (void)state;
     stand_init(&stand, 6, 1);
+    stand.laden = 1;
     stand_move(&stand, v3(0.18f, 0.05f, 0.15f), 0.5f);
     stand_wait(&stand, 0.2f);
     assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
@@ -540,12 +541,34 @@ static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(vo
     assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
 }
 
+static float tilt_rad(void)
+{
+    return f_acos(basis_from_angles(stand.poi.angles).up.y);
+}
+
+static void test_with_nothing_on_it_the_poi_does_not_turn_over_the_bowl(void **state)
+{
+    (void)state;
+    stand_init(&stand, 6, 1);
+    stand_move(&stand, v3(0.27f, 0.05f, 0.15f), 0.3f);
+    stand_wait(&stand, 1.0f);
+    assert_true(tilt_rad() < 2.0f * F_DEG);
+    stand.laden = 1;
+    stand_wait(&stand, 1.0f);
+    assert_float_equal(tilt_rad(), 55.0f * F_DEG, 0.02f);
+    stand.laden = 0;
+    stand.poi.laden_ticks = 0; /* It is empty: its paper can be looked at again. */
+    stand_wait(&stand, 0.6f);
+    assert_true(tilt_rad() < 2.0f * F_DEG);
+}
+
 static void test_the_wrist_never_lowers_the_handle_into_the_bowl(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 16; i++) {
         const float angle = F_TAU * (float)i / 16.0f;
         stand_init(&stand, 6, 1);
+        stand.laden = 1;
         bowl_init(&stand.bowl, v3(0.15f * f_cos(angle), 0.02f, 0.15f * f_sin(angle)));
         stand_move(&stand, v3(stand.bowl.position_m.x, 0.035f, stand.bowl.position_m.z), 0.3f);
         float steepest = 1.0f;
@@ -564,6 +587,7 @@ static void test_a_hand_with_a_wrist_turns_by_itself(void **state)
     (void)state;
     stand_init(&stand, 6, 1);
     stand.has_wrist = 1;
+    stand.laden = 1;
     stand_move(&stand, v3(0.30f, 0.05f, 0.15f), 0.5f);
     stand_wait(&stand, 1.0f);
     assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
@@ -704,6 +728,7 @@ int main(void)
         cmocka_unit_test(test_a_whole_pixel_mouse_glide_loads_the_paper_like_the_smooth_path),
         cmocka_unit_test(test_a_slower_mouse_does_so_on_most_courses_and_stays_within_an_eighth),
         cmocka_unit_test(test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back),
+        cmocka_unit_test(test_with_nothing_on_it_the_poi_does_not_turn_over_the_bowl),
         cmocka_unit_test(test_the_wrist_never_lowers_the_handle_into_the_bowl),
         cmocka_unit_test(test_a_hand_with_a_wrist_turns_by_itself),
         cmocka_unit_test(test_the_ring_does_not_pass_through_the_bowl),

@@ -127,8 +127,9 @@ static void test_within_two_seconds_it_is_the_same(void **state)
 static void test_a_poi_brought_over_fish_and_held_there_is_a_foul(void **state)
 {
     (void)state;
+    ticks(FOUL_SETTLE_TICKS);
     lead(0, v3(0.05f, STAND_ABOVE_M, 0.05f));
-    ticks(360);
+    ticks(300);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(look()->player[0].fouls, 1);
     assert_int_equal(scene.player[0].foul, FOUL_SHADE);
