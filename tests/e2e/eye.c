@@ -6,9 +6,9 @@
 #include <X11/Xutil.h>
 
 #define BODY_PX 12   /* Half the side of a square that a small fish fills ... */
-#define ALONE_PX 34  /* ... and of one in which it would like to be alone. */
+#define ALONE_PX 34  /* ... and of one that others may fill no more of than it does. */
 #define RED_MIN 60   /* Warm pixels of the smallest fish worth a try ... */
-#define RED_MAX 330  /* ... and of the largest: a big one's tail hangs over the rim, and slaps. */
+#define RED_MAX 450  /* ... and of the largest: a big one's tail hangs over the rim, and slaps. */
 
 int eye_open(struct eye *eye, const char *window)
 {
@@ -101,7 +101,7 @@ int eye_find(const struct eye *eye, struct blob *list, int count_max)
             }
             struct blob blob = eye_follow(eye, (float)x, (float)y);
             const int around = eye_blob(eye, blob.x, blob.y, ALONE_PX).count - blob.count;
-            if (blob.count >= RED_MIN && blob.count <= RED_MAX && around < blob.count / 2 &&
+            if (blob.count >= RED_MIN && blob.count <= RED_MAX && around < blob.count &&
                 nearest(list, count, &blob) > 400.0f) {
                 list[count++] = blob;
             }

@@ -41,7 +41,7 @@ struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int 
 /* The fish that was near a place a moment ago: climbs to the middle of the warmth around it. */
 struct blob eye_follow(const struct eye *eye, float x, float y);
 
-/* Small fish that keep to themselves, at most `count_max`; returns how many. */
+/* Fish that are not too large and not in a crowd, at most `count_max`; returns how many. */
 int eye_find(const struct eye *eye, struct blob *list, int count_max);
 
 #endif

@@ -20,7 +20,7 @@
 #define LOOK_S 0.03          /* Between two looks: a screen shows 60 pictures a second at best. */
 #define CALM_LOOKS 12        /* So long fish are watched before one is chosen. */
 #define CHOICE_MAX 40
-#define BLUE_PX_S 4.0f       /* A deep fish is 20 of 255 bluer: rather a livelier one. */
+#define BLUE_PX_S 4.0f       /* A fish too deep for the ring is 10 to 20 of 255 bluer. */
 #define PALE_BLUE 40         /* On the paper 4, under it 80 to 150: 25 where that is torn. */
 #define ASIDE_PX 90.0f       /* The ring goes in here, 50 px of it: beside the fish, not upon it. */
 #define HOVER_PX_S 480.0f    /* How fast a hand goes in the air, ... */

@@ -6,8 +6,8 @@ tries_max=60 patience_s=270 # A try takes 2 to 8 s; a poi that tore is changed f
 recording=$work/play.kgr
 
 open_screen
-# The stall as it opens: 300 fish. Our hand lands one in about five tries on an idle machine and, tried at
-# four pictures a second beside three busy loops on two cores, one in about ten.
+# The stall as it opens: 300 fish, a fifth of them within the ring's reach. Our hand lands one in about
+# five tries at four to seven pictures a second, on two cores that five to six other programs want too.
 start_kiosk --seed 5 --mode festival --record "$recording"
 ok $? 'the kiosk opens its window and shows a picture' "$work/err" || { done_testing; exit 1; }
 xdotool key space
