@@ -26,8 +26,8 @@ void hand_links(struct core *core, const struct input *input);
 
 /* Moves each hand to what its holder wants: within an arm's reach, above the water while nothing
  * may be scooped, smoothly after a change of holder, out of the water while the controller is lost,
- * and gently back to it when it is there again. What no arm or wrist does in a tick is doubted for a
- * sixteenth of a second first, where it could cost paper or a fish. */
+ * and gently back to it when it is there again. What no arm or wrist does in a tick is doubted for
+ * a sixteenth of a second first, where it could cost paper or a fish. */
 void hand_tick_all(struct core *core, const struct input *input,
                    struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 

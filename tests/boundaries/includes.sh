@@ -34,8 +34,8 @@ breach() { # ALLOWED RULE
 
 core_rule='core includes only core and the freestanding headers'
 bot_rule='a bot knows the stall by core/game/sight.h alone'
-bot_files='/(bot|bot_hand|aim|look|patch|technique)\.[ch]$'
-bot_headers='core/game/(bot|bot_hand|aim|look|patch|technique|sight)\.h|core/poi/pose\.h'
+bot_files='/(bot|bot_[a-z]+|aim|look|patch|technique)\.[ch]$'
+bot_headers='core/game/(bot|bot_[a-z]+|aim|look|patch|technique|sight)\.h|core/poi/pose\.h'
 driver_rule="a driver includes only platform/hal.h, the core's contracts, drivers and libraries"
 shell_rule='only board/ and main wire drivers and boards; kingyoctl may show a pure decoder'
 decoders='drivers/hid_descriptor\.h'
