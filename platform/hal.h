@@ -22,6 +22,13 @@ enum hal_error {
     HAL_ERR_NONE = -4, /* There is no such device in this kiosk (the null driver's answer). */
 };
 
+/* Whether a device failed: HAL_ERR_NONE is the null driver's answer and HAL_ERR_BUSY a matter of
+ * patience. */
+static inline int hal_is_fault(int result)
+{
+    return result < 0 && result != HAL_ERR_NONE && result != HAL_ERR_BUSY;
+}
+
 /* Every device says in one line what it is, or what is missing and what to do about it:
  * "mouse (SDL x11)", "no sound: SDL found no audio device; plug one in or set SDL_AUDIODRIVER". */
 #define HAL_TEXT_SIZE 160u

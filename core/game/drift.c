@@ -2,6 +2,7 @@
 #include "core/game/drift.h"
 
 #include "core/base/fmath.h"
+#include "core/poi/pose.h"
 
 #define COAST_M_S2 2.0f        /* A fish on level paper just keeps its place. */
 #define COAST_LAG_S 0.025f     /* So far a hand is before its ring in air, in seconds of its way. */
@@ -27,22 +28,6 @@ static float toward(float from, float to, float step)
     return from + f_clamp(to - from, -step, step);
 }
 
-/* The short way round. */
-static float turn_toward(float from_rad, float to_rad, float share, float step_rad)
-{
-    const float way_rad = f_wrap_angle(to_rad - from_rad) * share;
-    return f_wrap_angle(from_rad + f_clamp(way_rad, -step_rad, step_rad));
-}
-
-static struct angles turn_all(struct angles from, struct angles to, float share, float step_rad)
-{
-    return (struct angles){
-        .yaw_rad = turn_toward(from.yaw_rad, to.yaw_rad, share, step_rad),
-        .pitch_rad = turn_toward(from.pitch_rad, to.pitch_rad, share, step_rad),
-        .roll_rad = turn_toward(from.roll_rad, to.roll_rad, share, step_rad),
-    };
-}
-
 /* Which edge leaves the water first: the higher one of a slanted ring, else that beyond which
  * there is more room. 1 is the far one, -1 the near one. */
 static float first_edge(struct poi_target hand)
@@ -57,7 +42,7 @@ static struct poi_target slip_out(struct poi_target hand)
 {
     const float way = first_edge(hand);
     const struct angles goal = { hand.angles.yaw_rad, way * SLANT_RAD, 0.0f };
-    hand.angles = turn_all(hand.angles, goal, 1.0f, TURN_RAD_S * CORE_TICK_S);
+    hand.angles = pose_toward(hand.angles, goal, 1.0f, TURN_RAD_S * CORE_TICK_S);
     if (f_abs(hand.angles.pitch_rad - goal.pitch_rad) < SLANT_NEAR_RAD) {
         const vec3 back = basis_from_angles(hand.angles).back;
         hand.position_m = v3_mad(hand.position_m, back, -way * RISE_M_S * CORE_TICK_S);
@@ -69,7 +54,7 @@ static struct poi_target lift_level(struct poi_target hand)
 {
     const struct angles level = { hand.angles.yaw_rad, 0.0f, 0.0f };
     const float high_m = f_max(hand.position_m.y, DRIFT_HOVER_M);
-    hand.angles = turn_all(hand.angles, level, 1.0f, TURN_RAD_S * CORE_TICK_S);
+    hand.angles = pose_toward(hand.angles, level, 1.0f, TURN_RAD_S * CORE_TICK_S);
     hand.position_m.y = toward(hand.position_m.y, high_m, RISE_M_S * CORE_TICK_S);
     return hand;
 }
@@ -118,7 +103,7 @@ struct poi_target drift_back(struct poi_target hand, struct poi_target wanted, u
     const vec3 step_m = v3_limit(v3_scale(way_m, share), pace_m_s * CORE_TICK_S);
     return (struct poi_target){
         .position_m = v3_add(hand.position_m, step_m),
-        .angles = turn_all(hand.angles, wanted.angles, share, BACK_TURN_RAD_S * CORE_TICK_S),
+        .angles = pose_toward(hand.angles, wanted.angles, share, BACK_TURN_RAD_S * CORE_TICK_S),
     };
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/drift.h"
+#include "core/poi/pose.h"
 
 #define CLEAR_Y_M 0.035f     /* Pois are held above this while nothing may be scooped. */
 #define GRIP_TICKS 144u      /* 1.2 s from one hand to the next: 1 m/s across the tank. */
@@ -82,23 +83,6 @@ static struct poi_target within_reach(const struct core *core, struct poi_target
     return target;
 }
 
-/* The short way round. */
-static float blend_angle(float from_rad, float to_rad, float share)
-{
-    return f_wrap_angle(from_rad + f_wrap_angle(to_rad - from_rad) * share);
-}
-
-/* From the old hand to the new one: the share that is taken over each tick grows from 0 to 1. */
-static struct poi_target blend(struct poi_target from, struct poi_target to, float share)
-{
-    return (struct poi_target){
-        .position_m = v3_lerp(from.position_m, to.position_m, share),
-        .angles = { blend_angle(from.angles.yaw_rad, to.angles.yaw_rad, share),
-                    blend_angle(from.angles.pitch_rad, to.angles.pitch_rad, share),
-                    blend_angle(from.angles.roll_rad, to.angles.roll_rad, share) },
-    };
-}
-
 void hand_forget_way(struct game *game, uint32_t index)
 {
     game->back_ticks[index] = game->doubt_ticks[index] = 0;
@@ -126,6 +110,7 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     game->holder[index] = link;
 }
 
+/* From the old hand to the new one: the share that is taken over each tick grows from 0 to 1. */
 static struct poi_target follow(struct core *core, uint32_t index, struct poi_target wanted)
 {
     struct game *game = &core->game;
@@ -135,7 +120,7 @@ static struct poi_target follow(struct core *core, uint32_t index, struct poi_ta
     }
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(core, wanted, lowest_m(core, index));
-    return age < 1.0f ? blend(game->hand[index], wanted, age * age * age) : wanted;
+    return age < 1.0f ? pose_between(game->hand[index], wanted, age * age * age) : wanted;
 }
 
 /* Where a stray costs paper or a fish. Who may scoop no more has neither to lose. */
@@ -185,7 +170,7 @@ static struct poi_target steady(struct core *core, uint32_t index, struct poi_ta
         game->back_ticks[index] = 1;
         return hand;
     }
-    return share < 1.0f ? blend(hand, next, share) : next;
+    return share < 1.0f ? pose_between(hand, next, share) : next;
 }
 
 /* Its paper is spared until it is back, but not for ever: neither on one way, nor on many. */
@@ -219,7 +204,7 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
     }
     const float share = trust_share(&game->trust[index]);
     struct poi_target next = follow(core, index, says->target);
-    next = share < 1.0f ? blend(game->hand[index], next, share) : next;
+    next = share < 1.0f ? pose_between(game->hand[index], next, share) : next;
     return steady(core, index, next, says->has_wrist);
 }
 

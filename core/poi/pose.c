@@ -46,3 +46,26 @@ struct basis pose_look(vec3 forward, vec3 up)
     right = v3_normalize_or(right, v3(1.0f, 0.0f, 0.0f));
     return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
 }
+
+static float turn_toward(float from_rad, float to_rad, float share, float step_rad)
+{
+    const float way_rad = f_wrap_angle(to_rad - from_rad) * share;
+    return f_wrap_angle(from_rad + f_clamp(way_rad, -step_rad, step_rad));
+}
+
+struct angles pose_toward(struct angles from, struct angles to, float share, float step_rad)
+{
+    return (struct angles){
+        .yaw_rad = turn_toward(from.yaw_rad, to.yaw_rad, share, step_rad),
+        .pitch_rad = turn_toward(from.pitch_rad, to.pitch_rad, share, step_rad),
+        .roll_rad = turn_toward(from.roll_rad, to.roll_rad, share, step_rad),
+    };
+}
+
+struct poi_target pose_between(struct poi_target from, struct poi_target to, float share)
+{
+    return (struct poi_target){
+        .position_m = v3_lerp(from.position_m, to.position_m, share),
+        .angles = pose_toward(from.angles, to.angles, share, F_PI),
+    };
+}

@@ -8,12 +8,6 @@
 #define TICK_NS (NS_PER_S / CORE_TICK_HZ)
 #define UNSEEN_NS 100000000ull /* So much time without ticks is a gap in what was seen of a hand. */
 
-/* HAL_ERR_NONE is the null driver's answer and BUSY a matter of patience; the rest are faults. */
-static uint32_t is_fault(int result)
-{
-    return result < 0 && result != HAL_ERR_NONE && result != HAL_ERR_BUSY;
-}
-
 uint32_t poi_hand_open(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns)
 {
     const int result = device->ops->open(device->self);
@@ -21,7 +15,7 @@ uint32_t poi_hand_open(struct poi_hand *hand, const struct hal_poi *device, uint
     hand->link = result == HAL_OK ? POI_LINK_LIVE
                  : result == HAL_ERR_NONE ? POI_LINK_ABSENT
                                           : POI_LINK_LOST;
-    return is_fault(result);
+    return (uint32_t)hal_is_fault(result);
 }
 
 /* One that was here is away until it opens; whatever open() says else, it did not. */
@@ -72,7 +66,7 @@ uint32_t poi_hand_sample(struct poi_hand *hand, const struct hal_poi *device, ui
     if (result == HAL_ERR_GONE) {
         lose(hand, now_ns);
     }
-    return faults + is_fault(result);
+    return faults + (uint32_t)hal_is_fault(result);
 }
 
 static uint8_t link_of(const struct poi_hand *hand)

@@ -5,12 +5,6 @@
 
 #define RETRY_NS 1000000000ull /* A lost card, a failed save: once a second is often enough. */
 
-/* HAL_ERR_NONE is the null driver's answer and BUSY a matter of patience; the rest are faults. */
-static int is_fault(int result)
-{
-    return result < 0 && result != HAL_ERR_NONE && result != HAL_ERR_BUSY;
-}
-
 static uint64_t clock_ns(struct hal_clock clock)
 {
     return clock.ops ? clock.ops->now_ns(clock.self) : 0;
@@ -176,7 +170,7 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
     }
     for (uint32_t i = 0; i < kiosk->output.sound_count; i++) {
         const int result = hal->audio.ops->play(hal->audio.self, &kiosk->output.sounds[i]);
-        kiosk->faults.audio += (uint32_t)is_fault(result);
+        kiosk->faults.audio += (uint32_t)hal_is_fault(result);
         if (result == HAL_ERR_GONE) {
             kiosk->audio_retry_ns = now_ns + RETRY_NS;
             return; /* One loss, one fault: the sounds of this moment go with the card. */
@@ -188,7 +182,7 @@ static void present_lamps(struct kiosk *kiosk, const struct hal *hal)
 {
     if (kiosk->output.start_lamp != kiosk->start_lamp) {
         const int result = hal->lamps.ops->set_start(hal->lamps.self, kiosk->output.start_lamp);
-        kiosk->faults.lamps += (uint32_t)is_fault(result);
+        kiosk->faults.lamps += (uint32_t)hal_is_fault(result);
         kiosk->start_lamp = kiosk->output.start_lamp;
     }
 }
@@ -198,7 +192,7 @@ static void present_forces(struct kiosk *kiosk, const struct hal *hal)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (kiosk->hands[i].link == POI_LINK_LIVE) {
             const int result = hal->poi[i].ops->feel(hal->poi[i].self, &kiosk->felt[i]);
-            kiosk->faults.poi += (uint32_t)is_fault(result);
+            kiosk->faults.poi += (uint32_t)hal_is_fault(result);
         }
     }
 }
@@ -236,7 +230,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
         present_record(kiosk, hal);
     }
     const int result = hal->display.ops->present(hal->display.self, &kiosk->scene);
-    kiosk->faults.display += (uint32_t)is_fault(result);
+    kiosk->faults.display += (uint32_t)hal_is_fault(result);
     if (result == HAL_ERR_GONE) {
         kiosk->end = KIOSK_DISPLAY_LOST;
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/panic.h"
 #include "core/game/trust.h"
+#include "core/poi/pose.h"
 
 void resample_reset(struct resampler *resampler)
 {
@@ -34,24 +35,6 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
     return trust_can_read(&next.target);
 }
 
-static float angle_between(float from_rad, float to_rad, float t)
-{
-    return from_rad + f_wrap_angle(to_rad - from_rad) * t;
-}
-
-static struct poi_target target_between(const struct poi_target *from, const struct poi_target *to,
-                                        float t)
-{
-    return (struct poi_target){
-        .position_m = v3_lerp(from->position_m, to->position_m, t),
-        .angles = {
-            .yaw_rad = angle_between(from->angles.yaw_rad, to->angles.yaw_rad, t),
-            .pitch_rad = angle_between(from->angles.pitch_rad, to->angles.pitch_rad, t),
-            .roll_rad = angle_between(from->angles.roll_rad, to->angles.roll_rad, t),
-        },
-    };
-}
-
 /* A place on the way from one reading to the next; where there is no way, the one that stands. */
 static struct poi_target target_on_way(const struct poi_sample *from, const struct poi_sample *to,
                                        float t)
@@ -64,7 +47,7 @@ static struct poi_target target_on_way(const struct poi_sample *from, const stru
         trust_is_leap(&from->target, &to->target, (float)gap_ns * 1e-9f, to->has_wrist)) {
         return t < 1.0f ? from->target : to->target;
     }
-    return target_between(&from->target, &to->target, t);
+    return pose_between(from->target, to->target, t);
 }
 
 struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
