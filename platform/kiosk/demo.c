@@ -15,7 +15,7 @@
 #define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
 #define NS_PER_S 1000000000ull
 #define START_NS FRAME_NS        /* START is pressed at once: ... */
-#define PRELUDE_NS (NS_PER_S / CORE_TICK_HZ * PACE_TICKS_MAX) /* ... unseen, in large steps, ... */
+#define PRELUDE_NS 100000000ull  /* ... unseen, in larger steps, ... */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
 #define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u) /* ... until each hand is over its water. */
 #define AFTER_ROUND_S 5u         /* To bring the last fish home, and a look at the result. */
