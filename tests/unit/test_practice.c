@@ -92,8 +92,11 @@ static void test_nothing_is_kept_of_it(void **state)
 /* Dips to where the surface cuts the slanted ring in two, and comes up again. */
 static void wet_half(void)
 {
-    input.poi[0].target.angles.pitch_rad = 0.7f;
-    ticks(60);
+    for (uint32_t i = 1; i <= 30; i++) { /* As a wrist turns; at once would be doubted. */
+        input.poi[0].target.angles.pitch_rad = 0.7f * (float)i / 30.0f;
+        ticks(1);
+    }
+    ticks(30);
     lead(0, v3(there_m.x, 0.0f, there_m.z));
     ticks(60);
     lead(0, v3(there_m.x, 0.07f, there_m.z));
