@@ -1,4 +1,5 @@
-/* technique.h -- how somebody plays: every habit of a scooping hand as one figure of its own.
+/* technique.h -- how somebody plays: the habits of a scooping hand, each a figure of its own. But
+ * `lift` and `hunt` are styles: each stands for several things that a hand does together.
  *
  * Two techniques that differ in one field are an experiment on that field (make bench-technique).
  * Nothing here is known to the physics, and nothing in the physics knows who plays. Zero is no
@@ -10,8 +11,12 @@
 
 enum technique_side { SIDE_ANY = 0, SIDE_HEAD, SIDE_TAIL, SIDE_COUNT };  /* Of the fish, first. */
 enum technique_place { PLACE_CENTRE = 0, PLACE_RIM, PLACE_COUNT }; /* Of the paper, under it. */
-/* Fast is two and a half times `lift_m_s`, whether the ring follows or not; nothing runs off. */
+/* Fast is two and a half times `lift_m_s`, reached in less than half the time, whether the ring
+ * follows or not; and nothing runs off, whatever `drain_s` says. */
 enum technique_lift { LIFT_DRAINED = 0, LIFT_FAST, LIFT_COUNT };
+/* Who chases takes the nearest fish, however quick or deep, does not wait over the water, goes under
+ * it at `arm_m_s` in place of `glide_m_s`, for `patience_s` at most, follows it 25 cm far in place
+ * of 7.5, and looks for the next from where the hand is, not from beside the bowl. */
 enum technique_hunt { HUNT_SHADE = 0, HUNT_CHASE, HUNT_COUNT };
 
 struct technique {
