@@ -14,9 +14,9 @@ enum technique_place { PLACE_CENTRE = 0, PLACE_RIM, PLACE_COUNT }; /* Of the pap
 /* Fast is two and a half times `lift_m_s`, reached in less than half the time, whether the ring
  * follows or not; and nothing runs off, whatever `drain_s` says. */
 enum technique_lift { LIFT_DRAINED = 0, LIFT_FAST, LIFT_COUNT };
-/* Who chases takes the nearest fish, however quick or deep, does not wait over the water, goes under
- * it at `arm_m_s` in place of `glide_m_s`, for `patience_s` at most, follows it 25 cm far in place
- * of 7.5, and looks for the next from where the hand is, not from beside the bowl. */
+/* Who chases takes the nearest fish, however quick or deep, does not wait over the water, goes
+ * under it at `arm_m_s` in place of `glide_m_s`, for `patience_s` at most, follows it 25 cm far in
+ * place of 7.5, and looks for the next from where the hand is, not from beside the bowl. */
 enum technique_hunt { HUNT_SHADE = 0, HUNT_CHASE, HUNT_COUNT };
 
 struct technique {
