@@ -219,8 +219,9 @@ const char *option_says(const struct option *option, const char *text, char out[
     if (option->set != set_fish) {
         return text;
     }
-    snprintf(out, OPTION_TEXT_MAX, "%s %u, %u or %u", text, fish_max(TANK_PRESET_FESTIVAL),
-             fish_max(TANK_PRESET_THESIS), fish_max(TANK_PRESET_OFFICIAL));
+    snprintf(out, OPTION_TEXT_MAX, "%s %u (festival), %u (thesis) or %u (official)", text,
+             fish_max(TANK_PRESET_FESTIVAL), fish_max(TANK_PRESET_THESIS),
+             fish_max(TANK_PRESET_OFFICIAL));
     return out;
 }
 
