@@ -7,6 +7,7 @@
 #include "core/base/panic.h"
 #include "core/game/hand.h"
 #include "core/game/let_go.h"
+#include "core/game/rest.h"
 #include "core/poi/afloat.h"
 #include "core/poi/bowl_fish.h"
 #include "core/poi/catch.h"
@@ -35,11 +36,17 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     return CORE_OK;
 }
 
+/* Fish and other rings have to do with it. */
+static int is_met(const struct core *core, uint32_t index)
+{
+    return hand_plays(core, index) && rest_is_met(core, index);
+}
+
 static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TANK_OBSTACLE_MAX])
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (hand_plays(core, i)) {
+        if (is_met(core, i)) {
             out[count++] = poi_obstacle(&core->poi[i]);
         }
         if (core->bowl[i].present) {
@@ -64,7 +71,8 @@ static void part_rings(struct core *core, const uint8_t live[POI_MAX])
 {
     for (uint32_t k = 0; k < POI_MAX * POI_MAX; k++) {
         const uint32_t a = k / POI_MAX, b = k % POI_MAX;
-        if (a < b && live[a] && live[b] && rings_part(&core->poi[a], &core->poi[b])) {
+        if (a < b && live[a] && live[b] && is_met(core, a) && is_met(core, b) &&
+            rings_part(&core->poi[a], &core->poi[b])) {
             poi_yield_again(&core->poi[a], &core->tank, &core->bowl[a]);
             poi_yield_again(&core->poi[b], &core->tank, &core->bowl[b]);
         }
@@ -78,7 +86,7 @@ static void tick_pois(struct core *core, const struct input *input,
         if (live[i]) {
             const struct poi_grip grip = {
                 .target = targets[i],
-                .has_wrist = core->poi[i].link == POI_LINK_BOT ||
+                .has_wrist = core->poi[i].link == POI_LINK_BOT || rest_holds(core, i) ||
                              core->poi[i].link == POI_LINK_LOST || /* Nobody empties it. */
                              (core->poi[i].link == POI_LINK_LIVE && input->poi[i].has_wrist),
             };
@@ -134,6 +142,8 @@ static void gather_shades(struct core *core, const struct input *input)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (hand_plays(core, i)) {
             casts[SHADE_MAX + i] = poi_shade(&core->poi[i]);
+            casts[SHADE_MAX + i].present &= rest_shade(core, i) > 0.0f;
+            casts[SHADE_MAX + i].dark *= rest_shade(core, i);
         }
     }
     tank_cast(&core->tank, casts);
@@ -145,7 +155,8 @@ static void give_way(struct core *core, const struct obstacle *obstacles)
     uint32_t at = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (hand_plays(core, i)) {
-            poi_give_way(&core->poi[i], &obstacles[at++]);
+            const struct obstacle nothing = { 0 };
+            poi_give_way(&core->poi[i], is_met(core, i) ? &obstacles[at++] : &nothing);
         }
         if (core->bowl[i].present) {
             bowl_give_way(&core->bowl[i], &obstacles[at++]);
@@ -172,7 +183,7 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
 {
     const struct stall stall = { &core->tank, core->bowl, POI_MAX };
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (live[i]) {
+        if (live[i] && !rest_holds(core, i)) {
             catch_tick(&core->poi[i], i, &stall, core->tick, output, caught);
         } else {
             let_go_tick(&core->poi[i], i, &stall, caught);

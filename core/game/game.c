@@ -163,6 +163,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = hash_u32(hash, game->was_lost[i]);
         hash = hash_u32(hash, game->spared_ticks[i]);
         hash = hash_u32(hash, game->doubt_ticks[i]);
+        hash = hash_u32(hash, game->rest_ticks[i]);
         hash = bot_hash(hash, &game->bot[i]);
     }
     return hints_hash(hash, &game->hints);

@@ -68,6 +68,7 @@ struct game {
     uint32_t spared_ticks[POI_MAX];  /* What its paper was spared on such ways, less what being led
                                         since has given back. */
     uint32_t doubt_ticks[POI_MAX];   /* How long it is said to be where no arm could be so soon. */
+    uint32_t rest_ticks[POI_MAX];    /* How long its player has had nothing to do with it. */
     struct hints hints;
     struct bot bot[POI_MAX];
 };

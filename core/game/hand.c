@@ -4,6 +4,7 @@
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/drift.h"
+#include "core/game/rest.h"
 #include "core/poi/pose.h"
 
 #define CLEAR_Y_M 0.035f     /* Pois are held above this while nothing may be scooped. */
@@ -221,11 +222,32 @@ static void drift(struct core *core, uint32_t index)
     }
 }
 
+/* The stall's own hand. A bot looks on; a person gets it back gently. */
+static void put_away(struct core *core, uint32_t index)
+{
+    struct game *game = &core->game;
+    struct bot *bot = &game->bot[index];
+    core->poi[index].spared = 1;
+    game->hand[index] = rest_way(core, index, game->hand[index]);
+    if (core->poi[index].link == POI_LINK_BOT) {
+        const struct sight sight = { core, index };
+        (void)bot_tick(bot, &sight);
+        bot->hand = (struct bot_hand){ .pose = game->hand[index] };
+    } else {
+        game->grip_tick[index] = core->tick;
+        hand_forget_way(game, index);
+    }
+}
+
 /* While the round waits for a lost hand, all let go alike. */
 static void tick_hand(struct core *core, const struct input *input, uint32_t index)
 {
     struct game *game = &core->game;
     struct poi *poi = &core->poi[index];
+    if (rest_tick(core, index)) {
+        put_away(core, index);
+        return;
+    }
     poi->spared = poi->link == POI_LINK_LOST || game->paused;
     if (poi->spared) {
         drift(core, index);
@@ -247,6 +269,7 @@ void hand_tick_all(struct core *core, const struct input *input,
             tick_hand(core, input, i);
         } else {
             core->game.holder[i] = POI_LINK_ABSENT;
+            core->game.rest_ticks[i] = 0;
             hand_forget_way(&core->game, i);
         }
         targets[i] = core->game.hand[i];

@@ -7,6 +7,7 @@
 #include "core/core.h"
 #include "core/game/hand.h"
 #include "core/game/let_go.h"
+#include "core/game/rest.h"
 #include "core/game/rules.h"
 
 uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series)
@@ -58,13 +59,6 @@ static uint32_t player_count(const struct core_config *config)
     return config->players ? config->players : 1u;
 }
 
-/* Over the water: the first in the middle, the others on the way to their bowls. */
-static vec3 poi_place(const struct tank_preset *preset, uint32_t index, float y_m)
-{
-    const vec3 bowl_m = preset->bowl_m[index];
-    return index == 0 ? v3(0.0f, y_m, 0.0f) : v3(0.5f * bowl_m.x, y_m, 0.5f * bowl_m.z);
-}
-
 static void place_all(struct core *core, const struct tank_preset *preset)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -72,9 +66,9 @@ static void place_all(struct core *core, const struct tank_preset *preset)
             game_poi_seed(core->config.seed, i, core->game.round_count, GAME_SERIES_ROUND);
         const uint8_t link = core->poi[i].link;
         poi_init(&core->poi[i], keeper_grade(&core->config, core->game.mode),
-                 poi_place(preset, i, 0.05f), seed);
+                 rest_place(core, i).position_m, seed);
         core->poi[i].link = link;
-        core->game.hand[i] = (struct poi_target){ .position_m = poi_place(preset, i, 0.10f) };
+        core->game.hand[i] = rest_place(core, i);
         core->game.holder[i] = POI_LINK_ABSENT; /* Whoever holds it takes it over anew. */
         hand_forget_way(&core->game, i);
         if (i < player_count(&core->config)) {

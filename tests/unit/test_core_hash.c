@@ -47,6 +47,7 @@ static const struct field game_fields[] = {
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
+    FIELD(game, rest_ticks),
     SKIP(game, hints),        SKIP(game, bot),
 };
 

@@ -1,0 +1,135 @@
+/* rest.c -- put away: who, how it goes there, and what it still is to others. */
+#include "core/game/rest.h"
+
+#include "core/core.h"
+#include "core/tank/preset.h"
+
+#define ALONG_M 0.105f       /* So far beyond its bowl's middle: the handle lies beside the bowl, */
+#define INSIDE_M 0.005f      /* and so far within the wall, or the ring would leave the picture. */
+#define ON_RIM_M 0.004f
+#define OVER_RIM_M 0.020f    /* So high it goes to it. */
+#define LIFT_M_S 0.30f       /* Its paper is spared. */
+#define AWAY_M_S 0.80f
+#define AWAY_SHARE 0.06f     /* Of the way that is left, each tick: it ends softly. */
+#define START_TICKS 36.0f    /* It sets off softly, too. */
+#define TURN_RAD_S 3.0f
+#define NEAR_M 0.03f         /* Over its place; then down, ... */
+#define DOWN_M_S 0.08f       /* ... so fast. */
+#define CLEAR_M 0.010f       /* Beside a bowl. */
+#define FADE_TICKS 60.0f
+
+static float rim_m(const struct core *core)
+{
+    return core->tank.wall_height_m - core->tank.size_m.y;
+}
+
+struct poi_target rest_place(const struct core *core, uint32_t index)
+{
+    const vec3 bowl_m = tank_preset(core->tank.preset)->bowl_m[index];
+    const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
+    const float wall_m = 0.5f * core->tank.size_m.x;
+    return (struct poi_target){
+        .position_m = v3(side * (wall_m - INSIDE_M), rim_m(core) + ON_RIM_M,
+                         bowl_m.z - ALONG_M),
+    };
+}
+
+/* A bot has nothing to do but in play; a person's poi is its cursor for as long as it is in. */
+static int is_idle(const struct core *core, uint32_t index)
+{
+    const struct game *game = &core->game;
+    const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
+    const int is_out = game->player[index].out && game->phase >= PHASE_READY &&
+                       game->phase <= PHASE_RESULT;
+    return is_out || (!in_play && core->poi[index].link == POI_LINK_BOT);
+}
+
+/* Since it was taken from its hand. */
+static uint32_t held_ticks(const struct core *core, uint32_t index)
+{
+    const uint32_t linger = core->game.player[index].out ? REST_LINGER_TICKS : 0u;
+    const uint32_t ticks = core->game.rest_ticks[index];
+    return ticks > linger ? ticks - linger : 0u;
+}
+
+int rest_holds(const struct core *core, uint32_t index)
+{
+    return held_ticks(core, index) > 0;
+}
+
+int rest_tick(struct core *core, uint32_t index)
+{
+    uint32_t *ticks = &core->game.rest_ticks[index];
+    *ticks = is_idle(core, index) ? *ticks + 1u : 0u;
+    return rest_holds(core, index);
+}
+
+/* ---- The way there -------------------------------------------------------------------------- */
+
+static float turn_level(float angle_rad)
+{
+    const float step_rad = TURN_RAD_S * CORE_TICK_S;
+    return angle_rad - f_clamp(angle_rad, -step_rad, step_rad);
+}
+
+/* Under a bowl, or between two, there is no way up. */
+static int is_under_a_bowl(const struct core *core, vec3 ring_m)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct bowl *bowl = &core->bowl[i];
+        const float x_m = ring_m.x - bowl->position_m.x, z_m = ring_m.z - bowl->position_m.z;
+        const float clear_m = BOWL_RADIUS_M + POI_OUTER_RADIUS_M + CLEAR_M;
+        if (bowl->present && ring_m.y < bowl->position_m.y &&
+            x_m * x_m + z_m * z_m < clear_m * clear_m) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static float step_of(float way_m, float pace_m_s)
+{
+    return f_clamp(way_m, -pace_m_s * CORE_TICK_S, pace_m_s * CORE_TICK_S);
+}
+
+/* By turns, as the ring itself has come along: toward the middle, up, over the rims, and down. */
+static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float begun)
+{
+    const vec3 place_m = rest_place(core, index).position_m;
+    const vec3 ring_m = core->poi[index].position_m;
+    const vec3 way_m = v3_sub(place_m, at_m);
+    const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
+    if (is_under_a_bowl(core, ring_m)) {
+        return v3(at_m.x - step_of(at_m.x, LIFT_M_S) * begun, at_m.y, at_m.z);
+    }
+    if (f_min(at_m.y, ring_m.y) < place_m.y - ON_RIM_M) {
+        at_m.y += step_of(place_m.y + OVER_RIM_M - at_m.y, LIFT_M_S) * begun;
+        return at_m;
+    }
+    const int is_over = way_m.x * way_m.x + way_m.z * way_m.z < NEAR_M * NEAR_M;
+    const float high_m = f_max(at_m.y, place_m.y + OVER_RIM_M);
+    at_m.y += is_over ? step_of(way_m.y, DOWN_M_S) : step_of(high_m - at_m.y, LIFT_M_S);
+    return v3_mad(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
+}
+
+struct poi_target rest_way(const struct core *core, uint32_t index, struct poi_target hand)
+{
+    const float begun = f_min((float)held_ticks(core, index) / START_TICKS, 1.0f);
+    return (struct poi_target){
+        .position_m = next_m(core, index, hand.position_m, begun),
+        .angles = { turn_level(hand.angles.yaw_rad), turn_level(hand.angles.pitch_rad),
+                    turn_level(hand.angles.roll_rad) },
+    };
+}
+
+/* ---- To others ------------------------------------------------------------------------------ */
+
+int rest_is_met(const struct core *core, uint32_t index)
+{
+    return !rest_holds(core, index) || core->poi[index].immersed > 0.0f;
+}
+
+float rest_shade(const struct core *core, uint32_t index)
+{
+    return f_max(1.0f - (float)held_ticks(core, index) / FADE_TICKS, 0.0f);
+}
