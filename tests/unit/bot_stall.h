@@ -19,7 +19,9 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->input, 0, sizeof stall->input);
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
-    stall->bot.hand.pose = stall->core.game.hand[0];
+    stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
+    stall->core.game.hand[0] = stall->bot.hand.pose; /* It begins over the middle. */
+    stall->core.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
 static inline struct sight bot_stall_sight(const struct bot_stall *stall)
