@@ -26,13 +26,13 @@ PICTURE := out/pictures
 ## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
 pictures: fish-pictures game-pictures
 
-# The choice of a mode, a championship of four, and a tail that tears the paper in practice: bots
+# The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
 # play, so the moments move with the physics; look before you keep them.
 game-pictures: $(BUILD)/tests/render/shot
 	@mkdir -p $(PICTURE)
 	@$< --choose --seconds 3 -o $(PICTURE)/choose.png
 	@$< --mode championship --players 4 --start --seconds 66.2 -o $(PICTURE)/championship.png
-	@$< --mode practice --start --seed 3 --seconds 66.22 --follow 0.22 -o $(PICTURE)/practice.png
+	@$< --mode practice --start --seed 3 --seconds 33 --follow 0.27 -o $(PICTURE)/practice.png
 	@for name in choose championship practice; do \
 	    convert $(PICTURE)/$$name.png -resize 1120x -quality 88 assets/pictures/$$name.jpg; \
 	    echo "assets/pictures/$$name.jpg"; done
