@@ -1,22 +1,8 @@
 #!/bin/bash
 # test_paper_command.sh -- `kingyoctl paper` as its users see it: the figures that it is held to, read by
 # another program, by bisection where it must be; one line for each mistake. Speaks TAP.
-set -u
-build=${BUILD:-build}
-ctl=$build/kingyoctl
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
 holds() { # SQL expression over j, the JSON that the options print
     local sql=$1
     shift

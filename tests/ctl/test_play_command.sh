@@ -2,23 +2,9 @@
 # test_play_command.sh -- `kingyoctl play` as its users see it: JSON that another program reads, the same
 # round again for the same seed, recordings that are true, bots from files, one line for each mistake.
 # Speaks TAP.
-set -u
-build=${BUILD:-build}
-ctl=$build/kingyoctl
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
 here=$(dirname "$0")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
 holds() { # FILE EXPRESSION: SQL over j, the JSON of FILE
     [ "$(sqlite3 :memory: "with r as (select readfile('$1') as j) select $2 from r")" = 1 ]
 }

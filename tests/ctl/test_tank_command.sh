@@ -1,23 +1,9 @@
 #!/bin/bash
 # test_tank_command.sh -- `kingyoctl tank` as its users see it: JSON that another program reads, a trace
 # that another program judges, the same again for the same seed, one line for each mistake. Speaks TAP.
-set -u
-build=${BUILD:-build}
-ctl=$build/kingyoctl
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
 judge=$build/tests/ctl/judge_trace
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
 json() { # FILE PATH: a value of it, as SQLite reads JSON.
     sqlite3 :memory: "select json_extract(readfile('$1'), '\$.$2')"
 }

@@ -2,24 +2,10 @@
 # test_technique_bench.sh -- the bench that asks whether technique pays is itself asked: does each of its
 # experiments differ in one key, can anybody play an arm again, and does it refuse what proves nothing?
 # Speaks TAP.
-set -u
-build=${BUILD:-build}
-ctl=$build/kingyoctl
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
 bench=$build/tests/bench/technique
 bots=$(dirname "$0")/../bench/technique
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
 
 # ---- The arms
 keys() { sed 's/[[:space:]]*#.*//; /^[[:space:]]*$/d' "$bots/$1.bot"; }
