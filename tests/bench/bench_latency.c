@@ -28,7 +28,7 @@
 #define PIXEL_M 0.0006f /* 1,280 over a tank of 0.85 m and its rim. */
 
 /* Everything that a copy needs, and no pointer into itself but those that wire() sets. */
-struct stall {
+struct booth {
     struct clock_sim clock;
     struct display_sim display;
     struct poi_sim poi;
@@ -36,9 +36,9 @@ struct stall {
     struct kiosk kiosk;
 };
 
-static struct stall base, with, without;
+static struct booth base, with, without;
 
-static struct hal wire(struct stall *stall)
+static struct hal wire(struct booth *stall)
 {
     struct hal hal = null_hal();
     hal.clock = clock_sim_device(&stall->clock);
@@ -61,7 +61,7 @@ static struct pointer_report report_at(uint64_t time_ns, float x_px, uint32_t bu
     };
 }
 
-static void frame(struct stall *stall, uint64_t frame_ns)
+static void frame(struct booth *stall, uint64_t frame_ns)
 {
     const struct hal hal = wire(stall);
     stall->clock.now_ns += frame_ns;
@@ -72,7 +72,7 @@ static void frame(struct stall *stall, uint64_t frame_ns)
 static void open_stall(uint64_t frame_ns)
 {
     const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
-    base = (struct stall){ .clock.now_ns = 1000000000 };
+    base = (struct booth){ .clock.now_ns = 1000000000 };
     poi_sim_init(&base.poi, clock_sim_device(&base.clock),
                  &tank_preset(TANK_PRESET_FESTIVAL)->view);
     base.reports[0] = report_at(1000000001, 640.0f, 0);
@@ -87,7 +87,7 @@ static void open_stall(uint64_t frame_ns)
     }
 }
 
-static float moved_px(const struct stall *a, const struct stall *b)
+static float moved_px(const struct booth *a, const struct booth *b)
 {
     const struct scene_poi *left = &a->display.scene.poi[0];
     const struct scene_poi *right = &b->display.scene.poi[0];
