@@ -41,7 +41,7 @@ LIB_CFLAGS = $(eval LIB_CFLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config
 LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS)
 
 CORE_SRC := $(wildcard core/*.c core/*/*.c)
-PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c)
+PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c platform/species/*.c)
 KIOSK_SRC := $(wildcard platform/kiosk/*.c)
 CTL_SRC := $(wildcard platform/ctl/*.c)
 DRIVER_SRC := $(wildcard drivers/*.c)

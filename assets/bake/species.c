@@ -1,9 +1,12 @@
 /* species.c -- bake_species IN.txt OUT.c: turns a species' text into the core's constant tables.
  *
  * Exit 0 for done, 2 for wrong usage, 65 for a text that is no species, 74 for files. */
-#include "assets/bake/species.h"
+#include "assets/bake/species_write.h"
+#include "core/base/panic.h"
+#include "platform/species/drawing.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { EXIT_USAGE = 2, EXIT_DATA = 65, EXIT_IO = 74 };
@@ -14,17 +17,27 @@ static int complain(const char *path)
     return EXIT_IO;
 }
 
-static int bake(const struct species_text *species, const char *path)
+_Noreturn void core_panic(const char *condition, const char *file, int line)
 {
-    static struct loft lofts[SPECIES_LOD_COUNT];
+    fprintf(stderr, "%s:%d: %s\n", file, line, condition);
+    abort();
+}
+
+static int bake(const struct species_text *text, const char *path)
+{
+    static struct species species;
+    static struct loft loft;
+    static struct mesh_tables tables[SPECIES_LOD_COUNT];
+    species_compile(text, &species);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-        species_loft(species, &species_detail[lod], &lofts[lod]);
+        species_loft(text, &species_detail[lod], &loft);
+        species_pack(&loft, text->key_count, &tables[lod], &species.lod[lod]);
     }
     FILE *file = fopen(path, "w");
     if (!file) {
         return complain(path);
     }
-    const bool whole = species_write(file, species, lofts);
+    const bool whole = species_write(file, &species);
     if (fclose(file) != 0 || !whole) {
         return complain(path);
     }

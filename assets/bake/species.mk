@@ -1,27 +1,38 @@
 # species.mk -- bakes assets/species/*.txt into constant tables of the core.
 
 SPECIES := wakin
-SPECIES_PARTS := species species_read species_shape species_loft species_write
-SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/assets/bake/%.o)
-GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o)
+SPECIES_PARTS := assets/bake/species assets/bake/species_write \
+    $(patsubst %.c,%,$(wildcard platform/species/*.c)) $(patsubst %.c,%,$(wildcard core/morph/*.c)) \
+    core/base/fmath core/base/vec
+# Compiled for the building machine, apart from what is compiled for the kiosk.
+SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/bake_host/%.o)
+GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o) $(BUILD)/generated/species_table.o
 BUILD_CC ?= cc
 SPECIES_CFLAGS := -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I.
 
-generated: $(SPECIES:%=$(BUILD)/generated/species_%.c)
+generated: $(SPECIES:%=$(BUILD)/generated/species_%.c) $(BUILD)/generated/species_table.c
 
 $(BUILD)/bake_species: $(SPECIES_OBJ)
 	$(call step,LINK,$@)
 	$(Q)$(BUILD_CC) -o $@ $^ -lm
 
-$(SPECIES_OBJ): $(BUILD)/assets/bake/%.o: assets/bake/%.c
+$(SPECIES_OBJ): $(BUILD)/bake_host/%.o: %.c
 	@mkdir -p $(@D)
-	$(call step,CC,$<)
+	$(call step,CC,$< (for the bake))
 	$(Q)$(BUILD_CC) $(SPECIES_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
 $(BUILD)/generated/species_%.c: assets/species/%.txt $(BUILD)/bake_species
 	@mkdir -p $(@D)
 	$(call step,BAKE,$<)
 	$(Q)$(BUILD)/bake_species $< $@
+
+$(BUILD)/generated/species_table.c: assets/bake/species.mk
+	@mkdir -p $(@D)
+	$(Q){ echo '#include "core/morph/species.h"'; \
+	    $(foreach s,$(SPECIES),echo 'extern const struct species species_$(s);';) \
+	    echo 'const struct species *const species_table[] = {'; \
+	    $(foreach s,$(SPECIES),echo '    &species_$(s),';) echo '};'; \
+	    echo 'const uint32_t species_table_count = $(words $(SPECIES));'; } > $@
 
 $(BUILD)/generated/species_%.o: $(BUILD)/generated/species_%.c
 	$(call step,CC,$<)
@@ -33,7 +44,7 @@ species-sheet: $(SPECIES:%=$(BUILD)/species_%.png)
 $(BUILD)/species_%.png: $(BUILD)/species_sheet_%
 	$< $@
 
-$(BUILD)/species_sheet_%: assets/bake/species_sheet.c $(BUILD)/generated/species_%.o $(BUILD)/core.a
+$(BUILD)/species_sheet_%: assets/bake/species_sheet.c $(BUILD)/core.a
 	$(call step,CC,$<)
 	$(Q)$(BUILD_CC) $(SPECIES_CFLAGS) -DSPECIES=species_$* $(DEP_FLAGS) -o $@ $^ -lm
 

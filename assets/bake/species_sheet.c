@@ -24,7 +24,6 @@
 #define OVERSAMPLE 3
 #define VIEW_COUNT 4
 #define ROW_MAX (2 * MORPH_KEY_MAX)
-#define VERTEX_MAX 1024
 #define FIN_ALPHA 0.72f
 
 enum { EXIT_USAGE = 2, EXIT_IO = 74 };
@@ -58,8 +57,8 @@ static vec3 tint(uint32_t rgb)
 static vec3 blend_tint(const struct species *s, const float *weights, int which)
 {
     vec3 sum = v3(0.0f, 0.0f, 0.0f);
-    for (uint32_t i = 0; i < s->key_count; i++) {
-        const struct species_tint *t = &s->key_tint[i];
+    for (uint32_t i = 0; i < s->card.key_count; i++) {
+        const struct species_coat *t = &s->coats[i];
         const uint32_t rgb[] = { t->back, t->flank, t->belly, t->fin };
         sum = v3_mad(sum, tint(rgb[which]), weights[i]);
     }
@@ -156,11 +155,12 @@ static void draw_triangle(struct canvas *canvas, int view, const struct species 
 }
 
 static void draw_fish(struct canvas *canvas, int view, const struct species *s,
-                      const struct species_mesh *mesh, const float *weights)
+                      const struct species_mesh *mesh, const struct morph_pose *pose)
 {
-    static vec3 positions[VERTEX_MAX], normals[VERTEX_MAX];
+    const float *weights = pose->weight[0];
+    static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     const float scale = (float)(CELL_WIDTH * OVERSAMPLE) * 0.92f;
-    morph_blend(mesh, s->key_count, weights, positions, normals);
+    morph_shape(mesh, s->card.key_count, pose, positions, normals);
     for (int fins = 0; fins < 2; fins++) {
         for (uint32_t i = 0; i < mesh->index_count; i += 3) {
             struct corner c[3];
@@ -216,17 +216,20 @@ static void copy_cell(const struct canvas *canvas, uint8_t *image, int column, i
 /* The near mesh at each key and between; below them the far mesh at the middle key. */
 static int draw_sheet(const struct species *s, const char *path)
 {
-    const int stages = (int)s->key_count * 2 - 1;
+    const int stages = (int)s->card.key_count * 2 - 1;
     const int rows = stages + 1;
     struct canvas *canvas = malloc(sizeof *canvas);
     uint8_t *image = malloc((size_t)(3 * CELL_WIDTH * VIEW_COUNT * CELL_HEIGHT * rows));
+    struct morph_rig rig;
+    morph_rig_init(&rig, &s->card, TEMPLATE_OWN);
     for (int row = 0; canvas && image && row < rows; row++) {
-        float weights[MORPH_KEY_MAX];
+        static struct morph_pose pose;
         const float progress = row < stages ? (float)row / (float)(stages - 1) : 0.5f;
-        morph_weights(s, progress, weights);
+        const struct species_mesh *mesh = &s->lod[row < stages ? 0 : 1];
+        morph_pose(&rig, mesh, progress, &pose);
         for (int view = 0; view < VIEW_COUNT; view++) {
             clear(canvas);
-            draw_fish(canvas, view, s, &s->lod[row < stages ? 0 : 1], weights);
+            draw_fish(canvas, view, s, mesh, &pose);
             copy_cell(canvas, image, view, row);
         }
     }

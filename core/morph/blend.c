@@ -1,37 +1,78 @@
 /* blend.c -- P = sum of V_i K_i: the 2005 thesis' eq. 3.2, for any number of key shapes.
  *
- * The renderer blends in the vertex shader; this is the same sum for whoever has no GPU. It goes
- * key by key, so that each pass streams through one array. */
+ * The renderer blends in the vertex shader; this is the same sum from the same tables for whoever
+ * has no GPU. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 
-static void blend(const vec3 *const keys[MORPH_KEY_MAX], uint32_t key_count,
-                  const float weights[MORPH_KEY_MAX], uint32_t vertex_count, vec3 *out)
+#define COUNTS 32767.0f
+
+vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex)
 {
-    for (uint32_t i = 0; i < vertex_count; i++) {
-        out[i] = v3_scale(keys[0][i], weights[0]);
+    const struct species_point *p = &mesh->points[key][vertex];
+    const float step = mesh->reach / COUNTS;
+    return v3((float)p->x * step, (float)p->y * step, (float)p->z * step);
+}
+
+vec3 morph_normal(int16_t folded)
+{
+    const int32_t code = (int32_t)folded + 32767;
+    const float x = (float)(code >> 8) / 127.0f - 1.0f;
+    const float y = (float)(code & 255) / 127.0f - 1.0f;
+    const float z = 1.0f - f_abs(x) - f_abs(y);
+    const float t = f_max(-z, 0.0f);
+    return v3_normalize_or(v3(x - (x >= 0.0f ? t : -t), y - (y >= 0.0f ? t : -t), z),
+                           v3(0.0f, 1.0f, 0.0f));
+}
+
+/* A unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1, as one number that
+ * survives being a 16-bit fraction: -32767 .. 32257. */
+int16_t morph_fold_normal(vec3 n)
+{
+    const float sum = f_max(f_abs(n.x) + f_abs(n.y) + f_abs(n.z), 1e-6f);
+    float x = n.x / sum;
+    float y = n.y / sum;
+    if (n.z < 0.0f) {
+        const float flat_x = (1.0f - f_abs(y)) * (x >= 0.0f ? 1.0f : -1.0f);
+        y = (1.0f - f_abs(x)) * (y >= 0.0f ? 1.0f : -1.0f);
+        x = flat_x;
     }
-    for (uint32_t key = 1; key < key_count; key++) {
-        const vec3 *shape = keys[key];
-        const float weight = weights[key];
-        for (uint32_t i = 0; i < vertex_count; i++) {
-            out[i] = v3_mad(out[i], shape[i], weight);
+    const int32_t high = (int32_t)((x + 1.0f) * 127.0f + 0.5f);
+    const int32_t low = (int32_t)((y + 1.0f) * 127.0f + 0.5f);
+    return (int16_t)(high * 256 + low - 32767);
+}
+
+/* What each key counts for one vertex: the curves' weights, by its masks. */
+static void vertex_weights(const struct species_vertex *vertex, uint32_t key_count,
+                           const struct morph_pose *pose, float weights[MORPH_KEY_MAX])
+{
+    for (uint32_t key = 0; key < key_count; key++) {
+        weights[key] = 0.0f;
+        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+            weights[key] += pose->weight[curve][key] * ((float)vertex->mask[curve] / 255.0f);
         }
     }
 }
 
-void morph_blend(const struct species_mesh *mesh, uint32_t key_count,
-                 const float weights[MORPH_KEY_MAX], vec3 *positions, vec3 *normals)
+void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                 vec3 *positions, vec3 *normals)
 {
     CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
-    if (positions) {
-        blend(mesh->positions, key_count, weights, mesh->vertex_count, positions);
-    }
-    if (normals) {
-        blend(mesh->normals, key_count, weights, mesh->vertex_count, normals);
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            normals[i] = v3_normalize_or(normals[i], v3(0.0f, 1.0f, 0.0f));
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        float weights[MORPH_KEY_MAX];
+        vec3 position = { 0.0f, 0.0f, 0.0f };
+        vec3 normal = position;
+        vertex_weights(&mesh->vertices[i], key_count, pose, weights);
+        for (uint32_t key = 0; key < key_count; key++) {
+            position = v3_mad(position, morph_position(mesh, key, i), weights[key]);
+            normal = v3_mad(normal, morph_normal(mesh->points[key][i].normal), weights[key]);
+        }
+        if (positions) {
+            positions[i] = position;
+        }
+        if (normals) {
+            normals[i] = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
         }
     }
 }

@@ -3,49 +3,64 @@
 
 #include "core/base/panic.h"
 
-float morph_progress(const struct species *species, float length_m)
+#define SUM_ERROR_MAX 1e-6f
+
+static struct graph_verdict check_knot(const struct graph *graph, uint32_t key_count,
+                                       uint32_t index)
 {
-    const float *key = species->key_length_m;
-    const uint32_t last = species->key_count - 1;
-    CORE_ASSERT(species->key_count >= 2 && species->key_count <= MORPH_KEY_MAX);
-    if (!(length_m > key[0])) {
-        return 0.0f;
+    const struct graph_knot *knot = &graph->knots[index];
+    float sum = 0.0f;
+    if (index > 0 && !(knot->progress > knot[-1].progress)) {
+        return (struct graph_verdict){ GRAPH_ORDER, (uint8_t)index, 0, knot->progress };
     }
-    for (uint32_t i = 0; i < last; i++) {
-        if (length_m < key[i + 1]) {
-            const float part = f_ln(length_m / key[i]) / f_ln(key[i + 1] / key[i]);
-            return ((float)i + f_clamp(part, 0.0f, 1.0f)) / (float)last;
+    for (uint32_t key = 0; key < key_count; key++) {
+        if (!(knot->weight[key] >= 0.0f)) {
+            return (struct graph_verdict){ GRAPH_NEGATIVE, (uint8_t)index, (uint8_t)key,
+                                           knot->weight[key] };
         }
+        sum += knot->weight[key];
     }
-    return 1.0f;
+    if (!(f_abs(sum - 1.0f) <= SUM_ERROR_MAX)) {
+        return (struct graph_verdict){ GRAPH_SUM, (uint8_t)index, 0, sum };
+    }
+    return (struct graph_verdict){ GRAPH_GOOD, 0, 0, 0.0f };
 }
 
-void morph_weights(const struct species *species, float progress, float weights[MORPH_KEY_MAX])
+struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count)
+{
+    CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
+    if (graph->knot_count < 2 || graph->knot_count > GRAPH_KNOT_MAX) {
+        return (struct graph_verdict){ GRAPH_KNOT_COUNT, 0, 0, (float)graph->knot_count };
+    }
+    const uint32_t last = graph->knot_count - 1u;
+    for (uint32_t i = 0; i <= last; i++) {
+        const struct graph_verdict verdict = check_knot(graph, key_count, i);
+        if (verdict.fault != GRAPH_GOOD) {
+            return verdict;
+        }
+    }
+    if (graph->knots[0].progress != 0.0f || graph->knots[last].progress != 1.0f) {
+        const uint32_t knot = graph->knots[0].progress != 0.0f ? 0 : last;
+        return (struct graph_verdict){ GRAPH_ENDS, (uint8_t)knot, 0, graph->knots[knot].progress };
+    }
+    return (struct graph_verdict){ GRAPH_GOOD, 0, 0, 0.0f };
+}
+
+void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
+                   float weights[MORPH_KEY_MAX])
 {
     CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
-    CORE_ASSERT(species->knot_count >= 2 && species->knot_count <= CURVE_KNOT_MAX);
+    CORE_ASSERT(graph->knot_count >= 2 && graph->knot_count <= GRAPH_KNOT_MAX);
     uint32_t next = 1;
-    while (next < species->knot_count - 1 && progress > species->knots[next].progress) {
+    while (next < graph->knot_count - 1u && progress > graph->knots[next].progress) {
         next++;
     }
-    const struct graph_knot *from = &species->knots[next - 1];
-    const struct graph_knot *to = &species->knots[next];
+    const struct graph_knot *from = &graph->knots[next - 1];
+    const struct graph_knot *to = &graph->knots[next];
     const float t =
         f_clamp((progress - from->progress) / (to->progress - from->progress), 0.0f, 1.0f);
     for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
         /* Both ends exact, and never below 0 where both ends are not. */
-        weights[i] = i < species->key_count ? from->weight[i] * (1.0f - t) + to->weight[i] * t : 0;
+        weights[i] = i < key_count ? from->weight[i] * (1.0f - t) + to->weight[i] * t : 0.0f;
     }
-}
-
-void morph_weights_ordinary(const struct species *species, float progress,
-                            float weights[MORPH_KEY_MAX])
-{
-    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
-    CORE_ASSERT(species->key_count >= 2 && species->key_count <= MORPH_KEY_MAX);
-    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-        weights[i] = 0.0f;
-    }
-    weights[0] = 1.0f - progress;
-    weights[species->key_count - 1] = progress;
 }

@@ -1,31 +1,149 @@
 /* morph.h -- a fish of any age from three or more drawings (2005 thesis).
  *
- * age -> length (growth curve) -> progress between the keys -> a weight per key (deformation graph)
- * -> blended shape (eq. 3.2). Weights are >= 0 and sum to 1. */
+ *   age -> progress between the keys -> weights (deformation graph, one a curve) -> pose -> shape
+ *                  \-> length (scale curve)
+ *
+ * Progress is [0, 1]: key i of n stands at i / (n - 1). All functions are pure; the caller owns all
+ * memory. */
 #ifndef KINGYO_CORE_MORPH_MORPH_H
 #define KINGYO_CORE_MORPH_MORPH_H
 
+#include <stdbool.h>
+
 #include "core/morph/species.h"
 
-/* Total length in metres at `age_days` >= 0 after hatching; never less than the hatch length. */
+/* growth.c: length and age */
+
+/* Length in metres at `age_days` >= 0 after hatching. */
 float growth_length_m(const struct growth *growth, float age_days);
 
-/* The age at which the curve reaches `length_m`, within 0.1 day; clamps to [0, 40 years]. */
+/* The youngest age at which it is `length_m` long, within 0.1 day; clamps to [0, 40 years]. */
 float growth_age_days(const struct growth *growth, float length_m);
 
-/* [0, 1] from the first key's length to the last key's; the keys in between are equally spaced in
- * progress and lengths interpolate geometrically, since fish grow by factors. */
-float morph_progress(const struct species *species, float length_m);
+/* life.c: age <-> progress <-> length. Between two keys progress goes by the logarithm of length
+ * where length is monotone there (fish grow by factors), else by age. */
 
-/* The deformation graph at `progress` in [0, 1]: linear between knots. Unused keys get 0. */
-void morph_weights(const struct species *species, float progress, float weights[MORPH_KEY_MAX]);
+float life_progress(const struct species_card *card, float age_days);
+float life_age_days(const struct species_card *card, float progress);
+/* The scale curve: by hand where the card has one, else the growth curve at that age. */
+float life_length_m(const struct species_card *card, float progress);
+/* The earliest progress at which it is `length_m` long; clamps to [0, 1]. */
+float morph_progress(const struct species_card *card, float length_m);
 
-/* The ordinary two-shape morph (eq. 3.1) of the first and last key, for comparison. */
-void morph_weights_ordinary(const struct species *species, float progress,
-                            float weights[MORPH_KEY_MAX]);
+/* graph.c: weights */
 
-/* Eq. 3.2 on the CPU: `positions` and `normals` (either may be null) hold mesh->vertex_count. */
-void morph_blend(const struct species_mesh *mesh, uint32_t key_count,
-                 const float weights[MORPH_KEY_MAX], vec3 *positions, vec3 *normals);
+enum graph_fault {
+    GRAPH_GOOD = 0,
+    GRAPH_KNOT_COUNT, /* Fewer than 2 knots, or more than GRAPH_KNOT_MAX. */
+    GRAPH_ENDS,       /* The first knot is not at 0, or the last not at 1. */
+    GRAPH_ORDER,      /* `knot` does not lie behind the one before. */
+    GRAPH_NEGATIVE,   /* `key`'s weight at `knot` is negative (or no number). */
+    GRAPH_SUM,        /* The weights of `knot` sum to `value`, not to 1 within 1e-6. */
+};
+
+struct graph_verdict {
+    uint8_t fault; /* enum graph_fault */
+    uint8_t knot, key;
+    float value;
+};
+
+struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count);
+
+/* The curves at `progress` in [0, 1]: each >= 0, sum 1 within 1e-6; unused keys get 0. */
+void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
+                   float weights[MORPH_KEY_MAX]);
+
+/* template.c: graphs to start from */
+
+enum graph_template {
+    TEMPLATE_OWN = 0,      /* The species' own. */
+    TEMPLATE_ORDINARY,     /* Eq. 3.1: the first and the last key alone. */
+    TEMPLATE_PAIRWISE,     /* Figure 3.8: two neighbours at a time, each key reached whole. */
+    TEMPLATE_SIMULTANEOUS, /* Figure 3.9: inner keys peak at `peak`, neighbours share the rest. */
+    TEMPLATE_SMOOTH,       /* A cubic B-spline's weights: the path has no corner at any key. */
+    TEMPLATE_COUNT,
+};
+
+#define SIMULTANEOUS_PEAK 0.70f /* Section 4.2's hirame. */
+
+/* `template` is not TEMPLATE_OWN; `peak` in (0.5, 1) matters to TEMPLATE_SIMULTANEOUS alone. */
+void graph_template(struct graph *graph, enum graph_template template, uint32_t key_count,
+                    float peak);
+
+/* rig.c: which curves blend a fish, ready to be asked often */
+
+struct morph_rig {
+    uint32_t key_count, curve_count;
+    struct graph curves[MORPH_CURVE_MAX];
+    /* Weight of drawn key j in the shape solved for key i; the unit matrix if nothing is solved. */
+    float solution[MORPH_CURVE_MAX][MORPH_KEY_MAX][MORPH_KEY_MAX];
+};
+
+/* TEMPLATE_OWN takes the card's curves; any other template takes the place of all of them. */
+void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
+                    enum graph_template template);
+
+/* What multiplies the drawn key shapes, by curve: sums 1; negative only where shapes are solved. */
+void morph_weights(const struct morph_rig *rig, float progress,
+                   float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX]);
+
+/* pose.c: what a vertex shader needs besides the tables */
+
+struct quat {
+    float x, y, z, w;
+};
+
+struct morph_pose {
+    float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+    struct anchor_pose {
+        vec3 position;    /* In the body frame. */
+        struct quat turn; /* Unit; the identity where the anchor does not turn. */
+    } anchor[ANCHOR_MAX];
+};
+
+void morph_pose(const struct morph_rig *rig, const struct species_mesh *mesh, float progress,
+                struct morph_pose *pose);
+
+/* blend.c: eq. 3.2 on the CPU */
+
+/* `positions` and `normals` (either may be null) hold mesh->vertex_count. A vertex is the sum of
+ * its key points by its masks' mean of the curves' weights, then turned and carried by its anchor.
+ */
+void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                 vec3 *positions, vec3 *normals);
+
+/* A point's position (counts times reach) and its unit normal, unfolded. */
+vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex);
+vec3 morph_normal(int16_t folded);
+int16_t morph_fold_normal(vec3 normal);
+
+/* straight.c: the thesis' own method, to compare with */
+
+struct straight_memory { /* The caller's, as long as the species made from it is used. */
+    struct species_vertex vertices[SPECIES_LOD_COUNT][MESH_VERTEX_MAX];
+    struct species_point points[SPECIES_LOD_COUNT][MORPH_KEY_MAX][MESH_VERTEX_MAX];
+};
+
+/* The same key shapes without anchors and masks: every vertex moves straight (eq. 3.1 and 3.2). */
+void species_straighten(const struct species *from, struct straight_memory *memory,
+                        struct species *out);
+
+/* Straight, and only chapter 4's three keys with its template; the middle one exaggerated (solved)
+ * where that template is the simultaneous one. */
+void species_thesis(const struct species *from, struct straight_memory *memory,
+                    struct species *out);
+
+/* paint.c: colour */
+
+struct paint {
+    vec3 colour;  /* sRGB, [0, 1] each. */
+    float clear;  /* [0, 1] how much of what is behind shows. */
+    float shine;  /* [0, 1] */
+};
+
+/* What vertex coordinates `at` (u, v, part, side; any point between vertices will do) look like,
+ * the keys' coats blended by `weights` (made >= 0 and summing to 1 first). */
+struct paint paint_at(const struct species *species, const float weights[MORPH_KEY_MAX],
+                      const struct species_vertex *at);
 
 #endif

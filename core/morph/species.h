@@ -1,17 +1,30 @@
-/* species.h -- a species as constant tables, baked from its text under assets/species/.
+/* species.h -- a species: its life as plain data, its bodies as constant tables.
  *
- * Key shapes share one topology; all are scaled to unit length (snout to tail tip, body frame of
- * vec.h: the snout at z = -0.5). Size is the growth curve, apart from shape (2005 thesis). */
+ * Three to eight key shapes share one topology and one size: the species' own measure (total, fork
+ * or standard length, a ray's disc width) is 1 in every key, the snout at z = -0.5 of the body
+ * frame of vec.h. Size is a curve of its own, apart from shape (2005 thesis, section 3.2).
+ * Built-in species are baked from assets/species/NAME.txt; others are read from packed files. */
 #ifndef KINGYO_CORE_MORPH_SPECIES_H
 #define KINGYO_CORE_MORPH_SPECIES_H
 
 #include <stdint.h>
 
-#include "core/scene.h"
+#include "core/base/vec.h"
 
-#define MORPH_KEY_MAX SCENE_KEY_MAX
-#define SPECIES_LOD_COUNT 2u /* 0 near, 1 far. */
-#define CURVE_KNOT_MAX 8u    /* A hand-drawn curve with more knots is a table. */
+#define MORPH_KEY_MAX 8u       /* As SCENE_KEY_MAX: what a vertex shader's attributes hold. */
+#define MORPH_CURVE_MAX 4u     /* The whole fish's own, and three parts': a vertex's four masks. */
+#define GRAPH_KNOT_MAX 12u     /* A hand-drawn curve with more knots is a table. */
+#define GROWTH_POINT_MAX 12u   /* Nine of the conger's lengths were measured; that is the most. */
+#define SPECIES_NAME_SIZE 24u  /* With its zero: a-z, 0-9 and _. */
+#define SPECIES_LOD_COUNT 2u   /* 0 near, 1 far. */
+#define SPECIES_BUILT_IN 7u
+#define SPECIES_EXTRA_MAX 8u   /* Fixed slots for makers' packed files. */
+#define SPECIES_MAX (SPECIES_BUILT_IN + SPECIES_EXTRA_MAX)
+#define MESH_VERTEX_MAX 1024u  /* Of one level of detail; the near wakin has 426. */
+#define MESH_INDEX_MAX 8192u
+#define ANCHOR_MAX 96u         /* A root for each ray column of each fin, and two eyes. */
+#define ANCHOR_NONE 255u
+#define MARK_MAX 8u            /* Painted marks of one key. */
 
 enum species_part {
     PART_BODY = 0,
@@ -21,60 +34,161 @@ enum species_part {
     PART_ANAL = 4,
     PART_PECTORAL = 5,
     PART_PELVIC = 6,
+    PART_DORSAL_2 = 7,      /* Of a tuna. */
+    PART_FINLET_UPPER = 8,  /* The row of finlets behind a tuna's second dorsal ... */
+    PART_FINLET_LOWER = 9,  /* ... and behind its anal fin. */
     PART_COUNT,
 };
+
+enum species_side { SIDE_MIDDLE = 0, SIDE_RIGHT = 1, SIDE_LEFT = 2 };
 
 /* Body: u from the snout 0 to the tail root 1; v round the girth, 0 at the back, over the right
  * flank, 0.5 at the belly, over the left flank to 1 at the back again (its seam column is doubled).
  * Fins: u from the leading ray 0 to the last 1 (tail: top to bottom), v from root 0 to tip 1.
- * Eyes: u from the centre 0 to the rim 1; v is the body's on that side, for the skin around. */
+ * Eyes: u from the pupil's centre 0 over the visible rim 1 (and on, behind it); v is the body's on
+ * that side, for the skin around. */
 struct species_vertex {
     float u, v;
-    uint8_t part;    /* enum species_part */
-    uint8_t flex;    /* 0 .. 255: how far a fin's point trails the water; 0 on body and eyes. */
+    uint8_t part;   /* enum species_part */
+    uint8_t side;   /* enum species_side: which of a pair. */
+    uint8_t flex;   /* 0 .. 255: how far a fin's point trails the water; 0 on body and eyes. */
+    uint8_t anchor; /* What it rides on, an index into the mesh's anchors, or ANCHOR_NONE. */
+    uint8_t mask[MORPH_CURVE_MAX]; /* How much each curve moves it; the four sum to 255. */
 };
 
-/* Triangles are counter-clockwise seen from outside. The body is closed; an eye is a dome whose rim
- * lies under the skin; a fin is a sheet of one layer of vertices whose triangles come twice, once
+/* A vertex in one key. Position: counts of mesh->reach / 32767, from the body's origin, or from its
+ * anchor where it has one. Normal: folded on an octahedron, see morph_normal(). The vertex shader
+ * reads the very same table. */
+struct species_point {
+    int16_t x, y, z, normal;
+};
+
+/* A point that rides on the skin, given by body coordinates in every key: where a fin's ray is
+ * rooted, where an eye sits. Between keys the body coordinates are blended and the blended skin is
+ * asked where that is, so that it slides along the body and never cuts through it. */
+struct species_anchor {
+    uint8_t curve; /* Which curve blends it. */
+    uint8_t turns; /* 1: its vertices turn with the skin (an eye: x out of the skin, z backward
+                      along it, y = z cross x). 0: they keep the body's axes (a fin's ray). */
+    float u[MORPH_KEY_MAX]; /* [0, 1] */
+    float v[MORPH_KEY_MAX]; /* Round the girth; may leave [0, 1) to say which way round it went. */
+};
+
+/* Triangles are counter-clockwise seen from outside. The body is closed; an eye is a closed ball
+ * half sunk in the skin; a fin is a sheet of one layer of vertices whose triangles come twice, once
  * in each winding, so that back faces may be culled: whoever draws it turns a fin's normal toward
  * the viewer (part >= PART_TAIL). */
 struct species_mesh {
-    uint32_t vertex_count, index_count;
+    uint32_t vertex_count, index_count, anchor_count;
+    /* The skin: ring r, spoke s (0 .. spokes, the last on the first) is vertex grid_first +
+     * r * (spokes + 1) + s. 0 rings: no anchors. */
+    uint16_t grid_first, grid_rings, grid_spokes;
+    float reach; /* What 32767 counts are worth: 1, 2 or 4 lengths. */
     const struct species_vertex *vertices;
-    const vec3 *positions[MORPH_KEY_MAX]; /* One per key; unit length. */
-    const vec3 *normals[MORPH_KEY_MAX];   /* Unit. */
+    const struct species_point *points[MORPH_KEY_MAX];
+    const struct species_anchor *anchors;
     const uint16_t *indices;
 };
 
-/* How a key is painted, 0xRRGGBB in sRGB; patterns of an individual lie over it. */
-struct species_tint {
-    uint32_t back, flank, belly, fin;
-};
-
-/* A knot of the deformation graph: progress, then each key's weight (sum 1, each >= 0). */
+/* A knot of a deformation graph: progress, then each key's weight (sum 1, each >= 0). */
 struct graph_knot {
     float progress;
     float weight[MORPH_KEY_MAX];
 };
 
-/* von Bertalanffy (2005 thesis, eq. 3.3) with a start that keeps hatchlings their true length. */
+enum graph_line {
+    GRAPH_STRAIGHT = 0, /* Straight between knots. */
+    GRAPH_SMOOTH = 1,   /* A monotone cubic through each key's knots, then made to sum to 1. */
+};
+
+/* The deformation graph (2005 thesis, section 3.3): knots from progress 0 to 1, rising. */
+struct graph {
+    uint8_t knot_count; /* 2 .. GRAPH_KNOT_MAX */
+    uint8_t line;       /* enum graph_line */
+    uint8_t solved;     /* 1: the weights are of shapes solved so that the fish passes through every
+                           drawn key; 0: of the drawn keys themselves. */
+    struct graph_knot knots[GRAPH_KNOT_MAX];
+};
+
+/* Length by age: measured points first (the first is hatching, at age 0), joined by a monotone
+ * cubic, then von Bertalanffy's curve (2005 thesis, eq. 3.3) into which the last point fades. */
 struct growth {
     float length_inf_m, k_per_year, t0_year;
-    float hatch_length_m, hatch_tau_year;
+    float fade_year; /* > 0: within a few of these the curve has taken over. */
+    uint32_t point_count; /* 1 .. GROWTH_POINT_MAX */
+    struct growth_point {
+        float age_days, length_m;
+    } points[GROWTH_POINT_MAX];
+};
+
+/* What `length` means for a species; the tables' unit. */
+enum species_measure { MEASURE_TOTAL, MEASURE_STANDARD, MEASURE_FORK, MEASURE_DISC };
+
+/* How it swims. */
+enum species_motion {
+    MOTION_TAIL, /* The tail beats: fusiform and compressed bodies. */
+    MOTION_EEL,  /* The wave runs along the whole body. */
+    MOTION_FINS, /* A puffer: dorsal and anal fins scull, the body is stiff. */
+    MOTION_TUNA, /* Only the tail's blade beats. */
+    MOTION_WING, /* A ray: the wave runs along the disc's edges. */
+};
+
+enum body_form { FORM_FUSIFORM, FORM_COMPRESSED, FORM_DEPRESSED, FORM_EEL, FORM_PUFFER };
+
+/* The life of a species: plain data of about 2 KiB. */
+struct species_card {
+    char id[SPECIES_NAME_SIZE];
+    uint8_t key_count;       /* 3 .. MORPH_KEY_MAX */
+    uint8_t measure, motion, form;
+    uint8_t thesis_key[3];   /* Which keys chapter 4 of the 2005 thesis used ... */
+    uint8_t thesis_template; /* ... and its template, enum graph_template. */
+    char key_names[MORPH_KEY_MAX][SPECIES_NAME_SIZE];
+    float key_age_days[MORPH_KEY_MAX]; /* Rising. */
+    float key_length_m[MORPH_KEY_MAX]; /* In the species' measure; of a conger not rising. */
+    struct growth growth;
+    uint8_t scale_knot_count; /* 0: size is the growth curve; else 2 or more, drawn by hand: */
+    struct scale_knot {
+        float progress, length_m;
+    } scale_knots[GRAPH_KNOT_MAX];
+    uint8_t curve_count;      /* 1 .. MORPH_CURVE_MAX; curve 0 is the whole fish's. */
+    char curve_names[MORPH_CURVE_MAX][SPECIES_NAME_SIZE];
+    struct graph curves[MORPH_CURVE_MAX];
+};
+
+/* How a key is painted; colours are 0xRRGGBB in sRGB. */
+enum mark_kind {
+    MARK_SPOTS, MARK_BANDS, MARK_STRIPES, MARK_EDGE, MARK_PATCH, MARK_SIDE, MARK_ROWS,
+};
+
+struct species_mark {
+    uint8_t kind;    /* enum mark_kind: what the numbers mean is in paint.c. */
+    uint8_t part;    /* enum species_part that bears it. */
+    uint8_t count, seed;
+    uint32_t colour;
+    float from, to;  /* Along u. */
+    float width;
+    float slant;
+    float low, high; /* Round v as height: 0 belly .. 1 back. */
+};
+
+struct species_coat {
+    uint32_t back, flank, belly, fin, iris;
+    uint8_t clear;   /* 0 opaque .. 255 glass, as larvae are. */
+    uint8_t shine;   /* 0 dull .. 255 silver. */
+    uint8_t mark_count;
+    struct species_mark marks[MARK_MAX];
 };
 
 struct species {
-    const char *id;
-    uint32_t key_count;                      /* 3 .. MORPH_KEY_MAX */
-    const char *key_names[MORPH_KEY_MAX];
-    float key_length_m[MORPH_KEY_MAX];       /* True length at each key; rising. */
-    struct species_tint key_tint[MORPH_KEY_MAX];
-    struct growth growth;
-    uint32_t knot_count;
-    struct graph_knot knots[CURVE_KNOT_MAX]; /* Progress rises from 0 to 1. */
+    struct species_card card;
+    struct species_coat coats[MORPH_KEY_MAX];
     struct species_mesh lod[SPECIES_LOD_COUNT];
 };
 
 extern const struct species species_wakin;
+
+/* All that are built in, wakin first: species_table_count of them. */
+extern const struct species *const species_table[];
+extern const uint32_t species_table_count;
 
 #endif

@@ -156,7 +156,7 @@ uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale
         const float age_days = tank_preset_age_days(preset, draw);
         const float length_m = preset->length_m > 0.0f
                                    ? preset->length_m
-                                   : growth_length_m(&species_wakin.growth, age_days);
+                                   : growth_length_m(&species_wakin.card.growth, age_days);
         cubes_m3 += length_m * length_m * length_m;
     }
     const float body_m3 =

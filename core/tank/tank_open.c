@@ -175,7 +175,7 @@ static float hatch_length_m(const struct tank *tank, const struct tank_preset *p
     const float spread = preset->length_spread;
     const struct rng_key key = { tank->seed, 0, index, RNG_FISH_LENGTH };
     return preset->length_m > 0.0f ? preset->length_m * (1.0f + rng_range(key, -spread, spread))
-                                   : growth_length_m(&species_wakin.growth, age_days);
+                                   : growth_length_m(&species_wakin.card.growth, age_days);
 }
 
 /* As if it had long been in the water: each gait by the share of time that it takes. */

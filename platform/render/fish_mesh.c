@@ -4,45 +4,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define KEY_SIZE 8u
+#define KEY_SIZE sizeof(struct species_point)
 #define SURFACE_SIZE 4u
-
-static int16_t fraction(float x)
-{
-    const float scaled = f_clamp(x, -1.0f, 1.0f) * 32767.0f;
-    return (int16_t)(scaled + (scaled < 0.0f ? -0.5f : 0.5f));
-}
 
 static uint8_t byte(float x)
 {
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-/* A unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1, as one number that
- * survives being a 16-bit fraction: -32767 .. 32257. */
-static int16_t fold_normal(vec3 n)
-{
-    const float sum = f_max(f_abs(n.x) + f_abs(n.y) + f_abs(n.z), 1e-6f);
-    float x = n.x / sum;
-    float y = n.y / sum;
-    if (n.z < 0.0f) {
-        const float flat_x = (1.0f - f_abs(y)) * (x >= 0.0f ? 1.0f : -1.0f);
-        y = (1.0f - f_abs(x)) * (y >= 0.0f ? 1.0f : -1.0f);
-        x = flat_x;
-    }
-    const int32_t high = (int32_t)((x + 1.0f) * 127.0f + 0.5f);
-    const int32_t low = (int32_t)((y + 1.0f) * 127.0f + 0.5f);
-    return (int16_t)(high * 256 + low - 32767);
-}
-
 static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
                         uint32_t index)
 {
     for (uint32_t key = 0; key < key_count; key++, out += KEY_SIZE) {
-        const vec3 p = source->positions[key][index];
-        const int16_t words[4] = { fraction(p.x), fraction(p.y), fraction(p.z),
-                                   fold_normal(source->normals[key][index]) };
-        memcpy(out, words, sizeof words);
+        memcpy(out, &source->points[key][index], KEY_SIZE);
     }
     const struct species_vertex *const vertex = &source->vertices[index];
     const uint8_t surface[SURFACE_SIZE] = { byte(vertex->u), byte(vertex->v), vertex->part,

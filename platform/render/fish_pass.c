@@ -16,23 +16,23 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
 {
     const struct species *const species = &species_wakin;
     char defines[DEFINES_SIZE];
-    snprintf(defines, sizeof defines, "#define KEYS %u\n", species->key_count);
+    snprintf(defines, sizeof defines, "#define KEYS %u\n", species->card.key_count);
     pass->body_program = gl_program(status, "fish body", defines, shader_fish_vert,
                                     shader_fish_frag, "caustics patterns");
-    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SUNK\n", species->key_count);
+    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SUNK\n", species->card.key_count);
     pass->sunk_program = gl_program(status, "sunk fish body", defines, shader_fish_vert,
                                     shader_fish_frag, "caustics patterns");
-    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SNOUT\n", species->key_count);
+    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SNOUT\n", species->card.key_count);
     pass->snout_program = gl_program(status, "snouts", defines, shader_fish_vert,
                                      shader_fish_frag, "caustics patterns");
-    snprintf(defines, sizeof defines, "#define KEYS %u\n#define FIN\n", species->key_count);
+    snprintf(defines, sizeof defines, "#define KEYS %u\n#define FIN\n", species->card.key_count);
     pass->fin_program =
         gl_program(status, "fish fin", defines, shader_fish_vert, shader_fish_frag, "caustics");
     pass->ring_program = gl_program(status, "gulp rings", "", shader_gulp_ring_vert,
                                     shader_gulp_ring_frag, "");
     glGenVertexArrays(1, &pass->rings);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
-        fish_mesh_open(status, &pass->mesh[i], &species->lod[i], species->key_count);
+        fish_mesh_open(status, &pass->mesh[i], &species->lod[i], species->card.key_count);
     }
     pass->instance_buffer = gl_buffer(GL_ARRAY_BUFFER, NULL, sizeof pass->instances);
 }

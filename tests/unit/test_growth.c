@@ -8,7 +8,7 @@
 
 #include "core/morph/morph.h"
 
-static const struct growth *const wakin = &species_wakin.growth;
+static const struct growth *const wakin = &species_wakin.card.growth;
 
 static void test_a_hatchling_has_its_true_length(void **state)
 {
@@ -21,7 +21,7 @@ static void test_a_hatchling_has_its_true_length(void **state)
 static void test_an_adult_fit_is_mended_at_hatching_and_kept_for_adults(void **state)
 {
     (void)state;
-    const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.003f, 0.35f };
+    const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.35f, 1, { { 0.0f, 0.003f } } };
     assert_float_equal(growth_length_m(&bigeye, 0.0f), 0.003f, 1e-6f);
     assert_float_equal(growth_length_m(&bigeye, 3.0f * 365.25f), 1.11f, 0.01f);
     assert_float_equal(growth_length_m(&bigeye, 10.0f * 365.25f), 1.84f, 0.01f);

@@ -10,9 +10,30 @@
 #include "core/morph/morph.h"
 
 #define STEPS 1000
-#define VERTEX_MAX 1024
 
 static const struct species *const wakin = &species_wakin;
+
+static void weights_at(const struct species *species, float progress, float weights[MORPH_KEY_MAX])
+{
+    graph_weights(&species->card.curves[0], species->card.key_count, progress, weights);
+}
+
+static void ordinary_at(const struct species *species, float progress, float weights[MORPH_KEY_MAX])
+{
+    struct graph graph;
+    graph_template(&graph, TEMPLATE_ORDINARY, species->card.key_count, SIMULTANEOUS_PEAK);
+    graph_weights(&graph, species->card.key_count, progress, weights);
+}
+
+static void blend(const struct species_mesh *mesh, uint32_t key_count, const float *weights,
+                  vec3 *positions, vec3 *normals)
+{
+    static struct morph_pose pose;
+    for (uint32_t key = 0; key < key_count; key++) {
+        pose.weight[0][key] = weights[key];
+    }
+    morph_shape(mesh, key_count, &pose, positions, normals);
+}
 
 static void assert_weights_are_a_blend(const float weights[MORPH_KEY_MAX], uint32_t key_count)
 {
@@ -30,10 +51,10 @@ static void test_weights_are_never_negative_and_sum_to_one(void **state)
     (void)state;
     float weights[MORPH_KEY_MAX];
     for (int step = 0; step <= STEPS; step++) {
-        morph_weights(wakin, (float)step / STEPS, weights);
-        assert_weights_are_a_blend(weights, wakin->key_count);
-        morph_weights_ordinary(wakin, (float)step / STEPS, weights);
-        assert_weights_are_a_blend(weights, wakin->key_count);
+        weights_at(wakin, (float)step / STEPS, weights);
+        assert_weights_are_a_blend(weights, wakin->card.key_count);
+        ordinary_at(wakin, (float)step / STEPS, weights);
+        assert_weights_are_a_blend(weights, wakin->card.key_count);
     }
 }
 
@@ -42,11 +63,11 @@ static void test_a_graph_of_three_at_once_keeps_its_sum_between_knots(void **sta
 {
     (void)state;
     struct species three = *wakin;
-    three.knots[1] = (struct graph_knot){ 0.5f, { 0.15f, 0.7f, 0.15f } };
+    three.card.curves[0].knots[1] = (struct graph_knot){ 0.5f, { 0.15f, 0.7f, 0.15f } };
     float weights[MORPH_KEY_MAX];
     for (int step = 0; step <= STEPS; step++) {
-        morph_weights(&three, (float)step / STEPS, weights);
-        assert_weights_are_a_blend(weights, three.key_count);
+        weights_at(&three, (float)step / STEPS, weights);
+        assert_weights_are_a_blend(weights, three.card.key_count);
         assert_true(weights[1] <= 0.7f + 1e-6f);
     }
 }
@@ -54,11 +75,11 @@ static void test_a_graph_of_three_at_once_keeps_its_sum_between_knots(void **sta
 static void test_each_key_is_reached_whole_at_its_own_length(void **state)
 {
     (void)state;
-    for (uint32_t key = 0; key < wakin->key_count; key++) {
+    for (uint32_t key = 0; key < wakin->card.key_count; key++) {
         float weights[MORPH_KEY_MAX];
-        const float progress = morph_progress(wakin, wakin->key_length_m[key]);
-        assert_true(progress == (float)key / (float)(wakin->key_count - 1));
-        morph_weights(wakin, progress, weights);
+        const float progress = morph_progress(&wakin->card, wakin->card.key_length_m[key]);
+        assert_true(progress == (float)key / (float)(wakin->card.key_count - 1));
+        weights_at(wakin, progress, weights);
         assert_true(weights[key] == 1.0f);
     }
 }
@@ -68,11 +89,11 @@ static void test_progress_rises_with_length_and_stops_at_the_keys_ends(void **st
     (void)state;
     float before = 0.0f;
     for (float length_m = 0.001f; length_m < 0.4f; length_m *= 1.01f) {
-        const float progress = morph_progress(wakin, length_m);
+        const float progress = morph_progress(&wakin->card, length_m);
         assert_true(progress >= before && progress <= 1.0f);
         before = progress;
     }
-    assert_true(morph_progress(wakin, 0.001f) == 0.0f);
+    assert_true(morph_progress(&wakin->card, 0.001f) == 0.0f);
     assert_true(before == 1.0f);
 }
 
@@ -80,30 +101,30 @@ static void test_lengths_between_keys_go_by_factors(void **state)
 {
     (void)state;
     /* 30 mm is as many times 20 mm as 45 mm is times 30 mm. */
-    assert_float_equal(morph_progress(wakin, 0.030f), 0.25f, 1e-5f);
+    assert_float_equal(morph_progress(&wakin->card, 0.030f), 0.25f, 1e-5f);
 }
 
 static void test_a_progress_outside_the_graph_is_a_bug(void **state)
 {
     (void)state;
     float weights[MORPH_KEY_MAX];
-    expect_assert_failure(morph_weights(wakin, -0.01f, weights));
-    expect_assert_failure(morph_weights(wakin, 1.01f, weights));
-    expect_assert_failure(morph_weights_ordinary(wakin, 1.01f, weights));
+    expect_assert_failure(weights_at(wakin, -0.01f, weights));
+    expect_assert_failure(weights_at(wakin, 1.01f, weights));
+    expect_assert_failure(ordinary_at(wakin, 1.01f, weights));
 }
 
 static void test_a_key_blended_alone_is_the_key_bit_for_bit(void **state)
 {
     (void)state;
-    static vec3 positions[VERTEX_MAX];
+    static vec3 positions[MESH_VERTEX_MAX];
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         const struct species_mesh *mesh = &wakin->lod[lod];
-        for (uint32_t key = 0; key < wakin->key_count; key++) {
+        for (uint32_t key = 0; key < wakin->card.key_count; key++) {
             float weights[MORPH_KEY_MAX] = { 0 };
             weights[key] = 1.0f;
-            morph_blend(mesh, wakin->key_count, weights, positions, NULL);
+            blend(mesh, wakin->card.key_count, weights, positions, NULL);
             for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-                const vec3 away = v3_sub(positions[i], mesh->positions[key][i]);
+                const vec3 away = v3_sub(positions[i], morph_position(mesh, key, i));
                 assert_true(away.x == 0.0f && away.y == 0.0f && away.z == 0.0f);
             }
         }
@@ -113,13 +134,13 @@ static void test_a_key_blended_alone_is_the_key_bit_for_bit(void **state)
 static void test_a_blend_is_the_weighted_sum_and_its_normals_are_unit(void **state)
 {
     (void)state;
-    static vec3 positions[VERTEX_MAX], normals[VERTEX_MAX];
+    static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     const struct species_mesh *mesh = &wakin->lod[0];
     const float weights[MORPH_KEY_MAX] = { 0.15f, 0.7f, 0.15f };
-    morph_blend(mesh, 3, weights, positions, normals);
+    blend(mesh, 3, weights, positions, normals);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        const float z = 0.15f * mesh->positions[0][i].z + 0.7f * mesh->positions[1][i].z +
-                        0.15f * mesh->positions[2][i].z;
+        const float z = 0.15f * morph_position(mesh, 0, i).z + 0.7f * morph_position(mesh, 1, i).z +
+                        0.15f * morph_position(mesh, 2, i).z;
         assert_float_equal(positions[i].z, z, 1e-6f);
         assert_float_equal(v3_length(normals[i]), 1.0f, 1e-5f);
     }
@@ -155,14 +176,14 @@ static void assert_no_triangle_is_flipped(const struct species_mesh *mesh, const
 static void test_every_stage_between_keys_is_a_whole_fish(void **state)
 {
     (void)state;
-    static vec3 positions[VERTEX_MAX], normals[VERTEX_MAX];
+    static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         const struct species_mesh *mesh = &wakin->lod[lod];
         float volume_before = 0.0f;
         for (int step = 0; step <= 100; step++) {
             float weights[MORPH_KEY_MAX];
-            morph_weights(wakin, (float)step / 100.0f, weights);
-            morph_blend(mesh, wakin->key_count, weights, positions, normals);
+            weights_at(wakin, (float)step / 100.0f, weights);
+            blend(mesh, wakin->card.key_count, weights, positions, normals);
             assert_no_triangle_is_flipped(mesh, positions, normals);
             const float volume = body_volume(mesh, positions);
             assert_true(volume > volume_before * 0.999f);

@@ -26,9 +26,9 @@ static void test_its_ages_give_fish_of_three_to_eight_centimetres(void **state)
 {
     (void)state;
     const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
-    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_min), 0.033f,
+    assert_float_equal(growth_length_m(&species_wakin.card.growth, preset->age_days_min), 0.033f,
                        0.003f);
-    assert_float_equal(growth_length_m(&species_wakin.growth, preset->age_days_max), 0.080f,
+    assert_float_equal(growth_length_m(&species_wakin.card.growth, preset->age_days_max), 0.080f,
                        0.003f);
 }
 

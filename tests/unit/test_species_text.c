@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 /* The bake belongs to the building machine and is in no library, so its reader is compiled in. */
-#include "assets/bake/species_read.c"
+#include "platform/species/text.c"
 
 #define TEXT_SIZE 4096
 
@@ -56,12 +56,12 @@ static void test_a_whole_text_is_read_as_written(void **state)
     assert_string_equal(complaint_of(HEAD KEYS KNOTS), "");
     assert_string_equal(species.id, "test");
     assert_int_equal(species.key_count, 3);
-    assert_int_equal(species.knot_count, 3);
+    assert_int_equal(species.graph.knot_count, 3);
     assert_float_equal(species.keys[1].length_m, 0.020f, 1e-7f);
     assert_int_equal(species.keys[2].station_count, 4);
-    assert_int_equal(species.keys[2].tint.fin, 0xabcdef);
+    assert_int_equal(species.keys[2].coat.fin, 0xabcdef);
     assert_float_equal(species.keys[0].fins[PART_TAIL].rays[1].sweep_deg, -30.0f, 0.0f);
-    assert_float_equal(species.knots[1].weight[1], 0.7f, 0.0f);
+    assert_float_equal(species.graph.knots[1].weight[1], 0.7f, 0.0f);
 }
 
 static void test_comments_and_blanks_say_nothing(void **state)

@@ -1,8 +1,8 @@
-/* species_loft.c -- makes a key's smooth shape a mesh: rings along the body, fin sheets, eye domes.
+/* loft.c -- makes a key's smooth shape a mesh: rings along the body, fin sheets, eye domes.
  *
  * Every key of a species walks the same rings, spokes and rays, so vertices correspond by
  * construction, as the 2005 thesis asks of its input shapes (section 3.1). */
-#include "assets/bake/species_shape.h"
+#include "platform/species/shape.h"
 
 #include <assert.h>
 #include <math.h>
@@ -33,6 +33,8 @@ struct lofting {
 static uint16_t next_vertex(struct lofting *l, struct species_vertex vertex)
 {
     assert(l->loft->vertex_count < MESH_VERTEX_MAX);
+    vertex.anchor = ANCHOR_NONE;
+    vertex.mask[0] = 255;
     l->loft->vertices[l->loft->vertex_count] = vertex;
     return (uint16_t)l->loft->vertex_count++;
 }
@@ -197,6 +199,7 @@ void species_loft(const struct species_text *species, const struct detail *detai
 {
     struct lofting l = { .species = species, .detail = detail, .loft = loft };
     memset(loft, 0, sizeof *loft);
+    loft->reach = 1.0f;
     for (uint32_t key = 0; key < species->key_count; key++) {
         l.total[key] = total_length(&species->keys[key]);
     }

@@ -1,12 +1,12 @@
-/* species_shape.h -- the smooth surfaces of one key, before any mesh: body, eyes, fins.
+/* shape.h -- the smooth surfaces of one key, before any mesh: body, eyes, fins.
  *
  * In the drawing's units (standard length 1): x right, y up from the axis, z back from the snout.
  * Eyes and paired fins are the right ones; the left are their mirror images. Normals point outward;
  * a fin's is on either side. */
-#ifndef KINGYO_ASSETS_BAKE_SPECIES_SHAPE_H
-#define KINGYO_ASSETS_BAKE_SPECIES_SHAPE_H
+#ifndef KINGYO_PLATFORM_SPECIES_SHAPE_H
+#define KINGYO_PLATFORM_SPECIES_SHAPE_H
 
-#include "assets/bake/species.h"
+#include "platform/species/drawing.h"
 
 typedef struct {
     double x, y, z;

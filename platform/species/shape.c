@@ -1,5 +1,5 @@
-/* species_shape.c -- see species_shape.h. */
-#include "assets/bake/species_shape.h"
+/* shape.c -- see shape.h. */
+#include "platform/species/shape.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* species_read.c -- reads a species' text: one fact a line, a word and its numbers. */
-#include "assets/bake/species.h"
+/* text.c -- reads a species' text: one fact a line, a word and its numbers. */
+#include "platform/species/drawing.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -55,12 +55,13 @@ static bool wants(const struct reader *r, uint32_t count, const char *names)
     return r->word_count == count + 1 || refuse(r, "write: %s %s", r->words[0], names);
 }
 
-static bool name(const struct reader *r, char out[NAME_MAX_SIZE])
+static bool name(const struct reader *r, char out[SPECIES_NAME_SIZE])
 {
     const char *word = r->words[1];
     const size_t size = strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_");
-    if (size == 0 || word[size] != '\0' || size >= NAME_MAX_SIZE) {
-        return refuse(r, "'%s' is no name: up to %d of a-z, 0-9 and _", word, NAME_MAX_SIZE - 1);
+    if (size == 0 || word[size] != '\0' || size >= SPECIES_NAME_SIZE) {
+        return refuse(r, "'%s' is no name: up to %d of a-z, 0-9 and _", word,
+                      (int)SPECIES_NAME_SIZE - 1);
     }
     memcpy(out, word, size + 1);
     return true;
@@ -84,8 +85,10 @@ static bool read_hatch(struct reader *r)
 {
     struct growth *g = &r->species->growth;
     r->has_hatch = true;
-    return wants(r, 2, "LENGTH_M FADE_YEAR") && number(r, 1, 0.0005f, 2.0f, &g->hatch_length_m) &&
-           number(r, 2, 0.001f, 5.0f, &g->hatch_tau_year);
+    g->point_count = 1;
+    return wants(r, 2, "LENGTH_M FADE_YEAR") &&
+           number(r, 1, 0.0005f, 2.0f, &g->points[0].length_m) &&
+           number(r, 2, 0.001f, 5.0f, &g->fade_year);
 }
 
 static bool read_key(struct reader *r)
@@ -94,7 +97,7 @@ static bool read_key(struct reader *r)
     if (s->key_count == MORPH_KEY_MAX) {
         return refuse(r, "more than %u keys", MORPH_KEY_MAX);
     }
-    if (s->knot_count > 0) {
+    if (s->graph.knot_count > 0) {
         return refuse(r, "all keys stand above the first knot");
     }
     r->key = &s->keys[s->key_count];
@@ -115,18 +118,18 @@ static bool read_key(struct reader *r)
 static bool read_knot(struct reader *r)
 {
     struct species_text *s = r->species;
-    if (s->knot_count == CURVE_KNOT_MAX) {
-        return refuse(r, "more than %u knots", CURVE_KNOT_MAX);
+    if (s->graph.knot_count == GRAPH_KNOT_MAX) {
+        return refuse(r, "more than %u knots", GRAPH_KNOT_MAX);
     }
     if (r->word_count != s->key_count + 2) {
         return refuse(r, "write: knot PROGRESS and one weight for each of the %u keys above",
                       s->key_count);
     }
-    struct graph_knot *knot = &s->knots[s->knot_count];
+    struct graph_knot *knot = &s->graph.knots[s->graph.knot_count];
     if (!number(r, 1, 0.0f, 1.0f, &knot->progress)) {
         return false;
     }
-    if (s->knot_count == 0 ? knot->progress != 0.0f : knot->progress <= knot[-1].progress) {
+    if (s->graph.knot_count == 0 ? knot->progress != 0.0f : knot->progress <= knot[-1].progress) {
         return refuse(r, "knots go from progress 0 upward");
     }
     float sum = 0.0f;
@@ -139,7 +142,7 @@ static bool read_knot(struct reader *r)
     if (fabsf(sum - 1.0f) > 1e-6f) {
         return refuse(r, "the weights' sum is %g, not 1", (double)sum);
     }
-    s->knot_count++;
+    s->graph.knot_count++;
     return true;
 }
 
@@ -182,7 +185,7 @@ static bool read_fin(struct reader *r)
     if (!wants(r, 5, "tail|dorsal|anal|pectoral|pelvic START END GIRTH CURL")) {
         return false;
     }
-    for (int part = PART_TAIL; part < PART_COUNT; part++) {
+    for (int part = PART_TAIL; part <= PART_PELVIC; part++) {
         if (strcmp(r->words[1], names[part]) == 0) {
             r->fin = &r->key->fins[part];
             if (r->fin->ray_count > 0) {
@@ -223,8 +226,8 @@ static bool read_ray(struct reader *r)
 
 static bool read_tint(struct reader *r)
 {
-    uint32_t *out[] = { &r->key->tint.back, &r->key->tint.flank, &r->key->tint.belly,
-                        &r->key->tint.fin };
+    uint32_t *out[] = { &r->key->coat.back, &r->key->coat.flank, &r->key->coat.belly,
+                        &r->key->coat.fin };
     if (!wants(r, 4, "BACK FLANK BELLY FIN (each as rrggbb)")) {
         return false;
     }
@@ -295,7 +298,7 @@ static bool check_key(const struct reader *r, const struct key_text *key)
     if (key->eye.x < 0.5f * key->eye.diameter) {
         return refuse(r, "key %s: the eye reaches beyond the snout", key->name);
     }
-    for (int part = PART_TAIL; part < PART_COUNT; part++) {
+    for (int part = PART_TAIL; part <= PART_PELVIC; part++) {
         const struct fin *fin = &key->fins[part];
         if (fin->ray_count < 2 || fin->rays[fin->ray_count - 1].at != 1.0f) {
             return refuse(r, "key %s: the %s needs rays from 0 to 1, two or more", key->name,
@@ -317,7 +320,7 @@ static bool check_whole(const struct reader *r)
     if (s->key_count < 3) {
         return refuse(r, "fewer than three keys");
     }
-    if (s->knot_count < 2 || s->knots[s->knot_count - 1].progress != 1.0f) {
+    if (s->graph.knot_count < 2 || s->graph.knots[s->graph.knot_count - 1].progress != 1.0f) {
         return refuse(r, "the graph needs knots from progress 0 to 1");
     }
     for (uint32_t i = 0; i < s->key_count; i++) {

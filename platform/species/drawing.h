@@ -1,10 +1,10 @@
-/* species.h -- a species as a maker writes it, and the shapes that the bake lofts from it.
+/* drawing.h -- a species as a maker writes it, and the shapes that are lofted from it.
  *
- * Build-time code for the building machine: it may use libm and the heap, the core may not. All
+ * The bake of the build and `kingyoctl morph` share this; the kiosk reads only what they made. All
  * lengths of a drawing are fractions of standard length (snout to tail root), x from the snout
  * backward, y up from the body's axis. assets/species/README.md explains every word to makers. */
-#ifndef KINGYO_ASSETS_BAKE_SPECIES_H
-#define KINGYO_ASSETS_BAKE_SPECIES_H
+#ifndef KINGYO_PLATFORM_SPECIES_DRAWING_H
+#define KINGYO_PLATFORM_SPECIES_DRAWING_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -12,11 +12,8 @@
 
 #include "core/morph/species.h"
 
-#define NAME_MAX_SIZE 32
 #define STATION_MAX 24 /* More would be a scan, not a drawing. */
 #define RAY_MAX 12
-#define MESH_VERTEX_MAX 1024
-#define MESH_INDEX_MAX 8192
 
 /* A cross section: a superellipse of this height and width, its centre `offset` above the axis. */
 struct station {
@@ -42,21 +39,21 @@ struct eye {
 };
 
 struct key_text {
-    char name[NAME_MAX_SIZE];
+    char name[SPECIES_NAME_SIZE];
     float length_m;
     uint32_t station_count;
     struct station stations[STATION_MAX];
     struct eye eye;
     struct fin fins[PART_COUNT]; /* By part; PART_BODY and PART_EYE stay empty. */
-    struct species_tint tint;
+    struct species_coat coat;
 };
 
 struct species_text {
-    char id[NAME_MAX_SIZE];
+    char id[SPECIES_NAME_SIZE];
     struct growth growth;
-    uint32_t key_count, knot_count;
+    uint32_t key_count;
     struct key_text keys[MORPH_KEY_MAX];
-    struct graph_knot knots[CURVE_KNOT_MAX];
+    struct graph graph;
 };
 
 /* One level of detail: how many rings and spokes the body has, rays and points along each fin. */
@@ -68,10 +65,13 @@ struct detail {
 };
 
 struct loft {
-    uint32_t vertex_count, index_count;
+    uint32_t vertex_count, index_count, anchor_count;
+    uint32_t grid_first, grid_rings, grid_spokes; /* As species_mesh says. */
+    float reach;
     struct species_vertex vertices[MESH_VERTEX_MAX];
-    vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX];
+    vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* From the anchor, where a vertex has one. */
     vec3 normals[MORPH_KEY_MAX][MESH_VERTEX_MAX];
+    struct species_anchor anchors[ANCHOR_MAX];
     uint16_t indices[MESH_INDEX_MAX];
 };
 
@@ -86,8 +86,19 @@ bool species_read(FILE *file, const char *path, FILE *complaints, struct species
 void species_loft(const struct species_text *species, const struct detail *detail,
                   struct loft *loft);
 
-/* Writes the C source of `struct species species_ID`. False when the file did not take it all. */
-bool species_write(FILE *file, const struct species_text *species,
-                   const struct loft lofts[SPECIES_LOD_COUNT]);
+/* The card and the coats of what was read. */
+void species_compile(const struct species_text *species, struct species *out);
+
+/* The tables of one level of detail. */
+struct mesh_tables {
+    struct species_vertex vertices[MESH_VERTEX_MAX];
+    struct species_point points[MORPH_KEY_MAX][MESH_VERTEX_MAX];
+    struct species_anchor anchors[ANCHOR_MAX];
+    uint16_t indices[MESH_INDEX_MAX];
+};
+
+/* Rounds a loft into the counts of species_point; `mesh` then points into `tables`. */
+void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_tables *tables,
+                  struct species_mesh *mesh);
 
 #endif

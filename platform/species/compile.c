@@ -1,0 +1,66 @@
+/* compile.c -- from a drawing and its lofts to what the core reads: card, coats, tables. */
+#include "platform/species/drawing.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/morph/morph.h"
+
+static int16_t count_of(float x, float reach)
+{
+    const float counts = x / reach * 32767.0f;
+    assert(fabsf(counts) <= 32767.0f);
+    return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
+}
+
+void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_tables *tables,
+                  struct species_mesh *mesh)
+{
+    memcpy(tables->vertices, loft->vertices, sizeof loft->vertices);
+    memcpy(tables->anchors, loft->anchors, sizeof loft->anchors);
+    memcpy(tables->indices, loft->indices, sizeof loft->indices);
+    *mesh = (struct species_mesh){ .vertex_count = loft->vertex_count,
+                                   .index_count = loft->index_count,
+                                   .anchor_count = loft->anchor_count,
+                                   .grid_first = (uint16_t)loft->grid_first,
+                                   .grid_rings = (uint16_t)loft->grid_rings,
+                                   .grid_spokes = (uint16_t)loft->grid_spokes,
+                                   .reach = loft->reach,
+                                   .vertices = tables->vertices,
+                                   .anchors = tables->anchors,
+                                   .indices = tables->indices };
+    for (uint32_t key = 0; key < key_count; key++) {
+        for (uint32_t i = 0; i < loft->vertex_count; i++) {
+            const vec3 p = loft->positions[key][i];
+            tables->points[key][i] = (struct species_point){
+                .x = count_of(p.x, loft->reach),
+                .y = count_of(p.y, loft->reach),
+                .z = count_of(p.z, loft->reach),
+                .normal = morph_fold_normal(loft->normals[key][i]),
+            };
+        }
+        mesh->points[key] = tables->points[key];
+    }
+}
+
+void species_compile(const struct species_text *text, struct species *out)
+{
+    struct species_card *card = &out->card;
+    *out = (struct species){ 0 };
+    memcpy(card->id, text->id, sizeof card->id);
+    card->key_count = (uint8_t)text->key_count;
+    card->thesis_key[1] = (uint8_t)(text->key_count / 2u);
+    card->thesis_key[2] = (uint8_t)(text->key_count - 1u);
+    card->thesis_template = TEMPLATE_PAIRWISE;
+    card->growth = text->growth;
+    card->curve_count = 1;
+    memcpy(card->curve_names[0], "whole", sizeof "whole");
+    card->curves[0] = text->graph;
+    for (uint32_t key = 0; key < text->key_count; key++) {
+        memcpy(card->key_names[key], text->keys[key].name, SPECIES_NAME_SIZE);
+        card->key_length_m[key] = text->keys[key].length_m;
+        card->key_age_days[key] = growth_age_days(&card->growth, text->keys[key].length_m);
+        out->coats[key] = text->keys[key].coat;
+    }
+}
