@@ -11,11 +11,12 @@ struct ctl_command {
     const char *summary;
     const char *usage; /* What `kingyoctl NAME --help` prints, without the summary. */
     void (*tell_more)(void); /* Prints what is behind the usage; may be null. */
+    uint8_t helps_itself;    /* Its subcommands have words of their own: --help is left to it. */
     /* argv[0] is the first word behind the command's name; --help was already answered. */
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
-extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper;
+extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper, ctl_morph;
 
 /* One line on standard error, "kingyoctl COMMAND: ...", and EXIT_USAGE. */
 __attribute__((format(printf, 2, 3)))

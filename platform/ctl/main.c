@@ -6,7 +6,7 @@
 #include "platform/ctl/ctl.h"
 
 static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_paper, &ctl_play,
-                                                      &ctl_replay, &ctl_hid };
+                                                      &ctl_morph, &ctl_replay, &ctl_hid };
 
 static void print_help(void)
 {
@@ -26,7 +26,7 @@ static int is_help(const char *word)
 static enum exit_code run_command(const struct ctl_command *command, int argc,
                                   const char *const *argv)
 {
-    for (int i = 0; i < argc; i++) {
+    for (int i = 0; i < argc && !command->helps_itself; i++) {
         if (is_help(argv[i])) {
             printf("kingyoctl %s: %s\n\n%s", command->name, command->summary, command->usage);
             if (command->tell_more) {

@@ -1,0 +1,103 @@
+/* morph.c -- `kingyoctl morph`: fish of any age, for makers and researchers. One file a subcommand. */
+#include "platform/ctl/morph.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char name[] = "morph";
+
+static const struct morph_command *const table[] = { &ctl_morph_list, &ctl_morph_weights };
+
+#define TABLE_COUNT (sizeof table / sizeof table[0])
+
+static void say(const char *command, const char *format, va_list arguments)
+{
+    fprintf(stderr, "kingyoctl %s %s: ", name, command);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+}
+
+enum exit_code morph_usage(const char *command, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    say(command, format, arguments);
+    va_end(arguments);
+    return EXIT_USAGE;
+}
+
+enum exit_code morph_fail(enum exit_code code, const char *command, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    say(command, format, arguments);
+    va_end(arguments);
+    return code;
+}
+
+enum exit_code morph_end(const char *command)
+{
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        return morph_fail(EXIT_IO, command, "standard output: %s", strerror(errno));
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code help(void)
+{
+    printf("kingyoctl %s: %s\n\n", name, ctl_morph.summary);
+    for (size_t i = 0; i < TABLE_COUNT; i++) {
+        printf("  %s %s\n      %s\n", table[i]->name, table[i]->words, table[i]->summary);
+    }
+    puts("\nSPECIES is one of `kingyoctl morph list`, FILE a maker's text (assets/species/README.md).\n"
+         "  --template T  own (the species' curves, the default), pairwise (figure 3.8 of the 2005\n"
+         "                thesis), simultaneous (figure 3.9), smooth (no corner at any key), or\n"
+         "                ordinary (the first and the last key alone: equation 3.1)\n"
+         "  --thesis      the thesis' own method: chapter 4's three keys, straight paths, the middle\n"
+         "                key exaggerated where it is never whole\n\n"
+         "'kingyoctl morph SUBCOMMAND --help' says more.");
+    return morph_end("--help");
+}
+
+static int is_help(const char *word)
+{
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+}
+
+static enum exit_code run_one(const struct morph_command *command, int argc,
+                              const char *const *argv)
+{
+    for (int i = 0; i < argc; i++) {
+        if (is_help(argv[i])) {
+            printf("kingyoctl %s %s %s\n%s\n\n%s", name, command->name, command->words,
+                   command->summary, command->usage);
+            return morph_end(command->name);
+        }
+    }
+    return command->run(argc, argv);
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    if (argc < 1) {
+        return ctl_usage(name, "a subcommand is missing; --help lists them");
+    }
+    if (is_help(argv[0])) {
+        return help();
+    }
+    for (size_t i = 0; i < TABLE_COUNT; i++) {
+        if (strcmp(argv[0], table[i]->name) == 0) {
+            return run_one(table[i], argc - 1, argv + 1);
+        }
+    }
+    return ctl_usage(name, "unknown subcommand '%.100s'; --help lists them", argv[0]);
+}
+
+const struct ctl_command ctl_morph = {
+    .name = name,
+    .summary = "fish of any age from a few drawings: weights, growth, paths, graphs",
+    .helps_itself = 1,
+    .run = run,
+};

@@ -1,0 +1,283 @@
+/* morph_pick.c -- words first, then the species, then what the options leave of it. */
+#include "platform/ctl/morph_pick.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/number.h"
+#include "platform/species/drawing.h"
+
+#define LENGTH_SAMPLES 1000u
+
+static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
+                                                            "simultaneous", "smooth" };
+
+/* What was said, before the fish is known. */
+struct words {
+    const char *template;
+    const char *place[3]; /* As place_options. */
+};
+
+enum place { PLACE_PROGRESS, PLACE_AGE_DAYS, PLACE_LENGTH_MM };
+
+static const struct {
+    const char *name;
+    double min, max;
+} place_options[3] = {
+    { "--progress", 0.0, 1.0 },
+    { "--age-days", 0.0, 14610.0 },      /* 40 years, as core/morph/growth.c. */
+    { "--length-mm", 1e-3, 10000.0 },
+};
+
+const char *morph_template_name(enum graph_template template)
+{
+    return template_names[template];
+}
+
+/* ---- Words ---------------------------------------------------------------------------------- */
+
+static enum exit_code take_own(const char *command, const struct morph_option *option,
+                               const char *value)
+{
+    if (option->flag) {
+        *option->flag = true;
+        return EXIT_OK;
+    }
+    if (option->text) {
+        *option->text = value;
+        return value && *value ? EXIT_OK : morph_usage(command, "%s needs a value", option->name);
+    }
+    if (option->count ? number_parse(value, (uint32_t)option->min, (uint32_t)option->max,
+                                     option->count)
+                      : number_parse_decimal(value, option->min, option->max, option->number)) {
+        return EXIT_OK;
+    }
+    return morph_usage(command, "%s: '%.40s' is not a %snumber from %.10g to %.10g", option->name,
+                       value ? value : "", option->count ? "whole " : "", option->min,
+                       option->max);
+}
+
+static enum exit_code take_template(struct morph_pick *pick, const char *command,
+                                    const char *value)
+{
+    for (enum graph_template i = TEMPLATE_OWN; value && i < TEMPLATE_COUNT; i++) {
+        if (strcmp(value, template_names[i]) == 0) {
+            pick->template = i;
+            return EXIT_OK;
+        }
+    }
+    return morph_usage(command, "--template: '%.40s' is not own, ordinary, pairwise, simultaneous "
+                                "or smooth", value ? value : "");
+}
+
+/* Takes one option and its value; `*used` says how many words that were, 0 if it is unknown. */
+static enum exit_code take_shared(struct morph_pick *pick, struct words *words,
+                                  const char *command, enum morph_asks asks, const char *option,
+                                  const char *value, int *used)
+{
+    *used = 2;
+    if ((asks & MORPH_ASKS_CURVES) && strcmp(option, "--template") == 0) {
+        return take_template(pick, command, value);
+    }
+    for (size_t i = 0; (asks & MORPH_ASKS_PLACE) && i < 3; i++) {
+        if (strcmp(option, place_options[i].name) == 0) {
+            words->place[i] = value ? value : "";
+            return EXIT_OK;
+        }
+    }
+    *used = 1;
+    if ((asks & MORPH_ASKS_CURVES) && strcmp(option, "--thesis") == 0) {
+        pick->thesis = true;
+        return EXIT_OK;
+    }
+    *used = 0;
+    return EXIT_OK;
+}
+
+static enum exit_code take_word(struct morph_pick *pick, const char *command, const char *word)
+{
+    if (word[0] == '-') {
+        return morph_usage(command, "unknown option '%.100s'; --help lists them", word);
+    }
+    if (pick->word) {
+        return morph_usage(command, "'%.100s' is one species too many", word);
+    }
+    pick->word = word;
+    return *word ? EXIT_OK : morph_usage(command, "a species has a name");
+}
+
+/* ---- Species -------------------------------------------------------------------------------- */
+
+static const struct species *built_in(const char *word)
+{
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        if (strcmp(word, species_table[i]->card.id) == 0) {
+            return species_table[i];
+        }
+    }
+    return NULL;
+}
+
+static const struct species *made_of(const struct species_text *text)
+{
+    static struct species species;
+    static struct loft loft;
+    static struct mesh_tables tables[SPECIES_LOD_COUNT];
+    species_compile(text, &species);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        species_loft(text, &species_detail[lod], &loft);
+        species_pack(&loft, text->key_count, &tables[lod], &species.lod[lod]);
+    }
+    return &species;
+}
+
+static enum exit_code read_file(struct morph_pick *pick, const char *command)
+{
+    static struct species_text text;
+    FILE *file = fopen(pick->word, "r");
+    if (!file) {
+        return morph_fail(EXIT_IO, command, "%.200s: %s", pick->word, strerror(errno));
+    }
+    const bool good = species_read(file, pick->word, stderr, &text);
+    const bool broken = ferror(file) != 0;
+    fclose(file);
+    if (!good) {
+        return broken ? EXIT_IO : EXIT_BAD_DATA;
+    }
+    pick->drawn = made_of(&text);
+    return EXIT_OK;
+}
+
+static enum exit_code refuse_species(const char *command, const char *word)
+{
+    char list[SPECIES_BUILT_IN * (SPECIES_NAME_SIZE + 2u)] = "";
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        const size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
+                 species_table[i]->card.id);
+    }
+    return morph_usage(command, "'%.100s' is no species; there are %s, and files (NAME.txt)", word,
+                       list);
+}
+
+static enum exit_code open_species(struct morph_pick *pick, const char *command)
+{
+    if (!pick->word) {
+        return morph_usage(command, "a species is missing; 'kingyoctl morph list' tells them");
+    }
+    pick->drawn = built_in(pick->word);
+    if (pick->drawn) {
+        return EXIT_OK;
+    }
+    return strpbrk(pick->word, "/.") ? read_file(pick, command)
+                                     : refuse_species(command, pick->word);
+}
+
+/* What --thesis and --template leave of it. */
+static void settle_curves(struct morph_pick *pick)
+{
+    static struct straight_memory memory;
+    static struct species made;
+    pick->fish = pick->drawn;
+    if (pick->thesis) {
+        species_thesis(pick->drawn, &memory, &made);
+        pick->fish = &made;
+    } else if (pick->template == TEMPLATE_ORDINARY) {
+        species_straighten(pick->drawn, &memory, &made);
+        pick->fish = &made;
+    }
+    morph_rig_init(&pick->rig, &pick->fish->card, pick->template);
+}
+
+const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct morph_rig *rig)
+{
+    static struct straight_memory memory;
+    static struct species made;
+    species_straighten(pick->fish, &memory, &made);
+    morph_rig_init(rig, &made.card, TEMPLATE_ORDINARY);
+    return &made;
+}
+
+/* ---- Place ---------------------------------------------------------------------------------- */
+
+static enum exit_code settle_place(struct morph_pick *pick, const struct words *words,
+                                   const char *command)
+{
+    const struct species_card *card = &pick->fish->card;
+    for (size_t i = 0; i < 3; i++) {
+        double value;
+        if (!words->place[i]) {
+            continue;
+        }
+        if (pick->has_place) {
+            return morph_usage(command, "--progress, --age-days and --length-mm: one of them");
+        }
+        if (!number_parse_decimal(words->place[i], place_options[i].min, place_options[i].max,
+                                  &value)) {
+            return morph_usage(command, "%s: '%.40s' is not a number from %.10g to %.10g",
+                               place_options[i].name, words->place[i], place_options[i].min,
+                               place_options[i].max);
+        }
+        pick->has_place = true;
+        pick->progress = i == PLACE_PROGRESS   ? (float)value
+                         : i == PLACE_AGE_DAYS ? life_progress(card, (float)value)
+                                               : morph_progress(card, (float)(1e-3 * value));
+    }
+    return EXIT_OK;
+}
+
+float morph_pick_length_max_m(const struct species_card *card)
+{
+    float max = 0.0f;
+    for (uint32_t i = 0; i <= LENGTH_SAMPLES; i++) {
+        max = f_max(max, life_length_m(card, (float)i / (float)LENGTH_SAMPLES));
+    }
+    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
+        max = f_max(max, card->scale_knots[i].length_m);
+    }
+    return max;
+}
+
+/* ---- All of it ------------------------------------------------------------------------------ */
+
+static enum exit_code take_any(struct morph_pick *pick, struct words *words, const char *command,
+                               enum morph_asks asks, const struct morph_option *options,
+                               size_t option_count, const char *word, const char *value, int *used)
+{
+    const enum exit_code code = take_shared(pick, words, command, asks, word, value, used);
+    if (*used > 0) {
+        return code;
+    }
+    *used = 1;
+    for (size_t i = 0; i < option_count; i++) {
+        if (strcmp(word, options[i].name) == 0) {
+            *used = options[i].flag ? 1 : 2;
+            return take_own(command, &options[i], value);
+        }
+    }
+    return take_word(pick, command, word);
+}
+
+enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enum morph_asks asks,
+                               const struct morph_option *options, size_t option_count, int argc,
+                               const char *const *argv)
+{
+    struct words words = { 0 };
+    int used = 1;
+    *pick = (struct morph_pick){ .template = TEMPLATE_OWN };
+    for (int i = 0; i < argc; i += used) {
+        const enum exit_code code =
+            take_any(pick, &words, command, asks, options, option_count, argv[i],
+                     i + 1 < argc ? argv[i + 1] : NULL, &used);
+        if (code != EXIT_OK) {
+            return code;
+        }
+    }
+    const enum exit_code code = open_species(pick, command);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    settle_curves(pick);
+    return settle_place(pick, &words, command);
+}

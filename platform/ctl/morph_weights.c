@@ -1,0 +1,97 @@
+/* morph_weights.c -- `kingyoctl morph weights`: the deformation graph as a table. */
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/morph_pick.h"
+
+static const char name[] = "weights";
+
+struct weights_plan {
+    struct morph_pick pick;
+    uint32_t steps;
+    const char *curve_name;
+    bool drawn;
+    uint32_t curve;
+};
+
+static enum exit_code find_curve(struct weights_plan *plan)
+{
+    const struct species_card *card = &plan->pick.fish->card;
+    if (!plan->curve_name) {
+        return EXIT_OK;
+    }
+    for (plan->curve = 0; plan->curve < card->curve_count; plan->curve++) {
+        if (strcmp(plan->curve_name, card->curve_names[plan->curve]) == 0) {
+            return EXIT_OK;
+        }
+    }
+    char list[MORPH_CURVE_MAX * (SPECIES_NAME_SIZE + 2u)] = "";
+    for (uint32_t i = 0; i < card->curve_count; i++) {
+        const size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", card->curve_names[i]);
+    }
+    return morph_usage(name, "--curve: '%.40s' is none of %s", plan->curve_name, list);
+}
+
+static void print_row(const struct weights_plan *plan, float progress, float length_max_m)
+{
+    const struct species_card *card = &plan->pick.fish->card;
+    const float length_m = life_length_m(card, progress);
+    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+    if (plan->drawn) {
+        morph_weights(&plan->pick.rig, progress, weights);
+    } else {
+        graph_weights(&plan->pick.rig.curves[plan->curve], card->key_count, progress,
+                      weights[plan->curve]);
+    }
+    printf("%.6f,%.3f,%.4f,%.6f", (double)progress, (double)life_age_days(card, progress),
+           1e3 * (double)length_m, (double)f_min(length_m / length_max_m, 1.0f));
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        printf(",%.7f", (double)weights[plan->curve][key]);
+    }
+    putchar('\n');
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    static struct weights_plan plan;
+    plan = (struct weights_plan){ .steps = 100 };
+    const struct morph_option options[] = {
+        { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
+        { .name = "--curve", .text = &plan.curve_name },
+        { .name = "--drawn", .flag = &plan.drawn },
+    };
+    enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
+                                          sizeof options / sizeof options[0], argc, argv);
+    if (code == EXIT_OK) {
+        code = find_curve(&plan);
+    }
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct species_card *card = &plan.pick.fish->card;
+    const float length_max_m = morph_pick_length_max_m(card);
+    fputs("progress,age_days,length_mm,scale", stdout);
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        printf(",w_%s", card->key_names[key]);
+    }
+    putchar('\n');
+    for (uint32_t i = 0; i <= plan.steps; i++) {
+        print_row(&plan, (float)i / (float)plan.steps, length_max_m);
+    }
+    return morph_end(name);
+}
+
+const struct morph_command ctl_morph_weights = {
+    .name = name,
+    .words = "SPECIES|FILE [--template T] [--thesis] [--steps N] [--curve NAME] [--drawn]",
+    .summary = "the deformation graph as CSV: progress,age_days,length_mm,scale,w_KEY...",
+    .usage =
+        "  --steps N     rows but one, 1 to 100000; 100 otherwise\n"
+        "  --curve NAME  a part's own curve instead of the whole fish's\n"
+        "  --drawn       the weights of the drawn keys: where shapes are solved so that the fish\n"
+        "                passes through every drawing, these may be negative; the graph's never are\n"
+        "\nThe first key stands at progress 0, the last at 1. scale is the length as a share of the\n"
+        "greatest between them. Each row's weights sum to 1.\n",
+    .run = run,
+};
