@@ -23,9 +23,7 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->maturity = f_smoothstep(COLOUR_START_DAYS, COLOUR_FULL_DAYS, fish->age_days);
     out->look = fish->look;
     out->place = show_place(fish->gait);
-    const struct species_card *card = &species_wakin.card;
-    graph_weights(&card->curves[0], card->key_count, morph_progress(card, fish->length_m),
-                  out->weight);
+    out->progress = morph_progress(&species_wakin.card, fish->length_m);
 }
 
 /* Cells beyond the ring take the value of the paper beside them, so that a renderer may filter. */

@@ -11,7 +11,6 @@
 #include "core/base/vec.h"
 
 #define SCENE_FISH_MAX 2048u /* As TANK_FISH_MAX. */
-#define SCENE_KEY_MAX 8u     /* As MORPH_KEY_MAX: key shapes that one fish may blend. */
 #define SHEET_SIDE 32u       /* Cells along each side of the paper's square: 2.5 mm at 80 mm. */
 #define RIPPLE_X 128u        /* Cells of the water surface, left to right ... */
 #define RIPPLE_Z 80u         /* ... and back to front; about 7 mm in the festival tank. */
@@ -31,7 +30,7 @@ struct scene_fish {
     float bend_rad;          /* Whole-body bend of a turn; positive bends the tail to its right. */
     float gape;              /* [0, 1] how far its mouth is open: it gulps at the surface. */
     float gulp;              /* (0, 1] from one opening to the next; 0: it does not gulp. */
-    float weight[SCENE_KEY_MAX]; /* Blend of the species' key shapes; >= 0, sum 1. */
+    float progress;          /* [0, 1] from the species' first key shape to its last. */
     float maturity;          /* [0, 1] along the colour keys. */
     uint32_t look;           /* Random bits that choose the individual's pattern and colours. */
     uint8_t place;           /* enum scene_place */

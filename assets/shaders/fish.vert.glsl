@@ -1,33 +1,10 @@
-// A fish: its key shapes blended, then bent, then waved along the spine, then placed.
-//
-// KEYS attributes of 8 bytes hold a key's vertex each: xyz the position, w the normal, folded on an
-// octahedron in two bytes. FIN chooses fins, else body and eyes.
-layout(location = 0) in vec4 key_0;
-layout(location = 1) in vec4 key_1;
-layout(location = 2) in vec4 key_2;
-#if KEYS > 3
-layout(location = 3) in vec4 key_3;
-#endif
-#if KEYS > 4
-layout(location = 4) in vec4 key_4;
-#endif
-#if KEYS > 5
-layout(location = 5) in vec4 key_5;
-#endif
-#if KEYS > 6
-layout(location = 6) in vec4 key_6;
-#endif
-#if KEYS > 7
-layout(location = 7) in vec4 key_7;
-#endif
-layout(location = 8) in vec4 surface;      // u, v, part / 255, flex.
+// A fish of the tank: its key shapes blended (morph.glsl), then bent, then waved along the spine, then
+// placed. FIN chooses fins, else body and eyes.
 layout(location = 9) in vec4 place;        // World position; w: length, m.
 layout(location = 10) in vec4 right_phase; // Body axes in the world, with the wave's phase ...
 layout(location = 11) in vec4 up_amplitude; // ... and amplitude.
-layout(location = 12) in vec4 weights_low; // Of keys 0 .. 3,
-layout(location = 13) in vec4 weights_high; // and 4 .. 7.
 layout(location = 14) in vec4 character;   // Bend (rad), maturity, pattern layer, hue.
-layout(location = 15) in vec2 gulp;        // How far the mouth is open; its phase.
+layout(location = 15) in vec3 gulp;        // How far the mouth is open; its phase; the pose's row.
 
 uniform sampler2D caustics;
 
@@ -48,23 +25,6 @@ const float PIVOT = 0.38;        // Where along the body a turn pivots, from the
 const float ARC_MIDDLE = 0.02;   // Body lengths that a bend of 1 rad moves the mean of its mass by.
 const float SEAM = 0.005;        // m.
 const float JAWS = 0.080;        // How far back the mouth's motion reaches, of the body's u.
-
-vec3 unfold_normal(float folded)
-{
-    float code = folded * 32767.0 + 32767.0;
-    float high = floor(code / 256.0);
-    vec2 f = vec2(high, code - high * 256.0) / 127.0 - 1.0;
-    vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
-    float t = max(-n.z, 0.0);
-    n.xy -= vec2(n.x >= 0.0 ? t : -t, n.y >= 0.0 ? t : -t);
-    return n;
-}
-
-void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
-{
-    p += key.xyz * weight;
-    n += unfold_normal(key.w) * weight;
-}
 
 vec3 red_of(float hue)
 {
@@ -128,26 +88,9 @@ float open_mouth(inout vec3 p, vec3 n)
 
 void main()
 {
-    vec3 p = vec3(0.0);
-    vec3 n = vec3(0.0);
-    blend(key_0, weights_low.x, p, n);
-    blend(key_1, weights_low.y, p, n);
-    blend(key_2, weights_low.z, p, n);
-#if KEYS > 3
-    blend(key_3, weights_low.w, p, n);
-#endif
-#if KEYS > 4
-    blend(key_4, weights_high.x, p, n);
-#endif
-#if KEYS > 5
-    blend(key_5, weights_high.y, p, n);
-#endif
-#if KEYS > 6
-    blend(key_6, weights_high.z, p, n);
-#endif
-#if KEYS > 7
-    blend(key_7, weights_high.w, p, n);
-#endif
+    vec3 p;
+    vec3 n;
+    morph(int(gulp.z + 0.5), p, n);
 
 #ifndef FIN
     float throat = open_mouth(p, n);

@@ -11,7 +11,7 @@
 
 #include "core/base/vec.h"
 
-#define MORPH_KEY_MAX 8u       /* As SCENE_KEY_MAX: what a vertex shader's attributes hold. */
+#define MORPH_KEY_MAX 8u       /* What a vertex shader's attributes hold. */
 #define MORPH_CURVE_MAX 4u     /* The whole fish's own, and three parts': a vertex's four masks. */
 #define GRAPH_KNOT_MAX 12u     /* A hand-drawn curve with more knots is a table. */
 #define GROWTH_POINT_MAX 12u   /* Nine of the conger's lengths were measured; that is the most. */

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #define KEY_SIZE sizeof(struct species_point)
-#define SURFACE_SIZE 4u
+#define SURFACE_SIZE 4u /* u, v, part, flex; */
+#define RIDES_SIZE 4u   /* anchor, side, and two of padding. */
+#define REST_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 
 static uint8_t byte(float x)
 {
@@ -19,9 +21,12 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
         memcpy(out, &source->points[key][index], KEY_SIZE);
     }
     const struct species_vertex *const vertex = &source->vertices[index];
-    const uint8_t surface[SURFACE_SIZE] = { byte(vertex->u), byte(vertex->v), vertex->part,
-                                            vertex->flex };
-    memcpy(out, surface, sizeof surface);
+    const uint8_t rest[REST_SIZE] = {
+        byte(vertex->u), byte(vertex->v), vertex->part,    vertex->flex,
+        vertex->mask[0], vertex->mask[1], vertex->mask[2], vertex->mask[3],
+        vertex->anchor,  vertex->side,
+    };
+    memcpy(out, rest, sizeof rest);
 }
 
 static bool is_fin(const struct species_mesh *source, uint32_t triangle)
@@ -43,23 +48,33 @@ static uint32_t gather(uint16_t *out, const struct species_mesh *source, bool fi
     return count;
 }
 
+static void describe_bytes(GLuint location, GLint count, GLboolean fraction, GLsizei stride,
+                           size_t offset)
+{
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, GL_UNSIGNED_BYTE, fraction, stride,
+                          (const void *)offset);
+}
+
 static void describe_vertex(uint32_t key_count)
 {
-    const GLsizei stride = (GLsizei)(key_count * KEY_SIZE + SURFACE_SIZE);
+    const size_t rest = key_count * KEY_SIZE;
+    const GLsizei stride = (GLsizei)(rest + REST_SIZE);
     for (uint32_t key = 0; key < key_count; key++) {
         glEnableVertexAttribArray(key);
         glVertexAttribPointer(key, 4, GL_SHORT, GL_TRUE, stride,
                               (const void *)(size_t)(key * KEY_SIZE));
     }
-    glEnableVertexAttribArray(FISH_ATTRIBUTE_SURFACE);
-    glVertexAttribPointer(FISH_ATTRIBUTE_SURFACE, SURFACE_SIZE, GL_UNSIGNED_BYTE, GL_TRUE, stride,
-                          (const void *)(size_t)(key_count * KEY_SIZE));
+    describe_bytes(FISH_ATTRIBUTE_SURFACE, 4, GL_TRUE, stride, rest);
+    describe_bytes(FISH_ATTRIBUTE_MASKS, 4, GL_TRUE, stride, rest + SURFACE_SIZE);
+    describe_bytes(FISH_ATTRIBUTE_RIDES, 2, GL_FALSE, stride,
+                   rest + SURFACE_SIZE + MORPH_CURVE_MAX);
 }
 
 void fish_mesh_open(struct gl_status *status, struct fish_mesh *mesh,
                     const struct species_mesh *source, uint32_t key_count)
 {
-    const size_t stride = key_count * KEY_SIZE + SURFACE_SIZE;
+    const size_t stride = key_count * KEY_SIZE + REST_SIZE;
     uint8_t *const vertices = malloc(source->vertex_count * stride);
     uint16_t *const indices = malloc(source->index_count * sizeof *indices);
     if (!vertices || !indices) {
@@ -78,6 +93,7 @@ void fish_mesh_open(struct gl_status *status, struct fish_mesh *mesh,
             gl_buffer(GL_ELEMENT_ARRAY_BUFFER, indices, (body + fins) * sizeof *indices);
         mesh->body_index_count = (GLsizei)body;
         mesh->fin_index_count = (GLsizei)fins;
+        mesh->reach = source->reach;
         glBindVertexArray(0);
     }
     free(vertices);

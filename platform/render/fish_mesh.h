@@ -1,23 +1,25 @@
-/* fish_mesh.h -- a species' key shapes, packed into vertex attributes.
+/* fish_mesh.h -- a species' key shapes, packed into the vertex attributes of morph.glsl.
  *
- * Eight bytes a key and vertex (position in three 16-bit fractions of a unit length, normal folded
- * on an octahedron in 16 bits), so that eight keys still fit beside the instance's attributes in
- * the sixteen that OpenGL ES 3.0 promises. */
+ * Eight bytes a key and vertex, as species.h has them: position in three 16-bit fractions of the
+ * mesh's reach, normal folded on an octahedron in 16 bits. So eight keys fit beside the instance's
+ * attributes in the sixteen that OpenGL ES 3.0 promises. */
 #ifndef KINGYO_PLATFORM_RENDER_FISH_MESH_H
 #define KINGYO_PLATFORM_RENDER_FISH_MESH_H
 
 #include "core/morph/species.h"
 #include "platform/render/gl_util.h"
 
-enum fish_attribute { /* As in assets/shaders/fish.vert.glsl. */
+enum fish_attribute { /* As in assets/shaders: keys are 0 .. 7, instances take what is left. */
                       FISH_ATTRIBUTE_SURFACE = 8,
-                      FISH_ATTRIBUTE_INSTANCE = 9,
+                      FISH_ATTRIBUTE_MASKS = 12,
+                      FISH_ATTRIBUTE_RIDES = 13,
 };
 
 /* One level of detail: body and eyes first, then fins, in one index buffer. */
 struct fish_mesh {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei body_index_count, fin_index_count;
+    float reach; /* For the uniform of that name. */
 };
 
 void fish_mesh_open(struct gl_status *status, struct fish_mesh *mesh,

@@ -9,45 +9,51 @@
 #include "shaders.h"
 
 #define SORT_LEVELS 256u
-#define DEFINES_SIZE 48
-#define INSTANCE_ATTRIBUTES 7u
+#define DEFINES_SIZE 96
+#define SAMPLERS "caustics patterns poses"
+
+static struct fish_program program(struct gl_status *status, const char *name,
+                                   const char *variant)
+{
+    char defines[DEFINES_SIZE];
+    pose_defines(defines, sizeof defines, &species_wakin);
+    const size_t length = strlen(defines);
+    snprintf(defines + length, sizeof defines - length, "%s", variant);
+    const GLuint program = gl_morph_program(status, name, defines, shader_fish_vert,
+                                            shader_fish_frag, SAMPLERS);
+    return (struct fish_program){ program, glGetUniformLocation(program, "reach") };
+}
 
 void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
 {
     const struct species *const species = &species_wakin;
-    char defines[DEFINES_SIZE];
-    snprintf(defines, sizeof defines, "#define KEYS %u\n", species->card.key_count);
-    pass->body_program = gl_program(status, "fish body", defines, shader_fish_vert,
-                                    shader_fish_frag, "caustics patterns");
-    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SUNK\n", species->card.key_count);
-    pass->sunk_program = gl_program(status, "sunk fish body", defines, shader_fish_vert,
-                                    shader_fish_frag, "caustics patterns");
-    snprintf(defines, sizeof defines, "#define KEYS %u\n#define SNOUT\n", species->card.key_count);
-    pass->snout_program = gl_program(status, "snouts", defines, shader_fish_vert,
-                                     shader_fish_frag, "caustics patterns");
-    snprintf(defines, sizeof defines, "#define KEYS %u\n#define FIN\n", species->card.key_count);
-    pass->fin_program =
-        gl_program(status, "fish fin", defines, shader_fish_vert, shader_fish_frag, "caustics");
+    pass->body = program(status, "fish body", "");
+    pass->sunk = program(status, "sunk fish body", "#define SUNK\n");
+    pass->snout = program(status, "snouts", "#define SNOUT\n");
+    pass->fin = program(status, "fish fin", "#define FIN\n");
     pass->ring_program = gl_program(status, "gulp rings", "", shader_gulp_ring_vert,
                                     shader_gulp_ring_frag, "");
     glGenVertexArrays(1, &pass->rings);
+    morph_rig_init(&pass->rig, &species->card, TEMPLATE_OWN);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_open(status, &pass->mesh[i], &species->lod[i], species->card.key_count);
+        fish_poses_open(status, &pass->poses[i], species, i);
     }
     pass->instance_buffer = gl_buffer(GL_ARRAY_BUFFER, NULL, sizeof pass->instances);
 }
 
 void fish_pass_close(struct fish_pass *pass)
 {
-    glDeleteProgram(pass->body_program);
-    glDeleteProgram(pass->sunk_program);
-    glDeleteProgram(pass->snout_program);
-    glDeleteProgram(pass->fin_program);
+    glDeleteProgram(pass->body.name);
+    glDeleteProgram(pass->sunk.name);
+    glDeleteProgram(pass->snout.name);
+    glDeleteProgram(pass->fin.name);
     glDeleteProgram(pass->ring_program);
     glDeleteVertexArrays(1, &pass->rings);
     glDeleteBuffers(1, &pass->instance_buffer);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
         fish_mesh_close(&pass->mesh[i]);
+        fish_poses_close(&pass->poses[i]);
     }
 }
 
@@ -94,20 +100,6 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
                          : (near ? FISH_NEAR : FISH_FAR);
 }
 
-/* 8-bit weights whose sum is exactly 255: the largest takes what rounding left over, so that no
- * fish breathes in size. */
-static void pack_weights(uint8_t out[8], const float weights[SCENE_KEY_MAX])
-{
-    int32_t left = 255;
-    uint32_t largest = 0;
-    for (uint32_t i = 0; i < SCENE_KEY_MAX; i++) {
-        out[i] = (uint8_t)(f_clamp(weights[i], 0.0f, 1.0f) * 255.0f + 0.5f);
-        left -= out[i];
-        largest = weights[i] > weights[largest] ? i : largest;
-    }
-    out[largest] = (uint8_t)(out[largest] + left);
-}
-
 /* What breeders and fairs have: a third all red or with a pale belly, the rest in patches, few
  * white. Sixteen equal chances for the baked designs. */
 static float pattern_layer(uint32_t look)
@@ -116,20 +108,37 @@ static float pattern_layer(uint32_t look)
     return (float)(layers[look & 15u] % ASSET_PATTERN_LAYERS);
 }
 
-static void fill_instance(struct fish_instance *out, const struct scene_fish *fish)
+static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
 {
     const struct basis axes = basis_from_angles(fish->angles);
     const uint32_t look = fish->look;
-    const struct fish_instance instance = {
+    *out = (struct fish_instance){
         .place = { fish->position_m.x, fish->position_m.y, fish->position_m.z, fish->length_m },
         .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
         .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
         .character = { fish->bend_rad, fish->maturity, pattern_layer(look >> 8u),
                        (float)((look >> 16u) & 1023u) / 1023.0f },
-        .gulp = { fish->gape, fish->gulp },
+        .gulp = { fish->gape, fish->gulp, (float)row },
     };
-    *out = instance;
-    pack_weights(out->weights, fish->weight);
+}
+
+static bool is_far(enum fish_group group)
+{
+    return group == FISH_FAR || group == FISH_GULPING_FAR;
+}
+
+/* Each fish's row is its place in the scene; only who has grown, or come near, is posed anew. */
+static void pose(struct fish_pass *pass, const struct scene *scene)
+{
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        fish_poses_begin(&pass->poses[lod]);
+        for (uint32_t i = 0; i < scene->fish_count; i++) {
+            if (is_far(pass->group[i]) == (lod > 0)) {
+                fish_poses_set(&pass->poses[lod], &pass->rig, i, scene->fish[i].progress);
+            }
+        }
+        fish_poses_end(&pass->poses[lod]);
+    }
 }
 
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
@@ -150,8 +159,9 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     sort_by_height(pass, scene);
     for (uint32_t i = 0; i < scene->fish_count; i++) {
         const uint32_t fish = pass->order[i];
-        fill_instance(&pass->instances[next[pass->group[fish]]++], &scene->fish[fish]);
+        fill_instance(&pass->instances[next[pass->group[fish]]++], &scene->fish[fish], fish);
     }
+    pose(pass, scene);
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances,
                      scene->fish_count * sizeof *pass->instances);
@@ -160,32 +170,37 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
 /* OpenGL ES 3.0 has no base instance: a group begins where the pointers say. */
 static void point_instances(uint32_t first)
 {
-    const size_t stride = sizeof(struct fish_instance);
-    const size_t base = first * stride;
-    static const size_t offsets[INSTANCE_ATTRIBUTES] = {
-        offsetof(struct fish_instance, place),        offsetof(struct fish_instance, right_phase),
-        offsetof(struct fish_instance, up_amplitude), offsetof(struct fish_instance, weights),
-        offsetof(struct fish_instance, weights) + 4,  offsetof(struct fish_instance, character),
-        offsetof(struct fish_instance, gulp),
+    static const struct instance_attribute {
+        GLuint location;
+        GLint count;
+        size_t offset;
+    } attributes[] = {
+        { 9, 4, offsetof(struct fish_instance, place) },
+        { 10, 4, offsetof(struct fish_instance, right_phase) },
+        { 11, 4, offsetof(struct fish_instance, up_amplitude) },
+        { 14, 4, offsetof(struct fish_instance, character) },
+        { 15, 3, offsetof(struct fish_instance, gulp) },
     };
-    for (uint32_t i = 0; i < INSTANCE_ATTRIBUTES; i++) {
-        const GLuint location = FISH_ATTRIBUTE_INSTANCE + i;
-        const bool bytes = i == 3 || i == 4;
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, i == 6 ? 2 : 4, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
-                              bytes ? GL_TRUE : GL_FALSE, (GLsizei)stride,
-                              (const void *)(base + offsets[i]));
-        glVertexAttribDivisor(location, 1);
+    const size_t stride = sizeof(struct fish_instance);
+    for (uint32_t i = 0; i < sizeof attributes / sizeof *attributes; i++) {
+        const struct instance_attribute *const attribute = &attributes[i];
+        gl_attribute_floats(attribute->location, attribute->count, stride,
+                            first * stride + attribute->offset);
+        glVertexAttribDivisor(attribute->location, 1);
     }
 }
 
-static void draw_group(const struct fish_pass *pass, enum fish_group group, bool fins)
+/* With `program`, which is in use. */
+static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
+                       enum fish_group group, bool fins)
 {
-    const bool far = group == FISH_FAR || group == FISH_GULPING_FAR;
-    const struct fish_mesh *const mesh = &pass->mesh[far ? 1 : 0];
+    const uint32_t lod = is_far(group) ? 1 : 0;
+    const struct fish_mesh *const mesh = &pass->mesh[lod];
     if (pass->count[group] == 0) {
         return;
     }
+    gl_bind_texture(2, GL_TEXTURE_2D, pass->poses[lod].texture);
+    glUniform1f(program->reach, mesh->reach);
     glBindVertexArray(mesh->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
     point_instances(pass->first[group]);
@@ -197,9 +212,10 @@ static bool is_gulping(enum fish_group group)
     return group == FISH_GULPING_FAR || group == FISH_GULPING;
 }
 
-static void begin_bodies(GLuint program, const struct textures *textures, GLuint caustics)
+static void begin_bodies(const struct fish_program *program, const struct textures *textures,
+                         GLuint caustics)
 {
-    glUseProgram(program);
+    glUseProgram(program->name);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
     glEnable(GL_CULL_FACE);
@@ -215,27 +231,28 @@ static void end_bodies(void)
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
                       const struct textures *textures, GLuint caustics)
 {
-    begin_bodies(is_gulping(group) ? pass->sunk_program : pass->body_program, textures, caustics);
-    draw_group(pass, group, false);
+    const struct fish_program *const program = is_gulping(group) ? &pass->sunk : &pass->body;
+    begin_bodies(program, textures, caustics);
+    draw_group(pass, program, group, false);
     end_bodies();
 }
 
 void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
                       GLuint caustics)
 {
-    begin_bodies(pass->snout_program, textures, caustics);
-    draw_group(pass, FISH_GULPING_FAR, false);
-    draw_group(pass, FISH_GULPING, false);
+    begin_bodies(&pass->snout, textures, caustics);
+    draw_group(pass, &pass->snout, FISH_GULPING_FAR, false);
+    draw_group(pass, &pass->snout, FISH_GULPING, false);
     end_bodies();
 }
 
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics)
 {
-    glUseProgram(pass->fin_program);
+    glUseProgram(pass->fin.name);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
-    draw_group(pass, group, true);
+    draw_group(pass, &pass->fin, group, true);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

@@ -6,6 +6,7 @@
 
 #include "core/scene.h"
 #include "platform/render/fish_mesh.h"
+#include "platform/render/fish_poses.h"
 #include "platform/render/frame_block.h"
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
@@ -22,16 +23,22 @@ enum fish_group {               /* In this order in the instance buffer. */
 
 struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
-    uint8_t weights[8];
     float character[4];
-    float gulp[2]; /* Gape and phase. */
+    float gulp[3]; /* Gape and phase; then the fish's row of poses. */
+};
+
+struct fish_program {
+    GLuint name;
+    GLint reach; /* Its uniform. */
 };
 
 struct fish_pass {
-    GLuint body_program, sunk_program, snout_program, fin_program;
+    struct fish_program body, sunk, snout, fin;
     GLuint ring_program, rings;
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
+    struct fish_poses poses[SPECIES_LOD_COUNT];
+    struct morph_rig rig; /* Of the species' own curves. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
     uint16_t order[SCENE_FISH_MAX]; /* Scene indices, lowest fish first. */
     uint8_t group[SCENE_FISH_MAX];

@@ -84,27 +84,51 @@ static void assign_samplers(GLuint program, const char *samplers)
     }
 }
 
-GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
-                  const char *vertex, const char *fragment, const char *samplers)
+static void bind_block(GLuint program, const char *name, GLuint point)
 {
-    const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, vertex };
+    const GLuint block = glGetUniformBlockIndex(program, name);
+    if (block != GL_INVALID_INDEX) {
+        glUniformBlockBinding(program, block, point);
+    }
+}
+
+void gl_program_bind(GLuint program, const char *samplers)
+{
+    bind_block(program, "Frame", 0);
+    bind_block(program, "Pose", 1);
+    assign_samplers(program, samplers);
+}
+
+static GLuint build(struct gl_status *status, const char *name, const char *defines,
+                    const char *library, const char *vertex, const char *fragment,
+                    const char *samplers)
+{
+    const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, library,
+                                         vertex };
     const char *const fragment_parts[] = { "#version 300 es\n", defines, shader_common, fragment };
     const GLuint stages[2] = {
-        gl_compile(status, name, GL_VERTEX_SHADER, vertex_parts, 4),
+        gl_compile(status, name, GL_VERTEX_SHADER, vertex_parts, 5),
         gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 4),
     };
     const GLuint program = gl_link(status, name, stages[0], stages[1]);
     glDeleteShader(stages[0]); /* Lives on as long as the program does; 0 is ignored. */
     glDeleteShader(stages[1]);
-    if (!program) {
-        return 0;
+    if (program) {
+        gl_program_bind(program, samplers);
     }
-    const GLuint block = glGetUniformBlockIndex(program, "Frame");
-    if (block != GL_INVALID_INDEX) {
-        glUniformBlockBinding(program, block, 0);
-    }
-    assign_samplers(program, samplers);
     return program;
+}
+
+GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
+                  const char *vertex, const char *fragment, const char *samplers)
+{
+    return build(status, name, defines, "", vertex, fragment, samplers);
+}
+
+GLuint gl_morph_program(struct gl_status *status, const char *name, const char *defines,
+                        const char *vertex, const char *fragment, const char *samplers)
+{
+    return build(status, name, defines, shader_morph, vertex, fragment, samplers);
 }
 
 static uint32_t mipmap_levels(uint32_t width, uint32_t height)
@@ -118,12 +142,13 @@ static uint32_t mipmap_levels(uint32_t width, uint32_t height)
     return levels;
 }
 
-static void set_sampling(GLenum kind, bool mipmaps, GLenum wrap)
+static void set_sampling(GLenum kind, const struct gl_texture_desc *desc)
 {
-    const GLint edge = (GLint)(wrap ? wrap : GL_CLAMP_TO_EDGE);
-    const GLint minify = mipmaps ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR;
-    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER, minify);
-    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    const GLint edge = (GLint)(desc->wrap ? desc->wrap : GL_CLAMP_TO_EDGE);
+    const GLint magnify = desc->nearest ? GL_NEAREST : GL_LINEAR;
+    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER,
+                    desc->mipmaps ? GL_LINEAR_MIPMAP_NEAREST : magnify);
+    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, magnify);
     glTexParameteri(kind, GL_TEXTURE_WRAP_S, edge);
     glTexParameteri(kind, GL_TEXTURE_WRAP_T, edge);
 }
@@ -153,7 +178,7 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
     if (desc->mipmaps) {
         glGenerateMipmap(kind);
     }
-    set_sampling(kind, desc->mipmaps, desc->wrap);
+    set_sampling(kind, desc);
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) {
         gl_fail(status, "texture %s (%ux%u): OpenGL error 0x%x", name, desc->width, desc->height,

@@ -31,10 +31,17 @@ GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
 GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment);
 
 /* Compiles and links. `defines` (may be "") is put in front of both sources, after the version line
- * and the common block. `samplers` names up to GL_UNIT_MAX samplers, separated by spaces, that get
- * units 0, 1, .. in that order. Binds the block `Frame` to point 0. */
+ * and before the common block. `samplers` names up to GL_UNIT_MAX samplers, separated by spaces,
+ * that get units 0, 1, .. in that order. Binds the block `Frame` to point 0 and `Pose` to 1. */
 GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
                   const char *vertex, const char *fragment, const char *samplers);
+
+/* The same with assets/shaders/morph.glsl in front of the vertex shader. */
+GLuint gl_morph_program(struct gl_status *status, const char *name, const char *defines,
+                        const char *vertex, const char *fragment, const char *samplers);
+
+/* What a linked program needs besides: blocks and samplers bound as above. */
+void gl_program_bind(GLuint program, const char *samplers);
 
 struct gl_texture_desc {
     GLenum internal_format, format; /* Of 8-bit components where there are pixels. */
@@ -42,6 +49,7 @@ struct gl_texture_desc {
     uint32_t layers;       /* 0: a plain 2D texture; else an array. */
     const uint8_t *pixels; /* Null: contents undefined. */
     bool mipmaps;
+    bool nearest; /* Texels as they are: 32-bit floats have no other way. */
     GLenum wrap; /* 0: GL_CLAMP_TO_EDGE. */
 };
 

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "core/core.h"
+#include "core/morph/morph.h"
 
 static struct core core;
 static struct scene scene;
@@ -31,18 +32,15 @@ static void tick(uint32_t count)
     }
 }
 
-static void test_every_fish_has_weights_that_sum_to_one(void **state)
+static void test_every_fish_has_come_as_far_as_its_length_says(void **state)
 {
     (void)state;
     core_scene(&core, &scene);
     assert_int_equal(scene.fish_count, core.tank.fish_count);
     for (uint32_t i = 0; i < scene.fish_count; i++) {
-        float sum = 0.0f;
-        for (uint32_t key = 0; key < SCENE_KEY_MAX; key++) {
-            assert_true(scene.fish[i].weight[key] >= 0.0f);
-            sum += scene.fish[i].weight[key];
-        }
-        assert_float_equal(sum, 1.0f, 1e-5f);
+        const float length_m = life_length_m(&species_wakin.card, scene.fish[i].progress);
+        assert_in_range((uint32_t)(scene.fish[i].progress * 1e6f), 0, 1000000u);
+        assert_float_equal(length_m, scene.fish[i].length_m, 1e-4f * length_m);
     }
 }
 
@@ -245,7 +243,7 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_every_fish_has_weights_that_sum_to_one),
+        TEST(test_every_fish_has_come_as_far_as_its_length_says),
         TEST(test_fish_are_where_the_tank_has_them),
         TEST(test_fish_redden_between_fifty_and_a_hundred_and_twenty_days),
         TEST(test_paper_shows_wetness_damage_and_holes),

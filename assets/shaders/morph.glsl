@@ -1,0 +1,114 @@
+// The morph (2005 thesis, eq. 3.2): from key shapes to the shape of one fish. In front of every
+// vertex shader that draws fish; core/morph/blend.c does the same on the CPU, to 1e-5 of a length.
+//
+// KEYS     key shapes, 3 .. 8: an attribute of 8 bytes each, xyz the position, w the normal.
+// CURVES   deformation graphs, 1 .. 4. With one, a vertex's masks are not looked at.
+// ANCHORS  1: some vertices ride on points of the skin; 0: none does, and none is asked.
+// POSE_ROWS: each fish's pose is a row of texels in `poses`; else the one fish's is the block Pose.
+layout(location = 0) in vec4 key_0;
+layout(location = 1) in vec4 key_1;
+layout(location = 2) in vec4 key_2;
+#if KEYS > 3
+layout(location = 3) in vec4 key_3;
+#endif
+#if KEYS > 4
+layout(location = 4) in vec4 key_4;
+#endif
+#if KEYS > 5
+layout(location = 5) in vec4 key_5;
+#endif
+#if KEYS > 6
+layout(location = 6) in vec4 key_6;
+#endif
+#if KEYS > 7
+layout(location = 7) in vec4 key_7;
+#endif
+layout(location = 8) in vec4 surface; // u, v, part / 255, flex.
+#if CURVES > 1
+layout(location = 12) in vec4 masks;  // How much each curve moves it; they sum to 1.
+#endif
+layout(location = 13) in vec2 rides;  // The anchor that it rides on, or 255; which of a pair it is.
+
+uniform float reach;                  // What 1 of a key's attribute is worth, in lengths.
+
+// A pose: each curve's weights of keys 0 .. 3 and 4 .. 7, then each anchor's place and its turn.
+#ifdef POSE_ROWS
+uniform sampler2D poses;
+#define POSE(index) texelFetch(poses, ivec2(index, row), 0)
+#else
+layout(std140) uniform Pose {
+    vec4 pose[8 + 2 * 96];
+};
+#define POSE(index) pose[index]
+#endif
+
+vec3 unfold_normal(float folded)
+{
+    float code = floor(folded * 32767.0 + 32767.5);
+    float high = floor(code / 256.0);
+    vec2 f = vec2(high, code - high * 256.0) / 127.0 - 1.0;
+    vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
+    float t = max(-n.z, 0.0);
+    n.xy -= vec2(n.x >= 0.0 ? t : -t, n.y >= 0.0 ? t : -t);
+    return n;
+}
+
+vec3 turned_by(vec4 turn, vec3 v)
+{
+    return v + 2.0 * cross(turn.xyz, cross(turn.xyz, v) + turn.w * v);
+}
+
+void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
+{
+    p += key.xyz * weight;
+    n += normalize(unfold_normal(key.w)) * weight;
+}
+
+// The vertex in the fish's own frame and unit. Its normal is not yet of length 1.
+void morph(int row, out vec3 p, out vec3 n)
+{
+#if CURVES > 1
+    vec4 low = vec4(0.0);
+    vec4 high = vec4(0.0);
+    for (int curve = 0; curve < CURVES; curve++) {
+        low += POSE(2 * curve) * masks[curve];
+#if KEYS > 4
+        high += POSE(2 * curve + 1) * masks[curve];
+#endif
+    }
+#else
+    vec4 low = POSE(0);
+#if KEYS > 4
+    vec4 high = POSE(1);
+#endif
+#endif
+    p = vec3(0.0);
+    n = vec3(0.0);
+    blend(key_0, low.x, p, n);
+    blend(key_1, low.y, p, n);
+    blend(key_2, low.z, p, n);
+#if KEYS > 3
+    blend(key_3, low.w, p, n);
+#endif
+#if KEYS > 4
+    blend(key_4, high.x, p, n);
+#endif
+#if KEYS > 5
+    blend(key_5, high.y, p, n);
+#endif
+#if KEYS > 6
+    blend(key_6, high.z, p, n);
+#endif
+#if KEYS > 7
+    blend(key_7, high.w, p, n);
+#endif
+    p *= reach;
+#if ANCHORS
+    if (rides.x < 254.5) {
+        int at = 2 * CURVES + 2 * int(rides.x + 0.5);
+        vec4 turn = POSE(at + 1);
+        p = turned_by(turn, p) + POSE(at).xyz;
+        n = turned_by(turn, n);
+    }
+#endif
+}
