@@ -43,16 +43,43 @@ int16_t morph_fold_normal(vec3 n)
     return (int16_t)(high * 256 + low - 32767);
 }
 
-/* What each key counts for one vertex: the curves' weights, by its masks. */
+/* What each key counts for one vertex: the curves' weights, by its masks. Whole numbers are summed
+ * before they are divided, so that a key which all curves show alone counts exactly 1. */
 static void vertex_weights(const struct species_vertex *vertex, uint32_t key_count,
                            const struct morph_pose *pose, float weights[MORPH_KEY_MAX])
 {
     for (uint32_t key = 0; key < key_count; key++) {
-        weights[key] = 0.0f;
+        float sum = 0.0f;
         for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-            weights[key] += pose->weight[curve][key] * ((float)vertex->mask[curve] / 255.0f);
+            sum += pose->weight[curve][key] * (float)vertex->mask[curve];
         }
+        weights[key] = sum / 255.0f;
     }
+}
+
+struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_count,
+                               const struct morph_pose *pose, uint32_t vertex)
+{
+    struct morph_point point = { { 0.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 0.0f } };
+    float weights[MORPH_KEY_MAX];
+    CORE_ASSERT(vertex < mesh->vertex_count);
+    vertex_weights(&mesh->vertices[vertex], key_count, pose, weights);
+    for (uint32_t key = 0; key < key_count; key++) {
+        const vec3 normal = morph_normal(mesh->points[key][vertex].normal);
+        point.position =
+            v3_mad(point.position, morph_position(mesh, key, vertex), weights[key]);
+        point.normal = v3_mad(point.normal, normal, weights[key]);
+    }
+    point.normal = v3_normalize_or(point.normal, v3(0.0f, 1.0f, 0.0f));
+    return point;
+}
+
+static struct morph_point carried(const struct anchor_pose *anchor, struct morph_point point)
+{
+    return (struct morph_point){
+        .position = v3_add(anchor->position, quat_turn(anchor->turn, point.position)),
+        .normal = quat_turn(anchor->turn, point.normal),
+    };
 }
 
 void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
@@ -60,19 +87,17 @@ void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const stru
 {
     CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        float weights[MORPH_KEY_MAX];
-        vec3 position = { 0.0f, 0.0f, 0.0f };
-        vec3 normal = position;
-        vertex_weights(&mesh->vertices[i], key_count, pose, weights);
-        for (uint32_t key = 0; key < key_count; key++) {
-            position = v3_mad(position, morph_position(mesh, key, i), weights[key]);
-            normal = v3_mad(normal, morph_normal(mesh->points[key][i].normal), weights[key]);
+        const uint8_t anchor = mesh->vertices[i].anchor;
+        struct morph_point point = morph_point(mesh, key_count, pose, i);
+        if (anchor != ANCHOR_NONE) {
+            CORE_ASSERT(anchor < mesh->anchor_count);
+            point = carried(&pose->anchor[anchor], point);
         }
         if (positions) {
-            positions[i] = position;
+            positions[i] = point.position;
         }
         if (normals) {
-            normals[i] = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
+            normals[i] = point.normal;
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
+#include "core/morph/cubic.h"
 
 #define SUM_ERROR_MAX 1e-6f
 
@@ -10,7 +11,7 @@ static struct graph_verdict check_knot(const struct graph *graph, uint32_t key_c
 {
     const struct graph_knot *knot = &graph->knots[index];
     float sum = 0.0f;
-    if (index > 0 && !(knot->progress > knot[-1].progress)) {
+    if (!f_is_finite(knot->progress) || (index > 0 && !(knot->progress > knot[-1].progress))) {
         return (struct graph_verdict){ GRAPH_ORDER, (uint8_t)index, 0, knot->progress };
     }
     for (uint32_t key = 0; key < key_count; key++) {
@@ -43,7 +44,49 @@ struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count)
         const uint32_t knot = graph->knots[0].progress != 0.0f ? 0 : last;
         return (struct graph_verdict){ GRAPH_ENDS, (uint8_t)knot, 0, graph->knots[knot].progress };
     }
+    float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
+    uint32_t stuck = 0;
+    if (graph->solved && !graph_solve(graph, key_count, solution, &stuck)) {
+        return (struct graph_verdict){ GRAPH_UNSOLVABLE, 0, (uint8_t)stuck, 0.0f };
+    }
     return (struct graph_verdict){ GRAPH_GOOD, 0, 0, 0.0f };
+}
+
+/* How steeply `key`'s curve passes knot `at`. */
+static float knot_slope(const struct graph *graph, uint32_t key, uint32_t at)
+{
+    const struct graph_knot *k = graph->knots;
+    const uint32_t last = graph->knot_count - 1u;
+    if (last == 1u) {
+        return k[1].weight[key] - k[0].weight[key]; /* Two knots: progress 0 and 1. */
+    }
+    const uint32_t middle = at == 0 ? 1 : at == last ? last - 1u : at;
+    const float h0 = k[middle].progress - k[middle - 1].progress;
+    const float h1 = k[middle + 1].progress - k[middle].progress;
+    const float d0 = (k[middle].weight[key] - k[middle - 1].weight[key]) / h0;
+    const float d1 = (k[middle + 1].weight[key] - k[middle].weight[key]) / h1;
+    if (at == 0) {
+        return cubic_end_slope(h0, d0, h1, d1);
+    }
+    return at == last ? cubic_end_slope(h1, d1, h0, d0) : cubic_slope(h0, d0, h1, d1);
+}
+
+static void smooth_weights(const struct graph *graph, uint32_t key_count, uint32_t next, float t,
+                           float weights[MORPH_KEY_MAX])
+{
+    const struct graph_knot *from = &graph->knots[next - 1], *to = &graph->knots[next];
+    const float span = to->progress - from->progress;
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < key_count; i++) {
+        const float cubic =
+            cubic_at(from->weight[i], knot_slope(graph, i, next - 1), to->weight[i],
+                     knot_slope(graph, i, next), span, t);
+        weights[i] = f_max(cubic, 0.0f); /* Below it by rounding alone. */
+        sum += weights[i];
+    }
+    for (uint32_t i = 0; i < key_count; i++) {
+        weights[i] /= sum;
+    }
 }
 
 void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
@@ -55,12 +98,14 @@ void graph_weights(const struct graph *graph, uint32_t key_count, float progress
     while (next < graph->knot_count - 1u && progress > graph->knots[next].progress) {
         next++;
     }
-    const struct graph_knot *from = &graph->knots[next - 1];
-    const struct graph_knot *to = &graph->knots[next];
+    const struct graph_knot *from = &graph->knots[next - 1], *to = &graph->knots[next];
     const float t =
         f_clamp((progress - from->progress) / (to->progress - from->progress), 0.0f, 1.0f);
     for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
         /* Both ends exact, and never below 0 where both ends are not. */
         weights[i] = i < key_count ? from->weight[i] * (1.0f - t) + to->weight[i] * t : 0.0f;
+    }
+    if (graph->line == GRAPH_SMOOTH) {
+        smooth_weights(graph, key_count, next, t, weights);
     }
 }

@@ -4,7 +4,7 @@
  *                  \-> length (scale curve)
  *
  * Progress is [0, 1]: key i of n stands at i / (n - 1). All functions are pure; the caller owns all
- * memory. */
+ * memory. core/morph/README.md tells how it works. */
 #ifndef KINGYO_CORE_MORPH_MORPH_H
 #define KINGYO_CORE_MORPH_MORPH_H
 
@@ -39,6 +39,7 @@ enum graph_fault {
     GRAPH_ORDER,      /* `knot` does not lie behind the one before. */
     GRAPH_NEGATIVE,   /* `key`'s weight at `knot` is negative (or no number). */
     GRAPH_SUM,        /* The weights of `knot` sum to `value`, not to 1 within 1e-6. */
+    GRAPH_UNSOLVABLE, /* It is to be solved, but hardly shows `key` even at that key's progress. */
 };
 
 struct graph_verdict {
@@ -52,6 +53,13 @@ struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count);
 /* The curves at `progress` in [0, 1]: each >= 0, sum 1 within 1e-6; unused keys get 0. */
 void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
                    float weights[MORPH_KEY_MAX]);
+
+/* solve.c: exaggerated shapes for a graph that shows no key alone. `solution[i][j]` is the weight
+ * of drawn key j in the shape solved for key i (rows sum to 1), so that a fish blended of solved
+ * shapes passes through every drawing at i / (n - 1). False, with the key it is `stuck` at, where
+ * that would ask for shapes exaggerated beyond sense. */
+bool graph_solve(const struct graph *graph, uint32_t key_count,
+                 float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck);
 
 /* template.c: graphs to start from */
 
@@ -79,38 +87,75 @@ struct morph_rig {
     float solution[MORPH_CURVE_MAX][MORPH_KEY_MAX][MORPH_KEY_MAX];
 };
 
-/* TEMPLATE_OWN takes the card's curves; any other template takes the place of all of them. */
+/* TEMPLATE_OWN takes the card's curves; any other template takes the place of all of them. A curve
+ * that cannot be solved (graph_check says which) blends the drawn shapes themselves. */
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
                     enum graph_template template);
 
-/* What multiplies the drawn key shapes, by curve: sums 1; negative only where shapes are solved. */
+/* What multiplies the drawn key shapes, by curve: sums 1; negative only where shapes are solved. A
+ * solved curve gives each key alone, exactly, at i / (n - 1). */
 void morph_weights(const struct morph_rig *rig, float progress,
                    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX]);
 
 /* pose.c: what a vertex shader needs besides the tables */
 
 struct quat {
-    float x, y, z, w;
+    float x, y, z, w; /* Unit. */
 };
 
+/* a + 2 w (q x a) + 2 q x (q x a), with q = (x, y, z); and the way back. */
+vec3 quat_turn(struct quat q, vec3 a);
+vec3 quat_turn_back(struct quat q, vec3 a);
+
+/* All that changes from one fish to the next: to be uploaded as it is.
+ *
+ * A vertex of mask m, in curves' weights W and key points P_k, N_k (normals unfolded to length 1):
+ *     w_k      = (sum over the curves c of m[c] * W[c][k]) / 255
+ *     position = sum over the keys of w_k * P_k
+ *     normal   = normalize(sum over the keys of w_k * N_k)
+ * and if it has an anchor, of turn q and position A:
+ *     position = A + q position q*          (quat_turn)
+ *     normal   = q normal q*
+ * Where an anchor does not turn, q is the identity, so there is one formula for all. */
 struct morph_pose {
-    float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+    float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX]; /* As morph_weights() gives them. */
     struct anchor_pose {
         vec3 position;    /* In the body frame. */
-        struct quat turn; /* Unit; the identity where the anchor does not turn. */
-    } anchor[ANCHOR_MAX];
+        struct quat turn; /* The identity where the anchor does not turn. */
+    } anchor[ANCHOR_MAX]; /* The mesh's anchor_count of them. */
 };
 
 void morph_pose(const struct morph_rig *rig, const struct species_mesh *mesh, float progress,
                 struct morph_pose *pose);
 
+/* Key `key` alone. */
+void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
+                    struct morph_pose *pose);
+
+/* Where body coordinates (u, v) lie on the skin that `pose->weight` blends: on the two triangles of
+ * the grid's cell, which meet between (ring, next spoke) and (next ring, spoke). u is clamped to
+ * the grid's rings, v counts turns. If it `turns`: x along the skin's normal, z backward along the
+ * skin, y = z cross x. The mesh has a grid of at least 2 rings and 3 spokes, whose vertices have no
+ * anchor. A vertex drawn at p in the body frame of a key has, relative to its anchor there,
+ * quat_turn_back(turn, p - position). */
+struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
+                              const struct morph_pose *pose, float u, float v, bool turns);
+
+/* Sets the pose's anchors from its weights: each anchor's u and v are blended by its own curve. */
+void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose);
+
 /* blend.c: eq. 3.2 on the CPU */
 
-/* `positions` and `normals` (either may be null) hold mesh->vertex_count. A vertex is the sum of
- * its key points by its masks' mean of the curves' weights, then turned and carried by its anchor.
- */
+/* `positions` and `normals` (either may be null) hold mesh->vertex_count: struct morph_pose says
+ * what of. */
 void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                  vec3 *positions, vec3 *normals);
+
+/* One vertex, before its anchor turns and carries it. */
+struct morph_point {
+    vec3 position, normal;
+} morph_point(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+              uint32_t vertex);
 
 /* A point's position (counts times reach) and its unit normal, unfolded. */
 vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex);

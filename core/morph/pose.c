@@ -1,11 +1,139 @@
-/* pose.c -- where the anchors of a blended fish are. */
+/* pose.c -- where the anchors of a blended fish are: fins ride on its skin, eyes go round its head.
+ *
+ * An anchor's body coordinates are blended, and the blended skin is asked where they are. Blending
+ * the points themselves would lead them along chords: a fin that slides forward would cut through
+ * the back, an eye would go through the head (2005 thesis, sections 4.1.3 and 4.1.4). */
 #include "core/morph/morph.h"
+
+#include "core/base/panic.h"
+
+vec3 quat_turn(struct quat q, vec3 a)
+{
+    const vec3 axis = v3(q.x, q.y, q.z);
+    const vec3 across = v3_scale(v3_cross(axis, a), 2.0f);
+    return v3_add(v3_mad(a, across, q.w), v3_cross(axis, across));
+}
+
+vec3 quat_turn_back(struct quat q, vec3 a)
+{
+    return quat_turn((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
+}
+
+/* What turns the body's axes onto x, y, z (of length 1 and square to each other): from the largest
+ * of the four parts, so that nothing small is divided by. */
+static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
+{
+    const float w4 = 1.0f + x.x + y.y + z.z, x4 = 1.0f + x.x - y.y - z.z;
+    const float y4 = 1.0f - x.x + y.y - z.z, z4 = 1.0f - x.x - y.y + z.z;
+    const float most = f_max(f_max(w4, x4), f_max(y4, z4));
+    const float k = 0.5f / f_sqrt(most);
+    if (most == w4) {
+        return (struct quat){ (y.z - z.y) * k, (z.x - x.z) * k, (x.y - y.x) * k, w4 * k };
+    }
+    if (most == x4) {
+        return (struct quat){ x4 * k, (x.y + y.x) * k, (z.x + x.z) * k, (y.z - z.y) * k };
+    }
+    if (most == y4) {
+        return (struct quat){ (x.y + y.x) * k, y4 * k, (y.z + z.y) * k, (z.x - x.z) * k };
+    }
+    return (struct quat){ (z.x + x.z) * k, (y.z + z.y) * k, z4 * k, (x.y - y.x) * k };
+}
+
+/* x out of the skin, z backward along it, y = z cross x. */
+static struct quat skin_turn(vec3 normal)
+{
+    const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
+    const vec3 back = v3(0.0f, 0.0f, 1.0f);
+    const vec3 z = v3_normalize_or(v3_mad(back, x, -x.z), v3(0.0f, -1.0f, 0.0f));
+    return quat_of_axes(x, v3_cross(z, x), z);
+}
+
+struct cell {
+    uint32_t corner[4]; /* Ring and spoke, ring and next, next ring and spoke, both next. */
+    float along, round; /* [0, 1] within it. */
+};
+
+/* The last ring that does not lie behind `u`, but for the last of all. */
+static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
+{
+    const uint32_t row = mesh->grid_spokes + 1u, first = mesh->grid_first;
+    uint32_t ring = 0;
+    while (ring + 2u < mesh->grid_rings && mesh->vertices[first + (ring + 1u) * row].u <= u) {
+        ring++;
+    }
+    const float from = mesh->vertices[first + ring * row].u;
+    const float to = mesh->vertices[first + (ring + 1u) * row].u;
+    const float turn = (v - f_floor(v)) * (float)mesh->grid_spokes;
+    const uint32_t spoke = (uint32_t)f_min(turn, (float)(mesh->grid_spokes - 1u));
+    const uint32_t corner = first + ring * row + spoke;
+    return (struct cell){ .corner = { corner, corner + 1u, corner + row, corner + row + 1u },
+                          .along = f_clamp((u - from) / (to - from), 0.0f, 1.0f),
+                          .round = turn - (float)spoke };
+}
+
+/* How much each corner counts on the cell's two triangles, which meet between corners 1 and 2: so
+ * that a root lies in the very surface that is drawn. */
+static void corner_shares(const struct cell *cell, float shares[4])
+{
+    const float along = cell->along, round = cell->round;
+    const bool far = along + round > 1.0f;
+    shares[0] = far ? 0.0f : 1.0f - along - round;
+    shares[1] = far ? 1.0f - along : round;
+    shares[2] = far ? 1.0f - round : along;
+    shares[3] = far ? along + round - 1.0f : 0.0f;
+}
+
+struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
+                              const struct morph_pose *pose, float u, float v, bool turns)
+{
+    CORE_ASSERT(mesh->grid_rings >= 2 && mesh->grid_spokes >= 3);
+    const struct cell cell = skin_cell(mesh, u, v);
+    struct anchor_pose at = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
+    vec3 normal = { 0.0f, 0.0f, 0.0f };
+    float shares[4];
+    corner_shares(&cell, shares);
+    for (uint32_t i = 0; i < 4; i++) {
+        const struct morph_point p = morph_point(mesh, key_count, pose, cell.corner[i]);
+        at.position = v3_mad(at.position, p.position, shares[i]);
+        normal = v3_mad(normal, p.normal, shares[i]);
+    }
+    if (turns) {
+        at.turn = skin_turn(normal);
+    }
+    return at;
+}
+
+void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose)
+{
+    CORE_ASSERT(mesh->anchor_count <= ANCHOR_MAX);
+    for (uint32_t i = 0; i < mesh->anchor_count; i++) {
+        const struct species_anchor *anchor = &mesh->anchors[i];
+        const float *weight = pose->weight[anchor->curve];
+        float u = 0.0f, v = 0.0f;
+        CORE_ASSERT(anchor->curve < MORPH_CURVE_MAX);
+        for (uint32_t key = 0; key < key_count; key++) {
+            u += weight[key] * anchor->u[key];
+            v += weight[key] * anchor->v[key];
+        }
+        pose->anchor[i] = morph_ride(mesh, key_count, pose, u, v, anchor->turns != 0);
+    }
+}
 
 void morph_pose(const struct morph_rig *rig, const struct species_mesh *mesh, float progress,
                 struct morph_pose *pose)
 {
     morph_weights(rig, progress, pose->weight);
-    for (uint32_t i = 0; i < mesh->anchor_count; i++) {
-        pose->anchor[i] = (struct anchor_pose){ .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
+    morph_ride_all(mesh, rig->key_count, pose);
+}
+
+void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
+                    struct morph_pose *pose)
+{
+    CORE_ASSERT(key < key_count && key_count <= MORPH_KEY_MAX);
+    for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+        for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+            pose->weight[curve][i] = i == key ? 1.0f : 0.0f;
+        }
     }
+    morph_ride_all(mesh, key_count, pose);
 }

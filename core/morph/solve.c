@@ -1,0 +1,85 @@
+/* solve.c -- exaggerated keys without drawing them.
+ *
+ * Where a graph never shows key i alone (the simultaneous template stops at 70 %), the fish never
+ * looks like the drawing of key i. The 2005 thesis exaggerates that drawing by hand until the blend
+ * looks right. Here makers draw the true stage K_i, and the shapes C_j to be blended are solved:
+ * with M the graph's weights at the keys' own progress, K = M C, so C = M^-1 K. For three keys at
+ * once that is T' = (T - 0.15 (S + U)) / 0.7. No table of C is needed: the weights V of C are the
+ * weights V M^-1 of the drawn K. */
+#include "core/morph/morph.h"
+
+#include "core/base/panic.h"
+
+/* An exaggeration of more than ten times is a mistake in the graph, not a drawing. */
+#define PIVOT_MIN 0.1f
+
+struct system {
+    float left[MORPH_KEY_MAX][MORPH_KEY_MAX];
+    float (*right)[MORPH_KEY_MAX];
+};
+
+static void swap_rows(float *a, float *b, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const float kept = a[i];
+        a[i] = b[i];
+        b[i] = kept;
+    }
+}
+
+/* row -= factor * from */
+static void take_row(float *row, const float *from, float factor, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        row[i] -= factor * from[i];
+    }
+}
+
+/* One step of Gauss and Jordan with the largest pivot; false where none is large enough. */
+static bool clear_column(struct system *s, uint32_t column, uint32_t count)
+{
+    uint32_t pivot = column;
+    for (uint32_t row = column + 1; row < count; row++) {
+        pivot = f_abs(s->left[row][column]) > f_abs(s->left[pivot][column]) ? row : pivot;
+    }
+    if (!(f_abs(s->left[pivot][column]) >= PIVOT_MIN)) {
+        return false;
+    }
+    swap_rows(s->left[pivot], s->left[column], count);
+    swap_rows(s->right[pivot], s->right[column], count);
+    const float scale = s->left[column][column];
+    for (uint32_t i = 0; i < count; i++) {
+        s->left[column][i] /= scale;
+        s->right[column][i] /= scale;
+    }
+    for (uint32_t row = 0; row < count; row++) {
+        if (row != column) {
+            const float factor = s->left[row][column];
+            take_row(s->left[row], s->left[column], factor, count);
+            take_row(s->right[row], s->right[column], factor, count);
+        }
+    }
+    return true;
+}
+
+bool graph_solve(const struct graph *graph, uint32_t key_count,
+                 float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck)
+{
+    struct system system = { .right = solution };
+    CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        for (uint32_t j = 0; j < MORPH_KEY_MAX; j++) {
+            solution[i][j] = i == j && i < key_count ? 1.0f : 0.0f;
+        }
+        if (i < key_count) {
+            graph_weights(graph, key_count, (float)i / (float)(key_count - 1), system.left[i]);
+        }
+    }
+    for (uint32_t column = 0; column < key_count; column++) {
+        if (!clear_column(&system, column, key_count)) {
+            *stuck = column;
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,337 @@
+/* test_graph.c -- deformation graphs: their constraint, their lines, their templates, and the
+ * shapes solved for them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+
+#define STEPS 1000
+
+static const enum graph_template templates[] = { TEMPLATE_ORDINARY, TEMPLATE_PAIRWISE,
+                                                 TEMPLATE_SIMULTANEOUS, TEMPLATE_SMOOTH };
+#define TEMPLATES (sizeof templates / sizeof templates[0])
+
+static struct graph graph_of(enum graph_template template, uint32_t key_count)
+{
+    struct graph graph;
+    graph_template(&graph, template, key_count, SIMULTANEOUS_PEAK);
+    return graph;
+}
+
+static struct species_card card_of(const struct graph *graph, uint32_t key_count)
+{
+    struct species_card card = { .key_count = (uint8_t)key_count, .curve_count = 1 };
+    card.curves[0] = *graph;
+    return card;
+}
+
+static struct morph_rig rig_of(const struct graph *graph, uint32_t key_count)
+{
+    const struct species_card card = card_of(graph, key_count);
+    struct morph_rig rig;
+    morph_rig_init(&rig, &card, TEMPLATE_OWN);
+    return rig;
+}
+
+static void assert_blend(const float weights[MORPH_KEY_MAX], uint32_t key_count)
+{
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        assert_true(weights[i] >= 0.0f && weights[i] <= 1.0f);
+        assert_true(i < key_count || weights[i] == 0.0f);
+        sum += weights[i];
+    }
+    assert_float_equal(sum, 1.0f, 1e-6f);
+}
+
+static void test_every_template_keeps_the_constraint_at_knots_and_between(void **state)
+{
+    (void)state;
+    for (uint32_t key_count = 2; key_count <= MORPH_KEY_MAX; key_count++) {
+        for (uint32_t t = 0; t < TEMPLATES; t++) {
+            const struct graph graph = graph_of(templates[t], key_count);
+            assert_int_equal(graph_check(&graph, key_count).fault, GRAPH_GOOD);
+            for (int step = 0; step <= STEPS; step++) {
+                float weights[MORPH_KEY_MAX];
+                graph_weights(&graph, key_count, (float)step / STEPS, weights);
+                assert_blend(weights, key_count);
+            }
+        }
+    }
+}
+
+/* Numbers of a small generator, so that a failure repeats. */
+static float next_share(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (float)(*seed >> 8) / 16777216.0f;
+}
+
+static struct graph random_graph(uint32_t *seed, uint32_t key_count, enum graph_line line)
+{
+    struct graph graph = { .line = (uint8_t)line };
+    graph.knot_count = (uint8_t)(2u + (uint32_t)(next_share(seed) * 10.99f));
+    for (uint32_t i = 0; i < graph.knot_count; i++) {
+        struct graph_knot *knot = &graph.knots[i];
+        float sum = 0.0f;
+        const float at = ((float)i + 0.9f * next_share(seed)) / (float)(graph.knot_count - 1);
+        knot->progress = i == 0 ? 0.0f : i == graph.knot_count - 1u ? 1.0f : at * 0.95f;
+        for (uint32_t key = 0; key < key_count; key++) {
+            knot->weight[key] = f_max(next_share(seed) - 0.4f, 0.0f) + (key == 0 ? 1e-3f : 0.0f);
+            sum += knot->weight[key];
+        }
+        for (uint32_t key = 0; key < key_count; key++) {
+            knot->weight[key] /= sum;
+        }
+    }
+    return graph;
+}
+
+static void test_any_good_graph_keeps_the_constraint_between_its_knots(void **state)
+{
+    (void)state;
+    uint32_t seed = 5, good = 0;
+    for (uint32_t round = 0; round < 200; round++) {
+        const uint32_t key_count = 2u + round % 7u;
+        const struct graph graph =
+            random_graph(&seed, key_count, round % 2 ? GRAPH_SMOOTH : GRAPH_STRAIGHT);
+        if (graph_check(&graph, key_count).fault != GRAPH_GOOD) {
+            continue; /* Two knots of the generator's may stand in the wrong order. */
+        }
+        good++;
+        for (int step = 0; step <= STEPS; step++) {
+            float weights[MORPH_KEY_MAX];
+            graph_weights(&graph, key_count, (float)step / STEPS, weights);
+            assert_blend(weights, key_count);
+        }
+    }
+    assert_true(good > 150);
+}
+
+static void test_a_knot_is_passed_exactly(void **state)
+{
+    (void)state;
+    for (uint32_t t = 0; t < TEMPLATES; t++) {
+        const struct graph graph = graph_of(templates[t], 5);
+        for (uint32_t i = 0; i < graph.knot_count; i++) {
+            float weights[MORPH_KEY_MAX];
+            graph_weights(&graph, 5, graph.knots[i].progress, weights);
+            for (uint32_t key = 0; key < 5; key++) {
+                assert_float_equal(weights[key], graph.knots[i].weight[key], 1e-7f);
+                assert_true(graph.knots[i].weight[key] < 1.0f || weights[key] == 1.0f);
+            }
+        }
+    }
+}
+
+/* The greatest change of a curve's steepness from one step to the next. */
+static float sharpest_corner(const struct graph *graph)
+{
+    float before[2][MORPH_KEY_MAX], sharpest = 0.0f;
+    graph_weights(graph, 4, 0.0f, before[0]);
+    graph_weights(graph, 4, 1.0f / STEPS, before[1]);
+    for (int step = 2; step <= STEPS; step++) {
+        float now[MORPH_KEY_MAX];
+        graph_weights(graph, 4, (float)step / STEPS, now);
+        for (uint32_t key = 0; key < 4; key++) {
+            const float turn = now[key] - 2.0f * before[1][key] + before[0][key];
+            sharpest = f_max(sharpest, f_abs(turn) * STEPS);
+            before[0][key] = before[1][key];
+            before[1][key] = now[key];
+        }
+    }
+    return sharpest;
+}
+
+static void test_smooth_lines_have_no_corner_where_straight_ones_do(void **state)
+{
+    (void)state;
+    struct graph graph = graph_of(TEMPLATE_SMOOTH, 4);
+    assert_true(sharpest_corner(&graph) < 0.05f);
+    graph.line = GRAPH_STRAIGHT;
+    assert_true(sharpest_corner(&graph) > 1.0f);
+}
+
+static struct graph_verdict verdict_of(const struct graph *graph)
+{
+    return graph_check(graph, 3);
+}
+
+static void test_a_graph_that_breaks_a_rule_is_told_where(void **state)
+{
+    (void)state;
+    const struct graph good = graph_of(TEMPLATE_SIMULTANEOUS, 3);
+    struct graph bad = good;
+    bad.knot_count = 1;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_KNOT_COUNT);
+    bad.knot_count = GRAPH_KNOT_MAX + 1;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_KNOT_COUNT);
+    bad = good;
+    bad.knots[0].progress = 0.01f;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_ENDS);
+    bad = good;
+    bad.knots[2].progress = 0.99f;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_ENDS);
+    assert_int_equal(verdict_of(&bad).knot, 2);
+    bad = good;
+    bad.knots[1].progress = 0.0f;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_ORDER);
+    assert_int_equal(verdict_of(&bad).knot, 1);
+    bad.knots[1].progress = 0.0f / 0.0f;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_ORDER);
+    bad = good;
+    bad.knots[1].weight[0] = -0.15f;
+    bad.knots[1].weight[2] = 0.45f;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_NEGATIVE);
+    assert_int_equal(verdict_of(&bad).key, 0);
+    bad.knots[1].weight[0] = 0.0f / 0.0f;
+    assert_int_equal(verdict_of(&bad).fault, GRAPH_NEGATIVE);
+}
+
+static void test_a_sum_just_inside_the_rule_is_good_and_just_outside_is_told(void **state)
+{
+    (void)state;
+    struct graph graph = graph_of(TEMPLATE_PAIRWISE, 3);
+    graph.knots[1].weight[0] = 9e-7f;
+    assert_int_equal(verdict_of(&graph).fault, GRAPH_GOOD);
+    graph.knots[1].weight[0] = 2e-6f;
+    assert_int_equal(verdict_of(&graph).fault, GRAPH_SUM);
+    assert_int_equal(verdict_of(&graph).knot, 1);
+    assert_true(verdict_of(&graph).value > 1.0f);
+}
+
+static void test_a_graph_that_hardly_shows_a_key_cannot_be_solved(void **state)
+{
+    (void)state;
+    struct graph graph = graph_of(TEMPLATE_SIMULTANEOUS, 3);
+    graph.knots[1] = (struct graph_knot){ 0.5f, { 0.455f, 0.09f, 0.455f } };
+    assert_int_equal(verdict_of(&graph).fault, GRAPH_UNSOLVABLE);
+    assert_int_equal(verdict_of(&graph).key, 1);
+    const struct morph_rig rig = rig_of(&graph, 3);
+    assert_int_equal(rig.curves[0].solved, 0);
+    assert_true(rig.solution[0][1][1] == 1.0f && rig.solution[0][1][0] == 0.0f);
+    graph.knots[1] = (struct graph_knot){ 0.5f, { 0.445f, 0.11f, 0.445f } };
+    assert_int_equal(verdict_of(&graph).fault, GRAPH_GOOD);
+    graph.knots[1] = (struct graph_knot){ 0.5f, { 0.455f, 0.09f, 0.455f } };
+    graph.solved = 0;
+    assert_int_equal(verdict_of(&graph).fault, GRAPH_GOOD);
+}
+
+/* T' = (T - 0.15 (S + U)) / 0.7: the middle drawing, exaggerated as section 4.2 needs it. */
+static void test_the_solved_middle_key_is_the_thesis_exaggeration(void **state)
+{
+    (void)state;
+    const struct graph graph = graph_of(TEMPLATE_SIMULTANEOUS, 3);
+    const struct morph_rig rig = rig_of(&graph, 3);
+    const float expected[3][3] = { { 1.0f, 0.0f, 0.0f },
+                                   { -0.15f / 0.7f, 1.0f / 0.7f, -0.15f / 0.7f },
+                                   { 0.0f, 0.0f, 1.0f } };
+    for (uint32_t i = 0; i < 3; i++) {
+        for (uint32_t j = 0; j < 3; j++) {
+            assert_float_equal(rig.solution[0][i][j], expected[i][j], 1e-6f);
+        }
+    }
+}
+
+static void test_a_solved_curve_passes_through_every_drawing_exactly(void **state)
+{
+    (void)state;
+    for (uint32_t key_count = 3; key_count <= MORPH_KEY_MAX; key_count++) {
+        for (uint32_t t = 2; t < TEMPLATES; t++) {
+            const struct graph graph = graph_of(templates[t], key_count);
+            const struct morph_rig rig = rig_of(&graph, key_count);
+            for (uint32_t key = 0; key < key_count; key++) {
+                float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+                morph_weights(&rig, (float)key / (float)(key_count - 1), weights);
+                for (uint32_t j = 0; j < MORPH_KEY_MAX; j++) {
+                    assert_true(weights[0][j] == (j == key ? 1.0f : 0.0f));
+                }
+            }
+        }
+    }
+}
+
+static void test_a_solved_curve_does_not_jump_at_a_key(void **state)
+{
+    (void)state;
+    for (uint32_t key_count = 3; key_count <= MORPH_KEY_MAX; key_count++) {
+        const struct graph graph = graph_of(TEMPLATE_SMOOTH, key_count);
+        const struct morph_rig rig = rig_of(&graph, key_count);
+        float before[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+        morph_weights(&rig, 0.0f, before);
+        for (int step = 1; step <= STEPS; step++) {
+            float now[MORPH_CURVE_MAX][MORPH_KEY_MAX], sum = 0.0f;
+            morph_weights(&rig, (float)step / STEPS, now);
+            for (uint32_t j = 0; j < key_count; j++) {
+                assert_true(f_abs(now[0][j] - before[0][j]) < 3.0f * (float)key_count / STEPS);
+                before[0][j] = now[0][j];
+                sum += now[0][j];
+            }
+            assert_float_equal(sum, 1.0f, 2e-6f);
+        }
+    }
+}
+
+/* Three shapes at once bend the path of a vertex; two by two cannot (figures 3.2 and 4.15). */
+static void test_only_solved_smooth_curves_show_a_third_key_between_two(void **state)
+{
+    (void)state;
+    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+    struct graph graph = graph_of(TEMPLATE_SIMULTANEOUS, 3);
+    struct morph_rig rig = rig_of(&graph, 3);
+    morph_weights(&rig, 0.25f, weights);
+    assert_true(weights[0][2] < -0.02f);
+    graph.line = GRAPH_STRAIGHT; /* Solved, but straight: back to two by two. */
+    rig = rig_of(&graph, 3);
+    morph_weights(&rig, 0.25f, weights);
+    assert_float_equal(weights[0][2], 0.0f, 1e-6f);
+    assert_float_equal(weights[0][1], 0.5f, 1e-6f);
+}
+
+static void test_curves_that_a_card_does_not_have_are_the_whole_fishs(void **state)
+{
+    (void)state;
+    const struct graph graph = graph_of(TEMPLATE_PAIRWISE, 3);
+    const struct morph_rig rig = rig_of(&graph, 3);
+    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+    morph_weights(&rig, 0.4f, weights);
+    for (uint32_t curve = 1; curve < MORPH_CURVE_MAX; curve++) {
+        assert_memory_equal(weights[curve], weights[0], sizeof weights[0]);
+    }
+}
+
+static void test_a_template_outside_its_ranges_is_a_bug(void **state)
+{
+    (void)state;
+    struct graph graph;
+    expect_assert_failure(graph_template(&graph, TEMPLATE_OWN, 3, SIMULTANEOUS_PEAK));
+    expect_assert_failure(graph_template(&graph, TEMPLATE_COUNT, 3, SIMULTANEOUS_PEAK));
+    expect_assert_failure(graph_template(&graph, TEMPLATE_SIMULTANEOUS, 3, 0.5f));
+    expect_assert_failure(graph_template(&graph, TEMPLATE_SIMULTANEOUS, 3, 1.01f));
+    expect_assert_failure(graph_template(&graph, TEMPLATE_SMOOTH, 1, SIMULTANEOUS_PEAK));
+    expect_assert_failure(graph_template(&graph, TEMPLATE_SMOOTH, 9, SIMULTANEOUS_PEAK));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_template_keeps_the_constraint_at_knots_and_between),
+        cmocka_unit_test(test_any_good_graph_keeps_the_constraint_between_its_knots),
+        cmocka_unit_test(test_a_knot_is_passed_exactly),
+        cmocka_unit_test(test_smooth_lines_have_no_corner_where_straight_ones_do),
+        cmocka_unit_test(test_a_graph_that_breaks_a_rule_is_told_where),
+        cmocka_unit_test(test_a_sum_just_inside_the_rule_is_good_and_just_outside_is_told),
+        cmocka_unit_test(test_a_graph_that_hardly_shows_a_key_cannot_be_solved),
+        cmocka_unit_test(test_the_solved_middle_key_is_the_thesis_exaggeration),
+        cmocka_unit_test(test_a_solved_curve_passes_through_every_drawing_exactly),
+        cmocka_unit_test(test_a_solved_curve_does_not_jump_at_a_key),
+        cmocka_unit_test(test_only_solved_smooth_curves_show_a_third_key_between_two),
+        cmocka_unit_test(test_curves_that_a_card_does_not_have_are_the_whole_fishs),
+        cmocka_unit_test(test_a_template_outside_its_ranges_is_a_bug),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
