@@ -1,4 +1,4 @@
-/* morph.c -- `kingyoctl morph`: fish of any age, for makers and researchers. One file a subcommand. */
+/* morph.c -- `kingyoctl morph`: fish of any age, for makers and researchers. */
 #include "platform/ctl/morph.h"
 
 #include <errno.h>
@@ -8,7 +8,12 @@
 
 static const char name[] = "morph";
 
-static const struct morph_command *const table[] = { &ctl_morph_list, &ctl_morph_weights };
+static const struct morph_command *const table[] = {
+    &ctl_morph_list,
+    &ctl_morph_weights,
+    &ctl_morph_growth,
+    &ctl_morph_path,
+};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
@@ -51,12 +56,12 @@ static enum exit_code help(void)
     for (size_t i = 0; i < TABLE_COUNT; i++) {
         printf("  %s %s\n      %s\n", table[i]->name, table[i]->words, table[i]->summary);
     }
-    puts("\nSPECIES is one of `kingyoctl morph list`, FILE a maker's text (assets/species/README.md).\n"
-         "  --template T  own (the species' curves, the default), pairwise (figure 3.8 of the 2005\n"
-         "                thesis), simultaneous (figure 3.9), smooth (no corner at any key), or\n"
-         "                ordinary (the first and the last key alone: equation 3.1)\n"
-         "  --thesis      the thesis' own method: chapter 4's three keys, straight paths, the middle\n"
-         "                key exaggerated where it is never whole\n\n"
+    puts("\nSPECIES is a built-in one (`kingyoctl morph list`), FILE a maker's text: NAME.txt.\n"
+         "  --template T  own (the species' curves, the default), pairwise (figure 3.8 of the\n"
+         "                2005 thesis), simultaneous (figure 3.9), smooth (no corner at any\n"
+         "                key), or ordinary (the first and the last key alone: equation 3.1)\n"
+         "  --thesis      the thesis' own method: chapter 4's three keys, straight paths, the\n"
+         "                middle key exaggerated where it is never whole\n\n"
          "'kingyoctl morph SUBCOMMAND --help' says more.");
     return morph_end("--help");
 }

@@ -1,5 +1,5 @@
-/* morph.h -- the subcommands of `kingyoctl morph`. One file per subcommand, one line in the table of
- * morph.c. */
+/* morph.h -- the subcommands of `kingyoctl morph`. One file per subcommand, one line in the table
+ * of morph.c. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_H
 #define KINGYO_PLATFORM_CTL_MORPH_H
 
@@ -14,7 +14,10 @@ struct morph_command {
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
-extern const struct morph_command ctl_morph_list, ctl_morph_weights;
+extern const struct morph_command ctl_morph_growth;
+extern const struct morph_command ctl_morph_list;
+extern const struct morph_command ctl_morph_path;
+extern const struct morph_command ctl_morph_weights;
 
 /* One line on standard error, "kingyoctl morph COMMAND: ...", and EXIT_USAGE. */
 __attribute__((format(printf, 2, 3)))

@@ -69,7 +69,7 @@ const struct morph_command ctl_morph_list = {
     .name = name,
     .words = "[--json]",
     .summary = "the built-in species: body form, key shapes and how long a fish of each is",
-    .usage = "With --json also ages, measure (which length is meant), swimming, curves, and chapter\n"
-             "4's keys and template of the 2005 thesis.\n",
+    .usage = "With --json also ages, measure (which length is meant), swimming, curves, and\n"
+             "chapter 4's keys and template of the 2005 thesis.\n",
     .run = run,
 };

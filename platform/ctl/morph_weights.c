@@ -89,9 +89,10 @@ const struct morph_command ctl_morph_weights = {
     .usage =
         "  --steps N     rows but one, 1 to 100000; 100 otherwise\n"
         "  --curve NAME  a part's own curve instead of the whole fish's\n"
-        "  --drawn       the weights of the drawn keys: where shapes are solved so that the fish\n"
-        "                passes through every drawing, these may be negative; the graph's never are\n"
-        "\nThe first key stands at progress 0, the last at 1. scale is the length as a share of the\n"
-        "greatest between them. Each row's weights sum to 1.\n",
+        "  --drawn       the weights of the drawn keys: where shapes are solved so that the\n"
+        "                fish passes through every drawing, these may be negative; the graph's\n"
+        "                never are\n"
+        "\nThe first key stands at progress 0, the last at 1. scale is the length as a share of\n"
+        "the greatest between them: [0, 1]. Each row's weights sum to 1.\n",
     .run = run,
 };

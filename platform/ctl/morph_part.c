@@ -1,0 +1,66 @@
+/* morph_part.c -- the vertex that stands for a part is the nearest to what its coordinates say. */
+#include "platform/ctl/morph_part.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char *const names[PART_COUNT] = {
+    "body",     "eye",    "tail",     "dorsal",       "anal",
+    "pectoral", "pelvic", "dorsal_2", "finlet_upper", "finlet_lower",
+};
+
+const char *morph_part_name(enum species_part part)
+{
+    return names[part];
+}
+
+enum species_part morph_part_of(const char *name)
+{
+    enum species_part part = PART_BODY;
+    while (part < PART_COUNT && strcmp(names[part], name) != 0) {
+        part++;
+    }
+    return part;
+}
+
+/* How far a vertex is from what is looked for; the other one of a pair is farther than any. */
+static float unlikeness(const struct species_vertex *at, enum species_part part,
+                        enum species_side side)
+{
+    const float other_side = at->side != SIDE_MIDDLE && at->side != side ? 10.0f : 0.0f;
+    switch (part) {
+    case PART_BODY:
+        return fabsf(at->u - 0.4f) + fminf(at->v, 1.0f - at->v);
+    case PART_EYE:
+        return at->u + other_side;
+    case PART_TAIL:
+        return at->u + (1.0f - at->v);
+    default:
+        return at->u + at->v + other_side;
+    }
+}
+
+uint32_t morph_part_vertex(const struct species_mesh *mesh, enum species_part part,
+                           enum species_side side)
+{
+    uint32_t best = mesh->vertex_count;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const struct species_vertex *at = &mesh->vertices[i];
+        if (at->part == part &&
+            (best == mesh->vertex_count ||
+             unlikeness(at, part, side) < unlikeness(&mesh->vertices[best], part, side))) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+vec3 morph_part_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
+                      float progress)
+{
+    static vec3 positions[MESH_VERTEX_MAX];
+    static struct morph_pose pose;
+    morph_pose(rig, &species->lod[0], progress, &pose);
+    morph_shape(&species->lod[0], species->card.key_count, &pose, positions, NULL);
+    return positions[vertex];
+}

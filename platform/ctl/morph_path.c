@@ -1,0 +1,107 @@
+/* morph_path.c -- `kingyoctl morph path`: where a part goes as its fish grows, and how far from the
+ * straight line that the ordinary morph takes (2005 thesis, figures 3.2 to 3.5). */
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/morph_part.h"
+#include "platform/ctl/morph_pick.h"
+
+static const char name[] = "path";
+
+struct path_plan {
+    struct morph_pick pick;
+    const char *part, *side;
+    uint32_t vertex, steps;
+    const struct species *ordinary;
+    struct morph_rig ordinary_rig;
+    vec3 from, to; /* The chord: its first place, its last. */
+};
+
+static enum exit_code find_vertex(struct path_plan *plan)
+{
+    const struct species_mesh *mesh = &plan->pick.fish->lod[0];
+    const enum species_part part = plan->part ? morph_part_of(plan->part) : PART_COUNT;
+    const bool left = plan->side && strcmp(plan->side, "left") == 0;
+    if (plan->side && !left && strcmp(plan->side, "right") != 0) {
+        return morph_usage(name, "--side: '%.40s' is not right or left", plan->side);
+    }
+    if (!plan->part) {
+        return morph_usage(name, "--part is missing; --help lists them");
+    }
+    if (part == PART_COUNT) {
+        return morph_usage(name, "--part: '%.40s' is no part; --help lists them", plan->part);
+    }
+    plan->vertex = morph_part_vertex(mesh, part, left ? SIDE_LEFT : SIDE_RIGHT);
+    if (plan->vertex == mesh->vertex_count) {
+        return morph_usage(name, "--part: %s has no %s", plan->pick.fish->card.id, plan->part);
+    }
+    return EXIT_OK;
+}
+
+/* How far `p` is from the chord's line, or from its point where it has no length. */
+static float from_chord(const struct path_plan *plan, vec3 p)
+{
+    const vec3 along = v3_sub(plan->to, plan->from), there = v3_sub(p, plan->from);
+    const float length_squared = v3_dot(along, along);
+    if (length_squared < 1e-12f) {
+        return v3_length(there);
+    }
+    return v3_length(v3_mad(there, along, -v3_dot(there, along) / length_squared));
+}
+
+static void print_row(const struct path_plan *plan, float progress)
+{
+    const struct species_card *card = &plan->pick.fish->card;
+    const vec3 p = morph_part_place(plan->pick.fish, &plan->pick.rig, plan->vertex, progress);
+    const vec3 o = morph_part_place(plan->ordinary, &plan->ordinary_rig, plan->vertex, progress);
+    printf("%.6f,%.3f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", (double)progress,
+           (double)life_age_days(card, progress), 1e3 * (double)life_length_m(card, progress),
+           (double)p.x, (double)p.y, (double)p.z, (double)from_chord(plan, p), (double)o.x,
+           (double)o.y, (double)o.z, (double)from_chord(plan, o));
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    static struct path_plan plan;
+    plan = (struct path_plan){ .steps = 100 };
+    const struct morph_option options[] = {
+        { .name = "--part", .text = &plan.part },
+        { .name = "--side", .text = &plan.side },
+        { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
+    };
+    enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
+                                          sizeof options / sizeof options[0], argc, argv);
+    if (code == EXIT_OK) {
+        code = find_vertex(&plan);
+    }
+    if (code != EXIT_OK) {
+        return code;
+    }
+    plan.ordinary = morph_pick_ordinary(&plan.pick, &plan.ordinary_rig);
+    plan.from = morph_part_place(plan.pick.fish, &plan.pick.rig, plan.vertex, 0.0f);
+    plan.to = morph_part_place(plan.pick.fish, &plan.pick.rig, plan.vertex, 1.0f);
+    puts("progress,age_days,length_mm,x,y,z,from_chord,ordinary_x,ordinary_y,ordinary_z,"
+         "ordinary_from_chord");
+    for (uint32_t i = 0; i <= plan.steps; i++) {
+        print_row(&plan, (float)i / (float)plan.steps);
+    }
+    return morph_end(name);
+}
+
+const struct morph_command ctl_morph_path = {
+    .name = name,
+    .words = "SPECIES|FILE --part PART [--side right|left] [--template T] [--thesis] [--steps N]",
+    .summary = "where a part goes as its fish grows, as CSV, the ordinary morph's way beside it",
+    .usage =
+        "progress,age_days,length_mm,x,y,z,from_chord,ordinary_x,ordinary_y,ordinary_z,\n"
+        "ordinary_from_chord\n\n"
+        "  --part PART   body (its back at its deepest), eye (the pupil), tail (the tip of the\n"
+        "                upper lobe), dorsal, anal, pectoral, pelvic, dorsal_2, finlet_upper,\n"
+        "                finlet_lower (where the leading ray is rooted)\n"
+        "  --side S      right or left of a pair; right otherwise\n"
+        "  --steps N     rows but one, 1 to 100000; 100 otherwise\n"
+        "\nPlaces and distances are in body lengths, whatever size the fish has: x to its right,\n"
+        "y up, z backward, the snout at z = -0.5. from_chord is the distance from the straight\n"
+        "line between the first place and the last, which the ordinary morph never leaves.\n",
+    .run = run,
+};
