@@ -1,0 +1,299 @@
+/* test_pack.c -- packed species: what was written comes back; what was not is refused, in one line. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+#include "platform/species/pack.h"
+
+#define HEAD_SIZE 20u
+
+static struct species_slot slot, other;
+static uint8_t bytes[PACK_SIZE_MAX], again[PACK_SIZE_MAX];
+static char why[VET_WHY_SIZE];
+
+static size_t packed_wakin(void)
+{
+    pack_copy(&species_wakin, &slot);
+    return pack_encode(&slot, bytes);
+}
+
+static void test_every_built_in_species_comes_back_as_it_was(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        pack_copy(species_table[i], &slot);
+        const size_t size = pack_encode(&slot, bytes);
+        why[0] = '\0';
+        assert_int_equal(pack_decode(bytes, size, &other, why), PACK_OK);
+        assert_string_equal(why, "");
+        assert_string_equal(other.species.card.id, species_table[i]->card.id);
+        assert_int_equal(pack_encode(&other, again), size);
+        assert_memory_equal(bytes, again, size);
+    }
+}
+
+static void test_what_is_read_blends_to_the_same_shape(void **state)
+{
+    (void)state;
+    static struct morph_rig rig;
+    static struct morph_pose pose;
+    static vec3 ours[MESH_VERTEX_MAX], theirs[MESH_VERTEX_MAX];
+    assert_int_equal(pack_decode(bytes, packed_wakin(), &other, why), PACK_OK);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        const struct species_mesh *mesh = &species_wakin.lod[lod];
+        morph_rig_init(&rig, &species_wakin.card, TEMPLATE_OWN);
+        morph_pose(&rig, mesh, 0.3f, &pose);
+        morph_shape(mesh, rig.key_count, &pose, ours, NULL);
+        morph_rig_init(&rig, &other.species.card, TEMPLATE_OWN);
+        morph_pose(&rig, &other.species.lod[lod], 0.3f, &pose);
+        morph_shape(&other.species.lod[lod], rig.key_count, &pose, theirs, NULL);
+        assert_memory_equal(ours, theirs, mesh->vertex_count * sizeof(vec3));
+    }
+}
+
+static void test_the_bytes_are_the_same_on_every_machine(void **state)
+{
+    (void)state;
+    static const uint8_t head[] = { 'K', 'F', 'I', 'S', 'H', '\r', '\n', 0x1a, 1, 0, 0, 0 };
+    const size_t size = packed_wakin();
+    assert_memory_equal(bytes, head, sizeof head);
+    assert_int_equal(bytes[12] | bytes[13] << 8 | bytes[14] << 16, size - HEAD_SIZE);
+    assert_string_equal((const char *)bytes + HEAD_SIZE, "wakin");
+}
+
+static void test_a_file_cut_anywhere_is_refused(void **state)
+{
+    (void)state;
+    const size_t size = packed_wakin();
+    for (size_t cut = 0; cut < size; cut += cut < 64 ? 1 : 61) {
+        assert_int_equal(pack_decode(bytes, cut, &other, why), PACK_BAD);
+    }
+    bytes[size] = 0;
+    assert_int_equal(pack_decode(bytes, size + 1, &other, why), PACK_BAD);
+}
+
+static void test_a_flipped_bit_anywhere_is_refused(void **state)
+{
+    (void)state;
+    const size_t size = packed_wakin();
+    for (size_t i = 0; i < size; i += i < 64 ? 1 : 97) {
+        bytes[i] ^= (uint8_t)(1u << i % 8);
+        assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
+        bytes[i] ^= (uint8_t)(1u << i % 8);
+    }
+    assert_int_equal(pack_decode(bytes, size, &other, why), PACK_OK);
+}
+
+static void test_another_version_is_named(void **state)
+{
+    (void)state;
+    const size_t size = packed_wakin();
+    bytes[8] = 2;
+    assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
+    assert_string_equal(why, "version: 2, and this program reads 1");
+}
+
+/* Each changes one thing of a sound species, and says what is wrong with it then. */
+struct harm {
+    void (*change)(struct species_slot *slot);
+    const char *why;
+};
+
+static struct species_card *card_of(struct species_slot *s) { return &s->species.card; }
+
+static void harm_id(struct species_slot *s) { card_of(s)->id[0] = '/'; }
+static void harm_two_keys(struct species_slot *s) { card_of(s)->key_count = 2; }
+static void harm_twin_key(struct species_slot *s)
+{
+    memcpy(card_of(s)->key_names[1], card_of(s)->key_names[0], SPECIES_NAME_SIZE);
+}
+static void harm_age(struct species_slot *s) { card_of(s)->key_age_days[1] = NAN; }
+static void harm_age_order(struct species_slot *s)
+{
+    card_of(s)->key_age_days[1] = card_of(s)->key_age_days[0];
+}
+static void harm_length(struct species_slot *s) { card_of(s)->key_length_m[0] = 1e30f; }
+static void harm_measure(struct species_slot *s) { card_of(s)->measure = 4; }
+static void harm_motion(struct species_slot *s) { card_of(s)->motion = 255; }
+static void harm_thesis(struct species_slot *s) { card_of(s)->thesis_key[2] = 7; }
+static void harm_template(struct species_slot *s) { card_of(s)->thesis_template = 0; }
+static void harm_growth(struct species_slot *s) { card_of(s)->growth.k_per_year = INFINITY; }
+static void harm_fade(struct species_slot *s) { card_of(s)->growth.fade_year = 0.0f; }
+static void harm_points(struct species_slot *s) { card_of(s)->growth.point_count = 0; }
+static void harm_hatching(struct species_slot *s)
+{
+    card_of(s)->growth.points[0].age_days = 3.0f;
+}
+static void harm_scale(struct species_slot *s) { card_of(s)->scale_knot_count = 1; }
+static void harm_curves(struct species_slot *s) { card_of(s)->curve_count = 0; }
+static void harm_knots(struct species_slot *s) { card_of(s)->curves[0].knot_count = 1; }
+static void harm_sum(struct species_slot *s)
+{
+    card_of(s)->curves[0].knots[0].weight[0] += 0.25f;
+}
+static void harm_negative(struct species_slot *s)
+{
+    card_of(s)->curves[0].knots[0].weight[1] = -1.0f;
+}
+static void harm_solved(struct species_slot *s)
+{
+    struct graph *graph = &card_of(s)->curves[0]; /* The first and the last key at all times. */
+    graph_template(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
+    graph->solved = 1;
+}
+static void harm_colour(struct species_slot *s) { s->species.coats[0].fin = 0x1000000; }
+static void harm_mark(struct species_slot *s)
+{
+    s->species.coats[2].mark_count = 1;
+    s->species.coats[2].marks[0] = (struct species_mark){ .kind = 200, .part = PART_BODY };
+}
+static void harm_reach(struct species_slot *s) { s->species.lod[0].reach = 3.0f; }
+static void harm_faces(struct species_slot *s) { s->species.lod[1].index_count -= 1; }
+static void harm_no_faces(struct species_slot *s) { s->species.lod[0].index_count = 0; }
+static void harm_index(struct species_slot *s)
+{
+    s->tables[0].indices[5] = (uint16_t)s->species.lod[0].vertex_count;
+}
+static void harm_flat(struct species_slot *s)
+{
+    s->tables[0].indices[4] = s->tables[0].indices[3];
+}
+static void harm_mask(struct species_slot *s) { s->tables[1].vertices[3].mask[0] = 254; }
+static void harm_rider(struct species_slot *s)
+{
+    s->tables[0].vertices[0].anchor = (uint8_t)s->species.lod[0].anchor_count;
+}
+static void harm_u(struct species_slot *s) { s->tables[0].vertices[9].u = NAN; }
+static void harm_part(struct species_slot *s) { s->tables[0].vertices[9].part = PART_COUNT; }
+static void harm_grid(struct species_slot *s)
+{
+    s->species.lod[0].grid_first = (uint16_t)s->species.lod[0].vertex_count;
+    s->species.lod[0].grid_rings = 2;
+    s->species.lod[0].grid_spokes = 8;
+}
+static void harm_size(struct species_slot *s)
+{
+    for (uint32_t i = 0; i < s->species.lod[0].vertex_count; i++) {
+        struct species_point *point = &s->tables[0].points[1][i];
+        point->z = (int16_t)(point->z / 2);
+    }
+}
+
+static const struct harm harms[] = {
+    { harm_id, "id: " },
+    { harm_two_keys, "keys: 2, and" },
+    { harm_twin_key, "key 1/name: " },
+    { harm_age, "/age_days: nan is outside" },
+    { harm_age_order, "is not above the key before" },
+    { harm_length, "/length_m: 1e+30 is outside" },
+    { harm_measure, "measure: 4 is outside 0 .. 3" },
+    { harm_motion, "motion: 255 is outside" },
+    { harm_thesis, "thesis keys: 7 is outside" },
+    { harm_template, "thesis template: " },
+    { harm_growth, "growth/k_per_year: inf is outside" },
+    { harm_fade, "growth/fade_year: 0 is outside" },
+    { harm_points, "growth/points: 0, and" },
+    { harm_hatching, "growth/age_days: " },
+    { harm_scale, "scale knots: 1, and" },
+    { harm_curves, "curves: 0, and" },
+    { harm_knots, "knot 0: fewer than 2 knots" },
+    { harm_sum, "knot 0: weights whose sum is not 1 (1.25)" },
+    { harm_negative, "knot 0: a weight that is negative" },
+    { harm_solved, "/solved: at the keys two mixtures" },
+    { harm_colour, "/coat: a colour beyond ffffff" },
+    { harm_mark, "/mark: 200 is outside" },
+    { harm_reach, "near/reach: 3 is not 1, 2 or 4" },
+    { harm_faces, "far/indices: " },
+    { harm_no_faces, "near/indices: 0, and" },
+    { harm_index, "near/triangle 1: vertex " },
+    { harm_flat, "near/triangle 1: two corners are one" },
+    { harm_mask, "far/vertex 3: the masks' sum is 254" },
+    { harm_rider, "near/vertex 0: rides on anchor " },
+    { harm_u, "near/vertex 9: nan is outside" },
+    { harm_part, "near/vertex 9: " },
+    { harm_grid, "near/grid: 2 rings of 9" },
+    { harm_size, "/near: snout at z" },
+};
+
+static void test_each_harm_is_found_and_named(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof harms / sizeof harms[0]; i++) {
+        pack_copy(&species_wakin, &slot);
+        harms[i].change(&slot);
+        const size_t size = pack_encode(&slot, bytes);
+        why[0] = '\0';
+        const enum pack_result result = pack_decode(bytes, size, &other, why);
+        if (result != PACK_BAD || !strstr(why, harms[i].why)) {
+            fail_msg("'%s' and not '%s'", why, harms[i].why);
+        }
+        assert_null(strchr(why, '\n'));
+    }
+}
+
+static void test_counts_that_no_table_holds_are_refused_unread(void **state)
+{
+    (void)state;
+    pack_copy(&species_wakin, &slot);
+    const size_t size = pack_encode(&slot, bytes);
+    static const uint8_t counted[] = { 'w', 'a', 'k', 'i', 'n' };
+    assert_memory_equal(bytes + HEAD_SIZE, counted, sizeof counted);
+    /* The keys' count stands behind the id; with 255 of them the CRC no longer agrees, which is
+     * what keeps a damaged count from being believed at all. */
+    bytes[HEAD_SIZE + SPECIES_NAME_SIZE] = 255;
+    assert_int_equal(pack_decode(bytes, size, &other, why), PACK_BAD);
+    assert_string_equal(why, "crc: the bytes are not those that were written");
+}
+
+static void test_a_file_is_written_whole_and_read_back(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/kingyo-pack-XXXXXX";
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    close(fd);
+    const size_t size = packed_wakin();
+    assert_int_equal(pack_write(path, &slot, why), PACK_OK);
+    assert_int_equal(pack_read(path, &other, why), PACK_OK);
+    assert_int_equal(pack_encode(&other, again), size);
+    assert_memory_equal(bytes, again, size);
+    unlink(path);
+}
+
+static void test_files_that_are_none_are_no_bad_data(void **state)
+{
+    (void)state;
+    assert_int_equal(pack_read("/nowhere/x.kfish", &other, why), PACK_IO);
+    assert_string_equal(why, "No such file or directory");
+    assert_int_equal(pack_read("/tmp", &other, why), PACK_IO);
+    assert_string_equal(why, "Is a directory");
+    assert_int_equal(pack_read("/dev/zero", &other, why), PACK_IO); /* Endless, and never read. */
+    packed_wakin();
+    assert_int_equal(pack_write("/nowhere/x.kfish", &slot, why), PACK_IO);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_built_in_species_comes_back_as_it_was),
+        cmocka_unit_test(test_what_is_read_blends_to_the_same_shape),
+        cmocka_unit_test(test_the_bytes_are_the_same_on_every_machine),
+        cmocka_unit_test(test_a_file_cut_anywhere_is_refused),
+        cmocka_unit_test(test_a_flipped_bit_anywhere_is_refused),
+        cmocka_unit_test(test_another_version_is_named),
+        cmocka_unit_test(test_each_harm_is_found_and_named),
+        cmocka_unit_test(test_counts_that_no_table_holds_are_refused_unread),
+        cmocka_unit_test(test_a_file_is_written_whole_and_read_back),
+        cmocka_unit_test(test_files_that_are_none_are_no_bad_data),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
