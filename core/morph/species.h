@@ -158,6 +158,7 @@ struct species_card {
 /* How a key is painted; colours are 0xRRGGBB in sRGB. */
 enum mark_kind {
     MARK_SPOTS, MARK_BANDS, MARK_STRIPES, MARK_EDGE, MARK_PATCH, MARK_SIDE, MARK_ROWS,
+    MARK_MOUTH, MARK_GILL, MARK_COUNT,
 };
 
 struct species_mark {

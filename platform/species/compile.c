@@ -1,5 +1,5 @@
 /* compile.c -- from a drawing and its lofts to what the core reads: card, coats, tables. */
-#include "platform/species/drawing.h"
+#include "platform/species/shape.h"
 
 #include <assert.h>
 #include <math.h>
@@ -44,23 +44,43 @@ void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_table
     }
 }
 
+/* Makers give places along x; paint is asked by body coordinates. */
+static struct species_coat coat_on_body(const struct key_text *key)
+{
+    struct species_coat coat = key->coat;
+    for (uint32_t i = 0; i < coat.mark_count; i++) {
+        struct species_mark *mark = &coat.marks[i];
+        if (mark->part == PART_BODY) {
+            mark->from = (float)body_u(key, (double)mark->from);
+            mark->to = (float)body_u(key, (double)mark->to);
+        }
+    }
+    return coat;
+}
+
 void species_compile(const struct species_text *text, struct species *out)
 {
     struct species_card *card = &out->card;
     *out = (struct species){ 0 };
     memcpy(card->id, text->id, sizeof card->id);
     card->key_count = (uint8_t)text->key_count;
-    card->thesis_key[1] = (uint8_t)(text->key_count / 2u);
-    card->thesis_key[2] = (uint8_t)(text->key_count - 1u);
-    card->thesis_template = TEMPLATE_PAIRWISE;
+    card->measure = text->measure;
+    card->motion = text->motion;
+    card->form = text->form;
+    memcpy(card->thesis_key, text->thesis_key, sizeof card->thesis_key);
+    card->thesis_template = text->thesis_template;
     card->growth = text->growth;
-    card->curve_count = 1;
-    memcpy(card->curve_names[0], "whole", sizeof "whole");
-    card->curves[0] = text->graph;
+    card->scale_knot_count = (uint8_t)text->scale_knot_count;
+    memcpy(card->scale_knots, text->scale_knots, sizeof card->scale_knots);
+    card->curve_count = (uint8_t)text->curve_count;
+    for (uint32_t i = 0; i < text->curve_count; i++) {
+        memcpy(card->curve_names[i], text->curves[i].name, SPECIES_NAME_SIZE);
+        card->curves[i] = text->curves[i].graph;
+    }
     for (uint32_t key = 0; key < text->key_count; key++) {
         memcpy(card->key_names[key], text->keys[key].name, SPECIES_NAME_SIZE);
         card->key_length_m[key] = text->keys[key].length_m;
-        card->key_age_days[key] = growth_age_days(&card->growth, text->keys[key].length_m);
-        out->coats[key] = text->keys[key].coat;
+        card->key_age_days[key] = text->keys[key].age_days;
+        out->coats[key] = coat_on_body(&text->keys[key]);
     }
 }

@@ -1,7 +1,7 @@
 /* drawing.h -- a species as a maker writes it, and the shapes that are lofted from it.
  *
  * The bake of the build and `kingyoctl morph` share this; the kiosk reads only what they made. All
- * lengths of a drawing are fractions of standard length (snout to tail root), x from the snout
+ * lengths of a drawing are fractions of its own length (snout to tail root), x from the snout
  * backward, y up from the body's axis. assets/species/README.md explains every word to makers. */
 #ifndef KINGYO_PLATFORM_SPECIES_DRAWING_H
 #define KINGYO_PLATFORM_SPECIES_DRAWING_H
@@ -14,6 +14,9 @@
 
 #define STATION_MAX 24 /* More would be a scan, not a drawing. */
 #define RAY_MAX 12
+#define FINLET_MAX 10  /* A bigeye has eight to ten above and below. */
+#define AREA_MAX 4     /* Painted areas of one curve. */
+#define GILL_U 0.30f   /* Body coordinate of the gill cover's edge, wherever a key draws it. */
 
 /* A cross section: a superellipse of this height and width, its centre `offset` above the axis. */
 struct station {
@@ -21,7 +24,7 @@ struct station {
 };
 
 /* One fin ray at `at` (0 .. 1 along the fin's base): its length and where it points, in degrees.
- * What `sweep` and `side` turn from is the fin's own: see fin_direction() in species_shape.c. */
+ * What `sweep` and `side` turn from is the fin's own: see fin_direction() in shape_fin.c. */
 struct ray {
     float at, length, sweep_deg, side_deg;
 };
@@ -34,26 +37,61 @@ struct fin {
     struct ray rays[RAY_MAX];
 };
 
+/* A row of little fins, each leaning `sweep_deg` backward from upright. */
+struct finlets {
+    uint32_t count; /* 0 .. FINLET_MAX */
+    float start, end, length, sweep_deg;
+};
+
+/* `bulge`: how far it stands out, of its diameter. `turn_deg`: how far round it has gone, over the
+ * back: 0 on its own flank at height `y`, 90 on the midline, 180 on the other flank at `y`. */
 struct eye {
-    float x, y, diameter, bulge; /* `bulge`: how far it stands out, of its diameter. */
+    float x, y, diameter, bulge, turn_deg;
 };
 
 struct key_text {
     char name[SPECIES_NAME_SIZE];
     float length_m;
+    float age_days; /* Below 0: not written; it follows from the length. */
+    float gill;     /* Where the gill cover ends; 0: not written. */
     uint32_t station_count;
     struct station stations[STATION_MAX];
-    struct eye eye;
-    struct fin fins[PART_COUNT]; /* By part; PART_BODY and PART_EYE stay empty. */
+    struct eye eyes[2];          /* Right, left. */
+    struct fin fins[PART_COUNT]; /* By part; of those without rays none is drawn. */
+    struct finlets finlets[2];   /* Upper, lower. */
     struct species_coat coat;
+};
+
+/* What a curve may own besides parts: the body before and behind the gill cover. */
+enum { PART_HEAD = PART_COUNT, PART_TRUNK, OWNED_COUNT };
+
+/* A painted piece of the body: along x, and by height from belly 0 to back 1; `soft` at its rim. */
+struct area {
+    float from, to, low, high, soft;
+};
+
+/* A deformation graph and what it moves; the first is the whole fish's and moves all else. */
+struct curve_text {
+    char name[SPECIES_NAME_SIZE];
+    uint32_t parts; /* A bit for each enum species_part, PART_HEAD and PART_TRUNK. */
+    uint32_t area_count;
+    struct area areas[AREA_MAX];
+    struct graph graph;
 };
 
 struct species_text {
     char id[SPECIES_NAME_SIZE];
+    uint8_t measure, motion, form; /* As struct species_card. */
+    bool confluent;                /* An eel's: dorsal and anal fin run into the tail's. */
+    uint32_t without;              /* A bit for each enum species_part that it has not. */
     struct growth growth;
+    uint32_t scale_knot_count;
+    struct scale_knot scale_knots[GRAPH_KNOT_MAX];
+    uint8_t thesis_key[3], thesis_template;
     uint32_t key_count;
     struct key_text keys[MORPH_KEY_MAX];
-    struct graph graph;
+    uint32_t curve_count;
+    struct curve_text curves[MORPH_CURVE_MAX];
 };
 
 /* One level of detail: how many rings and spokes the body has, rays and points along each fin. */
@@ -82,7 +120,7 @@ extern const struct detail species_detail[SPECIES_LOD_COUNT];
  * answers false; `species` is then half filled and of no use. */
 bool species_read(FILE *file, const char *path, FILE *complaints, struct species_text *species);
 
-/* Makes every key's shape on one topology, scaled to unit total length. */
+/* Makes every key's shape on one topology, scaled so that the species' measure is 1. */
 void species_loft(const struct species_text *species, const struct detail *detail,
                   struct loft *loft);
 

@@ -15,11 +15,13 @@ const struct detail species_detail[SPECIES_LOD_COUNT] = {
     { .rings = 21, .bunching = 1.5, .spokes = 12,
       .eye_rings = 2, .eye_spokes = 8,
       .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 7, 3 }, [PART_ANAL] = { 4, 3 },
-                [PART_PECTORAL] = { 4, 3 }, [PART_PELVIC] = { 3, 3 } } },
+                [PART_PECTORAL] = { 4, 3 }, [PART_PELVIC] = { 3, 3 },
+                [PART_DORSAL_2] = { 5, 3 } } },
     { .rings = 7, .bunching = 1.7, .spokes = 8,
       .eye_rings = 1, .eye_spokes = 5,
       .fins = { [PART_TAIL] = { 5, 3 }, [PART_DORSAL] = { 4, 2 }, [PART_ANAL] = { 2, 2 },
-                [PART_PECTORAL] = { 3, 2 }, [PART_PELVIC] = { 3, 2 } } },
+                [PART_PECTORAL] = { 3, 2 }, [PART_PELVIC] = { 3, 2 },
+                [PART_DORSAL_2] = { 3, 2 } } },
 };
 
 /* What lofting one species needs at hand. `vertex` counts up while the keys' arrays fill. */
@@ -27,7 +29,7 @@ struct lofting {
     const struct species_text *species;
     const struct detail *detail;
     struct loft *loft;
-    double total[MORPH_KEY_MAX];
+    double unit[MORPH_KEY_MAX];
 };
 
 static uint16_t next_vertex(struct lofting *l, struct species_vertex vertex)
@@ -43,7 +45,7 @@ static uint16_t next_vertex(struct lofting *l, struct species_vertex vertex)
 static void place(struct lofting *l, uint32_t key, point3 p, point3 normal)
 {
     const uint32_t i = l->loft->vertex_count - 1;
-    const double scale = 1.0 / l->total[key];
+    const double scale = 1.0 / l->unit[key];
     l->loft->positions[key][i] =
         (vec3){ (float)(p.x * scale), (float)(p.y * scale), (float)(p.z * scale - 0.5) };
     l->loft->normals[key][i] = (vec3){ (float)normal.x, (float)normal.y, (float)normal.z };
@@ -115,10 +117,12 @@ static void add_eye_vertex(struct lofting *l, int side, double rho, double angle
                                             .part = PART_EYE });
     for (uint32_t key = 0; key < l->species->key_count; key++) {
         const struct key_text *text = &l->species->keys[key];
-        const double radius = 0.5 * (double)text->eye.diameter * rho;
-        const double y = (double)text->eye.y + radius * cos(angle);
-        const double z = (double)text->eye.x + radius * sin(angle);
-        point3 p = eye_point(text, y, z), n = eye_normal(text, y, z);
+        const uint32_t which = side > 0 ? 0 : 1;
+        const struct eye *eye = &text->eyes[which];
+        const double radius = 0.5 * (double)eye->diameter * rho;
+        const double y = (double)eye->y + radius * cos(angle);
+        const double z = (double)eye->x + radius * sin(angle);
+        point3 p = eye_point(text, which, y, z), n = eye_normal(text, which, y, z);
         p.x *= side;
         n.x *= side;
         place(l, key, p, n);
@@ -178,6 +182,9 @@ static void add_fin(struct lofting *l, enum species_part part, int side)
 {
     const uint32_t across = l->detail->fins[part].across, along = l->detail->fins[part].along;
     const uint32_t first = l->loft->vertex_count;
+    if (l->species->keys[0].fins[part].ray_count == 0) {
+        return;
+    }
     for (uint32_t i = 0; i < across; i++) {
         for (uint32_t j = 0; j < along; j++) {
             add_fin_vertex(l, part, side, column_at(part, i, across), (double)j / (along - 1));
@@ -194,14 +201,50 @@ static void add_fin(struct lofting *l, enum species_part part, int side)
     }
 }
 
+/* One triangle each, seen from both sides. */
+static void add_finlets(struct lofting *l, uint32_t row)
+{
+    const uint32_t count = l->species->keys[0].finlets[row].count;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t first = l->loft->vertex_count;
+        for (uint32_t corner = 0; corner < 3; corner++) {
+            const double at = (double)i / count;
+            next_vertex(l, (struct species_vertex){
+                               .u = (float)(at + (corner == 1 ? 0.6 : 0.0) / count),
+                               .v = corner == 2 ? 1.0f : 0.0f,
+                               .part = (uint8_t)(PART_FINLET_UPPER + row),
+                               .flex = corner == 2 ? 255 : 0 });
+            for (uint32_t key = 0; key < l->species->key_count; key++) {
+                place(l, key, finlet_point(&l->species->keys[key], row, at, corner),
+                      (point3){ 1.0, 0.0, 0.0 });
+            }
+        }
+        triangle(l, first, first + 1, first + 2);
+        triangle(l, first, first + 2, first + 1);
+    }
+}
+
+/* The least of 1, 2 and 4 that holds every point. */
+static float reach_of(const struct loft *loft, uint32_t key_count)
+{
+    float farthest = 0.0f;
+    for (uint32_t key = 0; key < key_count; key++) {
+        for (uint32_t i = 0; i < loft->vertex_count; i++) {
+            const vec3 p = loft->positions[key][i];
+            farthest = fmaxf(farthest, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
+        }
+    }
+    return farthest <= 1.0f ? 1.0f : farthest <= 2.0f ? 2.0f : 4.0f;
+}
+
 void species_loft(const struct species_text *species, const struct detail *detail,
                   struct loft *loft)
 {
     struct lofting l = { .species = species, .detail = detail, .loft = loft };
     memset(loft, 0, sizeof *loft);
-    loft->reach = 1.0f;
     for (uint32_t key = 0; key < species->key_count; key++) {
-        l.total[key] = total_length(&species->keys[key]);
+        l.unit[key] =
+            unit_length(&species->keys[key], (enum species_measure)species->measure);
     }
     add_body(&l);
     for (int side = 1; side >= -1; side -= 2) {
@@ -209,9 +252,13 @@ void species_loft(const struct species_text *species, const struct detail *detai
     }
     add_fin(&l, PART_TAIL, 1);
     add_fin(&l, PART_DORSAL, 1);
+    add_fin(&l, PART_DORSAL_2, 1);
     add_fin(&l, PART_ANAL, 1);
     for (int side = 1; side >= -1; side -= 2) {
         add_fin(&l, PART_PECTORAL, side);
         add_fin(&l, PART_PELVIC, side);
     }
+    add_finlets(&l, 0);
+    add_finlets(&l, 1);
+    loft->reach = reach_of(loft, species->key_count);
 }

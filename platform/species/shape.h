@@ -1,7 +1,7 @@
 /* shape.h -- the smooth surfaces of one key, before any mesh: body, eyes, fins.
  *
- * In the drawing's units (standard length 1): x right, y up from the axis, z back from the snout.
- * Eyes and paired fins are the right ones; the left are their mirror images. Normals point outward;
+ * In the drawing's units (snout to tail root 1): x right, y up from the axis, z back from the
+ * snout. Eyes and paired fins are the right ones; the left are their mirror images. Normals point outward;
  * a fin's is on either side. */
 #ifndef KINGYO_PLATFORM_SPECIES_SHAPE_H
 #define KINGYO_PLATFORM_SPECIES_SHAPE_H
@@ -12,25 +12,39 @@ typedef struct {
     double x, y, z;
 } point3;
 
+point3 sub(point3 a, point3 b);
+point3 mad(point3 a, point3 b, double s); /* a + b s */
+point3 cross(point3 a, point3 b);
 /* Of length 1; upward where a maker's numbers fold a surface so that it has no normal. */
 point3 unit(point3 a);
 
-/* The cross section at `u` along the body, a smooth curve through the stations. */
-struct station section(const struct key_text *key, double u);
+/* A smooth curve through drawn points that never overshoots them (Fritsch and Carlson); beyond
+ * their ends it stays at the last. */
+double curve_through(const double *x, const double *y, uint32_t count, double at);
+
+/* From body coordinate u to the drawing's x, and back; both rise from 0 to 1. */
+double body_x(const struct key_text *key, double u);
+double body_u(const struct key_text *key, double x);
+
+/* The cross section at `x` along the body, a smooth curve through the stations. */
+struct station section(const struct key_text *key, double x);
 
 /* `u` in (0, 1] from snout to tail root, `v` in [0, 1] round the girth from back over right. */
 point3 body_point(const struct key_text *key, double u, double v);
 point3 body_normal(const struct key_text *key, double u, double v);
 
-/* The dome over the flank at height `y`, `z` behind the snout. */
-point3 eye_point(const struct key_text *key, double y, double z);
-point3 eye_normal(const struct key_text *key, double y, double z);
+/* The dome over the right flank at height `y`, `z` behind the snout; `side` 0 right, 1 left. */
+point3 eye_point(const struct key_text *key, uint32_t side, double y, double z);
+point3 eye_normal(const struct key_text *key, uint32_t side, double y, double z);
 
 /* `at` 0 .. 1 from the first ray to the last, `along` 0 .. 1 from root to tip. */
 point3 fin_point(const struct key_text *key, enum species_part part, double at, double along);
 point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along);
 
-/* From the snout to the farthest tip of the tail: what becomes the mesh's unit length. */
-double total_length(const struct key_text *key);
+/* Of the finlet that starts at `at` of its row: corner 0 fore root, 1 hind root, 2 tip. */
+point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);
+
+/* What becomes the mesh's unit: the species' measure in the drawing's units. */
+double unit_length(const struct key_text *key, enum species_measure measure);
 
 #endif

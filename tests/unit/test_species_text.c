@@ -9,15 +9,15 @@
 
 #include <cmocka.h>
 
-/* The bake belongs to the building machine and is in no library, so its reader is compiled in. */
-#include "platform/species/text.c"
+#include "core/morph/morph.h"
+#include "platform/species/reader.h"
 
 #define TEXT_SIZE 4096
 
 static struct species_text species;
 
 #define KEY_BODY                                                                                   \
-    "tint 000000 112233 ffffff abcdef\n"                                                           \
+    "coat 000000 112233 ffffff abcdef c0a040 0 .5\n"                                              \
     "station 0 0 0 0 2\nstation .3 .3 .2 0 2\nstation .6 .3 .2 0 2\nstation 1 .1 .05 0 2\n"        \
     "eye .1 .02 .08 .2\n"                                                                          \
     "fin tail -.05 .05 0 0\nray 0 .2 30 0\nray 1 .2 -30 0\n"                                       \
@@ -56,12 +56,12 @@ static void test_a_whole_text_is_read_as_written(void **state)
     assert_string_equal(complaint_of(HEAD KEYS KNOTS), "");
     assert_string_equal(species.id, "test");
     assert_int_equal(species.key_count, 3);
-    assert_int_equal(species.graph.knot_count, 3);
+    assert_int_equal(species.curves[0].graph.knot_count, 3);
     assert_float_equal(species.keys[1].length_m, 0.020f, 1e-7f);
     assert_int_equal(species.keys[2].station_count, 4);
     assert_int_equal(species.keys[2].coat.fin, 0xabcdef);
     assert_float_equal(species.keys[0].fins[PART_TAIL].rays[1].sweep_deg, -30.0f, 0.0f);
-    assert_float_equal(species.graph.knots[1].weight[1], 0.7f, 0.0f);
+    assert_float_equal(species.curves[0].graph.knots[1].weight[1], 0.7f, 0.0f);
 }
 
 static void test_comments_and_blanks_say_nothing(void **state)
@@ -136,7 +136,8 @@ static void test_more_of_anything_than_its_maximum_is_refused(void **state)
     memset(text, 'x', 1000);
     text[1000] = '\0';
     assert_refused(text, "t.txt:1: the line is longer than");
-    assert_refused("growth 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17\n", "more than 16 words");
+    assert_refused("growth 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24\n",
+                   "more than 24 words");
 }
 
 int main(void)

@@ -1,0 +1,119 @@
+/* text_check.c -- what a species must have, as a whole, before it can be lofted. */
+#include "platform/species/reader.h"
+
+#include "core/morph/morph.h"
+
+static bool check_eyes(const struct reader *r, const struct key_text *key)
+{
+    for (int side = 0; side < 2; side++) {
+        const struct eye *eye = &key->eyes[side];
+        if (eye->diameter <= 0.0f) {
+            return refuse(r, "key %s has no %s eye", key->name, side == 0 ? "right" : "left");
+        }
+        if (eye->x < 0.5f * eye->diameter) {
+            return refuse(r, "key %s: the eye reaches beyond the snout", key->name);
+        }
+    }
+    return true;
+}
+
+/* All keys have the same parts, so that every point of one finds itself in the next. */
+static bool check_fins(const struct reader *r, const struct key_text *key)
+{
+    const struct key_text *first = &r->species->keys[0];
+    for (uint32_t part = PART_TAIL; part <= PART_DORSAL_2; part++) {
+        const struct fin *fin = &key->fins[part];
+        const bool wanted = part == PART_DORSAL_2 ? first->fins[part].ray_count > 0
+                                                  : !(r->species->without >> part & 1u);
+        if (!wanted && fin->ray_count > 0) {
+            return refuse(r, "key %s has a %s and key %s has none", key->name, part_names[part],
+                          first->name);
+        }
+        if (wanted && (fin->ray_count < 2 || fin->rays[fin->ray_count - 1].at != 1.0f)) {
+            return refuse(r, "key %s: the %s needs rays from 0 to 1, two or more%s", key->name,
+                          part_names[part],
+                          part == PART_DORSAL_2 ? "" : " (or say 'without' at the top)");
+        }
+    }
+    for (int row = 0; row < 2; row++) {
+        if (key->finlets[row].count != first->finlets[row].count) {
+            return refuse(r, "key %s has %u %s finlets and key %s has %u", key->name,
+                          key->finlets[row].count, row == 0 ? "upper" : "lower", first->name,
+                          first->finlets[row].count);
+        }
+    }
+    return true;
+}
+
+static bool check_key(const struct reader *r, const struct key_text *key)
+{
+    if (key->station_count < 4 || key->stations[key->station_count - 1].x != 1.0f) {
+        return refuse(r, "key %s needs stations from x 0 to x 1, four or more", key->name);
+    }
+    return check_eyes(r, key) && check_fins(r, key);
+}
+
+/* Ages follow from lengths where they are not written; either way they rise. */
+static bool check_ages(const struct reader *r)
+{
+    struct species_text *s = r->species;
+    for (uint32_t i = 0; i < s->key_count; i++) {
+        struct key_text *key = &s->keys[i];
+        if (key->age_days < 0.0f) {
+            key->age_days = growth_age_days(&s->growth, key->length_m);
+        }
+        if (i > 0 && key->age_days <= key[-1].age_days) {
+            return refuse(r, "key %s (%.4g days) is not older than key %s (%.4g days)", key->name,
+                          (double)key->age_days, key[-1].name, (double)key[-1].age_days);
+        }
+    }
+    return true;
+}
+
+static bool check_curves(const struct reader *r)
+{
+    const struct species_text *s = r->species;
+    for (uint32_t i = 0; i < s->curve_count; i++) {
+        const struct curve_text *curve = &s->curves[i];
+        const uint32_t count = curve->graph.knot_count;
+        if (count < 2 || curve->graph.knots[count - 1].progress != 1.0f) {
+            return refuse(r, "the graph%s%s needs knots from progress 0 to 1, or a template",
+                          i > 0 ? " of curve " : "", i > 0 ? curve->name : "");
+        }
+        if (i > 0 && curve->parts == 0 && curve->area_count == 0) {
+            return refuse(r, "curve %s moves no part and no area", curve->name);
+        }
+    }
+    return true;
+}
+
+bool check_species(struct reader *r)
+{
+    struct species_text *s = r->species;
+    if (s->id[0] == '\0') {
+        return refuse(r, "no species ID");
+    }
+    if (!r->has_growth || !r->has_hatch) {
+        return refuse(r, "no growth or no hatch");
+    }
+    if (s->key_count < 3) {
+        return refuse(r, "fewer than three keys");
+    }
+    if (!check_curves(r)) {
+        return false;
+    }
+    if (s->scale_knot_count > 0 && s->scale_knots[s->scale_knot_count - 1].progress != 1.0f) {
+        return refuse(r, "scale knots go from progress 0 to 1");
+    }
+    for (uint32_t i = 0; i < s->key_count; i++) {
+        if (!check_key(r, &s->keys[i])) {
+            return false;
+        }
+    }
+    if (!r->has_thesis) { /* The species that the thesis did not try. */
+        s->thesis_key[1] = (uint8_t)(s->key_count / 2u);
+        s->thesis_key[2] = (uint8_t)(s->key_count - 1u);
+        s->thesis_template = TEMPLATE_PAIRWISE;
+    }
+    return check_ages(r);
+}

@@ -1,0 +1,153 @@
+/* text_graph.c -- the lines of the deformation graphs: the whole fish's, then parts' own. */
+#include "platform/species/reader.h"
+
+#include <math.h>
+
+#include "core/morph/morph.h"
+
+static struct curve_text *newest(const struct reader *r)
+{
+    return &r->species->curves[r->species->curve_count - 1];
+}
+
+/* `curve NAME PART ..`: a graph of these parts alone; its knots or template follow. */
+bool read_curve(struct reader *r)
+{
+    struct species_text *s = r->species;
+    if (r->word_count < 2) {
+        return refuse(r, "write: curve NAME PART .. (then its knots or template, and areas)");
+    }
+    if (s->key_count < 3 || newest(r)->graph.knot_count == 0) {
+        return refuse(r, "a curve stands below the keys and the graph of the whole fish");
+    }
+    if (s->curve_count == MORPH_CURVE_MAX) {
+        return refuse(r, "more than %u curves besides the whole fish's", MORPH_CURVE_MAX - 1u);
+    }
+    struct curve_text *curve = &s->curves[s->curve_count];
+    if (!name(r, 1, curve->name)) {
+        return false;
+    }
+    for (uint32_t i = 2; i < r->word_count; i++) {
+        uint32_t part = 0;
+        if (!choice(r, i, "part", &part_names[PART_EYE], OWNED_COUNT - PART_EYE, &part)) {
+            return false;
+        }
+        part += PART_EYE;
+        for (uint32_t other = 1; other < s->curve_count; other++) {
+            if (s->curves[other].parts >> part & 1u) {
+                return refuse(r, "the %s already moves by the curve %s", part_names[part],
+                              s->curves[other].name);
+            }
+        }
+        curve->parts |= 1u << part;
+    }
+    s->curve_count++;
+    return true;
+}
+
+/* `area FROM TO LOW HIGH SOFT`: a painted piece of the body that moves by the curve above. */
+bool read_area(struct reader *r)
+{
+    struct curve_text *curve = newest(r);
+    if (r->species->curve_count == 1) {
+        return refuse(r, "an area stands under a curve");
+    }
+    if (curve->area_count == AREA_MAX) {
+        return refuse(r, "more than %d areas", AREA_MAX);
+    }
+    struct area *a = &curve->areas[curve->area_count++];
+    return wants(r, 5, "FROM TO LOW HIGH SOFT") && number(r, 1, 0.0f, 1.0f, &a->from) &&
+           number(r, 2, 0.0f, 1.0f, &a->to) && number(r, 3, 0.0f, 1.0f, &a->low) &&
+           number(r, 4, 0.0f, 1.0f, &a->high) && number(r, 5, 0.02f, 0.5f, &a->soft) &&
+           ((a->from < a->to && a->low < a->high) || refuse(r, "the area ends before it starts"));
+}
+
+/* Where the weights of a graph are read to: below the keys, so that their count is known. */
+static bool graph_open(const struct reader *r, bool from_knot)
+{
+    const struct graph *graph = &newest(r)->graph;
+    if (r->species->key_count < 3) {
+        return refuse(r, "'%s' stands below the keys, three or more", r->words[0]);
+    }
+    if (!from_knot && graph->knot_count > 0) {
+        return refuse(r, "a graph has one template, or knots of its own");
+    }
+    return true;
+}
+
+/* `knot PROGRESS W1 W2 ..` */
+bool read_knot(struct reader *r)
+{
+    struct graph *graph = &newest(r)->graph;
+    const uint32_t key_count = r->species->key_count;
+    if (!graph_open(r, true)) {
+        return false;
+    }
+    if (graph->knot_count == GRAPH_KNOT_MAX) {
+        return refuse(r, "more than %u knots", GRAPH_KNOT_MAX);
+    }
+    if (r->word_count != key_count + 2) {
+        return refuse(r, "write: knot PROGRESS and one weight for each of the %u keys above",
+                      key_count);
+    }
+    struct graph_knot *knot = &graph->knots[graph->knot_count];
+    if (!number(r, 1, 0.0f, 1.0f, &knot->progress)) {
+        return false;
+    }
+    if (graph->knot_count == 0 ? knot->progress != 0.0f : knot->progress <= knot[-1].progress) {
+        return refuse(r, "knots go from progress 0 upward");
+    }
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < key_count; i++) {
+        if (!number(r, i + 2, 0.0f, 1.0f, &knot->weight[i])) {
+            return false;
+        }
+        sum += knot->weight[i];
+    }
+    if (fabsf(sum - 1.0f) > 1e-6f) {
+        return refuse(r, "the weights' sum is %g, not 1", (double)sum);
+    }
+    graph->knot_count++;
+    return true;
+}
+
+/* `line straight|smooth|solved`: how knots are joined. */
+bool read_line_kind(struct reader *r)
+{
+    static const char *const kinds[] = { "straight", "smooth", "solved" };
+    struct graph *graph = &newest(r)->graph;
+    uint32_t kind = 0;
+    if (!wants(r, 1, "straight|smooth|solved") || !choice(r, 1, "line", kinds, 3, &kind)) {
+        return false;
+    }
+    graph->line = kind == 0 ? GRAPH_STRAIGHT : GRAPH_SMOOTH;
+    graph->solved = kind == 2;
+    return true;
+}
+
+/* `template NAME [PEAK]`: a whole graph in one line. */
+bool read_template(struct reader *r)
+{
+    static const char *const names[] = { [TEMPLATE_ORDINARY] = "ordinary",
+                                         [TEMPLATE_PAIRWISE] = "pairwise",
+                                         [TEMPLATE_SIMULTANEOUS] = "simultaneous",
+                                         [TEMPLATE_SMOOTH] = "smooth" };
+    uint32_t template = 0;
+    float peak = SIMULTANEOUS_PEAK;
+    if (r->word_count != 2 && r->word_count != 3) {
+        return refuse(r, "write: template pairwise|simultaneous|smooth|ordinary [PEAK]");
+    }
+    if (!graph_open(r, false) || !choice(r, 1, "template", names, TEMPLATE_COUNT, &template)) {
+        return false;
+    }
+    if (r->word_count == 3) {
+        if (template != TEMPLATE_SIMULTANEOUS) {
+            return refuse(r, "only the simultaneous template has a peak");
+        }
+        if (!number(r, 2, 0.51f, 0.99f, &peak)) {
+            return false;
+        }
+    }
+    graph_template(&newest(r)->graph, (enum graph_template)template, r->species->key_count, peak);
+    return true;
+}

@@ -1,0 +1,168 @@
+/* text_life.c -- the lines of the whole species: its name, its kind, how it grows. */
+#include "platform/species/reader.h"
+
+#include <string.h>
+
+#include "core/morph/morph.h"
+
+static bool read_choice(struct reader *r, const char *what, const char *const *choices,
+                        uint32_t count, uint8_t *out)
+{
+    uint32_t chosen = 0;
+    if (!wants(r, 1, what) || !choice(r, 1, what, choices, count, &chosen)) {
+        return false;
+    }
+    *out = (uint8_t)chosen;
+    return true;
+}
+
+bool read_species(struct reader *r)
+{
+    return wants(r, 1, "ID") && name(r, 1, r->species->id);
+}
+
+bool read_measure(struct reader *r)
+{
+    static const char *const choices[] = { [MEASURE_TOTAL] = "total",
+                                           [MEASURE_STANDARD] = "standard",
+                                           [MEASURE_FORK] = "fork",
+                                           [MEASURE_DISC] = "disc" };
+    return read_choice(r, "measure", choices, 4, &r->species->measure);
+}
+
+bool read_form(struct reader *r)
+{
+    static const char *const choices[] = { [FORM_FUSIFORM] = "fusiform",
+                                           [FORM_COMPRESSED] = "compressed",
+                                           [FORM_DEPRESSED] = "depressed",
+                                           [FORM_EEL] = "eel",
+                                           [FORM_PUFFER] = "puffer" };
+    return read_choice(r, "form", choices, 5, &r->species->form);
+}
+
+bool read_motion(struct reader *r)
+{
+    static const char *const choices[] = { [MOTION_TAIL] = "tail",
+                                           [MOTION_EEL] = "eel",
+                                           [MOTION_FINS] = "fins",
+                                           [MOTION_TUNA] = "tuna",
+                                           [MOTION_WING] = "wing" };
+    return read_choice(r, "motion", choices, 5, &r->species->motion);
+}
+
+/* `without FIN ..`: what this fish has not, in any key. */
+bool read_without(struct reader *r)
+{
+    for (uint32_t i = 1; i < r->word_count; i++) {
+        const char *const *fins = &part_names[PART_TAIL];
+        uint32_t fin = 0;
+        if (!choice(r, i, "fin", fins, PART_PELVIC - PART_TAIL + 1, &fin)) {
+            return false;
+        }
+        r->species->without |= 1u << (PART_TAIL + fin);
+    }
+    return r->word_count > 1 || refuse(r, "write: without FIN ..");
+}
+
+bool read_confluent(struct reader *r)
+{
+    r->species->confluent = true;
+    return r->word_count == 1 || refuse(r, "write: confluent");
+}
+
+bool read_growth(struct reader *r)
+{
+    struct growth *g = &r->species->growth;
+    r->has_growth = true;
+    return wants(r, 3, "LENGTH_INF_M K_PER_YEAR T0_YEAR") &&
+           number(r, 1, 0.01f, 20.0f, &g->length_inf_m) &&
+           number(r, 2, 0.001f, 10.0f, &g->k_per_year) && number(r, 3, -20.0f, 20.0f, &g->t0_year);
+}
+
+bool read_hatch(struct reader *r)
+{
+    struct growth *g = &r->species->growth;
+    if (g->point_count > 0) {
+        return refuse(r, "one hatch, above the points");
+    }
+    r->has_hatch = true;
+    g->point_count = 1;
+    return wants(r, 2, "LENGTH_M FADE_YEAR") &&
+           number(r, 1, 0.0005f, 2.0f, &g->points[0].length_m) &&
+           number(r, 2, 0.001f, 5.0f, &g->fade_year);
+}
+
+/* `point AGE_DAYS MM`: a length that someone measured, after hatching. */
+bool read_point(struct reader *r)
+{
+    struct growth *g = &r->species->growth;
+    if (g->point_count == 0) {
+        return refuse(r, "points stand below hatch, which is the first of them");
+    }
+    if (g->point_count == GROWTH_POINT_MAX) {
+        return refuse(r, "more than %u points, hatching among them", GROWTH_POINT_MAX);
+    }
+    struct growth_point *point = &g->points[g->point_count];
+    if (!wants(r, 2, "AGE_DAYS MM") || !number(r, 1, 0.0f, 14610.0f, &point->age_days) ||
+        !number(r, 2, 0.5f, 20000.0f, &point->length_m)) {
+        return false;
+    }
+    if (point->age_days <= point[-1].age_days) {
+        return refuse(r, "points go from young to old, and hatching is at 0 days");
+    }
+    point->length_m /= 1000.0f;
+    g->point_count++;
+    return true;
+}
+
+/* `scale PROGRESS MM`: size by hand, in place of the growth curve. */
+bool read_scale(struct reader *r)
+{
+    struct species_text *s = r->species;
+    if (s->scale_knot_count == GRAPH_KNOT_MAX) {
+        return refuse(r, "more than %u scale knots", GRAPH_KNOT_MAX);
+    }
+    struct scale_knot *knot = &s->scale_knots[s->scale_knot_count];
+    if (!wants(r, 2, "PROGRESS MM") || !number(r, 1, 0.0f, 1.0f, &knot->progress) ||
+        !number(r, 2, 0.5f, 20000.0f, &knot->length_m)) {
+        return false;
+    }
+    if (s->scale_knot_count == 0 ? knot->progress != 0.0f : knot->progress <= knot[-1].progress) {
+        return refuse(r, "scale knots go from progress 0 upward");
+    }
+    knot->length_m /= 1000.0f;
+    s->scale_knot_count++;
+    return true;
+}
+
+static bool key_named(const struct reader *r, uint32_t index, uint8_t *out)
+{
+    for (uint32_t key = 0; key < r->species->key_count; key++) {
+        if (strcmp(r->words[index], r->species->keys[key].name) == 0) {
+            *out = (uint8_t)key;
+            return true;
+        }
+    }
+    return refuse(r, "no key above is called '%.40s'", r->words[index]);
+}
+
+/* `thesis KEY KEY KEY TEMPLATE`: what chapter 4 of the 2005 thesis blended. */
+bool read_thesis(struct reader *r)
+{
+    static const char *const templates[] = { [TEMPLATE_PAIRWISE] = "pairwise",
+                                             [TEMPLATE_SIMULTANEOUS] = "simultaneous" };
+    struct species_text *s = r->species;
+    uint8_t *key = s->thesis_key;
+    uint32_t template = 0;
+    if (!wants(r, 4, "KEY KEY KEY pairwise|simultaneous") || !key_named(r, 1, &key[0]) ||
+        !key_named(r, 2, &key[1]) || !key_named(r, 3, &key[2]) ||
+        !choice(r, 4, "template of the thesis", templates, 4, &template)) {
+        return false;
+    }
+    if (key[0] >= key[1] || key[1] >= key[2]) {
+        return refuse(r, "the thesis' three keys go from young to old");
+    }
+    s->thesis_template = (uint8_t)template;
+    r->has_thesis = true;
+    return true;
+}
