@@ -2,8 +2,9 @@
 #include "platform/png.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
+
+#include "platform/out_file.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -18,15 +19,13 @@
 
 static int write_all(const char *path, const uint8_t *bytes, size_t size)
 {
-    FILE *file = fopen(path, "wb");
-    if (!file) {
-        return -errno;
+    struct out_file out;
+    const int error = out_open(&out, path);
+    if (error) {
+        return error;
     }
-    int result = fwrite(bytes, 1, size, file) == size ? 0 : -errno;
-    if (fclose(file) != 0 && result == 0) {
-        result = -errno;
-    }
-    return result;
+    fwrite(bytes, 1, size, out.file); /* What becomes of it, closing tells. */
+    return out_close(&out);
 }
 
 int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height)

@@ -38,14 +38,11 @@ $(BUILD)/generated/species_%.o: $(BUILD)/generated/species_%.c
 	$(call step,CC,$<)
 	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-## species-sheet: each species' growth from four sides, in build/species_NAME.png, for makers
+## species-sheet: each species' growth from three sides, in build/species_NAME.png, for makers
 species-sheet: $(SPECIES:%=$(BUILD)/species_%.png)
 
-$(BUILD)/species_%.png: $(BUILD)/species_sheet_%
-	$< $@
-
-$(BUILD)/species_sheet_%: assets/bake/species_sheet.c $(BUILD)/core.a
-	$(call step,CC,$<)
-	$(Q)$(BUILD_CC) $(SPECIES_CFLAGS) -DSPECIES=species_$* $(DEP_FLAGS) -o $@ $^ -lm
+$(BUILD)/species_%.png: $(BUILD)/kingyoctl
+	$(call step,DRAW,$@)
+	$(Q)$(BUILD)/kingyoctl morph export $* --sheet $@
 
 .PHONY: species-sheet

@@ -1,0 +1,284 @@
+/* morph_sheet.c -- lays portraits out on a page. */
+#include "platform/ctl/morph_sheet.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/plate.h"
+#include "platform/folder.h"
+
+#define PAGE_WIDTH 2400.0f
+#define MARGIN 48.0f
+#define HEAD_HEIGHT 132.0f
+#define CELL_FILL 0.86f      /* How much of a cell's width the longest fish takes. */
+#define GAP 14.0f            /* Above and below a fish, pixels. */
+#define MEASURE_STEPS 20u    /* Stages measured before anything is drawn. */
+#define KEY_WORDS_PX 24.0f
+#define BETWEEN_WORDS_PX 15.0f
+
+#define WATER_ABOVE 0xd3e4e6u
+#define WATER_BELOW 0x9fbfc6u
+#define PAPER 0xf2f1ecu
+
+static const char command[] = "export";
+
+/* What all cells of one width share. */
+struct layout {
+    float cell_width, scale_px, words_px;
+    float band_height[VIEW_COUNT], water_height, height;
+};
+
+struct page {
+    const struct morph_pick *pick;
+    struct canvas canvas;
+    struct portrait_bounds bounds[VIEW_COUNT]; /* Of all stages. */
+    struct layout keys, betweens;
+    bool failed;
+};
+
+static struct portrait portrait; /* One at a time, too large for a stack. */
+
+static enum exit_code no_memory(void)
+{
+    return morph_fail(EXIT_IO, command, "%s", strerror(ENOMEM));
+}
+
+static enum exit_code write_canvas(const struct canvas *canvas, const char *path)
+{
+    const int error = canvas_write_png(canvas, path);
+    return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
+}
+
+static void measure_life(const struct morph_pick *pick, struct portrait_bounds bounds[VIEW_COUNT])
+{
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        bounds[view] = portrait_nowhere;
+    }
+    for (uint32_t i = 0; i <= MEASURE_STEPS; i++) {
+        portrait_take(&portrait, pick->fish, &pick->rig, (float)i / (float)MEASURE_STEPS);
+        for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+            portrait_measure(&portrait, (enum portrait_view)view, &bounds[view]);
+        }
+    }
+}
+
+static float middle(float a, float b)
+{
+    return 0.5f * (a + b);
+}
+
+/* ---- The page -------------------------------------------------------------------------------- */
+
+static struct layout plan(const struct page *page, uint32_t columns, float words_px)
+{
+    struct layout layout = { .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
+                         .words_px = words_px };
+    float widest = 0.0f;
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        widest = f_max(widest, page->bounds[view].right - page->bounds[view].left);
+    }
+    layout.scale_px = layout.cell_width * CELL_FILL / widest;
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        layout.band_height[view] =
+            (page->bounds[view].high - page->bounds[view].low) * layout.scale_px + 2.0f * GAP;
+        layout.water_height += layout.band_height[view];
+    }
+    layout.height = layout.water_height + 6.2f * words_px + GAP;
+    return layout;
+}
+
+/* The rest of a pixel goes to the raster, whose corner is a whole one. */
+static void draw_view(struct page *page, enum portrait_view view, struct canvas_box box,
+                      float scale_px)
+{
+    const struct portrait_bounds *b = &page->bounds[view];
+    struct raster raster;
+    if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
+        page->failed = true;
+    } else {
+        portrait_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high),
+                      scale_px, &raster);
+        page->failed |=
+            !raster_finish(&raster, &page->canvas, (uint32_t)box.left, (uint32_t)box.top);
+    }
+    raster_close(&raster);
+}
+
+static void draw_words(struct page *page, const struct layout *layout, float x, float y,
+                       const char *title, float progress)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    const float length_m = life_length_m(card, progress), size = layout->words_px;
+    char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[2 * PLATE_WORDS_SIZE + 8];
+    float weights[MORPH_KEY_MAX];
+    graph_weights(&page->pick->rig.curves[0], card->key_count, progress, weights);
+    plate_weights(&page->canvas,
+                  (struct canvas_box){ x - 0.43f * layout->cell_width, y + 0.5f * size,
+                                       0.86f * layout->cell_width, 0.3f * size },
+                  card->key_count, weights);
+    plate_bar(&page->canvas, x, y + 1.6f * size, 0.4f * layout->cell_width,
+              layout->scale_px / length_m, size);
+    plate_age(age, life_age_days(card, progress));
+    plate_length(length, length_m);
+    snprintf(words, sizeof words, "%s%s%s", title, title[0] ? ": " : "", age);
+    canvas_words(&page->canvas, x, y + 4.3f * size, size, ALIGN_CENTRE, PLATE_INK, words);
+    snprintf(words, sizeof words, "%s %s", plate_measure(card), length);
+    canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, PLATE_SOFT_INK, words);
+}
+
+/* One stage: its views in the water, what there is to say below. */
+static void draw_stage(struct page *page, const struct layout *layout, uint32_t column, float top,
+                       const char *title, float progress)
+{
+    const float left = MARGIN + (float)column * layout->cell_width;
+    float y = top;
+    portrait_take(&portrait, page->pick->fish, &page->pick->rig, progress);
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        draw_view(page, (enum portrait_view)view,
+                  (struct canvas_box){ left, y, layout->cell_width, layout->band_height[view] },
+                  layout->scale_px);
+        y += layout->band_height[view];
+    }
+    draw_words(page, layout, left + 0.5f * layout->cell_width, top + layout->water_height, title,
+               progress);
+}
+
+static void draw_water(struct page *page, const struct layout *layout, float top)
+{
+    const struct canvas_box water = { MARGIN, top, PAGE_WIDTH - 2.0f * MARGIN,
+                                      layout->water_height };
+    canvas_fill(&page->canvas, water, WATER_ABOVE, WATER_BELOW);
+}
+
+static void draw_head(struct page *page)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    char from[PLATE_WORDS_SIZE], to[PLATE_WORDS_SIZE], words[256];
+    canvas_words(&page->canvas, MARGIN, 70.0f, 54.0f, ALIGN_LEFT, PLATE_INK, card->id);
+    plate_length(from, card->key_length_m[0]);
+    plate_length(to, card->key_length_m[card->key_count - 1u]);
+    snprintf(words, sizeof words, "%u keys, %s %s to %s, curves: %s%s", card->key_count,
+             plate_measure(card), from, to, morph_template_name(page->pick->template),
+             page->pick->thesis ? ", the 2005 thesis' own method" : "");
+    canvas_words(&page->canvas, MARGIN, 108.0f, 24.0f, ALIGN_LEFT, PLATE_SOFT_INK, words);
+    canvas_words(&page->canvas, PAGE_WIDTH - MARGIN, 108.0f, 20.0f, ALIGN_RIGHT, PLATE_SOFT_INK,
+                 "from its left, from above, aslant");
+}
+
+static void draw_keys(struct page *page, float top)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    draw_water(page, &page->keys, top);
+    for (uint32_t i = 0; i < card->key_count; i++) {
+        draw_stage(page, &page->keys, i, top, card->key_names[i],
+                   (float)i / (float)(card->key_count - 1u));
+    }
+}
+
+static void draw_betweens(struct page *page, uint32_t from, float top)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    const float steps = (float)(SHEET_BETWEEN + 1u);
+    char words[2 * SPECIES_NAME_SIZE + 16];
+    snprintf(words, sizeof words, "%s to %s", card->key_names[from], card->key_names[from + 1u]);
+    canvas_words(&page->canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, PLATE_INK, words);
+    draw_water(page, &page->betweens, top);
+    for (uint32_t i = 0; i < SHEET_BETWEEN; i++) {
+        const float at = (float)from + (float)(i + 1u) / steps;
+        draw_stage(page, &page->betweens, i, top, "", at / (float)(card->key_count - 1u));
+    }
+}
+
+static void draw_page(struct page *page)
+{
+    const struct canvas_box paper = { 0.0f, 0.0f, (float)page->canvas.width,
+                                     (float)page->canvas.height };
+    float top = HEAD_HEIGHT;
+    canvas_fill(&page->canvas, paper, PAPER, PAPER);
+    draw_head(page);
+    draw_keys(page, top);
+    top += page->keys.height + MARGIN;
+    for (uint32_t i = 0; i + 1u < page->pick->fish->card.key_count; i++) {
+        draw_betweens(page, i, top);
+        top += page->betweens.height + MARGIN;
+    }
+}
+
+enum exit_code morph_sheet_write(const struct morph_pick *pick, const char *path)
+{
+    struct page page = { .pick = pick };
+    const uint32_t strips = pick->fish->card.key_count - 1u;
+    measure_life(pick, page.bounds);
+    page.keys = plan(&page, pick->fish->card.key_count, KEY_WORDS_PX);
+    page.betweens = plan(&page, SHEET_BETWEEN, BETWEEN_WORDS_PX);
+    const float height = HEAD_HEIGHT + page.keys.height +
+                         (float)strips * (page.betweens.height + MARGIN) + MARGIN;
+    if (!canvas_open(&page.canvas, (uint32_t)PAGE_WIDTH, (uint32_t)height)) {
+        return no_memory();
+    }
+    draw_page(&page);
+    const enum exit_code code = page.failed ? no_memory() : write_canvas(&page.canvas, path);
+    canvas_close(&page.canvas);
+    return code;
+}
+
+/* ---- Frames ---------------------------------------------------------------------------------- */
+
+static bool draw_frame(const struct morph_pick *pick, struct canvas *canvas,
+                       struct raster *raster, enum portrait_view view,
+                       const struct portrait_bounds *b, float progress)
+{
+    const struct species_card *card = &pick->fish->card;
+    const float width = (float)FRAME_WIDTH, height = (float)FRAME_HEIGHT;
+    const float scale_px = f_min(0.9f * width / (b->right - b->left),
+                                 0.72f * height / (b->high - b->low));
+    const float length_m = life_length_m(card, progress);
+    char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[3 * PLATE_WORDS_SIZE];
+    portrait_take(&portrait, pick->fish, &pick->rig, progress);
+    canvas_fill(canvas, (struct canvas_box){ 0.0f, 0.0f, width, height }, WATER_ABOVE,
+                WATER_BELOW);
+    portrait_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high), scale_px,
+                  raster);
+    const bool whole = raster_finish(raster, canvas, 0, 0);
+    plate_age(age, life_age_days(card, progress));
+    plate_length(length, length_m);
+    snprintf(words, sizeof words, "%s, %s, %s %s", card->id, age, plate_measure(card), length);
+    canvas_words(canvas, MARGIN, height - 36.0f, 30.0f, ALIGN_LEFT, PLATE_INK, words);
+    plate_bar(canvas, 0.82f * width, height - 62.0f, 0.25f * width, scale_px / length_m, 26.0f);
+    return whole;
+}
+
+static enum exit_code write_frame(const struct canvas *canvas, const struct morph_pick *pick,
+                                  const char *folder, uint32_t index)
+{
+    char path[FOLDER_PATH_MAX + 64];
+    snprintf(path, sizeof path, "%s/%s_%04u.png", folder, pick->fish->card.id, index);
+    return write_canvas(canvas, path);
+}
+
+enum exit_code morph_frames_write(const struct morph_pick *pick, enum portrait_view view,
+                                  uint32_t count, const char *folder)
+{
+    struct portrait_bounds bounds[VIEW_COUNT];
+    struct canvas canvas = { 0 };
+    struct raster raster = { 0 };
+    const int error = folder_make(folder);
+    if (error) {
+        return morph_fail(EXIT_IO, command, "%.900s: %s", folder, strerror(-error));
+    }
+    measure_life(pick, bounds);
+    enum exit_code code = EXIT_OK;
+    if (!canvas_open(&canvas, FRAME_WIDTH, FRAME_HEIGHT) ||
+        !raster_open(&raster, FRAME_WIDTH, FRAME_HEIGHT)) {
+        code = no_memory();
+    }
+    for (uint32_t i = 0; code == EXIT_OK && i < count; i++) {
+        const float progress = (float)i / (float)(count - 1u);
+        const bool whole = draw_frame(pick, &canvas, &raster, view, &bounds[view], progress);
+        code = whole ? write_frame(&canvas, pick, folder, i) : no_memory();
+    }
+    raster_close(&raster);
+    canvas_close(&canvas);
+    return code;
+}
