@@ -14,6 +14,7 @@ static const struct morph_command *const table[] = {
     &ctl_morph_growth,
     &ctl_morph_path,
     &ctl_morph_export,
+    &ctl_morph_graph,
 };
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])

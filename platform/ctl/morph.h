@@ -15,6 +15,7 @@ struct morph_command {
 };
 
 extern const struct morph_command ctl_morph_export;
+extern const struct morph_command ctl_morph_graph;
 extern const struct morph_command ctl_morph_growth;
 extern const struct morph_command ctl_morph_list;
 extern const struct morph_command ctl_morph_path;

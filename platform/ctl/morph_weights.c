@@ -1,7 +1,7 @@
 /* morph_weights.c -- `kingyoctl morph weights`: the deformation graph as a table. */
 #include <stdio.h>
-#include <string.h>
 
+#include "platform/ctl/morph_curve.h"
 #include "platform/ctl/morph_pick.h"
 
 static const char name[] = "weights";
@@ -13,25 +13,6 @@ struct weights_plan {
     bool drawn;
     uint32_t curve;
 };
-
-static enum exit_code find_curve(struct weights_plan *plan)
-{
-    const struct species_card *card = &plan->pick.fish->card;
-    if (!plan->curve_name) {
-        return EXIT_OK;
-    }
-    for (plan->curve = 0; plan->curve < card->curve_count; plan->curve++) {
-        if (strcmp(plan->curve_name, card->curve_names[plan->curve]) == 0) {
-            return EXIT_OK;
-        }
-    }
-    char list[MORPH_CURVE_MAX * (SPECIES_NAME_SIZE + 2u)] = "";
-    for (uint32_t i = 0; i < card->curve_count; i++) {
-        const size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", card->curve_names[i]);
-    }
-    return morph_usage(name, "--curve: '%.40s' is none of %s", plan->curve_name, list);
-}
 
 static void print_row(const struct weights_plan *plan, float progress, float length_max_m)
 {
@@ -64,7 +45,7 @@ static enum exit_code run(int argc, const char *const *argv)
     enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
                                           sizeof options / sizeof options[0], argc, argv);
     if (code == EXIT_OK) {
-        code = find_curve(&plan);
+        code = morph_curve_find(&plan.pick.fish->card, name, plan.curve_name, &plan.curve);
     }
     if (code != EXIT_OK) {
         return code;

@@ -1,0 +1,96 @@
+/* morph_outline.c -- the triangles that face the viewer, as one shape for each layer: a path filled
+ * once has no seams, and stays a path that a drawing program can take apart. */
+#include "platform/ctl/morph_outline.h"
+
+const char *const morph_key_colours[MORPH_KEY_MAX] = { "#d7382b", "#2c9a46", "#2a66c4", "#e08a1e",
+                                                       "#12a0a6", "#d55a9b", "#8a5a2b", "#6b6f76" };
+
+/* Back to front. */
+enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
+
+enum outline_view outline_view_of(const struct species_card *card)
+{
+    return card->form == FORM_DEPRESSED ? VIEW_TOP : VIEW_SIDE;
+}
+
+/* Right, up and toward the viewer. */
+static vec3 seen(enum outline_view view, vec3 p)
+{
+    switch (view) {
+    case VIEW_SIDE:
+        return v3(p.z, p.y, -p.x);
+    case VIEW_FRONT:
+        return v3(-p.x, p.y, -p.z);
+    default:
+        return v3(p.z, p.x, p.y);
+    }
+}
+
+void outline_project(const struct outline *outline, vec3 p, double *x, double *y)
+{
+    const vec3 s = seen(outline->view, p);
+    *x = outline->x + outline->length_px * (double)s.x;
+    *y = outline->y - outline->length_px * (double)s.y;
+}
+
+static enum layer layer_of(uint8_t part, float toward)
+{
+    switch (part) {
+    case PART_BODY:
+        return LAYER_BODY;
+    case PART_EYE:
+        return LAYER_EYES;
+    case PART_PECTORAL:
+    case PART_PELVIC:
+        return toward < 0.0f ? LAYER_FAR_FINS : LAYER_NEAR_FINS;
+    default:
+        return LAYER_MEDIAN_FINS;
+    }
+}
+
+/* Eyes that the body hides are not drawn; from the side that is the eye beyond its middle. */
+static bool is_hidden(const struct outline *outline, enum layer layer, float toward)
+{
+    return layer == LAYER_EYES && outline->view == VIEW_SIDE && toward < 0.0f;
+}
+
+static void draw_layer(struct svg *svg, const struct outline *outline, const vec3 *positions,
+                       enum layer layer)
+{
+    const struct species_mesh *mesh = &outline->species->lod[0];
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+        const uint16_t *corner = &mesh->indices[i];
+        const vec3 a = seen(outline->view, positions[corner[0]]);
+        const vec3 b = seen(outline->view, positions[corner[1]]);
+        const vec3 c = seen(outline->view, positions[corner[2]]);
+        const float toward = a.z + b.z + c.z;
+        const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        if (area <= 0.0f || layer_of(mesh->vertices[corner[0]].part, toward) != layer ||
+            is_hidden(outline, layer, toward)) {
+            continue;
+        }
+        for (uint32_t j = 0; j < 3; j++) {
+            double x, y;
+            outline_project(outline, positions[corner[j]], &x, &y);
+            svg_put(svg, "%c%.1f %.1f", j == 0 ? 'M' : 'L', x, y);
+        }
+        svg_put(svg, "Z");
+    }
+}
+
+void outline_draw(struct svg *svg, const struct outline *outline)
+{
+    static vec3 positions[MESH_VERTEX_MAX];
+    static struct morph_pose pose;
+    const struct species *species = outline->species;
+    morph_pose(outline->rig, &species->lod[0], outline->progress, &pose);
+    morph_shape(&species->lod[0], species->card.key_count, &pose, positions, NULL);
+    for (enum layer layer = LAYER_FAR_FINS; layer < LAYERS; layer++) {
+        const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
+        const char *colour = layer == LAYER_EYES ? "#222222" : outline->colour;
+        svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"", colour,
+                layer == LAYER_EYES ? 0.85 : outline->opacity * (fins ? 0.55 : 1.0));
+        draw_layer(svg, outline, positions, layer);
+        svg_put(svg, "\"/>\n");
+    }
+}

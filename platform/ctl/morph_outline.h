@@ -1,0 +1,37 @@
+/* morph_outline.h -- a fish as a flat outline in an SVG: its parts in one colour. */
+#ifndef KINGYO_PLATFORM_CTL_MORPH_OUTLINE_H
+#define KINGYO_PLATFORM_CTL_MORPH_OUTLINE_H
+
+#include "core/morph/morph.h"
+#include "platform/ctl/svg.h"
+
+/* The thesis' colours: red, green and blue; five more for further keys. Purple is the size. */
+extern const char *const morph_key_colours[MORPH_KEY_MAX];
+#define MORPH_SCALE_COLOUR "#8e4bb8"
+
+enum outline_view {
+    VIEW_SIDE,  /* From its left, the head to the left. */
+    VIEW_FRONT, /* From ahead, the back up. */
+    VIEW_TOP,   /* From above, the head to the left. */
+};
+
+struct outline {
+    const struct species *species;
+    const struct morph_rig *rig;
+    float progress;
+    enum outline_view view;
+    double x, y;      /* Where the body frame's origin is, in pixels. */
+    double length_px; /* What one body length is. */
+    const char *colour;
+    double opacity;   /* Of the body; fins have half of it. */
+};
+
+/* What shows most of a body of that form. */
+enum outline_view outline_view_of(const struct species_card *card);
+
+/* Where a point of the body frame is on the paper. */
+void outline_project(const struct outline *outline, vec3 p, double *x, double *y);
+
+void outline_draw(struct svg *svg, const struct outline *outline);
+
+#endif
