@@ -6,8 +6,8 @@
  *   u32      size             of what follows the CRC, in bytes
  *   u32      CRC-32           of what follows (IEEE 802.3, as zip and PNG use it)
  * then the card, the coats of card.key_count keys, and the near and the far mesh, each field by
- * field in the order of core/morph/species.h: counts first, then tables of so many. pack.c walks the
- * fields in one place for reading and writing. */
+ * field in the order of core/morph/species.h: counts first, then tables of so many. pack.c walks
+ * the fields in one place for reading and writing. */
 #ifndef KINGYO_PLATFORM_SPECIES_PACK_H
 #define KINGYO_PLATFORM_SPECIES_PACK_H
 
@@ -41,8 +41,8 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
 /* Writes what is in the slot (left as it was) and answers how many bytes that took. */
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX]);
 
-/* The same from and to a file; `why` is without the file's name. Writing is to a file beside it that
- * then takes its place, so that a kiosk never meets half a species. */
+/* The same from and to a file; `why` is without the file's name. Writing is to a file beside it
+ * that then takes its place, so that a kiosk never meets half a species. */
 enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
 enum pack_result pack_write(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
 

@@ -1,7 +1,6 @@
 /* vet.c -- the card and the coats of a species that somebody else made. */
 #include "platform/species/vet.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +11,6 @@
 #define AGE_MAX_DAYS 14610.0f /* 40 years: as far as growth.c looks. */
 #define LENGTH_MIN_M 0.0005f  /* The smallest fish larvae are 1.5 mm; half of a half is a slip. */
 #define LENGTH_MAX_M 20.0f    /* A whale shark. */
-#define PIVOT_MIN 0.02        /* Below it, shapes are solved for that are 50 times exaggerated. */
 
 bool vet_refuse(struct vetting *v, const char *format, ...)
 {
@@ -159,40 +157,6 @@ static bool vet_scale(struct vetting *v)
     return true;
 }
 
-/* Is the matrix of the graph's weights at the keys far from singular? */
-static bool is_solvable(const struct graph *graph, uint32_t n)
-{
-    double m[MORPH_KEY_MAX][MORPH_KEY_MAX];
-    for (uint32_t i = 0; i < n; i++) {
-        float weights[MORPH_KEY_MAX];
-        graph_weights(graph, n, (float)i / (float)(n - 1), weights);
-        for (uint32_t j = 0; j < n; j++) {
-            m[i][j] = (double)weights[j];
-        }
-    }
-    for (uint32_t column = 0; column < n; column++) {
-        uint32_t pivot = column;
-        for (uint32_t i = column + 1; i < n; i++) {
-            pivot = fabs(m[i][column]) > fabs(m[pivot][column]) ? i : pivot;
-        }
-        if (fabs(m[pivot][column]) < PIVOT_MIN) {
-            return false;
-        }
-        for (uint32_t j = 0; j < n; j++) {
-            const double held = m[pivot][j];
-            m[pivot][j] = m[column][j];
-            m[column][j] = held;
-        }
-        for (uint32_t i = column + 1; i < n; i++) {
-            const double share = m[i][column] / m[column][column];
-            for (uint32_t j = column; j < n; j++) {
-                m[i][j] -= share * m[column][j];
-            }
-        }
-    }
-    return true;
-}
-
 bool species_vet_graph(const struct graph *graph, uint32_t key_count, const char *curve,
                        char why[VET_WHY_SIZE])
 {
@@ -202,15 +166,10 @@ bool species_vet_graph(const struct graph *graph, uint32_t key_count, const char
         [GRAPH_ORDER] = "a knot not behind the one before",
         [GRAPH_NEGATIVE] = "a weight that is negative or no number",
         [GRAPH_SUM] = "weights whose sum is not 1",
+        [GRAPH_UNSOLVABLE] = "to be solved, but a key is hardly seen at its own progress",
     };
     struct vetting v = { .why = why };
     char what[VET_WHAT_SIZE];
-    const struct graph_verdict verdict = graph_check(graph, key_count);
-    if (verdict.fault != GRAPH_GOOD) {
-        const bool known = verdict.fault < sizeof reasons / sizeof reasons[0];
-        return vet_refuse(&v, "curve %s/knot %u: %s (%g)", curve, verdict.knot,
-                          known ? reasons[verdict.fault] : "no graph", (double)verdict.value);
-    }
     snprintf(what, sizeof what, "curve %s/line", curve);
     if (!vet_choice(&v, what, graph->line, GRAPH_SMOOTH + 1u)) {
         return false;
@@ -219,8 +178,11 @@ bool species_vet_graph(const struct graph *graph, uint32_t key_count, const char
     if (!vet_choice(&v, what, graph->solved, 2)) {
         return false;
     }
-    if (graph->solved && !is_solvable(graph, key_count)) {
-        return vet_refuse(&v, "%s: at the keys two mixtures are nearly the same", what);
+    const struct graph_verdict verdict = graph_check(graph, key_count);
+    if (verdict.fault != GRAPH_GOOD) {
+        const bool known = verdict.fault < sizeof reasons / sizeof reasons[0];
+        return vet_refuse(&v, "curve %s/knot %u: %s (%g)", curve, verdict.knot,
+                          known ? reasons[verdict.fault] : "no graph", (double)verdict.value);
     }
     return true;
 }

@@ -134,7 +134,7 @@ static bool vet_anchors(struct vetting *v, const char *lod, const struct species
     return true;
 }
 
-/* Every key is one measure long, its snout in front at z = -0.5: size is the scale curve's alone. */
+/* Every key is one measure long, its snout in front at z = -0.5: size is the scale curve's. */
 static bool vet_size(struct vetting *v, const char *lod, const char *key,
                      const struct species_mesh *mesh, const vec3 *positions)
 {
@@ -163,16 +163,13 @@ static bool vet_size(struct vetting *v, const char *lod, const char *key,
     }
 }
 
-/* Pairwise, because there each drawn key is reached whole. */
 static bool vet_keys_of(struct vetting *v, const char *lod, const struct species_mesh *mesh)
 {
     static struct morph_pose pose;
-    static struct morph_rig rig;
     static vec3 positions[MESH_VERTEX_MAX];
     const struct species_card *card = &v->species->card;
-    morph_rig_init(&rig, card, TEMPLATE_PAIRWISE);
     for (uint32_t key = 0; key < card->key_count; key++) {
-        morph_pose(&rig, mesh, (float)key / (float)(card->key_count - 1u), &pose);
+        morph_key_pose(mesh, card->key_count, key, &pose);
         morph_shape(mesh, card->key_count, &pose, positions, NULL);
         if (!vet_size(v, lod, card->key_names[key], mesh, positions)) {
             return false;

@@ -1,4 +1,4 @@
-/* test_pack.c -- packed species: what was written comes back; what was not is refused, in one line. */
+/* test_pack.c -- packed species: what was written comes back, what was not is refused. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -208,7 +208,7 @@ static const struct harm harms[] = {
     { harm_knots, "knot 0: fewer than 2 knots" },
     { harm_sum, "knot 0: weights whose sum is not 1 (1.25)" },
     { harm_negative, "knot 0: a weight that is negative" },
-    { harm_solved, "/solved: at the keys two mixtures" },
+    { harm_solved, "to be solved, but a key is hardly seen" },
     { harm_colour, "/coat: a colour beyond ffffff" },
     { harm_mark, "/mark: 200 is outside" },
     { harm_reach, "near/reach: 3 is not 1, 2 or 4" },

@@ -1,0 +1,126 @@
+/* shelf.c -- lists, reads, and keeps the reason where it could not. */
+#include "platform/species/shelf.h"
+
+#include <assert.h>
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#define PATH_SIZE 1024u
+
+struct listing {
+    char names[SHELF_LINE_MAX][NAME_MAX + 1];
+    uint32_t count, beyond;
+};
+
+static bool is_packed(const char *name)
+{
+    const size_t length = strlen(name), suffix = strlen(PACK_SUFFIX);
+    return length > suffix && name[0] != '.' && strcmp(name + length - suffix, PACK_SUFFIX) == 0;
+}
+
+/* Keeps the first SHELF_LINE_MAX by name, in order, whatever order the disk tells them in. */
+static void insert(struct listing *l, const char *name)
+{
+    uint32_t at = l->count;
+    while (at > 0 && strcmp(name, l->names[at - 1]) < 0) {
+        at--;
+    }
+    if (l->count == SHELF_LINE_MAX) {
+        l->beyond++;
+    }
+    if (at == SHELF_LINE_MAX) {
+        return;
+    }
+    l->count += l->count < SHELF_LINE_MAX;
+    memmove(&l->names[at] + 1, &l->names[at], (l->count - at - 1) * sizeof l->names[0]);
+    memcpy(l->names[at], name, strlen(name) + 1);
+}
+
+static void list(const char *folder, struct listing *l)
+{
+    DIR *directory = opendir(folder);
+    if (!directory) {
+        return;
+    }
+    for (const struct dirent *entry = readdir(directory); entry; entry = readdir(directory)) {
+        if (is_packed(entry->d_name)) {
+            insert(l, entry->d_name);
+        }
+    }
+    closedir(directory);
+}
+
+static bool is_taken(const struct shelf *shelf, const char *id)
+{
+    for (uint32_t i = 0; i < shelf_count(shelf); i++) {
+        if (strcmp(shelf_species(shelf, i)->card.id, id) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Reads one file into the next slot; it counts only when the species is to be kept. */
+static bool take(struct shelf *shelf, const char *path, char why[VET_WHY_SIZE])
+{
+    if (shelf->species_count == SPECIES_EXTRA_MAX) {
+        snprintf(why, VET_WHY_SIZE, "no room: %u species are loaded", SPECIES_EXTRA_MAX);
+        return false;
+    }
+    struct species_slot *slot = &shelf->slots[shelf->species_count];
+    if (pack_read(path, slot, why) != PACK_OK) {
+        return false;
+    }
+    char id[SPECIES_NAME_SIZE];
+    memcpy(id, slot->species.card.id, sizeof id);
+    if (is_taken(shelf, id)) {
+        snprintf(why, VET_WHY_SIZE, "id: there is a '%s' already", id);
+        return false;
+    }
+    shelf->species_count++;
+    return true;
+}
+
+static void read_one(struct shelf *shelf, const char *folder, const char *name)
+{
+    char path[PATH_SIZE];
+    struct shelf_line *line = &shelf->lines[shelf->line_count++];
+    *line = (struct shelf_line){ .slot = SHELF_SLOT_NONE };
+    snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1, name);
+    const int length = snprintf(path, sizeof path, "%s/%s", folder, name);
+    if (length < 0 || (size_t)length >= sizeof path) {
+        snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));
+    } else if (take(shelf, path, line->why)) {
+        line->slot = (uint8_t)(shelf->species_count - 1);
+    }
+}
+
+void shelf_fill(struct shelf *shelf, const char *data)
+{
+    struct listing listing = { .count = 0 };
+    char folder[PATH_SIZE];
+    shelf->species_count = shelf->line_count = shelf->unread_count = 0;
+    const int length = snprintf(folder, sizeof folder, "%s/" SHELF_FOLDER, data ? data : "");
+    if (!data || !data[0] || length < 0 || (size_t)length >= sizeof folder) {
+        return;
+    }
+    list(folder, &listing);
+    for (uint32_t i = 0; i < listing.count; i++) {
+        read_one(shelf, folder, listing.names[i]);
+    }
+    shelf->unread_count = listing.beyond;
+}
+
+uint32_t shelf_count(const struct shelf *shelf)
+{
+    return species_table_count + shelf->species_count;
+}
+
+const struct species *shelf_species(const struct shelf *shelf, uint32_t index)
+{
+    assert(index < shelf_count(shelf));
+    return index < species_table_count ? species_table[index]
+                                       : &shelf->slots[index - species_table_count].species;
+}
