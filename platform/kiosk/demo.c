@@ -229,6 +229,7 @@ enum exit_code demo_run(struct session *session)
     if (code != EXIT_OK) {
         return code;
     }
+    session_tell_shelf(session);
     const enum kiosk_end end = run(&demo);
     if (demo.shots == 0) {
         fputs("kingyo: no picture could be made here\n", stderr);

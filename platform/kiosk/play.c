@@ -222,6 +222,7 @@ enum exit_code play_run(struct session *session)
     }
     tell_devices(&session->hal);
     tell_seats(&session->kiosk);
+    session_tell_shelf(session);
     fflush(stdout);
     code = end_play(session, run(session));
     close_devices(&session->hal);

@@ -33,6 +33,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
         config->tap = recorder_tap(&session->recorder);
     }
     config->core.lanes = cpu_lanes();
+    shelf_fill(&session->shelf, session->options.data);
     if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
         fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",
                 replay[0] ? replay : "options");
@@ -45,6 +46,25 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
         return EXIT_IO;
     }
     return EXIT_OK;
+}
+
+void session_tell_shelf(const struct session *session)
+{
+    const struct shelf *shelf = &session->shelf;
+    const char *data = session->options.data;
+    for (uint32_t i = 0; i < shelf->line_count; i++) {
+        const struct shelf_line *line = &shelf->lines[i];
+        if (line->slot != SHELF_SLOT_NONE) {
+            printf("  %-9s %s: %s\n", "species", line->file,
+                   shelf->slots[line->slot].species.card.id);
+        } else {
+            fprintf(stderr, "kingyo: %s/" SHELF_FOLDER "/%s: %s\n", data, line->file, line->why);
+        }
+    }
+    if (shelf->unread_count > 0) {
+        fprintf(stderr, "kingyo: %s/" SHELF_FOLDER ": %u more files, and no room for them\n", data,
+                shelf->unread_count);
+    }
 }
 
 static enum exit_code end_recording(struct session *session)

@@ -9,6 +9,7 @@
 #include "platform/kiosk/options.h"
 #include "platform/kiosk/recorder.h"
 #include "platform/kiosk/replayer.h"
+#include "platform/species/shelf.h"
 
 struct session {
     struct options options;
@@ -16,6 +17,7 @@ struct session {
     struct kiosk kiosk;
     struct recorder recorder;
     struct replayer replayer;
+    struct shelf shelf;                  /* Makers' species, read as the kiosk begins. */
     struct replay_totals replayed;       /* What session_check found in the file to replay. */
     uint8_t *rgb;                        /* For pictures; grows with the window. */
     size_t rgb_size;
@@ -25,10 +27,14 @@ struct session {
 /* Checks the replay, wholly, before anything is opened. Returns an exit code. */
 enum exit_code session_check(struct session *session);
 
-/* Begins the kiosk on session->hal, with the recording or the replay asked for. `config` is what
- * the caller wants; a replay brings its own core_config. Returns an exit code, the reason is
- * told. */
+/* Begins the kiosk on session->hal, with the recording or the replay asked for, and reads makers'
+ * species from the data folder. `config` is what the caller wants; a replay brings its own
+ * core_config. Returns an exit code, the reason is told. */
 enum exit_code session_begin(struct session *session, struct kiosk_config *config);
+
+/* Tells of each file on the shelf: what was loaded on standard output, what was not, and why, on
+ * standard error. */
+void session_tell_shelf(const struct session *session);
 
 /* Ends the recording or the replay and tells how it went. Returns an exit code. */
 enum exit_code session_end(struct session *session);
