@@ -6,35 +6,20 @@
 #ifndef KINGYO_CORE_MORPH_CUBIC_H
 #define KINGYO_CORE_MORPH_CUBIC_H
 
-#include "core/base/fmath.h"
+#include <stdint.h>
 
-/* The slope at a point between spans of lengths h0, h1 > 0 that rise by d0, d1 a unit. */
-static inline float cubic_slope(float h0, float d0, float h1, float d1)
-{
-    if (!(d0 * d1 > 0.0f)) {
-        return 0.0f; /* A peak, a trough or a level stretch stays one. */
-    }
-    const float near = 2.0f * h1 + h0, far = h1 + 2.0f * h0;
-    return (near + far) / (near / d0 + far / d1);
-}
+struct cubic_point {
+    float at, value; /* `at` rises from point to point. */
+};
 
-/* The slope at an end, beside a span h0 that rises by d0; h1 and d1 are the next span's. */
-static inline float cubic_end_slope(float h0, float d0, float h1, float d1)
-{
-    const float slope = ((2.0f * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
-    if (!(slope * d0 > 0.0f)) {
-        return 0.0f;
-    }
-    return d0 * d1 <= 0.0f && f_abs(slope) > 3.0f * f_abs(d0) ? 3.0f * d0 : slope;
-}
+/* How steeply the curve through `count` >= 2 points passes number `index`. */
+float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t index);
 
-/* `t` in [0, 1] of a span `h` long from `a` to `b`; exact at both ends. */
-static inline float cubic_at(float a, float slope_a, float b, float slope_b, float h, float t)
-{
-    const float rise = t * t * (3.0f - 2.0f * t);
-    const float left = 1.0f - t;
-    const float bend = h * t * left * (slope_a * left - slope_b * t);
-    return a * (1.0f - rise) + b * rise + bend;
-}
+/* Between two points `span` apart, at `t` in [0, 1] of the way; exact at both ends. */
+float cubic_between(const struct cubic_point *from, float slope_from, const struct cubic_point *to,
+                    float slope_to, float t);
+
+/* The curve at `at`, clamped to its ends. */
+float cubic_curve(const struct cubic_point *points, uint32_t count, float at);
 
 #endif

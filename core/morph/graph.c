@@ -52,50 +52,33 @@ struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count)
     return (struct graph_verdict){ GRAPH_GOOD, 0, 0, 0.0f };
 }
 
-/* How steeply `key`'s curve passes knot `at`. */
-static float knot_slope(const struct graph *graph, uint32_t key, uint32_t at)
+static float smooth_weight(const struct graph *graph, uint32_t key, float progress)
 {
-    const struct graph_knot *k = graph->knots;
-    const uint32_t last = graph->knot_count - 1u;
-    if (last == 1u) {
-        return k[1].weight[key] - k[0].weight[key]; /* Two knots: progress 0 and 1. */
+    struct cubic_point points[GRAPH_KNOT_MAX];
+    for (uint32_t i = 0; i < graph->knot_count; i++) {
+        points[i] = (struct cubic_point){ graph->knots[i].progress, graph->knots[i].weight[key] };
     }
-    const uint32_t middle = at == 0 ? 1 : at == last ? last - 1u : at;
-    const float h0 = k[middle].progress - k[middle - 1].progress;
-    const float h1 = k[middle + 1].progress - k[middle].progress;
-    const float d0 = (k[middle].weight[key] - k[middle - 1].weight[key]) / h0;
-    const float d1 = (k[middle + 1].weight[key] - k[middle].weight[key]) / h1;
-    if (at == 0) {
-        return cubic_end_slope(h0, d0, h1, d1);
-    }
-    return at == last ? cubic_end_slope(h1, d1, h0, d0) : cubic_slope(h0, d0, h1, d1);
+    return f_max(cubic_curve(points, graph->knot_count, progress), 0.0f); /* But for rounding. */
 }
 
-static void smooth_weights(const struct graph *graph, uint32_t key_count, uint32_t next, float t,
+static void smooth_weights(const struct graph *graph, uint32_t key_count, float progress,
                            float weights[MORPH_KEY_MAX])
 {
-    const struct graph_knot *from = &graph->knots[next - 1], *to = &graph->knots[next];
-    const float span = to->progress - from->progress;
     float sum = 0.0f;
     for (uint32_t i = 0; i < key_count; i++) {
-        const float cubic =
-            cubic_at(from->weight[i], knot_slope(graph, i, next - 1), to->weight[i],
-                     knot_slope(graph, i, next), span, t);
-        weights[i] = f_max(cubic, 0.0f); /* Below it by rounding alone. */
+        weights[i] = smooth_weight(graph, i, progress);
         sum += weights[i];
     }
-    for (uint32_t i = 0; i < key_count; i++) {
-        weights[i] /= sum;
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        weights[i] = i < key_count ? weights[i] / sum : 0.0f;
     }
 }
 
-void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
-                   float weights[MORPH_KEY_MAX])
+static void straight_weights(const struct graph *graph, uint32_t key_count, float progress,
+                             float weights[MORPH_KEY_MAX])
 {
-    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
-    CORE_ASSERT(graph->knot_count >= 2 && graph->knot_count <= GRAPH_KNOT_MAX);
     uint32_t next = 1;
-    while (next < graph->knot_count - 1u && progress > graph->knots[next].progress) {
+    while (next + 1u < graph->knot_count && progress > graph->knots[next].progress) {
         next++;
     }
     const struct graph_knot *from = &graph->knots[next - 1], *to = &graph->knots[next];
@@ -105,7 +88,16 @@ void graph_weights(const struct graph *graph, uint32_t key_count, float progress
         /* Both ends exact, and never below 0 where both ends are not. */
         weights[i] = i < key_count ? from->weight[i] * (1.0f - t) + to->weight[i] * t : 0.0f;
     }
+}
+
+void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
+                   float weights[MORPH_KEY_MAX])
+{
+    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
+    CORE_ASSERT(graph->knot_count >= 2 && graph->knot_count <= GRAPH_KNOT_MAX);
     if (graph->line == GRAPH_SMOOTH) {
-        smooth_weights(graph, key_count, next, t, weights);
+        smooth_weights(graph, key_count, progress, weights);
+    } else {
+        straight_weights(graph, key_count, progress, weights);
     }
 }

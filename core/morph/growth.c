@@ -1,58 +1,142 @@
-/* growth.c -- how long a fish is at an age, and how old at a length. */
+/* growth.c -- how long a fish is at an age, and how old at a length.
+ *
+ * Measured lengths first, then von Bertalanffy's curve (2005 thesis, eq. 3.3). That curve is fitted
+ * to adults and gives 12 to 32 cm at hatching for most species; the thesis shifts its t0 until that
+ * is mended, which spoils the adults (a bigeye of one year shrinks from 64 to 38 cm). So the last
+ * measured length L0 fades into the curve instead: L = L0 + (VB - L0) (1 - e^(-since / fade)). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
+#include "core/morph/cubic.h"
 
 #define DAYS_PER_YEAR 365.25f
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR) /* The oldest goldfish on record lived 43 years. */
-#define BISECTIONS 20                        /* 14,610 days halved so often are 0.014 days. */
+#define BISECTIONS 24                        /* 14,610 days halved so often are 0.001 days. */
 
-/* The plain curve gives 12 to 32 cm at hatching for most adult fits, and moving t0 to mend that
- * spoils the adults; so the last measured length fades into the curve instead, within a few tau. */
-static float beyond_points_m(const struct growth *growth, float age_days)
+/* How far the curve is ahead of the last measured length; 0 where it is behind: there the fish
+ * waits for it rather than shrink. */
+static float curve_lead_m(const struct growth *growth, float age_days)
 {
     const struct growth_point *last = &growth->points[growth->point_count - 1];
     const float age_years = f_min(age_days, AGE_MAX_DAYS) / DAYS_PER_YEAR;
-    const float adult =
-        growth->length_inf_m * (1.0f - f_exp(-growth->k_per_year * (age_years - growth->t0_year)));
-    const float since_years = age_years - last->age_days / DAYS_PER_YEAR;
-    const float young = f_exp(-since_years / growth->fade_year);
-    return adult + (last->length_m - adult) * young;
+    const float grown = 1.0f - f_exp(-growth->k_per_year * (age_years - growth->t0_year));
+    return f_max(growth->length_inf_m * grown - last->length_m, 0.0f);
+}
+
+static float beyond_points_m(const struct growth *growth, float age_days)
+{
+    const struct growth_point *last = &growth->points[growth->point_count - 1];
+    const float since_years =
+        (f_min(age_days, AGE_MAX_DAYS) - last->age_days) / DAYS_PER_YEAR;
+    const float young = f_exp(-f_max(since_years, 0.0f) / growth->fade_year);
+    return last->length_m + curve_lead_m(growth, age_days) * (1.0f - young);
+}
+
+/* How fast it grows at a measured point, in metres a day. At the last one as fast as the curve then
+ * goes on, as far as the table stays monotone with that. */
+static float point_slope(const struct growth *growth, const struct cubic_point *points,
+                         uint32_t index)
+{
+    const uint32_t count = growth->point_count;
+    if (index + 1u < count) {
+        return cubic_slope(points, count, index);
+    }
+    const struct cubic_point *last = &points[index];
+    const float steepest =
+        3.0f * (last->value - last[-1].value) / (last->at - last[-1].at);
+    const float onward = curve_lead_m(growth, last->at) / (growth->fade_year * DAYS_PER_YEAR);
+    return f_clamp(onward, 0.0f, f_max(steepest, 0.0f));
+}
+
+static float among_points_m(const struct growth *growth, float age_days)
+{
+    struct cubic_point points[GROWTH_POINT_MAX];
+    uint32_t next = 1;
+    for (uint32_t i = 0; i < growth->point_count; i++) {
+        points[i] = (struct cubic_point){ growth->points[i].age_days, growth->points[i].length_m };
+    }
+    while (age_days > points[next].at) {
+        next++;
+    }
+    const struct cubic_point *from = &points[next - 1], *to = &points[next];
+    const float t = f_clamp((age_days - from->at) / (to->at - from->at), 0.0f, 1.0f);
+    return cubic_between(from, point_slope(growth, points, next - 1), to,
+                         point_slope(growth, points, next), t);
 }
 
 float growth_length_m(const struct growth *growth, float age_days)
 {
-    const struct growth_point *point = growth->points;
     CORE_ASSERT(age_days >= 0.0f);
     CORE_ASSERT(growth->fade_year > 0.0f);
     CORE_ASSERT(growth->point_count >= 1 && growth->point_count <= GROWTH_POINT_MAX);
-    for (uint32_t i = 1; i < growth->point_count; i++) {
-        if (age_days < point[i].age_days) {
-            const float span = point[i].age_days - point[i - 1].age_days;
-            const float part = (age_days - point[i - 1].age_days) / span;
-            return f_lerp(point[i - 1].length_m, point[i].length_m, part);
+    return age_days < growth->points[growth->point_count - 1].age_days
+               ? among_points_m(growth, age_days)
+               : beyond_points_m(growth, age_days);
+}
+
+/* Between two ages with no measured point within, where length goes one way. */
+static float age_in_span(const struct growth *growth, float from_days, float to_days,
+                         float length_m)
+{
+    const bool rises =
+        growth_length_m(growth, to_days) > growth_length_m(growth, from_days);
+    for (int i = 0; i < BISECTIONS; i++) {
+        const float middle = 0.5f * (from_days + to_days);
+        if ((growth_length_m(growth, middle) < length_m) == rises) {
+            from_days = middle;
+        } else {
+            to_days = middle;
         }
     }
-    return beyond_points_m(growth, age_days);
+    return 0.5f * (from_days + to_days);
+}
+
+float growth_age_between(const struct growth *growth, float from_days, float to_days,
+                         float length_m)
+{
+    float from = from_days, at_m = growth_length_m(growth, from);
+    if (at_m == length_m) {
+        return from;
+    }
+    for (uint32_t i = 0; i <= growth->point_count; i++) {
+        const float point_days =
+            i < growth->point_count ? growth->points[i].age_days : to_days;
+        const float to = f_clamp(point_days, from, to_days);
+        const float next_m = growth_length_m(growth, to);
+        if ((at_m < length_m) != (next_m < length_m) || next_m == length_m) {
+            return next_m == length_m ? to : age_in_span(growth, from, to, length_m);
+        }
+        from = to;
+        at_m = next_m;
+    }
+    return -1.0f;
 }
 
 float growth_age_days(const struct growth *growth, float length_m)
 {
-    float low = 0.0f;
-    float high = AGE_MAX_DAYS;
-    if (length_m <= growth_length_m(growth, low)) {
-        return low;
+    if (!(length_m > growth_length_m(growth, 0.0f))) {
+        return 0.0f;
     }
-    if (length_m >= growth_length_m(growth, high)) {
-        return high;
+    const float age_days = growth_age_between(growth, 0.0f, AGE_MAX_DAYS, length_m);
+    return age_days < 0.0f ? AGE_MAX_DAYS : age_days;
+}
+
+bool growth_is_one_way(const struct growth *growth, float from_days, float to_days)
+{
+    const float end_m = growth_length_m(growth, to_days);
+    float at_m = growth_length_m(growth, from_days);
+    const bool rises = end_m > at_m;
+    if (end_m == at_m) {
+        return false;
     }
-    for (int i = 0; i < BISECTIONS; i++) {
-        const float middle = 0.5f * (low + high);
-        if (growth_length_m(growth, middle) < length_m) {
-            low = middle;
-        } else {
-            high = middle;
+    for (uint32_t i = 0; i < growth->point_count; i++) {
+        const struct growth_point *point = &growth->points[i];
+        if (point->age_days > from_days && point->age_days < to_days) {
+            if ((point->length_m > at_m) != rises) {
+                return false;
+            }
+            at_m = point->length_m;
         }
     }
-    return 0.5f * (low + high);
+    return (end_m > at_m) == rises;
 }

@@ -1,41 +1,181 @@
-/* life.c -- where in its life a fish is: age, length, and progress between the drawn keys. */
+/* life.c -- where in its life a fish is: age, length, and progress between the drawn keys.
+ *
+ * The thesis writes t for all three. Here key i of n stands at progress i / (n - 1), at its own age
+ * and at its own length. Between two keys progress goes by the logarithm of length, for fish grow
+ * by factors; where length turns round between them (a conger is longest before it is an eel) by
+ * age. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
+#include "core/morph/cubic.h"
 
-float morph_progress(const struct species_card *card, float length_m)
+#define BISECTIONS 24 /* Of a span of progress: as fine as a float. */
+
+static uint32_t last_key(const struct species_card *card)
 {
-    const float *key = card->key_length_m;
-    const uint32_t last = card->key_count - 1u;
     CORE_ASSERT(card->key_count >= 2 && card->key_count <= MORPH_KEY_MAX);
-    if (!(length_m > key[0])) {
+    return card->key_count - 1u;
+}
+
+static bool goes_by_length(const struct species_card *card, uint32_t key)
+{
+    return card->key_length_m[key] != card->key_length_m[key + 1] &&
+           growth_is_one_way(&card->growth, card->key_age_days[key], card->key_age_days[key + 1]);
+}
+
+/* [0, 1] from `key` to the next. */
+static float part_of_length(const struct species_card *card, uint32_t key, float length_m)
+{
+    const float *length = &card->key_length_m[key];
+    return f_clamp(f_ln(length_m / length[0]) / f_ln(length[1] / length[0]), 0.0f, 1.0f);
+}
+
+static float part_of_age(const struct species_card *card, uint32_t key, float age_days)
+{
+    const float *age = &card->key_age_days[key];
+    CORE_ASSERT(age[1] > age[0]);
+    return f_clamp((age_days - age[0]) / (age[1] - age[0]), 0.0f, 1.0f);
+}
+
+static float progress_of(const struct species_card *card, uint32_t key, float part)
+{
+    return ((float)key + part) / (float)last_key(card);
+}
+
+float life_progress(const struct species_card *card, float age_days)
+{
+    const uint32_t last = last_key(card);
+    CORE_ASSERT(age_days >= 0.0f);
+    if (age_days <= card->key_age_days[0]) {
         return 0.0f;
     }
-    for (uint32_t i = 0; i < last; i++) {
-        if (length_m < key[i + 1]) {
-            const float part = f_ln(length_m / key[i]) / f_ln(key[i + 1] / key[i]);
-            return ((float)i + f_clamp(part, 0.0f, 1.0f)) / (float)last;
+    for (uint32_t key = 0; key < last; key++) {
+        if (age_days < card->key_age_days[key + 1]) {
+            if (!goes_by_length(card, key)) {
+                return progress_of(card, key, part_of_age(card, key, age_days));
+            }
+            const float length_m = growth_length_m(&card->growth, age_days);
+            return progress_of(card, key, part_of_length(card, key, length_m));
         }
     }
     return 1.0f;
 }
 
-float life_progress(const struct species_card *card, float age_days)
+/* The key at or before `progress`, never the last, and how far on to the next. */
+static uint32_t key_before(const struct species_card *card, float progress, float *part)
 {
-    return morph_progress(card, growth_length_m(&card->growth, age_days));
+    const float last = (float)last_key(card);
+    uint32_t key = 0;
+    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
+    while (key + 1u < last_key(card) && progress >= (float)(key + 1u) / last) {
+        key++;
+    }
+    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f);
+    if (progress == (float)key / last) {
+        *part = 0.0f; /* Rounding apart. */
+    }
+    return key;
 }
 
-float life_length_m(const struct species_card *card, float progress)
+static float length_at(const struct species_card *card, uint32_t key, float part)
 {
-    const uint32_t last = card->key_count - 1u;
-    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
-    const uint32_t i = progress < 1.0f ? (uint32_t)(progress * (float)last) : last - 1u;
-    const float part = progress * (float)last - (float)i;
-    const float ratio = card->key_length_m[i + 1] / card->key_length_m[i];
-    return card->key_length_m[i] * f_exp(f_ln(ratio) * part);
+    const float *length = &card->key_length_m[key];
+    if (part <= 0.0f || part >= 1.0f) {
+        return length[part >= 1.0f];
+    }
+    return length[0] * f_exp(f_ln(length[1] / length[0]) * part);
 }
 
 float life_age_days(const struct species_card *card, float progress)
 {
-    return growth_age_days(&card->growth, life_length_m(card, progress));
+    float part;
+    const uint32_t key = key_before(card, progress, &part);
+    const float *age = &card->key_age_days[key];
+    if (part <= 0.0f || part >= 1.0f) {
+        return age[part >= 1.0f];
+    }
+    if (goes_by_length(card, key)) {
+        const float days = growth_age_between(&card->growth, age[0], age[1],
+                                              length_at(card, key, part));
+        if (days >= 0.0f) {
+            return days;
+        }
+    }
+    return f_lerp(age[0], age[1], part);
+}
+
+/* The purple curve, drawn by hand: a monotone cubic through its knots. */
+static float scale_by_hand_m(const struct species_card *card, float progress)
+{
+    struct cubic_point points[GRAPH_KNOT_MAX];
+    CORE_ASSERT(card->scale_knot_count >= 2 && card->scale_knot_count <= GRAPH_KNOT_MAX);
+    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
+        points[i] = (struct cubic_point){ card->scale_knots[i].progress,
+                                          card->scale_knots[i].length_m };
+    }
+    return cubic_curve(points, card->scale_knot_count, progress);
+}
+
+float life_length_m(const struct species_card *card, float progress)
+{
+    float part;
+    const uint32_t key = key_before(card, progress, &part);
+    if (card->scale_knot_count > 0) {
+        return scale_by_hand_m(card, progress);
+    }
+    if (part > 0.0f && part < 1.0f && !goes_by_length(card, key)) {
+        return growth_length_m(&card->growth, life_age_days(card, progress));
+    }
+    return length_at(card, key, part);
+}
+
+/* The earliest progress at which the curve drawn by hand is so long; below 0 where it never is. */
+static float progress_by_hand(const struct species_card *card, float length_m)
+{
+    const struct scale_knot *knot = card->scale_knots;
+    for (uint32_t i = 1; i < card->scale_knot_count; i++) {
+        float from = knot[i - 1].progress, to = knot[i].progress;
+        const bool rises = knot[i].length_m > knot[i - 1].length_m;
+        if (f_min(knot[i - 1].length_m, knot[i].length_m) <= length_m &&
+            length_m <= f_max(knot[i - 1].length_m, knot[i].length_m)) {
+            for (int step = 0; step < BISECTIONS; step++) {
+                const float middle = 0.5f * (from + to);
+                const bool before = (scale_by_hand_m(card, middle) < length_m) == rises;
+                from = before ? middle : from;
+                to = before ? to : middle;
+            }
+            return to;
+        }
+    }
+    return -1.0f;
+}
+
+/* The earliest progress from `key` to the next at which it is so long; below 0 where it never is
+ * there. */
+static float progress_from_key(const struct species_card *card, uint32_t key, float length_m)
+{
+    const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
+    if (length_m == length[0] || length_m == length[1]) {
+        return progress_of(card, key, length_m == length[0] ? 0.0f : 1.0f);
+    }
+    if (goes_by_length(card, key)) {
+        const bool within = (length_m > length[0]) != (length_m > length[1]);
+        return within ? progress_of(card, key, part_of_length(card, key, length_m)) : -1.0f;
+    }
+    const float days = growth_age_between(&card->growth, age[0], age[1], length_m);
+    return days >= 0.0f ? progress_of(card, key, part_of_age(card, key, days)) : -1.0f;
+}
+
+float morph_progress(const struct species_card *card, float length_m)
+{
+    const uint32_t last = last_key(card);
+    const bool by_hand = card->scale_knot_count > 0;
+    float progress = by_hand ? progress_by_hand(card, length_m) : -1.0f;
+    for (uint32_t key = 0; key < last && progress < 0.0f && !by_hand; key++) {
+        progress = progress_from_key(card, key, length_m);
+    }
+    if (progress >= 0.0f) {
+        return progress;
+    }
+    return length_m > life_length_m(card, 0.0f) ? 1.0f : 0.0f;
 }

@@ -20,14 +20,23 @@ float growth_length_m(const struct growth *growth, float age_days);
 /* The youngest age at which it is `length_m` long, within 0.1 day; clamps to [0, 40 years]. */
 float growth_age_days(const struct growth *growth, float length_m);
 
+/* The same within [from_days, to_days]; below 0 where it is never so long between these. */
+float growth_age_between(const struct growth *growth, float from_days, float to_days,
+                         float length_m);
+
+/* Whether length only rises, or only falls, between two ages: a conger shrinks on the way. */
+bool growth_is_one_way(const struct growth *growth, float from_days, float to_days);
+
 /* life.c: age <-> progress <-> length. Between two keys progress goes by the logarithm of length
  * where length is monotone there (fish grow by factors), else by age. */
 
 float life_progress(const struct species_card *card, float age_days);
 float life_age_days(const struct species_card *card, float progress);
-/* The scale curve: by hand where the card has one, else the growth curve at that age. */
+/* The scale curve: a monotone cubic through the card's scale knots where it has them, else the
+ * growth curve at that age. */
 float life_length_m(const struct species_card *card, float progress);
-/* The earliest progress at which it is `length_m` long; clamps to [0, 1]. */
+/* The earliest progress at which it is `length_m` long. What it never is gives 0 where the youngest
+ * key is longer, else 1. */
 float morph_progress(const struct species_card *card, float length_m);
 
 /* graph.c: weights */
@@ -167,9 +176,13 @@ int16_t morph_fold_normal(vec3 normal);
 struct straight_memory { /* The caller's, as long as the species made from it is used. */
     struct species_vertex vertices[SPECIES_LOD_COUNT][MESH_VERTEX_MAX];
     struct species_point points[SPECIES_LOD_COUNT][MORPH_KEY_MAX][MESH_VERTEX_MAX];
+    struct morph_pose pose; /* Scratch, like the two below. */
+    vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
 };
 
-/* The same key shapes without anchors and masks: every vertex moves straight (eq. 3.1 and 3.2). */
+/* The same key shapes without anchors and masks: every vertex moves straight (eq. 3.1 and 3.2), for
+ * what rode on an anchor is baked into the body frame of each key (within a count). Tables that are
+ * the same stay those of `from`, which must outlive `out`; `out` is not `from`. */
 void species_straighten(const struct species *from, struct straight_memory *memory,
                         struct species *out);
 

@@ -1,18 +1,94 @@
 /* straight.c -- the thesis' own method on the same drawings: straight paths, three keys. */
 #include "core/morph/morph.h"
 
+#include "core/base/panic.h"
+
+#define COUNTS 32767.0f
+#define REACH_MAX 4.0f
+
 static const struct species_vertex *straight_vertices(const struct species_mesh *mesh,
                                                       struct species_vertex *out)
 {
+    CORE_ASSERT(mesh->vertex_count <= MESH_VERTEX_MAX);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         out[i] = mesh->vertices[i];
         out[i].anchor = ANCHOR_NONE;
-        out[i].mask[0] = 255;
-        for (uint32_t curve = 1; curve < MORPH_CURVE_MAX; curve++) {
-            out[i].mask[curve] = 0;
+        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+            out[i].mask[curve] = curve == 0 ? 255 : 0;
         }
     }
     return out;
+}
+
+static float farthest(const vec3 *positions, uint32_t count)
+{
+    float most = 0.0f;
+    for (uint32_t i = 0; i < count; i++) {
+        const vec3 p = positions[i];
+        most = f_max(most, f_max(f_abs(p.x), f_max(f_abs(p.y), f_abs(p.z))));
+    }
+    return most;
+}
+
+static int16_t count_of(float x, float reach)
+{
+    const float counts = f_clamp(x / reach * COUNTS, -COUNTS, COUNTS);
+    return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
+}
+
+/* A key's whole shape, in the straight_memory's scratch. */
+static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
+                      struct straight_memory *memory)
+{
+    morph_key_pose(mesh, key_count, key, &memory->pose);
+    morph_shape(mesh, key_count, &memory->pose, memory->positions, memory->normals);
+}
+
+/* How far the keys reach once what their anchors carry stands in the body frame. */
+static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
+                            struct straight_memory *memory)
+{
+    float reach = mesh->reach;
+    for (uint32_t key = 0; key < key_count; key++) {
+        key_shape(mesh, key_count, key, memory);
+        while (reach < REACH_MAX && farthest(memory->positions, mesh->vertex_count) > reach) {
+            reach *= 2.0f;
+        }
+    }
+    return reach;
+}
+
+/* What rides on anchors, baked into the body frame of key `key`; the rest to the bit. */
+static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
+                     float reach, struct straight_memory *memory, struct species_point *out)
+{
+    key_shape(mesh, key_count, key, memory);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const vec3 p = memory->positions[i];
+        out[i] = mesh->points[key][i];
+        if (reach != mesh->reach || mesh->vertices[i].anchor != ANCHOR_NONE) {
+            out[i] = (struct species_point){
+                .x = count_of(p.x, reach),
+                .y = count_of(p.y, reach),
+                .z = count_of(p.z, reach),
+                .normal = morph_fold_normal(memory->normals[i]),
+            };
+        }
+    }
+}
+
+static void straighten_mesh(const struct species_mesh *from, uint32_t key_count, uint32_t lod,
+                            struct straight_memory *memory, struct species_mesh *out)
+{
+    const float reach = from->anchor_count > 0 ? straight_reach(from, key_count, memory)
+                                               : from->reach;
+    for (uint32_t key = 0; key < key_count && from->anchor_count > 0; key++) {
+        bake_key(from, key_count, key, reach, memory, memory->points[lod][key]);
+        out->points[key] = memory->points[lod][key];
+    }
+    out->vertices = straight_vertices(from, memory->vertices[lod]);
+    out->anchor_count = 0;
+    out->reach = reach;
 }
 
 void species_straighten(const struct species *from, struct straight_memory *memory,
@@ -21,8 +97,17 @@ void species_straighten(const struct species *from, struct straight_memory *memo
     *out = *from;
     out->card.curve_count = 1;
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-        out->lod[lod].vertices = straight_vertices(&from->lod[lod], memory->vertices[lod]);
-        out->lod[lod].anchor_count = 0;
+        straighten_mesh(&from->lod[lod], from->card.key_count, lod, memory, &out->lod[lod]);
+    }
+}
+
+static void take_key(const struct species *from, uint32_t key, struct species *out, uint32_t to)
+{
+    out->card.key_age_days[to] = from->card.key_age_days[key];
+    out->card.key_length_m[to] = from->card.key_length_m[key];
+    out->coats[to] = from->coats[key];
+    for (uint32_t c = 0; c < SPECIES_NAME_SIZE; c++) {
+        out->card.key_names[to][c] = from->card.key_names[key][c];
     }
 }
 
@@ -31,20 +116,18 @@ void species_thesis(const struct species *from, struct straight_memory *memory,
 {
     struct species_card *card = &out->card;
     species_straighten(from, memory, out);
+    const struct species_mesh straight[SPECIES_LOD_COUNT] = { out->lod[0], out->lod[1] };
     card->key_count = 3;
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t key = from->card.thesis_key[i];
-        card->key_age_days[i] = from->card.key_age_days[key];
-        card->key_length_m[i] = from->card.key_length_m[key];
-        out->coats[i] = from->coats[key];
-        for (uint32_t c = 0; c < SPECIES_NAME_SIZE; c++) {
-            card->key_names[i][c] = from->card.key_names[key][c];
-        }
+        CORE_ASSERT(key < from->card.key_count);
+        take_key(from, key, out, i);
         for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-            out->lod[lod].points[i] = from->lod[lod].points[key];
+            out->lod[lod].points[i] = straight[lod].points[key];
         }
         card->thesis_key[i] = (uint8_t)i;
     }
+    card->scale_knot_count = 0; /* Drawn for all keys' progress; three keys have another. */
     graph_template(&card->curves[0], (enum graph_template)card->thesis_template, 3,
                    SIMULTANEOUS_PEAK);
 }

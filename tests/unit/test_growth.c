@@ -35,6 +35,96 @@ static void test_a_goldfish_of_three_months_is_a_fish_of_the_stall(void **state)
     assert_float_equal(growth_length_m(wakin, 3.0f * 365.25f), 0.21f, 0.005f);
 }
 
+/* The black conger's larva: grows, shrinks as it becomes an eel, grows again (measured, in mm). */
+static struct growth conger_growth(void)
+{
+    return (struct growth){ 1.4f, 0.15f, -0.3f, 0.4f, 6,
+                            { { 0.0f, 0.006f },
+                              { 100.0f, 0.064f },
+                              { 220.0f, 0.1255f },
+                              { 260.0f, 0.0804f },
+                              { 300.0f, 0.056f },
+                              { 330.0f, 0.0725f } } };
+}
+
+static void test_every_measured_length_is_met(void **state)
+{
+    (void)state;
+    const struct growth conger = conger_growth();
+    for (uint32_t i = 0; i < conger.point_count; i++) {
+        const struct growth_point *point = &conger.points[i];
+        assert_float_equal(growth_length_m(&conger, point->age_days), point->length_m, 1e-7f);
+    }
+}
+
+static void test_between_measured_lengths_it_overshoots_neither(void **state)
+{
+    (void)state;
+    const struct growth conger = conger_growth();
+    for (uint32_t i = 0; i + 1 < conger.point_count; i++) {
+        const struct growth_point *from = &conger.points[i], *to = from + 1;
+        for (int step = 0; step <= 1000; step++) {
+            const float age_days = f_lerp(from->age_days, to->age_days, (float)step / 1000.0f);
+            const float length_m = growth_length_m(&conger, age_days);
+            assert_true(length_m >= f_min(from->length_m, to->length_m) - 1e-7f);
+            assert_true(length_m <= f_max(from->length_m, to->length_m) + 1e-7f);
+        }
+    }
+}
+
+static void test_the_table_runs_into_the_curve_without_a_corner(void **state)
+{
+    (void)state;
+    const struct growth conger = conger_growth();
+    const float before = growth_length_m(&conger, 330.0f) - growth_length_m(&conger, 329.5f);
+    const float after = growth_length_m(&conger, 330.5f) - growth_length_m(&conger, 330.0f);
+    assert_true(before > 0.0f);
+    assert_float_equal(after / before, 1.0f, 0.1f);
+    assert_float_equal(growth_length_m(&conger, 10.0f * 365.25f), 1.10f, 0.02f);
+}
+
+static void test_of_three_ages_of_one_length_the_youngest_is_told(void **state)
+{
+    (void)state;
+    const struct growth conger = conger_growth();
+    const float age_days = growth_age_days(&conger, 0.07f);
+    assert_true(age_days > 100.0f && age_days < 220.0f);
+    assert_float_equal(growth_length_m(&conger, age_days), 0.07f, 1e-5f);
+    const float shrinking = growth_age_between(&conger, 220.0f, 300.0f, 0.07f);
+    assert_true(shrinking > 260.0f && shrinking < 300.0f);
+    assert_float_equal(growth_length_m(&conger, shrinking), 0.07f, 1e-5f);
+    assert_true(growth_age_between(&conger, 220.0f, 300.0f, 0.05f) < 0.0f);
+    assert_true(growth_age_between(&conger, 220.0f, 300.0f, 0.13f) < 0.0f);
+    assert_true(growth_age_between(&conger, 220.0f, 300.0f, 0.1255f) == 220.0f);
+}
+
+static void test_growth_says_where_it_goes_one_way(void **state)
+{
+    (void)state;
+    const struct growth conger = conger_growth();
+    assert_true(growth_is_one_way(&conger, 0.0f, 220.0f));
+    assert_false(growth_is_one_way(&conger, 0.0f, 221.0f));
+    assert_true(growth_is_one_way(&conger, 220.0f, 300.0f));
+    assert_false(growth_is_one_way(&conger, 220.0f, 301.0f));
+    assert_true(growth_is_one_way(&conger, 301.0f, 4000.0f));
+    assert_false(growth_is_one_way(&conger, 50.0f, 50.0f));
+}
+
+/* A table that ends longer than the curve is at that age: it waits for the curve. */
+static void test_a_fish_ahead_of_its_curve_waits_and_does_not_shrink(void **state)
+{
+    (void)state;
+    const struct growth early = { 0.5f, 0.2f, 0.0f, 0.3f, 2, { { 0.0f, 0.01f }, { 50.0f, 0.1f } } };
+    float before = 0.0f;
+    for (float age_days = 0.0f; age_days < 5000.0f; age_days += 1.0f) {
+        const float length_m = growth_length_m(&early, age_days);
+        assert_true(length_m >= before);
+        before = length_m;
+    }
+    assert_float_equal(growth_length_m(&early, 100.0f), 0.1f, 1e-6f);
+    assert_float_equal(before, 0.5f * (1.0f - f_exp(-0.2f * 4999.0f / 365.25f)), 1e-3f);
+}
+
 static void test_a_fish_never_shrinks(void **state)
 {
     (void)state;
@@ -79,6 +169,12 @@ int main(void)
         cmocka_unit_test(test_a_hatchling_has_its_true_length),
         cmocka_unit_test(test_an_adult_fit_is_mended_at_hatching_and_kept_for_adults),
         cmocka_unit_test(test_a_goldfish_of_three_months_is_a_fish_of_the_stall),
+        cmocka_unit_test(test_every_measured_length_is_met),
+        cmocka_unit_test(test_between_measured_lengths_it_overshoots_neither),
+        cmocka_unit_test(test_the_table_runs_into_the_curve_without_a_corner),
+        cmocka_unit_test(test_of_three_ages_of_one_length_the_youngest_is_told),
+        cmocka_unit_test(test_growth_says_where_it_goes_one_way),
+        cmocka_unit_test(test_a_fish_ahead_of_its_curve_waits_and_does_not_shrink),
         cmocka_unit_test(test_a_fish_never_shrinks),
         cmocka_unit_test(test_age_and_length_are_each_others_inverse),
         cmocka_unit_test(test_ages_of_lengths_that_no_fish_has_are_the_ends_of_life),

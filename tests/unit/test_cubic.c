@@ -1,0 +1,86 @@
+/* test_cubic.c -- the curve through a table's points. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/base/fmath.h"
+#include "core/morph/cubic.h"
+
+#define STEPS 1000
+
+static const struct cubic_point steps[] = { { 0.0f, 1.0f },  { 1.0f, 1.0f }, { 2.0f, 4.0f },
+                                            { 2.5f, 9.0f },  { 6.0f, 9.5f }, { 7.0f, 3.0f },
+                                            { 9.0f, 2.99f }, { 9.1f, 0.0f } };
+#define COUNT (sizeof steps / sizeof steps[0])
+
+static void test_it_runs_through_every_point(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        assert_true(cubic_curve(steps, COUNT, steps[i].at) == steps[i].value);
+    }
+}
+
+static void test_between_two_points_it_leaves_neither_below_nor_above(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i + 1 < COUNT; i++) {
+        const float low = f_min(steps[i].value, steps[i + 1].value);
+        const float high = f_max(steps[i].value, steps[i + 1].value);
+        for (int step = 0; step <= STEPS; step++) {
+            const float at = f_lerp(steps[i].at, steps[i + 1].at, (float)step / STEPS);
+            const float value = cubic_curve(steps, COUNT, at);
+            assert_true(value >= low - 1e-5f && value <= high + 1e-5f);
+        }
+    }
+}
+
+static void test_it_keeps_to_its_ends_outside_them(void **state)
+{
+    (void)state;
+    assert_true(cubic_curve(steps, COUNT, -5.0f) == 1.0f);
+    assert_true(cubic_curve(steps, COUNT, 50.0f) == 0.0f);
+}
+
+static void test_two_points_are_a_straight_line(void **state)
+{
+    (void)state;
+    const struct cubic_point line[2] = { { 1.0f, 2.0f }, { 3.0f, 8.0f } };
+    for (int step = 0; step <= STEPS; step++) {
+        const float at = 1.0f + 2.0f * (float)step / STEPS;
+        assert_float_equal(cubic_curve(line, 2, at), 2.0f + 3.0f * (at - 1.0f), 1e-5f);
+    }
+}
+
+static void test_equal_rises_keep_their_slope(void **state)
+{
+    (void)state;
+    const struct cubic_point line[4] = { { 0.0f, 0.0f }, { 1.0f, 2.0f }, { 1.5f, 3.0f },
+                                         { 4.0f, 8.0f } };
+    for (uint32_t i = 0; i < 4; i++) {
+        assert_float_equal(cubic_slope(line, 4, i), 2.0f, 1e-6f);
+    }
+}
+
+static void test_fewer_than_two_points_are_a_bug(void **state)
+{
+    (void)state;
+    expect_assert_failure(cubic_curve(steps, 1, 0.0f));
+    expect_assert_failure(cubic_slope(steps, 3, 3));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_it_runs_through_every_point),
+        cmocka_unit_test(test_between_two_points_it_leaves_neither_below_nor_above),
+        cmocka_unit_test(test_it_keeps_to_its_ends_outside_them),
+        cmocka_unit_test(test_two_points_are_a_straight_line),
+        cmocka_unit_test(test_equal_rises_keep_their_slope),
+        cmocka_unit_test(test_fewer_than_two_points_are_a_bug),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,205 @@
+/* test_life.c -- age, progress and length of fish that grow, of one that shrinks, and of one whose
+ * size is drawn by hand. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+
+#define STEPS 1000
+
+/* A leptocephalus of 64 mm grows to 125.5, shrinks to an eel of 56, and grows again. Two keys have
+ * the longest stage between them, two the shortest. */
+static struct species_card conger_card(void)
+{
+    struct species_card card = {
+        .key_count = 4,
+        .key_age_days = { 100.0f, 260.0f, 330.0f, 3650.0f },
+        .key_length_m = { 0.064f, 0.0804f, 0.0725f, 1.0f },
+        .growth = { 1.4f, 0.15f, -0.3f, 0.4f, 6,
+                    { { 0.0f, 0.006f },
+                      { 100.0f, 0.064f },
+                      { 220.0f, 0.1255f },
+                      { 260.0f, 0.0804f },
+                      { 300.0f, 0.056f },
+                      { 330.0f, 0.0725f } } },
+        .curve_count = 1,
+    };
+    card.key_length_m[3] = growth_length_m(&card.growth, card.key_age_days[3]);
+    graph_template(&card.curves[0], TEMPLATE_PAIRWISE, card.key_count, SIMULTANEOUS_PEAK);
+    return card;
+}
+
+static void assert_a_key_stands_at_its_age_and_length(const struct species_card *card)
+{
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        const float progress = (float)key / (float)(card->key_count - 1);
+        assert_true(life_age_days(card, progress) == card->key_age_days[key]);
+        assert_true(life_length_m(card, progress) == card->key_length_m[key]);
+        assert_true(life_progress(card, card->key_age_days[key]) == progress);
+    }
+}
+
+static void test_each_key_stands_at_its_own_age_and_length(void **state)
+{
+    (void)state;
+    const struct species_card conger = conger_card();
+    assert_a_key_stands_at_its_age_and_length(&species_wakin.card);
+    assert_a_key_stands_at_its_age_and_length(&conger);
+}
+
+static void assert_age_rises_and_leads_back(const struct species_card *card)
+{
+    float before = -1.0f;
+    for (int step = 0; step <= STEPS; step++) {
+        const float progress = (float)step / STEPS;
+        const float age_days = life_age_days(card, progress);
+        assert_true(age_days > before);
+        before = age_days;
+        assert_float_equal(life_progress(card, age_days), progress, 2e-4f);
+    }
+}
+
+static void test_age_rises_with_progress_and_each_leads_to_the_other(void **state)
+{
+    (void)state;
+    const struct species_card conger = conger_card();
+    assert_age_rises_and_leads_back(&species_wakin.card);
+    assert_age_rises_and_leads_back(&conger);
+}
+
+static void test_progress_never_falls_with_age(void **state)
+{
+    (void)state;
+    const struct species_card conger = conger_card();
+    float before = 0.0f;
+    for (float age_days = 0.0f; age_days < 5000.0f; age_days += 0.5f) {
+        const float progress = life_progress(&conger, age_days);
+        assert_true(progress >= before && progress <= 1.0f);
+        before = progress;
+    }
+    assert_true(before == 1.0f);
+    assert_true(life_progress(&conger, 99.9f) == 0.0f);
+}
+
+static void test_length_is_the_growth_curve_at_that_age(void **state)
+{
+    (void)state;
+    const struct species_card conger = conger_card();
+    const struct species_card *cards[2] = { &species_wakin.card, &conger };
+    for (uint32_t i = 0; i < 2; i++) {
+        for (int step = 0; step <= STEPS; step++) {
+            const float progress = (float)step / STEPS;
+            const float length_m = life_length_m(cards[i], progress);
+            const float at_age_m =
+                growth_length_m(&cards[i]->growth, life_age_days(cards[i], progress));
+            assert_float_equal(length_m / at_age_m, 1.0f, 2e-3f);
+        }
+    }
+}
+
+static void test_a_conger_grows_shrinks_and_grows_again(void **state)
+{
+    (void)state;
+    const struct species_card conger = conger_card();
+    float longest = 0.0f, shortest = 1.0f;
+    uint32_t turns = 0;
+    float before[2] = { life_length_m(&conger, 0.0f), life_length_m(&conger, 1.0f / STEPS) };
+    for (int step = 2; step <= STEPS * 2 / 3; step++) {
+        const float now = life_length_m(&conger, (float)step / STEPS);
+        turns += (now > before[1]) != (before[1] > before[0]);
+        before[0] = before[1];
+        before[1] = now;
+        longest = f_max(longest, now);
+        shortest = f_min(shortest, now);
+    }
+    assert_int_equal(turns, 2);
+    assert_float_equal(longest, 0.1255f, 1e-4f);
+    assert_float_equal(shortest, 0.056f, 1e-4f);
+}
+
+static void test_a_length_passed_three_times_means_the_first(void **state)
+{
+    (void)state;
+    const struct species_card conger = conger_card();
+    const float first = morph_progress(&conger, 0.09f);
+    assert_float_equal(life_length_m(&conger, first), 0.09f, 1e-4f);
+    assert_true(life_age_days(&conger, first) < 220.0f);
+    /* Shorter than the first key, but reached as it shrinks. */
+    const float shrunk = morph_progress(&conger, 0.060f);
+    assert_float_equal(life_length_m(&conger, shrunk), 0.060f, 1e-4f);
+    assert_true(life_age_days(&conger, shrunk) > 260.0f);
+    assert_true(life_age_days(&conger, shrunk) < 300.0f);
+    assert_true(morph_progress(&conger, 0.055f) == 0.0f);
+    assert_true(morph_progress(&conger, 2.0f) == 1.0f);
+}
+
+static void test_length_leads_to_progress_and_back(void **state)
+{
+    (void)state;
+    const struct species_card conger = conger_card();
+    const struct species_card *cards[2] = { &species_wakin.card, &conger };
+    for (uint32_t i = 0; i < 2; i++) {
+        for (int step = 0; step <= STEPS; step++) {
+            const float length_m = life_length_m(cards[i], (float)step / STEPS);
+            const float progress = morph_progress(cards[i], length_m);
+            assert_true(progress <= (float)step / STEPS + 1e-4f);
+            assert_float_equal(life_length_m(cards[i], progress) / length_m, 1.0f, 1e-3f);
+        }
+    }
+}
+
+static void test_a_size_drawn_by_hand_takes_the_place_of_growth(void **state)
+{
+    (void)state;
+    struct species_card card = conger_card();
+    card.scale_knot_count = 4;
+    card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.01f };
+    card.scale_knots[1] = (struct scale_knot){ 0.3f, 0.05f };
+    card.scale_knots[2] = (struct scale_knot){ 0.6f, 0.03f };
+    card.scale_knots[3] = (struct scale_knot){ 1.0f, 0.20f };
+    for (uint32_t i = 0; i < 4; i++) {
+        assert_true(life_length_m(&card, card.scale_knots[i].progress) ==
+                    card.scale_knots[i].length_m);
+    }
+    for (int step = 0; step <= STEPS; step++) {
+        const float length_m = life_length_m(&card, (float)step / STEPS);
+        const float progress = morph_progress(&card, length_m);
+        assert_true(length_m >= 0.01f && length_m <= 0.20f);
+        assert_true(progress <= (float)step / STEPS + 1e-3f);
+        assert_float_equal(life_length_m(&card, progress), length_m, 1e-5f);
+    }
+    assert_true(morph_progress(&card, 0.009f) == 0.0f);
+    assert_true(morph_progress(&card, 0.21f) == 1.0f);
+    /* Ages are the growth curve's still. */
+    assert_true(life_age_days(&card, 1.0f) == card.key_age_days[3]);
+}
+
+static void test_a_progress_or_an_age_that_cannot_be_is_a_bug(void **state)
+{
+    (void)state;
+    const struct species_card *card = &species_wakin.card;
+    expect_assert_failure(life_length_m(card, -0.01f));
+    expect_assert_failure(life_length_m(card, 1.01f));
+    expect_assert_failure(life_age_days(card, 1.01f));
+    expect_assert_failure(life_progress(card, -1.0f));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_key_stands_at_its_own_age_and_length),
+        cmocka_unit_test(test_age_rises_with_progress_and_each_leads_to_the_other),
+        cmocka_unit_test(test_progress_never_falls_with_age),
+        cmocka_unit_test(test_length_is_the_growth_curve_at_that_age),
+        cmocka_unit_test(test_a_conger_grows_shrinks_and_grows_again),
+        cmocka_unit_test(test_a_length_passed_three_times_means_the_first),
+        cmocka_unit_test(test_length_leads_to_progress_and_back),
+        cmocka_unit_test(test_a_size_drawn_by_hand_takes_the_place_of_growth),
+        cmocka_unit_test(test_a_progress_or_an_age_that_cannot_be_is_a_bug),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
