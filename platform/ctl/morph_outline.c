@@ -10,16 +10,16 @@ enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAY
 
 enum outline_view outline_view_of(const struct species_card *card)
 {
-    return card->form == FORM_DEPRESSED ? VIEW_TOP : VIEW_SIDE;
+    return card->form == FORM_DEPRESSED ? OUTLINE_TOP : OUTLINE_SIDE;
 }
 
 /* Right, up and toward the viewer. */
 static vec3 seen(enum outline_view view, vec3 p)
 {
     switch (view) {
-    case VIEW_SIDE:
+    case OUTLINE_SIDE:
         return v3(p.z, p.y, -p.x);
-    case VIEW_FRONT:
+    case OUTLINE_FRONT:
         return v3(-p.x, p.y, -p.z);
     default:
         return v3(p.z, p.x, p.y);
@@ -51,7 +51,7 @@ static enum layer layer_of(uint8_t part, float toward)
 /* Eyes that the body hides are not drawn; from the side that is the eye beyond its middle. */
 static bool is_hidden(const struct outline *outline, enum layer layer, float toward)
 {
-    return layer == LAYER_EYES && outline->view == VIEW_SIDE && toward < 0.0f;
+    return layer == LAYER_EYES && outline->view == OUTLINE_SIDE && toward < 0.0f;
 }
 
 static void draw_layer(struct svg *svg, const struct outline *outline, const vec3 *positions,
@@ -87,9 +87,9 @@ void outline_draw(struct svg *svg, const struct outline *outline)
     morph_shape(&species->lod[0], species->card.key_count, &pose, positions, NULL);
     for (enum layer layer = LAYER_FAR_FINS; layer < LAYERS; layer++) {
         const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
-        const char *colour = layer == LAYER_EYES ? "#222222" : outline->colour;
-        svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"", colour,
-                layer == LAYER_EYES ? 0.85 : outline->opacity * (fins ? 0.55 : 1.0));
+        const bool dark = layer == LAYER_EYES && outline->opacity > 0.5;
+        svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"",
+                dark ? SVG_INK : outline->colour, outline->opacity * (fins ? 0.55 : 1.0));
         draw_layer(svg, outline, positions, layer);
         svg_put(svg, "\"/>\n");
     }

@@ -10,9 +10,9 @@ extern const char *const morph_key_colours[MORPH_KEY_MAX];
 #define MORPH_SCALE_COLOUR "#8e4bb8"
 
 enum outline_view {
-    VIEW_SIDE,  /* From its left, the head to the left. */
-    VIEW_FRONT, /* From ahead, the back up. */
-    VIEW_TOP,   /* From above, the head to the left. */
+    OUTLINE_SIDE,  /* From its left, the head to the left. */
+    OUTLINE_FRONT, /* From ahead, the back up. */
+    OUTLINE_TOP,   /* From above, the head to the left. */
 };
 
 struct outline {

@@ -4,20 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const names[PART_COUNT] = {
-    "body",     "eye",    "tail",     "dorsal",       "anal",
-    "pectoral", "pelvic", "dorsal_2", "finlet_upper", "finlet_lower",
-};
-
-const char *morph_part_name(enum species_part part)
-{
-    return names[part];
-}
+#include "platform/species/reader.h"
 
 enum species_part morph_part_of(const char *name)
 {
     enum species_part part = PART_BODY;
-    while (part < PART_COUNT && strcmp(names[part], name) != 0) {
+    while (part < PART_COUNT && strcmp(part_names[part], name) != 0) {
         part++;
     }
     return part;

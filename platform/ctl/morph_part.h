@@ -4,10 +4,7 @@
 
 #include "core/morph/morph.h"
 
-/* As --part writes it: "dorsal_2". */
-const char *morph_part_name(enum species_part part);
-
-/* enum species_part, or PART_COUNT. */
+/* As makers write it: "dorsal2". enum species_part, or PART_COUNT. */
 enum species_part morph_part_of(const char *name);
 
 /* The vertex whose path is the part's: where a fin's leading ray is rooted, the middle of a pupil,

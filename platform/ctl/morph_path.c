@@ -3,19 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/morph_part.h"
-#include "platform/ctl/morph_pick.h"
+#include "platform/ctl/morph_path.h"
 
 static const char name[] = "path";
-
-struct path_plan {
-    struct morph_pick pick;
-    const char *part, *side;
-    uint32_t vertex, steps;
-    const struct species *ordinary;
-    struct morph_rig ordinary_rig;
-    vec3 from, to; /* The chord: its first place, its last. */
-};
 
 static enum exit_code find_vertex(struct path_plan *plan)
 {
@@ -38,8 +28,7 @@ static enum exit_code find_vertex(struct path_plan *plan)
     return EXIT_OK;
 }
 
-/* How far `p` is from the chord's line, or from its point where it has no length. */
-static float from_chord(const struct path_plan *plan, vec3 p)
+float path_from_chord(const struct path_plan *plan, vec3 p)
 {
     const vec3 along = v3_sub(plan->to, plan->from), there = v3_sub(p, plan->from);
     const float length_squared = v3_dot(along, along);
@@ -56,8 +45,18 @@ static void print_row(const struct path_plan *plan, float progress)
     const vec3 o = morph_part_place(plan->ordinary, &plan->ordinary_rig, plan->vertex, progress);
     printf("%.6f,%.3f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", (double)progress,
            (double)life_age_days(card, progress), 1e3 * (double)life_length_m(card, progress),
-           (double)p.x, (double)p.y, (double)p.z, (double)from_chord(plan, p), (double)o.x,
-           (double)o.y, (double)o.z, (double)from_chord(plan, o));
+           (double)p.x, (double)p.y, (double)p.z, (double)path_from_chord(plan, p), (double)o.x,
+           (double)o.y, (double)o.z, (double)path_from_chord(plan, o));
+}
+
+static enum exit_code print_table(const struct path_plan *plan)
+{
+    puts("progress,age_days,length_mm,x,y,z,from_chord,ordinary_x,ordinary_y,ordinary_z,"
+         "ordinary_from_chord");
+    for (uint32_t i = 0; i <= plan->steps; i++) {
+        print_row(plan, (float)i / (float)plan->steps);
+    }
+    return morph_end(name);
 }
 
 static enum exit_code run(int argc, const char *const *argv)
@@ -67,6 +66,8 @@ static enum exit_code run(int argc, const char *const *argv)
     const struct morph_option options[] = {
         { .name = "--part", .text = &plan.part },
         { .name = "--side", .text = &plan.side },
+        { .name = "--svg", .text = &plan.svg },
+        { .name = "--view", .text = &plan.view },
         { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
     };
     enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
@@ -80,26 +81,27 @@ static enum exit_code run(int argc, const char *const *argv)
     plan.ordinary = morph_pick_ordinary(&plan.pick, &plan.ordinary_rig);
     plan.from = morph_part_place(plan.pick.fish, &plan.pick.rig, plan.vertex, 0.0f);
     plan.to = morph_part_place(plan.pick.fish, &plan.pick.rig, plan.vertex, 1.0f);
-    puts("progress,age_days,length_mm,x,y,z,from_chord,ordinary_x,ordinary_y,ordinary_z,"
-         "ordinary_from_chord");
-    for (uint32_t i = 0; i <= plan.steps; i++) {
-        print_row(&plan, (float)i / (float)plan.steps);
+    if (plan.view && !plan.svg) {
+        return morph_usage(name, "--view goes with --svg");
     }
-    return morph_end(name);
+    return plan.svg ? path_picture(&plan, name) : print_table(&plan);
 }
 
 const struct morph_command ctl_morph_path = {
     .name = name,
-    .words = "SPECIES|FILE --part PART [--side right|left] [--template T] [--thesis] [--steps N]",
+    .words = "SPECIES|FILE --part PART [--side right|left] [--template T] [--thesis] "
+             "[--steps N] [--svg FILE]",
     .summary = "where a part goes as its fish grows, as CSV, the ordinary morph's way beside it",
     .usage =
         "progress,age_days,length_mm,x,y,z,from_chord,ordinary_x,ordinary_y,ordinary_z,\n"
         "ordinary_from_chord\n\n"
         "  --part PART   body (its back at its deepest), eye (the pupil), tail (the tip of the\n"
-        "                upper lobe), dorsal, anal, pectoral, pelvic, dorsal_2, finlet_upper,\n"
-        "                finlet_lower (where the leading ray is rooted)\n"
+        "                upper lobe), dorsal, anal, pectoral, pelvic, dorsal2, finlets_upper,\n"
+        "                finlets_lower (where the leading ray is rooted)\n"
         "  --side S      right or left of a pair; right otherwise\n"
         "  --steps N     rows but one, 1 to 100000; 100 otherwise\n"
+        "  --svg FILE    a picture instead of the table, [--view side|front|top]: the keys'\n"
+        "                outlines with the way across them, the straight line dashed\n"
         "\nPlaces and distances are in body lengths, whatever size the fish has: x to its right,\n"
         "y up, z backward, the snout at z = -0.5. from_chord is the distance from the straight\n"
         "line between the first place and the last, which the ordinary morph never leaves.\n",

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "platform/number.h"
-#include "platform/species/drawing.h"
+#include "platform/species/pack.h"
 
 #define LENGTH_SAMPLES 1000u
 
@@ -132,7 +132,26 @@ static const struct species *made_of(const struct species_text *text)
     return &species;
 }
 
-static enum exit_code read_file(struct morph_pick *pick, const char *command)
+static bool ends_in(const char *word, const char *end)
+{
+    const size_t length = strlen(word), part = strlen(end);
+    return length >= part && strcmp(word + length - part, end) == 0;
+}
+
+static enum exit_code read_packed(struct morph_pick *pick, const char *command)
+{
+    static struct species_slot slot;
+    char why[VET_WHY_SIZE];
+    const enum pack_result result = pack_read(pick->word, &slot, why);
+    if (result != PACK_OK) {
+        return morph_fail(result == PACK_IO ? EXIT_IO : EXIT_BAD_DATA, command, "%.200s: %s",
+                          pick->word, why);
+    }
+    pick->drawn = &slot.species;
+    return EXIT_OK;
+}
+
+static enum exit_code read_text(struct morph_pick *pick, const char *command)
 {
     static struct species_text text;
     FILE *file = fopen(pick->word, "r");
@@ -157,7 +176,8 @@ static enum exit_code refuse_species(const char *command, const char *word)
         snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
                  species_table[i]->card.id);
     }
-    return morph_usage(command, "'%.100s' is no species; there are %s, and files (NAME.txt)", word,
+    return morph_usage(command, "'%.100s' is no species; there are %s, and files (.txt, "
+                                ".kfish)", word,
                        list);
 }
 
@@ -170,8 +190,11 @@ static enum exit_code open_species(struct morph_pick *pick, const char *command)
     if (pick->drawn) {
         return EXIT_OK;
     }
-    return strpbrk(pick->word, "/.") ? read_file(pick, command)
-                                     : refuse_species(command, pick->word);
+    if (!strpbrk(pick->word, "/.")) {
+        return refuse_species(command, pick->word);
+    }
+    return ends_in(pick->word, PACK_SUFFIX) ? read_packed(pick, command)
+                                            : read_text(pick, command);
 }
 
 /* What --thesis and --template leave of it. */
