@@ -97,7 +97,6 @@ struct species_text {
 /* One level of detail: how many rings and spokes the body has, rays and points along each fin. */
 struct detail {
     uint32_t rings, spokes;
-    double bunching; /* 1: rings stand evenly; more: closer to the snout, where outlines turn. */
     uint32_t eye_rings, eye_spokes;
     struct { uint32_t across, along; } fins[PART_COUNT];
 };

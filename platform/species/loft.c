@@ -1,57 +1,55 @@
-/* loft.c -- makes a key's smooth shape a mesh: rings along the body, fin sheets, eye domes.
+/* loft.c -- makes a key's smooth shape a mesh: rings along the body, fin sheets, eyes.
  *
  * Every key of a species walks the same rings, spokes and rays, so vertices correspond by
  * construction, as the 2005 thesis asks of its input shapes (section 3.1). */
-#include "platform/species/shape.h"
+#include "platform/species/loft_parts.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 #define BODY_END 1.03 /* The body's last point, a little behind its last ring. */
+#define RINGS_MAX 64
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
-    { .rings = 21, .bunching = 1.5, .spokes = 12,
-      .eye_rings = 2, .eye_spokes = 8,
-      .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 7, 3 }, [PART_ANAL] = { 4, 3 },
-                [PART_PECTORAL] = { 4, 3 }, [PART_PELVIC] = { 3, 3 },
+    { .rings = 24, .spokes = 16, .eye_rings = 4, .eye_spokes = 10,
+      .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 12, 4 }, [PART_ANAL] = { 8, 4 },
+                [PART_PECTORAL] = { 5, 4 }, [PART_PELVIC] = { 4, 4 },
                 [PART_DORSAL_2] = { 5, 3 } } },
-    { .rings = 7, .bunching = 1.7, .spokes = 8,
-      .eye_rings = 1, .eye_spokes = 5,
-      .fins = { [PART_TAIL] = { 5, 3 }, [PART_DORSAL] = { 4, 2 }, [PART_ANAL] = { 2, 2 },
+    { .rings = 8, .spokes = 8, .eye_rings = 2, .eye_spokes = 5,
+      .fins = { [PART_TAIL] = { 5, 3 }, [PART_DORSAL] = { 5, 2 }, [PART_ANAL] = { 3, 2 },
                 [PART_PECTORAL] = { 3, 2 }, [PART_PELVIC] = { 3, 2 },
                 [PART_DORSAL_2] = { 3, 2 } } },
 };
 
-/* What lofting one species needs at hand. `vertex` counts up while the keys' arrays fill. */
-struct lofting {
-    const struct species_text *species;
-    const struct detail *detail;
-    struct loft *loft;
-    double unit[MORPH_KEY_MAX];
-};
-
-static uint16_t next_vertex(struct lofting *l, struct species_vertex vertex)
+uint16_t next_vertex(struct lofting *l, struct species_vertex vertex)
 {
     assert(l->loft->vertex_count < MESH_VERTEX_MAX);
-    vertex.anchor = ANCHOR_NONE;
-    vertex.mask[0] = 255;
     l->loft->vertices[l->loft->vertex_count] = vertex;
     return (uint16_t)l->loft->vertex_count++;
 }
 
-/* Sets the newest vertex's place in one key, from drawing units to the body frame. */
-static void place(struct lofting *l, uint32_t key, point3 p, point3 normal)
+static vec3 single(point3 p)
 {
-    const uint32_t i = l->loft->vertex_count - 1;
-    const double scale = 1.0 / l->unit[key];
-    l->loft->positions[key][i] =
-        (vec3){ (float)(p.x * scale), (float)(p.y * scale), (float)(p.z * scale - 0.5) };
-    l->loft->normals[key][i] = (vec3){ (float)normal.x, (float)normal.y, (float)normal.z };
+    return (vec3){ (float)p.x, (float)p.y, (float)p.z };
 }
 
-static void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
+void place(struct lofting *l, uint32_t key, point3 p, point3 normal)
+{
+    const point3 snout = { 0.0, 0.0, -0.5 };
+    l->loft->positions[key][l->loft->vertex_count - 1] = single(mad(snout, p, 1.0 / l->unit[key]));
+    l->loft->normals[key][l->loft->vertex_count - 1] = single(normal);
+}
+
+void place_from_anchor(struct lofting *l, uint32_t key, point3 offset, point3 normal)
+{
+    const point3 anchor = { 0.0, 0.0, 0.0 };
+    l->loft->positions[key][l->loft->vertex_count - 1] =
+        single(mad(anchor, offset, 1.0 / l->unit[key]));
+    l->loft->normals[key][l->loft->vertex_count - 1] = single(normal);
+}
+
+void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
 {
     assert(l->loft->index_count + 3 <= MESH_INDEX_MAX);
     uint16_t *out = &l->loft->indices[l->loft->index_count];
@@ -61,12 +59,48 @@ static void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
     l->loft->index_count += 3;
 }
 
+struct species_anchor *next_anchor(struct lofting *l, enum species_part part, uint8_t turns)
+{
+    assert(l->loft->anchor_count < ANCHOR_MAX);
+    struct species_anchor *anchor = &l->loft->anchors[l->loft->anchor_count++];
+    anchor->curve = curve_of(l->species, part);
+    anchor->turns = turns;
+    return anchor;
+}
+
+point3 grid_point(const struct lofting *l, uint32_t key, double u, double v)
+{
+    const uint32_t row = l->loft->grid_spokes + 1;
+    const struct species_vertex *first = &l->loft->vertices[l->loft->grid_first];
+    uint32_t ring = 0;
+    while (ring + 2 < l->loft->grid_rings && u > (double)first[(ring + 1) * row].u) {
+        ring++;
+    }
+    const double from = (double)first[ring * row].u, to = (double)first[(ring + 1) * row].u;
+    const double s = fmin(fmax((u - from) / (to - from), 0.0), 1.0);
+    const double turn = (v - floor(v)) * l->loft->grid_spokes;
+    const uint32_t spoke = (uint32_t)fmin(turn, l->loft->grid_spokes - 1.0);
+    const double t = turn - spoke;
+    const vec3 *at = &l->loft->positions[key][l->loft->grid_first + ring * row + spoke];
+    const bool far = s + t > 1.0; /* The cell's two triangles meet between corners 1 and 2. */
+    const double share[] = { far ? 0.0 : 1.0 - s - t, far ? 1.0 - s : t, far ? 1.0 - t : s,
+                             far ? s + t - 1.0 : 0.0 };
+    const vec3 *corner[] = { &at[0], &at[1], &at[row], &at[row + 1] };
+    point3 p = { 0.0, 0.0, 0.5 };
+    for (int i = 0; i < 4; i++) {
+        const point3 c = { (double)corner[i]->x, (double)corner[i]->y, (double)corner[i]->z };
+        p = mad(p, c, share[i]);
+    }
+    return mad((point3){ 0.0, 0.0, 0.0 }, p, l->unit[key]);
+}
+
 /* The snout's or tail root's closing point, on its section's axis: once for each flank, so that a
  * pattern's v does not run through the belly's. `normal` and the answer are the right one's. */
 static uint32_t add_poles(struct lofting *l, double u, double z, point3 normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
-        next_vertex(l, (struct species_vertex){ .u = (float)u, .v = side > 0 ? 0.25f : 0.75f });
+        next_vertex(l, (struct species_vertex){ .u = (float)u, .v = side > 0 ? 0.25f : 0.75f,
+                                                .anchor = ANCHOR_NONE });
         for (uint32_t key = 0; key < l->species->key_count; key++) {
             const struct station s = section(&l->species->keys[key], u);
             place(l, key, (point3){ 0.0, (double)s.offset, z },
@@ -80,7 +114,8 @@ static void add_ring(struct lofting *l, double u)
 {
     for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
         const double v = (double)spoke / l->detail->spokes;
-        next_vertex(l, (struct species_vertex){ .u = (float)u, .v = (float)v });
+        next_vertex(l, (struct species_vertex){ .u = (float)u, .v = (float)v,
+                                                .anchor = ANCHOR_NONE });
         for (uint32_t key = 0; key < l->species->key_count; key++) {
             const struct key_text *text = &l->species->keys[key];
             place(l, key, body_point(text, u, v), body_normal(text, u, v));
@@ -91,10 +126,13 @@ static void add_ring(struct lofting *l, double u)
 static void add_body(struct lofting *l)
 {
     const uint32_t rings = l->detail->rings, spokes = l->detail->spokes;
+    double u[RINGS_MAX];
+    assert(rings <= RINGS_MAX);
+    place_rings(l->species, rings, u);
     const uint32_t snout = add_poles(l, 0.0, 0.0, (point3){ 0.0, 0.0, -1.0 });
     const uint32_t first = l->loft->vertex_count;
-    for (uint32_t ring = 1; ring <= rings; ring++) {
-        add_ring(l, pow((double)ring / rings, l->detail->bunching));
+    for (uint32_t ring = 0; ring < rings; ring++) {
+        add_ring(l, u[ring]);
     }
     const uint32_t last = first + (rings - 1) * (spokes + 1);
     const uint32_t end = add_poles(l, 1.0, BODY_END, unit((point3){ 1.0, 0.0, 0.3 }));
@@ -108,120 +146,9 @@ static void add_body(struct lofting *l)
         }
         triangle(l, last + j, end + left, last + j + 1);
     }
-}
-
-static void add_eye_vertex(struct lofting *l, int side, double rho, double angle)
-{
-    next_vertex(l, (struct species_vertex){ .u = (float)rho,
-                                            .v = side > 0 ? 0.25f : 0.75f,
-                                            .part = PART_EYE });
-    for (uint32_t key = 0; key < l->species->key_count; key++) {
-        const struct key_text *text = &l->species->keys[key];
-        const uint32_t which = side > 0 ? 0 : 1;
-        const struct eye *eye = &text->eyes[which];
-        const double radius = 0.5 * (double)eye->diameter * rho;
-        const double y = (double)eye->y + radius * cos(angle);
-        const double z = (double)eye->x + radius * sin(angle);
-        point3 p = eye_point(text, which, y, z), n = eye_normal(text, which, y, z);
-        p.x *= side;
-        n.x *= side;
-        place(l, key, p, n);
-    }
-}
-
-/* A triangle of the right side; the left side's mirror image winds the other way. */
-static void mirrored(struct lofting *l, int side, uint32_t a, uint32_t b, uint32_t c)
-{
-    triangle(l, a, side > 0 ? b : c, side > 0 ? c : b);
-}
-
-static void add_eye(struct lofting *l, int side)
-{
-    const uint32_t rings = l->detail->eye_rings, spokes = l->detail->eye_spokes;
-    const uint32_t centre = l->loft->vertex_count, first = centre + 1;
-    add_eye_vertex(l, side, 0.0, 0.0);
-    for (uint32_t ring = 1; ring <= rings; ring++) {
-        for (uint32_t spoke = 0; spoke < spokes; spoke++) {
-            add_eye_vertex(l, side, (double)ring / rings, 2.0 * PI * spoke / spokes);
-        }
-    }
-    for (uint32_t j = 0; j < spokes; j++) {
-        const uint32_t k = (j + 1) % spokes;
-        mirrored(l, side, centre, first + j, first + k);
-        for (uint32_t row = first; row < first + (rings - 1) * spokes; row += spokes) {
-            mirrored(l, side, row + j, row + spokes + j, row + k);
-            mirrored(l, side, row + k, row + spokes + j, row + spokes + k);
-        }
-    }
-}
-
-static void add_fin_vertex(struct lofting *l, enum species_part part, int side, double at,
-                           double along)
-{
-    next_vertex(l, (struct species_vertex){ .u = (float)at,
-                                            .v = (float)along,
-                                            .part = (uint8_t)part,
-                                            .flex = (uint8_t)lround(255.0 * along) });
-    for (uint32_t key = 0; key < l->species->key_count; key++) {
-        const struct key_text *text = &l->species->keys[key];
-        point3 p = fin_point(text, part, at, along), n = fin_normal(text, part, at, along);
-        p.x *= side;
-        n.x *= side;
-        place(l, key, p, n);
-    }
-}
-
-/* Where column `i` of a fin lies. The tail's bunch toward its lobes, whose tips are round. */
-static double column_at(enum species_part part, uint32_t i, uint32_t across)
-{
-    const double t = (double)i / (across - 1);
-    return part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
-}
-
-static void add_fin(struct lofting *l, enum species_part part, int side)
-{
-    const uint32_t across = l->detail->fins[part].across, along = l->detail->fins[part].along;
-    const uint32_t first = l->loft->vertex_count;
-    if (l->species->keys[0].fins[part].ray_count == 0) {
-        return;
-    }
-    for (uint32_t i = 0; i < across; i++) {
-        for (uint32_t j = 0; j < along; j++) {
-            add_fin_vertex(l, part, side, column_at(part, i, across), (double)j / (along - 1));
-        }
-    }
-    for (uint32_t i = 0; i + 1 < across; i++) {
-        for (uint32_t j = 0; j + 1 < along; j++) {
-            const uint32_t a = first + i * along + j, b = a + 1, c = a + along, d = c + 1;
-            triangle(l, a, c, b);
-            triangle(l, b, c, d);
-            triangle(l, a, b, c);
-            triangle(l, b, d, c);
-        }
-    }
-}
-
-/* One triangle each, seen from both sides. */
-static void add_finlets(struct lofting *l, uint32_t row)
-{
-    const uint32_t count = l->species->keys[0].finlets[row].count;
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t first = l->loft->vertex_count;
-        for (uint32_t corner = 0; corner < 3; corner++) {
-            const double at = (double)i / count;
-            next_vertex(l, (struct species_vertex){
-                               .u = (float)(at + (corner == 1 ? 0.6 : 0.0) / count),
-                               .v = corner == 2 ? 1.0f : 0.0f,
-                               .part = (uint8_t)(PART_FINLET_UPPER + row),
-                               .flex = corner == 2 ? 255 : 0 });
-            for (uint32_t key = 0; key < l->species->key_count; key++) {
-                place(l, key, finlet_point(&l->species->keys[key], row, at, corner),
-                      (point3){ 1.0, 0.0, 0.0 });
-            }
-        }
-        triangle(l, first, first + 1, first + 2);
-        triangle(l, first, first + 2, first + 1);
-    }
+    l->loft->grid_first = first;
+    l->loft->grid_rings = rings;
+    l->loft->grid_spokes = spokes;
 }
 
 /* The least of 1, 2 and 4 that holds every point. */
@@ -243,22 +170,11 @@ void species_loft(const struct species_text *species, const struct detail *detai
     struct lofting l = { .species = species, .detail = detail, .loft = loft };
     memset(loft, 0, sizeof *loft);
     for (uint32_t key = 0; key < species->key_count; key++) {
-        l.unit[key] =
-            unit_length(&species->keys[key], (enum species_measure)species->measure);
+        l.unit[key] = unit_length(&species->keys[key], (enum species_measure)species->measure);
     }
     add_body(&l);
-    for (int side = 1; side >= -1; side -= 2) {
-        add_eye(&l, side);
-    }
-    add_fin(&l, PART_TAIL, 1);
-    add_fin(&l, PART_DORSAL, 1);
-    add_fin(&l, PART_DORSAL_2, 1);
-    add_fin(&l, PART_ANAL, 1);
-    for (int side = 1; side >= -1; side -= 2) {
-        add_fin(&l, PART_PECTORAL, side);
-        add_fin(&l, PART_PELVIC, side);
-    }
-    add_finlets(&l, 0);
-    add_finlets(&l, 1);
+    add_eyes(&l);
+    add_fins(&l);
+    paint_masks(&l);
     loft->reach = reach_of(loft, species->key_count);
 }

@@ -1,11 +1,9 @@
-/* shape.c -- see shape.h: curves through what was drawn, the body and the eyes. */
+/* shape.c -- see shape.h: curves through what was drawn, the body. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
-#define EYE_SINK 0.006   /* How deep the eye's rim lies under the skin, so that no gap shows. */
-#define EYE_BORDER 0.97  /* Of the section's half height: as high as an eye's rim may reach. */
 
 /* Curves through drawn points */
 
@@ -97,9 +95,19 @@ point3 cross(point3 a, point3 b)
     return (point3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
 }
 
+double dot3(point3 a, point3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+double length3(point3 a)
+{
+    return sqrt(dot3(a, a));
+}
+
 point3 unit(point3 a)
 {
-    const double length = sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
+    const double length = length3(a);
     return length > 1e-12 ? (point3){ a.x / length, a.y / length, a.z / length }
                           : (point3){ 0.0, 1.0, 0.0 };
 }
@@ -128,32 +136,4 @@ point3 body_normal(const struct key_text *key, double u, double v)
     const point3 along = sub(body_point(key, fmin(u + du, 1.0), v), body_point(key, u - du, v));
     const point3 round = sub(body_point(key, u, v + dv), body_point(key, u, v - dv));
     return unit(cross(along, round));
-}
-
-/* How far out the right flank is at height `y`; no higher or lower than EYE_BORDER. */
-static double flank(const struct key_text *key, double u, double y)
-{
-    const struct station s = section(key, u);
-    const double up = fabs(y - (double)s.offset) / (0.5 * (double)s.depth);
-    const double e = (double)s.exponent;
-    return 0.5 * (double)s.width * pow(1.0 - pow(fmin(up, EYE_BORDER), e), 1.0 / e);
-}
-
-/* A paraboloid dome over the flank; `rho` 0 at its centre, 1 at its rim. The right eye. */
-point3 eye_point(const struct key_text *key, uint32_t side, double y, double z)
-{
-    const struct eye *eye = &key->eyes[side];
-    const double radius = 0.5 * (double)eye->diameter;
-    const double dy = (y - (double)eye->y) / radius, dz = (z - (double)eye->x) / radius;
-    const double dome = 1.0 - dy * dy - dz * dz;
-    const double height = (double)eye->bulge * (double)eye->diameter;
-    return (point3){ flank(key, z, y) - EYE_SINK + dome * height, y, z };
-}
-
-point3 eye_normal(const struct key_text *key, uint32_t side, double y, double z)
-{
-    const double d = 1e-3;
-    const point3 up = sub(eye_point(key, side, y + d, z), eye_point(key, side, y - d, z));
-    const point3 back = sub(eye_point(key, side, y, z + d), eye_point(key, side, y, z - d));
-    return unit(cross(up, back));
 }

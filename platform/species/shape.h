@@ -1,7 +1,7 @@
 /* shape.h -- the smooth surfaces of one key, before any mesh: body, eyes, fins.
  *
  * In the drawing's units (snout to tail root 1): x right, y up from the axis, z back from the
- * snout. Eyes and paired fins are the right ones; the left are their mirror images. Normals point outward;
+ * snout. Paired fins are the right ones; the left are their mirror images. Normals point outward;
  * a fin's is on either side. */
 #ifndef KINGYO_PLATFORM_SPECIES_SHAPE_H
 #define KINGYO_PLATFORM_SPECIES_SHAPE_H
@@ -15,6 +15,8 @@ typedef struct {
 point3 sub(point3 a, point3 b);
 point3 mad(point3 a, point3 b, double s); /* a + b s */
 point3 cross(point3 a, point3 b);
+double dot3(point3 a, point3 b);
+double length3(point3 a);
 /* Of length 1; upward where a maker's numbers fold a surface so that it has no normal. */
 point3 unit(point3 a);
 
@@ -33,13 +35,21 @@ struct station section(const struct key_text *key, double x);
 point3 body_point(const struct key_text *key, double u, double v);
 point3 body_normal(const struct key_text *key, double u, double v);
 
-/* The dome over the right flank at height `y`, `z` behind the snout; `side` 0 right, 1 left. */
-point3 eye_point(const struct key_text *key, uint32_t side, double y, double z);
-point3 eye_normal(const struct key_text *key, uint32_t side, double y, double z);
+#define EYE_RIM_RAD 1.4 /* From the pupil's centre to where a ball meets the skin: 80 degrees. */
+
+/* An eye: half an ellipsoid outward and half one inward, told from the skin at (u, v), its centre
+ * `sunk` below it. v leaves [0, 1) for an eye that has wandered over the back. */
+struct ball {
+    double u, v;
+    double radius, out, in, sunk;
+};
+struct ball eye_ball(const struct key_text *key, uint32_t side);
 
 /* `at` 0 .. 1 from the first ray to the last, `along` 0 .. 1 from root to tip. */
 point3 fin_point(const struct key_text *key, enum species_part part, double at, double along);
 point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along);
+
+#define FINLET_BASE 0.6 /* Of the step from one finlet to the next. */
 
 /* Of the finlet that starts at `at` of its row: corner 0 fore root, 1 hind root, 2 tip. */
 point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);

@@ -102,7 +102,7 @@ point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_
 {
     const struct finlets *f = &key->finlets[row];
     const double step = ((double)f->end - (double)f->start) / f->count;
-    const double x = (double)f->start + at * (step * f->count) + (corner == 1 ? 0.6 * step : 0.0);
+    const double x = (double)f->start + at * (step * f->count) + (corner == 1 ? FINLET_BASE * step : 0.0);
     const struct station s = section(key, fmin(x, 1.0));
     const double up = row == 0 ? 1.0 : -1.0;
     const double sink = fmin(FIN_SINK, SINK_SHARE * (double)s.depth);

@@ -1,0 +1,151 @@
+/* loft_fin.c -- fins as sheets of one layer of vertices, seen from both sides.
+ *
+ * Each ray column of a fin on the body rides on an anchor at its root. Where the meshed skin lies
+ * within the smooth one, roots go in with it and tips stay: no gap shows at any level of detail. */
+#include "platform/species/loft_parts.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+static const struct species_vertex on_nothing = { .anchor = ANCHOR_NONE };
+
+/* Where column `i` of a fin lies. The tail's bunch toward its lobes, whose tips are round. */
+static double column_at(enum species_part part, uint32_t i, uint32_t across)
+{
+    const double t = (double)i / (across - 1);
+    return part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
+}
+
+/* Body coordinates of a fin's root; the tail has none. */
+static void root_at(const struct key_text *key, enum species_part part, int side, double at,
+                    double *u, double *v)
+{
+    const struct fin *fin = &key->fins[part];
+    const double girth = part == PART_DORSAL || part == PART_DORSAL_2 ? 0.0
+                         : part == PART_ANAL                          ? 0.5
+                                                                      : (double)fin->girth;
+    *u = body_u(key, (double)fin->start + ((double)fin->end - (double)fin->start) * at);
+    *v = side > 0 ? girth : 1.0 - girth;
+}
+
+static uint8_t add_root(struct lofting *l, enum species_part part, int side, double at)
+{
+    struct species_anchor *anchor = next_anchor(l, part, 0);
+    for (uint32_t key = 0; key < l->species->key_count; key++) {
+        double u, v;
+        root_at(&l->species->keys[key], part, side, at, &u, &v);
+        anchor->u[key] = (float)u;
+        anchor->v[key] = (float)v;
+    }
+    return (uint8_t)(l->loft->anchor_count - 1);
+}
+
+/* Places the newest vertex, `p` in the drawing and `along` its ray, told from its anchor. */
+static void ride(struct lofting *l, uint32_t key, point3 p, point3 normal, double along)
+{
+    const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;
+    if (index == ANCHOR_NONE) {
+        place(l, key, p, normal);
+        return;
+    }
+    const struct species_anchor *anchor = &l->loft->anchors[index];
+    const double u = (double)anchor->u[key], v = (double)anchor->v[key];
+    const point3 smooth = body_point(&l->species->keys[key], u, v);
+    const point3 skin = grid_point(l, key, u, v);
+    place_from_anchor(l, key, sub(sub(p, smooth), mad((point3){ 0 }, sub(skin, smooth), along)),
+                      normal);
+}
+
+static void add_fin_vertex(struct lofting *l, enum species_part part, int side, double at,
+                           double along, uint8_t anchor)
+{
+    struct species_vertex vertex = on_nothing;
+    vertex.u = (float)at;
+    vertex.v = (float)along;
+    vertex.part = (uint8_t)part;
+    vertex.flex = (uint8_t)lround(255.0 * along);
+    vertex.anchor = anchor;
+    if (part == PART_PECTORAL || part == PART_PELVIC) {
+        vertex.side = side > 0 ? SIDE_RIGHT : SIDE_LEFT;
+    }
+    next_vertex(l, vertex);
+    for (uint32_t key = 0; key < l->species->key_count; key++) {
+        const struct key_text *text = &l->species->keys[key];
+        point3 p = fin_point(text, part, at, along), n = fin_normal(text, part, at, along);
+        p.x *= side;
+        n.x *= side;
+        ride(l, key, p, n, along);
+    }
+}
+
+static void add_fin(struct lofting *l, enum species_part part, int side)
+{
+    const uint32_t across = l->detail->fins[part].across, along = l->detail->fins[part].along;
+    const uint32_t first = l->loft->vertex_count;
+    if (l->species->keys[0].fins[part].ray_count == 0) {
+        return;
+    }
+    for (uint32_t i = 0; i < across; i++) {
+        const double at = column_at(part, i, across);
+        const uint8_t anchor = part == PART_TAIL ? ANCHOR_NONE : add_root(l, part, side, at);
+        for (uint32_t j = 0; j < along; j++) {
+            add_fin_vertex(l, part, side, at, (double)j / (along - 1), anchor);
+        }
+    }
+    for (uint32_t i = 0; i + 1 < across; i++) {
+        for (uint32_t j = 0; j + 1 < along; j++) {
+            const uint32_t a = first + i * along + j, b = a + 1, c = a + along, d = c + 1;
+            triangle(l, a, c, b);
+            triangle(l, b, c, d);
+            triangle(l, a, b, c);
+            triangle(l, b, d, c);
+        }
+    }
+}
+
+static void add_finlet(struct lofting *l, uint32_t row, double at, double step)
+{
+    const enum species_part part = row == 0 ? PART_FINLET_UPPER : PART_FINLET_LOWER;
+    const uint32_t first = l->loft->vertex_count;
+    struct species_anchor *anchor = next_anchor(l, part, 0);
+    for (uint32_t key = 0; key < l->species->key_count; key++) {
+        const struct finlets *f = &l->species->keys[key].finlets[row];
+        const double x = (double)f->start + at * ((double)f->end - (double)f->start);
+        anchor->u[key] = (float)body_u(&l->species->keys[key], x);
+        anchor->v[key] = row == 0 ? 0.0f : 0.5f;
+    }
+    for (uint32_t corner = 0; corner < 3; corner++) {
+        struct species_vertex vertex = on_nothing;
+        vertex.u = (float)(at + (corner == 1 ? FINLET_BASE * step : 0.0));
+        vertex.v = corner == 2 ? 1.0f : 0.0f;
+        vertex.part = (uint8_t)part;
+        vertex.flex = corner == 2 ? 255 : 0;
+        vertex.anchor = (uint8_t)(l->loft->anchor_count - 1);
+        next_vertex(l, vertex);
+        for (uint32_t key = 0; key < l->species->key_count; key++) {
+            const point3 p = finlet_point(&l->species->keys[key], row, at, corner);
+            ride(l, key, p, (point3){ 1.0, 0.0, 0.0 }, corner == 2 ? 1.0 : 0.0);
+        }
+    }
+    triangle(l, first, first + 1, first + 2);
+    triangle(l, first, first + 2, first + 1);
+}
+
+void add_fins(struct lofting *l)
+{
+    add_fin(l, PART_TAIL, 1);
+    add_fin(l, PART_DORSAL, 1);
+    add_fin(l, PART_DORSAL_2, 1);
+    add_fin(l, PART_ANAL, 1);
+    for (int side = 1; side >= -1; side -= 2) {
+        add_fin(l, PART_PECTORAL, side);
+        add_fin(l, PART_PELVIC, side);
+    }
+    for (uint32_t row = 0; row < 2; row++) {
+        const uint32_t count = l->species->keys[0].finlets[row].count;
+        for (uint32_t i = 0; i < count; i++) {
+            add_finlet(l, row, (double)i / count, 1.0 / count);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+/* loft_rings.c -- where along the body its rings stand.
+ *
+ * The same body coordinates in every key, closer where some key's outline turns: a straight piece
+ * between two rings misses a curve by its bend times the square of the gap, so rings as dense as
+ * the root of the bend miss it alike everywhere. */
+#include "platform/species/loft_parts.h"
+
+#include <math.h>
+
+#define SAMPLES 256
+#define EVEN_SHARE 0.45 /* Of the rings that stand evenly, for the body's wave bends it too. */
+#define HEAD_FAVOUR 1.5 /* Mouth, eyes and gill cover are what people look at. */
+
+/* Back, belly and flank of a key at `u`, as parts of its length. */
+static void outline(const struct key_text *key, double u, double out[3])
+{
+    const struct station s = section(key, body_x(key, u));
+    out[0] = (double)s.offset + 0.5 * (double)s.depth;
+    out[1] = (double)s.offset - 0.5 * (double)s.depth;
+    out[2] = 0.5 * (double)s.width;
+}
+
+/* How hard any outline of any key bends about `u`. */
+static double bend(const struct species_text *species, double u)
+{
+    const double d = 1.0 / SAMPLES;
+    double most = 0.0;
+    for (uint32_t key = 0; key < species->key_count; key++) {
+        double before[3], at[3], after[3];
+        outline(&species->keys[key], u - d, before);
+        outline(&species->keys[key], u, at);
+        outline(&species->keys[key], u + d, after);
+        for (int i = 0; i < 3; i++) {
+            most = fmax(most, fabs(before[i] - 2.0 * at[i] + after[i]) / (d * d));
+        }
+    }
+    return most;
+}
+
+void place_rings(const struct species_text *species, uint32_t count, double *u)
+{
+    double sum[SAMPLES + 1] = { 0.0 };
+    for (int i = 0; i < SAMPLES; i++) {
+        const double at = fmin(fmax((i + 0.5) / SAMPLES, 1.0 / SAMPLES), 1.0 - 1.0 / SAMPLES);
+        sum[i + 1] = sum[i] + sqrt(bend(species, at)) * (at < (double)GILL_U ? HEAD_FAVOUR : 1.0);
+    }
+    const double even = EVEN_SHARE / (1.0 - EVEN_SHARE) * fmax(sum[SAMPLES], 1e-9) / SAMPLES;
+    for (int i = 0; i <= SAMPLES; i++) {
+        sum[i] += even * i;
+    }
+    int i = 0;
+    for (uint32_t ring = 0; ring < count; ring++) {
+        const double wanted = sum[SAMPLES] * (ring + 1) / count;
+        while (i < SAMPLES - 1 && sum[i + 1] < wanted) {
+            i++;
+        }
+        u[ring] = fmin((i + (wanted - sum[i]) / (sum[i + 1] - sum[i])) / SAMPLES, 1.0);
+    }
+    u[count - 1] = 1.0;
+}

@@ -1,0 +1,59 @@
+/* shape_eye.c -- where an eye sits on the skin, and how much of its ball stands out. */
+#include "platform/species/shape.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+#define HIGHEST 0.97     /* Of the section's half height: as high as an eye's centre may reach. */
+#define DROP_MAX 0.35    /* Of the ball's radius: a sharper ridge is taken for this. */
+#define SUNK_MAX 0.6     /* Of the head's half thickness there ... */
+#define DEPTH_MAX 0.9    /* ... and how deep its back may reach: never out on the other side. */
+#define THINNEST 1e-3    /* A ball flatter than this would have no normals. */
+
+/* Round the girth from the back, in [0, 0.5], where the right flank is at height `y`. */
+static double girth_at(const struct station *s, double y)
+{
+    const double up = (y - (double)s->offset) / (0.5 * (double)s->depth);
+    const double share = pow(fmin(fabs(up), HIGHEST), 0.5 * (double)s->exponent);
+    return acos(copysign(share, up)) / (2.0 * PI);
+}
+
+/* How far the skin falls away under the tangent plane at the ball's rim, on the mean. */
+static double skin_drop(const struct key_text *key, const struct ball *ball, point3 skin, point3 n)
+{
+    const double d = 1e-3;
+    const point3 along = sub(body_point(key, ball->u + d, ball->v), skin);
+    const point3 round = sub(body_point(key, ball->u, ball->v + d), skin);
+    const double du = d * ball->radius / fmax(length3(along), 1e-9);
+    const double dv = d * ball->radius / fmax(length3(round), 1e-9);
+    const double step[4][2] = { { du, 0 }, { -du, 0 }, { 0, dv }, { 0, -dv } };
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++) {
+        const double u = fmin(fmax(ball->u + step[i][0], 0.002), 1.0);
+        const point3 to = sub(body_point(key, u, ball->v + step[i][1]), skin);
+        const double fall = -dot3(to, n);
+        const double away = length3(mad(to, n, fall));
+        sum += 0.25 * fall * pow(ball->radius / fmax(away, 1e-6), 2.0);
+    }
+    return fmin(fmax(sum, 0.0), DROP_MAX * ball->radius);
+}
+
+struct ball eye_ball(const struct key_text *key, uint32_t side)
+{
+    const struct eye *eye = &key->eyes[side];
+    const struct station s = section(key, (double)eye->x);
+    const double girth = girth_at(&s, (double)eye->y) * (1.0 - (double)eye->turn_deg / 90.0);
+    struct ball ball = { .u = body_u(key, (double)eye->x),
+                         .v = side == 0 ? girth : 1.0 - girth,
+                         .radius = 0.5 * (double)eye->diameter };
+    const point3 skin = body_point(key, ball.u, ball.v), n = body_normal(key, ball.u, ball.v);
+    const point3 axis = { 0.0, (double)s.offset, skin.z };
+    const double half = fmax(dot3(sub(skin, axis), n), THINNEST);
+    const double drop = skin_drop(key, &ball, skin, n);
+    const double stands_out = (double)eye->bulge * (double)eye->diameter;
+    const double out = (stands_out + drop) / (1.0 - cos(EYE_RIM_RAD));
+    ball.sunk = fmin(out - stands_out, SUNK_MAX * half);
+    ball.out = fmax(ball.sunk + stands_out, THINNEST);
+    ball.in = fmin(ball.out, fmax(DEPTH_MAX * half - ball.sunk, THINNEST));
+    return ball;
+}
