@@ -24,15 +24,20 @@ enum core_error core_init(struct core *core, const struct core_config *config)
         config->fish_count > tank_preset_fish_max(tank_preset(config->preset), 1.0f) ||
         config->language >= LANGUAGE_COUNT || !lanes_built(config->lanes) ||
         (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600)) ||
-        config->modes >= 1u << MODE_COUNT || config->players > POI_MAX ||
+        config->modes >= 1u << CHOICE_COUNT || config->players > POI_MAX ||
         (config->grade != 0 &&
-         (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX))) {
+         (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX)) ||
+        !lab_book_is_good(&config->book)) {
         return CORE_ERR_RANGE;
     }
     memset(core, 0, sizeof *core);
     core->config = *config;
     game_init(&core->game, config);
     keeper_open(core);
+    if (keeper_modes(config) == 1u << CHOICE_LAB) {
+        struct output unheard = { 0 };
+        lab_begin(core, &unheard);
+    }
     return CORE_OK;
 }
 
@@ -242,7 +247,8 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     }
     hash = hash_u32(hash, config->modes);
     hash = hash_u32(hash, config->grade);
-    return hash_u32(hash, config->players);
+    hash = hash_u32(hash, config->players);
+    return lab_book_hash(hash, &config->book);
 }
 
 uint64_t core_hash(const struct core *core)
@@ -252,5 +258,6 @@ uint64_t core_hash(const struct core *core)
         hash = poi_hash(hash, &core->poi[i]);
         hash = bowl_hash(hash, &core->bowl[i]);
     }
+    hash = lab_hash(hash, &core->game.lab);
     return tank_hash(hash, &core->tank);
 }

@@ -30,13 +30,14 @@ struct core_config {
     uint8_t language;    /* enum language */
     uint32_t round_s;    /* 0: the mode's own; else 10 .. 600. */
     uint32_t best_today[MODE_COUNT]; /* What the store remembers; shown, and beaten. */
-    uint8_t modes;       /* Offered, a bit (1 << enum game_mode) each; 0: the festival alone. Of one
-                            there is nothing to choose. */
+    uint8_t modes;       /* Offered, a bit (1 << enum game_mode, or CHOICE_LAB) each; 0: only the
+                            festival. Of one there is nothing to choose. */
     uint8_t grade;       /* Of the paper, 4 .. 7, in a mode whose rules leave it open or that is the
                             only one offered; 0: the mode's own, else 6. */
     uint8_t players;     /* Bowls at the tank, 1 .. POI_MAX; 0: 1. */
     uint8_t lanes;       /* 4 or, on x86-64 with AVX2, 8 floats at once; 0: 4. Changes no result, so
                             neither hashes nor recordings know of it. */
+    struct lab_book book; /* Makers' species and saved graphs, as the data folder has them. */
 };
 
 struct core {
@@ -48,10 +49,12 @@ struct core {
     struct tank tank;
 };
 
-/* The tank takes 1 MiB at most, whatever swims in it; game, pois and bowls a sixteenth of that. The
- * smallest board keeps so much for them, and as much again for the scene. */
+/* The tank takes 1 MiB at most, whatever swims in it; game, pois and bowls a sixteenth of that, and
+ * the growth lab half as much: eight makers' species with all their curves (19 KiB), and a graph
+ * for each of 15, as it was at start and as it is (8 KiB each). The smallest board keeps so much
+ * for them, and as much again for the scene. */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
-_Static_assert(sizeof(struct core) <= 1088u * 1024u, "the core's state outgrew its budget");
+_Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
 _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its budget");
 

@@ -6,6 +6,7 @@
 
 #include <stdint.h>
 
+#include "core/game/lab_edit.h"
 #include "core/input.h"
 
 #define OUTPUT_SOUND_MAX 16u /* A frame's worth; more in one frame could not be told apart. */
@@ -67,12 +68,22 @@ struct round_record {
     } player[POI_MAX];
 };
 
+/* A species' curves as somebody drew them in the growth lab, to be there at the next start. */
+struct edit_record {
+    uint32_t id;       /* 0: nothing to save. Rises by one with each. */
+    uint8_t is_own;    /* Back to the species' own: what was kept of it goes. */
+    uint8_t key_count; /* Of the species. */
+    char species[SPECIES_NAME_SIZE];
+    struct lab_edit edit;
+};
+
 struct output {
     uint32_t sound_count; /* <= OUTPUT_SOUND_MAX; further sounds of the frame are not heard. */
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
     uint8_t start_lamp; /* Level. */
     struct round_record record; /* The newest; stays until the next, for a store that is busy. */
+    struct edit_record edit;    /* Likewise. */
 };
 
 /* Adds a tick's force to its frame's, which the frame loop cleared: a device is told of the hardest

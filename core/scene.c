@@ -23,7 +23,8 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->maturity = f_smoothstep(COLOUR_START_DAYS, COLOUR_FULL_DAYS, fish->age_days);
     out->look = fish->look;
     out->place = show_place(fish->gait);
-    out->progress = morph_progress(&species_wakin.card, fish->length_m);
+    out->age_days = fish->age_days;
+    out->progress = life_progress(&species_wakin.card, fish->age_days);
 }
 
 /* Cells beyond the ring take the value of the paper beside them, so that a renderer may filter. */
@@ -145,6 +146,7 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->best_today = game->best_today[game->mode];
     scene->by_bot = game->bot_played;
     scene->mode = game->mode;
+    scene->choice = game->lab_chosen ? CHOICE_LAB : game->mode;
     scene->modes = keeper_modes(&core->config);
     scene->grade = keeper_grade(&core->config, game->mode);
     scene->paused = game->paused;
@@ -154,6 +156,10 @@ static void show_game(const struct core *core, struct scene *scene)
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         show_offer(core, mode, &scene->offer[mode]);
     }
+    if (game->phase == PHASE_LAB) {
+        lab_show(core, &scene->lab);
+    }
+    album_show(core, &scene->album);
 }
 
 void core_scene(const struct core *core, struct scene *scene)

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "core/input.h"
+#include "core/morph/species.h"
 #include "core/view.h"
 #include "core/base/vec.h"
 
@@ -25,6 +26,7 @@ struct scene_fish {
     vec3 position_m;         /* Centre of the body box. */
     struct angles angles;
     float length_m;          /* Total length, snout to tail tip. */
+    float age_days;          /* Since it hatched; shape and colour are of that age. */
     float tail_phase_rad;    /* Of the travelling body wave; [0, 2 pi). */
     float tail_amplitude;    /* 1 is a fifth of the length from tip to tip; 0 is still. */
     float bend_rad;          /* Whole-body bend of a turn; positive bends the tail to its right. */
@@ -89,6 +91,8 @@ enum scene_phase {
     PHASE_RESULT = 3,
     PHASE_WORDLESS = 4, /* No phase of a game: a picture of the tank alone. */
     PHASE_CHOOSE = 5,   /* Which mode? */
+    PHASE_LAB = 6,      /* The growth lab. */
+    PHASE_ALBUM = 7,    /* What was caught grows up. */
 };
 
 enum game_mode {
@@ -97,6 +101,10 @@ enum game_mode {
     MODE_PRACTICE = 2,     /* The paper shows its stress; fresh paper for torn; no score. */
     MODE_COUNT = 3,
 };
+
+/* What a stall offers beside its modes: nothing that is scored. As a bit among `modes`. */
+#define CHOICE_LAB ((uint8_t)MODE_COUNT)
+#define CHOICE_COUNT (MODE_COUNT + 1u)
 
 /* Found in what was done, never declared. The third ends a player's round. */
 enum foul {
@@ -144,6 +152,44 @@ enum language {
     LANGUAGE_COUNT,
 };
 
+enum scene_keeping { LAB_NOT_SAVED = 0, LAB_SAVING, LAB_SAVED };
+
+/* The growth lab, while the phase is PHASE_LAB. Places are of core/game/lab_layout.h's canvas. */
+struct scene_lab {
+    uint8_t species, species_count; /* The built-in ones, then the makers'. */
+    uint8_t refused;         /* Makers' files that could not be used. */
+    uint8_t template;        /* enum graph_template that the graph began as. */
+    uint8_t layer;           /* Which key's curve is in hand; from MORPH_KEY_MAX on, the scale. */
+    uint8_t playing, compare, path;
+    uint8_t points;          /* enum lab_part under the hand. */
+    uint8_t presses, has_hand, upright;
+    uint8_t holds;           /* enum lab_hold */
+    uint8_t held_knot;       /* Of the graph or the scale, or 255. */
+    uint8_t keeping;         /* enum scene_keeping of the last time SAVE was pressed. */
+    uint8_t is_own, is_kept; /* What is shown is the species' own; is what the stall keeps. */
+    uint8_t scale_knot_count;
+    float x, y;              /* The hand. */
+    float progress, age_days, length_m;
+    float weight[MORPH_KEY_MAX]; /* As the graph has them at `progress`; >= 0, sum 1. */
+    struct scale_knot scale_knots[GRAPH_KNOT_MAX];
+    struct species_card card; /* With its curves and scale as edited. */
+};
+
+#define ALBUM_FISH_MAX 6u /* As many pictures as a page has room for. */
+
+/* The catch of the round, each fish from hatching to old age, while it is PHASE_ALBUM. */
+struct scene_album {
+    uint32_t fish_count;     /* <= ALBUM_FISH_MAX; the first caught come first. */
+    uint32_t caught;         /* How many there were in all. */
+    struct scene_grown {
+        uint8_t owner;       /* Player index. */
+        uint8_t is_caught;   /* It is older by now than when it was caught. */
+        uint32_t look;
+        float caught_age_days, caught_length_m;
+        float age_days, length_m, progress;
+    } fish[ALBUM_FISH_MAX];
+};
+
 struct scene {
     uint32_t tick;
     struct view view;
@@ -168,7 +214,8 @@ struct scene {
     uint8_t by_bot;          /* The bot had a hand in this round: no score of a person's. */
 
     uint8_t mode;            /* enum game_mode of this round; in CHOOSE, the one pointed at. */
-    uint8_t modes;           /* Which are offered, a bit (1 << enum game_mode) each. */
+    uint8_t choice;          /* In CHOOSE: the mode pointed at, or CHOICE_LAB. */
+    uint8_t modes;           /* Which are offered, a bit (1 << enum game_mode, or CHOICE_LAB). */
     struct scene_offer {
         uint16_t round_s;    /* How long at most. */
         uint8_t grade;       /* Of its paper. */
@@ -185,6 +232,9 @@ struct scene {
         float foul_s;        /* ... and how long ago. */
         uint8_t out;         /* Its round is over: by fouls or for want of paper. */
     } player[POI_MAX];
+
+    struct scene_lab lab;
+    struct scene_album album;
 };
 
 #endif

@@ -39,11 +39,11 @@
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
 #define REPLAY_PROGRAM_SIZE 16u
 
-/* One tick at most: mask, buttons, edges, coins, saved id, a mask of hands, each poi with a mask, a
- * link, six floats and an age, each shade with a mask, its presence and three floats, and the
- * digest. */
+/* One tick at most: mask, buttons, edges, coins, two saved ids, a mask of hands, each poi with a
+ * mask, a link, six floats and an age, each shade with a mask, its presence and three floats, and
+ * the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
-    (1u + 4u * 4u + 1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) +                                      \
+    (1u + 5u * 4u + 1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) +                                      \
      SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 

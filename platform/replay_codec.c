@@ -1,10 +1,11 @@
 /* replay_codec.c -- one input as the bytes that differ from the input before.
  *
- * First a mask: which of held, pressed, coin_count, record_saved_id and of what hands hold follow.
- * Then those, the numbers as u32; of what hands hold, a mask of pois (low half) and shades (high
- * half), and of each of these a mask of its own, one byte (a poi's link, wrist and trembling, a
- * shade's presence), those floats that changed, as their bits, and a poi's age as u16. Floats
- * travel whole: a play must come back to the last bit, and of a hand that broke each counts. */
+ * First a mask: which of held, pressed, coin_count, record_saved_id, edit_saved_id and of what
+ * hands hold follow, and whether the screen turned. Then those, the numbers as u32; of what hands
+ * hold, a mask of pois (low half) and shades (high half), and of each of these a mask of its own,
+ * one byte (a poi's link, wrist and trembling, a shade's presence), those floats that changed, as
+ * their bits, and a poi's age as u16. Floats travel whole: a play must come back to the last bit,
+ * and of a hand that broke each counts. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -15,7 +16,9 @@ enum {
     HAS_COINS = 1u << 2,
     HAS_SAVED_ID = 1u << 3,
     HAS_HANDS = 1u << 4,
-    HAS_ALL = (1u << 5) - 1u,
+    HAS_EDIT_ID = 1u << 5,
+    IS_TURNED = 1u << 6, /* The screen stands where it lay, or lies where it stood. */
+    HAS_ALL = (1u << 7) - 1u,
 };
 
 enum {
@@ -151,13 +154,17 @@ size_t replay_encode_input(const struct input *before, const struct input *input
     const int pressed = input->pressed != 0;
     const int coins = input->coin_count != 0;
     const int saved = input->record_saved_id != before->record_saved_id;
+    const int edited = input->edit_saved_id != before->edit_saved_id;
+    const int turned = (input->upright != 0) != (before->upright != 0);
     const uint32_t mask = (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) |
-                          (coins ? HAS_COINS : 0u) | (saved ? HAS_SAVED_ID : 0u);
+                          (coins ? HAS_COINS : 0u) | (saved ? HAS_SAVED_ID : 0u) |
+                          (edited ? HAS_EDIT_ID : 0u) | (turned ? IS_TURNED : 0u);
     size_t size = 1;
     size += put_if(held, input->held, out + size);
     size += put_if(pressed, input->pressed, out + size);
     size += put_if(coins, input->coin_count, out + size);
     size += put_if(saved, input->record_saved_id, out + size);
+    size += put_if(edited, input->edit_saved_id, out + size);
     const size_t hands_size = encode_hands(before, input, out + size);
     out[0] = (uint8_t)(mask | (hands_size > 0 ? HAS_HANDS : 0u));
     return size + hands_size;
@@ -270,6 +277,12 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
     next.coin_count = mask & HAS_COINS ? take_u32(&left) : 0;
     if (mask & HAS_SAVED_ID) {
         next.record_saved_id = take_u32(&left);
+    }
+    if (mask & HAS_EDIT_ID) {
+        next.edit_saved_id = take_u32(&left);
+    }
+    if (mask & IS_TURNED) {
+        next.upright = !next.upright;
     }
     if (mask & HAS_HANDS) {
         decode_hands(&next, &left);

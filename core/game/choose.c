@@ -1,5 +1,6 @@
-/* choose.c -- which mode? LEFT and RIGHT point, and so does a hand: the tank's width has as many
- * shares as there are modes, in their order. START, OK or a dip takes what is pointed at. */
+/* choose.c -- which mode, or the growth lab? LEFT and RIGHT point, and so does a hand: the tank's
+ * width has as many shares as there are choices, in their order. START, OK or a dip takes what is
+ * pointed at. */
 #include "core/core.h"
 #include "core/game/keeper.h"
 #include "core/game/phases.h"
@@ -7,7 +8,7 @@
 static uint32_t mode_count(uint8_t modes)
 {
     uint32_t count = 0;
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+    for (uint32_t mode = 0; mode < CHOICE_COUNT; mode++) {
         count += modes >> mode & 1u;
     }
     return count;
@@ -17,7 +18,7 @@ static uint32_t mode_count(uint8_t modes)
 static uint8_t nth_mode(uint8_t modes, uint32_t nth)
 {
     uint8_t mode = 0;
-    for (; mode < MODE_COUNT - 1u; mode++) {
+    for (; mode < CHOICE_COUNT - 1u; mode++) {
         if (modes >> mode & 1u) {
             if (nth == 0) {
                 break;
@@ -33,12 +34,19 @@ static uint32_t place_of(uint8_t modes, uint8_t mode)
     return mode_count((uint8_t)(modes & ((1u << mode) - 1u)));
 }
 
+static uint8_t pointed_at(const struct core *core)
+{
+    return core->game.lab_chosen ? CHOICE_LAB : core->game.mode;
+}
+
 static void point_at(struct core *core, uint32_t nth, struct output *output)
 {
     const uint8_t mode = nth_mode(keeper_modes(&core->config), nth);
-    core->game.point_tick = core->tick;
-    if (mode != core->game.mode) {
-        core->game.mode = mode;
+    struct game *game = &core->game;
+    game->point_tick = core->tick;
+    if (mode != pointed_at(core)) {
+        game->lab_chosen = mode == CHOICE_LAB;
+        game->mode = game->lab_chosen ? game->mode : mode;
         output_sound(output, SOUND_CHOOSE, 0.8f, 0.0f);
     }
 }
@@ -83,7 +91,7 @@ static void point_by_buttons(struct core *core, const struct input *input, struc
 {
     const uint8_t modes = keeper_modes(&core->config);
     const uint32_t count = mode_count(modes);
-    const uint32_t here = place_of(modes, core->game.mode);
+    const uint32_t here = place_of(modes, pointed_at(core));
     if (input->pressed & INPUT_LEFT) {
         point_at(core, (here + count - 1u) % count, output);
     } else if (input->pressed & INPUT_RIGHT) {
@@ -91,15 +99,29 @@ static void point_by_buttons(struct core *core, const struct input *input, struc
     }
 }
 
+/* What is pointed at, or all that there is. */
+static void take(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    const int is_lab = game->lab_chosen || keeper_modes(&core->config) == 1u << CHOICE_LAB;
+    game->lab_chosen = 0;
+    if (is_lab) {
+        lab_begin(core, output);
+    } else {
+        ready_begin(core, output);
+    }
+}
+
 void choose_begin(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
     if (mode_count(keeper_modes(&core->config)) == 1u) {
-        ready_begin(core, output);
+        take(core, output);
         return;
     }
     phase_enter(core, PHASE_CHOOSE);
     game->point_tick = core->tick;
+    game->lab_chosen = (keeper_modes(&core->config) >> game->mode & 1u) == 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->player[i].points = 0;
     }
@@ -117,7 +139,7 @@ void choose_tick(struct core *core, const struct input *input, struct output *ou
     point_by_buttons(core, input, output);
     const int is_fresh = core->tick - core->game.phase_tick < GAME_CHOOSE_TICKS_MIN;
     if (!is_fresh && (dipped < POI_MAX || (input->pressed & (INPUT_START | INPUT_OK)))) {
-        ready_begin(core, output);
+        take(core, output);
     } else if (game_seconds_left(&core->game, core->tick) <= 0.0f) {
         attract_begin(core);
     }

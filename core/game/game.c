@@ -40,6 +40,12 @@ static void tick_phase(struct core *core, const struct input *input, struct outp
     case PHASE_ROUND:
         round_tick(core, output);
         break;
+    case PHASE_LAB:
+        lab_tick(core, input, output);
+        break;
+    case PHASE_ALBUM:
+        album_tick(core, input, output);
+        break;
     default:
         result_tick(core, input, output);
         break;
@@ -55,6 +61,7 @@ void game_init(struct game *game, const struct core_config *config)
     game->round_s = keeper_round_s(config, game->mode);
     memcpy(game->best_today, config->best_today, sizeof game->best_today);
     hints_init(&game->hints);
+    lab_init(&game->lab, config);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->live_y_m[i] = -1.0f;
         bot_init(&game->bot[i], &technique_expert, config->seed + i);
@@ -141,6 +148,7 @@ static uint64_t hash_target(uint64_t hash, const struct poi_target *target)
 uint64_t game_hash(uint64_t hash, const struct game *game)
 {
     const uint32_t words[] = { game->phase,      game->language,   game->mode,
+                               game->lab_chosen,
                                game->bot_played, game->played,     game->paused,
                                game->call,       game->call_tick,  game->phase_tick,
                                game->round_tick, game->point_tick, game->lost_ticks,
@@ -166,5 +174,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = hash_u32(hash, game->rest_ticks[i]);
         hash = bot_hash(hash, &game->bot[i]);
     }
+    hash = album_hash(hash, &game->album);
+    hash = lab_hash_quick(hash, &game->lab);
     return hints_hash(hash, &game->hints);
 }

@@ -1,4 +1,5 @@
-/* game.h -- what the stall does: attract, choose, ready, round, result; who plays, and how well.
+/* game.h -- what the stall does: attract, choose, ready, round, result, album; the growth lab; who
+ * plays, and how well.
  *
  * Phases are files of their own (phases.h), so are the umpire (fouls.h), the keeper's calls
  * (calls.h), waiting for lost hands (pause.h), tanks and paper (keeper.h) and counting (score.h).
@@ -8,9 +9,11 @@
 
 #include <stdint.h>
 
+#include "core/game/album.h"
 #include "core/game/bot.h"
 #include "core/game/hints.h"
 #include "core/game/keeper.h"
+#include "core/game/lab.h"
 #include "core/game/pause.h"
 #include "core/game/player.h"
 #include "core/game/rules.h"
@@ -40,6 +43,7 @@ struct game {
     uint8_t phase;       /* enum scene_phase */
     uint8_t language;    /* enum language */
     uint8_t mode;        /* enum game_mode of this round, or the one pointed at. */
+    uint8_t lab_chosen;  /* In CHOOSE: the growth lab is pointed at. */
     uint8_t bot_played;  /* Some poi of this round was the bot's. */
     uint8_t played;      /* Somebody has held a poi in this round. */
     uint8_t paused;      /* A hand is lost: the round waits for it. */
@@ -71,6 +75,8 @@ struct game {
     uint32_t rest_ticks[POI_MAX];    /* How long its player has had nothing to do with it. */
     struct hints hints;
     struct bot bot[POI_MAX];
+    struct album album;
+    struct lab lab;
 };
 
 struct core;

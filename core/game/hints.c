@@ -200,6 +200,9 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
         return HINT_START;
     case PHASE_CHOOSE:
         return HINT_CHOOSE;
+    case PHASE_LAB:
+    case PHASE_ALBUM:
+        return HINT_NONE; /* They say themselves what to do. */
     case PHASE_RESULT:
         return core->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? HINT_START : HINT_NONE;
     default:

@@ -30,7 +30,7 @@ uint8_t keeper_first_mode(const struct core_config *config)
     while (!(modes & (1u << mode))) {
         mode++;
     }
-    return mode;
+    return mode < MODE_COUNT ? mode : (uint8_t)MODE_FESTIVAL;
 }
 
 uint8_t keeper_preset(const struct core_config *config, uint8_t mode)

@@ -16,7 +16,8 @@ enum game_series { GAME_SERIES_ROUND = 0, GAME_SERIES_ATTRACT = 1, GAME_SERIES_S
 /* The seed of the poi that player `index` gets as the `number`th of a series. */
 uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series);
 
-/* Which modes are offered, a bit (1 << enum game_mode) each; and which of them comes first. */
+/* Which modes are offered, a bit (1 << enum game_mode, or CHOICE_LAB) each; and which mode comes
+ * first: the festival where only the lab is offered. */
 uint8_t keeper_modes(const struct core_config *config);
 uint8_t keeper_first_mode(const struct core_config *config);
 

@@ -1,4 +1,5 @@
-/* phases.h -- attract, choose, ready, round, result: how each begins and what a tick of it does.
+/* phases.h -- attract, choose, ready, round, result, album: how each begins, and what a tick of it
+ * does.
  *
  * Within core/game only: game.c asks for the phase's tick, and a phase begins the next one. What
  * is begun in a tick has its first own tick in the next. */

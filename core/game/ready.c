@@ -19,6 +19,7 @@ void ready_begin(struct core *core, struct output *output)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->player[i] = (struct player){ 0 };
     }
+    album_clear(&game->album);
     keeper_pour_back(core);
     keeper_set_up(core, keeper_preset(&core->config, game->mode));
     phase_enter(core, PHASE_READY);

@@ -22,7 +22,7 @@ void result_tick(struct core *core, const struct input *input, struct output *ou
     if (((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
         (dipped && elapsed >= GAME_AGAIN_DIP_TICKS)) {
         choose_begin(core, output);
-    } else if (elapsed >= GAME_RESULT_TICKS) {
+    } else if (elapsed >= GAME_RESULT_TICKS && !album_begin(core)) {
         attract_begin(core);
     }
 }

@@ -23,6 +23,7 @@ void game_score(struct core *core, const struct catch_result caught[POI_MAX],
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (game->player[i].fouls < FOUL_MAX) {
             game->player[i].caught += valid(rules, &caught[i]);
+            album_note(core, i, valid(rules, &caught[i]));
         }
     }
     fouls_of_catch(core, caught, output);

@@ -73,6 +73,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
 {
     struct display_events events = { 0 };
     hal->display.ops->poll(hal->display.self, &events);
+    kiosk->input.upright = events.upright;
     if (events.quit) {
         kiosk->end = KIOSK_QUIT;
     }

@@ -94,11 +94,11 @@ static int set_fish(struct options *options, const char *value)
     return number_parse(value, 1, TANK_FISH_MAX, &options->fish_count);
 }
 
-/* One mode, or all of them to choose from. */
+/* One mode, the growth lab, or all of them to choose from. */
 static int set_mode(struct options *options, const char *value)
 {
     uint8_t mode;
-    const char *names[MODE_COUNT];
+    const char *names[CHOICE_COUNT] = { [CHOICE_LAB] = "lab" };
     for (mode = 0; mode < MODE_COUNT; mode++) {
         names[mode] = rules_of(mode)->name;
     }
@@ -106,7 +106,7 @@ static int set_mode(struct options *options, const char *value)
         options->modes = OPTIONS_MODES_ALL;
         return 1;
     }
-    if (!find_name(names, MODE_COUNT, value, &mode)) {
+    if (!find_name(names, CHOICE_COUNT, value, &mode)) {
         return 0;
     }
     options->modes = (uint8_t)(1u << mode);
@@ -181,8 +181,8 @@ static const struct option table[] = {
       "WIDTHxHEIGHT from 320x240 to 8192x8192", set_window, 0 },
     { "poi", "KIND", "who holds the poi: auto, mouse, pad, usb or bot, who holds all",
       "auto, mouse, pad, usb or bot", set_poi, 0 },
-    { "mode", "NAME", "festival, championship, practice, or choose: START asks (demo: festival)",
-      "festival, championship, practice or choose", set_mode, 0 },
+    { "mode", "NAME", "festival, championship, practice, lab (fish grow), or choose: START asks",
+      "festival, championship, practice, lab or choose", set_mode, 0 },
     { "grade", "N", "paper from 4, strong, to 7, weak (6; a championship has 5)", "4 to 7",
       set_grade, 0 },
     { "players", "N", "bowls at the tank; who has no controller leaves one empty", "1 to 4",

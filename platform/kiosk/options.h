@@ -13,7 +13,7 @@
 #define OPTIONS_DEMO_S 20u
 #define OPTIONS_DEMO_S_MIN 5u
 #define OPTIONS_DEMO_S_MAX 600u
-#define OPTIONS_MODES_ALL ((1u << MODE_COUNT) - 1u)
+#define OPTIONS_MODES_ALL ((1u << CHOICE_COUNT) - 1u)
 
 /* The exit codes of both programs. */
 enum exit_code {

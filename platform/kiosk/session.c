@@ -19,6 +19,20 @@ enum exit_code session_check(struct session *session)
     return EXIT_OK;
 }
 
+/* What the growth lab shows beside the built-in species. */
+static void fill_book(const struct shelf *shelf, struct lab_book *book)
+{
+    book->card_count = (uint8_t)shelf->species_count;
+    for (uint32_t i = 0; i < shelf->species_count; i++) {
+        book->cards[i] = shelf->slots[i].species.card;
+    }
+    uint32_t refused = shelf->unread_count;
+    for (uint32_t i = 0; i < shelf->line_count; i++) {
+        refused += shelf->lines[i].slot == SHELF_SLOT_NONE;
+    }
+    book->refused = (uint8_t)(refused < UINT8_MAX ? refused : UINT8_MAX);
+}
+
 enum exit_code session_begin(struct session *session, struct kiosk_config *config)
 {
     const char *record = session->options.record;
@@ -34,6 +48,9 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     }
     config->core.lanes = cpu_lanes();
     shelf_fill(&session->shelf, session->options.data);
+    if (!replay[0]) {
+        fill_book(&session->shelf, &config->core.book);
+    }
     if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
         fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",
                 replay[0] ? replay : "options");

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/game/lab_layout.h"
 #include "platform/render/x11_guard.h"
 
 #define WINDOW_WIDTH 1280
@@ -156,6 +157,8 @@ static int display_poll(void *self, struct display_events *out)
             out->quit = 1;
         }
     }
+    const struct renderer_config *const drawn = &display->renderer.config;
+    out->upright = (float)drawn->width < LAB_UPRIGHT_ASPECT * (float)drawn->height;
     out->lost = display->lost; /* Pumping may have been what noticed. */
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }

@@ -13,15 +13,16 @@ struct tag {
     enum text_key name, ends;
 };
 
-static const struct tag tags[MODE_COUNT] = {
+static const struct tag tags[CHOICE_COUNT] = {
     [MODE_FESTIVAL] = { TEXT_FESTIVAL, TEXT_FESTIVAL_ENDS },
     [MODE_CHAMPIONSHIP] = { TEXT_CHAMPIONSHIP, TEXT_CHAMPIONSHIP_ENDS },
     [MODE_PRACTICE] = { TEXT_PRACTICE, TEXT_PRACTICE_ENDS },
+    [CHOICE_LAB] = { TEXT_LAB, TEXT_LAB_ENDS },
 };
 
 const char *ui_mode_name(uint8_t language, uint8_t mode)
 {
-    return text_words(language, tags[mode < MODE_COUNT ? mode : MODE_FESTIVAL].name);
+    return text_words(language, tags[mode < CHOICE_COUNT ? mode : MODE_FESTIVAL].name);
 }
 
 /* Minutes when they come out even: three minutes, but 90 seconds. */
@@ -63,11 +64,18 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
                                  2.5f * u };
     ui_shape(frame->batch, &(struct ui_shape){ .box = rule, .kind = UI_PANEL, .fill = 0x5a3a20a0u,
                                                .shape = { 0, 0, 1.2f * u } });
-    time_words(frame->language, scene->offer[mode].round_s, words, sizeof words);
-    ui_text(frame->batch, &line, x, box.y + 188.0f * u, words);
-    text_number(words, sizeof words, text_words(frame->language, TEXT_PAPER),
-                scene->offer[mode].grade);
-    ui_text(frame->batch, &line, x, box.y + 228.0f * u, words);
+    if (mode == CHOICE_LAB) {
+        ui_text(frame->batch, &line, x, box.y + 188.0f * u,
+                text_words(frame->language, TEXT_LAB_SHAPES));
+        ui_text(frame->batch, &line, x, box.y + 228.0f * u,
+                text_words(frame->language, TEXT_LAB_GRAPH));
+    } else {
+        time_words(frame->language, scene->offer[mode].round_s, words, sizeof words);
+        ui_text(frame->batch, &line, x, box.y + 188.0f * u, words);
+        text_number(words, sizeof words, text_words(frame->language, TEXT_PAPER),
+                    scene->offer[mode].grade);
+        ui_text(frame->batch, &line, x, box.y + 228.0f * u, words);
+    }
     ui_text(frame->batch, &line, x, box.y + 268.0f * u,
             text_words(frame->language, tags[mode].ends));
 }
@@ -77,7 +85,7 @@ static float raised(const struct scene *scene, const struct ui_memory *memory, u
 {
     const float age_s = (float)(scene->tick - memory->pointed_tick) * CORE_TICK_S;
     const float moved = ui_smooth(0.0f, RAISE_S, age_s);
-    return mode == scene->mode              ? moved
+    return mode == scene->choice          ? moved
            : mode == memory->pointed_before ? 1.0f - moved
                                             : 0.0f;
 }
@@ -87,7 +95,7 @@ static void wooden_tag(const struct ui_frame *frame, const struct scene *scene, 
                        struct ui_box box, float pole_y)
 {
     const float u = frame->unit;
-    const int pointed = mode == scene->mode;
+    const int pointed = mode == scene->choice;
     if (pointed) {
         const struct ui_box halo = { box.x - 60.0f * u, box.y - 50.0f * u, box.width + 120.0f * u,
                                      box.height + 110.0f * u };
@@ -145,7 +153,7 @@ static void foot(const struct ui_frame *frame, const struct scene *scene)
     const struct ui_ribbon best = { .x = x, .y = frame->height - 128.0f * u, .size_px = 25.0f * u,
                                     .font = FONT_STALL, .fill = UI_NIGHT, .ink = UI_GOLD,
                                     .room_px = room };
-    if (rules_of(scene->mode)->keeps_score) {
+    if (scene->choice != CHOICE_LAB && rules_of(scene->mode)->keeps_score) {
         ui_ribbon(frame, &best, words);
     }
     const struct ui_ribbon keys = { .x = x, .y = frame->height - 58.0f * u, .size_px = 29.0f * u,
@@ -159,11 +167,13 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
 {
     const float u = frame->unit, in = ui_smooth(0.0f, 0.35f, scene->phase_s);
     uint32_t count = 0;
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+    for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         count += scene->modes >> mode & 1u;
     }
     const float gap = 24.0f * u, height = 300.0f * u;
-    const float width = fminf(316.0f * u, (frame->width - 60.0f * u - 2.0f * gap) / 3.0f);
+    const float tags_max = fmaxf((float)count, 3.0f);
+    const float width = fminf(316.0f * u, (frame->width - 60.0f * u - (tags_max - 1.0f) * gap) /
+                                              tags_max);
     const float row = (float)count * width + (float)(count - 1u) * gap;
     const float middle = 0.5f * (frame->height - 40.0f * u);
     const float pole_y = middle - 0.5f * height - 44.0f * u - 60.0f * u * (1.0f - in);
@@ -179,7 +189,7 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
             text_words(frame->language, TEXT_CHOOSE));
     pole(frame, pole_y, row + 56.0f * u);
     struct ui_box box = { 0.5f * (frame->width - row), middle - 0.5f * height, width, height };
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+    for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         if ((scene->modes >> mode & 1u) == 0) {
             continue;
         }

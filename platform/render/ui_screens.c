@@ -17,9 +17,9 @@ static void remember(struct ui_memory *memory, const struct scene *scene)
             memory->caught_tick[i] = scene->tick;
         }
     }
-    if (scene->mode != memory->pointed) {
+    if (scene->choice != memory->pointed) {
         memory->pointed_before = memory->pointed;
-        memory->pointed = scene->mode;
+        memory->pointed = scene->choice;
         memory->pointed_tick = scene->tick;
     }
     if (scene->phase != PHASE_RESULT) {

@@ -33,11 +33,57 @@ static const struct field config_fields[] = {
     FIELD(core_config, seed),     FIELD(core_config, preset),  FIELD(core_config, fish_count),
     FIELD(core_config, language), FIELD(core_config, round_s), FIELD(core_config, best_today),
     FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
-    SKIP(core_config, lanes),
+    SKIP(core_config, lanes),     SKIP(core_config, book),
+};
+
+static const struct field book_fields[] = {
+    FIELD(lab_book, card_count), FIELD(lab_book, refused), FIELD(lab_book, has_edit),
+    SKIP(lab_book, cards),       SKIP(lab_book, edits),
+};
+
+static const struct field card_fields[] = {
+    FIELD(species_card, id),          FIELD(species_card, key_count),
+    FIELD(species_card, measure),     FIELD(species_card, motion),
+    FIELD(species_card, form),        FIELD(species_card, thesis_key),
+    FIELD(species_card, thesis_template),
+    FIELD(species_card, key_names),   FIELD(species_card, key_age_days),
+    FIELD(species_card, key_length_m), FIELD(species_card, growth),
+    FIELD(species_card, scale_knot_count), FIELD(species_card, scale_knots),
+    FIELD(species_card, curve_count), FIELD(species_card, curve_names),
+    SKIP(species_card, curves),
+};
+
+static const struct field graph_fields[] = {
+    FIELD(graph, knot_count), FIELD(graph, line), FIELD(graph, solved), FIELD(graph, knots),
+};
+
+static const struct field edit_fields[] = {
+    FIELD(lab_edit, template), FIELD(lab_edit, scale_knot_count), SKIP(lab_edit, graph),
+    FIELD(lab_edit, scale_knots),
+};
+
+static const struct field lab_fields[] = {
+    FIELD(lab, species),     FIELD(lab, layer),     FIELD(lab, playing), FIELD(lab, compare),
+    FIELD(lab, path),        FIELD(lab, has_hand),  FIELD(lab, presses), FIELD(lab, points),
+    FIELD(lab, holds),       FIELD(lab, held_knot), FIELD(lab, upright), FIELD(lab, has_edit),
+    FIELD(lab, stir_tick),   FIELD(lab, act_tick),  FIELD(lab, rest_ticks),
+    FIELD(lab, start_ticks), FIELD(lab, save_id),   FIELD(lab, saved_id), FIELD(lab, x),
+    FIELD(lab, y),           FIELD(lab, stir_x),    FIELD(lab, stir_y),  FIELD(lab, progress),
+    SKIP(lab, edit),         SKIP(lab, edits),
+};
+
+static const struct field album_fields[] = {
+    FIELD(album, caught), FIELD(album, fish_count), SKIP(album, fish),
+};
+
+static const struct field album_fish_fields[] = {
+    FIELD(album_fish, fish),     FIELD(album_fish, look),     FIELD(album_fish, owner),
+    FIELD(album_fish, age_days), FIELD(album_fish, length_m),
 };
 
 static const struct field game_fields[] = {
     FIELD(game, phase),       FIELD(game, language),   FIELD(game, mode),
+    FIELD(game, lab_chosen),
     FIELD(game, bot_played),  FIELD(game, played),     FIELD(game, paused),
     FIELD(game, call),        FIELD(game, call_tick),  FIELD(game, phase_tick),
     FIELD(game, round_tick),  FIELD(game, point_tick), FIELD(game, lost_ticks),
@@ -48,7 +94,8 @@ static const struct field game_fields[] = {
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
     FIELD(game, rest_ticks),
-    SKIP(game, hints),        SKIP(game, bot),
+    SKIP(game, hints),        SKIP(game, bot),         SKIP(game, album),
+    SKIP(game, lab),
 };
 
 static const struct field player_fields[] = {
@@ -257,6 +304,21 @@ static const struct table tables[] = {
     TABLE(core, core_fields, &core),
     TABLE(core_config, config_fields, &core.config),
     TABLE(game, game_fields, &core.game),
+    TABLE(lab_book, book_fields, &core.config.book),
+    TABLE(species_card, card_fields, &core.config.book.cards[0]),
+    TABLE(species_card, card_fields, &core.config.book.cards[SPECIES_EXTRA_MAX - 1u]),
+    TABLE(graph, graph_fields, &core.config.book.cards[0].curves[0]),
+    TABLE(graph, graph_fields, &core.config.book.cards[0].curves[MORPH_CURVE_MAX - 1u]),
+    TABLE(lab_edit, edit_fields, &core.config.book.edits[0]),
+    TABLE(graph, graph_fields, &core.config.book.edits[SPECIES_MAX - 1u].graph),
+    TABLE(lab, lab_fields, &core.game.lab),
+    TABLE(lab_edit, edit_fields, &core.game.lab.edit),
+    TABLE(lab_edit, edit_fields, &core.game.lab.edits[SPECIES_MAX - 1u]),
+    TABLE(graph, graph_fields, &core.game.lab.edit.graph),
+    TABLE(graph, graph_fields, &core.game.lab.edits[0].graph),
+    TABLE(album, album_fields, &core.game.album),
+    TABLE(album_fish, album_fish_fields, &core.game.album.fish[0]),
+    TABLE(album_fish, album_fish_fields, &core.game.album.fish[ALBUM_FISH_MAX - 1u]),
     TABLE(player, player_fields, &core.game.player[0]),
     TABLE(player, player_fields, &core.game.player[3]),
     TABLE(trust, trust_fields, &core.game.trust[0]),

@@ -32,16 +32,35 @@ static void tick(uint32_t count)
     }
 }
 
-static void test_every_fish_has_come_as_far_as_its_length_says(void **state)
+static void test_every_fish_is_shaped_by_its_age(void **state)
 {
     (void)state;
+    core.tank.fish[0].age_days = 60.0f; /* A stunted one is as old as it is: ... */
+    core.tank.fish[0].length_m = 0.02f;
     core_scene(&core, &scene);
     assert_int_equal(scene.fish_count, core.tank.fish_count);
     for (uint32_t i = 0; i < scene.fish_count; i++) {
-        const float length_m = life_length_m(&species_wakin.card, scene.fish[i].progress);
-        assert_in_range((uint32_t)(scene.fish[i].progress * 1e6f), 0, 1000000u);
-        assert_float_equal(length_m, scene.fish[i].length_m, 1e-4f * length_m);
+        const struct scene_fish *fish = &scene.fish[i];
+        const float length_m = life_length_m(&species_wakin.card, fish->progress);
+        assert_float_equal(fish->age_days, core.tank.fish[i].age_days, 0.0f);
+        assert_float_equal(fish->progress, life_progress(&species_wakin.card, fish->age_days),
+                           0.0f);
+        if (i > 0) { /* ... this tank's others are as long as their age says. */
+            assert_float_equal(length_m, fish->length_m, 1e-3f * length_m);
+        }
     }
+}
+
+static void test_the_festivals_fish_are_of_many_ages(void **state)
+{
+    (void)state;
+    float youngest = 1.0f, oldest = 0.0f;
+    core_scene(&core, &scene);
+    for (uint32_t i = 0; i < scene.fish_count; i++) {
+        youngest = f_min(youngest, scene.fish[i].progress);
+        oldest = f_max(oldest, scene.fish[i].progress);
+    }
+    assert_true(oldest - youngest > 0.1f); /* A tenth of a life, between smallest and largest. */
 }
 
 static void test_fish_are_where_the_tank_has_them(void **state)
@@ -243,7 +262,8 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
-        TEST(test_every_fish_has_come_as_far_as_its_length_says),
+        TEST(test_every_fish_is_shaped_by_its_age),
+        TEST(test_the_festivals_fish_are_of_many_ages),
         TEST(test_fish_are_where_the_tank_has_them),
         TEST(test_fish_redden_between_fifty_and_a_hundred_and_twenty_days),
         TEST(test_paper_shows_wetness_damage_and_holes),

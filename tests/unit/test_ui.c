@@ -56,7 +56,7 @@ static void set_scene(uint8_t phase, uint8_t language, uint8_t hint, float phase
     scene.phase_s = phase_s;
     scene.seconds_left = phase == PHASE_READY ? 3.0f - phase_s : 600.0f - phase_s;
     scene.best_today = 9999;
-    scene.modes = (1u << MODE_COUNT) - 1u;
+    scene.modes = (1u << CHOICE_COUNT) - 1u;
     scene.grade = 7;
     for (uint32_t i = 0; i < MODE_COUNT; i++) {
         scene.offer[i] = (struct scene_offer){ .round_s = 90, .grade = 7 };
@@ -357,14 +357,19 @@ static uint32_t quads_of(enum ui_kind kind)
 static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher(void **state)
 {
     (void)state;
-    for (uint8_t modes = 1; modes < 1u << MODE_COUNT; modes++) {
+    for (uint8_t modes = 1; modes < 1u << CHOICE_COUNT; modes++) {
         set_scene(PHASE_CHOOSE, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
         scene.modes = modes;
-        scene.mode = modes & 1u ? MODE_FESTIVAL : modes & 2u ? MODE_CHAMPIONSHIP : MODE_PRACTICE;
+        scene.choice = 0;
+        while ((modes >> scene.choice & 1u) == 0) {
+            scene.choice++;
+        }
+        scene.mode = scene.choice < MODE_COUNT ? scene.choice : MODE_FESTIVAL;
         lay_out(sizes[0]);
         scene.tick += 60; /* It is drawn up meanwhile. */
         lay_out(sizes[0]);
-        const uint32_t offered = (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2);
+        const uint32_t offered = (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2 & 1u) +
+                                 (modes >> 3);
         assert_int_equal(quads_of(UI_WOOD), offered);
         float first_top = 0.0f, other_top = 1e9f;
         for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -422,7 +427,7 @@ static void test_as_one_tag_rises_the_last_one_sinks(void **state)
     lay_out(sizes[0]);
     const float high = tag_top(0), low = tag_top(1);
     assert_true(high < low - 10.0f);
-    scene.mode = MODE_CHAMPIONSHIP;
+    scene.mode = scene.choice = MODE_CHAMPIONSHIP;
     lay_out(sizes[0]);
     assert_float_equal(tag_top(0), high, 0.1f); /* No jump. */
     scene.tick += 10;

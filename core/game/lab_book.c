@@ -1,0 +1,169 @@
+/* lab_book.c -- species by number, and all of it as a number. */
+#include "core/game/lab_book.h"
+
+#include "core/base/hash.h"
+#include "core/base/panic.h"
+
+uint32_t lab_book_count(const struct lab_book *book)
+{
+    return species_table_count + book->card_count;
+}
+
+const struct species_card *lab_book_card(const struct lab_book *book, uint32_t species)
+{
+    CORE_ASSERT(species < lab_book_count(book));
+    return species < species_table_count ? &species_table[species]->card
+                                         : &book->cards[species - species_table_count];
+}
+
+/* ---- Checking ------------------------------------------------------------------------------- */
+
+static bool is_name(const char name[SPECIES_NAME_SIZE])
+{
+    bool ends = false;
+    for (uint32_t i = 0; i < SPECIES_NAME_SIZE; i++) {
+        ends = ends || name[i] == 0;
+    }
+    return ends && name[0] != 0;
+}
+
+static bool keys_are_good(const struct species_card *card)
+{
+    bool good = true;
+    for (uint32_t i = 0; i < card->key_count; i++) {
+        good = good && is_name(card->key_names[i]) && card->key_length_m[i] >= LAB_LENGTH_MIN_M &&
+               card->key_length_m[i] <= LAB_LENGTH_MAX_M && card->key_age_days[i] >= 0.0f &&
+               (i == 0 || card->key_age_days[i] > card->key_age_days[i - 1u]);
+    }
+    return good;
+}
+
+static bool growth_is_good(const struct growth *growth)
+{
+    bool good = growth->point_count >= 1 && growth->point_count <= GROWTH_POINT_MAX &&
+                growth->fade_year > 0.0f && growth->length_inf_m > 0.0f &&
+                growth->k_per_year > 0.0f && f_is_finite(growth->t0_year);
+    for (uint32_t i = 0; good && i < growth->point_count; i++) {
+        const struct growth_point *point = &growth->points[i];
+        good = point->length_m > 0.0f && point->length_m <= LAB_LENGTH_MAX_M &&
+               (i == 0 || point->age_days > point[-1].age_days);
+    }
+    return good;
+}
+
+static bool card_is_good(const struct species_card *card)
+{
+    if (!is_name(card->id) || card->key_count < 3 || card->key_count > MORPH_KEY_MAX ||
+        card->curve_count < 1 || card->curve_count > MORPH_CURVE_MAX ||
+        !keys_are_good(card) || !growth_is_good(&card->growth)) {
+        return false;
+    }
+    bool good = true;
+    for (uint32_t i = 0; i < card->curve_count; i++) {
+        good = good && graph_check(&card->curves[i], card->key_count).fault == GRAPH_GOOD;
+    }
+    struct lab_edit own;
+    lab_edit_own(&own, card);
+    return good && lab_edit_is_good(&own, card);
+}
+
+bool lab_book_is_good(const struct lab_book *book)
+{
+    if (book->card_count > SPECIES_EXTRA_MAX) {
+        return false;
+    }
+    for (uint32_t i = 0; i < book->card_count; i++) {
+        if (!card_is_good(&book->cards[i])) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        const bool is_there = book->has_edit[i] != 0;
+        if (is_there && (i >= lab_book_count(book) ||
+                         !lab_edit_is_good(&book->edits[i], lab_book_card(book, i)))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- Hash ----------------------------------------------------------------------------------- */
+
+static uint64_t graph_hash(uint64_t hash, const struct graph *graph)
+{
+    hash = hash_u32(hash, graph->knot_count);
+    hash = hash_u32(hash, graph->line);
+    hash = hash_u32(hash, graph->solved);
+    for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
+        hash = hash_float(hash, graph->knots[i].progress);
+        hash = hash_floats(hash, graph->knots[i].weight, MORPH_KEY_MAX);
+    }
+    return hash;
+}
+
+static uint64_t scale_hash(uint64_t hash, const struct scale_knot knots[GRAPH_KNOT_MAX])
+{
+    for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
+        hash = hash_float(hash, knots[i].progress);
+        hash = hash_float(hash, knots[i].length_m);
+    }
+    return hash;
+}
+
+uint64_t lab_edit_hash(uint64_t hash, const struct lab_edit *edit)
+{
+    hash = hash_u32(hash, edit->template);
+    hash = hash_u32(hash, edit->scale_knot_count);
+    hash = graph_hash(hash, &edit->graph);
+    return scale_hash(hash, edit->scale_knots);
+}
+
+static uint64_t growth_hash(uint64_t hash, const struct growth *growth)
+{
+    hash = hash_float(hash, growth->length_inf_m);
+    hash = hash_float(hash, growth->k_per_year);
+    hash = hash_float(hash, growth->t0_year);
+    hash = hash_float(hash, growth->fade_year);
+    hash = hash_u32(hash, growth->point_count);
+    for (uint32_t i = 0; i < GROWTH_POINT_MAX; i++) {
+        hash = hash_float(hash, growth->points[i].age_days);
+        hash = hash_float(hash, growth->points[i].length_m);
+    }
+    return hash;
+}
+
+static uint64_t card_hash(uint64_t hash, const struct species_card *card)
+{
+    hash = hash_bytes(hash, card->id, sizeof card->id);
+    const uint32_t words[] = { card->key_count,        card->measure,       card->motion,
+                               card->form,             card->thesis_key[0], card->thesis_key[1],
+                               card->thesis_key[2],    card->thesis_template,
+                               card->scale_knot_count, card->curve_count };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    hash = hash_bytes(hash, card->key_names, sizeof card->key_names);
+    hash = hash_floats(hash, card->key_age_days, MORPH_KEY_MAX);
+    hash = hash_floats(hash, card->key_length_m, MORPH_KEY_MAX);
+    hash = growth_hash(hash, &card->growth);
+    hash = scale_hash(hash, card->scale_knots);
+    hash = hash_bytes(hash, card->curve_names, sizeof card->curve_names);
+    for (uint32_t i = 0; i < MORPH_CURVE_MAX; i++) {
+        hash = graph_hash(hash, &card->curves[i]);
+    }
+    return hash;
+}
+
+uint64_t lab_book_hash(uint64_t hash, const struct lab_book *book)
+{
+    hash = hash_u32(hash, book->card_count);
+    hash = hash_u32(hash, book->refused);
+    hash = hash_bytes(hash, book->has_edit, sizeof book->has_edit);
+    for (uint32_t i = 0; i < SPECIES_EXTRA_MAX; i++) {
+        hash = card_hash(hash, &book->cards[i]);
+    }
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        hash = lab_edit_hash(hash, &book->edits[i]);
+    }
+    return hash;
+}

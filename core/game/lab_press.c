@@ -1,0 +1,346 @@
+/* lab_press.c -- the lab's buttons, and knots under a hand. */
+#include "core/game/lab_press.h"
+
+#include "core/base/mem.h"
+#include "core/core.h"
+#include "core/game/phases.h"
+
+static const struct species_card *card_of(const struct core *core)
+{
+    return lab_book_card(&core->config.book, core->game.lab.species);
+}
+
+/* ---- Species and their edits ---------------------------------------------------------------- */
+
+void lab_take(struct core *core, uint32_t species)
+{
+    struct lab *lab = &core->game.lab;
+    lab->species = (uint8_t)species;
+    const struct species_card *card = card_of(core);
+    if (lab->has_edit[species]) {
+        lab->edit = lab->edits[species];
+    } else {
+        lab_edit_own(&lab->edit, card);
+    }
+    lab->layer = 0;
+    lab->progress = 0.0f;
+    lab->rest_ticks = 0;
+    lab->playing = 1;
+    lab->save_id = lab->saved_id; /* What was saved was another one. */
+}
+
+int lab_is_own(const struct core *core)
+{
+    struct lab_edit own;
+    lab_edit_own(&own, card_of(core));
+    return lab_edit_same(&core->game.lab.edit, &own);
+}
+
+int lab_is_kept(const struct core *core)
+{
+    const struct lab *lab = &core->game.lab;
+    return lab->has_edit[lab->species] ? lab_edit_same(&lab->edit, &lab->edits[lab->species])
+                                       : lab_is_own(core);
+}
+
+/* An edit that is the species' own is kept as such: the next start has nothing to read. */
+static void save(struct core *core, struct output *output)
+{
+    struct lab *lab = &core->game.lab;
+    const struct species_card *card = card_of(core);
+    lab->edits[lab->species] = lab->edit;
+    lab->has_edit[lab->species] = (uint8_t)!lab_is_own(core);
+    lab->save_id = output->edit.id + 1u;
+    output->edit = (struct edit_record){ .id = lab->save_id,
+                                         .is_own = (uint8_t)!lab->has_edit[lab->species],
+                                         .key_count = card->key_count,
+                                         .edit = lab->edit };
+    memcpy(output->edit.species, card->id, sizeof output->edit.species);
+}
+
+static void reset(struct core *core)
+{
+    lab_edit_own(&core->game.lab.edit, card_of(core));
+}
+
+/* ---- Buttons -------------------------------------------------------------------------------- */
+
+static void turn_page(struct core *core, uint32_t steps)
+{
+    const uint32_t count = lab_book_count(&core->config.book);
+    lab_take(core, (core->game.lab.species + steps) % count);
+}
+
+static void add_knot(struct core *core)
+{
+    struct lab *lab = &core->game.lab;
+    const struct species_card *card = card_of(core);
+    if (lab->layer == LAB_LAYER_SIZE) {
+        lab_edit_size_add(&lab->edit, card, lab->progress);
+    } else {
+        lab_edit_add(&lab->edit, card->key_count, lab->progress);
+    }
+}
+
+static void remove_knot(struct core *core)
+{
+    struct lab *lab = &core->game.lab;
+    if (lab->layer == LAB_LAYER_SIZE) {
+        lab_edit_size_remove(&lab->edit, card_of(core), lab->progress);
+    } else {
+        lab_edit_remove(&lab->edit, lab->progress);
+    }
+}
+
+static void play_or_stop(struct lab *lab)
+{
+    lab->playing = !lab->playing;
+    if (lab->playing && lab->progress >= 1.0f) {
+        lab->progress = 0.0f;
+        lab->rest_ticks = 0;
+    }
+}
+
+/* A key's picture leads to its time of life and takes its curve in hand. */
+static void go_to_key(struct core *core, uint32_t key)
+{
+    struct lab *lab = &core->game.lab;
+    lab->layer = (uint8_t)key;
+    lab->playing = 0;
+    lab->rest_ticks = 0;
+    lab->progress = (float)key / (float)(card_of(core)->key_count - 1u);
+}
+
+static void use_tool(struct core *core, enum lab_part part, struct output *output)
+{
+    struct lab *lab = &core->game.lab;
+    switch (part) {
+    case LAB_BACK:
+        turn_page(core, lab_book_count(&core->config.book) - 1u);
+        break;
+    case LAB_NEXT:
+        turn_page(core, 1u);
+        break;
+    case LAB_PLAY:
+        play_or_stop(lab);
+        break;
+    case LAB_COMPARE:
+        lab->compare = !lab->compare;
+        break;
+    case LAB_PATH:
+        lab->path = !lab->path;
+        break;
+    case LAB_ADD:
+        add_knot(core);
+        break;
+    case LAB_REMOVE:
+        remove_knot(core);
+        break;
+    case LAB_SIZE:
+        lab->layer = lab->layer == LAB_LAYER_SIZE ? 0 : LAB_LAYER_SIZE;
+        break;
+    case LAB_SAVE:
+        save(core, output);
+        break;
+    case LAB_RESET:
+        reset(core);
+        break;
+    default:
+        break;
+    }
+}
+
+void lab_use(struct core *core, enum lab_part part, struct output *output)
+{
+    output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
+    if (part == LAB_LEAVE) {
+        attract_begin(core);
+    } else if (part >= LAB_OWN && part <= LAB_SMOOTH) {
+        lab_edit_template(&core->game.lab.edit, card_of(core),
+                          (enum graph_template)((int)part - LAB_OWN + TEMPLATE_OWN));
+    } else if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
+        go_to_key(core, (uint32_t)part - LAB_KEY);
+    } else {
+        use_tool(core, part, output);
+    }
+}
+
+/* ---- Knots ---------------------------------------------------------------------------------- */
+
+static struct lab_box plot_of(const struct lab *lab, const struct species_card *card)
+{
+    return lab_box(lab->upright, card->key_count, LAB_PLOT);
+}
+
+static float away2(const struct lab *lab, struct lab_box plot, float progress, float share)
+{
+    const float x = plot.x + progress * plot.width - lab->x;
+    const float y = plot.y + (1.0f - share) * plot.height - lab->y;
+    return x * x + y * y;
+}
+
+/* The knot of the scale under the hand, or LAB_NO_KNOT. */
+static uint32_t size_knot_at(const struct lab *lab, const struct species_card *card)
+{
+    const struct lab_box plot = plot_of(lab, card);
+    struct scale_knot knots[GRAPH_KNOT_MAX];
+    const uint32_t count = lab_edit_scale_knots(&lab->edit, card, knots);
+    uint32_t found = LAB_NO_KNOT;
+    float least = LAB_GRAB * LAB_GRAB;
+    for (uint32_t i = 0; i < count; i++) {
+        const float share = lab_length_share(card, knots[i].length_m);
+        const float away = away2(lab, plot, knots[i].progress, share);
+        if (away < least) {
+            found = i;
+            least = away;
+        }
+    }
+    return found;
+}
+
+/* Where several keys' knots lie one upon the other, the one in hand is meant. */
+static uint32_t weight_knot_at(const struct lab *lab, const struct species_card *card,
+                               uint32_t *key)
+{
+    const struct lab_box plot = plot_of(lab, card);
+    const struct graph *graph = &lab->edit.graph;
+    uint32_t found = LAB_NO_KNOT;
+    float least = LAB_GRAB * LAB_GRAB;
+    for (uint32_t i = 0; i < graph->knot_count; i++) {
+        for (uint32_t k = 0; k < card->key_count; k++) {
+            const float ease = k == lab->layer ? 0.25f : 1.0f;
+            const float away =
+                ease * away2(lab, plot, graph->knots[i].progress, graph->knots[i].weight[k]);
+            if (away < least) {
+                found = i;
+                *key = k;
+                least = away;
+            }
+        }
+    }
+    return found;
+}
+
+static void grab_in_plot(struct lab *lab, const struct species_card *card)
+{
+    uint32_t key = 0;
+    const int of_size = lab->layer == LAB_LAYER_SIZE;
+    const uint32_t knot = of_size ? size_knot_at(lab, card) : weight_knot_at(lab, card, &key);
+    lab->held_knot = (uint8_t)knot;
+    lab->holds = HOLD_PLOT;
+    if (knot != LAB_NO_KNOT) {
+        lab->holds = of_size ? HOLD_SIZE : HOLD_WEIGHT;
+        lab->layer = of_size ? lab->layer : (uint8_t)key;
+    }
+}
+
+/* ---- The hand ------------------------------------------------------------------------------- */
+
+static void scrub_to(struct lab *lab, float progress)
+{
+    lab->progress = f_clamp(progress, 0.0f, 1.0f);
+    lab->rest_ticks = 0;
+    lab->playing = 0;
+}
+
+static void drag_weight(struct lab *lab, const struct species_card *card, struct lab_point at)
+{
+    const uint32_t knot = lab->held_knot;
+    lab_edit_move(&lab->edit, knot, at.x);
+    lab_edit_weigh(&lab->edit, card->key_count, knot, lab->layer, at.y);
+    scrub_to(lab, lab->edit.graph.knots[knot].progress);
+}
+
+static void drag_size(struct lab *lab, const struct species_card *card, struct lab_point at)
+{
+    const uint32_t knot = lab->held_knot;
+    lab_edit_size_move(&lab->edit, card, knot, at.x);
+    lab_edit_size(&lab->edit, card, knot,
+                  lab_length_of_share(card, f_clamp(at.y, 0.0f, 1.0f)));
+    scrub_to(lab, lab->edit.scale_knots[knot].progress);
+}
+
+/* In shares of a field, from its lower left corner. */
+static struct lab_point share_of(const struct lab *lab, struct lab_box field)
+{
+    return (struct lab_point){ (lab->x - field.x) / field.width,
+                               1.0f - (lab->y - field.y) / field.height };
+}
+
+/* The chart's axis is age, from hatching to the last key's. */
+static float charted_progress(const struct lab *lab, const struct species_card *card)
+{
+    const struct lab_box chart = lab_box(lab->upright, card->key_count, LAB_CHART);
+    const float share = f_clamp(share_of(lab, chart).x, 0.0f, 1.0f);
+    return life_progress(card, share * card->key_age_days[card->key_count - 1u]);
+}
+
+void lab_drag(struct core *core)
+{
+    struct lab *lab = &core->game.lab;
+    const struct species_card *card = card_of(core);
+    const struct lab_point at = share_of(lab, plot_of(lab, card));
+    switch (lab->holds) {
+    case HOLD_AGE:
+        scrub_to(lab, lab_age_progress(lab->upright, card->key_count, lab->x));
+        break;
+    case HOLD_CHART:
+        scrub_to(lab, charted_progress(lab, card));
+        break;
+    case HOLD_PLOT:
+        scrub_to(lab, at.x);
+        break;
+    case HOLD_WEIGHT:
+        drag_weight(lab, card, at);
+        break;
+    case HOLD_SIZE:
+        drag_size(lab, card, at);
+        break;
+    default:
+        break;
+    }
+}
+
+static void point(struct lab *lab, const struct species_card *card)
+{
+    const struct lab_point at = { lab->x, lab->y };
+    lab->points = (uint8_t)lab_part_at(lab->upright, card->key_count, at);
+}
+
+void lab_press(struct core *core, struct output *output)
+{
+    struct lab *lab = &core->game.lab;
+    const struct species_card *card = card_of(core);
+    point(lab, card);
+    lab->act_tick = lab->stir_tick = core->tick;
+    lab->holds = HOLD_BUTTON;
+    switch (lab->points) {
+    case LAB_AGE:
+        lab->holds = HOLD_AGE;
+        break;
+    case LAB_CHART:
+        lab->holds = HOLD_CHART;
+        break;
+    case LAB_PLOT:
+        grab_in_plot(lab, card);
+        break;
+    case LAB_NOTHING:
+        break;
+    default:
+        lab_use(core, (enum lab_part)lab->points, output);
+        return;
+    }
+    lab_drag(core);
+}
+
+void lab_release(struct core *core)
+{
+    struct lab *lab = &core->game.lab;
+    lab->holds = HOLD_NOTHING;
+    lab->held_knot = LAB_NO_KNOT;
+    if (lab->has_hand) {
+        point(lab, card_of(core));
+    } else {
+        lab->points = LAB_NOTHING;
+    }
+}
