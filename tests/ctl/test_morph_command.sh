@@ -1,0 +1,263 @@
+#!/bin/bash
+# test_morph_command.sh -- `kingyoctl morph` list, weights, growth, path and graph as their users see them:
+# tables that another program judges, for every species and every template. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
+root=$(cd "$(dirname "$0")/../.." && pwd)
+morph() { "$ctl" morph "$@"; }
+query() { sqlite3 :memory: "with r as (select readfile('$work/list.json') as j) select $1 from r"; }
+
+# ---- The list
+morph list --json >"$work/list.json"
+mapfile -t species < <(sqlite3 :memory: "select json_extract(value, '\$.id') from json_each(readfile('$work/list.json'))")
+list_is_valid() { [ "$(query 'json_valid(j)')" = 1 ] && [ "${#species[@]}" -ge 1 ]; }
+check 'the list is valid JSON' list_is_valid
+listed_for_people() {
+    morph list >"$work/list"
+    cat "$work/list"
+    [ "$(awk '{ print $1 }' "$work/list")" = "$(printf '%s\n' "${species[@]}")" ]
+}
+check 'the same species stand in the text' listed_for_people
+has_wakin() { printf '%s\n' "${species[@]}"; [ "${species[0]}" = wakin ]; }
+check 'the goldfish of the stall first' has_wakin
+key_names() { # SPECIES
+    sqlite3 :memory: "select json_extract(k.value, '\$.name') from json_each(readfile('$work/list.json')) s,
+        json_each(s.value, '\$.keys') k where json_extract(s.value, '\$.id')='$1' order by k.key"
+}
+
+# ---- Weights
+head_is() { # SPECIES
+    local expected
+    expected=progress,age_days,length_mm,scale$(key_names "$1" | sed 's/^/,w_/' | tr -d '\n')
+    [ "$(morph weights "$1" --steps 1 | head -1)" = "$expected" ] || { echo "$expected"; return 1; }
+}
+# Sums 1 within 1e-6 (and half a unit of the last place printed, for each), none below 0, scale in (0, 1] and 1
+# somewhere, progress and age rising.
+weights_hold() { # ROWS OPTIONS...
+    local rows=$1
+    shift
+    morph weights "$@" >"$work/w.csv" || return 1
+    awk -F, -v rows="$rows" 'NR == 1 { columns = NF; next }
+        { sum = 0; for (i = 5; i <= NF; i++) { sum += $i; if ($i < 0) bad = "below 0" }
+          if ((sum - 1) ^ 2 > (1e-6 + 4e-7) ^ 2) bad = "sum " sum
+          if (!($4 > 0 && $4 <= 1)) bad = "scale " $4
+          if ($4 > top) top = $4
+          if (NR > 2 && ($1 <= last || $2 < age)) bad = "order"
+          if (NF != columns || $0 ~ /nan|inf/) bad = "columns"
+          last = $1; age = $2; if (bad) { print bad ": " $0; exit } }
+        END { if (!bad && (NR != rows + 1 || last != 1 || top < 0.99999)) { bad = "rows " NR " top " top; print bad }
+              exit bad != "" }' "$work/w.csv"
+}
+# At every key's own progress its weight is what it is meant to be.
+key_weight() { # SPECIES WEIGHT_OF_INNER OPTIONS...
+    local keys
+    keys=$(key_names "$1" | wc -l)
+    morph weights "$1" --steps $((12 * (keys - 1))) "${@:3}" >"$work/w.csv"
+    awk -F, -v inner="$2" -v keys="$keys" 'NR > 1 && (NR - 2) % 12 == 0 { key = (NR - 2) / 12
+        want = key == 0 || key == keys - 1 ? 1 : inner
+        seen++; if (($(5 + key) - want) ^ 2 > 1e-12) { print "key", key, $0; bad = 1 } }
+        END { exit bad || seen != keys }' "$work/w.csv"
+}
+for id in "${species[@]}"; do
+    check "$id: the head names the keys" head_is "$id"
+    for template in own ordinary pairwise simultaneous smooth; do
+        check "$id, $template: weights are shares" weights_hold 201 "$id" --steps 200 --template $template
+        check "$id, $template, the thesis' way: too" weights_hold 98 "$id" --steps 97 --template $template --thesis
+    done
+    check "$id, pairwise: each key is reached whole" key_weight "$id" 1 --template pairwise
+    check "$id, simultaneous: inner keys peak at 70 %" key_weight "$id" 0.7 --template simultaneous
+    check "$id, simultaneous: and yet each drawing is passed through" key_weight "$id" 1 --template simultaneous --drawn
+    check "$id, smooth: each drawing is passed through" key_weight "$id" 1 --template smooth --drawn
+    check "$id, ordinary: inner keys count for nothing" key_weight "$id" 0 --template ordinary
+done
+same_file() { # SPECIES: what the build baked and what its text says.
+    diff <(morph weights "$1") <(morph weights "$root/assets/species/$1.txt") &&
+        diff <(morph path "$1" --part eye --steps 20) <(morph path "$root/assets/species/$1.txt" --part eye --steps 20)
+}
+for id in "${species[@]}"; do
+    check "$id: its text says what is built in" same_file "$id"
+done
+three_keys() {
+    local wide
+    for id in "${species[@]}"; do
+        wide=$(morph weights "$id" --thesis --steps 1 | awk -F, 'NR == 1 { print NF }')
+        [ "$wide" = 7 ] || { echo "$id: $wide columns"; return 1; }
+    done
+}
+check 'the thesis has three keys' three_keys
+
+# ---- Growth: what the table holds at hatching, at the end and between
+growth_holds() { # SPECIES
+    morph growth "$1" --steps 400 >"$work/g.csv" || return 1
+    awk -F, 'NR == 1 { if ($0 != "age_days,age_years,length_mm,von_bertalanffy_mm,shifted_mm") bad = "head"; next }
+        NR == 2 && ($1 != 0 || ($3 - $5) ^ 2 > (1e-4 * $3) ^ 2 || $3 <= 0) { bad = "hatching" }
+        ($2 * 365.25 - $1) ^ 2 > 0.01 { bad = "years" }
+        NR > 2 && ($4 <= plain || $5 <= shifted) { bad = "falls" }
+        { plain = $4; shifted = $5; ours = $3 }
+        END { if ((ours - plain) ^ 2 > (0.002 * plain) ^ 2) bad = "the end " ours " " plain
+              if (bad || NR != 402) { print bad, NR; exit 1 } }' "$work/g.csv"
+}
+for id in "${species[@]}"; do
+    check "$id: hatches with its true length, ends on the plain curve" growth_holds "$id"
+done
+thesis_growth() {
+    diff <(morph growth wakin --thesis | cut -d, -f3) <(morph growth wakin | cut -d, -f5 | sed s/shifted_mm/length_mm/)
+}
+check "the thesis' growth is the shifted curve" thesis_growth
+if [[ " ${species[*]} " == *' mebachi '* ]]; then
+    bigeye() { # Plain: 32.0 cm at hatching, 63.7 at a year; shifted: 37.8 at a year (the fit of figure 3.6).
+        morph growth mebachi --to-days 365.25 --steps 1 | awk -F, 'NR == 2 && ($4 < 317 || $4 > 323) { bad = 1 }
+            NR == 3 && ($4 < 634 || $4 > 640 || $3 < 0.9 * $4 || $5 > 385) { bad = 1 } { print } END { exit bad }'
+    }
+    check 'a bigeye hatches as a giant by the plain curve, and stays small by the shifted one' bigeye
+fi
+if [[ " ${species[*]} " == *' kuroanago '* ]]; then
+    shrinks() { # 64 -> 125.5 -> 56 -> 72.5 mm and on: table 2.7
+        morph weights kuroanago --steps 2000 | awk -F, 'NR > 1 { if ($3 > last) { if (down) turns++; down = 0 }
+            else if ($3 < last) { if (!down) { turns++; top = last }; down = 1; low = $3 } last = $3 }
+            END { print turns, top, low; exit !(turns == 2 && top > 125 && top < 126 && low > 55.5 && low < 56.5) }'
+    }
+    check 'the conger grows, shrinks and grows' shrinks
+fi
+
+# ---- Paths
+straight() { # COLUMN OPTIONS...: nowhere farther from the chord than rounding
+    local column=$1
+    shift
+    morph path "$@" >"$work/p.csv" || return 1
+    awk -F, -v c="$column" 'NR > 1 && $c > 2e-5 { print; bad = 1 } END { exit bad || NR < 10 }' "$work/p.csv"
+}
+bent() { # LEAST OPTIONS...: at its farthest
+    local least=$1
+    shift
+    morph path "$@" >"$work/p.csv" || return 1
+    awk -F, -v least="$least" 'NR > 1 && $7 > most { most = $7 } END { print most; exit most < least }' "$work/p.csv"
+}
+for id in "${species[@]}"; do
+    check "$id: the ordinary morph moves an eye straight" straight 11 "$id" --part eye
+    check "$id: and is what --template ordinary gives" straight 7 "$id" --part eye --template ordinary
+done
+check 'ours bends' bent 0.003 wakin --part dorsal
+[[ " ${species[*]} " == *' kuroanago '* ]] && check "a conger's dorsal fin slides along its back" bent 0.01 kuroanago --part dorsal
+[[ " ${species[*]} " == *' hirame '* ]] && check "a flounder's eye goes round its head" bent 0.02 hirame --part eye
+mirrored() { # But for what the skin's triangles, whose diagonals are no mirror images, move them: a thousandth.
+    paste -d, <(morph path wakin --part eye --side right) <(morph path wakin --part eye --side left) |
+        awk -F, 'NR > 1 && (($4 + $15) ^ 2 + ($5 - $16) ^ 2 + ($6 - $17) ^ 2 > 1.5e-3 ^ 2 || $4 <= 0) { print; bad = 1; exit }
+            END { exit bad || NR < 100 }'
+}
+check "a goldfish's eyes are of two sides" mirrored
+
+# ---- Pictures
+drawn() { # LINES OPTIONS...: a whole SVG with so many lines of the first key's colour or more
+    local least=$1
+    shift
+    morph "$@" --svg "$work/picture.svg" || return 1
+    head -c 300 "$work/picture.svg"
+    ! grep -qiE 'nan|inf["., ]' "$work/picture.svg" && grep -q '<svg xmlns="http://www.w3.org/2000/svg"' "$work/picture.svg" &&
+        [ "$(tail -1 "$work/picture.svg")" = '</svg>' ] && [ "$(grep -c '#d7382b' "$work/picture.svg")" -ge "$least" ]
+}
+for id in "${species[@]}"; do
+    check "$id: the graph is drawn" drawn 4 graph "$id"
+    check "$id: the way of its tail is drawn" drawn 3 path "$id" --part body --view side
+done
+for template in ordinary pairwise simultaneous smooth; do
+    check "a $template graph is drawn" drawn 4 graph wakin --template $template --thesis
+    check "and its way" drawn 3 path wakin --part dorsal --template $template --thesis
+done
+has_curves() { # Each key's curve and the size: polylines that differ
+    morph graph wakin --svg "$work/graph.svg" && [ "$(grep -c 'stroke="#8e4bb8"' "$work/graph.svg")" -ge 2 ] &&
+        [ "$(grep -cE '<polyline.{2000,}' "$work/graph.svg")" -eq $(($(key_names wakin | wc -l) + 1)) ]
+}
+check 'with a curve for each key and one for the size' has_curves
+
+# ---- Mistakes: one line that names the word, nothing on standard output
+mistake() { # STATUS NEEDLE WORDS...
+    local expected=$1 needle=$2 status
+    shift 2
+    "$ctl" morph "$@" >"$work/out" 2>"$work/err"
+    status=$?
+    cat "$work/err"
+    echo "exit $status"
+    [ $status -eq "$expected" ] && [ ! -s "$work/out" ] && [ "$(wc -l <"$work/err")" -eq 1 ] &&
+        grep -qF -- "$needle" "$work/err"
+}
+check 'a subcommand is missing' mistake 2 missing
+check 'a subcommand that is none' mistake 2 "'grow'" grow
+check 'the list takes no fish' mistake 2 wakin list wakin
+for sub in weights growth path graph; do
+    check "$sub: a species is missing" mistake 2 'a species is missing' $sub
+    check "$sub: a species that is none" mistake 2 "'koi'" $sub koi
+    check "$sub: one species at a time" mistake 2 'one species too many' $sub wakin wakin
+    check "$sub: an option that is none" mistake 2 "'--step'" $sub wakin --step 3
+    check "$sub: an empty word" mistake 2 'a species has a name' $sub ''
+    check "$sub: a file that is not there" mistake 74 nowhere $sub "$work/nowhere.txt"
+    check "$sub: a folder is no file" mistake 74 "$work" $sub "$work/."
+    check "$sub: nor a packed one" mistake 74 nowhere $sub "$work/nowhere.kfish"
+done
+check 'steps are whole' mistake 2 --steps weights wakin --steps 2.5
+check 'and there are some' mistake 2 '1 to 100000' growth wakin --steps 0
+check 'but not too many' mistake 2 '1 to 100000' path wakin --part eye --steps 100001
+check 'a number is missing' mistake 2 --steps weights wakin --steps
+check 'a template that is none' mistake 2 "'linear'" weights wakin --template linear
+check 'a template is missing' mistake 2 --template graph wakin --template
+check 'a curve that is none' mistake 2 "'ear'" weights wakin --curve ear
+check 'no part' mistake 2 '--part is missing' path wakin
+check 'a part that is none' mistake 2 "'wing'" path wakin --part wing
+check 'a part that a goldfish has not' mistake 2 'has no dorsal2' path wakin --part dorsal2
+check 'a side that is none' mistake 2 "'up'" path wakin --part eye --side up
+check 'a view that is none' mistake 2 "'below'" path wakin --part eye --svg "$work/x.svg" --view below
+check 'a view of a table' mistake 2 '--view goes with --svg' path wakin --part eye --view side
+check 'a day before hatching' mistake 2 --to-days growth wakin --to-days -1
+check 'a day that is no number' mistake 2 --to-days growth wakin --to-days nan
+check 'growth knows no template' mistake 2 --template growth wakin --template smooth
+check 'a picture goes somewhere' mistake 2 --svg graph wakin
+check 'but not there' mistake 74 /nowhere/ graph wakin --svg /nowhere/g.svg
+check 'nor the other' mistake 74 /nowhere/ path wakin --part eye --svg /nowhere/g.svg
+check 'a full disk is told' mistake 74 /dev/full graph wakin --svg /dev/full
+full_output() {
+    local status
+    for words in list 'list --json' 'weights wakin --steps 5000' 'growth wakin' 'path wakin --part eye --steps 2' --help; do
+        # shellcheck disable=SC2086
+        morph $words >/dev/full
+        status=$?
+        [ $status -eq 74 ] || { echo "$words: $status"; return 1; }
+    done
+}
+check 'where the tables go, too' full_output
+sed '0,/^station.*/s//station 0.00 wide/' "$root/assets/species/wakin.txt" >"$work/bad.txt"
+check 'a text that is no species, by its line' mistake 65 'bad.txt:' weights "$work/bad.txt"
+head -c 600 "$root/assets/species/wakin.txt" >"$work/short.txt"
+check 'half a text' mistake 65 'short.txt' graph "$work/short.txt" --svg "$work/x.svg"
+head -c 300 /dev/zero >"$work/zero.kfish"
+check 'zeros are no packed species' mistake 65 zero.kfish growth "$work/zero.kfish"
+: >"$work/empty.txt"
+check 'nor is nothing a text' mistake 65 empty.txt weights "$work/empty.txt"
+
+# ---- Any words at all: an answer or one line, never a crash
+words=(wakin list weights growth path graph --template own smooth --thesis --steps 3 -1 1e9 --curve whole --part eye tail
+    --side left --svg "$work/fuzz.svg" --view top --to-days '' % "$work/bad.txt" --drawn --json "$(printf 'x%.0s' {1..5000})")
+any_words() {
+    local status
+    RANDOM=7
+    for _ in {1..250}; do
+        local line=("${words[1 + RANDOM % 5]}")
+        while [ $((RANDOM % 5)) -ne 0 ]; do line+=("${words[RANDOM % ${#words[@]}]}"); done
+        "$ctl" morph "${line[@]}" >"$work/out" 2>"$work/err"
+        status=$?
+        case $status in
+        0) [ ! -s "$work/err" ] ;;
+        2 | 65 | 74) [ "$(wc -l <"$work/err")" -eq 1 ] && [ "$(wc -c <"$work/err")" -lt 600 ] ;;
+        *) false ;;
+        esac || { echo "exit $status: ${line[*]}" | cut -c1-300; cat "$work/err"; return 1; }
+    done
+}
+check 'any words get an answer or one line' any_words
+helps() {
+    local sub
+    for sub in list weights growth path graph; do
+        morph $sub --help | grep -q "kingyoctl morph $sub" || return 1
+        morph --help | grep -q "^  $sub " || return 1
+    done
+}
+check 'each subcommand helps' helps
+echo "1..$count"
