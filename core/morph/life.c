@@ -50,6 +50,9 @@ float life_progress(const struct species_card *card, float age_days)
         return 0.0f;
     }
     for (uint32_t key = 0; key < last; key++) {
+        if (age_days == card->key_age_days[key]) {
+            return progress_of(card, key, 0.0f); /* Rounding of its length apart. */
+        }
         if (age_days < card->key_age_days[key + 1]) {
             if (!goes_by_length(card, key)) {
                 return progress_of(card, key, part_of_age(card, key, age_days));

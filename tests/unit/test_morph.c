@@ -100,8 +100,8 @@ static void test_progress_rises_with_length_and_stops_at_the_keys_ends(void **st
 static void test_lengths_between_keys_go_by_factors(void **state)
 {
     (void)state;
-    /* 30 mm is as many times 20 mm as 45 mm is times 30 mm. */
-    assert_float_equal(morph_progress(&wakin->card, 0.030f), 0.25f, 1e-5f);
+    /* 10 mm is as many times 5 mm as 20 mm is times 10 mm: half way between larva and aoko. */
+    assert_float_equal(morph_progress(&wakin->card, 0.010f), 0.125f, 1e-5f);
 }
 
 static void test_a_progress_outside_the_graph_is_a_bug(void **state)

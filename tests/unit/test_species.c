@@ -223,8 +223,8 @@ static float body_depth(const struct shape *shape)
 static void test_the_stages_are_as_deep_as_goldfish_of_their_length(void **state)
 {
     (void)state;
-    const float depth_per_standard[] = { 0.31f, 0.37f, 0.41f };
-    for (uint32_t key = 0; key < 3; key++) {
+    const float depth_per_standard[] = { 0.0f, 0.31f, 0.35f, 0.37f, 0.41f };
+    for (uint32_t key = 1; key < 5; key++) { /* The larva's tail is no fifth of it. */
         const float depth = body_depth(shape_of(wakin, 0, key)) * TOTAL_PER_STANDARD;
         assert_float_equal(depth, depth_per_standard[key], DEPTH_TOLERANCE * depth);
     }
@@ -257,6 +257,9 @@ static float seen_area(const struct shape *shape, uint8_t part, vec3 eye)
 
 static void check_fins_from_above(const struct shape *shape)
 {
+    if (shape->key == 0) {
+        return; /* A larva's tail is a flat fold, and no larva swims in the stall. */
+    }
     const vec3 side = v3(1.0f, 0.0f, 0.0f);
     const vec3 above[] = { v3(0.0f, 1.0f, 0.0f), v3(0.6f, 0.8f, 0.0f), v3(-0.6f, 0.8f, 0.0f) };
     const float tail = seen_area(shape, PART_TAIL, side);
