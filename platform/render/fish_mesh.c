@@ -1,17 +1,27 @@
 /* fish_mesh.c -- see fish_mesh.h. */
 #include "platform/render/fish_mesh.h"
 
-#include <stdlib.h>
 #include <string.h>
+
+#include "core/base/panic.h"
+#include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
 #define SURFACE_SIZE 4u /* u, v, part, flex; */
 #define RIDES_SIZE 4u   /* anchor, side, and two of padding. */
-#define REST_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
+#define PAINT_SIZE_BYTES 4u /* Two fractions of 16 bits. */
+#define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
+#define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
+_Static_assert(MORPH_KEY_MAX * KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h has it");
 
 static uint8_t byte(float x)
 {
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+static uint16_t fraction(float x)
+{
+    return (uint16_t)(x * 65535.0f + 0.5f);
 }
 
 static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
@@ -21,12 +31,16 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
         memcpy(out, &source->points[key][index], KEY_SIZE);
     }
     const struct species_vertex *const vertex = &source->vertices[index];
-    const uint8_t rest[REST_SIZE] = {
+    const uint8_t rest[BYTES_SIZE] = {
         byte(vertex->u), byte(vertex->v), vertex->part,    vertex->flex,
         vertex->mask[0], vertex->mask[1], vertex->mask[2], vertex->mask[3],
         vertex->anchor,  vertex->side,
     };
+    float uv[2];
+    paint_atlas_find(vertex, uv);
+    const uint16_t paint[2] = { fraction(uv[0]), fraction(uv[1]) };
     memcpy(out, rest, sizeof rest);
+    memcpy(out + sizeof rest, paint, sizeof paint);
 }
 
 static bool is_fin(const struct species_mesh *source, uint32_t triangle)
@@ -60,6 +74,9 @@ static void describe_vertex(uint32_t key_count)
 {
     const size_t rest = key_count * KEY_SIZE;
     const GLsizei stride = (GLsizei)(rest + REST_SIZE);
+    for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
+        glDisableVertexAttribArray(key); /* It reads as a constant, with a weight of 0. */
+    }
     for (uint32_t key = 0; key < key_count; key++) {
         glEnableVertexAttribArray(key);
         glVertexAttribPointer(key, 4, GL_SHORT, GL_TRUE, stride,
@@ -69,35 +86,41 @@ static void describe_vertex(uint32_t key_count)
     describe_bytes(FISH_ATTRIBUTE_MASKS, 4, GL_TRUE, stride, rest + SURFACE_SIZE);
     describe_bytes(FISH_ATTRIBUTE_RIDES, 2, GL_FALSE, stride,
                    rest + SURFACE_SIZE + MORPH_CURVE_MAX);
+    glEnableVertexAttribArray(FISH_ATTRIBUTE_PAINT);
+    glVertexAttribPointer(FISH_ATTRIBUTE_PAINT, 2, GL_UNSIGNED_SHORT, GL_TRUE, stride,
+                          (const void *)(rest + BYTES_SIZE));
 }
 
-void fish_mesh_open(struct gl_status *status, struct fish_mesh *mesh,
+void fish_mesh_reserve(struct fish_mesh *mesh)
+{
+    glGenVertexArrays(1, &mesh->vertex_array);
+    glGenBuffers(1, &mesh->vertex_buffer);
+    glGenBuffers(1, &mesh->index_buffer);
+}
+
+void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
                     const struct species_mesh *source, uint32_t key_count)
 {
     const size_t stride = key_count * KEY_SIZE + REST_SIZE;
-    uint8_t *const vertices = malloc(source->vertex_count * stride);
-    uint16_t *const indices = malloc(source->index_count * sizeof *indices);
-    if (!vertices || !indices) {
-        gl_fail(status, "fish mesh: out of memory");
-    } else {
-        for (uint32_t i = 0; i < source->vertex_count; i++) {
-            pack_vertex(vertices + i * stride, source, key_count, i);
-        }
-        const uint32_t body = gather(indices, source, false);
-        const uint32_t fins = gather(indices + body, source, true);
-        glGenVertexArrays(1, &mesh->vertex_array);
-        glBindVertexArray(mesh->vertex_array);
-        mesh->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, vertices, source->vertex_count * stride);
-        describe_vertex(key_count);
-        mesh->index_buffer =
-            gl_buffer(GL_ELEMENT_ARRAY_BUFFER, indices, (body + fins) * sizeof *indices);
-        mesh->body_index_count = (GLsizei)body;
-        mesh->fin_index_count = (GLsizei)fins;
-        mesh->reach = source->reach;
-        glBindVertexArray(0);
+    CORE_ASSERT(key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(source->vertex_count <= MESH_VERTEX_MAX && source->index_count <= MESH_INDEX_MAX);
+    for (uint32_t i = 0; i < source->vertex_count; i++) {
+        pack_vertex(memory->vertices + i * stride, source, key_count, i);
     }
-    free(vertices);
-    free(indices);
+    const uint32_t body = gather(memory->indices, source, false);
+    const uint32_t fins = gather(memory->indices + body, source, true);
+    glBindVertexArray(mesh->vertex_array);
+    glBindBuffer(GL_ARRAY_BUFFER, mesh->vertex_buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(source->vertex_count * stride), memory->vertices,
+                 GL_STATIC_DRAW);
+    describe_vertex(key_count);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->index_buffer);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)((body + fins) * sizeof *memory->indices),
+                 memory->indices, GL_STATIC_DRAW);
+    mesh->body_index_count = (GLsizei)body;
+    mesh->fin_index_count = (GLsizei)fins;
+    mesh->reach = source->reach;
+    glBindVertexArray(0);
 }
 
 void fish_mesh_close(struct fish_mesh *mesh)

@@ -24,7 +24,8 @@ static struct fish_program program(struct gl_status *status, const char *name,
     return (struct fish_program){ program, glGetUniformLocation(program, "reach") };
 }
 
-void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
+void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
+                    struct fish_mesh_memory *memory)
 {
     const struct species *const species = &species_wakin;
     pass->body = program(status, "fish body", "");
@@ -36,7 +37,8 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass)
     glGenVertexArrays(1, &pass->rings);
     morph_rig_init(&pass->rig, &species->card, TEMPLATE_OWN);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
-        fish_mesh_open(status, &pass->mesh[i], &species->lod[i], species->card.key_count);
+        fish_mesh_reserve(&pass->mesh[i]);
+        fish_mesh_fill(&pass->mesh[i], memory, &species->lod[i], species->card.key_count);
         fish_poses_open(status, &pass->poses[i], species, i);
     }
     pass->instance_buffer = gl_buffer(GL_ARRAY_BUFFER, NULL, sizeof pass->instances);

@@ -45,7 +45,9 @@ struct fish_pass {
     struct fish_instance instances[SCENE_FISH_MAX];
 };
 
-void fish_pass_open(struct gl_status *status, struct fish_pass *pass);
+/* `memory` is only needed until it returns. */
+void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
+                    struct fish_mesh_memory *memory);
 void fish_pass_close(struct fish_pass *pass);
 
 /* Sorts the scene's fish into groups and uploads them. */

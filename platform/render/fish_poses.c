@@ -29,7 +29,8 @@ uint32_t pose_pack(float out[][4], const struct morph_pose *pose, uint32_t curve
 void pose_defines(char *out, size_t size, const struct species *species)
 {
     const bool anchors = species->lod[0].anchor_count + species->lod[1].anchor_count > 0;
-    snprintf(out, size, "#define POSE_ROWS\n#define KEYS %u\n#define CURVES %u\n#define ANCHORS %u\n",
+    snprintf(out, size,
+             "#define POSE_ROWS\n#define KEYS %u\n#define CURVES %u\n#define ANCHORS %u\n",
              species->card.key_count, species->card.curve_count, anchors ? 1u : 0u);
 }
 

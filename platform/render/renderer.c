@@ -83,7 +83,8 @@ static void open_passes(struct renderer *renderer)
     textures_open(status, &renderer->textures);
     light_pass_open(status, &renderer->light);
     basin_pass_open(status, &renderer->basin);
-    fish_pass_open(status, &renderer->fish);
+    specimen_pass_open(status, &renderer->specimens);
+    fish_pass_open(status, &renderer->fish, &renderer->specimens.memory);
     poi_pass_open(status, &renderer->poi);
     bowl_pass_open(status, &renderer->bowl);
     fan_pass_open(status, &renderer->fan);
@@ -118,6 +119,7 @@ void renderer_close(struct renderer *renderer)
     bowl_pass_close(&renderer->bowl);
     poi_pass_close(&renderer->poi);
     fish_pass_close(&renderer->fish);
+    specimen_pass_close(&renderer->specimens);
     basin_pass_close(&renderer->basin);
     light_pass_close(&renderer->light);
     textures_close(&renderer->textures);
@@ -161,6 +163,7 @@ static void prepare(struct renderer *renderer, const struct scene *scene)
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
+    specimen_pass_work(&renderer->specimens);
     step_done(renderer, STEP_PREPARE);
 }
 
@@ -321,7 +324,8 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene)
     draw_surface(renderer, scene);
     draw_above(renderer, scene);
     finish_screen(renderer);
-    ui_draw(&renderer->ui, scene, (float)renderer->config.width, (float)renderer->config.height);
+    ui_draw(&renderer->ui, &renderer->specimens, scene, (float)renderer->config.width,
+            (float)renderer->config.height);
     step_done(renderer, STEP_UI);
 }
 

@@ -18,6 +18,7 @@
 #include "platform/render/poi_pass.h"
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
+#include "platform/render/specimen_pass.h"
 #include "platform/render/ui.h"
 
 #define RENDERER_WIDTH_MAX 8192u /* Of a picture that can be read back: twice 4K. */
@@ -56,6 +57,7 @@ struct renderer {
     struct fan_pass fan;
     struct air_pass air;
     struct drip_pass drip;
+    struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life;
     struct gl_target screen; /* Only with multisampling; else the default framebuffer itself. */

@@ -127,12 +127,13 @@ static void set_state(const struct ui *ui, float width_px, float height_px)
     glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
 }
 
-/* The quads from `first` on that share a kind, in one call. Returns the next quad. */
-static uint32_t draw_run(const struct ui *ui, uint32_t first, float width_px, float height_px)
+/* The quads from `first` up to `limit` that share a kind, in one call. Returns the next quad. */
+static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit, float width_px,
+                         float height_px)
 {
     const uint8_t kind = ui->batch.kinds[first];
     uint32_t end = first + 1u;
-    while (end < ui->batch.quad_count && ui->batch.kinds[end] == kind) {
+    while (end < limit && ui->batch.kinds[end] == kind) {
         end++;
     }
     glUseProgram(ui->programs[kind]);
@@ -142,7 +143,19 @@ static uint32_t draw_run(const struct ui *ui, uint32_t first, float width_px, fl
     return end;
 }
 
-void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px)
+static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit, float width_px,
+                       float height_px)
+{
+    if (first < limit) {
+        set_state(ui, width_px, height_px);
+    }
+    while (first < limit) {
+        first = draw_run(ui, first, limit, width_px, height_px);
+    }
+}
+
+void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
+             float width_px, float height_px)
 {
     ui_screens(&ui->batch, &ui->memory, scene, width_px, height_px);
     set_state(ui, width_px, height_px);
@@ -151,9 +164,13 @@ void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float hei
     glBufferSubData(GL_ARRAY_BUFFER, 0,
                     (GLsizeiptr)(ui->batch.quad_count * 4u * sizeof(struct ui_vertex)),
                     ui->batch.vertices);
-    for (uint32_t quad = 0; quad < ui->batch.quad_count;) {
-        quad = draw_run(ui, quad, width_px, height_px);
+    uint32_t quad = 0;
+    for (uint32_t i = 0; i < ui->batch.specimen_count && specimens != NULL; i++) {
+        draw_quads(ui, quad, ui->batch.specimen_quad[i], width_px, height_px);
+        quad = ui->batch.specimen_quad[i];
+        specimen_pass_draw(specimens, &ui->batch.specimens[i], width_px, height_px);
     }
+    draw_quads(ui, quad, ui->batch.quad_count, width_px, height_px);
     glBindVertexArray(0);
 }
 

@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #include "core/scene.h"
+#include "platform/render/specimen_pass.h"
 #include "platform/render/ui_batch.h"
 #include "platform/render/ui_screens.h"
 
@@ -31,10 +32,12 @@ struct ui {
 int ui_init(struct ui *ui, char *why, size_t why_size);
 
 /* Draws over what is in the bound framebuffer, into (0, 0, width_px, height_px); both > 0.
- * Needs no state but the bound framebuffer. Leaves behind: the viewport on that rectangle, blending
+ * `specimens` draws the batch's specimens, between its quads; null: they are left out, and the
+ * framebuffer needs no depth. Needs no state but the bound framebuffer. Leaves behind: the viewport on that rectangle, blending
  * on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off, depth writes on (as OpenGL
  * starts), scissor off, one of its programs current, vertex array 0, textures on units 0 and 1. */
-void ui_draw(struct ui *ui, const struct scene *scene, float width_px, float height_px);
+void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
+             float width_px, float height_px);
 
 /* Frees the OpenGL objects; the same context must be current. */
 void ui_close(struct ui *ui);

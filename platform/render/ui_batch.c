@@ -11,6 +11,7 @@ void ui_batch_clear(struct ui_batch *batch)
 {
     batch->quad_count = 0;
     batch->dropped_count = 0;
+    batch->specimen_count = 0;
     batch->opacity = 1.0f;
 }
 
@@ -57,6 +58,39 @@ void ui_shape(struct ui_batch *batch, const struct ui_shape *shape)
         whole.shape[1] = 0.5f * shape->box.height;
     }
     add_quad(batch, &whole);
+}
+
+void ui_segment(struct ui_batch *batch, const float from[2], const float to[2], float width_px,
+                uint32_t colour)
+{
+    const float x = to[0] - from[0], y = to[1] - from[1];
+    const float length = f_sqrt(x * x + y * y);
+    const float c = length > 0.0f ? x / length : 1.0f, s = length > 0.0f ? y / length : 0.0f;
+    const float half[2] = { 0.5f * (length + width_px), 0.5f * width_px };
+    const struct ui_shape shape = { .box = { 0.0f, 0.0f, 2.0f * half[0], 2.0f * half[1] },
+                                    .kind = UI_PANEL,
+                                    .shape = { half[0], half[1], half[1] },
+                                    .fill = colour };
+    struct ui_vertex *const quad = add_quad(batch, &shape);
+    for (uint32_t i = 0; quad != NULL && i < 4u; i++) {
+        quad[i].x = 0.5f * (from[0] + to[0]) + quad[i].u * c - quad[i].v * s;
+        quad[i].y = 0.5f * (from[1] + to[1]) + quad[i].u * s + quad[i].v * c;
+    }
+}
+
+void ui_specimen(struct ui_batch *batch, const struct specimen *specimen)
+{
+    if (batch->opacity <= 0.0f) {
+        return;
+    }
+    if (batch->specimen_count == SPECIMEN_MAX) {
+        batch->dropped_count++;
+        return;
+    }
+    const uint32_t i = batch->specimen_count++;
+    batch->specimens[i] = *specimen;
+    batch->specimens[i].fade = 1.0f - (1.0f - specimen->fade) * batch->opacity;
+    batch->specimen_quad[i] = (uint16_t)batch->quad_count;
 }
 
 float ui_text_width(const struct ui_text *style, const char *words)

@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "platform/render/specimen.h"
 #include "platform/render/text.h"
 
 #define UI_QUADS_MAX 512u /* The longest screen (attract, English) needs 290; a test knows. */
@@ -41,6 +42,9 @@ struct ui_batch {
     uint32_t quad_count;
     uint32_t dropped_count; /* Quads that found no room: a test holds this at 0. */
     float opacity;          /* [0, 1], of everything added from now on. */
+    struct specimen specimens[SPECIMEN_MAX];
+    uint16_t specimen_quad[SPECIMEN_MAX]; /* Each is drawn over so many quads. */
+    uint32_t specimen_count;
 };
 
 struct ui_box {
@@ -60,6 +64,14 @@ void ui_batch_clear(struct ui_batch *batch);
 
 /* Any kind but UI_GLYPH. The whole shape, soft edge included, stays inside its box. */
 void ui_shape(struct ui_batch *batch, const struct ui_shape *shape);
+
+/* A line with round ends from (x0, y0) to (x1, y1), `width_px` thick: one quad. */
+void ui_segment(struct ui_batch *batch, const float from[2], const float to[2], float width_px,
+                uint32_t colour);
+
+/* A fish, over all that was added before and under all that comes after; faded by the batch's
+ * opacity. One too many is dropped and counted. */
+void ui_specimen(struct ui_batch *batch, const struct specimen *specimen);
 
 struct ui_text {
     enum font_id font;

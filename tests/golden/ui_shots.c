@@ -23,6 +23,8 @@
 #define HEIGHT_MAX 2160
 #define COST_DRAWS 20
 
+static struct specimen_pass specimens;
+
 struct shot {
     const char *name;
     uint8_t phase, hint;
@@ -122,13 +124,17 @@ static int open_context(void)
 
 static GLuint make_target(GLsizei width, GLsizei height)
 {
-    GLuint framebuffer, colour;
+    GLuint framebuffer, colour, depth;
     glGenFramebuffers(1, &framebuffer);
     glGenTextures(1, &colour);
     glBindTexture(GL_TEXTURE_2D, colour);
     glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour, 0);
+    glGenRenderbuffers(1, &depth);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
     return framebuffer;
 }
 
@@ -177,11 +183,11 @@ static void say_cost(struct ui *ui, const struct scene *scene, const char *name,
                      int height)
 {
     /* Once unmeasured: drivers finish shaders at their first use. */
-    ui_draw(ui, scene, (float)width, (float)height);
+    ui_draw(ui, &specimens, scene, (float)width, (float)height);
     glFinish();
     const clock_t start = clock(); /* Processor time: all threads of a software renderer. */
     for (int i = 0; i < COST_DRAWS; i++) {
-        ui_draw(ui, scene, (float)width, (float)height);
+        ui_draw(ui, &specimens, scene, (float)width, (float)height);
     }
     glFinish();
     const double used_s = (double)(clock() - start) / CLOCKS_PER_SEC;
@@ -210,7 +216,7 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     }
     draw_backdrop(canvas->backdrop, canvas->back_width, canvas->back_height, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
-    ui_draw(ui, &scene, (float)width, (float)height);
+    ui_draw(ui, &specimens, &scene, (float)width, (float)height);
     snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", out, shot->name,
              language == 0 ? "ja" : "en", width, height);
     if (!write_picture(path, width, height)) {
@@ -250,6 +256,12 @@ int main(int count, char **arguments)
         fprintf(stderr, "ui_shots: no OpenGL ES 3 context: %s\n", SDL_GetError());
         return 1;
     }
+    struct gl_status status = { 0 };
+    specimen_pass_open(&status, &specimens);
+    if (!gl_is_well(&status)) {
+        fprintf(stderr, "ui_shots: %s\n", status.text);
+        return 1;
+    }
     if (!ui_init(&ui, why, sizeof why)) {
         fprintf(stderr, "ui_shots: %s\n", why);
         return 1;
@@ -261,5 +273,6 @@ int main(int count, char **arguments)
         return 74;
     }
     ui_close(&ui);
+    specimen_pass_close(&specimens);
     return 0;
 }

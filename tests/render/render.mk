@@ -22,6 +22,16 @@ film: $(BUILD)/tests/render/film
 	@mkdir -p out
 	@$< $(ARGS)
 
+$(BUILD)/tests/render/specimen: $(BUILD)/tests/render/specimen.o $(BUILD)/platform/panic.o \
+    $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+## specimen: species at any age in out/specimen.png; ARGS="--species hirame --progress 0,0.5,1 --cell 900x500 -o FILE"
+specimen: $(BUILD)/tests/render/specimen
+	@mkdir -p out
+	@$< $(ARGS)
+
 PICTURE := out/pictures
 ## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
 pictures: fish-pictures game-pictures
@@ -50,4 +60,4 @@ fish-pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@convert $(PICTURE)/top.png $(PICTURE)/strip.png -append -quality 86 assets/pictures/fish.jpg
 	@echo 'assets/pictures/fish.jpg'
 
-.PHONY: shot film pictures fish-pictures game-pictures
+.PHONY: shot film specimen pictures fish-pictures game-pictures

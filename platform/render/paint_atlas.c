@@ -1,0 +1,84 @@
+/* paint_atlas.c -- see paint_atlas.h. */
+#include "platform/render/paint_atlas.h"
+
+#include "core/base/fmath.h"
+#include "core/base/panic.h"
+
+#define CELLS_A_ROW (PAINT_SIZE / PAINT_CELL_WIDTH)
+
+static const struct cell {
+    uint8_t part, side;
+} cells[] = {
+    { PART_EYE, SIDE_RIGHT },        { PART_EYE, SIDE_LEFT },
+    { PART_PECTORAL, SIDE_RIGHT },   { PART_PECTORAL, SIDE_LEFT },
+    { PART_PELVIC, SIDE_RIGHT },     { PART_PELVIC, SIDE_LEFT },
+    { PART_TAIL, SIDE_MIDDLE },      { PART_DORSAL, SIDE_MIDDLE },
+    { PART_ANAL, SIDE_MIDDLE },      { PART_DORSAL_2, SIDE_MIDDLE },
+    { PART_FINLET_UPPER, SIDE_MIDDLE }, { PART_FINLET_LOWER, SIDE_MIDDLE },
+};
+#define CELL_COUNT ((uint32_t)(sizeof cells / sizeof *cells))
+
+struct place {
+    uint32_t x, y, width, height; /* Texels. */
+};
+
+static struct place place_of(uint32_t cell)
+{
+    return (struct place){ cell % CELLS_A_ROW * PAINT_CELL_WIDTH,
+                           PAINT_BODY_HEIGHT + cell / CELLS_A_ROW * PAINT_CELL_HEIGHT,
+                           PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
+}
+
+/* A median fin has one cell whatever its side says; one of a pair without a side takes the right's. */
+static struct place find(const struct species_vertex *vertex)
+{
+    uint32_t found = CELL_COUNT;
+    CORE_ASSERT(vertex->part < PART_COUNT);
+    if (vertex->part == PART_BODY) {
+        return (struct place){ 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT };
+    }
+    for (uint32_t i = 0; i < CELL_COUNT; i++) {
+        if (cells[i].part == vertex->part &&
+            (found == CELL_COUNT || cells[i].side == vertex->side)) {
+            found = i;
+        }
+    }
+    CORE_ASSERT(found < CELL_COUNT);
+    return place_of(found);
+}
+
+/* The middle of a texel's row (or column) at `t` of `count`, as a fraction of the sheet. */
+static float middle(uint32_t first, uint32_t count, float t)
+{
+    const float at = (float)first + 0.5f + f_clamp(t, 0.0f, 1.0f) * (float)(count - 1u);
+    return at / (float)PAINT_SIZE;
+}
+
+void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
+{
+    const struct place place = find(vertex);
+    uv[0] = middle(place.x, place.width, vertex->u);
+    uv[1] = middle(place.y, place.height, vertex->v);
+}
+
+bool paint_atlas_at(uint32_t x, uint32_t y, struct species_vertex *vertex)
+{
+    const bool body = y < PAINT_BODY_HEIGHT;
+    const uint32_t cell =
+        body ? 0 : (y - PAINT_BODY_HEIGHT) / PAINT_CELL_HEIGHT * CELLS_A_ROW + x / PAINT_CELL_WIDTH;
+    CORE_ASSERT(x < PAINT_SIZE && y < PAINT_SIZE);
+    if (cell >= CELL_COUNT) {
+        return false;
+    }
+    const struct place place =
+        body ? (struct place){ 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT } : place_of(cell);
+    *vertex = (struct species_vertex){
+        .u = (float)(x - place.x) / (float)(place.width - 1u),
+        .v = (float)(y - place.y) / (float)(place.height - 1u),
+        .part = body ? PART_BODY : cells[cell].part,
+        .side = body ? SIDE_MIDDLE : cells[cell].side,
+        .anchor = ANCHOR_NONE,
+        .mask = { 255 },
+    };
+    return true;
+}

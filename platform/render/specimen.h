@@ -1,0 +1,46 @@
+/* specimen.h -- one fish of any species, of any age, seen from any side: what the growth lab and the
+ * album put on the screen. Plain data and arithmetic; specimen_pass.h draws it.
+ *
+ * A screen adds specimens to its batch (ui_batch.h) between its quads. Pixels, origin at the top
+ * left, +y down. There is no perspective: `length_px` is the fish's length wherever it is. */
+#ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_H
+#define KINGYO_PLATFORM_RENDER_SPECIMEN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "core/morph/morph.h"
+
+#define SPECIMEN_MAX 24u /* Of one screen: a lab's fish, its rival and eight keys, an album's page. */
+
+struct specimen {
+    const struct species *species; /* Stays as it is until the frame is drawn, ... */
+    uint32_t edition; /* ... and longer: another number says that it holds another fish now. */
+    const struct morph_rig *rig; /* Kept until the frame is drawn; null: the species' own curves. */
+    float progress;              /* [0, 1] */
+    float x_px, y_px;            /* Where the middle of the body (z = 0 of its frame) is seen. */
+    float length_px;             /* Of one measure of the species; > 0. */
+    /* 0: it shows its left side, nose to the left. Yaw turns the nose toward the viewer, pitch its
+     * back, roll tips the nose down on the screen. */
+    float yaw_rad, pitch_rad, roll_rad;
+    float phase_rad; /* Of its swimming in place, ... */
+    float amplitude; /* ... and how strongly: 0 still, 1 cruising. */
+    float shadow;    /* [0, 1] how dark a shadow lies under it; 0: none. */
+    float fade;      /* [0, 1] 0: whole, 1: gone. */
+    uint32_t tint;   /* 0xRRGGBBAA, mixed over its own paint by its alpha; 0: its own alone. */
+};
+
+/* What becomes of the body's axes: screen right, screen up, and toward the viewer. */
+struct specimen_axes {
+    vec3 right, up, toward;
+};
+struct specimen_axes specimen_axes(const struct specimen *specimen);
+
+/* Where a point of the body's frame (lengths, as morph_shape() gives it, before swimming) is seen. */
+void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px);
+
+/* The sides from which a species is drawn in books: most from the left, a ray from above. Fills yaw
+ * and pitch and leaves the rest. */
+void specimen_portrait(struct specimen *specimen);
+
+#endif

@@ -1,0 +1,332 @@
+/* specimen_pass.c -- see specimen_pass.h. */
+#include "platform/render/specimen_pass.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "shaders.h"
+
+#define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 1\n"
+#define SAMPLERS "paints shines"
+#define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
+#define REACH_LENGTHS 0.8f /* No species reaches farther from its middle, swimming and all. */
+#define COARSE 4u        /* Texels a side that the first, coarse painting takes as one. */
+#define WORK_BANDS 4u    /* Painted in a frame: 8,192 texels. */
+#define BANDS (PAINT_SIZE / PAINT_BAND)
+#define CLEAR_MIN 0.02f
+
+static struct specimen_program program(struct gl_status *status, const char *name,
+                                       const char *defines)
+{
+    const GLuint made = gl_morph_program(status, name, defines, shader_specimen_vert,
+                                         shader_specimen_frag, SAMPLERS);
+    return (struct specimen_program){
+        .name = made,
+        .reach = glGetUniformLocation(made, "reach"),
+        .axes = glGetUniformLocation(made, "axes"),
+        .place = glGetUniformLocation(made, "place"),
+        .screen = glGetUniformLocation(made, "screen_px"),
+        .swim = glGetUniformLocation(made, "swim"),
+        .look = glGetUniformLocation(made, "look"),
+        .tint = glGetUniformLocation(made, "tint"),
+        .coats = glGetUniformLocation(made, "coats"),
+    };
+}
+
+static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
+{
+    return gl_texture(status, "paint of a species",
+                      &(struct gl_texture_desc){ .internal_format = internal_format,
+                                                 .format = format,
+                                                 .width = PAINT_SIZE,
+                                                 .height = PAINT_SIZE,
+                                                 .layers = MORPH_KEY_MAX });
+}
+
+void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass)
+{
+    pass->body = program(status, "specimen", DEFINES);
+    pass->fin = program(status, "specimen's fins", DEFINES "#define FIN\n");
+    pass->shadow.name = gl_program(status, "specimen's shadow", "", shader_specimen_shadow_vert,
+                                   shader_specimen_shadow_frag, "");
+    pass->shadow.place = glGetUniformLocation(pass->shadow.name, "place");
+    pass->shadow.screen = glGetUniformLocation(pass->shadow.name, "screen_px");
+    pass->shadow.look = glGetUniformLocation(pass->shadow.name, "look");
+    pass->pose_buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof pass->texels);
+    glGenVertexArrays(1, &pass->no_attributes);
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        slot->paints = sheets(status, GL_RGBA8, GL_RGBA);
+        slot->shines = sheets(status, GL_R8, GL_RED);
+        for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+            fish_mesh_reserve(&slot->mesh[lod]);
+        }
+    }
+}
+
+void specimen_pass_close(struct specimen_pass *pass)
+{
+    glDeleteProgram(pass->body.name);
+    glDeleteProgram(pass->fin.name);
+    glDeleteProgram(pass->shadow.name);
+    glDeleteBuffers(1, &pass->pose_buffer);
+    glDeleteVertexArrays(1, &pass->no_attributes);
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        const GLuint textures[2] = { slot->paints, slot->shines };
+        glDeleteTextures(2, textures);
+        for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+            fish_mesh_close(&slot->mesh[lod]);
+        }
+        slot->species = NULL;
+    }
+}
+
+static uint8_t byte(float x)
+{
+    return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+/* One texel of a key's sheet, and its copies up to `step` x `step` inside the band. */
+static void paint_texel(struct specimen_pass *pass, const struct species *species, uint32_t key,
+                        uint32_t x, uint32_t y, uint32_t step)
+{
+    struct species_vertex at;
+    float weights[MORPH_KEY_MAX] = { 0.0f };
+    if (!paint_atlas_at(x, y, &at)) {
+        return;
+    }
+    weights[key] = 1.0f;
+    const struct paint paint = paint_at(species, weights, &at);
+    const uint8_t texel[4] = { byte(paint.colour.x), byte(paint.colour.y), byte(paint.colour.z),
+                               byte(paint.clear) };
+    for (uint32_t j = 0; j < step; j++) {
+        for (uint32_t i = 0; i < step; i++) {
+            const uint32_t index = (y % PAINT_BAND + j) * PAINT_SIZE + x + i;
+            memcpy(pass->paint[index], texel, sizeof texel);
+            pass->shine[index] = byte(paint.shine);
+        }
+    }
+}
+
+static void paint_band(struct specimen_pass *pass, const struct specimen_slot *slot, uint32_t key,
+                       uint32_t band, uint32_t step)
+{
+    const uint32_t first = band * PAINT_BAND;
+    for (uint32_t y = first; y < first + PAINT_BAND; y += step) {
+        for (uint32_t x = 0; x < PAINT_SIZE; x += step) {
+            paint_texel(pass, slot->species, key, x, y, step);
+        }
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->paints);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)key, PAINT_SIZE, PAINT_BAND, 1,
+                    GL_RGBA, GL_UNSIGNED_BYTE, pass->paint);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->shines);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)key, PAINT_SIZE, PAINT_BAND, 1,
+                    GL_RED, GL_UNSIGNED_BYTE, pass->shine);
+}
+
+static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
+                 const struct specimen *specimen)
+{
+    const struct species *const species = specimen->species;
+    slot->species = species;
+    slot->edition = specimen->edition;
+    slot->bands_done = 0;
+    morph_rig_init(&slot->rig, &species->card, TEMPLATE_OWN);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        fish_mesh_fill(&slot->mesh[lod], &pass->memory, &species->lod[lod],
+                       species->card.key_count);
+    }
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        for (uint32_t band = 0; band < BANDS; band++) {
+            paint_band(pass, slot, key, band, COARSE);
+        }
+    }
+}
+
+static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct specimen *specimen)
+{
+    struct specimen_slot *rested = &pass->slots[0];
+    pass->draw_count++;
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        if (slot->species == specimen->species && slot->edition == specimen->edition) {
+            slot->last_used = pass->draw_count;
+            return slot;
+        }
+        if (!slot->species || slot->last_used < rested->last_used) {
+            rested = slot;
+        }
+    }
+    fill(pass, rested, specimen);
+    rested->last_used = pass->draw_count;
+    return rested;
+}
+
+static uint32_t paint_some(struct specimen_pass *pass, struct specimen_slot *slot, uint32_t bands)
+{
+    const uint32_t all = slot->species ? slot->species->card.key_count * BANDS : 0;
+    while (bands > 0 && slot->bands_done < all) {
+        paint_band(pass, slot, slot->bands_done / BANDS, slot->bands_done % BANDS, 1);
+        slot->bands_done++;
+        bands--;
+    }
+    return bands;
+}
+
+void specimen_pass_work(struct specimen_pass *pass)
+{
+    uint32_t bands = WORK_BANDS;
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS && bands > 0; i++) {
+        bands = paint_some(pass, &pass->slots[i], bands);
+    }
+}
+
+void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen)
+{
+    paint_some(pass, slot_of(pass, specimen), MORPH_KEY_MAX * BANDS);
+}
+
+/* Coats are mixed as paint_at() does: never less than nothing of one, and a whole in all. */
+static void coat_weights(float coats[MORPH_KEY_MAX], const float weights[MORPH_KEY_MAX])
+{
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        coats[i] = f_max(weights[i], 0.0f);
+        sum += coats[i];
+    }
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        coats[i] /= sum;
+    }
+}
+
+static void colour_of(float out[4], uint32_t rgba)
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        out[i] = (float)(rgba >> (24u - 8u * i) & 255u) / 255.0f;
+    }
+}
+
+static float clearness(const struct species *species, const float coats[MORPH_KEY_MAX])
+{
+    float clear = 0.0f;
+    for (uint32_t i = 0; i < species->card.key_count; i++) {
+        clear += coats[i] * (float)species->coats[i].clear / 255.0f;
+    }
+    return clear;
+}
+
+/* How many scales show along a fish of each form: an eel's and a ray's skin is smooth. */
+static float scale_rows(const struct species *species)
+{
+    static const float rows[] = { 46.0f, 54.0f, 70.0f, 0.0f, 0.0f };
+    return species->card.motion == MOTION_WING ? 0.0f : rows[species->card.form];
+}
+
+static void send(const struct specimen_program *program, const struct specimen *specimen,
+                 const struct specimen_slot *slot, const float coats[MORPH_KEY_MAX],
+                 const float screen_px[2])
+{
+    const struct species_card *const card = &slot->species->card;
+    const struct specimen_axes axes = specimen_axes(specimen);
+    const float rows[9] = { axes.right.x, axes.up.x, axes.toward.x, axes.right.y, axes.up.y,
+                            axes.toward.y, axes.right.z, axes.up.z, axes.toward.z };
+    float tint[4];
+    colour_of(tint, specimen->tint);
+    glUseProgram(program->name);
+    glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
+    glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
+    glUniform2fv(program->screen, 1, screen_px);
+    glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
+    glUniform3f(program->look, 1.0f - specimen->fade, scale_rows(slot->species),
+                (float)card->key_count);
+    glUniform4fv(program->tint, 1, tint);
+    glUniform1fv(program->coats, MORPH_KEY_MAX, coats);
+}
+
+static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
+                        const float screen_px[2])
+{
+    glUseProgram(pass->shadow.name);
+    glUniform3f(pass->shadow.place, specimen->x_px, specimen->y_px, specimen->length_px);
+    glUniform2fv(pass->shadow.screen, 1, screen_px);
+    glUniform3f(pass->shadow.look, specimen->shadow * (1.0f - specimen->fade),
+                f_abs(f_cos(specimen->yaw_rad)), 0.0f);
+    glBindVertexArray(pass->no_attributes);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+/* The depth of what was drawn there before is of no use: each specimen lies on a page of its own. */
+static void clear_depth(const struct specimen *specimen, float height_px)
+{
+    const float reach = REACH_LENGTHS * specimen->length_px;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor((GLint)(specimen->x_px - reach), (GLint)(height_px - specimen->y_px - reach),
+              (GLsizei)(2.0f * reach), (GLsizei)(2.0f * reach));
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+/* With the program in use; both know the pose. */
+static void draw_part(const struct specimen_program *program, const struct fish_mesh *mesh,
+                      bool fins)
+{
+    glUseProgram(program->name);
+    glUniform1f(program->reach, mesh->reach);
+    fish_mesh_draw(mesh, fins, 1);
+}
+
+/* Through a clear body its far fins are seen: what lies behind its skin is drawn first. */
+static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear)
+{
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    if (clear) {
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        draw_part(&pass->body, mesh, false);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthMask(GL_FALSE);
+        glDepthFunc(GL_GREATER);
+        draw_part(&pass->fin, mesh, true);
+        glDepthMask(GL_TRUE);
+        glDepthFunc(GL_LEQUAL);
+    }
+    draw_part(&pass->body, mesh, false);
+    glDepthMask(GL_FALSE);
+    draw_part(&pass->fin, mesh, true);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
+                        float width_px, float height_px)
+{
+    CORE_ASSERT(specimen->length_px > 0.0f);
+    struct specimen_slot *const slot = slot_of(pass, specimen);
+    const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
+    const struct morph_rig *const rig = specimen->rig ? specimen->rig : &slot->rig;
+    const float screen_px[2] = { width_px, height_px };
+    float coats[MORPH_KEY_MAX];
+    morph_pose(rig, &slot->species->lod[lod], specimen->progress, &pass->pose);
+    pose_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, slot->species->lod[lod].anchor_count);
+    coat_weights(coats, pass->pose.weight[0]);
+    glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, pass->pose_buffer);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (specimen->shadow > 0.0f) {
+        draw_shadow(pass, specimen, screen_px);
+    }
+    send(&pass->body, specimen, slot, coats, screen_px);
+    send(&pass->fin, specimen, slot, coats, screen_px);
+    clear_depth(specimen, height_px);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->paints);
+    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->shines);
+    glBindVertexArray(slot->mesh[lod].vertex_array);
+    draw_fish(pass, &slot->mesh[lod], clearness(slot->species, coats) > CLEAR_MIN);
+    glBindVertexArray(0);
+}

@@ -1,0 +1,60 @@
+/* specimen_pass.h -- draws specimens (specimen.h): any species, its own paint, one fish at a time.
+ *
+ * A species is brought to the GPU when it is first asked for, in the slot that has rested longest.
+ * Its skin is painted coarsely at once and finely over the next frames, some rows in each. All
+ * memory is taken at the start: about 0.2 MiB here, 12 MiB of textures. */
+#ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
+#define KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
+
+#include "platform/render/fish_mesh.h"
+#include "platform/render/fish_poses.h"
+#include "platform/render/paint_atlas.h"
+#include "platform/render/specimen.h"
+
+#define SPECIMEN_SLOTS 4u /* The lab's species, its rival, the album's; one to change places. */
+#define PAINT_BAND 8u     /* Rows that are painted and uploaded together. */
+
+struct specimen_program {
+    GLuint name;
+    GLint reach, axes, place, screen, swim, look, tint, coats;
+};
+
+struct specimen_slot {
+    const struct species *species; /* Null: empty. */
+    uint32_t edition;
+    uint32_t last_used;   /* In draws, to find who rests longest. */
+    uint32_t bands_done;  /* Of all keys' sheets, the fine painting. */
+    struct fish_mesh mesh[SPECIES_LOD_COUNT];
+    struct morph_rig rig; /* The species' own. */
+    GLuint paints;        /* Array: a key's sheet a layer; colour, and how clear. */
+    GLuint shines;        /* The same: how silvery. */
+};
+
+struct specimen_pass {
+    struct specimen_program body, fin, shadow;
+    struct specimen_slot slots[SPECIMEN_SLOTS];
+    GLuint pose_buffer, no_attributes;
+    uint32_t draw_count;
+    struct morph_pose pose;
+    float texels[POSE_TEXELS_MAX][4];
+    struct fish_mesh_memory memory;
+    uint8_t paint[PAINT_BAND * PAINT_SIZE][4];
+    uint8_t shine[PAINT_BAND * PAINT_SIZE];
+};
+
+void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass);
+void specimen_pass_close(struct specimen_pass *pass);
+
+/* Paints on what is unfinished: about 3 ms of work a call while there is any. Once a frame. */
+void specimen_pass_work(struct specimen_pass *pass);
+
+/* Paints all of a species now, for who keeps a single picture. */
+void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen);
+
+/* Draws one into the bound framebuffer, which has depth and is `width_px` x `height_px`, over what is
+ * there. Clears depth around it. Leaves blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and
+ * culling off, vertex array 0, scissor off. */
+void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
+                        float width_px, float height_px);
+
+#endif

@@ -1,0 +1,238 @@
+/* specimen.c -- draws species at any age, for eyes: one fish, or a sheet of many.
+ *
+ *   --species NAME     this one alone (else all that are built in), a row each
+ *   --progress A,B,..  at these (else six from 0 to 1)
+ *   --keys             at its keys
+ *   --template NAME    ordinary, pairwise, simultaneous or smooth in place of its own curves
+ *   --thesis           as chapter 4 of the 2005 thesis has it
+ *   --yaw --pitch --roll DEGREES   from another side than books do
+ *   --amplitude A --phase RADIANS  how it swims; --cell WxH of one fish, px; -o FILE
+ *
+ * A developer's eye: `make specimen ARGS="--species hirame --progress 0.5 --cell 1200x700"`. */
+#include <GLES3/gl3.h>
+#include <SDL.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/png.h"
+#include "platform/render/specimen_pass.h"
+
+#define STEPS_MAX 12u
+#define SIDE_MAX 8192u
+#define PIXELS_MAX (SIDE_MAX * 2048u)
+
+struct options {
+    const char *species, *out;
+    float progress[STEPS_MAX];
+    uint32_t step_count, width, height;
+    uint8_t keys, thesis, template, turned;
+    float yaw_rad, pitch_rad, roll_rad, amplitude, phase_rad;
+};
+
+static struct specimen_pass pass;
+static struct straight_memory straight[SPECIES_MAX];
+static struct species straightened[SPECIES_MAX];
+static uint8_t rgba[PIXELS_MAX * 4u], rgb[PIXELS_MAX * 3u];
+
+static void fail(const char *what, const char *why)
+{
+    fprintf(stderr, "specimen: %s: %s\n", what, why);
+    exit(2);
+}
+
+static uint8_t template_named(const char *name)
+{
+    static const char *const names[] = { "own", "ordinary", "pairwise", "simultaneous", "smooth" };
+    for (uint8_t i = 0; i < TEMPLATE_COUNT; i++) {
+        if (!strcmp(name, names[i])) {
+            return i;
+        }
+    }
+    fail("no such template", name);
+    return 0;
+}
+
+static void read_steps(struct options *o, const char *text)
+{
+    char *rest = NULL;
+    for (o->step_count = 0; *text && o->step_count < STEPS_MAX; text = *rest ? rest + 1 : rest) {
+        o->progress[o->step_count++] = f_clamp(strtof(text, &rest), 0.0f, 1.0f);
+    }
+}
+
+static void read_size(struct options *o, const char *text)
+{
+    char *rest = NULL;
+    o->width = (uint32_t)strtoul(text, &rest, 10);
+    o->height = *rest ? (uint32_t)strtoul(rest + 1, NULL, 10) : o->width;
+}
+
+static bool read_flag(struct options *o, const char *name)
+{
+    if (!strcmp(name, "--keys")) {
+        o->keys = 1;
+    } else if (!strcmp(name, "--thesis")) {
+        o->thesis = 1;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static void read_value(struct options *o, const char *name, const char *value)
+{
+    const float number = strtof(value, NULL);
+    if (!strcmp(name, "--species")) {
+        o->species = value;
+    } else if (!strcmp(name, "-o")) {
+        o->out = value;
+    } else if (!strcmp(name, "--progress")) {
+        read_steps(o, value);
+    } else if (!strcmp(name, "--template")) {
+        o->template = template_named(value);
+    } else if (!strcmp(name, "--cell")) {
+        read_size(o, value);
+    } else if (!strcmp(name, "--amplitude")) {
+        o->amplitude = number;
+    } else if (!strcmp(name, "--phase")) {
+        o->phase_rad = number;
+    } else if (!strcmp(name, "--yaw")) {
+        o->yaw_rad = number * F_DEG;
+        o->turned = 1;
+    } else if (!strcmp(name, "--pitch")) {
+        o->pitch_rad = number * F_DEG;
+        o->turned = 1;
+    } else if (!strcmp(name, "--roll")) {
+        o->roll_rad = number * F_DEG;
+    } else {
+        fail("no such option", name);
+    }
+}
+
+static struct options parse(int count, char **words)
+{
+    struct options o = { .out = "out/specimen.png", .width = 420, .height = 260, .amplitude = 0.6f,
+                         .phase_rad = 1.0f };
+    for (int i = 1; i < count; i++) {
+        if (!read_flag(&o, words[i])) {
+            read_value(&o, words[i], i + 1 < count ? words[i + 1] : "");
+            i++;
+        }
+    }
+    if (o.step_count == 0 && !o.keys) {
+        read_steps(&o, "0,0.2,0.4,0.6,0.8,1");
+    }
+    return o;
+}
+
+static void open_context(void)
+{
+    SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+    SDL_Window *window = NULL;
+    if (SDL_Init(SDL_INIT_VIDEO) != 0 ||
+        !(window = SDL_CreateWindow("specimen", 0, 0, 64, 64, SDL_WINDOW_OPENGL)) ||
+        !SDL_GL_CreateContext(window)) {
+        fail("no OpenGL ES 3 context", SDL_GetError());
+    }
+}
+
+static uint32_t steps_of(const struct options *o, const struct species *species)
+{
+    return o->keys ? species->card.key_count : o->step_count;
+}
+
+static void show(const struct options *o, const struct species *species, uint32_t row,
+                 const float sheet[2])
+{
+    struct morph_rig rig;
+    const uint32_t steps = steps_of(o, species);
+    morph_rig_init(&rig, &species->card, (enum graph_template)o->template);
+    for (uint32_t i = 0; i < steps; i++) {
+        struct specimen fish = {
+            .species = species,
+            .rig = &rig,
+            .progress = o->keys ? (float)i / (float)(steps - 1u) : o->progress[i],
+            .x_px = ((float)i + 0.5f) * (float)o->width,
+            .y_px = ((float)row + 0.47f) * (float)o->height,
+            .length_px = 0.84f * f_min((float)o->width, 1.5f * (float)o->height),
+            .phase_rad = o->phase_rad,
+            .amplitude = o->amplitude,
+            .shadow = 0.35f,
+        };
+        specimen_portrait(&fish);
+        if (o->turned) {
+            fish.yaw_rad = o->yaw_rad;
+            fish.pitch_rad = o->pitch_rad;
+        }
+        fish.roll_rad = o->roll_rad;
+        specimen_pass_finish(&pass, &fish);
+        specimen_pass_draw(&pass, &fish, sheet[0], sheet[1]);
+    }
+}
+
+static const struct species *variant(const struct options *o, const struct species *species,
+                                     uint32_t index)
+{
+    if (o->thesis) {
+        species_thesis(species, &straight[index], &straightened[index]);
+        return &straightened[index];
+    }
+    if (o->template == TEMPLATE_ORDINARY) {
+        species_straighten(species, &straight[index], &straightened[index]);
+        return &straightened[index];
+    }
+    return species;
+}
+
+static int keep(const char *path, uint32_t width, uint32_t height)
+{
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, (GLsizei)width, (GLsizei)height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    for (uint32_t i = 0; i < width * height; i++) {
+        const uint32_t from = (height - 1u - i / width) * width + i % width;
+        memcpy(rgb + i * 3u, rgba + from * 4u, 3);
+    }
+    return png_write(path, rgb, width, height);
+}
+
+int main(int count, char **words)
+{
+    const struct options options = parse(count, words);
+    const struct species *chosen[SPECIES_MAX];
+    uint32_t rows = 0, columns = 1;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        if (!options.species || !strcmp(options.species, species_table[i]->card.id)) {
+            chosen[rows] = variant(&options, species_table[i], i);
+            const uint32_t steps = steps_of(&options, chosen[rows++]);
+            columns = steps > columns ? steps : columns;
+        }
+    }
+    const uint32_t width = columns * options.width, height = rows * options.height;
+    if (rows == 0 || width > SIDE_MAX || height > SIDE_MAX || width * height > PIXELS_MAX) {
+        fail("no such species, or too large a sheet", options.species ? options.species : "all");
+    }
+    open_context();
+    struct gl_status status = { 0 };
+    struct gl_target target;
+    specimen_pass_open(&status, &pass);
+    gl_target_open(&status, "sheet", &target,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = width,
+                                             .height = height,
+                                             .depth = true });
+    if (!gl_is_well(&status)) {
+        fail("OpenGL", status.text);
+    }
+    gl_target_bind(&target);
+    glClearColor(0.72f, 0.82f, 0.84f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glDepthFunc(GL_LEQUAL);
+    for (uint32_t row = 0; row < rows; row++) {
+        show(&options, chosen[row], row, (const float[2]){ (float)width, (float)height });
+    }
+    return keep(options.out, width, height) == 0 ? 0 : 74;
+}
