@@ -47,6 +47,9 @@ static struct species_mark usual(uint32_t kind, const struct key_text *key)
     case MARK_PATCH:
         m.width = 0.04f;
         break;
+    case MARK_SIDE:
+        m.width = 0.15f;
+        break;
     case MARK_ROWS:
         m.count = 12;
         m.seed = 3;

@@ -1,0 +1,199 @@
+/* mark.c -- spots, rows, bars, lines, margins, patches and the slits of mouth and gill.
+ *
+ * Each is a function of body coordinates alone, with soft rims, so that it stays with the skin as
+ * the fish grows and needs no picture. Lengths are the body's: `flank` turns girth into them. */
+#include "core/morph/mark.h"
+
+#include "core/base/fmath.h"
+#include "core/morph/morph.h"
+
+#define PI 3.14159265f
+#define SOFT_U 0.006f      /* Half a rim's width along the body ... */
+#define SOFT_HEIGHT 0.03f  /* ... and up the flank. */
+#define UNEVEN 0.35f       /* A spot is so much larger or smaller than it is drawn. */
+#define BOW_HEIGHT 0.35f   /* A flank's height in body lengths, for the gill cover's bow. */
+#define SLIT_HEIGHT 7.0f   /* A head of 0.14 lengths: from a slit's width to a share of height. */
+
+/* From back to belly over one flank, in body lengths, and how much less it is at the tail root. A
+ * paint brush does not ask the mesh: spots are round enough by the form of the body. */
+static const struct { float lengths, taper; } flanks[] = {
+    [FORM_FUSIFORM] = { 0.36f, 0.60f }, [FORM_COMPRESSED] = { 0.42f, 0.70f },
+    [FORM_DEPRESSED] = { 0.36f, 0.85f }, [FORM_EEL] = { 0.09f, 0.40f },
+    [FORM_PUFFER] = { 0.52f, 0.75f },
+};
+
+struct mark_point mark_point_of(const struct species_vertex *at, enum body_form form)
+{
+    struct mark_point point = { .part = at->part, .side = at->side, .u = at->u };
+    if (at->part >= PART_TAIL) {
+        point.height = at->v;
+        point.down = 1.0f - at->v;
+        point.flank = 1.0f;
+        point.right = at->side == SIDE_RIGHT ? 1.0f : at->side == SIDE_LEFT ? -1.0f : 0.0f;
+        return point;
+    }
+    point.height = 0.5f + 0.5f * f_cos(2.0f * PI * at->v);
+    point.down = 1.0f - f_abs(at->v * 2.0f - 1.0f);
+    point.right = f_sin(2.0f * PI * at->v);
+    point.flank = flanks[form].lengths *
+                  (1.0f - flanks[form].taper * f_smoothstep(0.45f, 1.0f, at->u));
+    return point;
+}
+
+/* 1 in [from, to] and 0 beyond, soft; an end at 0 or 1 is no end. */
+static float within(float x, float from, float to, float soft)
+{
+    const float above = from <= 0.0f ? 1.0f : f_smoothstep(from - soft, from + soft, x);
+    const float below = to >= 1.0f ? 1.0f : 1.0f - f_smoothstep(to - soft, to + soft, x);
+    return above * below;
+}
+
+/* 1 nearer than `radius`, 0 beyond, the rim as soft as it is fine. */
+static float disc(float distance, float radius)
+{
+    const float soft = 0.2f * radius + 0.001f;
+    return 1.0f - f_smoothstep(radius - soft, radius + soft, distance);
+}
+
+/* Of a height on the body, how far down the flank that is. */
+static float down_of(const struct mark_point *at, float height)
+{
+    return at->part >= PART_TAIL ? 1.0f - height : f_acos(2.0f * height - 1.0f) / PI;
+}
+
+/* A number in [0, 1) of its own for each cell, mark and `purpose` (a 32-bit mixer). */
+static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
+{
+    uint32_t h = cell * 0x9e3779b1u ^ seed * 0x85ebca77u ^ purpose * 0xc2b2ae3du;
+    h = (h ^ h >> 15) * 0x2c1b3c6du;
+    h = (h ^ h >> 12) * 0x297a2d39u;
+    return (float)((h ^ h >> 15) >> 8) / 16777216.0f;
+}
+
+/* `count` cells over one flank, a spot somewhere in each; a point looks at its nine cells. */
+static float spots(const struct species_mark *m, const struct mark_point *at)
+{
+    const float top = down_of(at, m->high), bottom = down_of(at, m->low);
+    const float length = f_max(m->to - m->from, 1e-3f);
+    const float girth = f_max((bottom - top) * at->flank, 1e-3f);
+    const float cell = f_sqrt(length * girth / f_max((float)m->count, 1.0f));
+    const float columns = f_max(f_floor(length / cell + 0.5f), 1.0f);
+    const float rows = f_max(f_floor(girth / cell + 0.5f), 1.0f);
+    const float x = (at->u - m->from) / length * columns;
+    const float y = (at->down - top) / f_max(bottom - top, 1e-3f) * rows;
+    float cover = 0.0f;
+    for (int i = 0; i < 9; i++) {
+        const float cx = f_floor(x) + (float)(i % 3 - 1), cy = f_floor(y) + (float)(i / 3 - 1);
+        if (cx < 0.0f || cy < 0.0f || cx >= columns || cy >= rows) {
+            continue;
+        }
+        const uint32_t id = (uint32_t)cx * 64u + (uint32_t)cy + (at->right < 0.0f ? 8192u : 0u);
+        const float dx = (cx + 0.2f + 0.6f * chance(id, m->seed, 1u) - x) * length / columns;
+        const float dy = (cy + 0.2f + 0.6f * chance(id, m->seed, 2u) - y) * girth / rows;
+        const float radius = m->width * (1.0f + UNEVEN * (2.0f * chance(id, m->seed, 3u) - 1.0f));
+        cover = f_max(cover, disc(f_sqrt(dx * dx + dy * dy), radius));
+    }
+    return cover;
+}
+
+/* `seed` rows of `count` dots, every other row set off by half a step. */
+static float rows(const struct species_mark *m, const struct mark_point *at)
+{
+    const float row_count = f_max((float)m->seed, 1.0f), count = f_max((float)m->count, 1.0f);
+    const float top = down_of(at, m->high), bottom = down_of(at, m->low);
+    const float y = (at->down - top) / f_max(bottom - top, 1e-3f) * row_count;
+    const float row = f_clamp(f_floor(y), 0.0f, row_count - 1.0f);
+    const float shift = (uint32_t)row % 2u == 1u ? 0.25f : -0.25f;
+    const float step = f_max(m->to - m->from, 1e-3f) / count;
+    const float x = (at->u - m->from) / step + shift;
+    const float dot = f_clamp(f_floor(x), 0.0f, count - 1.0f);
+    const float dx = (dot + 0.5f - x) * step;
+    const float dy = (row + 0.5f - y) / row_count * (bottom - top) * at->flank;
+    return disc(f_sqrt(dx * dx + dy * dy), m->width);
+}
+
+static float bands(const struct species_mark *m, const struct mark_point *at)
+{
+    const float count = f_max((float)m->count, 1.0f);
+    const float step = f_max(m->to - m->from, 1e-3f) / count;
+    const float x = (at->u - m->slant * (at->height - 0.5f) - m->from) / step;
+    const float bar = f_clamp(f_floor(x), 0.0f, count - 1.0f);
+    return disc(f_abs(bar + 0.5f - x) * step, 0.5f * m->width) *
+           within(at->height, m->low, m->high, SOFT_HEIGHT);
+}
+
+static float stripes(const struct species_mark *m, const struct mark_point *at)
+{
+    const float count = f_max((float)m->count, 1.0f);
+    const float step = f_max(m->high - m->low, 1e-3f) / count;
+    const float y = (at->height - m->slant * (at->u - m->from) - m->low) / step;
+    const float line = f_clamp(f_floor(y), 0.0f, count - 1.0f);
+    return disc(f_abs(line + 0.5f - y) * step, 0.5f * m->width) *
+           within(at->u, m->from, m->to, 4.0f * SOFT_U);
+}
+
+static float edge(const struct species_mark *m, const struct mark_point *at)
+{
+    const float inner = 1.0f - m->width, soft = 0.25f * m->width + 0.005f;
+    return f_smoothstep(inner - soft, inner + soft, at->height) *
+           within(at->u, m->from, m->to, SOFT_HEIGHT);
+}
+
+static float side(const struct species_mark *m, const struct mark_point *at)
+{
+    const float toward = m->count == SIDE_RIGHT ? at->right : -at->right;
+    const float soft = f_max(m->width, 0.02f);
+    return f_smoothstep(-soft, soft, toward) * within(at->u, m->from, m->to, SOFT_HEIGHT);
+}
+
+/* From the snout (at height `high`) to the corner (`to`, `low`), finer toward the corner. */
+static float mouth(const struct species_mark *m, const struct mark_point *at)
+{
+    const float along = at->u / f_max(m->to, 1e-3f);
+    const float line = f_lerp(m->high, m->low, f_clamp(along, 0.0f, 1.0f));
+    const float width = 0.5f * m->width * SLIT_HEIGHT * (1.0f - 0.5f * f_clamp(along, 0.0f, 1.0f));
+    return disc(f_abs(at->height - line), width) *
+           (1.0f - f_smoothstep(0.92f, 1.06f, along));
+}
+
+/* An arc that bows backward at its middle. */
+static float gill(const struct species_mark *m, const struct mark_point *at)
+{
+    const float half = f_max(0.5f * (m->high - m->low), 1e-3f);
+    const float t = (at->height - 0.5f * (m->low + m->high)) / half;
+    const float bow = m->slant * 2.0f * half * BOW_HEIGHT;
+    const float ends = 1.0f - f_smoothstep(0.7f, 1.0f, f_abs(t));
+    return disc(f_abs(at->u - m->to + bow * t * t), 0.5f * m->width) * ends;
+}
+
+float mark_cover(const struct species_mark *m, const struct mark_point *at)
+{
+    if (m->kind == MARK_SIDE) { /* The paired fins of that side too. */
+        const bool paired = at->part == PART_PECTORAL || at->part == PART_PELVIC;
+        return at->part == PART_BODY || paired ? side(m, at) : 0.0f;
+    }
+    if (m->part != at->part) {
+        return 0.0f;
+    }
+    switch (m->kind) {
+    case MARK_SPOTS:
+        return spots(m, at);
+    case MARK_ROWS:
+        return rows(m, at);
+    case MARK_BANDS:
+        return bands(m, at);
+    case MARK_STRIPES:
+        return stripes(m, at);
+    case MARK_EDGE:
+        return edge(m, at);
+    case MARK_PATCH:
+        return within(at->u, m->from, m->to, m->width) *
+               within(at->height, m->low, m->high, m->width);
+    case MARK_MOUTH:
+        return mouth(m, at);
+    case MARK_GILL:
+        return gill(m, at);
+    default:
+        return 0.0f;
+    }
+}

@@ -1,0 +1,230 @@
+/* test_morph_paint.c -- coats and marks: where each kind lies, and that nothing jumps. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/morph/mark.h"
+#include "core/morph/morph.h"
+
+#define STEPS 200
+#define RIGHT_FLANK 0.25f
+#define LEFT_FLANK 0.75f
+
+static float cover(struct species_mark mark, float u, float v)
+{
+    const struct species_vertex at = { .u = u, .v = v, .part = mark.part };
+    const struct mark_point point = mark_point_of(&at, FORM_FUSIFORM);
+    return mark_cover(&mark, &point);
+}
+
+/* The share of the right flank that a mark covers. */
+static float covered_area(struct species_mark mark)
+{
+    float sum = 0.0f;
+    for (int i = 0; i < STEPS; i++) {
+        for (int j = 0; j < STEPS; j++) {
+            sum += cover(mark, ((float)i + 0.5f) / STEPS, 0.5f * ((float)j + 0.5f) / STEPS);
+        }
+    }
+    return sum / (STEPS * STEPS);
+}
+
+/* How often the mark is entered on a walk from snout to tail along `v`, or round at `u`. */
+static int entered_along(struct species_mark mark, float v)
+{
+    int count = 0;
+    for (int i = 1; i < 1000; i++) {
+        count += cover(mark, (float)i / 1000.0f, v) >= 0.5f &&
+                 cover(mark, (float)(i - 1) / 1000.0f, v) < 0.5f;
+    }
+    return count;
+}
+
+static int entered_round(struct species_mark mark, float u)
+{
+    int count = 0;
+    for (int i = 1; i < 1000; i++) {
+        count += cover(mark, u, 0.5f * (float)i / 1000.0f) >= 0.5f &&
+                 cover(mark, u, 0.5f * (float)(i - 1) / 1000.0f) < 0.5f;
+    }
+    return count;
+}
+
+static void test_spots_cover_as_much_as_their_count_and_radius_say(void **state)
+{
+    (void)state;
+    struct species_mark m = { .kind = MARK_SPOTS, .count = 10, .seed = 1, .width = 0.02f,
+                              .from = 0.1f, .to = 0.5f, .high = 1.0f };
+    const float one = 3.1416f * 0.02f * 0.02f / 0.36f; /* Of a flank of 1 x 0.36 lengths. */
+    const float ten = covered_area(m);
+    m.count = 40;
+    m.width = 0.01f;
+    const float forty = covered_area(m);
+    assert_float_equal(ten / one, 10.0f, 3.0f); /* Whole cells, uneven radii. */
+    assert_float_equal(forty / one * 4.0f, 40.0f, 10.0f);
+    assert_float_equal(cover(m, 0.7f, RIGHT_FLANK), 0.0f, 0.0f);
+}
+
+static void test_another_seed_scatters_spots_another_way_and_flanks_differ(void **state)
+{
+    (void)state;
+    struct species_mark m = { .kind = MARK_SPOTS, .count = 30, .seed = 1, .width = 0.02f,
+                              .to = 1.0f, .high = 1.0f };
+    struct species_mark other = m;
+    other.seed = 2;
+    float by_seed = 0.0f, by_flank = 0.0f;
+    for (int i = 0; i < STEPS; i++) {
+        const float u = (float)i / STEPS;
+        by_seed += f_abs(cover(m, u, RIGHT_FLANK) - cover(other, u, RIGHT_FLANK));
+        by_flank += f_abs(cover(m, u, RIGHT_FLANK) - cover(m, u, LEFT_FLANK));
+    }
+    assert_true(by_seed > 5.0f);
+    assert_true(by_flank > 5.0f);
+}
+
+static void test_bars_are_as_many_as_told_and_lean_with_their_slant(void **state)
+{
+    (void)state;
+    struct species_mark m = { .kind = MARK_BANDS, .count = 4, .width = 0.06f, .from = 0.2f,
+                              .to = 0.8f, .high = 1.0f };
+    assert_int_equal(entered_along(m, RIGHT_FLANK), 4);
+    assert_float_equal(cover(m, 0.275f, 0.1f), 1.0f, 1e-3f);
+    m.slant = 0.1f; /* The top 0.05 backward of the middle. */
+    assert_float_equal(cover(m, 0.275f, 0.02f), 0.0f, 1e-3f);
+    assert_float_equal(cover(m, 0.325f, 0.02f), 1.0f, 1e-3f);
+    m.low = 0.5f;
+    assert_float_equal(cover(m, 0.275f, 0.4f), 0.0f, 1e-3f);
+}
+
+static void test_stripes_run_along_the_flank(void **state)
+{
+    (void)state;
+    const struct species_mark m = { .kind = MARK_STRIPES, .count = 3, .width = 0.08f, .to = 1.0f,
+                                    .low = 0.2f, .high = 0.8f };
+    assert_int_equal(entered_round(m, 0.5f), 3);
+    assert_int_equal(entered_along(m, RIGHT_FLANK), 0); /* On it from the snout on. */
+    assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
+}
+
+static void test_rows_have_their_dots_on_every_row(void **state)
+{
+    (void)state;
+    const struct species_mark m = { .kind = MARK_ROWS, .count = 8, .seed = 1, .width = 0.02f,
+                                    .from = 0.1f, .to = 0.9f, .low = 0.4f, .high = 0.6f };
+    assert_int_equal(entered_along(m, RIGHT_FLANK), 8);
+    assert_float_equal(cover(m, 0.5f, 0.05f), 0.0f, 0.0f);
+}
+
+static void test_a_margin_is_on_the_outer_part_of_its_own_fin(void **state)
+{
+    (void)state;
+    struct species_mark m = { .kind = MARK_EDGE, .part = PART_DORSAL, .width = 0.2f, .to = 1.0f };
+    assert_float_equal(cover(m, 0.5f, 0.95f), 1.0f, 1e-3f);
+    assert_float_equal(cover(m, 0.5f, 0.6f), 0.0f, 1e-3f);
+    const struct species_vertex anal = { .u = 0.5f, .v = 0.95f, .part = PART_ANAL };
+    const struct mark_point point = mark_point_of(&anal, FORM_FUSIFORM);
+    assert_float_equal(mark_cover(&m, &point), 0.0f, 0.0f);
+}
+
+static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
+{
+    (void)state;
+    const struct species_mark m = { .kind = MARK_SIDE, .count = SIDE_RIGHT, .width = 0.1f,
+                                    .to = 1.0f };
+    assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
+    assert_float_equal(cover(m, 0.5f, LEFT_FLANK), 0.0f, 1e-3f);
+    assert_float_equal(cover(m, 0.5f, 0.0f), 0.5f, 0.1f);
+    struct species_vertex fin = { .part = PART_PECTORAL, .side = SIDE_RIGHT };
+    struct mark_point point = mark_point_of(&fin, FORM_FUSIFORM);
+    assert_float_equal(mark_cover(&m, &point), 1.0f, 1e-3f);
+    fin.side = SIDE_LEFT;
+    point = mark_point_of(&fin, FORM_FUSIFORM);
+    assert_float_equal(mark_cover(&m, &point), 0.0f, 1e-3f);
+}
+
+static void test_mouth_and_gill_are_fine_lines_of_the_head(void **state)
+{
+    (void)state;
+    const struct species_mark mouth = { .kind = MARK_MOUTH, .width = 0.006f, .to = 0.06f,
+                                        .low = 0.4f, .high = 0.5f };
+    const struct species_mark gill = { .kind = MARK_GILL, .width = 0.01f, .to = 0.3f,
+                                       .slant = 0.25f, .low = 0.1f, .high = 0.8f };
+    assert_float_equal(cover(mouth, 0.001f, RIGHT_FLANK), 1.0f, 1e-3f);
+    assert_float_equal(cover(mouth, 0.1f, RIGHT_FLANK), 0.0f, 0.0f);
+    assert_int_equal(entered_along(gill, 0.27f), 1);
+    assert_true(covered_area(mouth) > 0.0f && covered_area(mouth) < 0.01f);
+    assert_true(covered_area(gill) > 0.0f && covered_area(gill) < 0.02f);
+}
+
+static void test_a_pupil_is_black_in_its_iris_and_never_of_glass(void **state)
+{
+    (void)state;
+    struct species one = { .card.key_count = 3 };
+    one.coats[0] = (struct species_coat){ .iris = 0xffd040, .flank = 0x808080, .clear = 255 };
+    const float weights[MORPH_KEY_MAX] = { 1.0f };
+    struct species_vertex at = { .part = PART_EYE, .u = 0.2f };
+    assert_true(paint_at(&one, weights, &at).colour.x < 0.05f);
+    at.u = 0.7f;
+    assert_true(paint_at(&one, weights, &at).colour.x > 0.9f);
+    assert_float_equal(paint_at(&one, weights, &at).clear, 0.0f, 0.0f);
+    at.part = PART_BODY;
+    assert_float_equal(paint_at(&one, weights, &at).clear, 1.0f, 1e-5f);
+}
+
+static void test_negative_weights_of_solved_shapes_take_no_colour_away(void **state)
+{
+    (void)state;
+    struct species two = { .card.key_count = 3 };
+    two.coats[0].flank = two.coats[0].back = two.coats[0].belly = 0xffffff;
+    const float weights[MORPH_KEY_MAX] = { 1.2f, -0.2f, 0.0f };
+    const struct species_vertex at = { .u = 0.5f, .v = RIGHT_FLANK };
+    assert_float_equal(paint_at(&two, weights, &at).colour.y, 1.0f, 1e-4f);
+}
+
+/* Every built-in species, all along its life, at points all over it: small steps only. */
+static void test_paint_changes_without_jumps_as_every_species_grows(void **state)
+{
+    (void)state;
+    for (uint32_t s = 0; s < species_table_count; s++) {
+        const struct species *species = species_table[s];
+        const struct species_mesh *mesh = &species->lod[1];
+        struct morph_rig rig;
+        morph_rig_init(&rig, &species->card, TEMPLATE_PAIRWISE);
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            struct paint before = { .clear = -1.0f };
+            for (int step = 0; step <= 400; step++) {
+                float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+                morph_weights(&rig, (float)step / 400.0f, weights);
+                const struct paint now = paint_at(species, weights[0], &mesh->vertices[i]);
+                assert_true(now.clear >= 0.0f && now.clear <= 1.0f);
+                assert_true(now.shine >= 0.0f && now.shine <= 1.0f);
+                if (step > 0) {
+                    assert_true(v3_length(v3_sub(now.colour, before.colour)) < 0.05f);
+                    assert_true(f_abs(now.clear - before.clear) < 0.02f);
+                }
+                before = now;
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_spots_cover_as_much_as_their_count_and_radius_say),
+        cmocka_unit_test(test_another_seed_scatters_spots_another_way_and_flanks_differ),
+        cmocka_unit_test(test_bars_are_as_many_as_told_and_lean_with_their_slant),
+        cmocka_unit_test(test_stripes_run_along_the_flank),
+        cmocka_unit_test(test_rows_have_their_dots_on_every_row),
+        cmocka_unit_test(test_a_margin_is_on_the_outer_part_of_its_own_fin),
+        cmocka_unit_test(test_a_blind_side_is_one_flank_and_its_paired_fins),
+        cmocka_unit_test(test_mouth_and_gill_are_fine_lines_of_the_head),
+        cmocka_unit_test(test_a_pupil_is_black_in_its_iris_and_never_of_glass),
+        cmocka_unit_test(test_negative_weights_of_solved_shapes_take_no_colour_away),
+        cmocka_unit_test(test_paint_changes_without_jumps_as_every_species_grows),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
