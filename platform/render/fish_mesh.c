@@ -12,7 +12,7 @@
 #define PAINT_SIZE_BYTES 4u /* Two fractions of 16 bits. */
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
-_Static_assert(MORPH_KEY_MAX * KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h has it");
+_Static_assert(MORPH_KEY_MAX * KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");
 
 static uint8_t byte(float x)
 {

@@ -29,7 +29,8 @@ static struct place place_of(uint32_t cell)
                            PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
 }
 
-/* A median fin has one cell whatever its side says; one of a pair without a side takes the right's. */
+/* A median fin has one cell, whatever its side says; one of a pair without a side has the right's.
+ */
 static struct place find(const struct species_vertex *vertex)
 {
     uint32_t found = CELL_COUNT;

@@ -1,5 +1,5 @@
-/* specimen.h -- one fish of any species, of any age, seen from any side: what the growth lab and the
- * album put on the screen. Plain data and arithmetic; specimen_pass.h draws it.
+/* specimen.h -- one fish of any species, of any age, seen from any side: what the growth lab and
+ * the album put on the screen. Plain data and arithmetic; specimen_pass.h draws it.
  *
  * A screen adds specimens to its batch (ui_batch.h) between its quads. Pixels, origin at the top
  * left, +y down. There is no perspective: `length_px` is the fish's length wherever it is. */
@@ -11,7 +11,7 @@
 
 #include "core/morph/morph.h"
 
-#define SPECIMEN_MAX 24u /* Of one screen: a lab's fish, its rival and eight keys, an album's page. */
+#define SPECIMEN_MAX 24u /* Of a screen: a lab's fish, its rival and eight keys; an album's page. */
 
 struct specimen {
     const struct species *species; /* Stays as it is until the frame is drawn, ... */
@@ -36,7 +36,7 @@ struct specimen_axes {
 };
 struct specimen_axes specimen_axes(const struct specimen *specimen);
 
-/* Where a point of the body's frame (lengths, as morph_shape() gives it, before swimming) is seen. */
+/* Where a point of the body's frame is seen: lengths, as morph_shape() gives it, not swimming. */
 void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px);
 
 /* The sides from which a species is drawn in books: most from the left, a ray from above. Fills yaw

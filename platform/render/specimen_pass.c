@@ -258,7 +258,7 @@ static void draw_shadow(const struct specimen_pass *pass, const struct specimen 
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-/* The depth of what was drawn there before is of no use: each specimen lies on a page of its own. */
+/* The depth of what was drawn there before is of no use: each specimen is on a page of its own. */
 static void clear_depth(const struct specimen *specimen, float height_px)
 {
     const float reach = REACH_LENGTHS * specimen->length_px;

@@ -51,9 +51,9 @@ void specimen_pass_work(struct specimen_pass *pass);
 /* Paints all of a species now, for who keeps a single picture. */
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen);
 
-/* Draws one into the bound framebuffer, which has depth and is `width_px` x `height_px`, over what is
- * there. Clears depth around it. Leaves blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and
- * culling off, vertex array 0, scissor off. */
+/* Draws one into the bound framebuffer, which has depth and is `width_px` x `height_px`, over what
+ * is there. Clears depth around it. Leaves blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test
+ * and culling off, vertex array 0, scissor off. */
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
                         float width_px, float height_px);
 

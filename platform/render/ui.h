@@ -33,9 +33,10 @@ int ui_init(struct ui *ui, char *why, size_t why_size);
 
 /* Draws over what is in the bound framebuffer, into (0, 0, width_px, height_px); both > 0.
  * `specimens` draws the batch's specimens, between its quads; null: they are left out, and the
- * framebuffer needs no depth. Needs no state but the bound framebuffer. Leaves behind: the viewport on that rectangle, blending
- * on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off, depth writes on (as OpenGL
- * starts), scissor off, one of its programs current, vertex array 0, textures on units 0 and 1. */
+ * framebuffer needs no depth. Needs no state but the bound framebuffer. Leaves behind: the viewport
+ * on that rectangle, blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off,
+ * depth writes on (as OpenGL starts), scissor off, one of its programs current, vertex array 0,
+ * textures on units 0 and 1. */
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
              float width_px, float height_px);
 
