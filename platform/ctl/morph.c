@@ -13,6 +13,7 @@ static const struct morph_command *const table[] = {
     &ctl_morph_weights,
     &ctl_morph_growth,
     &ctl_morph_path,
+    &ctl_morph_check,
     &ctl_morph_export,
     &ctl_morph_graph,
 };

@@ -14,6 +14,7 @@ struct morph_command {
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
+extern const struct morph_command ctl_morph_check;
 extern const struct morph_command ctl_morph_export;
 extern const struct morph_command ctl_morph_graph;
 extern const struct morph_command ctl_morph_growth;

@@ -1,0 +1,201 @@
+/* morph_skin.c -- inside, outside and distances of a closed surface of triangles. */
+#include "platform/ctl/morph_skin.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* Rays pass by vertices and edges, which two triangles share and either might claim. */
+#define ASIDE_Y 1.31e-6f
+#define ASIDE_Z 2.17e-6f
+
+static uint32_t bin_of(float x, float low, float high, uint32_t count)
+{
+    const float at = (x - low) / (high - low) * (float)count;
+    return (uint32_t)f_clamp(at, 0.0f, (float)(count - 1u));
+}
+
+struct bins {
+    uint32_t row[2], column[2];
+};
+
+static struct bins bins_of(const struct skin *skin, const vec3 corner[3])
+{
+    float y[2] = { corner[0].y, corner[0].y }, z[2] = { corner[0].z, corner[0].z };
+    for (int k = 1; k < 3; k++) {
+        y[0] = f_min(y[0], corner[k].y);
+        y[1] = f_max(y[1], corner[k].y);
+        z[0] = f_min(z[0], corner[k].z);
+        z[1] = f_max(z[1], corner[k].z);
+    }
+    struct bins bins;
+    for (int end = 0; end < 2; end++) {
+        bins.row[end] = bin_of(y[end], skin->low_y, skin->high_y, SKIN_ROWS);
+        bins.column[end] = bin_of(z[end], skin->low_z, skin->high_z, SKIN_COLUMNS);
+    }
+    return bins;
+}
+
+/* Counts (`fill` false) or lists the triangles of every bin. */
+static void walk_bins(struct skin *skin, bool fill)
+{
+    for (uint32_t i = 0; i < skin->triangle_count; i++) {
+        const struct bins b = bins_of(skin, skin->corner[i]);
+        for (uint32_t row = b.row[0]; row <= b.row[1]; row++) {
+            for (uint32_t column = b.column[0]; column <= b.column[1]; column++) {
+                uint32_t *end = &skin->bin_first[row * SKIN_COLUMNS + column + 1u];
+                if (fill) {
+                    skin->binned[*end] = (uint16_t)i;
+                }
+                (*end)++;
+            }
+        }
+    }
+}
+
+static void fill_bins(struct skin *skin)
+{
+    memset(skin->bin_first, 0, sizeof skin->bin_first);
+    walk_bins(skin, false);
+    for (uint32_t bin = 1; bin <= SKIN_BINS; bin++) {
+        skin->bin_first[bin] += skin->bin_first[bin - 1];
+    }
+    /* Each count becomes its bin's begin, and counts up to its end again. */
+    memmove(&skin->bin_first[1], &skin->bin_first[0], SKIN_BINS * sizeof skin->bin_first[0]);
+    walk_bins(skin, true);
+}
+
+void skin_build(struct skin *skin, const struct species_mesh *mesh, const vec3 *positions,
+                enum species_part part, enum species_side side)
+{
+    skin->triangle_count = 0;
+    skin->low_y = skin->low_z = FLT_MAX;
+    skin->high_y = skin->high_z = -FLT_MAX;
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+        const struct species_vertex *vertex = &mesh->vertices[mesh->indices[i]];
+        if (vertex->part != part || (side != SIDE_MIDDLE && vertex->side != side)) {
+            continue;
+        }
+        for (int k = 0; k < 3; k++) {
+            const vec3 p = positions[mesh->indices[i + (uint32_t)k]];
+            skin->corner[skin->triangle_count][k] = p;
+            skin->low_y = f_min(skin->low_y, p.y);
+            skin->low_z = f_min(skin->low_z, p.z);
+            skin->high_y = f_max(skin->high_y, p.y);
+            skin->high_z = f_max(skin->high_z, p.z);
+        }
+        skin->triangle_count++;
+    }
+    skin->high_y += 1e-6f; /* So that what is flat has bins too. */
+    skin->high_z += 1e-6f;
+    fill_bins(skin);
+}
+
+static vec3 area(const vec3 corner[3])
+{
+    return v3_scale(v3_cross(v3_sub(corner[1], corner[0]), v3_sub(corner[2], corner[0])), 0.5f);
+}
+
+bool skin_is_closed(const struct skin *skin)
+{
+    vec3 sum = { 0.0f, 0.0f, 0.0f };
+    float whole = 0.0f;
+    for (uint32_t i = 0; i < skin->triangle_count; i++) {
+        const vec3 a = area(skin->corner[i]);
+        sum = v3_add(sum, a);
+        whole += v3_length(a);
+    }
+    return whole > 0.0f && v3_length(sum) < 1e-3f * whole;
+}
+
+float skin_volume(const struct skin *skin)
+{
+    double volume = 0.0;
+    for (uint32_t i = 0; i < skin->triangle_count; i++) {
+        const vec3 *c = skin->corner[i];
+        volume += (double)v3_dot(c[0], v3_cross(c[1], c[2])) / 6.0;
+    }
+    return (float)volume;
+}
+
+/* Whether a line from (x, y, z) to the right leaves through the triangle. */
+static bool lies_right(const vec3 c[3], float x, float y, float z)
+{
+    const float d0 = (c[1].y - c[0].y) * (z - c[0].z) - (c[1].z - c[0].z) * (y - c[0].y);
+    const float d1 = (c[2].y - c[1].y) * (z - c[1].z) - (c[2].z - c[1].z) * (y - c[1].y);
+    const float d2 = (c[0].y - c[2].y) * (z - c[2].z) - (c[0].z - c[2].z) * (y - c[2].y);
+    const float sum = d0 + d1 + d2;
+    if (((d0 < 0.0f) != (d1 < 0.0f)) || ((d1 < 0.0f) != (d2 < 0.0f)) || sum == 0.0f) {
+        return false;
+    }
+    return (d1 * c[0].x + d2 * c[1].x + d0 * c[2].x) / sum > x;
+}
+
+bool skin_has(const struct skin *skin, vec3 point)
+{
+    const float y = point.y + ASIDE_Y, z = point.z + ASIDE_Z;
+    if (skin->triangle_count == 0 || y < skin->low_y || y > skin->high_y || z < skin->low_z ||
+        z > skin->high_z) {
+        return false;
+    }
+    const uint32_t bin = bin_of(y, skin->low_y, skin->high_y, SKIN_ROWS) * SKIN_COLUMNS +
+                         bin_of(z, skin->low_z, skin->high_z, SKIN_COLUMNS);
+    bool inside = false;
+    for (uint32_t i = skin->bin_first[bin]; i < skin->bin_first[bin + 1u]; i++) {
+        inside ^= lies_right(skin->corner[skin->binned[i]], point.x, y, z);
+    }
+    return inside;
+}
+
+static float to_segment(vec3 p, vec3 a, vec3 b)
+{
+    const vec3 along = v3_sub(b, a);
+    const float square = v3_dot(along, along);
+    const float t = square > 0.0f ? f_clamp(v3_dot(v3_sub(p, a), along) / square, 0.0f, 1.0f) : 0.0f;
+    return v3_length(v3_sub(p, v3_mad(a, along, t)));
+}
+
+static float to_triangle(vec3 p, const vec3 c[3])
+{
+    const vec3 normal = v3_normalize_or(area(c), v3(0.0f, 0.0f, 0.0f));
+    bool above = v3_dot(normal, normal) > 0.0f;
+    float nearest = FLT_MAX;
+    for (int k = 0; k < 3; k++) {
+        const vec3 a = c[k], b = c[(k + 1) % 3];
+        above = above && v3_dot(v3_cross(normal, v3_sub(b, a)), v3_sub(p, a)) >= 0.0f;
+        nearest = f_min(nearest, to_segment(p, a, b));
+    }
+    return above ? f_min(nearest, fabsf(v3_dot(normal, v3_sub(p, c[0])))) : nearest;
+}
+
+float skin_distance(const struct skin *skin, vec3 point)
+{
+    float nearest = FLT_MAX;
+    for (uint32_t i = 0; i < skin->triangle_count; i++) {
+        nearest = f_min(nearest, to_triangle(point, skin->corner[i]));
+    }
+    return nearest;
+}
+
+/* How far along `way` the triangle is crossed; below 0 where it is not. */
+static float crossing(vec3 p, vec3 way, const vec3 c[3])
+{
+    const vec3 e1 = v3_sub(c[1], c[0]), e2 = v3_sub(c[2], c[0]), from = v3_sub(p, c[0]);
+    const vec3 h = v3_cross(way, e2), q = v3_cross(from, e1);
+    const float scale = v3_dot(e1, h);
+    if (scale == 0.0f) {
+        return -1.0f;
+    }
+    const float u = v3_dot(from, h) / scale, v = v3_dot(way, q) / scale;
+    return u < 0.0f || v < 0.0f || u + v > 1.0f ? -1.0f : v3_dot(e2, q) / scale;
+}
+
+float skin_way_out(const struct skin *skin, vec3 point, vec3 way)
+{
+    float nearest = FLT_MAX;
+    for (uint32_t i = 0; i < skin->triangle_count; i++) {
+        const float far = crossing(point, way, skin->corner[i]);
+        nearest = far > 0.0f ? f_min(nearest, far) : nearest;
+    }
+    return nearest < FLT_MAX ? nearest : 0.0f;
+}

@@ -1,0 +1,303 @@
+/* morph_survey.c -- walks through a fish's growth and keeps the worst of everything.
+ *
+ * What counts as inside, and what is by design:
+ * - A body's vertex counts if the point just outside it (LIFT along its normal) is inside the body:
+ *   the skin has folded. Its depth is the way out along its normal.
+ * - A fin is rooted in the body: its root (v = 0) may be inside. Everything farther out counts, by
+ *   its distance from the skin.
+ * - An eye is a ball half sunk in the skin: what lies behind its rim (u > 1) is its seat. What shows
+ *   (u < EYE_SHOWN) counts; the ring at the rim itself lies in the skin, on either side of it.
+ * - Fins against fins do not count: sheets without thickness that the water bends. */
+#include "platform/ctl/morph_survey.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "platform/ctl/morph_part.h"
+#include "platform/ctl/morph_skin.h"
+
+#define LIFT 2e-4f      /* Of a length. */
+#define EYE_SHOWN 0.9f
+#define AREA_MIN 1e-9f  /* Twice the area of a triangle too small to face anywhere: 30 um^2 of 1 m. */
+#define TURNED_OVER 0.0f /* The cosine of a right angle. */
+
+struct walk {
+    const struct species *species;
+    const struct species_mesh *mesh;
+    const struct morph_rig *rig;
+    struct survey *out;
+    float progress;
+    struct morph_pose pose, key_pose;
+    vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
+    vec3 key_positions[MESH_VERTEX_MAX];
+    vec3 facing[MESH_INDEX_MAX / 3]; /* Of a fin's triangle when it last had an area. */
+    bool flipped[MESH_INDEX_MAX / 3];
+    bool key_alone[MORPH_KEY_MAX];
+    float key_volume[MORPH_KEY_MAX];
+    struct skin body, eye[2];
+    bool body_closed, eye_closed[2];
+};
+
+static void keep_worst(const struct walk *w, struct finding *finding, float value, uint32_t vertex)
+{
+    if (value > finding->value) {
+        *finding = (struct finding){ value, w->progress, vertex };
+    }
+}
+
+static void measure_sum(const float *weight, float *error, float *least)
+{
+    double sum = 0.0;
+    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+        sum += (double)weight[key];
+        *least = f_min(*least, weight[key]);
+    }
+    *error = f_max(*error, (float)fabs(sum - 1.0));
+}
+
+static void measure_weights(struct walk *w)
+{
+    for (uint32_t curve = 0; curve < w->rig->curve_count; curve++) {
+        float graph[MORPH_KEY_MAX];
+        graph_weights(&w->rig->curves[curve], w->rig->key_count, w->progress, graph);
+        measure_sum(graph, &w->out->sum_error, &w->out->weight_min);
+        measure_sum(w->pose.weight[curve], &w->out->drawn_sum_error, &w->out->drawn_weight_min);
+    }
+}
+
+/* The key that every curve shows alone just now, or MORPH_KEY_MAX. */
+static uint32_t lone_key(const struct walk *w)
+{
+    for (uint32_t key = 0; key < w->rig->key_count; key++) {
+        bool alone = true;
+        for (uint32_t curve = 0; curve < w->rig->curve_count; curve++) {
+            alone = alone && w->pose.weight[curve][key] == 1.0f;
+        }
+        if (alone) {
+            return key;
+        }
+    }
+    return MORPH_KEY_MAX;
+}
+
+static void measure_key(struct walk *w)
+{
+    const uint32_t key = lone_key(w);
+    if (key == MORPH_KEY_MAX) {
+        return;
+    }
+    w->key_alone[key] = true;
+    morph_key_pose(w->mesh, w->rig->key_count, key, &w->key_pose);
+    morph_shape(w->mesh, w->rig->key_count, &w->key_pose, w->key_positions, NULL);
+    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
+        const bool carried = w->mesh->vertices[i].anchor != ANCHOR_NONE;
+        const vec3 drawn = carried ? w->key_positions[i] : morph_position(w->mesh, key, i);
+        keep_worst(w, &w->out->key_error, v3_length(v3_sub(w->positions[i], drawn)), i);
+    }
+}
+
+static void mark_flipped(struct walk *w, uint32_t triangle, uint32_t *count)
+{
+    if (!w->flipped[triangle]) {
+        w->flipped[triangle] = true;
+        w->out->flipped_at = w->out->flipped_skin + w->out->flipped_fins == 0 ? w->progress
+                                                                              : w->out->flipped_at;
+        (*count)++;
+    }
+}
+
+static void measure_flips(struct walk *w)
+{
+    for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {
+        const uint16_t *c = &w->mesh->indices[3u * t];
+        const vec3 face = v3_cross(v3_sub(w->positions[c[1]], w->positions[c[0]]),
+                                   v3_sub(w->positions[c[2]], w->positions[c[0]]));
+        if (v3_length(face) < AREA_MIN) {
+            continue;
+        }
+        if (w->mesh->vertices[c[0]].part < PART_TAIL) {
+            const vec3 outward =
+                v3_add(w->normals[c[0]], v3_add(w->normals[c[1]], w->normals[c[2]]));
+            if (v3_dot(face, outward) < TURNED_OVER) {
+                mark_flipped(w, t, &w->out->flipped_skin);
+            }
+        } else {
+            if (v3_dot(face, w->facing[t]) < TURNED_OVER) {
+                mark_flipped(w, t, &w->out->flipped_fins);
+            }
+            w->facing[t] = face;
+        }
+    }
+}
+
+static void build_skins(struct walk *w)
+{
+    skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
+    w->body_closed = skin_is_closed(&w->body);
+    for (uint32_t i = 0; i < 2; i++) {
+        skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE,
+                   i == 0 ? SIDE_RIGHT : SIDE_LEFT);
+        w->eye_closed[i] = skin_is_closed(&w->eye[i]);
+    }
+}
+
+static void measure_body_vertex(struct walk *w, uint32_t i)
+{
+    const vec3 lifted = v3_mad(w->positions[i], w->normals[i], LIFT);
+    if (skin_has(&w->body, lifted)) {
+        keep_worst(w, &w->out->body_in_body, skin_way_out(&w->body, lifted, w->normals[i]), i);
+    }
+}
+
+static void measure_in(struct walk *w, const struct skin *skin, struct finding *finding, uint32_t i)
+{
+    if (skin_has(skin, w->positions[i])) {
+        keep_worst(w, finding, skin_distance(skin, w->positions[i]), i);
+    }
+}
+
+static void measure_eye_vertex(struct walk *w, uint32_t i)
+{
+    const struct species_vertex *vertex = &w->mesh->vertices[i];
+    if (vertex->u < EYE_SHOWN) {
+        measure_in(w, &w->body, &w->out->eye_in_body, i);
+    }
+    const uint32_t other = vertex->side == SIDE_RIGHT ? 1 : 0;
+    if (w->eye_closed[0] && w->eye_closed[1]) {
+        measure_in(w, &w->eye[other], &w->out->eye_in_eye, i);
+    }
+}
+
+static void measure_fin_vertex(struct walk *w, uint32_t i)
+{
+    const struct species_vertex *vertex = &w->mesh->vertices[i];
+    if (vertex->v > 0.0f) {
+        measure_in(w, &w->body, &w->out->fin_in_body, i);
+    } else if (!skin_has(&w->body, w->positions[i])) {
+        keep_worst(w, &w->out->root_off_skin, skin_distance(&w->body, w->positions[i]), i);
+    }
+    for (uint32_t eye = 0; eye < 2; eye++) {
+        if (w->eye_closed[eye]) {
+            measure_in(w, &w->eye[eye], &w->out->fin_in_eye, i);
+        }
+    }
+}
+
+static void measure_inside(struct walk *w)
+{
+    for (uint32_t i = 0; i < w->mesh->vertex_count && w->body_closed; i++) {
+        const uint8_t part = w->mesh->vertices[i].part;
+        if (part == PART_BODY) {
+            measure_body_vertex(w, i);
+        } else if (part == PART_EYE) {
+            measure_eye_vertex(w, i);
+        } else {
+            measure_fin_vertex(w, i);
+        }
+    }
+}
+
+static void measure_volume(struct walk *w)
+{
+    const uint32_t last = w->rig->key_count - 1u;
+    const uint32_t key = (uint32_t)fminf(w->progress * (float)last, (float)(last - 1u));
+    const float least = f_min(w->key_volume[key], w->key_volume[key + 1u]);
+    const float dip = 1.0f - skin_volume(&w->body) / least;
+    keep_worst(w, &w->out->volume_dip, dip, SURVEY_NOWHERE);
+}
+
+static void shape_at(struct walk *w, float progress)
+{
+    w->progress = progress;
+    morph_pose(w->rig, w->mesh, progress, &w->pose);
+    morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
+}
+
+static float key_progress(const struct walk *w, uint32_t key)
+{
+    return (float)key / (float)(w->rig->key_count - 1u);
+}
+
+static void measure_key_volumes(struct walk *w)
+{
+    for (uint32_t key = 0; key < w->rig->key_count; key++) {
+        morph_key_pose(w->mesh, w->rig->key_count, key, &w->pose);
+        morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
+        skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
+        w->key_volume[key] = skin_volume(&w->body);
+    }
+    w->out->volume_first = w->key_volume[0];
+    w->out->volume_last = w->key_volume[w->rig->key_count - 1u];
+}
+
+static void measure_moment(struct walk *w, float progress)
+{
+    shape_at(w, progress);
+    measure_weights(w);
+    measure_key(w);
+    measure_flips(w);
+    build_skins(w);
+    measure_inside(w);
+    measure_volume(w);
+}
+
+static vec3 place_of(struct walk *w, uint32_t vertex, float progress)
+{
+    shape_at(w, progress);
+    return w->positions[vertex];
+}
+
+static float from_line(vec3 p, vec3 from, vec3 to)
+{
+    const vec3 along = v3_sub(to, from), there = v3_sub(p, from);
+    const float square = v3_dot(along, along);
+    return square < 1e-12f ? v3_length(there)
+                           : v3_length(v3_mad(there, along, -v3_dot(there, along) / square));
+}
+
+static void measure_path(struct walk *w, enum species_part part, enum species_side side,
+                         uint32_t steps, struct curvature *out)
+{
+    const uint32_t vertex = morph_part_vertex(w->mesh, part, side);
+    *out = (struct curvature){ .vertex = SURVEY_NOWHERE };
+    if (vertex == w->mesh->vertex_count) {
+        return;
+    }
+    out->vertex = vertex;
+    const vec3 from = place_of(w, vertex, 0.0f), to = place_of(w, vertex, 1.0f);
+    for (uint32_t i = 0; i <= steps; i++) {
+        const vec3 p = place_of(w, vertex, (float)i / (float)steps);
+        out->from_chord = f_max(out->from_chord, from_line(p, from, to));
+    }
+}
+
+void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
+                  uint32_t steps, struct survey *out)
+{
+    static struct walk walk; /* About 10 MiB. */
+    struct walk *w = &walk;
+    memset(w, 0, sizeof *w);
+    *out = (struct survey){ .weight_min = FLT_MAX, .drawn_weight_min = FLT_MAX };
+    w->species = species;
+    w->mesh = &species->lod[lod];
+    w->rig = rig;
+    w->out = out;
+    measure_key_volumes(w);
+    uint32_t key = 0;
+    for (uint32_t i = 0; i <= steps; i++) {
+        const float progress = (float)i / (float)steps;
+        for (; key < rig->key_count && key_progress(w, key) <= progress; key++) {
+            if (key_progress(w, key) < progress) {
+                measure_moment(w, key_progress(w, key));
+            }
+        }
+        measure_moment(w, progress);
+    }
+    for (key = 0; key < rig->key_count; key++) {
+        out->keys_alone += w->key_alone[key];
+    }
+    measure_path(w, PART_DORSAL, SIDE_MIDDLE, steps, &out->dorsal_root);
+    measure_path(w, PART_EYE, SIDE_RIGHT, steps, &out->eye_right);
+    measure_path(w, PART_EYE, SIDE_LEFT, steps, &out->eye_left);
+}

@@ -1,0 +1,53 @@
+/* morph_survey.h -- a species' whole growth, measured: what `kingyoctl morph check` judges. Pure.
+ *
+ * Lengths are of the body's own (the species' measure is 1), whatever size the fish has. */
+#ifndef KINGYO_PLATFORM_CTL_MORPH_SURVEY_H
+#define KINGYO_PLATFORM_CTL_MORPH_SURVEY_H
+
+#include "core/morph/morph.h"
+
+#define SURVEY_NOWHERE UINT32_MAX
+
+/* The worst of a kind, and where and when it was found. */
+struct finding {
+    float value;     /* 0 where there is nothing to find. */
+    float progress;
+    uint32_t vertex; /* Or SURVEY_NOWHERE. */
+};
+
+/* How far from the straight line between its first place and its last a vertex goes. */
+struct curvature {
+    uint32_t vertex; /* SURVEY_NOWHERE where the fish has no such part. */
+    float from_chord;
+};
+
+struct survey {
+    /* Of the graphs: over all curves, |sum - 1|, and the least weight. */
+    float sum_error, weight_min;
+    /* Of what multiplies the drawn shapes: the same; the least is below 0 where shapes are solved. */
+    float drawn_sum_error, drawn_weight_min;
+    /* Where every curve shows one key alone: the distance from that key, and how many keys are. */
+    struct finding key_error;
+    uint32_t keys_alone;
+    /* Triangles that are turned over at any step: of body and eyes those that face inward, of fins
+     * those whose sheet turns over from one step to the next. */
+    uint32_t flipped_skin, flipped_fins;
+    float flipped_at; /* When the first was seen. */
+    /* How deep is inside what it must not be inside of. */
+    struct finding body_in_body; /* A fold of the skin. */
+    struct finding fin_in_body;  /* Fins but for their roots. */
+    struct finding eye_in_body;  /* The visible part of an eye in the head. */
+    struct finding eye_in_eye;   /* Two eyes on one side. */
+    struct finding fin_in_eye;
+    struct finding root_off_skin; /* Not a fault of the morph's to 0: how far a fin's root floats. */
+    /* The body's volume against the smaller of the two keys around, as a share: -0.02 is 2 % less. */
+    struct finding volume_dip;
+    float volume_first, volume_last; /* Of a fish one long. */
+    struct curvature dorsal_root, eye_right, eye_left;
+};
+
+/* Measures `steps` + 1 moments from progress 0 to 1, and each key's own, of one level of detail. */
+void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
+                  uint32_t steps, struct survey *out);
+
+#endif
