@@ -1,7 +1,7 @@
 /* paint.c -- what a fish's skin looks like at a point: the coats of its keys, blended.
  *
- * Colours blend in the keys' proportions, so a mark that the next key has not fades as the fish
- * grows; nothing jumps. */
+ * Colours blend in the keys' proportions. A mark that stands on the same line of two keys' coats
+ * is one mark and moves; one that the next key has not fades as the fish grows. Nothing jumps. */
 #include "core/morph/mark.h"
 #include "core/morph/morph.h"
 
@@ -43,44 +43,111 @@ static struct paint skin_paint(const struct species_coat *coat, float down)
                            .clear = (float)coat->clear / 255.0f };
 }
 
-static struct paint coat_paint(const struct species_coat *coat, const struct mark_point *at)
+static struct paint bare_paint(const struct species_coat *coat, const struct mark_point *at)
 {
-    struct paint paint;
-    CORE_ASSERT(coat->mark_count <= MARK_MAX);
     if (at->part == PART_EYE) {
-        paint = eye_paint(coat, at->u);
-    } else if (at->part == PART_BODY) {
-        paint = skin_paint(coat, at->down);
-    } else {
-        paint = (struct paint){ .colour = rgb(coat->fin), .clear = (float)coat->clear / 255.0f };
+        return eye_paint(coat, at->u);
     }
-    for (uint32_t i = 0; i < coat->mark_count; i++) {
-        const float cover = mark_cover(&coat->marks[i], at);
-        paint.colour = v3_lerp(paint.colour, rgb(coat->marks[i].colour), cover);
-        paint.clear *= 1.0f - MARK_OPAQUE * cover;
+    if (at->part == PART_BODY) {
+        return skin_paint(coat, at->down);
+    }
+    return (struct paint){ .colour = rgb(coat->fin), .clear = (float)coat->clear / 255.0f };
+}
+
+/* The keys' paint without marks; `share` sums to 1. */
+static struct paint mean_paint(const struct species *species, const float *share,
+                               const struct mark_point *at)
+{
+    struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        if (share[key] > 0.0f) {
+            const struct paint bare = bare_paint(&species->coats[key], at);
+            paint.colour = v3_mad(paint.colour, bare.colour, share[key]);
+            paint.clear += share[key] * bare.clear;
+            paint.shine += share[key] * bare.shine;
+        }
     }
     return paint;
+}
+
+/* Marks on one line of two keys' coats that are the same mark, moved or tinted. Scattered spots are
+ * so only where their field is the same, for another field scatters them anew. */
+static bool same_mark(const struct species_mark *a, const struct species_mark *b)
+{
+    const bool field = a->from == b->from && a->to == b->to && a->low == b->low &&
+                       a->high == b->high;
+    return a->kind == b->kind && a->part == b->part && a->count == b->count && a->seed == b->seed &&
+           (a->kind != MARK_SPOTS || field);
+}
+
+/* One mark as several keys have it: their mean. */
+struct mark_mean {
+    struct species_mark mark;
+    vec3 colour;
+    float share;
+};
+
+static void mix_mark(struct mark_mean *mean, const struct species_mark *m, float share)
+{
+    mean->share += share;
+    const float t = share / mean->share;
+    mean->colour = v3_lerp(mean->colour, rgb(m->colour), t);
+    mean->mark.from = f_lerp(mean->mark.from, m->from, t);
+    mean->mark.to = f_lerp(mean->mark.to, m->to, t);
+    mean->mark.width = f_lerp(mean->mark.width, m->width, t);
+    mean->mark.slant = f_lerp(mean->mark.slant, m->slant, t);
+    mean->mark.low = f_lerp(mean->mark.low, m->low, t);
+    mean->mark.high = f_lerp(mean->mark.high, m->high, t);
+}
+
+/* Lays line `slot` of the coats over `paint`: a mark that the keys share moves from one's place to
+ * the next's, one that they do not share fades. */
+static void lay_marks(const struct species *species, const float *share, uint32_t slot,
+                      const struct mark_point *at, struct paint *paint)
+{
+    uint32_t laid = 0; /* A bit for each key. */
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        const struct species_coat *coat = &species->coats[key];
+        if (share[key] <= 0.0f || slot >= coat->mark_count || (laid >> key & 1u)) {
+            continue;
+        }
+        struct mark_mean mean = { .mark = coat->marks[slot] };
+        for (uint32_t other = key; other < species->card.key_count; other++) {
+            const struct species_coat *also = &species->coats[other];
+            if (share[other] > 0.0f && slot < also->mark_count &&
+                same_mark(&coat->marks[slot], &also->marks[slot])) {
+                mix_mark(&mean, &also->marks[slot], share[other]);
+                laid |= 1u << other;
+            }
+        }
+        const float cover = mean.share * mark_cover(&mean.mark, at);
+        paint->colour = v3_lerp(paint->colour, mean.colour, cover);
+        paint->clear *= 1.0f - MARK_OPAQUE * cover;
+    }
 }
 
 struct paint paint_at(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct species_vertex *at)
 {
     const struct mark_point point = mark_point_of(at, (enum body_form)species->card.form);
-    struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
-    float sum = 1e-6f;
+    float share[MORPH_KEY_MAX], sum = 0.0f;
+    uint32_t slots = 0;
     CORE_ASSERT(species->card.form <= FORM_PUFFER);
+    CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
     for (uint32_t key = 0; key < species->card.key_count; key++) {
-        const float weight = weights[key];
-        if (weight > 0.0f) { /* What is solved may be negative: no colour is less than none. */
-            const struct paint coat = coat_paint(&species->coats[key], &point);
-            paint.colour = v3_mad(paint.colour, coat.colour, weight);
-            paint.clear += weight * coat.clear;
-            paint.shine += weight * coat.shine;
-            sum += weight;
+        share[key] = f_max(weights[key], 0.0f); /* Solved shapes' may be negative; colours not. */
+        sum += share[key];
+    }
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        CORE_ASSERT(species->coats[key].mark_count <= MARK_MAX);
+        share[key] /= f_max(sum, 1e-6f);
+        if (share[key] > 0.0f && species->coats[key].mark_count > slots) {
+            slots = species->coats[key].mark_count;
         }
     }
-    paint.colour = v3_scale(paint.colour, 1.0f / sum);
-    paint.clear /= sum;
-    paint.shine /= sum;
+    struct paint paint = mean_paint(species, share, &point);
+    for (uint32_t slot = 0; slot < slots; slot++) {
+        lay_marks(species, share, slot, &point, &paint);
+    }
     return paint;
 }

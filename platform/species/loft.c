@@ -12,7 +12,7 @@
 #define RINGS_MAX 64
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
-    { .rings = 24, .spokes = 16, .eye_rings = 4, .eye_spokes = 10,
+    { .rings = 24, .spokes = 16, .eye_rings = 4, .eye_spokes = 14,
       .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 12, 4 }, [PART_ANAL] = { 8, 4 },
                 [PART_PECTORAL] = { 5, 4 }, [PART_PELVIC] = { 4, 4 },
                 [PART_DORSAL_2] = { 5, 3 } } },

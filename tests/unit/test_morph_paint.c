@@ -10,6 +10,7 @@
 #include "core/morph/morph.h"
 
 #define STEPS 200
+#define GROWTH_STEPS 4000
 #define RIGHT_FLANK 0.25f
 #define LEFT_FLANK 0.75f
 
@@ -193,11 +194,11 @@ static void test_paint_changes_without_jumps_as_every_species_grows(void **state
         const struct species_mesh *mesh = &species->lod[1];
         struct morph_rig rig;
         morph_rig_init(&rig, &species->card, TEMPLATE_PAIRWISE);
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        for (uint32_t i = 0; i < mesh->vertex_count; i += 3) {
             struct paint before = { .clear = -1.0f };
-            for (int step = 0; step <= 400; step++) {
+            for (int step = 0; step <= GROWTH_STEPS; step++) {
                 float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
-                morph_weights(&rig, (float)step / 400.0f, weights);
+                morph_weights(&rig, (float)step / (float)GROWTH_STEPS, weights);
                 const struct paint now = paint_at(species, weights[0], &mesh->vertices[i]);
                 assert_true(now.clear >= 0.0f && now.clear <= 1.0f);
                 assert_true(now.shine >= 0.0f && now.shine <= 1.0f);
@@ -209,6 +210,27 @@ static void test_paint_changes_without_jumps_as_every_species_grows(void **state
             }
         }
     }
+}
+
+/* The same mark on the same line of two coats is one mark: halfway it lies halfway, whole. */
+static void test_a_mark_that_two_keys_share_moves_and_does_not_fade(void **state)
+{
+    (void)state;
+    struct species two = { .card.key_count = 3 };
+    struct species_mark bar = { .kind = MARK_BANDS, .count = 1, .width = 0.1f, .colour = 0xffffff,
+                                .from = 0.2f, .to = 0.3f, .high = 1.0f };
+    two.coats[0].marks[0] = bar;
+    bar.from = 0.6f;
+    bar.to = 0.7f;
+    two.coats[1].marks[0] = bar;
+    two.coats[0].mark_count = two.coats[1].mark_count = 1;
+    const float weights[MORPH_KEY_MAX] = { 0.5f, 0.5f };
+    struct species_vertex at = { .u = 0.45f, .v = RIGHT_FLANK };
+    assert_float_equal(paint_at(&two, weights, &at).colour.x, 1.0f, 1e-3f);
+    at.u = 0.25f;
+    assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.0f, 1e-3f);
+    two.coats[1].marks[0].count = 2; /* Another mark: both are half there. */
+    assert_float_equal(paint_at(&two, weights, &at).colour.x, 0.5f, 1e-3f);
 }
 
 int main(void)
@@ -224,6 +246,7 @@ int main(void)
         cmocka_unit_test(test_mouth_and_gill_are_fine_lines_of_the_head),
         cmocka_unit_test(test_a_pupil_is_black_in_its_iris_and_never_of_glass),
         cmocka_unit_test(test_negative_weights_of_solved_shapes_take_no_colour_away),
+        cmocka_unit_test(test_a_mark_that_two_keys_share_moves_and_does_not_fade),
         cmocka_unit_test(test_paint_changes_without_jumps_as_every_species_grows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
