@@ -1,9 +1,9 @@
 /* morph_check.c -- `kingyoctl morph check`: whether a species grows without a flaw, in figures. */
 #include <stdio.h>
 
-#include "platform/ctl/morph_part.h"
 #include "platform/ctl/morph_pick.h"
 #include "platform/ctl/morph_survey.h"
+#include "platform/species/reader.h"
 
 static const char name[] = "check";
 
@@ -119,7 +119,7 @@ static void print_where(const struct check_plan *plan, enum column column,
     printf(" at progress %.4f", (double)at->progress);
     if (at->vertex != SURVEY_NOWHERE) {
         const uint8_t part = mesh_of(plan, column)->vertices[at->vertex].part;
-        printf(", vertex %u (%s)", at->vertex, morph_part_name((enum species_part)part));
+        printf(", vertex %u (%s)", at->vertex, part_names[part]);
     }
 }
 

@@ -151,8 +151,8 @@ static float to_segment(vec3 p, vec3 a, vec3 b)
 {
     const vec3 along = v3_sub(b, a);
     const float square = v3_dot(along, along);
-    const float t = square > 0.0f ? f_clamp(v3_dot(v3_sub(p, a), along) / square, 0.0f, 1.0f) : 0.0f;
-    return v3_length(v3_sub(p, v3_mad(a, along, t)));
+    const float part = square > 0.0f ? v3_dot(v3_sub(p, a), along) / square : 0.0f;
+    return v3_length(v3_sub(p, v3_mad(a, along, f_clamp(part, 0.0f, 1.0f))));
 }
 
 static float to_triangle(vec3 p, const vec3 c[3])

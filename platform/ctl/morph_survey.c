@@ -5,8 +5,8 @@
  *   the skin has folded. Its depth is the way out along its normal.
  * - A fin is rooted in the body: its root (v = 0) may be inside. Everything farther out counts, by
  *   its distance from the skin.
- * - An eye is a ball half sunk in the skin: what lies behind its rim (u > 1) is its seat. What shows
- *   (u < EYE_SHOWN) counts; the ring at the rim itself lies in the skin, on either side of it.
+ * - An eye is a ball half sunk in the skin: what lies behind its rim (u > 1) is its seat. What
+ *   shows (u < EYE_SHOWN) counts; the ring at the rim itself lies in the skin, on either side.
  * - Fins against fins do not count: sheets without thickness that the water bends. */
 #include "platform/ctl/morph_survey.h"
 
@@ -19,7 +19,7 @@
 
 #define LIFT 2e-4f      /* Of a length. */
 #define EYE_SHOWN 0.9f
-#define AREA_MIN 1e-9f  /* Twice the area of a triangle too small to face anywhere: 30 um^2 of 1 m. */
+#define AREA_MIN 1e-9f  /* Twice the area, of a body 1 long, of what is too small to face anywhere. */
 #define TURNED_OVER 0.0f /* The cosine of a right angle. */
 
 struct walk {

@@ -24,7 +24,7 @@ struct curvature {
 struct survey {
     /* Of the graphs: over all curves, |sum - 1|, and the least weight. */
     float sum_error, weight_min;
-    /* Of what multiplies the drawn shapes: the same; the least is below 0 where shapes are solved. */
+    /* The same of what multiplies the drawn shapes: below 0 where shapes are solved. */
     float drawn_sum_error, drawn_weight_min;
     /* Where every curve shows one key alone: the distance from that key, and how many keys are. */
     struct finding key_error;
@@ -39,9 +39,8 @@ struct survey {
     struct finding eye_in_body;  /* The visible part of an eye in the head. */
     struct finding eye_in_eye;   /* Two eyes on one side. */
     struct finding fin_in_eye;
-    struct finding root_off_skin; /* Not a fault of the morph's to 0: how far a fin's root floats. */
-    /* The body's volume against the smaller of the two keys around, as a share: -0.02 is 2 % less. */
-    struct finding volume_dip;
+    struct finding root_off_skin; /* How far a fin's root floats above it. */
+    struct finding volume_dip;    /* The body's, below the lesser of the two keys around: a share. */
     float volume_first, volume_last; /* Of a fish one long. */
     struct curvature dorsal_root, eye_right, eye_left;
 };
