@@ -160,13 +160,13 @@ static void draw_key(struct graph_plan *plan, uint32_t key)
     const struct outline outline = {
         .species = plan->pick.fish, .rig = &plan->pick.rig, .progress = (float)progress,
         .view = outline_view_of(card), .x = x, .y = 150.0, .length_px = fmin(0.8 * spacing, 190.0),
-        .colour = morph_key_colours[key], .opacity = 0.75,
+        .colour = outline_key_colour(key), .opacity = 0.75,
     };
     char age[24], length[24];
     outline_draw(&plan->svg, &outline);
     print_age(age, (double)card->key_age_days[key]);
     print_length(length, 1e3 * (double)card->key_length_m[key], 4);
-    svg_text(&plan->svg, x, TOP - 38.0, 16.0, "middle", morph_key_colours[key], "%s",
+    svg_text(&plan->svg, x, TOP - 38.0, 16.0, "middle", outline_key_colour(key), "%s",
              card->key_names[key]);
     svg_text(&plan->svg, x, TOP - 18.0, 13.0, "middle", SVG_GREY, "%s, %s", age, length);
     svg_line(&plan->svg, x, TOP - 10.0, x, BOTTOM, SVG_GREY, 1.0, "3 4");
@@ -182,11 +182,11 @@ static void draw_curve(struct graph_plan *plan, uint32_t key)
         graph_weights(graph, plan->pick.fish->card.key_count, progress, weights);
         svg_point(&plan->svg, x_at((double)progress), y_at((double)weights[key]));
     }
-    svg_end_line(&plan->svg, morph_key_colours[key], 3.5, NULL);
+    svg_end_line(&plan->svg, outline_key_colour(key), 3.5, NULL);
     for (uint32_t i = 0; i < graph->knot_count; i++) {
         svg_dot(&plan->svg, x_at((double)graph->knots[i].progress),
                 y_at((double)graph->knots[i].weight[key]), 4.5, SVG_PAPER,
-                morph_key_colours[key]);
+                outline_key_colour(key));
     }
 }
 

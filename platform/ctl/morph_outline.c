@@ -2,11 +2,20 @@
  * once has no seams, and stays a path that a drawing program can take apart. */
 #include "platform/ctl/morph_outline.h"
 
-const char *const morph_key_colours[MORPH_KEY_MAX] = { "#d7382b", "#2c9a46", "#2a66c4", "#e08a1e",
-                                                       "#12a0a6", "#d55a9b", "#8a5a2b", "#6b6f76" };
+#include <math.h>
+#include <stdio.h>
+
+#include "platform/ctl/plate.h"
 
 /* Back to front. */
 enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
+
+const char *outline_key_colour(uint32_t key)
+{
+    static char colours[MORPH_KEY_MAX][8];
+    snprintf(colours[key], sizeof colours[key], "#%06x", plate_key_colour(key) & 0xffffffu);
+    return colours[key];
+}
 
 enum outline_view outline_view_of(const struct species_card *card)
 {
@@ -78,13 +87,32 @@ static void draw_layer(struct svg *svg, const struct outline *outline, const vec
     }
 }
 
-void outline_draw(struct svg *svg, const struct outline *outline)
+static void blend(const struct outline *outline, vec3 positions[MESH_VERTEX_MAX])
 {
-    static vec3 positions[MESH_VERTEX_MAX];
     static struct morph_pose pose;
     const struct species *species = outline->species;
     morph_pose(outline->rig, &species->lod[0], outline->progress, &pose);
     morph_shape(&species->lod[0], species->card.key_count, &pose, positions, NULL);
+}
+
+void outline_measure(const struct outline *outline, double low[2], double high[2])
+{
+    static vec3 positions[MESH_VERTEX_MAX];
+    blend(outline, positions);
+    for (uint32_t i = 0; i < outline->species->lod[0].vertex_count; i++) {
+        double at[2];
+        outline_project(outline, positions[i], &at[0], &at[1]);
+        for (int axis = 0; axis < 2; axis++) {
+            low[axis] = fmin(low[axis], at[axis]);
+            high[axis] = fmax(high[axis], at[axis]);
+        }
+    }
+}
+
+void outline_draw(struct svg *svg, const struct outline *outline)
+{
+    static vec3 positions[MESH_VERTEX_MAX];
+    blend(outline, positions);
     for (enum layer layer = LAYER_FAR_FINS; layer < LAYERS; layer++) {
         const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
         const bool dark = layer == LAYER_EYES && outline->opacity > 0.5;

@@ -5,9 +5,10 @@
 #include "core/morph/morph.h"
 #include "platform/ctl/svg.h"
 
-/* The thesis' colours: red, green and blue; five more for further keys. Purple is the size. */
-extern const char *const morph_key_colours[MORPH_KEY_MAX];
-#define MORPH_SCALE_COLOUR "#8e4bb8"
+/* plate_key_colour() as SVG writes it, "#d0392b"; the answer is static, for each key its own. */
+const char *outline_key_colour(uint32_t key);
+
+#define MORPH_SCALE_COLOUR "#8e4bb8" /* The size is purple, as in the 2005 thesis. */
 
 enum outline_view {
     OUTLINE_SIDE,  /* From its left, the head to the left. */
@@ -31,6 +32,9 @@ enum outline_view outline_view_of(const struct species_card *card);
 
 /* Where a point of the body frame is on the paper. */
 void outline_project(const struct outline *outline, vec3 p, double *x, double *y);
+
+/* Grows the box `low` .. `high` on the paper to hold the fish too. */
+void outline_measure(const struct outline *outline, double low[2], double high[2]);
 
 void outline_draw(struct svg *svg, const struct outline *outline);
 

@@ -4,165 +4,19 @@
 #include <math.h>
 #include <string.h>
 
-#include "platform/ctl/morph_outline.h"
-#include "platform/ctl/morph_path.h"
+#include "platform/ctl/morph_path_view.h"
 
-#define WIDTH 1280.0
-#define HEIGHT 640.0
-#define SAMPLES 200u
-#define LENS 500.0 /* The enlarged square's side. */
-
-/* A frame of the paper, and what of the fish it shows. */
-struct window {
-    double x, y, width, height; /* Of the frame. */
-    double length_px;
-    vec3 middle;                /* What is in its middle. */
-    enum outline_view view;
-};
-
-struct picture {
-    const struct path_plan *plan;
-    struct svg svg;
-    struct morph_rig keys;     /* That reaches every key whole. */
-    vec3 way[SAMPLES + 1u];    /* The part's, ... */
-    vec3 drawn[SAMPLES + 1u];  /* ... and with --thesis what our own method makes of it. */
-    vec3 farthest;             /* From the chord. */
-    float farthest_progress, farthest_lengths;
-};
-
-/* ---- What is drawn -------------------------------------------------------------------------- */
-
-/* The whole species' progress where the thesis' method has `progress`. */
-static float drawn_progress(const struct species_card *drawn, float progress)
-{
-    const float place = progress * 2.0f;
-    const uint32_t i = place < 1.0f ? 0u : 1u;
-    const float from = (float)drawn->thesis_key[i], to = (float)drawn->thesis_key[i + 1u];
-    return (from + (to - from) * (place - (float)i)) / (float)(drawn->key_count - 1u);
-}
-
-static void walk(struct picture *picture)
-{
-    const struct path_plan *plan = picture->plan;
-    const struct morph_pick *pick = &plan->pick;
-    struct morph_rig own;
-    morph_rig_init(&own, &pick->drawn->card, TEMPLATE_OWN);
-    for (uint32_t i = 0; i <= SAMPLES; i++) {
-        const float progress = (float)i / (float)SAMPLES;
-        picture->way[i] = morph_part_place(pick->fish, &pick->rig, plan->vertex, progress);
-        if (pick->thesis) {
-            picture->drawn[i] = morph_part_place(pick->drawn, &own, plan->vertex,
-                                                 drawn_progress(&pick->drawn->card, progress));
-        }
-        const float far = path_from_chord(plan, picture->way[i]);
-        if (far > picture->farthest_lengths) {
-            picture->farthest = picture->way[i];
-            picture->farthest_lengths = far;
-            picture->farthest_progress = progress;
-        }
-    }
-}
-
-static vec3 key_place(const struct picture *picture, uint32_t key)
-{
-    const struct species *fish = picture->plan->pick.fish;
-    return morph_part_place(fish, &picture->keys, picture->plan->vertex,
-                            (float)key / (float)(fish->card.key_count - 1u));
-}
-
-/* Where the shape solved for `key` has it: beyond the drawing, so that the way passes through the
- * drawing (section 4.2). */
-static vec3 solved_place(const struct picture *picture, uint32_t key)
-{
-    vec3 sum = { 0.0f, 0.0f, 0.0f };
-    for (uint32_t j = 0; j < picture->keys.key_count; j++) {
-        sum = v3_mad(sum, key_place(picture, j), picture->plan->pick.rig.solution[0][key][j]);
-    }
-    return sum;
-}
-
-/* ---- Where ---------------------------------------------------------------------------------- */
-
-static struct outline outline_in(const struct window *window)
-{
-    struct outline outline = { .view = window->view, .length_px = window->length_px };
-    double x, y;
-    outline_project(&outline, window->middle, &x, &y);
-    outline.x = window->x + 0.5 * window->width - x;
-    outline.y = window->y + 0.5 * window->height - y;
-    return outline;
-}
-
-static void place_in(const struct window *window, vec3 p, double *x, double *y)
-{
-    const struct outline outline = outline_in(window);
-    outline_project(&outline, p, x, y);
-}
-
-/* How far a view shows the way leave its chord. */
-static double bend_in(const struct picture *picture, enum outline_view view)
-{
-    const struct window window = { .length_px = 1.0, .view = view };
-    double x0, y0, x1, y1, most = 0.0;
-    place_in(&window, picture->plan->from, &x0, &y0);
-    place_in(&window, picture->plan->to, &x1, &y1);
-    const double length = fmax(hypot(x1 - x0, y1 - y0), 1e-9);
-    for (uint32_t i = 0; i <= SAMPLES; i++) {
-        double x, y;
-        place_in(&window, picture->way[i], &x, &y);
-        most = fmax(most, fabs((x - x0) * (y1 - y0) - (y - y0) * (x1 - x0)) / length);
-    }
-    return most;
-}
-
-/* From the side, unless another view shows a bend that the side hides. */
-static enum outline_view best_view(const struct picture *picture)
-{
-    const double side = bend_in(picture, OUTLINE_SIDE), front = bend_in(picture, OUTLINE_FRONT);
-    const double top = bend_in(picture, OUTLINE_TOP);
-    if (side >= 0.6 * fmax(front, top)) {
-        return OUTLINE_SIDE;
-    }
-    return front >= top ? OUTLINE_FRONT : OUTLINE_TOP;
-}
-
-/* The window that holds the way, its keys and the solved ones with a margin. */
-static struct window lens_on(const struct picture *picture, enum outline_view view)
-{
-    const struct window flat = { .length_px = 1.0, .view = view };
-    const uint32_t keys = picture->keys.key_count;
-    double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 };
-    vec3 least = { 1e9f, 1e9f, 1e9f }, most = { -1e9f, -1e9f, -1e9f };
-    for (uint32_t i = 0; i <= SAMPLES + 2u * keys; i++) {
-        const vec3 p = i <= SAMPLES           ? picture->way[i]
-                       : i <= SAMPLES + keys ? key_place(picture, i - SAMPLES - 1u)
-                                             : solved_place(picture, i - SAMPLES - keys - 1u);
-        double at[2];
-        place_in(&flat, p, &at[0], &at[1]);
-        for (int axis = 0; axis < 2; axis++) {
-            low[axis] = fmin(low[axis], at[axis]);
-            high[axis] = fmax(high[axis], at[axis]);
-        }
-        least = v3(f_min(least.x, p.x), f_min(least.y, p.y), f_min(least.z, p.z));
-        most = v3(f_max(most.x, p.x), f_max(most.y, p.y), f_max(most.z, p.z));
-    }
-    const double span = fmax(fmax(high[0] - low[0], high[1] - low[1]), 0.01);
-    return (struct window){ .x = WIDTH - LENS - 50.0, .y = 90.0, .width = LENS, .height = LENS,
-                            .length_px = LENS / (1.45 * span),
-                            .middle = v3_scale(v3_add(least, most), 0.5f), .view = view };
-}
-
-/* ---- Drawing -------------------------------------------------------------------------------- */
+#define SVG_WAY "#c8371f"
 
 static void draw_fish(struct picture *picture, const struct window *window, double opacity)
 {
     const struct species *fish = picture->plan->pick.fish;
     for (uint32_t key = 0; key < fish->card.key_count; key++) {
-        struct outline outline = outline_in(window);
+        struct outline outline = path_outline(window);
         outline.species = fish;
         outline.rig = &picture->keys;
         outline.progress = (float)key / (float)(fish->card.key_count - 1u);
-        outline.colour = morph_key_colours[key];
+        outline.colour = outline_key_colour(key);
         outline.opacity = opacity;
         outline_draw(&picture->svg, &outline);
     }
@@ -172,9 +26,9 @@ static void draw_way(struct picture *picture, const struct window *window, const
                      const char *colour, double width, const char *dashes)
 {
     svg_begin_line(&picture->svg);
-    for (uint32_t i = 0; i <= SAMPLES; i++) {
+    for (uint32_t i = 0; i <= PATH_SAMPLES; i++) {
         double x, y;
-        place_in(window, way[i], &x, &y);
+        path_place(window, way[i], &x, &y);
         svg_point(&picture->svg, x, y);
     }
     svg_end_line(&picture->svg, colour, width, dashes);
@@ -183,8 +37,8 @@ static void draw_way(struct picture *picture, const struct window *window, const
 static void draw_chord(struct picture *picture, const struct window *window)
 {
     double x0, y0, x1, y1;
-    place_in(window, picture->plan->from, &x0, &y0);
-    place_in(window, picture->plan->to, &x1, &y1);
+    path_place(window, picture->plan->from, &x0, &y0);
+    path_place(window, picture->plan->to, &x1, &y1);
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
 }
 
@@ -199,24 +53,60 @@ static void draw_reach(struct picture *picture, const struct window *window)
                            "points=\"", SVG_GREY);
     for (uint32_t key = 0; key < picture->keys.key_count; key++) {
         double x, y;
-        place_in(window, solved_place(picture, key), &x, &y);
+        path_place(window, path_solved(picture, key), &x, &y);
         svg_point(&picture->svg, x, y);
     }
     svg_put(&picture->svg, "\"/>\n");
 }
 
-static void draw_keys(struct picture *picture, const struct window *window, double radius,
-                      bool named)
+struct label {
+    double x, y, width; /* Of its words' left end on the line. */
+};
+
+static bool overlaps(struct label a, struct label b)
+{
+    return fabs(a.y - b.y) < 17.0 && a.x < b.x + b.width + 6.0 && b.x < a.x + a.width + 6.0;
+}
+
+/* Beside its dot, where no label is yet: to the right above or below, else to the left. */
+static struct label free_label(const struct label *taken, uint32_t count, double x, double y,
+                               double width)
+{
+    static const double above[6] = { -10.0, 22.0, -10.0, 22.0, -28.0, 40.0 };
+    struct label label = { 0 };
+    for (uint32_t i = 0; i < 6; i++) {
+        bool is_free = true;
+        const bool to_left = i == 2 || i == 3;
+        label = (struct label){ to_left ? x - 12.0 - width : x + 12.0, y + above[i], width };
+        for (uint32_t j = 0; j < count; j++) {
+            is_free = is_free && !overlaps(label, taken[j]);
+        }
+        if (is_free) {
+            break;
+        }
+    }
+    return label;
+}
+
+static void draw_dots(struct picture *picture, const struct window *window, double radius)
+{
+    for (uint32_t key = 0; key < picture->keys.key_count; key++) {
+        double x, y;
+        path_place(window, path_key(picture, key), &x, &y);
+        svg_dot(&picture->svg, x, y, radius, outline_key_colour(key), SVG_PAPER);
+    }
+}
+
+static void draw_names(struct picture *picture, const struct window *window)
 {
     const struct species_card *card = &picture->plan->pick.fish->card;
+    struct label taken[MORPH_KEY_MAX];
     for (uint32_t key = 0; key < card->key_count; key++) {
         double x, y;
-        place_in(window, key_place(picture, key), &x, &y);
-        svg_dot(&picture->svg, x, y, radius, morph_key_colours[key], SVG_PAPER);
-        if (named) {
-            svg_text(&picture->svg, x + 12.0, y - 10.0, 14.0, "start", morph_key_colours[key],
-                     "%s", card->key_names[key]);
-        }
+        path_place(window, path_key(picture, key), &x, &y);
+        taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(card->key_names[key]));
+        svg_text(&picture->svg, taken[key].x, taken[key].y, 14.0, "start",
+                 outline_key_colour(key), "%s", card->key_names[key]);
     }
 }
 
@@ -229,8 +119,8 @@ static void draw_bend(struct picture *picture, const struct window *window)
     const vec3 there = v3_sub(picture->farthest, plan->from);
     const float share = length > 0.0f ? v3_dot(there, along) / length : 0.0f;
     double x0, y0, x1, y1;
-    place_in(window, picture->farthest, &x0, &y0);
-    place_in(window, v3_mad(plan->from, along, share), &x1, &y1);
+    path_place(window, picture->farthest, &x0, &y0);
+    path_place(window, v3_mad(plan->from, along, share), &x1, &y1);
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_INK, 1.2, NULL);
     svg_text(&picture->svg, x1 + 10.0, y1 + 5.0, 14.0, "start", SVG_INK,
              "%.4f", (double)picture->farthest_lengths);
@@ -268,9 +158,10 @@ static void draw_window(struct picture *picture, const struct window *window, bo
     if (picture->plan->pick.thesis) {
         draw_way(picture, window, picture->drawn, SVG_INK, 2.0, "1 6");
     }
-    draw_way(picture, window, picture->way, "#d7382b", enlarged ? 4.0 : 2.5, NULL);
-    draw_keys(picture, window, enlarged ? 7.0 : 4.0, enlarged);
+    draw_way(picture, window, picture->way, SVG_WAY, enlarged ? 4.0 : 2.5, NULL);
+    draw_dots(picture, window, enlarged ? 7.0 : 4.0);
     if (enlarged) {
+        draw_names(picture, window);
         draw_bend(picture, window);
         draw_ruler(picture, window);
     }
@@ -287,7 +178,7 @@ static void draw_words(struct picture *picture, enum outline_view view)
     svg_text(svg, 50.0, 72.0, 14.0, "start", SVG_GREY,
              "its way as the fish grows, %s; farthest from the straight line at progress %.2f",
              seen[view], (double)picture->farthest_progress);
-    svg_text(svg, 50.0, HEIGHT - 22.0, 13.0, "start", SVG_GREY,
+    svg_text(svg, 50.0, PATH_HEIGHT - 22.0, 13.0, "start", SVG_GREY,
              "Red: its way. Dashed: the ordinary morph's.%s%s",
              plan->pick.thesis ? " Dotted: our own method's." : "",
              plan->pick.rig.curves[0].solved && plan->pick.fish->lod[0].anchor_count == 0
@@ -298,16 +189,13 @@ static void draw_words(struct picture *picture, enum outline_view view)
 static void draw(struct picture *picture)
 {
     static const char *const views[] = { "side", "front", "top" };
-    enum outline_view view = best_view(picture);
+    enum outline_view view = path_best_view(picture);
     for (int i = OUTLINE_SIDE; picture->plan->view && i <= OUTLINE_TOP; i++) {
         if (strcmp(picture->plan->view, views[i]) == 0) {
             view = (enum outline_view)i;
         }
     }
-    const struct window whole = { .x = 50.0, .y = 90.0, .width = 660.0, .height = LENS,
-                                  .length_px = view == OUTLINE_FRONT ? 900.0 : 590.0,
-                                  .view = view };
-    const struct window lens = lens_on(picture, view);
+    const struct window whole = path_whole(picture, view), lens = path_lens(picture, view);
     draw_words(picture, view);
     draw_window(picture, &whole, false);
     draw_window(picture, &lens, true);
@@ -322,8 +210,8 @@ enum exit_code path_picture(const struct path_plan *plan, const char *command)
         return morph_usage(command, "--view: '%.40s' is not side, front or top", plan->view);
     }
     morph_rig_init(&picture.keys, &plan->pick.fish->card, TEMPLATE_PAIRWISE);
-    walk(&picture);
-    if (!svg_open(&picture.svg, plan->svg, WIDTH, HEIGHT, "The way of a part")) {
+    path_walk(&picture);
+    if (!svg_open(&picture.svg, plan->svg, PATH_WIDTH, PATH_HEIGHT, "The way of a part")) {
         return morph_fail(EXIT_IO, command, "%.200s: %s", plan->svg, strerror(errno));
     }
     draw(&picture);

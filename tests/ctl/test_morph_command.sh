@@ -154,15 +154,15 @@ drawn() { # LINES OPTIONS...: a whole SVG with so many lines of the first key's 
     morph "$@" --svg "$work/picture.svg" || return 1
     head -c 300 "$work/picture.svg"
     ! grep -qiE 'nan|inf["., ]' "$work/picture.svg" && grep -q '<svg xmlns="http://www.w3.org/2000/svg"' "$work/picture.svg" &&
-        [ "$(tail -1 "$work/picture.svg")" = '</svg>' ] && [ "$(grep -c '#d7382b' "$work/picture.svg")" -ge "$least" ]
+        [ "$(tail -1 "$work/picture.svg")" = '</svg>' ] && [ "$(grep -c '#d0392b' "$work/picture.svg")" -ge "$least" ]
 }
 for id in "${species[@]}"; do
     check "$id: the graph is drawn" drawn 4 graph "$id"
-    check "$id: the way of its tail is drawn" drawn 3 path "$id" --part body --view side
+    check "$id: the way of its back is drawn" drawn 2 path "$id" --part body --view side
 done
 for template in ordinary pairwise simultaneous smooth; do
     check "a $template graph is drawn" drawn 4 graph wakin --template $template --thesis
-    check "and its way" drawn 3 path wakin --part dorsal --template $template --thesis
+    check "and its way" drawn 2 path wakin --part dorsal --template $template --thesis
 done
 has_curves() { # Each key's curve and the size: polylines that differ
     morph graph wakin --svg "$work/graph.svg" && [ "$(grep -c 'stroke="#8e4bb8"' "$work/graph.svg")" -ge 2 ] &&
