@@ -5,7 +5,7 @@
 #include "platform/ctl/morph_survey.h"
 #include "platform/species/reader.h"
 
-static const char name[] = "check";
+static const char command[] = "check";
 
 enum column { NEAR, FAR, ORDINARY, COLUMNS };
 static const char *const column_names[COLUMNS] = { "near", "far", "ordinary" };
@@ -197,7 +197,7 @@ static enum exit_code run(int argc, const char *const *argv)
         { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
         { .name = "--json", .flag = &plan.as_json },
     };
-    const enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
+    const enum exit_code code = morph_pick_read(&plan.pick, command, MORPH_ASKS_CURVES, options,
                                                 sizeof options / sizeof options[0], argc, argv);
     if (code != EXIT_OK) {
         return code;
@@ -213,12 +213,12 @@ static enum exit_code run(int argc, const char *const *argv)
     } else {
         print_text(&plan);
     }
-    const enum exit_code end = morph_end(name);
+    const enum exit_code end = morph_end(command);
     return end != EXIT_OK ? end : good ? EXIT_OK : EXIT_NOT_SO;
 }
 
 const struct morph_command ctl_morph_check = {
-    .name = name,
+    .name = command,
     .words = "SPECIES|FILE [--template T] [--thesis] [--steps N] [--json]",
     .summary = "whether it grows without a flaw, in figures, the ordinary morph's beside them",
     .usage =

@@ -19,7 +19,7 @@
 
 #define LIFT 2e-4f      /* Of a length. */
 #define EYE_SHOWN 0.9f
-#define AREA_MIN 1e-9f  /* Twice the area, of a body 1 long, of what is too small to face anywhere. */
+#define AREA_MIN 1e-9f  /* Twice the area of what is too small to face anywhere. */
 #define TURNED_OVER 0.0f /* The cosine of a right angle. */
 
 struct walk {

@@ -40,7 +40,7 @@ struct survey {
     struct finding eye_in_eye;   /* Two eyes on one side. */
     struct finding fin_in_eye;
     struct finding root_off_skin; /* How far a fin's root floats above it. */
-    struct finding volume_dip;    /* The body's, below the lesser of the two keys around: a share. */
+    struct finding volume_dip;    /* The body's, a share below the lesser of the keys around. */
     float volume_first, volume_last; /* Of a fish one long. */
     struct curvature dorsal_root, eye_right, eye_left;
 };
