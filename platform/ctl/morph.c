@@ -9,6 +9,7 @@
 static const char name[] = "morph";
 
 static const struct morph_command *const table[] = {
+    &ctl_morph_import,
     &ctl_morph_list,
     &ctl_morph_weights,
     &ctl_morph_growth,
@@ -59,8 +60,8 @@ static enum exit_code help(void)
     for (size_t i = 0; i < TABLE_COUNT; i++) {
         printf("  %s %s\n      %s\n", table[i]->name, table[i]->words, table[i]->summary);
     }
-    puts("\nSPECIES is a built-in one (`kingyoctl morph list`), FILE a maker's text or packed\n"
-         "species: NAME.txt, NAME.kfish.\n"
+    puts("\nSPECIES is a built-in one (`kingyoctl morph list`), FILE a maker's: NAME.txt\n"
+         "as written, NAME.kfish as packed by 'import'.\n"
          "  --template T  own (the species' curves, the default), pairwise (figure 3.8 of the\n"
          "                2005 thesis), simultaneous (figure 3.9), smooth (no corner at any\n"
          "                key), or ordinary (the first and the last key alone: equation 3.1)\n"

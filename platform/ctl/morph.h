@@ -18,6 +18,7 @@ extern const struct morph_command ctl_morph_check;
 extern const struct morph_command ctl_morph_export;
 extern const struct morph_command ctl_morph_graph;
 extern const struct morph_command ctl_morph_growth;
+extern const struct morph_command ctl_morph_import;
 extern const struct morph_command ctl_morph_list;
 extern const struct morph_command ctl_morph_path;
 extern const struct morph_command ctl_morph_weights;

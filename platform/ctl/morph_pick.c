@@ -119,53 +119,54 @@ static const struct species *built_in(const char *word)
     return NULL;
 }
 
-static const struct species *made_of(const struct species_text *text)
+static bool ends_with(const char *word, const char *suffix)
 {
-    static struct species species;
-    static struct loft loft;
-    static struct mesh_tables tables[SPECIES_LOD_COUNT];
-    species_compile(text, &species);
-    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-        species_loft(text, &species_detail[lod], &loft);
-        species_pack(&loft, text->key_count, &tables[lod], &species.lod[lod]);
-    }
-    return &species;
+    const size_t length = strlen(word), tail = strlen(suffix);
+    return length >= tail && strcmp(word + length - tail, suffix) == 0;
 }
 
-static bool ends_in(const char *word, const char *end)
-{
-    const size_t length = strlen(word), part = strlen(end);
-    return length >= part && strcmp(word + length - part, end) == 0;
-}
-
-static enum exit_code read_packed(struct morph_pick *pick, const char *command)
-{
-    static struct species_slot slot;
-    char why[VET_WHY_SIZE];
-    const enum pack_result result = pack_read(pick->word, &slot, why);
-    if (result != PACK_OK) {
-        return morph_fail(result == PACK_IO ? EXIT_IO : EXIT_BAD_DATA, command, "%.200s: %s",
-                          pick->word, why);
-    }
-    pick->drawn = &slot.species;
-    return EXIT_OK;
-}
-
-static enum exit_code read_text(struct morph_pick *pick, const char *command)
+/* A maker's text, lofted into `slot`. The reader of texts tells its line itself. */
+static enum exit_code read_text(const char *path, const char *command, struct species_slot *slot)
 {
     static struct species_text text;
-    FILE *file = fopen(pick->word, "r");
+    char why[VET_WHY_SIZE];
+    FILE *file = fopen(path, "r");
     if (!file) {
-        return morph_fail(EXIT_IO, command, "%.200s: %s", pick->word, strerror(errno));
+        return morph_fail(EXIT_IO, command, "%.200s: %s", path, strerror(errno));
     }
-    const bool good = species_read(file, pick->word, stderr, &text);
+    const bool good = species_read(file, path, stderr, &text);
     const bool broken = ferror(file) != 0;
     fclose(file);
     if (!good) {
         return broken ? EXIT_IO : EXIT_BAD_DATA;
     }
-    pick->drawn = made_of(&text);
+    pack_text(&text, slot);
+    if (!species_vet(&slot->species, why)) {
+        fprintf(stderr, "%s: %s\n", path, why);
+        return EXIT_BAD_DATA;
+    }
     return EXIT_OK;
+}
+
+enum exit_code morph_pick_file(const char *path, const char *command, struct species_slot *slot)
+{
+    char why[VET_WHY_SIZE];
+    if (!ends_with(path, PACK_SUFFIX)) {
+        return read_text(path, command, slot);
+    }
+    const enum pack_result result = pack_read(path, slot, why);
+    if (result != PACK_OK) {
+        fprintf(stderr, "%s: %s\n", path, why);
+    }
+    return result == PACK_OK ? EXIT_OK : result == PACK_BAD ? EXIT_BAD_DATA : EXIT_IO;
+}
+
+static enum exit_code read_file(struct morph_pick *pick, const char *command)
+{
+    static struct species_slot slot;
+    const enum exit_code code = morph_pick_file(pick->word, command, &slot);
+    pick->drawn = &slot.species;
+    return code;
 }
 
 static enum exit_code refuse_species(const char *command, const char *word)
@@ -176,9 +177,8 @@ static enum exit_code refuse_species(const char *command, const char *word)
         snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
                  species_table[i]->card.id);
     }
-    return morph_usage(command, "'%.100s' is no species; there are %s, and files (.txt, "
-                                ".kfish)", word,
-                       list);
+    return morph_usage(command, "'%.100s' is no species; there are %s, and files (NAME.txt or "
+                                "NAME.kfish)", word, list);
 }
 
 static enum exit_code open_species(struct morph_pick *pick, const char *command)

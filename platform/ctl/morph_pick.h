@@ -10,6 +10,7 @@
 
 #include "core/morph/morph.h"
 #include "platform/ctl/morph.h"
+#include "platform/species/pack.h"
 
 /* An option of a subcommand's own. Exactly one of the pointers is not null: what the option sets;
  * it keeps its value where the option is not given. */
@@ -47,6 +48,10 @@ const char *morph_template_name(enum graph_template template);
 enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enum morph_asks asks,
                                const struct morph_option *options, size_t option_count, int argc,
                                const char *const *argv);
+
+/* Reads a maker's file into `slot`: NAME.kfish as packed, anything else as text, lofted. EXIT_OK,
+ * or another code, told in one line. */
+enum exit_code morph_pick_file(const char *path, const char *command, struct species_slot *slot);
 
 /* `fish` as the ordinary morph would have it (eq. 3.1): its first and its last key, straight. The
  * answer is static. */

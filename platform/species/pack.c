@@ -368,3 +368,13 @@ void pack_copy(const struct species *species, struct species_slot *slot)
     }
     point_at_tables(slot);
 }
+
+void pack_text(const struct species_text *text, struct species_slot *slot)
+{
+    static struct loft loft;
+    species_compile(text, &slot->species);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        species_loft(text, &species_detail[lod], &loft);
+        species_pack(&loft, text->key_count, &slot->tables[lod], &slot->species.lod[lod]);
+    }
+}

@@ -46,6 +46,10 @@ size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX]);
 enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
 enum pack_result pack_write(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
 
+/* Lofts what a maker wrote. The text has been read without complaint; numbers that each are in
+ * their range may still make no fish, so whoever shows it asks species_vet(). */
+void pack_text(const struct species_text *text, struct species_slot *slot);
+
 /* Makes `slot` a copy of `species` with tables of its own. The species keeps its maxima. */
 void pack_copy(const struct species *species, struct species_slot *slot);
 

@@ -1,0 +1,300 @@
+/* import_life.c -- names, ages, lengths, curves and colours of a species that came as meshes. */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/morph/morph.h"
+#include "platform/ctl/import_plan.h"
+
+#define DAYS_PER_YEAR 365.25
+#define KEY_DAYS 30.0       /* Between keys where nobody says an age. */
+#define GROWN 1.05          /* Length at infinity, of the last key's, where nobody says. */
+#define FADE_YEAR 0.3f
+#define SAME_SIZE 0.01f
+#define UNSET 255u
+
+static enum exit_code refuse(char why[IMPORT_WHY_SIZE], const char *text)
+{
+    snprintf(why, IMPORT_WHY_SIZE, "%s", text);
+    return EXIT_BAD_DATA;
+}
+
+/* A name of another program as one of ours: "Shape Key.001" is shape_key_001. */
+static void tame(const char *from, uint32_t key, char out[SPECIES_NAME_SIZE])
+{
+    uint32_t length = 0;
+    memset(out, 0, SPECIES_NAME_SIZE);
+    for (; *from && length + 1 < SPECIES_NAME_SIZE; from++) {
+        const char c = (char)tolower((unsigned char)*from);
+        const bool fits = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (fits) {
+            out[length++] = c;
+        } else if (length > 0 && out[length - 1] != '_') {
+            out[length++] = '_';
+        }
+    }
+    if (length == 0) {
+        snprintf(out, SPECIES_NAME_SIZE, "key_%u", key);
+    }
+}
+
+static void name_keys(const struct import_mesh *mesh, const struct import_plan *plan,
+                      struct species_card *card)
+{
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        if (plan->name_count > 0) {
+            memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
+            continue;
+        }
+        tame(mesh->key_names[key], key, card->key_names[key]);
+        for (uint32_t other = 0; other < key; other++) {
+            if (strcmp(card->key_names[key], card->key_names[other]) == 0) {
+                memset(card->key_names[key], 0, SPECIES_NAME_SIZE);
+                snprintf(card->key_names[key], SPECIES_NAME_SIZE, "key_%u", key);
+            }
+        }
+    }
+}
+
+/* As told, else as `like`, else as the file has them, where they are not all one size. */
+static bool set_lengths(const struct import_plan *plan, const struct import_report *report,
+                        struct species_card *card)
+{
+    float least = INFINITY, most = 0.0f;
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        least = fminf(least, report->size[key]);
+        most = fmaxf(most, report->size[key]);
+    }
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        card->key_length_m[key] =
+            plan->length_count > 0 ? (float)(1e-3 * plan->lengths_mm[key])
+            : plan->like           ? plan->like->card.key_length_m[key]
+                                   : (float)((double)report->size[key] * plan->unit_m);
+    }
+    return plan->length_count > 0 || plan->like || most > least * (1.0f + SAME_SIZE);
+}
+
+static void set_growth(const struct import_plan *plan, struct species_card *card)
+{
+    struct growth *g = &card->growth;
+    const uint32_t last = card->key_count - 1u;
+    if (plan->growth_count > 0) {
+        *g = (struct growth){ .length_inf_m = (float)(1e-3 * plan->growth[0]),
+                              .k_per_year = (float)plan->growth[1],
+                              .t0_year = (float)plan->growth[2],
+                              .fade_year = (float)plan->growth[4],
+                              .point_count = 1,
+                              .points = { { 0.0f, (float)(1e-3 * plan->growth[3]) } } };
+        return;
+    }
+    /* The keys themselves are what was measured; behind the last, a curve that passes through. */
+    *g = (struct growth){ .length_inf_m = (float)(GROWN * (double)card->key_length_m[last]),
+                          .k_per_year = 1.0f, .fade_year = FADE_YEAR };
+    g->t0_year = (float)((double)card->key_age_days[last] / DAYS_PER_YEAR + log(1.0 - 1.0 / GROWN));
+    if (card->key_age_days[0] > 0.0f) {
+        g->points[g->point_count++] = (struct growth_point){ 0.0f, card->key_length_m[0] };
+    }
+    for (uint32_t key = 0; key <= last; key++) {
+        g->points[g->point_count++] =
+            (struct growth_point){ card->key_age_days[key], card->key_length_m[key] };
+    }
+}
+
+static void set_ages(const struct import_plan *plan, struct species_card *card)
+{
+    const bool by_growth = plan->age_count == 0 && plan->growth_count > 0;
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        card->key_age_days[key] = plan->age_count > 0 ? (float)plan->ages_days[key]
+                                                      : (float)(KEY_DAYS * key);
+    }
+    set_growth(plan, card);
+    for (uint32_t key = 0; key < card->key_count && by_growth; key++) {
+        card->key_age_days[key] = growth_age_days(&card->growth, card->key_length_m[key]);
+    }
+}
+
+/* How far the animation is from the straight line between two of its moments, and where most. */
+static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to, uint32_t *at)
+{
+    float worst = 0.0f;
+    const float span = mesh->times[to] - mesh->times[from];
+    for (uint32_t i = from + 1; i < to; i++) {
+        const float t = (mesh->times[i] - mesh->times[from]) / span;
+        for (uint32_t key = 0; key < mesh->key_count; key++) {
+            const float line = mesh->weights[from][key] * (1.0f - t) + mesh->weights[to][key] * t;
+            const float off = fabsf(mesh->weights[i][key] - line);
+            if (off > worst) {
+                worst = off;
+                *at = i;
+            }
+        }
+    }
+    return worst;
+}
+
+/* Knots for the animation: its ends, then again and again where the lines are farthest off. */
+static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
+                       struct import_report *report)
+{
+    uint32_t chosen[GRAPH_KNOT_MAX] = { 0, mesh->time_count - 1 }, count = 2;
+    float worst = 1.0f;
+    while (count < GRAPH_KNOT_MAX && worst > 1e-4f) {
+        uint32_t gap = 0, where = 0;
+        worst = 0.0f;
+        for (uint32_t i = 0; i + 1 < count; i++) {
+            uint32_t at = chosen[i];
+            const float off = farthest(mesh, chosen[i], chosen[i + 1], &at);
+            if (off > worst) {
+                worst = off;
+                gap = i;
+                where = at;
+            }
+        }
+        if (worst > 1e-4f) {
+            memmove(&chosen[gap + 2], &chosen[gap + 1], (count - gap - 1) * sizeof chosen[0]);
+            chosen[gap + 1] = where;
+            count++;
+        }
+    }
+    report->graph_error = 0.0f;
+    const float begin = mesh->times[0], span = mesh->times[mesh->time_count - 1] - begin;
+    *graph = (struct graph){ .knot_count = (uint8_t)count, .line = GRAPH_STRAIGHT };
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t unused;
+        struct graph_knot *knot = &graph->knots[i];
+        knot->progress = i + 1 == count ? 1.0f : (mesh->times[chosen[i]] - begin) / span;
+        memcpy(knot->weight, mesh->weights[chosen[i]], sizeof knot->weight);
+        if (i + 1 < count) {
+            report->graph_error =
+                fmaxf(report->graph_error, farthest(mesh, chosen[i], chosen[i + 1], &unused));
+        }
+    }
+    report->knot_count = count;
+}
+
+static void set_graph(const struct import_mesh *mesh, const struct import_plan *plan,
+                      struct species_card *card, struct import_report *report)
+{
+    card->curve_count = 1;
+    memset(card->curve_names, 0, sizeof card->curve_names);
+    memcpy(card->curve_names[0], "whole", sizeof "whole");
+    if (plan->template != TEMPLATE_OWN) {
+        graph_template(&card->curves[0], (enum graph_template)plan->template, card->key_count,
+                       SIMULTANEOUS_PEAK);
+    } else if (mesh->time_count >= 2) {
+        draw_graph(mesh, &card->curves[0], report);
+    } else if (!plan->like) {
+        graph_template(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count, SIMULTANEOUS_PEAK);
+    }
+}
+
+/* The mean colour of the vertices of a part at a height: 0 the lowest third, 2 the highest. */
+static bool mean_colour(const struct import_mesh *mesh, enum species_part part, int third,
+                        uint32_t *out)
+{
+    uint64_t sum[3] = { 0, 0, 0 }, count = 0;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const enum species_part its = import_part(mesh->group_names[mesh->groups[i]]);
+        if (part == PART_TAIL ? its < PART_TAIL : its != part) {
+            continue;
+        }
+        const uint32_t vertex = mesh->triangles[i][0];
+        const float y = mesh->positions[0][vertex].y;
+        const int height = y < -0.04f ? 0 : y > 0.04f ? 2 : 1;
+        if (third < 0 || height == third) {
+            for (int c = 0; c < 3; c++) {
+                sum[c] += mesh->colours[vertex] >> (16 - 8 * c) & 255u;
+            }
+            count++;
+        }
+    }
+    *out = count == 0 ? 0
+                      : (uint32_t)(sum[0] / count) << 16 | (uint32_t)(sum[1] / count) << 8 |
+                            (uint32_t)(sum[2] / count);
+    return count > 0;
+}
+
+static void set_coats(const struct import_mesh *mesh, const struct import_plan *plan,
+                      struct species *species)
+{
+    struct species_coat coat = { .back = 0x3b4a52, .flank = 0x8a979c, .belly = 0xe6e4da,
+                                 .fin = 0x7d8a90, .iris = 0xc9b26a, .shine = 90 };
+    uint32_t colour;
+    if (plan->like) {
+        memcpy(species->coats, plan->like->coats, sizeof species->coats);
+        return;
+    }
+    if (mesh->has_colours) {
+        coat.back = mean_colour(mesh, PART_BODY, 2, &colour) ? colour : coat.back;
+        coat.flank = mean_colour(mesh, PART_BODY, 1, &colour) ? colour : coat.flank;
+        coat.belly = mean_colour(mesh, PART_BODY, 0, &colour) ? colour : coat.belly;
+        coat.fin = mean_colour(mesh, PART_TAIL, -1, &colour) ? colour : coat.fin;
+        coat.iris = mean_colour(mesh, PART_EYE, -1, &colour) ? colour : coat.iris;
+    }
+    if (plan->colour_count > 0) {
+        coat.back = plan->colours[0];
+        coat.flank = plan->colours[1];
+        coat.belly = plan->colours[2];
+        coat.fin = plan->colours[3];
+        coat.iris = plan->colours[4];
+    }
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        species->coats[key] = coat;
+    }
+}
+
+static bool counts_agree(const struct import_mesh *mesh, const struct import_plan *plan,
+                         char why[IMPORT_WHY_SIZE])
+{
+    const struct {
+        const char *what;
+        uint32_t count;
+    } lists[] = { { "--names", plan->name_count },
+                  { "--lengths-mm", plan->length_count },
+                  { "--ages-days", plan->age_count },
+                  { "--like", plan->like ? plan->like->card.key_count : 0 } };
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+        if (lists[i].count > 0 && lists[i].count != mesh->key_count) {
+            snprintf(why, IMPORT_WHY_SIZE, "%s: %u, and there are %u shapes", lists[i].what,
+                     lists[i].count, mesh->key_count);
+            return false;
+        }
+    }
+    return true;
+}
+
+enum exit_code import_life(const struct import_mesh *mesh, const struct import_plan *plan,
+                           struct species_slot *slot, struct import_report *report,
+                           char why[IMPORT_WHY_SIZE])
+{
+    struct species_card *card = &slot->species.card;
+    if (!counts_agree(mesh, plan, why)) {
+        return EXIT_BAD_DATA;
+    }
+    if (plan->like) {
+        *card = plan->like->card;
+    } else {
+        card->thesis_key[1] = (uint8_t)(mesh->key_count / 2u);
+        card->thesis_key[2] = (uint8_t)(mesh->key_count - 1u);
+        card->thesis_template = TEMPLATE_PAIRWISE;
+    }
+    memset(card->id, 0, sizeof card->id);
+    snprintf(card->id, sizeof card->id, "%s", plan->id);
+    card->key_count = (uint8_t)mesh->key_count;
+    card->measure = plan->measure;
+    card->motion = plan->motion != UNSET ? plan->motion : plan->like ? card->motion : MOTION_TAIL;
+    card->form = plan->form != UNSET ? plan->form : plan->like ? card->form : FORM_FUSIFORM;
+    if (!plan->like || plan->name_count > 0) {
+        name_keys(mesh, plan, card);
+    }
+    if (!set_lengths(plan, report, card)) {
+        return refuse(why, "lengths: all shapes are one size; say --lengths-mm A,B,C");
+    }
+    if (!plan->like || plan->age_count > 0 || plan->growth_count > 0) {
+        set_ages(plan, card);
+    }
+    set_graph(mesh, plan, card, report);
+    set_coats(mesh, plan, &slot->species);
+    return EXIT_OK;
+}

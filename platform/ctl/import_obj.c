@@ -1,0 +1,276 @@
+/* import_obj.c -- Wavefront OBJ, strictly: vertices, texture coordinates, faces and group names.
+ *
+ * Normals, materials, smoothing, lines and points are passed over: normals are made anew, and the
+ * rest is no shape. */
+#include "platform/ctl/import_mesh.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define LINE_SIZE 4096 /* A face of 300 corners fits. */
+#define CORNER_MAX 256
+
+struct obj {
+    struct import_mesh *mesh;
+    uint32_t key;
+    const char *path;
+    char *why;
+    uint32_t line;
+    uint32_t vertex_count, uv_count, triangle_count;
+    uint8_t group;
+    float uv[IMPORT_VERTEX_MAX][2]; /* As `vt` lines name them. */
+};
+
+__attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const char *format, ...)
+{
+    char text[IMPORT_WHY_SIZE / 2];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    snprintf(o->why, IMPORT_WHY_SIZE, "%.80s:%u: %s", o->path, o->line, text);
+    return false;
+}
+
+/* Reads up to `count` numbers behind `text`; answers how many there were, or -1. */
+static int numbers(struct obj *o, const char *text, float *out, int count)
+{
+    for (int i = 0; i < count; i++) {
+        char *end = NULL;
+        const float value = strtof(text, &end);
+        if (end == text) {
+            return i;
+        }
+        if (!(fabsf(value) <= IMPORT_REACH_MAX)) {
+            refuse(o, "%.20s is no number from %g to %g", text, -(double)IMPORT_REACH_MAX,
+                   (double)IMPORT_REACH_MAX);
+            return -1;
+        }
+        out[i] = value;
+        text = end;
+    }
+    return count;
+}
+
+static uint32_t packed_colour(const float rgb[3])
+{
+    uint32_t colour = 0;
+    for (int i = 0; i < 3; i++) {
+        colour = colour << 8 | (uint32_t)(fminf(fmaxf(rgb[i], 0.0f), 1.0f) * 255.0f + 0.5f);
+    }
+    return colour;
+}
+
+static bool read_vertex(struct obj *o, const char *text)
+{
+    float x[6];
+    const int count = numbers(o, text, x, 6);
+    if (count < 3) {
+        return count < 0 ? false : refuse(o, "a vertex has three numbers");
+    }
+    const uint32_t limit = o->key == 0 ? IMPORT_VERTEX_MAX : o->mesh->vertex_count;
+    if (o->vertex_count == limit) {
+        return refuse(o, "more than %u vertices%s", limit,
+                      o->key == 0 ? "" : ", which the first shape has");
+    }
+    o->mesh->positions[o->key][o->vertex_count] = v3(x[0], x[1], x[2]);
+    if (o->key == 0) {
+        o->mesh->colours[o->vertex_count] = count == 6 ? packed_colour(x + 3) : 0x808080u;
+        o->mesh->has_colours |= count == 6;
+    }
+    o->vertex_count++;
+    return true;
+}
+
+static bool read_uv(struct obj *o, const char *text)
+{
+    if (o->uv_count == IMPORT_VERTEX_MAX) {
+        return refuse(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
+    }
+    const int count = numbers(o, text, o->uv[o->uv_count], 2);
+    if (count < 2) {
+        return count < 0 ? false : refuse(o, "a texture coordinate has two numbers");
+    }
+    o->uv_count++;
+    return true;
+}
+
+/* An index of OBJ: from 1, or from the newest backward. Answers false when it names nothing. */
+static bool index_of(long number, uint32_t count, uint32_t *out)
+{
+    const long index = number > 0 ? number - 1 : (long)count + number;
+    *out = (uint32_t)index;
+    return number != 0 && index >= 0 && index < (long)count;
+}
+
+/* One corner, "v", "v/vt", "v//vn" or "v/vt/vn". */
+static bool read_corner(struct obj *o, const char *word, uint32_t *out)
+{
+    char *end = NULL;
+    uint32_t uv;
+    errno = 0;
+    const long vertex = strtol(word, &end, 10);
+    if (end == word || errno != 0 || !index_of(vertex, o->vertex_count, out)) {
+        return refuse(o, "corner '%.30s' names no vertex above this line", word);
+    }
+    if (end[0] == '/' && end[1] != '/') {
+        if (!index_of(strtol(end + 1, NULL, 10), o->uv_count, &uv)) {
+            return refuse(o, "corner '%.30s' names no texture coordinate above this line", word);
+        }
+        if (o->key == 0) {
+            memcpy(o->mesh->uv[*out], o->uv[uv], sizeof o->uv[uv]);
+            o->mesh->has_uv = true;
+        }
+    }
+    return true;
+}
+
+static bool add_triangle(struct obj *o, uint32_t a, uint32_t b, uint32_t c)
+{
+    struct import_mesh *m = o->mesh;
+    const uint32_t corner[3] = { a, b, c };
+    const uint32_t limit = o->key == 0 ? IMPORT_TRIANGLE_MAX : m->triangle_count;
+    if (o->triangle_count == limit) {
+        return refuse(o, "more than %u triangles%s", limit,
+                      o->key == 0 ? "" : ", which the first shape has");
+    }
+    if (o->key == 0) {
+        memcpy(m->triangles[o->triangle_count], corner, sizeof corner);
+        m->groups[o->triangle_count] = o->group;
+    } else if (memcmp(m->triangles[o->triangle_count], corner, sizeof corner) != 0) {
+        return refuse(o, "this face joins other vertices than in the first shape");
+    }
+    o->triangle_count++;
+    return true;
+}
+
+static bool read_face(struct obj *o, char *text)
+{
+    uint32_t corner[CORNER_MAX], count = 0;
+    char *rest = NULL;
+    for (char *word = strtok_r(text, " \t\r\n", &rest); word;
+         word = strtok_r(NULL, " \t\r\n", &rest)) {
+        if (count == CORNER_MAX) {
+            return refuse(o, "a face of more than %d corners", CORNER_MAX);
+        }
+        if (!read_corner(o, word, &corner[count++])) {
+            return false;
+        }
+    }
+    if (count < 3) {
+        return refuse(o, "a face has three corners");
+    }
+    for (uint32_t i = 2; i < count; i++) {
+        if (!add_triangle(o, corner[0], corner[i - 1], corner[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The first shape's groups count; others may be named as they like. */
+static bool read_group(struct obj *o, char *text)
+{
+    struct import_mesh *m = o->mesh;
+    const char *name = strtok(text, "\r\n");
+    if (o->key > 0) {
+        return true;
+    }
+    char cut[IMPORT_NAME_SIZE];
+    snprintf(cut, sizeof cut, "%s", name ? name + strspn(name, " \t") : "");
+    for (o->group = 0; o->group < m->group_count; o->group++) {
+        if (strcmp(cut, m->group_names[o->group]) == 0) {
+            return true;
+        }
+    }
+    if (m->group_count == IMPORT_GROUP_MAX) {
+        return refuse(o, "more than %u groups", IMPORT_GROUP_MAX);
+    }
+    memcpy(m->group_names[m->group_count++], cut, sizeof cut);
+    return true;
+}
+
+static bool read_line(struct obj *o, char *text)
+{
+    const size_t length = strlen(text);
+    if (length == LINE_SIZE - 1 && text[length - 1] != '\n') {
+        return refuse(o, "the line is longer than %d", LINE_SIZE - 2);
+    }
+    char *word = text + strspn(text, " \t");
+    if (strncmp(word, "v ", 2) == 0 || strncmp(word, "v\t", 2) == 0) {
+        return read_vertex(o, word + 2);
+    }
+    if (strncmp(word, "vt ", 3) == 0) {
+        return read_uv(o, word + 3);
+    }
+    if (strncmp(word, "f ", 2) == 0) {
+        return read_face(o, word + 2);
+    }
+    if (strncmp(word, "g ", 2) == 0 || strncmp(word, "o ", 2) == 0) {
+        return read_group(o, word + 2);
+    }
+    return true;
+}
+
+static bool check_whole(struct obj *o)
+{
+    struct import_mesh *m = o->mesh;
+    if (o->vertex_count == 0 || o->triangle_count == 0) {
+        return refuse(o, "no %s", o->vertex_count == 0 ? "vertices" : "faces");
+    }
+    if (o->key == 0) {
+        m->vertex_count = o->vertex_count;
+        m->triangle_count = o->triangle_count;
+    } else if (o->vertex_count != m->vertex_count || o->triangle_count != m->triangle_count) {
+        return refuse(o, "%u vertices and %u triangles, and the first shape has %u and %u",
+                      o->vertex_count, o->triangle_count, m->vertex_count, m->triangle_count);
+    }
+    m->key_count = o->key + 1;
+    return true;
+}
+
+static bool read_all(struct obj *o, FILE *file)
+{
+    static char text[LINE_SIZE];
+    while (fgets(text, sizeof text, file)) {
+        o->line++;
+        if (!read_line(o, text)) {
+            return false;
+        }
+    }
+    return check_whole(o);
+}
+
+enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,
+                          char why[IMPORT_WHY_SIZE])
+{
+    static struct obj o;
+    struct stat status;
+    o = (struct obj){ .mesh = mesh, .key = key, .path = path, .why = why };
+    FILE *file = fopen(path, "r");
+    if (!file || fstat(fileno(file), &status) != 0) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, strerror(errno));
+        return EXIT_IO;
+    }
+    bool good = false;
+    if (status.st_size > (off_t)IMPORT_FILE_MAX) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: larger than %u MiB", path, IMPORT_FILE_MAX >> 20);
+    } else {
+        if (key == 0) {
+            mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
+            memset(mesh->uv, 0, sizeof mesh->uv);
+        mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
+            mesh->group_count = 1; /* What stands before the first group has no name. */
+            mesh->group_names[0][0] = '\0';
+        }
+        good = read_all(&o, file);
+    }
+    const bool broken = ferror(file) != 0;
+    fclose(file);
+    return good ? EXIT_OK : broken ? EXIT_IO : EXIT_BAD_DATA;
+}
