@@ -1,6 +1,6 @@
 # species.mk -- bakes assets/species/*.txt into constant tables of the core.
 
-SPECIES := wakin kurodai shimafugu kuroanago hirame mebachi
+SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
 # All but the kiosk's shelf, which knows the table that is baked here.
 SPECIES_PARTS := assets/bake/species assets/bake/species_write \
     $(patsubst %.c,%,$(filter-out %/shelf.c,$(wildcard platform/species/*.c))) $(patsubst %.c,%,$(wildcard core/morph/*.c)) \
