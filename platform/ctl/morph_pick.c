@@ -193,8 +193,7 @@ static enum exit_code open_species(struct morph_pick *pick, const char *command)
     if (!strpbrk(pick->word, "/.")) {
         return refuse_species(command, pick->word);
     }
-    return ends_in(pick->word, PACK_SUFFIX) ? read_packed(pick, command)
-                                            : read_text(pick, command);
+    return read_file(pick, command);
 }
 
 /* What --thesis and --template leave of it. */
