@@ -216,7 +216,7 @@ static bool vet_mark(struct vetting *v, const char *key, const struct species_ma
             return false;
         }
     }
-    return vet_choice(v, what, mark->kind, MARK_ROWS + 1u) &&
+    return vet_choice(v, what, mark->kind, MARK_COUNT) &&
            vet_choice(v, what, mark->part, PART_COUNT);
 }
 
