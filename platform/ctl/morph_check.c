@@ -56,6 +56,7 @@ FINDING(key_error)
 FINDING(body_in_body)
 FINDING(fin_in_body)
 FINDING(eye_in_body)
+FINDING(pupil_in_body)
 FINDING(eye_in_eye)
 FINDING(fin_in_eye)
 FINDING(root_off_skin)
@@ -76,7 +77,8 @@ static const struct row rows[] = {
     { "skin folded into itself, % of length", FOUND(body_in_body), "%.3f", 100.0, 0.5, AT_MOST },
     { "fin in the body, % of length", FOUND(fin_in_body), "%.3f", 100.0, 0.5, AT_MOST },
     { "fin in an eye, % of length", FOUND(fin_in_eye), "%.3f", 100.0, 0.5, AT_MOST },
-    { "eye in the head, % of length", FOUND(eye_in_body), "%.3f", 100.0, 0.0, AT_MOST },
+    { "eye in the head, % of length", FOUND(eye_in_body), "%.3f", 100.0, 0.5, AT_MOST },
+    { "pupil in the head, % of length", FOUND(pupil_in_body), "%.3f", 100.0, 0.0, AT_MOST },
     { "eye in the other eye, % of length", FOUND(eye_in_eye), "%.3f", 100.0, 0.0, AT_MOST },
     { "fin root off the skin, % of length", FOUND(root_off_skin), "%.3f", 100.0, 0.0, TOLD_ONLY },
     { "volume below the lesser key's, %", FOUND(volume_dip), "%.3f", 100.0, 2.0, AT_MOST },
@@ -231,10 +233,11 @@ const struct morph_command ctl_morph_check = {
         "                from one moment to the next\n"
         "  skin folded   a point just outside the body's skin that is inside the body; told is\n"
         "                the way out along its normal\n"
-        "  fin           its root may be in the body, it grows there; everything beyond the root\n"
-        "                counts. Fins against fins do not: they are sheets that the water bends\n"
-        "  eye           a ball half sunk in the skin; what shows of it (up to 0.9 of the rim)\n"
-        "                must be outside the head, all of it outside the other eye\n"
+        "  fin           it is rooted in the body, and lies in it whole before it has grown: told\n"
+        "                is how much deeper than the root of its own ray a point is. Fins against\n"
+        "                fins do not count: they are sheets that the water bends\n"
+        "  eye           a ball half sunk in the skin: what shows of it counts, in the head (the\n"
+        "                middle half, the pupil, apart) and in the other eye; its seat does not\n"
         "  volume        of the body, one long, against the lesser of the two keys around\n"
         "  weights       the graph's must be at least 0; where shapes are solved so that the fish\n"
         "                passes through every drawing, the drawings' own may be less\n"

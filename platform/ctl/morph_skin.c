@@ -5,10 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Rays pass by vertices and edges, which two triangles share and either might claim. */
-#define ASIDE_Y 1.31e-6f
-#define ASIDE_Z 2.17e-6f
-
 static uint32_t bin_of(float x, float low, float high, uint32_t count)
 {
     const float at = (x - low) / (high - low) * (float)count;
@@ -118,31 +114,42 @@ float skin_volume(const struct skin *skin)
     return (float)volume;
 }
 
-/* Whether a line from (x, y, z) to the right leaves through the triangle. */
-static bool lies_right(const vec3 c[3], float x, float y, float z)
+/* On which side of the line from a to b (seen from the right) a point is. Both triangles of an edge
+ * ask for it in the same order, so that they agree to the bit and a line through an edge leaves by
+ * exactly one of them. */
+static double side_of(vec3 a, vec3 b, vec3 p)
 {
-    const float d0 = (c[1].y - c[0].y) * (z - c[0].z) - (c[1].z - c[0].z) * (y - c[0].y);
-    const float d1 = (c[2].y - c[1].y) * (z - c[1].z) - (c[2].z - c[1].z) * (y - c[1].y);
-    const float d2 = (c[0].y - c[2].y) * (z - c[2].z) - (c[0].z - c[2].z) * (y - c[2].y);
-    const float sum = d0 + d1 + d2;
-    if (((d0 < 0.0f) != (d1 < 0.0f)) || ((d1 < 0.0f) != (d2 < 0.0f)) || sum == 0.0f) {
-        return false;
-    }
-    return (d1 * c[0].x + d2 * c[1].x + d0 * c[2].x) / sum > x;
+    const bool swap = b.y < a.y || (b.y == a.y && b.z < a.z);
+    const vec3 from = swap ? b : a, to = swap ? a : b;
+    const double y = (double)to.y - (double)from.y, z = (double)to.z - (double)from.z;
+    const double side =
+        y * ((double)p.z - (double)from.z) - z * ((double)p.y - (double)from.y);
+    const double never_on_it = side >= 0.0 ? fmax(side, DBL_MIN) : side;
+    return swap ? -never_on_it : never_on_it;
 }
 
-bool skin_has(const struct skin *skin, vec3 point)
+/* Whether a line from `p` to the right leaves through the triangle. */
+static bool lies_right(const vec3 c[3], vec3 p)
 {
-    const float y = point.y + ASIDE_Y, z = point.z + ASIDE_Z;
-    if (skin->triangle_count == 0 || y < skin->low_y || y > skin->high_y || z < skin->low_z ||
-        z > skin->high_z) {
+    const double d0 = side_of(c[0], c[1], p), d1 = side_of(c[1], c[2], p);
+    const double d2 = side_of(c[2], c[0], p), sum = d0 + d1 + d2;
+    if ((d0 < 0.0) != (d1 < 0.0) || (d1 < 0.0) != (d2 < 0.0)) {
         return false;
     }
-    const uint32_t bin = bin_of(y, skin->low_y, skin->high_y, SKIN_ROWS) * SKIN_COLUMNS +
-                         bin_of(z, skin->low_z, skin->high_z, SKIN_COLUMNS);
+    return (d1 * (double)c[0].x + d2 * (double)c[1].x + d0 * (double)c[2].x) / sum > (double)p.x;
+}
+
+bool skin_has(const struct skin *skin, vec3 p)
+{
+    if (skin->triangle_count == 0 || p.y < skin->low_y || p.y > skin->high_y ||
+        p.z < skin->low_z || p.z > skin->high_z) {
+        return false;
+    }
+    const uint32_t bin = bin_of(p.y, skin->low_y, skin->high_y, SKIN_ROWS) * SKIN_COLUMNS +
+                         bin_of(p.z, skin->low_z, skin->high_z, SKIN_COLUMNS);
     bool inside = false;
     for (uint32_t i = skin->bin_first[bin]; i < skin->bin_first[bin + 1u]; i++) {
-        inside ^= lies_right(skin->corner[skin->binned[i]], point.x, y, z);
+        inside ^= lies_right(skin->corner[skin->binned[i]], p);
     }
     return inside;
 }

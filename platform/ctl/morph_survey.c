@@ -3,10 +3,10 @@
  * What counts as inside, and what is by design:
  * - A body's vertex counts if the point just outside it (LIFT along its normal) is inside the body:
  *   the skin has folded. Its depth is the way out along its normal.
- * - A fin is rooted in the body: its root (v = 0) may be inside. Everything farther out counts, by
- *   its distance from the skin.
- * - An eye is a ball half sunk in the skin: what lies behind its rim (u > 1) is its seat. What
- *   shows (u < EYE_SHOWN) counts; the ring at the rim itself lies in the skin, on either side.
+ * - A fin is rooted in the body, and one that is still to grow lies in it whole: a point counts by
+ *   how much deeper under the skin it is than the root (v = 0) of its own ray.
+ * - An eye is a ball half sunk in the skin: what lies behind its rim (u >= 1) is its seat. What
+ *   shows counts, and the pupil (u <= PUPIL) apart from the rest.
  * - Fins against fins do not count: sheets without thickness that the water bends. */
 #include "platform/ctl/morph_survey.h"
 
@@ -18,7 +18,8 @@
 #include "platform/ctl/morph_skin.h"
 
 #define LIFT 2e-4f      /* Of a length. */
-#define EYE_SHOWN 0.9f
+#define EYE_RIM 1.0f
+#define PUPIL 0.5f
 #define AREA_MIN 1e-9f  /* Twice the area of what is too small to face anywhere. */
 #define TURNED_OVER 0.0f /* The cosine of a right angle. */
 
@@ -33,6 +34,8 @@ struct walk {
     vec3 key_positions[MESH_VERTEX_MAX];
     vec3 facing[MESH_INDEX_MAX / 3]; /* Of a fin's triangle when it last had an area. */
     bool flipped[MESH_INDEX_MAX / 3];
+    uint32_t root[MESH_VERTEX_MAX]; /* Of a fin's point: where its ray is rooted. */
+    float root_depth[MESH_VERTEX_MAX];
     bool key_alone[MORPH_KEY_MAX];
     float key_volume[MORPH_KEY_MAX];
     struct skin body, eye[2];
@@ -160,22 +163,35 @@ static void measure_in(struct walk *w, const struct skin *skin, struct finding *
 static void measure_eye_vertex(struct walk *w, uint32_t i)
 {
     const struct species_vertex *vertex = &w->mesh->vertices[i];
-    if (vertex->u < EYE_SHOWN) {
-        measure_in(w, &w->body, &w->out->eye_in_body, i);
-    }
     const uint32_t other = vertex->side == SIDE_RIGHT ? 1 : 0;
+    if (vertex->u >= EYE_RIM) {
+        return;
+    }
+    measure_in(w, &w->body, &w->out->eye_in_body, i);
+    if (vertex->u <= PUPIL) {
+        measure_in(w, &w->body, &w->out->pupil_in_body, i);
+    }
     if (w->eye_closed[0] && w->eye_closed[1]) {
         measure_in(w, &w->eye[other], &w->out->eye_in_eye, i);
     }
 }
 
+/* Above 0 inside the body, below outside. */
+static float depth_of(const struct walk *w, uint32_t i)
+{
+    const float distance = skin_distance(&w->body, w->positions[i]);
+    return skin_has(&w->body, w->positions[i]) ? distance : -distance;
+}
+
 static void measure_fin_vertex(struct walk *w, uint32_t i)
 {
-    const struct species_vertex *vertex = &w->mesh->vertices[i];
-    if (vertex->v > 0.0f) {
-        measure_in(w, &w->body, &w->out->fin_in_body, i);
-    } else if (!skin_has(&w->body, w->positions[i])) {
-        keep_worst(w, &w->out->root_off_skin, skin_distance(&w->body, w->positions[i]), i);
+    const uint32_t root = w->root[i];
+    if (root == i) {
+        w->root_depth[i] = depth_of(w, i);
+        keep_worst(w, &w->out->root_off_skin, -w->root_depth[i], i);
+    } else if (skin_has(&w->body, w->positions[i])) {
+        const float depth = skin_distance(&w->body, w->positions[i]);
+        keep_worst(w, &w->out->fin_in_body, depth - fmaxf(w->root_depth[root], 0.0f), i);
     }
     for (uint32_t eye = 0; eye < 2; eye++) {
         if (w->eye_closed[eye]) {
@@ -205,6 +221,21 @@ static void measure_volume(struct walk *w)
     const float least = f_min(w->key_volume[key], w->key_volume[key + 1u]);
     const float dip = 1.0f - skin_volume(&w->body) / least;
     keep_worst(w, &w->out->volume_dip, dip, SURVEY_NOWHERE);
+}
+
+/* A ray is what has one u in one fin; its root, drawn before the rest of it, has the least v. */
+static void find_roots(struct walk *w)
+{
+    const struct species_vertex *vertex = w->mesh->vertices;
+    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
+        w->root[i] = i;
+        for (uint32_t j = 0; j < w->mesh->vertex_count; j++) {
+            if (vertex[j].part == vertex[i].part && vertex[j].side == vertex[i].side &&
+                vertex[j].u == vertex[i].u && vertex[j].v < vertex[w->root[i]].v) {
+                w->root[i] = j;
+            }
+        }
+    }
 }
 
 static void shape_at(struct walk *w, float progress)
@@ -283,6 +314,7 @@ void morph_survey(const struct species *species, const struct morph_rig *rig, ui
     w->mesh = &species->lod[lod];
     w->rig = rig;
     w->out = out;
+    find_roots(w);
     measure_key_volumes(w);
     uint32_t key = 0;
     for (uint32_t i = 0; i <= steps; i++) {

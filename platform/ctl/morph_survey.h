@@ -35,8 +35,9 @@ struct survey {
     float flipped_at; /* When the first was seen. */
     /* How deep is inside what it must not be inside of. */
     struct finding body_in_body; /* A fold of the skin. */
-    struct finding fin_in_body;  /* Fins but for their roots. */
-    struct finding eye_in_body;  /* The visible part of an eye in the head. */
+    struct finding fin_in_body;  /* Deeper than the root of its ray. */
+    struct finding eye_in_body;  /* The visible part of an eye in the head ... */
+    struct finding pupil_in_body; /* ... and its pupil alone. */
     struct finding eye_in_eye;   /* Two eyes on one side. */
     struct finding fin_in_eye;
     struct finding root_off_skin; /* How far a fin's root floats above it. */
