@@ -3,7 +3,8 @@
 //
 // KEYS     key shapes, 3 .. 8: an attribute of 8 bytes each, xyz the position, w the normal.
 // CURVES   deformation graphs, 1 .. 4. With one, a vertex's masks are not looked at.
-// ANCHORS  1: some vertices ride on points of the skin; 0: none does, and none is asked.
+// ANCHORS  2: vertices ride on points of the skin and may turn with it, as eyes do; 1: they ride and
+//          keep the body's axes, as fins do; 0: none rides, and none is asked.
 // POSE_ROWS: each fish's pose is a row of texels in `poses`; else the one fish's is the block Pose.
 layout(location = 0) in vec4 key_0;
 layout(location = 1) in vec4 key_1;
@@ -106,9 +107,12 @@ void morph(int row, out vec3 p, out vec3 n)
 #if ANCHORS
     if (rides.x < 254.5) {
         int at = 2 * CURVES + 2 * int(rides.x + 0.5);
+#if ANCHORS > 1
         vec4 turn = POSE(at + 1);
-        p = turned_by(turn, p) + POSE(at).xyz;
+        p = turned_by(turn, p);
         n = turned_by(turn, n);
+#endif
+        p += POSE(at).xyz;
     }
 #endif
 }

@@ -13,10 +13,10 @@
 #define SAMPLERS "caustics patterns poses"
 
 static struct fish_program program(struct gl_status *status, const char *name,
-                                   const char *variant)
+                                   const char *variant, bool fins)
 {
     char defines[DEFINES_SIZE];
-    pose_defines(defines, sizeof defines, &species_wakin);
+    pose_defines(defines, sizeof defines, &species_wakin, fins);
     const size_t length = strlen(defines);
     snprintf(defines + length, sizeof defines - length, "%s", variant);
     const GLuint program = gl_morph_program(status, name, defines, shader_fish_vert,
@@ -28,10 +28,10 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
                     struct fish_mesh_memory *memory)
 {
     const struct species *const species = &species_wakin;
-    pass->body = program(status, "fish body", "");
-    pass->sunk = program(status, "sunk fish body", "#define SUNK\n");
-    pass->snout = program(status, "snouts", "#define SNOUT\n");
-    pass->fin = program(status, "fish fin", "#define FIN\n");
+    pass->body = program(status, "fish body", "", false);
+    pass->sunk = program(status, "sunk fish body", "#define SUNK\n", false);
+    pass->snout = program(status, "snouts", "#define SNOUT\n", false);
+    pass->fin = program(status, "fish fin", "#define FIN\n", true);
     pass->ring_program = gl_program(status, "gulp rings", "", shader_gulp_ring_vert,
                                     shader_gulp_ring_frag, "");
     glGenVertexArrays(1, &pass->rings);

@@ -26,12 +26,27 @@ uint32_t pose_pack(float out[][4], const struct morph_pose *pose, uint32_t curve
     return at;
 }
 
-void pose_defines(char *out, size_t size, const struct species *species)
+/* What morph.glsl wants to know as ANCHORS: 0 none, 1 some that keep the body's axes, 2 some that
+ * turn. */
+static uint32_t riding(const struct species_mesh *mesh, bool fins)
 {
-    const bool anchors = species->lod[0].anchor_count + species->lod[1].anchor_count > 0;
+    uint32_t most = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const struct species_vertex *const vertex = &mesh->vertices[i];
+        if (vertex->anchor != ANCHOR_NONE && (!fins || vertex->part >= PART_TAIL)) {
+            const uint32_t rides = mesh->anchors[vertex->anchor].turns ? 2u : 1u;
+            most = rides > most ? rides : most;
+        }
+    }
+    return most;
+}
+
+void pose_defines(char *out, size_t size, const struct species *species, bool fins)
+{
+    const uint32_t near = riding(&species->lod[0], fins), far = riding(&species->lod[1], fins);
     snprintf(out, size,
              "#define POSE_ROWS\n#define KEYS %u\n#define CURVES %u\n#define ANCHORS %u\n",
-             species->card.key_count, species->card.curve_count, anchors ? 1u : 0u);
+             species->card.key_count, species->card.curve_count, near > far ? near : far);
 }
 
 void fish_poses_open(struct gl_status *status, struct fish_poses *poses,

@@ -16,8 +16,8 @@
 uint32_t pose_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
                    uint32_t anchor_count);
 
-/* "#define KEYS 5" and so on, for a program that draws this species alone. */
-void pose_defines(char *out, size_t size, const struct species *species);
+/* "#define KEYS 5" and so on, for a program that draws this species alone; `fins`: only its fins. */
+void pose_defines(char *out, size_t size, const struct species *species, bool fins);
 
 struct fish_poses {
     const struct species_mesh *mesh;

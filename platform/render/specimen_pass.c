@@ -6,7 +6,7 @@
 #include "core/base/panic.h"
 #include "shaders.h"
 
-#define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 1\n"
+#define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines"
 #define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
 #define REACH_LENGTHS 0.8f /* No species reaches farther from its middle, swimming and all. */

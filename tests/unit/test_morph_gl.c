@@ -199,12 +199,12 @@ static void follow_all(bool rows)
 {
     struct error worst = { 0.0f, 0.0f };
     const GLuint block_program =
-        program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 1\n");
+        program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
     for (uint32_t i = 0; i < species_table_count; i++) {
         for (size_t k = 0; k < sizeof rig_cases / sizeof *rig_cases; k++) {
             const struct species *const species = species_of(&rig_cases[k], i);
             char defines[96];
-            pose_defines(defines, sizeof defines, species);
+            pose_defines(defines, sizeof defines, species, false);
             const GLuint name = rows ? program(defines) : block_program;
             morph_rig_init(&rig, &species->card, (enum graph_template)rig_cases[k].template);
             for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
@@ -245,7 +245,7 @@ static void test_weights_of_eight_bits_would_be_seen(void **state)
 {
     (void)state;
     const struct species *const species = species_table[0];
-    const GLuint name = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 1\n");
+    const GLuint name = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
     fish_mesh_fill(&mesh, &memory, &species->lod[0], species->card.key_count);
     use(name, &species->lod[0]);
     morph_rig_init(&rig, &species->card, TEMPLATE_PAIRWISE);
@@ -266,7 +266,7 @@ static void test_an_anchor_that_is_off_by_a_thousandth_would_be_seen(void **stat
 {
     (void)state;
     const struct species *const species = species_table[0];
-    const GLuint name = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 1\n");
+    const GLuint name = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
     fish_mesh_fill(&mesh, &memory, &species->lod[0], species->card.key_count);
     use(name, &species->lod[0]);
     morph_rig_init(&rig, &species->card, TEMPLATE_OWN);
