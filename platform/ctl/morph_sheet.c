@@ -13,18 +13,20 @@
 #define HEAD_HEIGHT 132.0f
 #define CELL_FILL 0.86f      /* How much of a cell's width the longest fish takes. */
 #define GAP 14.0f            /* Above and below a fish, pixels. */
+#define KEY_COLUMNS_MAX 4u   /* More keys take more rows: they are there to be looked at. */
 #define MEASURE_STEPS 20u    /* Stages measured before anything is drawn. */
 #define KEY_WORDS_PX 24.0f
 #define BETWEEN_WORDS_PX 15.0f
 
-#define WATER_ABOVE 0xd3e4e6u
-#define WATER_BELOW 0x9fbfc6u
+#define WATER_ABOVE 0xa7c4cbu /* Dark enough for a glass larva, light enough for a black eel. */
+#define WATER_BELOW 0x6d94a1u
 #define PAPER 0xf2f1ecu
 
 static const char command[] = "export";
 
 /* What all cells of one width share. */
 struct layout {
+    uint32_t columns;
     float cell_width, scale_px, words_px;
     float band_height[VIEW_COUNT], water_height, height;
 };
@@ -72,8 +74,9 @@ static float middle(float a, float b)
 
 static struct layout plan(const struct page *page, uint32_t columns, float words_px)
 {
-    struct layout layout = { .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
-                         .words_px = words_px };
+    struct layout layout = { .columns = columns,
+                             .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
+                             .words_px = words_px };
     float widest = 0.0f;
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
         widest = f_max(widest, page->bounds[view].right - page->bounds[view].left);
@@ -169,9 +172,12 @@ static void draw_head(struct page *page)
 static void draw_keys(struct page *page, float top)
 {
     const struct species_card *card = &page->pick->fish->card;
-    draw_water(page, &page->keys, top);
     for (uint32_t i = 0; i < card->key_count; i++) {
-        draw_stage(page, &page->keys, i, top, card->key_names[i],
+        const float down = (float)(i / page->keys.columns) * page->keys.height;
+        if (i % page->keys.columns == 0) {
+            draw_water(page, &page->keys, top + down);
+        }
+        draw_stage(page, &page->keys, i % page->keys.columns, top + down, card->key_names[i],
                    (float)i / (float)(card->key_count - 1u));
     }
 }
@@ -190,6 +196,11 @@ static void draw_betweens(struct page *page, uint32_t from, float top)
     }
 }
 
+static uint32_t key_rows(const struct morph_pick *pick)
+{
+    return (pick->fish->card.key_count + KEY_COLUMNS_MAX - 1u) / KEY_COLUMNS_MAX;
+}
+
 static void draw_page(struct page *page)
 {
     const struct canvas_box paper = { 0.0f, 0.0f, (float)page->canvas.width,
@@ -198,7 +209,7 @@ static void draw_page(struct page *page)
     canvas_fill(&page->canvas, paper, PAPER, PAPER);
     draw_head(page);
     draw_keys(page, top);
-    top += page->keys.height + MARGIN;
+    top += (float)key_rows(page->pick) * page->keys.height + MARGIN;
     for (uint32_t i = 0; i + 1u < page->pick->fish->card.key_count; i++) {
         draw_betweens(page, i, top);
         top += page->betweens.height + MARGIN;
@@ -208,11 +219,11 @@ static void draw_page(struct page *page)
 enum exit_code morph_sheet_write(const struct morph_pick *pick, const char *path)
 {
     struct page page = { .pick = pick };
-    const uint32_t strips = pick->fish->card.key_count - 1u;
+    const uint32_t strips = pick->fish->card.key_count - 1u, rows = key_rows(pick);
     measure_life(pick, page.bounds);
-    page.keys = plan(&page, pick->fish->card.key_count, KEY_WORDS_PX);
+    page.keys = plan(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
     page.betweens = plan(&page, SHEET_BETWEEN, BETWEEN_WORDS_PX);
-    const float height = HEAD_HEIGHT + page.keys.height +
+    const float height = HEAD_HEIGHT + (float)rows * page.keys.height +
                          (float)strips * (page.betweens.height + MARGIN) + MARGIN;
     if (!canvas_open(&page.canvas, (uint32_t)PAGE_WIDTH, (uint32_t)height)) {
         return no_memory();

@@ -1,0 +1,49 @@
+/* bytes.c -- doubling, so that a byte is moved about once. */
+#include "platform/ctl/bytes.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/panic.h"
+
+#define ROOM_AT_FIRST 4096u
+#define PRINT_MAX 1001u
+
+void bytes_add(struct bytes *bytes, const void *data, size_t size)
+{
+    if (!bytes->failed && bytes->room - bytes->size < size) {
+        size_t room = bytes->room ? bytes->room : ROOM_AT_FIRST;
+        while (room - bytes->size < size) {
+            room *= 2u;
+        }
+        uint8_t *more = realloc(bytes->data, room);
+        bytes->failed = more == NULL;
+        if (more) {
+            bytes->data = more;
+            bytes->room = room;
+        }
+    }
+    if (!bytes->failed && size > 0) {
+        memcpy(bytes->data + bytes->size, data, size);
+        bytes->size += size;
+    }
+}
+
+void bytes_print(struct bytes *bytes, const char *format, ...)
+{
+    char text[PRINT_MAX];
+    va_list arguments;
+    va_start(arguments, format);
+    const int length = vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    CORE_ASSERT(length >= 0 && length < (int)sizeof text);
+    bytes_add(bytes, text, (size_t)length);
+}
+
+void bytes_free(struct bytes *bytes)
+{
+    free(bytes->data);
+    *bytes = (struct bytes){ 0 };
+}

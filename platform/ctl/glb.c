@@ -1,0 +1,193 @@
+/* glb.c -- glTF 2.0, sections 3.6 (buffers, accessors) and 4 (the binary container). */
+#include "platform/ctl/glb.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "platform/out_file.h"
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "glTF is little-endian; so is memory");
+
+#define MAGIC 0x46546c67u      /* "glTF" */
+#define CHUNK_JSON 0x4e4f534au
+#define CHUNK_BIN 0x004e4942u
+
+enum component { UNSIGNED_BYTE = 5121, UNSIGNED_SHORT = 5123, FLOAT = 5126 };
+enum target { NO_TARGET = 0, ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963 };
+
+static const struct {
+    const char *name;
+    uint32_t width;
+} types[] = {
+    [GLB_SCALAR] = { "SCALAR", 1 }, [GLB_VEC2] = { "VEC2", 2 }, [GLB_VEC3] = { "VEC3", 3 },
+    [GLB_VEC4] = { "VEC4", 4 },     [GLB_MAT4] = { "MAT4", 16 },
+};
+
+uint32_t glb_next(struct glb *glb, enum glb_list list)
+{
+    if (glb->counts[list] > 0) {
+        bytes_add(&glb->lists[list], ",\n", 2);
+    }
+    return glb->counts[list]++;
+}
+
+static void pad(struct bytes *bytes, char with)
+{
+    while (bytes->size % 4u != 0 && !bytes->failed) {
+        bytes_add(bytes, &with, 1);
+    }
+}
+
+static uint32_t add_view(struct glb *glb, const void *data, size_t size, enum target target)
+{
+    const size_t offset = glb->buffer.size;
+    const uint32_t view = glb_next(glb, GLB_VIEWS);
+    bytes_add(&glb->buffer, data, size);
+    pad(&glb->buffer, '\0');
+    bytes_print(&glb->lists[GLB_VIEWS], "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
+                offset, size);
+    if (target != NO_TARGET) {
+        bytes_print(&glb->lists[GLB_VIEWS], ",\"target\":%d", (int)target);
+    }
+    bytes_print(&glb->lists[GLB_VIEWS], "}");
+    return view;
+}
+
+/* The least or the greatest of each component. */
+static void add_bound(struct bytes *out, const char *name, float sign, const float *values,
+                      uint32_t width, uint32_t count)
+{
+    bytes_print(out, ",\"%s\":[", name);
+    for (uint32_t k = 0; k < width; k++) {
+        float bound = values[k];
+        for (uint32_t i = 1; i < count; i++) {
+            const float value = values[i * width + k];
+            bound = sign * value > sign * bound ? value : bound;
+        }
+        /* All 17 digits: a reader must find the very float that is in the buffer. */
+        bytes_print(out, "%s%.17g", k > 0 ? "," : "", (double)bound);
+    }
+    bytes_print(out, "]");
+}
+
+uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const float *values,
+                    uint32_t count)
+{
+    CORE_ASSERT(count >= 1);
+    const uint32_t width = types[type].width;
+    const bool of_vertices = use == GLB_FOR_VERTICES || use == GLB_FOR_PLACES;
+    const uint32_t view = add_view(glb, values, (size_t)count * width * sizeof *values,
+                                   of_vertices ? ARRAY_BUFFER : NO_TARGET);
+    const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
+    struct bytes *out = &glb->lists[GLB_ACCESSORS];
+    bytes_print(out, "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"%s\"", view,
+                FLOAT, count, types[type].name);
+    if (use == GLB_FOR_PLACES || use == GLB_FOR_TIMES) {
+        add_bound(out, "min", -1.0f, values, width, count);
+        add_bound(out, "max", 1.0f, values, width, count);
+    }
+    bytes_print(out, "}");
+    return accessor;
+}
+
+uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count)
+{
+    const uint32_t view =
+        add_view(glb, indices, (size_t)count * sizeof *indices, ELEMENT_ARRAY_BUFFER);
+    const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
+    bytes_print(&glb->lists[GLB_ACCESSORS],
+                "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"SCALAR\"}", view,
+                UNSIGNED_SHORT, count);
+    return accessor;
+}
+
+uint32_t glb_quads(struct glb *glb, const uint8_t (*quads)[4], uint32_t count, bool fractions)
+{
+    const uint32_t view = add_view(glb, quads, (size_t)count * 4u, ARRAY_BUFFER);
+    const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
+    bytes_print(&glb->lists[GLB_ACCESSORS],
+                "{\"bufferView\":%u,\"componentType\":%d,%s\"count\":%u,\"type\":\"VEC4\"}", view,
+                UNSIGNED_BYTE, fractions ? "\"normalized\":true," : "", count);
+    return accessor;
+}
+
+/* ---- The file -------------------------------------------------------------------------------- */
+
+static void add_list(struct bytes *json, const struct glb *glb, const char *name,
+                     enum glb_list list)
+{
+    if (glb->counts[list] > 0) {
+        bytes_print(json, ",\n\"%s\":[", name);
+        bytes_add(json, glb->lists[list].data, glb->lists[list].size);
+        bytes_print(json, "]");
+    }
+}
+
+static void make_json(struct bytes *json, const struct glb *glb, const char *animation,
+                      const char *scene)
+{
+    bytes_print(json, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"kingyoctl %s\"},\n"
+                      "\"scene\":0,\"scenes\":[{\"nodes\":[%s]}]", KINGYO_VERSION, scene);
+    add_list(json, glb, "nodes", GLB_NODES);
+    add_list(json, glb, "meshes", GLB_MESHES);
+    add_list(json, glb, "skins", GLB_SKINS);
+    add_list(json, glb, "materials", GLB_MATERIALS);
+    bytes_print(json, ",\n\"animations\":[{\"name\":\"%s\"", animation);
+    add_list(json, glb, "channels", GLB_CHANNELS);
+    add_list(json, glb, "samplers", GLB_SAMPLERS);
+    bytes_print(json, "}]");
+    add_list(json, glb, "accessors", GLB_ACCESSORS);
+    add_list(json, glb, "bufferViews", GLB_VIEWS);
+    bytes_print(json, ",\n\"buffers\":[{\"byteLength\":%zu}]}", glb->buffer.size);
+    pad(json, ' ');
+}
+
+static bool is_whole(const struct glb *glb, const struct bytes *json)
+{
+    bool whole = !json->failed && !glb->buffer.failed;
+    for (uint32_t i = 0; i < GLB_LIST_COUNT; i++) {
+        whole = whole && !glb->lists[i].failed;
+    }
+    return whole;
+}
+
+static void write_words(FILE *file, const uint32_t *words, size_t count)
+{
+    fwrite(words, sizeof *words, count, file);
+}
+
+static int write_chunks(const struct glb *glb, const struct bytes *json, const char *path)
+{
+    struct out_file out;
+    const int error = out_open(&out, path);
+    if (error) {
+        return error;
+    }
+    const uint32_t json_size = (uint32_t)json->size, size = (uint32_t)glb->buffer.size;
+    write_words(out.file, (const uint32_t[]){ MAGIC, 2, 12 + 8 + json_size + 8 + size }, 3);
+    write_words(out.file, (const uint32_t[]){ json_size, CHUNK_JSON }, 2);
+    fwrite(json->data, 1, json->size, out.file);
+    write_words(out.file, (const uint32_t[]){ size, CHUNK_BIN }, 2);
+    fwrite(glb->buffer.data, 1, glb->buffer.size, out.file);
+    return out_close(&out);
+}
+
+int glb_write(struct glb *glb, const char *path, const char *animation, const char *scene)
+{
+    struct bytes json = { 0 };
+    make_json(&json, glb, animation, scene);
+    const int error = is_whole(glb, &json) ? write_chunks(glb, &json, path) : -ENOMEM;
+    bytes_free(&json);
+    return error;
+}
+
+void glb_free(struct glb *glb)
+{
+    bytes_free(&glb->buffer);
+    for (uint32_t i = 0; i < GLB_LIST_COUNT; i++) {
+        bytes_free(&glb->lists[i]);
+    }
+}

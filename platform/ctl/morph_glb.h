@@ -1,0 +1,33 @@
+/* morph_glb.h -- what the two halves of the glTF writer share: shapes (morph_glb_mesh.c) and their
+ * life (morph_glb.c, which says how a fish becomes a file). */
+#ifndef KINGYO_PLATFORM_CTL_MORPH_GLB_H
+#define KINGYO_PLATFORM_CTL_MORPH_GLB_H
+
+#include "platform/ctl/glb.h"
+#include "platform/ctl/morph_mesh.h"
+
+#define TARGET_MAX (MORPH_CURVE_MAX * (MORPH_KEY_MAX - 1u))
+
+/* The targets of a piece: each key but the last, by each curve that moves the piece. The whole
+ * fish's curve is always one of them, since it carries the colours. */
+struct target_list {
+    uint32_t count;
+    uint8_t curves; /* A bit a curve. */
+    uint8_t curve[TARGET_MAX], key[TARGET_MAX];
+};
+
+struct fish_glb {
+    const struct morph_pick *pick;
+    const struct species_mesh *mesh;
+    struct glb file;
+    struct morph_pose adult; /* At progress 1: how the file stands when nothing moves it. */
+    struct morph_mesh cut;
+    struct target_list targets[PIECE_MAX];
+    bool skinned[PIECE_MAX]; /* Some of the piece rides on the skin. */
+    uint32_t materials[PART_COUNT]; /* From 1; 0: not there yet. */
+};
+
+/* Adds the mesh of `piece`; sets its targets and whether it is skinned. Answers the mesh. */
+uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t piece);
+
+#endif

@@ -1,0 +1,305 @@
+/* morph_glb_mesh.c -- a piece of the fish as a glTF mesh: the last key, and the ways to the others.
+ *
+ * Ours: p = sum over curves c of m_c sum over keys k of V_ck C_ck, with the masks m_c (sum 1), the
+ * graph's weights V_c (sum 1, each >= 0) and the solved shapes C_c (the drawings where nothing is
+ * solved). glTF: p = B + sum of w_t D_t. So B = sum m_c C_c,last and, for each curve and each key
+ * but the last, D = m_c (C_ck - C_c,last) with w = V_ck: the same sum, every weight in [0, 1].
+ *
+ * Colours are targets too (COLOR_0, linear): who does not morph them shows the last key's,
+ * which is also how the file stands when nothing moves it. A glass body's alpha is there, but its
+ * material is opaque: unsorted clear bodies look worse in viewers than whole ones. Fins blend. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/ctl/canvas.h"
+#include "platform/ctl/morph_glb.h"
+#include "platform/species/reader.h"
+
+#define FIN_ROOT_HIDES 0.92f /* As the plates': a fin lets light through toward its tip. */
+#define FIN_TIP_HIDES 0.55f
+
+/* A vertex's numbers in one shape. */
+struct aspect {
+    vec3 position, normal, colour;
+    float hides;
+};
+
+/* The columns of a mesh before they go to the file. Too large for a stack. */
+static struct {
+    uint32_t count;
+    uint16_t vertices[MESH_VERTEX_MAX]; /* Of species_mesh's, rising. */
+    uint16_t place[MESH_VERTEX_MAX];    /* And back; only where it was taken. */
+    float position[MESH_VERTEX_MAX][3], normal[MESH_VERTEX_MAX][3], colour[MESH_VERTEX_MAX][4];
+    float coordinates[MESH_VERTEX_MAX][2], source[MESH_VERTEX_MAX];
+    uint8_t joints[MESH_VERTEX_MAX][4], shares[MESH_VERTEX_MAX][4];
+    uint16_t indices[MESH_INDEX_MAX];
+} columns;
+
+/* How much curve `curve` moves the vertex; those that the rig has not count for the first. */
+static float share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t curve)
+{
+    uint32_t share = 0;
+    for (uint32_t i = 0; i < MORPH_CURVE_MAX; i++) {
+        if (i == curve || (curve == 0 && i >= fish->pick->rig.curve_count)) {
+            share += fish->mesh->vertices[vertex].mask[i];
+        }
+    }
+    return (float)share / 255.0f;
+}
+
+/* Linear, for that is what glTF's vertex colours are. */
+static void take_paint(const struct fish_glb *fish, uint32_t vertex, uint32_t key,
+                       struct aspect *out)
+{
+    const struct species_vertex *at = &fish->mesh->vertices[vertex];
+    float weights[MORPH_KEY_MAX] = { 0 };
+    weights[key] = 1.0f;
+    const struct paint paint = paint_at(fish->pick->fish, weights, at);
+    out->colour = canvas_linear(paint.colour);
+    out->hides = 1.0f - paint.clear;
+    if (at->part >= PART_TAIL) {
+        out->hides *= f_lerp(FIN_ROOT_HIDES, FIN_TIP_HIDES, f_clamp(at->v, 0.0f, 1.0f));
+    }
+}
+
+static void add_look(struct aspect *sum, const struct aspect *look, float weight)
+{
+    sum->position = v3_mad(sum->position, look->position, weight);
+    sum->normal = v3_mad(sum->normal, look->normal, weight);
+    sum->colour = v3_mad(sum->colour, look->colour, weight);
+    sum->hides += look->hides * weight;
+}
+
+/* C_ck of one vertex. */
+static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
+                          uint32_t key)
+{
+    struct aspect sum = { .hides = 0.0f };
+    for (uint32_t j = 0; j < fish->pick->rig.key_count; j++) {
+        struct aspect drawn = {
+            .position = morph_position(fish->mesh, j, vertex),
+            .normal = morph_normal(fish->mesh->points[j][vertex].normal),
+        };
+        take_paint(fish, vertex, j, &drawn);
+        add_look(&sum, &drawn, fish->pick->rig.solution[curve][key][j]);
+    }
+    return sum;
+}
+
+/* What rides on the skin stands in the file where it is at progress 1, so that a reader that knows
+ * no skins still sees a whole fish; its joint takes that back first (its inverse bind matrix). */
+static void carry(const struct fish_glb *fish, uint32_t vertex, bool is_place, struct aspect *look)
+{
+    const uint8_t anchor = fish->mesh->vertices[vertex].anchor;
+    if (anchor != ANCHOR_NONE) {
+        const struct anchor_pose *at = &fish->adult.anchor[anchor];
+        look->position = quat_turn(at->turn, look->position);
+        look->normal = quat_turn(at->turn, look->normal);
+        if (is_place) {
+            look->position = v3_add(look->position, at->position);
+        }
+    }
+}
+
+static struct aspect base_look(const struct fish_glb *fish, uint32_t vertex)
+{
+    const uint32_t last = fish->pick->rig.key_count - 1u;
+    const struct aspect painted = solved(fish, vertex, 0, last); /* By the whole fish's curve. */
+    struct aspect sum = { .hides = 0.0f };
+    for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
+        const struct aspect one = solved(fish, vertex, curve, last);
+        add_look(&sum, &one, share_of(fish, vertex, curve));
+    }
+    sum.normal = v3_normalize_or(sum.normal, v3(0.0f, 1.0f, 0.0f));
+    sum.colour = v3(f_clamp(painted.colour.x, 0.0f, 1.0f), f_clamp(painted.colour.y, 0.0f, 1.0f),
+                    f_clamp(painted.colour.z, 0.0f, 1.0f));
+    sum.hides = f_clamp(painted.hides, 0.0f, 1.0f);
+    carry(fish, vertex, true, &sum);
+    return sum;
+}
+
+static struct aspect target_look(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
+                               uint32_t key)
+{
+    const float share = share_of(fish, vertex, curve);
+    const struct aspect to = solved(fish, vertex, curve, key);
+    struct aspect way = to;
+    const struct aspect from = solved(fish, vertex, curve, fish->pick->rig.key_count - 1u);
+    add_look(&way, &from, -1.0f);
+    way.position = v3_scale(way.position, share);
+    way.normal = v3_scale(way.normal, share);
+    if (curve != 0) {
+        way.colour = v3(0.0f, 0.0f, 0.0f);
+        way.hides = 0.0f;
+    }
+    carry(fish, vertex, false, &way);
+    return way;
+}
+
+static void put_look(uint32_t place, const struct aspect *look)
+{
+    memcpy(columns.position[place], &look->position, sizeof look->position);
+    memcpy(columns.normal[place], &look->normal, sizeof look->normal);
+    memcpy(columns.colour[place], &look->colour, sizeof look->colour);
+    columns.colour[place][3] = look->hides;
+}
+
+/* ---- What a piece has ------------------------------------------------------------------------ */
+
+static void gather_vertices(const struct fish_glb *fish, const struct morph_piece *piece)
+{
+    static bool taken[MESH_VERTEX_MAX];
+    memset(taken, 0, sizeof taken);
+    for (uint32_t i = 0; i < 3u * piece->face_count; i++) {
+        taken[fish->cut.faces[piece->face_first + i / 3u][i % 3u]] = true;
+    }
+    columns.count = 0;
+    for (uint32_t i = 0; i < fish->mesh->vertex_count; i++) {
+        if (taken[i]) {
+            columns.place[i] = (uint16_t)columns.count;
+            columns.vertices[columns.count++] = (uint16_t)i;
+        }
+    }
+    for (uint32_t i = 0; i < 3u * piece->face_count; i++) {
+        columns.indices[i] =
+            columns.place[fish->cut.faces[piece->face_first + i / 3u][i % 3u]];
+    }
+}
+
+static struct target_list list_targets(const struct fish_glb *fish)
+{
+    struct target_list list = { .curves = 1 };
+    for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
+        for (uint32_t i = 0; i < columns.count; i++) {
+            if (share_of(fish, columns.vertices[i], curve) > 0.0f) {
+                list.curves |= (uint8_t)(1u << curve);
+            }
+        }
+        for (uint32_t key = 0; (list.curves >> curve & 1u) && key + 1u < fish->pick->rig.key_count;
+             key++) {
+            list.curve[list.count] = (uint8_t)curve;
+            list.key[list.count++] = (uint8_t)key;
+        }
+    }
+    return list;
+}
+
+/* Joint 0 is the fish itself, joint i + 1 anchor i. Answers whether any vertex has an anchor. */
+static bool fill_rest(const struct fish_glb *fish)
+{
+    bool rides = false;
+    for (uint32_t i = 0; i < columns.count; i++) {
+        const struct species_vertex *at = &fish->mesh->vertices[columns.vertices[i]];
+        const bool anchored = at->anchor != ANCHOR_NONE;
+        rides = rides || anchored;
+        columns.coordinates[i][0] = at->u;
+        columns.coordinates[i][1] = at->v;
+        columns.source[i] = (float)columns.vertices[i];
+        memset(columns.joints[i], 0, 4);
+        memset(columns.shares[i], 0, 4);
+        columns.joints[i][0] = anchored ? (uint8_t)(at->anchor + 1u) : 0;
+        columns.shares[i][0] = 255;
+    }
+    return rides;
+}
+
+/* ---- Into the file --------------------------------------------------------------------------- */
+
+static uint32_t material_of(struct fish_glb *fish, uint8_t part)
+{
+    const struct species_coat *coat = &fish->pick->fish->coats[fish->pick->rig.key_count - 1u];
+    const bool is_fin = part >= PART_TAIL;
+    const double rough = part == PART_EYE ? 0.15 : is_fin ? 0.6 : 0.7 - 0.4 * coat->shine / 255.0;
+    if (fish->materials[part] == 0) {
+        fish->materials[part] = 1u + glb_next(&fish->file, GLB_MATERIALS);
+        bytes_print(&fish->file.lists[GLB_MATERIALS],
+                    "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,"
+                    "\"roughnessFactor\":%.3f}%s}",
+                    part_names[part], rough,
+                    is_fin ? ",\"alphaMode\":\"BLEND\",\"doubleSided\":true" : "");
+    }
+    return fish->materials[part] - 1u;
+}
+
+/* The three columns that a shape has; the caller has filled them. */
+static void print_shape(struct fish_glb *fish, struct bytes *out)
+{
+    const uint32_t position = glb_floats(&fish->file, GLB_FOR_PLACES, GLB_VEC3,
+                                         columns.position[0], columns.count);
+    const uint32_t normal = glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC3, columns.normal[0],
+                                       columns.count);
+    const uint32_t colour = glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC4, columns.colour[0],
+                                       columns.count);
+    bytes_print(out, "{\"POSITION\":%u,\"NORMAL\":%u,\"COLOR_0\":%u", position, normal, colour);
+}
+
+static void print_attributes(struct fish_glb *fish, bool skinned, struct bytes *out)
+{
+    struct glb *file = &fish->file;
+    for (uint32_t i = 0; i < columns.count; i++) {
+        const struct aspect look = base_look(fish, columns.vertices[i]);
+        put_look(i, &look);
+    }
+    print_shape(fish, out);
+    bytes_print(out, ",\"TEXCOORD_0\":%u,\"_VERTEX\":%u",
+                glb_floats(file, GLB_FOR_VERTICES, GLB_VEC2, columns.coordinates[0],
+                           columns.count),
+                glb_floats(file, GLB_FOR_VERTICES, GLB_SCALAR, columns.source, columns.count));
+    if (skinned) {
+        bytes_print(out, ",\"JOINTS_0\":%u,\"WEIGHTS_0\":%u",
+                    glb_quads(file, (const uint8_t(*)[4])columns.joints, columns.count, false),
+                    glb_quads(file, (const uint8_t(*)[4])columns.shares, columns.count, true));
+    }
+    bytes_print(out, "}");
+}
+
+static void print_targets(struct fish_glb *fish, const struct target_list *list,
+                          struct bytes *out)
+{
+    for (uint32_t t = 0; t < list->count; t++) {
+        for (uint32_t i = 0; i < columns.count; i++) {
+            const struct aspect look =
+                target_look(fish, columns.vertices[i], list->curve[t], list->key[t]);
+            put_look(i, &look);
+        }
+        bytes_print(out, "%s", t > 0 ? "," : "");
+        print_shape(fish, out);
+        bytes_print(out, "}");
+    }
+}
+
+/* A key's name; by a part's own curve, CURVE.KEY. */
+static void print_names(const struct fish_glb *fish, const struct target_list *list,
+                        struct bytes *out)
+{
+    const struct species_card *card = &fish->pick->fish->card;
+    for (uint32_t t = 0; t < list->count; t++) {
+        const bool own = list->curve[t] > 0;
+        bytes_print(out, "%s\"%s%s%s\"", t > 0 ? "," : "",
+                    own ? card->curve_names[list->curve[t]] : "", own ? "." : "",
+                    card->key_names[list->key[t]]);
+    }
+}
+
+uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t index)
+{
+    const struct morph_piece *piece = &fish->cut.pieces[index];
+    char name[PIECE_NAME_SIZE];
+    morph_piece_name(piece, name);
+    gather_vertices(fish, piece);
+    fish->targets[index] = list_targets(fish);
+    fish->skinned[index] = fill_rest(fish);
+    const uint32_t material = material_of(fish, piece->part);
+    const uint32_t indices = glb_indices(&fish->file, columns.indices, 3u * piece->face_count);
+    const uint32_t mesh = glb_next(&fish->file, GLB_MESHES);
+    struct bytes *out = &fish->file.lists[GLB_MESHES];
+    bytes_print(out, "{\"name\":\"%s\",\"extras\":{\"targetNames\":[", name);
+    print_names(fish, &fish->targets[index], out);
+    bytes_print(out, "]},\"primitives\":[{\"material\":%u,\"indices\":%u,\"attributes\":",
+                material, indices);
+    print_attributes(fish, fish->skinned[index], out);
+    bytes_print(out, ",\"targets\":[");
+    print_targets(fish, &fish->targets[index], out);
+    bytes_print(out, "]}]}");
+    return mesh;
+}

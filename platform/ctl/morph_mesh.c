@@ -1,0 +1,83 @@
+/* morph_mesh.c -- faces in the order of their pieces. */
+#include "platform/ctl/morph_mesh.h"
+
+#include <stdio.h>
+
+#include "core/base/panic.h"
+#include "platform/species/reader.h"
+
+void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE])
+{
+    static const char *const sides[] = { [SIDE_MIDDLE] = "", [SIDE_RIGHT] = "_right",
+                                         [SIDE_LEFT] = "_left" };
+    snprintf(out, PIECE_NAME_SIZE, "%s%s", part_names[piece->part],
+             sides[piece->side]);
+}
+
+/* Whether the front of the triangle at `at` is where its normals point. */
+static bool faces_out(const uint16_t *at, const vec3 *positions, const vec3 *normals)
+{
+    const vec3 front = v3_cross(v3_sub(positions[at[1]], positions[at[0]]),
+                                v3_sub(positions[at[2]], positions[at[0]]));
+    const vec3 sum = v3_add(v3_add(normals[at[0]], normals[at[1]]), normals[at[2]]);
+    return v3_dot(front, sum) >= 0.0f;
+}
+
+static bool same_corners(const uint16_t *a, const uint16_t *b)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        if (a[i] != b[0] && a[i] != b[1] && a[i] != b[2]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Whether another triangle of the same corners shows them better: a sheet is there once for each of
+ * its sides, and one with its front where its normals point is enough. */
+static bool is_spare(const struct species_mesh *mesh, uint32_t index, const vec3 *positions,
+                     const vec3 *normals)
+{
+    const uint16_t *at = &mesh->indices[index];
+    const bool good = faces_out(at, positions, normals);
+    for (uint32_t i = 0; mesh->vertices[at[0]].part >= PART_TAIL && i < mesh->index_count; i += 3) {
+        if (i != index && same_corners(at, &mesh->indices[i])) {
+            const bool twin_good = faces_out(&mesh->indices[i], positions, normals);
+            return good == twin_good ? i < index : twin_good;
+        }
+    }
+    return false;
+}
+
+static void take_faces(const struct species_mesh *mesh, const vec3 *positions,
+                       const vec3 *normals, struct morph_piece *piece, struct morph_mesh *out)
+{
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const uint16_t *at = &mesh->indices[i];
+        const struct species_vertex *vertex = &mesh->vertices[at[0]];
+        if (vertex->part == piece->part && vertex->side == piece->side &&
+            !is_spare(mesh, i, positions, normals)) {
+            for (uint32_t k = 0; k < 3; k++) {
+                out->faces[out->face_count][k] = at[k];
+            }
+            out->face_count++;
+            piece->face_count++;
+        }
+    }
+}
+
+void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, const vec3 *normals,
+                    struct morph_mesh *out)
+{
+    CORE_ASSERT(mesh->index_count <= MESH_INDEX_MAX);
+    out->piece_count = out->face_count = 0;
+    for (uint8_t part = 0; part < PART_COUNT; part++) {
+        for (uint8_t side = SIDE_MIDDLE; side <= SIDE_LEFT; side++) {
+            struct morph_piece *piece = &out->pieces[out->piece_count];
+            *piece = (struct morph_piece){ .part = part, .side = side,
+                                           .face_first = out->face_count };
+            take_faces(mesh, positions, normals, piece, out);
+            out->piece_count += piece->face_count > 0;
+        }
+    }
+}

@@ -1,0 +1,10 @@
+# gltf.mk -- what other programs think of the glTF files that kingyoctl writes.
+
+GLTF := $(BUILD)/gltf
+
+## test-gltf: every species' .glb before Khronos' validator and three.js in a browser; pictures in build/gltf/
+test-gltf: build
+	@board/setup.sh test
+	@BUILD=$(BUILD) tests/run.sh $(RESULTS) tests/gltf/test_gltf.sh
+
+.PHONY: test-gltf
