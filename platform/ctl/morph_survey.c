@@ -35,7 +35,6 @@ struct walk {
     vec3 facing[MESH_INDEX_MAX / 3]; /* Of a fin's triangle when it last had an area. */
     bool flipped[MESH_INDEX_MAX / 3];
     uint32_t root[MESH_VERTEX_MAX]; /* Of a fin's point: where its ray is rooted. */
-    float root_depth[MESH_VERTEX_MAX];
     bool key_alone[MORPH_KEY_MAX];
     float key_volume[MORPH_KEY_MAX];
     struct skin body, eye[2];
@@ -176,22 +175,18 @@ static void measure_eye_vertex(struct walk *w, uint32_t i)
     }
 }
 
-/* Above 0 inside the body, below outside. */
 static float depth_of(const struct walk *w, uint32_t i)
 {
-    const float distance = skin_distance(&w->body, w->positions[i]);
-    return skin_has(&w->body, w->positions[i]) ? distance : -distance;
+    return skin_has(&w->body, w->positions[i]) ? skin_distance(&w->body, w->positions[i]) : 0.0f;
 }
 
 static void measure_fin_vertex(struct walk *w, uint32_t i)
 {
-    const uint32_t root = w->root[i];
-    if (root == i) {
-        w->root_depth[i] = depth_of(w, i);
-        keep_worst(w, &w->out->root_off_skin, -w->root_depth[i], i);
-    } else if (skin_has(&w->body, w->positions[i])) {
-        const float depth = skin_distance(&w->body, w->positions[i]);
-        keep_worst(w, &w->out->fin_in_body, depth - fmaxf(w->root_depth[root], 0.0f), i);
+    const bool inside = skin_has(&w->body, w->positions[i]);
+    if (w->root[i] != i && inside) {
+        keep_worst(w, &w->out->fin_in_body, depth_of(w, i) - depth_of(w, w->root[i]), i);
+    } else if (w->root[i] == i && !inside) {
+        keep_worst(w, &w->out->root_off_skin, skin_distance(&w->body, w->positions[i]), i);
     }
     for (uint32_t eye = 0; eye < 2; eye++) {
         if (w->eye_closed[eye]) {
