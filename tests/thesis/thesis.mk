@@ -1,19 +1,26 @@
-# thesis.mk -- the 2013 thesis' experiments, repeated with our tank.
+# thesis.mk -- the 2013 thesis' experiments repeated with our tank, the 2005 thesis' with our species.
 
 THESIS := $(BUILD)/tests/thesis
-THESIS_BIN := $(THESIS)/pictures $(THESIS)/table $(THESIS)/curves $(THESIS)/gaps
+THESIS_BIN := $(THESIS)/pictures $(THESIS)/table $(THESIS)/curves $(THESIS)/gaps $(THESIS)/stages
 
-## thesis-figures: the 2013 thesis' figures and tables as pictures, CSV and a page, in build/thesis/
+## thesis-figures: both theses' figures as pictures, CSV and a page, in build/thesis/ and -2005/
 thesis-figures:
 	@board/setup.sh run dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyoctl $(THESIS_BIN)
+	@BUILD=$(BUILD) tests/thesis/figures_2005.sh
 	@BUILD=$(BUILD) tests/thesis/figures.sh
 
+## thesis-figures-2005: those of the 2005 thesis alone; seconds
+thesis-figures-2005:
+	@board/setup.sh run dev
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyoctl $(THESIS)/stages
+	@BUILD=$(BUILD) tests/thesis/figures_2005.sh
+
 $(THESIS)/pictures $(THESIS)/table: $(THESIS)/easel.o
-$(THESIS)/curves $(THESIS)/gaps: $(BUILD)/platform/panic.o
+$(THESIS)/curves $(THESIS)/gaps $(THESIS)/stages: $(BUILD)/platform/panic.o
 
 $(THESIS_BIN): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $(filter %.o,$^) $(filter %.a,$^) $(HOST_LIBS)
 
-.PHONY: thesis-figures
+.PHONY: thesis-figures thesis-figures-2005

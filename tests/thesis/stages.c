@@ -1,0 +1,311 @@
+/* stages.c -- the 2005 thesis' pictures of fish, with our drawings and our light.
+ *
+ * Usage: stages growth|models|sizes|ways SPECIES|FILE OUT.png. `growth`: every key, with where its
+ * dorsal fin begins (figure 3.3). `models`: the three input models of chapter 4 from two sides, the
+ * middle one exaggerated where its curve is never whole (4.1, 4.5, 4.8, 4.12). `sizes`: the same
+ * three at one scale, as they were caught (4.4, 4.11). `ways`: nine stages from the first to the
+ * last by the ordinary morph, the thesis' and ours (4.14). */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/morph_part.h"
+#include "platform/ctl/morph_pick.h"
+#include "platform/ctl/plate.h"
+#include "platform/ctl/portrait.h"
+
+#define WIDTH 1920.0f
+#define MARGIN 40.0f
+#define HEAD 96.0f
+#define PAPER 0xf2f1ecu
+#define WATER_ABOVE 0xd3e4e6u
+#define WATER_BELOW 0x9fbfc6u
+#define COLUMNS 9u       /* Of `ways`. */
+#define HEAD_SHARE 0.26f /* Of the body's length, for close looks. */
+
+static const char name[] = "stages";
+
+/* A fish on the picture: what it is, and where. */
+struct spot {
+    const struct species *fish;
+    const struct morph_rig *rig;
+    float progress;
+    enum portrait_view view;
+    struct canvas_box box;
+    float scale_px; /* One measure. */
+};
+
+static struct canvas canvas;
+static struct portrait portrait;
+static bool failed;
+
+/* Draws portrait's fish in the middle of the box. */
+static void draw_portrait(enum portrait_view view, struct canvas_box box, float scale_px)
+{
+    struct portrait_bounds b = portrait_nowhere;
+    struct raster raster;
+    portrait_measure(&portrait, view, &b);
+    if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
+        failed = true;
+        return;
+    }
+    portrait_draw(&portrait, view, 0.5f * (b.left + b.right), 0.5f * (b.low + b.high), scale_px,
+                  &raster);
+    failed |= !raster_finish(&raster, &canvas, (uint32_t)box.left, (uint32_t)box.top);
+    raster_close(&raster);
+}
+
+static void draw_spot(const struct spot *spot)
+{
+    portrait_take(&portrait, spot->fish, spot->rig, spot->progress);
+    draw_portrait(spot->view, spot->box, spot->scale_px);
+}
+
+static void fill(float left, float top, float width, float height, uint32_t above, uint32_t below)
+{
+    canvas_fill(&canvas, (struct canvas_box){ left, top, width, height }, above, below);
+}
+
+static bool begin(float height, const char *title, const char *subtitle)
+{
+    if (!canvas_open(&canvas, (uint32_t)WIDTH, (uint32_t)height)) {
+        return false;
+    }
+    fill(0.0f, 0.0f, WIDTH, height, PAPER, PAPER);
+    canvas_words(&canvas, MARGIN, 50.0f, 38.0f, ALIGN_LEFT, PLATE_INK, title);
+    canvas_words(&canvas, MARGIN, 80.0f, 20.0f, ALIGN_LEFT, PLATE_SOFT_INK, subtitle);
+    return true;
+}
+
+static void key_words(const struct species_card *card, uint32_t key, float x, float y)
+{
+    char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[3 * PLATE_WORDS_SIZE];
+    plate_age(age, card->key_age_days[key]);
+    plate_length(length, card->key_length_m[key]);
+    canvas_words(&canvas, x, y, 26.0f, ALIGN_CENTRE, plate_key_colour(key), card->key_names[key]);
+    snprintf(words, sizeof words, "%s, %s %s", age, plate_measure(card), length);
+    canvas_words(&canvas, x, y + 28.0f, 20.0f, ALIGN_CENTRE, PLATE_SOFT_INK, words);
+}
+
+/* ---- Growth ---------------------------------------------------------------------------------- */
+
+/* A key with a line down from where its dorsal fin begins. */
+static void draw_root(const struct morph_pick *pick, uint32_t key, float left, float column,
+                      float height)
+{
+    const struct species_card *card = &pick->drawn->card;
+    const struct species_mesh *mesh = &pick->drawn->lod[0];
+    const uint32_t root = morph_part_vertex(mesh, PART_DORSAL, SIDE_MIDDLE);
+    const float scale_px = 0.74f * column;
+    struct portrait_bounds b = portrait_nowhere;
+    char words[64];
+    portrait = (struct portrait){ .species = pick->drawn, .mesh = mesh };
+    morph_key_pose(mesh, card->key_count, key, &portrait.pose);
+    morph_shape(mesh, card->key_count, &portrait.pose, portrait.positions, portrait.normals);
+    portrait_measure(&portrait, VIEW_SIDE, &b);
+    draw_portrait(VIEW_SIDE, (struct canvas_box){ left, HEAD, column, height }, scale_px);
+    key_words(card, key, left + 0.5f * column, HEAD + height + 40.0f);
+    if (root == mesh->vertex_count) {
+        return;
+    }
+    const vec3 p = portrait.positions[root];
+    const float x = left + 0.5f * column + (p.z - 0.5f * (b.left + b.right)) * scale_px;
+    const float y = HEAD + 0.5f * height - (p.y - 0.5f * (b.low + b.high)) * scale_px;
+    fill(x - 1.5f, HEAD + 34.0f, 3.0f, y - HEAD - 34.0f, 0xc8371fu, 0xc8371fu);
+    fill(x - 5.0f, y - 5.0f, 10.0f, 10.0f, 0xc8371fu, 0xc8371fu);
+    snprintf(words, sizeof words, "%.0f %%", 100.0 * (double)(p.z + 0.5f));
+    canvas_words(&canvas, x, HEAD + 26.0f, 20.0f, ALIGN_CENTRE, PLATE_INK, words);
+}
+
+static enum exit_code draw_growth(const struct morph_pick *pick)
+{
+    const uint32_t count = pick->drawn->card.key_count;
+    const float column = (WIDTH - 2.0f * MARGIN) / (float)count, height = 0.62f * column + 60.0f;
+    if (!begin(HEAD + height + 100.0f, pick->drawn->card.id,
+               "where the dorsal fin begins, from the snout, in shapes of one size")) {
+        return EXIT_IO;
+    }
+    fill(MARGIN, HEAD, WIDTH - 2.0f * MARGIN, height, WATER_ABOVE, WATER_BELOW);
+    for (uint32_t key = 0; key < count; key++) {
+        draw_root(pick, key, MARGIN + (float)key * column, column, height);
+    }
+    return EXIT_OK;
+}
+
+/* ---- Input models ---------------------------------------------------------------------------- */
+
+/* The shape that is blended: of a solved curve not the drawing, but what lies beyond it. */
+static void take_model(const struct morph_pick *pick, uint32_t key)
+{
+    const struct species_mesh *mesh = &pick->fish->lod[0];
+    portrait = (struct portrait){ .species = pick->fish, .mesh = mesh };
+    for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+        memcpy(portrait.pose.weight[curve], pick->rig.solution[0][key],
+               sizeof portrait.pose.weight[curve]);
+    }
+    morph_shape(mesh, pick->fish->card.key_count, &portrait.pose, portrait.positions,
+                portrait.normals);
+}
+
+static enum exit_code draw_models(const struct morph_pick *pick)
+{
+    const struct species_card *card = &pick->fish->card;
+    const float column = (WIDTH - 2.0f * MARGIN) / 3.0f, side = 330.0f, above = 190.0f;
+    const bool solved = pick->rig.curves[0].solved;
+    if (!begin(HEAD + side + above + 110.0f, card->id,
+               solved ? "the three input models of chapter 4; the middle one is exaggerated, since "
+                        "it never counts for more than 70 %"
+                      : "the three input models of chapter 4")) {
+        return EXIT_IO;
+    }
+    fill(MARGIN, HEAD, WIDTH - 2.0f * MARGIN, side + above, WATER_ABOVE, WATER_BELOW);
+    for (uint32_t key = 0; key < 3; key++) {
+        const float left = MARGIN + (float)key * column;
+        take_model(pick, key);
+        draw_portrait(VIEW_SIDE, (struct canvas_box){ left, HEAD, column, side }, 0.72f * column);
+        draw_portrait(VIEW_ABOVE, (struct canvas_box){ left, HEAD + side, column, above },
+                      0.72f * column);
+        key_words(card, key, left + 0.5f * column, HEAD + side + above + 40.0f);
+    }
+    return EXIT_OK;
+}
+
+/* ---- True sizes ------------------------------------------------------------------------------ */
+
+static enum exit_code draw_sizes(const struct morph_pick *pick)
+{
+    const struct species_card *card = &pick->fish->card;
+    const float *length_m = card->key_length_m;
+    const float sum_m = length_m[0] + length_m[1] + length_m[2];
+    const float gap = 70.0f, room = WIDTH - 2.0f * MARGIN - 4.0f * gap;
+    const float px_per_m = 0.78f * room / sum_m; /* Tails reach beyond standard length. */
+    const float height = 0.62f * px_per_m * fmaxf(fmaxf(length_m[0], length_m[1]), length_m[2]);
+    float left = MARGIN + gap;
+    if (!begin(HEAD + height + 130.0f, card->id, "the same three at one scale")) {
+        return EXIT_IO;
+    }
+    fill(MARGIN, HEAD, WIDTH - 2.0f * MARGIN, height, WATER_ABOVE, WATER_BELOW);
+    for (uint32_t key = 0; key < 3; key++) {
+        const float width = room * length_m[key] / sum_m;
+        const struct spot spot = { .fish = pick->fish, .rig = &pick->rig,
+                                   .progress = 0.5f * (float)key, .view = VIEW_SIDE,
+                                   .box = { left, HEAD, width, height },
+                                   .scale_px = px_per_m * length_m[key] };
+        draw_spot(&spot);
+        key_words(card, key, left + 0.5f * width, HEAD + height + 40.0f);
+        left += width + gap;
+    }
+    plate_bar(&canvas, WIDTH - MARGIN - 150.0f, 60.0f, 260.0f, px_per_m, 20.0f);
+    return EXIT_OK;
+}
+
+/* ---- Three ways ------------------------------------------------------------------------------ */
+
+/* The whole species' progress where the thesis' method has `progress`. */
+static float drawn_progress(const struct species_card *drawn, float progress)
+{
+    const float place = progress * 2.0f;
+    const uint32_t i = place < 1.0f ? 0u : 1u;
+    const float from = (float)drawn->thesis_key[i], to = (float)drawn->thesis_key[i + 1u];
+    return (from + (to - from) * (place - (float)i)) / (float)(drawn->key_count - 1u);
+}
+
+/* The head alone, enlarged: what is farther back is drawn beyond the box. */
+static void draw_head(const struct spot *spot)
+{
+    static struct portrait head;
+    struct portrait_bounds b = portrait_nowhere;
+    struct raster raster;
+    portrait_take(&portrait, spot->fish, spot->rig, spot->progress);
+    head = portrait;
+    for (uint32_t i = 0; i < head.mesh->vertex_count; i++) {
+        const struct species_vertex *at = &head.mesh->vertices[i];
+        if (at->part != PART_BODY || at->u > HEAD_SHARE) {
+            head.positions[i] = v3(0.0f, 0.0f, HEAD_SHARE / 2.0f - 0.5f);
+        }
+    }
+    portrait_measure(&head, spot->view, &b);
+    if (!raster_open(&raster, (uint32_t)spot->box.width, (uint32_t)spot->box.height)) {
+        failed = true;
+        return;
+    }
+    portrait_draw(&portrait, spot->view, 0.5f * (b.left + b.right), 0.5f * (b.low + b.high),
+                  spot->scale_px, &raster);
+    failed |=
+        !raster_finish(&raster, &canvas, (uint32_t)spot->box.left, (uint32_t)spot->box.top);
+    raster_close(&raster);
+}
+
+static void draw_way(const struct species *fish, const struct morph_rig *rig,
+                     const struct species_card *drawn, float top, float height, const char *title)
+{
+    const float column = (WIDTH - 2.0f * MARGIN) / (float)COLUMNS;
+    canvas_words(&canvas, MARGIN, top - 10.0f, 24.0f, ALIGN_LEFT, PLATE_INK, title);
+    fill(MARGIN, top, WIDTH - 2.0f * MARGIN, 3.0f * height, WATER_ABOVE, WATER_BELOW);
+    for (uint32_t i = 0; i < COLUMNS; i++) {
+        const float progress = (float)i / (float)(COLUMNS - 1u);
+        struct spot spot = { .fish = fish, .rig = rig, .view = VIEW_SIDE,
+                             .progress = drawn ? drawn_progress(drawn, progress) : progress,
+                             .box = { MARGIN + (float)i * column, top, column, height },
+                             .scale_px = 0.78f * column };
+        draw_spot(&spot);
+        spot.scale_px *= 2.4f;
+        spot.view = VIEW_ASLANT;
+        spot.box.top += height;
+        draw_head(&spot);
+        spot.view = VIEW_ABOVE;
+        spot.box.top += height;
+        draw_head(&spot);
+    }
+}
+
+static enum exit_code draw_ways(const struct morph_pick *pick)
+{
+    const struct species_card *card = &pick->fish->card;
+    const float height = 132.0f, row = 3.0f * height + 60.0f;
+    struct morph_rig own, ordinary;
+    char subtitle[192];
+    snprintf(subtitle, sizeof subtitle, "from %s over %s to %s: from its left, and its head from aslant and from above",
+             card->key_names[0], card->key_names[1], card->key_names[2]);
+    if (!begin(HEAD + 3.0f * row + 40.0f, card->id, subtitle)) {
+        return EXIT_IO;
+    }
+    const struct species *straight = morph_pick_ordinary(pick, &ordinary);
+    morph_rig_init(&own, &pick->drawn->card, TEMPLATE_OWN);
+    draw_way(straight, &ordinary, NULL, HEAD + 40.0f, height,
+             "the ordinary morph: the first shape to the last, straight (equation 3.1)");
+    draw_way(pick->fish, &pick->rig, NULL, HEAD + 40.0f + row, height,
+             "the 2005 thesis: three shapes at once, the middle one exaggerated (equation 3.2)");
+    draw_way(pick->drawn, &own, &pick->drawn->card, HEAD + 40.0f + 2.0f * row, height,
+             "ours: parts with curves of their own that ride on the skin");
+    return EXIT_OK;
+}
+
+int main(int argc, char **argv)
+{
+    static struct morph_pick pick;
+    static const struct {
+        const char *word;
+        enum exit_code (*draw)(const struct morph_pick *pick);
+    } kinds[] = { { "growth", draw_growth },
+                  { "models", draw_models },
+                  { "sizes", draw_sizes },
+                  { "ways", draw_ways } };
+    if (argc != 4) {
+        fputs("usage: stages growth|models|sizes|ways SPECIES|FILE OUT.png\n", stderr);
+        return EXIT_USAGE;
+    }
+    const char *const words[] = { argv[2], "--thesis" };
+    enum exit_code code = morph_pick_read(&pick, name, MORPH_ASKS_CURVES, NULL, 0, 2, words);
+    for (size_t i = 0; code == EXIT_OK && i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (strcmp(argv[1], kinds[i].word) == 0) {
+            code = kinds[i].draw(&pick);
+        }
+    }
+    if (code == EXIT_OK && (failed || canvas_write_png(&canvas, argv[3]) != 0)) {
+        fprintf(stderr, "stages: %s cannot be written\n", argv[3]);
+        code = EXIT_IO;
+    }
+    canvas_close(&canvas);
+    return (int)code;
+}
