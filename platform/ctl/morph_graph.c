@@ -20,11 +20,16 @@ static const char name[] = "graph";
 #define AGES 652.0
 #define SAMPLES 400u
 #define YEAR_DAYS 365.25
+#define AGE_MAX 16u     /* Ages that are marked ... */
+#define AGE_ROOM 78.0   /* ... and how far apart, for their words. */
+#define KEY_WIDTH 190.0 /* How large a key's outline may be. */
+#define KEY_HEIGHT 124.0
 
 struct graph_plan {
     struct morph_pick pick;
     const char *path, *curve_name;
     uint32_t curve;
+    struct morph_rig keys; /* That reaches every key whole. */
     struct svg svg;
 };
 
@@ -120,30 +125,58 @@ static void draw_progress(struct svg *svg)
     svg_text(svg, LEFT - 24.0, BOTTOM + 24.0, 14.0, "end", SVG_INK, "progress");
 }
 
-/* A tick at round ages, as many as have room, each with the length at that age. */
+/* The ages on the axis: which are marked, and where. */
+struct age_axis {
+    const struct species_card *card;
+    double youngest, oldest;
+    double x[AGE_MAX];
+    uint32_t count;
+};
+
+static bool has_room(const struct age_axis *axis, double x)
+{
+    for (uint32_t i = 0; i < axis->count; i++) {
+        if (fabs(axis->x[i] - x) < AGE_ROOM) {
+            return false;
+        }
+    }
+    return axis->count < AGE_MAX;
+}
+
+static void draw_age(struct svg *svg, struct age_axis *axis, double days)
+{
+    const float progress = life_progress(axis->card, (float)days);
+    const double x = x_at((double)progress);
+    char age[24], length[24];
+    if (!has_room(axis, x)) {
+        return;
+    }
+    axis->x[axis->count++] = x;
+    print_age(age, days);
+    print_length(length, 1e3 * (double)life_length_m(axis->card, progress), 3);
+    svg_line(svg, x, AGES, x, AGES + 6.0, SVG_INK, 1.2, NULL);
+    svg_text(svg, x, AGES + 24.0, 14.0, "middle", SVG_INK, "%s", age);
+    svg_text(svg, x, AGES + 44.0, 13.0, "middle", MORPH_SCALE_COLOUR, "%s", length);
+}
+
+/* A tick at round ages with the length there: the roundest first, then what has room between. Young
+ * fish are told apart by days, old ones by years. */
 static void draw_ages(struct svg *svg, const struct species_card *card)
 {
-    static const double days[] = { 0.0,   1.0,   2.0,    3.0,    5.0,    7.0,     10.0,   15.0,
-                                   20.0,  30.0,  40.0,   50.0,   75.0,   100.0,   150.0,  200.0,
-                                   300.0, 500.0, 730.5,  1095.8, 1826.3, 2556.8,  3652.5, 5478.8,
-                                   7305.0, 10957.5 };
-    const double youngest = (double)life_age_days(card, 0.0f);
-    const double oldest = (double)life_age_days(card, 1.0f);
-    double last_x = LEFT - 100.0;
+    static const double steps_days[] = { 10.0 * YEAR_DAYS, 5.0 * YEAR_DAYS, 2.0 * YEAR_DAYS,
+                                         YEAR_DAYS, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0 };
+    struct age_axis axis = { .card = card,
+                             .youngest = ceil((double)life_age_days(card, 0.0f) - 0.01),
+                             .oldest = (double)life_age_days(card, 1.0f) + 0.01 };
     svg_line(svg, LEFT, AGES, RIGHT, AGES, SVG_INK, 1.2, NULL);
-    for (size_t i = 0; i < sizeof days / sizeof days[0]; i++) {
-        const float progress = life_progress(card, (float)days[i]);
-        const double x = x_at((double)progress);
-        char age[24], length[24];
-        if (days[i] < youngest || days[i] > oldest || x < last_x + 78.0) {
-            continue;
+    for (size_t i = 0; i < sizeof steps_days / sizeof steps_days[0]; i++) {
+        const double step = steps_days[i], last = fmin(axis.oldest, 40.0 * step);
+        const double first = step < YEAR_DAYS ? 0.0 : 2.0 * YEAR_DAYS;
+        for (double days = 0.0; days <= last; days += step) {
+            if (days >= fmax(axis.youngest, first)) {
+                draw_age(svg, &axis, days);
+            }
         }
-        last_x = x;
-        print_age(age, days[i]);
-        print_length(length, 1e3 * (double)life_length_m(card, progress), 3);
-        svg_line(svg, x, AGES, x, AGES + 6.0, SVG_INK, 1.2, NULL);
-        svg_text(svg, x, AGES + 24.0, 14.0, "middle", SVG_INK, "%s", age);
-        svg_text(svg, x, AGES + 44.0, 13.0, "middle", MORPH_SCALE_COLOUR, "%s", length);
     }
     svg_text(svg, LEFT - 36.0, AGES + 24.0, 14.0, "end", SVG_INK, "age");
     svg_text(svg, LEFT - 36.0, AGES + 44.0, 13.0, "end", MORPH_SCALE_COLOUR, "length");
@@ -151,19 +184,31 @@ static void draw_ages(struct svg *svg, const struct species_card *card)
 
 /* ---- Keys and curves ------------------------------------------------------------------------ */
 
-/* The key's own shape, its name, age and length, and a line down to its progress. */
+/* The key's own shape, as large as fits, its middle above its progress. */
+static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double width_max)
+{
+    const struct species_card *card = &plan->pick.fish->card;
+    struct outline outline = {
+        .species = plan->pick.fish, .rig = &plan->keys, .view = outline_view_of(card),
+        .progress = (float)key / (float)(card->key_count - 1u), .length_px = 1.0,
+        .colour = outline_key_colour(key), .opacity = 0.75,
+    };
+    double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 };
+    outline_measure(&outline, low, high);
+    outline.length_px = fmin(width_max / (high[0] - low[0]), KEY_HEIGHT / (high[1] - low[1]));
+    outline.x = x - 0.5 * (low[0] + high[0]) * outline.length_px;
+    outline.y = 156.0 - 0.5 * (low[1] + high[1]) * outline.length_px;
+    outline_draw(&plan->svg, &outline);
+}
+
+/* Its shape, its name, age and length, and a line down to its progress. */
 static void draw_key(struct graph_plan *plan, uint32_t key)
 {
     const struct species_card *card = &plan->pick.fish->card;
     const double spacing = (RIGHT - LEFT) / (card->key_count - 1.0);
-    const double progress = key / (card->key_count - 1.0), x = x_at(progress);
-    const struct outline outline = {
-        .species = plan->pick.fish, .rig = &plan->pick.rig, .progress = (float)progress,
-        .view = outline_view_of(card), .x = x, .y = 150.0, .length_px = fmin(0.8 * spacing, 190.0),
-        .colour = outline_key_colour(key), .opacity = 0.75,
-    };
+    const double x = x_at(key / (card->key_count - 1.0));
     char age[24], length[24];
-    outline_draw(&plan->svg, &outline);
+    draw_shape(plan, key, x, fmin(0.85 * spacing, KEY_WIDTH));
     print_age(age, (double)card->key_age_days[key]);
     print_length(length, 1e3 * (double)card->key_length_m[key], 4);
     svg_text(&plan->svg, x, TOP - 38.0, 16.0, "middle", outline_key_colour(key), "%s",
@@ -206,6 +251,7 @@ static void draw(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;
     const double max_m = (double)morph_pick_length_max_m(card);
+    morph_rig_init(&plan->keys, card, TEMPLATE_PAIRWISE);
     draw_title(plan);
     draw_shares(&plan->svg);
     for (uint32_t key = 0; key < card->key_count; key++) {

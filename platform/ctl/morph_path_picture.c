@@ -7,6 +7,7 @@
 #include "platform/ctl/morph_path_view.h"
 
 #define SVG_WAY "#c8371f"
+#define STRAIGHT_LENGTHS 1e-4f /* Nearer to the chord than three counts of the tables. */
 
 static void draw_fish(struct picture *picture, const struct window *window, double opacity)
 {
@@ -162,7 +163,11 @@ static void draw_window(struct picture *picture, const struct window *window, bo
     draw_dots(picture, window, enlarged ? 7.0 : 4.0);
     if (enlarged) {
         draw_names(picture, window);
+    }
+    if (enlarged && picture->farthest_lengths >= STRAIGHT_LENGTHS) {
         draw_bend(picture, window);
+    }
+    if (enlarged) {
         draw_ruler(picture, window);
     }
     svg_put(&picture->svg, "</g>\n");
@@ -175,9 +180,14 @@ static void draw_words(struct picture *picture, enum outline_view view)
     const char *id = plan->pick.fish->card.id;
     struct svg *svg = &picture->svg;
     svg_text(svg, 50.0, 46.0, 26.0, "start", SVG_INK, "%c%s: %s", id[0] - 32, id + 1, plan->part);
-    svg_text(svg, 50.0, 72.0, 14.0, "start", SVG_GREY,
-             "its way as the fish grows, %s; farthest from the straight line at progress %.2f",
-             seen[view], (double)picture->farthest_progress);
+    if (picture->farthest_lengths < STRAIGHT_LENGTHS) {
+        svg_text(svg, 50.0, 72.0, 14.0, "start", SVG_GREY,
+                 "its way as the fish grows, %s: straight", seen[view]);
+    } else {
+        svg_text(svg, 50.0, 72.0, 14.0, "start", SVG_GREY,
+                 "its way as the fish grows, %s; farthest from the straight line at progress %.2f",
+                 seen[view], (double)picture->farthest_progress);
+    }
     svg_text(svg, 50.0, PATH_HEIGHT - 22.0, 13.0, "start", SVG_GREY,
              "Red: its way. Dashed: the ordinary morph's.%s%s",
              plan->pick.thesis ? " Dotted: our own method's." : "",

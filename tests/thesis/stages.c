@@ -81,7 +81,7 @@ static void key_words(const struct species_card *card, uint32_t key, float x, fl
 {
     char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[3 * PLATE_WORDS_SIZE];
     plate_age(age, card->key_age_days[key]);
-    plate_length(length, card->key_length_m[key]);
+    snprintf(length, sizeof length, "%.4g mm", 1e3 * (double)card->key_length_m[key]);
     canvas_words(&canvas, x, y, 26.0f, ALIGN_CENTRE, plate_key_colour(key), card->key_names[key]);
     snprintf(words, sizeof words, "%s, %s %s", age, plate_measure(card), length);
     canvas_words(&canvas, x, y + 28.0f, 20.0f, ALIGN_CENTRE, PLATE_SOFT_INK, words);
@@ -150,8 +150,16 @@ static void take_model(const struct morph_pick *pick, uint32_t key)
 static enum exit_code draw_models(const struct morph_pick *pick)
 {
     const struct species_card *card = &pick->fish->card;
-    const float column = (WIDTH - 2.0f * MARGIN) / 3.0f, side = 330.0f, above = 190.0f;
+    const float column = (WIDTH - 2.0f * MARGIN) / 3.0f, scale_px = 0.72f * column;
     const bool solved = pick->rig.curves[0].solved;
+    struct portrait_bounds b[2] = { portrait_nowhere, portrait_nowhere };
+    for (uint32_t key = 0; key < 3; key++) {
+        take_model(pick, key);
+        portrait_measure(&portrait, VIEW_SIDE, &b[0]);
+        portrait_measure(&portrait, VIEW_ABOVE, &b[1]);
+    }
+    const float side = floorf((b[0].high - b[0].low) * scale_px + 60.0f);
+    const float above = floorf((b[1].high - b[1].low) * scale_px + 50.0f);
     if (!begin(HEAD + side + above + 110.0f, card->id,
                solved ? "the three input models of chapter 4; the middle one is exaggerated, since "
                         "it never counts for more than 70 %"
@@ -162,9 +170,9 @@ static enum exit_code draw_models(const struct morph_pick *pick)
     for (uint32_t key = 0; key < 3; key++) {
         const float left = MARGIN + (float)key * column;
         take_model(pick, key);
-        draw_portrait(VIEW_SIDE, (struct canvas_box){ left, HEAD, column, side }, 0.72f * column);
+        draw_portrait(VIEW_SIDE, (struct canvas_box){ left, HEAD, column, side }, scale_px);
         draw_portrait(VIEW_ABOVE, (struct canvas_box){ left, HEAD + side, column, above },
-                      0.72f * column);
+                      scale_px);
         key_words(card, key, left + 0.5f * column, HEAD + side + above + 40.0f);
     }
     return EXIT_OK;
@@ -265,7 +273,8 @@ static enum exit_code draw_ways(const struct morph_pick *pick)
     const float height = 132.0f, row = 3.0f * height + 60.0f;
     struct morph_rig own, ordinary;
     char subtitle[192];
-    snprintf(subtitle, sizeof subtitle, "from %s over %s to %s: from its left, and its head from aslant and from above",
+    snprintf(subtitle, sizeof subtitle,
+             "from %s over %s to %s: from its left, and its head from aslant and from above",
              card->key_names[0], card->key_names[1], card->key_names[2]);
     if (!begin(HEAD + 3.0f * row + 40.0f, card->id, subtitle)) {
         return EXIT_IO;
