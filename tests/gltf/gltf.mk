@@ -4,7 +4,8 @@ GLTF := $(BUILD)/gltf
 
 ## test-gltf: every species' .glb before Khronos' validator and three.js in a browser; pictures in build/gltf/
 test-gltf: build
-	@board/setup.sh test
+	@board/setup.sh test gltf
+	@command -v node >/dev/null && command -v npm >/dev/null || board/setup.sh node
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) tests/gltf/test_gltf.sh
 
 .PHONY: test-gltf
