@@ -75,20 +75,29 @@ static void add_knot(struct core *core)
 {
     struct lab *lab = &core->game.lab;
     const struct species_card *card = card_of(core);
+    struct lab_edit more = lab->edit;
     if (lab->layer == LAB_LAYER_SIZE) {
-        lab_edit_size_add(&lab->edit, card, lab->progress);
+        lab_edit_size_add(&more, card, lab->progress);
     } else {
-        lab_edit_add(&lab->edit, card->key_count, lab->progress);
+        lab_edit_add(&more, card->key_count, lab->progress);
+    }
+    if (lab_edit_is_good(&more, card)) {
+        lab->edit = more;
     }
 }
 
+/* A knot without which a drawing would never be seen is needed, and stays. */
 static void remove_knot(struct core *core)
 {
     struct lab *lab = &core->game.lab;
+    struct lab_edit less = lab->edit;
     if (lab->layer == LAB_LAYER_SIZE) {
-        lab_edit_size_remove(&lab->edit, card_of(core), lab->progress);
+        lab_edit_size_remove(&less, card_of(core), lab->progress);
     } else {
-        lab_edit_remove(&lab->edit, lab->progress);
+        lab_edit_remove(&less, lab->progress);
+    }
+    if (lab_edit_is_good(&less, card_of(core))) {
+        lab->edit = less;
     }
 }
 
@@ -243,11 +252,16 @@ static void scrub_to(struct lab *lab, float progress)
     lab->playing = 0;
 }
 
+/* A knot stays where it was last when the next step would leave no shape to solve for. */
 static void drag_weight(struct lab *lab, const struct species_card *card, struct lab_point at)
 {
     const uint32_t knot = lab->held_knot;
-    lab_edit_move(&lab->edit, knot, at.x);
-    lab_edit_weigh(&lab->edit, card->key_count, knot, lab->layer, at.y);
+    struct lab_edit moved = lab->edit;
+    lab_edit_move(&moved, knot, at.x);
+    lab_edit_weigh(&moved, card->key_count, knot, lab->layer, at.y);
+    if (lab_edit_is_good(&moved, card)) {
+        lab->edit = moved;
+    }
     scrub_to(lab, lab->edit.graph.knots[knot].progress);
 }
 

@@ -10,7 +10,8 @@
 #include "platform/render/specimen.h"
 #include "platform/render/text.h"
 
-#define UI_QUADS_MAX 512u /* The longest screen (attract, English) needs 290; a test knows. */
+#define UI_QUADS_MAX 2048u /* The growth lab draws nine curves in up to 40 segments each; a test
+                              knows the longest screen. */
 
 /* What is drawn in a quad, and what `shape` holds for it; lengths are pixels. */
 enum ui_kind {
@@ -25,6 +26,7 @@ enum ui_kind {
     UI_POI = 8,     /* ring radius, paper left [0, 1] */
     UI_WOOD = 9,    /* ... as UI_PANEL, of planed wood */
     UI_HEAT = 10,   /* ... as UI_PANEL, in the colours of the paper's stress from left to right */
+    UI_WATER = 11,  /* half width, half height, corner radius, seconds: an aquarium at night */
     UI_KIND_COUNT,
 };
 

@@ -170,10 +170,10 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         count += scene->modes >> mode & 1u;
     }
-    const float gap = 24.0f * u, height = 300.0f * u;
-    const float tags_max = fmaxf((float)count, 3.0f);
-    const float width = fminf(316.0f * u, (frame->width - 60.0f * u - (tags_max - 1.0f) * gap) /
-                                              tags_max);
+    const float tags_max = fmaxf((float)count, 3.0f); /* Two hang as wide as three. */
+    const float gap = (count > 3u ? 14.0f : 24.0f) * u, height = 300.0f * u;
+    const float room = frame->width - (count > 3u ? 36.0f : 60.0f) * u;
+    const float width = fminf(316.0f * u, (room - (tags_max - 1.0f) * gap) / tags_max);
     const float row = (float)count * width + (float)(count - 1u) * gap;
     const float middle = 0.5f * (frame->height - 40.0f * u);
     const float pole_y = middle - 0.5f * height - 44.0f * u - 60.0f * u * (1.0f - in);
@@ -187,7 +187,7 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     ui_text(frame->batch, &title, 0.5f * frame->width,
             ui_text_middle(&title, fmaxf(pole_y - 64.0f * u, 40.0f * u)),
             text_words(frame->language, TEXT_CHOOSE));
-    pole(frame, pole_y, row + 56.0f * u);
+    pole(frame, pole_y, fminf(row + 56.0f * u, frame->width));
     struct ui_box box = { 0.5f * (frame->width - row), middle - 0.5f * height, width, height };
     for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         if ((scene->modes >> mode & 1u) == 0) {

@@ -6,6 +6,8 @@
 
 #include "core/scene.h"
 #include "platform/render/ui_batch.h"
+#include "platform/render/ui_bench.h"
+#include "platform/species/shelf.h"
 
 /* What was shown last, so that a change can be eased in. Zero is a valid start. */
 struct ui_memory {
@@ -16,6 +18,8 @@ struct ui_memory {
     uint8_t pointed, pointed_before; /* ... and which two those were. */
     uint32_t best_before;        /* The mode's best of the day as the round began. */
     uint8_t hint;
+    const struct shelf *shelf; /* Makers' species, behind the built-in ones; null: none. */
+    struct ui_bench bench;     /* The growth lab's. */
 };
 
 /* Fills `batch` (cleared first) with the whole screen of `scene`. Both sizes > 0. */

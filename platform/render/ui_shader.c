@@ -207,8 +207,32 @@ const char *const ui_fragment_head =
     "    colour = over(paint(inner, cover(body)), paint(vec4(washi, inner.a * 0.94), sheet));\n"   \
     "}\n"
 
+/* Light falls in slow shafts from above into water that darkens downward; motes drift in it. */
+#define WATER                                                                                      \
+    "float shaft(float x, float t) {\n"                                                            \
+    "    return 0.5 + 0.5 * sin(x * 5.0 + 0.9 * sin(x * 2.3 + t * 0.21) + t * 0.13);\n"            \
+    "}\n"                                                                                          \
+    "void main() {\n"                                                                              \
+    "    vec2 q = at / s.xy;\n"                                                                    \
+    "    vec2 p = at / s.y;\n"                                                                     \
+    "    float depth = 0.5 + 0.5 * q.y;\n"                                                         \
+    "    vec3 water = mix(inner.rgb, outer.rgb, smoothstep(0.0, 1.0, depth));\n"                   \
+    "    float slant = p.x + 0.42 * p.y;\n"                                                        \
+    "    float light = shaft(slant, s.w) * shaft(slant * 1.7 + 3.0, s.w * 1.3);\n"                 \
+    "    water += vec3(0.10, 0.17, 0.17) * light * (1.0 - depth) * (1.0 - 0.4 * depth);\n"         \
+    "    float pool = max(1.0 - dot(q * vec2(0.85, 1.05), q * vec2(0.85, 1.05)), 0.0);\n"          \
+    "    water += vec3(0.05, 0.10, 0.11) * pool;\n"                                                \
+    "    vec2 m = p * 7.0 + vec2(0.06 * s.w, 0.11 * s.w);\n"                                       \
+    "    float mote = fibre(floor(m) * 0.37) - 0.62;\n"                                            \
+    "    vec2 f = fract(m) - 0.5;\n"                                                               \
+    "    float spark = step(0.0, mote) * smoothstep(0.08, 0.0, length(f));\n"                      \
+    "    water += vec3(0.18, 0.21, 0.19) * spark;\n"                                               \
+    "    colour = vec4(water, 1.0) * (inner.a * cover(box(at, s.xy, s.z)));\n"                     \
+    "}\n"
+
 const char *const ui_fragment_sources[UI_KIND_COUNT] = {
     [UI_GLYPH] = GLYPH, [UI_PANEL] = PANEL,     [UI_WASHI] = WASHI, [UI_WAVES] = WAVES,
     [UI_RING] = RING,   [UI_GLOW] = GLOW,       [UI_LANTERN] = LANTERN,
     [UI_FISH] = FISH,   [UI_POI] = POI,         [UI_WOOD] = WOOD,   [UI_HEAT] = HEAT,
+    [UI_WATER] = WATER,
 };

@@ -27,6 +27,11 @@ struct options {
     uint8_t careless;
     float follow_m;              /* A camera so near to the first poi; 0: none. */
     uint8_t players, mode, modes; /* Who plays, what is pointed at, and what is offered. */
+    uint8_t lab, compare, path, size_layer; /* The growth lab, and what is shown there: ... */
+    uint8_t album;                          /* (or so many fish in the album) */
+    uint32_t species;
+    float progress;                         /* ... this species, so far in its life. */
+
     struct shade_input fan; /* X_CM,Z_CM on the command line. */
     const char *out;
 };
@@ -76,6 +81,17 @@ static uint8_t mode_named(const char *name)
     exit(2);
 }
 
+static uint32_t species_named(const char *name)
+{
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        if (!strcmp(species_table[i]->card.id, name)) {
+            return i;
+        }
+    }
+    fprintf(stderr, "no species '%s'\n", name);
+    exit(2);
+}
+
 enum kind { KIND_FLAG, KIND_BYTE, KIND_NUMBER, KIND_FLOAT, KIND_TEXT };
 
 /* An option that sets one member as it stands. */
@@ -86,6 +102,11 @@ static const struct plain_option {
     float unit; /* Of a float. */
 } plain_options[] = {
     { "--start", KIND_FLAG, offsetof(struct options, start), 0.0f },
+    { "--compare", KIND_FLAG, offsetof(struct options, compare), 0.0f },
+    { "--path", KIND_FLAG, offsetof(struct options, path), 0.0f },
+    { "--size-layer", KIND_FLAG, offsetof(struct options, size_layer), 0.0f },
+    { "--progress", KIND_FLOAT, offsetof(struct options, progress), 1.0f },
+    { "--album", KIND_BYTE, offsetof(struct options, album), 0.0f },
     { "--en", KIND_FLAG, offsetof(struct options, english), 0.0f },
     { "--passes", KIND_FLAG, offsetof(struct options, passes), 0.0f },
     { "--paper", KIND_FLAG, offsetof(struct options, paper), 0.0f },
@@ -143,8 +164,11 @@ static void read_named(struct options *o, const char *name, const char *value)
         o->mode = mode_named(value);
         o->modes = (uint8_t)(1u << o->mode);
     } else if (!strcmp(name, "--choose")) {
-        o->modes = (1u << MODE_COUNT) - 1u;
+        o->modes = (1u << CHOICE_COUNT) - 1u;
         o->start = 1;
+    } else if (!strcmp(name, "--lab")) {
+        o->lab = 1;
+        o->species = species_named(value);
     } else if (!strcmp(name, "--owner")) {
         o->owner = (uint8_t)(strtoul(value, NULL, 10) % POI_MAX);
     } else if (!strcmp(name, "--preset")) {
@@ -219,6 +243,34 @@ static struct poi_input careless_hand(float time_s)
     };
 }
 
+static void open_lab(const struct options *options, struct output *output)
+{
+    struct lab *lab = &core.game.lab;
+    lab->species = (uint8_t)options->species;
+    lab_begin(&core, output);
+    lab->playing = 0;
+    lab->upright = (float)options->width < LAB_UPRIGHT_ASPECT * (float)options->height;
+    lab->progress = options->progress;
+    lab->compare = options->compare;
+    lab->path = options->path;
+    lab->layer = options->size_layer ? LAB_LAYER_SIZE : 0;
+}
+
+/* As if the tank's first fish had been caught, so far in the album's page. */
+static void open_album(const struct options *options)
+{
+    struct album *album = &core.game.album;
+    album_clear(album);
+    for (uint32_t i = 0; i < options->album; i++) {
+        core.tank.fish[i].gait = GAIT_BOWL;
+        core.tank.fish[i].holder = 0;
+    }
+    album_note(&core, 0, options->album);
+    core.game.phase = PHASE_ALBUM;
+    core.game.phase_tick =
+        core.tick - (uint32_t)(options->progress * (float)album_ticks(album->fish_count));
+}
+
 static void play(const struct options *options)
 {
     const struct core_config config = { .seed = options->seed ? options->seed : 2013u,
@@ -247,6 +299,11 @@ static void play(const struct options *options)
         }
         output.sound_count = 0;
         core_tick(&core, &input, &output);
+    }
+    if (options->lab) {
+        open_lab(options, &output);
+    } else if (options->album > 0) {
+        open_album(options);
     }
     core_scene(&core, &scene);
 }

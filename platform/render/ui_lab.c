@@ -1,0 +1,297 @@
+/* ui_lab.c -- the growth lab: an aquarium at night beside a naturalist's sheet of paper. */
+#include "platform/render/ui_lab.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "core/game/lab.h"
+#include "platform/render/ui_signs.h"
+
+#define CLOTH 0x141a3cffu
+#define CLOTH_EDGE 0x171d42ffu
+#define BUTTON 0x232c5affu
+#define BUTTON_LIT 0x34407cffu
+#define BUTTON_ON 0xc8341fffu
+#define BUTTON_INK 0xfff4deffu
+
+/* ---- Shared --------------------------------------------------------------------------------- */
+
+float lab_px_x(const struct lab_page *page, float x)
+{
+    return page->x + x * page->frame.unit;
+}
+
+float lab_px_y(const struct lab_page *page, float y)
+{
+    return page->y + y * page->frame.unit;
+}
+
+struct ui_box lab_place(const struct lab_page *page, enum lab_part part)
+{
+    const struct lab_box box = lab_box(page->lab->upright, page->lab->card.key_count, part);
+    const float u = page->frame.unit;
+    return (struct ui_box){ lab_px_x(page, box.x), lab_px_y(page, box.y), box.width * u,
+                            box.height * u };
+}
+
+uint32_t lab_key_colour(uint32_t key_count, uint32_t key)
+{
+    static const uint32_t colours[8] = { 0xd23a2cffu, 0xdc7415ffu, 0xc9a012ffu, 0x7ba32bffu,
+                                         0x2f9a4effu, 0x1c97a0ffu, 0x2f6fd0ffu, 0x27408bffu };
+    static const uint8_t of_count[9][8] = {
+        [2] = { 0, 6 },          [3] = { 0, 4, 6 },          [4] = { 0, 1, 4, 6 },
+        [5] = { 0, 1, 4, 5, 6 }, [6] = { 0, 1, 2, 4, 5, 6 }, [7] = { 0, 1, 2, 4, 5, 6, 7 },
+        [8] = { 0, 1, 2, 3, 4, 5, 6, 7 },
+    };
+    return colours[of_count[key_count < 8u ? key_count : 8u][key & 7u]];
+}
+
+int lab_is_pointed(const struct lab_page *page, enum lab_part part)
+{
+    return page->lab->has_hand && page->lab->points == part;
+}
+
+struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill)
+{
+    return (struct ui_text){ .font = FONT_BODY, .size_px = size * page->frame.unit,
+                             .fill = fill };
+}
+
+void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
+                  const char *words)
+{
+    struct ui_text fitted = *style;
+    fitted.align = 0.5f;
+    fitted.fit_px = box.width;
+    fitted.size_px = ui_text_size(&fitted, words);
+    ui_text(page->frame.batch, &fitted, box.x + 0.5f * box.width,
+            ui_text_middle(&fitted, box.y + 0.5f * box.height), words);
+}
+
+/* ---- Buttons -------------------------------------------------------------------------------- */
+
+struct button {
+    enum lab_part part;
+    const char *words;
+    int is_on, is_idle; /* Chosen; or of no use just now. */
+};
+
+static uint32_t button_fill(const struct lab_page *page, const struct button *button)
+{
+    const int pointed = lab_is_pointed(page, button->part);
+    return button->is_on ? BUTTON_ON : pointed && !button->is_idle ? BUTTON_LIT : BUTTON;
+}
+
+/* A dyed tag; it sinks a little under the hand that presses it. */
+static struct ui_box tag(const struct lab_page *page, const struct button *button)
+{
+    const float u = page->frame.unit;
+    struct ui_box box = lab_place(page, button->part);
+    const int pointed = lab_is_pointed(page, button->part) && !button->is_idle;
+    if (pointed && page->lab->presses) {
+        box.y += 2.0f * u;
+    }
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = button_fill(page, button),
+                                 .line = pointed ? UI_GOLD : UI_GOLD_DIM,
+                                 .shape = { 0, 0, 10.0f * u, (pointed ? 2.5f : 1.5f) * u } });
+    return box;
+}
+
+static struct ui_box inset(struct ui_box box, float x, float y)
+{
+    return (struct ui_box){ box.x + x, box.y + y, box.width - 2.0f * x, box.height - 2.0f * y };
+}
+
+static void word_button(const struct lab_page *page, const struct button *button)
+{
+    const float u = page->frame.unit;
+    const int is_small = button->part >= LAB_OWN && button->part <= LAB_SMOOTH;
+    const struct ui_box box = tag(page, button);
+    const struct ui_text style = lab_text(page, is_small ? 20.0f : 23.0f,
+                                          button->is_idle ? ui_fade(BUTTON_INK, 0.45f)
+                                                          : BUTTON_INK);
+    lab_words_in(page, inset(box, (is_small ? 3.0f : 10.0f) * u, 0.0f), &style, button->words);
+}
+
+static void sign(const struct lab_page *page, struct ui_box box, enum text_key key)
+{
+    const struct ui_text style = lab_text(page, 30.0f, BUTTON_INK);
+    lab_words_in(page, box, &style, text_words(page->frame.language, key));
+}
+
+static void arrow_button(const struct lab_page *page, enum lab_part part, enum text_key key)
+{
+    sign(page, tag(page, &(struct button){ .part = part }), key);
+}
+
+static void play_button(const struct lab_page *page)
+{
+    const float u = page->frame.unit;
+    const int plays = page->lab->playing;
+    const struct ui_box box = tag(page, &(struct button){ .part = LAB_PLAY, .is_on = plays });
+    const float x = box.x + 40.0f * u, y = box.y + 0.5f * box.height;
+    if (plays) {
+        for (uint32_t i = 0; i < 2u; i++) {
+            const float at = x + ((float)i - 0.5f) * 14.0f * u;
+            const float from[2] = { at, y - 9.0f * u }, to[2] = { at, y + 9.0f * u };
+            ui_segment(page->frame.batch, from, to, 6.0f * u, BUTTON_INK);
+        }
+    } else {
+        const struct ui_box place = { x - 20.0f * u, box.y, 40.0f * u, box.height };
+        sign(page, place, TEXT_SIGN_ON);
+    }
+    const struct ui_text style = lab_text(page, 23.0f, BUTTON_INK);
+    const struct ui_box room = { box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height };
+    lab_words_in(page, room, &style,
+                 text_words(page->frame.language, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
+}
+
+static void save_button(const struct lab_page *page)
+{
+    const struct scene_lab *lab = page->lab;
+    const uint8_t language = page->frame.language;
+    const enum text_key words = !lab->is_kept                  ? TEXT_LAB_SAVE
+                                : lab->keeping == LAB_SAVED    ? TEXT_LAB_SAVED
+                                : lab->keeping == LAB_SAVING   ? TEXT_LAB_SAVING
+                                                               : TEXT_LAB_SAVE;
+    word_button(page, &(struct button){ .part = LAB_SAVE, .words = text_words(language, words),
+                                        .is_idle = lab->is_kept });
+}
+
+static void buttons(const struct lab_page *page)
+{
+    static const enum text_key templates[] = { TEXT_LAB_OWN, TEXT_LAB_ORDINARY, TEXT_LAB_PAIRWISE,
+                                               TEXT_LAB_SIMULTANEOUS, TEXT_LAB_SMOOTH };
+    const struct scene_lab *lab = page->lab;
+    const uint8_t language = page->frame.language;
+    const struct button words[] = {
+        { LAB_LEAVE, text_words(language, TEXT_LAB_LEAVE), 0, 0 },
+        { LAB_COMPARE, text_words(language, TEXT_LAB_COMPARE), lab->compare, 0 },
+        { LAB_PATH, text_words(language, TEXT_LAB_PATH), lab->path, 0 },
+        { LAB_RESET, text_words(language, TEXT_LAB_RESET), 0, lab->is_own },
+    };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        word_button(page, &words[i]);
+    }
+    for (uint32_t i = 0; i < TEMPLATE_COUNT; i++) {
+        word_button(page, &(struct button){ .part = (enum lab_part)(LAB_OWN + i),
+                                            .words = text_words(language, templates[i]),
+                                            .is_on = lab->template == i });
+    }
+    play_button(page);
+    save_button(page);
+}
+
+/* ---- The head ------------------------------------------------------------------------------- */
+
+static void name_plate(const struct lab_page *page)
+{
+    const float u = page->frame.unit;
+    const struct scene_lab *lab = page->lab;
+    const struct ui_box box = lab_place(page, LAB_NAME);
+    const uint8_t language = page->frame.language;
+    char of[24];
+    snprintf(of, sizeof of, "%u / %u", lab->species + 1u, lab->species_count);
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
+                                                    .fill = LAB_PAPER, .line = LAB_PAPER_LINE,
+                                                    .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = LAB_INK };
+    struct ui_text small = lab_text(page, 20.0f, LAB_INK_SOFT);
+    const struct ui_box room = { box.x + 16.0f * u, box.y, box.width - 120.0f * u, box.height };
+    lab_words_in(page, room, &name, lab_species_name(language, lab->card.id));
+    small.align = 1.0f;
+    ui_text(page->frame.batch, &small, box.x + box.width - 18.0f * u,
+            ui_text_middle(&small, box.y + 0.5f * box.height), of);
+}
+
+/* What the operator should know: makers' files that are no species. */
+static void refused_line(const struct lab_page *page)
+{
+    const struct ui_box next = lab_place(page, LAB_NEXT), leave = lab_place(page, LAB_LEAVE);
+    char words[TEXT_LINE_MAX];
+    if (page->lab->refused == 0 || page->lab->upright) {
+        return;
+    }
+    const struct ui_box room = { next.x + next.width + 16.0f * page->frame.unit, next.y,
+                                 leave.x - next.x - next.width - 32.0f * page->frame.unit,
+                                 next.height };
+    const struct ui_text style = lab_text(page, 19.0f, 0xf0c089ffu);
+    text_number(words, sizeof words, text_words(page->frame.language, TEXT_LAB_REFUSED),
+                page->lab->refused);
+    lab_words_in(page, room, &style, words);
+}
+
+static void help_line(const struct lab_page *page)
+{
+    const struct ui_box next = lab_place(page, LAB_NEXT), leave = lab_place(page, LAB_LEAVE);
+    if (page->lab->refused > 0 || page->lab->upright) {
+        return;
+    }
+    const float u = page->frame.unit, left = next.x + next.width + 18.0f * u;
+    const struct ui_box room = { left, next.y, leave.x - left - 18.0f * u, next.height };
+    const struct ui_text style = lab_text(page, 20.0f, 0xc9d2eeffu);
+    lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_HELP));
+}
+
+/* ---- The hand ------------------------------------------------------------------------------- */
+
+static void hand(const struct lab_page *page)
+{
+    const struct scene_lab *lab = page->lab;
+    const float u = page->frame.unit;
+    if (!lab->has_hand) {
+        return;
+    }
+    const float x = lab_px_x(page, lab->x), y = lab_px_y(page, lab->y);
+    const float radius = (lab->presses ? 12.0f : 16.0f) * u;
+    const struct ui_box glow = { x - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
+                                 4.4f * radius };
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = glow, .kind = UI_GLOW,
+                                                    .fill = lab->presses ? 0xff9a50a0u
+                                                                         : 0xffffff38u,
+                                                    .shape = { 0, 0, 1.0f } });
+    ui_poi_sign(&page->frame, x, y, radius, 0.0f, ui_player_colours[0]);
+}
+
+/* ---- The page ------------------------------------------------------------------------------- */
+
+static struct lab_page open_page(const struct ui_frame *frame, const struct scene *scene,
+                                 struct ui_bench *bench)
+{
+    const struct lab_point canvas = lab_canvas(scene->lab.upright);
+    struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
+    page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
+    if (scene->lab.upright) {
+        page.frame.unit = frame->width / canvas.x; /* As the camera has it. */
+    }
+    page.x = 0.5f * (frame->width - canvas.x * page.frame.unit);
+    page.y = 0.5f * (frame->height - canvas.y * page.frame.unit);
+    return page;
+}
+
+void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory)
+{
+    const uint32_t index = scene->lab.species;
+    const struct species *species = index < species_table_count
+                                        ? species_table[index]
+                                        : shelf_species(memory->shelf, index);
+    ui_bench_set(&memory->bench, species, &scene->lab.card);
+    const struct lab_page page = open_page(frame, scene, &memory->bench);
+    const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = CLOTH_EDGE });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth, .kind = UI_WAVES, .fill = CLOTH,
+                                               .shape = { 0, 0, 36.0f * page.frame.unit } });
+    lab_stage(&page);
+    lab_keys(&page);
+    lab_graph(&page);
+    lab_chart(&page);
+    name_plate(&page);
+    arrow_button(&page, LAB_BACK, TEXT_SIGN_BACK);
+    arrow_button(&page, LAB_NEXT, TEXT_SIGN_ON);
+    help_line(&page);
+    refused_line(&page);
+    buttons(&page);
+    hand(&page);
+}

@@ -1,0 +1,321 @@
+/* ui_lab_stage.c -- the aquarium: the fish at its age, its ruler, its rival, and points' ways. */
+#include <math.h>
+#include <stdio.h>
+
+#include "platform/render/ui_lab.h"
+
+#define TAU 6.28318531f
+#define BEAT_HZ 1.1f
+#define YOUNG_SIZE 0.74f /* Of the stage's room that the hatchling takes: growth is felt. */
+#define WAY_GOLD 0xffd24affu
+#define WAY_PINK 0xff8fb0ffu
+#define CHORD 0xffffff90u
+
+/* ---- Room ----------------------------------------------------------------------------------- */
+
+/* Where one fish swims: all of the stage, or a half of it. */
+struct tank_room {
+    struct ui_box box;
+    float ruler_y;
+};
+
+static struct tank_room room_of(const struct lab_page *page, uint32_t half)
+{
+    const float u = page->frame.unit;
+    struct ui_box box = lab_place(page, LAB_STAGE);
+    if (page->lab->compare && page->lab->upright) {
+        box.height *= 0.5f;
+        box.y += (float)half * box.height;
+    } else if (page->lab->compare) {
+        box.width *= 0.5f;
+        box.x += (float)half * box.width;
+    }
+    return (struct tank_room){ .box = box, .ruler_y = box.y + box.height - 40.0f * u };
+}
+
+/* As large as it may be at any age, and smaller while it is young. */
+static float length_px(const struct lab_page *page, const struct tank_room *room)
+{
+    const struct ui_bench *bench = page->bench;
+    const float u = page->frame.unit;
+    const float wide = (room->box.width - 64.0f * u) / fmaxf(bench->left + bench->right, 0.1f);
+    const float top = page->lab->compare ? 46.0f : 40.0f;
+    const float high = (room->ruler_y - room->box.y - top * u) /
+                       fmaxf(bench->up + bench->down, 0.1f);
+    const float grown = YOUNG_SIZE + (1.0f - YOUNG_SIZE) * page->lab->progress;
+    return fminf(wide, high) * grown;
+}
+
+static struct specimen fish_in(const struct lab_page *page, const struct tank_room *room)
+{
+    const struct ui_bench *bench = page->bench;
+    const float u = page->frame.unit, time_s = page->frame.time_s;
+    const float top = page->lab->compare ? 46.0f : 40.0f;
+    struct specimen fish = { .species = bench->species, .edition = bench->edition,
+                             .rig = &bench->rig, .progress = page->lab->progress,
+                             .length_px = length_px(page, room), .shadow = 0.35f };
+    specimen_portrait(&fish);
+    fish.x_px = room->box.x + 0.5f * room->box.width +
+                0.5f * (bench->left - bench->right) * fish.length_px;
+    fish.y_px = 0.5f * (room->box.y + top * u + room->ruler_y) +
+                0.5f * (bench->up - bench->down) * fish.length_px;
+    if (!page->lab->path) { /* Ways are drawn on a fish that holds still. */
+        fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
+        fish.pitch_rad += 0.05f * sinf(0.37f * time_s + 1.0f);
+        fish.phase_rad = fmodf(TAU * BEAT_HZ * time_s, TAU);
+        fish.amplitude = 0.8f;
+    }
+    return fish;
+}
+
+/* ---- Ruler ---------------------------------------------------------------------------------- */
+
+/* A step of 1, 2 or 5 times a power of ten, at least `least_px` wide. */
+static float step_m(float px_per_m, float least_px)
+{
+    static const float steps[3] = { 1.0f, 2.0f, 5.0f };
+    float power = 1e-5f;
+    for (uint32_t i = 0; i < 24u; i++) {
+        const float step = steps[i % 3u] * power;
+        if (step * px_per_m >= least_px) {
+            return step;
+        }
+        power *= i % 3u == 2u ? 10.0f : 1.0f;
+    }
+    return power;
+}
+
+/* A bamboo rule from the snout's line to the right: so long is the fish, in its own measure. */
+static void ruler(const struct lab_page *page, const struct tank_room *room,
+                  const struct specimen *fish)
+{
+    const float u = page->frame.unit;
+    const struct ui_box rule = { room->box.x + 14.0f * u, room->ruler_y,
+                                 room->box.width - 28.0f * u, 32.0f * u };
+    const float px_per_m = fish->length_px / fmaxf(page->lab->length_m, 1e-5f);
+    const float zero = fish->x_px - 0.5f * fish->length_px;
+    const float fine = step_m(px_per_m, 7.0f * u), coarse = step_m(px_per_m, 74.0f * u);
+    const int in_cm = coarse >= 0.0099f;
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = rule, .kind = UI_WOOD, .fill = 0xe2bf82ffu,
+                                 .line = 0x6a4a22ffu, .shape = { 0, 0, 5.0f * u, 1.5f * u } });
+    const float right = rule.x + rule.width - 6.0f * u;
+    for (uint32_t i = 0; i < 260u; i++) {
+        const float x = zero + (float)i * fine * px_per_m;
+        const float turns = (float)i * fine / coarse;
+        const int is_coarse = fabsf(turns - roundf(turns)) < 0.01f;
+        if (x > right) {
+            break;
+        }
+        if (x < rule.x + 6.0f * u) {
+            continue;
+        }
+        const float from[2] = { x, rule.y + 2.5f * u };
+        const float to[2] = { x, rule.y + (is_coarse ? 14.0f : 8.0f) * u };
+        ui_segment(page->frame.batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
+        if (is_coarse && x < right - 34.0f * u) {
+            char number[24];
+            const float value = (float)i * fine * (in_cm ? 100.0f : 1000.0f);
+            snprintf(number, sizeof number, "%g%s", (double)roundf(value * 100.0f) / 100.0,
+                     i == 0 ? (in_cm ? " cm" : " mm") : "");
+            struct ui_text style = lab_text(page, 15.5f, 0x3a2410ffu);
+            style.align = i == 0 ? 0.0f : 0.5f;
+            ui_text(page->frame.batch, &style, x - (i == 0 ? 3.0f * u : 0.0f),
+                    rule.y + 28.0f * u, number);
+        }
+    }
+    /* The stretch that it covers. */
+    const float a[2] = { zero, rule.y + 1.5f * u };
+    const float b[2] = { zero + fish->length_px, rule.y + 1.5f * u };
+    ui_segment(page->frame.batch, a, b, 4.0f * u, LAB_PURPLE);
+    for (uint32_t i = 0; i < 2u; i++) {
+        const float *at = i == 0 ? a : b;
+        const float from[2] = { at[0], at[1] - 12.0f * u }, to[2] = { at[0], at[1] };
+        ui_segment(page->frame.batch, from, to, 2.4f * u, LAB_PURPLE);
+    }
+}
+
+/* ---- Words ---------------------------------------------------------------------------------- */
+
+static void tell(const struct lab_page *page, const struct tank_room *room)
+{
+    const float u = page->frame.unit;
+    const struct scene_lab *lab = page->lab;
+    char age[TEXT_LINE_MAX], length[32], line[2u * TEXT_LINE_MAX];
+    static const enum text_key measures[] = { TEXT_TOTAL_LENGTH, TEXT_STANDARD_LENGTH,
+                                              TEXT_FORK_LENGTH, TEXT_DISC_WIDTH };
+    lab_age_words(page->frame.language, lab->age_days, age, sizeof age);
+    lab_length_words(lab->length_m, length, sizeof length);
+    snprintf(line, sizeof line, "%s %s",
+             text_words(page->frame.language, measures[lab->card.measure & 3u]), length);
+    const struct ui_text big = { .font = FONT_STALL, .size_px = 40.0f * u, .fill = 0xffffffffu,
+                                 .outline_em = 0.03f, .soft_em = 0.10f, .line = 0x02141ec0u,
+                                 .fit_px = 0.5f * room->box.width };
+    struct ui_text small = lab_text(page, 25.0f, LAB_MIST);
+    small.align = 1.0f;
+    small.outline_em = 0.04f;
+    small.soft_em = 0.10f;
+    small.line = 0x02141ec0u;
+    small.fit_px = 0.46f * room->box.width;
+    ui_text(page->frame.batch, &big, room->box.x + 20.0f * u, room->box.y + 48.0f * u, age);
+    ui_text(page->frame.batch, &small, room->box.x + room->box.width - 20.0f * u,
+            room->box.y + 44.0f * u, line);
+}
+
+static void caption(const struct lab_page *page, const struct tank_room *room, enum text_key key,
+                    const char *figure)
+{
+    const float u = page->frame.unit;
+    char words[2u * TEXT_LINE_MAX];
+    snprintf(words, sizeof words, "%s   %s", text_words(page->frame.language, key), figure);
+    const struct ui_ribbon ribbon = { .x = room->box.x + 0.5f * room->box.width,
+                                      .y = room->box.y + 26.0f * u, .size_px = 21.0f * u,
+                                      .font = FONT_BODY, .fill = 0x06222ec0u, .line = 0x9fd6d080u,
+                                      .ink = LAB_MIST, .room_px = room->box.width - 24.0f * u };
+    ui_ribbon(&page->frame, &ribbon, words);
+}
+
+/* ---- Ways ----------------------------------------------------------------------------------- */
+
+static void put(const struct specimen *fish, vec3 point, float out[2])
+{
+    specimen_project(fish, point, &out[0], &out[1]);
+}
+
+static void way_line(const struct lab_page *page, const struct specimen *fish,
+                     const vec3 at[BENCH_STEPS + 1u], float width, uint32_t colour)
+{
+    for (uint32_t i = 0; i < BENCH_STEPS; i++) {
+        float from[2], to[2];
+        put(fish, at[i], from);
+        put(fish, at[i + 1u], to);
+        ui_segment(page->frame.batch, from, to, width * page->frame.unit, colour);
+    }
+}
+
+static void way_dot(const struct lab_page *page, const struct specimen *fish, vec3 at,
+                    float radius, uint32_t fill, uint32_t line)
+{
+    float middle[2];
+    const float r = radius * page->frame.unit;
+    put(fish, at, middle);
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = { middle[0] - r, middle[1] - r, 2.0f * r, 2.0f * r },
+                                 .kind = UI_PANEL, .fill = fill, .line = line,
+                                 .shape = { 0, 0, r, 2.0f * page->frame.unit } });
+}
+
+/* The way that a point goes (figures 3.4 and 3.5), and the line that the ordinary morph draws for
+ * it (figure 3.2); a dot where a key is, and where it is now. */
+static void one_way(const struct lab_page *page, const struct specimen *fish,
+                    const struct bench_way *way, uint32_t colour)
+{
+    const uint32_t keys = page->lab->card.key_count;
+    const uint32_t now = (uint32_t)(page->lab->progress * (float)BENCH_STEPS + 0.5f);
+    if (!way->is_there) {
+        return;
+    }
+    way_line(page, fish, way->ordinary, 2.0f, CHORD);
+    way_line(page, fish, way->at, 4.0f, colour);
+    for (uint32_t key = 0; key < keys; key++) {
+        const uint32_t step =
+            (uint32_t)((float)key / (float)(keys - 1u) * (float)BENCH_STEPS + 0.5f);
+        way_dot(page, fish, way->at[step], 6.5f, lab_key_colour(keys, key), 0xffffffffu);
+    }
+    way_dot(page, fish, way->at[now], 10.0f, colour, 0x20140cffu);
+}
+
+static void way_legend(const struct lab_page *page, const struct tank_room *room)
+{
+    static const enum text_key names[BENCH_POINT_COUNT] = { TEXT_LAB_DORSAL, TEXT_LAB_EYE };
+    static const uint32_t colours[BENCH_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
+    const float u = page->frame.unit;
+    float y = room->ruler_y - 16.0f * u;
+    for (uint32_t i = BENCH_POINT_COUNT; i-- > 0;) {
+        const struct bench_way *way = &page->bench->ways[i];
+        char words[TEXT_LINE_MAX];
+        if (!way->is_there) {
+            continue;
+        }
+        snprintf(words, sizeof words, "%s  %.1f %%",
+                 text_words(page->frame.language, names[i]), (double)(100.0f * way->bow));
+        const float from[2] = { room->box.x + 20.0f * u, y - 7.0f * u };
+        const float to[2] = { from[0] + 26.0f * u, from[1] };
+        ui_segment(page->frame.batch, from, to, 4.5f * u, colours[i]);
+        struct ui_text style = lab_text(page, 20.0f, LAB_MIST);
+        style.outline_em = 0.04f;
+        style.soft_em = 0.1f;
+        style.line = 0x02141ec0u;
+        ui_text(page->frame.batch, &style, to[0] + 12.0f * u, y, words);
+        y -= 28.0f * u;
+    }
+}
+
+static void ways(const struct lab_page *page, const struct specimen *fish)
+{
+    one_way(page, fish, &page->bench->ways[BENCH_DORSAL], WAY_GOLD);
+    one_way(page, fish, &page->bench->ways[BENCH_EYE], WAY_PINK);
+}
+
+/* ---- The stage ------------------------------------------------------------------------------ */
+
+static void water(const struct lab_page *page)
+{
+    const float u = page->frame.unit;
+    const struct ui_box box = lab_place(page, LAB_STAGE);
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = box, .kind = UI_WATER, .fill = 0x1d7a86ffu,
+                                 .line = 0x06243cffu,
+                                 .shape = { 0, 0, 16.0f * u, page->frame.time_s } });
+}
+
+static void frame_line(const struct lab_page *page)
+{
+    const float u = page->frame.unit;
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = lab_place(page, LAB_STAGE), .kind = UI_PANEL,
+                                 .fill = 0, .line = UI_GOLD_DIM,
+                                 .shape = { 0, 0, 16.0f * u, 2.0f * u } });
+}
+
+/* Side by side with what eq. 3.1 makes of the first and the last drawing. */
+static void rival(const struct lab_page *page)
+{
+    const struct tank_room room = room_of(page, 1);
+    struct specimen fish = fish_in(page, &room);
+    fish.species = &page->bench->ordinary;
+    fish.rig = &page->bench->ordinary_rig;
+    ui_specimen(page->frame.batch, &fish);
+    ruler(page, &room, &fish);
+    char length[32];
+    lab_length_words(page->lab->length_m, length, sizeof length);
+    caption(page, &room, TEXT_LAB_THE_ORDINARY, length);
+    const struct ui_box stage = lab_place(page, LAB_STAGE);
+    const int across = page->lab->upright;
+    const float from[2] = { across ? stage.x : room.box.x, across ? room.box.y : stage.y };
+    const float to[2] = { across ? stage.x + stage.width : room.box.x,
+                          across ? room.box.y : stage.y + stage.height };
+    ui_segment(page->frame.batch, from, to, 2.0f * page->frame.unit, UI_GOLD_DIM);
+}
+
+void lab_stage(const struct lab_page *page)
+{
+    const struct tank_room room = room_of(page, 0);
+    const struct specimen fish = fish_in(page, &room);
+    water(page);
+    ui_specimen(page->frame.batch, &fish);
+    ruler(page, &room, &fish);
+    if (page->lab->compare) {
+        rival(page);
+        char age[TEXT_LINE_MAX];
+        lab_age_words(page->frame.language, page->lab->age_days, age, sizeof age);
+        caption(page, &room, TEXT_LAB_OURS, age);
+    } else {
+        tell(page, &room);
+    }
+    if (page->lab->path) {
+        ways(page, &fish);
+        way_legend(page, &room);
+    }
+    frame_line(page);
+}
