@@ -28,14 +28,21 @@ static enum exit_code find_vertex(struct path_plan *plan)
     return EXIT_OK;
 }
 
-float path_from_chord(const struct path_plan *plan, vec3 p)
+float chord_distance(const struct chord *chord, vec3 p)
 {
-    const vec3 along = v3_sub(plan->to, plan->from), there = v3_sub(p, plan->from);
+    const vec3 along = v3_sub(chord->to, chord->from), there = v3_sub(p, chord->from);
     const float length_squared = v3_dot(along, along);
     if (length_squared < 1e-12f) {
         return v3_length(there);
     }
     return v3_length(v3_mad(there, along, -v3_dot(there, along) / length_squared));
+}
+
+static struct chord chord_of(const struct species *fish, const struct morph_rig *rig,
+                             uint32_t vertex)
+{
+    return (struct chord){ morph_part_place(fish, rig, vertex, 0.0f),
+                           morph_part_place(fish, rig, vertex, 1.0f) };
 }
 
 static void print_row(const struct path_plan *plan, float progress)
@@ -45,8 +52,8 @@ static void print_row(const struct path_plan *plan, float progress)
     const vec3 o = morph_part_place(plan->ordinary, &plan->ordinary_rig, plan->vertex, progress);
     printf("%.6f,%.3f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", (double)progress,
            (double)life_age_days(card, progress), 1e3 * (double)life_length_m(card, progress),
-           (double)p.x, (double)p.y, (double)p.z, (double)path_from_chord(plan, p), (double)o.x,
-           (double)o.y, (double)o.z, (double)path_from_chord(plan, o));
+           (double)p.x, (double)p.y, (double)p.z, (double)chord_distance(&plan->chord, p), (double)o.x,
+           (double)o.y, (double)o.z, (double)chord_distance(&plan->ordinary_chord, o));
 }
 
 static enum exit_code print_table(const struct path_plan *plan)
@@ -79,8 +86,8 @@ static enum exit_code run(int argc, const char *const *argv)
         return code;
     }
     plan.ordinary = morph_pick_ordinary(&plan.pick, &plan.ordinary_rig);
-    plan.from = morph_part_place(plan.pick.fish, &plan.pick.rig, plan.vertex, 0.0f);
-    plan.to = morph_part_place(plan.pick.fish, &plan.pick.rig, plan.vertex, 1.0f);
+    plan.chord = chord_of(plan.pick.fish, &plan.pick.rig, plan.vertex);
+    plan.ordinary_chord = chord_of(plan.ordinary, &plan.ordinary_rig, plan.vertex);
     if (plan.view && !plan.svg) {
         return morph_usage(name, "--view goes with --svg");
     }
@@ -104,6 +111,6 @@ const struct morph_command ctl_morph_path = {
         "                outlines with the way across them, the straight line dashed\n"
         "\nPlaces and distances are in body lengths, whatever size the fish has: x to its right,\n"
         "y up, z backward, the snout at z = -0.5. from_chord is the distance from the straight\n"
-        "line between the first place and the last, which the ordinary morph never leaves.\n",
+        "line between its first place and its last, which the ordinary morph never leaves.\n",
     .run = run,
 };

@@ -38,8 +38,8 @@ static void draw_way(struct picture *picture, const struct window *window, const
 static void draw_chord(struct picture *picture, const struct window *window)
 {
     double x0, y0, x1, y1;
-    path_place(window, picture->plan->from, &x0, &y0);
-    path_place(window, picture->plan->to, &x1, &y1);
+    path_place(window, picture->plan->chord.from, &x0, &y0);
+    path_place(window, picture->plan->chord.to, &x1, &y1);
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
 }
 
@@ -115,13 +115,13 @@ static void draw_names(struct picture *picture, const struct window *window)
 static void draw_bend(struct picture *picture, const struct window *window)
 {
     const struct path_plan *plan = picture->plan;
-    const vec3 along = v3_sub(plan->to, plan->from);
+    const vec3 along = v3_sub(plan->chord.to, plan->chord.from);
     const float length = v3_dot(along, along);
-    const vec3 there = v3_sub(picture->farthest, plan->from);
+    const vec3 there = v3_sub(picture->farthest, plan->chord.from);
     const float share = length > 0.0f ? v3_dot(there, along) / length : 0.0f;
     double x0, y0, x1, y1;
     path_place(window, picture->farthest, &x0, &y0);
-    path_place(window, v3_mad(plan->from, along, share), &x1, &y1);
+    path_place(window, v3_mad(plan->chord.from, along, share), &x1, &y1);
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_INK, 1.2, NULL);
     svg_text(&picture->svg, x1 + 10.0, y1 + 5.0, 14.0, "start", SVG_INK,
              "%.4f", (double)picture->farthest_lengths);

@@ -124,11 +124,11 @@ if [[ " ${species[*]} " == *' kuroanago '* ]]; then
 fi
 
 # ---- Paths
-straight() { # COLUMN OPTIONS...: nowhere farther from the chord than two counts of the tables
+straight() { # COLUMN OPTIONS...: nowhere farther from the chord than rounding
     local column=$1
     shift
     morph path "$@" >"$work/p.csv" || return 1
-    awk -F, -v c="$column" 'NR > 1 && $c > 6e-5 { print; bad = 1 } END { exit bad || NR < 10 }' "$work/p.csv"
+    awk -F, -v c="$column" 'NR > 1 && $c > 2e-6 { print; bad = 1; exit } END { exit bad || NR < 10 }' "$work/p.csv"
 }
 bent() { # LEAST OPTIONS...: at its farthest
     local least=$1
