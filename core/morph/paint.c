@@ -19,17 +19,15 @@ static vec3 rgb(uint32_t colour)
               (float)(colour & 255u) * scale);
 }
 
-/* Black pupil, iris with a darker rim, and behind it the skin's own colour. */
+/* Black pupil, iris, darker toward its rim and on the ball behind it, which a larva's eye shows. */
 static struct paint eye_paint(const struct species_coat *coat, float u)
 {
     const vec3 black = v3(0.015f, 0.015f, 0.02f);
-    const float rim = f_smoothstep(0.78f, 1.0f, u);
-    const vec3 iris = v3_scale(rgb(coat->iris), 1.0f - 0.45f * rim);
+    const float rim = f_smoothstep(0.75f, 1.1f, u);
+    const vec3 iris = v3_scale(rgb(coat->iris), 1.0f - 0.55f * rim);
     const float outside = f_smoothstep(PUPIL - 0.06f, PUPIL + 0.06f, u);
-    const float behind = f_smoothstep(1.05f, 1.25f, u);
-    const vec3 seen = v3_lerp(black, iris, outside);
-    return (struct paint){ .colour = v3_lerp(seen, rgb(coat->flank), behind),
-                           .shine = IRIS_SHINE * outside * (1.0f - behind) };
+    return (struct paint){ .colour = v3_lerp(black, iris, outside),
+                           .shine = IRIS_SHINE * outside * (1.0f - rim) };
 }
 
 /* Back over flank to belly, by the way round the girth. */

@@ -8,11 +8,10 @@
 #include <math.h>
 #include <string.h>
 
-#define BODY_END 1.03 /* The body's last point, a little behind its last ring. */
 #define RINGS_MAX 64
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
-    { .rings = 24, .spokes = 16, .eye_rings = 4, .eye_spokes = 14,
+    { .rings = 24, .spokes = 16, .eye_rings = 5, .eye_spokes = 12,
       .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 12, 4 }, [PART_ANAL] = { 8, 4 },
                 [PART_PECTORAL] = { 5, 4 }, [PART_PELVIC] = { 4, 4 },
                 [PART_DORSAL_2] = { 5, 3 } } },
@@ -66,32 +65,6 @@ struct species_anchor *next_anchor(struct lofting *l, enum species_part part, ui
     anchor->curve = curve_of(l->species, part);
     anchor->turns = turns;
     return anchor;
-}
-
-point3 grid_point(const struct lofting *l, uint32_t key, double u, double v)
-{
-    const uint32_t row = l->loft->grid_spokes + 1;
-    const struct species_vertex *first = &l->loft->vertices[l->loft->grid_first];
-    uint32_t ring = 0;
-    while (ring + 2 < l->loft->grid_rings && u > (double)first[(ring + 1) * row].u) {
-        ring++;
-    }
-    const double from = (double)first[ring * row].u, to = (double)first[(ring + 1) * row].u;
-    const double s = fmin(fmax((u - from) / (to - from), 0.0), 1.0);
-    const double turn = (v - floor(v)) * l->loft->grid_spokes;
-    const uint32_t spoke = (uint32_t)fmin(turn, l->loft->grid_spokes - 1.0);
-    const double t = turn - spoke;
-    const vec3 *at = &l->loft->positions[key][l->loft->grid_first + ring * row + spoke];
-    const bool far = s + t > 1.0; /* The cell's two triangles meet between corners 1 and 2. */
-    const double share[] = { far ? 0.0 : 1.0 - s - t, far ? 1.0 - s : t, far ? 1.0 - t : s,
-                             far ? s + t - 1.0 : 0.0 };
-    const vec3 *corner[] = { &at[0], &at[1], &at[row], &at[row + 1] };
-    point3 p = { 0.0, 0.0, 0.5 };
-    for (int i = 0; i < 4; i++) {
-        const point3 c = { (double)corner[i]->x, (double)corner[i]->y, (double)corner[i]->z };
-        p = mad(p, c, share[i]);
-    }
-    return mad((point3){ 0.0, 0.0, 0.0 }, p, l->unit[key]);
 }
 
 /* The snout's or tail root's closing point, on its section's axis: once for each flank, so that a

@@ -24,6 +24,14 @@ static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, doub
     }
 }
 
+/* Of `count` rings from the pupil backward: the more than half of them up to the rim, one on it. */
+static double ring_polar(uint32_t ring, uint32_t count)
+{
+    const uint32_t shown = (count + 2) / 2;
+    return ring <= shown ? EYE_RIM_RAD * ring / shown
+                         : EYE_RIM_RAD + (PI - EYE_RIM_RAD) * (ring - shown) / (count + 1 - shown);
+}
+
 static void add_eye(struct lofting *l, uint32_t side)
 {
     const uint32_t rings = l->detail->eye_rings, spokes = l->detail->eye_spokes;
@@ -37,7 +45,7 @@ static void add_eye(struct lofting *l, uint32_t side)
     add_ball_vertex(l, side, 0.0, 0.0);
     for (uint32_t ring = 1; ring <= rings; ring++) {
         for (uint32_t spoke = 0; spoke < spokes; spoke++) {
-            add_ball_vertex(l, side, PI * ring / (rings + 1), 2.0 * PI * spoke / spokes);
+            add_ball_vertex(l, side, ring_polar(ring, rings), 2.0 * PI * spoke / spokes);
         }
     }
     const uint32_t back = l->loft->vertex_count, last = back - spokes;

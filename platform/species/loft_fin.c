@@ -1,7 +1,8 @@
 /* loft_fin.c -- fins as sheets of one layer of vertices, seen from both sides.
  *
- * Each ray column of a fin on the body rides on an anchor at its root. Where the meshed skin lies
- * within the smooth one, roots go in with it and tips stay: no gap shows at any level of detail. */
+ * Each ray column of a fin on the body rides on an anchor where it leaves the skin. Told from
+ * there, it goes in and out with the facets of the meshed skin: no gap shows at any level of
+ * detail. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
@@ -41,8 +42,8 @@ static uint8_t add_root(struct lofting *l, enum species_part part, int side, dou
     return (uint8_t)(l->loft->anchor_count - 1);
 }
 
-/* Places the newest vertex, `p` in the drawing and `along` its ray, told from its anchor. */
-static void ride(struct lofting *l, uint32_t key, point3 p, point3 normal, double along)
+/* Places the newest vertex, `p` in the drawing, told from its anchor if it has one. */
+static void ride(struct lofting *l, uint32_t key, point3 p, point3 normal)
 {
     const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;
     if (index == ANCHOR_NONE) {
@@ -50,11 +51,9 @@ static void ride(struct lofting *l, uint32_t key, point3 p, point3 normal, doubl
         return;
     }
     const struct species_anchor *anchor = &l->loft->anchors[index];
-    const double u = (double)anchor->u[key], v = (double)anchor->v[key];
-    const point3 smooth = body_point(&l->species->keys[key], u, v);
-    const point3 skin = grid_point(l, key, u, v);
-    place_from_anchor(l, key, sub(sub(p, smooth), mad((point3){ 0 }, sub(skin, smooth), along)),
-                      normal);
+    const point3 skin =
+        body_point(&l->species->keys[key], (double)anchor->u[key], (double)anchor->v[key]);
+    place_from_anchor(l, key, sub(p, skin), normal);
 }
 
 static void add_fin_vertex(struct lofting *l, enum species_part part, int side, double at,
@@ -75,7 +74,7 @@ static void add_fin_vertex(struct lofting *l, enum species_part part, int side, 
         point3 p = fin_point(text, part, at, along), n = fin_normal(text, part, at, along);
         p.x *= side;
         n.x *= side;
-        ride(l, key, p, n, along);
+        ride(l, key, p, n);
     }
 }
 
@@ -125,7 +124,7 @@ static void add_finlet(struct lofting *l, uint32_t row, double at, double step)
         next_vertex(l, vertex);
         for (uint32_t key = 0; key < l->species->key_count; key++) {
             const point3 p = finlet_point(&l->species->keys[key], row, at, corner);
-            ride(l, key, p, (point3){ 1.0, 0.0, 0.0 }, corner == 2 ? 1.0 : 0.0);
+            ride(l, key, p, (point3){ 1.0, 0.0, 0.0 });
         }
     }
     triangle(l, first, first + 1, first + 2);

@@ -24,9 +24,6 @@ void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c);
 /* A new anchor, at the same body coordinates in every key until they are set. */
 struct species_anchor *next_anchor(struct lofting *l, enum species_part part, uint8_t turns);
 
-/* The meshed skin at these body coordinates, facets and all, in the drawing's units. */
-point3 grid_point(const struct lofting *l, uint32_t key, double u, double v);
-
 /* loft_rings.c: u of `count` rings, the last at 1, closer where outlines turn in any key. */
 void place_rings(const struct species_text *species, uint32_t count, double *u);
 

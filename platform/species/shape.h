@@ -45,7 +45,10 @@ struct ball {
 };
 struct ball eye_ball(const struct key_text *key, uint32_t side);
 
-/* `at` 0 .. 1 from the first ray to the last, `along` 0 .. 1 from root to tip. */
+#define BODY_END 1.03 /* The body's last point, a little behind its last ring. */
+
+/* `at` 0 .. 1 from the first ray to the last, `along` 0 .. 1 from root to tip. The root (0) lies in
+ * the body, everything beyond it (down to the least above 0) outside. */
 point3 fin_point(const struct key_text *key, enum species_part part, double at, double along);
 point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along);
 

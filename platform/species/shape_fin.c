@@ -5,10 +5,15 @@
 
 #define PI 3.14159265358979323846
 #define FIN_SINK 0.014   /* How deep fin roots lie under the skin, so that no gap shows. */
+#define SHOWN_MIN 0.004  /* So much of a ray shows, however short: less has no side to face to. */
 #define SINK_SHARE 0.3   /* Of a thinner body's thickness: no deeper than this. */
 #define TAIL_ROOT 0.965  /* Where along the body the tail's rays start, inside the last ring. */
 #define SIDE_AT_ROOT 0.4 /* Of a median ray's turn to the side; the rest comes along it. */
+#define THINNEST 0.2     /* Of half the stalk: a tail's base reaches so far up and down at least. */
 #define RAY_STEPS 12
+#define EXIT_STEPS 24    /* A ray's way out of the body is told to so fine a part of it. */
+#define EXIT_MAX 0.85    /* A ray shows at least the rest. */
+#define CLEAR_OF 1.02    /* A fin that hugs the flank lies so much farther out. */
 
 static struct ray ray_at(const struct fin *fin, double at)
 {
@@ -26,26 +31,48 @@ static struct ray ray_at(const struct fin *fin, double at)
                          .side_deg = (float)curve_through(x, y[2], n, at) };
 }
 
-/* Where a fin's ray starts. The tail's base stands upright, top first; the others lie along u. */
-static point3 fin_root(const struct key_text *key, enum species_part part, double at)
+/* From the base's top (0) to its bottom, within the stalk however tall a maker draws it. */
+static point3 tail_root(const struct key_text *key, double at)
+{
+    const struct fin *fin = &key->fins[PART_TAIL];
+    const struct station s = section(key, TAIL_ROOT);
+    const double half = 0.5 * (double)s.depth * (1.0 - SINK_SHARE), middle = (double)s.offset;
+    const double top = fmax(fmin((double)fin->end, middle + half), middle + THINNEST * half);
+    const double bottom = fmin(fmax((double)fin->start, middle - half), middle - THINNEST * half);
+    return (point3){ 0.0, top + (bottom - top) * at, TAIL_ROOT };
+}
+
+/* How deep a fin's root lies under the skin at `x`. */
+static double sink_at(const struct key_text *key, double x)
+{
+    const struct station s = section(key, fmin(fmax(x, 0.0), 1.0));
+    return fmin(FIN_SINK, SINK_SHARE * fmin((double)s.depth, (double)s.width));
+}
+
+static double base_x(const struct fin *fin, double at)
+{
+    return (double)fin->start + ((double)fin->end - (double)fin->start) * at;
+}
+
+/* Where a fin's ray leaves the skin, or its root so far `inside` it. The tail's base stands upright
+ * in the stalk, top first; the others lie along x. */
+static point3 fin_base(const struct key_text *key, enum species_part part, double at, double inside)
 {
     const struct fin *fin = &key->fins[part];
-    const double x = (double)fin->start + ((double)fin->end - (double)fin->start) * at;
+    const double x = base_x(fin, at);
     const struct station s = section(key, fmin(fmax(x, 0.0), 1.0));
-    const double thin = fmin((double)s.depth, (double)s.width);
-    const double sink = fmin(FIN_SINK, SINK_SHARE * thin);
     switch (part) {
     case PART_TAIL:
-        return (point3){ 0.0, (double)fin->end + (double)fin->start - x, TAIL_ROOT };
+        return tail_root(key, at);
     case PART_DORSAL:
     case PART_DORSAL_2:
-        return (point3){ 0.0, (double)s.offset + 0.5 * (double)s.depth - sink, x };
+        return (point3){ 0.0, (double)s.offset + 0.5 * (double)s.depth - inside, x };
     case PART_ANAL:
-        return (point3){ 0.0, (double)s.offset - 0.5 * (double)s.depth + sink, x };
+        return (point3){ 0.0, (double)s.offset - 0.5 * (double)s.depth + inside, x };
     default: {
         const double u = body_u(key, x);
         const point3 skin = body_point(key, u, (double)fin->girth);
-        return mad(skin, body_normal(key, u, (double)fin->girth), -sink);
+        return mad(skin, body_normal(key, u, (double)fin->girth), -inside);
     }
     }
 }
@@ -76,33 +103,86 @@ static point3 fin_direction(const struct fin *fin, enum species_part part, struc
     }
 }
 
-point3 fin_point(const struct key_text *key, enum species_part part, double at, double along)
+/* Along a ray from where it leaves the skin: a drawn length starts at the sunken root. */
+static point3 ray_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     const struct fin *fin = &key->fins[part];
     const struct ray ray = ray_at(fin, at);
-    point3 p = fin_root(key, part, at);
+    const double length = (double)ray.length;
+    const double sink = part == PART_TAIL ? 0.0 : sink_at(key, base_x(fin, at));
+    const double shown = fmax(length - sink, SHOWN_MIN);
+    point3 p = fin_base(key, part, at, 0.0);
     for (int i = 0; i < RAY_STEPS; i++) {
         const double r = along * (i + 0.5) / RAY_STEPS;
-        p = mad(p, fin_direction(fin, part, ray, r), (double)ray.length * along / RAY_STEPS);
+        p = mad(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
     }
     return p;
+}
+
+/* How far out of the body's axis `p` is, 1 at the skin; behind the body's end it is out. */
+static double outness(const struct key_text *key, point3 p)
+{
+    if (p.z >= BODY_END) {
+        return CLEAR_OF;
+    }
+    const struct station s = section(key, fmin(p.z, 1.0));
+    const double closing = p.z > 1.0 ? (BODY_END - p.z) / (BODY_END - 1.0) : 1.0;
+    const double e = (double)s.exponent;
+    const double x = fabs(p.x) / (0.5 * (double)s.width * closing);
+    const double y = fabs(p.y - (double)s.offset) / (0.5 * (double)s.depth * closing);
+    return pow(pow(x, e) + pow(y, e), 1.0 / e);
+}
+
+/* How much of a ray runs within the body, from where it leaves the skin. */
+static double fin_exit(const struct key_text *key, enum species_part part, double at)
+{
+    double along = 0.0;
+    while (along < EXIT_MAX && outness(key, ray_point(key, part, at, along)) < CLEAR_OF) {
+        along += 1.0 / EXIT_STEPS;
+    }
+    return fmin(along, EXIT_MAX);
+}
+
+/* A paired fin that is folded back lies on the flank where its rays would run within. */
+static point3 on_flank(const struct key_text *key, point3 p)
+{
+    const double out = outness(key, p);
+    if (out >= CLEAR_OF || out < 1e-3) {
+        return p;
+    }
+    const double middle = (double)section(key, fmin(p.z, 1.0)).offset;
+    const double k = CLEAR_OF / out;
+    return (point3){ p.x * k, middle + (p.y - middle) * k, p.z };
+}
+
+point3 fin_point(const struct key_text *key, enum species_part part, double at, double along)
+{
+    if (along <= 0.0) {
+        return fin_base(key, part, at, sink_at(key, base_x(&key->fins[part], at)));
+    }
+    if (part == PART_PECTORAL || part == PART_PELVIC) {
+        return on_flank(key, ray_point(key, part, at, along));
+    }
+    const double exit = fin_exit(key, part, at);
+    return ray_point(key, part, at, exit + (1.0 - exit) * along);
 }
 
 point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along)
 {
     const double d = 1e-3;
-    const point3 across = sub(fin_point(key, part, fmin(at + d, 1.0), along),
-                              fin_point(key, part, fmax(at - d, 0.0), along));
-    const point3 out = sub(fin_point(key, part, at, fmin(along + d, 1.0)),
-                           fin_point(key, part, at, fmax(along - d, 0.0)));
+    const point3 across = sub(ray_point(key, part, fmin(at + d, 1.0), along),
+                              ray_point(key, part, fmax(at - d, 0.0), along));
+    const point3 out = sub(ray_point(key, part, at, fmin(along + d, 1.0)),
+                           ray_point(key, part, at, fmax(along - d, 0.0)));
     return unit(cross(across, out));
 }
 
 point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner)
 {
     const struct finlets *f = &key->finlets[row];
-    const double step = ((double)f->end - (double)f->start) / f->count;
-    const double x = (double)f->start + at * (step * f->count) + (corner == 1 ? FINLET_BASE * step : 0.0);
+    const double length = (double)f->end - (double)f->start;
+    const double base = corner == 1 ? FINLET_BASE * length / f->count : 0.0;
+    const double x = (double)f->start + at * length + base;
     const struct station s = section(key, fmin(x, 1.0));
     const double up = row == 0 ? 1.0 : -1.0;
     const double sink = fmin(FIN_SINK, SINK_SHARE * (double)s.depth);
@@ -110,8 +190,8 @@ point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_
     if (corner < 2) {
         return root;
     }
-    const double sweep = (double)f->sweep_deg * PI / 180.0, length = (double)f->length + sink;
-    return mad(root, (point3){ 0.0, up * cos(sweep), sin(sweep) }, length);
+    const double sweep = (double)f->sweep_deg * PI / 180.0;
+    return mad(root, (point3){ 0.0, up * cos(sweep), sin(sweep) }, (double)f->length + sink);
 }
 
 double unit_length(const struct key_text *key, enum species_measure measure)
