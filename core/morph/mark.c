@@ -28,13 +28,14 @@ struct mark_point mark_point_of(const struct species_vertex *at, enum body_form 
     if (at->part >= PART_TAIL) {
         point.height = at->v;
         point.down = 1.0f - at->v;
-        point.flank = 1.0f;
+        point.flank = point.broad = 1.0f;
         point.right = at->side == SIDE_RIGHT ? 1.0f : at->side == SIDE_LEFT ? -1.0f : 0.0f;
         return point;
     }
     point.height = 0.5f + 0.5f * f_cos(2.0f * PI * at->v);
     point.down = 1.0f - f_abs(at->v * 2.0f - 1.0f);
     point.right = f_sin(2.0f * PI * at->v);
+    point.broad = flanks[form].lengths;
     point.flank = flanks[form].lengths *
                   (1.0f - flanks[form].taper * f_smoothstep(0.45f, 1.0f, at->u));
     return point;
@@ -70,15 +71,18 @@ static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
     return (float)((h ^ h >> 15) >> 8) / 16777216.0f;
 }
 
-/* `count` cells over one flank, a spot somewhere in each; a point looks at its nine cells. */
+/* `count` cells over one flank, a spot somewhere in each; a point looks at its nine cells. Toward
+ * the tail cells are as many and lower, and their spots smaller, so that none is cut. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);
     const float length = f_max(m->to - m->from, 1e-3f);
+    const float broad = f_max((bottom - top) * at->broad, 1e-3f);
     const float girth = f_max((bottom - top) * at->flank, 1e-3f);
-    const float cell = f_sqrt(length * girth / f_max((float)m->count, 1.0f));
+    const float cell = f_sqrt(length * broad / f_max((float)m->count, 1.0f));
     const float columns = f_max(f_floor(length / cell + 0.5f), 1.0f);
-    const float rows = f_max(f_floor(girth / cell + 0.5f), 1.0f);
+    const float rows = f_max(f_floor(broad / cell + 0.5f), 1.0f);
+    const float shrunk = m->width * f_sqrt(girth / broad);
     const float x = (at->u - m->from) / length * columns;
     const float y = (at->down - top) / f_max(bottom - top, 1e-3f) * rows;
     float cover = 0.0f;
@@ -90,7 +94,7 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
         const uint32_t id = (uint32_t)cx * 64u + (uint32_t)cy + (at->right < 0.0f ? 8192u : 0u);
         const float dx = (cx + 0.2f + 0.6f * chance(id, m->seed, 1u) - x) * length / columns;
         const float dy = (cy + 0.2f + 0.6f * chance(id, m->seed, 2u) - y) * girth / rows;
-        const float radius = m->width * (1.0f + UNEVEN * (2.0f * chance(id, m->seed, 3u) - 1.0f));
+        const float radius = shrunk * (1.0f + UNEVEN * (2.0f * chance(id, m->seed, 3u) - 1.0f));
         cover = f_max(cover, disc(f_sqrt(dx * dx + dy * dy), radius));
     }
     return cover;

@@ -12,6 +12,7 @@ struct mark_point {
     float down;    /* Round the flank, 0 back .. 1 belly; of a fin 1 .. 0. */
     float right;   /* -1 left .. 1 right, 0 on the midlines. */
     float flank;   /* What `down` 0 to 1 measures, in body lengths; of a fin, in its base's. */
+    float broad;   /* The same where the body is broadest. */
 };
 
 struct mark_point mark_point_of(const struct species_vertex *at, enum body_form form);
