@@ -7,7 +7,7 @@ in vec4 skin;
 uniform sampler2DArray paints; // A layer a key: colour, and how clear.
 uniform sampler2DArray shines; // How silvery.
 uniform float coats[8];        // How much of each key's; sum 1.
-uniform vec3 look;             // Opacity, scales along the body, keys.
+uniform vec4 look;             // Opacity, scales along the body, keys; 1: behind a clear body.
 uniform vec4 tint;
 
 out vec4 color;
@@ -17,6 +17,7 @@ const vec3 WARM = vec3(1.10, 1.04, 0.94);
 const vec3 ABOVE = vec3(0.46, 0.50, 0.54); // What comes from all over, above ...
 const vec3 BELOW = vec3(0.14, 0.24, 0.28); // ... and below, through water.
 const vec3 EDGE = vec3(0.36, 0.48, 0.56);
+const float PUPIL = 0.56; // Of the eye's visible radius.
 
 vec3 to_light(vec3 c)
 {
@@ -52,16 +53,17 @@ vec3 mirrored(vec3 n)
 
 vec3 lit(vec3 paint, vec3 n, float shine, float gloss)
 {
-    float lamp = max(dot(n, KEY_LIGHT) * 0.82 + 0.18, 0.0);
-    vec3 light = WARM * lamp + mix(BELOW, ABOVE, 0.5 + 0.5 * n.y);
+    float lamp = max(dot(n, KEY_LIGHT) * 0.80 + 0.20, 0.0);
+    vec3 light = WARM * 1.12 * lamp + mix(BELOW, ABOVE, 0.5 + 0.5 * n.y);
     vec3 half_way = normalize(KEY_LIGHT + vec3(0.0, 0.0, 1.0));
     float spot = pow(max(dot(n, half_way), 0.0), mix(26.0, 70.0, gloss));
+    float sheen = pow(max(dot(n, half_way), 0.0), 7.0) * gloss;
     float edge = 1.0 - max(n.z, 0.0);
     edge *= edge * edge;
-    vec3 dull = paint * light;
+    vec3 dull = paint * (light + 0.55 * sheen);
     vec3 silver = mirrored(n) * (0.35 + 0.80 * paint);
-    return mix(dull, silver, 0.62 * shine) + WARM * spot * (0.05 + 0.34 * gloss)
-        + EDGE * edge * 0.32;
+    return mix(dull, silver, 0.62 * shine) + WARM * spot * (0.04 + 0.36 * gloss)
+        + EDGE * edge * 0.26;
 }
 
 #ifdef FIN
@@ -69,6 +71,9 @@ void main()
 {
     vec4 paint;
     float shine;
+    if (look.w > 0.5 && (skin.z < 4.5 || skin.z > 6.5)) {
+        discard; // Of a median fin only its root is behind the skin.
+    }
     mix_coats(paint, shine);
     paint.rgb = mix(paint.rgb, tint.rgb, tint.a);
     vec3 n = normalize(normal);
@@ -87,30 +92,50 @@ void main()
     color = vec4(to_screen(light) * alpha, alpha);
 }
 #else
+const float EYE_WIDTH = 63.0 / 256.0; // Of the sheet, that an eye's u runs over.
+
+// Its iris is painted; where the pupil ends is drawn here, as sharp as the screen.
 vec4 eyeball(vec3 n)
 {
-    vec3 iris = texture(paints, vec3(paint_uv, 0.0)).rgb;
+    vec3 iris = vec3(0.0);
+    vec2 at = paint_uv + vec2((0.80 - skin.x) * EYE_WIDTH, 0.0);
+    for (int key = 0; key < int(look.z + 0.5); key++) {
+        iris += coats[key] * texture(paints, vec3(at, float(key))).rgb;
+    }
+    iris = mix(iris, tint.rgb, tint.a);
     float soft = max(fwidth(skin.x), 0.01);
-    float pupil = 1.0 - smoothstep(0.56 - soft, 0.56 + soft, skin.x);
-    float rim = smoothstep(0.88, 1.02, skin.x);
-    iris *= 0.80 + 0.45 * smoothstep(0.56, 0.72, skin.x) * (1.0 - rim);
-    vec3 paint = mix(to_light(iris), vec3(0.006), max(pupil, 0.75 * rim));
-    vec3 half_way = normalize(KEY_LIGHT + vec3(0.0, 0.0, 1.0));
-    float spot = smoothstep(0.955, 0.985, dot(n, half_way));
-    return vec4(lit(paint, n, 0.0, 0.0) + vec3(1.1 * spot), 1.0);
+    float pupil = 1.0 - smoothstep(PUPIL - soft, PUPIL + soft, skin.x);
+    float rim = smoothstep(0.86, 0.99, skin.x);
+    float ring = smoothstep(PUPIL, PUPIL + 0.14, skin.x);
+    vec3 paint = to_light(iris) * (0.70 + 0.50 * ring) * (1.0 - 0.80 * rim);
+    paint = mix(paint, vec3(0.006), pupil);
+    float spot = smoothstep(0.962, 0.984, dot(n, normalize(KEY_LIGHT + vec3(0.0, 0.10, 1.0))));
+    float glow = 0.10 * pupil * max(-n.y, 0.0); // Water light in the lens.
+    return vec4(lit(paint, n, 0.0, 0.0) + vec3(1.15 * spot) + glow * BELOW, 1.0);
 }
 
-// Rows of scales, each over the next one's root; gone where a pixel no longer tells them apart.
-float scales(vec2 uv)
+// Rows of round scales, each over the root of the next: how near this point is to an edge, and how
+// far its scale is tilted toward the tail, [0, 1] each.
+vec2 scales(vec2 uv)
 {
-    vec2 p = vec2(uv.x * look.y, uv.y * look.y * 0.9);
-    float near_ = clamp(1.6 - 2.2 * max(fwidth(p.x), fwidth(p.y)), 0.0, 1.0);
-    p.x += 0.5 * mod(floor(p.y), 2.0);
-    vec2 q = fract(p) - vec2(0.0, 0.5);
-    float d = length(q * vec2(0.92, 1.0));
-    float edge = smoothstep(0.62, 0.95, d) - 0.6 * smoothstep(0.30, 0.62, d) * (1.0 - d);
-    float trunk = smoothstep(0.23, 0.29, uv.x) * (1.0 - smoothstep(0.93, 1.0, uv.x));
-    return edge * near_ * trunk * step(1.0, look.y);
+    vec2 p = vec2(uv.x, uv.y * 0.82) * look.y;
+    float told = clamp(1.5 - 2.4 * max(fwidth(p.x), fwidth(p.y)), 0.0, 1.0);
+    float row = floor(p.y * 2.0);
+    float front = 9.0;
+    float edge = 0.0;
+    for (float k = -1.0; k < 2.5; k += 1.0) {
+        float shift = 0.5 * mod(row + k, 2.0);
+        float x = fract(p.x - shift);
+        float y = p.y - 0.5 * (row + k);
+        float back = sqrt(max(0.62 - y * y, 0.0)) - 0.08; // Where this row's scale ends.
+        float d = x < back ? back - x : back - x + 1.0;
+        if (d < front) {
+            front = d;
+            edge = y * y < 0.62 ? 1.0 - smoothstep(0.0, 0.22, d) : edge;
+        }
+    }
+    float trunk = smoothstep(0.22, 0.30, uv.x) * (1.0 - smoothstep(0.90, 1.0, uv.x));
+    return vec2(edge, clamp(1.2 - 1.3 * front, 0.0, 1.0)) * (told * trunk * step(1.0, look.y));
 }
 
 vec4 body(vec3 n)
@@ -119,16 +144,12 @@ vec4 body(vec3 n)
     float shine;
     mix_coats(paint, shine);
     paint.rgb = mix(paint.rgb, tint.rgb, tint.a);
-    float grown = (1.0 - paint.a) * (1.0 - tint.a);
-    float scale = scales(skin.xy) * grown;
-    float gill = max(1.0 - abs(skin.x - 0.235 + 0.5 * (skin.y - 0.5) * (skin.y - 0.5)) * 70.0, 0.0);
-    float under = 1.0 - abs(skin.y * 2.0 - 1.0);
-    gill *= smoothstep(0.18, 0.34, under) * (1.0 - smoothstep(0.75, 0.95, under)) * grown;
-    gill *= step(1.0, look.y);
-    vec3 base = to_light(paint.rgb) * (1.0 - 0.34 * scale) * (1.0 - 0.45 * gill);
-    vec3 light = lit(base, n, shine * (1.0 - 0.5 * scale), 0.35 + 0.5 * shine);
+    vec2 scale = scales(skin.xy) * (1.0 - paint.a) * (1.0 - tint.a);
+    n = normalize(n + vec3(0.10, 0.04, 0.0) * scale.y); // Each scale glints by itself.
+    vec3 base = to_light(paint.rgb) * (1.06 - 0.36 * scale.x);
+    vec3 light = lit(base, n, shine * (1.0 - 0.5 * scale.x), 0.35 + 0.5 * shine);
     float edge = 1.0 - max(n.z, 0.0);
-    float alpha = mix(1.0, 0.20 + 0.62 * edge * edge, paint.a);
+    float alpha = mix(1.0, 0.24 + 0.66 * edge * edge, paint.a);
     return vec4(light, alpha);
 }
 

@@ -79,5 +79,5 @@ void main()
     skin = vec4(surface.xy, part, 0.0);
     vec3 seen = axes * p;
     vec2 px = vec2(place.x + place.z * seen.x, place.y - place.z * seen.y);
-    gl_Position = vec4(px / screen_px * vec2(2.0, -2.0) + vec2(-1.0, 1.0), -0.5 * seen.z, 1.0);
+    gl_Position = vec4(px / screen_px * vec2(2.0, -2.0) + vec2(-1.0, 1.0), -0.2 * seen.z, 1.0);
 }

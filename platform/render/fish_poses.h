@@ -16,7 +16,7 @@
 uint32_t pose_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
                    uint32_t anchor_count);
 
-/* "#define KEYS 5" and so on, for a program that draws this species alone; `fins`: only its fins. */
+/* "#define KEYS 5" and so on, for a program that draws this species alone, or only its `fins`. */
 void pose_defines(char *out, size_t size, const struct species *species, bool fins);
 
 struct fish_poses {

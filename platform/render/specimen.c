@@ -1,7 +1,9 @@
 /* specimen.c -- see specimen.h. */
 #include "platform/render/specimen.h"
 
-#define THREE_QUARTER_RAD (14.0f * F_DEG) /* So much of the face and the back gives it body. */
+#include <stddef.h>
+
+#define THREE_QUARTER_RAD (14.0f * F_DEG) /* So much of its face gives it body. */
 
 /* (x, y) turned by an angle whose cosine and sine are `c` and `s`. */
 static void turn(vec3 *x, vec3 *y, float c, float s)
@@ -29,10 +31,53 @@ void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, 
     *y_px = specimen->y_px - specimen->length_px * v3_dot(axes.up, point);
 }
 
+static struct specimen_bounds reach(const struct specimen_axes *axes, const vec3 *positions,
+                                    uint32_t count, struct specimen_bounds bounds)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const float x = v3_dot(axes->right, positions[i]), y = v3_dot(axes->up, positions[i]);
+        bounds.left = f_max(bounds.left, -x);
+        bounds.right = f_max(bounds.right, x);
+        bounds.up = f_max(bounds.up, y);
+        bounds.down = f_max(bounds.down, -y);
+    }
+    return bounds;
+}
+
+struct specimen_bounds specimen_bounds(const struct specimen *specimen)
+{
+    vec3 positions[MESH_VERTEX_MAX];
+    struct morph_pose pose;
+    struct morph_rig rig;
+    struct specimen_bounds bounds = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const struct species *const species = specimen->species;
+    const struct species_mesh *const mesh = &species->lod[SPECIES_LOD_COUNT - 1u];
+    const struct specimen_axes axes = specimen_axes(specimen);
+    const uint32_t last = species->card.key_count - 1u;
+    morph_rig_init(&rig, &species->card, TEMPLATE_PAIRWISE);
+    for (uint32_t key = 0; key <= last; key++) {
+        morph_pose(&rig, mesh, (float)key / (float)last, &pose);
+        morph_shape(mesh, species->card.key_count, &pose, positions, NULL);
+        bounds = reach(&axes, positions, mesh->vertex_count, bounds);
+    }
+    return bounds;
+}
+
+void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width_px,
+                  float height_px)
+{
+    const struct specimen_bounds bounds = specimen_bounds(specimen);
+    const float length_px = f_min(width_px / (bounds.left + bounds.right),
+                                  height_px / (bounds.up + bounds.down));
+    specimen->length_px = length_px;
+    specimen->x_px = x_px + 0.5f * (width_px + (bounds.left - bounds.right) * length_px);
+    specimen->y_px = y_px + 0.5f * (height_px + (bounds.up - bounds.down) * length_px);
+}
+
 void specimen_portrait(struct specimen *specimen)
 {
     const struct species_card *card = &specimen->species->card;
-    const bool wide = card->form == FORM_DEPRESSED && card->motion == MOTION_WING;
-    specimen->yaw_rad = wide ? 25.0f * F_DEG : THREE_QUARTER_RAD;
-    specimen->pitch_rad = wide ? 48.0f * F_DEG : 0.5f * THREE_QUARTER_RAD;
+    const bool wing = card->motion == MOTION_WING, eel = card->motion == MOTION_EEL;
+    specimen->yaw_rad = wing ? 25.0f * F_DEG : THREE_QUARTER_RAD;
+    specimen->pitch_rad = wing ? 48.0f * F_DEG : eel ? 20.0f * F_DEG : 0.5f * THREE_QUARTER_RAD;
 }

@@ -39,8 +39,19 @@ struct specimen_axes specimen_axes(const struct specimen *specimen);
 /* Where a point of the body's frame is seen: lengths, as morph_shape() gives it, not swimming. */
 void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px);
 
-/* The sides from which a species is drawn in books: most from the left, a ray from above. Fills yaw
- * and pitch and leaves the rest. */
+/* How far it is seen to reach from its middle, in lengths, at whichever of its keys it reaches
+ * most: a frame that holds it all its life. Swimming in place is not counted. */
+struct specimen_bounds {
+    float left, right, up, down; /* >= 0 each. */
+};
+struct specimen_bounds specimen_bounds(const struct specimen *specimen);
+
+/* Sets place and length so that it fits the box all its life, in the middle of it. About 0.1 ms. */
+void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width_px,
+                  float height_px);
+
+/* The sides from which a species is drawn in books: most from the left, an eel a little from above
+ * so that its wave is seen, a ray from high above. Fills yaw and pitch and leaves the rest. */
 void specimen_portrait(struct specimen *specimen);
 
 #endif

@@ -9,7 +9,7 @@
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines"
 #define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
-#define REACH_LENGTHS 0.8f /* No species reaches farther from its middle, swimming and all. */
+#define SWAY_LENGTHS 0.3f /* So far swimming brings it out of its mesh's reach, at most. */
 #define COARSE 4u        /* Texels a side that the first, coarse painting takes as one. */
 #define WORK_BANDS 4u    /* Painted in a frame: 8,192 texels. */
 #define BANDS (PAINT_SIZE / PAINT_BAND)
@@ -218,16 +218,26 @@ static float clearness(const struct species *species, const float coats[MORPH_KE
     return clear;
 }
 
-/* How many scales show along a fish of each form: an eel's and a ray's skin is smooth. */
+/* How many scales lie along a fish: about 30 on a carp, 50 on a bream; a flatfish's are fine, a
+ * tuna's, an eel's, a puffer's and a ray's are not to be seen. */
 static float scale_rows(const struct species *species)
 {
-    static const float rows[] = { 46.0f, 54.0f, 70.0f, 0.0f, 0.0f };
-    return species->card.motion == MOTION_WING ? 0.0f : rows[species->card.form];
+    static const float rows[] = { [FORM_FUSIFORM] = 31.0f, [FORM_COMPRESSED] = 50.0f,
+                                  [FORM_DEPRESSED] = 80.0f, [FORM_EEL] = 0.0f,
+                                  [FORM_PUFFER] = 0.0f };
+    const uint8_t motion = species->card.motion;
+    return motion == MOTION_WING || motion == MOTION_TUNA ? 0.0f : rows[species->card.form];
 }
 
+/* What a specimen's two programs are told alike. */
+struct told {
+    float coats[MORPH_KEY_MAX];
+    float look[4];
+    float screen_px[2];
+};
+
 static void send(const struct specimen_program *program, const struct specimen *specimen,
-                 const struct specimen_slot *slot, const float coats[MORPH_KEY_MAX],
-                 const float screen_px[2])
+                 const struct specimen_slot *slot, const struct told *told)
 {
     const struct species_card *const card = &slot->species->card;
     const struct specimen_axes axes = specimen_axes(specimen);
@@ -238,12 +248,11 @@ static void send(const struct specimen_program *program, const struct specimen *
     glUseProgram(program->name);
     glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
     glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
-    glUniform2fv(program->screen, 1, screen_px);
+    glUniform2fv(program->screen, 1, told->screen_px);
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
-    glUniform3f(program->look, 1.0f - specimen->fade, scale_rows(slot->species),
-                (float)card->key_count);
+    glUniform4fv(program->look, 1, told->look);
     glUniform4fv(program->tint, 1, tint);
-    glUniform1fv(program->coats, MORPH_KEY_MAX, coats);
+    glUniform1fv(program->coats, MORPH_KEY_MAX, told->coats);
 }
 
 static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
@@ -259,9 +268,9 @@ static void draw_shadow(const struct specimen_pass *pass, const struct specimen 
 }
 
 /* The depth of what was drawn there before is of no use: each specimen is on a page of its own. */
-static void clear_depth(const struct specimen *specimen, float height_px)
+static void clear_depth(const struct specimen *specimen, float reach_lengths, float height_px)
 {
-    const float reach = REACH_LENGTHS * specimen->length_px;
+    const float reach = (reach_lengths + SWAY_LENGTHS) * specimen->length_px;
     glEnable(GL_SCISSOR_TEST);
     glScissor((GLint)(specimen->x_px - reach), (GLint)(height_px - specimen->y_px - reach),
               (GLsizei)(2.0f * reach), (GLsizei)(2.0f * reach));
@@ -269,7 +278,6 @@ static void clear_depth(const struct specimen *specimen, float height_px)
     glDisable(GL_SCISSOR_TEST);
 }
 
-/* With the program in use; both know the pose. */
 static void draw_part(const struct specimen_program *program, const struct fish_mesh *mesh,
                       bool fins)
 {
@@ -278,20 +286,30 @@ static void draw_part(const struct specimen_program *program, const struct fish_
     fish_mesh_draw(mesh, fins, 1);
 }
 
-/* Through a clear body its far fins are seen: what lies behind its skin is drawn first. */
-static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear)
+/* Through a clear body its far fins are seen: what is behind its skin is drawn first. */
+static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh,
+                        const float look[4])
+{
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_part(&pass->body, mesh, false);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_GREATER);
+    glUseProgram(pass->fin.name);
+    glUniform4f(pass->fin.look, look[0], look[1], look[2], 1.0f);
+    draw_part(&pass->fin, mesh, true);
+    glUniform4fv(pass->fin.look, 1, look);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+}
+
+static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
+                      const float look[4])
 {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     if (clear) {
-        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        draw_part(&pass->body, mesh, false);
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glDepthMask(GL_FALSE);
-        glDepthFunc(GL_GREATER);
-        draw_part(&pass->fin, mesh, true);
-        glDepthMask(GL_TRUE);
-        glDepthFunc(GL_LEQUAL);
+        draw_behind(pass, mesh, look);
     }
     draw_part(&pass->body, mesh, false);
     glDepthMask(GL_FALSE);
@@ -301,32 +319,39 @@ static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *
     glDisable(GL_DEPTH_TEST);
 }
 
+static void send_pose(struct specimen_pass *pass, uint32_t anchor_count)
+{
+    pose_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, anchor_count);
+    glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, pass->pose_buffer);
+}
+
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
                         float width_px, float height_px)
 {
     CORE_ASSERT(specimen->length_px > 0.0f);
     struct specimen_slot *const slot = slot_of(pass, specimen);
     const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
-    const struct morph_rig *const rig = specimen->rig ? specimen->rig : &slot->rig;
-    const float screen_px[2] = { width_px, height_px };
-    float coats[MORPH_KEY_MAX];
-    morph_pose(rig, &slot->species->lod[lod], specimen->progress, &pass->pose);
-    pose_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, slot->species->lod[lod].anchor_count);
-    coat_weights(coats, pass->pose.weight[0]);
-    glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
-    gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 1, pass->pose_buffer);
+    const struct species_mesh *const mesh = &slot->species->lod[lod];
+    struct told told = { .look = { 1.0f - specimen->fade, scale_rows(slot->species),
+                                   (float)slot->species->card.key_count },
+                         .screen_px = { width_px, height_px } };
+    morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
+    coat_weights(told.coats, pass->pose.weight[0]);
+    send_pose(pass, mesh->anchor_count);
+    glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (specimen->shadow > 0.0f) {
-        draw_shadow(pass, specimen, screen_px);
+        draw_shadow(pass, specimen, told.screen_px);
     }
-    send(&pass->body, specimen, slot, coats, screen_px);
-    send(&pass->fin, specimen, slot, coats, screen_px);
-    clear_depth(specimen, height_px);
+    send(&pass->body, specimen, slot, &told);
+    send(&pass->fin, specimen, slot, &told);
+    clear_depth(specimen, mesh->reach, height_px);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->paints);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->shines);
     glBindVertexArray(slot->mesh[lod].vertex_array);
-    draw_fish(pass, &slot->mesh[lod], clearness(slot->species, coats) > CLEAR_MIN);
+    draw_fish(pass, &slot->mesh[lod], clearness(slot->species, told.coats) > CLEAR_MIN, told.look);
     glBindVertexArray(0);
 }

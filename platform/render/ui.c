@@ -154,10 +154,8 @@ static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit, floa
     }
 }
 
-void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
-             float width_px, float height_px)
+void ui_show(struct ui *ui, struct specimen_pass *specimens, float width_px, float height_px)
 {
-    ui_screens(&ui->batch, &ui->memory, scene, width_px, height_px);
     set_state(ui, width_px, height_px);
     /* A fresh store each frame, so that the driver need not wait for the last frame's drawing. */
     glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
@@ -172,6 +170,13 @@ void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene 
     }
     draw_quads(ui, quad, ui->batch.quad_count, width_px, height_px);
     glBindVertexArray(0);
+}
+
+void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
+             float width_px, float height_px)
+{
+    ui_screens(&ui->batch, &ui->memory, scene, width_px, height_px);
+    ui_show(ui, specimens, width_px, height_px);
 }
 
 void ui_close(struct ui *ui)

@@ -40,6 +40,9 @@ int ui_init(struct ui *ui, char *why, size_t why_size);
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
              float width_px, float height_px);
 
+/* The same with what is in the batch already. */
+void ui_show(struct ui *ui, struct specimen_pass *specimens, float width_px, float height_px);
+
 /* Frees the OpenGL objects; the same context must be current. */
 void ui_close(struct ui *ui);
 

@@ -7,6 +7,7 @@
  *   --thesis           as chapter 4 of the 2005 thesis has it
  *   --yaw --pitch --roll DEGREES   from another side than books do
  *   --amplitude A --phase RADIANS  how it swims; --cell WxH of one fish, px; -o FILE
+ *   --water RRGGBB     what it swims in
  *
  * A developer's eye: `make specimen ARGS="--species hirame --progress 0.5 --cell 1200x700"`. */
 #include <GLES3/gl3.h>
@@ -15,8 +16,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fonts.h"
 #include "platform/png.h"
 #include "platform/render/specimen_pass.h"
+#include "platform/render/ui.h"
 
 #define STEPS_MAX 12u
 #define SIDE_MAX 8192u
@@ -26,11 +29,13 @@ struct options {
     const char *species, *out;
     float progress[STEPS_MAX];
     uint32_t step_count, width, height;
+    uint32_t water; /* 0xRRGGBBAA */
     uint8_t keys, thesis, template, turned;
     float yaw_rad, pitch_rad, roll_rad, amplitude, phase_rad;
 };
 
 static struct specimen_pass pass;
+static struct ui ui;
 static struct straight_memory straight[SPECIES_MAX];
 static struct species straightened[SPECIES_MAX];
 static uint8_t rgba[PIXELS_MAX * 4u], rgb[PIXELS_MAX * 3u];
@@ -103,6 +108,8 @@ static void read_value(struct options *o, const char *name, const char *value)
     } else if (!strcmp(name, "--pitch")) {
         o->pitch_rad = number * F_DEG;
         o->turned = 1;
+    } else if (!strcmp(name, "--water")) {
+        o->water = (uint32_t)strtoul(value, NULL, 16) << 8u | 255u;
     } else if (!strcmp(name, "--roll")) {
         o->roll_rad = number * F_DEG;
     } else {
@@ -113,7 +120,7 @@ static void read_value(struct options *o, const char *name, const char *value)
 static struct options parse(int count, char **words)
 {
     struct options o = { .out = "out/specimen.png", .width = 420, .height = 260, .amplitude = 0.6f,
-                         .phase_rad = 1.0f };
+                         .phase_rad = 1.0f, .water = 0x2f6c7cffu };
     for (int i = 1; i < count; i++) {
         if (!read_flag(&o, words[i])) {
             read_value(&o, words[i], i + 1 < count ? words[i + 1] : "");
@@ -145,20 +152,36 @@ static uint32_t steps_of(const struct options *o, const struct species *species)
     return o->keys ? species->card.key_count : o->step_count;
 }
 
+static void label(const struct options *o, const struct species *species,
+                  const struct specimen *fish, float x_px, float y_px)
+{
+    char words[96];
+    const float size_px = (float)o->height / 20.0f;
+    const float mm = 1e3f * life_length_m(&species->card, fish->progress);
+    snprintf(words, sizeof words, mm < 1000.0f ? "%s %.3g mm" : "%s %.4g mm", species->card.id,
+             (double)mm);
+    const struct ui_text style = { .font = FONT_BODY, .size_px = size_px, .align = 0.5f,
+                                   .fill = 0xffffffd0u };
+    ui_text(&ui.batch, &style, x_px, y_px, words);
+}
+
 static void show(const struct options *o, const struct species *species, uint32_t row,
                  const float sheet[2])
 {
     struct morph_rig rig;
     const uint32_t steps = steps_of(o, species);
+    ui_batch_clear(&ui.batch);
+    ui_shape(&ui.batch, &(struct ui_shape){
+        .box = { 0.0f, (float)(row * o->height), sheet[0], (float)o->height },
+        .kind = UI_WATER,
+        .fill = o->water,
+        .line = 0x0f2c36ff });
     morph_rig_init(&rig, &species->card, (enum graph_template)o->template);
     for (uint32_t i = 0; i < steps; i++) {
         struct specimen fish = {
             .species = species,
             .rig = &rig,
             .progress = o->keys ? (float)i / (float)(steps - 1u) : o->progress[i],
-            .x_px = ((float)i + 0.5f) * (float)o->width,
-            .y_px = ((float)row + 0.47f) * (float)o->height,
-            .length_px = 0.84f * f_min((float)o->width, 1.5f * (float)o->height),
             .phase_rad = o->phase_rad,
             .amplitude = o->amplitude,
             .shadow = 0.35f,
@@ -169,9 +192,15 @@ static void show(const struct options *o, const struct species *species, uint32_
             fish.pitch_rad = o->pitch_rad;
         }
         fish.roll_rad = o->roll_rad;
+        specimen_fit(&fish, ((float)i + 0.06f) * (float)o->width,
+                     ((float)row + 0.06f) * (float)o->height, 0.88f * (float)o->width,
+                     0.80f * (float)o->height);
         specimen_pass_finish(&pass, &fish);
-        specimen_pass_draw(&pass, &fish, sheet[0], sheet[1]);
+        ui_specimen(&ui.batch, &fish);
+        label(o, species, &fish, ((float)i + 0.5f) * (float)o->width,
+              ((float)row + 0.955f) * (float)o->height);
     }
+    ui_show(&ui, &pass, sheet[0], sheet[1]);
 }
 
 static const struct species *variant(const struct options *o, const struct species *species,
@@ -223,9 +252,14 @@ int main(int count, char **words)
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
                                              .width = width,
                                              .height = height,
+                                             .samples = 4,
                                              .depth = true });
     if (!gl_is_well(&status)) {
         fail("OpenGL", status.text);
+    }
+    char why[256];
+    if (!ui_init(&ui, why, sizeof why)) {
+        fail("words", why);
     }
     gl_target_bind(&target);
     glClearColor(0.72f, 0.82f, 0.84f, 1.0f);
@@ -234,5 +268,7 @@ int main(int count, char **words)
     for (uint32_t row = 0; row < rows; row++) {
         show(&options, chosen[row], row, (const float[2]){ (float)width, (float)height });
     }
+    gl_target_resolve(&target);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.resolve);
     return keep(options.out, width, height) == 0 ? 0 : 74;
 }
