@@ -52,8 +52,9 @@ static void print_row(const struct path_plan *plan, float progress)
     const vec3 o = morph_part_place(plan->ordinary, &plan->ordinary_rig, plan->vertex, progress);
     printf("%.6f,%.3f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", (double)progress,
            (double)life_age_days(card, progress), 1e3 * (double)life_length_m(card, progress),
-           (double)p.x, (double)p.y, (double)p.z, (double)chord_distance(&plan->chord, p), (double)o.x,
-           (double)o.y, (double)o.z, (double)chord_distance(&plan->ordinary_chord, o));
+           (double)p.x, (double)p.y, (double)p.z, (double)chord_distance(&plan->chord, p),
+           (double)o.x, (double)o.y, (double)o.z,
+           (double)chord_distance(&plan->ordinary_chord, o));
 }
 
 static enum exit_code print_table(const struct path_plan *plan)
