@@ -1,9 +1,11 @@
 # species.mk -- bakes assets/species/*.txt into constant tables of the core.
 
 SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
-# All but the kiosk's shelf, which knows the table that is baked here.
+# All but the kiosk's shelf, which knows the table that is baked here, and the kernels for wide
+# processors, which a bake does without.
 SPECIES_PARTS := assets/bake/species assets/bake/species_write \
-    $(patsubst %.c,%,$(filter-out %/shelf.c,$(wildcard platform/species/*.c))) $(patsubst %.c,%,$(wildcard core/morph/*.c)) \
+    $(patsubst %.c,%,$(filter-out %/shelf.c,$(wildcard platform/species/*.c))) \
+    $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \
     core/base/fmath core/base/vec
 # Compiled for the building machine, apart from what is compiled for the kiosk.
 SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/bake_host/%.o)

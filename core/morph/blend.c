@@ -1,10 +1,11 @@
 /* blend.c -- P = sum of V_i K_i: the 2005 thesis' eq. 3.2, for any number of key shapes.
  *
  * The renderer blends in the vertex shader; this is the same sum from the same tables for whoever
- * has no GPU. */
+ * has no GPU, a vertex at a time, and a block at a time in blend_lanes.c. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
+#include "core/morph/blend_lanes.h"
 
 #define COUNTS 32767.0f
 
@@ -18,12 +19,11 @@ vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vert
 vec3 morph_normal(int16_t folded)
 {
     const int32_t code = (int32_t)folded + 32767;
-    const float x = (float)(code >> 8) / 127.0f - 1.0f;
-    const float y = (float)(code & 255) / 127.0f - 1.0f;
-    const float z = 1.0f - f_abs(x) - f_abs(y);
+    const float x = (float)((code >> 8) - 127), y = (float)((code & 255) - 127);
+    const float z = 127.0f - f_abs(x) - f_abs(y);
     const float t = f_max(-z, 0.0f);
-    return v3_normalize_or(v3(x - (x >= 0.0f ? t : -t), y - (y >= 0.0f ? t : -t), z),
-                           v3(0.0f, 1.0f, 0.0f));
+    const vec3 n = v3(x - (x >= 0.0f ? t : -t), y - (y >= 0.0f ? t : -t), z);
+    return v3_scale(n, 1.0f / v3_length(n)); /* Never of length 0. */
 }
 
 /* A unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1, as one number that
@@ -43,35 +43,38 @@ int16_t morph_fold_normal(vec3 n)
     return (int16_t)(high * 256 + low - 32767);
 }
 
-/* What each key counts for one vertex: the curves' weights, by its masks. Whole numbers are summed
+/* What a key counts for one vertex: the curves' weights, by its masks. Whole numbers are summed
  * before they are divided, so that a key which all curves show alone counts exactly 1. */
-static void vertex_weights(const struct species_vertex *vertex, uint32_t key_count,
-                           const struct morph_pose *pose, float weights[MORPH_KEY_MAX])
+static float vertex_weight(const struct species_vertex *vertex, const struct morph_pose *pose,
+                           uint32_t key)
 {
-    for (uint32_t key = 0; key < key_count; key++) {
-        float sum = 0.0f;
-        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-            sum += pose->weight[curve][key] * (float)vertex->mask[curve];
-        }
-        weights[key] = sum / 255.0f;
+    float sum = 0.0f;
+    if (vertex->mask[0] == 255) {
+        return pose->weight[0][key];
     }
+    for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+        sum += pose->weight[curve][key] * (float)vertex->mask[curve];
+    }
+    return sum / 255.0f;
 }
 
 struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_count,
                                const struct morph_pose *pose, uint32_t vertex)
 {
-    struct morph_point point = { { 0.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 0.0f } };
-    float weights[MORPH_KEY_MAX];
+    vec3 counts = { 0.0f, 0.0f, 0.0f }, normal = counts;
     CORE_ASSERT(vertex < mesh->vertex_count);
-    vertex_weights(&mesh->vertices[vertex], key_count, pose, weights);
     for (uint32_t key = 0; key < key_count; key++) {
-        const vec3 normal = morph_normal(mesh->points[key][vertex].normal);
-        point.position =
-            v3_mad(point.position, morph_position(mesh, key, vertex), weights[key]);
-        point.normal = v3_mad(point.normal, normal, weights[key]);
+        const struct species_point *p = &mesh->points[key][vertex];
+        const float weight = vertex_weight(&mesh->vertices[vertex], pose, key);
+        if (weight != 0.0f) {
+            counts = v3_mad(counts, v3((float)p->x, (float)p->y, (float)p->z), weight);
+            normal = v3_mad(normal, morph_normal(p->normal), weight);
+        }
     }
-    point.normal = v3_normalize_or(point.normal, v3(0.0f, 1.0f, 0.0f));
-    return point;
+    return (struct morph_point){
+        .position = v3_scale(counts, mesh->reach / COUNTS),
+        .normal = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)),
+    };
 }
 
 static struct morph_point carried(const struct anchor_pose *anchor, struct morph_point point)
@@ -82,11 +85,10 @@ static struct morph_point carried(const struct anchor_pose *anchor, struct morph
     };
 }
 
-void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
-                 vec3 *positions, vec3 *normals)
+void blend_each(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                uint32_t first, vec3 *positions, vec3 *normals)
 {
-    CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+    for (uint32_t i = first; i < mesh->vertex_count; i++) {
         const uint8_t anchor = mesh->vertices[i].anchor;
         struct morph_point point = morph_point(mesh, key_count, pose, i);
         if (anchor != ANCHOR_NONE) {
@@ -100,4 +102,12 @@ void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const stru
             normals[i] = point.normal;
         }
     }
+}
+
+void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                 vec3 *positions, vec3 *normals)
+{
+    CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
+    const uint32_t done = blend_blocks_4(mesh, key_count, pose, positions, normals);
+    blend_each(mesh, key_count, pose, done, positions, normals);
 }

@@ -175,11 +175,26 @@ static float to_triangle(vec3 p, const vec3 c[3])
     return above ? f_min(nearest, fabsf(v3_dot(normal, v3_sub(p, c[0])))) : nearest;
 }
 
+static float to_span(float x, float a, float b, float c)
+{
+    return f_max(f_max(f_min(f_min(a, b), c) - x, x - f_max(f_max(a, b), c)), 0.0f);
+}
+
+/* No nearer than the box around the triangle. */
+static float to_box(vec3 p, const vec3 c[3])
+{
+    return v3_length(v3(to_span(p.x, c[0].x, c[1].x, c[2].x),
+                        to_span(p.y, c[0].y, c[1].y, c[2].y),
+                        to_span(p.z, c[0].z, c[1].z, c[2].z)));
+}
+
 float skin_distance(const struct skin *skin, vec3 point)
 {
     float nearest = FLT_MAX;
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
-        nearest = f_min(nearest, to_triangle(point, skin->corner[i]));
+        if (to_box(point, skin->corner[i]) < nearest) {
+            nearest = f_min(nearest, to_triangle(point, skin->corner[i]));
+        }
     }
     return nearest;
 }

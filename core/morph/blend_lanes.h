@@ -1,0 +1,20 @@
+/* blend_lanes.h -- morph_shape() for LANES vertices at once; see core/base/lanes.h. */
+#ifndef KINGYO_CORE_MORPH_BLEND_LANES_H
+#define KINGYO_CORE_MORPH_BLEND_LANES_H
+
+#include "core/base/lanes.h"
+#include "core/morph/morph.h"
+
+LANES_BEGIN
+/* Whole blocks from vertex 0 on, but always leaves the last vertices: says at which it stopped. */
+uint32_t blend_blocks_4(const struct species_mesh *mesh, uint32_t key_count,
+                        const struct morph_pose *pose, vec3 *positions, vec3 *normals);
+uint32_t blend_blocks_8(const struct species_mesh *mesh, uint32_t key_count,
+                        const struct morph_pose *pose, vec3 *positions, vec3 *normals);
+
+/* The vertices from `first` on, one by one. */
+void blend_each(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                uint32_t first, vec3 *positions, vec3 *normals);
+LANES_END
+
+#endif
