@@ -9,14 +9,14 @@
 static const char name[] = "morph";
 
 static const struct morph_command *const table[] = {
-    &ctl_morph_import,
     &ctl_morph_list,
     &ctl_morph_weights,
     &ctl_morph_growth,
     &ctl_morph_path,
+    &ctl_morph_graph,
     &ctl_morph_check,
     &ctl_morph_export,
-    &ctl_morph_graph,
+    &ctl_morph_import,
 };
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
@@ -107,7 +107,7 @@ static enum exit_code run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_morph = {
     .name = name,
-    .summary = "fish of any age from a few drawings: weights, growth, paths, graphs",
+    .summary = "fish of any age from a few drawings: graphs, growth, export, check, import",
     .helps_itself = 1,
     .run = run,
 };
