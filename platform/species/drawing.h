@@ -54,6 +54,7 @@ struct key_text {
     float length_m;
     float age_days; /* Below 0: not written; it follows from the length. */
     float gill;     /* Where the gill cover ends; 0: not written. */
+    bool confluent; /* As the species says. */
     uint32_t station_count;
     struct station stations[STATION_MAX];
     struct eye eyes[2];          /* Right, left. */

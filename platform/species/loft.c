@@ -11,10 +11,10 @@
 #define RINGS_MAX 64
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
-    { .rings = 24, .spokes = 16, .eye_rings = 5, .eye_spokes = 12,
-      .fins = { [PART_TAIL] = { 9, 5 }, [PART_DORSAL] = { 12, 4 }, [PART_ANAL] = { 8, 4 },
-                [PART_PECTORAL] = { 5, 4 }, [PART_PELVIC] = { 4, 4 },
-                [PART_DORSAL_2] = { 5, 3 } } },
+    { .rings = 24, .spokes = 16, .eye_rings = 5, .eye_spokes = 14,
+      .fins = { [PART_TAIL] = { 11, 4 }, [PART_DORSAL] = { 13, 4 }, [PART_ANAL] = { 8, 4 },
+                [PART_PECTORAL] = { 6, 3 }, [PART_PELVIC] = { 5, 3 },
+                [PART_DORSAL_2] = { 6, 3 } } },
     { .rings = 8, .spokes = 8, .eye_rings = 2, .eye_spokes = 5,
       .fins = { [PART_TAIL] = { 5, 3 }, [PART_DORSAL] = { 5, 2 }, [PART_ANAL] = { 3, 2 },
                 [PART_PECTORAL] = { 3, 2 }, [PART_PELVIC] = { 3, 2 },
@@ -69,13 +69,14 @@ struct species_anchor *next_anchor(struct lofting *l, enum species_part part, ui
 
 /* The snout's or tail root's closing point, on its section's axis: once for each flank, so that a
  * pattern's v does not run through the belly's. `normal` and the answer are the right one's. */
-static uint32_t add_poles(struct lofting *l, double u, double z, point3 normal)
+static uint32_t add_poles(struct lofting *l, double u, point3 normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
         next_vertex(l, (struct species_vertex){ .u = (float)u, .v = side > 0 ? 0.25f : 0.75f,
                                                 .anchor = ANCHOR_NONE });
         for (uint32_t key = 0; key < l->species->key_count; key++) {
             const struct station s = section(&l->species->keys[key], u);
+            const double z = u > 0.0 ? body_end(&l->species->keys[key]) : 0.0;
             place(l, key, (point3){ 0.0, (double)s.offset, z },
                   (point3){ normal.x * side, normal.y, normal.z });
         }
@@ -102,13 +103,13 @@ static void add_body(struct lofting *l)
     double u[RINGS_MAX];
     assert(rings <= RINGS_MAX);
     place_rings(l->species, rings, u);
-    const uint32_t snout = add_poles(l, 0.0, 0.0, (point3){ 0.0, 0.0, -1.0 });
+    const uint32_t snout = add_poles(l, 0.0, (point3){ 0.0, 0.0, -1.0 });
     const uint32_t first = l->loft->vertex_count;
     for (uint32_t ring = 0; ring < rings; ring++) {
         add_ring(l, u[ring]);
     }
     const uint32_t last = first + (rings - 1) * (spokes + 1);
-    const uint32_t end = add_poles(l, 1.0, BODY_END, unit((point3){ 1.0, 0.0, 0.3 }));
+    const uint32_t end = add_poles(l, 1.0, unit((point3){ 1.0, 0.0, 0.3 }));
     for (uint32_t j = 0; j < spokes; j++) {
         const uint32_t left = 2 * j < spokes ? 0 : 1;
         triangle(l, snout + left, first + j, first + j + 1);

@@ -45,7 +45,8 @@ struct ball {
 };
 struct ball eye_ball(const struct key_text *key, uint32_t side);
 
-#define BODY_END 1.03 /* The body's last point, a little behind its last ring. */
+/* The body's last point, a little behind its last ring. */
+double body_end(const struct key_text *key);
 
 /* `at` 0 .. 1 from the first ray to the last, `along` 0 .. 1 from root to tip. The root (0) lies in
  * the body, everything beyond it (down to the least above 0) outside. */

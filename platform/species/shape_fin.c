@@ -7,12 +7,16 @@
 #define FIN_SINK 0.014   /* How deep fin roots lie under the skin, so that no gap shows. */
 #define SHOWN_MIN 0.004  /* So much of a ray shows, however short: less has no side to face to. */
 #define SINK_SHARE 0.3   /* Of a thinner body's thickness: no deeper than this. */
-#define TAIL_ROOT 0.965  /* Where along the body the tail's rays start, inside the last ring. */
+#define TAIL_SINK 0.035  /* So far before the last ring the tail's rays start, ... */
+#define STALK_SINK 1.2   /* ... or so much of the stalk's end depth where it is thin. */
+#define END_MAX 0.03     /* So far behind the last ring the body closes, ... */
+#define END_SHARE 0.25   /* ... or so much of that depth. */
 #define SIDE_AT_ROOT 0.4 /* Of a median ray's turn to the side; the rest comes along it. */
 #define THINNEST 0.2     /* Of half the stalk: a tail's base reaches so far up and down at least. */
 #define RAY_STEPS 12
 #define EXIT_STEPS 24    /* A ray's way out of the body is told to so fine a part of it. */
 #define EXIT_MAX 0.85    /* A ray shows at least the rest. */
+#define JOIN_FROM 0.8    /* Of an eel's dorsal and anal base: there they begin to join the tail. */
 #define CLEAR_OF 1.02    /* A fin that hugs the flank lies so much farther out. */
 
 static struct ray ray_at(const struct fin *fin, double at)
@@ -31,15 +35,26 @@ static struct ray ray_at(const struct fin *fin, double at)
                          .side_deg = (float)curve_through(x, y[2], n, at) };
 }
 
+static double stalk_depth(const struct key_text *key)
+{
+    return (double)key->stations[key->station_count - 1].depth;
+}
+
+double body_end(const struct key_text *key)
+{
+    return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
+}
+
 /* From the base's top (0) to its bottom, within the stalk however tall a maker draws it. */
 static point3 tail_root(const struct key_text *key, double at)
 {
     const struct fin *fin = &key->fins[PART_TAIL];
-    const struct station s = section(key, TAIL_ROOT);
+    const double x = 1.0 - fmin(TAIL_SINK, STALK_SINK * stalk_depth(key));
+    const struct station s = section(key, x);
     const double half = 0.5 * (double)s.depth * (1.0 - SINK_SHARE), middle = (double)s.offset;
     const double top = fmax(fmin((double)fin->end, middle + half), middle + THINNEST * half);
     const double bottom = fmin(fmax((double)fin->start, middle - half), middle - THINNEST * half);
-    return (point3){ 0.0, top + (bottom - top) * at, TAIL_ROOT };
+    return (point3){ 0.0, top + (bottom - top) * at, x };
 }
 
 /* How deep a fin's root lies under the skin at `x`. */
@@ -122,11 +137,12 @@ static point3 ray_point(const struct key_text *key, enum species_part part, doub
 /* How far out of the body's axis `p` is, 1 at the skin; behind the body's end it is out. */
 static double outness(const struct key_text *key, point3 p)
 {
-    if (p.z >= BODY_END) {
+    const double end = body_end(key);
+    if (p.z >= end) {
         return CLEAR_OF;
     }
     const struct station s = section(key, fmin(p.z, 1.0));
-    const double closing = p.z > 1.0 ? (BODY_END - p.z) / (BODY_END - 1.0) : 1.0;
+    const double closing = p.z > 1.0 ? (end - p.z) / (end - 1.0) : 1.0;
     const double e = (double)s.exponent;
     const double x = fabs(p.x) / (0.5 * (double)s.width * closing);
     const double y = fabs(p.y - (double)s.offset) / (0.5 * (double)s.depth * closing);
@@ -155,7 +171,8 @@ static point3 on_flank(const struct key_text *key, point3 p)
     return (point3){ p.x * k, middle + (p.y - middle) * k, p.z };
 }
 
-point3 fin_point(const struct key_text *key, enum species_part part, double at, double along)
+/* The root of a ray, or what is seen of it. */
+static point3 own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
         return fin_base(key, part, at, sink_at(key, base_x(&key->fins[part], at)));
@@ -165,6 +182,27 @@ point3 fin_point(const struct key_text *key, enum species_part part, double at, 
     }
     const double exit = fin_exit(key, part, at);
     return ray_point(key, part, at, exit + (1.0 - exit) * along);
+}
+
+/* How far an eel's dorsal or anal fin has become the edge of its tail fin. */
+static double joined(const struct key_text *key, enum species_part part, double at)
+{
+    if (!key->confluent || (part != PART_DORSAL && part != PART_ANAL)) {
+        return 0.0;
+    }
+    const double t = fmax((at - JOIN_FROM) / (1.0 - JOIN_FROM), 0.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+point3 fin_point(const struct key_text *key, enum species_part part, double at, double along)
+{
+    const point3 own = own_point(key, part, at, along);
+    const double share = joined(key, part, at);
+    if (share <= 0.0) {
+        return own;
+    }
+    const point3 tail = own_point(key, PART_TAIL, part == PART_DORSAL ? 0.0 : 1.0, along);
+    return mad(mad((point3){ 0.0, 0.0, 0.0 }, own, 1.0 - share), tail, share);
 }
 
 point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along)

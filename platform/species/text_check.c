@@ -105,7 +105,12 @@ bool check_species(struct reader *r)
     if (s->scale_knot_count > 0 && s->scale_knots[s->scale_knot_count - 1].progress != 1.0f) {
         return refuse(r, "scale knots go from progress 0 to 1");
     }
+    const uint32_t joined = 1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL;
+    if (s->confluent && (s->without & joined) != 0) {
+        return refuse(r, "confluent fins are dorsal, tail and anal: it is without one of them");
+    }
     for (uint32_t i = 0; i < s->key_count; i++) {
+        s->keys[i].confluent = s->confluent;
         if (!check_key(r, &s->keys[i])) {
             return false;
         }
