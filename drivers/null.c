@@ -174,6 +174,13 @@ static int null_save(void *self, const struct round_record *record)
     return HAL_ERR_NONE;
 }
 
+static int null_keep_edit(void *self, const struct edit_record *edit)
+{
+    (void)self;
+    (void)edit;
+    return HAL_ERR_NONE;
+}
+
 /* Nothing is saved, and so nothing is refused or left behind. */
 static uint32_t null_none(void *self)
 {
@@ -188,6 +195,8 @@ struct hal_storage null_storage(const char *line)
         .best_today = null_best_today,
         .save = null_save,
         .saved_id = null_none,
+        .keep_edit = null_keep_edit,
+        .kept_edit_id = null_none,
         .refused_count = null_none,
         .describe = null_describe,
         .close = null_none,

@@ -41,6 +41,28 @@ static uint32_t storage_sim_saved_id(void *self)
     return sim->polls_since++ >= sim->delay_polls ? sim->record.id : 0;
 }
 
+/* As busy and as broken as for rounds. */
+static int storage_sim_keep_edit(void *self, const struct edit_record *edit)
+{
+    struct storage_sim *sim = self;
+    if (sim->busy_left > 0) {
+        sim->busy_left--;
+        return HAL_ERR_BUSY;
+    }
+    if (sim->fail_left > 0) {
+        sim->fail_left--;
+        return HAL_ERR_IO;
+    }
+    sim->edit = *edit;
+    return HAL_OK;
+}
+
+static uint32_t storage_sim_kept_edit_id(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->edit.id;
+}
+
 static const char *storage_sim_describe(void *self)
 {
     (void)self;
@@ -66,6 +88,8 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
         .best_today = storage_sim_best_today,
         .save = storage_sim_save,
         .saved_id = storage_sim_saved_id,
+        .keep_edit = storage_sim_keep_edit,
+        .kept_edit_id = storage_sim_kept_edit_id,
         .refused_count = storage_sim_refused_count,
         .describe = storage_sim_describe,
         .close = storage_sim_close,

@@ -6,6 +6,7 @@
 
 struct storage_sim {
     struct round_record record; /* As last accepted. */
+    struct edit_record edit;    /* As last accepted. */
     uint32_t accepted_count;
     uint32_t refused_count;
     uint32_t write_refused_count; /* What its thread could not write. */

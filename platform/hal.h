@@ -122,10 +122,12 @@ struct hal_storage_ops {
     int (*best_today)(void *self, uint32_t out[MODE_COUNT]);   /* Of persons; at start. */
     int (*save)(void *self, const struct round_record *record); /* Copies; BUSY: next frame. */
     uint32_t (*saved_id)(void *self);                          /* Newest id known to be on disk. */
+    int (*keep_edit)(void *self, const struct edit_record *edit); /* As save(). */
+    uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
     uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
     const char *(*describe)(void *self);
-    /* Writes what save() took, which may wait a few seconds; returns how many rounds it could
-     * not. */
+    /* Writes what save() and keep_edit() took, which may wait a few seconds; returns how many of
+     * them it could not. */
     uint32_t (*close)(void *self);
 };
 

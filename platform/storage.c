@@ -10,6 +10,7 @@
 
 #include <sqlite3.h>
 
+#include "platform/edit_file.h"
 #include "platform/folder.h"
 
 #define RETRY_S 1           /* Between two tries at a card that refused. */
@@ -91,9 +92,32 @@ static void drain(struct storage *storage)
     }
 }
 
+/* The same for graphs, which need no database. */
+static void drain_edits(struct storage *storage)
+{
+    unsigned written = atomic_load(&storage->edits_written);
+    while (written != atomic_load(&storage->edits_pushed)) {
+        const struct edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
+        const int error = edit_file_keep(storage->dir, edit);
+        atomic_store(&storage->edit_error, -error);
+        if (error != 0) {
+            atomic_fetch_add(&storage->refused, 1);
+            return;
+        }
+        atomic_store(&storage->kept_edit_id, edit->id);
+        atomic_store(&storage->edits_written, ++written);
+    }
+}
+
+static uint32_t unwritten_edits(const struct storage *storage)
+{
+    return atomic_load(&storage->edits_pushed) - atomic_load(&storage->edits_written);
+}
+
 static void wait_for_work(struct storage *storage)
 {
-    if (atomic_load(&storage->written) == atomic_load(&storage->pushed)) {
+    if (atomic_load(&storage->written) == atomic_load(&storage->pushed) &&
+        unwritten_edits(storage) == 0) {
         while (sem_wait(&storage->wake) != 0 && errno == EINTR) {
         }
         return;
@@ -110,6 +134,7 @@ static void *writer(void *context)
     while (!atomic_load(&storage->stop)) {
         wait_for_work(storage);
         drain(storage);
+        drain_edits(storage);
     }
     return NULL;
 }
@@ -206,6 +231,32 @@ static uint32_t storage_saved_id(void *self)
     return atomic_load(&storage->saved_id);
 }
 
+static int storage_keep_edit(void *self, const struct edit_record *edit)
+{
+    struct storage *storage = self;
+    if (!storage->running) {
+        return HAL_ERR_NONE;
+    }
+    if (edit->id <= storage->accepted_edit_id) {
+        return HAL_OK;
+    }
+    const unsigned pushed = atomic_load(&storage->edits_pushed);
+    if (unwritten_edits(storage) == STORAGE_EDITS_MAX) {
+        return HAL_ERR_BUSY;
+    }
+    storage->edits[pushed % STORAGE_EDITS_MAX] = *edit;
+    storage->accepted_edit_id = edit->id;
+    atomic_store(&storage->edits_pushed, pushed + 1);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+static uint32_t storage_kept_edit_id(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->kept_edit_id);
+}
+
 static uint32_t storage_refused_count(void *self)
 {
     struct storage *storage = self;
@@ -244,8 +295,11 @@ static const char *storage_describe(void *self)
         return storage->text[0] ? storage->text : "no store: not opened";
     }
     const int error = atomic_load(&storage->error);
+    const int edit_error = atomic_load(&storage->edit_error);
     if (error != SQLITE_OK) {
         say_refused(storage, error, advice_for(error));
+    } else if (edit_error != 0) {
+        say(storage, "store: a graph was not written", strerror(edit_error), "it is retried");
     } else if (storage->set_aside[0]) {
         const char *name = strrchr(storage->set_aside, '/') + 1;
         snprintf(storage->text, sizeof storage->text,
@@ -266,15 +320,19 @@ static uint32_t storage_close(void *self)
     sem_post(&storage->wake);
     pthread_join(storage->thread, NULL);
     drain(storage); /* What came while the thread was leaving, and one last try for the rest. */
-    const uint32_t lost = unwritten_count(storage);
+    drain_edits(storage);
+    const uint32_t lost = unwritten_count(storage), lost_edits = unwritten_edits(storage);
     if (lost > 0) {
         say_refused(storage, atomic_load(&storage->error), "they are lost");
+    } else if (lost_edits > 0) {
+        say(storage, "store: a graph was not written",
+            strerror(atomic_load(&storage->edit_error)), "it is lost");
     }
     sem_destroy(&storage->wake);
     score_file_close(&storage->file);
     storage->running = false;
     atomic_store(&storage->stop, false);
-    return lost;
+    return lost + lost_edits;
 }
 
 struct hal_storage storage_device(struct storage *storage)
@@ -284,6 +342,8 @@ struct hal_storage storage_device(struct storage *storage)
         .best_today = storage_best_today,
         .save = storage_save,
         .saved_id = storage_saved_id,
+        .keep_edit = storage_keep_edit,
+        .kept_edit_id = storage_kept_edit_id,
         .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,

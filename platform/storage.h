@@ -22,6 +22,7 @@
 #define STORAGE_PATH_SIZE 512u
 /* A round takes 10 s at least: 16 of them are minutes of a card that does not answer. */
 #define STORAGE_QUEUE_MAX 16u
+#define STORAGE_EDITS_MAX 4u /* Nobody edits and saves another graph each quarter of a second. */
 /* All the memory that SQLite may ever have, in bytes; it needs about 0.3 MiB of it. */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
 
@@ -40,6 +41,7 @@ struct storage {
     bool running;
     atomic_bool stop;
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
+    atomic_int edit_error; /* errno of the last graph that was refused; 0: the last went well. */
     atomic_uint refused;  /* Writes that failed, retries among them. */
 
     /* One writer (the frame loop) and one reader (the thread): indexes only grow. */
@@ -48,6 +50,12 @@ struct storage {
         int64_t ended_s;  /* Unix time when save() took it. */
     } queue[STORAGE_QUEUE_MAX];
     atomic_uint pushed, written;
+    /* Graphs from the growth lab, in a queue of their own: each becomes a text (edit_file.h). */
+    struct edit_record edits[STORAGE_EDITS_MAX];
+    atomic_uint edits_pushed, edits_written;
+    uint32_t accepted_edit_id;
+    atomic_uint kept_edit_id;
+
     uint32_t accepted_id; /* Newest id that save() took, so that asking twice keeps one. */
     atomic_uint saved_id;
 };

@@ -177,9 +177,9 @@ void lab_tick(struct core *core, const struct input *input, struct output *outpu
 
 static uint8_t keeping(const struct lab *lab)
 {
-    return lab->save_id == 0              ? LAB_NOT_SAVED
-           : lab->saved_id < lab->save_id ? LAB_SAVING
-                                          : LAB_SAVED;
+    return lab->asked_id == 0              ? LAB_NOT_SAVED
+           : lab->saved_id < lab->asked_id ? LAB_SAVING
+                                           : LAB_SAVED;
 }
 
 void lab_show(const struct core *core, struct scene_lab *out)
@@ -223,7 +223,7 @@ uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab)
                                lab->path,      lab->has_hand,  lab->presses,     lab->points,
                                lab->holds,     lab->held_knot, lab->upright,     lab->stir_tick,
                                lab->act_tick,  lab->rest_ticks, lab->start_ticks, lab->save_id,
-                               lab->saved_id };
+                               lab->saved_id,  lab->asked_id };
     const float floats[] = { lab->x, lab->y, lab->stir_x, lab->stir_y, lab->progress };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

@@ -48,7 +48,8 @@ struct lab {
     uint32_t stir_tick, act_tick;  /* When a hand last moved, and last pressed something. */
     uint32_t rest_ticks;           /* At the end of a life that plays. */
     uint32_t start_ticks;          /* START has been held so long. */
-    uint32_t save_id, saved_id;    /* The newest given to the store, and known to be kept. */
+    uint32_t save_id, saved_id;    /* The newest given to the store, and known to be kept; ... */
+    uint32_t asked_id;             /* ... that of what is on the table; 0: none was asked for. */
     float x, y;                    /* The hand, on the canvas; ... */
     float stir_x, stir_y;          /* ... and where it last moved on from. */
     float progress;

@@ -26,7 +26,7 @@ void lab_take(struct core *core, uint32_t species)
     lab->progress = 0.0f;
     lab->rest_ticks = 0;
     lab->playing = 1;
-    lab->save_id = lab->saved_id; /* What was saved was another one. */
+    lab->asked_id = 0;
 }
 
 int lab_is_own(const struct core *core)
@@ -50,7 +50,7 @@ static void save(struct core *core, struct output *output)
     const struct species_card *card = card_of(core);
     lab->edits[lab->species] = lab->edit;
     lab->has_edit[lab->species] = (uint8_t)!lab_is_own(core);
-    lab->save_id = output->edit.id + 1u;
+    lab->asked_id = ++lab->save_id;
     output->edit = (struct edit_record){ .id = lab->save_id,
                                          .is_own = (uint8_t)!lab->has_edit[lab->species],
                                          .key_count = card->key_count,

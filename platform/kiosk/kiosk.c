@@ -89,6 +89,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
         kiosk->faults.shade += shade_hand_sample(&kiosk->shades[i], &hal->shade[i], now_ns);
     }
     kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
+    kiosk->input.edit_saved_id = hal->storage.ops->kept_edit_id(hal->storage.self);
     count_refused_writes(kiosk, &hal->storage);
 }
 
@@ -198,6 +199,19 @@ static void present_forces(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+/* Whether a store is done with what it was offered; one that failed is left alone for a second. */
+static int is_settled(struct kiosk *kiosk, int result, uint64_t now_ns)
+{
+    if (result == HAL_OK || result == HAL_ERR_NONE) {
+        return 1;
+    }
+    if (result != HAL_ERR_BUSY) {
+        kiosk->faults.storage++;
+        kiosk->save_retry_ns = now_ns + RETRY_NS;
+    }
+    return 0;
+}
+
 /* Offers the newest record until the store takes it: busy, next frame; failed, in a second. A store
  * that is not there never will. A replay's rounds were saved when they were played. */
 static void present_record(struct kiosk *kiosk, const struct hal *hal)
@@ -208,15 +222,21 @@ static void present_record(struct kiosk *kiosk, const struct hal *hal)
         return;
     }
     const uint64_t now_ns = clock_ns(hal->clock);
-    if (now_ns < kiosk->save_retry_ns) {
-        return;
-    }
-    const int result = hal->storage.ops->save(hal->storage.self, record);
-    if (result == HAL_OK || result == HAL_ERR_NONE) {
+    if (now_ns >= kiosk->save_retry_ns &&
+        is_settled(kiosk, hal->storage.ops->save(hal->storage.self, record), now_ns)) {
         kiosk->accepted_id = record->id;
-    } else if (result != HAL_ERR_BUSY) {
-        kiosk->faults.storage++;
-        kiosk->save_retry_ns = now_ns + RETRY_NS;
+    }
+}
+
+/* The same of the newest graph from the growth lab. */
+static void present_edit(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct edit_record *edit = &kiosk->output.edit;
+    const uint64_t now_ns = clock_ns(hal->clock);
+    if (!kiosk->config.source.next && edit->id != kiosk->accepted_edit_id &&
+        now_ns >= kiosk->save_retry_ns &&
+        is_settled(kiosk, hal->storage.ops->keep_edit(hal->storage.self, edit), now_ns)) {
+        kiosk->accepted_edit_id = edit->id;
     }
 }
 
@@ -229,6 +249,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
         present_lamps(kiosk, hal);
         present_forces(kiosk, hal);
         present_record(kiosk, hal);
+        present_edit(kiosk, hal);
     }
     const int result = hal->display.ops->present(hal->display.self, &kiosk->scene);
     kiosk->faults.display += (uint32_t)hal_is_fault(result);

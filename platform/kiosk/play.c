@@ -105,7 +105,7 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     tell_work(kiosk);
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
-        fprintf(stderr, "kingyo: %u rounds could not be written (%s)\n", lost,
+        fprintf(stderr, "kingyo: %u rounds or graphs could not be written (%s)\n", lost,
                 storage->ops->describe(storage->self));
     }
     return lost > 0 ? EXIT_IO : EXIT_OK;

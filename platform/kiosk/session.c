@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "platform/cpu.h"
+#include "platform/edit_file.h"
 #include "platform/folder.h"
 #include "platform/png.h"
 
@@ -17,6 +18,11 @@ enum exit_code session_check(struct session *session)
         return replayer_tell_problem("kingyo", path, &reader->problem);
     }
     return EXIT_OK;
+}
+
+static void warn(const char *line)
+{
+    fprintf(stderr, "kingyo: %s\n", line);
 }
 
 /* What the growth lab shows beside the built-in species. */
@@ -50,6 +56,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     shelf_fill(&session->shelf, session->options.data);
     if (!replay[0]) {
         fill_book(&session->shelf, &config->core.book);
+        edit_file_fill(session->options.data, &config->core.book, warn);
     }
     if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
         fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",

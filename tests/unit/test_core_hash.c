@@ -67,7 +67,8 @@ static const struct field lab_fields[] = {
     FIELD(lab, path),        FIELD(lab, has_hand),  FIELD(lab, presses), FIELD(lab, points),
     FIELD(lab, holds),       FIELD(lab, held_knot), FIELD(lab, upright), FIELD(lab, has_edit),
     FIELD(lab, stir_tick),   FIELD(lab, act_tick),  FIELD(lab, rest_ticks),
-    FIELD(lab, start_ticks), FIELD(lab, save_id),   FIELD(lab, saved_id), FIELD(lab, x),
+    FIELD(lab, start_ticks), FIELD(lab, save_id),   FIELD(lab, saved_id), FIELD(lab, asked_id),
+    FIELD(lab, x),
     FIELD(lab, y),           FIELD(lab, stir_x),    FIELD(lab, stir_y),  FIELD(lab, progress),
     SKIP(lab, edit),         SKIP(lab, edits),
 };
