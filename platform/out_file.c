@@ -2,6 +2,7 @@
 #include "platform/out_file.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,14 +23,19 @@ static void remove_regular(const char *path)
 
 int out_close(struct out_file *out)
 {
-    errno = 0;
-    int failed = fflush(out->file) != 0 || ferror(out->file);
-    const int why = errno;
-    failed = fclose(out->file) != 0 || failed;
+    /* A write that failed left its errno, and what succeeded since has not touched it. */
+    int why = ferror(out->file) ? errno : 0;
+    if (fflush(out->file) != 0 && why == 0) {
+        why = errno;
+    }
+    const bool whole = !ferror(out->file);
+    if (fclose(out->file) != 0 && why == 0) {
+        why = errno;
+    }
     out->file = NULL;
-    if (!failed) {
+    if (whole && why == 0) {
         return 0;
     }
     remove_regular(out->path);
-    return why ? -why : errno ? -errno : -EIO;
+    return why ? -why : -EIO;
 }

@@ -391,6 +391,11 @@ static void begin(const struct morph_pick *pick)
     morph_pose(&pick->rig, fish.mesh, 1.0f, &fish.adult);
     morph_shape(fish.mesh, pick->rig.key_count, &fish.adult, positions, normals);
     morph_mesh_cut(fish.mesh, positions, normals, &fish.cut);
+    for (uint32_t key = 0; key < pick->rig.key_count; key++) {
+        float alone[MORPH_KEY_MAX] = { 0 };
+        alone[key] = 1.0f;
+        morph_mesh_paint(pick->fish, alone, &fish.cut, fish.paints[key]);
+    }
 }
 
 enum exit_code morph_glb_write(const struct morph_pick *pick, const char *path)

@@ -22,6 +22,7 @@ struct fish_glb {
     struct glb file;
     struct morph_pose adult; /* At progress 1: how the file stands when nothing moves it. */
     struct morph_mesh cut;
+    struct paint paints[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Of each key. */
     struct target_list targets[PIECE_MAX];
     bool skinned[PIECE_MAX]; /* Some of the piece rides on the skin. */
     uint32_t materials[PART_COUNT]; /* From 1; 0: not there yet. */

@@ -52,11 +52,9 @@ static void take_paint(const struct fish_glb *fish, uint32_t vertex, uint32_t ke
                        struct aspect *out)
 {
     const struct species_vertex *at = &fish->mesh->vertices[vertex];
-    float weights[MORPH_KEY_MAX] = { 0 };
-    weights[key] = 1.0f;
-    const struct paint paint = paint_at(fish->pick->fish, weights, at);
-    out->colour = canvas_linear(paint.colour);
-    out->hides = 1.0f - paint.clear;
+    const struct paint *paint = &fish->paints[key][vertex];
+    out->colour = canvas_linear(paint->colour);
+    out->hides = 1.0f - paint->clear;
     if (at->part >= PART_TAIL) {
         out->hides *= f_lerp(FIN_ROOT_HIDES, FIN_TIP_HIDES, f_clamp(at->v, 0.0f, 1.0f));
     }

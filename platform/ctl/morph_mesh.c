@@ -2,6 +2,7 @@
 #include "platform/ctl/morph_mesh.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "core/base/panic.h"
 #include "platform/species/reader.h"
@@ -79,5 +80,47 @@ void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, cons
             take_faces(mesh, positions, normals, piece, out);
             out->piece_count += piece->face_count > 0;
         }
+    }
+}
+
+/* On the body, half way from the corner `k` to the middle of the other two; an eye's vertices and a
+ * fin's stand where its colours change. */
+static struct species_vertex inside(const struct species_mesh *mesh, const uint16_t *face,
+                                    uint32_t k)
+{
+    const struct species_vertex *a = &mesh->vertices[face[(k + 1) % 3]];
+    const struct species_vertex *b = &mesh->vertices[face[(k + 2) % 3]];
+    struct species_vertex at = mesh->vertices[face[k]];
+    if (at.part == PART_BODY) {
+        at.u = 0.5f * at.u + 0.25f * (a->u + b->u);
+        at.v = 0.5f * at.v + 0.25f * (a->v + b->v);
+    }
+    return at;
+}
+
+static void add_paint(struct paint *sum, const struct paint *paint, float weight)
+{
+    sum->colour = v3_mad(sum->colour, paint->colour, weight);
+    sum->clear += paint->clear * weight;
+    sum->shine += paint->shine * weight;
+}
+
+void morph_mesh_paint(const struct species *species, const float weights[MORPH_KEY_MAX],
+                      const struct morph_mesh *cut, struct paint *paints)
+{
+    const struct species_mesh *mesh = &species->lod[0];
+    float counts[MESH_VERTEX_MAX] = { 0 };
+    memset(paints, 0, mesh->vertex_count * sizeof *paints);
+    for (uint32_t i = 0; i < 3u * cut->face_count; i++) {
+        const uint16_t *face = cut->faces[i / 3u];
+        const struct species_vertex at = inside(mesh, face, i % 3u);
+        const struct paint paint = paint_at(species, weights, &at);
+        add_paint(&paints[face[i % 3u]], &paint, 1.0f);
+        counts[face[i % 3u]] += 1.0f;
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const struct paint sum = paints[i];
+        paints[i] = (struct paint){ .clear = 0.0f };
+        add_paint(&paints[i], &sum, 1.0f / f_max(counts[i], 1.0f));
     }
 }

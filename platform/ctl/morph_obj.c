@@ -14,6 +14,7 @@ static const char command[] = "export";
 static struct {
     struct morph_pose pose;
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
+    struct paint paints[MESH_VERTEX_MAX];
     struct morph_mesh cut;
 } work;
 
@@ -34,11 +35,9 @@ static void write_vertices(FILE *file, const struct morph_pick *pick, float leng
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        const struct paint paint = paint_at(pick->fish, work.pose.weight[0], &mesh->vertices[i]);
-        const vec3 at = v3_scale(work.positions[i], length_m);
+        const vec3 colour = work.paints[i].colour, at = v3_scale(work.positions[i], length_m);
         fprintf(file, "v %.9g %.9g %.9g %.4f %.4f %.4f\n", (double)at.x, (double)at.y,
-                (double)at.z, (double)paint.colour.x, (double)paint.colour.y,
-                (double)paint.colour.z);
+                (double)at.z, (double)colour.x, (double)colour.y, (double)colour.z);
     }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         fprintf(file, "vt %.6f %.6f\n", (double)mesh->vertices[i].u, (double)mesh->vertices[i].v);
@@ -74,6 +73,7 @@ enum exit_code morph_obj_write(const struct morph_pick *pick, const char *path)
         morph_pose(&pick->rig, mesh, pick->progress, &work.pose);
         morph_shape(mesh, pick->fish->card.key_count, &work.pose, work.positions, work.normals);
         morph_mesh_cut(mesh, work.positions, work.normals, &work.cut);
+        morph_mesh_paint(pick->fish, work.pose.weight[0], &work.cut, work.paints);
         write_head(out.file, pick, length_m);
         write_vertices(out.file, pick, length_m);
         write_faces(out.file);
