@@ -31,6 +31,7 @@ struct import_mesh {
     uint32_t triangles[IMPORT_TRIANGLE_MAX][3];
     uint8_t groups[IMPORT_TRIANGLE_MAX];
     bool has_uv, has_colours;
+    float scales[MORPH_KEY_MAX]; /* How large each key is shown, by an animated scale; else 1. */
     bool is_ours;        /* kingyoctl wrote it: texture coordinates are body coordinates. */
     uint32_t time_count; /* Of the weights' animation; 0: there is none. */
     float times[IMPORT_TIME_MAX];

@@ -231,6 +231,7 @@ static bool check_whole(struct obj *o)
                       o->vertex_count, o->triangle_count, m->vertex_count, m->triangle_count);
     }
     m->key_count = o->key + 1;
+    m->scales[o->key] = 1.0f;
     return true;
 }
 

@@ -175,8 +175,11 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan 
         }
         is_settled = is_settled && fabsf(report->size[key] - 1.0f) < 4.0f * SAME_SIZE;
     }
-    for (uint32_t key = 0; key < mesh->key_count && !is_settled; key++) {
-        settle(mesh, key, report->size[key]);
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        if (!is_settled) {
+            settle(mesh, key, report->size[key]);
+        }
+        report->size[key] *= mesh->scales[key];
     }
     return EXIT_OK;
 }
