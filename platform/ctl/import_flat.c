@@ -7,17 +7,13 @@
 
 #if __has_include(<assimp/cimport.h>)
 
-#include <assimp/types.h> /* First: others use its words without including it. */
+#include "platform/ctl/import_nodes.h"
 
-#include <assimp/anim.h>
 #include <assimp/cimport.h>
 #include <assimp/metadata.h>
 #include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <dlfcn.h>
 
-#define DEPTH_MAX 64u      /* Of nodes; rigs of hands and faces have twenty. */
-#define NODE_MAX 4096u
 #define SAME 1e-7f         /* A target that moves nothing by more is the base shape again. */
 
 /* By its soname: the one whose headers this was built with. */
@@ -28,14 +24,18 @@ struct assimp {
     const char *(*error)(void);
 };
 
+/* Which shape of the scene a key is: the base, a target alone, or the scene at a moment. */
+#define KEY_BASE 255u
+#define TARGET_MAX 64u
+
 struct flattening {
     struct import_mesh *mesh;
     const struct aiScene *scene;
     char *why;
-    bool base_is_a_target; /* The first target is the base itself, which then does not count. */
-    uint32_t target_count;
-    double begin, end; /* Of the animation. */
-    uint32_t node_count;
+    struct standing standing;
+    uint32_t target_count;           /* The least that a mesh with targets has. */
+    bool sampled;                    /* Keys are moments of the animation, not targets. */
+    uint8_t key_target[MORPH_KEY_MAX]; /* A target or KEY_BASE, where keys are targets. */
 };
 
 static bool load(struct assimp *assimp)
@@ -77,147 +77,135 @@ static bool refuse(struct flattening *f, const char *text)
     return false;
 }
 
-/* ---- Where a node is at a key ---------------------------------------------------------------- */
+/* ---- Meshes ---------------------------------------------------------------------------------- */
 
-struct place {
-    float m[3][4]; /* Rows; the fourth column is the translation. */
-};
-
-static struct place place_of(const struct aiMatrix4x4 *a)
+static const struct aiMeshMorphAnim *weights_of(const struct flattening *f, const char *node)
 {
-    return (struct place){ { { a->a1, a->a2, a->a3, a->a4 },
-                             { a->b1, a->b2, a->b3, a->b4 },
-                             { a->c1, a->c2, a->c3, a->c4 } } };
-}
-
-static struct place within(const struct place *outer, const struct place *inner)
-{
-    struct place p;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 4; j++) {
-            p.m[i][j] = j == 3 ? outer->m[i][3] : 0.0f;
-            for (int k = 0; k < 3; k++) {
-                p.m[i][j] += outer->m[i][k] * inner->m[k][j];
-            }
-        }
-    }
-    return p;
-}
-
-static vec3 apply(const struct place *p, vec3 a)
-{
-    float out[3];
-    for (int i = 0; i < 3; i++) {
-        out[i] = p->m[i][0] * a.x + p->m[i][1] * a.y + p->m[i][2] * a.z + p->m[i][3];
-    }
-    return v3(out[0], out[1], out[2]);
-}
-
-/* The share of the way from key `*i` to the next at `time`, among `count` rising times. */
-static float between(const char *keys, size_t stride, uint32_t count, double time, uint32_t *i)
-{
-    double low = 0.0, high = 0.0;
-    for (*i = 0; *i + 2 < count; (*i)++) {
-        memcpy(&high, keys + (*i + 1) * stride, sizeof high);
-        if (time < high) {
-            break;
-        }
-    }
-    memcpy(&low, keys + *i * stride, sizeof low);
-    memcpy(&high, keys + (*i + 1) * stride, sizeof high);
-    return high > low ? (float)fmin(fmax((time - low) / (high - low), 0.0), 1.0) : 0.0f;
-}
-
-static vec3 vector_at(const struct aiVectorKey *keys, uint32_t count, double time)
-{
-    uint32_t i = 0;
-    const struct aiVector3D *a = &keys[0].mValue;
-    if (count < 2) {
-        return v3(a->x, a->y, a->z);
-    }
-    const float t = between((const char *)keys, sizeof *keys, count, time, &i);
-    a = &keys[i].mValue;
-    const struct aiVector3D *b = &keys[i + 1].mValue;
-    return v3_lerp(v3(a->x, a->y, a->z), v3(b->x, b->y, b->z), t);
-}
-
-static void quaternion_at(const struct aiQuatKey *keys, uint32_t count, double time, float q[4])
-{
-    uint32_t i = 0;
-    const float t =
-        count < 2 ? 0.0f : between((const char *)keys, sizeof *keys, count, time, &i);
-    const struct aiQuaternion *a = &keys[i].mValue, *b = &keys[count < 2 ? i : i + 1].mValue;
-    const float dot = a->x * b->x + a->y * b->y + a->z * b->z + a->w * b->w;
-    const float s = dot < 0.0f ? -t : t;
-    const float mixed[4] = { a->x * (1.0f - t) + b->x * s, a->y * (1.0f - t) + b->y * s,
-                             a->z * (1.0f - t) + b->z * s, a->w * (1.0f - t) + b->w * s };
-    const float length = sqrtf(mixed[0] * mixed[0] + mixed[1] * mixed[1] + mixed[2] * mixed[2] +
-                               mixed[3] * mixed[3]);
-    for (int k = 0; k < 4; k++) {
-        q[k] = length > 0.0f ? mixed[k] / length : (k == 3 ? 1.0f : 0.0f);
-    }
-}
-
-static const struct aiNodeAnim *motion_of(const struct flattening *f, const struct aiNode *node)
-{
-    if (f->scene->mNumAnimations == 0) {
-        return NULL;
-    }
-    const struct aiAnimation *animation = f->scene->mAnimations[0];
-    for (uint32_t i = 0; i < animation->mNumChannels; i++) {
-        const struct aiNodeAnim *channel = animation->mChannels[i];
-        if (strcmp(channel->mNodeName.data, node->mName.data) == 0 &&
-            channel->mNumPositionKeys > 0 && channel->mNumRotationKeys > 0 &&
-            channel->mNumScalingKeys > 0) {
-            return channel;
+    const struct aiAnimation *animation =
+        f->scene->mNumAnimations > 0 ? f->scene->mAnimations[0] : NULL;
+    for (uint32_t i = 0; animation && i < animation->mNumMorphMeshChannels; i++) {
+        if (strcmp(animation->mMorphMeshChannels[i]->mName.data, node) == 0) {
+            return animation->mMorphMeshChannels[i];
         }
     }
     return NULL;
 }
 
-static double time_of(const struct flattening *f, uint32_t key)
+static void add_weights(const struct aiMeshMorphKey *moment, float share, float out[TARGET_MAX])
 {
-    const double last = fmax((double)f->mesh->key_count - 1.0, 1.0);
-    return f->begin + (f->end - f->begin) * (double)key / last;
-}
-
-/* A node whose scale changes is growing: its size at each key is a length, and no shape. */
-static struct place moved(struct flattening *f, const struct aiNodeAnim *motion, uint32_t key)
-{
-    const double time = time_of(f, key);
-    const vec3 at = vector_at(motion->mPositionKeys, motion->mNumPositionKeys, time);
-    vec3 scale = vector_at(motion->mScalingKeys, motion->mNumScalingKeys, time);
-    float q[4];
-    quaternion_at(motion->mRotationKeys, motion->mNumRotationKeys, time, q);
-    if (motion->mNumScalingKeys > 1 && fabsf(scale.x - scale.y) <= 1e-5f * fabsf(scale.x) &&
-        fabsf(scale.x - scale.z) <= 1e-5f * fabsf(scale.x)) {
-        f->mesh->scales[key] = scale.x;
-        scale = v3(1.0f, 1.0f, 1.0f);
+    for (uint32_t i = 0; i < moment->mNumValuesAndWeights; i++) {
+        if (moment->mValues[i] < TARGET_MAX) {
+            out[moment->mValues[i]] += share * (float)moment->mWeights[i];
+        }
     }
-    const float x = q[0], y = q[1], z = q[2], w = q[3];
-    return (struct place){
-        { { (1 - 2 * (y * y + z * z)) * scale.x, 2 * (x * y - z * w) * scale.y,
-            2 * (x * z + y * w) * scale.z, at.x },
-          { 2 * (x * y + z * w) * scale.x, (1 - 2 * (x * x + z * z)) * scale.y,
-            2 * (y * z - x * w) * scale.z, at.y },
-          { 2 * (x * z - y * w) * scale.x, 2 * (y * z + x * w) * scale.y,
-            (1 - 2 * (x * x + y * y)) * scale.z, at.z } }
-    };
 }
 
-/* ---- Meshes ---------------------------------------------------------------------------------- */
-
-static uint32_t target_of(const struct flattening *f, uint32_t key)
+/* Straight between the moments around a key's. */
+static void weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
+                       uint32_t key, float out[TARGET_MAX])
 {
-    return f->base_is_a_target ? key : key - 1; /* Of key 0 only where the base is a target. */
+    const double time = standing_time(&f->standing, key);
+    uint32_t i = 0;
+    while (i + 1 < channel->mNumKeys && channel->mKeys[i + 1].mTime <= time) {
+        i++;
+    }
+    const struct aiMeshMorphKey *from = &channel->mKeys[i];
+    const bool last = i + 1 == channel->mNumKeys;
+    const double span = last ? 1.0 : from[1].mTime - from->mTime;
+    const double share = last || !(span > 0.0) ? 0.0 : fmax((time - from->mTime) / span, 0.0);
+    add_weights(from, (float)(1.0 - share), out);
+    if (!last) {
+        add_weights(from + 1, (float)share, out);
+    }
 }
 
-static const struct aiVector3D *shape(const struct flattening *f, const struct aiMesh *mesh,
-                                      uint32_t key)
+/* How much of each target `mesh` shows under `node` at a key. */
+static void target_weights(const struct flattening *f, const struct aiMesh *mesh, const char *node,
+                           uint32_t key, float out[TARGET_MAX])
 {
-    const bool base = mesh->mNumAnimMeshes == 0 || (key == 0 && !f->base_is_a_target);
-    const struct aiAnimMesh *target = base ? NULL : mesh->mAnimMeshes[target_of(f, key)];
-    return target && target->mVertices ? target->mVertices : mesh->mVertices;
+    memset(out, 0, TARGET_MAX * sizeof *out);
+    if (!f->sampled) {
+        if (f->key_target[key] != KEY_BASE && mesh->mNumAnimMeshes > 0) {
+            out[f->key_target[key]] = 1.0f;
+        }
+        return;
+    }
+    const struct aiMeshMorphAnim *channel = weights_of(f, node);
+    if (channel && channel->mNumKeys > 0) {
+        weights_at(f, channel, key, out);
+    }
+}
+
+static vec3 vector(const struct aiVector3D *a)
+{
+    return v3(a->x, a->y, a->z);
+}
+
+static vec3 shape_at(const struct aiMesh *mesh, const float weights[TARGET_MAX], uint32_t vertex)
+{
+    const vec3 base = vector(&mesh->mVertices[vertex]);
+    vec3 p = base;
+    for (uint32_t t = 0; t < mesh->mNumAnimMeshes; t++) {
+        const struct aiVector3D *target = mesh->mAnimMeshes[t]->mVertices;
+        if (weights[t] != 0.0f && target) {
+            p = v3_mad(p, v3_sub(vector(&target[vertex]), base), weights[t]);
+        }
+    }
+    return p;
+}
+
+/* Where joints carry each vertex of a skinned mesh; `sums` holds the vertices' weights so far. */
+static bool add_skinned(struct flattening *f, const struct aiMesh *mesh, uint32_t key,
+                        const float weights[TARGET_MAX], float *sums)
+{
+    vec3 *out = &f->mesh->positions[key][f->mesh->vertex_count];
+    memset(out, 0, mesh->mNumVertices * sizeof *out);
+    memset(sums, 0, mesh->mNumVertices * sizeof *sums);
+    for (uint32_t i = 0; i < mesh->mNumBones; i++) {
+        const struct aiBone *bone = mesh->mBones[i];
+        const struct standing_node *joint = standing_find(&f->standing, bone->mName.data);
+        if (!joint) {
+            return refuse(f, "a joint that is no node");
+        }
+        const struct place offset = place_of(&bone->mOffsetMatrix);
+        const struct place at = place_within(&joint->at[key], &offset);
+        for (uint32_t k = 0; k < bone->mNumWeights; k++) {
+            const struct aiVertexWeight *w = &bone->mWeights[k];
+            if (w->mVertexId >= mesh->mNumVertices) {
+                return refuse(f, "a joint of a vertex that is not there");
+            }
+            const vec3 p = place_apply(&at, shape_at(mesh, weights, w->mVertexId));
+            out[w->mVertexId] = v3_mad(out[w->mVertexId], p, w->mWeight);
+            sums[w->mVertexId] += w->mWeight;
+        }
+    }
+    for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
+        if (!(fabsf(sums[i] - 1.0f) < 0.01f)) {
+            return refuse(f, "a skinned vertex whose weights do not sum to 1");
+        }
+    }
+    return true;
+}
+
+static bool add_shapes(struct flattening *f, const struct standing_node *node,
+                       const struct aiMesh *mesh)
+{
+    static float sums[IMPORT_VERTEX_MAX];
+    for (uint32_t key = 0; key < f->mesh->key_count; key++) {
+        float weights[TARGET_MAX];
+        vec3 *out = &f->mesh->positions[key][f->mesh->vertex_count];
+        target_weights(f, mesh, node->node->mName.data, key, weights);
+        if (mesh->mNumBones > 0) {
+            if (!add_skinned(f, mesh, key, weights, sums)) {
+                return false;
+            }
+            continue;
+        }
+        for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
+            out[i] = place_apply(&node->at[key], shape_at(mesh, weights, i));
+        }
+    }
+    return true;
 }
 
 /* glTF's colours are linear; ours are as a screen shows them. */
@@ -256,8 +244,8 @@ static bool add_group(struct flattening *f, const struct aiNode *node, const str
     return true;
 }
 
-static bool add_vertices(struct flattening *f, const struct aiMesh *mesh,
-                         const struct place places[MORPH_KEY_MAX])
+static bool add_vertices(struct flattening *f, const struct standing_node *node,
+                         const struct aiMesh *mesh)
 {
     struct import_mesh *m = f->mesh;
     if (mesh->mNumVertices > IMPORT_VERTEX_MAX - m->vertex_count) {
@@ -265,10 +253,6 @@ static bool add_vertices(struct flattening *f, const struct aiMesh *mesh,
     }
     for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
         const uint32_t at = m->vertex_count + i;
-        for (uint32_t key = 0; key < m->key_count; key++) {
-            const struct aiVector3D *p = &shape(f, mesh, key)[i];
-            m->positions[key][at] = apply(&places[key], v3(p->x, p->y, p->z));
-        }
         m->uv[at][0] = m->uv[at][1] = 0.0f;
         if (mesh->mTextureCoords[0]) {
             m->uv[at][0] = mesh->mTextureCoords[0][i].x;
@@ -278,7 +262,7 @@ static bool add_vertices(struct flattening *f, const struct aiMesh *mesh,
     }
     m->has_uv |= mesh->mTextureCoords[0] != NULL;
     m->has_colours |= mesh->mColors[0] != NULL;
-    return true;
+    return add_shapes(f, node, mesh);
 }
 
 static bool add_triangles(struct flattening *f, const struct aiMesh *mesh)
@@ -303,85 +287,70 @@ static bool add_triangles(struct flattening *f, const struct aiMesh *mesh)
     return true;
 }
 
-static bool add_mesh(struct flattening *f, const struct aiNode *node, const struct aiMesh *mesh,
-                     const struct place places[MORPH_KEY_MAX])
+static bool add_mesh(struct flattening *f, const struct standing_node *node,
+                     const struct aiMesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->mNumAnimMeshes; i++) {
         if (mesh->mAnimMeshes[i]->mNumVertices != mesh->mNumVertices) {
             return refuse(f, "a morph target of another topology than its mesh");
         }
     }
-    if (mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count) {
+    if (mesh->mNumAnimMeshes > TARGET_MAX) {
+        return refuse(f, "more than 64 morph targets");
+    }
+    if (!f->sampled && mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count) {
         return refuse(f, "meshes with different numbers of morph targets");
     }
-    if (!add_group(f, node, mesh) || !add_triangles(f, mesh) || !add_vertices(f, mesh, places)) {
+    if (!add_group(f, node->node, mesh) || !add_triangles(f, mesh) ||
+        !add_vertices(f, node, mesh)) {
         return false;
     }
     f->mesh->vertex_count += mesh->mNumVertices;
     return true;
 }
 
-/* A level of the walk: a node, its next child, and where it stands at each key. */
-struct step {
-    const struct aiNode *node;
-    uint32_t child;
-    struct place places[MORPH_KEY_MAX];
-};
-
-static void enter(struct flattening *f, const struct aiNode *node, const struct step *parent,
-                  struct step *out)
+static bool add_meshes(struct flattening *f)
 {
-    const struct aiNodeAnim *motion = motion_of(f, node);
-    out->node = node;
-    out->child = 0;
-    for (uint32_t key = 0; key < f->mesh->key_count; key++) {
-        const struct place own =
-            motion ? moved(f, motion, key) : place_of(&node->mTransformation);
-        out->places[key] = parent ? within(&parent->places[key], &own) : own;
-    }
-}
-
-static bool add_meshes_of(struct flattening *f, const struct step *step)
-{
-    if (++f->node_count > NODE_MAX) {
-        return refuse(f, "more than 4096 nodes");
-    }
-    for (uint32_t i = 0; i < step->node->mNumMeshes; i++) {
-        const uint32_t index = step->node->mMeshes[i];
-        if (index < f->scene->mNumMeshes &&
-            !add_mesh(f, step->node, f->scene->mMeshes[index], step->places)) {
-            return false;
+    for (uint32_t n = 0; n < f->standing.node_count; n++) {
+        const struct standing_node *node = &f->standing.nodes[n];
+        for (uint32_t i = 0; i < node->node->mNumMeshes; i++) {
+            const uint32_t index = node->node->mMeshes[i];
+            if (index < f->scene->mNumMeshes &&
+                !add_mesh(f, node, f->scene->mMeshes[index])) {
+                return false;
+            }
         }
     }
     return true;
 }
 
-static bool walk(struct flattening *f)
+/* ---- Keys ------------------------------------------------------------------------------------ */
+
+/* The mesh with the fewest targets, by which keys are counted and named; null without targets. */
+static const struct aiMesh *plainest(const struct flattening *f)
 {
-    static struct step steps[DEPTH_MAX];
-    uint32_t depth = 1;
-    enter(f, f->scene->mRootNode, NULL, &steps[0]);
-    if (!add_meshes_of(f, &steps[0])) {
-        return false;
-    }
-    while (depth > 0) {
-        struct step *step = &steps[depth - 1];
-        if (step->child == step->node->mNumChildren) {
-            depth--;
-            continue;
-        }
-        if (depth == DEPTH_MAX) {
-            return refuse(f, "nodes within nodes more than 64 deep");
-        }
-        enter(f, step->node->mChildren[step->child++], step, &steps[depth]);
-        if (!add_meshes_of(f, &steps[depth++])) {
-            return false;
+    const struct aiMesh *plain = NULL;
+    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = f->scene->mMeshes[i];
+        if (mesh->mNumAnimMeshes > 0 && (!plain || mesh->mNumAnimMeshes < plain->mNumAnimMeshes)) {
+            plain = mesh;
         }
     }
-    return true;
+    return plain;
 }
 
-/* ---- Targets and their weights --------------------------------------------------------------- */
+/* Are the shapes more than what each target alone is: joints, moving nodes, parts of their own? */
+static bool needs_sampling(const struct flattening *f)
+{
+    bool more = standing_moves(f->scene);
+    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = f->scene->mMeshes[i];
+        more = more || mesh->mNumBones > 0 ||
+               (mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count);
+    }
+    return more && f->scene->mNumAnimations > 0 &&
+           f->scene->mAnimations[0]->mNumMorphMeshChannels > 0;
+}
 
 static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
 {
@@ -389,80 +358,159 @@ static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
         return !target->mVertices;
     }
     for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
-        const struct aiVector3D *a = &mesh->mVertices[i], *b = &target->mVertices[i];
-        if (!(fabsf(a->x - b->x) <= SAME && fabsf(a->y - b->y) <= SAME &&
-              fabsf(a->z - b->z) <= SAME)) {
+        const vec3 d = v3_sub(vector(&mesh->mVertices[i]), vector(&target->mVertices[i]));
+        if (!(fabsf(d.x) <= SAME && fabsf(d.y) <= SAME && fabsf(d.z) <= SAME)) {
             return false;
         }
     }
     return true;
 }
 
-static bool count_keys(struct flattening *f)
+/* Some programs write the base once more, as the first target. */
+static bool base_comes_twice(const struct flattening *f)
 {
-    const struct aiMesh *first = NULL;
-    f->base_is_a_target = true;
     for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
         const struct aiMesh *mesh = f->scene->mMeshes[i];
-        if (mesh->mNumAnimMeshes > 0) {
-            first = first ? first : mesh;
-            f->base_is_a_target = f->base_is_a_target && is_base(mesh, mesh->mAnimMeshes[0]);
+        if (mesh->mNumAnimMeshes > 0 && !is_base(mesh, mesh->mAnimMeshes[0])) {
+            return false;
         }
     }
-    f->target_count = first ? first->mNumAnimMeshes : 0;
-    f->base_is_a_target = f->base_is_a_target && first;
-    const uint32_t count = f->target_count + (f->base_is_a_target ? 0u : 1u);
+    return f->target_count > 0;
+}
+
+static const struct aiMeshMorphAnim *first_weights(const struct flattening *f)
+{
+    const struct aiAnimation *animation =
+        f->scene->mNumAnimations > 0 ? f->scene->mAnimations[0] : NULL;
+    return animation && animation->mNumMorphMeshChannels > 0 ? animation->mMorphMeshChannels[0]
+                                                             : NULL;
+}
+
+/* A target's weight at a moment; the base has what the others leave. */
+static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
+{
+    double sum = 0.0, own = 0.0;
+    for (uint32_t i = 0; i < moment->mNumValuesAndWeights; i++) {
+        sum += moment->mWeights[i];
+        own += moment->mValues[i] == target ? moment->mWeights[i] : 0.0;
+    }
+    /* Rounding may leave the base a little less than nothing. */
+    return target != KEY_BASE ? own : sum > 1.0 && sum < 1.0 + 1e-5 ? 0.0 : 1.0 - sum;
+}
+
+/* When a shape is seen: the middle of its weight over time. */
+static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
+{
+    double sum = 0.0, when = 0.0;
+    for (uint32_t i = 0; i < channel->mNumKeys; i++) {
+        const double before = i > 0 ? channel->mKeys[i].mTime - channel->mKeys[i - 1].mTime : 0.0;
+        const double after = i + 1 < channel->mNumKeys
+                                 ? channel->mKeys[i + 1].mTime - channel->mKeys[i].mTime
+                                 : 0.0;
+        const double weight = weight_of(&channel->mKeys[i], target) * (before + after);
+        sum += weight;
+        when += weight * channel->mKeys[i].mTime;
+    }
+    return sum > 0.0 ? when / sum : 0.0;
+}
+
+/* By when they are seen; without an animation the base is the youngest. */
+static void order_keys(struct flattening *f)
+{
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    double season[MORPH_KEY_MAX];
+    for (uint32_t i = 0; channel && i < f->mesh->key_count; i++) {
+        const uint8_t target = f->key_target[i];
+        const double when = season_of(channel, target);
+        uint32_t at = i;
+        for (; at > 0 && season[at - 1] > when; at--) {
+            season[at] = season[at - 1];
+            f->key_target[at] = f->key_target[at - 1];
+        }
+        season[at] = when;
+        f->key_target[at] = target;
+    }
+}
+
+static void name_key(struct flattening *f, const struct aiMesh *plain, uint32_t key,
+                     uint32_t target)
+{
+    const bool named = plain && target < plain->mNumAnimMeshes;
+    snprintf(f->mesh->key_names[key], IMPORT_NAME_SIZE, "%.40s",
+             named ? plain->mAnimMeshes[target]->mName.data : f->mesh->is_ours ? "last" : "base");
+}
+
+/* The target that is shown most at a key's moment, or the base. */
+static uint32_t most_shown(const struct flattening *f, uint32_t key)
+{
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    float weights[TARGET_MAX] = { 0 }, base = 1.0f;
+    uint32_t most = KEY_BASE;
+    weights_at(f, channel, key, weights);
+    for (uint32_t t = 0; t < f->target_count; t++) {
+        base -= weights[t];
+    }
+    for (uint32_t t = 0; t < f->target_count; t++) {
+        if (weights[t] > base) {
+            base = weights[t];
+            most = t;
+        }
+    }
+    return most;
+}
+
+static bool choose_keys(struct flattening *f)
+{
+    const struct aiMesh *plain = plainest(f);
+    f->target_count = plain ? plain->mNumAnimMeshes : 0;
+    f->sampled = needs_sampling(f);
+    const bool twice = !f->sampled && base_comes_twice(f);
+    const uint32_t count = f->target_count + (twice ? 0u : 1u);
     if (count > MORPH_KEY_MAX) {
         return refuse(f, "more than 7 morph targets");
     }
-    f->mesh->key_count = count;
+    f->mesh->key_count = f->standing.key_count = count;
     for (uint32_t key = 0; key < count; key++) {
-        const bool named = first && (key > 0 || f->base_is_a_target);
-        snprintf(f->mesh->key_names[key], IMPORT_NAME_SIZE, "%.40s",
-                 named ? first->mAnimMeshes[target_of(f, key)]->mName.data : "base");
-        f->mesh->scales[key] = 1.0f;
+        f->key_target[key] = twice ? (uint8_t)key : key == 0 ? KEY_BASE : (uint8_t)(key - 1);
+    }
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    if (channel && channel->mNumKeys > 0) {
+        f->standing.begin = channel->mKeys[0].mTime;
+        f->standing.end = channel->mKeys[channel->mNumKeys - 1].mTime;
+    }
+    if (!f->sampled && !twice) {
+        order_keys(f);
+    }
+    for (uint32_t key = 0; key < count; key++) {
+        name_key(f, plain, key, f->sampled ? most_shown(f, key) : f->key_target[key]);
     }
     return true;
 }
 
-static void add_moment(struct flattening *f, const struct aiMeshMorphKey *moment)
-{
-    struct import_mesh *m = f->mesh;
-    float *weights = m->weights[m->time_count];
-    double rest = 1.0;
-    memset(weights, 0, sizeof m->weights[0]);
-    for (uint32_t i = 0; i < moment->mNumValuesAndWeights; i++) {
-        const uint32_t target = moment->mValues[i];
-        if (target < f->target_count) {
-            weights[f->base_is_a_target ? target : target + 1] += (float)moment->mWeights[i];
-            rest -= moment->mWeights[i];
-        }
-    }
-    /* What no target has is the base's; rounding may leave a little less than nothing. */
-    weights[0] += rest > -1e-5 && rest < 0.0 ? 0.0f : (float)rest;
-    m->times[m->time_count++] = (float)moment->mTime;
-}
-
-/* The first animation's first channel of weights; all meshes of a fish have the same. */
+/* The animation of weights becomes the graph, where keys are the targets themselves. */
 static bool read_weights(struct flattening *f)
 {
-    const struct aiAnimation *animation =
-        f->scene->mNumAnimations > 0 ? f->scene->mAnimations[0] : NULL;
-    if (!animation || animation->mNumMorphMeshChannels == 0 || f->target_count == 0) {
-        f->end = animation ? animation->mDuration : 0.0;
+    struct import_mesh *m = f->mesh;
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    if (!channel || f->sampled || f->target_count == 0) {
         return true;
     }
-    const struct aiMeshMorphAnim *channel = animation->mMorphMeshChannels[0];
     if (channel->mNumKeys > IMPORT_TIME_MAX) {
         return refuse(f, "an animation of more than 4096 moments");
     }
     for (uint32_t i = 0; i < channel->mNumKeys; i++) {
-        add_moment(f, &channel->mKeys[i]);
+        const struct aiMeshMorphKey *moment = &channel->mKeys[i];
+        bool base_is_a_key = false;
+        for (uint32_t key = 0; key < m->key_count; key++) {
+            m->weights[i][key] = (float)weight_of(moment, f->key_target[key]);
+            base_is_a_key = base_is_a_key || f->key_target[key] == KEY_BASE;
+        }
+        if (!base_is_a_key) {
+            m->weights[i][0] += (float)weight_of(moment, KEY_BASE);
+        }
+        m->times[i] = (float)moment->mTime;
     }
-    if (channel->mNumKeys > 0) {
-        f->begin = channel->mKeys[0].mTime;
-        f->end = channel->mKeys[channel->mNumKeys - 1].mTime;
-    }
+    m->time_count = channel->mNumKeys;
     return true;
 }
 
@@ -479,24 +527,43 @@ static bool made_by_us(const struct aiScene *scene)
     return false;
 }
 
-bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
+static const struct aiScene *read_scene(struct flattening *f, const char *path)
 {
-    struct flattening f = { .mesh = mesh, .why = why };
     struct assimp assimp;
     if (!load(&assimp)) {
-        return refuse(&f, "libassimp is gone");
+        refuse(f, "libassimp is gone");
+        return NULL;
     }
-    f.scene = assimp.read(path, aiProcess_Triangulate);
-    if (!f.scene || !f.scene->mRootNode || f.scene->mNumMeshes == 0) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.110s", f.scene ? "no mesh" : assimp.error());
-        for (char *c = why; *c; c++) {
-            *c = *c >= ' ' && *c < 127 ? *c : ' ';
-        }
+    const struct aiScene *scene = assimp.read(path, aiProcess_Triangulate);
+    if (scene && scene->mRootNode && scene->mNumMeshes > 0) {
+        return scene;
+    }
+    snprintf(f->why, IMPORT_WHY_SIZE, "%.110s", scene ? "no mesh" : assimp.error());
+    for (char *c = f->why; *c; c++) {
+        *c = *c >= ' ' && *c < 127 ? *c : ' '; /* It quotes the file. */
+    }
+    return NULL;
+}
+
+bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
+{
+    static struct flattening f;
+    memset(&f, 0, sizeof f);
+    f.mesh = mesh;
+    f.why = why;
+    f.scene = read_scene(&f, path);
+    if (!f.scene) {
         return false;
     }
     mesh->is_ours = made_by_us(f.scene);
-    return count_keys(&f) && read_weights(&f) && walk(&f) &&
-           (mesh->triangle_count > 0 || refuse(&f, "no triangles"));
+    if (!choose_keys(&f) || !read_weights(&f)) {
+        return false;
+    }
+    if (!standing_fill(&f.standing, f.scene)) {
+        return refuse(&f, "more than 4096 nodes");
+    }
+    memcpy(mesh->scales, f.standing.scales, sizeof mesh->scales);
+    return add_meshes(&f) && (mesh->triangle_count > 0 || refuse(&f, "no triangles"));
 }
 
 #else /* Built without assimp. */

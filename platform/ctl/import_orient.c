@@ -156,7 +156,7 @@ static void settle(struct import_mesh *mesh, uint32_t key, float size)
 enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan *plan,
                              struct import_report *report, char why[IMPORT_WHY_SIZE])
 {
-    report->front = mesh->is_ours && plan->front == AXIS_NONE ? AXIS_MINUS_Z : plan->front;
+    report->front = mesh->is_ours && plan->front == AXIS_NONE ? AXIS_Z : plan->front;
     if (report->front == AXIS_NONE && !find_front(mesh, plan->up % 3, &report->front, why)) {
         return EXIT_BAD_DATA;
     }
