@@ -104,13 +104,13 @@ uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count)
     return accessor;
 }
 
-uint32_t glb_quads(struct glb *glb, const uint8_t (*quads)[4], uint32_t count, bool fractions)
+uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count)
 {
-    const uint32_t view = add_view(glb, quads, (size_t)count * 4u, ARRAY_BUFFER);
+    const uint32_t view = add_view(glb, joints, (size_t)count * 4u, ARRAY_BUFFER);
     const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
     bytes_print(&glb->lists[GLB_ACCESSORS],
-                "{\"bufferView\":%u,\"componentType\":%d,%s\"count\":%u,\"type\":\"VEC4\"}", view,
-                UNSIGNED_BYTE, fractions ? "\"normalized\":true," : "", count);
+                "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"VEC4\"}", view,
+                UNSIGNED_BYTE, count);
     return accessor;
 }
 

@@ -40,8 +40,8 @@ uint32_t glb_next(struct glb *glb, enum glb_list list);
 uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const float *values,
                     uint32_t count);
 uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count);
-/* Four joints a vertex, or their weights as fractions of 255. */
-uint32_t glb_quads(struct glb *glb, const uint8_t (*quads)[4], uint32_t count, bool fractions);
+/* Four joints a vertex. */
+uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count);
 
 /* Writes what was gathered: `animation` names its samplers and channels, `scene` is the list of the
  * scene's nodes as JSON has it ("0,3"). 0 or a negative errno; -ENOMEM: `glb` is not whole. */

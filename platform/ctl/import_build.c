@@ -18,7 +18,9 @@ struct corner {
     int16_t at[MORPH_KEY_MAX][3];
     float u, v;
     uint8_t part, side;
+    uint8_t unused[2]; /* Zero. Corners are compared as bytes, so there is no padding. */
 };
+_Static_assert(sizeof(struct corner) == 6 * MORPH_KEY_MAX + 12, "corners have no padding");
 
 struct builder {
     const struct import_mesh *mesh;
@@ -116,9 +118,7 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
 {
     const struct import_mesh *m = b->mesh;
     const uint32_t vertex = m->triangles[t][k];
-    struct corner corner;
-    memset(&corner, 0, sizeof corner); /* Padding too: corners are compared as bytes. */
-    corner.part = (uint8_t)part_of(b, t);
+    struct corner corner = { .part = (uint8_t)part_of(b, t) };
     corner.side = (uint8_t)side_of(b, part_of(b, t), t);
     for (uint32_t key = 0; key < m->key_count; key++) {
         const vec3 p = m->positions[key][vertex];

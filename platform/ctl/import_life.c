@@ -11,6 +11,7 @@
 #define KEY_DAYS 30.0       /* Between keys where nobody says an age. */
 #define GROWN 1.05          /* Length at infinity, of the last key's, where nobody says. */
 #define FADE_YEAR 0.3f
+#define K_MAX 5.0           /* Of a fish that is grown within a year. */
 #define SAME_SIZE 0.01f
 #define UNSET 255u
 
@@ -57,8 +58,10 @@ static void name_keys(const struct import_mesh *mesh, const struct import_plan *
     }
 }
 
-/* As told, else as `like`, else as the file has them, where they are not all one size. */
-static bool set_lengths(const struct import_plan *plan, const struct import_report *report,
+/* As told, else as the file tells, else as `like`, else as the file's shapes are, where they are not
+ * all one size. */
+static bool set_lengths(const struct import_mesh *mesh, const struct import_plan *plan,
+                        const struct import_report *report,
                         struct species_card *card)
 {
     float least = INFINITY, most = 0.0f;
@@ -69,10 +72,12 @@ static bool set_lengths(const struct import_plan *plan, const struct import_repo
     for (uint32_t key = 0; key < card->key_count; key++) {
         card->key_length_m[key] =
             plan->length_count > 0 ? (float)(1e-3 * plan->lengths_mm[key])
+            : mesh->has_life       ? mesh->lengths_m[key]
             : plan->like           ? plan->like->card.key_length_m[key]
                                    : (float)((double)report->size[key] * plan->unit_m);
     }
-    return plan->length_count > 0 || plan->like || most > least * (1.0f + SAME_SIZE);
+    return plan->length_count > 0 || mesh->has_life || plan->like ||
+           most > least * (1.0f + SAME_SIZE);
 }
 
 static void set_growth(const struct import_plan *plan, struct species_card *card)
@@ -90,8 +95,11 @@ static void set_growth(const struct import_plan *plan, struct species_card *card
     }
     /* The keys themselves are what was measured; behind the last, a curve that passes through. */
     *g = (struct growth){ .length_inf_m = (float)(GROWN * (double)card->key_length_m[last]),
-                          .k_per_year = 1.0f, .fade_year = FADE_YEAR };
-    g->t0_year = (float)((double)card->key_age_days[last] / DAYS_PER_YEAR + log(1.0 - 1.0 / GROWN));
+                          .fade_year = FADE_YEAR };
+    const double grown_years = (double)card->key_age_days[last] / DAYS_PER_YEAR;
+    const double k_years = -log(1.0 - 1.0 / GROWN); /* Of K times the years since t0. */
+    g->k_per_year = (float)fmin(k_years / fmax(grown_years, 0.01), K_MAX);
+    g->t0_year = (float)(grown_years - k_years / (double)g->k_per_year);
     if (card->key_age_days[0] > 0.0f) {
         g->points[g->point_count++] = (struct growth_point){ 0.0f, card->key_length_m[0] };
     }
@@ -101,11 +109,13 @@ static void set_growth(const struct import_plan *plan, struct species_card *card
     }
 }
 
-static void set_ages(const struct import_plan *plan, struct species_card *card)
+static void set_ages(const struct import_mesh *mesh, const struct import_plan *plan,
+                     struct species_card *card)
 {
-    const bool by_growth = plan->age_count == 0 && plan->growth_count > 0;
+    const bool by_growth = plan->age_count == 0 && !mesh->has_life && plan->growth_count > 0;
     for (uint32_t key = 0; key < card->key_count; key++) {
         card->key_age_days[key] = plan->age_count > 0 ? (float)plan->ages_days[key]
+                                  : mesh->has_life    ? mesh->ages_days[key]
                                                       : (float)(KEY_DAYS * key);
     }
     set_growth(plan, card);
@@ -288,11 +298,11 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_p
     if (!plan->like || plan->name_count > 0) {
         name_keys(mesh, plan, card);
     }
-    if (!set_lengths(plan, report, card)) {
+    if (!set_lengths(mesh, plan, report, card)) {
         return refuse(why, "lengths: all shapes are one size; say --lengths-mm A,B,C");
     }
     if (!plan->like || plan->age_count > 0 || plan->growth_count > 0) {
-        set_ages(plan, card);
+        set_ages(mesh, plan, card);
     }
     set_graph(mesh, plan, card, report);
     set_coats(mesh, plan, &slot->species);

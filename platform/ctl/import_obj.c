@@ -265,7 +265,7 @@ enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *pa
         if (key == 0) {
             mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
             memset(mesh->uv, 0, sizeof mesh->uv);
-        mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
+        mesh->has_uv = mesh->has_colours = mesh->is_ours = mesh->has_life = false;
             mesh->group_count = 1; /* What stands before the first group has no name. */
             mesh->group_names[0][0] = '\0';
         }

@@ -31,7 +31,8 @@ static struct {
     uint16_t place[MESH_VERTEX_MAX];    /* And back; only where it was taken. */
     float position[MESH_VERTEX_MAX][3], normal[MESH_VERTEX_MAX][3], colour[MESH_VERTEX_MAX][4];
     float coordinates[MESH_VERTEX_MAX][2], source[MESH_VERTEX_MAX];
-    uint8_t joints[MESH_VERTEX_MAX][4], shares[MESH_VERTEX_MAX][4];
+    uint8_t joints[MESH_VERTEX_MAX][4];
+    float shares[MESH_VERTEX_MAX][4]; /* Floats: importers misread fractions of 255. */
     uint16_t indices[MESH_INDEX_MAX];
 } columns;
 
@@ -194,9 +195,9 @@ static bool fill_rest(const struct fish_glb *fish)
         columns.coordinates[i][1] = at->v;
         columns.source[i] = (float)columns.vertices[i];
         memset(columns.joints[i], 0, 4);
-        memset(columns.shares[i], 0, 4);
+        memset(columns.shares[i], 0, sizeof columns.shares[i]);
         columns.joints[i][0] = anchored ? (uint8_t)(at->anchor + 1u) : 0;
-        columns.shares[i][0] = 255;
+        columns.shares[i][0] = 1.0f;
     }
     return rides;
 }
@@ -245,8 +246,9 @@ static void print_attributes(struct fish_glb *fish, bool skinned, struct bytes *
                 glb_floats(file, GLB_FOR_VERTICES, GLB_SCALAR, columns.source, columns.count));
     if (skinned) {
         bytes_print(out, ",\"JOINTS_0\":%u,\"WEIGHTS_0\":%u",
-                    glb_quads(file, (const uint8_t(*)[4])columns.joints, columns.count, false),
-                    glb_quads(file, (const uint8_t(*)[4])columns.shares, columns.count, true));
+                    glb_joints(file, (const uint8_t(*)[4])columns.joints, columns.count),
+                    glb_floats(file, GLB_FOR_VERTICES, GLB_VEC4, columns.shares[0],
+                               columns.count));
     }
     bytes_print(out, "}");
 }

@@ -305,6 +305,11 @@ static enum exit_code make_of_meshes(struct import_words *words, struct species_
                  MORPH_KEY_MAX);
         return refuse(words->files[0], why);
     }
+    if (words->plan.measure == UNSET) {
+        words->plan.measure = mesh.has_life      ? mesh.measure
+                              : words->plan.like ? words->plan.like->card.measure
+                                                 : (uint8_t)MEASURE_TOTAL;
+    }
     if (import_orient(&mesh, &words->plan, &report, why) != EXIT_OK ||
         import_build(&mesh, slot, &report, why) != EXIT_OK ||
         import_life(&mesh, &words->plan, slot, &report, why) != EXIT_OK) {
@@ -335,9 +340,6 @@ static enum exit_code open_like(struct import_words *words)
             return code;
         }
         plan->like = &slot.species;
-    }
-    if (plan->measure == UNSET) {
-        plan->measure = plan->like ? plan->like->card.measure : MEASURE_TOTAL;
     }
     return EXIT_OK;
 }
