@@ -4,8 +4,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "platform/ctl/plate.h"
+
+#define JOIN_LENGTHS 1e-5f /* Body lengths: less than a count of the tables. */
 
 /* Back to front. */
 enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
@@ -57,34 +60,94 @@ static enum layer layer_of(uint8_t part, float toward)
     }
 }
 
-/* Eyes that the body hides are not drawn; from the side that is the eye beyond its middle. */
+/* Eyes that the body hides are not drawn; from the side that is the eye beyond its middle. Nor are
+ * fins that are seen edge-on. */
 static bool is_hidden(const struct outline *outline, enum layer layer, float toward)
 {
+    if (outline->view == OUTLINE_FRONT) {
+        return layer == LAYER_MEDIAN_FINS;
+    }
     return layer == LAYER_EYES && outline->view == OUTLINE_SIDE && toward < 0.0f;
+}
+
+/* Whether the triangle at `corner` belongs to the layer and faces the viewer. */
+static bool is_seen(const struct outline *outline, const vec3 *positions, const uint16_t *corner,
+                    enum layer layer)
+{
+    const struct species_mesh *mesh = &outline->species->lod[0];
+    const vec3 a = seen(outline->view, positions[corner[0]]);
+    const vec3 b = seen(outline->view, positions[corner[1]]);
+    const vec3 c = seen(outline->view, positions[corner[2]]);
+    const float toward = a.z + b.z + c.z;
+    const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return area > 0.0f && layer_of(mesh->vertices[corner[0]].part, toward) == layer &&
+           !is_hidden(outline, layer, toward);
+}
+
+static void put_point(struct svg *svg, const struct outline *outline, char verb, vec3 p)
+{
+    double x, y;
+    outline_project(outline, p, &x, &y);
+    svg_put(svg, "%c%.1f %.1f", verb, x, y);
 }
 
 static void draw_layer(struct svg *svg, const struct outline *outline, const vec3 *positions,
                        enum layer layer)
 {
     const struct species_mesh *mesh = &outline->species->lod[0];
+    const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
+    const bool dark = layer == LAYER_EYES && outline->opacity > 0.5;
+    svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"", dark ? SVG_INK : outline->colour,
+            outline->opacity * (fins ? 0.55 : 1.0));
     for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
-        const uint16_t *corner = &mesh->indices[i];
-        const vec3 a = seen(outline->view, positions[corner[0]]);
-        const vec3 b = seen(outline->view, positions[corner[1]]);
-        const vec3 c = seen(outline->view, positions[corner[2]]);
-        const float toward = a.z + b.z + c.z;
-        const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        if (area <= 0.0f || layer_of(mesh->vertices[corner[0]].part, toward) != layer ||
-            is_hidden(outline, layer, toward)) {
-            continue;
+        if (is_seen(outline, positions, &mesh->indices[i], layer)) {
+            for (uint32_t j = 0; j < 3; j++) {
+                put_point(svg, outline, j == 0 ? 'M' : 'L', positions[mesh->indices[i + j]]);
+            }
+            svg_put(svg, "Z");
         }
-        for (uint32_t j = 0; j < 3; j++) {
-            double x, y;
-            outline_project(outline, positions[corner[j]], &x, &y);
-            svg_put(svg, "%c%.1f %.1f", j == 0 ? 'M' : 'L', x, y);
-        }
-        svg_put(svg, "Z");
     }
+    svg_put(svg, "\"/>\n");
+}
+
+/* Vertices in one place are one for the contour: the body's seam is no edge of it. */
+static void join(const struct species_mesh *mesh, const vec3 *positions,
+                 uint16_t joined[MESH_VERTEX_MAX])
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        uint32_t first = 0;
+        while (v3_length(v3_sub(positions[first], positions[i])) > JOIN_LENGTHS) {
+            first++;
+        }
+        joined[i] = (uint16_t)first;
+    }
+}
+
+/* The edges that one triangle in sight has and no other one on their far side. */
+static void draw_contour(struct svg *svg, const struct outline *outline, const vec3 *positions,
+                         const uint16_t *joined, enum layer layer)
+{
+    static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX]; /* From, to. */
+    const struct species_mesh *mesh = &outline->species->lod[0];
+    const uint16_t *at = mesh->indices;
+    memset(has, 0, sizeof has);
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+        for (uint32_t j = 0; is_seen(outline, positions, &at[i], layer) && j < 3; j++) {
+            has[joined[at[i + j]]][joined[at[i + (j + 1) % 3]]] = 1;
+        }
+    }
+    svg_put(svg, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" "
+                 "stroke-opacity=\"0.7\" stroke-linecap=\"round\" d=\"", outline->colour,
+            outline->line_px);
+    for (uint32_t from = 0; from < mesh->vertex_count; from++) {
+        for (uint32_t to = 0; to < mesh->vertex_count; to++) {
+            if (has[from][to] && !has[to][from]) {
+                put_point(svg, outline, 'M', positions[from]);
+                put_point(svg, outline, 'L', positions[to]);
+            }
+        }
+    }
+    svg_put(svg, "\"/>\n");
 }
 
 static void blend(const struct outline *outline, vec3 positions[MESH_VERTEX_MAX])
@@ -112,13 +175,13 @@ void outline_measure(const struct outline *outline, double low[2], double high[2
 void outline_draw(struct svg *svg, const struct outline *outline)
 {
     static vec3 positions[MESH_VERTEX_MAX];
+    static uint16_t joined[MESH_VERTEX_MAX];
     blend(outline, positions);
+    join(&outline->species->lod[0], positions, joined);
     for (enum layer layer = LAYER_FAR_FINS; layer < LAYERS; layer++) {
-        const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
-        const bool dark = layer == LAYER_EYES && outline->opacity > 0.5;
-        svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"",
-                dark ? SVG_INK : outline->colour, outline->opacity * (fins ? 0.55 : 1.0));
         draw_layer(svg, outline, positions, layer);
-        svg_put(svg, "\"/>\n");
+        if (outline->line_px > 0.0) {
+            draw_contour(svg, outline, positions, joined, layer);
+        }
     }
 }

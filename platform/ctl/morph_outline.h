@@ -25,6 +25,7 @@ struct outline {
     double length_px; /* What one body length is. */
     const char *colour;
     double opacity;   /* Of the body; fins have half of it. */
+    double line_px;   /* How thick its contour is drawn; 0: not at all. */
 };
 
 /* What shows most of a body of that form. */

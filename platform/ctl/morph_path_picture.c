@@ -19,6 +19,7 @@ static void draw_fish(struct picture *picture, const struct window *window, doub
         outline.progress = (float)key / (float)(fish->card.key_count - 1u);
         outline.colour = outline_key_colour(key);
         outline.opacity = opacity;
+        outline.line_px = 1.0;
         outline_draw(&picture->svg, &outline);
     }
 }
@@ -153,13 +154,13 @@ static void draw_ruler(struct picture *picture, const struct window *window)
 static void draw_window(struct picture *picture, const struct window *window, bool enlarged)
 {
     draw_frame(picture, window, enlarged ? "lens" : "whole");
-    draw_fish(picture, window, enlarged ? 0.12 : 0.16);
+    draw_fish(picture, window, enlarged ? 0.035 : 0.05);
     draw_reach(picture, window);
     draw_chord(picture, window);
     if (picture->plan->pick.thesis) {
         draw_way(picture, window, picture->drawn, SVG_INK, 2.0, "1 6");
     }
-    draw_way(picture, window, picture->way, SVG_WAY, enlarged ? 4.0 : 2.5, NULL);
+    draw_way(picture, window, picture->way, SVG_WAY, enlarged ? 4.5 : 2.8, NULL);
     draw_dots(picture, window, enlarged ? 7.0 : 4.0);
     if (enlarged) {
         draw_names(picture, window);

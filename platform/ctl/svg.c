@@ -53,8 +53,9 @@ void svg_text(struct svg *svg, double x, double y, double size, const char *anch
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     fprintf(svg->file,
-            "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" text-anchor=\"%s\" fill=\"%s\">", x, y,
-            size, anchor, colour);
+            "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" text-anchor=\"%s\" fill=\"%s\" "
+            "stroke=\"%s\" stroke-width=\"3\" stroke-opacity=\"0.8\" paint-order=\"stroke\">", x, y,
+            size, anchor, colour, SVG_PAPER);
     put_escaped(svg->file, text);
     fputs("</text>\n", svg->file);
 }

@@ -23,7 +23,7 @@ bool svg_open(struct svg *svg, const char *path, double width, double height, co
 __attribute__((format(printf, 2, 3)))
 void svg_put(struct svg *svg, const char *format, ...);
 
-/* One line of words. `anchor` is start, middle or end. */
+/* One line of words, with a little paper around them. `anchor` is start, middle or end. */
 __attribute__((format(printf, 7, 8)))
 void svg_text(struct svg *svg, double x, double y, double size, const char *anchor,
               const char *colour, const char *format, ...);

@@ -11,7 +11,7 @@ young = dir.'/figure-3.6-young.csv'
 
 set output dir.'/figure-3.6.png'
 set multiplot
-set title 'Figure 3.6  Growth of the bigeye tuna: measured, plain, and with its start shifted'
+set title 'Figure 3.6  Growth of the bigeye tuna: three ways'
 set xlabel 'age (years)'; set ylabel 'fork length (cm)'
 set xrange [0:15]; set yrange [0:210]
 set key left top reverse Left samplen 2 textcolor rgb '#333333'
@@ -19,7 +19,7 @@ plot old using 2:($4 / 10) skip 1 with lines lw 3 lc rgb grey title 'von Bertala
      '' using 2:($5 / 10) skip 1 with lines lw 3 dt 2 lc rgb blue title "its start shifted (section 3.2)", \
      '' using 2:($3 / 10) skip 1 with lines lw 4 lc rgb red title 'ours'
 unset title; unset key; unset object
-set size 0.47, 0.52; set origin 0.50, 0.10
+set size 0.47, 0.52; set origin 0.50, 0.14
 set object 1 rectangle from graph -0.20, graph -0.24 to graph 1.04, graph 1.10 behind fillcolor rgb '#fbfaf8' fillstyle solid noborder
 set xlabel 'the first two years' offset 0, 0.4; unset ylabel
 set xrange [0:2]; set yrange [0:100]; set xtics 0.5; set ytics 25
