@@ -1,13 +1,13 @@
 // A specimen's skin in the light of a studio: a soft lamp above its face, water light from below,
-// a cool edge. The keys' sheets of paint are mixed as the keys' shapes are.
+// a cool edge. Two sheets of paint are mixed, neighbours along the fish's life.
 in vec3 normal;
 in vec2 paint_uv;
 in vec4 skin;
 
-uniform sampler2DArray paints; // A layer a key: colour, and how clear.
+uniform sampler2DArray paints; // Colour, and how clear.
 uniform sampler2DArray shines; // How silvery.
-uniform float coats[8];        // How much of each key's; sum 1.
-uniform vec4 look;             // Opacity, scales along the body, keys; 1: behind a clear body.
+uniform vec3 sheets;           // Two of their layers, and how much of the second.
+uniform vec4 look;             // Opacity, scales along the body; w 1: behind a clear body.
 uniform vec4 tint;
 
 out vec4 color;
@@ -30,16 +30,9 @@ vec3 to_screen(vec3 c)
     return pow(max(c * 1.10, 0.0), vec3(1.0 / 2.2));
 }
 
-void mix_coats(out vec4 paint, out float shine)
+vec4 mixed(sampler2DArray of, vec2 at)
 {
-    paint = vec4(0.0);
-    shine = 0.0;
-    for (int key = 0; key < int(look.z + 0.5); key++) {
-        if (coats[key] > 0.002) {
-            paint += coats[key] * texture(paints, vec3(paint_uv, float(key)));
-            shine += coats[key] * texture(shines, vec3(paint_uv, float(key))).r;
-        }
-    }
+    return mix(texture(of, vec3(at, sheets.x)), texture(of, vec3(at, sheets.y)), sheets.z);
 }
 
 // What a silvery skin mirrors: bright above, a dark band at its height, water below.
@@ -69,12 +62,11 @@ vec3 lit(vec3 paint, vec3 n, float shine, float gloss)
 #ifdef FIN
 void main()
 {
-    vec4 paint;
-    float shine;
     if (look.w > 0.5 && (skin.z < 4.5 || skin.z > 6.5)) {
         discard; // Of a median fin only its root is behind the skin.
     }
-    mix_coats(paint, shine);
+    vec4 paint = mixed(paints, paint_uv);
+    float shine = mixed(shines, paint_uv).r;
     paint.rgb = mix(paint.rgb, tint.rgb, tint.a);
     vec3 n = normalize(normal);
     n = n.z < 0.0 ? -n : n;
@@ -97,11 +89,7 @@ const float EYE_WIDTH = 63.0 / 256.0; // Of the sheet, that an eye's u runs over
 // Its iris is painted; where the pupil ends is drawn here, as sharp as the screen.
 vec4 eyeball(vec3 n)
 {
-    vec3 iris = vec3(0.0);
-    vec2 at = paint_uv + vec2((0.80 - skin.x) * EYE_WIDTH, 0.0);
-    for (int key = 0; key < int(look.z + 0.5); key++) {
-        iris += coats[key] * texture(paints, vec3(at, float(key))).rgb;
-    }
+    vec3 iris = mixed(paints, paint_uv + vec2((0.80 - skin.x) * EYE_WIDTH, 0.0)).rgb;
     iris = mix(iris, tint.rgb, tint.a);
     float soft = max(fwidth(skin.x), 0.01);
     float pupil = 1.0 - smoothstep(PUPIL - soft, PUPIL + soft, skin.x);
@@ -140,11 +128,10 @@ vec2 scales(vec2 uv)
 
 vec4 body(vec3 n)
 {
-    vec4 paint;
-    float shine;
-    mix_coats(paint, shine);
+    vec4 paint = mixed(paints, paint_uv);
+    float shine = mixed(shines, paint_uv).r;
     paint.rgb = mix(paint.rgb, tint.rgb, tint.a);
-    vec2 scale = scales(skin.xy) * (1.0 - paint.a) * (1.0 - tint.a);
+    vec2 scale = scales(skin.xy) * (1.0 - smoothstep(0.02, 0.30, paint.a)) * (1.0 - tint.a);
     n = normalize(n + vec3(0.10, 0.04, 0.0) * scale.y); // Each scale glints by itself.
     vec3 base = to_light(paint.rgb) * (1.06 - 0.36 * scale.x);
     vec3 light = lit(base, n, shine * (1.0 - 0.5 * scale.x), 0.35 + 0.5 * shine);

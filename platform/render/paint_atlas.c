@@ -62,20 +62,26 @@ void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
     uv[1] = middle(place.y, place.height, vertex->v);
 }
 
-bool paint_atlas_at(uint32_t x, uint32_t y, struct species_vertex *vertex)
+static float along(float at, uint32_t first, uint32_t count)
 {
-    const bool body = y < PAINT_BODY_HEIGHT;
-    const uint32_t cell =
-        body ? 0 : (y - PAINT_BODY_HEIGHT) / PAINT_CELL_HEIGHT * CELLS_A_ROW + x / PAINT_CELL_WIDTH;
-    CORE_ASSERT(x < PAINT_SIZE && y < PAINT_SIZE);
-    if (cell >= CELL_COUNT) {
+    return f_clamp((at - (float)first - 0.5f) / (float)(count - 1u), 0.0f, 1.0f);
+}
+
+bool paint_atlas_at(float x, float y, struct species_vertex *vertex)
+{
+    CORE_ASSERT(x >= 0.0f && x < (float)PAINT_SIZE);
+    CORE_ASSERT(y >= 0.0f && y < (float)PAINT_SIZE);
+    const bool body = y < (float)PAINT_BODY_HEIGHT;
+    const uint32_t row = body ? 0 : ((uint32_t)y - PAINT_BODY_HEIGHT) / PAINT_CELL_HEIGHT;
+    const uint32_t cell = row * CELLS_A_ROW + (uint32_t)x / PAINT_CELL_WIDTH;
+    if (!body && cell >= CELL_COUNT) {
         return false;
     }
     const struct place place =
         body ? (struct place){ 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT } : place_of(cell);
     *vertex = (struct species_vertex){
-        .u = (float)(x - place.x) / (float)(place.width - 1u),
-        .v = (float)(y - place.y) / (float)(place.height - 1u),
+        .u = along(x, place.x, place.width),
+        .v = along(y, place.y, place.height),
         .part = body ? PART_BODY : cells[cell].part,
         .side = body ? SIDE_MIDDLE : cells[cell].side,
         .anchor = ANCHOR_NONE,

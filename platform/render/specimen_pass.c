@@ -10,9 +10,7 @@
 #define SAMPLERS "paints shines"
 #define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
 #define SWAY_LENGTHS 0.3f /* So far swimming brings it out of its mesh's reach, at most. */
-#define COARSE 4u        /* Texels a side that the first, coarse painting takes as one. */
-#define WORK_BANDS 4u    /* Painted in a frame: 8,192 texels. */
-#define BANDS (PAINT_SIZE / PAINT_BAND)
+#define WORK_BANDS 3u    /* Painted in a frame: 6,144 texels, or more at rims. */
 #define CLEAR_MIN 0.02f
 
 static struct specimen_program program(struct gl_status *status, const char *name,
@@ -29,18 +27,8 @@ static struct specimen_program program(struct gl_status *status, const char *nam
         .swim = glGetUniformLocation(made, "swim"),
         .look = glGetUniformLocation(made, "look"),
         .tint = glGetUniformLocation(made, "tint"),
-        .coats = glGetUniformLocation(made, "coats"),
+        .sheets = glGetUniformLocation(made, "sheets"),
     };
-}
-
-static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
-{
-    return gl_texture(status, "paint of a species",
-                      &(struct gl_texture_desc){ .internal_format = internal_format,
-                                                 .format = format,
-                                                 .width = PAINT_SIZE,
-                                                 .height = PAINT_SIZE,
-                                                 .layers = MORPH_KEY_MAX });
 }
 
 void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass)
@@ -56,8 +44,7 @@ void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass)
     glGenVertexArrays(1, &pass->no_attributes);
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         struct specimen_slot *const slot = &pass->slots[i];
-        slot->paints = sheets(status, GL_RGBA8, GL_RGBA);
-        slot->shines = sheets(status, GL_R8, GL_RED);
+        skin_open(status, &slot->skin);
         for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
             fish_mesh_reserve(&slot->mesh[lod]);
         }
@@ -73,58 +60,12 @@ void specimen_pass_close(struct specimen_pass *pass)
     glDeleteVertexArrays(1, &pass->no_attributes);
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         struct specimen_slot *const slot = &pass->slots[i];
-        const GLuint textures[2] = { slot->paints, slot->shines };
-        glDeleteTextures(2, textures);
+        skin_close(&slot->skin);
         for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
             fish_mesh_close(&slot->mesh[lod]);
         }
         slot->species = NULL;
     }
-}
-
-static uint8_t byte(float x)
-{
-    return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
-}
-
-/* One texel of a key's sheet, and its copies up to `step` x `step` inside the band. */
-static void paint_texel(struct specimen_pass *pass, const struct species *species, uint32_t key,
-                        uint32_t x, uint32_t y, uint32_t step)
-{
-    struct species_vertex at;
-    float weights[MORPH_KEY_MAX] = { 0.0f };
-    if (!paint_atlas_at(x, y, &at)) {
-        return;
-    }
-    weights[key] = 1.0f;
-    const struct paint paint = paint_at(species, weights, &at);
-    const uint8_t texel[4] = { byte(paint.colour.x), byte(paint.colour.y), byte(paint.colour.z),
-                               byte(paint.clear) };
-    for (uint32_t j = 0; j < step; j++) {
-        for (uint32_t i = 0; i < step; i++) {
-            const uint32_t index = (y % PAINT_BAND + j) * PAINT_SIZE + x + i;
-            memcpy(pass->paint[index], texel, sizeof texel);
-            pass->shine[index] = byte(paint.shine);
-        }
-    }
-}
-
-static void paint_band(struct specimen_pass *pass, const struct specimen_slot *slot, uint32_t key,
-                       uint32_t band, uint32_t step)
-{
-    const uint32_t first = band * PAINT_BAND;
-    for (uint32_t y = first; y < first + PAINT_BAND; y += step) {
-        for (uint32_t x = 0; x < PAINT_SIZE; x += step) {
-            paint_texel(pass, slot->species, key, x, y, step);
-        }
-    }
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->paints);
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)key, PAINT_SIZE, PAINT_BAND, 1,
-                    GL_RGBA, GL_UNSIGNED_BYTE, pass->paint);
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->shines);
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)key, PAINT_SIZE, PAINT_BAND, 1,
-                    GL_RED, GL_UNSIGNED_BYTE, pass->shine);
 }
 
 static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
@@ -133,17 +74,12 @@ static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
     const struct species *const species = specimen->species;
     slot->species = species;
     slot->edition = specimen->edition;
-    slot->bands_done = 0;
     morph_rig_init(&slot->rig, &species->card, TEMPLATE_OWN);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         fish_mesh_fill(&slot->mesh[lod], &pass->memory, &species->lod[lod],
                        species->card.key_count);
     }
-    for (uint32_t key = 0; key < species->card.key_count; key++) {
-        for (uint32_t band = 0; band < BANDS; band++) {
-            paint_band(pass, slot, key, band, COARSE);
-        }
-    }
+    skin_wear(&slot->skin, species);
 }
 
 static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct specimen *specimen)
@@ -165,41 +101,19 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
     return rested;
 }
 
-static uint32_t paint_some(struct specimen_pass *pass, struct specimen_slot *slot, uint32_t bands)
-{
-    const uint32_t all = slot->species ? slot->species->card.key_count * BANDS : 0;
-    while (bands > 0 && slot->bands_done < all) {
-        paint_band(pass, slot, slot->bands_done / BANDS, slot->bands_done % BANDS, 1);
-        slot->bands_done++;
-        bands--;
-    }
-    return bands;
-}
-
 void specimen_pass_work(struct specimen_pass *pass)
 {
     uint32_t bands = WORK_BANDS;
     for (uint32_t i = 0; i < SPECIMEN_SLOTS && bands > 0; i++) {
-        bands = paint_some(pass, &pass->slots[i], bands);
+        if (pass->slots[i].species) {
+            bands = skin_work(&pass->slots[i].skin, &pass->brush, bands);
+        }
     }
 }
 
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen)
 {
-    paint_some(pass, slot_of(pass, specimen), MORPH_KEY_MAX * BANDS);
-}
-
-/* Coats are mixed as paint_at() does: never less than nothing of one, and a whole in all. */
-static void coat_weights(float coats[MORPH_KEY_MAX], const float weights[MORPH_KEY_MAX])
-{
-    float sum = 0.0f;
-    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-        coats[i] = f_max(weights[i], 0.0f);
-        sum += coats[i];
-    }
-    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-        coats[i] /= sum;
-    }
+    skin_work(&slot_of(pass, specimen)->skin, &pass->brush, SKIN_SHEETS * SKIN_BANDS);
 }
 
 static void colour_of(float out[4], uint32_t rgba)
@@ -209,29 +123,9 @@ static void colour_of(float out[4], uint32_t rgba)
     }
 }
 
-static float clearness(const struct species *species, const float coats[MORPH_KEY_MAX])
-{
-    float clear = 0.0f;
-    for (uint32_t i = 0; i < species->card.key_count; i++) {
-        clear += coats[i] * (float)species->coats[i].clear / 255.0f;
-    }
-    return clear;
-}
-
-/* How many scales lie along a fish: about 30 on a carp, 50 on a bream; a flatfish's are fine, a
- * tuna's, an eel's, a puffer's and a ray's are not to be seen. */
-static float scale_rows(const struct species *species)
-{
-    static const float rows[] = { [FORM_FUSIFORM] = 31.0f, [FORM_COMPRESSED] = 50.0f,
-                                  [FORM_DEPRESSED] = 80.0f, [FORM_EEL] = 0.0f,
-                                  [FORM_PUFFER] = 0.0f };
-    const uint8_t motion = species->card.motion;
-    return motion == MOTION_WING || motion == MOTION_TUNA ? 0.0f : rows[species->card.form];
-}
-
 /* What a specimen's two programs are told alike. */
 struct told {
-    float coats[MORPH_KEY_MAX];
+    float sheets[3];
     float look[4];
     float screen_px[2];
 };
@@ -252,7 +146,7 @@ static void send(const struct specimen_program *program, const struct specimen *
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
     glUniform4fv(program->look, 1, told->look);
     glUniform4fv(program->tint, 1, tint);
-    glUniform1fv(program->coats, MORPH_KEY_MAX, told->coats);
+    glUniform3fv(program->sheets, 1, told->sheets);
 }
 
 static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
@@ -334,11 +228,10 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     struct specimen_slot *const slot = slot_of(pass, specimen);
     const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
     const struct species_mesh *const mesh = &slot->species->lod[lod];
-    struct told told = { .look = { 1.0f - specimen->fade, scale_rows(slot->species),
-                                   (float)slot->species->card.key_count },
+    struct told told = { .look = { 1.0f - specimen->fade, skin_scales(&slot->skin) },
                          .screen_px = { width_px, height_px } };
     morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
-    coat_weights(told.coats, pass->pose.weight[0]);
+    skin_show(&slot->skin, &pass->brush, pass->pose.weight[0], told.sheets);
     send_pose(pass, mesh->anchor_count);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
@@ -349,9 +242,10 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     send(&pass->body, specimen, slot, &told);
     send(&pass->fin, specimen, slot, &told);
     clear_depth(specimen, mesh->reach, height_px);
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->paints);
-    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->shines);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->skin.paints);
+    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->skin.shines);
     glBindVertexArray(slot->mesh[lod].vertex_array);
-    draw_fish(pass, &slot->mesh[lod], clearness(slot->species, told.coats) > CLEAR_MIN, told.look);
+    draw_fish(pass, &slot->mesh[lod], skin_clearness(&slot->skin, pass->pose.weight[0]) > CLEAR_MIN,
+              told.look);
     glBindVertexArray(0);
 }

@@ -2,32 +2,29 @@
  *
  * A species is brought to the GPU when it is first asked for, in the slot that has rested longest.
  * Its skin is painted coarsely at once and finely over the next frames, some rows in each. All
- * memory is taken at the start: about 0.2 MiB here, 12 MiB of textures. */
+ * memory is taken at the start: about 0.2 MiB here, 17 MiB of textures. */
 #ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
 #define KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
 
 #include "platform/render/fish_mesh.h"
 #include "platform/render/fish_poses.h"
-#include "platform/render/paint_atlas.h"
+#include "platform/render/skin.h"
 #include "platform/render/specimen.h"
 
 #define SPECIMEN_SLOTS 4u /* The lab's species, its rival, the album's; one to change places. */
-#define PAINT_BAND 8u     /* Rows that are painted and uploaded together. */
 
 struct specimen_program {
     GLuint name;
-    GLint reach, axes, place, screen, swim, look, tint, coats;
+    GLint reach, axes, place, screen, swim, look, tint, sheets;
 };
 
 struct specimen_slot {
     const struct species *species; /* Null: empty. */
     uint32_t edition;
     uint32_t last_used;   /* In draws, to find who rests longest. */
-    uint32_t bands_done;  /* Of all keys' sheets, the fine painting. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* The species' own. */
-    GLuint paints;        /* Array: a key's sheet a layer; colour, and how clear. */
-    GLuint shines;        /* The same: how silvery. */
+    struct skin skin;
 };
 
 struct specimen_pass {
@@ -38,8 +35,7 @@ struct specimen_pass {
     struct morph_pose pose;
     float texels[POSE_TEXELS_MAX][4];
     struct fish_mesh_memory memory;
-    uint8_t paint[PAINT_BAND * PAINT_SIZE][4];
-    uint8_t shine[PAINT_BAND * PAINT_SIZE];
+    struct skin_brush brush;
 };
 
 void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass);

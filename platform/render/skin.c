@@ -1,0 +1,269 @@
+/* skin.c -- see skin.h. */
+#include "platform/render/skin.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+
+#define COARSE 4u        /* Texels a side that the first, coarse painting takes as one. */
+#define EDGE 20          /* Of 255: neighbours that differ more are painted at four points each. */
+#define SCALE_ROWS_MIN 6u /* So many rows of dots mean scales. */
+
+static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
+{
+    return gl_texture(status, "skin",
+                      &(struct gl_texture_desc){ .internal_format = internal_format,
+                                                 .format = format,
+                                                 .width = PAINT_SIZE,
+                                                 .height = PAINT_SIZE,
+                                                 .layers = SKIN_SHEETS });
+}
+
+void skin_open(struct gl_status *status, struct skin *skin)
+{
+    skin->paints = sheets(status, GL_RGBA8, GL_RGBA);
+    skin->shines = sheets(status, GL_R8, GL_RED);
+}
+
+void skin_close(struct skin *skin)
+{
+    const GLuint textures[2] = { skin->paints, skin->shines };
+    glDeleteTextures(2, textures);
+}
+
+float skin_scales(const struct skin *skin)
+{
+    /* About 30 on a carp, 50 on a bream. */
+    static const float along[] = { [FORM_FUSIFORM] = 31.0f, [FORM_COMPRESSED] = 50.0f,
+                                   [FORM_DEPRESSED] = 80.0f, [FORM_EEL] = 0.0f,
+                                   [FORM_PUFFER] = 0.0f };
+    const struct species_card *const card = &skin->species.card;
+    const bool bare = card->motion == MOTION_WING || card->motion == MOTION_TUNA;
+    return bare ? 0.0f : along[card->form];
+}
+
+/* Rows upon rows of dots are a maker's word for scales. Where the shader draws scales with rims,
+ * the dots are left out; their lines stay, for marks are told by their lines. */
+static void leave_out_dots(struct skin *skin)
+{
+    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
+        struct species_coat *const coat = &skin->species.coats[key];
+        for (uint32_t i = 0; i < coat->mark_count; i++) {
+            struct species_mark *const mark = &coat->marks[i];
+            if (mark->kind == MARK_ROWS && mark->part == PART_BODY &&
+                mark->seed >= SCALE_ROWS_MIN) {
+                mark->part = PART_COUNT; /* On no part. */
+            }
+        }
+    }
+}
+
+void skin_wear(struct skin *skin, const struct species *species)
+{
+    const uint32_t steps = species->card.key_count - 1u;
+    CORE_ASSERT(steps >= 1 && steps < MORPH_KEY_MAX);
+    skin->species = *species;
+    skin->per_key = (SKIN_SHEETS - 1u) / steps;
+    skin->sheet_count = steps * skin->per_key + 1u;
+    skin->shown = 0.0f;
+    memset(skin->bands_done, 0, sizeof skin->bands_done);
+    memset(skin->is_coarse, 0, sizeof skin->is_coarse);
+    if (skin_scales(skin) > 0.0f) {
+        leave_out_dots(skin);
+    }
+}
+
+static uint8_t byte(float x)
+{
+    return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+/* A sheet being painted. */
+struct painting {
+    const struct species *species;
+    float weights[MORPH_KEY_MAX];
+    struct skin_brush *brush;
+};
+
+static struct painting painting_of(const struct skin *skin, struct skin_brush *brush,
+                                   uint32_t sheet)
+{
+    struct painting painting = { .species = &skin->species, .brush = brush };
+    const uint32_t key = sheet / skin->per_key;
+    const float part = (float)(sheet % skin->per_key) / (float)skin->per_key;
+    painting.weights[key] = 1.0f - part;
+    if (part > 0.0f) {
+        painting.weights[key + 1u] = part;
+    }
+    return painting;
+}
+
+static bool paint_point(const struct painting *painting, float x, float y, struct paint *paint)
+{
+    struct species_vertex at;
+    if (!paint_atlas_at(x, y, &at)) {
+        return false;
+    }
+    *paint = paint_at(painting->species, painting->weights, &at);
+    return true;
+}
+
+static void put(const struct painting *painting, uint32_t index, const struct paint *paint)
+{
+    const uint8_t texel[4] = { byte(paint->colour.x), byte(paint->colour.y), byte(paint->colour.z),
+                               byte(paint->clear) };
+    memcpy(painting->brush->paint[index], texel, sizeof texel);
+    painting->brush->shine[index] = byte(paint->shine);
+}
+
+/* One point for `step` x `step` texels of the band that begins at row `first`. */
+static void paint_plainly(const struct painting *painting, uint32_t first, uint32_t step)
+{
+    struct paint paint;
+    for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
+        const uint32_t x = i % PAINT_SIZE, y = i / PAINT_SIZE;
+        const uint32_t from = (y - y % step) * PAINT_SIZE + x - x % step;
+        if (from != i) {
+            memcpy(painting->brush->paint[i], painting->brush->paint[from], 4);
+            painting->brush->shine[i] = painting->brush->shine[from];
+        } else if (paint_point(painting, (float)x + 0.5f * (float)step,
+                               (float)(first + y) + 0.5f * (float)step, &paint)) {
+            put(painting, i, &paint);
+        }
+    }
+}
+
+static bool differ(const uint8_t a[4], const uint8_t b[4])
+{
+    int32_t most = 0;
+    for (uint32_t i = 0; i < 4; i++) {
+        const int32_t d = (int32_t)a[i] - (int32_t)b[i];
+        most = d > most ? d : -d > most ? -d : most;
+    }
+    return most > EDGE;
+}
+
+/* The mean of four points of texel (x, y). */
+static void paint_finely(const struct painting *painting, uint32_t index, uint32_t x, uint32_t y)
+{
+    struct paint mean = { .colour = { 0.0f, 0.0f, 0.0f } }, paint;
+    for (uint32_t i = 0; i < 4; i++) {
+        const float right = 0.25f + 0.5f * (float)(i & 1u), down = 0.25f + 0.5f * (float)(i >> 1);
+        if (!paint_point(painting, (float)x + right, (float)y + down, &paint)) {
+            return;
+        }
+        mean.colour = v3_mad(mean.colour, paint.colour, 0.25f);
+        mean.clear += 0.25f * paint.clear;
+        mean.shine += 0.25f * paint.shine;
+    }
+    put(painting, index, &mean);
+}
+
+/* A mark's rim may be narrower than a texel: a slit painted at one point of each would be ragged. */
+static void smooth_rims(const struct painting *painting, uint32_t first)
+{
+    bool rim[SKIN_BAND * PAINT_SIZE] = { false };
+    for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
+        const uint32_t right = i % PAINT_SIZE < PAINT_SIZE - 1u ? i + 1u : i;
+        const uint32_t below = i + PAINT_SIZE < SKIN_BAND * PAINT_SIZE ? i + PAINT_SIZE : i;
+        const uint8_t(*const texels)[4] = (const uint8_t(*)[4])painting->brush->paint;
+        if (differ(texels[i], texels[right])) {
+            rim[i] = rim[right] = true;
+        }
+        if (differ(texels[i], texels[below])) {
+            rim[i] = rim[below] = true;
+        }
+    }
+    for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
+        if (rim[i]) {
+            paint_finely(painting, i, i % PAINT_SIZE, first + i / PAINT_SIZE);
+        }
+    }
+}
+
+static void send(const struct skin *skin, const struct skin_brush *brush, uint32_t sheet,
+                 uint32_t first)
+{
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, skin->paints);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)sheet, PAINT_SIZE, SKIN_BAND,
+                    1, GL_RGBA, GL_UNSIGNED_BYTE, brush->paint);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, skin->shines);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)sheet, PAINT_SIZE, SKIN_BAND,
+                    1, GL_RED, GL_UNSIGNED_BYTE, brush->shine);
+}
+
+static void paint_coarsely(struct skin *skin, struct skin_brush *brush, uint32_t sheet)
+{
+    const struct painting painting = painting_of(skin, brush, sheet);
+    for (uint32_t band = 0; band < SKIN_BANDS; band++) {
+        paint_plainly(&painting, band * SKIN_BAND, COARSE);
+        send(skin, brush, sheet, band * SKIN_BAND);
+    }
+    skin->is_coarse[sheet] = true;
+}
+
+void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[MORPH_KEY_MAX],
+               float out[3])
+{
+    float mean = 0.0f, sum = 0.0f;
+    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
+        const float weight = f_max(weights[key], 0.0f); /* As paint_at() takes them. */
+        mean += weight * (float)(key * skin->per_key);
+        sum += weight;
+    }
+    skin->shown = f_clamp(mean / sum, 0.0f, (float)(skin->sheet_count - 1u));
+    const uint32_t first = (uint32_t)skin->shown;
+    const uint32_t second = first + 1u < skin->sheet_count ? first + 1u : first;
+    for (uint32_t sheet = first; sheet <= second; sheet++) {
+        if (!skin->is_coarse[sheet]) {
+            paint_coarsely(skin, brush, sheet);
+        }
+    }
+    out[0] = (float)first;
+    out[1] = (float)second;
+    out[2] = skin->shown - (float)first;
+}
+
+/* The unfinished sheet nearest to what is shown, or sheet_count. */
+static uint32_t next_sheet(const struct skin *skin)
+{
+    uint32_t best = skin->sheet_count;
+    float least = 1e9f;
+    for (uint32_t sheet = 0; sheet < skin->sheet_count; sheet++) {
+        const float far = f_abs((float)sheet - skin->shown);
+        if (skin->bands_done[sheet] < SKIN_BANDS && far < least) {
+            best = sheet;
+            least = far;
+        }
+    }
+    return best;
+}
+
+uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands)
+{
+    while (bands > 0) {
+        const uint32_t sheet = next_sheet(skin);
+        if (sheet == skin->sheet_count) {
+            break;
+        }
+        const struct painting painting = painting_of(skin, brush, sheet);
+        const uint32_t first = skin->bands_done[sheet] * SKIN_BAND;
+        paint_plainly(&painting, first, 1);
+        smooth_rims(&painting, first);
+        send(skin, brush, sheet, first);
+        skin->bands_done[sheet]++;
+        skin->is_coarse[sheet] |= skin->bands_done[sheet] == SKIN_BANDS;
+        bands--;
+    }
+    return bands;
+}
+
+float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX])
+{
+    float clear = 0.0f;
+    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
+        clear += f_max(weights[key], 0.0f) * (float)skin->species.coats[key].clear / 255.0f;
+    }
+    return clear;
+}

@@ -1,0 +1,52 @@
+/* skin.h -- a species' paint on the GPU: sheets (paint_atlas.h) at its keys and between them.
+ *
+ * Marks wander and fade between keys as paint_at() says, so keys' sheets alone, mixed, would show a
+ * bar twice. Two neighbouring sheets are mixed, SKIN_SHEETS or fewer in all. A sheet is painted
+ * coarsely when it is first wanted and finely over the next frames, the nearest to what is shown
+ * first. */
+#ifndef KINGYO_PLATFORM_RENDER_SKIN_H
+#define KINGYO_PLATFORM_RENDER_SKIN_H
+
+#include "core/morph/morph.h"
+#include "platform/render/gl_util.h"
+#include "platform/render/paint_atlas.h"
+
+#define SKIN_SHEETS 13u /* Of three keys, six a step; of five, three; of eight, one. */
+#define SKIN_BAND 8u    /* Rows that are painted and uploaded together. */
+#define SKIN_BANDS (PAINT_SIZE / SKIN_BAND)
+
+struct skin {
+    struct species species; /* A copy: its coats are asked for as long as it is worn. */
+    uint32_t sheet_count, per_key;
+    uint32_t bands_done[SKIN_SHEETS];
+    bool is_coarse[SKIN_SHEETS]; /* At least. */
+    float shown;    /* Which sheet was last shown; between two of them, a fraction. */
+    GLuint paints;  /* Array: colour, and how clear. */
+    GLuint shines;  /* Array: how silvery. */
+};
+
+/* Where a band is painted; whose it is does not matter. */
+struct skin_brush {
+    uint8_t paint[SKIN_BAND * PAINT_SIZE][4];
+    uint8_t shine[SKIN_BAND * PAINT_SIZE];
+};
+
+void skin_open(struct gl_status *status, struct skin *skin);
+void skin_close(struct skin *skin);
+
+/* Takes a species' coats on; nothing is painted yet. */
+void skin_wear(struct skin *skin, const struct species *species);
+
+/* The two sheets to mix for keys of these weights, and how much of the second: paints them coarsely
+ * where they are not painted at all, in about 2 ms each. */
+void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[MORPH_KEY_MAX],
+               float sheets[3]);
+
+/* Paints up to `bands` on; returns how many of them were not needed. A band takes about 1 ms. */
+uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands);
+
+/* How clear it is, [0, 1], without marks; and how many scales lie along it, 0 for none to be seen. */
+float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX]);
+float skin_scales(const struct skin *skin);
+
+#endif
