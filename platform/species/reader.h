@@ -21,6 +21,7 @@ struct reader {
     struct species_text *species;
     struct key_text *key; /* What a line of a key adds to; null before the first. */
     struct fin *fin;      /* What a ray adds to; null outside a fin. */
+    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Where each started. */
     bool has_growth, has_hatch, has_thesis;
 };
 

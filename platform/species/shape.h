@@ -61,4 +61,7 @@ point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_
 /* What becomes the mesh's unit: the species' measure in the drawing's units. */
 double unit_length(const struct key_text *key, enum species_measure measure);
 
+/* How far the farthest point of all is from the body's origin, along any axis: an upper bound. */
+double farthest(const struct key_text *key);
+
 #endif

@@ -134,11 +134,11 @@ static point3 ray_point(const struct key_text *key, enum species_part part, doub
     return p;
 }
 
-/* How far out of the body's axis `p` is, 1 at the skin; behind the body's end it is out. */
+/* How far out of the body's axis `p` is, 1 at the skin; before and behind the body it is out. */
 static double outness(const struct key_text *key, point3 p)
 {
     const double end = body_end(key);
-    if (p.z >= end) {
+    if (p.z >= end || p.z <= 0.0) {
         return CLEAR_OF;
     }
     const struct station s = section(key, fmin(p.z, 1.0));
@@ -244,4 +244,21 @@ double unit_length(const struct key_text *key, enum species_measure measure)
         }
     }
     return measure == MEASURE_FORK && tail ? fin_point(key, PART_TAIL, 0.5, 1.0).z : length;
+}
+
+double farthest(const struct key_text *key)
+{
+    double most = 0.0;
+    for (uint32_t i = 0; i < key->station_count; i++) {
+        const struct station *s = &key->stations[i];
+        const double up = fabs((double)s->offset) + 0.5 * (double)s->depth;
+        most = fmax(most, fmax(up, fmax(0.5 * (double)s->width, 1.0)));
+    }
+    double ray = 0.0;
+    for (uint32_t part = PART_TAIL; part < PART_COUNT; part++) {
+        for (uint32_t i = 0; i < key->fins[part].ray_count; i++) {
+            ray = fmax(ray, (double)key->fins[part].rays[i].length);
+        }
+    }
+    return most + ray;
 }

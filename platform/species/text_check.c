@@ -2,6 +2,12 @@
 #include "platform/species/reader.h"
 
 #include "core/morph/morph.h"
+#include "platform/species/shape.h"
+
+#define REACH_MAX 3.9      /* Of the species' measure: what a mesh's counts can hold is 4. */
+#define UNIT_MIN 0.2       /* A measure shorter than this of the drawing measures something else. */
+#define EEL_SEAM (1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL)
+#define LENGTH_APART 0.02f /* A key's length and the growth curve's at its age: so alike. */
 
 static bool check_eyes(const struct reader *r, const struct key_text *key)
 {
@@ -45,22 +51,60 @@ static bool check_fins(const struct reader *r, const struct key_text *key)
     return true;
 }
 
+static bool check_size(const struct reader *r, const struct key_text *key)
+{
+    const enum species_measure measure = (enum species_measure)r->species->measure;
+    const double unit = unit_length(key, measure);
+    if (!(unit >= UNIT_MIN)) {
+        return refuse(r, "key %s: what is measured is %.2g of the drawing, less than %g", key->name,
+                      unit, UNIT_MIN);
+    }
+    if (!(farthest(key) <= REACH_MAX * unit)) {
+        return refuse(r, "key %s reaches out to %.3g times what is measured; up to %g fits",
+                      key->name, farthest(key) / unit, REACH_MAX);
+    }
+    return true;
+}
+
 static bool check_key(const struct reader *r, const struct key_text *key)
 {
+    const bool has_gill = key->gill > 0.0f, first_has = r->species->keys[0].gill > 0.0f;
     if (key->station_count < 4 || key->stations[key->station_count - 1].x != 1.0f) {
         return refuse(r, "key %s needs stations from x 0 to x 1, four or more", key->name);
     }
-    return check_eyes(r, key) && check_fins(r, key);
+    if (has_gill != first_has) {
+        return refuse(r, "key %s has %s: write it in all keys or in none", key->name,
+                      has_gill ? "a gill and the first key has none" : "no gill and the first has");
+    }
+    return check_eyes(r, key) && check_fins(r, key) && check_size(r, key);
+}
+
+/* A key without an age has that at which the growth curve is as long. */
+static bool find_age(const struct reader *r, struct key_text *key)
+{
+    const struct growth *growth = &r->species->growth;
+    if (key->age_days >= 0.0f) {
+        return true;
+    }
+    key->age_days = growth_age_days(growth, key->length_m);
+    const float length_m = growth_length_m(growth, key->age_days);
+    if (f_abs(length_m / key->length_m - 1.0f) > LENGTH_APART) {
+        return refuse(r, "key %s is %g mm and growth gives no age for that: %.4g mm at %.4g days",
+                      key->name, (double)(key->length_m * 1000.0f), (double)(length_m * 1000.0f),
+                      (double)key->age_days);
+    }
+    return true;
 }
 
 /* Ages follow from lengths where they are not written; either way they rise. */
-static bool check_ages(const struct reader *r)
+static bool check_ages(struct reader *r)
 {
     struct species_text *s = r->species;
     for (uint32_t i = 0; i < s->key_count; i++) {
         struct key_text *key = &s->keys[i];
-        if (key->age_days < 0.0f) {
-            key->age_days = growth_age_days(&s->growth, key->length_m);
+        r->line = r->key_line[i];
+        if (!find_age(r, key)) {
+            return false;
         }
         if (i > 0 && key->age_days <= key[-1].age_days) {
             return refuse(r, "key %s (%.4g days) is not older than key %s (%.4g days)", key->name,
@@ -70,18 +114,35 @@ static bool check_ages(const struct reader *r)
     return true;
 }
 
-static bool check_curves(const struct reader *r)
+/* Whether shapes can be solved for, where they are asked for. */
+static bool check_solved(const struct reader *r, const struct curve_text *curve)
+{
+    float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
+    uint32_t stuck = 0;
+    if (curve->graph.solved &&
+        !graph_solve(&curve->graph, r->species->key_count, solution, &stuck)) {
+        return refuse(r, "the graph of %s shows too little of key %s to be solved for it",
+                      curve->name, r->species->keys[stuck].name);
+    }
+    return true;
+}
+
+static bool check_curves(struct reader *r)
 {
     const struct species_text *s = r->species;
     for (uint32_t i = 0; i < s->curve_count; i++) {
         const struct curve_text *curve = &s->curves[i];
         const uint32_t count = curve->graph.knot_count;
+        r->line = i > 0 ? r->curve_line[i] : r->line;
         if (count < 2 || curve->graph.knots[count - 1].progress != 1.0f) {
             return refuse(r, "the graph%s%s needs knots from progress 0 to 1, or a template",
                           i > 0 ? " of curve " : "", i > 0 ? curve->name : "");
         }
         if (i > 0 && curve->parts == 0 && curve->area_count == 0) {
             return refuse(r, "curve %s moves no part and no area", curve->name);
+        }
+        if (!check_solved(r, curve)) {
+            return false;
         }
     }
     return true;
@@ -105,12 +166,12 @@ bool check_species(struct reader *r)
     if (s->scale_knot_count > 0 && s->scale_knots[s->scale_knot_count - 1].progress != 1.0f) {
         return refuse(r, "scale knots go from progress 0 to 1");
     }
-    const uint32_t joined = 1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL;
-    if (s->confluent && (s->without & joined) != 0) {
+    if (s->confluent && (s->without & EEL_SEAM) != 0) {
         return refuse(r, "confluent fins are dorsal, tail and anal: it is without one of them");
     }
     for (uint32_t i = 0; i < s->key_count; i++) {
         s->keys[i].confluent = s->confluent;
+        r->line = r->key_line[i];
         if (!check_key(r, &s->keys[i])) {
             return false;
         }

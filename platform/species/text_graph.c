@@ -41,7 +41,7 @@ bool read_curve(struct reader *r)
         }
         curve->parts |= 1u << part;
     }
-    s->curve_count++;
+    r->curve_line[s->curve_count++] = r->line;
     return true;
 }
 

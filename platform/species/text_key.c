@@ -32,7 +32,7 @@ bool read_key(struct reader *r)
     }
     r->key = key;
     r->fin = NULL;
-    s->key_count++;
+    r->key_line[s->key_count++] = r->line;
     return true;
 }
 
