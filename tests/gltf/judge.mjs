@@ -2,7 +2,8 @@
 //
 // Khronos' validator must find no error and no warning. three.js, in a browser without a screen, must put
 // every vertex where NAME@PROGRESS.obj says, within 1e-4 of the fish's length, at each moment that is
-// there, and no weight may leave [0, 1]. Keeps a picture of each. Speaks TAP.
+// there, with its normal and, at both ends of life, its colour; no weight may leave [0, 1]. Keeps
+// pictures of each. Speaks TAP.
 import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
@@ -13,7 +14,9 @@ const [folder, modules, chromium] = process.argv.slice(2);
 const need = createRequire(path.resolve(modules, 'x.js'));
 const validator = need('gltf-validator');
 const puppeteer = need('puppeteer-core');
-const WRONG_MAX = 1e-4;
+const WRONG_MAX = 1e-4;  // Of the fish's length.
+const NORMAL_MAX = 2e-3; // A tenth of a degree.
+const COLOUR_MAX = 2e-3; // Half a step of 256, where the steps are widest.
 let count = 0, failed = 0;
 
 function check(title, good, more = '') {
@@ -33,54 +36,55 @@ async function validate(name, bytes) {
         messages.filter((m) => m.severity < 2).map((m) => `${m.code} ${m.pointer}: ${m.message}`).join('\n'));
 }
 
-// Vertices in lengths, in glTF's direction: the file's fish faces +z, ours -z.
-function read_obj(file, length_m) {
-    const lines = fs.readFileSync(file, 'utf8').split('\n');
-    return lines.filter((line) => line.startsWith('v ')).map((line) => {
-        const [x, y, z] = line.split(' ').slice(1, 4).map(Number);
-        return [-x / length_m, y / length_m, -z / length_m];
-    });
+// In lengths and glTF's direction (the file's fish faces +z, ours -z), colours made linear.
+function read_obj(file) {
+    const text = fs.readFileSync(file, 'utf8');
+    const length_m = 1e-3 * Number(/([0-9.e+-]+) mm; kingyoctl/.exec(text)[1]);
+    const rows = (word) => text.split('\n').filter((line) => line.startsWith(`${word} `))
+        .map((line) => line.split(' ').slice(1).map(Number));
+    const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+    const normals = rows('vn');
+    return { length_m, vertices: rows('v').map(([x, y, z, ...rgb], i) => ({
+        place: [-x, y, -z].map((c) => c / length_m),
+        normal: [-normals[i][0], normals[i][1], -normals[i][2]],
+        colour: rgb.map(linear),
+    })) };
 }
 
-function length_of(file) {
-    const match = /([0-9.e+-]+) mm; kingyoctl/.exec(fs.readFileSync(file, 'utf8').slice(0, 400));
-    return 1e-3 * Number(match[1]);
-}
+const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 
-function farthest(ours, theirs, length_m) {
-    let worst = 0, seen = 0;
-    for (const [number, place] of Object.entries(theirs)) {
-        const wanted = ours[number];
-        const d = Math.hypot(...place.map((x, i) => x / length_m - wanted[i]));
-        worst = Math.max(worst, d);
-        seen++;
+// The worst of all vertices at one moment. Colours are the drawing's where a key stands alone: at both ends.
+function hold_against(ours, theirs, is_end, worst) {
+    for (const [number, got] of Object.entries(theirs)) {
+        const wanted = ours.vertices[number];
+        worst.place = Math.max(worst.place, distance(got.place.map((x) => x / ours.length_m), wanted.place));
+        worst.normal = Math.max(worst.normal, distance(got.normal, wanted.normal));
+        worst.colour = Math.max(worst.colour, is_end ? distance(got.colour, wanted.colour) : 0);
     }
-    return { worst, seen };
 }
 
 async function compare(page, name) {
-    const life = await page.evaluate((url) => window.open_glb(url), `/glb/${name}.glb`);
-    let worst = 0, seen = 0, least = 0, most = 0, moments = 0;
+    await page.evaluate((url) => window.open_glb(url), `/glb/${name}.glb`);
+    const worst = { place: 0, normal: 0, colour: 0 };
+    let seen = 0, least = 0, most = 0, moments = 0;
     for (const file of fs.readdirSync(folder).filter((f) => f.startsWith(`${name}@`)).sort()) {
         const progress = Number(file.slice(name.length + 1, -4));
-        const length_m = length_of(path.join(folder, file));
-        const ours = read_obj(path.join(folder, file), length_m);
         const theirs = await page.evaluate((p) => window.vertices_at(p), progress);
-        const far = farthest(ours, theirs.at, length_m);
-        worst = Math.max(worst, far.worst);
-        seen = far.seen;
+        hold_against(read_obj(path.join(folder, file)), theirs.at, progress === 0 || progress === 1, worst);
+        seen = Object.keys(theirs.at).length;
         least = Math.min(least, theirs.weight_min);
         most = Math.max(most, theirs.weight_max);
         moments++;
     }
     check(`${name}: three.js moves ${seen} vertices as we do, at ${moments} moments, within `
-        + `${worst.toExponential(1)} of its length`, worst <= WRONG_MAX && seen >= 20 && moments >= 5);
+        + `${worst.place.toExponential(1)} of its length`, worst.place <= WRONG_MAX && seen >= 20 && moments >= 5);
+    check(`${name}: and turns their normals, within ${worst.normal.toExponential(1)}`, worst.normal <= NORMAL_MAX);
+    check(`${name}: and paints them, within ${worst.colour.toExponential(1)}`, worst.colour <= COLOUR_MAX);
     check(`${name}: every weight lies in [0, 1]`, least >= -1e-6 && most <= 1 + 1e-6, `${least} ${most}`);
     for (const progress of [0, 0.5, 1]) {
         await page.evaluate((p) => window.draw_at(p), progress);
         await page.screenshot({ path: path.join(folder, `${name}_${progress}.png`) });
     }
-    return life;
 }
 
 function serve() {

@@ -39,4 +39,26 @@ for species in $("$build/kingyoctl" morph list | awk '{ print $1 }'); do
     done
     export_one "$species-thesis" "$species" --thesis
 done
-node "$here/judge.mjs" "$out/files" "$out" "$chromium"
+node "$here/judge.mjs" "$out/files" "$out" "$chromium" >"$out/judged"
+sed '/^1\.\./d' "$out/judged"
+count=$(grep -cE '^(not )?ok' "$out/judged")
+
+# The judge is judged: it must find what is wrong with each of these.
+rm -rf "$out/spoiled"
+node "$here/spoil.mjs" "$out/files/hirame-own.glb" "$out/spoiled" || exit 1
+for spoiled in "$out"/spoiled/*/; do
+    for moment in "$out"/files/hirame-own@*.obj; do
+        cp "$moment" "$spoiled/fish@${moment##*@}"
+    done
+    count=$((count + 1))
+    title="the judge finds $(basename "$spoiled")"
+    if node "$here/judge.mjs" "$spoiled" "$out" "$chromium" >"$spoiled/judged" 2>&1; then
+        echo "not ok $count - $title"
+    elif ! grep -q '^1\.\.' "$spoiled/judged"; then
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$spoiled/judged"
+    else
+        echo "ok $count - $title: $(grep -m1 '^not ok' "$spoiled/judged" | sed 's/^not ok [0-9]* - fish: //')"
+    fi
+done
+echo "1..$count"
