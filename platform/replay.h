@@ -1,12 +1,13 @@
 /* replay.h -- a play on disk: the inputs, and what the core made of them.
  *
- * All numbers are little-endian. A file is one header, then chunks of at most one second, then
- * one end mark, and nothing after it:
+ * All numbers are little-endian. A file is one header, a book where the growth lab has one, then
+ * chunks of at most one second, then one end mark, and nothing after it:
  *
  *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
  *            zero-filled), core_config as 11 u32 (seed, preset, fish_count, language, round_s,
- *            modes, grade, players, best_today of each mode), u32 zero, u64 sum of the 80 bytes
- *            before it
+ *            modes, grade, players, best_today of each mode), u32 book size, u64 sum of the 80
+ *            bytes before it
+ *   book     as many bytes (replay_book.h), u64 sum; nothing where the size is 0
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u32 fouls, u16 modes played, u16 players, u64 core_hash after the last tick,
  *            payload, u64 sum
@@ -30,8 +31,9 @@
 
 #include "core/core.h"
 #include "core/input.h"
+#include "platform/replay_book.h"
 
-#define REPLAY_VERSION 3u /* 1 knew no shadows, 2 no modes: each is refused by its number. */
+#define REPLAY_VERSION 4u /* 1 knew no shadows, 2 no modes, 3 no growth lab: all are refused. */
 #define REPLAY_HEADER_SIZE 88u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
@@ -46,6 +48,10 @@
     (1u + 5u * 4u + 1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) +                                      \
      SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
+
+/* The largest chunk, or the header with the largest book; with an end mark behind. */
+#define REPLAY_BUFFER_SIZE                                                                         \
+    (REPLAY_HEADER_SIZE + REPLAY_BOOK_MAX + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE)
 
 /* What the header says. */
 struct replay_header {
@@ -90,7 +96,7 @@ struct replay_writer {
     struct replay_totals totals, saved; /* Of the ticks so far; of those on disk. */
     uint32_t chunk_ticks;
     size_t payload_size;
-    uint8_t bytes[REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE];
+    uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
 
 /* Begins a file at `path`; one that is there must be empty, else -EEXIST. `first_hash` is
@@ -134,7 +140,7 @@ struct replay_reader {
     size_t payload_size, payload_used;
     uint8_t ended;
     struct replay_problem problem;
-    uint8_t bytes[REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE];
+    uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
 
 /* 0, or -1 with `problem` filled and nothing open. */

@@ -13,6 +13,7 @@ enum {
     HEADER_TICK_HZ = 12,
     HEADER_PROGRAM = 16,
     HEADER_CONFIG = 32,
+    HEADER_BOOK = 76,
     HEADER_SUM = 80,
 
     CHUNK_PAYLOAD_SIZE = 4,

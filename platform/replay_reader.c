@@ -67,6 +67,30 @@ static int is_program_name(const uint8_t *bytes)
     return zeros > 0 && length + zeros == REPLAY_PROGRAM_SIZE;
 }
 
+/* The species that this program knows must be those that the book speaks of. */
+static int read_book(struct replay_reader *reader, size_t size)
+{
+    uint8_t *bytes = reader->bytes;
+    if (size == 0) {
+        return 0;
+    }
+    if (size > REPLAY_BOOK_MAX) {
+        return refuse(reader, 0, HEADER_BOOK, "the header says what this program never writes");
+    }
+    if (read_bytes(reader, bytes, size + REPLAY_SUM_SIZE, 0, "its book of species")) {
+        return -1;
+    }
+    reader->sum = hash_bytes(reader->sum, bytes, size);
+    if (reader->sum != replay_get_u64(bytes + size)) {
+        return refuse(reader, 0, reader->offset, "the book of species was altered");
+    }
+    if (!replay_book_decode(&reader->header.config.book, bytes, size)) {
+        return refuse(reader, 0, reader->offset, "its species are not this program's");
+    }
+    reader->offset += size + REPLAY_SUM_SIZE;
+    return 0;
+}
+
 static int read_header(struct replay_reader *reader)
 {
     uint8_t *bytes = reader->bytes;
@@ -112,7 +136,7 @@ static int read_header(struct replay_reader *reader)
     }
     memcpy(reader->header.program, bytes + HEADER_PROGRAM, REPLAY_PROGRAM_SIZE);
     reader->offset = REPLAY_HEADER_SIZE;
-    return 0;
+    return read_book(reader, replay_get_u32(bytes + HEADER_BOOK));
 }
 
 int replay_open(struct replay_reader *reader, const char *path)

@@ -44,7 +44,8 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
 
-static uint64_t put_header(uint8_t *out, const struct core_config *config)
+/* Header and book. `*size` is theirs; returns the sum that the first chunk goes on from. */
+static uint64_t put_header(uint8_t *out, const struct core_config *config, size_t *size)
 {
     const uint32_t fields[] = { config->seed,     config->preset,  config->fish_count,
                                 config->language, config->round_s, config->modes,
@@ -59,8 +60,17 @@ static uint64_t put_header(uint8_t *out, const struct core_config *config)
     for (size_t i = 0; i < sizeof fields / sizeof fields[0]; i++) {
         replay_put_u32(out + HEADER_CONFIG + 4 * i, fields[i]);
     }
-    const uint64_t sum = hash_bytes(HASH_START, out, HEADER_SUM);
+    uint8_t *book = out + REPLAY_HEADER_SIZE;
+    const size_t book_size = replay_book_encode(&config->book, book);
+    replay_put_u32(out + HEADER_BOOK, (uint32_t)book_size);
+    uint64_t sum = hash_bytes(HASH_START, out, HEADER_SUM);
     replay_put_u64(out + HEADER_SUM, sum);
+    *size = REPLAY_HEADER_SIZE;
+    if (book_size > 0) {
+        sum = hash_bytes(sum, book, book_size);
+        replay_put_u64(book + book_size, sum);
+        *size += book_size + REPLAY_SUM_SIZE;
+    }
     return sum;
 }
 _Static_assert(sizeof KINGYO_VERSION <= REPLAY_PROGRAM_SIZE, "the version must fit the header");
@@ -100,10 +110,11 @@ int replay_create(struct replay_writer *writer, const char *path, const struct c
     }
     writer->totals.hash = first_hash;
     writer->saved = writer->totals;
-    writer->sum = put_header(bytes, config);
-    writer->offset = REPLAY_HEADER_SIZE;
-    put_end(bytes + REPLAY_HEADER_SIZE, &writer->totals, writer->sum);
-    const int error = write_at(writer->fd, bytes, REPLAY_HEADER_SIZE + REPLAY_END_SIZE, 0);
+    size_t size;
+    writer->sum = put_header(bytes, config, &size);
+    writer->offset = size;
+    put_end(bytes + size, &writer->totals, writer->sum);
+    const int error = write_at(writer->fd, bytes, size + REPLAY_END_SIZE, 0);
     if (error) {
         give_up(writer, error);
     }

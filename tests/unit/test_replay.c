@@ -321,11 +321,15 @@ static void test_another_version_is_named(void **state)
     bytes[8] = 1; /* From before there were shadows, ... */
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
-    assert_string_equal(reader.problem.text, "format version 1; this program reads version 3");
-    bytes[8] = 2; /* ... and from before there were modes. */
+    assert_string_equal(reader.problem.text, "format version 1; this program reads version 4");
+    bytes[8] = 2; /* ... from before there were modes, ... */
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
-    assert_string_equal(reader.problem.text, "format version 2; this program reads version 3");
+    assert_string_equal(reader.problem.text, "format version 2; this program reads version 4");
+    bytes[8] = 3; /* ... and from before there was a lab. */
+    write_file(bytes, size);
+    assert_int_equal(scan(&totals), -1);
+    assert_string_equal(reader.problem.text, "format version 3; this program reads version 4");
 }
 
 static void test_a_huge_file_of_nothing_is_refused_at_its_first_second(void **state)

@@ -1,0 +1,149 @@
+/* replay_book.c -- one walk over the fields, for both ways. */
+#include "platform/replay_book.h"
+
+#include <string.h>
+
+#include "platform/replay.h"
+
+struct walk {
+    uint8_t *out;       /* Written to, or null: ... */
+    const uint8_t *in;  /* ... read from. */
+    size_t size, at;
+    int bad;
+};
+
+static void walk_bytes(struct walk *walk, void *bytes, size_t count)
+{
+    if (walk->at + count > walk->size) {
+        walk->bad = 1;
+        return;
+    }
+    if (walk->out != NULL) {
+        memcpy(walk->out + walk->at, bytes, count);
+    } else {
+        memcpy(bytes, walk->in + walk->at, count);
+    }
+    walk->at += count;
+}
+
+static void walk_u32(struct walk *walk, uint32_t *value)
+{
+    uint8_t bytes[4];
+    replay_put_u32(bytes, *value);
+    walk_bytes(walk, bytes, sizeof bytes);
+    *value = replay_get_u32(bytes);
+}
+
+static void walk_floats(struct walk *walk, float *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits;
+        memcpy(&bits, &values[i], sizeof bits);
+        walk_u32(walk, &bits);
+        memcpy(&values[i], &bits, sizeof bits);
+    }
+}
+
+static void walk_graph(struct walk *walk, struct graph *graph)
+{
+    walk_bytes(walk, &graph->knot_count, 1);
+    walk_bytes(walk, &graph->line, 1);
+    walk_bytes(walk, &graph->solved, 1);
+    for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
+        walk_floats(walk, &graph->knots[i].progress, 1);
+        walk_floats(walk, graph->knots[i].weight, MORPH_KEY_MAX);
+    }
+}
+
+static void walk_scale(struct walk *walk, struct scale_knot knots[GRAPH_KNOT_MAX])
+{
+    for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
+        walk_floats(walk, &knots[i].progress, 1);
+        walk_floats(walk, &knots[i].length_m, 1);
+    }
+}
+
+static void walk_growth(struct walk *walk, struct growth *growth)
+{
+    walk_floats(walk, &growth->length_inf_m, 1);
+    walk_floats(walk, &growth->k_per_year, 1);
+    walk_floats(walk, &growth->t0_year, 1);
+    walk_floats(walk, &growth->fade_year, 1);
+    walk_u32(walk, &growth->point_count);
+    for (uint32_t i = 0; i < GROWTH_POINT_MAX; i++) {
+        walk_floats(walk, &growth->points[i].age_days, 1);
+        walk_floats(walk, &growth->points[i].length_m, 1);
+    }
+}
+
+static void walk_card(struct walk *walk, struct species_card *card)
+{
+    walk_bytes(walk, card->id, sizeof card->id);
+    walk_bytes(walk, &card->key_count, 1);
+    walk_bytes(walk, &card->measure, 1);
+    walk_bytes(walk, &card->motion, 1);
+    walk_bytes(walk, &card->form, 1);
+    walk_bytes(walk, card->thesis_key, sizeof card->thesis_key);
+    walk_bytes(walk, &card->thesis_template, 1);
+    walk_bytes(walk, card->key_names, sizeof card->key_names);
+    walk_floats(walk, card->key_age_days, MORPH_KEY_MAX);
+    walk_floats(walk, card->key_length_m, MORPH_KEY_MAX);
+    walk_growth(walk, &card->growth);
+    walk_bytes(walk, &card->scale_knot_count, 1);
+    walk_scale(walk, card->scale_knots);
+    walk_bytes(walk, &card->curve_count, 1);
+    walk_bytes(walk, card->curve_names, sizeof card->curve_names);
+    for (uint32_t i = 0; i < MORPH_CURVE_MAX; i++) {
+        walk_graph(walk, &card->curves[i]);
+    }
+}
+
+static void walk_edit(struct walk *walk, struct lab_edit *edit)
+{
+    walk_bytes(walk, &edit->template, 1);
+    walk_bytes(walk, &edit->scale_knot_count, 1);
+    walk_graph(walk, &edit->graph);
+    walk_scale(walk, edit->scale_knots);
+}
+
+static void walk_book(struct walk *walk, struct lab_book *book)
+{
+    walk_bytes(walk, &book->card_count, 1);
+    walk_bytes(walk, &book->refused, 1);
+    walk_bytes(walk, book->has_edit, sizeof book->has_edit);
+    for (uint32_t i = 0; i < book->card_count && i < SPECIES_EXTRA_MAX; i++) {
+        walk_card(walk, &book->cards[i]);
+    }
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        if (book->has_edit[i]) {
+            walk_edit(walk, &book->edits[i]);
+        }
+    }
+}
+
+size_t replay_book_encode(const struct lab_book *book, uint8_t out[REPLAY_BOOK_MAX])
+{
+    struct lab_book copy = *book; /* The walk may write; into this. */
+    struct walk walk = { .out = out, .size = REPLAY_BOOK_MAX };
+    uint32_t edits = 0;
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        edits += book->has_edit[i] != 0;
+    }
+    if (book->card_count == 0 && book->refused == 0 && edits == 0) {
+        return 0;
+    }
+    walk_book(&walk, &copy);
+    return walk.bad ? 0 : walk.at;
+}
+
+int replay_book_decode(struct lab_book *book, const uint8_t *bytes, size_t size)
+{
+    struct walk walk = { .in = bytes, .size = size };
+    *book = (struct lab_book){ 0 };
+    walk_book(&walk, book);
+    if (walk.bad || walk.at != size || !lab_book_is_good(book)) {
+        *book = (struct lab_book){ 0 };
+        return 0;
+    }
+    return 1;
+}

@@ -1,0 +1,248 @@
+/* test_lab_edit.c -- under any hands a graph stays one: rising knots, weights >= 0 that sum to 1. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "core/game/lab_book.h"
+
+static const struct species_card *card;
+static struct lab_edit edit;
+
+static int setup(void **state)
+{
+    (void)state;
+    card = &species_table[0]->card;
+    lab_edit_own(&edit, card);
+    return 0;
+}
+
+static float sum_at(uint32_t knot)
+{
+    float sum = 0.0f;
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        assert_true(edit.graph.knots[knot].weight[key] >= 0.0f);
+        sum += edit.graph.knots[knot].weight[key];
+    }
+    return sum;
+}
+
+static void test_others_share_the_rest_in_proportion(void **state)
+{
+    (void)state;
+    float *weight = edit.graph.knots[1].weight;
+    memset(weight, 0, sizeof edit.graph.knots[1].weight);
+    weight[0] = 0.5f;
+    weight[1] = 0.3f;
+    weight[2] = 0.2f;
+    lab_edit_weigh(&edit, card->key_count, 1, 0, 0.75f);
+    assert_float_equal(weight[0], 0.75f, 1e-6f);
+    assert_float_equal(weight[1], 0.15f, 1e-6f);
+    assert_float_equal(weight[2], 0.10f, 1e-6f);
+    assert_float_equal(sum_at(1), 1.0f, 1e-6f);
+}
+
+static void test_where_the_others_had_nothing_the_neighbours_halve_the_rest(void **state)
+{
+    (void)state;
+    float *weight = edit.graph.knots[1].weight;
+    memset(weight, 0, sizeof edit.graph.knots[1].weight);
+    weight[1] = 1.0f;
+    lab_edit_weigh(&edit, card->key_count, 1, 1, 0.4f);
+    assert_float_equal(weight[0], 0.3f, 1e-6f);
+    assert_float_equal(weight[1], 0.4f, 1e-6f);
+    assert_float_equal(weight[2], 0.3f, 1e-6f);
+    memset(weight, 0, sizeof edit.graph.knots[1].weight);
+    weight[0] = 1.0f; /* The first key has one neighbour. */
+    lab_edit_weigh(&edit, card->key_count, 1, 0, 0.4f);
+    assert_float_equal(weight[1], 0.6f, 1e-6f);
+}
+
+static void test_weights_beyond_their_bounds_stop_there(void **state)
+{
+    (void)state;
+    lab_edit_weigh(&edit, card->key_count, 1, 0, 7.0f);
+    assert_float_equal(edit.graph.knots[1].weight[0], 1.0f, 0.0f);
+    assert_float_equal(sum_at(1), 1.0f, 1e-6f);
+    lab_edit_weigh(&edit, card->key_count, 1, 0, -3.0f);
+    assert_float_equal(edit.graph.knots[1].weight[0], 0.0f, 0.0f);
+    assert_float_equal(sum_at(1), 1.0f, 1e-6f);
+}
+
+static void test_knots_keep_their_order_and_the_ends_their_places(void **state)
+{
+    (void)state;
+    struct graph_knot *knots = edit.graph.knots;
+    lab_edit_move(&edit, 1, 0.9f);
+    assert_float_equal(knots[1].progress, knots[2].progress - LAB_KNOT_GAP, 1e-6f);
+    lab_edit_move(&edit, 1, -1.0f);
+    assert_float_equal(knots[1].progress, LAB_KNOT_GAP, 1e-6f);
+    lab_edit_move(&edit, 0, 0.3f);
+    assert_float_equal(knots[0].progress, 0.0f, 0.0f);
+    lab_edit_move(&edit, edit.graph.knot_count - 1u, 0.3f);
+    assert_float_equal(knots[edit.graph.knot_count - 1u].progress, 1.0f, 0.0f);
+}
+
+static void test_a_new_knot_bends_no_straight_line(void **state)
+{
+    (void)state;
+    lab_edit_template(&edit, card, TEMPLATE_PAIRWISE);
+    const struct graph before = edit.graph;
+    const uint32_t knot = lab_edit_add(&edit, card->key_count, 0.11f);
+    assert_int_equal(knot, 1);
+    assert_int_equal(edit.graph.knot_count, before.knot_count + 1u);
+    for (uint32_t i = 0; i <= 100; i++) {
+        float was[MORPH_KEY_MAX], is[MORPH_KEY_MAX];
+        graph_weights(&before, card->key_count, 0.01f * (float)i, was);
+        graph_weights(&edit.graph, card->key_count, 0.01f * (float)i, is);
+        for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+            assert_float_equal(is[key], was[key], 2e-6f);
+        }
+    }
+    assert_true(lab_edit_remove(&edit, 0.12f));
+    assert_true(lab_edit_same(&edit, &(struct lab_edit){ .template = TEMPLATE_PAIRWISE,
+                                                         .graph = before }));
+}
+
+static void test_there_are_at_most_twelve_knots_and_at_least_two(void **state)
+{
+    (void)state;
+    for (uint32_t i = 1; i < 40; i++) {
+        lab_edit_add(&edit, card->key_count, 0.025f * (float)i);
+        assert_in_range(edit.graph.knot_count, 2, GRAPH_KNOT_MAX);
+    }
+    assert_int_equal(edit.graph.knot_count, GRAPH_KNOT_MAX);
+    assert_int_equal(lab_edit_add(&edit, card->key_count, 0.987f), LAB_NO_KNOT);
+    while (lab_edit_remove(&edit, 0.5f)) {
+    }
+    assert_int_equal(edit.graph.knot_count, 2);
+    assert_int_equal(lab_edit_add(&edit, card->key_count, 0.001f), LAB_NO_KNOT); /* Too near. */
+}
+
+static void test_each_template_is_one_of_the_species(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        card = &species_table[i]->card;
+        lab_edit_own(&edit, card);
+        for (uint32_t template = TEMPLATE_OWN; template < TEMPLATE_COUNT; template++) {
+            struct species_card applied;
+            lab_edit_template(&edit, card, (enum graph_template)template);
+            assert_true(lab_edit_is_good(&edit, card));
+            lab_edit_apply(&edit, card, &applied);
+            const uint32_t curve = card->curve_count - 1u;
+            const struct graph *part = template == TEMPLATE_OWN && curve > 0
+                                           ? &card->curves[curve]
+                                           : &edit.graph;
+            assert_memory_equal(&applied.curves[curve], part, sizeof *part);
+        }
+    }
+}
+
+/* A child at the knots: whatever it does in ten thousand grips. */
+static void test_ten_thousand_grips_leave_a_graph(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 10000; i++) {
+        const struct rng_key draw = { 4, i, 0, RNG_TEST };
+        const uint32_t bits = rng_u32(draw);
+        const float a = (float)(bits & 1023u) / 800.0f - 0.1f;
+        const float b = (float)(bits >> 10 & 1023u) / 800.0f - 0.1f;
+        const uint32_t knot = (bits >> 20) % edit.graph.knot_count;
+        lab_edit_weigh(&edit, card->key_count, knot, (bits >> 24) % card->key_count, a);
+        lab_edit_move(&edit, knot, b);
+        if (bits >> 28 == 1u) {
+            lab_edit_add(&edit, card->key_count, f_clamp(b, 0.0f, 1.0f));
+        } else if (bits >> 28 == 2u) {
+            lab_edit_remove(&edit, b);
+        }
+        edit.graph.solved = 0; /* What can be solved for is another question. */
+        assert_int_equal(graph_check(&edit.graph, card->key_count).fault, GRAPH_GOOD);
+        for (uint32_t k = 0; k < edit.graph.knot_count; k++) {
+            assert_float_equal(sum_at(k), 1.0f, 1e-6f);
+        }
+    }
+}
+
+static void test_the_first_touch_draws_the_growth_curve_by_hand(void **state)
+{
+    (void)state;
+    struct scale_knot knots[GRAPH_KNOT_MAX];
+    struct species_card applied;
+    assert_int_equal(edit.scale_knot_count, 0);
+    assert_int_equal(lab_edit_scale_knots(&edit, card, knots), card->key_count);
+    lab_edit_size(&edit, card, 2, 0.05f);
+    assert_int_equal(edit.scale_knot_count, card->key_count);
+    lab_edit_apply(&edit, card, &applied);
+    const float at = 2.0f / (float)(card->key_count - 1u);
+    assert_float_equal(life_length_m(&applied, at), 0.05f, 1e-5f);
+    assert_float_equal(life_length_m(&applied, 0.0f), life_length_m(card, 0.0f), 1e-6f);
+    assert_true(lab_edit_is_good(&edit, card));
+    const uint32_t added = lab_edit_size_add(&edit, card, 0.1f);
+    assert_int_equal(added, 1);
+    lab_edit_size_move(&edit, card, added, 0.9f);
+    assert_true(edit.scale_knots[1].progress < edit.scale_knots[2].progress);
+    assert_true(lab_edit_size_remove(&edit, card, 0.1f));
+    assert_true(lab_edit_is_good(&edit, card));
+}
+
+static void test_the_axis_of_lengths_leads_there_and_back(void **state)
+{
+    (void)state;
+    for (float length_m = 0.004f; length_m < 0.3f; length_m *= 1.3f) {
+        const float share = lab_length_share(card, length_m);
+        assert_float_equal(lab_length_of_share(card, share), length_m, 1e-4f * length_m);
+    }
+    assert_true(lab_length_share(card, card->key_length_m[0]) > 0.0f);
+    assert_true(lab_length_share(card, card->key_length_m[card->key_count - 1u]) < 1.0f);
+}
+
+static void test_a_book_with_a_strange_card_or_graph_is_refused(void **state)
+{
+    (void)state;
+    static struct lab_book book;
+    memset(&book, 0, sizeof book);
+    assert_true(lab_book_is_good(&book));
+    book.card_count = 1;
+    assert_false(lab_book_is_good(&book)); /* An empty card. */
+    book.cards[0] = *card;
+    assert_true(lab_book_is_good(&book));
+    assert_int_equal(lab_book_count(&book), species_table_count + 1u);
+    book.cards[0].key_length_m[1] = -1.0f;
+    assert_false(lab_book_is_good(&book));
+    book.cards[0] = *card;
+    memset(book.cards[0].id, 'x', sizeof book.cards[0].id); /* Without an end. */
+    assert_false(lab_book_is_good(&book));
+    book.cards[0] = *card;
+    book.has_edit[0] = 1;
+    assert_false(lab_book_is_good(&book)); /* An empty graph. */
+    lab_edit_own(&book.edits[0], card);
+    assert_true(lab_book_is_good(&book));
+    book.edits[0].graph.knots[1].weight[0] += 0.25f;
+    assert_false(lab_book_is_good(&book));
+    book.card_count = SPECIES_EXTRA_MAX + 1u;
+    assert_false(lab_book_is_good(&book));
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup(name, setup)
+    const struct CMUnitTest tests[] = {
+        TEST(test_others_share_the_rest_in_proportion),
+        TEST(test_where_the_others_had_nothing_the_neighbours_halve_the_rest),
+        TEST(test_weights_beyond_their_bounds_stop_there),
+        TEST(test_knots_keep_their_order_and_the_ends_their_places),
+        TEST(test_a_new_knot_bends_no_straight_line),
+        TEST(test_there_are_at_most_twelve_knots_and_at_least_two),
+        TEST(test_each_template_is_one_of_the_species),
+        TEST(test_ten_thousand_grips_leave_a_graph),
+        TEST(test_the_first_touch_draws_the_growth_curve_by_hand),
+        TEST(test_the_axis_of_lengths_leads_there_and_back),
+        TEST(test_a_book_with_a_strange_card_or_graph_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
