@@ -12,6 +12,7 @@
 #include "platform/render/display_gl.h"
 
 #define PIXELS_MAX (3840u * 2160u)
+#define SKIN_FRAMES 40u /* Until the skin of the fish that is shown is painted finely. */
 #define PASS_FRAMES 40u
 #define PUSH_M_S 0.80f
 
@@ -430,7 +431,9 @@ int main(int argc, char **argv)
         return 1;
     }
     printf("%s (opened in %.0f ms)\n", device.ops->describe(device.self), now_ms() - before);
-    device.ops->present(device.self, &scene);
+    for (uint32_t i = 0; i < (options.lab || options.album > 0 ? SKIN_FRAMES : 1u); i++) {
+        device.ops->present(device.self, &scene);
+    }
     if (options.passes) {
         time_passes(&device);
     }
