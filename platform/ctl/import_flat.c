@@ -74,7 +74,7 @@ static bool made_by_us(const struct aiScene *scene)
     return false;
 }
 
-/* ---- What our own files say of their keys ----------------------------------------------------- */
+/* ---- What our own files say of their keys ---------------------------------------------------- */
 
 static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, const char *key)
 {

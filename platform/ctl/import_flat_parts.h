@@ -21,7 +21,7 @@ struct flattening {
 /* Says why not, and answers false. */
 bool flat_refuse(struct flattening *f, const char *text);
 
-/* import_keys.c: which shapes are the keys, how they are named, and the graph of their animation. */
+/* import_keys.c: which shapes are the keys, their names, and the graph of their animation. */
 bool flat_choose_keys(struct flattening *f);
 bool flat_read_weights(struct flattening *f);
 

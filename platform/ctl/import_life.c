@@ -58,8 +58,8 @@ static void name_keys(const struct import_mesh *mesh, const struct import_plan *
     }
 }
 
-/* As told, else as the file tells, else as `like`, else as the file's shapes are, where they are not
- * all one size. */
+/* As told, else as the file tells, else as `like`, else as the file's shapes are, where they are
+ * not all one size. */
 static bool set_lengths(const struct import_mesh *mesh, const struct import_plan *plan,
                         const struct import_report *report,
                         struct species_card *card)

@@ -1,4 +1,4 @@
-/* import_nodes.c -- nodes within nodes, and the animation that moves them, at the moments of keys. */
+/* import_nodes.c -- nodes within nodes, and what animation makes of them at the moments of keys. */
 #include <stddef.h> /* For __has_include alone, where there is no assimp. */
 
 #if __has_include(<assimp/cimport.h>)

@@ -33,6 +33,9 @@ __attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const ch
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
+    for (char *c = text; *c; c++) {
+        *c = *c >= ' ' && *c < 127 ? *c : '?'; /* It quotes the file, and goes to a terminal. */
+    }
     snprintf(o->why, IMPORT_WHY_SIZE, "%.80s:%u: %s", o->path, o->line, text);
     return false;
 }
@@ -47,8 +50,10 @@ static int numbers(struct obj *o, const char *text, float *out, int count)
             return i;
         }
         if (!(fabsf(value) <= IMPORT_REACH_MAX)) {
-            refuse(o, "%.20s is no number from %g to %g", text, -(double)IMPORT_REACH_MAX,
-                   (double)IMPORT_REACH_MAX);
+            const char *word = text + strspn(text, " \t");
+            const size_t length = strcspn(word, " \t\r\n");
+            refuse(o, "'%.*s' is no number from %g to %g", (int)(length < 20 ? length : 20), word,
+                   -(double)IMPORT_REACH_MAX, (double)IMPORT_REACH_MAX);
             return -1;
         }
         out[i] = value;

@@ -8,7 +8,8 @@
 
 #define UNCLEAR_SHARE 0.015 /* Of the length: a body's middle that near its centre tells no end. */
 #define SQUARE_RATIO 1.15   /* Seen from above, nearly as wide as long: a ray may lie either way. */
-#define SAME_SIZE 0.01f     /* Keys that differ by less were drawn at one size. */
+#define MIDDLE_SHARE 0.1f   /* Of the body's height: where a forked tail's shortest rays are. */
+#define OURS_OFF 0.1f       /* Our own meshes' rings and rays end so near their true measure. */
 
 const char *const import_axis_names[AXIS_NONE] = { "+x", "+y", "+z", "-x", "-y", "-z" };
 
@@ -18,6 +19,7 @@ enum species_part import_part(const char *group)
         const char *word;
         enum species_part part;
     } words[] = {
+        { "finlets_upper", PART_FINLET_UPPER }, { "finlets_lower", PART_FINLET_LOWER },
         { "finlet_upper", PART_FINLET_UPPER }, { "finlet_lower", PART_FINLET_LOWER },
         { "dorsal_2", PART_DORSAL_2 },         { "dorsal2", PART_DORSAL_2 },
         { "dorsal", PART_DORSAL },             { "anal", PART_ANAL },
@@ -132,11 +134,28 @@ static void turn(struct import_mesh *mesh, uint32_t front, uint32_t up)
     }
 }
 
+/* To the fork: the farthest of the body and of the tail's middle rays. */
+static float fork_of(const struct import_mesh *mesh, uint32_t key)
+{
+    const struct extent y = extent_of(mesh, key, AXIS_Y, true);
+    float far = -INFINITY;
+    for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        const uint32_t t = i / 3;
+        const vec3 p = mesh->positions[key][mesh->triangles[t][i % 3]];
+        const enum species_part part = import_part(mesh->group_names[mesh->groups[t]]);
+        const float off = fabsf(p.y - 0.5f * (y.low + y.high));
+        if (part == PART_BODY || (part == PART_TAIL && off < MIDDLE_SHARE * (y.high - y.low))) {
+            far = fmaxf(far, p.z);
+        }
+    }
+    return far;
+}
+
 static float size_of(const struct import_mesh *mesh, uint32_t key, uint8_t measure)
 {
     const struct extent e = extent_of(mesh, key, measure == MEASURE_DISC ? AXIS_X : AXIS_Z,
                                       measure == MEASURE_STANDARD);
-    return e.high - e.low;
+    return (measure == MEASURE_FORK ? fork_of(mesh, key) : e.high) - e.low;
 }
 
 /* Snout to z = -0.5, the body's middle to x = y = 0, and `size` to 1. */
@@ -166,14 +185,14 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan 
         return EXIT_BAD_DATA;
     }
     turn(mesh, report->front, plan->up);
-    bool is_settled = mesh->is_ours;
+    bool is_settled = mesh->is_ours; /* Then it is as we drew it: at our size and place. */
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         report->size[key] = size_of(mesh, key, plan->measure);
         if (!(report->size[key] > 1e-6f)) {
             snprintf(why, IMPORT_WHY_SIZE, "%.40s: has no length", mesh->key_names[key]);
             return EXIT_BAD_DATA;
         }
-        is_settled = is_settled && fabsf(report->size[key] - 1.0f) < 4.0f * SAME_SIZE;
+        is_settled = is_settled && fabsf(report->size[key] - 1.0f) < OURS_OFF;
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         if (!is_settled) {

@@ -64,7 +64,8 @@ static bool is_terminated(const char *text, size_t size)
 
 static bool vet_counts(const struct import_mesh *m)
 {
-    bool good = m->measure <= MEASURE_DISC && m->key_count >= 1 && m->key_count <= MORPH_KEY_MAX && m->vertex_count >= 3 &&
+    bool good = m->measure <= MEASURE_DISC && m->key_count >= 1 &&
+                m->key_count <= MORPH_KEY_MAX && m->vertex_count >= 3 &&
                 m->vertex_count <= IMPORT_VERTEX_MAX && m->triangle_count >= 1 &&
                 m->triangle_count <= IMPORT_TRIANGLE_MAX && m->group_count >= 1 &&
                 m->group_count <= IMPORT_GROUP_MAX && m->time_count <= IMPORT_TIME_MAX;
