@@ -11,12 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/ctl/canvas.h"
 #include "platform/ctl/morph_glb.h"
+#include "platform/ctl/portrait.h"
 #include "platform/species/reader.h"
-
-#define FIN_ROOT_HIDES 0.92f /* As the plates': a fin lets light through toward its tip. */
-#define FIN_TIP_HIDES 0.55f
 
 /* A vertex's numbers in one shape. */
 struct aspect {
@@ -52,13 +49,9 @@ static float share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t cur
 static void take_paint(const struct fish_glb *fish, uint32_t vertex, uint32_t key,
                        struct aspect *out)
 {
-    const struct species_vertex *at = &fish->mesh->vertices[vertex];
     const struct paint *paint = &fish->paints[key][vertex];
     out->colour = canvas_linear(paint->colour);
-    out->hides = 1.0f - paint->clear;
-    if (at->part >= PART_TAIL) {
-        out->hides *= f_lerp(FIN_ROOT_HIDES, FIN_TIP_HIDES, f_clamp(at->v, 0.0f, 1.0f));
-    }
+    out->hides = portrait_hides(paint, &fish->mesh->vertices[vertex]);
 }
 
 static void add_look(struct aspect *sum, const struct aspect *look, float weight)

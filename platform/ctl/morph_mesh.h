@@ -26,9 +26,9 @@ void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE]
 void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, const vec3 *normals,
                     struct morph_mesh *out);
 
-/* What a vertex can tell of the skin around it: on the body, paint_at() over the part of each of its
- * triangles that is nearest to it; at the vertex alone, a spot would be all or nothing. `paints`
- * takes mesh->vertex_count. */
+/* What a vertex can tell of the skin around it: on the body, paint_at() over the part of each of
+ * its triangles that is nearest to it; at the vertex alone, a spot would be all or nothing.
+ * `paints` takes mesh->vertex_count. */
 void morph_mesh_paint(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct morph_mesh *cut, struct paint *paints);
 

@@ -147,9 +147,10 @@ static void draw_stage(struct page *page, const struct layout *layout, uint32_t 
                progress);
 }
 
-static void draw_water(struct page *page, const struct layout *layout, float top)
+static void draw_water(struct page *page, const struct layout *layout, float top,
+                       uint32_t columns)
 {
-    const struct canvas_box water = { MARGIN, top, PAGE_WIDTH - 2.0f * MARGIN,
+    const struct canvas_box water = { MARGIN, top, (float)columns * layout->cell_width,
                                       layout->water_height };
     canvas_fill(&page->canvas, water, WATER_ABOVE, WATER_BELOW);
 }
@@ -174,8 +175,10 @@ static void draw_keys(struct page *page, float top)
     const struct species_card *card = &page->pick->fish->card;
     for (uint32_t i = 0; i < card->key_count; i++) {
         const float down = (float)(i / page->keys.columns) * page->keys.height;
+        const uint32_t left = card->key_count - i;
         if (i % page->keys.columns == 0) {
-            draw_water(page, &page->keys, top + down);
+            draw_water(page, &page->keys, top + down,
+                       left < page->keys.columns ? left : page->keys.columns);
         }
         draw_stage(page, &page->keys, i % page->keys.columns, top + down, card->key_names[i],
                    (float)i / (float)(card->key_count - 1u));
@@ -189,7 +192,7 @@ static void draw_betweens(struct page *page, uint32_t from, float top)
     char words[2 * SPECIES_NAME_SIZE + 16];
     snprintf(words, sizeof words, "%s to %s", card->key_names[from], card->key_names[from + 1u]);
     canvas_words(&page->canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, PLATE_INK, words);
-    draw_water(page, &page->betweens, top);
+    draw_water(page, &page->betweens, top, SHEET_BETWEEN);
     for (uint32_t i = 0; i < SHEET_BETWEEN; i++) {
         const float at = (float)from + (float)(i + 1u) / steps;
         draw_stage(page, &page->betweens, i, top, "", at / (float)(card->key_count - 1u));

@@ -3,8 +3,11 @@
 
 #include <math.h>
 
-#define FIN_ROOT_HIDES 0.92f /* How much of what is behind a fin its root hides, ... */
-#define FIN_TIP_HIDES 0.55f  /* ... and its tip, where only rays and a thin skin are. */
+#define FIN_ROOT_HIDES 0.92f
+#define FIN_TIP_HIDES 0.55f
+#define FIN_RAYS 13.0f       /* As many as the kiosk's specimens show along a fin. */
+#define RAY_HIDES 0.22f      /* The skin between two rays hides so much less than a ray ... */
+#define RAY_LIGHT 0.18f      /* ... and is so much darker. */
 #define GLASS_RIM 0.55f      /* A glass body seen edge-on mirrors this much of the light. */
 
 const char *const portrait_view_names[VIEW_COUNT] = { "side", "above", "aslant" };
@@ -45,6 +48,13 @@ void portrait_measure(const struct portrait *portrait, enum portrait_view view,
         bounds->low = f_min(bounds->low, p.y);
         bounds->high = f_max(bounds->high, p.y);
     }
+}
+
+float portrait_hides(const struct paint *paint, const struct species_vertex *at)
+{
+    const bool is_fin = at->part >= PART_TAIL;
+    const float up = f_clamp(at->v, 0.0f, 1.0f);
+    return (1.0f - paint->clear) * (is_fin ? f_lerp(FIN_ROOT_HIDES, FIN_TIP_HIDES, up) : 1.0f);
 }
 
 /* ---- Skin and light -------------------------------------------------------------------------- */
@@ -100,13 +110,13 @@ static struct raster_colour look(const void *triangle, const float part[3])
     const vec3 n = facing(c, part, is_fin);
     const struct paint paint = paint_at(c->portrait->species, c->portrait->pose.weight[0], &at);
     const float rim = powf(1.0f - f_clamp(n.z, 0.0f, 1.0f), 3.0f);
-    float hides = 1.0f - paint.clear;
-    if (is_fin) {
-        hides *= f_lerp(FIN_ROOT_HIDES, FIN_TIP_HIDES, f_clamp(at.v, 0.0f, 1.0f));
-    }
+    const float ray = is_fin ? f_abs(2.0f * (at.u * FIN_RAYS - floorf(at.u * FIN_RAYS)) - 1.0f)
+                             : 1.0f;
+    float hides = portrait_hides(&paint, &at) * (1.0f - RAY_HIDES * (1.0f - ray));
     hides += (1.0f - hides) * rim * (is_fin ? 0.0f : GLASS_RIM);
     const float gloss = is_fin ? 0.0f : gloss_on(n, at.part == PART_EYE ? 1.0f : paint.shine);
-    const vec3 lit = v3_scale(canvas_linear(paint.colour), light_on(n, is_fin));
+    const float light = light_on(n, is_fin) * (1.0f - RAY_LIGHT * (1.0f - ray));
+    const vec3 lit = v3_scale(canvas_linear(paint.colour), light);
     return (struct raster_colour){ v3_add(lit, v3(gloss, gloss, gloss)),
                                    f_clamp(hides + gloss, 0.0f, 1.0f) };
 }

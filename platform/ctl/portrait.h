@@ -17,6 +17,10 @@ enum portrait_view {
 
 extern const char *const portrait_view_names[VIEW_COUNT];
 
+/* How much of what is behind it a painted point hides, [0, 1]: fins let light through, most of all
+ * at their tips, where only rays and a thin skin are. */
+float portrait_hides(const struct paint *paint, const struct species_vertex *at);
+
 /* A fish that stands still to be drawn. About 50 KiB. */
 struct portrait {
     const struct species *species;
