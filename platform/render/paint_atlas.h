@@ -18,7 +18,7 @@
 /* Where a vertex's paint is, [0, 1] each. */
 void paint_atlas_find(const struct species_vertex *vertex, float uv[2]);
 
-/* What is painted at a point of the sheet, in texels, [0, PAINT_SIZE) each; a texel's middle is half
+/* What is painted at a point of the sheet: texels, [0, PAINT_SIZE) each, with a texel's middle half
  * a texel in. False where nothing is. */
 bool paint_atlas_at(float x, float y, struct species_vertex *vertex);
 

@@ -163,7 +163,6 @@ static void prepare(struct renderer *renderer, const struct scene *scene)
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
-    specimen_pass_work(&renderer->specimens);
     step_done(renderer, STEP_PREPARE);
 }
 
@@ -314,18 +313,42 @@ static void finish_screen(const struct renderer *renderer)
     glViewport(0, 0, width, height);
 }
 
-void renderer_draw(struct renderer *renderer, const struct scene *scene)
+static void draw_tank(struct renderer *renderer, const struct scene *scene)
 {
-    reset_state();
     prepare(renderer, scene);
     draw_light(renderer, scene);
     draw_ground(renderer);
     draw_life(renderer, scene);
     draw_surface(renderer, scene);
     draw_above(renderer, scene);
-    finish_screen(renderer);
+}
+
+static void draw_ui(struct renderer *renderer, const struct scene *scene)
+{
+    specimen_pass_work(&renderer->specimens);
     ui_draw(&renderer->ui, &renderer->specimens, scene, (float)renderer->config.width,
             (float)renderer->config.height);
+}
+
+/* The lab covers the tank. Its specimens get what samples there are. */
+static void draw_page(struct renderer *renderer, const struct scene *scene)
+{
+    bind_screen(renderer);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_ui(renderer, scene);
+    finish_screen(renderer);
+}
+
+void renderer_draw(struct renderer *renderer, const struct scene *scene)
+{
+    reset_state();
+    if (scene->phase == PHASE_LAB) {
+        draw_page(renderer, scene);
+    } else {
+        draw_tank(renderer, scene);
+        finish_screen(renderer);
+        draw_ui(renderer, scene);
+    }
     step_done(renderer, STEP_UI);
 }
 

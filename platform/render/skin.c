@@ -65,7 +65,7 @@ void skin_wear(struct skin *skin, const struct species *species)
     skin->species = *species;
     skin->per_key = (SKIN_SHEETS - 1u) / steps;
     skin->sheet_count = steps * skin->per_key + 1u;
-    skin->shown = 0.0f;
+    skin->shown = skin->shown_px = 0.0f;
     memset(skin->bands_done, 0, sizeof skin->bands_done);
     memset(skin->is_coarse, 0, sizeof skin->is_coarse);
     if (skin_scales(skin) > 0.0f) {
@@ -159,7 +159,7 @@ static void paint_finely(const struct painting *painting, uint32_t index, uint32
     put(painting, index, &mean);
 }
 
-/* A mark's rim may be narrower than a texel: a slit painted at one point of each would be ragged. */
+/* A mark's rim may be narrower than a texel: a slit of one point a texel would be ragged. */
 static void smooth_rims(const struct painting *painting, uint32_t first)
 {
     bool rim[SKIN_BAND * PAINT_SIZE] = { false };
@@ -204,7 +204,7 @@ static void paint_coarsely(struct skin *skin, struct skin_brush *brush, uint32_t
 }
 
 void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[MORPH_KEY_MAX],
-               float out[3])
+               float length_px, float out[3])
 {
     float mean = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -212,8 +212,12 @@ void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[
         mean += weight * (float)(key * skin->per_key);
         sum += weight;
     }
-    skin->shown = f_clamp(mean / sum, 0.0f, (float)(skin->sheet_count - 1u));
-    const uint32_t first = (uint32_t)skin->shown;
+    const float at = f_clamp(mean / sum, 0.0f, (float)(skin->sheet_count - 1u));
+    const uint32_t first = (uint32_t)at;
+    if (length_px > skin->shown_px) {
+        skin->shown = at;
+        skin->shown_px = length_px;
+    }
     const uint32_t second = first + 1u < skin->sheet_count ? first + 1u : first;
     for (uint32_t sheet = first; sheet <= second; sheet++) {
         if (!skin->is_coarse[sheet]) {
@@ -222,7 +226,7 @@ void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[
     }
     out[0] = (float)first;
     out[1] = (float)second;
-    out[2] = skin->shown - (float)first;
+    out[2] = at - (float)first;
 }
 
 /* The unfinished sheet nearest to what is shown, or sheet_count. */
@@ -256,6 +260,7 @@ uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands)
         skin->is_coarse[sheet] |= skin->bands_done[sheet] == SKIN_BANDS;
         bands--;
     }
+    skin->shown_px = 0.0f;
     return bands;
 }
 

@@ -20,7 +20,8 @@ struct skin {
     uint32_t sheet_count, per_key;
     uint32_t bands_done[SKIN_SHEETS];
     bool is_coarse[SKIN_SHEETS]; /* At least. */
-    float shown;    /* Which sheet was last shown; between two of them, a fraction. */
+    float shown;    /* Which sheet the largest fish in it showed, or between which two; ... */
+    float shown_px; /* ... and how large that fish was. 0: none since it was last worked on. */
     GLuint paints;  /* Array: colour, and how clear. */
     GLuint shines;  /* Array: how silvery. */
 };
@@ -38,14 +39,14 @@ void skin_close(struct skin *skin);
 void skin_wear(struct skin *skin, const struct species *species);
 
 /* The two sheets to mix for keys of these weights, and how much of the second: paints them coarsely
- * where they are not painted at all, in about 2 ms each. */
+ * where they are not painted at all, in about 2 ms each. Of a fish `length_px` long. */
 void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[MORPH_KEY_MAX],
-               float sheets[3]);
+               float length_px, float sheets[3]);
 
 /* Paints up to `bands` on; returns how many of them were not needed. A band takes about 1 ms. */
 uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands);
 
-/* How clear it is, [0, 1], without marks; and how many scales lie along it, 0 for none to be seen. */
+/* How clear it is, [0, 1], without marks; and how many scales lie along it, 0: none are seen. */
 float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX]);
 float skin_scales(const struct skin *skin);
 

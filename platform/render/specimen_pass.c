@@ -231,7 +231,7 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     struct told told = { .look = { 1.0f - specimen->fade, skin_scales(&slot->skin) },
                          .screen_px = { width_px, height_px } };
     morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
-    skin_show(&slot->skin, &pass->brush, pass->pose.weight[0], told.sheets);
+    skin_show(&slot->skin, &pass->brush, pass->pose.weight[0], specimen->length_px, told.sheets);
     send_pose(pass, mesh->anchor_count);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);

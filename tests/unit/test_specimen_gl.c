@@ -1,0 +1,287 @@
+/* test_specimen_gl.c -- specimens as they are drawn: all species, their paint, and four slots. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <SDL.h>
+
+#include "platform/render/specimen_pass.h"
+
+#define WIDTH 320u
+#define HEIGHT 200u
+#define SIZE (WIDTH * HEIGHT * 4u)
+#define BOX_PX 20.0f /* Free around a fitted fish; its swimming stays in it. */
+
+static struct gl_status status;
+static struct specimen_pass pass;
+static struct gl_target target;
+static struct straight_memory memory;
+static struct species changed;
+static uint8_t pictures[2][SIZE];
+
+static int open_pass(void **state)
+{
+    (void)state;
+    SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
+    assert_int_equal(SDL_Init(SDL_INIT_VIDEO), 0);
+    SDL_Window *const window = SDL_CreateWindow("specimen", 0, 0, 64, 64, SDL_WINDOW_OPENGL);
+    assert_non_null(window);
+    assert_non_null(SDL_GL_CreateContext(window));
+    specimen_pass_open(&status, &pass);
+    gl_target_open(&status, "sheet", &target,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = WIDTH,
+                                             .height = HEIGHT,
+                                             .depth = true });
+    assert_string_equal(status.text, "");
+    return 0;
+}
+
+static int close_pass(void **state)
+{
+    (void)state;
+    specimen_pass_close(&pass);
+    gl_target_close(&target);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    return 0;
+}
+
+static struct specimen fish_of(const struct species *species, float progress)
+{
+    struct specimen fish = { .species = species, .progress = progress };
+    specimen_portrait(&fish);
+    specimen_fit(&fish, BOX_PX, BOX_PX, (float)WIDTH - 2.0f * BOX_PX,
+                 (float)HEIGHT - 2.0f * BOX_PX);
+    return fish;
+}
+
+static void picture(uint8_t out[SIZE], const struct specimen *fish, float grey)
+{
+    gl_target_bind(&target);
+    glClearColor(grey, grey, grey, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    specimen_pass_finish(&pass, fish);
+    specimen_pass_draw(&pass, fish, (float)WIDTH, (float)HEIGHT);
+    glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, out);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static bool is_ground(const uint8_t *pixel, uint8_t grey)
+{
+    return pixel[0] == grey && pixel[1] == grey && pixel[2] == grey;
+}
+
+/* The colour in the middle of what a point of the body is seen at. */
+static const uint8_t *pixel_at(const uint8_t pixels[SIZE], const struct specimen *fish, vec3 point)
+{
+    float x, y;
+    specimen_project(fish, point, &x, &y);
+    return pixels + ((HEIGHT - 1u - (uint32_t)y) * WIDTH + (uint32_t)x) * 4u;
+}
+
+static void test_every_species_is_drawn_inside_its_box_at_every_age(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        for (uint32_t step = 0; step <= 4; step++) {
+            struct specimen fish = fish_of(species_table[i], 0.25f * (float)step);
+            uint32_t drawn = 0;
+            fish.amplitude = 1.0f;
+            fish.phase_rad = (float)step;
+            picture(pictures[0], &fish, 0.0f);
+            for (uint32_t p = 0; p < WIDTH * HEIGHT; p++) {
+                const uint32_t x = p % WIDTH, y = p / WIDTH;
+                const bool edge = x == 0 || y == 0 || x == WIDTH - 1u || y == HEIGHT - 1u;
+                drawn += !is_ground(pictures[0] + p * 4u, 0);
+                assert_true(!edge || is_ground(pictures[0] + p * 4u, 0));
+            }
+            assert_true(drawn > 500u); /* The slimmest is an eel of 280 x 10 pixels. */
+        }
+    }
+}
+
+static void test_the_same_fish_is_the_same_picture_and_an_older_one_is_not(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(&species_wakin, 0.5f);
+    picture(pictures[0], &fish, 0.2f);
+    picture(pictures[1], &fish, 0.2f);
+    assert_memory_equal(pictures[0], pictures[1], SIZE);
+    fish.progress = 0.52f;
+    picture(pictures[1], &fish, 0.2f);
+    assert_memory_not_equal(pictures[0], pictures[1], SIZE);
+}
+
+static void test_a_grown_goldfish_is_red_and_a_tint_covers_it(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(&species_wakin, 1.0f);
+    picture(pictures[0], &fish, 0.0f);
+    const uint8_t *pixel = pixel_at(pictures[0], &fish, v3(0.0f, 0.05f, -0.1f));
+    assert_true(pixel[0] > 120 && pixel[0] > 2 * pixel[1] && pixel[0] > 2 * pixel[2]);
+    fish.tint = 0x2040ffffu;
+    picture(pictures[0], &fish, 0.0f);
+    assert_true(pixel[2] > 120 && pixel[2] > pixel[0]);
+}
+
+static void test_a_larva_of_glass_lets_the_ground_through_and_an_adult_does_not(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(&species_wakin, 0.0f);
+    const vec3 flank = v3(0.0f, 0.0f, 0.05f);
+    for (uint32_t adult = 0; adult < 2; adult++) {
+        fish.progress = adult ? 1.0f : 0.0f;
+        picture(pictures[0], &fish, 0.0f);
+        picture(pictures[1], &fish, 1.0f);
+        const int32_t through = (int32_t)pixel_at(pictures[1], &fish, flank)[1] -
+                                (int32_t)pixel_at(pictures[0], &fish, flank)[1];
+        print_message("%s: %d of 255 of the ground's light comes through\n",
+                      adult ? "adult" : "larva", through);
+        assert_true(adult ? through <= 3 : through > 40);
+    }
+}
+
+static void test_faded_out_it_leaves_no_trace(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(&species_wakin, 1.0f);
+    fish.fade = 1.0f;
+    fish.shadow = 1.0f;
+    picture(pictures[0], &fish, 0.6f);
+    for (uint32_t p = 0; p < WIDTH * HEIGHT; p++) {
+        assert_true(is_ground(pictures[0] + p * 4u, 153));
+    }
+}
+
+static void test_whatever_depth_was_there_a_specimen_is_drawn_over_it(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(&species_wakin, 1.0f);
+    picture(pictures[0], &fish, 0.0f);
+    gl_target_bind(&target);
+    glClearDepthf(0.0f); /* Nearer than anything. */
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearDepthf(1.0f);
+    specimen_pass_draw(&pass, &fish, (float)WIDTH, (float)HEIGHT);
+    glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, pictures[1]);
+    assert_memory_equal(pictures[0], pictures[1], SIZE);
+}
+
+static void test_a_species_that_lost_its_slot_comes_back_the_same(void **state)
+{
+    (void)state;
+    assert_true(species_table_count > SPECIMEN_SLOTS);
+    struct specimen fish = fish_of(species_table[0], 0.4f);
+    picture(pictures[0], &fish, 0.3f);
+    for (uint32_t i = 1; i <= SPECIMEN_SLOTS; i++) {
+        struct specimen other = fish_of(species_table[i], 0.4f);
+        picture(pictures[1], &other, 0.3f);
+    }
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        assert_ptr_not_equal(pass.slots[i].species, species_table[0]);
+    }
+    picture(pictures[1], &fish, 0.3f);
+    assert_memory_equal(pictures[0], pictures[1], SIZE);
+}
+
+static void test_another_edition_in_the_same_memory_is_drawn_anew(void **state)
+{
+    (void)state;
+    species_thesis(species_table[1], &memory, &changed);
+    struct specimen fish = fish_of(&changed, 1.0f);
+    picture(pictures[0], &fish, 0.3f);
+    species_thesis(species_table[2], &memory, &changed);
+    fish.edition = 1;
+    picture(pictures[1], &fish, 0.3f);
+    assert_memory_not_equal(pictures[0], pictures[1], SIZE);
+    struct specimen straight = fish;
+    straight.species = species_table[2];
+    straight.edition = 0;
+    straight.progress = (float)species_table[2]->card.thesis_key[2] /
+                        (float)(species_table[2]->card.key_count - 1u);
+    picture(pictures[0], &straight, 0.3f); /* At a key both are as it was drawn. */
+    uint32_t off = 0;
+    for (uint32_t i = 0; i < SIZE; i++) {
+        const int32_t d = (int32_t)pictures[0][i] - (int32_t)pictures[1][i];
+        off += d > 24 || d < -24;
+    }
+    print_message("%u of %u values differ by more than 24\n", off, SIZE);
+    assert_true(off < SIZE / 200u);
+}
+
+/* Reads a key's sheet back and holds it to paint_at(). */
+static void test_a_key_s_sheet_is_what_paint_at_says(void **state)
+{
+    (void)state;
+    static uint8_t sheet[PAINT_SIZE * PAINT_SIZE][4];
+    const struct species *const species = species_table[1];
+    struct specimen fish = fish_of(species, 1.0f);
+    picture(pictures[0], &fish, 0.0f);
+    const struct skin *skin = NULL;
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        skin = pass.slots[i].species == species ? &pass.slots[i].skin : skin;
+    }
+    assert_non_null(skin);
+    GLuint framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    uint32_t off = 0, count = 0;
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        float weights[MORPH_KEY_MAX] = { 0.0f };
+        weights[key] = 1.0f;
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, skin->paints, 0,
+                                  (GLint)(key * skin->per_key));
+        assert_int_equal(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+        glReadPixels(0, 0, PAINT_SIZE, PAINT_SIZE, GL_RGBA, GL_UNSIGNED_BYTE, sheet);
+        for (uint32_t i = 0; i < PAINT_SIZE * PAINT_SIZE; i++) {
+            struct species_vertex at;
+            const float x = (float)(i % PAINT_SIZE) + 0.5f, y = (float)(i / PAINT_SIZE) + 0.5f;
+            if (!paint_atlas_at(x, y, &at)) {
+                continue;
+            }
+            const struct paint paint = paint_at(species, weights, &at);
+            const float red = (float)sheet[i][0] / 255.0f, clear = (float)sheet[i][3] / 255.0f;
+            off += f_abs(red - paint.colour.x) > 0.004f || f_abs(clear - paint.clear) > 0.004f;
+            count++;
+        }
+    }
+    glDeleteFramebuffers(1, &framebuffer);
+    print_message("%u of %u texels are means of four points\n", off, count);
+    assert_true(off < count / 8u); /* Rims. */
+}
+
+static void test_a_finished_skin_wants_no_more_work(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(&species_wakin, 1.0f);
+    picture(pictures[0], &fish, 0.0f);
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        if (pass.slots[i].species == &species_wakin) {
+            assert_int_equal(skin_work(&pass.slots[i].skin, &pass.brush, 5), 5);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_species_is_drawn_inside_its_box_at_every_age),
+        cmocka_unit_test(test_the_same_fish_is_the_same_picture_and_an_older_one_is_not),
+        cmocka_unit_test(test_a_grown_goldfish_is_red_and_a_tint_covers_it),
+        cmocka_unit_test(test_a_larva_of_glass_lets_the_ground_through_and_an_adult_does_not),
+        cmocka_unit_test(test_faded_out_it_leaves_no_trace),
+        cmocka_unit_test(test_whatever_depth_was_there_a_specimen_is_drawn_over_it),
+        cmocka_unit_test(test_a_species_that_lost_its_slot_comes_back_the_same),
+        cmocka_unit_test(test_another_edition_in_the_same_memory_is_drawn_anew),
+        cmocka_unit_test(test_a_key_s_sheet_is_what_paint_at_says),
+        cmocka_unit_test(test_a_finished_skin_wants_no_more_work),
+    };
+    return cmocka_run_group_tests(tests, open_pass, close_pass);
+}
