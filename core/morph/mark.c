@@ -11,6 +11,7 @@
 #define SOFT_U 0.006f      /* Half a rim's width along the body ... */
 #define SOFT_HEIGHT 0.03f  /* ... and up the flank. */
 #define UNEVEN 0.35f       /* A spot is so much larger or smaller than it is drawn. */
+#define CELL_RIM 0.2f      /* Of a spot's cell: so near its border no spot has its middle. */
 #define BOW_HEIGHT 0.35f   /* A flank's height in body lengths, for the gill cover's bow. */
 #define SLIT_HEIGHT 7.0f   /* A head of 0.14 lengths: from a slit's width to a share of height. */
 
@@ -59,7 +60,10 @@ static float disc(float distance, float radius)
 /* Of a height on the body, how far down the flank that is. */
 static float down_of(const struct mark_point *at, float height)
 {
-    return at->part >= PART_TAIL ? 1.0f - height : f_acos(2.0f * height - 1.0f) / PI;
+    if (at->part >= PART_TAIL || height <= 0.0f || height >= 1.0f) {
+        return 1.0f - height; /* Most marks go all the way: no angle is asked for. */
+    }
+    return f_acos(2.0f * height - 1.0f) / PI;
 }
 
 /* A number in [0, 1) of its own for each cell, mark and `purpose` (a 32-bit mixer). */
@@ -69,6 +73,12 @@ static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
     h = (h ^ h >> 15) * 0x2c1b3c6du;
     h = (h ^ h >> 12) * 0x297a2d39u;
     return (float)((h ^ h >> 15) >> 8) / 16777216.0f;
+}
+
+/* From `x`, told from a cell's border, to where its spot can have its middle. */
+static float to_middle(float x)
+{
+    return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
 }
 
 /* `count` cells over one flank, a spot somewhere in each; a point looks at its nine cells. Toward
@@ -85,15 +95,22 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     const float shrunk = m->width * f_sqrt(girth / broad);
     const float x = (at->u - m->from) / length * columns;
     const float y = (at->down - top) / f_max(bottom - top, 1e-3f) * rows;
+    const float reach = shrunk * (1.0f + UNEVEN) * 1.2f + 0.001f; /* With its soft rim. */
     float cover = 0.0f;
+    if (x < -1.0f || y < -1.0f || x > columns + 1.0f || y > rows + 1.0f) {
+        return 0.0f;
+    }
     for (int i = 0; i < 9; i++) {
         const float cx = f_floor(x) + (float)(i % 3 - 1), cy = f_floor(y) + (float)(i / 3 - 1);
-        if (cx < 0.0f || cy < 0.0f || cx >= columns || cy >= rows) {
+        if (cx < 0.0f || cy < 0.0f || cx >= columns || cy >= rows ||
+            to_middle(x - cx) * length > reach * columns ||
+            to_middle(y - cy) * girth > reach * rows) {
             continue;
         }
         const uint32_t id = (uint32_t)cx * 64u + (uint32_t)cy + (at->right < 0.0f ? 8192u : 0u);
-        const float dx = (cx + 0.2f + 0.6f * chance(id, m->seed, 1u) - x) * length / columns;
-        const float dy = (cy + 0.2f + 0.6f * chance(id, m->seed, 2u) - y) * girth / rows;
+        const float sx = CELL_RIM + (1.0f - 2.0f * CELL_RIM) * chance(id, m->seed, 1u);
+        const float sy = CELL_RIM + (1.0f - 2.0f * CELL_RIM) * chance(id, m->seed, 2u);
+        const float dx = (cx + sx - x) * length / columns, dy = (cy + sy - y) * girth / rows;
         const float radius = shrunk * (1.0f + UNEVEN * (2.0f * chance(id, m->seed, 3u) - 1.0f));
         cover = f_max(cover, disc(f_sqrt(dx * dx + dy * dy), radius));
     }

@@ -33,7 +33,7 @@ static struct species_text species;
 #define KNOTS "knot 0 1 0 0\nknot .5 .15 .7 .15\nknot 1 0 0 1\n"
 
 /* What the reader complains of in `text`; empty when it takes it. */
-static const char *complaint_of(const char *text)
+static inline const char *complaint_of(const char *text)
 {
     static char complaint[256];
     memset(complaint, 0, sizeof complaint);
@@ -46,7 +46,7 @@ static const char *complaint_of(const char *text)
     return complaint;
 }
 
-static void assert_refused(const char *text, const char *complaint)
+static inline void assert_refused(const char *text, const char *complaint)
 {
     const char *answer = complaint_of(text);
     assert_non_null(strstr(answer, complaint));
