@@ -20,6 +20,22 @@ const char *outline_key_colour(uint32_t key)
     return colours[key];
 }
 
+void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
+{
+    memcpy(out, name, SPECIES_NAME_SIZE);
+    for (char *c = strchr(out, '_'); c; c = strchr(c, '_')) {
+        *c = ' ';
+    }
+}
+
+void outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
+{
+    outline_words(out, name);
+    if (out[0] >= 'a' && out[0] <= 'z') {
+        out[0] = (char)(out[0] - 'a' + 'A');
+    }
+}
+
 enum outline_view outline_view_of(const struct species_card *card)
 {
     return card->form == FORM_DEPRESSED ? OUTLINE_TOP : OUTLINE_SIDE;

@@ -8,6 +8,12 @@
 /* plate_key_colour() as SVG writes it, "#d0392b"; the answer is static, for each key its own. */
 const char *outline_key_colour(uint32_t key);
 
+/* A name as people write it: "long leaf". */
+void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
+
+/* The same, its first letter a capital. */
+void outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
+
 #define MORPH_SCALE_COLOUR "#8e4bb8" /* The size is purple, as in the 2005 thesis. */
 
 enum outline_view {

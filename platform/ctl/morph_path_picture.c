@@ -103,12 +103,14 @@ static void draw_names(struct picture *picture, const struct window *window)
 {
     const struct species_card *card = &picture->plan->pick.fish->card;
     struct label taken[MORPH_KEY_MAX];
+    char words[SPECIES_NAME_SIZE];
     for (uint32_t key = 0; key < card->key_count; key++) {
         double x, y;
         path_place(window, path_key(picture, key), &x, &y);
-        taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(card->key_names[key]));
+        outline_words(words, card->key_names[key]);
+        taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(words));
         svg_text(&picture->svg, taken[key].x, taken[key].y, 14.0, "start",
-                 outline_key_colour(key), "%s", card->key_names[key]);
+                 outline_key_colour(key), "%s", words);
     }
 }
 
@@ -178,9 +180,10 @@ static void draw_words(struct picture *picture, enum outline_view view)
 {
     static const char *const seen[] = { "from its left", "from ahead", "from above" };
     const struct path_plan *plan = picture->plan;
-    const char *id = plan->pick.fish->card.id;
     struct svg *svg = &picture->svg;
-    svg_text(svg, 50.0, 46.0, 26.0, "start", SVG_INK, "%c%s: %s", id[0] - 32, id + 1, plan->part);
+    char title[SPECIES_NAME_SIZE];
+    outline_title(title, plan->pick.fish->card.id);
+    svg_text(svg, 50.0, 46.0, 26.0, "start", SVG_INK, "%s: %s", title, plan->part);
     if (picture->farthest_lengths < STRAIGHT_LENGTHS) {
         svg_text(svg, 50.0, 72.0, 14.0, "start", SVG_GREY,
                  "its way as the fish grows, %s: straight", seen[view]);

@@ -171,6 +171,12 @@ has_curves() { # Each key's curve and the size: polylines that differ
     morph graph wakin --svg "$work/graph.svg" && [ "$(grep -c 'stroke="#8e4bb8"' "$work/graph.svg")" -ge 2 ] &&
         [ "$(grep -cE '<polyline.{2000,}' "$work/graph.svg")" -eq $(($(key_names wakin | wc -l) + 1)) ]
 }
+odd_name() { # An id may begin with what has no capital.
+    sed 's/^species .*/species 2_koi/' "$root/assets/species/wakin.txt" >"$work/koi.txt"
+    morph graph "$work/koi.txt" --svg "$work/koi.svg" && ! LC_ALL=C grep -q "$(printf '[\001-\010\016-\037]')" "$work/koi.svg" &&
+        grep -q '>2 koi<' "$work/koi.svg"
+}
+check 'under any name' odd_name
 check 'with a curve for each key and one for the size' has_curves
 
 # ---- Mistakes: one line that names the word, nothing on standard output

@@ -1,0 +1,146 @@
+/* morph_graph_axes.c -- what is read off at the paper's edges. */
+#include "platform/ctl/morph_graph.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "platform/ctl/morph_outline.h"
+
+#define AGES 652.0 /* Where their line is. */
+#define YEAR_DAYS 365.25
+#define AGE_MAX 16u   /* Ages that are marked ... */
+#define AGE_ROOM 78.0 /* ... and how far apart, for their words. */
+
+double graph_x(double progress)
+{
+    return GRAPH_LEFT + (GRAPH_RIGHT - GRAPH_LEFT) * progress;
+}
+
+double graph_y(double share)
+{
+    return GRAPH_BOTTOM + (GRAPH_TOP - GRAPH_BOTTOM) * share;
+}
+
+void graph_print_age(char out[GRAPH_WORDS], double days)
+{
+    if (days < 2.0 * YEAR_DAYS - 0.5) {
+        snprintf(out, GRAPH_WORDS, "%.0f d", days);
+    } else {
+        snprintf(out, GRAPH_WORDS, "%.3g y", days / YEAR_DAYS);
+    }
+}
+
+void graph_print_length(char out[GRAPH_WORDS], double mm, int digits)
+{
+    const bool small = mm < 1000.0;
+    snprintf(out, GRAPH_WORDS, "%.*g %s", digits, small ? mm : 1e-3 * mm, small ? "mm" : "m");
+}
+
+static void draw_shares(struct svg *svg)
+{
+    for (int percent = 0; percent <= 100; percent += 25) {
+        const double y = graph_y(0.01 * percent);
+        svg_line(svg, GRAPH_LEFT, y, GRAPH_RIGHT, y, SVG_FAINT, 1.0, NULL);
+        svg_text(svg, GRAPH_LEFT - 12.0, y + 5.0, 14.0, "end", SVG_INK, "%d %%", percent);
+    }
+    svg_put(svg, "<g transform=\"rotate(-90 40 %.0f)\">\n", graph_y(0.5));
+    svg_text(svg, 40.0, graph_y(0.5), 15.0, "middle", SVG_INK, "share of each key");
+    svg_put(svg, "</g>\n");
+}
+
+/* 1, 2 or 5 times a power of ten: four to ten of it fit in `range`. */
+static double round_step(double range)
+{
+    const double power = pow(10.0, floor(log10(range / 4.0)));
+    const double part = range / 4.0 / power;
+    return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
+}
+
+static void draw_lengths(struct svg *svg, double max_mm)
+{
+    const double step = round_step(max_mm);
+    for (double mm = 0.0; mm <= max_mm * 1.0001; mm += step) {
+        const double y = graph_y(mm / max_mm);
+        char text[GRAPH_WORDS];
+        graph_print_length(text, mm, 4);
+        svg_line(svg, GRAPH_RIGHT, y, GRAPH_RIGHT + 6.0, y, MORPH_SCALE_COLOUR, 1.5, NULL);
+        svg_text(svg, GRAPH_RIGHT + 12.0, y + 5.0, 14.0, "start", MORPH_SCALE_COLOUR, "%s", text);
+    }
+    svg_line(svg, GRAPH_RIGHT, GRAPH_TOP, GRAPH_RIGHT, GRAPH_BOTTOM, MORPH_SCALE_COLOUR, 1.5, NULL);
+}
+
+static void draw_progress(struct svg *svg)
+{
+    svg_line(svg, GRAPH_LEFT, GRAPH_BOTTOM, GRAPH_RIGHT, GRAPH_BOTTOM, SVG_INK, 1.2, NULL);
+    for (int i = 0; i <= 10; i++) {
+        const double x = graph_x(0.1 * i);
+        svg_line(svg, x, GRAPH_BOTTOM, x, GRAPH_BOTTOM + 6.0, SVG_INK, 1.2, NULL);
+        svg_text(svg, x, GRAPH_BOTTOM + 24.0, 14.0, "middle", SVG_INK, "%g", 0.1 * i);
+    }
+    svg_text(svg, GRAPH_LEFT - 24.0, GRAPH_BOTTOM + 24.0, 14.0, "end", SVG_INK, "progress");
+}
+
+/* The ages on the axis: which are marked, and where. */
+struct age_axis {
+    const struct species_card *card;
+    double youngest, oldest;
+    double x[AGE_MAX];
+    uint32_t count;
+};
+
+static bool has_room(const struct age_axis *axis, double x)
+{
+    for (uint32_t i = 0; i < axis->count; i++) {
+        if (fabs(axis->x[i] - x) < AGE_ROOM) {
+            return false;
+        }
+    }
+    return axis->count < AGE_MAX;
+}
+
+static void draw_age(struct svg *svg, struct age_axis *axis, double days)
+{
+    const float progress = life_progress(axis->card, (float)days);
+    const double x = graph_x((double)progress);
+    char age[GRAPH_WORDS], length[GRAPH_WORDS];
+    if (!has_room(axis, x)) {
+        return;
+    }
+    axis->x[axis->count++] = x;
+    graph_print_age(age, days);
+    graph_print_length(length, 1e3 * (double)life_length_m(axis->card, progress), 3);
+    svg_line(svg, x, AGES, x, AGES + 6.0, SVG_INK, 1.2, NULL);
+    svg_text(svg, x, AGES + 24.0, 14.0, "middle", SVG_INK, "%s", age);
+    svg_text(svg, x, AGES + 44.0, 13.0, "middle", MORPH_SCALE_COLOUR, "%s", length);
+}
+
+/* A tick at round ages with the length there: the roundest first, then what has room between. Young
+ * fish are told apart by days, old ones by years. */
+static void draw_ages(struct svg *svg, const struct species_card *card)
+{
+    static const double steps_days[] = { 10.0 * YEAR_DAYS, 5.0 * YEAR_DAYS, 2.0 * YEAR_DAYS,
+                                         YEAR_DAYS, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0 };
+    struct age_axis axis = { .card = card,
+                             .youngest = ceil((double)life_age_days(card, 0.0f) - 0.01),
+                             .oldest = (double)life_age_days(card, 1.0f) + 0.01 };
+    svg_line(svg, GRAPH_LEFT, AGES, GRAPH_RIGHT, AGES, SVG_INK, 1.2, NULL);
+    for (size_t i = 0; i < sizeof steps_days / sizeof steps_days[0]; i++) {
+        const double step = steps_days[i], last = fmin(axis.oldest, 40.0 * step);
+        const double first = step < YEAR_DAYS ? 0.0 : 2.0 * YEAR_DAYS;
+        for (double days = 0.0; days <= last; days += step) {
+            if (days >= fmax(axis.youngest, first)) {
+                draw_age(svg, &axis, days);
+            }
+        }
+    }
+    svg_text(svg, GRAPH_LEFT - 36.0, AGES + 24.0, 14.0, "end", SVG_INK, "age");
+    svg_text(svg, GRAPH_LEFT - 36.0, AGES + 44.0, 13.0, "end", MORPH_SCALE_COLOUR, "length");
+}
+
+void graph_axes(struct svg *svg, const struct species_card *card, double length_max_mm)
+{
+    draw_shares(svg);
+    draw_progress(svg);
+    draw_ages(svg, card);
+    draw_lengths(svg, length_max_mm);
+}
