@@ -12,7 +12,7 @@
 #include "platform/render/display_gl.h"
 
 #define PIXELS_MAX (3840u * 2160u)
-#define SKIN_FRAMES 40u /* Until the skin of the fish that is shown is painted finely. */
+#define SKIN_FRAMES 150u /* Until the skins of all keys that are shown are painted finely. */
 #define PASS_FRAMES 40u
 #define PUSH_M_S 0.80f
 
