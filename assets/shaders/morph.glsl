@@ -43,6 +43,7 @@ layout(std140) uniform Pose {
 #define POSE(index) pose[index]
 #endif
 
+// On the octahedron |x| + |y| + |z| = 1, where normals are blended.
 vec3 unfold_normal(float folded)
 {
     float code = floor(folded * 32767.0 + 32767.5);
@@ -62,7 +63,7 @@ vec3 turned_by(vec4 turn, vec3 v)
 void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
 {
     p += key.xyz * weight;
-    n += normalize(unfold_normal(key.w)) * weight;
+    n += unfold_normal(key.w) * weight;
 }
 
 // The vertex in the fish's own frame and unit. Its normal is not yet of length 1.

@@ -16,14 +16,21 @@ vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vert
     return v3((float)p->x * step, (float)p->y * step, (float)p->z * step);
 }
 
-vec3 morph_normal(int16_t folded)
+/* Where a folded normal points: on the octahedron |x| + |y| + |z| = 127. Keys' normals are blended
+ * there and made of length 1 once, after that: a root and a division a vertex, not a key. */
+static vec3 unfold(int16_t folded)
 {
     const int32_t code = (int32_t)folded + 32767;
     const float x = (float)((code >> 8) - 127), y = (float)((code & 255) - 127);
     const float z = 127.0f - f_abs(x) - f_abs(y);
     const float t = f_max(-z, 0.0f);
-    const vec3 n = v3(x - (x >= 0.0f ? t : -t), y - (y >= 0.0f ? t : -t), z);
-    return v3_scale(n, 1.0f / v3_length(n)); /* Never of length 0. */
+    return v3(x - (x >= 0.0f ? t : -t), y - (y >= 0.0f ? t : -t), z);
+}
+
+vec3 morph_normal(int16_t folded)
+{
+    const vec3 n = unfold(folded);
+    return v3_scale(n, 1.0f / v3_length(n));
 }
 
 /* A unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1, as one number that
@@ -44,7 +51,7 @@ int16_t morph_fold_normal(vec3 n)
 }
 
 /* What a key counts for one vertex: the curves' weights, by its masks. Whole numbers are summed
- * before they are divided, so that a key which all curves show alone counts exactly 1. */
+ * before they are scaled, so that a key which all curves show alone counts exactly 1. */
 static float vertex_weight(const struct species_vertex *vertex, const struct morph_pose *pose,
                            uint32_t key)
 {
@@ -55,7 +62,7 @@ static float vertex_weight(const struct species_vertex *vertex, const struct mor
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
         sum += pose->weight[curve][key] * (float)vertex->mask[curve];
     }
-    return sum / 255.0f;
+    return sum * (1.0f / 255.0f); /* 255 times this is 1, to the bit. */
 }
 
 struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_count,
@@ -68,7 +75,7 @@ struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_cou
         const float weight = vertex_weight(&mesh->vertices[vertex], pose, key);
         if (weight != 0.0f) {
             counts = v3_mad(counts, v3((float)p->x, (float)p->y, (float)p->z), weight);
-            normal = v3_mad(normal, morph_normal(p->normal), weight);
+            normal = v3_mad(normal, unfold(p->normal), weight);
         }
     }
     return (struct morph_point){

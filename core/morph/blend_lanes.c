@@ -17,6 +17,9 @@ _Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_ve
                "part to masks are two words");
 _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
 
+/* Vertices. Tables are many short streams, which processors' own foresight is slow to find. */
+#define AHEAD 64u
+
 /* What all of a shape's blocks share. */
 struct blending {
     const struct species_mesh *mesh;
@@ -37,12 +40,16 @@ static inline ilanes load_words(const void *from)
     return words;
 }
 
+/* First words and second words of a block's points. Wide, quads are kept apart, which is cheap and
+ * leaves the lanes in the order of lane_vertex; only masks, anchors and answers need to know. */
 #ifdef LANES_WIDE
-#define EVEN(a, b) __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14)
-#define ODD(a, b) __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15)
+#define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
+#define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
+static const uint8_t lane_vertex[LANES] = { 0, 1, 4, 5, 2, 3, 6, 7 };
 #else
-#define EVEN(a, b) __builtin_shufflevector(a, b, 0, 2, 4, 6)
-#define ODD(a, b) __builtin_shufflevector(a, b, 1, 3, 5, 7)
+#define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 4, 6)
+#define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 5, 7)
+static const uint8_t lane_vertex[LANES] = { 0, 1, 2, 3 };
 #endif
 
 static inline flanes low_half(ilanes words)
@@ -55,52 +62,71 @@ static inline flanes high_half(ilanes words)
     return __builtin_convertvector((ilanes)(words >> 16), flanes);
 }
 
-/* As morph_normal(). */
-static inline struct lanes_v3 unfold(ilanes words)
+/* `t` >= 0 with the sign of x. */
+static inline flanes signed_as(flanes t, flanes x)
 {
-    const ilanes code = (words >> 16) + 32767;
-    const flanes x = __builtin_convertvector((ilanes)((code >> 8) - 127), flanes);
-    const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
-    const flanes z = 127.0f - lanes_abs(x) - lanes_abs(y);
-    const flanes t = lanes_max(-z, lanes_of(0.0f));
-    const struct lanes_v3 n = lanes_v3(x - lanes_select(x >= 0.0f, t, -t),
-                                       y - lanes_select(y >= 0.0f, t, -t), z);
-    return lanes_v3_scale(n, 1.0f / lanes_v3_length(n));
+    return (flanes)((ilanes)t ^ ((ilanes)x & INT32_MIN));
 }
 
-/* The second words of a block's vertices: masks; and whether anchors or masks ask for more than the
- * whole fish's curve. */
+/* As unfold() in blend.c, z below 0. */
+static inline struct lanes_v3 unfold_down(ilanes words)
+{
+    const ilanes code = (words >> 16) + 255; /* Of blend.c's code, 127 * 256 less. */
+    const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
+    const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
+    const flanes down = lanes_abs(x) + lanes_abs(y) - 127.0f;
+    const flanes t = lanes_max(down, lanes_of(0.0f));
+    return lanes_v3(x - signed_as(t, x), y - signed_as(t, y), down);
+}
+
+/* Whether a block needs no more than the whole fish's curve, and none of it an anchor. */
 struct block {
-    ilanes masks;
     uint32_t plain_masks, plain_anchors;
+    flanes mask[MORPH_CURVE_MAX]; /* Nothing where masks are plain. */
 };
 
 static inline struct block load_block(const struct species_vertex *vertices)
 {
-    struct block block = { .plain_masks = 1, .plain_anchors = 1 };
+    uint64_t all = ~(uint64_t)0; /* Of each vertex: part, side, flex, anchor, four masks. */
+    struct block block = { 0 };
+    ilanes masks = { 0 };
+    __builtin_prefetch(vertices + AHEAD);
+#pragma GCC unroll 8
     for (int lane = 0; lane < LANES; lane++) {
-        int32_t mask;
-        MEM_COPY(&mask, vertices[lane].mask, sizeof mask);
-        block.masks[lane] = mask;
-        block.plain_masks &= mask == 255;
-        block.plain_anchors &= vertices[lane].anchor == ANCHOR_NONE;
+        uint64_t word;
+        MEM_COPY(&word, &vertices[lane].part, sizeof word);
+        all &= word;
+    }
+    block.plain_masks = (all >> 32 & 255u) == 255u;
+    block.plain_anchors = (all >> 24 & 255u) == 255u;
+    if (!block.plain_masks) {
+        for (int lane = 0; lane < LANES; lane++) {
+            int32_t mask;
+            MEM_COPY(&mask, vertices[lane_vertex[lane]].mask, sizeof mask);
+            masks[lane] = mask;
+        }
+#pragma GCC unroll 4
+        for (int curve = 0; curve < (int)MORPH_CURVE_MAX; curve++) {
+            const ilanes mask = (masks >> (8 * curve)) & 255;
+            block.mask[curve] = __builtin_convertvector(mask, flanes);
+        }
     }
     return block;
 }
 
-/* What the key counts in each lane: as vertex_weights(). */
+/* What the key counts in each lane: as vertex_weight(). */
 static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
 {
+    const float *weight = &b->pose->weight[0][b->key[at]];
+    flanes sum = lanes_of(0.0f);
     if (block->plain_masks) {
         return b->whole[at];
     }
-    flanes sum = lanes_of(0.0f);
+#pragma GCC unroll 4
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-        const ilanes mask = (block->masks >> (int32_t)(8u * curve)) & 255;
-        const flanes weight = lanes_of(b->pose->weight[curve][b->key[at]]);
-        sum = sum + weight * __builtin_convertvector(mask, flanes);
+        sum = sum + lanes_of(weight[curve * MORPH_KEY_MAX]) * block->mask[curve];
     }
-    return lanes_select(block->masks == 255, b->whole[at], sum / 255.0f);
+    return lanes_select(block->mask[0] == 255.0f, b->whole[at], sum * (1.0f / 255.0f));
 }
 
 static inline struct point_lanes blend(const struct blending *b, const struct block *block,
@@ -110,12 +136,16 @@ static inline struct point_lanes blend(const struct blending *b, const struct bl
     struct point_lanes p = { { zero, zero, zero }, { zero, zero, zero } };
     for (uint32_t at = 0; at < b->key_count; at++) {
         const struct species_point *points = &b->mesh->points[b->key[at]][first];
+        __builtin_prefetch(points + AHEAD);
         const ilanes low = load_words(points), high = load_words(points + LANES / 2);
-        const ilanes xy = EVEN(low, high), zn = ODD(low, high);
+        const ilanes xy = FIRST(low, high), zn = SECOND(low, high);
         const flanes weight = weigh(b, block, at);
         const struct lanes_v3 counts = lanes_v3(low_half(xy), high_half(xy), low_half(zn));
+        const struct lanes_v3 facing = unfold_down(zn);
         p.position = lanes_v3_mad(p.position, counts, weight);
-        p.normal = lanes_v3_mad(p.normal, unfold(zn), weight);
+        p.normal.x = p.normal.x + facing.x * weight;
+        p.normal.y = p.normal.y + facing.y * weight;
+        p.normal.z = p.normal.z - facing.z * weight;
     }
     p.position = lanes_v3_scale(p.position, lanes_of(b->mesh->reach / 32767.0f));
     const flanes length = lanes_v3_length(p.normal);
@@ -147,16 +177,15 @@ static inline const struct anchor_pose *anchor_of(const struct blending *b, uint
     return &b->pose->anchor[anchor];
 }
 
-/* Turns and carries the lanes that ride on anchors; the others' bits pass unchanged. */
+/* Turns and carries. What is at rest keeps its bits: nothing that was blended is -0, which alone
+ * would not be itself after 0 is added. */
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
                                        struct point_lanes p)
 {
     const struct anchor_pose *anchor[LANES];
-    ilanes rides;
     flanes place[4], quat[4], row[2][4];
     for (uint32_t lane = 0; lane < LANES; lane++) {
-        anchor[lane] = anchor_of(b, first + lane);
-        rides[lane] = anchor[lane] == &at_rest ? 0 : -1;
+        anchor[lane] = anchor_of(b, first + lane_vertex[lane]);
     }
     for (uint32_t i = 0; i < 4; i++) {
         const struct anchor_pose *beside = anchor[i + (LANES - 4)];
@@ -167,15 +196,22 @@ static inline struct point_lanes carry(const struct blending *b, uint32_t first,
     lanes_turn(quat, row[1][0], row[1][1], row[1][2], row[1][3]);
     const struct lanes_v3 axis = lanes_v3(quat[0], quat[1], quat[2]);
     const struct lanes_v3 at = turn(axis, quat[3], p.position);
-    const struct lanes_v3 facing = turn(axis, quat[3], p.normal);
     return (struct point_lanes){
-        lanes_v3(lanes_select(rides, place[0] + at.x, p.position.x),
-                 lanes_select(rides, place[1] + at.y, p.position.y),
-                 lanes_select(rides, place[2] + at.z, p.position.z)),
-        lanes_v3(lanes_select(rides, facing.x, p.normal.x),
-                 lanes_select(rides, facing.y, p.normal.y),
-                 lanes_select(rides, facing.z, p.normal.z)),
+        lanes_v3(place[0] + at.x, place[1] + at.y, place[2] + at.z),
+        turn(axis, quat[3], p.normal),
     };
+}
+
+static inline void store_quad(vec3 *to, const flanes *row, int high)
+{
+#ifdef LANES_WIDE
+    const fquad quad = high ? __builtin_shufflevector(*row, *row, 4, 5, 6, 7)
+                            : __builtin_shufflevector(*row, *row, 0, 1, 2, 3);
+#else
+    const fquad quad = *row;
+    (void)high;
+#endif
+    MEM_COPY(to, &quad, sizeof quad);
 }
 
 /* LANES vectors side by side. Rows of four floats are stored three apart, each over the fourth of
@@ -184,11 +220,13 @@ static inline void store(vec3 *to, struct lanes_v3 a)
 {
     flanes row[4];
     lanes_turn(row, a.x, a.y, a.z, a.z);
-    for (uint32_t half = 0; half < LANES / 4; half++) {
-        for (uint32_t i = 0; i < 4; i++) {
-            const fquad out = { row[i][4 * half], row[i][4 * half + 1], row[i][4 * half + 2],
-                                row[i][4 * half + 3] };
-            MEM_COPY((float *)to + 3u * (4u * half + i), &out, sizeof out);
+#pragma GCC unroll 2
+    for (int pair = 0; pair < 2; pair++) { /* Vertices in their order: see lane_vertex. */
+#pragma GCC unroll 2
+        for (int high = 0; high < LANES / 4; high++) {
+            vec3 *at = &to[LANES / 2 * pair + 2 * high];
+            store_quad(at, &row[2 * pair], high);
+            store_quad(at + 1, &row[2 * pair + 1], high);
         }
     }
 }

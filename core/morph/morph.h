@@ -118,7 +118,8 @@ vec3 quat_turn_back(struct quat q, vec3 a);
 
 /* All that changes from one fish to the next: to be uploaded as it is.
  *
- * A vertex of mask m, in curves' weights W and key points P_k, N_k (normals unfolded to length 1):
+ * A vertex of mask m, in curves' weights W and key points P_k, N_k (a normal is unfolded onto the
+ * octahedron |x| + |y| + |z| = 1 and blended there):
  *     w_k      = (sum over the curves c of m[c] * W[c][k]) / 255
  *     position = sum over the keys of w_k * P_k
  *     normal   = normalize(sum over the keys of w_k * N_k)

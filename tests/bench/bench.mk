@@ -59,7 +59,18 @@ $(BENCH_POI): %: %.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
-.PHONY: bench bench-tank bench-poi
+BENCH_MORPH := $(BUILD)/tests/bench/bench_morph
+
+## bench-morph: what blending 3, 5 and 8 key shapes costs a vertex, beside what memory alone takes; build/bench_morph.tsv
+bench-morph:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_MORPH)
+	@$(BENCH_MORPH) $(BUILD)/bench_morph.tsv
+
+$(BENCH_MORPH): %: %.o $(BUILD)/platform/cpu.o $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
+
+.PHONY: bench bench-tank bench-poi bench-morph
 
 # Bots' rounds, on every core: minutes. Pictures where there is a gnuplot (board/setup.sh dev).
 BENCH_PLAY := $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/scores
