@@ -77,11 +77,12 @@ static struct layout plan(const struct page *page, uint32_t columns, float words
     struct layout layout = { .columns = columns,
                              .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
                              .words_px = words_px };
-    float widest = 0.0f;
+    float most = 0.0f; /* Upright too: a maker's fish may be taller than long. */
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-        widest = f_max(widest, page->bounds[view].right - page->bounds[view].left);
+        const struct portrait_bounds *b = &page->bounds[view];
+        most = f_max(most, f_max(b->right - b->left, b->high - b->low));
     }
-    layout.scale_px = layout.cell_width * CELL_FILL / widest;
+    layout.scale_px = layout.cell_width * CELL_FILL / most;
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
         layout.band_height[view] =
             (page->bounds[view].high - page->bounds[view].low) * layout.scale_px + 2.0f * GAP;
@@ -113,7 +114,8 @@ static void draw_words(struct page *page, const struct layout *layout, float x, 
 {
     const struct species_card *card = &page->pick->fish->card;
     const float length_m = life_length_m(card, progress), size = layout->words_px;
-    char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[2 * PLATE_WORDS_SIZE + 8];
+    char name[PLATE_WORDS_SIZE], age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE];
+    char words[2 * PLATE_WORDS_SIZE + 8];
     float weights[MORPH_KEY_MAX];
     graph_weights(&page->pick->rig.curves[0], card->key_count, progress, weights);
     plate_weights(&page->canvas,
@@ -124,7 +126,8 @@ static void draw_words(struct page *page, const struct layout *layout, float x, 
               layout->scale_px / length_m, size);
     plate_age(age, life_age_days(card, progress));
     plate_length(length, length_m);
-    snprintf(words, sizeof words, "%s%s%s", title, title[0] ? ": " : "", age);
+    plate_name(name, title);
+    snprintf(words, sizeof words, "%s%s%s", name, title[0] ? ": " : "", age);
     canvas_words(&page->canvas, x, y + 4.3f * size, size, ALIGN_CENTRE, PLATE_INK, words);
     snprintf(words, sizeof words, "%s %s", plate_measure(card), length);
     canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, PLATE_SOFT_INK, words);
@@ -159,7 +162,8 @@ static void draw_head(struct page *page)
 {
     const struct species_card *card = &page->pick->fish->card;
     char from[PLATE_WORDS_SIZE], to[PLATE_WORDS_SIZE], words[256];
-    canvas_words(&page->canvas, MARGIN, 70.0f, 54.0f, ALIGN_LEFT, PLATE_INK, card->id);
+    plate_name(words, card->id);
+    canvas_words(&page->canvas, MARGIN, 70.0f, 54.0f, ALIGN_LEFT, PLATE_INK, words);
     plate_length(from, card->key_length_m[0]);
     plate_length(to, card->key_length_m[card->key_count - 1u]);
     snprintf(words, sizeof words, "%u keys, %s %s to %s, curves: %s%s", card->key_count,
@@ -189,8 +193,10 @@ static void draw_betweens(struct page *page, uint32_t from, float top)
 {
     const struct species_card *card = &page->pick->fish->card;
     const float steps = (float)(SHEET_BETWEEN + 1u);
-    char words[2 * SPECIES_NAME_SIZE + 16];
-    snprintf(words, sizeof words, "%s to %s", card->key_names[from], card->key_names[from + 1u]);
+    char first[PLATE_WORDS_SIZE], second[PLATE_WORDS_SIZE], words[2 * PLATE_WORDS_SIZE + 8];
+    plate_name(first, card->key_names[from]);
+    plate_name(second, card->key_names[from + 1u]);
+    snprintf(words, sizeof words, "%s to %s", first, second);
     canvas_words(&page->canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, PLATE_INK, words);
     draw_water(page, &page->betweens, top, SHEET_BETWEEN);
     for (uint32_t i = 0; i < SHEET_BETWEEN; i++) {
@@ -248,7 +254,8 @@ static bool draw_frame(const struct morph_pick *pick, struct canvas *canvas,
     const float scale_px = f_min(0.9f * width / (b->right - b->left),
                                  0.72f * height / (b->high - b->low));
     const float length_m = life_length_m(card, progress);
-    char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[3 * PLATE_WORDS_SIZE];
+    char name[PLATE_WORDS_SIZE], age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE];
+    char words[4 * PLATE_WORDS_SIZE];
     portrait_take(&portrait, pick->fish, &pick->rig, progress);
     canvas_fill(canvas, (struct canvas_box){ 0.0f, 0.0f, width, height }, WATER_ABOVE,
                 WATER_BELOW);
@@ -257,7 +264,8 @@ static bool draw_frame(const struct morph_pick *pick, struct canvas *canvas,
     const bool whole = raster_finish(raster, canvas, 0, 0);
     plate_age(age, life_age_days(card, progress));
     plate_length(length, length_m);
-    snprintf(words, sizeof words, "%s, %s, %s %s", card->id, age, plate_measure(card), length);
+    plate_name(name, card->id);
+    snprintf(words, sizeof words, "%s, %s, %s %s", name, age, plate_measure(card), length);
     canvas_words(canvas, MARGIN, height - 36.0f, 30.0f, ALIGN_LEFT, PLATE_INK, words);
     plate_bar(canvas, 0.82f * width, height - 62.0f, 0.25f * width, scale_px / length_m, 26.0f);
     return whole;

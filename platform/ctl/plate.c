@@ -30,6 +30,15 @@ void plate_length(char out[PLATE_WORDS_SIZE], float length_m)
     }
 }
 
+void plate_name(char out[PLATE_WORDS_SIZE], const char *name)
+{
+    uint32_t i = 0;
+    for (; name[i] != '\0' && i < PLATE_WORDS_SIZE - 1u; i++) {
+        out[i] = name[i] == '_' ? ' ' : name[i];
+    }
+    out[i] = '\0';
+}
+
 const char *plate_measure(const struct species_card *card)
 {
     static const char *const names[] = { [MEASURE_TOTAL] = "TL", [MEASURE_STANDARD] = "SL",

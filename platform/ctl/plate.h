@@ -16,6 +16,9 @@ void plate_age(char out[PLATE_WORDS_SIZE], float age_days);
 /* "0.5 mm", "20.4 mm", "15.0 cm", "2.08 m" */
 void plate_length(char out[PLATE_WORDS_SIZE], float length_m);
 
+/* A name of a species or a key as people write it: "long leaf". */
+void plate_name(char out[PLATE_WORDS_SIZE], const char *name);
+
 /* What a species' length means: "TL", "SL", "FL" or "DW". */
 const char *plate_measure(const struct species_card *card);
 

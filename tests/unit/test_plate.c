@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include <string.h>
+
 #include "platform/ctl/plate.h"
 
 #define WIDTH 200u
@@ -116,6 +118,16 @@ static void test_ages_and_lengths_are_said_in_their_own_units(void **state)
     says_length(2.083f, "2.08 m");
 }
 
+static void test_names_are_written_as_people_write_them(void **state)
+{
+    (void)state;
+    char words[PLATE_WORDS_SIZE];
+    plate_name(words, "long_leaf_2");
+    assert_string_equal(words, "long leaf 2");
+    plate_name(words, "0123456789012345678901234567890123456789012345678901234567890123456789");
+    assert_int_equal(strlen(words), PLATE_WORDS_SIZE - 1);
+}
+
 static void test_bars_are_one_two_or_five_of_a_unit(void **state)
 {
     (void)state;
@@ -162,6 +174,7 @@ int main(void)
         cmocka_unit_test(test_words_stand_where_they_are_aligned),
         cmocka_unit_test(test_larger_words_have_more_ink_in_proportion),
         cmocka_unit_test(test_ages_and_lengths_are_said_in_their_own_units),
+        cmocka_unit_test(test_names_are_written_as_people_write_them),
         cmocka_unit_test(test_bars_are_one_two_or_five_of_a_unit),
         cmocka_unit_test(test_a_bar_is_as_long_as_it_says),
         cmocka_unit_test(test_weights_fill_their_bar_in_their_shares),

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "platform/ctl/morph_mesh.h"
+#include "platform/ctl/morph_sheet.h"
 #include "platform/ctl/portrait.h"
 
 #define SIDE 240u
@@ -135,6 +136,31 @@ static void test_vertices_are_painted_as_the_skin_around_them(void **state)
     }
 }
 
+/* A maker may draw what he likes, eight times, taller than long: the page stays one that can be. */
+static void test_the_sheet_has_room_for_a_tower_of_a_fish(void **state)
+{
+    (void)state;
+    static struct species tower;
+    static struct species_point points[MESH_VERTEX_MAX];
+    static struct morph_pick pick;
+    tower = *species_table[0];
+    const struct species_mesh *mesh = &species_table[0]->lod[0];
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        points[i] = mesh->points[tower.card.key_count - 1u][i];
+        points[i].y = (int16_t)(points[i].y > 0 ? 32767 : -32767);
+    }
+    tower.lod[0].reach = 4.0f;
+    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+        tower.lod[0].points[key] = points;
+        tower.card.key_length_m[key] = 0.01f * (float)(key + 1u);
+        tower.card.key_age_days[key] = 10.0f * (float)(key + 1u);
+    }
+    tower.card.key_count = MORPH_KEY_MAX;
+    pick.drawn = pick.fish = &tower;
+    morph_rig_init(&pick.rig, &tower.card, TEMPLATE_PAIRWISE);
+    assert_int_equal(morph_sheet_write(&pick, "/dev/null"), EXIT_OK);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -142,6 +168,7 @@ int main(void)
         cmocka_unit_test(test_every_fish_is_drawn_in_every_view_and_stays_within),
         cmocka_unit_test(test_every_triangle_is_in_one_piece_and_every_sheet_there_once),
         cmocka_unit_test(test_a_piece_is_of_one_part_and_one_side_and_has_a_name_of_its_own),
+        cmocka_unit_test(test_the_sheet_has_room_for_a_tower_of_a_fish),
         cmocka_unit_test(test_vertices_are_painted_as_the_skin_around_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
