@@ -5,9 +5,11 @@
 #include "core/morph/morph.h"
 #include "platform/ctl/import_plan.h"
 #include "platform/ctl/morph_pick.h"
+#include "platform/ctl/refit.h"
 #include "platform/number.h"
 
 #define UNSET 255u
+#define PATH_SIZE 256u
 
 static const char name[] = "import";
 
@@ -15,7 +17,9 @@ struct import_words {
     const char *out;
     const char *files[MORPH_KEY_MAX];
     uint32_t file_count;
-    const char *id, *like;
+    const char *id, *like, *fit;
+    char marks[MORPH_KEY_MAX][PATH_SIZE]; /* Of each file, with --fit. */
+    uint32_t mark_count;
     struct import_plan plan;
 };
 
@@ -27,7 +31,7 @@ static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
 {
     uint32_t count = 0;
     while (*list) {
-        char piece[64];
+        char piece[PATH_SIZE];
         const size_t length = strcspn(list, ",");
         if (length >= sizeof piece || count == count_max) {
             return UNSET;
@@ -57,6 +61,13 @@ static bool take_name(const char *piece, uint32_t index, void *out)
     memset(names[index], 0, SPECIES_NAME_SIZE);
     memcpy(names[index], piece, length);
     return species_name_is_good(names[index]);
+}
+
+static bool take_path(const char *piece, uint32_t index, void *out)
+{
+    char (*paths)[PATH_SIZE] = out;
+    snprintf(paths[index], PATH_SIZE, "%s", piece);
+    return true;
 }
 
 static bool take_colour(const char *piece, uint32_t index, void *out)
@@ -129,6 +140,10 @@ static bool take_option(struct import_words *words, const char *option, const ch
         words->like = value;
         return true;
     }
+    if (strcmp(option, "--fit") == 0) {
+        words->fit = value;
+        return value[0] != '\0';
+    }
     if (strcmp(option, "--front") == 0) {
         return take_axis(value, &plan->front);
     }
@@ -153,6 +168,9 @@ static bool take_option(struct import_words *words, const char *option, const ch
     if (strcmp(option, "--names") == 0) {
         count = &plan->name_count;
         got = each_piece(value, MORPH_KEY_MAX, plan->names, take_name);
+    } else if (strcmp(option, "--marks") == 0) {
+        count = &words->mark_count;
+        got = each_piece(value, MORPH_KEY_MAX, words->marks, take_path);
     } else if (strcmp(option, "--lengths-mm") == 0) {
         count = &plan->length_count;
         got = each_piece(value, MORPH_KEY_MAX, plan->lengths_mm, take_number);
@@ -344,6 +362,63 @@ static enum exit_code open_like(struct import_words *words)
     return EXIT_OK;
 }
 
+/* Landmarks stand beside their mesh where nobody says otherwise: FISH.obj, FISH.marks. */
+static void find_marks(struct import_words *words)
+{
+    for (uint32_t i = words->mark_count; i < words->file_count; i++) {
+        const char *file = words->files[i], *dot = strrchr(file, '.');
+        const int length = dot ? (int)(dot - file) : (int)strlen(file);
+        snprintf(words->marks[i], PATH_SIZE, "%.*s.marks", length < 240 ? length : 240, file);
+    }
+}
+
+/* What the options say of the life of a template that was fitted. */
+static void rename_life(const struct import_words *words, struct species_card *card)
+{
+    const struct import_plan *plan = &words->plan;
+    memset(card->id, 0, sizeof card->id);
+    snprintf(card->id, sizeof card->id, "%s", plan->id);
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        if (plan->name_count > key) {
+            memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
+        }
+        if (plan->length_count > key) {
+            card->key_length_m[key] = (float)(1e-3 * plan->lengths_mm[key]);
+        }
+        if (plan->age_count > key) {
+            card->key_age_days[key] = (float)plan->ages_days[key];
+        }
+    }
+}
+
+static enum exit_code make_by_fit(struct import_words *words, struct species_slot *slot)
+{
+    const char *files[MORPH_KEY_MAX], *marks[MORPH_KEY_MAX];
+    char why[IMPORT_WHY_SIZE], fault[VET_WHY_SIZE];
+    const struct species *template = words->plan.like;
+    if (words->file_count != template->card.key_count) {
+        return morph_usage(name, "--fit: '%.60s' has %u keys, and there are %u files", words->fit,
+                           template->card.key_count, words->file_count);
+    }
+    find_marks(words);
+    for (uint32_t i = 0; i < words->file_count; i++) {
+        files[i] = words->files[i];
+        marks[i] = words->marks[i];
+    }
+    pack_copy(template, slot);
+    if (words->plan.measure == UNSET) {
+        words->plan.measure = template->card.measure;
+    }
+    const enum exit_code code =
+        refit_files(slot, files, marks, words->file_count, &words->plan, why);
+    if (code != EXIT_OK) {
+        fprintf(stderr, "%s\n", why);
+        return code;
+    }
+    rename_life(words, &slot->species.card);
+    return species_vet(&slot->species, fault) ? EXIT_OK : refuse(words->files[0], fault);
+}
+
 /* ---- All of it ------------------------------------------------------------------------------ */
 
 static enum exit_code make(struct import_words *words, struct species_slot *slot)
@@ -361,8 +436,11 @@ static enum exit_code make(struct import_words *words, struct species_slot *slot
     }
     name_of_file(words->out, id);
     words->plan.id = words->id ? words->id : id;
+    words->like = words->fit ? words->fit : words->like;
     const enum exit_code code = open_like(words);
-    return code == EXIT_OK ? make_of_meshes(words, slot) : code;
+    return code != EXIT_OK ? code
+           : words->fit    ? make_by_fit(words, slot)
+                           : make_of_meshes(words, slot);
 }
 
 static enum exit_code run(int argc, const char *const *argv)
@@ -413,6 +491,13 @@ const struct morph_command ctl_morph_import = {
         "  --form F             fusiform, compressed, depressed, eel or puffer\n"
         "  --colours BACK,FLANK,BELLY,FIN,IRIS\n"
         "                       each rrggbb; otherwise the file's vertex colours\n"
+        "  --fit SPECIES|FILE   meshes of any topology: bends the body of that species onto each,\n"
+        "                       a file a key, by landmarks (FISH.obj has FISH.marks), and prints\n"
+        "                       how far off it is. Lines of 'NAME X Y Z': snout, tail_root, back,\n"
+        "                       belly, eye_right, eye_left, tail_top, tail_bottom, and\n"
+        "                       NAME_start, NAME_end, NAME_tip of dorsal, dorsal2, anal,\n"
+        "                       pectoral_right, .._left, pelvic_right, .._left; four or more\n"
+        "  --marks A,B,C        the landmarks' files, where they stand elsewhere\n"
         "Parts are known by the names of groups or objects: eye, tail or caudal, dorsal,\n"
         "dorsal_2, anal, pectoral, pelvic, finlet_upper, finlet_lower; all else is body.\n",
     .run = run,

@@ -1,0 +1,103 @@
+/* refit_files.c -- meshes and their landmarks from files, brought to our axes, fitted one by one. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/import_plan.h"
+#include "platform/ctl/refit.h"
+
+static const struct landmark *mark_of(const struct mark_list *marks, const char *name)
+{
+    for (uint32_t i = 0; i < marks->count; i++) {
+        if (strcmp(marks->marks[i].name, name) == 0) {
+            return &marks->marks[i];
+        }
+    }
+    return NULL;
+}
+
+/* The axis nearest to the way from one landmark to another, where the file has both. */
+static void axis_from(const struct mark_list *marks, const char *to, const char *from,
+                      uint8_t *axis)
+{
+    const struct landmark *a = mark_of(marks, from), *b = mark_of(marks, to);
+    if (a && b) {
+        const vec3 way = v3_sub(b->place, a->place);
+        const float part[3] = { way.x, way.y, way.z };
+        uint8_t most = AXIS_X;
+        for (uint8_t i = AXIS_Y; i <= AXIS_Z; i++) {
+            most = fabsf(part[i]) > fabsf(part[most]) ? i : most;
+        }
+        *axis = part[most] < 0.0f ? (uint8_t)(most + AXIS_MINUS_X) : most;
+    }
+}
+
+static enum exit_code read_mesh(struct import_mesh *mesh, const char *path,
+                                char why[IMPORT_WHY_SIZE])
+{
+    const size_t length = strlen(path);
+    const bool is_obj = length > 4 && strcmp(path + length - 4, ".obj") == 0;
+    return is_obj ? import_obj(mesh, 0, path, why) : import_scene(mesh, path, why);
+}
+
+/* The landmarks go with the mesh as so many more vertices, which no triangle uses. */
+static bool orient(struct import_mesh *mesh, struct mark_list *marks,
+                   const struct import_plan *plan, char why[IMPORT_WHY_SIZE])
+{
+    struct import_plan own = *plan;
+    struct import_report report = { .front = AXIS_NONE };
+    const uint32_t first = mesh->vertex_count;
+    if (first + marks->count > IMPORT_VERTEX_MAX) {
+        snprintf(why, IMPORT_WHY_SIZE, "more than %u vertices", IMPORT_VERTEX_MAX);
+        return false;
+    }
+    for (uint32_t i = 0; i < marks->count; i++) {
+        mesh->positions[0][first + i] = marks->marks[i].place;
+    }
+    mesh->vertex_count += marks->count;
+    mesh->key_count = 1; /* A scene's first shape. */
+    axis_from(marks, "back", "belly", &own.up);
+    axis_from(marks, "snout", "tail_root", &own.front);
+    const bool good = import_orient(mesh, &own, &report, why) == EXIT_OK;
+    for (uint32_t i = 0; i < marks->count; i++) {
+        marks->marks[i].place = mesh->positions[0][first + i];
+    }
+    mesh->vertex_count = first;
+    return good;
+}
+
+static void tell(const char *file, const struct refit_result *result)
+{
+    printf("  %-24s fit to mesh: mean %.3f, RMS %.3f, max %.2f %% of length;"
+           " mesh to fit: %.3f, %.3f, %.2f %%; landmarks within %.2f %%\n",
+           file, 100.0 * (double)result->to_mesh.mean, 100.0 * (double)result->to_mesh.rms,
+           100.0 * (double)result->to_mesh.max, 100.0 * (double)result->from_mesh.mean,
+           100.0 * (double)result->from_mesh.rms, 100.0 * (double)result->from_mesh.max,
+           100.0 * (double)result->mark_max);
+}
+
+enum exit_code refit_files(struct species_slot *slot, const char *const *files,
+                           const char *const *marks, uint32_t count,
+                           const struct import_plan *plan, char why[IMPORT_WHY_SIZE])
+{
+    static struct import_mesh mesh;
+    static struct mark_list list;
+    for (uint32_t key = 0; key < count; key++) {
+        struct refit_result result;
+        char own[IMPORT_WHY_SIZE];
+        enum exit_code code = read_mesh(&mesh, files[key], why);
+        if (code == EXIT_OK) {
+            code = marks_read(marks[key], &list, why);
+        }
+        if (code != EXIT_OK) {
+            return code;
+        }
+        if (!orient(&mesh, &list, plan, own)) {
+            snprintf(why, IMPORT_WHY_SIZE, "%.80s: %.110s", files[key], own);
+            return EXIT_BAD_DATA;
+        }
+        refit_key(slot, key, &mesh, &list, &result);
+        tell(files[key], &result);
+    }
+    return EXIT_OK;
+}
