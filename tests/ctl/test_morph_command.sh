@@ -80,6 +80,15 @@ same_file() { # SPECIES: what the build baked and what its text says.
 for id in "${species[@]}"; do
     check "$id: its text says what is built in" same_file "$id"
 done
+packed() { # What a maker packs is read as what it was packed from.
+    local words
+    morph import "$work/packed.kfish" "$root/assets/species/hirame.txt" || return 1
+    for words in "weights FISH --curve eye" "growth FISH" "path FISH --part eye --steps 20" "path FISH --part eye --steps 9 --thesis"; do
+        # shellcheck disable=SC2086
+        cmp <(morph ${words/FISH/hirame}) <(morph ${words/FISH/$work/packed.kfish}) || return 1
+    done
+}
+check 'a packed flounder grows as the built-in one' packed
 three_keys() {
     local wide
     for id in "${species[@]}"; do
