@@ -222,8 +222,8 @@ static void test_a_long_whip_is_told_in_coarser_counts(void **state)
     (void)state;
     assert_float_equal(lofted("", "", "template smooth\n")->reach, 1.0f, 0.0f);
     for (uint32_t i = 0; i < species_table_count; i++) {
-        const bool ray = species_table[i]->card.measure == MEASURE_DISC;
-        assert_float_equal(species_table[i]->lod[0].reach, ray ? 4.0f : 1.0f, 0.0f);
+        const float reach = species_table[i]->card.measure == MEASURE_DISC ? 4.0f : 1.0f;
+        assert_float_equal(species_table[i]->lod[0].reach, reach, 0.0f);
     }
 }
 
