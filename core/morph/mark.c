@@ -117,7 +117,8 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     return cover;
 }
 
-/* `seed` rows of `count` dots, every other row set off by half a step. */
+/* `seed` rows of `count` dots, every other row set off by half a step. Toward the tail rows crowd
+ * and dots are smaller and flatter with them, so that none is cut. */
 static float rows(const struct species_mark *m, const struct mark_point *at)
 {
     const float row_count = f_max((float)m->seed, 1.0f), count = f_max((float)m->count, 1.0f);
@@ -129,8 +130,9 @@ static float rows(const struct species_mark *m, const struct mark_point *at)
     const float x = (at->u - m->from) / step + shift;
     const float dot = f_clamp(f_floor(x), 0.0f, count - 1.0f);
     const float dx = (dot + 0.5f - x) * step;
-    const float dy = (row + 0.5f - y) / row_count * (bottom - top) * at->flank;
-    return disc(f_sqrt(dx * dx + dy * dy), m->width);
+    const float dy = (row + 0.5f - y) / row_count * (bottom - top);
+    const float thinner = f_sqrt(at->flank / at->broad), lower = at->broad * thinner;
+    return disc(f_sqrt(dx * dx + dy * dy * lower * lower), m->width * thinner);
 }
 
 static float bands(const struct species_mark *m, const struct mark_point *at)

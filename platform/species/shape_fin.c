@@ -16,6 +16,7 @@
 #define RAY_STEPS 12
 #define EXIT_STEPS 24    /* A ray's way out of the body is told to so fine a part of it. */
 #define EXIT_MAX 0.85    /* A ray shows at least the rest. */
+#define CUP_OPENS 0.05   /* So far behind the stalk a tail is as wide as its rays say. */
 #define JOIN_FROM 0.8    /* Of an eel's dorsal and anal base: there they begin to join the tail. */
 #define CLEAR_OF 1.02    /* A fin that hugs the flank lies so much farther out. */
 
@@ -130,6 +131,10 @@ static point3 ray_point(const struct key_text *key, enum species_part part, doub
     for (int i = 0; i < RAY_STEPS; i++) {
         const double r = along * (i + 0.5) / RAY_STEPS;
         p = mad(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
+    }
+    if (part == PART_TAIL) { /* A cupped tail opens behind the stalk, not through its flanks. */
+        const double start = body_end(key);
+        p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }
     return p;
 }
