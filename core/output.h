@@ -83,7 +83,7 @@ struct output {
     struct poi_force poi[POI_MAX];
     uint8_t start_lamp; /* Level. */
     struct round_record record; /* The newest; stays until the next, for a store that is busy. */
-    struct edit_record edit;    /* Likewise; one that the store did not take by then is this run's. */
+    struct edit_record edit;    /* Likewise; what the store did not take by then is this run's. */
 };
 
 /* Adds a tick's force to its frame's, which the frame loop cleared: a device is told of the hardest

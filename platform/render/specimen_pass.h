@@ -2,7 +2,7 @@
  *
  * A species is brought to the GPU when it is first asked for, in the slot that has rested longest.
  * Its skin is painted coarsely at once and finely over the next frames, some rows in each. All
- * memory is taken at the start: about 0.2 MiB here, 17 MiB of textures. */
+ * memory is taken at the start: about 0.2 MiB here, 25 MiB of textures. */
 #ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
 #define KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
 
@@ -11,7 +11,7 @@
 #include "platform/render/skin.h"
 #include "platform/render/specimen.h"
 
-#define SPECIMEN_SLOTS 4u /* The lab's species, its rival, the album's; one to change places. */
+#define SPECIMEN_SLOTS 6u /* The lab's species and its rival; an album's page, each in its coat. */
 
 struct specimen_program {
     GLuint name;

@@ -1,37 +1,7 @@
-/* ui_bench.c -- rigs, reaches and ways of the species on the table. */
+/* ui_bench.c -- rigs and ways of the species on the table. */
 #include "platform/render/ui_bench.h"
 
 #include <string.h>
-
-#define REACH_STEPS 8u
-
-/* ---- Reach ---------------------------------------------------------------------------------- */
-
-static void shape_at(struct ui_bench *bench, float progress)
-{
-    const struct species_mesh *mesh = &bench->species->lod[1];
-    morph_pose(&bench->rig, mesh, progress, &bench->pose);
-    morph_shape(mesh, bench->rig.key_count, &bench->pose, bench->positions, NULL);
-}
-
-/* Of all ages, as it is drawn in books: the far level of detail is as large as the near one. */
-static void measure(struct ui_bench *bench)
-{
-    struct specimen portrait = { .species = bench->species, .length_px = 1.0f };
-    specimen_portrait(&portrait);
-    bench->right = bench->left = bench->up = bench->down = 0.0f;
-    for (uint32_t step = 0; step <= REACH_STEPS; step++) {
-        shape_at(bench, (float)step / (float)REACH_STEPS);
-        for (uint32_t i = 0; i < bench->species->lod[1].vertex_count; i++) {
-            float x, y;
-            specimen_project(&portrait, bench->positions[i], &x, &y);
-            bench->right = f_max(bench->right, x);
-            bench->left = f_max(bench->left, -x);
-            bench->down = f_max(bench->down, y);
-            bench->up = f_max(bench->up, -y);
-        }
-    }
-}
 
 /* ---- Ways ----------------------------------------------------------------------------------- */
 
@@ -114,7 +84,9 @@ static void set_species(struct ui_bench *bench, const struct species *species)
     species_straighten(species, &bench->memory, &bench->ordinary);
     morph_rig_init(&bench->ordinary_rig, &bench->ordinary.card, TEMPLATE_ORDINARY);
     morph_rig_init(&bench->rig, &species->card, TEMPLATE_OWN);
-    measure(bench);
+    struct specimen portrait = { .species = species, .length_px = 1.0f };
+    specimen_portrait(&portrait);
+    bench->bounds = specimen_bounds(&portrait);
 }
 
 void ui_bench_set(struct ui_bench *bench, const struct species *species,

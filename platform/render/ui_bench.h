@@ -30,9 +30,8 @@ struct ui_bench {
     struct species ordinary;
     struct straight_memory memory;
     struct bench_way ways[BENCH_POINT_COUNT];
-    float right, left, up, down;   /* How far it reaches in any age, in its portrait, in lengths. */
-    struct morph_pose pose;        /* Scratch, as is the next. */
-    vec3 positions[MESH_VERTEX_MAX];
+    struct specimen_bounds bounds; /* How far it reaches in any age, in its portrait. */
+    struct morph_pose pose;        /* Scratch. */
 };
 
 /* Puts a species on the table with that card, or leaves it where it lies: only what changed is made

@@ -15,15 +15,16 @@ static enum lab_part part_of_key(uint32_t key)
 static void portrait(const struct lab_page *page, struct ui_box box, uint32_t key)
 {
     const struct ui_bench *bench = page->bench;
+    const struct specimen_bounds *reach = &bench->bounds;
     const uint32_t last = page->lab->card.key_count - 1u;
     struct specimen fish = { .species = bench->species, .edition = bench->edition,
                              .progress = (float)key / (float)last };
     specimen_portrait(&fish);
-    const float wide = box.width / fmaxf(bench->left + bench->right, 0.1f);
-    const float high = box.height / fmaxf(bench->up + bench->down, 0.1f);
+    const float wide = box.width / fmaxf(reach->left + reach->right, 0.1f);
+    const float high = box.height / fmaxf(reach->up + reach->down, 0.1f);
     fish.length_px = 0.90f * fminf(wide, high);
-    fish.x_px = box.x + 0.5f * box.width + 0.5f * (bench->left - bench->right) * fish.length_px;
-    fish.y_px = box.y + 0.5f * box.height + 0.5f * (bench->up - bench->down) * fish.length_px;
+    fish.x_px = box.x + 0.5f * box.width + 0.5f * (reach->left - reach->right) * fish.length_px;
+    fish.y_px = box.y + 0.5f * box.height + 0.5f * (reach->up - reach->down) * fish.length_px;
     ui_specimen(page->frame.batch, &fish);
 }
 

@@ -37,11 +37,12 @@ static struct tank_room room_of(const struct lab_page *page, uint32_t half)
 static float length_px(const struct lab_page *page, const struct tank_room *room)
 {
     const struct ui_bench *bench = page->bench;
+    const struct specimen_bounds *reach = &bench->bounds;
     const float u = page->frame.unit;
-    const float wide = (room->box.width - 64.0f * u) / fmaxf(bench->left + bench->right, 0.1f);
+    const float wide = (room->box.width - 64.0f * u) / fmaxf(reach->left + reach->right, 0.1f);
     const float top = page->lab->compare ? 46.0f : 40.0f;
     const float high = (room->ruler_y - room->box.y - top * u) /
-                       fmaxf(bench->up + bench->down, 0.1f);
+                       fmaxf(reach->up + reach->down, 0.1f);
     const float grown = YOUNG_SIZE + (1.0f - YOUNG_SIZE) * page->lab->progress;
     return fminf(wide, high) * grown;
 }
@@ -49,6 +50,7 @@ static float length_px(const struct lab_page *page, const struct tank_room *room
 static struct specimen fish_in(const struct lab_page *page, const struct tank_room *room)
 {
     const struct ui_bench *bench = page->bench;
+    const struct specimen_bounds *reach = &bench->bounds;
     const float u = page->frame.unit, time_s = page->frame.time_s;
     const float top = page->lab->compare ? 46.0f : 40.0f;
     struct specimen fish = { .species = bench->species, .edition = bench->edition,
@@ -56,9 +58,9 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
                              .length_px = length_px(page, room), .shadow = 0.35f };
     specimen_portrait(&fish);
     fish.x_px = room->box.x + 0.5f * room->box.width +
-                0.5f * (bench->left - bench->right) * fish.length_px;
+                0.5f * (reach->left - reach->right) * fish.length_px;
     fish.y_px = 0.5f * (room->box.y + top * u + room->ruler_y) +
-                0.5f * (bench->up - bench->down) * fish.length_px;
+                0.5f * (reach->up - reach->down) * fish.length_px;
     if (!page->lab->path) { /* Ways are drawn on a fish that holds still. */
         fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
         fish.pitch_rad += 0.05f * sinf(0.37f * time_s + 1.0f);

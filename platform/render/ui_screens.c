@@ -56,6 +56,9 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
     case PHASE_LAB:
         ui_lab(&frame, scene, memory);
         break;
+    case PHASE_ALBUM:
+        ui_album(&frame, scene, memory);
+        break;
     case PHASE_ATTRACT:
         ui_attract(&frame, scene);
         break;

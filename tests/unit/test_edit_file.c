@@ -1,5 +1,5 @@
-/* test_edit_file.c -- graphs from the growth lab on the disk: they come back to the last bit, or cost
- * one line. */
+/* test_edit_file.c -- graphs from the growth lab on the disk: they come back to the last bit, or
+ * cost one line. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -204,7 +204,8 @@ static void test_no_altered_byte_is_believed_unless_it_is_a_graph_still(void **s
         memcpy(text, good, size);
         const uint32_t bits = rng_u32((struct rng_key){ 1, i, 0, RNG_TEST });
         text[bits % size] = (char)(bits >> 24);
-        const size_t cut = i % 3u == 0 ? rng_u32((struct rng_key){ 2, i, 0, RNG_TEST }) % size : size;
+        const uint32_t end = rng_u32((struct rng_key){ 2, i, 0, RNG_TEST });
+        const size_t cut = i % 3u == 0 ? end % size : size;
         if (edit_file_parse(text, cut, card, &edit, why)) {
             assert_true(lab_edit_is_good(&edit, card));
         } else {

@@ -1,4 +1,4 @@
-/* test_lab_edit.c -- under any hands a graph stays one: rising knots, weights >= 0 that sum to 1. */
+/* test_lab_edit.c -- under any hands a graph stays one: rising knots, weights >= 0, sum 1. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
