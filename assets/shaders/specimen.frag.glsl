@@ -27,7 +27,7 @@ vec3 to_light(vec3 c)
 vec3 to_screen(vec3 c)
 {
     c = c / (1.0 + 0.16 * c); // The brightest bends over, and never burns out.
-    return pow(max(c * 1.10, 0.0), vec3(1.0 / 2.2));
+    return sqrt(c * (1.12 - 0.06 * c)); // As good as the 2.2th root here, and a tenth of the work.
 }
 
 vec4 mixed(sampler2DArray of, vec2 at)
@@ -49,12 +49,15 @@ vec3 lit(vec3 paint, vec3 n, float shine, float gloss)
     float lamp = max(dot(n, KEY_LIGHT) * 0.80 + 0.20, 0.0);
     vec3 light = WARM * 1.12 * lamp + mix(BELOW, ABOVE, 0.5 + 0.5 * n.y);
     vec3 half_way = normalize(KEY_LIGHT + vec3(0.0, 0.0, 1.0));
-    float spot = pow(max(dot(n, half_way), 0.0), mix(26.0, 70.0, gloss));
-    float sheen = pow(max(dot(n, half_way), 0.0), 7.0) * gloss;
+    float at_lamp = max(dot(n, half_way), 0.0);
+    float spot = pow(at_lamp, mix(26.0, 70.0, gloss));
+    float sheen = at_lamp * at_lamp;
+    sheen *= sheen * sheen * gloss;
     float edge = 1.0 - max(n.z, 0.0);
     edge *= edge * edge;
     vec3 dull = paint * (light + 0.55 * sheen);
-    vec3 silver = mirrored(n) * (0.35 + 0.80 * paint);
+    vec3 pearl = 1.0 + 0.10 * sin(vec3(0.0, 2.1, 4.2) + 7.0 * n.y + 4.0 * n.x);
+    vec3 silver = mirrored(n) * (0.35 + 0.80 * paint) * pearl;
     return mix(dull, silver, 0.62 * shine) + WARM * spot * (0.04 + 0.36 * gloss)
         + EDGE * edge * 0.26;
 }
@@ -109,19 +112,15 @@ vec2 scales(vec2 uv)
     vec2 p = vec2(uv.x, uv.y * 0.82) * look.y;
     float told = clamp(1.5 - 2.4 * max(fwidth(p.x), fwidth(p.y)), 0.0, 1.0);
     float row = floor(p.y * 2.0);
-    float front = 9.0;
-    float edge = 0.0;
-    for (float k = -1.0; k < 2.5; k += 1.0) {
-        float shift = 0.5 * mod(row + k, 2.0);
-        float x = fract(p.x - shift);
-        float y = p.y - 0.5 * (row + k);
-        float back = sqrt(max(0.62 - y * y, 0.0)) - 0.08; // Where this row's scale ends.
-        float d = x < back ? back - x : back - x + 1.0;
-        if (d < front) {
-            front = d;
-            edge = y * y < 0.62 ? 1.0 - smoothstep(0.0, 0.22, d) : edge;
-        }
-    }
+    // The four rows that reach here: each one's height beside the point and the way along it.
+    vec4 y = p.y - 0.5 * (row + vec4(-1.0, 0.0, 1.0, 2.0));
+    float odd = fract(0.5 * row);
+    vec2 x = fract(p.x - vec2(0.5 - odd, odd));
+    vec4 wide = 0.62 - y * y;
+    vec4 back = sqrt(max(wide, 0.0)) - 0.08 - x.xyxy; // To where each row's scale ends.
+    back += step(back, vec4(0.0)) + 9.0 * step(wide, vec4(0.0)); // Past it: to the next one's end.
+    float front = min(min(back.x, back.y), min(back.z, back.w));
+    float edge = 1.0 - smoothstep(0.0, 0.22, front);
     float trunk = smoothstep(0.22, 0.30, uv.x) * (1.0 - smoothstep(0.90, 1.0, uv.x));
     return vec2(edge, clamp(1.2 - 1.3 * front, 0.0, 1.0)) * (told * trunk * step(1.0, look.y));
 }

@@ -1,6 +1,6 @@
 /* display_gl.h -- the display of a real stall: an SDL2 window with an OpenGL ES 3.0 context.
  *
- * The caller owns `struct display_gl` (about 0.6 MiB: keep it static), fills `config` and leaves
+ * The caller owns `struct display_gl` (about 1.4 MiB: keep it static), fills `config` and leaves
  * the rest zero. All OpenGL objects are made in open(); a frame allocates nothing in our code.
  * Mouse and key events stay in SDL's queue for the drivers that read them. */
 #ifndef KINGYO_PLATFORM_RENDER_DISPLAY_GL_H

@@ -8,6 +8,7 @@
  *   --yaw --pitch --roll DEGREES   from another side than books do
  *   --amplitude A --phase RADIANS  how it swims; --cell WxH of one fish, px; -o FILE
  *   --water RRGGBB     what it swims in
+ *   --time             also says what a sheet costs to draw
  *
  * A developer's eye: `make specimen ARGS="--species hirame --progress 0.5 --cell 1200x700"`. */
 #include <GLES3/gl3.h>
@@ -15,6 +16,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "fonts.h"
 #include "platform/png.h"
@@ -22,6 +24,7 @@
 #include "platform/render/ui.h"
 
 #define STEPS_MAX 12u
+#define COST_DRAWS 40u
 #define SIDE_MAX 8192u
 #define PIXELS_MAX (SIDE_MAX * 2048u)
 
@@ -30,7 +33,7 @@ struct options {
     float progress[STEPS_MAX];
     uint32_t step_count, width, height;
     uint32_t water; /* 0xRRGGBBAA */
-    uint8_t keys, thesis, template, turned;
+    uint8_t keys, thesis, template, turned, time;
     float yaw_rad, pitch_rad, roll_rad, amplitude, phase_rad;
 };
 
@@ -79,6 +82,8 @@ static bool read_flag(struct options *o, const char *name)
         o->keys = 1;
     } else if (!strcmp(name, "--thesis")) {
         o->thesis = 1;
+    } else if (!strcmp(name, "--time")) {
+        o->time = 1;
     } else {
         return false;
     }
@@ -165,6 +170,21 @@ static void label(const struct options *o, const struct species *species,
     ui_text(&ui.batch, &style, x_px, y_px, words);
 }
 
+/* Processor time of all threads, the driver's too: a software renderer's work is in them. */
+static void say_cost(const float sheet[2], uint32_t fish_count)
+{
+    const clock_t start = clock();
+    for (uint32_t i = 0; i < COST_DRAWS; i++) {
+        for (uint32_t k = 0; k < ui.batch.specimen_count; k++) {
+            specimen_pass_draw(&pass, &ui.batch.specimens[k], sheet[0], sheet[1]);
+        }
+        glFinish();
+    }
+    const double used_s = (double)(clock() - start) / CLOCKS_PER_SEC;
+    printf("a fish of %.0f px: %.2f ms of processor time\n",
+           (double)ui.batch.specimens[0].length_px, 1e3 * used_s / COST_DRAWS / fish_count);
+}
+
 static void show(const struct options *o, const struct species *species, uint32_t row,
                  const float sheet[2])
 {
@@ -201,6 +221,9 @@ static void show(const struct options *o, const struct species *species, uint32_
               ((float)row + 0.955f) * (float)o->height);
     }
     ui_show(&ui, &pass, sheet[0], sheet[1]);
+    if (o->time) {
+        say_cost(sheet, ui.batch.specimen_count);
+    }
 }
 
 static const struct species *variant(const struct options *o, const struct species *species,
@@ -252,7 +275,7 @@ int main(int count, char **words)
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
                                              .width = width,
                                              .height = height,
-                                             .samples = 4,
+                                             .samples = options.time ? 1 : 4,
                                              .depth = true });
     if (!gl_is_well(&status)) {
         fail("OpenGL", status.text);
