@@ -8,7 +8,7 @@
 
 static struct loft loft;
 
-static const struct species_text *drawn(const char *head, const char *more, const char *tail)
+static struct species_text *drawn(const char *head, const char *more, const char *tail)
 {
     static char text[TEXT_SIZE];
     snprintf(text, sizeof text, HEAD "%skey a 10\n%s" KEY_BODY "key b 20\n%s" KEY_BODY
@@ -118,7 +118,7 @@ static void test_fins_and_eyes_ride_and_body_and_tail_do_not(void **state)
 static void test_a_wandering_eye_goes_over_the_back_to_the_other_flank(void **state)
 {
     (void)state;
-    struct species_text *text = (struct species_text *)(uintptr_t)drawn("", "", "template smooth\n");
+    struct species_text *text = drawn("", "", "template smooth\n");
     text->keys[1].eyes[0].turn_deg = 90.0f;
     text->keys[2].eyes[0].turn_deg = 180.0f;
     const struct ball own = eye_ball(&text->keys[0], 0), top = eye_ball(&text->keys[1], 0);
@@ -132,7 +132,7 @@ static void test_a_wandering_eye_goes_over_the_back_to_the_other_flank(void **st
 static void test_an_eye_stands_out_as_far_as_its_bulge_says(void **state)
 {
     (void)state;
-    struct species_text *text = (struct species_text *)(uintptr_t)drawn("", "", "template smooth\n");
+    struct species_text *text = drawn("", "", "template smooth\n");
     text->keys[0].eyes[0].bulge = 0.5f;
     const struct ball ball = eye_ball(&text->keys[0], 0);
     assert_float_equal((float)(ball.out - ball.sunk), 0.5f * 0.08f, 1e-5f);
@@ -142,7 +142,7 @@ static void test_an_eye_stands_out_as_far_as_its_bulge_says(void **state)
 static void test_a_leaf_thin_head_keeps_both_eyes_apart(void **state)
 {
     (void)state;
-    struct species_text *text = (struct species_text *)(uintptr_t)drawn("", "", "template smooth\n");
+    struct species_text *text = drawn("", "", "template smooth\n");
     for (uint32_t i = 0; i < text->keys[0].station_count; i++) {
         text->keys[0].stations[i].width = 0.010f; /* As a leptocephalus. */
     }

@@ -92,10 +92,30 @@ static void test_more_of_anything_than_its_maximum_is_refused(void **state)
                    "more than 24 words");
 }
 
+/* What stands between the fences of the makers' page. */
+static void test_the_makers_page_shows_a_species_that_bakes(void **state)
+{
+    (void)state;
+    static char page[65536];
+    FILE *file = fopen("assets/species/README.md", "r");
+    assert_non_null(file);
+    page[fread(page, 1, sizeof page - 1, file)] = '\0';
+    fclose(file);
+    char *from = strstr(page, "```\n");
+    assert_non_null(from);
+    char *to = strstr(from + 4, "```");
+    assert_non_null(to);
+    *to = '\0';
+    assert_string_equal(complaint_of(from + 4), "");
+    assert_string_equal(species.id, "dace");
+    assert_int_equal(species.growth.point_count, 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_whole_text_is_read_as_written),
+        cmocka_unit_test(test_the_makers_page_shows_a_species_that_bakes),
         cmocka_unit_test(test_comments_and_blanks_say_nothing),
         cmocka_unit_test(test_a_complaint_names_file_line_and_what),
         cmocka_unit_test(test_numbers_must_be_numbers_inside_their_range),
