@@ -1,4 +1,4 @@
-/* test_lengths.c -- how long the fish are at known ages, and at the 2005 thesis' stages.
+/* test_lengths.c -- how long the fish are at known ages, and at the stages of the 2005 thesis. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
