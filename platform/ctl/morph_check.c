@@ -61,11 +61,13 @@ FINDING(eye_in_eye)
 FINDING(fin_in_eye)
 FINDING(root_off_skin)
 FINDING(volume_dip)
+FINDING(size_error)
 
 #define OF(name) #name, value_##name, NULL
 #define FOUND(name) #name, value_##name, where_##name
 
 static const struct row rows[] = {
+    { "keys' sizes: off one another, %", FOUND(size_error), "%.3f", 100.0, 2.0, AT_MOST },
     { "weights: sum is off 1 by", OF(sum_error), "%.1e", 1.0, 1e-6, AT_MOST },
     { "weights: least", OF(weight_min), "%.4f", 1.0, 0.0, AT_LEAST },
     { "weights of drawings: sum is off 1 by", OF(drawn_sum_error), "%.1e", 1.0, 2e-6, AT_MOST },
@@ -229,6 +231,8 @@ const struct morph_command ctl_morph_check = {
         "\nnear and far are the two levels of detail, ordinary is the near fish morphed straight\n"
         "from its first key to its last. Lengths are of the body's own length.\n\n"
         "What counts, and what is by design:\n"
+        "  sizes         all keys are one long as the species measures it (size is a curve of its\n"
+        "                own), snout at one place; the far mesh's few points miss up to 2 %\n"
         "  turned over   a triangle of body or eye that faces inward; a fin's that turns over\n"
         "                from one moment to the next\n"
         "  skin folded   a point just outside the body's skin that is inside the body; told is\n"

@@ -245,13 +245,58 @@ static float key_progress(const struct walk *w, uint32_t key)
     return (float)key / (float)(w->rig->key_count - 1u);
 }
 
-static void measure_key_volumes(struct walk *w)
+/* The tail root of a lofted body is its grid's last ring, of any other its rearmost point. */
+static float standard_end(const struct walk *w, float rearmost)
+{
+    const struct species_mesh *mesh = w->mesh;
+    const uint32_t last = (mesh->grid_rings - 1u) * (mesh->grid_spokes + 1u);
+    return mesh->grid_rings > 0 ? w->positions[mesh->grid_first + last].z : rearmost;
+}
+
+static float fork_end(const struct walk *w)
+{
+    float end = 0.0f, nearest = FLT_MAX;
+    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
+        const struct species_vertex *at = &w->mesh->vertices[i];
+        const float away = fabsf(at->u - 0.5f) + fabsf(at->v - 1.0f);
+        if (at->part == PART_TAIL && away < nearest) {
+            nearest = away;
+            end = w->positions[i].z;
+        }
+    }
+    return end;
+}
+
+static void measure_size(struct walk *w, enum species_measure measure)
+{
+    vec3 low = { FLT_MAX, 0.0f, FLT_MAX }, high = { -FLT_MAX, 0.0f, -FLT_MAX };
+    float end = -FLT_MAX;
+    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
+        const uint8_t part = w->mesh->vertices[i].part;
+        const vec3 p = w->positions[i];
+        if (part == PART_BODY) {
+            low = v3(f_min(low.x, p.x), 0.0f, f_min(low.z, p.z));
+            high = v3(f_max(high.x, p.x), 0.0f, f_max(high.z, p.z));
+        }
+        end = part == PART_BODY || part == PART_TAIL ? f_max(end, p.z) : end;
+    }
+    const float length = measure == MEASURE_TOTAL      ? end + 0.5f
+                         : measure == MEASURE_STANDARD ? standard_end(w, high.z) + 0.5f
+                         : measure == MEASURE_FORK     ? fork_end(w) + 0.5f
+                                                       : high.x - low.x;
+    keep_worst(w, &w->out->size_error, fabsf(length - 1.0f), SURVEY_NOWHERE);
+    keep_worst(w, &w->out->size_error, fabsf(low.z + 0.5f), SURVEY_NOWHERE);
+}
+
+static void measure_keys(struct walk *w)
 {
     for (uint32_t key = 0; key < w->rig->key_count; key++) {
+        w->progress = key_progress(w, key);
         morph_key_pose(w->mesh, w->rig->key_count, key, &w->pose);
         morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
         skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
         w->key_volume[key] = skin_volume(&w->body);
+        measure_size(w, (enum species_measure)w->species->card.measure);
     }
     w->out->volume_first = w->key_volume[0];
     w->out->volume_last = w->key_volume[w->rig->key_count - 1u];
@@ -310,7 +355,7 @@ void morph_survey(const struct species *species, const struct morph_rig *rig, ui
     w->rig = rig;
     w->out = out;
     find_roots(w);
-    measure_key_volumes(w);
+    measure_keys(w);
     uint32_t key = 0;
     for (uint32_t i = 0; i <= steps; i++) {
         const float progress = (float)i / (float)steps;

@@ -43,6 +43,8 @@ struct survey {
     struct finding root_off_skin; /* How far a fin's root floats above it. */
     struct finding volume_dip;    /* The body's, a share below the lesser of the keys around. */
     float volume_first, volume_last; /* Of a fish one long. */
+    /* How far a key's snout is from z = -0.5, or its size, as the species measures it, from 1. */
+    struct finding size_error;
     struct curvature dorsal_root, eye_right, eye_left;
 };
 

@@ -190,6 +190,19 @@ static void test_a_lean_stage_between_two_keys_is_seen(void **state)
     assert_true(survey.volume_dip.value > 0.02f);
 }
 
+static void test_a_key_of_another_size_is_seen(void **state)
+{
+    (void)state;
+    measure();
+    assert_true(survey.size_error.value < 0.01f);
+    for (uint32_t i = 0; i < fish.lod[0].vertex_count; i++) {
+        points[1][i].z = (int16_t)(points[1][i].z * 9 / 10);
+    }
+    measure();
+    assert_true(survey.size_error.value > 0.04f);
+    assert_float_equal(survey.size_error.progress, 1.0f / (float)(rig.key_count - 1u), 1e-6f);
+}
+
 static void test_only_a_straight_morph_keeps_to_the_chord(void **state)
 {
     (void)state;
@@ -217,6 +230,7 @@ int main(void)
         cmocka_unit_test_setup(test_an_eye_in_the_head_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_fin_tip_in_the_body_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_lean_stage_between_two_keys_is_seen, new_fish),
+        cmocka_unit_test_setup(test_a_key_of_another_size_is_seen, new_fish),
         cmocka_unit_test_setup(test_only_a_straight_morph_keeps_to_the_chord, new_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
