@@ -14,6 +14,8 @@ enum board_poi {
     BOARD_POI_BOT,
 };
 
+struct shelf;
+
 struct board_options {
     uint8_t poi;               /* enum board_poi */
     uint8_t off_screen;        /* Render without a screen, for pictures. */
@@ -22,6 +24,7 @@ struct board_options {
     uint8_t mute;
     const char *data_dir;      /* Where the store lives; null keeps nothing. */
     struct view view;          /* Where a pointer device's rays start. */
+    const struct shelf *shelf; /* Makers' species to show (platform/species/shelf.h); null: none. */
     /* Called at the moment when the display breaks for good, from inside whichever display call
      * noticed; null: none. What lies under the display may not survive that call's return: end
      * the program here. */

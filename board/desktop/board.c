@@ -67,6 +67,7 @@ static void open_display(struct hal *hal, const struct board_options *options)
         .full_screen = options->full_screen != 0,
         .off_screen = options->off_screen != 0,
         .title = "Kingyo",
+        .shelf = options->shelf,
     };
     display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
     hal->display = display_gl_device(display);

@@ -41,6 +41,7 @@ static void wire(struct demo *demo)
         .width = options->width ? options->width : 1280,
         .height = options->height ? options->height : 720,
         .view = tank_preset(options->tank)->view,
+        .shelf = &demo->session->shelf,
     };
     board_open_rehearsal(&demo->session->hal, &board, START_NS);
 }

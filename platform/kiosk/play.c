@@ -149,6 +149,7 @@ int play_open(struct session *session)
         .view = tank_preset(options->tank)->view,
         .on_display_lost = on_display_lost,
         .on_display_lost_self = session,
+        .shelf = &session->shelf,
     };
     board_open(&session->hal, &board);
     const struct hal_display *display = &session->hal.display;

@@ -112,6 +112,7 @@ static int create_context(struct display_gl *display)
         .height = (uint32_t)height,
         .scene_scale = display->config.scene_scale,
         .samples = display->config.samples,
+        .shelf = display->config.shelf,
     };
     if (renderer_open(&display->renderer, &wanted) != HAL_OK) {
         return fail(display, "renderer", renderer_error(&display->renderer));

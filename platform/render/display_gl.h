@@ -21,6 +21,7 @@ struct display_gl_config {
     const char *title; /* 0: "Kingyo". */
     float scene_scale; /* [0.25, 2]; 0: by renderer (quality.h). */
     uint32_t samples;  /* Multisampling; 0: by renderer. */
+    const struct shelf *shelf; /* As renderer_config's. */
 };
 
 struct display_gl {

@@ -94,6 +94,7 @@ static void open_passes(struct renderer *renderer)
     if (!ui_init(&renderer->ui, why, sizeof why)) {
         gl_fail(status, "words: %s", why);
     }
+    renderer->ui.memory.shelf = renderer->config.shelf;
 }
 
 int renderer_open(struct renderer *renderer, const struct renderer_config *config)
@@ -342,7 +343,7 @@ static void draw_page(struct renderer *renderer, const struct scene *scene)
 void renderer_draw(struct renderer *renderer, const struct scene *scene)
 {
     reset_state();
-    if (scene->phase == PHASE_LAB) {
+    if (scene->phase == PHASE_LAB || scene->phase == PHASE_ALBUM) {
         draw_page(renderer, scene);
     } else {
         draw_tank(renderer, scene);

@@ -27,6 +27,7 @@ struct renderer_config {
     uint32_t width, height; /* Pixels, > 0. */
     float scene_scale;      /* As struct display_gl_config. */
     uint32_t samples;
+    const struct shelf *shelf; /* Makers' species; null: none. Stays where it is while it draws. */
 };
 
 /* The steps of a frame, for whoever measures them. */

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/game/lab.h"
 #include "platform/render/ui_signs.h"
@@ -270,14 +271,31 @@ static struct lab_page open_page(const struct ui_frame *frame, const struct scen
     return page;
 }
 
+/* A recording may show makers' species that this kiosk has not got: then there is a graph, and no
+ * fish. */
+static const struct species *species_of(const struct ui_memory *memory,
+                                        const struct scene_lab *lab)
+{
+    const uint32_t index = lab->species;
+    const struct species *species = NULL;
+    if (index < species_table_count) {
+        species = species_table[index];
+    } else if (memory->shelf != NULL && index < shelf_count(memory->shelf)) {
+        species = shelf_species(memory->shelf, index);
+    }
+    const int fits = species != NULL && species->card.key_count == lab->card.key_count &&
+                     strcmp(species->card.id, lab->card.id) == 0;
+    return fits ? species : NULL;
+}
+
 void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory)
 {
-    const uint32_t index = scene->lab.species;
-    const struct species *species = index < species_table_count
-                                        ? species_table[index]
-                                        : shelf_species(memory->shelf, index);
-    ui_bench_set(&memory->bench, species, &scene->lab.card);
-    const struct lab_page page = open_page(frame, scene, &memory->bench);
+    const struct species *species = species_of(memory, &scene->lab);
+    if (species != NULL) {
+        ui_bench_set(&memory->bench, species, &scene->lab.card);
+    }
+    const struct lab_page page =
+        open_page(frame, scene, species != NULL ? &memory->bench : NULL);
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = CLOTH_EDGE });

@@ -18,7 +18,7 @@
 struct lab_page {
     struct ui_frame frame;       /* `unit` is one of the canvas. */
     const struct scene_lab *lab;
-    struct ui_bench *bench;
+    struct ui_bench *bench;      /* Null: this kiosk has not got that species. */
     float x, y;                  /* The canvas' corner on the screen. */
 };
 

@@ -65,7 +65,9 @@ static void key_card(const struct lab_page *page, uint32_t key)
                                  .shape = { 0, 0, 9.0f * u, 2.0f * u } });
     const struct ui_box picture = { box.x + 8.0f * u, box.y + 26.0f * u, box.width - 16.0f * u,
                                     box.height - 66.0f * u };
-    portrait(page, picture, key);
+    if (page->bench != NULL) {
+        portrait(page, picture, key);
+    }
     const struct ui_text name = lab_text(page, 18.5f, LAB_INK);
     const struct ui_box title = { box.x + 8.0f * u, box.y + 6.0f * u, box.width - 16.0f * u,
                                   20.0f * u };

@@ -300,11 +300,10 @@ static void rival(const struct lab_page *page)
     ui_segment(page->frame.batch, from, to, 2.0f * page->frame.unit, UI_GOLD_DIM);
 }
 
-void lab_stage(const struct lab_page *page)
+static void fish_and_figures(const struct lab_page *page)
 {
     const struct tank_room room = room_of(page, 0);
     const struct specimen fish = fish_in(page, &room);
-    water(page);
     ui_specimen(page->frame.batch, &fish);
     ruler(page, &room, &fish);
     if (page->lab->compare) {
@@ -318,6 +317,14 @@ void lab_stage(const struct lab_page *page)
     if (page->lab->path) {
         ways(page, &fish);
         way_legend(page, &room);
+    }
+}
+
+void lab_stage(const struct lab_page *page)
+{
+    water(page);
+    if (page->bench != NULL) {
+        fish_and_figures(page);
     }
     frame_line(page);
 }
