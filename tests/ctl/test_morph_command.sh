@@ -254,13 +254,14 @@ check 'nor is nothing a text' mistake 65 empty.txt weights "$work/empty.txt"
 # ---- Any words at all: an answer or one line, never a crash
 words=(wakin list weights growth path graph --template own smooth --thesis --steps 3 -1 1e9 --curve whole --part eye tail
     --side left --svg "$work/fuzz.svg" --view top --to-days '' % "$work/bad.txt" --drawn --json "$(printf 'x%.0s' {1..5000})")
-any_words() {
-    local status
+any_words() { # In the test's own folder: a word may become the name of a picture.
+    local status program
+    program=$(realpath "$ctl")
     RANDOM=7
     for _ in {1..250}; do
         local line=("${words[1 + RANDOM % 5]}")
         while [ $((RANDOM % 5)) -ne 0 ]; do line+=("${words[RANDOM % ${#words[@]}]}"); done
-        "$ctl" morph "${line[@]}" >"$work/out" 2>"$work/err"
+        (cd "$work" && "$program" morph "${line[@]}" >"$work/out" 2>"$work/err")
         status=$?
         case $status in
         0) [ ! -s "$work/err" ] ;;
