@@ -17,6 +17,7 @@ layout(std140) uniform Frame {
 
 const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
 const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // From anything to the stall's lamps.
+const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Where a goldfish is not red.
 const float CAUSTIC_TILES = 3.6;                       // Per metre.
 
 // What is left of light that went `path_m` through water: red goes first, but never all of it.
@@ -37,4 +38,10 @@ float shade_at(vec3 at, float count)
             * (1.0 - smoothstep(shades[i].z - blur, shades[i].z + blur, r));
     }
     return 1.0 - light;
+}
+
+// A goldfish's own red: from vermilion to, rarely, orange.
+vec3 red_of(float hue)
+{
+    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
 }

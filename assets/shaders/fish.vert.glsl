@@ -18,18 +18,12 @@ out float out_m;       // How far above the surface.
 #endif
 out vec4 haze;         // What water and gloss add; w: how much of the gill's edge shows.
 
-const vec3 WHITE = vec3(1.0, 0.955, 0.90);
 const vec3 FRY = vec3(0.40, 0.42, 0.27);
 const float WAVE_NUMBER = 6.45;  // rad per body length: 0.97 lengths a wave (Videler & Hess).
 const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
 const float ARC_MIDDLE = 0.02;   // Body lengths that a bend of 1 rad moves the mean of its mass by.
 const float SEAM = 0.005;        // m.
 const float JAWS = 0.080;        // How far back the mouth's motion reaches, of the body's u.
-
-vec3 red_of(float hue)
-{
-    return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
-}
 
 // Young fish lose their grey in patches, the belly first.
 float turned(float ahead)

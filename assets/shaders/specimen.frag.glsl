@@ -9,6 +9,8 @@ uniform sampler2DArray shines; // How silvery.
 uniform vec3 sheets;           // Two of their layers, and how much of the second.
 uniform vec4 look;             // Opacity, scales along the body; w 1: behind a clear body.
 uniform vec4 tint;
+uniform sampler2DArray patterns; // What individual goldfish wear.
+uniform vec3 worn;               // Pattern, hue, and how far it has come through.
 
 out vec4 color;
 
@@ -44,6 +46,30 @@ vec3 mirrored(vec3 n)
     return mix(deep, sky, smoothstep(-0.12, 0.30, up));
 }
 
+// As assets/shaders/fish.vert.glsl colours the tank's grown goldfish, so that each is known again.
+vec3 worn_body(vec3 paint)
+{
+    float under = 1.0 - abs(skin.y * 2.0 - 1.0);
+    float belly = smoothstep(0.52, 0.96, under);
+    float bow = (under - 0.52) * (under - 0.52);
+    float gill = max(1.0 - abs(skin.x - 0.285 + 0.25 * bow) * 80.0, 0.0);
+    gill *= smoothstep(0.15, 0.35, under) * (1.0 - belly);
+    vec3 red = red_of(worn.y);
+    vec3 below = mix(WHITE, mix(WHITE, red, 0.25), 0.55 * belly);
+    vec3 stain = mix(red, mix(WHITE, red, 0.25), 0.55 * belly);
+    float is_red = texture(patterns, vec3(skin.xy, worn.x)).r;
+    return mix(paint, mix(below, stain, is_red) * (1.0 - 0.36 * gill), worn.z);
+}
+
+vec3 worn_fin(vec3 paint)
+{
+    float seed = fract(worn.y * 17.31);
+    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + worn.x * 0.37)
+        + 0.20 * sin(skin.x * 9.0 + worn.y * 20.0) + 0.25 * (1.0 - skin.y));
+    vec3 own = mix(mix(WHITE, red_of(worn.y), stained), WHITE, 0.22 * skin.y);
+    return mix(paint, own, worn.z);
+}
+
 vec3 lit(vec3 paint, vec3 n, float shine, float gloss)
 {
     float lamp = max(dot(n, KEY_LIGHT) * 0.80 + 0.20, 0.0);
@@ -70,7 +96,7 @@ void main()
     }
     vec4 paint = mixed(paints, paint_uv);
     float shine = mixed(shines, paint_uv).r;
-    paint.rgb = mix(paint.rgb, tint.rgb, tint.a);
+    paint.rgb = mix(worn_fin(paint.rgb), tint.rgb, tint.a);
     vec3 n = normalize(normal);
     n = n.z < 0.0 ? -n : n;
     float rays = abs(fract(skin.x * 13.0) * 2.0 - 1.0);
@@ -129,7 +155,7 @@ vec4 body(vec3 n)
 {
     vec4 paint = mixed(paints, paint_uv);
     float shine = mixed(shines, paint_uv).r;
-    paint.rgb = mix(paint.rgb, tint.rgb, tint.a);
+    paint.rgb = mix(worn_body(paint.rgb), tint.rgb, tint.a);
     vec2 scale = scales(skin.xy) * (1.0 - smoothstep(0.02, 0.30, paint.a)) * (1.0 - tint.a);
     n = normalize(n + vec3(0.10, 0.04, 0.0) * scale.y); // Each scale glints by itself.
     vec3 base = to_light(paint.rgb) * (1.06 - 0.36 * scale.x);

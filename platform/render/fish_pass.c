@@ -102,14 +102,6 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
                          : (near ? FISH_NEAR : FISH_FAR);
 }
 
-/* What breeders and fairs have: a third all red or with a pale belly, the rest in patches, few
- * white. Sixteen equal chances for the baked designs. */
-static float pattern_layer(uint32_t look)
-{
-    static const uint8_t layers[16] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 9, 10, 8 };
-    return (float)(layers[look & 15u] % ASSET_PATTERN_LAYERS);
-}
-
 static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
 {
     const struct basis axes = basis_from_angles(fish->angles);
@@ -118,8 +110,8 @@ static void fill_instance(struct fish_instance *out, const struct scene_fish *fi
         .place = { fish->position_m.x, fish->position_m.y, fish->position_m.z, fish->length_m },
         .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
         .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
-        .character = { fish->bend_rad, fish->maturity, pattern_layer(look >> 8u),
-                       (float)((look >> 16u) & 1023u) / 1023.0f },
+        .character = { fish->bend_rad, fish->maturity, textures_pattern(look),
+                       textures_hue(look) },
         .gulp = { fish->gape, fish->gulp, (float)row },
     };
 }

@@ -83,7 +83,7 @@ static void open_passes(struct renderer *renderer)
     textures_open(status, &renderer->textures);
     light_pass_open(status, &renderer->light);
     basin_pass_open(status, &renderer->basin);
-    specimen_pass_open(status, &renderer->specimens);
+    specimen_pass_open(status, &renderer->specimens, &renderer->textures);
     fish_pass_open(status, &renderer->fish, &renderer->specimens.memory);
     poi_pass_open(status, &renderer->poi);
     bowl_pass_open(status, &renderer->bowl);
@@ -331,7 +331,7 @@ static void draw_ui(struct renderer *renderer, const struct scene *scene)
             (float)renderer->config.height);
 }
 
-/* The lab covers the tank. Its specimens get what samples there are. */
+/* Lab and album cover the tank. Their specimens get what samples there are. */
 static void draw_page(struct renderer *renderer, const struct scene *scene)
 {
     bind_screen(renderer);

@@ -7,7 +7,7 @@
 #include "shaders.h"
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
-#define SAMPLERS "paints shines"
+#define SAMPLERS "paints shines patterns"
 #define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
 #define SWAY_LENGTHS 0.3f /* So far swimming brings it out of its mesh's reach, at most. */
 #define WORK_BANDS 3u    /* Painted in a frame: 6,144 texels, or more at rims. */
@@ -28,11 +28,14 @@ static struct specimen_program program(struct gl_status *status, const char *nam
         .look = glGetUniformLocation(made, "look"),
         .tint = glGetUniformLocation(made, "tint"),
         .sheets = glGetUniformLocation(made, "sheets"),
+        .worn = glGetUniformLocation(made, "worn"),
     };
 }
 
-void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass)
+void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
+                        const struct textures *textures)
 {
+    pass->patterns = textures->patterns;
     pass->body = program(status, "specimen", DEFINES);
     pass->fin = program(status, "specimen's fins", DEFINES "#define FIN\n");
     pass->shadow.name = gl_program(status, "specimen's shadow", "", shader_specimen_shadow_vert,
@@ -146,6 +149,8 @@ static void send(const struct specimen_program *program, const struct specimen *
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
     glUniform4fv(program->look, 1, told->look);
     glUniform4fv(program->tint, 1, tint);
+    glUniform3f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
+                specimen->ripe);
     glUniform3fv(program->sheets, 1, told->sheets);
 }
 
@@ -244,6 +249,7 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     clear_depth(specimen, mesh->reach, height_px);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->skin.paints);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->skin.shines);
+    gl_bind_texture(2, GL_TEXTURE_2D_ARRAY, pass->patterns);
     glBindVertexArray(slot->mesh[lod].vertex_array);
     draw_fish(pass, &slot->mesh[lod], skin_clearness(&slot->skin, pass->pose.weight[0]) > CLEAR_MIN,
               told.look);

@@ -10,12 +10,13 @@
 #include "platform/render/fish_poses.h"
 #include "platform/render/skin.h"
 #include "platform/render/specimen.h"
+#include "platform/render/textures.h"
 
 #define SPECIMEN_SLOTS 6u /* The lab's species and its rival; an album's page, each in its coat. */
 
 struct specimen_program {
     GLuint name;
-    GLint reach, axes, place, screen, swim, look, tint, sheets;
+    GLint reach, axes, place, screen, swim, look, tint, sheets, worn;
 };
 
 struct specimen_slot {
@@ -31,6 +32,7 @@ struct specimen_pass {
     struct specimen_program body, fin, shadow;
     struct specimen_slot slots[SPECIMEN_SLOTS];
     GLuint pose_buffer, no_attributes;
+    GLuint patterns; /* Of the textures. */
     uint32_t draw_count;
     struct morph_pose pose;
     float texels[POSE_TEXELS_MAX][4];
@@ -38,7 +40,9 @@ struct specimen_pass {
     struct skin_brush brush;
 };
 
-void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass);
+/* `textures` stay open as long; only their patterns are used. */
+void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
+                        const struct textures *textures);
 void specimen_pass_close(struct specimen_pass *pass);
 
 /* Paints on what is unfinished: about 3 ms of work a call while there is any. Once a frame. */

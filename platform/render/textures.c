@@ -44,6 +44,19 @@ void textures_open(struct gl_status *status, struct textures *textures)
     textures->paper = grey_tile(status, "paper", asset_paper, ASSET_PAPER_SIZE, false);
 }
 
+/* What breeders and fairs have: a third all red or with a pale belly, the rest in patches, few
+ * white. Sixteen equal chances for the baked designs. */
+float textures_pattern(uint32_t look)
+{
+    static const uint8_t layers[16] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 9, 10, 8 };
+    return (float)(layers[look >> 8u & 15u] % ASSET_PATTERN_LAYERS);
+}
+
+float textures_hue(uint32_t look)
+{
+    return (float)(look >> 16u & 1023u) / 1023.0f;
+}
+
 void textures_close(struct textures *textures)
 {
     const GLuint names[] = { textures->caustics, textures->patterns, textures->environment,

@@ -13,6 +13,10 @@ struct textures {
 };
 
 void textures_open(struct gl_status *status, struct textures *textures);
+/* Which layer of the patterns, and which hue [0, 1], a fish of this look wears. */
+float textures_pattern(uint32_t look);
+float textures_hue(uint32_t look);
+
 void textures_close(struct textures *textures);
 
 #endif

@@ -1,6 +1,4 @@
 /* ui_album.c -- what was caught grows up: a page of pictures, each a small aquarium. */
-#include "platform/render/ui_album.h"
-
 #include <math.h>
 #include <stdio.h>
 
@@ -54,11 +52,16 @@ static struct ui_box place_of(const struct grid *grid, uint32_t index, uint32_t 
 /* ---- One fish ------------------------------------------------------------------------------- */
 
 static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t index,
-                 const struct scene_grown *fish, const struct album_dress *dress)
+                 const struct scene_grown *fish)
 {
     const float t = frame->time_s + 0.7f * (float)index;
-    struct specimen specimen = { .species = &dress->species, .edition = dress->edition,
-                                 .progress = fish->progress };
+    /* The last two keys' coats are red: there its own pattern comes through. */
+    const float keys = (float)species_wakin.card.key_count;
+    const float grey = (keys - 3.0f) / (keys - 1.0f), red = (keys - 2.0f) / (keys - 1.0f);
+    struct specimen specimen = { .species = &species_wakin,
+                                 .progress = fish->progress,
+                                 .look = fish->look,
+                                 .ripe = ui_smooth(grey, red, fish->progress) };
     specimen_portrait(&specimen);
     const float high = water.height - 2.3f * SEAL_SIZE * frame->unit;
     specimen_fit(&specimen, water.x + 0.05f * water.width, water.y + 0.06f * high,
@@ -110,7 +113,7 @@ static void met_seal(const struct ui_frame *frame, struct ui_box water,
 }
 
 static void picture(const struct ui_frame *frame, const struct scene *scene, uint32_t index,
-                    struct ui_box box, const struct album_dress *dress)
+                    struct ui_box box)
 {
     const float u = frame->unit;
     const struct scene_grown *fish = &scene->album.fish[index];
@@ -128,7 +131,7 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
              &(struct ui_shape){ .box = water, .kind = UI_WATER, .fill = 0x1d7a86ffu,
                                  .line = 0x06243cffu,
                                  .shape = { 0, 0, 6.0f * u, frame->time_s + (float)index } });
-    swim(frame, water, index, fish, dress);
+    swim(frame, water, index, fish);
     met_seal(frame, water, fish);
     lab_age_words(frame->language, fish->age_days, age, sizeof age);
     lab_length_words(fish->length_m, length, sizeof length);
@@ -165,7 +168,7 @@ static void head(const struct ui_frame *frame, const struct scene *scene)
     ui_text(frame->batch, &small, 0.5f * frame->width, ui_text_middle(&small, 92.0f * u), words);
 }
 
-void ui_album(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory)
+void ui_album(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct scene_album *album = &scene->album;
     const struct grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
@@ -181,7 +184,7 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene, struct ui
         struct ui_box box = place_of(&grid, i, album->fish_count);
         box.y += 30.0f * frame->unit * (1.0f - in);
         frame->batch->opacity = in;
-        picture(frame, scene, i, box, ui_album_dress(&memory->album, i, album->fish[i].look));
+        picture(frame, scene, i, box);
         frame->batch->opacity = 1.0f;
     }
     ui_start_ribbon(frame, frame->height - 56.0f * frame->unit, TEXT_AGAIN);

@@ -57,7 +57,7 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         ui_lab(&frame, scene, memory);
         break;
     case PHASE_ALBUM:
-        ui_album(&frame, scene, memory);
+        ui_album(&frame, scene);
         break;
     case PHASE_ATTRACT:
         ui_attract(&frame, scene);

@@ -5,7 +5,6 @@
 #include <stdint.h>
 
 #include "core/scene.h"
-#include "platform/render/ui_album.h"
 #include "platform/render/ui_batch.h"
 #include "platform/render/ui_bench.h"
 #include "platform/species/shelf.h"
@@ -21,7 +20,6 @@ struct ui_memory {
     uint8_t hint;
     const struct shelf *shelf; /* Makers' species, behind the built-in ones; null: none. */
     struct ui_bench bench;     /* The growth lab's. */
-    struct ui_album album;
 };
 
 /* Fills `batch` (cleared first) with the whole screen of `scene`. Both sizes > 0. */

@@ -24,6 +24,7 @@
 #define COST_DRAWS 20
 
 static struct specimen_pass specimens;
+static struct textures textures;
 
 struct shot {
     const char *name;
@@ -257,7 +258,8 @@ int main(int count, char **arguments)
         return 1;
     }
     struct gl_status status = { 0 };
-    specimen_pass_open(&status, &specimens);
+    textures_open(&status, &textures);
+    specimen_pass_open(&status, &specimens, &textures);
     if (!gl_is_well(&status)) {
         fprintf(stderr, "ui_shots: %s\n", status.text);
         return 1;

@@ -38,6 +38,7 @@ struct options {
 };
 
 static struct specimen_pass pass;
+static struct textures textures;
 static struct ui ui;
 static struct straight_memory straight[SPECIES_MAX];
 static struct species straightened[SPECIES_MAX];
@@ -270,7 +271,8 @@ int main(int count, char **words)
     open_context();
     struct gl_status status = { 0 };
     struct gl_target target;
-    specimen_pass_open(&status, &pass);
+    textures_open(&status, &textures);
+    specimen_pass_open(&status, &pass, &textures);
     gl_target_open(&status, "sheet", &target,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
                                              .width = width,

@@ -18,6 +18,7 @@
 
 static struct gl_status status;
 static struct specimen_pass pass;
+static struct textures textures;
 static struct gl_target target;
 static struct straight_memory memory;
 static struct species changed;
@@ -34,7 +35,8 @@ static int open_pass(void **state)
     SDL_Window *const window = SDL_CreateWindow("specimen", 0, 0, 64, 64, SDL_WINDOW_OPENGL);
     assert_non_null(window);
     assert_non_null(SDL_GL_CreateContext(window));
-    specimen_pass_open(&status, &pass);
+    textures_open(&status, &textures);
+    specimen_pass_open(&status, &pass, &textures);
     gl_target_open(&status, "sheet", &target,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
                                              .width = WIDTH,
@@ -129,6 +131,24 @@ static void test_a_grown_goldfish_is_red_and_a_tint_covers_it(void **state)
     fish.tint = 0x2040ffffu;
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[2] > 120 && pixel[2] > pixel[0]);
+}
+
+/* The tank's pattern, its red and its white: an album must show the very fish that was caught. */
+static void test_a_ripe_goldfish_wears_its_look_and_a_young_one_its_coat(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(&species_wakin, 1.0f);
+    const vec3 flank = v3(0.0f, 0.05f, -0.02f);
+    fish.look = 15u << 8u; /* The design that is white but for its tail root. */
+    picture(pictures[0], &fish, 0.0f);
+    const uint8_t *pixel = pixel_at(pictures[0], &fish, flank);
+    assert_true(pixel[0] > 2 * pixel[1]); /* Not ripe: red as the species is. */
+    fish.ripe = 1.0f;
+    picture(pictures[0], &fish, 0.0f);
+    assert_true(pixel[1] > 140 && pixel[2] > 120);
+    fish.look = 0; /* Red all over. */
+    picture(pictures[0], &fish, 0.0f);
+    assert_true(pixel[0] > 2 * pixel[1]);
 }
 
 static void test_a_larva_of_glass_lets_the_ground_through_and_an_adult_does_not(void **state)
@@ -275,6 +295,7 @@ int main(void)
         cmocka_unit_test(test_every_species_is_drawn_inside_its_box_at_every_age),
         cmocka_unit_test(test_the_same_fish_is_the_same_picture_and_an_older_one_is_not),
         cmocka_unit_test(test_a_grown_goldfish_is_red_and_a_tint_covers_it),
+        cmocka_unit_test(test_a_ripe_goldfish_wears_its_look_and_a_young_one_its_coat),
         cmocka_unit_test(test_a_larva_of_glass_lets_the_ground_through_and_an_adult_does_not),
         cmocka_unit_test(test_faded_out_it_leaves_no_trace),
         cmocka_unit_test(test_whatever_depth_was_there_a_specimen_is_drawn_over_it),
