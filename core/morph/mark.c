@@ -19,7 +19,7 @@
  * paint brush does not ask the mesh: spots are round enough by the form of the body. */
 static const struct { float lengths, taper; } flanks[] = {
     [FORM_FUSIFORM] = { 0.36f, 0.60f }, [FORM_COMPRESSED] = { 0.42f, 0.70f },
-    [FORM_DEPRESSED] = { 0.36f, 0.85f }, [FORM_EEL] = { 0.09f, 0.40f },
+    [FORM_DEPRESSED] = { 0.50f, 0.85f }, [FORM_EEL] = { 0.09f, 0.40f },
     [FORM_PUFFER] = { 0.52f, 0.75f },
 };
 

@@ -12,7 +12,7 @@
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
     { .rings = 24, .spokes = 16, .eye_rings = 5, .eye_spokes = 14,
-      .fins = { [PART_TAIL] = { 11, 4 }, [PART_DORSAL] = { 13, 4 }, [PART_ANAL] = { 8, 4 },
+      .fins = { [PART_TAIL] = { 11, 5 }, [PART_DORSAL] = { 13, 4 }, [PART_ANAL] = { 8, 4 },
                 [PART_PECTORAL] = { 6, 3 }, [PART_PELVIC] = { 5, 3 },
                 [PART_DORSAL_2] = { 6, 3 } } },
     { .rings = 8, .spokes = 8, .eye_rings = 2, .eye_spokes = 5,

@@ -8,6 +8,8 @@
 #include <math.h>
 
 #define PI 3.14159265358979323846
+#define TAIL_LEAVES 0.05 /* Of its length beyond the stalk. */
+#define TAIL_ROWS 4      /* With fewer it needs all to bend. */
 
 static const struct species_vertex on_nothing = { .anchor = ANCHOR_NONE };
 
@@ -16,6 +18,16 @@ static double column_at(enum species_part part, uint32_t i, uint32_t across)
 {
     const double t = (double)i / (across - 1);
     return part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
+}
+
+/* Where row `j` of a fin lies. The near tail's second leaves the stalk at once: a longer chord from
+ * the root would cut through its flanks. */
+static double row_at(enum species_part part, uint32_t j, uint32_t along)
+{
+    if (part == PART_TAIL && along >= TAIL_ROWS) {
+        return j == 0 ? 0.0 : TAIL_LEAVES + (1.0 - TAIL_LEAVES) * (j - 1) / (along - 2);
+    }
+    return (double)j / (along - 1);
 }
 
 /* Body coordinates of a fin's root; the tail has none. */
@@ -89,7 +101,7 @@ static void add_fin(struct lofting *l, enum species_part part, int side)
         const double at = column_at(part, i, across);
         const uint8_t anchor = part == PART_TAIL ? ANCHOR_NONE : add_root(l, part, side, at);
         for (uint32_t j = 0; j < along; j++) {
-            add_fin_vertex(l, part, side, at, (double)j / (along - 1), anchor);
+            add_fin_vertex(l, part, side, at, row_at(part, j, along), anchor);
         }
     }
     for (uint32_t i = 0; i + 1 < across; i++) {

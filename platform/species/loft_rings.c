@@ -8,7 +8,7 @@
 #include <math.h>
 
 #define SAMPLES 256
-#define EVEN_SHARE 0.45 /* Of the rings that stand evenly, for the body's wave bends it too. */
+#define EVEN_SHARE 0.30 /* Of the rings that stand evenly, for the body's wave bends it too. */
 #define HEAD_FAVOUR 1.5 /* Mouth, eyes and gill cover are what people look at. */
 
 /* Back, belly and flank of a key at `u`, as parts of its length. */
