@@ -345,6 +345,7 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
         return EXIT_BAD_DATA;
     }
     make_normals(&b, index_count);
-    report->joined_count = mesh->vertex_count - near->vertex_count;
+    report->joined_count =
+        mesh->vertex_count > near->vertex_count ? mesh->vertex_count - near->vertex_count : 0;
     return EXIT_OK;
 }

@@ -33,6 +33,10 @@ struct shared {
 static _Noreturn void read_in_child(struct shared *shared, const char *path)
 {
     const struct rlimit time = { CPU_MAX_S, CPU_MAX_S }, cores = { 0, 0 };
+    static const int fatal[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU };
+    for (size_t i = 0; i < sizeof fatal / sizeof fatal[0]; i++) {
+        signal(fatal[i], SIG_DFL); /* Its end is ours to tell, not that of who started us. */
+    }
     setrlimit(RLIMIT_CPU, &time);
     setrlimit(RLIMIT_CORE, &cores);
 #if !defined(__SANITIZE_ADDRESS__) /* Which reserves terabytes of addresses. */

@@ -34,9 +34,6 @@ enum exit_code marks_read(const char *path, struct mark_list *list, char why[IMP
 bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, const char *name,
                        vec3 *out);
 
-/* The names, for help: "snout, tail_root, ..." */
-extern const char marks_help[];
-
 /* Moves `count` points by the smooth warp that carries each of `n` <= MARK_LIST_MAX points `from`
  * to its `to`: exactly, but for rounding. */
 void marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count);

@@ -1,4 +1,4 @@
-/* refit_files.c -- meshes and their landmarks from files, brought to our axes, fitted one by one. */
+/* refit_files.c -- meshes and landmarks from files, brought to our axes, fitted one by one. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

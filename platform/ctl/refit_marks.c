@@ -9,10 +9,50 @@
 #include "platform/ctl/refit.h"
 
 #define LINE_SIZE 256
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-const char marks_help[] = "snout, tail_root, back, belly, eye_right, eye_left, tail_top, "
-                          "tail_bottom, and NAME_start, NAME_end, NAME_tip of dorsal, dorsal2, "
-                          "anal, pectoral_right, pectoral_left, pelvic_right, pelvic_left";
+static const struct {
+    const char *name;
+    uint8_t part, side;
+} fins[] = {
+    { "dorsal2", PART_DORSAL_2, SIDE_MIDDLE },
+    { "dorsal", PART_DORSAL, SIDE_MIDDLE },
+    { "anal", PART_ANAL, SIDE_MIDDLE },
+    { "pectoral_right", PART_PECTORAL, SIDE_RIGHT },
+    { "pectoral_left", PART_PECTORAL, SIDE_LEFT },
+    { "pelvic_right", PART_PELVIC, SIDE_RIGHT },
+    { "pelvic_left", PART_PELVIC, SIDE_LEFT },
+};
+
+static const char *const singles[] = { "snout",     "tail_root", "back",     "belly",
+                                       "eye_right", "eye_left",  "tail_top", "tail_bottom" };
+
+/* Which fin a name is of, and in `end` what of it; COUNT(fins) where it is of none. */
+static size_t fin_of(const char *name, const char **end)
+{
+    size_t i = 0;
+    for (; i < COUNT(fins); i++) {
+        const size_t length = strlen(fins[i].name);
+        if (strncmp(name, fins[i].name, length) != 0 || name[length] != '_') {
+            continue;
+        }
+        *end = name + length + 1;
+        if (strcmp(*end, "start") == 0 || strcmp(*end, "end") == 0 || strcmp(*end, "tip") == 0) {
+            break;
+        }
+    }
+    return i;
+}
+
+static bool is_landmark(const char *name)
+{
+    const char *end;
+    bool known = fin_of(name, &end) < COUNT(fins);
+    for (size_t i = 0; i < COUNT(singles); i++) {
+        known = known || strcmp(name, singles[i]) == 0;
+    }
+    return known;
+}
 
 static bool refuse(char why[IMPORT_WHY_SIZE], const char *path, uint32_t line, const char *what)
 {
@@ -33,7 +73,7 @@ static bool read_line(char *text, struct mark_list *list, const char *path, uint
     if (list->count == MARK_LIST_MAX) {
         return refuse(why, path, line, "more than 24 landmarks");
     }
-    if (strlen(name) >= MARK_NAME_SIZE || !strstr(marks_help, strtok(text, "_"))) {
+    if (strlen(name) >= MARK_NAME_SIZE || !is_landmark(name)) {
         return refuse(why, path, line, "no landmark of that name; --help lists them");
     }
     memset(&mark, 0, sizeof mark);
@@ -127,18 +167,6 @@ static bool middle_of(const struct species_mesh *mesh, const vec3 *positions, ui
 bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, const char *name,
                        vec3 *out)
 {
-    static const struct {
-        const char *name;
-        uint8_t part, side;
-    } fins[] = {
-        { "dorsal2", PART_DORSAL_2, SIDE_MIDDLE },
-        { "dorsal", PART_DORSAL, SIDE_MIDDLE },
-        { "anal", PART_ANAL, SIDE_MIDDLE },
-        { "pectoral_right", PART_PECTORAL, SIDE_RIGHT },
-        { "pectoral_left", PART_PECTORAL, SIDE_LEFT },
-        { "pelvic_right", PART_PELVIC, SIDE_RIGHT },
-        { "pelvic_left", PART_PELVIC, SIDE_LEFT },
-    };
     if (strcmp(name, "snout") == 0 || strcmp(name, "tail_root") == 0) {
         return vertex_near(mesh, positions, PART_BODY, SIDE_MIDDLE, name[0] == 's' ? 0.0f : 1.0f,
                            0.25f, out);
@@ -153,18 +181,13 @@ bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, c
         return vertex_near(mesh, positions, PART_TAIL, SIDE_MIDDLE, name[5] == 't' ? 0.0f : 1.0f,
                            1.0f, out);
     }
-    for (size_t i = 0; i < sizeof fins / sizeof fins[0]; i++) {
-        const size_t length = strlen(fins[i].name);
-        if (strncmp(name, fins[i].name, length) != 0 || name[length] != '_') {
-            continue;
-        }
-        const char *end = name + length + 1;
-        const bool start = strcmp(end, "start") == 0, tip = strcmp(end, "tip") == 0;
-        return (start || tip || strcmp(end, "end") == 0) &&
-               vertex_near(mesh, positions, fins[i].part, fins[i].side, start || tip ? 0.0f : 1.0f,
-                           tip ? 1.0f : 0.0f, out);
+    const char *end = name;
+    const size_t i = fin_of(name, &end);
+    if (i == COUNT(fins)) {
+        return false;
     }
-    return false;
+    return vertex_near(mesh, positions, fins[i].part, fins[i].side, end[0] == 'e' ? 1.0f : 0.0f,
+                       end[0] == 't' ? 1.0f : 0.0f, out);
 }
 
 /* ---- The warp -------------------------------------------------------------------------------- */

@@ -257,6 +257,9 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
         { "snout 0 0 nan\n", ":1: write: NAME X Y Z" },
         { "snout 0 0 1 2\n", ":1: write: NAME X Y Z" },
         { "# head\nnose 0 0 1\n", ":2: no landmark of that name" },
+        { "_\n", ":1: no landmark of that name" },
+        { "dorsal 0 0 1\n", ":1: no landmark of that name" },
+        { "snout 0 0 1\ntail_root 0 0 1\nback 0 0 1\n", ":3: four landmarks or more" },
     };
     char path[] = "/tmp/kingyo-marks-XXXXXX";
     const int fd = mkstemp(path);
@@ -270,6 +273,17 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
         if (!strstr(why, cases[i].complaint)) {
             fail_msg("'%s' and not '%s'", why, cases[i].complaint);
         }
+    }
+    FILE *out = fopen(path, "w");
+    for (size_t i = 0; i < MARK_COUNT_HERE; i++) {
+        fprintf(out, " %s\t%zu 0.5 -1e-3 # here\n", mark_names[i], i);
+    }
+    fclose(out);
+    assert_int_equal(marks_read(path, &marks, why), EXIT_OK);
+    assert_int_equal(marks.count, MARK_COUNT_HERE);
+    for (uint32_t i = 0; i < marks.count; i++) {
+        assert_string_equal(marks.marks[i].name, mark_names[i]);
+        assert_float_equal(marks.marks[i].place.x, (float)i, 0.0f);
     }
     unlink(path);
     assert_int_equal(marks_read(path, &marks, why), EXIT_IO);

@@ -1,0 +1,108 @@
+#!/bin/bash
+# test_morph_import.sh -- what makers bring: packed, refused in one line, and found by a kiosk. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
+root=$(cd "$(dirname "$0")/../.." && pwd)
+morph() { "$ctl" morph "$@"; }
+corpus=$root/tests/fuzz/corpus
+mistake() { # STATUS WORDS ARGUMENTS...: nothing but one line, with the words in it, within seconds and 1 GiB
+    local expected=$1 words=$2 status
+    shift 2
+    (
+        ulimit -v 2097152
+        timeout 20 "$ctl" morph import "$@" >"$work/out" 2>"$work/err"
+    )
+    status=$?
+    cat "$work/out" "$work/err"
+    [ $status -eq "$expected" ] && [ ! -s "$work/out" ] && [ "$(wc -l <"$work/err")" -eq 1 ] &&
+        grep -qF -- "$words" "$work/err"
+}
+
+# ---- Texts
+for text in "$root"/assets/species/*.txt; do
+    id=$(basename "$text" .txt)
+    check "$id is packed" morph import "$work/$id.kfish" "$text"
+    same_weights() { cmp <(morph weights "$id" --steps 50) <(morph weights "$work/$id.kfish" --steps 50); }
+    check "$id: packed, it is what is built in" same_weights
+done
+check 'a text is renamed as it is packed' morph import "$work/pet.kfish" "$root/assets/species/wakin.txt" --id pet
+echo 'species x' >"$work/short.txt"
+check 'half a text' mistake 65 short.txt:1: "$work/x.kfish" "$work/short.txt"
+check 'no text' mistake 74 nowhere.txt "$work/x.kfish" "$work/nowhere.txt"
+check 'nowhere to write' mistake 74 nowhere "$work/nowhere/x.kfish" "$root/assets/species/wakin.txt"
+check 'nothing to pack' mistake 2 'OUT.kfish' "$work/x.kfish"
+check 'an unknown option' mistake 2 --colour "$work/x.kfish" a.obj --colour red
+check 'a value that is none' mistake 2 --front "$work/x.kfish" a.obj --front sideways
+
+# ---- OBJ: three shapes of one topology
+for key in a b c; do
+    awk -v s="$(printf '%d' "'$key")" '$1 == "v" { printf "v %g %g %g\n", $2 * (1 + (s - 97) / 5), $3, $4; next } { print }' \
+        "$corpus/obj/fish.obj" >"$work/$key.obj"
+done
+objs=("$work/a.obj" "$work/b.obj" "$work/c.obj")
+check 'three OBJ files are a species' morph import "$work/small.kfish" "${objs[@]}" --lengths-mm 10,20,40 --ages-days 0,30,90
+tells_lengths() { morph list >/dev/null && morph weights "$work/small.kfish" --steps 2 | tee "$work/w" | tail -1 | grep -q '^1.000000,90.000,40.0000,'; }
+check 'whose life is as told' tells_lengths
+check 'one size says no lengths' mistake 65 'say --lengths-mm' "$work/x.kfish" "${objs[@]}"
+check 'two shapes are no species' mistake 65 'a species has 3 to 8' "$work/x.kfish" "$work/a.obj" "$work/b.obj"
+check 'lengths for another number of shapes' mistake 65 '--lengths-mm: 2' "$work/x.kfish" "${objs[@]}" --lengths-mm 1,2
+head -5 "$work/b.obj" >"$work/cut.obj"
+check 'a cut shape' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/cut.obj" "$work/b.obj" "$work/c.obj"
+check 'a shape of another topology' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/a.obj" "$work/cut.obj" "$work/c.obj"
+truncate -s 65M "$work/large.obj"
+check 'a file of 65 MiB' mistake 65 'larger than 64 MiB' "$work/x.kfish" "$work/large.obj" "$work/b.obj" "$work/c.obj"
+
+# ---- Unequal topology: a template is fitted
+morph export wakin --progress 1 --obj "$work/grown.obj" >/dev/null 2>&1
+check 'landmarks are needed' mistake 74 grown.marks "$work/x.kfish" --fit wakin "$work/grown.obj" "$work/grown.obj" \
+    "$work/grown.obj" "$work/grown.obj" "$work/grown.obj"
+check 'a file a key' mistake 2 'and there are 1 files' "$work/x.kfish" --fit wakin "$work/grown.obj"
+
+# ---- glTF
+if morph import "$work/x.kfish" "$corpus/scene/fish.glb" --lengths-mm 1,2,3 >"$work/scene" 2>&1; then
+    back() {
+        morph export "$1" --glb "$work/$1.glb" && morph import "$work/back.kfish" "$work/$1.glb" --id back &&
+            morph weights "$work/back.kfish" --steps 4
+    }
+    check 'morph targets are a species, their animation its graph' grep -q 'graph  *3 knots of 3 moments' "$work/scene"
+    check 'what was exported comes back' back hirame
+    refuse() { check "$1.glb" mistake 65 "$1.glb: $2" "$work/x.kfish" "$corpus/scene/$1.glb" --lengths-mm 1,2,3; }
+    refuse cyclic_nodes 'GLTF: '
+    refuse huge_count 'GLTF: '
+    refuse huge_view 'GLTF: '
+    refuse missing_node 'GLTF: '
+    refuse nan 'a coordinate that is no number'
+    refuse no_faces ''
+    refuse points 'no triangles'
+    refuse not_json ''
+    refuse short_target ''
+    refuse weights_over_one "the animation's moment 0"
+else
+    for what in targets comes-back hostile; do
+        count=$((count + 1))
+        echo "ok $count - glTF, $what # skip $(head -1 "$work/scene")"
+    done
+fi
+check 'no scene' mistake 74 nowhere.glb "$work/x.kfish" "$work/nowhere.glb"
+
+# ---- The kiosk reads what was packed, and no model of any other program
+kiosk_is_free_of_assimp() {
+    ! ldd "$build/kingyo" | grep -i assimp && ! strings -a "$build/kingyo" | grep -i 'libassimp' &&
+        ! nm "$build/kingyo" | grep -i 'import_'
+}
+check 'the kiosk knows no importer' kiosk_is_free_of_assimp
+mkdir -p "$work/data/species"
+cp "$work/small.kfish" "$work/pet.kfish" "$work/data/species/"
+head -c 900 "$work/pet.kfish" >"$work/data/species/cut.kfish"
+cp "$work/wakin.kfish" "$work/data/species/twin.kfish"
+opens() {
+    timeout 100 "$build/kingyo" --demo 5 --window 320x240 --data "$work/data" --shots "$work/shots"
+    status=$?
+    [ $status -le 1 ]
+}
+opens >"$work/told" 2>&1
+check 'a kiosk with bad species opens' grep -q '^Kingyo .* played by the bot' "$work/told"
+check 'and says what it loaded' grep -q 'species  *small.kfish: small' "$work/told"
+check 'and what it did not, and why' grep -q 'species/cut.kfish: size: ' "$work/told"
+check 'nor twice' grep -q "species/twin.kfish: id: there is a 'wakin' already" "$work/told"
+echo "1..$count"

@@ -1,0 +1,44 @@
+# fuzz.mk -- what makers' files may do to us, tried by libFuzzer under address and undefined-behaviour sanitizers.
+
+FUZZ_SECONDS ?= 30
+FUZZ := $(BUILD)/fuzz
+FUZZ_TARGETS := text pack obj marks scene
+FUZZ_CC := clang
+FUZZ_CFLAGS := -std=c17 -O1 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I. \
+    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+FUZZ_SRC := $(filter-out %/blend_pick.c,$(wildcard core/morph/*.c)) core/base/fmath.c core/base/vec.c \
+    $(filter-out %/shelf.c,$(wildcard platform/species/*.c)) \
+    $(wildcard platform/ctl/import_*.c platform/ctl/refit*.c) tests/fuzz/exercise.c tests/fuzz/meshes.c
+FUZZ_OBJ := $(FUZZ_SRC:%.c=$(FUZZ)/%.o)
+FUZZ_BIN := $(FUZZ_TARGETS:%=$(FUZZ)/fuzz_%)
+
+## fuzz-morph: hostile species, OBJ, glTF and landmark files, FUZZ_SECONDS (30) each; findings in build/fuzz/findings/
+fuzz-morph: $(FUZZ_BIN)
+	@mkdir -p $(FUZZ)/findings
+	@for t in $(FUZZ_TARGETS); do \
+	    mkdir -p $(FUZZ)/corpus/$$t; \
+	    nice $(FUZZ)/fuzz_$$t -max_total_time=$(FUZZ_SECONDS) -timeout=60 -rss_limit_mb=2048 \
+	        -max_len=65536 -print_final_stats=1 -artifact_prefix=$(FUZZ)/findings/$$t- \
+	        $(FUZZ)/corpus/$$t $$([ $$t = text ] && echo assets/species || echo tests/fuzz/corpus/$$t) \
+	        >$(FUZZ)/$$t.log 2>&1; code=$$?; \
+	    printf '  %-6s %9s executions, %5s edges, %s\n' $$t \
+	        "$$(sed -n 's/^stat::number_of_executed_units: *//p' $(FUZZ)/$$t.log)" \
+	        "$$(sed -nE 's/.* cov: ([0-9]+).*/\1/p' $(FUZZ)/$$t.log | tail -1)" \
+	        "$$([ $$code -eq 0 ] && echo 'no finding' || echo "exit $$code: see $(FUZZ)/$$t.log")"; \
+	    [ $$code -eq 0 ] || exit 1; \
+	done
+
+# pack.c is compiled into its fuzzer, which mends heads with its CRC.
+$(FUZZ)/fuzz_pack: $(FUZZ)/tests/fuzz/fuzz_pack.o $(filter-out %/species/pack.o,$(FUZZ_OBJ))
+$(filter-out %_pack,$(FUZZ_BIN)): $(FUZZ)/fuzz_%: $(FUZZ)/tests/fuzz/fuzz_%.o $(FUZZ_OBJ)
+$(FUZZ_BIN):
+	$(call step,LINK,$@)
+	$(Q)$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -o $@ $^ -lm
+
+$(FUZZ)/%.o: %.c
+	@mkdir -p $(@D)
+	$(call step,CC,$< (to be fuzzed))
+	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
+
+.PHONY: fuzz-morph
+.SECONDARY: $(FUZZ_TARGETS:%=$(FUZZ)/tests/fuzz/fuzz_%.o)

@@ -1,0 +1,27 @@
+/* fuzz_text.c -- a maker's text: read, lofted, vetted, grown. */
+#include <stdio.h>
+
+#include "platform/species/pack.h"
+#include "tests/fuzz/exercise.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static struct species_text text;
+    static struct species_slot slot;
+    static FILE *nowhere;
+    char why[VET_WHY_SIZE];
+    nowhere = nowhere ? nowhere : fopen("/dev/null", "w");
+    FILE *file = size > 0 ? fmemopen((void *)(uintptr_t)bytes, size, "r") : NULL;
+    if (file && species_read(file, "fuzz.txt", nowhere, &text)) {
+        pack_text(&text, &slot);
+        if (species_vet(&slot.species, why)) {
+            exercise(&slot.species);
+        }
+    }
+    if (file) {
+        fclose(file);
+    }
+    return 0;
+}

@@ -1,0 +1,41 @@
+/* meshes.c -- files of memory, and species of meshes, for the fuzzers. */
+#include "tests/fuzz/meshes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "platform/ctl/import_plan.h"
+#include "tests/fuzz/exercise.h"
+
+/* The importer of scenes goes by a name's suffix, so it is a true file, in memory's file system. */
+const char *file_of(const uint8_t *bytes, size_t size, const char *suffix)
+{
+    static char path[64];
+    snprintf(path, sizeof path, "/dev/shm/kingyo-fuzz-%d%s", (int)getpid(), suffix);
+    FILE *file = fopen(path, "wb");
+    if (!file || fwrite(bytes, 1, size, file) != size || fclose(file) != 0) {
+        abort();
+    }
+    return path;
+}
+
+void make_species(struct import_mesh *mesh)
+{
+    static struct species_slot slot;
+    static struct import_report report;
+    const struct import_plan plan = { .id = "fuzz", .front = AXIS_NONE, .up = AXIS_Y,
+                                      .unit_m = 1.0, .motion = 255, .form = 255 };
+    char why[IMPORT_WHY_SIZE], fault[VET_WHY_SIZE];
+    memset(&slot.species, 0, sizeof slot.species);
+    if (mesh->key_count >= 3 && import_orient(mesh, &plan, &report, why) == EXIT_OK &&
+        import_build(mesh, &slot, &report, why) == EXIT_OK &&
+        import_life(mesh, &plan, &slot, &report, why) == EXIT_OK) {
+        slot.tables[1] = slot.tables[0];
+        slot.species.lod[1] = slot.species.lod[0];
+        if (species_vet(&slot.species, fault)) {
+            exercise(&slot.species);
+        }
+    }
+}
