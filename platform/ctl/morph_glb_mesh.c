@@ -28,6 +28,7 @@ static struct {
     uint16_t place[MESH_VERTEX_MAX];    /* And back; only where it was taken. */
     float position[MESH_VERTEX_MAX][3], normal[MESH_VERTEX_MAX][3], colour[MESH_VERTEX_MAX][4];
     float coordinates[MESH_VERTEX_MAX][2], source[MESH_VERTEX_MAX];
+    float facing[MESH_VERTEX_MAX]; /* How long the base's normal was before it was made unit. */
     uint8_t joints[MESH_VERTEX_MAX][4];
     float shares[MESH_VERTEX_MAX][4]; /* Floats: importers misread fractions of 255. */
     uint16_t indices[MESH_INDEX_MAX];
@@ -62,6 +63,12 @@ static void add_look(struct aspect *sum, const struct aspect *look, float weight
     sum->hides += look->hides * weight;
 }
 
+/* Keys' normals are blended on the octahedron |x| + |y| + |z| = 1: see struct morph_pose. */
+static vec3 on_octahedron(vec3 n)
+{
+    return v3_scale(n, 1.0f / (f_abs(n.x) + f_abs(n.y) + f_abs(n.z)));
+}
+
 /* C_ck of one vertex. */
 static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
                           uint32_t key)
@@ -70,7 +77,7 @@ static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32
     for (uint32_t j = 0; j < fish->pick->rig.key_count; j++) {
         struct aspect drawn = {
             .position = morph_position(fish->mesh, j, vertex),
-            .normal = morph_normal(fish->mesh->points[j][vertex].normal),
+            .normal = on_octahedron(morph_normal(fish->mesh->points[j][vertex].normal)),
         };
         take_paint(fish, vertex, j, &drawn);
         add_look(&sum, &drawn, fish->pick->rig.solution[curve][key][j]);
@@ -102,7 +109,6 @@ static struct aspect base_look(const struct fish_glb *fish, uint32_t vertex)
         const struct aspect one = solved(fish, vertex, curve, last);
         add_look(&sum, &one, share_of(fish, vertex, curve));
     }
-    sum.normal = v3_normalize_or(sum.normal, v3(0.0f, 1.0f, 0.0f));
     sum.colour = v3(f_clamp(painted.colour.x, 0.0f, 1.0f), f_clamp(painted.colour.y, 0.0f, 1.0f),
                     f_clamp(painted.colour.z, 0.0f, 1.0f));
     sum.hides = f_clamp(painted.hides, 0.0f, 1.0f);
@@ -229,7 +235,9 @@ static void print_attributes(struct fish_glb *fish, bool skinned, struct bytes *
 {
     struct glb *file = &fish->file;
     for (uint32_t i = 0; i < columns.count; i++) {
-        const struct aspect look = base_look(fish, columns.vertices[i]);
+        struct aspect look = base_look(fish, columns.vertices[i]);
+        columns.facing[i] = f_max(v3_length(look.normal), 1e-6f);
+        look.normal = v3_normalize_or(look.normal, v3(0.0f, 1.0f, 0.0f));
         put_look(i, &look);
     }
     print_shape(fish, out);
@@ -251,8 +259,10 @@ static void print_targets(struct fish_glb *fish, const struct target_list *list,
 {
     for (uint32_t t = 0; t < list->count; t++) {
         for (uint32_t i = 0; i < columns.count; i++) {
-            const struct aspect look =
+            struct aspect look =
                 target_look(fish, columns.vertices[i], list->curve[t], list->key[t]);
+            /* Only directions count: all of a vertex's normals are scaled as its base is. */
+            look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
             put_look(i, &look);
         }
         bytes_print(out, "%s", t > 0 ? "," : "");
