@@ -37,6 +37,18 @@ static double bend(const struct species_text *species, double u)
     return most;
 }
 
+/* The nearest ring goes to the gill cover's edge, where head and trunk meet. */
+static void ring_at_gill(double *u, uint32_t count)
+{
+    uint32_t nearest = 0;
+    for (uint32_t ring = 1; ring < count; ring++) {
+        if (fabs(u[ring] - (double)GILL_U) < fabs(u[nearest] - (double)GILL_U)) {
+            nearest = ring;
+        }
+    }
+    u[nearest] = (double)GILL_U;
+}
+
 void place_rings(const struct species_text *species, uint32_t count, double *u)
 {
     double sum[SAMPLES + 1] = { 0.0 };
@@ -57,4 +69,5 @@ void place_rings(const struct species_text *species, uint32_t count, double *u)
         u[ring] = fmin((i + (wanted - sum[i]) / (sum[i + 1] - sum[i])) / SAMPLES, 1.0);
     }
     u[count - 1] = 1.0;
+    ring_at_gill(u, count);
 }

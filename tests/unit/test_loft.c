@@ -71,14 +71,17 @@ static void test_rings_rise_to_the_tail_root_and_crowd_where_outlines_turn(void 
     const struct loft *l = lofted("", "", "template pairwise\n");
     const uint32_t row = l->grid_spokes + 1;
     float before = 0.0f, head_gap = 0.0f, widest = 0.0f;
+    bool at_gill = false;
     for (uint32_t ring = 0; ring < l->grid_rings; ring++) {
         const float u = l->vertices[l->grid_first + ring * row].u;
         assert_true(u > before);
+        at_gill = at_gill || u == GILL_U;
         head_gap = ring == 0 ? u : head_gap;
         widest = f_max(widest, u - before);
         before = u;
     }
     assert_float_equal(before, 1.0f, 0.0f);
+    assert_true(at_gill);
     assert_true(head_gap < 0.25f * widest); /* A snout is rounder than a flank. */
     assert_true(widest < 0.16f);            /* A swimming body bends everywhere. */
 }

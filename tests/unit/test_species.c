@@ -10,7 +10,7 @@
 
 #define TOTAL_PER_STANDARD 1.27f /* Total length of a goldfish, in standard lengths. */
 #define DEPTH_TOLERANCE 0.05f
-#define ROOT_APART 5e-4f /* The skin's cells are cut the same way on both flanks: so much. */
+#define ROOT_APART 1e-3f /* Far cells are large, and cut the same way on both flanks: so much. */
 #define COUNT (1.0f / 32767.0f) /* A step of the tables. */
 
 static const struct species *const wakin = &species_wakin;
