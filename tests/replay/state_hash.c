@@ -1,14 +1,17 @@
 /* state_hash.c -- plays a fixed half-minute of the core and prints the state's hash every second.
  *
- * Usage: state_hash [LANES]; exit 77 when this machine has none so wide. Attract, a bot's round,
+ * Usage: state_hash [LANES [growth]]; exit 77 when this machine has none so wide; with `growth` a
+ * line a species instead, see growth_hash.h. Attract, a bot's round,
  * then a live hand that dips and sweeps, beside another that holds a fan: no clock, no file, no
  * device, so the lines depend on the core alone. Every compiler, level, board and number of lanes
  * must print the same ones; those of tests/replay/golden.txt are the known good. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/core.h"
+#include "tests/replay/growth_hash.h"
 
 #define SEED 20130213u
 #define START_TICK (2u * CORE_TICK_HZ)  /* Attract until here. */
@@ -73,6 +76,10 @@ int main(int argc, char **argv)
     const uint32_t lanes = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 0u;
     if (!machine_has(lanes)) {
         return 77;
+    }
+    if (argc > 2 && strcmp(argv[2], "growth") == 0) {
+        print_growth_hashes(lanes);
+        return 0;
     }
     static struct core core;
     static struct output output;
