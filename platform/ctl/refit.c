@@ -13,7 +13,7 @@
 #define BACK_PULL 0.5f       /* Of the mesh's own vertices, toward the nearest of ours. */
 #define BACK_MAX 6000u       /* Of them are asked; an even choice of more. */
 #define EDGE_MAX (3u * MESH_INDEX_MAX)
-#define FAR_SHARE 0.15f      /* Of the length: nothing is drawn to what lies farther. */
+#define FAR_SHARE 0.30f      /* Of the length: nothing is drawn to what lies farther. */
 
 /* One level of detail while it is fitted. A place is what coinciding vertices of a part share. */
 struct fitting {

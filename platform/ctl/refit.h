@@ -2,9 +2,9 @@
  *
  * Shapes that other programs made seldom share a topology, and morphing needs one (2005 thesis,
  * section 3.1). So our lofted template is fitted to each mesh: first a smooth warp that carries its
- * landmarks onto the mesh's (radial basis functions, which are exact there and bend least between),
- * then, again and again, every vertex is drawn to the nearest place of the surface and every edge
- * resists, ever more softly. What comes out has the template's topology, coordinates, anchors,
+ * landmarks onto the mesh's (the best stretch, then a bump around each), then, again and again,
+ * every vertex is drawn to the nearest place of the surface and every edge resists, ever more
+ * softly. What comes out has the template's topology, coordinates, anchors,
  * curves and paint. How far it lies from the mesh is measured and told. */
 #ifndef KINGYO_PLATFORM_CTL_REFIT_H
 #define KINGYO_PLATFORM_CTL_REFIT_H
@@ -35,7 +35,7 @@ bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, c
                        vec3 *out);
 
 /* Moves `count` points by the smooth warp that carries each of `n` <= MARK_LIST_MAX points `from`
- * to its `to`: exactly, but for rounding. */
+ * to its `to`, within a thousandth of its way. */
 void marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count);
 
 /* Distances in lengths of the fish, of one surface's points to the other surface. */

@@ -192,7 +192,10 @@ bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, c
 
 /* ---- The warp -------------------------------------------------------------------------------- */
 
-#define SYSTEM_MAX (MARK_LIST_MAX + 4u) /* A weight a landmark, and an affine part. */
+#define SYSTEM_MAX MARK_LIST_MAX
+#define RIDGE 0.0005    /* Lengths squared, of one landmark: what the whole stretch must be worth. */
+#define REACH 0.8       /* Lengths, of what a landmark bends around it. */
+#define SLACK 1e-4      /* Landmarks that nearly coincide may differ by so much of their ways. */
 
 static double gap(vec3 a, vec3 b)
 {
@@ -225,37 +228,97 @@ static void solve(double m[SYSTEM_MAX][SYSTEM_MAX + 3], uint32_t n)
     }
 }
 
+/* Wendland's function: 1 at a landmark, 0 and smooth at REACH; never makes a singular system. */
+static double bump(double r)
+{
+    const double t = fmax(1.0 - r / REACH, 0.0);
+    return t * t * t * t * (4.0 * r / REACH + 1.0);
+}
+
+static vec3 mean_of(const vec3 *points, uint32_t n)
+{
+    vec3 sum = { 0.0f, 0.0f, 0.0f };
+    for (uint32_t i = 0; i < n; i++) {
+        sum = v3_add(sum, points[i]);
+    }
+    return v3_scale(sum, 1.0f / (float)n);
+}
+
+/* The stretch and shear that fits best, held toward none: landmarks in a plane say nothing of what
+ * is across it. `m` becomes the 3 x 3 that turns a place from `middle` into how far it moves. */
+static void fit_stretch(const vec3 *from, const vec3 *to, uint32_t n,
+                        double m[SYSTEM_MAX][SYSTEM_MAX + 3])
+{
+    const vec3 middle = mean_of(from, n), goal = mean_of(to, n);
+    memset(m, 0, 3 * sizeof *m);
+    for (uint32_t i = 0; i < n; i++) {
+        const vec3 p = v3_sub(from[i], middle), way = v3_sub(v3_sub(to[i], goal), p);
+        const float a[3] = { p.x, p.y, p.z }, d[3] = { way.x, way.y, way.z };
+        for (uint32_t r = 0; r < 3; r++) {
+            for (uint32_t k = 0; k < 3; k++) {
+                m[r][k] += (double)(a[r] * a[k]);
+                m[r][3 + k] += (double)(a[r] * d[k]);
+            }
+        }
+    }
+    for (uint32_t r = 0; r < 3; r++) {
+        m[r][r] += RIDGE;
+    }
+    solve(m, 3);
+}
+
+static vec3 stretched(double m[SYSTEM_MAX][SYSTEM_MAX + 3], vec3 p, vec3 middle, vec3 goal)
+{
+    const vec3 at = v3_sub(p, middle);
+    const double a[3] = { (double)at.x, (double)at.y, (double)at.z };
+    double way[3] = { 0.0, 0.0, 0.0 };
+    for (uint32_t r = 0; r < 3; r++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            way[k] += a[r] * m[r][3 + k] / m[r][r];
+        }
+    }
+    return v3_add(v3_add(at, goal), v3((float)way[0], (float)way[1], (float)way[2]));
+}
+
+/* What bumps at the landmarks, together, carry `from` the rest of the way. */
+static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
+                      double m[SYSTEM_MAX][SYSTEM_MAX + 3])
+{
+    memset(m, 0, SYSTEM_MAX * sizeof *m);
+    for (uint32_t i = 0; i < n; i++) {
+        const vec3 way = v3_sub(to[i], from[i]);
+        for (uint32_t j = 0; j < n; j++) {
+            m[i][j] = bump(gap(from[i], from[j])) + (i == j ? SLACK : 0.0);
+        }
+        m[i][n] = (double)way.x;
+        m[i][n + 1] = (double)way.y;
+        m[i][n + 2] = (double)way.z;
+    }
+    solve(m, n);
+}
+
 void marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count)
 {
     static double m[SYSTEM_MAX][SYSTEM_MAX + 3];
-    const uint32_t size = n + 4;
-    memset(m, 0, sizeof m);
+    vec3 at[MARK_LIST_MAX];
+    if (n == 0) {
+        return;
+    }
+    const vec3 middle = mean_of(from, n), goal = mean_of(to, n);
+    fit_stretch(from, to, n, m);
     for (uint32_t i = 0; i < n; i++) {
-        const double affine[4] = { 1.0, (double)from[i].x, (double)from[i].y, (double)from[i].z };
-        for (uint32_t j = 0; j < n; j++) {
-            m[i][j] = gap(from[i], from[j]);
-        }
-        for (uint32_t k = 0; k < 4; k++) {
-            m[i][n + k] = m[n + k][i] = affine[k];
-        }
-        const vec3 way = v3_sub(to[i], from[i]);
-        m[i][size] = (double)way.x;
-        m[i][size + 1] = (double)way.y;
-        m[i][size + 2] = (double)way.z;
+        at[i] = stretched(m, from[i], middle, goal);
     }
-    /* Landmarks in a plane say nothing about across: the affine part is held toward none at all. */
-    for (uint32_t k = 0; k < 4; k++) {
-        m[n + k][n + k] = -1e-6;
-    }
-    solve(m, size);
     for (uint32_t i = 0; i < count; i++) {
-        const double terms[4] = { 1.0, (double)points[i].x, (double)points[i].y,
-                                  (double)points[i].z };
+        points[i] = stretched(m, points[i], middle, goal);
+    }
+    fit_bumps(at, to, n, m);
+    for (uint32_t i = 0; i < count; i++) {
         double way[3] = { 0.0, 0.0, 0.0 };
-        for (uint32_t j = 0; j < size; j++) {
-            const double term = j < n ? gap(points[i], from[j]) : terms[j - n];
+        for (uint32_t j = 0; j < n; j++) {
+            const double share = bump(gap(points[i], at[j])) / m[j][j];
             for (uint32_t k = 0; k < 3; k++) {
-                way[k] += term * m[j][size + k] / m[j][j];
+                way[k] += share * m[j][n + k];
             }
         }
         points[i] = v3_add(points[i], v3((float)way[0], (float)way[1], (float)way[2]));

@@ -54,6 +54,33 @@ check 'a file of 65 MiB' mistake 65 'larger than 64 MiB' "$work/x.kfish" "$work/
 
 # ---- Unequal topology: a template is fitted
 morph export wakin --progress 1 --obj "$work/grown.obj" >/dev/null 2>&1
+marks() { # OBJ: four landmarks, as a maker would pick them
+    awk '$1 == "v" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
+        $1 == "g" { body = $2 == "body" }
+        body && $1 == "f" { for (i = 2; i <= 4; i++) { split($i, c, "/"); v = c[1]
+            if (!snout || z[v] < z[snout]) snout = v
+            if (!root || z[v] > z[root]) root = v
+            if (!back || y[v] > y[back]) back = v
+            if (!belly || y[v] < y[belly]) belly = v } }
+        function tell(name, v) { print name, x[v], y[v], z[v] }
+        END { tell("snout", snout); tell("tail_root", root); tell("back", back); tell("belly", belly) }' "$1"
+}
+keys=$(morph weights kurodai --steps 1 | head -1 | tr , '\n' | grep -c '^w_')
+meshes=()
+for ((i = 0; i < keys; i++)); do
+    meshes+=("$work/fit$i.obj")
+    morph export wakin --progress "$(awk "BEGIN { print $i / ($keys - 1) }")" --obj "$work/fit$i.obj" >/dev/null 2>&1
+    marks "$work/fit$i.obj" >"$work/fit$i.marks"
+done
+fits() { morph import "$work/fitted.kfish" --fit kurodai "${meshes[@]}" --id fitted >"$work/fits"; }
+fitted_well() { # Each mean, both ways, within 0.4 % of the length
+    cat "$work/fits"
+    awk -v keys="$keys" '/mean/ { split($0, p, /mean |mesh to fit: /); n++; if (p[2] + 0 > 0.4 || p[3] + 0 > 0.4) bad = 1 }
+        END { exit !(n == keys && !bad) }' "$work/fits"
+}
+check 'a bream is bent onto goldfish by four landmarks' fits
+check 'within 0.4 % of their length in the mean' fitted_well
+check 'and grows as one' morph weights "$work/fitted.kfish" --steps 4
 check 'landmarks are needed' mistake 74 grown.marks "$work/x.kfish" --fit wakin "$work/grown.obj" "$work/grown.obj" \
     "$work/grown.obj" "$work/grown.obj" "$work/grown.obj"
 check 'a file a key' mistake 2 'and there are 1 files' "$work/x.kfish" --fit wakin "$work/grown.obj"

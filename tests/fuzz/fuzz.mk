@@ -13,7 +13,9 @@ FUZZ_OBJ := $(FUZZ_SRC:%.c=$(FUZZ)/%.o)
 FUZZ_BIN := $(FUZZ_TARGETS:%=$(FUZZ)/fuzz_%)
 
 ## fuzz-morph: hostile species, OBJ, glTF and landmark files, FUZZ_SECONDS (30) each; findings in build/fuzz/findings/
-fuzz-morph: $(FUZZ_BIN)
+fuzz-morph:
+	@board/setup.sh dev
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(FUZZ_BIN)
 	@mkdir -p $(FUZZ)/findings
 	@for t in $(FUZZ_TARGETS); do \
 	    mkdir -p $(FUZZ)/corpus/$$t; \
