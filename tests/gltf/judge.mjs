@@ -64,7 +64,7 @@ function hold_against(ours, theirs, is_end, worst) {
 }
 
 async function compare(page, name) {
-    await page.evaluate((url) => window.open_glb(url), `/glb/${name}.glb`);
+    await page.evaluate((url) => window.open_glb(url), `/glb/${encodeURIComponent(name)}.glb`);
     const worst = { place: 0, normal: 0, colour: 0 };
     let seen = 0, least = 0, most = 0, moments = 0;
     for (const file of fs.readdirSync(folder).filter((f) => f.startsWith(`${name}@`)).sort()) {

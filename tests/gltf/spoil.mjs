@@ -30,7 +30,5 @@ for (const [name, [accessor, change]] of Object.entries(spoilers)) {
     for (let i = 0; i < count; i++) {
         bytes.writeFloatLE(change(bytes.readFloatLE(first + 4 * i), i), first + 4 * i);
     }
-    const place = path.join(folder, name);
-    fs.mkdirSync(place, { recursive: true });
-    fs.writeFileSync(path.join(place, 'fish.glb'), bytes);
+    fs.writeFileSync(path.join(folder, `${name}.glb`), bytes);
 }
