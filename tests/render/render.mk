@@ -34,7 +34,7 @@ specimen: $(BUILD)/tests/render/specimen
 
 PICTURE := out/pictures
 ## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
-pictures: fish-pictures game-pictures
+pictures: fish-pictures game-pictures growth-picture
 
 # The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
 # play, so the moments move with the physics; look before you keep them.
@@ -60,4 +60,11 @@ fish-pictures: $(BUILD)/tests/render/shot $(BUILD)/tests/render/film
 	@convert $(PICTURE)/top.png $(PICTURE)/strip.png -append -quality 86 assets/pictures/fish.jpg
 	@echo 'assets/pictures/fish.jpg'
 
-.PHONY: shot film specimen pictures fish-pictures game-pictures
+# All species, a row each, from hatchling to adult, as the growth lab shows them.
+growth-picture: $(BUILD)/tests/render/specimen
+	@mkdir -p $(PICTURE)
+	@$< --cell 420x250 -o $(PICTURE)/growth.png
+	@convert $(PICTURE)/growth.png -resize 1120x -quality 88 assets/pictures/growth.jpg
+	@echo 'assets/pictures/growth.jpg'
+
+.PHONY: growth-picture shot film specimen pictures fish-pictures game-pictures
