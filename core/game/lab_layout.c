@@ -10,7 +10,7 @@
 #define UPRIGHT_HEIGHT 1400.0f
 #define DEPTH_MIN_M 0.05f  /* What is nearer to the eye is not on any screen. */
 #define KEY_GAP 8.0f
-#define KEY_WIDTH_MAX 190.0f
+#define KEY_WIDTH_MAX 262.0f
 #define PRESS_ROOM 12.0f   /* So far beside a field a press still means it. */
 
 static const struct lab_box wide[LAB_PART_COUNT] = {
@@ -25,7 +25,7 @@ static const struct lab_box wide[LAB_PART_COUNT] = {
     [LAB_COMPARE] = { 236.0f, 646.0f, 258.0f, 58.0f },
     [LAB_PATH] = { 506.0f, 646.0f, 258.0f, 58.0f },
     [LAB_CARD] = { 784.0f, 78.0f, 472.0f, 356.0f },
-    [LAB_PLOT] = { 850.0f, 128.0f, 346.0f, 222.0f },
+    [LAB_PLOT] = { 848.0f, 128.0f, 340.0f, 222.0f },
     [LAB_SIZE] = { 800.0f, 384.0f, 136.0f, 42.0f },
     [LAB_ADD] = { 948.0f, 384.0f, 142.0f, 42.0f },
     [LAB_REMOVE] = { 1100.0f, 384.0f, 142.0f, 42.0f },

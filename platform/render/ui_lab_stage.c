@@ -6,6 +6,7 @@
 
 #define TAU 6.28318531f
 #define BEAT_HZ 1.1f
+#define RULE_MARKS_MAX 260u /* At 7 px and more each, a rule has 110. */
 #define YOUNG_SIZE 0.74f /* Of the stage's room that the hatchling takes: growth is felt. */
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
@@ -87,6 +88,44 @@ static float step_m(float px_per_m, float least_px)
     return power;
 }
 
+/* The stretch that it covers; a disc is measured across, which a rule below it cannot show. */
+static void bracket(const struct lab_page *page, float x, float length_px, float y)
+{
+    const float u = page->frame.unit;
+    const float from[2] = { x, y + 1.5f * u }, to[2] = { x + length_px, y + 1.5f * u };
+    if (page->lab->card.measure == MEASURE_DISC) {
+        return;
+    }
+    ui_segment(page->frame.batch, from, to, 4.0f * u, LAB_PURPLE);
+    for (uint32_t i = 0; i < 2u; i++) {
+        const float *foot = i == 0 ? from : to;
+        const float top[2] = { foot[0], foot[1] - 12.0f * u };
+        ui_segment(page->frame.batch, top, foot, 2.4f * u, LAB_PURPLE);
+    }
+}
+
+static void mark(const struct lab_page *page, float x, float y, int is_coarse)
+{
+    const float u = page->frame.unit;
+    const float from[2] = { x, y + 2.5f * u };
+    const float to[2] = { x, y + (is_coarse ? 14.0f : 8.0f) * u };
+    ui_segment(page->frame.batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
+}
+
+/* The first says in what. */
+static void figure(const struct lab_page *page, float x, float y, float length_m, int in_cm)
+{
+    const float u = page->frame.unit;
+    const int is_first = length_m <= 0.0f;
+    char number[24];
+    snprintf(number, sizeof number, "%g%s",
+             (double)roundf(length_m * (in_cm ? 1e4f : 1e5f)) / 100.0,
+             is_first ? (in_cm ? " cm" : " mm") : "");
+    struct ui_text style = lab_text(page, 15.5f, 0x3a2410ffu);
+    style.align = is_first ? 0.0f : 0.5f;
+    ui_text(page->frame.batch, &style, x - (is_first ? 3.0f * u : 0.0f), y + 28.0f * u, number);
+}
+
 /* A bamboo rule from the snout's line to the right: so long is the fish, in its own measure. */
 static void ruler(const struct lab_page *page, const struct tank_room *room,
                   const struct specimen *fish)
@@ -102,39 +141,21 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
              &(struct ui_shape){ .box = rule, .kind = UI_WOOD, .fill = 0xe2bf82ffu,
                                  .line = 0x6a4a22ffu, .shape = { 0, 0, 5.0f * u, 1.5f * u } });
     const float right = rule.x + rule.width - 6.0f * u;
-    for (uint32_t i = 0; i < 260u; i++) {
+    for (uint32_t i = 0; i < RULE_MARKS_MAX; i++) {
         const float x = zero + (float)i * fine * px_per_m;
         const float turns = (float)i * fine / coarse;
         const int is_coarse = fabsf(turns - roundf(turns)) < 0.01f;
         if (x > right) {
             break;
         }
-        if (x < rule.x + 6.0f * u) {
-            continue;
+        if (x >= rule.x + 6.0f * u) {
+            mark(page, x, rule.y, is_coarse);
         }
-        const float from[2] = { x, rule.y + 2.5f * u };
-        const float to[2] = { x, rule.y + (is_coarse ? 14.0f : 8.0f) * u };
-        ui_segment(page->frame.batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
-        if (is_coarse && x < right - 34.0f * u) {
-            char number[24];
-            const float value = (float)i * fine * (in_cm ? 100.0f : 1000.0f);
-            snprintf(number, sizeof number, "%g%s", (double)roundf(value * 100.0f) / 100.0,
-                     i == 0 ? (in_cm ? " cm" : " mm") : "");
-            struct ui_text style = lab_text(page, 15.5f, 0x3a2410ffu);
-            style.align = i == 0 ? 0.0f : 0.5f;
-            ui_text(page->frame.batch, &style, x - (i == 0 ? 3.0f * u : 0.0f),
-                    rule.y + 28.0f * u, number);
+        if (x >= rule.x + 6.0f * u && is_coarse && x < right - 34.0f * u) {
+            figure(page, x, rule.y, (float)i * fine, in_cm);
         }
     }
-    /* The stretch that it covers. */
-    const float a[2] = { zero, rule.y + 1.5f * u };
-    const float b[2] = { zero + fish->length_px, rule.y + 1.5f * u };
-    ui_segment(page->frame.batch, a, b, 4.0f * u, LAB_PURPLE);
-    for (uint32_t i = 0; i < 2u; i++) {
-        const float *at = i == 0 ? a : b;
-        const float from[2] = { at[0], at[1] - 12.0f * u }, to[2] = { at[0], at[1] };
-        ui_segment(page->frame.batch, from, to, 2.4f * u, LAB_PURPLE);
-    }
+    bracket(page, zero, fish->length_px, rule.y);
 }
 
 /* ---- Words ---------------------------------------------------------------------------------- */
@@ -227,20 +248,28 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     way_dot(page, fish, way->at[now], 10.0f, colour, 0x20140cffu);
 }
 
+/* What a ray has for a dorsal fin is its sting. */
+static enum text_key way_name(const struct lab_page *page, uint32_t point)
+{
+    const int stings = page->lab->card.motion == MOTION_WING;
+    return point == BENCH_EYE ? TEXT_LAB_EYE : stings ? TEXT_LAB_STING : TEXT_LAB_DORSAL;
+}
+
+/* Over the snout, where a stage has room; how far each bows from the straight line, in lengths. */
 static void way_legend(const struct lab_page *page, const struct tank_room *room)
 {
-    static const enum text_key names[BENCH_POINT_COUNT] = { TEXT_LAB_DORSAL, TEXT_LAB_EYE };
     static const uint32_t colours[BENCH_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
     const float u = page->frame.unit;
-    float y = room->ruler_y - 16.0f * u;
-    for (uint32_t i = BENCH_POINT_COUNT; i-- > 0;) {
+    float y = room->box.y + (page->lab->compare ? 74.0f : 88.0f) * u;
+    for (uint32_t i = 0; i < BENCH_POINT_COUNT; i++) {
         const struct bench_way *way = &page->bench->ways[i];
         char words[TEXT_LINE_MAX];
         if (!way->is_there) {
             continue;
         }
         snprintf(words, sizeof words, "%s  %.1f %%",
-                 text_words(page->frame.language, names[i]), (double)(100.0f * way->bow));
+                 text_words(page->frame.language, way_name(page, i)),
+                 (double)(100.0f * way->bow));
         const float from[2] = { room->box.x + 20.0f * u, y - 7.0f * u };
         const float to[2] = { from[0] + 26.0f * u, from[1] };
         ui_segment(page->frame.batch, from, to, 4.5f * u, colours[i]);
@@ -249,7 +278,7 @@ static void way_legend(const struct lab_page *page, const struct tank_room *room
         style.soft_em = 0.1f;
         style.line = 0x02141ec0u;
         ui_text(page->frame.batch, &style, to[0] + 12.0f * u, y, words);
-        y -= 28.0f * u;
+        y += 28.0f * u;
     }
 }
 

@@ -47,7 +47,7 @@ const char *lab_key_name(uint8_t language, const char *name)
         { "upright", TEXT_KEY_UPRIGHT },     { "crossing", TEXT_KEY_CROSSING },
         { "settling", TEXT_KEY_SETTLING },   { "settled", TEXT_KEY_SETTLED },
         { "leaf", TEXT_KEY_LEAF },           { "long_leaf", TEXT_KEY_LONG_LEAF },
-        { "shrinking", TEXT_KEY_SHRINKING },
+        { "shrinking", TEXT_KEY_SHRINKING }, { "newborn", TEXT_KEY_NEWBORN },
     };
     return look_up(language, known, sizeof known / sizeof *known, name);
 }

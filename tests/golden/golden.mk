@@ -11,4 +11,19 @@ $(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(BUILD)/platfo
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-.PHONY: ui-shots
+LAB_SHOT = $(BUILD)/tests/render/shot --seconds 3 --lab
+ALBUM_SHOT = $(BUILD)/tests/render/shot --seconds 3 --album
+## lab-shots: pictures of the growth lab with every species, and of the album, in out/lab/
+lab-shots: $(BUILD)/tests/render/shot
+	@mkdir -p out/lab
+	@for name in $(SPECIES); do \
+	    $(LAB_SHOT) $$name --progress 0.4 -o out/lab/$$name.png && \
+	    $(LAB_SHOT) $$name --progress 0.6 --path --compare --en -o out/lab/$$name-compare.png && \
+	    $(LAB_SHOT) $$name --progress 0.8 --size 1080x1920 -o out/lab/$$name-upright.png || exit 1; \
+	done
+	@for fish in 1 3 6; do \
+	    $(ALBUM_SHOT) $$fish --progress 0.6 -o out/lab/album-$$fish.png && \
+	    $(ALBUM_SHOT) $$fish --progress 0.9 --size 1080x1920 --en -o out/lab/album-$$fish-upright.png || exit 1; \
+	done
+
+.PHONY: ui-shots lab-shots

@@ -7,7 +7,8 @@ $(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/shell.a $(BUIL
 # --start presses START after half a second; --mode NAME offers that mode alone, --choose all three;
 # --players N are bots; --follow M looks at the first poi from so near; --paper holds one up, with
 # --stress, --water MM, --tilt DEGREES, --owner N; --heel DEGREES tilts the bowls; --careless plays
-# with a hand that wets half the paper and pushes it.
+# with a hand that wets half the paper and pushes it; --lab SPECIES --progress P is the growth lab, with
+# --compare, --path, --size-layer; --album N --progress P the album with N fish.
 ## shot: a picture of the stall in out/shot.png; ARGS="--mode championship --players 4 --start --seconds 40 --passes -o FILE"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
