@@ -9,7 +9,7 @@
 
 #define SAMPLES 256
 #define EVEN_SHARE 0.30 /* Of the rings that stand evenly, for the body's wave bends it too. */
-#define HEAD_FAVOUR 1.5 /* Mouth, eyes and gill cover are what people look at. */
+#define HEAD_FAVOUR 1.9 /* Mouth, eyes and gill cover are what people look at. */
 
 /* Back, belly and flank of a key at `u`, as parts of its length. */
 static void outline(const struct key_text *key, double u, double out[3])
