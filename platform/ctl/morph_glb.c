@@ -7,259 +7,21 @@
  * approximation; nodes instead of joints would not do, since a fin's rays have an anchor each and
  * share triangles.
  *
- * The animation "growth" runs SECONDS from progress 0 to 1: the graph's own weights (of solved
- * shapes where the graph is solved, so they stay in [0, 1]), size, and joints. Samples are dense
- * where something bends; between them everything is within TOLERANCE. */
+ * The animation "growth" runs GLB_SECONDS from progress 0 to 1: the graph's own weights (of solved
+ * shapes where the graph is solved, so they stay in [0, 1]), size, and joints. */
 #include "platform/ctl/morph_glb.h"
 
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/base/panic.h"
 #include "platform/ctl/plate.h"
-#include "platform/ctl/track.h"
 
-#define SECONDS 10.0f
-#define TOLERANCE 1e-5f    /* Of a weight, of size as a ratio, of an anchor's place in lengths. */
-#define EVEN_MARKS 32u
-#define MARK_ROOM (EVEN_MARKS + 1u + MORPH_CURVE_MAX * GRAPH_KNOT_MAX)
-#define ANCHOR_WIDTH 7u    /* Place and turn. */
-#define ROOT_NODE 0u
-#define NAME_SIZE 2048u    /* A list of PIECE_MAX node numbers, and to spare. */
+#define NAME_SIZE 2048u /* A list of PIECE_MAX node numbers, and to spare. */
 
 static const char command[] = "export";
 
 static struct fish_glb fish; /* Too large for a stack; one export at a time. */
-
-/* ---- What is animated ------------------------------------------------------------------------ */
-
-static void ask_size(const void *self, float progress, float *values)
-{
-    (void)self;
-    values[0] = values[1] = values[2] = life_length_m(&fish.pick->fish->card, progress);
-}
-
-static float size_error(const void *self, const float *from, const float *to, const float *exact)
-{
-    (void)self;
-    return f_abs(0.5f * (from[0] + to[0]) / exact[0] - 1.0f);
-}
-
-static void ask_weights(const void *self, float progress, float *values)
-{
-    const struct target_list *list = self;
-    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
-    for (uint32_t curve = 0; curve < fish.pick->rig.curve_count; curve++) {
-        graph_weights(&fish.pick->rig.curves[curve], fish.pick->rig.key_count, progress,
-                      weights[curve]);
-    }
-    for (uint32_t t = 0; t < list->count; t++) {
-        values[t] = weights[list->curve[t]][list->key[t]];
-    }
-}
-
-static float weight_error(const void *self, const float *from, const float *to,
-                          const float *exact)
-{
-    const struct target_list *list = self;
-    float error = 0.0f;
-    for (uint32_t t = 0; t < list->count; t++) {
-        error = f_max(error, f_abs(0.5f * (from[t] + to[t]) - exact[t]));
-    }
-    return error;
-}
-
-static void ask_anchors(const void *self, float progress, float *values)
-{
-    static struct morph_pose pose;
-    (void)self;
-    morph_pose(&fish.pick->rig, fish.mesh, progress, &pose);
-    for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        memcpy(&values[ANCHOR_WIDTH * i], &pose.anchor[i].position, 3 * sizeof *values);
-        memcpy(&values[ANCHOR_WIDTH * i + 3], &pose.anchor[i].turn, 4 * sizeof *values);
-    }
-}
-
-/* q and -q are the same turn: `b` so that it lies on the side of `a`. */
-static float side_of(const float *a, const float *b)
-{
-    const float dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-    return dot < 0.0f ? -1.0f : 1.0f;
-}
-
-/* A turn's middle is not that of its numbers, but of their direction: the mean is made unit. */
-static float turn_error(const float *from, const float *to, const float *exact)
-{
-    const float side = side_of(from, to), exact_side = side_of(from, exact);
-    float middle[4], length = 0.0f, error = 0.0f;
-    for (uint32_t i = 0; i < 4; i++) {
-        middle[i] = 0.5f * (from[i] + side * to[i]);
-        length += middle[i] * middle[i];
-    }
-    length = f_max(f_sqrt(length), 1e-6f);
-    for (uint32_t i = 0; i < 4; i++) {
-        error = f_max(error, f_abs(middle[i] / length - exact_side * exact[i]));
-    }
-    return error;
-}
-
-static float anchor_error(const void *self, const float *from, const float *to,
-                          const float *exact)
-{
-    float error = 0.0f;
-    (void)self;
-    for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        const uint32_t at = ANCHOR_WIDTH * i;
-        for (uint32_t k = at; k < at + 3; k++) {
-            error = f_max(error, f_abs(0.5f * (from[k] + to[k]) - exact[k]));
-        }
-        if (fish.mesh->anchors[i].turns) {
-            error = f_max(error, turn_error(&from[at + 3], &to[at + 3], &exact[at + 3]));
-        }
-    }
-    return error;
-}
-
-/* Steps that are fine enough to see every bend, and every knot exactly. */
-static uint32_t make_marks(float marks[MARK_ROOM])
-{
-    const struct morph_rig *rig = &fish.pick->rig;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i <= EVEN_MARKS; i++) {
-        marks[count++] = (float)i / (float)EVEN_MARKS;
-    }
-    for (uint32_t curve = 0; curve < rig->curve_count; curve++) {
-        for (uint32_t knot = 0; knot < rig->curves[curve].knot_count; knot++) {
-            const float at = rig->curves[curve].knots[knot].progress;
-            uint32_t place = 0;
-            while (place < count && marks[place] < at) {
-                place++;
-            }
-            if (place == count || marks[place] == at) {
-                continue;
-            }
-            memmove(&marks[place + 1], &marks[place], (count - place) * sizeof *marks);
-            marks[place] = at;
-            count++;
-        }
-    }
-    return count;
-}
-
-static bool fit(struct track *track, struct track_function function)
-{
-    float marks[MARK_ROOM];
-    const uint32_t count = make_marks(marks);
-    return track_fit(track, &function, marks, count, TOLERANCE);
-}
-
-/* ---- Into the file --------------------------------------------------------------------------- */
-
-static uint32_t add_times(const struct track *track)
-{
-    for (uint32_t i = 0; i < track->count; i++) {
-        track->progress[i] *= SECONDS;
-    }
-    return glb_floats(&fish.file, GLB_FOR_TIMES, GLB_SCALAR, track->progress, track->count);
-}
-
-static uint32_t add_sampler(uint32_t times, enum glb_type type, const float *values,
-                            uint32_t count)
-{
-    const uint32_t output = glb_floats(&fish.file, GLB_FOR_DATA, type, values, count);
-    const uint32_t sampler = glb_next(&fish.file, GLB_SAMPLERS);
-    bytes_print(&fish.file.lists[GLB_SAMPLERS],
-                "{\"input\":%u,\"output\":%u,\"interpolation\":\"LINEAR\"}", times, output);
-    return sampler;
-}
-
-static void add_channel(uint32_t sampler, uint32_t node, const char *path)
-{
-    glb_next(&fish.file, GLB_CHANNELS);
-    bytes_print(&fish.file.lists[GLB_CHANNELS],
-                "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", sampler, node, path);
-}
-
-static bool animate_size(void)
-{
-    struct track track;
-    const bool good = fit(&track, (struct track_function){ 3, ask_size, size_error, NULL });
-    if (good) {
-        const uint32_t times = add_times(&track);
-        add_channel(add_sampler(times, GLB_VEC3, track.values, track.count), ROOT_NODE, "scale");
-        track_free(&track);
-    }
-    return good;
-}
-
-static bool animate_weights(void)
-{
-    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 }; /* By the curves they tell; from 1. */
-    for (uint32_t piece = 0; piece < fish.cut.piece_count; piece++) {
-        const struct target_list *list = &fish.targets[piece];
-        uint32_t *sampler = &samplers[list->curves];
-        if (*sampler == 0) {
-            struct track track;
-            if (!fit(&track, (struct track_function){ list->count, ask_weights, weight_error,
-                                                      list })) {
-                return false;
-            }
-            const uint32_t times = add_times(&track);
-            *sampler =
-                1u + add_sampler(times, GLB_SCALAR, track.values, track.count * track.width);
-            track_free(&track);
-        }
-        add_channel(*sampler - 1u, 1u + piece, "weights");
-    }
-    return true;
-}
-
-/* `column` to `column + width` of the track, a turn never jumping to its other sign. */
-static void pick_column(const struct track *track, uint32_t column, uint32_t width, float *out)
-{
-    for (uint32_t i = 0; i < track->count; i++) {
-        const float *from = &track->values[(size_t)i * track->width + column];
-        float *to = &out[width * i];
-        const float side = width == 4 && i > 0 ? side_of(to - 4, from) : 1.0f;
-        for (uint32_t k = 0; k < width; k++) {
-            to[k] = side * from[k];
-        }
-    }
-}
-
-static bool add_anchor_channels(const struct track *track, uint32_t times)
-{
-    const uint32_t first = 1u + fish.cut.piece_count;
-    float *column = malloc((size_t)track->count * 4u * sizeof *column);
-    for (uint32_t i = 0; column && i < fish.mesh->anchor_count; i++) {
-        pick_column(track, ANCHOR_WIDTH * i, 3, column);
-        add_channel(add_sampler(times, GLB_VEC3, column, track->count), first + i, "translation");
-        if (fish.mesh->anchors[i].turns) {
-            pick_column(track, ANCHOR_WIDTH * i + 3, 4, column);
-            add_channel(add_sampler(times, GLB_VEC4, column, track->count), first + i,
-                        "rotation");
-        }
-    }
-    free(column);
-    return column != NULL;
-}
-
-static bool animate_anchors(void)
-{
-    struct track track;
-    if (fish.mesh->anchor_count == 0) {
-        return true;
-    }
-    if (!fit(&track, (struct track_function){ ANCHOR_WIDTH * fish.mesh->anchor_count, ask_anchors,
-                                              anchor_error, NULL })) {
-        return false;
-    }
-    const bool good = add_anchor_channels(&track, add_times(&track));
-    track_free(&track);
-    return good;
-}
 
 /* ---- Nodes ----------------------------------------------------------------------------------- */
 
@@ -270,7 +32,7 @@ static void print_life(struct bytes *out)
     bytes_print(out, "\"extras\":{\"species\":\"%s\",\"measure\":\"%s\",\"template\":\"%s\","
                      "\"thesis\":%s,\"seconds\":%g,\"keys\":[", card->id, plate_measure(card),
                 morph_template_name(fish.pick->template), fish.pick->thesis ? "true" : "false",
-                (double)SECONDS);
+                (double)GLB_SECONDS);
     for (uint32_t i = 0; i < card->key_count; i++) {
         bytes_print(out, "%s{\"name\":\"%s\",\"progress\":%.6g,", i > 0 ? "," : "",
                     card->key_names[i], (double)i / (card->key_count - 1u));
@@ -290,12 +52,12 @@ static void add_root(void)
     const char *comma = "\"children\":[";
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
         if (!fish.skinned[i]) {
-            bytes_print(out, "%s%u", comma, 1u + i);
+            bytes_print(out, "%s%u", comma, GLB_PIECE_NODE + i);
             comma = ",";
         }
     }
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        bytes_print(out, "%s%u", comma, 1u + fish.cut.piece_count + i);
+        bytes_print(out, "%s%u", comma, GLB_PIECE_NODE + fish.cut.piece_count + i);
         comma = ",";
     }
     bytes_print(out, "],");
@@ -347,12 +109,12 @@ static void add_skin(void)
     }
     glb_next(&fish.file, GLB_SKINS);
     bytes_print(out, "{\"name\":\"skin\",\"skeleton\":%u,\"inverseBindMatrices\":%u,"
-                     "\"joints\":[%u", ROOT_NODE,
+                     "\"joints\":[%u", GLB_ROOT_NODE,
                 glb_floats(&fish.file, GLB_FOR_DATA, GLB_MAT4, matrices[0],
                            1u + fish.mesh->anchor_count),
-                ROOT_NODE);
+                GLB_ROOT_NODE);
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        bytes_print(out, ",%u", 1u + fish.cut.piece_count + i);
+        bytes_print(out, ",%u", GLB_PIECE_NODE + fish.cut.piece_count + i);
     }
     bytes_print(out, "]}");
 }
@@ -360,7 +122,7 @@ static void add_skin(void)
 static void add_nodes(char scene[NAME_SIZE])
 {
     uint32_t meshes[PIECE_MAX];
-    size_t used = (size_t)snprintf(scene, NAME_SIZE, "%u", ROOT_NODE);
+    size_t used = (size_t)snprintf(scene, NAME_SIZE, "%u", GLB_ROOT_NODE);
     bool skinned = false;
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
         meshes[i] = fish_glb_mesh(&fish, i);
@@ -370,7 +132,7 @@ static void add_nodes(char scene[NAME_SIZE])
         add_piece(i, meshes[i]);
         if (fish.skinned[i]) {
             /* Only joints move a skinned mesh: glTF wants it beside the fish, not under it. */
-            used += (size_t)snprintf(scene + used, NAME_SIZE - used, ",%u", 1u + i);
+            used += (size_t)snprintf(scene + used, NAME_SIZE - used, ",%u", GLB_PIECE_NODE + i);
             skinned = true;
         }
     }
@@ -403,8 +165,8 @@ enum exit_code morph_glb_write(const struct morph_pick *pick, const char *path)
     char scene[NAME_SIZE];
     begin(pick);
     add_nodes(scene);
-    const bool good = animate_size() && animate_weights() && animate_anchors();
-    const int error = good ? glb_write(&fish.file, path, "growth", scene) : -ENOMEM;
+    const int error =
+        fish_glb_animate(&fish) ? glb_write(&fish.file, path, "growth", scene) : -ENOMEM;
     glb_free(&fish.file);
     return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
 }

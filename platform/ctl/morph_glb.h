@@ -1,11 +1,14 @@
-/* morph_glb.h -- what the two halves of the glTF writer share: shapes (morph_glb_mesh.c) and their
- * life (morph_glb.c, which says how a fish becomes a file). */
+/* morph_glb.h -- what the parts of the glTF writer share: the file (morph_glb.c, which says how a
+ * fish becomes one), its shapes (morph_glb_mesh.c) and its life (morph_glb_life.c). */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_GLB_H
 #define KINGYO_PLATFORM_CTL_MORPH_GLB_H
 
 #include "platform/ctl/glb.h"
 #include "platform/ctl/morph_mesh.h"
 
+#define GLB_SECONDS 10.0f  /* From progress 0 to 1. */
+#define GLB_ROOT_NODE 0u   /* The fish; behind it its pieces, behind these its anchors. */
+#define GLB_PIECE_NODE 1u
 #define TARGET_MAX (MORPH_CURVE_MAX * (MORPH_KEY_MAX - 1u))
 
 /* The targets of a piece: each key but the last, by each curve that moves the piece. The whole
@@ -30,5 +33,8 @@ struct fish_glb {
 
 /* Adds the mesh of `piece`; sets its targets and whether it is skinned. Answers the mesh. */
 uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t piece);
+
+/* Adds the animation of all nodes, behind all meshes. False when there is no memory. */
+bool fish_glb_animate(struct fish_glb *fish);
 
 #endif

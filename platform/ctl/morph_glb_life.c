@@ -1,0 +1,250 @@
+/* morph_glb_life.c -- the animation of a fish in glTF: its size, its weights, what rides on it.
+ *
+ * Samples are dense where something bends and straight between, within TOLERANCE everywhere. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/ctl/morph_glb.h"
+#include "platform/ctl/track.h"
+
+#define TOLERANCE 1e-5f /* Of a weight, of size as a ratio, of an anchor's place in lengths. */
+#define EVEN_MARKS 32u  /* So that no bend is passed over between two of them. */
+#define MARK_ROOM (EVEN_MARKS + 1u + MORPH_CURVE_MAX * GRAPH_KNOT_MAX)
+#define ANCHOR_WIDTH 7u /* Place and turn. */
+
+static void ask_size(const void *self, float progress, float *values)
+{
+    const struct fish_glb *fish = self;
+    values[0] = values[1] = values[2] = life_length_m(&fish->pick->fish->card, progress);
+}
+
+static float size_error(const void *self, const float *from, const float *to, const float *exact)
+{
+    (void)self;
+    return f_abs(0.5f * (from[0] + to[0]) / exact[0] - 1.0f);
+}
+
+struct weight_list {
+    const struct morph_rig *rig;
+    const struct target_list *targets;
+};
+
+static void ask_weights(const void *self, float progress, float *values)
+{
+    const struct weight_list *list = self;
+    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX];
+    for (uint32_t curve = 0; curve < list->rig->curve_count; curve++) {
+        graph_weights(&list->rig->curves[curve], list->rig->key_count, progress, weights[curve]);
+    }
+    for (uint32_t t = 0; t < list->targets->count; t++) {
+        values[t] = weights[list->targets->curve[t]][list->targets->key[t]];
+    }
+}
+
+static float weight_error(const void *self, const float *from, const float *to,
+                          const float *exact)
+{
+    const struct weight_list *list = self;
+    float error = 0.0f;
+    for (uint32_t t = 0; t < list->targets->count; t++) {
+        error = f_max(error, f_abs(0.5f * (from[t] + to[t]) - exact[t]));
+    }
+    return error;
+}
+
+static void ask_anchors(const void *self, float progress, float *values)
+{
+    static struct morph_pose pose;
+    const struct fish_glb *fish = self;
+    morph_pose(&fish->pick->rig, fish->mesh, progress, &pose);
+    for (uint32_t i = 0; i < fish->mesh->anchor_count; i++) {
+        memcpy(&values[ANCHOR_WIDTH * i], &pose.anchor[i].position, 3 * sizeof *values);
+        memcpy(&values[ANCHOR_WIDTH * i + 3], &pose.anchor[i].turn, 4 * sizeof *values);
+    }
+}
+
+/* q and -q are the same turn: `b` so that it lies on the side of `a`. */
+static float side_of(const float *a, const float *b)
+{
+    const float dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+    return dot < 0.0f ? -1.0f : 1.0f;
+}
+
+/* A turn's middle is not that of its numbers, but of their direction: the mean is made unit. */
+static float turn_error(const float *from, const float *to, const float *exact)
+{
+    const float side = side_of(from, to), exact_side = side_of(from, exact);
+    float middle[4], length = 0.0f, error = 0.0f;
+    for (uint32_t i = 0; i < 4; i++) {
+        middle[i] = 0.5f * (from[i] + side * to[i]);
+        length += middle[i] * middle[i];
+    }
+    length = f_max(f_sqrt(length), 1e-6f);
+    for (uint32_t i = 0; i < 4; i++) {
+        error = f_max(error, f_abs(middle[i] / length - exact_side * exact[i]));
+    }
+    return error;
+}
+
+static float anchor_error(const void *self, const float *from, const float *to,
+                          const float *exact)
+{
+    const struct fish_glb *fish = self;
+    float error = 0.0f;
+    for (uint32_t i = 0; i < fish->mesh->anchor_count; i++) {
+        const uint32_t at = ANCHOR_WIDTH * i;
+        for (uint32_t k = at; k < at + 3; k++) {
+            error = f_max(error, f_abs(0.5f * (from[k] + to[k]) - exact[k]));
+        }
+        if (fish->mesh->anchors[i].turns) {
+            error = f_max(error, turn_error(&from[at + 3], &to[at + 3], &exact[at + 3]));
+        }
+    }
+    return error;
+}
+
+/* Steps that are fine enough to see every bend, and every knot exactly. */
+static uint32_t make_marks(const struct morph_rig *rig, float marks[MARK_ROOM])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i <= EVEN_MARKS; i++) {
+        marks[count++] = (float)i / (float)EVEN_MARKS;
+    }
+    for (uint32_t curve = 0; curve < rig->curve_count; curve++) {
+        for (uint32_t knot = 0; knot < rig->curves[curve].knot_count; knot++) {
+            const float at = rig->curves[curve].knots[knot].progress;
+            uint32_t place = 0;
+            while (place < count && marks[place] < at) {
+                place++;
+            }
+            if (place == count || marks[place] == at) {
+                continue;
+            }
+            memmove(&marks[place + 1], &marks[place], (count - place) * sizeof *marks);
+            marks[place] = at;
+            count++;
+        }
+    }
+    return count;
+}
+
+static bool fit(const struct fish_glb *fish, struct track *track, struct track_function function)
+{
+    float marks[MARK_ROOM];
+    const uint32_t count = make_marks(&fish->pick->rig, marks);
+    return track_fit(track, &function, marks, count, TOLERANCE);
+}
+
+/* ---- Into the file --------------------------------------------------------------------------- */
+
+static uint32_t add_times(struct fish_glb *fish, const struct track *track)
+{
+    for (uint32_t i = 0; i < track->count; i++) {
+        track->progress[i] *= GLB_SECONDS;
+    }
+    return glb_floats(&fish->file, GLB_FOR_TIMES, GLB_SCALAR, track->progress, track->count);
+}
+
+static uint32_t add_sampler(struct fish_glb *fish, uint32_t times, enum glb_type type,
+                            const float *values, uint32_t count)
+{
+    const uint32_t output = glb_floats(&fish->file, GLB_FOR_DATA, type, values, count);
+    const uint32_t sampler = glb_next(&fish->file, GLB_SAMPLERS);
+    bytes_print(&fish->file.lists[GLB_SAMPLERS],
+                "{\"input\":%u,\"output\":%u,\"interpolation\":\"LINEAR\"}", times, output);
+    return sampler;
+}
+
+static void add_channel(struct fish_glb *fish, uint32_t sampler, uint32_t node, const char *path)
+{
+    glb_next(&fish->file, GLB_CHANNELS);
+    bytes_print(&fish->file.lists[GLB_CHANNELS],
+                "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", sampler, node, path);
+}
+
+static bool animate_size(struct fish_glb *fish)
+{
+    struct track track;
+    const bool good = fit(fish, &track, (struct track_function){ 3, ask_size, size_error, fish });
+    if (good) {
+        const uint32_t times = add_times(fish, &track);
+        const uint32_t sampler =
+            add_sampler(fish, times, GLB_VEC3, track.values, track.count);
+        add_channel(fish, sampler, GLB_ROOT_NODE, "scale");
+        track_free(&track);
+    }
+    return good;
+}
+
+static bool animate_weights(struct fish_glb *fish)
+{
+    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 }; /* By the curves they tell; from 1. */
+    for (uint32_t piece = 0; piece < fish->cut.piece_count; piece++) {
+        const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
+        uint32_t *sampler = &samplers[list.targets->curves];
+        if (*sampler == 0) {
+            struct track track;
+            if (!fit(fish, &track, (struct track_function){ list.targets->count, ask_weights,
+                                                            weight_error, &list })) {
+                return false;
+            }
+            const uint32_t times = add_times(fish, &track);
+            *sampler =
+                1u + add_sampler(fish, times, GLB_SCALAR, track.values, track.count * track.width);
+            track_free(&track);
+        }
+        add_channel(fish, *sampler - 1u, GLB_PIECE_NODE + piece, "weights");
+    }
+    return true;
+}
+
+/* `column` to `column + width` of the track, a turn never jumping to its other sign. */
+static void pick_column(const struct track *track, uint32_t column, uint32_t width, float *out)
+{
+    for (uint32_t i = 0; i < track->count; i++) {
+        const float *from = &track->values[(size_t)i * track->width + column];
+        float *to = &out[width * i];
+        const float side = width == 4 && i > 0 ? side_of(to - 4, from) : 1.0f;
+        for (uint32_t k = 0; k < width; k++) {
+            to[k] = side * from[k];
+        }
+    }
+}
+
+static bool add_anchor_channels(struct fish_glb *fish, const struct track *track, uint32_t times)
+{
+    const uint32_t first = GLB_PIECE_NODE + fish->cut.piece_count;
+    float *column = malloc((size_t)track->count * 4u * sizeof *column);
+    for (uint32_t i = 0; column && i < fish->mesh->anchor_count; i++) {
+        pick_column(track, ANCHOR_WIDTH * i, 3, column);
+        const uint32_t places = add_sampler(fish, times, GLB_VEC3, column, track->count);
+        add_channel(fish, places, first + i, "translation");
+        if (fish->mesh->anchors[i].turns) {
+            pick_column(track, ANCHOR_WIDTH * i + 3, 4, column);
+            const uint32_t turns = add_sampler(fish, times, GLB_VEC4, column, track->count);
+            add_channel(fish, turns, first + i, "rotation");
+        }
+    }
+    free(column);
+    return column != NULL;
+}
+
+static bool animate_anchors(struct fish_glb *fish)
+{
+    struct track track;
+    if (fish->mesh->anchor_count == 0) {
+        return true;
+    }
+    if (!fit(fish, &track, (struct track_function){ ANCHOR_WIDTH * fish->mesh->anchor_count,
+                                                    ask_anchors, anchor_error, fish })) {
+        return false;
+    }
+    const bool good = add_anchor_channels(fish, &track, add_times(fish, &track));
+    track_free(&track);
+    return good;
+}
+
+bool fish_glb_animate(struct fish_glb *fish)
+{
+    return animate_size(fish) && animate_weights(fish) && animate_anchors(fish);
+}
