@@ -23,6 +23,15 @@
 #define WAIT_MAX_MS 30000
 #define WAIT_STEP_MS 5
 
+/* The address sanitizer reserves terabytes of addresses and cannot be held to less. */
+#if defined(__has_feature)
+#define SANITIZED __has_feature(address_sanitizer)
+#elif defined(__SANITIZE_ADDRESS__)
+#define SANITIZED 1
+#else
+#define SANITIZED 0
+#endif
+
 struct shared {
     struct import_mesh mesh;
     char why[IMPORT_WHY_SIZE];
@@ -39,10 +48,10 @@ static _Noreturn void read_in_child(struct shared *shared, const char *path)
     }
     setrlimit(RLIMIT_CPU, &time);
     setrlimit(RLIMIT_CORE, &cores);
-#if !defined(__SANITIZE_ADDRESS__) /* Which reserves terabytes of addresses. */
     const struct rlimit memory = { MEMORY_MAX, MEMORY_MAX };
-    setrlimit(RLIMIT_AS, &memory);
-#endif
+    if (!SANITIZED) {
+        setrlimit(RLIMIT_AS, &memory);
+    }
     shared->done = import_flatten(path, &shared->mesh, shared->why);
     _exit(0);
 }

@@ -24,7 +24,7 @@ fuzz-morph:
 	        $(FUZZ)/corpus/$$t $$([ $$t = text ] && echo assets/species || echo tests/fuzz/corpus/$$t) \
 	        >$(FUZZ)/$$t.log 2>&1; code=$$?; \
 	    printf '  %-6s %9s executions, %5s edges, %s\n' $$t \
-	        "$$(sed -n 's/^stat::number_of_executed_units: *//p' $(FUZZ)/$$t.log)" \
+	        "$$(sed -n 's/^stat::number_of_executed_units: *//p' $(FUZZ)/$$t.log | tail -1)" \
 	        "$$(sed -nE 's/.* cov: ([0-9]+).*/\1/p' $(FUZZ)/$$t.log | tail -1)" \
 	        "$$([ $$code -eq 0 ] && echo 'no finding' || echo "exit $$code: see $(FUZZ)/$$t.log")"; \
 	    [ $$code -eq 0 ] || exit 1; \
