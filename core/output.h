@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "core/game/lab_edit.h"
+#include "core/edit.h"
 #include "core/input.h"
 
 #define OUTPUT_SOUND_MAX 16u /* A frame's worth; more in one frame could not be told apart. */
@@ -66,15 +66,6 @@ struct round_record {
         uint32_t sheets;        /* Papers that it got: 1 where nobody renews them. */
         uint8_t fouls;
     } player[POI_MAX];
-};
-
-/* A species' curves as somebody drew them in the growth lab, to be there at the next start. */
-struct edit_record {
-    uint32_t id;       /* 0: nothing to save. Rises by one with each. */
-    uint8_t is_own;    /* Back to the species' own: what was kept of it goes. */
-    uint8_t key_count; /* Of the species. */
-    char species[SPECIES_NAME_SIZE];
-    struct lab_edit edit;
 };
 
 struct output {

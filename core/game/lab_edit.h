@@ -5,19 +5,11 @@
 #ifndef KINGYO_CORE_GAME_LAB_EDIT_H
 #define KINGYO_CORE_GAME_LAB_EDIT_H
 
+#include "core/edit.h"
 #include "core/morph/morph.h"
 
 #define LAB_KNOT_GAP 0.02f /* Knots keep so far apart: a fiftieth of a life. */
 #define LAB_NO_KNOT 255u
-
-/* What somebody made of a species' own curves: 540 bytes, of which a stall keeps one a species. */
-struct lab_edit {
-    uint8_t template;         /* enum graph_template that it began as; parts keep their own curves
-                                 under TEMPLATE_OWN, and follow `graph` under any other. */
-    uint8_t scale_knot_count; /* As species_card's: 0 is the growth curve. */
-    struct graph graph;       /* The whole fish's. */
-    struct scale_knot scale_knots[GRAPH_KNOT_MAX];
-};
 
 /* The species' own. */
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card);
