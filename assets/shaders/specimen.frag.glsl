@@ -7,7 +7,7 @@ in vec4 skin;
 uniform sampler2DArray paints; // Colour, and how clear.
 uniform sampler2DArray shines; // How silvery.
 uniform vec3 sheets;           // Two of their layers, and how much of the second.
-uniform vec4 look;             // Opacity, scales along the body; w 1: behind a clear body.
+uniform vec4 look; // Opacity, scales along the body, how clear that is; 1: behind a clear body.
 uniform vec4 tint;
 uniform sampler2DArray patterns; // What individual goldfish wear.
 uniform vec3 worn;               // Pattern, hue, and how far it has come through.
@@ -105,8 +105,9 @@ void main()
     float root = 1.0 - skin.y;
     float alpha = (0.62 + 0.34 * root * root) * (0.84 + 0.26 * rays);
     alpha *= 1.0 - 0.60 * paint.a;
-    float out_ = min(1.0 - skin.y, min(skin.x, 1.0 - skin.x) * 8.0);
-    alpha *= clamp(out_ / max(fwidth(skin.y), 1e-4) + 0.15, 0.0, 1.0);
+    // Its outline fades over about a pixel: at its tips, and beside its first and last ray.
+    vec2 from_rim = vec2(min(skin.x, 1.0 - skin.x), 1.0 - skin.y) / max(fwidth(skin.xy), 1e-4);
+    alpha *= clamp(min(from_rim.x, from_rim.y) + 0.15, 0.0, 1.0);
     alpha = clamp(alpha, 0.0, 1.0) * look.x;
     vec3 through = 0.30 * to_light(paint.rgb); // Light comes through it.
     vec3 light = lit(to_light(paint.rgb) * (0.82 + 0.30 * rays), n, 0.3 * shine, 0.25) + through;
@@ -156,7 +157,7 @@ vec4 body(vec3 n)
     vec4 paint = mixed(paints, paint_uv);
     float shine = mixed(shines, paint_uv).r;
     paint.rgb = mix(worn_body(paint.rgb), tint.rgb, tint.a);
-    vec2 scale = scales(skin.xy) * (1.0 - smoothstep(0.02, 0.30, paint.a)) * (1.0 - tint.a);
+    vec2 scale = scales(skin.xy) * (1.0 - smoothstep(0.02, 0.30, look.z)) * (1.0 - tint.a);
     n = normalize(n + vec3(0.10, 0.04, 0.0) * scale.y); // Each scale glints by itself.
     vec3 base = to_light(paint.rgb) * (1.06 - 0.36 * scale.x);
     vec3 light = lit(base, n, shine * (1.0 - 0.5 * scale.x), 0.35 + 0.5 * shine);

@@ -11,7 +11,7 @@
 #define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
 #define SWAY_LENGTHS 0.3f /* So far swimming brings it out of its mesh's reach, at most. */
 #define WORK_BANDS 3u    /* Painted in a frame: 6,144 texels, or more at rims. */
-#define CLEAR_MIN 0.02f
+#define CLEAR_MIN 0.02f  /* Through less nothing is seen. */
 
 static struct specimen_program program(struct gl_status *status, const char *name,
                                        const char *defines)
@@ -185,8 +185,9 @@ static void draw_part(const struct specimen_program *program, const struct fish_
     fish_mesh_draw(mesh, fins, 1);
 }
 
-/* Through a clear body its far fins are seen: what is behind its skin is drawn first. */
-static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh,
+/* What of the fins lies behind the skin comes first: the body's smooth outline ends on them, and not
+ * on the ground; and a clear body lets its far ones through. */
+static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
                         const float look[4])
 {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -195,7 +196,7 @@ static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_GREATER);
     glUseProgram(pass->fin.name);
-    glUniform4f(pass->fin.look, look[0], look[1], look[2], 1.0f);
+    glUniform4f(pass->fin.look, look[0], look[1], look[2], clear ? 1.0f : 0.0f);
     draw_part(&pass->fin, mesh, true);
     glUniform4fv(pass->fin.look, 1, look);
     glDepthMask(GL_TRUE);
@@ -207,9 +208,7 @@ static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *
 {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    if (clear) {
-        draw_behind(pass, mesh, look);
-    }
+    draw_behind(pass, mesh, clear, look);
     draw_part(&pass->body, mesh, false);
     glDepthMask(GL_FALSE);
     draw_part(&pass->fin, mesh, true);
@@ -244,6 +243,7 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     if (specimen->shadow > 0.0f) {
         draw_shadow(pass, specimen, told.screen_px);
     }
+    told.look[2] = skin_clearness(&slot->skin, pass->pose.weight[0]);
     send(&pass->body, specimen, slot, &told);
     send(&pass->fin, specimen, slot, &told);
     clear_depth(specimen, mesh->reach, height_px);
@@ -251,7 +251,6 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->skin.shines);
     gl_bind_texture(2, GL_TEXTURE_2D_ARRAY, pass->patterns);
     glBindVertexArray(slot->mesh[lod].vertex_array);
-    draw_fish(pass, &slot->mesh[lod], skin_clearness(&slot->skin, pass->pose.weight[0]) > CLEAR_MIN,
-              told.look);
+    draw_fish(pass, &slot->mesh[lod], told.look[2] > CLEAR_MIN, told.look);
     glBindVertexArray(0);
 }
