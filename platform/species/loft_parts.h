@@ -12,7 +12,7 @@ struct lofting {
     double unit[MORPH_KEY_MAX]; /* A key's measure, in its drawing's units. */
 };
 
-/* The newest vertex; it rides on nothing and moves by the whole fish's curve unless it says. */
+/* Adds a vertex, which then is the newest; its masks come from paint_masks(). */
 uint16_t next_vertex(struct lofting *l, struct species_vertex vertex);
 
 /* Sets the newest vertex's place in one key: a point of the drawing, or one told from an anchor. */

@@ -236,34 +236,3 @@ point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_
     const double sweep = (double)f->sweep_deg * PI / 180.0;
     return mad(root, (point3){ 0.0, up * cos(sweep), sin(sweep) }, (double)f->length + sink);
 }
-
-double unit_length(const struct key_text *key, enum species_measure measure)
-{
-    double length = measure == MEASURE_DISC ? 0.0 : 1.0;
-    const bool tail = key->fins[PART_TAIL].ray_count > 0;
-    for (int i = 0; i <= 64; i++) {
-        if (measure == MEASURE_TOTAL && tail) {
-            length = fmax(length, fin_point(key, PART_TAIL, i / 64.0, 1.0).z);
-        } else if (measure == MEASURE_DISC) {
-            length = fmax(length, (double)section(key, i / 64.0).width);
-        }
-    }
-    return measure == MEASURE_FORK && tail ? fin_point(key, PART_TAIL, 0.5, 1.0).z : length;
-}
-
-double farthest(const struct key_text *key)
-{
-    double most = 0.0;
-    for (uint32_t i = 0; i < key->station_count; i++) {
-        const struct station *s = &key->stations[i];
-        const double up = fabs((double)s->offset) + 0.5 * (double)s->depth;
-        most = fmax(most, fmax(up, fmax(0.5 * (double)s->width, 1.0)));
-    }
-    double ray = 0.0;
-    for (uint32_t part = PART_TAIL; part < PART_COUNT; part++) {
-        for (uint32_t i = 0; i < key->fins[part].ray_count; i++) {
-            ray = fmax(ray, (double)key->fins[part].rays[i].length);
-        }
-    }
-    return most + ray;
-}

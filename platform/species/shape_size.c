@@ -1,0 +1,55 @@
+/* shape_size.c -- how large a drawing is, before it is scaled to its measure. */
+#include "platform/species/shape.h"
+
+#include <math.h>
+
+#define TIPS 64 /* Of a tail's outer edge, asked for its hindmost. */
+
+static double widest(const struct key_text *key)
+{
+    double width = 0.0;
+    for (uint32_t i = 0; i < key->station_count; i++) { /* No curve bulges beyond a station. */
+        width = fmax(width, (double)key->stations[i].width);
+    }
+    return width;
+}
+
+static double hindmost(const struct key_text *key)
+{
+    double z = 1.0;
+    for (int i = 0; i <= TIPS; i++) {
+        z = fmax(z, fin_point(key, PART_TAIL, (double)i / TIPS, 1.0).z);
+    }
+    return z;
+}
+
+double unit_length(const struct key_text *key, enum species_measure measure)
+{
+    const bool tail = key->fins[PART_TAIL].ray_count > 0;
+    switch (measure) {
+    case MEASURE_DISC:
+        return widest(key);
+    case MEASURE_TOTAL:
+        return tail ? hindmost(key) : 1.0;
+    case MEASURE_FORK:
+        return tail ? fin_point(key, PART_TAIL, 0.5, 1.0).z : 1.0;
+    default:
+        return 1.0;
+    }
+}
+
+double farthest(const struct key_text *key)
+{
+    double body = 1.0, ray = 0.0;
+    for (uint32_t i = 0; i < key->station_count; i++) {
+        const struct station *s = &key->stations[i];
+        const double up = fabs((double)s->offset) + 0.5 * (double)s->depth;
+        body = fmax(body, fmax(up, 0.5 * (double)s->width));
+    }
+    for (uint32_t part = PART_TAIL; part < PART_COUNT; part++) {
+        for (uint32_t i = 0; i < key->fins[part].ray_count; i++) {
+            ray = fmax(ray, (double)key->fins[part].rays[i].length);
+        }
+    }
+    return body + ray;
+}
