@@ -65,23 +65,33 @@ static float vertex_weight(const struct species_vertex *vertex, const struct mor
     return sum * (1.0f / 255.0f); /* 255 times this is 1, to the bit. */
 }
 
+vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count,
+                 const struct morph_pose *pose, uint32_t vertex)
+{
+    vec3 counts = { 0.0f, 0.0f, 0.0f };
+    CORE_ASSERT(vertex < mesh->vertex_count);
+    for (uint32_t key = 0; key < key_count; key++) {
+        const float weight = vertex_weight(&mesh->vertices[vertex], pose, key);
+        if (weight != 0.0f) {
+            const struct species_point *p = &mesh->points[key][vertex];
+            counts = v3_mad(counts, v3((float)p->x, (float)p->y, (float)p->z), weight);
+        }
+    }
+    return v3_scale(counts, mesh->reach / COUNTS);
+}
+
 struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_count,
                                const struct morph_pose *pose, uint32_t vertex)
 {
-    vec3 counts = { 0.0f, 0.0f, 0.0f }, normal = counts;
-    CORE_ASSERT(vertex < mesh->vertex_count);
+    vec3 normal = { 0.0f, 0.0f, 0.0f };
+    const vec3 position = morph_place(mesh, key_count, pose, vertex);
     for (uint32_t key = 0; key < key_count; key++) {
-        const struct species_point *p = &mesh->points[key][vertex];
         const float weight = vertex_weight(&mesh->vertices[vertex], pose, key);
         if (weight != 0.0f) {
-            counts = v3_mad(counts, v3((float)p->x, (float)p->y, (float)p->z), weight);
-            normal = v3_mad(normal, unfold(p->normal), weight);
+            normal = v3_mad(normal, unfold(mesh->points[key][vertex].normal), weight);
         }
     }
-    return (struct morph_point){
-        .position = v3_scale(counts, mesh->reach / COUNTS),
-        .normal = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)),
-    };
+    return (struct morph_point){ position, v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)) };
 }
 
 static struct morph_point carried(const struct anchor_pose *anchor, struct morph_point point)

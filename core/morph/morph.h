@@ -172,6 +172,10 @@ struct morph_point {
 } morph_point(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
               uint32_t vertex);
 
+/* Its position alone. */
+vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count,
+                 const struct morph_pose *pose, uint32_t vertex);
+
 /* A point's position (counts times reach) and its unit normal, unfolded. */
 vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex);
 vec3 morph_normal(int16_t folded);

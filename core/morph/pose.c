@@ -53,13 +53,18 @@ struct cell {
     float along, round; /* [0, 1] within it. */
 };
 
-/* The last ring that does not lie behind `u`, but for the last of all. */
+/* The last ring that does not lie behind `u`, but for the last of all. Rings' u rise. */
 static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
 {
     const uint32_t row = mesh->grid_spokes + 1u, first = mesh->grid_first;
-    uint32_t ring = 0;
-    while (ring + 2u < mesh->grid_rings && mesh->vertices[first + (ring + 1u) * row].u <= u) {
-        ring++;
+    uint32_t ring = 0, behind = mesh->grid_rings - 1u;
+    while (behind - ring > 1u) {
+        const uint32_t middle = (ring + behind) / 2u;
+        if (mesh->vertices[first + middle * row].u <= u) {
+            ring = middle;
+        } else {
+            behind = middle;
+        }
     }
     const float from = mesh->vertices[first + ring * row].u;
     const float to = mesh->vertices[first + (ring + 1u) * row].u;
@@ -93,9 +98,14 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
     float shares[4];
     corner_shares(&cell, shares);
     for (uint32_t i = 0; i < 4; i++) {
-        const struct morph_point p = morph_point(mesh, key_count, pose, cell.corner[i]);
-        at.position = v3_mad(at.position, p.position, shares[i]);
-        normal = v3_mad(normal, p.normal, shares[i]);
+        if (shares[i] > 0.0f) {
+            const vec3 corner = morph_place(mesh, key_count, pose, cell.corner[i]);
+            at.position = v3_mad(at.position, corner, shares[i]);
+        }
+        if (shares[i] > 0.0f && turns) {
+            const struct morph_point p = morph_point(mesh, key_count, pose, cell.corner[i]);
+            normal = v3_mad(normal, p.normal, shares[i]);
+        }
     }
     if (turns) {
         at.turn = skin_turn(normal);
@@ -108,9 +118,9 @@ void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct 
     CORE_ASSERT(mesh->anchor_count <= ANCHOR_MAX);
     for (uint32_t i = 0; i < mesh->anchor_count; i++) {
         const struct species_anchor *anchor = &mesh->anchors[i];
+        CORE_ASSERT(anchor->curve < MORPH_CURVE_MAX);
         const float *weight = pose->weight[anchor->curve];
         float u = 0.0f, v = 0.0f;
-        CORE_ASSERT(anchor->curve < MORPH_CURVE_MAX);
         for (uint32_t key = 0; key < key_count; key++) {
             u += weight[key] * anchor->u[key];
             v += weight[key] * anchor->v[key];
