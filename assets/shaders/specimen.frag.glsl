@@ -28,8 +28,10 @@ vec3 to_light(vec3 c)
 
 vec3 to_screen(vec3 c)
 {
-    c = c / (1.0 + 0.16 * c); // The brightest bends over, and never burns out.
-    return sqrt(c * (1.12 - 0.06 * c)); // As good as the 2.2th root here, and a tenth of the work.
+    c = c / (1.0 + 0.16 * c);
+    c *= 1.12 - 0.06 * c;
+    c /= 1.0 + 0.8 * max(c - 0.75, 0.0); // The brightest bends over, and keeps its shading.
+    return sqrt(c); // As good as the 2.2th root here, and a tenth of the work.
 }
 
 vec4 mixed(sampler2DArray of, vec2 at)

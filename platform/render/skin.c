@@ -266,9 +266,11 @@ uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands)
 
 float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX])
 {
-    float clear = 0.0f;
+    float clear = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
-        clear += f_max(weights[key], 0.0f) * (float)skin->species.coats[key].clear / 255.0f;
+        const float weight = f_max(weights[key], 0.0f);
+        clear += weight * (float)skin->species.coats[key].clear / 255.0f;
+        sum += weight;
     }
-    return clear;
+    return clear / sum;
 }

@@ -185,8 +185,8 @@ static void draw_part(const struct specimen_program *program, const struct fish_
     fish_mesh_draw(mesh, fins, 1);
 }
 
-/* What of the fins lies behind the skin comes first: the body's smooth outline ends on them, and not
- * on the ground; and a clear body lets its far ones through. */
+/* What of the fins lies behind the skin comes first: the body's smooth outline ends on them, not on
+ * the ground, and a clear body lets its far ones through. */
 static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
                         const float look[4])
 {
