@@ -19,14 +19,16 @@ static vec3 rgb(uint32_t colour)
               (float)(colour & 255u) * scale);
 }
 
-/* Black pupil, iris, darker toward its rim and on the ball behind it, which a larva's eye shows. */
+/* Black pupil, iris, darker toward its rim; behind it the black lining of the ball, which shows
+ * where a larva's eye stands out, and through its head of glass. */
 static struct paint eye_paint(const struct species_coat *coat, float u)
 {
     const vec3 black = v3(0.015f, 0.015f, 0.02f);
     const float rim = f_smoothstep(0.75f, 1.1f, u);
     const vec3 iris = v3_scale(rgb(coat->iris), 1.0f - 0.55f * rim);
     const float outside = f_smoothstep(PUPIL - 0.06f, PUPIL + 0.06f, u);
-    return (struct paint){ .colour = v3_lerp(black, iris, outside),
+    const float lining = f_smoothstep(1.0f, 1.3f, u);
+    return (struct paint){ .colour = v3_lerp(black, iris, outside * (1.0f - 0.9f * lining)),
                            .shine = IRIS_SHINE * outside * (1.0f - rim) };
 }
 
