@@ -20,7 +20,16 @@ static const char *const libraries[] = { "libassimp.so.5", "libassimp.so" };
 struct assimp {
     const struct aiScene *(*read)(const char *path, unsigned int flags);
     const char *(*error)(void);
+    void (*release)(const struct aiScene *scene);
 };
+
+/* As POSIX has it: a pointer to an object becomes one to a function through its bytes. */
+static bool take(void *library, const char *name, void *function)
+{
+    void *const symbol = dlsym(library, name);
+    memcpy(function, &symbol, sizeof symbol);
+    return symbol != NULL;
+}
 
 static bool load(struct assimp *assimp)
 {
@@ -31,12 +40,9 @@ static bool load(struct assimp *assimp)
     if (!library) {
         return false;
     }
-    /* As POSIX has it: a pointer to an object becomes one to a function through its bytes. */
-    void *const read = dlsym(library, "aiImportFile"), *const error = dlsym(library,
-                                                                          "aiGetErrorString");
-    memcpy(&assimp->read, &read, sizeof read);
-    memcpy(&assimp->error, &error, sizeof error);
-    return read && error;
+    return take(library, "aiImportFile", &assimp->read) &&
+           take(library, "aiGetErrorString", &assimp->error) &&
+           take(library, "aiReleaseImport", &assimp->release);
 }
 
 bool import_knows_scenes(void)
@@ -143,44 +149,50 @@ static void read_life(struct flattening *f)
     m->measure = measure_of(f);
 }
 
-static const struct aiScene *read_scene(struct flattening *f, const char *path)
+static bool refuse_scene(struct flattening *f, const char *text)
 {
-    struct assimp assimp;
-    if (!load(&assimp)) {
-        flat_refuse(f, "libassimp is gone");
-        return NULL;
-    }
-    const struct aiScene *scene = assimp.read(path, aiProcess_Triangulate);
-    if (scene && scene->mRootNode && scene->mNumMeshes > 0) {
-        return scene;
-    }
-    snprintf(f->why, IMPORT_WHY_SIZE, "%.110s", scene ? "no mesh" : assimp.error());
+    snprintf(f->why, IMPORT_WHY_SIZE, "%.110s", text);
     for (char *c = f->why; *c; c++) {
         *c = *c >= ' ' && *c < 127 ? *c : ' '; /* It quotes the file. */
     }
-    return NULL;
+    return false;
+}
+
+static bool flatten(struct flattening *f)
+{
+    struct import_mesh *mesh = f->mesh;
+    if (!f->scene->mRootNode || f->scene->mNumMeshes == 0) {
+        return flat_refuse(f, "no mesh");
+    }
+    mesh->is_ours = made_by_us(f->scene);
+    if (!flat_choose_keys(f) || !flat_read_weights(f)) {
+        return false;
+    }
+    if (!standing_fill(&f->standing, f->scene)) {
+        return flat_refuse(f, "more than 4096 nodes");
+    }
+    memcpy(mesh->scales, f->standing.scales, sizeof mesh->scales);
+    read_life(f);
+    return flat_add_meshes(f) && (mesh->triangle_count > 0 || flat_refuse(f, "no triangles"));
 }
 
 bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
 {
     static struct flattening f;
+    struct assimp assimp;
     memset(&f, 0, sizeof f);
     f.mesh = mesh;
     f.why = why;
-    f.scene = read_scene(&f, path);
+    if (!load(&assimp)) {
+        return flat_refuse(&f, "libassimp is gone");
+    }
+    f.scene = assimp.read(path, aiProcess_Triangulate);
     if (!f.scene) {
-        return false;
+        return refuse_scene(&f, assimp.error());
     }
-    mesh->is_ours = made_by_us(f.scene);
-    if (!flat_choose_keys(&f) || !flat_read_weights(&f)) {
-        return false;
-    }
-    if (!standing_fill(&f.standing, f.scene)) {
-        return flat_refuse(&f, "more than 4096 nodes");
-    }
-    memcpy(mesh->scales, f.standing.scales, sizeof mesh->scales);
-    read_life(&f);
-    return flat_add_meshes(&f) && (mesh->triangle_count > 0 || flat_refuse(&f, "no triangles"));
+    const bool good = flatten(&f);
+    assimp.release(f.scene);
+    return good;
 }
 
 #else /* Built without assimp. */

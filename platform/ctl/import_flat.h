@@ -11,4 +11,8 @@ bool import_can_flatten(char why[IMPORT_WHY_SIZE]);
  * as far as a child process may: call it in one, and vet what comes back. */
 bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE]);
 
+/* Holds what came back to every bound of import_mesh.h. Null, or what is wrong with it, which may
+ * be in `room`. */
+const char *import_vet(const struct import_mesh *mesh, char room[IMPORT_WHY_SIZE / 2]);
+
 #endif

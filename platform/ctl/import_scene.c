@@ -144,7 +144,7 @@ static bool vet_weights(const struct import_mesh *m, uint32_t *where)
     return true;
 }
 
-static const char *vet(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 2])
+const char *import_vet(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 2])
 {
     uint32_t moment = 0;
     if (!vet_counts(m)) {
@@ -182,7 +182,7 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
         return EXIT_BAD_DATA;
     }
     memcpy(mesh, &shared->mesh, sizeof *mesh); /* It is ours alone before it is looked at. */
-    const char *fault = vet(mesh, room);
+    const char *fault = import_vet(mesh, room);
     if (fault) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, fault);
     }
