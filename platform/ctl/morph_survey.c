@@ -137,6 +137,7 @@ static void build_skins(struct walk *w)
 {
     skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
     w->body_closed = skin_is_closed(&w->body);
+    w->out->moments_open += !w->body_closed;
     for (uint32_t i = 0; i < 2; i++) {
         skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE,
                    i == 0 ? SIDE_RIGHT : SIDE_LEFT);
@@ -245,12 +246,18 @@ static float key_progress(const struct walk *w, uint32_t key)
     return (float)key / (float)(w->rig->key_count - 1u);
 }
 
-/* The tail root of a lofted body is its grid's last ring, of any other its rearmost point. */
+/* The foremost of what is at the body's end (u = 1): the tail root; its closing point lies behind.
+ * The rearmost point of a body that nobody measured along. */
 static float standard_end(const struct walk *w, float rearmost)
 {
-    const struct species_mesh *mesh = w->mesh;
-    const uint32_t last = (mesh->grid_rings - 1u) * (mesh->grid_spokes + 1u);
-    return mesh->grid_rings > 0 ? w->positions[mesh->grid_first + last].z : rearmost;
+    float end = FLT_MAX;
+    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
+        const struct species_vertex *at = &w->mesh->vertices[i];
+        if (at->part == PART_BODY && at->u > 0.999f) {
+            end = f_min(end, w->positions[i].z);
+        }
+    }
+    return end < FLT_MAX ? end : rearmost;
 }
 
 static float fork_end(const struct walk *w)

@@ -33,6 +33,7 @@ struct survey {
      * those whose sheet turns over from one step to the next. */
     uint32_t flipped_skin, flipped_fins;
     float flipped_at; /* When the first was seen. */
+    uint32_t moments_open; /* At which the body has a hole: what is inside it nobody can tell. */
     /* How deep is inside what it must not be inside of. */
     struct finding body_in_body; /* A fold of the skin. */
     struct finding fin_in_body;  /* Deeper than the root of its ray. */

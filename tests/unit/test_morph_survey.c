@@ -190,6 +190,19 @@ static void test_a_lean_stage_between_two_keys_is_seen(void **state)
     assert_true(survey.volume_dip.value > 0.02f);
 }
 
+static void test_a_hole_in_the_body_is_seen(void **state)
+{
+    (void)state;
+    measure();
+    assert_int_equal(survey.moments_open, 0);
+    for (uint32_t i = 300; i < 390; i++) { /* Thirty triangles shrink to a point. */
+        assert_int_equal(vertices[indices[i]].part, PART_BODY);
+        indices[i] = indices[300];
+    }
+    measure();
+    assert_true(survey.moments_open > STEPS);
+}
+
 static void test_a_key_of_another_size_is_seen(void **state)
 {
     (void)state;
@@ -230,6 +243,7 @@ int main(void)
         cmocka_unit_test_setup(test_an_eye_in_the_head_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_fin_tip_in_the_body_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_lean_stage_between_two_keys_is_seen, new_fish),
+        cmocka_unit_test_setup(test_a_hole_in_the_body_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_key_of_another_size_is_seen, new_fish),
         cmocka_unit_test_setup(test_only_a_straight_morph_keeps_to_the_chord, new_fish),
     };
