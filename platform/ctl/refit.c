@@ -292,6 +292,30 @@ static void begin(const struct species_slot *slot, uint32_t lod, uint32_t key,
     find_edges();
 }
 
+/* Few vertices, each drawn to its mean, end a little short of tips: a far mesh is stretched to its
+ * measure again, from the snout. */
+static void stretch_to_measure(uint8_t measure)
+{
+    const bool across = measure == MEASURE_DISC;
+    float low = INFINITY, high = -INFINITY;
+    if (measure != MEASURE_TOTAL && !across) {
+        return;
+    }
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        const float x = across ? fit.now[i].x : fit.now[i].z;
+        low = fminf(low, x);
+        high = fmaxf(high, x);
+    }
+    const float factor = 1.0f / fmaxf(high - low, 0.5f);
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        if (across) {
+            fit.now[i].x *= factor;
+        } else {
+            fit.now[i].z = -0.5f + (fit.now[i].z - low) * factor;
+        }
+    }
+}
+
 static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
                     const struct import_mesh *mesh, const struct mark_list *marks,
                     struct refit_result *result)
@@ -302,6 +326,9 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
     marks_warp(from, to, count, fit.now, fit.mesh->vertex_count);
     memcpy(fit.rest, fit.now, sizeof fit.rest);
     run_rounds(mesh);
+    if (lod > 0) {
+        stretch_to_measure(slot->species.card.measure);
+    }
     write_points(slot, lod, key);
     if (lod == 0) {
         measure(mesh, result);
