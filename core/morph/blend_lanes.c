@@ -1,8 +1,8 @@
 /* blend_lanes.c -- a block of vertices is blended; line by line what blend.c does for one.
  *
  * The two forms agree to the last bit, which test_blend_lanes.c holds. What a block reads and
- * writes is 8 bytes a vertex and key, 8 of the vertex, and 24 of answer: it is meant to be held up
- * by memory alone (`make bench-morph`). */
+ * writes is 8 bytes a vertex and key, 16 of the vertex, and 24 of answer: it is meant to be held up
+ * by memory more than by arithmetic (`make bench-morph`). */
 #include "core/morph/blend_lanes.h"
 
 #include "core/base/lanes_vec.h"
@@ -117,14 +117,14 @@ static inline struct block load_block(const struct species_vertex *vertices)
 /* What the key counts in each lane: as vertex_weight(). */
 static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
 {
-    const float *weight = &b->pose->weight[0][b->key[at]];
     flanes sum = lanes_of(0.0f);
     if (block->plain_masks) {
         return b->whole[at];
     }
 #pragma GCC unroll 4
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-        sum = sum + lanes_of(weight[curve * MORPH_KEY_MAX]) * block->mask[curve];
+        const float weight = b->pose->weight[curve][b->key[at]];
+        sum = sum + lanes_of(weight) * block->mask[curve];
     }
     return lanes_select(block->mask[0] == 255.0f, b->whole[at], sum * (1.0f / 255.0f));
 }

@@ -1,13 +1,4 @@
-/* morph_survey.c -- walks through a fish's growth and keeps the worst of everything.
- *
- * What counts as inside, and what is by design:
- * - A body's vertex counts if the point just outside it (LIFT along its normal) is inside the body:
- *   the skin has folded. Its depth is the way out along its normal.
- * - A fin is rooted in the body, and one that is still to grow lies in it whole: a point counts by
- *   how much deeper under the skin it is than the root (v = 0) of its own ray.
- * - An eye is a ball half sunk in the skin: what lies behind its rim (u >= 1) is its seat. What
- *   shows counts, and the pupil (u <= PUPIL) apart from the rest.
- * - Fins against fins do not count: sheets without thickness that the water bends. */
+/* morph_survey.c -- walks through a fish's growth and keeps the worst of everything. */
 #include "platform/ctl/morph_survey.h"
 
 #include <float.h>
@@ -15,38 +6,10 @@
 #include <string.h>
 
 #include "platform/ctl/morph_part.h"
-#include "platform/ctl/morph_skin.h"
+#include "platform/ctl/morph_walk.h"
 
-#define LIFT 2e-4f      /* Of a length. */
-#define EYE_RIM 1.0f
-#define PUPIL 0.5f
-#define AREA_MIN 1e-9f  /* Twice the area of what is too small to face anywhere. */
+#define AREA_MIN 1e-9f   /* Twice the area of what is too small to face anywhere. */
 #define TURNED_OVER 0.0f /* The cosine of a right angle. */
-
-struct walk {
-    const struct species *species;
-    const struct species_mesh *mesh;
-    const struct morph_rig *rig;
-    struct survey *out;
-    float progress;
-    struct morph_pose pose, key_pose;
-    vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
-    vec3 key_positions[MESH_VERTEX_MAX];
-    vec3 facing[MESH_INDEX_MAX / 3]; /* Of a fin's triangle when it last had an area. */
-    bool flipped[MESH_INDEX_MAX / 3];
-    uint32_t root[MESH_VERTEX_MAX]; /* Of a fin's point: where its ray is rooted. */
-    bool key_alone[MORPH_KEY_MAX];
-    float key_volume[MORPH_KEY_MAX];
-    struct skin body, eye[2];
-    bool body_closed, eye_closed[2];
-};
-
-static void keep_worst(const struct walk *w, struct finding *finding, float value, uint32_t vertex)
-{
-    if (value > finding->value) {
-        *finding = (struct finding){ value, w->progress, vertex };
-    }
-}
 
 static void measure_sum(const float *weight, float *error, float *least)
 {
@@ -95,7 +58,7 @@ static void measure_key(struct walk *w)
     for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
         const bool carried = w->mesh->vertices[i].anchor != ANCHOR_NONE;
         const vec3 drawn = carried ? w->key_positions[i] : morph_position(w->mesh, key, i);
-        keep_worst(w, &w->out->key_error, v3_length(v3_sub(w->positions[i], drawn)), i);
+        walk_keep(w, &w->out->key_error, v3_length(v3_sub(w->positions[i], drawn)), i);
     }
 }
 
@@ -133,105 +96,13 @@ static void measure_flips(struct walk *w)
     }
 }
 
-static void build_skins(struct walk *w)
-{
-    skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
-    w->body_closed = skin_is_closed(&w->body);
-    w->out->moments_open += !w->body_closed;
-    for (uint32_t i = 0; i < 2; i++) {
-        skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE,
-                   i == 0 ? SIDE_RIGHT : SIDE_LEFT);
-        w->eye_closed[i] = skin_is_closed(&w->eye[i]);
-    }
-}
-
-static void measure_body_vertex(struct walk *w, uint32_t i)
-{
-    const vec3 lifted = v3_mad(w->positions[i], w->normals[i], LIFT);
-    if (skin_has(&w->body, lifted)) {
-        keep_worst(w, &w->out->body_in_body, skin_way_out(&w->body, lifted, w->normals[i]), i);
-    }
-}
-
-static void measure_in(struct walk *w, const struct skin *skin, struct finding *finding, uint32_t i)
-{
-    if (skin_has(skin, w->positions[i])) {
-        keep_worst(w, finding, skin_distance(skin, w->positions[i]), i);
-    }
-}
-
-static void measure_eye_vertex(struct walk *w, uint32_t i)
-{
-    const struct species_vertex *vertex = &w->mesh->vertices[i];
-    const uint32_t other = vertex->side == SIDE_RIGHT ? 1 : 0;
-    if (vertex->u >= EYE_RIM) {
-        return;
-    }
-    measure_in(w, &w->body, &w->out->eye_in_body, i);
-    if (vertex->u <= PUPIL) {
-        measure_in(w, &w->body, &w->out->pupil_in_body, i);
-    }
-    if (w->eye_closed[0] && w->eye_closed[1]) {
-        measure_in(w, &w->eye[other], &w->out->eye_in_eye, i);
-    }
-}
-
-static float depth_of(const struct walk *w, uint32_t i)
-{
-    return skin_has(&w->body, w->positions[i]) ? skin_distance(&w->body, w->positions[i]) : 0.0f;
-}
-
-static void measure_fin_vertex(struct walk *w, uint32_t i)
-{
-    const bool inside = skin_has(&w->body, w->positions[i]);
-    if (w->root[i] != i && inside) {
-        keep_worst(w, &w->out->fin_in_body, depth_of(w, i) - depth_of(w, w->root[i]), i);
-    } else if (w->root[i] == i && !inside) {
-        keep_worst(w, &w->out->root_off_skin, skin_distance(&w->body, w->positions[i]), i);
-    }
-    for (uint32_t eye = 0; eye < 2; eye++) {
-        if (w->eye_closed[eye]) {
-            measure_in(w, &w->eye[eye], &w->out->fin_in_eye, i);
-        }
-    }
-}
-
-static void measure_inside(struct walk *w)
-{
-    for (uint32_t i = 0; i < w->mesh->vertex_count && w->body_closed; i++) {
-        const uint8_t part = w->mesh->vertices[i].part;
-        if (part == PART_BODY) {
-            measure_body_vertex(w, i);
-        } else if (part == PART_EYE) {
-            measure_eye_vertex(w, i);
-        } else {
-            measure_fin_vertex(w, i);
-        }
-    }
-}
-
 static void measure_volume(struct walk *w)
 {
     const uint32_t last = w->rig->key_count - 1u;
     const uint32_t key = (uint32_t)fminf(w->progress * (float)last, (float)(last - 1u));
     const float least = f_min(w->key_volume[key], w->key_volume[key + 1u]);
     const float dip = 1.0f - skin_volume(&w->body) / least;
-    keep_worst(w, &w->out->volume_dip, dip, SURVEY_NOWHERE);
-}
-
-/* A ray is what has one u in one fin; its root, drawn before the rest of it, has the least v. */
-static void find_roots(struct walk *w)
-{
-    const struct species_vertex *vertex = w->mesh->vertices;
-    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
-        w->root[i] = i;
-        for (uint32_t j = 0; j < w->mesh->vertex_count; j++) {
-            if (vertex[j].part == vertex[i].part && vertex[j].side == vertex[i].side &&
-                vertex[j].u == vertex[i].u && vertex[j].v < vertex[w->root[i]].v) {
-                w->root[i] = j;
-            }
-        }
-    }
+    walk_keep(w, &w->out->volume_dip, dip, SURVEY_NOWHERE);
 }
 
 static void shape_at(struct walk *w, float progress)
@@ -291,8 +162,8 @@ static void measure_size(struct walk *w, enum species_measure measure)
                          : measure == MEASURE_STANDARD ? standard_end(w, high.z) + 0.5f
                          : measure == MEASURE_FORK     ? fork_end(w) + 0.5f
                                                        : high.x - low.x;
-    keep_worst(w, &w->out->size_error, fabsf(length - 1.0f), SURVEY_NOWHERE);
-    keep_worst(w, &w->out->size_error, fabsf(low.z + 0.5f), SURVEY_NOWHERE);
+    walk_keep(w, &w->out->size_error, fabsf(length - 1.0f), SURVEY_NOWHERE);
+    walk_keep(w, &w->out->size_error, fabsf(low.z + 0.5f), SURVEY_NOWHERE);
 }
 
 static void measure_keys(struct walk *w)
@@ -315,8 +186,8 @@ static void measure_moment(struct walk *w, float progress)
     measure_weights(w);
     measure_key(w);
     measure_flips(w);
-    build_skins(w);
-    measure_inside(w);
+    walk_build_skins(w);
+    walk_measure_inside(w);
     measure_volume(w);
 }
 
@@ -353,7 +224,7 @@ static void measure_path(struct walk *w, enum species_part part, enum species_si
 void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
                   uint32_t steps, struct survey *out)
 {
-    static struct walk walk; /* About 10 MiB. */
+    static struct walk walk;
     struct walk *w = &walk;
     memset(w, 0, sizeof *w);
     *out = (struct survey){ .weight_min = FLT_MAX, .drawn_weight_min = FLT_MAX };
@@ -361,7 +232,7 @@ void morph_survey(const struct species *species, const struct morph_rig *rig, ui
     w->mesh = &species->lod[lod];
     w->rig = rig;
     w->out = out;
-    find_roots(w);
+    walk_find_roots(w);
     measure_keys(w);
     uint32_t key = 0;
     for (uint32_t i = 0; i <= steps; i++) {

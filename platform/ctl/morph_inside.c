@@ -1,0 +1,107 @@
+/* morph_inside.c -- how deep parts of a fish are in what they must not be in.
+ *
+ * What counts, and what is by design:
+ * - A body's vertex counts if the point just outside it (LIFT along its normal) is inside the body:
+ *   the skin has folded. Its depth is the way out along its normal.
+ * - A fin is rooted in the body, and one that is still to grow lies in it whole: a point counts by
+ *   how much deeper under the skin it is than the root (v = 0) of its own ray.
+ * - An eye is a ball half sunk in the skin: what lies behind its rim (u >= 1) is its seat. What
+ *   shows counts, and the pupil (u <= PUPIL) apart from the rest.
+ * - Fins against fins do not count: sheets without thickness that the water bends. */
+#include "platform/ctl/morph_walk.h"
+
+#define LIFT 2e-4f /* Of a length. */
+#define EYE_RIM 1.0f
+#define PUPIL 0.5f
+
+/* A ray is what has one u in one fin; its root, drawn before the rest of it, has the least v. */
+void walk_find_roots(struct walk *w)
+{
+    const struct species_vertex *vertex = w->mesh->vertices;
+    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
+        w->root[i] = i;
+        for (uint32_t j = 0; j < w->mesh->vertex_count; j++) {
+            if (vertex[j].part == vertex[i].part && vertex[j].side == vertex[i].side &&
+                vertex[j].u == vertex[i].u && vertex[j].v < vertex[w->root[i]].v) {
+                w->root[i] = j;
+            }
+        }
+    }
+}
+
+void walk_build_skins(struct walk *w)
+{
+    skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
+    w->body_closed = skin_is_closed(&w->body);
+    w->out->moments_open += !w->body_closed;
+    for (uint32_t i = 0; i < 2; i++) {
+        skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE,
+                   i == 0 ? SIDE_RIGHT : SIDE_LEFT);
+        w->eye_closed[i] = skin_is_closed(&w->eye[i]);
+    }
+}
+
+static void measure_body_vertex(struct walk *w, uint32_t i)
+{
+    const vec3 lifted = v3_mad(w->positions[i], w->normals[i], LIFT);
+    if (skin_has(&w->body, lifted)) {
+        walk_keep(w, &w->out->body_in_body, skin_way_out(&w->body, lifted, w->normals[i]), i);
+    }
+}
+
+static void measure_in(struct walk *w, const struct skin *skin, struct finding *finding, uint32_t i)
+{
+    if (skin_has(skin, w->positions[i])) {
+        walk_keep(w, finding, skin_distance(skin, w->positions[i]), i);
+    }
+}
+
+static void measure_eye_vertex(struct walk *w, uint32_t i)
+{
+    const struct species_vertex *vertex = &w->mesh->vertices[i];
+    const uint32_t other = vertex->side == SIDE_RIGHT ? 1 : 0;
+    if (vertex->u >= EYE_RIM) {
+        return;
+    }
+    measure_in(w, &w->body, &w->out->eye_in_body, i);
+    if (vertex->u <= PUPIL) {
+        measure_in(w, &w->body, &w->out->pupil_in_body, i);
+    }
+    if (w->eye_closed[0] && w->eye_closed[1]) {
+        measure_in(w, &w->eye[other], &w->out->eye_in_eye, i);
+    }
+}
+
+static float depth_of(const struct walk *w, uint32_t i)
+{
+    return skin_has(&w->body, w->positions[i]) ? skin_distance(&w->body, w->positions[i]) : 0.0f;
+}
+
+static void measure_fin_vertex(struct walk *w, uint32_t i)
+{
+    const bool inside = skin_has(&w->body, w->positions[i]);
+    if (w->root[i] != i && inside) {
+        walk_keep(w, &w->out->fin_in_body, depth_of(w, i) - depth_of(w, w->root[i]), i);
+    } else if (w->root[i] == i && !inside) {
+        walk_keep(w, &w->out->root_off_skin, skin_distance(&w->body, w->positions[i]), i);
+    }
+    for (uint32_t eye = 0; eye < 2; eye++) {
+        if (w->eye_closed[eye]) {
+            measure_in(w, &w->eye[eye], &w->out->fin_in_eye, i);
+        }
+    }
+}
+
+void walk_measure_inside(struct walk *w)
+{
+    for (uint32_t i = 0; i < w->mesh->vertex_count && w->body_closed; i++) {
+        const uint8_t part = w->mesh->vertices[i].part;
+        if (part == PART_BODY) {
+            measure_body_vertex(w, i);
+        } else if (part == PART_EYE) {
+            measure_eye_vertex(w, i);
+        } else {
+            measure_fin_vertex(w, i);
+        }
+    }
+}
