@@ -185,6 +185,39 @@ static void test_nothing_of_ours_allocates_from_the_first_frame_to_the_saved_rou
     assert_int_equal(during, 0);
 }
 
+/* More species than have slots on the GPU, so that each is brought there and painted, with a rival
+ * made straight beside it; then the fish of an album. */
+static void test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_album(void **state)
+{
+    (void)state;
+    static struct core core;
+    static struct scene scene;
+    static struct output output;
+    const struct hal_display *const display = &rig.hal.display;
+    const struct core_config config = { .seed = 3, .fish_count = 20 };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    const uint32_t before = allocations;
+    for (uint32_t i = 0; i < 3u * species_table_count; i++) {
+        core.game.lab.species = (uint8_t)(i / 3u);
+        lab_begin(&core, &output);
+        core.game.lab.progress = 0.5f * (float)(i % 3u);
+        core.game.lab.compare = 1;
+        core_scene(&core, &scene);
+        assert_int_equal(display->ops->present(display->self, &scene), HAL_OK);
+    }
+    assert_int_equal(scene.phase, PHASE_LAB);
+    assert_true(rig.display.renderer.specimens.draw_count > 6u * species_table_count);
+    for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
+        core.tank.fish[i].gait = GAIT_BOWL;
+        core.tank.fish[i].holder = 0;
+    }
+    album_note(&core, 0, ALBUM_FISH_MAX);
+    core.game.phase = PHASE_ALBUM;
+    core_scene(&core, &scene);
+    assert_int_equal(display->ops->present(display->self, &scene), HAL_OK);
+    assert_int_equal(allocations - before, 0);
+}
+
 /* The picture of --shots, which is allowed to, shows that the trap closes on our objects. */
 static void test_the_trap_sees_a_picture_being_written(void **state)
 {
@@ -202,6 +235,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_nothing_of_ours_allocates_from_the_first_frame_to_the_saved_round),
+        cmocka_unit_test(test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_album),
         cmocka_unit_test(test_the_trap_sees_a_picture_being_written),
     };
     return cmocka_run_group_tests(tests, open_stall, close_stall);
