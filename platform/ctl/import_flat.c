@@ -21,6 +21,8 @@ struct assimp {
     const struct aiScene *(*read)(const char *path, unsigned int flags);
     const char *(*error)(void);
     void (*release)(const struct aiScene *scene);
+    void (*attach)(const struct aiLogStream *log);
+    void (*detach)(void);
 };
 
 /* As POSIX has it: a pointer to an object becomes one to a function through its bytes. */
@@ -42,7 +44,9 @@ static bool load(struct assimp *assimp)
     }
     return take(library, "aiImportFile", &assimp->read) &&
            take(library, "aiGetErrorString", &assimp->error) &&
-           take(library, "aiReleaseImport", &assimp->release);
+           take(library, "aiReleaseImport", &assimp->release) &&
+           take(library, "aiAttachLogStream", &assimp->attach) &&
+           take(library, "aiDetachAllLogStreams", &assimp->detach);
 }
 
 bool import_knows_scenes(void)
@@ -158,6 +162,14 @@ static bool refuse_scene(struct flattening *f, const char *text)
     return false;
 }
 
+/* Faces that name no vertex are left out by assimp, which only says so. */
+static void listen(const char *line, char *heard)
+{
+    if (strstr(line, "out-of-range indices")) {
+        *heard = 1;
+    }
+}
+
 static bool flatten(struct flattening *f)
 {
     struct import_mesh *mesh = f->mesh;
@@ -186,11 +198,16 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     if (!load(&assimp)) {
         return flat_refuse(&f, "libassimp is gone");
     }
+    char dropped = 0;
+    const struct aiLogStream log = { listen, &dropped };
+    assimp.attach(&log);
     f.scene = assimp.read(path, aiProcess_Triangulate);
+    assimp.detach();
     if (!f.scene) {
         return refuse_scene(&f, assimp.error());
     }
-    const bool good = flatten(&f);
+    const bool good = dropped ? flat_refuse(&f, "a triangle that names a vertex that is not there")
+                              : flatten(&f);
     assimp.release(f.scene);
     return good;
 }

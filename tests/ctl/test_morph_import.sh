@@ -98,6 +98,7 @@ if morph import "$work/x.kfish" "$corpus/scene/fish.glb" --lengths-mm 1,2,3 >"$w
     refuse huge_count 'GLTF: '
     refuse huge_view 'GLTF: '
     refuse missing_node 'GLTF: '
+    refuse index_off 'a triangle that names a vertex that is not there'
     refuse nan 'a coordinate that is no number'
     refuse no_faces ''
     refuse points 'no triangles'
