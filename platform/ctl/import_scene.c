@@ -210,7 +210,9 @@ static enum exit_code check_file(const char *path, char why[IMPORT_WHY_SIZE])
 enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why[IMPORT_WHY_SIZE])
 {
     enum exit_code code = check_file(path, why);
-    if (code == EXIT_OK && !import_can_flatten(why)) {
+    char missing[IMPORT_WHY_SIZE];
+    if (code == EXIT_OK && !import_can_flatten(missing)) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.60s: %.130s", path, missing);
         code = EXIT_NOT_SO;
     }
     if (code != EXIT_OK) {

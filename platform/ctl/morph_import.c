@@ -125,20 +125,19 @@ static const char *const measures[] = { "total", "standard", "fork", "disc" };
 static const char *const motions[] = { "tail", "eel", "fins", "tuna", "wing" };
 static const char *const forms[] = { "fusiform", "compressed", "depressed", "eel", "puffer" };
 
-/* Sets what `option` says; false where there is no such option or its value is none. */
-static bool take_option(struct import_words *words, const char *option, const char *value,
-                        bool *known)
+/* Options of one value each. False where it is none; `*known`: is there such an option? */
+static bool take_value(struct import_words *words, const char *option, const char *value,
+                       bool *known)
 {
     struct import_plan *plan = &words->plan;
-    uint32_t *count = NULL, wanted = 0, got = 0;
     *known = true;
     if (strcmp(option, "--id") == 0) {
         words->id = value;
-        return true;
+        return value[0] != '\0';
     }
     if (strcmp(option, "--like") == 0) {
         words->like = value;
-        return true;
+        return value[0] != '\0';
     }
     if (strcmp(option, "--fit") == 0) {
         words->fit = value;
@@ -165,33 +164,47 @@ static bool take_option(struct import_words *words, const char *option, const ch
     if (strcmp(option, "--graph") == 0) {
         return take_template(value, &plan->template);
     }
-    if (strcmp(option, "--names") == 0) {
-        count = &plan->name_count;
-        got = each_piece(value, MORPH_KEY_MAX, plan->names, take_name);
-    } else if (strcmp(option, "--marks") == 0) {
-        count = &words->mark_count;
-        got = each_piece(value, MORPH_KEY_MAX, words->marks, take_path);
-    } else if (strcmp(option, "--lengths-mm") == 0) {
-        count = &plan->length_count;
-        got = each_piece(value, MORPH_KEY_MAX, plan->lengths_mm, take_number);
-    } else if (strcmp(option, "--ages-days") == 0) {
-        count = &plan->age_count;
-        got = each_piece(value, MORPH_KEY_MAX, plan->ages_days, take_number);
-    } else if (strcmp(option, "--growth") == 0) {
-        count = &plan->growth_count;
-        wanted = 5;
-        got = each_piece(value, 5, plan->growth, take_number);
-    } else if (strcmp(option, "--colours") == 0) {
-        count = &plan->colour_count;
-        wanted = 5;
-        got = each_piece(value, 5, plan->colours, take_colour);
+    *known = false;
+    return false;
+}
+
+/* Options of "A,B,C". */
+static bool take_list(struct import_words *words, const char *option, const char *value,
+                      bool *known)
+{
+    struct import_plan *plan = &words->plan;
+    const struct {
+        const char *name;
+        uint32_t *count;
+        uint32_t least, most;
+        void *out;
+        bool (*take)(const char *piece, uint32_t index, void *out);
+    } lists[] = {
+        { "--names", &plan->name_count, 3, MORPH_KEY_MAX, plan->names, take_name },
+        { "--marks", &words->mark_count, 3, MORPH_KEY_MAX, words->marks, take_path },
+        { "--lengths-mm", &plan->length_count, 2, MORPH_KEY_MAX, plan->lengths_mm, take_number },
+        { "--ages-days", &plan->age_count, 2, MORPH_KEY_MAX, plan->ages_days, take_number },
+        { "--growth", &plan->growth_count, 5, 5, plan->growth, take_number },
+        { "--colours", &plan->colour_count, 5, 5, plan->colours, take_colour },
+    };
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+        if (strcmp(option, lists[i].name) == 0) {
+            const uint32_t got = each_piece(value, lists[i].most, lists[i].out, lists[i].take);
+            *known = true;
+            *lists[i].count = got;
+            return got != UNSET && got >= lists[i].least;
+        }
     }
-    *known = count != NULL;
-    if (!count || got == UNSET || (wanted > 0 && got != wanted)) {
-        return false;
-    }
-    *count = got;
-    return true;
+    *known = false;
+    return false;
+}
+
+/* Sets what `option` says; false where there is no such option or its value is none. */
+static bool take_option(struct import_words *words, const char *option, const char *value,
+                        bool *known)
+{
+    const bool good = take_value(words, option, value, known);
+    return *known ? good : take_list(words, option, value, known);
 }
 
 static enum exit_code read_words(struct import_words *words, int argc, const char *const *argv)

@@ -193,7 +193,7 @@ bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, c
 /* ---- The warp -------------------------------------------------------------------------------- */
 
 #define SYSTEM_MAX MARK_LIST_MAX
-#define RIDGE 0.0005    /* Lengths squared, of one landmark: what the whole stretch must be worth. */
+#define RIDGE 0.0005 /* Lengths squared, of one landmark: what the whole stretch must be worth. */
 #define REACH 0.8       /* Lengths, of what a landmark bends around it. */
 #define SLACK 1e-4      /* Landmarks that nearly coincide may differ by so much of their ways. */
 
