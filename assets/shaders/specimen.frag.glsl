@@ -93,9 +93,6 @@ vec3 lit(vec3 paint, vec3 n, float shine, float gloss)
 #ifdef FIN
 void main()
 {
-    if (look.w > 0.5 && (skin.z < 4.5 || skin.z > 6.5)) {
-        discard; // Of a median fin only its root is behind the skin.
-    }
     vec4 paint = mixed(paints, paint_uv);
     float shine = mixed(shines, paint_uv).r;
     paint.rgb = mix(worn_fin(paint.rgb), tint.rgb, tint.a);
@@ -110,7 +107,9 @@ void main()
     // Its outline fades over about a pixel: at its tips, and beside its first and last ray.
     vec2 from_rim = vec2(min(skin.x, 1.0 - skin.x), 1.0 - skin.y) / max(fwidth(skin.xy), 1e-4);
     alpha *= clamp(min(from_rim.x, from_rim.y) + 0.15, 0.0, 1.0);
-    alpha = clamp(alpha, 0.0, 1.0) * look.x;
+    // Of a median fin only its root is behind a clear skin, and that is not shown.
+    float paired = step(4.5, skin.z) * step(skin.z, 6.5);
+    alpha = clamp(alpha, 0.0, 1.0) * look.x * (1.0 - look.w * (1.0 - paired));
     vec3 through = 0.30 * to_light(paint.rgb); // Light comes through it.
     vec3 light = lit(to_light(paint.rgb) * (0.82 + 0.30 * rays), n, 0.3 * shine, 0.25) + through;
     color = vec4(to_screen(light) * alpha, alpha);
