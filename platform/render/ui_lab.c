@@ -206,33 +206,34 @@ static void name_plate(const struct lab_page *page)
             ui_text_middle(&small, box.y + 0.5f * box.height), of);
 }
 
-/* What the operator should know: makers' files that are no species. */
-static void refused_line(const struct lab_page *page)
+/* Beside the name; on an upright screen over it, where the screen is tall enough for that. */
+static struct ui_box line_room(const struct lab_page *page)
 {
+    const float u = page->frame.unit;
     const struct ui_box next = lab_place(page, LAB_NEXT), leave = lab_place(page, LAB_LEAVE);
-    char words[TEXT_LINE_MAX];
-    if (page->lab->refused == 0 || page->lab->upright) {
-        return;
+    if (page->lab->upright) {
+        const float high = page->y > 40.0f * u ? 32.0f * u : 0.0f;
+        return (struct ui_box){ lab_px_x(page, 24.0f), page->y - 0.6f * high, 806.0f * u, high };
     }
-    const struct ui_box room = { next.x + next.width + 16.0f * page->frame.unit, next.y,
-                                 leave.x - next.x - next.width - 32.0f * page->frame.unit,
-                                 next.height };
-    const struct ui_text style = lab_text(page, 19.0f, 0xf0c089ffu);
-    text_number(words, sizeof words, text_words(page->frame.language, TEXT_LAB_REFUSED),
-                page->lab->refused);
-    lab_words_in(page, room, &style, words);
+    const float left = next.x + next.width + 18.0f * u;
+    return (struct ui_box){ left, next.y, leave.x - left - 18.0f * u, next.height };
 }
 
+/* How a hand works here; but first what the operator should know: makers' files that are no
+ * species. */
 static void help_line(const struct lab_page *page)
 {
-    const struct ui_box next = lab_place(page, LAB_NEXT), leave = lab_place(page, LAB_LEAVE);
-    if (page->lab->refused > 0 || page->lab->upright) {
+    const struct ui_box room = line_room(page);
+    const uint32_t refused = page->lab->refused;
+    char words[TEXT_LINE_MAX];
+    if (room.height <= 0.0f) {
         return;
     }
-    const float u = page->frame.unit, left = next.x + next.width + 18.0f * u;
-    const struct ui_box room = { left, next.y, leave.x - left - 18.0f * u, next.height };
-    const struct ui_text style = lab_text(page, 20.0f, 0xc9d2eeffu);
-    lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_HELP));
+    const struct ui_text style = lab_text(page, 20.0f, refused > 0 ? 0xf0c089ffu : 0xc9d2eeffu);
+    text_number(words, sizeof words,
+                text_words(page->frame.language, refused > 0 ? TEXT_LAB_REFUSED : TEXT_LAB_HELP),
+                refused);
+    lab_words_in(page, room, &style, words);
 }
 
 /* ---- The hand ------------------------------------------------------------------------------- */
@@ -309,7 +310,6 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
     arrow_button(&page, LAB_BACK, TEXT_SIGN_BACK);
     arrow_button(&page, LAB_NEXT, TEXT_SIGN_ON);
     help_line(&page);
-    refused_line(&page);
     buttons(&page);
     hand(&page);
 }
