@@ -35,7 +35,7 @@ specimen: $(BUILD)/tests/render/specimen
 
 PICTURE := out/pictures
 ## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
-pictures: fish-pictures game-pictures growth-picture
+pictures: fish-pictures game-pictures growth-picture lab-pictures
 
 # The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
 # play, so the moments move with the physics; look before you keep them.
@@ -68,4 +68,16 @@ growth-picture: $(BUILD)/tests/render/specimen
 	@convert $(PICTURE)/growth.png -resize 1120x -quality 88 assets/pictures/growth.jpg
 	@echo 'assets/pictures/growth.jpg'
 
-.PHONY: growth-picture shot film specimen pictures fish-pictures game-pictures
+# The lab in the middle of hirame's metamorphosis, and six fish of a catch half-way through life; and
+# hirame three ways, from the 2005 thesis' figures.
+lab-pictures: $(BUILD)/tests/render/shot thesis-figures-2005
+	@mkdir -p $(PICTURE)
+	@$< --lab hirame --progress 0.22 --en --path -o $(PICTURE)/lab.png
+	@$< --album 6 --progress 0.45 --en -o $(PICTURE)/album.png
+	@for name in lab album; do \
+	    convert $(PICTURE)/$$name.png -resize 1120x -quality 88 assets/pictures/$$name.jpg; \
+	    echo "assets/pictures/$$name.jpg"; done
+	@convert build/thesis-2005/figure-4.14-three-ways.png -resize 1120x -quality 86 assets/pictures/hirame.jpg
+	@echo 'assets/pictures/hirame.jpg'
+
+.PHONY: lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures

@@ -76,12 +76,12 @@ figure figure-4.4 'Stages of the striped puffer' 'Same stages, at one scale: 2.6
 fish shimafugu 5 6 7 'striped puffer' 'Same stages.'
 fish kuroanago 8 9 10 'beach conger' 'Same stages: 64.0, 80.4 and 72.5 mm.'
 stages figure-4.11 sizes hirame
-figure figure-4.11 'Stages of the bastard halibut' 'Same three stages, at one scale; all lengths are standard lengths, which the thesis mixes with a total one.'
-fish hirame 12 13 14 'bastard halibut' "Better: the maker draws the true middle stage; the exaggerated one, whose eye stands out of the head, is solved from it."
+figure figure-4.11 'Stages of the olive flounder' 'Same three stages, at one scale; all lengths are standard lengths, which the thesis mixes with a total one.'
+fish hirame 12 13 14 'olive flounder' "Better: the maker draws the true middle stage; the exaggerated one, whose eye stands out of the head, is solved from it."
 vector figure-4.13-eye graph hirame --curve eye
 figure figure-4.13-eye "Deformation graph: the eye's own" 'Better: a part may have a curve of its own, which the thesis names as future work.'
 stages figure-4.14-three-ways ways hirame
-figure figure-4.14-three-ways 'Output: the halibut three ways' "The ordinary morph leads the eye through the head, the thesis' method sinks it half in on its way, ours keeps it on the skin."
+figure figure-4.14-three-ways 'Output: the flounder three ways' "The ordinary morph leads the eye through the head, the thesis' method sinks it half in on its way, ours keeps it on the skin."
 vector figure-4.15 path hirame --part eye --thesis --view front
 figure figure-4.15 'What three shapes can reach' 'Same: the triangle, the red way inside it; dotted the ideal way, which lies outside, as our method goes it.'
 vector figure-4.15-ours path hirame --part eye --view front
@@ -89,7 +89,7 @@ figure figure-4.15-ours 'The eye by our own method' 'Better: it is a rigid part 
 
 say 'beyond the thesis: what it left out'
 sheet beyond-ray ray
-figure beyond-ray 'A ray' 'The flat body form that chapter 4 leaves to the halibut, which is flattened the other way.'
+figure beyond-ray 'A ray' 'The flat body form that chapter 4 leaves to the flounder, which is flattened the other way.'
 sheet beyond-wakin wakin
 figure beyond-wakin 'The goldfish of the stall' 'From its yolk over the dark months to red: colours grow, too.'
 sheet beyond-mebachi mebachi
