@@ -109,19 +109,29 @@ static void set_growth(const struct import_plan *plan, struct species_card *card
     }
 }
 
+/* As told, else by the growth that is told, else as the file tells, else as `like`, else a month
+ * apart. Growth then agrees with them. */
 static void set_ages(const struct import_mesh *mesh, const struct import_plan *plan,
                      struct species_card *card)
 {
-    const bool by_growth = plan->age_count == 0 && !mesh->has_life && plan->growth_count > 0;
+    const bool by_growth = plan->age_count == 0 && plan->growth_count > 0;
     for (uint32_t key = 0; key < card->key_count; key++) {
-        card->key_age_days[key] = plan->age_count > 0 ? (float)plan->ages_days[key]
-                                  : mesh->has_life    ? mesh->ages_days[key]
-                                                      : (float)(KEY_DAYS * key);
+        card->key_age_days[key] = plan->age_count > 0      ? (float)plan->ages_days[key]
+                                  : mesh && mesh->has_life ? mesh->ages_days[key]
+                                  : plan->like             ? plan->like->card.key_age_days[key]
+                                                           : (float)(KEY_DAYS * key);
     }
     set_growth(plan, card);
     for (uint32_t key = 0; key < card->key_count && by_growth; key++) {
         card->key_age_days[key] = growth_age_days(&card->growth, card->key_length_m[key]);
     }
+}
+
+/* Whether anybody but `like` says how old or how long the keys are. */
+static bool has_own_life(const struct import_mesh *mesh, const struct import_plan *plan)
+{
+    return !plan->like || (mesh && mesh->has_life) || plan->length_count > 0 ||
+           plan->age_count > 0 || plan->growth_count > 0;
 }
 
 /* How far the animation is from the straight line between two of its moments, and where most. */
@@ -254,7 +264,7 @@ static void set_coats(const struct import_mesh *mesh, const struct import_plan *
     }
 }
 
-static bool counts_agree(const struct import_mesh *mesh, const struct import_plan *plan,
+static bool counts_agree(uint32_t key_count, const struct import_plan *plan,
                          char why[IMPORT_WHY_SIZE])
 {
     const struct {
@@ -265,13 +275,39 @@ static bool counts_agree(const struct import_mesh *mesh, const struct import_pla
                   { "--ages-days", plan->age_count },
                   { "--like", plan->like ? plan->like->card.key_count : 0 } };
     for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
-        if (lists[i].count > 0 && lists[i].count != mesh->key_count) {
+        if (lists[i].count > 0 && lists[i].count != key_count) {
             snprintf(why, IMPORT_WHY_SIZE, "%s: %u, and there are %u shapes", lists[i].what,
-                     lists[i].count, mesh->key_count);
+                     lists[i].count, key_count);
             return false;
         }
     }
     return true;
+}
+
+static void set_id(const struct import_plan *plan, struct species_card *card)
+{
+    memset(card->id, 0, sizeof card->id);
+    snprintf(card->id, sizeof card->id, "%s", plan->id);
+}
+
+enum exit_code import_fitted_life(const struct import_plan *plan, struct species_card *card,
+                                  char why[IMPORT_WHY_SIZE])
+{
+    if (!counts_agree(card->key_count, plan, why)) {
+        return EXIT_BAD_DATA;
+    }
+    set_id(plan, card);
+    for (uint32_t key = 0; key < plan->name_count; key++) {
+        memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
+    }
+    for (uint32_t key = 0; key < plan->length_count; key++) {
+        card->key_length_m[key] = (float)(1e-3 * plan->lengths_mm[key]);
+    }
+    if (has_own_life(NULL, plan)) {
+        set_ages(NULL, plan, card);
+        card->scale_knot_count = 0; /* Drawn by hand for the template's lengths. */
+    }
+    return EXIT_OK;
 }
 
 enum exit_code import_life(const struct import_mesh *mesh, const struct import_plan *plan,
@@ -279,7 +315,7 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_p
                            char why[IMPORT_WHY_SIZE])
 {
     struct species_card *card = &slot->species.card;
-    if (!counts_agree(mesh, plan, why)) {
+    if (!counts_agree(mesh->key_count, plan, why)) {
         return EXIT_BAD_DATA;
     }
     if (plan->like) {
@@ -289,8 +325,7 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_p
         card->thesis_key[2] = (uint8_t)(mesh->key_count - 1u);
         card->thesis_template = TEMPLATE_PAIRWISE;
     }
-    memset(card->id, 0, sizeof card->id);
-    snprintf(card->id, sizeof card->id, "%s", plan->id);
+    set_id(plan, card);
     card->key_count = (uint8_t)mesh->key_count;
     card->measure = plan->measure;
     card->motion = plan->motion != UNSET ? plan->motion : plan->like ? card->motion : MOTION_TAIL;
@@ -301,8 +336,9 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_p
     if (!set_lengths(mesh, plan, report, card)) {
         return refuse(why, "lengths: all shapes are one size; say --lengths-mm A,B,C");
     }
-    if (!plan->like || plan->age_count > 0 || plan->growth_count > 0) {
+    if (has_own_life(mesh, plan)) {
         set_ages(mesh, plan, card);
+        card->scale_knot_count = 0; /* Drawn by hand for the lengths of `like`. */
     }
     set_graph(mesh, plan, card, report);
     set_coats(mesh, plan, &slot->species);

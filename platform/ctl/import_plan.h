@@ -44,6 +44,11 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_p
                            struct species_slot *slot, struct import_report *report,
                            char why[IMPORT_WHY_SIZE]);
 
+/* Of a template that was fitted, `card` its own: what the plan says of its id, names, lengths, ages
+ * and growth. */
+enum exit_code import_fitted_life(const struct import_plan *plan, struct species_card *card,
+                                  char why[IMPORT_WHY_SIZE]);
+
 /* Which part a group of that name is of, by words in it ("Fin_dorsal.L" is the dorsal fin). */
 enum species_part import_part(const char *group);
 

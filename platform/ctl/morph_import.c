@@ -46,9 +46,22 @@ static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
     return count > 0 ? count : UNSET;
 }
 
-static bool take_number(const char *piece, uint32_t index, void *out)
+/* Nothing of these reaches the core beyond the range that a text may say (text_life.c). */
+static bool take_length(const char *piece, uint32_t index, void *out)
 {
-    return number_parse_decimal(piece, -1e6, 1e6, (double *)out + index);
+    return number_parse_decimal(piece, 0.5, 20000.0, (double *)out + index);
+}
+
+static bool take_age(const char *piece, uint32_t index, void *out)
+{
+    return number_parse_decimal(piece, 0.0, 14610.0, (double *)out + index);
+}
+
+static bool take_growth(const char *piece, uint32_t index, void *out)
+{
+    static const double ranges[5][2] = { { 10.0, 20000.0 }, { 0.001, 10.0 }, { -20.0, 20.0 },
+                                         { 0.5, 2000.0 },   { 0.001, 5.0 } };
+    return number_parse_decimal(piece, ranges[index][0], ranges[index][1], (double *)out + index);
 }
 
 static bool take_name(const char *piece, uint32_t index, void *out)
@@ -182,9 +195,9 @@ static bool take_list(struct import_words *words, const char *option, const char
     } lists[] = {
         { "--names", &plan->name_count, 3, MORPH_KEY_MAX, plan->names, take_name },
         { "--marks", &words->mark_count, 3, MORPH_KEY_MAX, words->marks, take_path },
-        { "--lengths-mm", &plan->length_count, 2, MORPH_KEY_MAX, plan->lengths_mm, take_number },
-        { "--ages-days", &plan->age_count, 2, MORPH_KEY_MAX, plan->ages_days, take_number },
-        { "--growth", &plan->growth_count, 5, 5, plan->growth, take_number },
+        { "--lengths-mm", &plan->length_count, 2, MORPH_KEY_MAX, plan->lengths_mm, take_length },
+        { "--ages-days", &plan->age_count, 2, MORPH_KEY_MAX, plan->ages_days, take_age },
+        { "--growth", &plan->growth_count, 5, 5, plan->growth, take_growth },
         { "--colours", &plan->colour_count, 5, 5, plan->colours, take_colour },
     };
     for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
@@ -385,25 +398,6 @@ static void find_marks(struct import_words *words)
     }
 }
 
-/* What the options say of the life of a template that was fitted. */
-static void rename_life(const struct import_words *words, struct species_card *card)
-{
-    const struct import_plan *plan = &words->plan;
-    memset(card->id, 0, sizeof card->id);
-    snprintf(card->id, sizeof card->id, "%s", plan->id);
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        if (plan->name_count > key) {
-            memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
-        }
-        if (plan->length_count > key) {
-            card->key_length_m[key] = (float)(1e-3 * plan->lengths_mm[key]);
-        }
-        if (plan->age_count > key) {
-            card->key_age_days[key] = (float)plan->ages_days[key];
-        }
-    }
-}
-
 static enum exit_code make_by_fit(struct import_words *words, struct species_slot *slot)
 {
     const char *files[MORPH_KEY_MAX], *marks[MORPH_KEY_MAX];
@@ -428,7 +422,9 @@ static enum exit_code make_by_fit(struct import_words *words, struct species_slo
         fprintf(stderr, "%s\n", why);
         return code;
     }
-    rename_life(words, &slot->species.card);
+    if (import_fitted_life(&words->plan, &slot->species.card, why) != EXIT_OK) {
+        return refuse(words->files[0], why);
+    }
     return species_vet(&slot->species, fault) ? EXIT_OK : refuse(words->files[0], fault);
 }
 
@@ -487,13 +483,17 @@ const struct morph_command ctl_morph_import = {
         "made of meshes:\n"
         "  --id ID              its name, a-z, 0-9 and _; otherwise OUT's\n"
         "  --names A,B,C        the keys' names; otherwise the file's\n"
-        "  --lengths-mm A,B,C   how long each key truly is; otherwise as in the file\n"
+        "  --lengths-mm A,B,C   how long each key truly is, 0.5 to 20000; otherwise as in the file\n"
         "  --unit-m U           what the file's 1 is worth in metres; 1 otherwise\n"
-        "  --ages-days A,B,C    how old each key is; otherwise by --growth, else a month apart\n"
+        "  --ages-days A,B,C    how old each key is, 0 to 14610; otherwise by --growth, else as in\n"
+        "                       the file, else as --like, else a month apart\n"
         "  --growth LINF_MM,K_PER_YEAR,T0_YEAR,HATCH_MM,FADE_YEAR\n"
-        "                       von Bertalanffy's curve; otherwise one through the keys\n"
+        "                       von Bertalanffy's curve (10 to 20000 mm, 0.001 to 10, -20 to 20,\n"
+        "                       0.5 to 2000 mm, 0.001 to 5); otherwise one through the keys. Ages\n"
+        "                       and lengths that it does not give within 2 % are refused\n"
         "  --like SPECIES|FILE  takes ages, lengths, growth, colours, marks and curves of a\n"
-        "                       species with as many keys\n"
+        "                       species with as many keys; where ages or lengths are told, its\n"
+        "                       growth gives way to one through the keys\n"
         "  --graph T            pairwise, simultaneous, smooth or ordinary; otherwise the file's\n"
         "                       animation of weights, else --like's, else pairwise\n"
         "  --front AXIS         where the snout points: +x, -x, +y, -y, +z or -z; otherwise\n"

@@ -11,6 +11,7 @@
 #define AGE_MAX_DAYS 14610.0f /* 40 years: as far as growth.c looks. */
 #define LENGTH_MIN_M 0.0005f  /* The smallest fish larvae are 1.5 mm; half of a half is a slip. */
 #define LENGTH_MAX_M 20.0f    /* A whale shark. */
+#define LENGTH_APART 0.02f    /* A key's length and the growth curve's at its age: so alike. */
 
 bool vet_refuse(struct vetting *v, const char *format, ...)
 {
@@ -134,6 +135,21 @@ static bool vet_growth(struct vetting *v)
     return true;
 }
 
+/* Age, progress and length are told from one another: what a key says of all three is one story. */
+static bool vet_life(struct vetting *v)
+{
+    const struct species_card *card = &v->species->card;
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        const float age = card->key_age_days[key], length = card->key_length_m[key];
+        const float grown = growth_length_m(&card->growth, age);
+        if (!(f_abs(grown / length - 1.0f) <= LENGTH_APART)) {
+            return vet_refuse(v, "%s/length_m: %.4g at %.4g days, where growth says %.4g",
+                              card->key_names[key], (double)length, (double)age, (double)grown);
+        }
+    }
+    return true;
+}
+
 static bool vet_scale(struct vetting *v)
 {
     const struct species_card *card = &v->species->card;
@@ -249,6 +265,6 @@ bool species_vet(const struct species *species, char why[VET_WHY_SIZE])
            vet_choice(&v, "measure", card->measure, MEASURE_DISC + 1u) &&
            vet_choice(&v, "motion", card->motion, MOTION_WING + 1u) &&
            vet_choice(&v, "form", card->form, FORM_PUFFER + 1u) && vet_thesis(&v) &&
-           vet_growth(&v) && vet_scale(&v) && vet_curves(&v) && vet_coats(&v) &&
+           vet_growth(&v) && vet_life(&v) && vet_scale(&v) && vet_curves(&v) && vet_coats(&v) &&
            vet_meshes(&v);
 }

@@ -46,6 +46,16 @@ check 'whose life is as told' tells_lengths
 check 'one size says no lengths' mistake 65 'say --lengths-mm' "$work/x.kfish" "${objs[@]}"
 check 'two shapes are no species' mistake 65 'a species has 3 to 8' "$work/x.kfish" "$work/a.obj" "$work/b.obj"
 check 'lengths for another number of shapes' mistake 65 '--lengths-mm: 2' "$work/x.kfish" "${objs[@]}" --lengths-mm 1,2
+for growth in 500,0.3,-0.1,3,0 500,0,-0.1,3,0.3 500,0.3,99,3,0.3 0,0.3,-0.1,3,0.3 500,0.3,-0.1,0,0.3; do
+    check "a growth of $growth" mistake 2 "--growth: '$growth' will not do" "$work/x.kfish" "${objs[@]}" \
+        --lengths-mm 5,10,20 --growth "$growth"
+done
+check 'a length of nothing' mistake 2 '--lengths-mm' "$work/x.kfish" "${objs[@]}" --lengths-mm 0,10,20
+check 'an age before hatching' mistake 2 '--ages-days' "$work/x.kfish" "${objs[@]}" --lengths-mm 5,10,20 --ages-days -1,2,3
+check 'ages that growth does not bear out' mistake 65 'a/length_m: 0.005 at 100 days, where growth says' "$work/x.kfish" \
+    "${objs[@]}" --lengths-mm 5,10,20 --ages-days 100,200,300 --growth 500,0.3,-0.1,3,0.3
+sed 's/^key koaka 45$/key koaka 45 200/' "$root/assets/species/wakin.txt" >"$work/late.txt"
+check 'a text of a late key' mistake 65 'koaka' "$work/x.kfish" "$work/late.txt"
 head -5 "$work/b.obj" >"$work/cut.obj"
 check 'a cut shape' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/cut.obj" "$work/b.obj" "$work/c.obj"
 check 'a shape of another topology' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/a.obj" "$work/cut.obj" "$work/c.obj"

@@ -274,6 +274,82 @@ static void test_a_model_that_is_too_fine_is_told_what_to_do(void **state)
     assert_non_null(strstr(why, "vertices: more than 1024; reduce the model"));
 }
 
+/* ---- Life ------------------------------------------------------------------------------------ */
+
+static void test_lengths_that_are_told_have_a_growth_that_says_so_too(void **state)
+{
+    (void)state;
+    static struct species drawn;
+    drawn = species_wakin;
+    drawn.card.scale_knot_count = 2; /* By hand, for its own lengths. */
+    drawn.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
+    drawn.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.15f };
+    read_objs(&species_wakin, 0, 1.0f);
+    struct import_plan plan = *plan_of(&drawn);
+    plan.front = AXIS_MINUS_Z;
+    plan.length_count = 5;
+    for (uint32_t key = 0; key < 5; key++) {
+        plan.lengths_mm[key] = 500.0 * (key + 1u);
+    }
+    if (build_from(&plan) != EXIT_OK) {
+        fail_msg("%s %s", why, fault);
+    }
+    card = slot.species.card;
+    assert_float_equal(card.key_age_days[4], species_wakin.card.key_age_days[4], 0.0f);
+    assert_float_equal(growth_length_m(&card.growth, card.key_age_days[4]), 2.5f, 1e-4f);
+    assert_float_equal(life_length_m(&card, life_progress(&card, card.key_age_days[2])), 1.5f,
+                       1e-4f);
+    plan.length_count = 0; /* Nothing told: as that species is. */
+    assert_int_equal(build_from(&plan), EXIT_OK);
+    assert_memory_equal(&slot.species.card.growth, &drawn.card.growth, sizeof drawn.card.growth);
+    assert_int_equal(slot.species.card.scale_knot_count, 2);
+}
+
+static void test_ages_that_growth_does_not_bear_out_are_refused(void **state)
+{
+    (void)state;
+    read_objs(&species_wakin, 0, 1.0f);
+    struct import_plan plan = *plan_of(&species_wakin);
+    plan.front = AXIS_MINUS_Z;
+    plan.growth_count = 5;
+    const struct growth *g = &species_wakin.card.growth;
+    const double growth[5] = { 1e3 * (double)g->length_inf_m, (double)g->k_per_year,
+                               (double)g->t0_year, 5.0, (double)g->fade_year };
+    memcpy(plan.growth, growth, sizeof growth);
+    if (build_from(&plan) != EXIT_OK) { /* Ages by that curve. */
+        fail_msg("%s %s", why, fault);
+    }
+    plan.age_count = 5;
+    for (uint32_t key = 0; key < 5; key++) {
+        plan.ages_days[key] = 100.0 * key;
+    }
+    assert_int_equal(build_from(&plan), EXIT_NOT_SO);
+    assert_non_null(strstr(fault, "aoko/length_m: 0.02 at 100 days, where growth says "));
+}
+
+/* ---- A template that was fitted -------------------------------------------------------------- */
+
+static void test_a_fitted_template_lives_as_is_told(void **state)
+{
+    (void)state;
+    struct import_plan plan = *plan_of(&species_wakin);
+    plan.id = "fitted";
+    plan.age_count = 5;
+    for (uint32_t key = 0; key < 5; key++) {
+        plan.ages_days[key] = 10.0 * (key + 1u);
+    }
+    card = species_wakin.card;
+    assert_int_equal(import_fitted_life(&plan, &card, why), EXIT_OK);
+    assert_string_equal(card.id, "fitted");
+    for (uint32_t key = 0; key < 5; key++) {
+        assert_float_equal(growth_length_m(&card.growth, 10.0f * (float)(key + 1u)),
+                           species_wakin.card.key_length_m[key], 1e-6f);
+    }
+    plan.age_count = 4;
+    assert_int_equal(import_fitted_life(&plan, &card, why), EXIT_BAD_DATA);
+    assert_string_equal(why, "--ages-days: 4, and there are 5 shapes");
+}
+
 /* ---- glTF ------------------------------------------------------------------------------------ */
 
 static void export_glb(const char *id, const char *path)
@@ -351,6 +427,9 @@ int main(void)
         cmocka_unit_test(test_bad_obj_files_are_named_with_their_line),
         cmocka_unit_test(test_shapes_of_another_topology_are_refused),
         cmocka_unit_test(test_a_model_that_is_too_fine_is_told_what_to_do),
+        cmocka_unit_test(test_lengths_that_are_told_have_a_growth_that_says_so_too),
+        cmocka_unit_test(test_ages_that_growth_does_not_bear_out_are_refused),
+        cmocka_unit_test(test_a_fitted_template_lives_as_is_told),
         cmocka_unit_test(test_what_was_exported_comes_back_within_quantisation),
         cmocka_unit_test(test_a_damaged_scene_costs_one_line),
     };

@@ -187,6 +187,94 @@ static void harm_size(struct species_slot *s)
     }
 }
 
+
+/* ---- Life: what a key says of age and length is what growth says */
+
+static void harm_late(struct species_slot *s) { card_of(s)->key_age_days[3] = 200.0f; }
+static void harm_long(struct species_slot *s) { card_of(s)->key_length_m[4] *= 1.03f; }
+static void harm_short(struct species_slot *s) { card_of(s)->key_length_m[0] *= 0.97f; }
+static void draw_scale(struct species_slot *s, float first, float middle, float last)
+{
+    card_of(s)->scale_knot_count = 3;
+    card_of(s)->scale_knots[0] = (struct scale_knot){ first, 0.005f };
+    card_of(s)->scale_knots[1] = (struct scale_knot){ middle, 0.045f };
+    card_of(s)->scale_knots[2] = (struct scale_knot){ last, 0.15f };
+}
+static void harm_scale_start(struct species_slot *s) { draw_scale(s, 0.1f, 0.5f, 1.0f); }
+static void harm_scale_middle(struct species_slot *s) { draw_scale(s, 0.0f, 0.0f, 1.0f); }
+static void harm_scale_end(struct species_slot *s) { draw_scale(s, 0.0f, 0.5f, 0.9f); }
+
+/* ---- Skin: the core asserts that it is a grid */
+
+static struct species_vertex *skin_of(struct species_slot *s)
+{
+    return &s->tables[0].vertices[s->species.lod[0].grid_first];
+}
+static void harm_one_ring(struct species_slot *s) { s->species.lod[0].grid_rings = 1; }
+static void harm_two_spokes(struct species_slot *s)
+{
+    s->species.lod[0].grid_rings = 2;
+    s->species.lod[0].grid_spokes = 2;
+    for (uint32_t i = 0; i < 6; i++) {
+        skin_of(s)[i].u = i < 3 ? 0.0f : 1.0f;
+        skin_of(s)[i].v = 0.5f * (float)(i % 3);
+    }
+}
+static void harm_no_skin(struct species_slot *s) { s->species.lod[0].grid_rings = 0; }
+static void harm_skin_part(struct species_slot *s)
+{
+    for (uint32_t i = 0; i < s->species.lod[0].vertex_count; i++) {
+        uint8_t *part = &s->tables[0].vertices[i].part;
+        *part = *part == PART_BODY ? (uint8_t)PART_TAIL : *part;
+    }
+}
+static void harm_skin_rides(struct species_slot *s) { skin_of(s)[1].anchor = 0; }
+static void harm_skin_u(struct species_slot *s)
+{
+    const uint32_t row = s->species.lod[0].grid_spokes + 1u;
+    skin_of(s)[row + 2].u = skin_of(s)[2].u;
+}
+static void harm_skin_v(struct species_slot *s) { skin_of(s)[2].v = skin_of(s)[1].v; }
+static void harm_skin_start(struct species_slot *s) { skin_of(s)[0].v = 0.01f; }
+static void harm_skin_end(struct species_slot *s)
+{
+    skin_of(s)[s->species.lod[0].grid_spokes].v = 0.99f;
+}
+static void harm_two_parts(struct species_slot *s)
+{
+    s->tables[0].vertices[s->tables[0].indices[0]].part = PART_EYE;
+}
+static void harm_anchor_curve(struct species_slot *s)
+{
+    s->tables[0].anchors[0].curve = card_of(s)->curve_count;
+}
+static void harm_anchor_place(struct species_slot *s) { s->tables[0].anchors[0].u[2] = NAN; }
+
+/* ---- Size: the last key is one measure long, and its snout stays where it is */
+
+/* Stretches the last key from the snout on, or across. */
+static void stretch(struct species_slot *s, float along, float across)
+{
+    const uint32_t key = card_of(s)->key_count - 1u;
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        const struct species_mesh *mesh = &s->species.lod[lod];
+        const float count = 32767.0f / mesh->reach;
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            struct species_point *point = &s->tables[lod].points[key][i];
+            const bool rides = mesh->vertices[i].anchor != ANCHOR_NONE;
+            const float front = rides ? 0.0f : -0.5f * count;
+            point->z = (int16_t)(front + ((float)point->z - front) * along);
+            point->x = (int16_t)((float)point->x * across);
+        }
+    }
+}
+static void harm_longer(struct species_slot *s) { stretch(s, 1.06f, 1.0f); }
+static void harm_shorter(struct species_slot *s) { stretch(s, 0.94f, 1.0f); }
+static void harm_longest(struct species_slot *s) { stretch(s, 1.15f, 1.0f); }
+static void harm_stub(struct species_slot *s) { stretch(s, 0.75f, 1.0f); }
+static void harm_wider(struct species_slot *s) { stretch(s, 1.0f, 1.06f); }
+static void harm_narrower(struct species_slot *s) { stretch(s, 1.0f, 0.94f); }
+
 static const struct harm harms[] = {
     { harm_id, "id: " },
     { harm_two_keys, "keys: 2, and" },
@@ -221,21 +309,63 @@ static const struct harm harms[] = {
     { harm_part, "near/vertex 9: " },
     { harm_grid, "near/grid: 2 rings of 9" },
     { harm_size, "/near: snout at z" },
+    { harm_late, "koaka/length_m: 0.045 at 200 days, where growth says 0.07" },
+    { harm_long, "adult/length_m: 0.1545 at 545.4 days, where growth says 0.15" },
+    { harm_short, "larva/length_m: 0.00485 at 0 days, where growth says 0.005" },
+    { harm_scale_start, "scale knot/progress: 0.1 does not go from 0 to 1" },
+    { harm_scale_middle, "scale knot/progress: 0 does not go from 0 to 1" },
+    { harm_scale_end, "scale knot/progress: 0.9 does not go from 0 to 1" },
+    { harm_one_ring, "near/grid: 1 rings of " },
+    { harm_two_spokes, "near/grid: 2 rings of 3 from vertex " },
+    { harm_no_skin, "near/grid: anchors, and no skin for them" },
+    { harm_skin_part, "near/grid: ring 0, spoke 0 is out of order" },
+    { harm_skin_rides, "near/grid: ring 0, spoke 1 is out of order" },
+    { harm_skin_u, "near/grid: ring 1, spoke 2 is out of order" },
+    { harm_skin_v, "near/grid: ring 0, spoke 2 is out of order" },
+    { harm_skin_start, "near/grid: ring 0, spoke 0 is out of order" },
+    { harm_skin_end, "near/grid: ring 0, spoke " },
+    { harm_two_parts, "near/triangle 0: its corners are of two parts" },
+    { harm_anchor_curve, "near/anchor 0: " },
+    { harm_anchor_place, "near/anchor 0: nan is outside 0 .. 1" },
 };
+
+static void expect_refusal(const struct species *species, const struct harm *harm)
+{
+    pack_copy(species, &slot);
+    harm->change(&slot);
+    const size_t size = pack_encode(&slot, bytes);
+    why[0] = '\0';
+    const enum pack_result result = pack_decode(bytes, size, &other, why);
+    if (result != PACK_BAD || !strstr(why, harm->why)) {
+        fail_msg("%s: '%s' and not '%s'", species->card.id, why, harm->why);
+    }
+    assert_null(strchr(why, '\n'));
+}
 
 static void test_each_harm_is_found_and_named(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof harms / sizeof harms[0]; i++) {
-        pack_copy(&species_wakin, &slot);
-        harms[i].change(&slot);
-        const size_t size = pack_encode(&slot, bytes);
-        why[0] = '\0';
-        const enum pack_result result = pack_decode(bytes, size, &other, why);
-        if (result != PACK_BAD || !strstr(why, harms[i].why)) {
-            fail_msg("'%s' and not '%s'", why, harms[i].why);
-        }
-        assert_null(strchr(why, '\n'));
+        expect_refusal(&species_wakin, &harms[i]);
+    }
+}
+
+static void test_keys_of_another_size_are_refused_by_each_measure(void **state)
+{
+    (void)state;
+    static const struct harm total[] = { { harm_longer, "adult/near: size: 1.0" },
+                                         { harm_shorter, "adult/near: size: 0.9" } };
+    static const struct harm disc[] = { { harm_wider, "adult/near: size: 1.0" },
+                                        { harm_narrower, "adult/near: size: 0.9" } };
+    static const struct harm root[] = { { harm_longest, "adult/near: size: 1." },
+                                        { harm_stub, "adult/near: size: 0.7" } };
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        const uint8_t measure = species_table[i]->card.measure;
+        const struct harm *sizes = measure == MEASURE_TOTAL  ? total
+                                   : measure == MEASURE_DISC ? disc
+                                                             : root;
+        expect_refusal(species_table[i], &sizes[0]);
+        expect_refusal(species_table[i], &sizes[1]);
     }
 }
 
@@ -317,6 +447,7 @@ int main(void)
         cmocka_unit_test(test_a_flipped_bit_anywhere_is_refused),
         cmocka_unit_test(test_another_version_is_named),
         cmocka_unit_test(test_each_harm_is_found_and_named),
+        cmocka_unit_test(test_keys_of_another_size_are_refused_by_each_measure),
         cmocka_unit_test(test_counts_that_no_table_holds_are_refused_unread),
         cmocka_unit_test(test_any_body_under_a_good_head_is_answered),
         cmocka_unit_test(test_a_file_is_written_whole_and_read_back),
