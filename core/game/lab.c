@@ -29,7 +29,6 @@ void lab_begin(struct core *core, struct output *output)
     lab->stir_tick = lab->act_tick = core->tick;
     lab->start_ticks = 0;
     lab->presses = 1; /* The dip that opened it presses nothing here. */
-    lab->holds = HOLD_BUTTON;
     lab_take(core, lab->species);
     output_sound(output, SOUND_START, 0.7f, 0.0f);
 }
@@ -69,17 +68,29 @@ static void note_stir(struct core *core)
     }
 }
 
-/* Where it is, and whether it is down; one that comes down over nothing new presses nothing. */
+/* What one hand held is not another's: that one presses nothing until it has come up. */
+static void change_hands(struct lab *lab, uint32_t index)
+{
+    if (lab->has_hand && index != lab->hand) {
+        lab->presses = 1;
+        lab->holds = HOLD_BUTTON;
+        lab->held_knot = LAB_NO_KNOT;
+    }
+    lab->hand = (uint8_t)index;
+}
+
+/* Where it is, and whether it is down. */
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct lab *lab = &core->game.lab;
     const uint32_t index = leading_hand(core, input);
-    lab->has_hand = index < POI_MAX;
-    if (!lab->has_hand) {
-        lab->presses = 0;
+    if (index == POI_MAX) {
+        lab->has_hand = lab->presses = 0;
         lab_release(core);
         return;
     }
+    change_hands(lab, index);
+    lab->has_hand = 1;
     const struct poi_input *says = &input->poi[index];
     const vec3 hand_m = says->target.position_m;
     const struct lab_point canvas = lab_canvas(lab->upright);
@@ -109,7 +120,7 @@ static void step_life(struct lab *lab, float way)
     lab->progress = f_clamp(lab->progress + way, 0.0f, 1.0f);
 }
 
-/* START is heard when it is let go: held, it leaves. */
+/* START plays or stops at once, in heed_buttons(); held on, it leaves. */
 static int ends_by_start(struct core *core, const struct input *input)
 {
     struct lab *lab = &core->game.lab;
@@ -223,7 +234,7 @@ uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab)
                                lab->path,      lab->has_hand,  lab->presses,     lab->points,
                                lab->holds,     lab->held_knot, lab->upright,     lab->stir_tick,
                                lab->act_tick,  lab->rest_ticks, lab->start_ticks, lab->save_id,
-                               lab->saved_id,  lab->asked_id };
+                               lab->saved_id,  lab->asked_id,   lab->hand };
     const float floats[] = { lab->x, lab->y, lab->stir_x, lab->stir_y, lab->progress };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

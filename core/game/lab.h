@@ -40,6 +40,7 @@ struct lab {
     uint8_t layer;     /* Which curve the hand is at. */
     uint8_t playing, compare, path;
     uint8_t has_hand, presses;
+    uint8_t hand;      /* Which player's it is, or was last. */
     uint8_t points;    /* enum lab_part that is under the hand. */
     uint8_t holds;     /* enum lab_hold */
     uint8_t held_knot;

@@ -27,6 +27,8 @@ void lab_take(struct core *core, uint32_t species)
     lab->rest_ticks = 0;
     lab->playing = 1;
     lab->asked_id = 0;
+    lab->holds = HOLD_BUTTON; /* A hand that is down held a knot of another graph. */
+    lab->held_knot = LAB_NO_KNOT;
 }
 
 int lab_is_own(const struct core *core)

@@ -347,6 +347,34 @@ static void test_a_hand_that_goes_lets_go(void **state)
     assert_int_equal(look()->lab.has_hand, 0);
 }
 
+/* Both are down when the first goes, and when it comes back. */
+static void test_what_one_hand_held_never_leaps_to_another(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 5, .fish_count = 12, .players = 2,
+                                        .modes = 1u << CHOICE_LAB };
+    open_stall(&config);
+    hover(knot_at(1, 1));
+    go_down();
+    assert_int_equal(core.game.lab.holds, HOLD_WEIGHT);
+    const struct lab_edit before = core.game.lab.edit;
+    const struct poi_input first = input.poi[0];
+    hold(1, v3(0.0f, DOWN_M, 0.0f));
+    ticks(3);
+    for (uint32_t i = 0; i < 2; i++) {
+        input.poi[0].link = i == 0 ? POI_LINK_LOST : POI_LINK_LIVE;
+        ticks(3);
+        assert_int_equal(look()->lab.has_hand, 1);
+        assert_int_equal(core.game.lab.hand, 1u - i);
+        assert_int_equal(core.game.lab.holds, HOLD_BUTTON);
+        assert_memory_equal(&core.game.lab.edit, &before, sizeof before);
+    }
+    come_up();
+    input.poi[0] = first;
+    tick();
+    assert_int_equal(core.game.lab.holds, HOLD_WEIGHT);
+}
+
 /* ---- The graph ------------------------------------------------------------------------------ */
 
 static void test_a_dragged_knot_keeps_the_constraint_all_the_way(void **state)
@@ -377,6 +405,34 @@ static void test_a_dragged_knot_keeps_the_constraint_all_the_way(void **state)
     assert_true(core.game.lab.edit.graph.knots[1].weight[1] < 0.95f);
     assert_int_equal(look()->lab.is_own, 0);
     assert_int_equal(scene.lab.is_kept, 0);
+}
+
+/* The button's hand is another than the one that holds: nobody need let go first. */
+static void test_a_page_turned_under_a_held_knot_leaves_it_alone(void **state)
+{
+    (void)state;
+    for (uint32_t layer = 0; layer < 2; layer++) {
+        const struct lab_box plot = lab_box(0, card()->key_count, LAB_PLOT);
+        const struct species_card *first = card();
+        struct lab_point at = knot_at(card()->curves[0].knot_count - 1u, card()->key_count - 1u);
+        if (layer == 1) {
+            tap(LAB_SIZE);
+            at.y = plot.y + (1.0f - lab_length_share(first, life_length_m(first, 1.0f))) *
+                                plot.height;
+        }
+        hover(at);
+        go_down();
+        assert_int_equal(core.game.lab.holds, layer == 1 ? HOLD_SIZE : HOLD_WEIGHT);
+        for (uint32_t i = 1; i <= species_table_count; i++) {
+            press(INPUT_OK);
+            input.poi[0].target.position_m.z += 0.002f;
+            ticks(3);
+            assert_int_equal(core.game.lab.species, i % species_table_count);
+            assert_int_equal(core.game.lab.holds, HOLD_BUTTON);
+            assert_int_equal(look()->lab.is_own, 1);
+        }
+        come_up();
+    }
 }
 
 static void test_templates_take_the_places_of_the_graph(void **state)
@@ -481,7 +537,7 @@ static void play_wildly(uint32_t seed, uint32_t count)
         hold(0, v3(x * core.tank.size_m.x, bits >> 16 & 1u ? DOWN_M : UP_M,
                    z * core.tank.size_m.z));
         input.upright = (bits >> 20 & 15u) == 0;
-        input.pressed = bits >> 24 == 7u ? INPUT_OK : 0;
+        input.pressed = bits >> 24 == 7u || i % 97u == 0 ? INPUT_OK : 0;
         tick();
         if (core.game.phase != PHASE_LAB) {
             press(INPUT_START);
@@ -527,7 +583,9 @@ int main(void)
         TEST(test_a_mouse_presses_as_a_poi_does),
         TEST(test_parts_do_not_overlap_and_lie_on_their_canvas),
         TEST(test_a_hand_that_goes_lets_go),
+        TEST(test_what_one_hand_held_never_leaps_to_another),
         TEST(test_a_dragged_knot_keeps_the_constraint_all_the_way),
+        TEST(test_a_page_turned_under_a_held_knot_leaves_it_alone),
         TEST(test_templates_take_the_places_of_the_graph),
         TEST(test_knots_are_added_where_life_stands_and_taken_away_there),
         TEST(test_the_scale_is_drawn_by_hand_and_tells_on_the_ruler),
