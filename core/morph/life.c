@@ -3,7 +3,8 @@
  * The thesis writes t for all three. Here key i of n stands at progress i / (n - 1), at its own age
  * and at its own length. Between two keys progress goes by the logarithm of length, for fish grow
  * by factors; where length turns round between them (a conger is longest before it is an eel) by
- * age. */
+ * age. A key may be a little longer or shorter than the growth curve at its age: ages go by the
+ * curve's lengths at both keys, so that they rise from the one to the other whatever the keys'. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -17,17 +18,26 @@ static uint32_t last_key(const struct species_card *card)
     return card->key_count - 1u;
 }
 
+/* Where both the keys and the growth curve between them go one way, and the same. */
 static bool goes_by_length(const struct species_card *card, uint32_t key)
 {
-    return card->key_length_m[key] != card->key_length_m[key + 1] &&
-           growth_is_one_way(&card->growth, card->key_age_days[key], card->key_age_days[key + 1]);
+    const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
+    const bool rises = growth_length_m(&card->growth, age[1]) >
+                       growth_length_m(&card->growth, age[0]);
+    return length[0] != length[1] && (length[1] > length[0]) == rises &&
+           growth_is_one_way(&card->growth, age[0], age[1]);
 }
 
-/* [0, 1] from `key` to the next. */
-static float part_of_length(const struct species_card *card, uint32_t key, float length_m)
+/* [0, 1] of the way from one length to another, by factors. */
+static float part_between(float from_m, float to_m, float length_m)
 {
-    const float *length = &card->key_length_m[key];
-    return f_clamp(f_ln(length_m / length[0]) / f_ln(length[1] / length[0]), 0.0f, 1.0f);
+    return f_clamp(f_ln(length_m / from_m) / f_ln(to_m / from_m), 0.0f, 1.0f);
+}
+
+static float length_between(float from_m, float to_m, float part)
+{
+    const float length_m = from_m * f_exp(f_ln(to_m / from_m) * part);
+    return f_clamp(length_m, f_min(from_m, to_m), f_max(from_m, to_m));
 }
 
 static float part_of_age(const struct species_card *card, uint32_t key, float age_days)
@@ -35,6 +45,26 @@ static float part_of_age(const struct species_card *card, uint32_t key, float ag
     const float *age = &card->key_age_days[key];
     CORE_ASSERT(age[1] > age[0]);
     return f_clamp((age_days - age[0]) / (age[1] - age[0]), 0.0f, 1.0f);
+}
+
+/* [0, 1] of the way that the growth curve goes from `key` to the next. */
+static float part_of_growth(const struct species_card *card, uint32_t key, float age_days)
+{
+    const float *age = &card->key_age_days[key];
+    return part_between(growth_length_m(&card->growth, age[0]),
+                        growth_length_m(&card->growth, age[1]),
+                        growth_length_m(&card->growth, age_days));
+}
+
+/* And back. */
+static float age_of_growth(const struct species_card *card, uint32_t key, float part)
+{
+    const float *age = &card->key_age_days[key];
+    const float length_m = length_between(growth_length_m(&card->growth, age[0]),
+                                          growth_length_m(&card->growth, age[1]), part);
+    const float days = growth_age_between(&card->growth, age[0], age[1], length_m);
+    CORE_ASSERT(days >= age[0]);
+    return days;
 }
 
 static float progress_of(const struct species_card *card, uint32_t key, float part)
@@ -57,8 +87,7 @@ float life_progress(const struct species_card *card, float age_days)
             if (!goes_by_length(card, key)) {
                 return progress_of(card, key, part_of_age(card, key, age_days));
             }
-            const float length_m = growth_length_m(&card->growth, age_days);
-            return progress_of(card, key, part_of_length(card, key, length_m));
+            return progress_of(card, key, part_of_growth(card, key, age_days));
         }
     }
     return 1.0f;
@@ -86,7 +115,7 @@ static float length_at(const struct species_card *card, uint32_t key, float part
     if (part <= 0.0f || part >= 1.0f) {
         return length[part >= 1.0f];
     }
-    return length[0] * f_exp(f_ln(length[1] / length[0]) * part);
+    return length_between(length[0], length[1], part);
 }
 
 float life_age_days(const struct species_card *card, float progress)
@@ -98,11 +127,7 @@ float life_age_days(const struct species_card *card, float progress)
         return age[part >= 1.0f];
     }
     if (goes_by_length(card, key)) {
-        const float days = growth_age_between(&card->growth, age[0], age[1],
-                                              length_at(card, key, part));
-        if (days >= 0.0f) {
-            return days;
-        }
+        return age_of_growth(card, key, part);
     }
     return f_lerp(age[0], age[1], part);
 }
@@ -139,6 +164,9 @@ static float progress_by_hand(const struct species_card *card, float length_m)
     for (uint32_t i = 1; i < card->scale_knot_count; i++) {
         float from = knot[i - 1].progress, to = knot[i].progress;
         const bool rises = knot[i].length_m > knot[i - 1].length_m;
+        if (length_m == knot[i - 1].length_m) {
+            return from;
+        }
         if (f_min(knot[i - 1].length_m, knot[i].length_m) <= length_m &&
             length_m <= f_max(knot[i - 1].length_m, knot[i].length_m)) {
             for (int step = 0; step < BISECTIONS; step++) {
@@ -163,7 +191,8 @@ static float progress_from_key(const struct species_card *card, uint32_t key, fl
     }
     if (goes_by_length(card, key)) {
         const bool within = (length_m > length[0]) != (length_m > length[1]);
-        return within ? progress_of(card, key, part_of_length(card, key, length_m)) : -1.0f;
+        const float part = part_between(length[0], length[1], length_m);
+        return within ? progress_of(card, key, part) : -1.0f;
     }
     const float days = growth_age_between(&card->growth, age[0], age[1], length_m);
     return days >= 0.0f ? progress_of(card, key, part_of_age(card, key, days)) : -1.0f;

@@ -63,12 +63,20 @@ FINDING(fin_in_eye)
 FINDING(root_off_skin)
 FINDING(volume_dip)
 FINDING(size_error)
+FIGURE(moments_not_older, s->moments_not_older)
+FINDING(progress_lost)
+FINDING(length_lost)
+FINDING(off_growth)
 
 #define OF(name) #name, value_##name, NULL
 #define FOUND(name) #name, value_##name, where_##name
 
 static const struct row rows[] = {
     { "keys' sizes: off one another, %", FOUND(size_error), "%.3f", 100.0, 1.0, AT_MOST },
+    { "length off the growth curve, %", FOUND(off_growth), "%.3f", 100.0, 2.0, AT_MOST },
+    { "moments at which age does not rise", OF(moments_not_older), "%.0f", 1.0, 0.0, AT_MOST },
+    { "age leads to another progress, by", FOUND(progress_lost), "%.1e", 1.0, 1e-3, AT_MOST },
+    { "length leads to another length, %", FOUND(length_lost), "%.3f", 100.0, 0.1, AT_MOST },
     { "weights: sum is off 1 by", OF(sum_error), "%.1e", 1.0, 1e-6, AT_MOST },
     { "weights: least", OF(weight_min), "%.4f", 1.0, 0.0, AT_LEAST },
     { "weights of drawings: sum is off 1 by", OF(drawn_sum_error), "%.1e", 1.0, 2e-6, AT_MOST },
@@ -147,6 +155,8 @@ static void print_faults(const struct check_plan *plan, enum column column)
                 print_where(plan, column, rows[i].where(survey));
             } else if (rows[i].value == value_flipped_skin || rows[i].value == value_flipped_fins) {
                 printf(", first at progress %.4f", (double)survey->flipped_at);
+            } else if (rows[i].value == value_moments_not_older) {
+                printf(", first at progress %.4f", (double)survey->age_stands_at);
             }
             putchar('\n');
         }
@@ -235,6 +245,8 @@ const struct morph_command ctl_morph_check = {
         "What counts, and what is by design:\n"
         "  sizes         all keys are one long as the species measures it (size is a curve of its\n"
         "                own), snout at one place\n"
+        "  length, age   older at every moment; as long as the growth curve says, but for a size\n"
+        "                drawn by hand; each leads back to the other\n"
         "  turned over   a triangle of body or eye that faces inward; a fin's that turns over\n"
         "                from one moment to the next\n"
         "  a hole        without a closed body nothing can be told to be inside of it\n"

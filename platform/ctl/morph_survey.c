@@ -247,6 +247,7 @@ void morph_survey(const struct species *species, const struct morph_rig *rig, ui
     for (key = 0; key < rig->key_count; key++) {
         out->keys_alone += w->key_alone[key];
     }
+    walk_measure_ages(w, steps);
     measure_path(w, PART_DORSAL, SIDE_MIDDLE, steps, &out->dorsal_root);
     measure_path(w, PART_EYE, SIDE_RIGHT, steps, &out->eye_right);
     measure_path(w, PART_EYE, SIDE_LEFT, steps, &out->eye_left);

@@ -47,6 +47,12 @@ struct survey {
     /* How far a key's snout is from z = -0.5, or its size, as the species measures it, from 1. */
     struct finding size_error;
     struct curvature dorsal_root, eye_right, eye_left;
+    /* Its life: moments at which it is no older than at the one before, and the first such ... */
+    uint32_t moments_not_older;
+    float age_stands_at;
+    struct finding progress_lost; /* ... how far its age leads back to another progress ... */
+    struct finding length_lost;   /* ... its length to another length, a share of it ... */
+    struct finding off_growth;    /* ... and the share by which it is off the growth curve. */
 };
 
 /* Measures `steps` + 1 moments from progress 0 to 1, and each key's own, of one level of detail. */

@@ -37,4 +37,7 @@ void walk_find_roots(struct walk *w);
 void walk_build_skins(struct walk *w);
 void walk_measure_inside(struct walk *w);
 
+/* morph_ages.c: the whole life of it, moment by moment, without any shape. */
+void walk_measure_ages(struct walk *w, uint32_t steps);
+
 #endif

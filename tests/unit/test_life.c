@@ -178,6 +178,36 @@ static void test_a_size_drawn_by_hand_takes_the_place_of_growth(void **state)
     assert_true(life_age_days(&card, 1.0f) == card.key_age_days[3]);
 }
 
+/* One way in its keys, another in its growth: no card should be, and age rises all the same. */
+static void test_age_rises_even_where_a_key_is_dated_wrong(void **state)
+{
+    (void)state;
+    struct species_card card = species_wakin.card;
+    card.key_age_days[3] = 200.0f; /* 74 mm by then, and drawn at 45. */
+    assert_age_rises_and_leads_back(&card);
+    assert_a_key_stands_at_its_age_and_length(&card);
+    card.key_length_m[3] = 0.030f; /* Shorter than the key before. */
+    assert_age_rises_and_leads_back(&card);
+    card.key_length_m[3] = 0.300f; /* Longer than the next. */
+    assert_age_rises_and_leads_back(&card);
+}
+
+static void test_a_level_stretch_drawn_by_hand_means_its_beginning(void **state)
+{
+    (void)state;
+    struct species_card card = species_wakin.card;
+    card.scale_knot_count = 4;
+    card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.01f };
+    card.scale_knots[1] = (struct scale_knot){ 0.5f, 0.01f };
+    card.scale_knots[2] = (struct scale_knot){ 0.75f, 0.04f };
+    card.scale_knots[3] = (struct scale_knot){ 1.0f, 0.04f };
+    assert_true(morph_progress(&card, 0.01f) == 0.0f);
+    assert_float_equal(morph_progress(&card, 0.04f), 0.75f, 1e-4f);
+    card.scale_knots[0].length_m = 0.005f; /* Not the first knots: the second and the third. */
+    card.scale_knots[2].length_m = 0.01f;
+    assert_float_equal(morph_progress(&card, 0.01f), 0.5f, 1e-3f);
+}
+
 static void test_a_progress_or_an_age_that_cannot_be_is_a_bug(void **state)
 {
     (void)state;
@@ -199,6 +229,8 @@ int main(void)
         cmocka_unit_test(test_a_length_passed_three_times_means_the_first),
         cmocka_unit_test(test_length_leads_to_progress_and_back),
         cmocka_unit_test(test_a_size_drawn_by_hand_takes_the_place_of_growth),
+        cmocka_unit_test(test_age_rises_even_where_a_key_is_dated_wrong),
+        cmocka_unit_test(test_a_level_stretch_drawn_by_hand_means_its_beginning),
         cmocka_unit_test(test_a_progress_or_an_age_that_cannot_be_is_a_bug),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

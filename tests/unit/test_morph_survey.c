@@ -1,4 +1,5 @@
 /* test_morph_survey.c -- that a flaw put into a fish is found, each by its own figure. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -216,6 +217,35 @@ static void test_a_key_of_another_size_is_seen(void **state)
     assert_float_equal(survey.size_error.progress, 1.0f / (float)(rig.key_count - 1u), 1e-6f);
 }
 
+static void test_a_life_out_of_order_is_seen(void **state)
+{
+    (void)state;
+    measure();
+    assert_int_equal(survey.moments_not_older, 0);
+    assert_true(survey.off_growth.value < 0.02f);
+    assert_true(survey.progress_lost.value < 1e-3f && survey.length_lost.value < 1e-3f);
+    fish.card.key_age_days[3] = nextafterf(fish.card.key_age_days[2], 1e6f); /* No time between. */
+    measure();
+    assert_int_equal(survey.moments_not_older, 4); /* Of the five up to the next key. */
+    assert_float_equal(survey.age_stands_at, 0.55f, 1e-6f);
+    assert_true(survey.progress_lost.value > 0.1f);
+}
+
+/* Told to be 45 mm at day 200, where its growth makes 74 of it. */
+static void test_a_key_off_the_growth_curve_is_seen(void **state)
+{
+    (void)state;
+    fish.card.key_age_days[3] = 200.0f;
+    measure();
+    assert_float_equal(survey.off_growth.value, 1.0f - 45.0f / 73.6f, 1e-3f);
+    assert_float_equal(survey.off_growth.progress, 0.75f, 1e-6f);
+    fish.card.scale_knot_count = 2; /* A size drawn by hand need not be that of growth. */
+    fish.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
+    fish.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.150f };
+    measure();
+    assert_true(survey.off_growth.value == 0.0f);
+}
+
 static void test_only_a_straight_morph_keeps_to_the_chord(void **state)
 {
     (void)state;
@@ -245,6 +275,8 @@ int main(void)
         cmocka_unit_test_setup(test_a_lean_stage_between_two_keys_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_hole_in_the_body_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_key_of_another_size_is_seen, new_fish),
+        cmocka_unit_test_setup(test_a_life_out_of_order_is_seen, new_fish),
+        cmocka_unit_test_setup(test_a_key_off_the_growth_curve_is_seen, new_fish),
         cmocka_unit_test_setup(test_only_a_straight_morph_keeps_to_the_chord, new_fish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -69,6 +69,15 @@ static void test_every_key_is_reached_and_is_its_drawing(void **state)
     }
 }
 
+static void test_age_progress_and_length_lead_to_each_other(void **state)
+{
+    (void)state;
+    MOST(moments_not_older, 0u)
+    MOST(progress_lost.value, 2e-4f)
+    MOST(length_lost.value, 1e-3f)
+    MOST(off_growth.value, 0.02f)
+}
+
 static void test_no_triangle_turns_over(void **state)
 {
     (void)state;
@@ -131,6 +140,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_weights_are_a_blend_at_every_moment),
         cmocka_unit_test(test_every_key_is_reached_and_is_its_drawing),
+        cmocka_unit_test(test_age_progress_and_length_lead_to_each_other),
         cmocka_unit_test(test_no_triangle_turns_over),
         cmocka_unit_test(test_nothing_is_deeper_in_the_fish_than_it_should_be),
         cmocka_unit_test(test_no_pupil_is_in_a_head_and_no_eye_in_the_other),

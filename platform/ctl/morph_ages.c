@@ -1,0 +1,42 @@
+/* morph_ages.c -- whether age, progress and length lead to each other all through a fish's life. */
+#include <math.h>
+
+#include "platform/ctl/morph_walk.h"
+
+/* Counts the moments at which it is no older than at the one before. */
+static void measure_age(struct walk *w, float before_days, float age_days)
+{
+    if (!(age_days > before_days)) {
+        w->out->age_stands_at = w->out->moments_not_older == 0 ? w->progress
+                                                               : w->out->age_stands_at;
+        w->out->moments_not_older++;
+    }
+}
+
+/* Length as it is shown against the growth curve at that age; a size drawn by hand is its own. */
+static void measure_length(struct walk *w, float age_days)
+{
+    const struct species_card *card = &w->species->card;
+    const float length_m = life_length_m(card, w->progress);
+    const float again_m = life_length_m(card, morph_progress(card, length_m));
+    walk_keep(w, &w->out->length_lost, fabsf(again_m / length_m - 1.0f), SURVEY_NOWHERE);
+    if (card->scale_knot_count == 0) {
+        const float grown_m = growth_length_m(&card->growth, age_days);
+        walk_keep(w, &w->out->off_growth, fabsf(length_m / grown_m - 1.0f), SURVEY_NOWHERE);
+    }
+}
+
+void walk_measure_ages(struct walk *w, uint32_t steps)
+{
+    const struct species_card *card = &w->species->card;
+    float before_days = -1.0f;
+    for (uint32_t i = 0; i <= steps; i++) {
+        w->progress = (float)i / (float)steps;
+        const float age_days = life_age_days(card, w->progress);
+        measure_age(w, before_days, age_days);
+        measure_length(w, age_days);
+        const float back = fabsf(life_progress(card, age_days) - w->progress);
+        walk_keep(w, &w->out->progress_lost, back, SURVEY_NOWHERE);
+        before_days = age_days;
+    }
+}
