@@ -102,10 +102,7 @@ static uint32_t key_before(const struct species_card *card, float progress, floa
     while (key + 1u < last_key(card) && progress >= (float)(key + 1u) / last) {
         key++;
     }
-    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f);
-    if (progress == (float)key / last) {
-        *part = 0.0f; /* Rounding apart. */
-    }
+    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* Key / last * last is the key. */
     return key;
 }
 

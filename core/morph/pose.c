@@ -19,22 +19,16 @@ vec3 quat_turn_back(struct quat q, vec3 a)
     return quat_turn((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
 }
 
-/* What turns the body's axes onto x, y, z (of length 1 and square to each other): from the largest
- * of the four parts, so that nothing small is divided by. */
+/* What turns the body's axes onto x, y, z (of length 1, square to each other, y = z cross x), where z
+ * is the body's backward as far as x lets it be. Then z.z = s is not negative and y.y = x.x / s, so
+ * of the four parts that one could begin with, w's or z's is the largest: nothing small is divided
+ * by. */
 static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
 {
-    const float w4 = 1.0f + x.x + y.y + z.z, x4 = 1.0f + x.x - y.y - z.z;
-    const float y4 = 1.0f - x.x + y.y - z.z, z4 = 1.0f - x.x - y.y + z.z;
-    const float most = f_max(f_max(w4, x4), f_max(y4, z4));
-    const float k = 0.5f / f_sqrt(most);
-    if (most == w4) {
+    const float w4 = 1.0f + x.x + y.y + z.z, z4 = 1.0f - x.x - y.y + z.z;
+    const float k = 0.5f / f_sqrt(f_max(w4, z4));
+    if (w4 >= z4) {
         return (struct quat){ (y.z - z.y) * k, (z.x - x.z) * k, (x.y - y.x) * k, w4 * k };
-    }
-    if (most == x4) {
-        return (struct quat){ x4 * k, (x.y + y.x) * k, (z.x + x.z) * k, (y.z - z.y) * k };
-    }
-    if (most == y4) {
-        return (struct quat){ (x.y + y.x) * k, y4 * k, (y.z + z.y) * k, (z.x - x.z) * k };
     }
     return (struct quat){ (z.x + x.z) * k, (y.z + z.y) * k, z4 * k, (x.y - y.x) * k };
 }

@@ -24,18 +24,35 @@ static void test_it_runs_through_every_point(void **state)
     }
 }
 
-static void test_between_two_points_it_leaves_neither_below_nor_above(void **state)
+static void assert_no_overshoot(const struct cubic_point *points, uint32_t count)
 {
-    (void)state;
-    for (uint32_t i = 0; i + 1 < COUNT; i++) {
-        const float low = f_min(steps[i].value, steps[i + 1].value);
-        const float high = f_max(steps[i].value, steps[i + 1].value);
+    for (uint32_t i = 0; i + 1 < count; i++) {
+        const float low = f_min(points[i].value, points[i + 1].value);
+        const float high = f_max(points[i].value, points[i + 1].value);
         for (int step = 0; step <= STEPS; step++) {
-            const float at = f_lerp(steps[i].at, steps[i + 1].at, (float)step / STEPS);
-            const float value = cubic_curve(steps, COUNT, at);
+            const float at = f_lerp(points[i].at, points[i + 1].at, (float)step / STEPS);
+            const float value = cubic_curve(points, count, at);
             assert_true(value >= low - 1e-5f && value <= high + 1e-5f);
         }
     }
+}
+
+static void test_between_two_points_it_leaves_neither_below_nor_above(void **state)
+{
+    (void)state;
+    assert_no_overshoot(steps, COUNT);
+}
+
+/* A small rise beside a deep fall: three points ask for a slope of 7.5 where 3 is the most. */
+static void test_it_does_not_overshoot_at_its_ends(void **state)
+{
+    (void)state;
+    const struct cubic_point first[3] = { { 0.0f, 0.0f }, { 1.0f, 1.0f }, { 2.0f, -11.0f } };
+    const struct cubic_point last[3] = { { 0.0f, -11.0f }, { 1.0f, 1.0f }, { 2.0f, 0.0f } };
+    assert_float_equal(cubic_slope(first, 3, 0), 3.0f, 1e-6f);
+    assert_float_equal(cubic_slope(last, 3, 2), -3.0f, 1e-6f);
+    assert_no_overshoot(first, 3);
+    assert_no_overshoot(last, 3);
 }
 
 static void test_it_keeps_to_its_ends_outside_them(void **state)
@@ -77,6 +94,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_it_runs_through_every_point),
         cmocka_unit_test(test_between_two_points_it_leaves_neither_below_nor_above),
+        cmocka_unit_test(test_it_does_not_overshoot_at_its_ends),
         cmocka_unit_test(test_it_keeps_to_its_ends_outside_them),
         cmocka_unit_test(test_two_points_are_a_straight_line),
         cmocka_unit_test(test_equal_rises_keep_their_slope),

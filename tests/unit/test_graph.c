@@ -237,6 +237,29 @@ static void test_the_solved_middle_key_is_the_thesis_exaggeration(void **state)
     }
 }
 
+/* Where a key is seen less than its neighbour at its own progress, the largest pivot is in another
+ * row. */
+static void test_shapes_are_solved_whatever_key_is_seen_most(void **state)
+{
+    (void)state;
+    const struct graph graph = { .knot_count = 3, .solved = 1,
+                                 .knots = { { 0.0f, { 0.1f, 0.7f, 0.2f } },
+                                            { 0.5f, { 0.2f, 0.1f, 0.7f } },
+                                            { 1.0f, { 0.7f, 0.2f, 0.1f } } } };
+    float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
+    uint32_t stuck;
+    assert_true(graph_solve(&graph, 3, solution, &stuck));
+    for (uint32_t key = 0; key < 3; key++) {
+        for (uint32_t j = 0; j < 3; j++) {
+            float drawn = 0.0f;
+            for (uint32_t i = 0; i < 3; i++) {
+                drawn += graph.knots[key].weight[i] * solution[i][j];
+            }
+            assert_float_equal(drawn, j == key ? 1.0f : 0.0f, 1e-5f);
+        }
+    }
+}
+
 static void test_a_solved_curve_passes_through_every_drawing_exactly(void **state)
 {
     (void)state;
@@ -327,6 +350,7 @@ int main(void)
         cmocka_unit_test(test_a_sum_just_inside_the_rule_is_good_and_just_outside_is_told),
         cmocka_unit_test(test_a_graph_that_hardly_shows_a_key_cannot_be_solved),
         cmocka_unit_test(test_the_solved_middle_key_is_the_thesis_exaggeration),
+        cmocka_unit_test(test_shapes_are_solved_whatever_key_is_seen_most),
         cmocka_unit_test(test_a_solved_curve_passes_through_every_drawing_exactly),
         cmocka_unit_test(test_a_solved_curve_does_not_jump_at_a_key),
         cmocka_unit_test(test_only_solved_smooth_curves_show_a_third_key_between_two),

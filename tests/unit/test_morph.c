@@ -104,6 +104,18 @@ static void test_lengths_between_keys_go_by_factors(void **state)
     assert_float_equal(morph_progress(&wakin->card, 0.010f), 0.125f, 1e-5f);
 }
 
+/* 254 steps along each axis of the octahedron; on its rim below, two codes are one normal. */
+static void test_a_normal_is_folded_to_the_step_that_it_stands_on(void **state)
+{
+    (void)state;
+    for (int32_t x = -126; x <= 126; x++) {
+        for (int32_t y = -126; y <= 126; y++) {
+            const int16_t folded = (int16_t)((x + 127) * 256 + y + 127 - 32767);
+            assert_int_equal(morph_fold_normal(morph_normal(folded)), folded);
+        }
+    }
+}
+
 static void test_a_progress_outside_the_graph_is_a_bug(void **state)
 {
     (void)state;
@@ -200,6 +212,7 @@ int main(void)
         cmocka_unit_test(test_each_key_is_reached_whole_at_its_own_length),
         cmocka_unit_test(test_progress_rises_with_length_and_stops_at_the_keys_ends),
         cmocka_unit_test(test_lengths_between_keys_go_by_factors),
+        cmocka_unit_test(test_a_normal_is_folded_to_the_step_that_it_stands_on),
         cmocka_unit_test(test_a_progress_outside_the_graph_is_a_bug),
         cmocka_unit_test(test_a_key_blended_alone_is_the_key_bit_for_bit),
         cmocka_unit_test(test_every_stage_between_keys_is_a_whole_fish),

@@ -146,26 +146,54 @@ static void test_a_frame_of_the_skin_turns_there_and_back(void **state)
     }
 }
 
-/* A turned patch of skin at every heading, so that each branch from axes to quaternion is taken. */
+/* A patch of skin that faces `normal`: its frame stands square, of length 1, z not forward. */
+static void assert_a_skin_has_its_turn(vec3 normal)
+{
+    for (uint32_t k = 0; k < BARREL_GRID; k++) {
+        barrel.points[0][k].normal = morph_fold_normal(normal);
+    }
+    morph_key_pose(mesh, 3, 0, &pose);
+    const struct quat turn = pose.anchor[0].turn;
+    const vec3 x = quat_turn(turn, v3(1.0f, 0.0f, 0.0f));
+    const vec3 y = quat_turn(turn, v3(0.0f, 1.0f, 0.0f));
+    const vec3 z = quat_turn(turn, v3(0.0f, 0.0f, 1.0f));
+    assert_near(x, morph_normal(morph_fold_normal(normal)), 1e-5f);
+    assert_float_equal(v3_dot(x, z), 0.0f, 1e-5f);
+    assert_float_equal(v3_length(z), 1.0f, 1e-5f);
+    assert_near(y, v3_cross(z, x), 1e-5f);
+    assert_true(z.z >= -1e-6f);
+}
+
 static void test_every_heading_of_the_skin_has_its_turn(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 400; i++) {
         const float up = -0.99f + 1.98f * (float)(i % 20u) / 19.0f;
         const float angle = F_TAU * (float)(i / 20u) / 20.0f + 0.01f, flat = f_sqrt(1.0f - up * up);
-        const vec3 normal = v3(flat * f_sin(angle), up, flat * f_cos(angle));
-        for (uint32_t k = 0; k < BARREL_GRID; k++) {
-            barrel.points[0][k].normal = morph_fold_normal(normal);
-        }
-        morph_key_pose(mesh, 3, 0, &pose);
-        const struct quat turn = pose.anchor[0].turn;
-        const vec3 x = quat_turn(turn, v3(1.0f, 0.0f, 0.0f));
-        const vec3 y = quat_turn(turn, v3(0.0f, 1.0f, 0.0f));
-        const vec3 z = quat_turn(turn, v3(0.0f, 0.0f, 1.0f));
-        assert_near(x, morph_normal(morph_fold_normal(normal)), 1e-5f);
-        assert_float_equal(v3_dot(x, z), 0.0f, 1e-5f);
-        assert_near(y, v3_cross(z, x), 1e-5f);
-        assert_true(z.z >= 0.0f);
+        assert_a_skin_has_its_turn(v3(flat * f_sin(angle), up, flat * f_cos(angle)));
+    }
+}
+
+/* A snout faces forward and a tail root backward: then backward along the skin is no way at all. */
+static void test_a_skin_that_faces_along_the_body_has_its_turn(void **state)
+{
+    (void)state;
+    assert_a_skin_has_its_turn(v3(0.0f, 0.0f, -1.0f));
+    assert_near(quat_turn(pose.anchor[0].turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, -1.0f, 0.0f), 1e-5f);
+    assert_a_skin_has_its_turn(v3(0.0f, 0.0f, 1.0f));
+    assert_near(quat_turn(pose.anchor[0].turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, -1.0f, 0.0f), 1e-5f);
+}
+
+/* So little before the back that it rounds to a whole turn: the seam, not the next ring. */
+static void test_a_hair_before_the_seam_is_the_seam(void **state)
+{
+    (void)state;
+    morph_key_pose(mesh, 3, 0, &pose);
+    for (uint32_t i = 0; i <= 10; i++) {
+        const float u = (float)i / 10.0f;
+        const struct anchor_pose before = morph_ride(mesh, 3, &pose, u, -1e-9f, true);
+        assert_near(before.position, morph_ride(mesh, 3, &pose, u, 0.0f, true).position, 1e-4f);
+        assert_near(quat_turn(before.turn, v3(1.0f, 0.0f, 0.0f)), v3(0.0f, 1.0f, 0.0f), 0.01f);
     }
 }
 
@@ -207,6 +235,8 @@ int main(void)
         cmocka_unit_test_setup(test_coordinates_off_the_ends_stay_on_the_skin, new_barrel),
         cmocka_unit_test_setup(test_a_frame_of_the_skin_turns_there_and_back, new_barrel),
         cmocka_unit_test_setup(test_every_heading_of_the_skin_has_its_turn, new_barrel),
+        cmocka_unit_test_setup(test_a_skin_that_faces_along_the_body_has_its_turn, new_barrel),
+        cmocka_unit_test_setup(test_a_hair_before_the_seam_is_the_seam, new_barrel),
         cmocka_unit_test_setup(test_an_anchor_follows_its_own_curve, new_barrel),
         cmocka_unit_test_setup(test_a_vertex_bound_to_an_anchor_that_is_not_there_is_a_bug,
                                new_barrel),
