@@ -69,6 +69,7 @@ struct input {
     uint32_t coin_count;      /* Coins since the last tick, each in exactly one tick's input. */
     uint32_t record_saved_id; /* Newest output.record id known to be on disk; 0 is none. */
     uint32_t edit_saved_id;   /* The same of output.edit. */
+    uint8_t edit_refused;     /* 1: the store keeps no edit, or its last try to failed. */
     uint8_t upright;          /* The screen stands: narrower than LAB_UPRIGHT_ASPECT. */
     struct poi_input poi[POI_MAX];
     struct shade_input shade[SHADE_MAX];

@@ -152,7 +152,7 @@ enum language {
     LANGUAGE_COUNT,
 };
 
-enum scene_keeping { LAB_NOT_SAVED = 0, LAB_SAVING, LAB_SAVED };
+enum scene_keeping { LAB_NOT_SAVED = 0, LAB_SAVING, LAB_SAVED, LAB_UNSAVED /* It could not. */ };
 
 /* The growth lab, while the phase is PHASE_LAB. Places are of core/game/lab_layout.h's canvas. */
 struct scene_lab {

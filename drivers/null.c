@@ -181,6 +181,12 @@ static int null_keep_edit(void *self, const struct edit_record *edit)
     return HAL_ERR_NONE;
 }
 
+static int null_refuses_edits(void *self)
+{
+    (void)self;
+    return 1;
+}
+
 /* Nothing is saved, and so nothing is refused or left behind. */
 static uint32_t null_none(void *self)
 {
@@ -197,6 +203,7 @@ struct hal_storage null_storage(const char *line)
         .saved_id = null_none,
         .keep_edit = null_keep_edit,
         .kept_edit_id = null_none,
+        .refuses_edits = null_refuses_edits,
         .refused_count = null_none,
         .describe = null_describe,
         .close = null_none,

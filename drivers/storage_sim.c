@@ -49,7 +49,8 @@ static int storage_sim_keep_edit(void *self, const struct edit_record *edit)
         sim->busy_left--;
         return HAL_ERR_BUSY;
     }
-    if (sim->fail_left > 0) {
+    sim->edit_failed = sim->fail_left > 0;
+    if (sim->edit_failed) {
         sim->fail_left--;
         return HAL_ERR_IO;
     }
@@ -61,6 +62,12 @@ static uint32_t storage_sim_kept_edit_id(void *self)
 {
     const struct storage_sim *sim = self;
     return sim->edit.id;
+}
+
+static int storage_sim_refuses_edits(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->edit_failed;
 }
 
 static const char *storage_sim_describe(void *self)
@@ -90,6 +97,7 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
         .saved_id = storage_sim_saved_id,
         .keep_edit = storage_sim_keep_edit,
         .kept_edit_id = storage_sim_kept_edit_id,
+        .refuses_edits = storage_sim_refuses_edits,
         .refused_count = storage_sim_refused_count,
         .describe = storage_sim_describe,
         .close = storage_sim_close,

@@ -11,6 +11,7 @@ struct storage_sim {
     uint32_t refused_count;
     uint32_t write_refused_count; /* What its thread could not write. */
     uint32_t busy_left;         /* This many saves are answered HAL_ERR_BUSY first. */
+    int edit_failed;            /* The last edit did. */
     uint32_t fail_left;         /* Then this many HAL_ERR_IO. */
     uint32_t delay_polls;       /* Calls of saved_id until an accepted record is on disk. */
     uint32_t polls_since;

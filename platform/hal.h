@@ -124,6 +124,7 @@ struct hal_storage_ops {
     uint32_t (*saved_id)(void *self);                          /* Newest id known to be on disk. */
     int (*keep_edit)(void *self, const struct edit_record *edit); /* As save(). */
     uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
+    int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */
     uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
     const char *(*describe)(void *self);
     /* Writes what save() and keep_edit() took, which may wait a few seconds; returns how many of

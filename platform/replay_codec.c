@@ -1,11 +1,12 @@
 /* replay_codec.c -- one input as the bytes that differ from the input before.
  *
  * First a mask: which of held, pressed, coin_count, record_saved_id, edit_saved_id and of what
- * hands hold follow, and whether the screen turned. Then those, the numbers as u32; of what hands
- * hold, a mask of pois (low half) and shades (high half), and of each of these a mask of its own,
- * one byte (a poi's link, wrist and trembling, a shade's presence), those floats that changed, as
- * their bits, and a poi's age as u16. Floats travel whole: a play must come back to the last bit,
- * and of a hand that broke each counts. */
+ * hands hold follow, whether the screen turned, and whether the store ceased to keep edits or keeps
+ * them again. Then those, the numbers as u32; of what hands hold, a mask of pois (low half) and
+ * shades (high half), and of each of these a mask of its own, one byte (a poi's link, wrist and
+ * trembling, a shade's presence), those floats that changed, as their bits, and a poi's age as u16.
+ * Floats travel whole: a play must come back to the last bit, and of a hand that broke each
+ * counts. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -18,7 +19,7 @@ enum {
     HAS_HANDS = 1u << 4,
     HAS_EDIT_ID = 1u << 5,
     IS_TURNED = 1u << 6, /* The screen stands where it lay, or lies where it stood. */
-    HAS_ALL = (1u << 7) - 1u,
+    IS_REFUSED = 1u << 7, /* Edits are not kept any more, or are again. */
 };
 
 enum {
@@ -156,9 +157,11 @@ size_t replay_encode_input(const struct input *before, const struct input *input
     const int saved = input->record_saved_id != before->record_saved_id;
     const int edited = input->edit_saved_id != before->edit_saved_id;
     const int turned = (input->upright != 0) != (before->upright != 0);
+    const int refused = (input->edit_refused != 0) != (before->edit_refused != 0);
     const uint32_t mask = (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) |
                           (coins ? HAS_COINS : 0u) | (saved ? HAS_SAVED_ID : 0u) |
-                          (edited ? HAS_EDIT_ID : 0u) | (turned ? IS_TURNED : 0u);
+                          (edited ? HAS_EDIT_ID : 0u) | (turned ? IS_TURNED : 0u) |
+                          (refused ? IS_REFUSED : 0u);
     size_t size = 1;
     size += put_if(held, input->held, out + size);
     size += put_if(pressed, input->pressed, out + size);
@@ -284,10 +287,13 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
     if (mask & IS_TURNED) {
         next.upright = !next.upright;
     }
+    if (mask & IS_REFUSED) {
+        next.edit_refused = !next.edit_refused;
+    }
     if (mask & HAS_HANDS) {
         decode_hands(&next, &left);
     }
-    left.bad |= mask > HAS_ALL || (next.held | next.pressed) > INPUT_BUTTON_ALL;
+    left.bad |= (next.held | next.pressed) > INPUT_BUTTON_ALL;
     if (left.bad) {
         return 0;
     }

@@ -79,7 +79,7 @@ static bool folder_is_there(struct storage *storage)
 static void drain(struct storage *storage)
 {
     unsigned written = atomic_load(&storage->written);
-    while (written != atomic_load(&storage->pushed)) {
+    while (storage->has_file && written != atomic_load(&storage->pushed)) {
         const struct storage_slot *slot = &storage->queue[written % STORAGE_QUEUE_MAX];
         const int code = score_file_write(&storage->file, &slot->record, slot->ended_s);
         atomic_store(&storage->error, code);
@@ -169,11 +169,19 @@ static bool find_file(struct storage *storage)
     return folder_is_there(storage);
 }
 
+static void say_no_file(struct storage *storage, const char *why)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "no store: %.56s", storage->path);
+    say(storage, what, why, "rounds are not kept");
+}
+
+/* Graphs are texts in the same folder: the thread runs for them without a database, too. */
 static int storage_open(void *self)
 {
     struct storage *storage = self;
     if (storage->running) {
-        return HAL_OK;
+        return storage->has_file ? HAL_OK : HAL_ERR_IO;
     }
     if (!find_file(storage)) {
         return storage->dir ? HAL_ERR_IO : HAL_ERR_NONE;
@@ -183,21 +191,23 @@ static int storage_open(void *self)
     if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && set_aside(storage)) {
         code = open_file(storage);
     }
-    if (code == SQLITE_OK && start_writer(storage)) {
-        return HAL_OK;
+    storage->has_file = code == SQLITE_OK;
+    if (!start_writer(storage)) {
+        say_no_file(storage, "no thread to be had");
+        storage->has_file = false;
+    } else if (!storage->has_file) {
+        say_no_file(storage, score_file_error(code));
     }
-    const char *why = code != SQLITE_OK ? score_file_error(code) : "no thread to be had";
-    score_file_close(&storage->file);
-    char what[HAL_TEXT_SIZE / 2];
-    snprintf(what, sizeof what, "no store: %.56s", storage->path);
-    say(storage, what, why, "rounds are not kept");
-    return HAL_ERR_IO;
+    if (!storage->has_file) {
+        score_file_close(&storage->file);
+    }
+    return storage->has_file ? HAL_OK : HAL_ERR_IO;
 }
 
 static int storage_best_today(void *self, uint32_t out[MODE_COUNT])
 {
     const struct storage *storage = self;
-    if (!storage->running) {
+    if (!storage->has_file) {
         return HAL_ERR_NONE;
     }
     memcpy(out, storage->best_today, sizeof storage->best_today);
@@ -207,7 +217,7 @@ static int storage_best_today(void *self, uint32_t out[MODE_COUNT])
 static int storage_save(void *self, const struct round_record *record)
 {
     struct storage *storage = self;
-    if (!storage->running) {
+    if (!storage->has_file) {
         return HAL_ERR_NONE;
     }
     if (record->id <= storage->accepted_id) {
@@ -257,6 +267,13 @@ static uint32_t storage_kept_edit_id(void *self)
     return atomic_load(&storage->kept_edit_id);
 }
 
+/* The last try failed, or there will be none. */
+static int storage_refuses_edits(void *self)
+{
+    struct storage *storage = self;
+    return !storage->running || atomic_load(&storage->edit_error) != 0;
+}
+
 static uint32_t storage_refused_count(void *self)
 {
     struct storage *storage = self;
@@ -291,7 +308,7 @@ static const char *advice_for(int error)
 static const char *storage_describe(void *self)
 {
     struct storage *storage = self;
-    if (!storage->running) {
+    if (!storage->has_file) {
         return storage->text[0] ? storage->text : "no store: not opened";
     }
     const int error = atomic_load(&storage->error);
@@ -329,8 +346,10 @@ static uint32_t storage_close(void *self)
             strerror(atomic_load(&storage->edit_error)), "it is lost");
     }
     sem_destroy(&storage->wake);
-    score_file_close(&storage->file);
-    storage->running = false;
+    if (storage->has_file) {
+        score_file_close(&storage->file);
+    }
+    storage->running = storage->has_file = false;
     atomic_store(&storage->stop, false);
     return lost + lost_edits;
 }
@@ -344,6 +363,7 @@ struct hal_storage storage_device(struct storage *storage)
         .saved_id = storage_saved_id,
         .keep_edit = storage_keep_edit,
         .kept_edit_id = storage_kept_edit_id,
+        .refuses_edits = storage_refuses_edits,
         .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,

@@ -1,4 +1,5 @@
 /* storage.h -- the store of finished rounds: one SQLite file, written by its own thread.
+ * Graphs from the growth lab go to texts beside it; they are kept, too, where that file cannot be.
  *
  * A frame never waits for a card: save() puts a record into one of STORAGE_QUEUE_MAX slots and
  * comes back, the thread writes and syncs it, and saved_id() then names it. A card that is slow,
@@ -38,7 +39,8 @@ struct storage {
 
     pthread_t thread;
     sem_t wake;
-    bool running;
+    bool running;         /* The thread. */
+    bool has_file;        /* The database is open: rounds are taken. */
     atomic_bool stop;
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
     atomic_int edit_error; /* errno of the last graph that was refused; 0: the last went well. */

@@ -175,6 +175,7 @@ void lab_tick(struct core *core, const struct input *input, struct output *outpu
 {
     struct lab *lab = &core->game.lab;
     lab->upright = input->upright != 0;
+    lab->edit_refused = input->edit_refused != 0;
     lab->saved_id = input->edit_saved_id > lab->saved_id ? input->edit_saved_id : lab->saved_id;
     heed_buttons(core, input, output);
     follow_hand(core, input, output);
@@ -188,9 +189,10 @@ void lab_tick(struct core *core, const struct input *input, struct output *outpu
 
 static uint8_t keeping(const struct lab *lab)
 {
-    return lab->asked_id == 0              ? LAB_NOT_SAVED
-           : lab->saved_id < lab->asked_id ? LAB_SAVING
-                                           : LAB_SAVED;
+    return lab->asked_id == 0               ? LAB_NOT_SAVED
+           : lab->saved_id >= lab->asked_id ? LAB_SAVED
+           : lab->edit_refused              ? LAB_UNSAVED
+                                            : LAB_SAVING;
 }
 
 void lab_show(const struct core *core, struct scene_lab *out)
@@ -234,7 +236,8 @@ uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab)
                                lab->path,      lab->has_hand,  lab->presses,     lab->points,
                                lab->holds,     lab->held_knot, lab->upright,     lab->stir_tick,
                                lab->act_tick,  lab->rest_ticks, lab->start_ticks, lab->save_id,
-                               lab->saved_id,  lab->asked_id,   lab->hand };
+                               lab->saved_id,  lab->asked_id,   lab->hand,
+                               lab->edit_refused };
     const float floats[] = { lab->x, lab->y, lab->stir_x, lab->stir_y, lab->progress };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

@@ -44,7 +44,8 @@ struct lab {
     uint8_t points;    /* enum lab_part that is under the hand. */
     uint8_t holds;     /* enum lab_hold */
     uint8_t held_knot;
-    uint8_t upright;   /* As the last input said. */
+    uint8_t upright;   /* As the last input said, ... */
+    uint8_t edit_refused; /* ... and that the store keeps nothing. */
     uint8_t has_edit[SPECIES_MAX]; /* The stall keeps an edit of that species. */
     uint32_t stir_tick, act_tick;  /* When a hand last moved, and last pressed something. */
     uint32_t rest_ticks;           /* At the end of a life that plays. */

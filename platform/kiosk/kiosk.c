@@ -90,6 +90,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     }
     kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
     kiosk->input.edit_saved_id = hal->storage.ops->kept_edit_id(hal->storage.self);
+    kiosk->input.edit_refused = hal->storage.ops->refuses_edits(hal->storage.self) != 0;
     count_refused_writes(kiosk, &hal->storage);
 }
 

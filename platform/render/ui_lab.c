@@ -155,9 +155,11 @@ static void save_button(const struct lab_page *page)
     const enum text_key words = !lab->is_kept                  ? TEXT_LAB_SAVE
                                 : lab->keeping == LAB_SAVED    ? TEXT_LAB_SAVED
                                 : lab->keeping == LAB_SAVING   ? TEXT_LAB_SAVING
+                                : lab->keeping == LAB_UNSAVED  ? TEXT_LAB_UNSAVED
                                                                : TEXT_LAB_SAVE;
     word_button(page, &(struct button){ .part = LAB_SAVE, .words = text_words(language, words),
-                                        .is_idle = lab->is_kept });
+                                        .is_idle = lab->is_kept &&
+                                                   lab->keeping != LAB_UNSAVED });
 }
 
 static void buttons(const struct lab_page *page)

@@ -65,7 +65,8 @@ static const struct field edit_fields[] = {
 static const struct field lab_fields[] = {
     FIELD(lab, species),     FIELD(lab, layer),     FIELD(lab, playing), FIELD(lab, compare),
     FIELD(lab, path),        FIELD(lab, has_hand),  FIELD(lab, presses), FIELD(lab, hand),
-    FIELD(lab, points),      FIELD(lab, holds),       FIELD(lab, held_knot), FIELD(lab, upright), FIELD(lab, has_edit),
+    FIELD(lab, points),      FIELD(lab, holds),     FIELD(lab, held_knot),
+    FIELD(lab, upright),     FIELD(lab, edit_refused), FIELD(lab, has_edit),
     FIELD(lab, stir_tick),   FIELD(lab, act_tick),  FIELD(lab, rest_ticks),
     FIELD(lab, start_ticks), FIELD(lab, save_id),   FIELD(lab, saved_id), FIELD(lab, asked_id),
     FIELD(lab, x),

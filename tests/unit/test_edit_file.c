@@ -237,6 +237,60 @@ static void test_the_store_keeps_a_graph_on_its_own_thread(void **state)
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
+/* Rounds have no place then; graphs are texts and have theirs. */
+static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
+{
+    (void)state;
+    static struct storage storage;
+    char path[128];
+    memset(&storage, 0, sizeof storage);
+    storage.dir = folder;
+    snprintf(path, sizeof path, "%s/" STORAGE_FILE, folder);
+    assert_int_equal(mkdir(path, 0755), 0); /* A folder where the file should be. */
+    const struct hal_storage device = storage_device(&storage);
+    const struct edit_record record = drawn();
+    const struct round_record round = { .id = 1 };
+    assert_int_equal(device.ops->refuses_edits(device.self), 1);
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    assert_int_equal(device.ops->save(device.self, &round), HAL_ERR_NONE);
+    assert_int_equal(device.ops->refuses_edits(device.self), 0);
+    assert_int_equal(device.ops->keep_edit(device.self, &record), HAL_OK);
+    for (uint32_t i = 0; i < 500 && device.ops->kept_edit_id(device.self) != record.id; i++) {
+        usleep(10000);
+    }
+    assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
+    assert_non_null(strstr(device.ops->describe(device.self), "rounds are not kept"));
+    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ops->refuses_edits(device.self), 1);
+    edit_file_fill(folder, &book, tell);
+    assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
+    assert_int_equal(rmdir(path), 0);
+}
+
+/* More of them than the queue has places, one after the other as they are taken. */
+static void test_graphs_in_a_queue_are_each_written_in_turn(void **state)
+{
+    (void)state;
+    static struct storage storage;
+    memset(&storage, 0, sizeof storage);
+    storage.dir = folder;
+    const struct hal_storage device = storage_device(&storage);
+    struct edit_record record = drawn();
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    for (uint32_t i = 0; i < 3u * STORAGE_EDITS_MAX; i++) {
+        record.id = 1u + i;
+        record.edit.graph.knots[1].progress = 0.05f + 0.005f * (float)i;
+        for (int busy = 0; device.ops->keep_edit(device.self, &record) == HAL_ERR_BUSY; busy++) {
+            assert_true(busy < 500);
+            usleep(10000);
+        }
+    }
+    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
+    edit_file_fill(folder, &book, tell);
+    assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
+}
+
 static void test_a_store_that_cannot_write_a_graph_says_so_and_counts_it(void **state)
 {
     (void)state;
@@ -256,6 +310,7 @@ static void test_a_store_that_cannot_write_a_graph_says_so_and_counts_it(void **
         usleep(10000);
     }
     assert_true(device.ops->refused_count(device.self) > 0);
+    assert_int_equal(device.ops->refuses_edits(device.self), 1);
     assert_int_equal(device.ops->kept_edit_id(device.self), 0);
     assert_non_null(strstr(device.ops->describe(device.self), "graph was not written"));
     assert_int_equal(device.ops->close(device.self), 1);
@@ -273,6 +328,8 @@ int main(void)
         TEST(test_each_mistake_is_told_with_its_line),
         TEST(test_no_altered_byte_is_believed_unless_it_is_a_graph_still),
         TEST(test_the_store_keeps_a_graph_on_its_own_thread),
+        TEST(test_a_graph_is_kept_where_the_database_cannot_be),
+        TEST(test_graphs_in_a_queue_are_each_written_in_turn),
         TEST(test_a_store_that_cannot_write_a_graph_says_so_and_counts_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -418,6 +418,20 @@ static void test_what_the_stores_thread_could_not_write_is_a_fault(void **state)
     assert_int_equal(rig.kiosk.faults.storage, 3);
 }
 
+static void test_the_core_is_told_while_the_store_keeps_no_graph(void **state)
+{
+    (void)state;
+    frames(10);
+    assert_int_equal(rig.kiosk.input.edit_refused, 0);
+    rig.storage.edit_failed = 1;
+    frames(10);
+    assert_int_equal(rig.kiosk.input.edit_refused, 1);
+    rig.hal.storage = null_storage("no store");
+    rig.storage.edit_failed = 0;
+    frames(10);
+    assert_int_equal(rig.kiosk.input.edit_refused, 1);
+}
+
 static void test_a_round_that_the_store_never_took_is_lost(void **state)
 {
     (void)state;
@@ -516,6 +530,7 @@ int main(void)
         TEST(test_a_busy_store_is_asked_again_each_frame),
         TEST(test_a_failing_store_is_asked_again_each_second),
         TEST(test_what_the_stores_thread_could_not_write_is_a_fault),
+        TEST(test_the_core_is_told_while_the_store_keeps_no_graph),
         TEST(test_a_round_that_the_store_never_took_is_lost),
         TEST(test_the_core_is_told_only_what_is_on_disk),
         TEST(test_a_dead_sound_card_is_counted_and_the_round_goes_on),

@@ -506,6 +506,27 @@ static void test_a_saved_graph_is_handed_out_known_as_kept_and_there_on_return(v
     assert_int_equal(output.edit.is_own, 1); /* The file goes. */
 }
 
+/* No store, or one whose card is full: it is told, and a later try may go well. */
+static void test_a_graph_that_cannot_be_kept_is_no_longer_being_saved(void **state)
+{
+    (void)state;
+    tap(LAB_SMOOTH);
+    input.edit_refused = 1;
+    tick();
+    assert_int_equal(look()->lab.keeping, LAB_NOT_SAVED);
+    tap(LAB_SAVE);
+    assert_int_equal(look()->lab.keeping, LAB_UNSAVED);
+    input.edit_refused = 0;
+    tick();
+    assert_int_equal(look()->lab.keeping, LAB_SAVING);
+    tap(LAB_SAVE);
+    assert_int_equal(output.edit.id, 2);
+    input.edit_saved_id = 2;
+    input.edit_refused = 1; /* A later one; this one is on the disk. */
+    tick();
+    assert_int_equal(look()->lab.keeping, LAB_SAVED);
+}
+
 static void test_what_the_book_says_is_on_the_table_at_start(void **state)
 {
     (void)state;
@@ -590,6 +611,7 @@ int main(void)
         TEST(test_knots_are_added_where_life_stands_and_taken_away_there),
         TEST(test_the_scale_is_drawn_by_hand_and_tells_on_the_ruler),
         TEST(test_a_saved_graph_is_handed_out_known_as_kept_and_there_on_return),
+        TEST(test_a_graph_that_cannot_be_kept_is_no_longer_being_saved),
         TEST(test_what_the_book_says_is_on_the_table_at_start),
         TEST(test_the_same_hands_make_the_same_lab_and_wild_ones_break_nothing),
     };

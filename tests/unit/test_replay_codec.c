@@ -27,7 +27,7 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input before = { 0 };
     struct input all = { .held = 1, .pressed = 2, .coin_count = 3, .record_saved_id = 4,
-                         .edit_saved_id = 5, .upright = 1 };
+                         .edit_saved_id = 5, .edit_refused = 1, .upright = 1 };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         all.poi[i] = (struct poi_input){
             .link = POI_LINK_LIVE,
@@ -70,7 +70,6 @@ static void test_a_shade_that_no_recorder_writes_is_refused(void **state)
         { HANDS, SHADE_0, NO_SUCH },      /* A fourth float. */
         { HANDS, SHADE_0, BYTE, 2 },      /* More than present. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
-        { HANDS << 3, 0 },                /* A mask of a later version. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
@@ -96,6 +95,21 @@ static void test_a_screen_that_turns_costs_no_byte_and_turns_back(void **state)
     assert_int_equal(replay_encode_input(&stands, &lies, bytes), 1);
     assert_int_equal(replay_decode_input(&decoded, bytes, 1), 1);
     assert_int_equal(decoded.upright, 0);
+}
+
+static void test_a_store_that_keeps_no_graph_costs_no_byte_and_comes_back(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    const struct input keeps = { .upright = 1 }, refuses = { .upright = 1, .edit_refused = 1 };
+    struct input decoded = keeps;
+    for (uint32_t i = 0; i < 2; i++) {
+        const struct input *from = i == 0 ? &keeps : &refuses, *to = i == 0 ? &refuses : &keeps;
+        assert_int_equal(replay_encode_input(from, to, bytes), 1);
+        assert_int_equal(replay_decode_input(&decoded, bytes, 1), 1);
+        assert_int_equal(decoded.edit_refused, to->edit_refused);
+        assert_int_equal(decoded.upright, 1);
+    }
 }
 
 static uint32_t draw(uint32_t tick, uint32_t what)
@@ -172,6 +186,7 @@ int main(void)
         cmocka_unit_test(test_a_fan_that_glides_costs_seven_bytes_a_tick),
         cmocka_unit_test(test_a_shade_that_no_recorder_writes_is_refused),
         cmocka_unit_test(test_a_screen_that_turns_costs_no_byte_and_turns_back),
+        cmocka_unit_test(test_a_store_that_keeps_no_graph_costs_no_byte_and_comes_back),
         cmocka_unit_test(test_any_bits_of_a_hand_come_back),
         cmocka_unit_test(test_a_hand_that_only_grows_old_costs_five_bytes),
         cmocka_unit_test(test_a_poi_that_no_recorder_writes_is_refused),
