@@ -12,8 +12,8 @@
 #define VET_WHY_SIZE 128u
 
 /* True: every number of `species` is finite and in its range, its graphs hold their constraint, its
- * keys' lengths are the growth curve's at their ages (within 2 %), its indices and anchors name what
- * exists, its keys are one size. False: `why` is one line without a
+ * keys' lengths are the growth curve's at their ages (within 2 %), its indices and anchors name
+ * what exists, its keys are one size. False: `why` is one line without a
  * line end, "field: reason" or "key/field: reason". The tables that `species` points to are as long
  * as its counts say, when those are within MESH_VERTEX_MAX, MESH_INDEX_MAX and ANCHOR_MAX. */
 bool species_vet(const struct species *species, char why[VET_WHY_SIZE]);
