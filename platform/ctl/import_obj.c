@@ -10,7 +10,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
+
+#include "platform/species/plain.h"
 
 #define LINE_SIZE 4096 /* A face of 300 corners fits. */
 #define CORNER_MAX 256
@@ -33,9 +34,7 @@ __attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const ch
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    for (char *c = text; *c; c++) {
-        *c = *c >= ' ' && *c < 127 ? *c : '?'; /* It quotes the file, and goes to a terminal. */
-    }
+    plain_quote(text); /* It quotes the file, and goes to a terminal. */
     snprintf(o->why, IMPORT_WHY_SIZE, "%.80s:%u: %s", o->path, o->line, text);
     return false;
 }
@@ -202,10 +201,6 @@ static bool read_group(struct obj *o, char *text)
 
 static bool read_line(struct obj *o, char *text)
 {
-    const size_t length = strlen(text);
-    if (length == LINE_SIZE - 1 && text[length - 1] != '\n') {
-        return refuse(o, "the line is longer than %d", LINE_SIZE - 2);
-    }
     char *word = text + strspn(text, " \t");
     if (strncmp(word, "v ", 2) == 0 || strncmp(word, "v\t", 2) == 0) {
         return read_vertex(o, word + 2);
@@ -243,39 +238,46 @@ static bool check_whole(struct obj *o)
 static bool read_all(struct obj *o, FILE *file)
 {
     static char text[LINE_SIZE];
-    while (fgets(text, sizeof text, file)) {
+    enum plain_line got = plain_line(file, text, sizeof text);
+    for (; got != PLAIN_END; got = plain_line(file, text, sizeof text)) {
         o->line++;
+        if (got != PLAIN_LINE) {
+            return got == PLAIN_LONG ? refuse(o, "the line is longer than %d", LINE_SIZE - 2)
+                                     : refuse(o, "a zero byte, and this is to be a text");
+        }
         if (!read_line(o, text)) {
             return false;
         }
     }
-    return check_whole(o);
+    return ferror(file) ? refuse(o, "cannot be read further") : check_whole(o);
+}
+
+/* A first shape starts anew what all have in common. */
+static void begin(struct import_mesh *mesh)
+{
+    mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
+    memset(mesh->uv, 0, sizeof mesh->uv);
+    mesh->has_uv = mesh->has_colours = mesh->is_ours = mesh->has_life = false;
+    mesh->group_count = 1; /* What stands before the first group has no name. */
+    mesh->group_names[0][0] = '\0';
 }
 
 enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,
                           char why[IMPORT_WHY_SIZE])
 {
     static struct obj o;
-    struct stat status;
+    char cannot[PLAIN_WHY_SIZE];
+    FILE *file;
+    const enum plain_open opened = plain_open(path, IMPORT_FILE_MAX, &file, cannot);
+    if (opened != PLAIN_OPEN) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
+        return opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+    }
     o = (struct obj){ .mesh = mesh, .key = key, .path = path, .why = why };
-    FILE *file = fopen(path, "r");
-    if (!file || fstat(fileno(file), &status) != 0) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, strerror(errno));
-        return EXIT_IO;
+    if (key == 0) {
+        begin(mesh);
     }
-    bool good = false;
-    if (status.st_size > (off_t)IMPORT_FILE_MAX) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: larger than %u MiB", path, IMPORT_FILE_MAX >> 20);
-    } else {
-        if (key == 0) {
-            mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
-            memset(mesh->uv, 0, sizeof mesh->uv);
-        mesh->has_uv = mesh->has_colours = mesh->is_ours = mesh->has_life = false;
-            mesh->group_count = 1; /* What stands before the first group has no name. */
-            mesh->group_names[0][0] = '\0';
-        }
-        good = read_all(&o, file);
-    }
+    const bool good = read_all(&o, file);
     const bool broken = ferror(file) != 0;
     fclose(file);
     return good ? EXIT_OK : broken ? EXIT_IO : EXIT_BAD_DATA;

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "platform/ctl/import_flat.h"
+#include "platform/species/plain.h"
 
 #define MEMORY_MAX (1024ull * 1024ull * 1024ull)
 #define CPU_MAX_S 20
@@ -175,6 +176,7 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
         return EXIT_BAD_DATA;
     }
     shared->why[IMPORT_WHY_SIZE - 1] = '\0';
+    plain_quote(shared->why);
     if (!WIFEXITED(status) || !shared->done) {
         const bool told = WIFEXITED(status) && shared->why[0];
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %.110s", path,
@@ -185,8 +187,12 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
     const char *fault = import_vet(mesh, room);
     if (fault) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, fault);
+        return EXIT_BAD_DATA;
     }
-    return fault ? EXIT_BAD_DATA : EXIT_OK;
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        plain_quote(mesh->key_names[key]); /* What is wrong with a key is told by its name. */
+    }
+    return EXIT_OK;
 }
 
 static enum exit_code check_file(const char *path, char why[IMPORT_WHY_SIZE])

@@ -1,14 +1,15 @@
 /* morph_pick.c -- words first, then the species, then what the options leave of it. */
 #include "platform/ctl/morph_pick.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "platform/number.h"
 #include "platform/species/pack.h"
+#include "platform/species/plain.h"
 
 #define LENGTH_SAMPLES 1000u
+#define TEXT_SIZE_MAX (1u << 20) /* Fifty times the longest that is built in. */
 
 static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
                                                             "simultaneous", "smooth" };
@@ -129,10 +130,12 @@ static bool ends_with(const char *word, const char *suffix)
 static enum exit_code read_text(const char *path, const char *command, struct species_slot *slot)
 {
     static struct species_text text;
-    char why[VET_WHY_SIZE];
-    FILE *file = fopen(path, "r");
-    if (!file) {
-        return morph_fail(EXIT_IO, command, "%.200s: %s", path, strerror(errno));
+    char why[VET_WHY_SIZE], cannot[PLAIN_WHY_SIZE];
+    FILE *file;
+    const enum plain_open opened = plain_open(path, TEXT_SIZE_MAX, &file, cannot);
+    if (opened != PLAIN_OPEN) {
+        return morph_fail(opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO, command, "%.200s: %s",
+                          path, cannot);
     }
     const bool good = species_read(file, path, stderr, &text);
     const bool broken = ferror(file) != 0;

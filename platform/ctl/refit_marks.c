@@ -1,14 +1,15 @@
 /* refit_marks.c -- landmarks: read, found on the template, and the warp that carries one set onto
  * another. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "platform/ctl/refit.h"
+#include "platform/species/plain.h"
 
 #define LINE_SIZE 256
+#define MARKS_SIZE_MAX (64u * 1024u)
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 static const struct {
@@ -96,23 +97,29 @@ static bool read_line(char *text, struct mark_list *list, const char *path, uint
 
 enum exit_code marks_read(const char *path, struct mark_list *list, char why[IMPORT_WHY_SIZE])
 {
-    char text[LINE_SIZE];
+    char text[LINE_SIZE], cannot[PLAIN_WHY_SIZE];
     uint32_t line = 0;
     bool good = true;
-    FILE *file = fopen(path, "r");
+    FILE *file;
+    const enum plain_open opened = plain_open(path, MARKS_SIZE_MAX, &file, cannot);
     list->count = 0;
-    if (!file) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, strerror(errno));
-        return EXIT_IO;
+    if (opened != PLAIN_OPEN) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
+        return opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO;
     }
-    while (good && fgets(text, sizeof text, file)) {
-        good = read_line(text, list, path, ++line, why);
+    enum plain_line got = plain_line(file, text, sizeof text);
+    for (; good && got != PLAIN_END; got = plain_line(file, text, sizeof text)) {
+        line++;
+        good = got == PLAIN_LINE   ? read_line(text, list, path, line, why)
+               : got == PLAIN_LONG ? refuse(why, path, line, "the line is longer than 254")
+                                   : refuse(why, path, line, "a zero byte, in what is a text");
     }
     if (good && list->count < 4) {
         good = refuse(why, path, line, "four landmarks or more are needed");
     }
+    const bool broken = ferror(file) != 0;
     fclose(file);
-    return good ? EXIT_OK : EXIT_BAD_DATA;
+    return broken ? EXIT_IO : good ? EXIT_OK : EXIT_BAD_DATA;
 }
 
 /* ---- On the template ------------------------------------------------------------------------- */

@@ -2,13 +2,14 @@
 #include "platform/species/pack.h"
 
 #include <errno.h>
-#include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define PATH_SIZE 1024u
+#include "platform/species/plain.h"
 
 static enum pack_result cannot(int error, char why[VET_WHY_SIZE])
 {
@@ -16,34 +17,20 @@ static enum pack_result cannot(int error, char why[VET_WHY_SIZE])
     return PACK_IO;
 }
 
-/* All that is there, up to `size`; negative: -errno. */
-static ssize_t read_all(int fd, uint8_t *bytes, size_t size)
-{
-    size_t at = 0;
-    ssize_t got = 1;
-    while (at < size && got > 0) {
-        got = read(fd, bytes + at, size - at);
-        at += got > 0 ? (size_t)got : 0;
-    }
-    return got < 0 ? -errno : (ssize_t)at;
-}
-
 enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE])
 {
-    static uint8_t bytes[PACK_SIZE_MAX + 1]; /* One more, to see that a file is too long. */
-    struct stat status;
-    /* A pipe would make a kiosk wait for a writer who never comes. */
-    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (fd < 0 || fstat(fd, &status) != 0) {
-        return cannot(errno, why);
+    static uint8_t bytes[PACK_SIZE_MAX];
+    char cannot_open[PLAIN_WHY_SIZE];
+    FILE *file;
+    const enum plain_open opened = plain_open(path, PACK_SIZE_MAX, &file, cannot_open);
+    if (opened != PLAIN_OPEN) {
+        snprintf(why, VET_WHY_SIZE, "%s", cannot_open);
+        return opened == PLAIN_LARGE ? PACK_BAD : PACK_IO;
     }
-    const bool plain = S_ISREG(status.st_mode);
-    const ssize_t size = plain ? read_all(fd, bytes, sizeof bytes) : 0;
-    close(fd);
-    if (!plain || size < 0) {
-        return cannot(S_ISDIR(status.st_mode) ? EISDIR : plain ? (int)-size : ESPIPE, why);
-    }
-    return pack_decode(bytes, (size_t)size, slot, why);
+    const size_t size = fread(bytes, 1, sizeof bytes, file);
+    const int error = ferror(file) ? errno : 0;
+    fclose(file);
+    return error != 0 ? cannot(error, why) : pack_decode(bytes, size, slot, why);
 }
 
 static bool write_whole(FILE *file, const uint8_t *bytes, size_t size)
@@ -53,12 +40,31 @@ static bool write_whole(FILE *file, const uint8_t *bytes, size_t size)
     return fclose(file) == 0 && whole;
 }
 
+/* The file that `path` leads to, or is to be; 0 or an errno. No device or folder gives way to it. */
+static int find_place(const char *path, char place[PATH_MAX])
+{
+    struct stat status;
+    if (!realpath(path, place)) { /* Not there yet. */
+        const int error = errno, length = snprintf(place, PATH_MAX, "%s", path);
+        return length < PATH_MAX ? error == ENOENT ? 0 : error : ENAMETOOLONG;
+    }
+    if (stat(place, &status) != 0) {
+        return errno;
+    }
+    return S_ISREG(status.st_mode) ? 0 : S_ISDIR(status.st_mode) ? EISDIR : ENOTSUP;
+}
+
+/* Beside its place, then into it: whoever reads finds the old file or the new one. */
 enum pack_result pack_write(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE])
 {
     static uint8_t bytes[PACK_SIZE_MAX];
-    char beside[PATH_SIZE];
+    char place[PATH_MAX], beside[PATH_MAX];
     const size_t size = pack_encode(slot, bytes);
-    const int length = snprintf(beside, sizeof beside, "%s.new", path);
+    const int error = find_place(path, place);
+    if (error != 0) {
+        return cannot(error, why);
+    }
+    const int length = snprintf(beside, sizeof beside, "%s.new", place);
     if (length < 0 || (size_t)length >= sizeof beside) {
         return cannot(ENAMETOOLONG, why);
     }
@@ -66,10 +72,10 @@ enum pack_result pack_write(const char *path, struct species_slot *slot, char wh
     if (!file) {
         return cannot(errno, why);
     }
-    if (!write_whole(file, bytes, size) || rename(beside, path) != 0) {
-        const int error = errno;
+    if (!write_whole(file, bytes, size) || rename(beside, place) != 0) {
+        const int left = errno;
         unlink(beside);
-        return cannot(error, why);
+        return cannot(left, why);
     }
     return PACK_OK;
 }

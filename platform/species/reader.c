@@ -6,6 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform/species/plain.h"
+
+#define COMPLAINT_SIZE 512
+
 const char *const part_names[OWNED_COUNT] = {
     [PART_BODY] = "body",
     [PART_EYE] = "eye",
@@ -23,12 +27,13 @@ const char *const part_names[OWNED_COUNT] = {
 
 bool refuse(const struct reader *r, const char *format, ...)
 {
+    char text[COMPLAINT_SIZE];
     va_list values;
     va_start(values, format);
-    fprintf(r->complaints, "%s:%u: ", r->path, r->line);
-    vfprintf(r->complaints, format, values);
-    fputc('\n', r->complaints);
+    vsnprintf(text, sizeof text, format, values);
     va_end(values);
+    plain_quote(text); /* It quotes the file, and goes to a terminal. */
+    fprintf(r->complaints, "%s:%u: %s\n", r->path, r->line, text);
     return false;
 }
 

@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "platform/species/plain.h"
+
 #define PATH_SIZE 1024u
 
 struct listing {
@@ -38,11 +40,12 @@ static void insert(struct listing *l, const char *name)
     memcpy(l->names[at], name, strlen(name) + 1);
 }
 
-static void list(const char *folder, struct listing *l)
+/* 0, or the errno of a folder that is there and cannot be read. */
+static int list(const char *folder, struct listing *l)
 {
     DIR *directory = opendir(folder);
     if (!directory) {
-        return;
+        return errno == ENOENT ? 0 : errno;
     }
     for (const struct dirent *entry = readdir(directory); entry; entry = readdir(directory)) {
         if (is_packed(entry->d_name)) {
@@ -50,6 +53,7 @@ static void list(const char *folder, struct listing *l)
         }
     }
     closedir(directory);
+    return 0;
 }
 
 static bool is_taken(const struct shelf *shelf, const char *id)
@@ -89,6 +93,7 @@ static void read_one(struct shelf *shelf, const char *folder, const char *name)
     struct shelf_line *line = &shelf->lines[shelf->line_count++];
     *line = (struct shelf_line){ .slot = SHELF_SLOT_NONE };
     snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1, name);
+    plain_quote(line->file); /* The operator's terminal does not obey a file's name. */
     const int length = snprintf(path, sizeof path, "%s/%s", folder, name);
     if (length < 0 || (size_t)length >= sizeof path) {
         snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));
@@ -106,7 +111,12 @@ void shelf_fill(struct shelf *shelf, const char *data)
     if (!data || !data[0] || length < 0 || (size_t)length >= sizeof folder) {
         return;
     }
-    list(folder, &listing);
+    const int error = list(folder, &listing);
+    if (error != 0) {
+        struct shelf_line *line = &shelf->lines[shelf->line_count++];
+        *line = (struct shelf_line){ .file = SHELF_FOLDER, .slot = SHELF_SLOT_NONE };
+        snprintf(line->why, sizeof line->why, "%s", strerror(error));
+    }
     for (uint32_t i = 0; i < listing.count; i++) {
         read_one(shelf, folder, listing.names[i]);
     }

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "platform/species/plain.h"
+
 static const struct {
     const char *word;
     bool of_key;
@@ -51,9 +53,6 @@ static bool read_words(struct reader *r)
 /* Cuts the line into words at blanks; '#' starts a comment. */
 static bool split(struct reader *r)
 {
-    if (strlen(r->text) == LINE_SIZE - 1 && r->text[LINE_SIZE - 2] != '\n') {
-        return refuse(r, "the line is longer than %d", LINE_SIZE - 2);
-    }
     r->text[strcspn(r->text, "#")] = '\0';
     r->word_count = 0;
     char *rest = NULL;
@@ -73,8 +72,13 @@ bool species_read(FILE *file, const char *path, FILE *complaints, struct species
     memset(species, 0, sizeof *species);
     species->curve_count = 1;
     memcpy(species->curves[0].name, "whole", sizeof "whole");
-    while (fgets(r.text, LINE_SIZE, file)) {
+    enum plain_line got = plain_line(file, r.text, LINE_SIZE);
+    for (; got != PLAIN_END; got = plain_line(file, r.text, LINE_SIZE)) {
         r.line++;
+        if (got != PLAIN_LINE) {
+            return got == PLAIN_LONG ? refuse(&r, "the line is longer than %d", LINE_SIZE - 2)
+                                     : refuse(&r, "a zero byte, and this is to be a text");
+        }
         if (!split(&r) || (r.word_count > 0 && !read_words(&r))) {
             return false;
         }

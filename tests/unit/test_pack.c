@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -437,6 +438,34 @@ static void test_files_that_are_none_are_no_bad_data(void **state)
     assert_int_equal(pack_write("/nowhere/x.kfish", &slot, why), PACK_IO);
 }
 
+static void test_writing_leaves_devices_and_links_what_they_are(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/kingyo-pack-XXXXXX", path[64], link[64];
+    struct stat status;
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/x.kfish", folder);
+    snprintf(link, sizeof link, "%s/link.kfish", folder);
+    packed_wakin();
+    assert_int_equal(mkfifo(path, 0600), 0); /* As /dev/full, which a rename would replace. */
+    assert_int_equal(pack_write(path, &slot, why), PACK_IO);
+    assert_int_equal(lstat(path, &status), 0);
+    assert_true(S_ISFIFO(status.st_mode));
+    unlink(path);
+    assert_int_equal(pack_write(path, &slot, why), PACK_OK);
+    assert_int_equal(truncate(path, 0), 0);
+    assert_int_equal(symlink(path, link), 0);
+    assert_int_equal(pack_write(link, &slot, why), PACK_OK);
+    assert_int_equal(lstat(link, &status), 0);
+    assert_true(S_ISLNK(status.st_mode));
+    assert_int_equal(pack_read(path, &other, why), PACK_OK); /* What it leads to is new. */
+    assert_int_equal(pack_write(folder, &slot, why), PACK_IO);
+    assert_string_equal(why, "Is a directory");
+    unlink(link);
+    unlink(path);
+    assert_int_equal(rmdir(folder), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -452,6 +481,7 @@ int main(void)
         cmocka_unit_test(test_any_body_under_a_good_head_is_answered),
         cmocka_unit_test(test_a_file_is_written_whole_and_read_back),
         cmocka_unit_test(test_files_that_are_none_are_no_bad_data),
+        cmocka_unit_test(test_writing_leaves_devices_and_links_what_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

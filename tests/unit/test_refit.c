@@ -285,8 +285,17 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
         assert_string_equal(marks.marks[i].name, mark_names[i]);
         assert_float_equal(marks.marks[i].place.x, (float)i, 0.0f);
     }
+    out = fopen(path, "w");
+    fprintf(out, "snout 0 0 %0300d\n", 1); /* A line is not cut in two. */
+    fclose(out);
+    assert_int_equal(marks_read(path, &marks, why), EXIT_BAD_DATA);
+    assert_non_null(strstr(why, ":1: the line is longer than 254"));
+    assert_int_equal(truncate(path, 0) | truncate(path, 65537), 0);
+    assert_int_equal(marks_read(path, &marks, why), EXIT_BAD_DATA);
+    assert_non_null(strstr(why, ": larger than 64 KiB"));
     unlink(path);
     assert_int_equal(marks_read(path, &marks, why), EXIT_IO);
+    assert_int_equal(marks_read("/dev/zero", &marks, why), EXIT_IO);
 }
 
 int main(void)

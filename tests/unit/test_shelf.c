@@ -109,6 +109,32 @@ static void test_a_bad_file_costs_a_line_and_no_slot(void **state)
     assert_string_equal(shelf.lines[0].why, "magic: this is no packed species");
 }
 
+static void test_a_folder_that_is_none_is_told(void **state)
+{
+    (void)state;
+    char place[64];
+    snprintf(place, sizeof place, "%s/species", data);
+    assert_int_equal(rmdir(place), 0);
+    FILE *out = fopen(place, "w"); /* A file in its place. */
+    assert_non_null(out);
+    fclose(out);
+    shelf_fill(&shelf, data);
+    assert_int_equal(shelf.line_count, 1);
+    assert_string_equal(shelf.lines[0].file, "species");
+    assert_string_equal(shelf.lines[0].why, "Not a directory");
+    assert_int_equal(shelf.lines[0].slot, SHELF_SLOT_NONE);
+}
+
+static void test_a_name_that_a_terminal_obeys_is_told_without(void **state)
+{
+    (void)state;
+    put_text("\033[31m\n.kfish", "");
+    shelf_fill(&shelf, data);
+    assert_int_equal(shelf.line_count, 1);
+    assert_string_equal(shelf.lines[0].file, "?[31m?.kfish");
+    assert_string_equal(shelf.lines[0].why, "magic: this is no packed species");
+}
+
 static void test_an_id_is_given_once(void **state)
 {
     (void)state;
@@ -153,6 +179,10 @@ int main(void)
             remove_folder),
         cmocka_unit_test_setup_teardown(test_a_bad_file_costs_a_line_and_no_slot, make_folder,
                                         remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_folder_that_is_none_is_told, make_folder,
+                                        remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_name_that_a_terminal_obeys_is_told_without,
+                                        make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(test_an_id_is_given_once, make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(test_more_than_there_are_slots_are_refused_by_name,
                                         make_folder, remove_folder),

@@ -1,0 +1,101 @@
+/* test_plain.c -- files that others wrote: only regular ones of a bounded size, line by line. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "platform/species/plain.h"
+
+static char why[PLAIN_WHY_SIZE];
+static FILE *file;
+
+static void test_a_device_a_pipe_and_a_folder_are_no_files(void **state)
+{
+    (void)state;
+    char path[64];
+    snprintf(path, sizeof path, "/tmp/kingyo-plain-%d", (int)getpid());
+    assert_int_equal(mkfifo(path, 0600), 0);
+    assert_int_equal(plain_open(path, 1024, &file, why), PLAIN_NONE); /* Nobody writes there. */
+    assert_string_equal(why, "no plain file");
+    unlink(path);
+    assert_int_equal(plain_open("/dev/zero", 1024, &file, why), PLAIN_NONE);
+    assert_string_equal(why, "no plain file");
+    assert_int_equal(plain_open("/tmp", 1024, &file, why), PLAIN_NONE);
+    assert_string_equal(why, "Is a directory");
+    assert_int_equal(plain_open("/nowhere/x", 1024, &file, why), PLAIN_NONE);
+    assert_string_equal(why, "No such file or directory");
+    assert_null(file);
+}
+
+static void test_a_byte_too_many_is_too_many(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/kingyo-plain-XXXXXX";
+    const int fd = mkstemp(path);
+    assert_int_equal(ftruncate(fd, 2048), 0);
+    assert_int_equal(plain_open(path, 2048, &file, why), PLAIN_OPEN);
+    fclose(file);
+    assert_int_equal(ftruncate(fd, 2049), 0);
+    assert_int_equal(plain_open(path, 2048, &file, why), PLAIN_LARGE);
+    assert_string_equal(why, "larger than 2 KiB");
+    assert_int_equal(ftruncate(fd, (1 << 20) + 1), 0);
+    assert_int_equal(plain_open(path, 1u << 20, &file, why), PLAIN_LARGE);
+    assert_string_equal(why, "larger than 1 MiB");
+    close(fd);
+    unlink(path);
+}
+
+static enum plain_line first_line(const char *bytes, size_t size, char text[8])
+{
+    FILE *in = fmemopen((void *)(uintptr_t)bytes, size, "r");
+    assert_non_null(in);
+    const enum plain_line got = plain_line(in, text, 8);
+    fclose(in);
+    return got;
+}
+
+static void test_lines_are_as_long_as_there_is_room_and_hold_no_zero(void **state)
+{
+    (void)state;
+    char text[8];
+    assert_int_equal(first_line("123456\nx", 8, text), PLAIN_LINE);
+    assert_string_equal(text, "123456");
+    assert_int_equal(first_line("1234567\n", 8, text), PLAIN_LONG);
+    assert_int_equal(first_line("123456", 6, text), PLAIN_LINE); /* The last needs no end. */
+    assert_string_equal(text, "123456");
+    assert_int_equal(first_line("12\0", 3, text), PLAIN_ZERO);
+    assert_int_equal(first_line("\n", 1, text), PLAIN_LINE);
+    assert_string_equal(text, "");
+    FILE *in = fmemopen((void *)(uintptr_t)"a\nb", 3, "r");
+    assert_int_equal(plain_line(in, text, 8), PLAIN_LINE);
+    assert_int_equal(plain_line(in, text, 8), PLAIN_LINE);
+    assert_string_equal(text, "b");
+    assert_int_equal(plain_line(in, text, 8), PLAIN_END);
+    fclose(in);
+}
+
+static void test_a_quote_is_nothing_that_a_terminal_obeys(void **state)
+{
+    (void)state;
+    char text[] = "a\033[31m\x9b" "\x7f\t~ z";
+    plain_quote(text);
+    assert_string_equal(text, "a?[31m???~ z");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_device_a_pipe_and_a_folder_are_no_files),
+        cmocka_unit_test(test_a_byte_too_many_is_too_many),
+        cmocka_unit_test(test_lines_are_as_long_as_there_is_room_and_hold_no_zero),
+        cmocka_unit_test(test_a_quote_is_nothing_that_a_terminal_obeys),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
