@@ -8,9 +8,6 @@
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
-#include "core/morph/cubic.h"
-
-#define BISECTIONS 24 /* Of a span of progress: as fine as a float. */
 
 static uint32_t last_key(const struct species_card *card)
 {
@@ -129,16 +126,21 @@ float life_age_days(const struct species_card *card, float progress)
     return f_lerp(age[0], age[1], part);
 }
 
-/* The purple curve, drawn by hand: a monotone cubic through its knots. */
+/* The purple curve, drawn by hand: between two knots by factors, as between two keys, so that knots
+ * laid on the keys change nothing. */
 static float scale_by_hand_m(const struct species_card *card, float progress)
 {
-    struct cubic_point points[GRAPH_KNOT_MAX];
+    const struct scale_knot *to = &card->scale_knots[1];
     CORE_ASSERT(card->scale_knot_count >= 2 && card->scale_knot_count <= GRAPH_KNOT_MAX);
-    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
-        points[i] = (struct cubic_point){ card->scale_knots[i].progress,
-                                          card->scale_knots[i].length_m };
+    while (to < &card->scale_knots[card->scale_knot_count - 1u] && progress >= to->progress) {
+        to++;
     }
-    return cubic_curve(points, card->scale_knot_count, progress);
+    const struct scale_knot *from = to - 1;
+    const float part = (progress - from->progress) / (to->progress - from->progress);
+    if (part <= 0.0f || part >= 1.0f) {
+        return part <= 0.0f ? from->length_m : to->length_m;
+    }
+    return length_between(from->length_m, to->length_m, part);
 }
 
 float life_length_m(const struct species_card *card, float progress)
@@ -157,22 +159,15 @@ float life_length_m(const struct species_card *card, float progress)
 /* The earliest progress at which the curve drawn by hand is so long; below 0 where it never is. */
 static float progress_by_hand(const struct species_card *card, float length_m)
 {
-    const struct scale_knot *knot = card->scale_knots;
-    for (uint32_t i = 1; i < card->scale_knot_count; i++) {
-        float from = knot[i - 1].progress, to = knot[i].progress;
-        const bool rises = knot[i].length_m > knot[i - 1].length_m;
-        if (length_m == knot[i - 1].length_m) {
-            return from;
+    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
+        const struct scale_knot *from = &card->scale_knots[i > 0 ? i - 1u : 0];
+        const struct scale_knot *to = &card->scale_knots[i];
+        if (length_m == to->length_m) {
+            return to->progress;
         }
-        if (f_min(knot[i - 1].length_m, knot[i].length_m) <= length_m &&
-            length_m <= f_max(knot[i - 1].length_m, knot[i].length_m)) {
-            for (int step = 0; step < BISECTIONS; step++) {
-                const float middle = 0.5f * (from + to);
-                const bool before = (scale_by_hand_m(card, middle) < length_m) == rises;
-                from = before ? middle : from;
-                to = before ? to : middle;
-            }
-            return to;
+        if ((length_m > from->length_m) != (length_m > to->length_m)) {
+            return f_lerp(from->progress, to->progress,
+                          part_between(from->length_m, to->length_m, length_m));
         }
     }
     return -1.0f;

@@ -32,8 +32,8 @@ bool growth_is_one_way(const struct growth *growth, float from_days, float to_da
 
 float life_progress(const struct species_card *card, float age_days);
 float life_age_days(const struct species_card *card, float progress);
-/* The scale curve: a monotone cubic through the card's scale knots where it has them, else the
- * growth curve at that age. */
+/* The scale curve: the growth curve at that age; where the card has scale knots, these, and by
+ * factors between them (straight on a logarithmic axis). */
 float life_length_m(const struct species_card *card, float progress);
 /* The earliest progress at which it is `length_m` long. What it never is gives 0 where the youngest
  * key is longer, else 1. */

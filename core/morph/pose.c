@@ -19,10 +19,10 @@ vec3 quat_turn_back(struct quat q, vec3 a)
     return quat_turn((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
 }
 
-/* What turns the body's axes onto x, y, z (of length 1, square to each other, y = z cross x), where z
- * is the body's backward as far as x lets it be. Then z.z = s is not negative and y.y = x.x / s, so
- * of the four parts that one could begin with, w's or z's is the largest: nothing small is divided
- * by. */
+/* What turns the body's axes onto x, y, z (of length 1, square to each other, y = z cross x), where
+ * z is the body's backward as far as x lets it be. Then z.z = s is not negative and y.y = x.x / s,
+ * so of the four parts that one could begin with, w's or z's is the largest: nothing small is
+ * divided by. */
 static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
 {
     const float w4 = 1.0f + x.x + y.y + z.z, z4 = 1.0f - x.x - y.y + z.z;

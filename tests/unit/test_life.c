@@ -192,6 +192,50 @@ static void test_age_rises_even_where_a_key_is_dated_wrong(void **state)
     assert_age_rises_and_leads_back(&card);
 }
 
+/* On touching it, the lab draws a species' size by hand through what it was. */
+static void test_a_size_drawn_by_hand_through_the_keys_is_what_growth_made_it(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        struct species_card card = species_table[i]->card;
+        const uint32_t last = card.key_count - 1u;
+        card.scale_knot_count = card.key_count;
+        for (uint32_t key = 0; key <= last; key++) {
+            card.scale_knots[key] =
+                (struct scale_knot){ (float)key / (float)last, card.key_length_m[key] };
+        }
+        for (int step = 0; step <= STEPS; step++) {
+            const float progress = (float)step / STEPS;
+            const uint32_t key = (uint32_t)(progress * (float)last);
+            const float *age = &card.key_age_days[key < last ? key : last - 1u];
+            if (growth_is_one_way(&card.growth, age[0], age[1])) {
+                const float before_m = life_length_m(&species_table[i]->card, progress);
+                assert_float_equal(life_length_m(&card, progress) / before_m, 1.0f, 1e-5f);
+            }
+        }
+    }
+}
+
+static void test_a_size_drawn_by_hand_may_fall(void **state)
+{
+    (void)state;
+    struct species_card card = species_wakin.card;
+    card.scale_knot_count = 3;
+    card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.08f };
+    card.scale_knots[1] = (struct scale_knot){ 0.5f, 0.02f };
+    card.scale_knots[2] = (struct scale_knot){ 1.0f, 0.03f };
+    assert_float_equal(life_length_m(&card, 0.25f), 0.04f, 1e-7f);
+    float before = -1.0f;
+    for (int step = 0; step <= STEPS; step++) {
+        const float length_m = 0.08f - 0.06f * (float)step / STEPS;
+        const float progress = morph_progress(&card, length_m);
+        assert_true(progress > before);
+        assert_float_equal(life_length_m(&card, progress), length_m, 1e-7f);
+        before = progress;
+    }
+    assert_float_equal(before, 0.5f, 1e-5f);
+}
+
 static void test_a_level_stretch_drawn_by_hand_means_its_beginning(void **state)
 {
     (void)state;
@@ -202,10 +246,10 @@ static void test_a_level_stretch_drawn_by_hand_means_its_beginning(void **state)
     card.scale_knots[2] = (struct scale_knot){ 0.75f, 0.04f };
     card.scale_knots[3] = (struct scale_knot){ 1.0f, 0.04f };
     assert_true(morph_progress(&card, 0.01f) == 0.0f);
-    assert_float_equal(morph_progress(&card, 0.04f), 0.75f, 1e-4f);
+    assert_float_equal(morph_progress(&card, 0.04f), 0.75f, 1e-6f);
     card.scale_knots[0].length_m = 0.005f; /* Not the first knots: the second and the third. */
     card.scale_knots[2].length_m = 0.01f;
-    assert_float_equal(morph_progress(&card, 0.01f), 0.5f, 1e-3f);
+    assert_float_equal(morph_progress(&card, 0.01f), 0.5f, 1e-6f);
 }
 
 static void test_a_progress_or_an_age_that_cannot_be_is_a_bug(void **state)
@@ -230,6 +274,8 @@ int main(void)
         cmocka_unit_test(test_length_leads_to_progress_and_back),
         cmocka_unit_test(test_a_size_drawn_by_hand_takes_the_place_of_growth),
         cmocka_unit_test(test_age_rises_even_where_a_key_is_dated_wrong),
+        cmocka_unit_test(test_a_size_drawn_by_hand_through_the_keys_is_what_growth_made_it),
+        cmocka_unit_test(test_a_size_drawn_by_hand_may_fall),
         cmocka_unit_test(test_a_level_stretch_drawn_by_hand_means_its_beginning),
         cmocka_unit_test(test_a_progress_or_an_age_that_cannot_be_is_a_bug),
     };
