@@ -17,8 +17,8 @@ struct lab_book {
 uint32_t lab_book_count(const struct lab_book *book);
 const struct species_card *lab_book_card(const struct lab_book *book, uint32_t species);
 
-/* Whether all of it can be worked with: every maker's card has keys, curves and growth in range,
- * and every saved graph is one of its species. */
+/* lab_vet.c: whether all of it can be worked with: every number of every maker's card is in the
+ * range that packed species are held to, and every saved graph is one of its species. */
 bool lab_book_is_good(const struct lab_book *book);
 
 uint64_t lab_edit_hash(uint64_t hash, const struct lab_edit *edit);

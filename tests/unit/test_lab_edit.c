@@ -228,6 +228,77 @@ static void test_a_book_with_a_strange_card_or_graph_is_refused(void **state)
     assert_false(lab_book_is_good(&book));
 }
 
+/* Each spoils a good card in one place, as a recording on a bad disk, or a bad person, may. */
+#define SPOIL(name, what)                   \
+    static void name(struct species_card *c) \
+    {                                        \
+        what;                                \
+    }
+
+SPOIL(age_without_end, c->key_age_days[c->key_count - 1u] = 1.0f / 0.0f)
+SPOIL(age_no_number, c->key_age_days[1] = 0.0f / 0.0f)
+SPOIL(ages_that_stand, c->key_age_days[2] = c->key_age_days[1])
+SPOIL(age_beyond_all, c->key_age_days[c->key_count - 1u] = 14611.0f)
+SPOIL(length_not_grown, c->key_length_m[1] *= 1.03f)
+SPOIL(first_point_no_number, c->growth.points[0].age_days = 0.0f / 0.0f)
+SPOIL(first_point_late, c->growth.points[0].age_days = 0.5f)
+SPOIL(points_that_stand,
+      c->growth.points[c->growth.point_count] = c->growth.points[c->growth.point_count - 1u];
+      c->growth.point_count++)
+SPOIL(no_points, c->growth.point_count = 0)
+SPOIL(fade_none, c->growth.fade_year = 0.0f)
+SPOIL(fade_without_end, c->growth.fade_year = 1.0f / 0.0f)
+SPOIL(k_no_number, c->growth.k_per_year = 0.0f / 0.0f)
+SPOIL(k_too_fast, c->growth.k_per_year = 10.1f)
+SPOIL(t0_far, c->growth.t0_year = -1e30f)
+SPOIL(inf_no_number, c->growth.length_inf_m = 0.0f / 0.0f)
+SPOIL(inf_too_long, c->growth.length_inf_m = 21.0f)
+SPOIL(thesis_key_far, c->thesis_key[2] = c->key_count)
+SPOIL(thesis_keys_back, c->thesis_key[0] = c->thesis_key[1])
+SPOIL(thesis_template_far, c->thesis_template = TEMPLATE_COUNT)
+SPOIL(measure_far, c->measure = MEASURE_DISC + 1u)
+SPOIL(motion_far, c->motion = MOTION_WING + 1u)
+SPOIL(form_far, c->form = FORM_PUFFER + 1u)
+SPOIL(curve_line_far, c->curves[c->curve_count - 1u].line = GRAPH_SMOOTH + 1u)
+SPOIL(curve_solved_far, c->curves[c->curve_count - 1u].solved = 2)
+SPOIL(curve_without_name, c->curve_names[0][0] = 0)
+SPOIL(key_with_space, c->key_names[0][1] = ' ')
+SPOIL(id_with_slash, c->id[0] = '/')
+SPOIL(id_with_a_tail, c->id[SPECIES_NAME_SIZE - 1u] = 'x')
+SPOIL(two_keys, c->key_count = 2)
+
+static void test_a_card_that_is_odd_in_one_number_is_refused(void **state)
+{
+    (void)state;
+    static const struct spoil {
+        const char *name;
+        void (*spoil)(struct species_card *);
+    } spoils[] = {
+#define ROW(name) { #name, name }
+        ROW(age_without_end), ROW(age_no_number), ROW(ages_that_stand), ROW(age_beyond_all),
+        ROW(length_not_grown), ROW(first_point_no_number), ROW(first_point_late),
+        ROW(points_that_stand), ROW(no_points), ROW(fade_none), ROW(fade_without_end),
+        ROW(k_no_number), ROW(k_too_fast), ROW(t0_far), ROW(inf_no_number), ROW(inf_too_long),
+        ROW(thesis_key_far), ROW(thesis_keys_back), ROW(thesis_template_far), ROW(measure_far),
+        ROW(motion_far), ROW(form_far), ROW(curve_line_far), ROW(curve_solved_far),
+        ROW(curve_without_name), ROW(key_with_space), ROW(id_with_slash), ROW(id_with_a_tail),
+        ROW(two_keys),
+    };
+    static struct lab_book book;
+    for (uint32_t s = 0; s < species_table_count; s++) {
+        book.card_count = 1;
+        book.cards[0] = species_table[s]->card;
+        assert_true(lab_book_is_good(&book));
+        for (size_t i = 0; i < sizeof spoils / sizeof *spoils; i++) {
+            book.cards[0] = species_table[s]->card;
+            spoils[i].spoil(&book.cards[0]);
+            if (lab_book_is_good(&book)) {
+                fail_msg("%s of %s", spoils[i].name, species_table[s]->card.id);
+            }
+        }
+    }
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, setup)
@@ -243,6 +314,7 @@ int main(void)
         TEST(test_the_first_touch_draws_the_growth_curve_by_hand),
         TEST(test_the_axis_of_lengths_leads_there_and_back),
         TEST(test_a_book_with_a_strange_card_or_graph_is_refused),
+        TEST(test_a_card_that_is_odd_in_one_number_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
