@@ -9,6 +9,7 @@
 #include "platform/species/plain.h"
 
 #define LENGTH_SAMPLES 1000u
+#define ROUNDED 1e-3 /* What was printed may be given back. */
 #define TEXT_SIZE_MAX (1u << 20) /* Fifty times the longest that is built in. */
 
 static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
@@ -226,6 +227,43 @@ const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct 
 
 /* ---- Place ---------------------------------------------------------------------------------- */
 
+/* From the shortest to the longest of its drawn life, m. */
+static void length_range(const struct species_card *card, float *min, float *max)
+{
+    *min = *max = life_length_m(card, 0.0f);
+    for (uint32_t i = 1; i <= LENGTH_SAMPLES; i++) {
+        const float length_m = life_length_m(card, (float)i / (float)LENGTH_SAMPLES);
+        *min = f_min(*min, length_m);
+        *max = f_max(*max, length_m);
+    }
+    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
+        *min = f_min(*min, card->scale_knots[i].length_m);
+        *max = f_max(*max, card->scale_knots[i].length_m);
+    }
+}
+
+/* Nobody drew it before its first key or behind its last: a fish of 22 days is not handed out as
+ * one of a day. */
+static enum exit_code check_drawn(const struct species_card *card, enum place place, double asked,
+                                  const char *command)
+{
+    float from = card->key_age_days[0], to = card->key_age_days[card->key_count - 1u];
+    if (place == PLACE_PROGRESS) {
+        return EXIT_OK;
+    }
+    if (place == PLACE_LENGTH_MM) {
+        length_range(card, &from, &to);
+        from *= 1e3f;
+        to *= 1e3f;
+    }
+    if (asked >= (double)from * (1.0 - ROUNDED) && asked <= (double)to * (1.0 + ROUNDED)) {
+        return EXIT_OK;
+    }
+    return morph_usage(command, "%s: %.10g is outside the drawn life: %s is drawn from %.6g to "
+                                "%.6g %s", place_options[place].name, asked, card->id,
+                       (double)from, (double)to, place == PLACE_AGE_DAYS ? "days" : "mm");
+}
+
 static enum exit_code settle_place(struct morph_pick *pick, const struct words *words,
                                    const char *command)
 {
@@ -244,6 +282,10 @@ static enum exit_code settle_place(struct morph_pick *pick, const struct words *
                                place_options[i].name, words->place[i], place_options[i].min,
                                place_options[i].max);
         }
+        const enum exit_code code = check_drawn(card, (enum place)i, value, command);
+        if (code != EXIT_OK) {
+            return code;
+        }
         pick->has_place = true;
         pick->progress = i == PLACE_PROGRESS   ? (float)value
                          : i == PLACE_AGE_DAYS ? life_progress(card, (float)value)
@@ -254,13 +296,8 @@ static enum exit_code settle_place(struct morph_pick *pick, const struct words *
 
 float morph_pick_length_max_m(const struct species_card *card)
 {
-    float max = 0.0f;
-    for (uint32_t i = 0; i <= LENGTH_SAMPLES; i++) {
-        max = f_max(max, life_length_m(card, (float)i / (float)LENGTH_SAMPLES));
-    }
-    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
-        max = f_max(max, card->scale_knots[i].length_m);
-    }
+    float min, max;
+    length_range(card, &min, &max);
     return max;
 }
 

@@ -44,7 +44,8 @@ struct morph_pick {
 const char *morph_template_name(enum graph_template template);
 
 /* Reads the words of `command` ("weights"): one SPECIES|FILE and, in any order, options. EXIT_OK,
- * or another code, told in one line. What `pick` points to is static here: one fish at a time. */
+ * or another code, told in one line: an age or a length that the drawn life does not have is
+ * refused with its range. What `pick` points to is static here: one fish at a time. */
 enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enum morph_asks asks,
                                const struct morph_option *options, size_t option_count, int argc,
                                const char *const *argv);

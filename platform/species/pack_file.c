@@ -40,7 +40,7 @@ static bool write_whole(FILE *file, const uint8_t *bytes, size_t size)
     return fclose(file) == 0 && whole;
 }
 
-/* The file that `path` leads to, or is to be; 0 or an errno. No device or folder gives way to it. */
+/* The file that `path` leads to, or is to be; 0 or an errno. No device or folder gives way. */
 static int find_place(const char *path, char place[PATH_MAX])
 {
     struct stat status;

@@ -145,6 +145,12 @@ check 'one moment' refused 2 'one of them' wakin --obj "$f" --progress 0.5 --len
 check 'within life' refused 2 "--progress: '1.5'" wakin --obj "$f" --progress 1.5
 check 'of numbers' refused 2 "--age-days: 'old'" wakin --obj "$f" --age-days old
 check 'a moment is not for a whole life' refused 2 'are for --obj' wakin --glb "$f" --progress 0.5
+check 'before the first key nobody drew it' refused 2 'hirame is drawn from 22 to 1462.83 days' hirame --obj "$f" --age-days 1
+check 'nor so short' refused 2 '--length-mm: 3 is outside the drawn life: hirame is drawn from 9.5 to 500 mm' hirame --obj "$f" --length-mm 3
+check 'nor behind the last' refused 2 '--age-days: 600 is outside' wakin --obj "$f" --age-days 600
+check 'nor so long' refused 2 '--length-mm: 151 is outside' wakin --obj "$f" --length-mm 151
+check 'a conger has lengths shorter than its first' export_of kuroanago --length-mm 60 --obj "$work/short.obj"
+check 'an age as it is printed' export_of wakin --age-days 545.4 --obj "$work/old.obj"
 check 'nor for its sheet' refused 2 'are for --obj' wakin --sheet "$f" --length-mm 5
 check 'frames need a folder' refused 2 'go together' wakin --frames 4
 check 'a folder needs frames' refused 2 'go together' wakin --sheet "$f" --dir "$work"
