@@ -96,7 +96,20 @@ static bool find_age(const struct reader *r, struct key_text *key)
     return true;
 }
 
-/* Ages follow from lengths where they are not written; either way they rise. */
+/* Age, progress and length are told from one another, so the three are one story at each key. */
+static bool check_growth(const struct reader *r, const struct key_text *key)
+{
+    const float length_m = growth_length_m(&r->species->growth, key->age_days);
+    if (f_abs(length_m / key->length_m - 1.0f) > LENGTH_APART) {
+        return refuse(r, "key %s is %.4g mm at %.4g days, and growth says %.4g mm: write a point",
+                      key->name, (double)(key->length_m * 1000.0f), (double)key->age_days,
+                      (double)(length_m * 1000.0f));
+    }
+    return true;
+}
+
+/* Ages follow from lengths where they are not written; either way they rise, and growth gives the
+ * lengths. */
 static bool check_ages(struct reader *r)
 {
     struct species_text *s = r->species;
@@ -109,6 +122,9 @@ static bool check_ages(struct reader *r)
         if (i > 0 && key->age_days <= key[-1].age_days) {
             return refuse(r, "key %s (%.4g days) is not older than key %s (%.4g days)", key->name,
                           (double)key->age_days, key[-1].name, (double)key[-1].age_days);
+        }
+        if (!check_growth(r, key)) {
+            return false;
         }
     }
     return true;

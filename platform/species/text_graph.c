@@ -148,6 +148,9 @@ bool read_template(struct reader *r)
             return false;
         }
     }
+    if (newest(r)->graph.line != GRAPH_STRAIGHT || newest(r)->graph.solved) {
+        return refuse(r, "a line's kind stands below the template that it bends");
+    }
     graph_template(&newest(r)->graph, (enum graph_template)template, r->species->key_count, peak);
     return true;
 }

@@ -66,7 +66,7 @@ check 'an age before hatching' mistake 2 '--ages-days' "$work/x.kfish" "${objs[@
 check 'ages that growth does not bear out' mistake 65 'a/length_m: 0.005 at 100 days, where growth says' "$work/x.kfish" \
     "${objs[@]}" --lengths-mm 5,10,20 --ages-days 100,200,300 --growth 500,0.3,-0.1,3,0.3
 sed 's/^key koaka 45$/key koaka 45 200/' "$root/assets/species/wakin.txt" >"$work/late.txt"
-check 'a text of a late key' mistake 65 'koaka' "$work/x.kfish" "$work/late.txt"
+check 'a text of a late key' mistake 65 'late.txt:175: key koaka is 45 mm at 200 days, and growth says' "$work/x.kfish" "$work/late.txt"
 head -5 "$work/b.obj" >"$work/cut.obj"
 check 'a cut shape' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/cut.obj" "$work/b.obj" "$work/c.obj"
 check 'a shape of another topology' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/a.obj" "$work/cut.obj" "$work/c.obj"

@@ -80,16 +80,29 @@ static void test_points_extend_the_growth_curve_from_hatching(void **state)
 static void test_keys_may_say_their_age_and_then_may_shrink(void **state)
 {
     (void)state;
-    assert_read(HEAD "key a 10 20\n" KEY_BODY "key b 30 40\n" KEY_BODY "key c 20 60.5\n" KEY_BODY
+    assert_read(HEAD "point 20 10\npoint 40 30\npoint 60.5 20\n"
+                     "key a 10 20\n" KEY_BODY "key b 30 40\n" KEY_BODY "key c 20 60.5\n" KEY_BODY
                      "template pairwise\n");
     assert_float_equal(species.keys[2].age_days, 60.5f, 0.0f);
     assert_float_equal(species.keys[2].length_m, 0.02f, 1e-7f);
     assert_refused(HEAD "key a 10 20\nkey b 5\n", "or say their age: key NAME MM AGE_DAYS");
     assert_refused(HEAD "key a 10\nkey a 20\n", "t.txt:5: a second key called a");
     assert_refused(HEAD "key a 10 1 2\n", "write: key NAME MM [AGE_DAYS]");
-    assert_refused(HEAD "key a 10 90\n" KEY_BODY "key b 20 80\n" KEY_BODY "key c 40 99\n" KEY_BODY
+    assert_refused(HEAD "point 90 10\nkey a 10 90\n" KEY_BODY "key b 20 80\n" KEY_BODY "key c 40 99\n" KEY_BODY
                         "template pairwise\n",
                    "key b (80 days) is not older than key a (90 days)");
+}
+
+static void test_a_written_age_is_one_at_which_growth_is_as_long(void **state)
+{
+    (void)state;
+    assert_refused(HEAD "point 20 10\npoint 40 20\n"
+                        "key a 10 20\n" KEY_BODY "key b 20.5 40\n" KEY_BODY "key c 40 90\n" KEY_BODY
+                        "template pairwise\n",
+                   "t.txt:28: key b is 20.5 mm at 40 days, and growth says 20 mm: write a point");
+    assert_read(HEAD "point 20 10\npoint 40 20\npoint 90 40\n"
+                     "key a 10 20\n" KEY_BODY "key b 20.3 40\n" KEY_BODY "key c 40 90\n" KEY_BODY
+                     "template pairwise\n");
 }
 
 static void test_a_key_that_never_grows_so_long_is_refused_with_its_line(void **state)
@@ -223,6 +236,9 @@ static void test_lines_are_straight_smooth_or_solved(void **state)
     assert_refused(with_tail("line bent\n"), "'bent' is no line: straight, smooth, solved");
     assert_refused(with_tail("knot 0 1 0 0\nknot 1 0 0 1\nline solved\n"),
                    "the graph of whole shows too little of key b to be solved for it");
+    assert_refused(with_tail("line solved\ntemplate pairwise\n"),
+                   "a line's kind stands below the template that it bends");
+    assert_refused(with_tail("line smooth\ntemplate pairwise\n"), "stands below the template");
 }
 
 static void test_parts_may_have_curves_of_their_own(void **state)
@@ -292,6 +308,7 @@ int main(void)
         cmocka_unit_test(test_fins_that_a_fish_never_has_are_named_once_for_all_keys),
         cmocka_unit_test(test_points_extend_the_growth_curve_from_hatching),
         cmocka_unit_test(test_keys_may_say_their_age_and_then_may_shrink),
+        cmocka_unit_test(test_a_written_age_is_one_at_which_growth_is_as_long),
         cmocka_unit_test(test_a_key_that_never_grows_so_long_is_refused_with_its_line),
         cmocka_unit_test(test_gills_are_in_all_keys_or_in_none),
         cmocka_unit_test(test_eyes_are_a_pair_or_each_its_own_and_may_wander),
