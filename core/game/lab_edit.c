@@ -4,6 +4,8 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
+#define ROUND_GAP (5.0f * LAB_KNOT_GAP)
+
 /* ---- The whole ------------------------------------------------------------------------------ */
 
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card)
@@ -194,6 +196,75 @@ bool lab_edit_remove(struct lab_edit *edit, float progress)
 
 /* ---- Scale ---------------------------------------------------------------------------------- */
 
+struct scale_line {
+    struct scale_knot *knots;
+    uint32_t count;
+};
+
+/* In the order of life; one that has the place of another, or no room, is left out. */
+static void draw_knot(struct scale_line *line, struct scale_knot knot)
+{
+    uint32_t place = 0;
+    while (place < line->count && line->knots[place].progress < knot.progress) {
+        place++;
+    }
+    if (line->count == GRAPH_KNOT_MAX ||
+        (place < line->count && line->knots[place].progress == knot.progress)) {
+        return;
+    }
+    memmove(&line->knots[place + 1u], &line->knots[place],
+            (line->count - place) * sizeof line->knots[0]);
+    line->knots[place] = knot;
+    line->count++;
+}
+
+/* Where length turns round between two keys, as a conger's does before it is an eel. */
+static bool is_in_a_turn(const struct species_card *card, float age_days)
+{
+    const float *age = card->key_age_days;
+    for (uint32_t i = 1; i < card->key_count; i++) {
+        if (age_days > age[i - 1u] && age_days < age[i]) {
+            return !growth_is_one_way(&card->growth, age[i - 1u], age[i]);
+        }
+    }
+    return false;
+}
+
+static bool is_turning_point(const struct growth *growth, uint32_t index)
+{
+    const struct growth_point *at = &growth->points[index];
+    return index > 0 && index + 1u < growth->point_count &&
+           (at->length_m > at[-1].length_m) == (at->length_m > at[1].length_m);
+}
+
+/* The points at which it turns round come before the others: there may be no room for all. */
+static void draw_turns(struct scale_line *line, const struct species_card *card)
+{
+    for (uint32_t turning = 2; turning-- > 0;) {
+        for (uint32_t i = 0; i < card->growth.point_count; i++) {
+            const struct growth_point *point = &card->growth.points[i];
+            if (is_in_a_turn(card, point->age_days) &&
+                is_turning_point(&card->growth, i) == (turning == 1u)) {
+                draw_knot(line, (struct scale_knot){ life_progress(card, point->age_days),
+                                                     point->length_m });
+            }
+        }
+    }
+}
+
+/* Where the curve is round, a straight line between knots far apart would cut the corner. */
+static void draw_rounds(struct scale_line *line, const struct species_card *card)
+{
+    for (uint32_t i = 1; i < line->count; i++) {
+        const float from = line->knots[i - 1u].progress, to = line->knots[i].progress;
+        const float middle = 0.5f * (from + to), age_days = life_age_days(card, middle);
+        if (to - from > ROUND_GAP && is_in_a_turn(card, age_days)) {
+            draw_knot(line, (struct scale_knot){ middle,
+                                                 growth_length_m(&card->growth, age_days) });
+        }
+    }
+}
+
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX])
 {
@@ -201,11 +272,14 @@ uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_
         memcpy(out, edit->scale_knots, sizeof edit->scale_knots);
         return edit->scale_knot_count;
     }
+    struct scale_line line = { .knots = out };
     for (uint32_t i = 0; i < card->key_count; i++) {
-        out[i].progress = (float)i / (float)(card->key_count - 1u);
-        out[i].length_m = card->key_length_m[i];
+        draw_knot(&line, (struct scale_knot){ (float)i / (float)(card->key_count - 1u),
+                                              card->key_length_m[i] });
     }
-    return card->key_count;
+    draw_turns(&line, card);
+    draw_rounds(&line, card);
+    return line.count;
 }
 
 static void draw_by_hand(struct lab_edit *edit, const struct species_card *card)

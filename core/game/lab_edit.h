@@ -51,8 +51,9 @@ bool lab_edit_remove(struct lab_edit *edit, float progress);
 
 /* ---- Scale ---- */
 
-/* The scale knots as shown: those drawn by hand, or one a key on the growth curve. Returns how
- * many. */
+/* The scale knots as shown: those drawn by hand, or one a key on the growth curve and,
+ * between two keys where it turns round (a conger's least length), one at each of its measured
+ * points and between those far apart. Returns how many. */
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX]);
 

@@ -4,9 +4,9 @@
  * straight from the disk, so that the same ranges are asked for again. */
 #include "core/game/lab_book.h"
 
-#define AGE_MAX_DAYS 14610.0f  /* 40 years: as far as growth.c looks. */
-#define LENGTH_MIN_M 0.0005f   /* Of a maker's species; LAB_LENGTH_MIN_M is as far as a hand goes. */
-#define LENGTH_APART 0.02f     /* A key's length and the growth curve's at its age: so alike. */
+#define AGE_MAX_DAYS 14610.0f /* 40 years: as far as growth.c looks. */
+#define LENGTH_MIN_M 0.0005f  /* Of a maker's species; a hand may go to LAB_LENGTH_MIN_M. */
+#define LENGTH_APART 0.02f    /* A key's length and the growth curve's at its age: so alike. */
 
 /* Not a number is in no range, nor is what has no end. */
 static bool is_within(float x, float low, float high)

@@ -190,6 +190,58 @@ static void test_the_first_touch_draws_the_growth_curve_by_hand(void **state)
     assert_true(lab_edit_is_good(&edit, card));
 }
 
+/* The knots are there before anybody takes one: taking one moves nothing, but for the round of the
+ * conger's least length, which is up to 3 % flatter between two knots. */
+static void test_a_size_knot_that_is_only_touched_changes_no_length(void **state)
+{
+    (void)state;
+    for (uint32_t s = 0; s < species_table_count; s++) {
+        const struct species_card *own = &species_table[s]->card;
+        struct scale_knot knots[GRAPH_KNOT_MAX];
+        struct lab_edit touched;
+        struct species_card applied;
+        const uint32_t conger = strcmp(own->id, "kuroanago") == 0 ? s : SPECIES_MAX;
+        lab_edit_own(&touched, own);
+        const uint32_t count = lab_edit_scale_knots(&touched, own, knots);
+        const uint32_t middle = count / 2u;
+        lab_edit_size_move(&touched, own, middle, knots[middle].progress);
+        lab_edit_size(&touched, own, middle, knots[middle].length_m);
+        assert_true(lab_edit_is_good(&touched, own));
+        lab_edit_apply(&touched, own, &applied);
+        for (uint32_t i = 0; i <= 1000; i++) {
+            const float progress = (float)i / 1000.0f, before = life_length_m(own, progress);
+            const float after = life_length_m(&applied, progress);
+            if (f_abs(after / before - 1.0f) > (s == conger ? 0.03f : 1e-5f)) {
+                fail_msg("%s at %.3f: %.4f m for %.4f", own->id, (double)progress, (double)after,
+                         (double)before);
+            }
+        }
+    }
+}
+
+/* The conger's least length is no key: 56.0 mm, between the shrinking leaf and the young eel. */
+static void test_the_conger_keeps_its_least_length_drawn_by_hand(void **state)
+{
+    (void)state;
+    const struct species_card *conger = &species_table[0]->card;
+    struct scale_knot knots[GRAPH_KNOT_MAX];
+    struct lab_edit own;
+    for (uint32_t s = 0; s < species_table_count; s++) {
+        const struct species_card *is = &species_table[s]->card;
+        conger = strcmp(is->id, "kuroanago") == 0 ? is : conger;
+    }
+    lab_edit_own(&own, conger);
+    const uint32_t count = lab_edit_scale_knots(&own, conger, knots);
+    assert_in_range(count, conger->key_count + 1u, GRAPH_KNOT_MAX);
+    uint32_t least = 0;
+    for (uint32_t i = 1; i < count; i++) {
+        assert_true(knots[i].progress > knots[i - 1u].progress);
+        least = knots[i].length_m < knots[least].length_m ? i : least;
+    }
+    assert_float_equal(knots[least].length_m, 0.056f, 1e-6f);
+    assert_float_equal(life_age_days(conger, knots[least].progress), 240.0f, 0.1f);
+}
+
 static void test_the_axis_of_lengths_leads_there_and_back(void **state)
 {
     (void)state;
@@ -312,6 +364,8 @@ int main(void)
         TEST(test_each_template_is_one_of_the_species),
         TEST(test_ten_thousand_grips_leave_a_graph),
         TEST(test_the_first_touch_draws_the_growth_curve_by_hand),
+        TEST(test_a_size_knot_that_is_only_touched_changes_no_length),
+        TEST(test_the_conger_keeps_its_least_length_drawn_by_hand),
         TEST(test_the_axis_of_lengths_leads_there_and_back),
         TEST(test_a_book_with_a_strange_card_or_graph_is_refused),
         TEST(test_a_card_that_is_odd_in_one_number_is_refused),
