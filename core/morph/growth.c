@@ -11,6 +11,7 @@
 
 #define DAYS_PER_YEAR 365.25f
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR) /* The oldest goldfish on record lived 43 years. */
+#define FADE_NONE_YEAR 1e-6f /* Half a minute: the curve itself. */
 #define BISECTIONS 24                        /* 14,610 days halved so often are 0.001 days. */
 
 /* How far the curve is ahead of the last measured length; 0 where it is behind: there the fish
@@ -72,6 +73,20 @@ float growth_length_m(const struct growth *growth, float age_days)
     return age_days < growth->points[growth->point_count - 1].age_days
                ? among_points_m(growth, age_days)
                : beyond_points_m(growth, age_days);
+}
+
+struct growth growth_shifted(const struct growth *growth)
+{
+    const struct growth_point hatching = growth->points[0];
+    const float share = f_clamp(hatching.length_m / growth->length_inf_m, 0.0f, 0.999f);
+    return (struct growth){
+        .length_inf_m = growth->length_inf_m,
+        .k_per_year = growth->k_per_year,
+        .t0_year = f_ln(1.0f - share) / growth->k_per_year,
+        .fade_year = FADE_NONE_YEAR,
+        .point_count = 1,
+        .points = { hatching },
+    };
 }
 
 /* Between two ages with no measured point within, where length goes one way. */

@@ -27,6 +27,10 @@ float growth_age_between(const struct growth *growth, float from_days, float to_
 /* Whether length only rises, or only falls, between two ages: a conger shrinks on the way. */
 bool growth_is_one_way(const struct growth *growth, float from_days, float to_days);
 
+/* The thesis' own (section 3.2): eq. 3.3 alone, its start t0 shifted until it hatches with the true
+ * length. Nothing measured later counts, and adults become too small. */
+struct growth growth_shifted(const struct growth *growth);
+
 /* life.c: age <-> progress <-> length. Between two keys progress goes by the logarithm of length
  * where length is monotone there (fish grow by factors), else by age. */
 
@@ -197,7 +201,8 @@ void species_straighten(const struct species *from, struct straight_memory *memo
                         struct species *out);
 
 /* Straight, and only chapter 4's three keys with its template; the middle one exaggerated (solved)
- * where that template is the simultaneous one. */
+ * where that template is the simultaneous one. Keys keep their ages; sizes are the shifted growth
+ * curve's. */
 void species_thesis(const struct species *from, struct straight_memory *memory,
                     struct species *out);
 

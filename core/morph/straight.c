@@ -104,7 +104,7 @@ void species_straighten(const struct species *from, struct straight_memory *memo
 static void take_key(const struct species *from, uint32_t key, struct species *out, uint32_t to)
 {
     out->card.key_age_days[to] = from->card.key_age_days[key];
-    out->card.key_length_m[to] = from->card.key_length_m[key];
+    out->card.key_length_m[to] = growth_length_m(&out->card.growth, from->card.key_age_days[key]);
     out->coats[to] = from->coats[key];
     for (uint32_t c = 0; c < SPECIES_NAME_SIZE; c++) {
         out->card.key_names[to][c] = from->card.key_names[key][c];
@@ -117,6 +117,7 @@ void species_thesis(const struct species *from, struct straight_memory *memory,
     struct species_card *card = &out->card;
     species_straighten(from, memory, out);
     const struct species_mesh straight[SPECIES_LOD_COUNT] = { out->lod[0], out->lod[1] };
+    card->growth = growth_shifted(&from->card.growth);
     card->key_count = 3;
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t key = from->card.thesis_key[i];

@@ -66,7 +66,8 @@ static enum exit_code help(void)
          "                2005 thesis), simultaneous (figure 3.9), smooth (no corner at any\n"
          "                key), or ordinary (the first and the last key alone: equation 3.1)\n"
          "  --thesis      the thesis' own method: chapter 4's three keys, straight paths, the\n"
-         "                middle key exaggerated where it is never whole\n\n"
+         "                middle key exaggerated where it is never whole; at the same ages as\n"
+         "                long as the shifted growth curve makes them (section 3.2)\n\n"
          "'kingyoctl morph SUBCOMMAND --help' says more.");
     return morph_end("--help");
 }

@@ -66,7 +66,7 @@ fish() { # SPECIES MODELS GRAPH SHEET NAME
     vector "figure-4.$3-ours" graph "$1"
     figure "figure-4.$3-ours" "Deformation graph: $5, ours" 'Better: goes on to the adult.'
     sheet "figure-4.$4" "$1" --thesis
-    figure "figure-4.$4" "Output: $5" "The thesis' method on our drawings: straight paths."
+    figure "figure-4.$4" "Output: $5" "The thesis' method on our drawings: straight paths, and as long at these ages as its shifted growth curve makes them."
     sheet "figure-4.$4-ours" "$1"
     figure "figure-4.$4-ours" "Output: $5, ours" 'Better: grows to the adult, colours change with it, fins and eyes ride on the skin.'
 }

@@ -133,7 +133,7 @@ static void test_the_thesis_takes_its_three_keys_and_its_template(void **state)
     assert_int_equal(out.card.key_count, 3);
     assert_int_equal(out.card.thesis_key[2], 2);
     assert_int_equal(out.card.key_names[2][0], 'd');
-    assert_true(out.card.key_age_days[1] == 100.0f && out.card.key_length_m[2] == 0.2f);
+    assert_true(out.card.key_age_days[1] == 100.0f && out.card.key_age_days[2] == 1000.0f);
     assert_int_equal(out.card.scale_knot_count, 0);
     assert_int_equal(out.card.curves[0].solved, 1);
     assert_true(out.card.curves[0].knots[1].weight[1] == SIMULTANEOUS_PEAK);
@@ -145,6 +145,25 @@ static void test_the_thesis_takes_its_three_keys_and_its_template(void **state)
             assert_float_equal(v3_length(v3_sub(ours[k], theirs[k])), 0.0f, 2.0f / 32767.0f);
         }
     }
+}
+
+/* Section 3.2: hatched with the true length on eq. 3.3 itself, whatever was measured after that. */
+static void test_the_thesis_is_as_long_as_its_shifted_curve(void **state)
+{
+    (void)state;
+    species_thesis(&barrel.species, &memory, &out);
+    for (int step = 0; step <= 100; step++) {
+        const float progress = (float)step / 100.0f, age = life_age_days(&out.card, progress);
+        const float expected = 0.2f - (0.2f - 0.01f) * f_exp(-age / 365.25f);
+        assert_float_equal(life_length_m(&out.card, progress) / expected, 1.0f, 1e-4f);
+    }
+    assert_float_equal(out.card.key_length_m[0], 0.01f, 1e-7f);
+    assert_float_equal(out.card.key_length_m[2], 0.0555f, 1e-4f); /* Drawn at 80 mm. */
+    const struct growth bigeye = { 2.0834f, 0.1985152f, -0.839f, 0.35f, 1, { { 0.0f, 0.003f } } };
+    const struct growth shifted = growth_shifted(&bigeye); /* 63.7 cm at a year by eq. 3.3. */
+    assert_float_equal(growth_length_m(&shifted, 0.0f), 0.003f, 1e-6f);
+    assert_float_equal(growth_length_m(&shifted, 365.25f), 0.378f, 0.001f);
+    assert_float_equal(growth_length_m(&shifted, 1.0f), 0.00413f, 1e-5f);
 }
 
 static void test_a_thesis_key_that_is_not_there_is_a_bug(void **state)
@@ -163,6 +182,7 @@ int main(void)
         cmocka_unit_test_setup(test_what_anchors_carry_far_out_widens_the_reach, new_barrel),
         cmocka_unit_test_setup(test_a_species_without_anchors_keeps_its_tables, new_barrel),
         cmocka_unit_test_setup(test_the_thesis_takes_its_three_keys_and_its_template, new_barrel),
+        cmocka_unit_test_setup(test_the_thesis_is_as_long_as_its_shifted_curve, new_barrel),
         cmocka_unit_test_setup(test_a_thesis_key_that_is_not_there_is_a_bug, new_barrel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
