@@ -153,6 +153,18 @@ static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to
     return worst;
 }
 
+/* A file rounds its weights; a graph's sum to 1. */
+static void take_weights(const float from[MORPH_KEY_MAX], float to[MORPH_KEY_MAX])
+{
+    double sum = 0.0;
+    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+        sum += (double)from[key];
+    }
+    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+        to[key] = (float)((double)from[key] / sum);
+    }
+}
+
 /* Knots for the animation: its ends, then again and again where the lines are farthest off. */
 static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
                        struct import_report *report)
@@ -184,7 +196,7 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
         uint32_t unused;
         struct graph_knot *knot = &graph->knots[i];
         knot->progress = i + 1 == count ? 1.0f : (mesh->times[chosen[i]] - begin) / span;
-        memcpy(knot->weight, mesh->weights[chosen[i]], sizeof knot->weight);
+        take_weights(mesh->weights[chosen[i]], knot->weight);
         if (i + 1 < count) {
             report->graph_error =
                 fmaxf(report->graph_error, farthest(mesh, chosen[i], chosen[i + 1], &unused));

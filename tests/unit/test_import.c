@@ -316,15 +316,70 @@ static void test_ages_that_growth_does_not_bear_out_are_refused(void **state)
     const double growth[5] = { 1e3 * (double)g->length_inf_m, (double)g->k_per_year,
                                (double)g->t0_year, 5.0, (double)g->fade_year };
     memcpy(plan.growth, growth, sizeof growth);
-    if (build_from(&plan) != EXIT_OK) { /* Ages by that curve. */
+    plan.growth[1] *= 0.5; /* Half as fast: older at each length than the goldfish was. */
+    if (build_from(&plan) != EXIT_OK) {
         fail_msg("%s %s", why, fault);
     }
+    card = slot.species.card;
+    assert_true(card.key_age_days[4] > 1.5f * species_wakin.card.key_age_days[4]);
+    assert_float_equal(growth_length_m(&card.growth, card.key_age_days[4]), 0.15f, 1e-4f);
+    plan.growth[1] *= 2.0;
     plan.age_count = 5;
     for (uint32_t key = 0; key < 5; key++) {
         plan.ages_days[key] = 100.0 * key;
     }
     assert_int_equal(build_from(&plan), EXIT_NOT_SO);
     assert_non_null(strstr(fault, "aoko/length_m: 0.02 at 100 days, where growth says "));
+}
+
+static void test_weights_that_a_file_rounded_are_a_graph(void **state)
+{
+    (void)state;
+    read_objs(&species_wakin, 0, 1.0f);
+    struct import_plan plan = *plan_of(&species_wakin);
+    plan.front = AXIS_MINUS_Z;
+    mesh.time_count = 3;
+    for (uint32_t i = 0; i < 3; i++) {
+        mesh.times[i] = (float)i;
+        memset(mesh.weights[i], 0, sizeof mesh.weights[i]);
+        mesh.weights[i][2 * i] = 0.6f;
+        mesh.weights[i][1] = 0.40005f;
+    }
+    if (build_from(&plan) != EXIT_OK) {
+        fail_msg("%s %s", why, fault);
+    }
+    assert_int_equal(slot.species.card.curves[0].knot_count, 3);
+    assert_float_equal(slot.species.card.curves[0].knots[1].weight[2], 0.6f / 1.00005f, 1e-6f);
+}
+
+static void read_three(const char *text)
+{
+    write_text(path_of("fin.obj"), text);
+    for (uint32_t key = 0; key < 3; key++) {
+        assert_int_equal(import_obj(&mesh, key, path_of("fin.obj"), why), EXIT_OK);
+    }
+    memset(&slot.species, 0, sizeof slot.species);
+    assert_int_equal(import_build(&mesh, &slot, &report, why), EXIT_OK);
+}
+
+static void test_a_sheet_is_seen_from_both_sides(void **state)
+{
+    (void)state;
+    static const char fin[] = "v .1 1 0\nv .5 1 0\nv .5 1.5 0\n";
+    char text[512];
+    snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\n", fin);
+    read_three(text);
+    const struct species_mesh *near = &slot.species.lod[0];
+    assert_int_equal(near->index_count, 3 * (4 + 2));
+    assert_int_equal(near->indices[12], near->indices[15]); /* The same corners, ... */
+    assert_int_equal(near->indices[13], near->indices[17]); /* ... the other way round. */
+    assert_int_equal(near->indices[14], near->indices[16]);
+    snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);
+    read_three(text); /* Drawn with two sides, it has two. */
+    assert_int_equal(near->index_count, 3 * (4 + 2));
+    snprintf(text, sizeof text, TETRA "%s", "f 1 3 2\n"); /* A body is no sheet. */
+    read_three(text);
+    assert_int_equal(near->index_count, 3 * 5);
 }
 
 /* ---- A template that was fitted -------------------------------------------------------------- */
@@ -429,6 +484,8 @@ int main(void)
         cmocka_unit_test(test_a_model_that_is_too_fine_is_told_what_to_do),
         cmocka_unit_test(test_lengths_that_are_told_have_a_growth_that_says_so_too),
         cmocka_unit_test(test_ages_that_growth_does_not_bear_out_are_refused),
+        cmocka_unit_test(test_weights_that_a_file_rounded_are_a_graph),
+        cmocka_unit_test(test_a_sheet_is_seen_from_both_sides),
         cmocka_unit_test(test_a_fitted_template_lives_as_is_told),
         cmocka_unit_test(test_what_was_exported_comes_back_within_quantisation),
         cmocka_unit_test(test_a_damaged_scene_costs_one_line),

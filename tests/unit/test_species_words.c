@@ -88,8 +88,8 @@ static void test_keys_may_say_their_age_and_then_may_shrink(void **state)
     assert_refused(HEAD "key a 10 20\nkey b 5\n", "or say their age: key NAME MM AGE_DAYS");
     assert_refused(HEAD "key a 10\nkey a 20\n", "t.txt:5: a second key called a");
     assert_refused(HEAD "key a 10 1 2\n", "write: key NAME MM [AGE_DAYS]");
-    assert_refused(HEAD "point 90 10\nkey a 10 90\n" KEY_BODY "key b 20 80\n" KEY_BODY "key c 40 99\n" KEY_BODY
-                        "template pairwise\n",
+    assert_refused(HEAD "point 90 10\nkey a 10 90\n" KEY_BODY "key b 20 80\n" KEY_BODY
+                        "key c 40 99\n" KEY_BODY "template pairwise\n",
                    "key b (80 days) is not older than key a (90 days)");
 }
 
@@ -97,8 +97,8 @@ static void test_a_written_age_is_one_at_which_growth_is_as_long(void **state)
 {
     (void)state;
     assert_refused(HEAD "point 20 10\npoint 40 20\n"
-                        "key a 10 20\n" KEY_BODY "key b 20.5 40\n" KEY_BODY "key c 40 90\n" KEY_BODY
-                        "template pairwise\n",
+                        "key a 10 20\n" KEY_BODY "key b 20.5 40\n" KEY_BODY
+                        "key c 40 90\n" KEY_BODY "template pairwise\n",
                    "t.txt:28: key b is 20.5 mm at 40 days, and growth says 20 mm: write a point");
     assert_read(HEAD "point 20 10\npoint 40 20\npoint 90 40\n"
                      "key a 10 20\n" KEY_BODY "key b 20.3 40\n" KEY_BODY "key c 40 90\n" KEY_BODY
