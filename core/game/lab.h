@@ -31,6 +31,7 @@ enum lab_hold {
     HOLD_WEIGHT, /* A knot of the key in `layer`. */
     HOLD_SIZE,   /* A knot of the scale. */
     HOLD_BUTTON,
+    HOLD_LEAVE,  /* The way out: taken when the hand comes up. */
 };
 
 #define LAB_LAYER_SIZE MORPH_KEY_MAX /* Of `layer`: the scale; below it, a key. */

@@ -164,9 +164,7 @@ static void use_tool(struct core *core, enum lab_part part, struct output *outpu
 void lab_use(struct core *core, enum lab_part part, struct output *output)
 {
     output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
-    if (part == LAB_LEAVE) {
-        attract_begin(core);
-    } else if (part >= LAB_OWN && part <= LAB_SMOOTH) {
+    if (part >= LAB_OWN && part <= LAB_SMOOTH) {
         lab_edit_template(&core->game.lab.edit, card_of(core),
                           (enum graph_template)((int)part - LAB_OWN + TEMPLATE_OWN));
     } else if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
@@ -342,6 +340,10 @@ void lab_press(struct core *core, struct output *output)
         break;
     case LAB_NOTHING:
         break;
+    case LAB_LEAVE:
+        lab->holds = HOLD_LEAVE;
+        output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
+        break;
     default:
         lab_use(core, (enum lab_part)lab->points, output);
         return;
@@ -352,11 +354,15 @@ void lab_press(struct core *core, struct output *output)
 void lab_release(struct core *core)
 {
     struct lab *lab = &core->game.lab;
+    const int leaves = lab->holds == HOLD_LEAVE && lab->has_hand;
     lab->holds = HOLD_NOTHING;
     lab->held_knot = LAB_NO_KNOT;
     if (lab->has_hand) {
         point(lab, card_of(core));
     } else {
         lab->points = LAB_NOTHING;
+    }
+    if (leaves) {
+        attract_begin(core);
     }
 }

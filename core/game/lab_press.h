@@ -11,10 +11,11 @@ struct core;
  * playing. */
 void lab_take(struct core *core, uint32_t species);
 
-/* Uses what can be pressed, as if by a hand. May end the lab. */
+/* Uses what can be pressed, as if by a hand; not LAB_LEAVE. */
 void lab_use(struct core *core, enum lab_part part, struct output *output);
 
-/* The hand comes down, moves on while it is down, and comes up or goes over something. */
+/* The hand comes down, moves on while it is down, and comes up or goes over something. Coming up
+ * from LAB_LEAVE ends the lab: one that is still going down would dip and begin it anew. */
 void lab_press(struct core *core, struct output *output);
 void lab_drag(struct core *core);
 void lab_release(struct core *core);

@@ -91,6 +91,23 @@ static void test_a_stall_that_offers_the_lab_alone_opens_it(void **state)
     assert_int_equal(core.game.phase, PHASE_LAB);
 }
 
+/* A hand is not down at once: the rest of its way must not be a dip that opens the lab again. */
+static void test_a_hand_that_goes_on_down_after_leaving_opens_nothing(void **state)
+{
+    (void)state;
+    hover(middle_of(LAB_LEAVE));
+    for (int32_t mm = 30; mm >= -60; mm -= 5) {
+        input.poi[0].target.position_m.y = 0.001f * (float)mm;
+        tick();
+    }
+    come_up();
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    ticks(60);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    lead(0, v3(0.0f, STAND_BELOW_M, 0.0f));
+    assert_int_equal(core.game.phase, PHASE_LAB);
+}
+
 static void test_the_lab_hangs_beside_the_modes_and_a_dip_takes_it(void **state)
 {
     (void)state;
@@ -588,6 +605,7 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup(name, open_lab)
     const struct CMUnitTest tests[] = {
         TEST(test_a_stall_that_offers_the_lab_alone_opens_it),
+        TEST(test_a_hand_that_goes_on_down_after_leaving_opens_nothing),
         TEST(test_the_lab_hangs_beside_the_modes_and_a_dip_takes_it),
         TEST(test_the_dip_that_opens_it_presses_nothing),
         TEST(test_nothing_that_is_done_there_is_a_score),
