@@ -1,6 +1,7 @@
 /* import_flat.c -- opens a scene with assimp, and says what the file tells of itself. */
 #include "platform/ctl/import_flat.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -130,6 +131,24 @@ static uint8_t measure_of(const struct flattening *f)
     return MEASURE_TOTAL;
 }
 
+/* A whole number of [0, max]; what is beyond, or none, is the nearer of these. */
+static uint32_t whole_of(const struct aiMetadata *data, const char *key, float max)
+{
+    return (uint32_t)fminf(fmaxf(number_of(data, key), 0.0f), max);
+}
+
+static void read_coat(const struct aiMetadata *data, struct species_coat *coat)
+{
+    const float colour = 16777215.0f; /* ffffff */
+    *coat = (struct species_coat){ .back = whole_of(data, "back", colour),
+                                   .flank = whole_of(data, "flank", colour),
+                                   .belly = whole_of(data, "belly", colour),
+                                   .fin = whole_of(data, "fin", colour),
+                                   .iris = whole_of(data, "iris", colour),
+                                   .clear = (uint8_t)whole_of(data, "clear", 255.0f),
+                                   .shine = (uint8_t)whole_of(data, "shine", 255.0f) };
+}
+
 static void read_life(struct flattening *f)
 {
     struct import_mesh *m = f->mesh;
@@ -138,6 +157,7 @@ static void read_life(struct flattening *f)
     if (!list || list->mNumProperties != m->key_count) {
         return;
     }
+    m->has_coats = true;
     for (uint32_t key = 0; key < m->key_count; key++) {
         const struct aiMetadata *life =
             list->mValues[key].mType == AI_AIMETADATA ? list->mValues[key].mData : NULL;
@@ -148,6 +168,8 @@ static void read_life(struct flattening *f)
         }
         m->ages_days[key] = number_of(life, "age_days");
         m->lengths_m[key] = number_of(life, "length_m");
+        m->has_coats = m->has_coats && entry_of(life, "back");
+        read_coat(life, &m->coats[key]);
     }
     m->has_life = true;
     m->measure = measure_of(f);

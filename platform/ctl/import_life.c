@@ -257,6 +257,10 @@ static void set_coats(const struct import_mesh *mesh, const struct import_plan *
         memcpy(species->coats, plan->like->coats, sizeof species->coats);
         return;
     }
+    if (mesh->has_coats && plan->colour_count == 0) {
+        memcpy(species->coats, mesh->coats, sizeof species->coats);
+        return;
+    }
     if (mesh->has_colours) {
         coat.back = mean_colour(mesh, PART_BODY, 2, &colour) ? colour : coat.back;
         coat.flank = mean_colour(mesh, PART_BODY, 1, &colour) ? colour : coat.flank;

@@ -35,6 +35,8 @@ struct import_mesh {
     bool has_life;   /* The file says how old and long each key is ... */
     uint8_t measure; /* ... and by which measure (enum species_measure). */
     float ages_days[MORPH_KEY_MAX], lengths_m[MORPH_KEY_MAX];
+    bool has_coats;  /* And how each is painted. */
+    struct species_coat coats[MORPH_KEY_MAX];
     bool is_ours;        /* kingyoctl wrote it: texture coordinates are body coordinates. */
     uint32_t time_count; /* Of the weights' animation; 0: there is none. */
     float times[IMPORT_TIME_MAX];

@@ -257,7 +257,8 @@ static void begin(struct import_mesh *mesh)
 {
     mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
     memset(mesh->uv, 0, sizeof mesh->uv);
-    mesh->has_uv = mesh->has_colours = mesh->is_ours = mesh->has_life = false;
+    mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
+    mesh->has_life = mesh->has_coats = false;
     mesh->group_count = 1; /* What stands before the first group has no name. */
     mesh->group_names[0][0] = '\0';
 }

@@ -25,6 +25,14 @@ static struct fish_glb fish; /* Too large for a stack; one export at a time. */
 
 /* ---- Nodes ----------------------------------------------------------------------------------- */
 
+/* How a key is painted, but for its marks; 0xRRGGBB as numbers. */
+static void print_coat(struct bytes *out, const struct species_coat *coat)
+{
+    bytes_print(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,", coat->back,
+                coat->flank, coat->belly, coat->fin, coat->iris);
+    bytes_print(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
+}
+
 /* What the numbers of the file mean in life. */
 static void print_life(struct bytes *out)
 {
@@ -36,8 +44,9 @@ static void print_life(struct bytes *out)
     for (uint32_t i = 0; i < card->key_count; i++) {
         bytes_print(out, "%s{\"name\":\"%s\",\"progress\":%.6g,", i > 0 ? "," : "",
                     card->key_names[i], (double)i / (card->key_count - 1u));
-        bytes_print(out, "\"age_days\":%.6g,\"length_m\":%.6g}", (double)card->key_age_days[i],
+        bytes_print(out, "\"age_days\":%.6g,\"length_m\":%.6g,", (double)card->key_age_days[i],
                     (double)card->key_length_m[i]);
+        print_coat(out, &fish.pick->fish->coats[i]);
     }
     bytes_print(out, "]}");
 }

@@ -443,6 +443,18 @@ static void test_what_was_exported_comes_back_within_quantisation(void **state)
             assert_float_equal(card.key_age_days[key], species->card.key_age_days[key],
                                1e-4f * card.key_age_days[key]);
         }
+        for (uint32_t key = 0; key < card.key_count; key++) {
+            const struct species_coat *drawn = &species->coats[key]; /* All but its marks. */
+            const struct species_coat *back = &slot.species.coats[key];
+            assert_int_equal(back->mark_count, 0);
+            assert_int_equal(back->back, drawn->back);
+            assert_int_equal(back->flank, drawn->flank);
+            assert_int_equal(back->belly, drawn->belly);
+            assert_int_equal(back->fin, drawn->fin);
+            assert_int_equal(back->iris, drawn->iris);
+            assert_int_equal(back->clear, drawn->clear);
+            assert_int_equal(back->shine, drawn->shine);
+        }
         shape_keys(species);
         const float far = farthest_vertex(species);
         if (!(far <= COUNTS * slot.species.lod[0].reach / 32767.0f)) {
