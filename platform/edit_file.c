@@ -354,18 +354,18 @@ int edit_file_keep(const char *data, const struct edit_record *record)
     return error != 0 ? error : sync_folder(folder);
 }
 
-static void tell(void (*warn)(const char *line), const char *path, const char *why)
+static void tell(struct edit_warn warn, const char *path, const char *why)
 {
     char line[PATH_SIZE + EDIT_WHY_SIZE];
-    if (warn != NULL) {
+    if (warn.tell != NULL) {
         snprintf(line, sizeof line, "%s:%s", path, why);
-        warn(line);
+        warn.tell(warn.context, line);
     }
 }
 
 /* Only what a text of ours can be long is read; more is none. */
 static void fill_one(const char *path, const struct species_card *card, uint8_t *has,
-                     struct lab_edit *edit, void (*warn)(const char *line))
+                     struct lab_edit *edit, struct edit_warn warn)
 {
     char text[EDIT_TEXT_MAX + 1u], why[EDIT_WHY_SIZE];
     const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -387,7 +387,7 @@ static void fill_one(const char *path, const struct species_card *card, uint8_t 
     }
 }
 
-void edit_file_fill(const char *data, struct lab_book *book, void (*warn)(const char *line))
+void edit_file_fill(const char *data, struct lab_book *book, struct edit_warn warn)
 {
     char path[PATH_SIZE];
     for (uint32_t i = 0; i < lab_book_count(book) && data != NULL && data[0] != 0; i++) {

@@ -40,7 +40,11 @@ int edit_file_parse(const char *text, size_t size, const struct species_card *ca
 int edit_file_keep(const char *data, const struct edit_record *record);
 
 /* Reads the graphs of all the book's species into it. A file that cannot be used is told through
- * `warn` (may be null) as "PATH:LINE: what", and the species keeps its own. */
-void edit_file_fill(const char *data, struct lab_book *book, void (*warn)(const char *line));
+ * `warn` as "PATH:LINE: what", and the species keeps its own. */
+struct edit_warn {
+    void (*tell)(void *context, const char *line); /* Null: nobody listens. */
+    void *context;
+};
+void edit_file_fill(const char *data, struct lab_book *book, struct edit_warn warn);
 
 #endif

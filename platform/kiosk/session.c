@@ -20,9 +20,13 @@ enum exit_code session_check(struct session *session)
     return EXIT_OK;
 }
 
-static void warn(const char *line)
+/* In the log, and on the shelf for the lab's screen. */
+static void warn(void *context, const char *line)
 {
+    struct session *session = context;
+    const size_t folder = strlen(session->options.data) + 1u;
     fprintf(stderr, "kingyo: %s\n", line);
+    shelf_note_graph(&session->shelf, line + (folder < strlen(line) ? folder : 0u));
 }
 
 /* What the growth lab shows beside the built-in species. */
@@ -56,7 +60,8 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     shelf_fill(&session->shelf, session->options.data);
     if (!replay[0]) {
         fill_book(&session->shelf, &config->core.book);
-        edit_file_fill(session->options.data, &config->core.book, warn);
+        edit_file_fill(session->options.data, &config->core.book,
+                       (struct edit_warn){ warn, session });
     }
     if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
         fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",

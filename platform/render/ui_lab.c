@@ -14,6 +14,8 @@
 #define BUTTON_LIT 0x34407cffu
 #define BUTTON_ON 0xc8341fffu
 #define BUTTON_INK 0xfff4deffu
+#define REFUSED 0xf0c089ffu
+#define TURN_S 4.0f /* Each of the lines in turn is read in so long. */
 
 /* ---- Shared --------------------------------------------------------------------------------- */
 
@@ -221,21 +223,48 @@ static struct ui_box line_room(const struct lab_page *page)
     return (struct ui_box){ left, next.y, leave.x - left - 18.0f * u, next.height };
 }
 
-/* How a hand works here; but first what the operator should know: makers' files that are no
- * species. */
+static void refused_words(const struct lab_page *page, struct ui_box room)
+{
+    char words[TEXT_LINE_MAX];
+    const struct ui_text style = lab_text(page, 20.0f, REFUSED);
+    text_number(words, sizeof words, text_words(page->frame.language, TEXT_LAB_REFUSED),
+                page->lab->refused);
+    lab_words_in(page, room, &style, words);
+}
+
+/* One file, over the reason. */
+static void fault_words(const struct lab_page *page, struct ui_box room,
+                        const struct shelf_line *fault)
+{
+    const float half = 0.5f * room.height;
+    const struct ui_box upper = { room.x, room.y, room.width, half };
+    const struct ui_box lower = { room.x, room.y + half, room.width, half };
+    struct ui_text style = lab_text(page, 18.0f, REFUSED);
+    style.size_px = fminf(style.size_px, 0.9f * half);
+    lab_words_in(page, upper, &style, fault->file);
+    lab_words_in(page, lower, &style, fault->why);
+}
+
+/* How a hand works here; between, in turn, what the operator should know: how many of makers' files
+ * are no species, then of each file that was refused, why. */
 static void help_line(const struct lab_page *page)
 {
     const struct ui_box room = line_room(page);
-    const uint32_t refused = page->lab->refused;
-    char words[TEXT_LINE_MAX];
+    const uint32_t counted = page->lab->refused > 0;
+    const uint32_t faults = page->shelf != NULL ? shelf_fault_count(page->shelf) : 0u;
+    const uint32_t turn = (uint32_t)(page->frame.time_s / TURN_S) % (1u + counted + faults);
     if (room.height <= 0.0f) {
         return;
     }
-    const struct ui_text style = lab_text(page, 20.0f, refused > 0 ? 0xf0c089ffu : 0xc9d2eeffu);
-    text_number(words, sizeof words,
-                text_words(page->frame.language, refused > 0 ? TEXT_LAB_REFUSED : TEXT_LAB_HELP),
-                refused);
-    lab_words_in(page, room, &style, words);
+    if (turn == 0) {
+        const struct ui_text style = lab_text(page, 20.0f, 0xc9d2eeffu);
+        lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_HELP));
+    } else if (turn <= counted) {
+        refused_words(page, room);
+    } else {
+        const struct shelf_line fault = shelf_fault(page->shelf, turn - 1u - counted);
+        fault_words(page, room, &fault);
+    }
 }
 
 /* ---- The hand ------------------------------------------------------------------------------- */
@@ -297,8 +326,8 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
     if (species != NULL) {
         ui_bench_set(&memory->bench, species, &scene->lab.card);
     }
-    const struct lab_page page =
-        open_page(frame, scene, species != NULL ? &memory->bench : NULL);
+    struct lab_page page = open_page(frame, scene, species != NULL ? &memory->bench : NULL);
+    page.shelf = memory->shelf;
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = CLOTH_EDGE });

@@ -7,6 +7,7 @@
 #include "core/game/lab_layout.h"
 #include "platform/render/ui_bench.h"
 #include "platform/render/ui_parts.h"
+#include "platform/species/shelf.h"
 
 #define LAB_PURPLE 0x8a3fb5ffu /* The scale's, as in the 2005 thesis. */
 #define LAB_PAPER 0xfbf2ddffu
@@ -19,6 +20,7 @@ struct lab_page {
     struct ui_frame frame;       /* `unit` is one of the canvas. */
     const struct scene_lab *lab;
     struct ui_bench *bench;      /* Null: this kiosk has not got that species. */
+    const struct shelf *shelf;   /* With what was refused of makers' files; null: nothing. */
     float x, y;                  /* The canvas' corner on the screen. */
 };
 

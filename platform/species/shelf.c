@@ -106,7 +106,7 @@ void shelf_fill(struct shelf *shelf, const char *data)
 {
     struct listing listing = { .count = 0 };
     char folder[PATH_SIZE];
-    shelf->species_count = shelf->line_count = shelf->unread_count = 0;
+    shelf->species_count = shelf->line_count = shelf->unread_count = shelf->graph_count = 0;
     const int length = snprintf(folder, sizeof folder, "%s/" SHELF_FOLDER, data ? data : "");
     if (!data || !data[0] || length < 0 || (size_t)length >= sizeof folder) {
         return;
@@ -121,6 +121,51 @@ void shelf_fill(struct shelf *shelf, const char *data)
         read_one(shelf, folder, listing.names[i]);
     }
     shelf->unread_count = listing.beyond;
+}
+
+/* ---- Faults --------------------------------------------------------------------------------- */
+
+void shelf_note_graph(struct shelf *shelf, const char *line)
+{
+    const char *gap = strstr(line, ": ");
+    if (gap == NULL || shelf->graph_count == SPECIES_MAX) {
+        return;
+    }
+    struct shelf_line *note = &shelf->graphs[shelf->graph_count++];
+    note->slot = SHELF_SLOT_NONE;
+    snprintf(note->file, sizeof note->file, "%.*s", (int)(gap - line), line);
+    snprintf(note->why, sizeof note->why, "%s", gap + 2);
+}
+
+static uint32_t refused_count(const struct shelf *shelf)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < shelf->line_count; i++) {
+        count += shelf->lines[i].slot == SHELF_SLOT_NONE;
+    }
+    return count;
+}
+
+uint32_t shelf_fault_count(const struct shelf *shelf)
+{
+    return refused_count(shelf) + (shelf->unread_count > 0) + shelf->graph_count;
+}
+
+struct shelf_line shelf_fault(const struct shelf *shelf, uint32_t index)
+{
+    struct shelf_line unread = { .file = SHELF_FOLDER, .slot = SHELF_SLOT_NONE };
+    assert(index < shelf_fault_count(shelf));
+    for (uint32_t i = 0; i < shelf->line_count; i++) {
+        if (shelf->lines[i].slot == SHELF_SLOT_NONE && index-- == 0) {
+            return shelf->lines[i];
+        }
+    }
+    if (shelf->unread_count > 0 && index-- == 0) {
+        snprintf(unread.why, sizeof unread.why, "%u more files, and no room for them",
+                 shelf->unread_count);
+        return unread;
+    }
+    return shelf->graphs[index];
 }
 
 uint32_t shelf_count(const struct shelf *shelf)

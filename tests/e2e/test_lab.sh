@@ -71,6 +71,29 @@ ok $? 'and what was kept is on the table, unchanged' "$graph"
 "$BUILD/kingyoctl" replay verify "$work/second.kgr" >"$work/verify" 2>&1
 ok $? 'a recording that began with a kept graph verifies elsewhere' "$work/verify"
 
+# A maker's fish: the wakin's text under a name of its own, packed; beside it a file that is none.
+mkdir -p "$work/data/species"
+sed 's/^species wakin$/species funa/' assets/species/wakin.txt >"$work/funa.txt"
+"$BUILD/kingyoctl" morph import "$work/data/species/funa.kfish" "$work/funa.txt" >"$work/verify" 2>&1
+ok $? "a maker's text becomes a packed species" "$work/verify"
+echo nonsense >"$work/data/species/bad.kfish"
+start_kiosk --seed 5 --mode lab --record "$work/third.kgr"
+ok $? 'the kiosk opens with it' "$work/err"
+press_at 61 40 # Back from the first is the last: the maker's.
+press_at 1019 466
+press_at 899 675
+wait_for_file "$work/data/graphs/funa.graph"
+ok $? "it is on the lab's table: a graph of it is kept" "$work/err"
+sleep 2
+import -window root "$BUILD/results/lab_maker.png" 2>/dev/null
+xdotool key Escape
+end_of_kiosk 20
+grep -q 'funa.kfish: funa' "$work/out" && grep -q 'species/bad.kfish: magic' "$work/err" && one_line "$work/err"
+ok $? 'the log names the good one, and the bad one with its reason' "$work/err"
+"$BUILD/kingyoctl" replay verify "$work/third.kgr" >"$work/verify" 2>&1
+ok $? "the recording of a maker's fish verifies elsewhere" "$work/verify"
+rm -r "$work/data/species" "$work/data/graphs/funa.graph"
+
 echo 'kingyo-graph 1' >"$graph"
 start_kiosk --seed 5 --mode lab
 ok $? 'a damaged graph keeps no stall closed' "$work/err"

@@ -22,11 +22,14 @@ static struct lab_book book;
 static char told[512];
 static uint32_t told_count;
 
-static void tell(const char *line)
+static void tell(void *context, const char *line)
 {
+    assert_ptr_equal(context, &book);
     snprintf(told, sizeof told, "%s", line);
     told_count++;
 }
+
+static const struct edit_warn warn = { tell, &book };
 
 static int setup(void **state)
 {
@@ -105,7 +108,7 @@ static void test_what_is_kept_is_there_at_the_next_start(void **state)
     (void)state;
     const struct edit_record record = drawn();
     assert_int_equal(edit_file_keep(folder, &record), 0);
-    edit_file_fill(folder, &book, tell);
+    edit_file_fill(folder, &book, warn);
     assert_int_equal(told_count, 0);
     assert_int_equal(book.has_edit[0], 1);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
@@ -120,7 +123,7 @@ static void test_a_graph_that_is_the_species_own_again_leaves_no_file(void **sta
     record.is_own = 1;
     assert_int_equal(edit_file_keep(folder, &record), 0);
     assert_int_equal(edit_file_keep(folder, &record), 0); /* Nothing to take away. */
-    edit_file_fill(folder, &book, tell);
+    edit_file_fill(folder, &book, warn);
     assert_int_equal(book.has_edit[0], 0);
     assert_int_equal(told_count, 0);
 }
@@ -141,14 +144,14 @@ static void test_a_bad_file_costs_one_line_and_the_species_keeps_its_own(void **
 {
     (void)state;
     put_file("kingyo-graph 1\nspecies wakin\nnonsense\n", 39);
-    edit_file_fill(folder, &book, tell);
+    edit_file_fill(folder, &book, warn);
     assert_int_equal(told_count, 1);
     assert_non_null(strstr(told, "graphs/wakin.graph:3: wakin has "));
     assert_int_equal(book.has_edit[0], 0);
     static char huge[3u * EDIT_TEXT_MAX];
     memset(huge, '#', sizeof huge);
     put_file(huge, sizeof huge);
-    edit_file_fill(folder, &book, tell);
+    edit_file_fill(folder, &book, warn);
     assert_int_equal(told_count, 2);
     assert_non_null(strstr(told, "longer than any graph"));
 }
@@ -233,7 +236,7 @@ static void test_the_store_keeps_a_graph_on_its_own_thread(void **state)
     }
     assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
     assert_int_equal(device.ops->close(device.self), 0);
-    edit_file_fill(folder, &book, tell);
+    edit_file_fill(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
@@ -262,7 +265,7 @@ static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
     assert_non_null(strstr(device.ops->describe(device.self), "rounds are not kept"));
     assert_int_equal(device.ops->close(device.self), 0);
     assert_int_equal(device.ops->refuses_edits(device.self), 1);
-    edit_file_fill(folder, &book, tell);
+    edit_file_fill(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
     assert_int_equal(rmdir(path), 0);
 }
@@ -287,7 +290,7 @@ static void test_graphs_in_a_queue_are_each_written_in_turn(void **state)
     }
     assert_int_equal(device.ops->close(device.self), 0);
     assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
-    edit_file_fill(folder, &book, tell);
+    edit_file_fill(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 

@@ -109,6 +109,29 @@ static void test_a_bad_file_costs_a_line_and_no_slot(void **state)
     assert_string_equal(shelf.lines[0].why, "magic: this is no packed species");
 }
 
+static void test_what_was_refused_is_told_in_the_order_of_the_shelf(void **state)
+{
+    (void)state;
+    put_text("a.kfish", "");
+    put_species("b.kfish", "good");
+    put_text("c.kfish", "KFISH");
+    shelf_fill(&shelf, data);
+    shelf_note_graph(&shelf, "graphs/wakin.graph:3: wakin has 5 keys");
+    shelf_note_graph(&shelf, "no reason");
+    assert_int_equal(shelf_fault_count(&shelf), 3);
+    assert_string_equal(shelf_fault(&shelf, 0).file, "a.kfish");
+    assert_string_equal(shelf_fault(&shelf, 1).file, "c.kfish");
+    assert_string_equal(shelf_fault(&shelf, 1).why, shelf.lines[2].why);
+    assert_string_equal(shelf_fault(&shelf, 2).file, "graphs/wakin.graph:3");
+    assert_string_equal(shelf_fault(&shelf, 2).why, "wakin has 5 keys");
+    shelf.unread_count = 7;
+    assert_int_equal(shelf_fault_count(&shelf), 4);
+    assert_string_equal(shelf_fault(&shelf, 2).why, "7 more files, and no room for them");
+    assert_string_equal(shelf_fault(&shelf, 3).why, "wakin has 5 keys");
+    shelf_fill(&shelf, data);
+    assert_int_equal(shelf_fault_count(&shelf), 2);
+}
+
 static void test_a_folder_that_is_none_is_told(void **state)
 {
     (void)state;
@@ -179,6 +202,8 @@ int main(void)
             remove_folder),
         cmocka_unit_test_setup_teardown(test_a_bad_file_costs_a_line_and_no_slot, make_folder,
                                         remove_folder),
+        cmocka_unit_test_setup_teardown(test_what_was_refused_is_told_in_the_order_of_the_shelf,
+                                        make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(test_a_folder_that_is_none_is_told, make_folder,
                                         remove_folder),
         cmocka_unit_test_setup_teardown(test_a_name_that_a_terminal_obeys_is_told_without,

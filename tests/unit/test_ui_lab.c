@@ -186,6 +186,89 @@ static void test_an_unknown_species_has_a_graph_and_no_fish(void **state)
     assert_int_equal(batch.specimen_count, 0);
 }
 
+/* What this kiosk has in its place is another fish, or one of other keys. */
+static void test_only_the_recorded_species_itself_is_shown(void **state)
+{
+    (void)state;
+    static struct core_config config;
+    static struct shelf shelf;
+    config = (struct core_config){ .seed = 5, .fish_count = 12, .modes = 1u << CHOICE_LAB };
+    config.book.card_count = 1;
+    shelf.species_count = 1;
+    config.book.cards[0] = species_table[0]->card;
+    config.book.cards[0].id[0] = 'x';
+    open_stall(&config);
+    take(species_table_count);
+    memory.shelf = &shelf;
+    for (uint32_t other = 0; other < 3; other++) {
+        shelf.slots[0].species = *species_table[0];
+        shelf.slots[0].species.card.id[0] = other == 1 ? 'y' : 'x';
+        shelf.slots[0].species.card.key_count =
+            (uint8_t)(species_table[0]->card.key_count - (other == 2 ? 1u : 0u));
+        lay_out(1280, 720);
+        check_inside(1280, 720);
+        assert_int_equal(batch.specimen_count > 0, other == 0);
+    }
+}
+
+static uint32_t glyphs_of(uint32_t colour)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const uint8_t *fill = batch.vertices[i * 4u].fill;
+        count += batch.kinds[i] == UI_GLYPH &&
+                 ((uint32_t)fill[0] << 24 | (uint32_t)fill[1] << 16 | (uint32_t)fill[2] << 8 |
+                  fill[3]) == colour;
+    }
+    return count;
+}
+
+static uint32_t letters_in(const char *words)
+{
+    uint32_t count = 0;
+    for (; *words; words++) {
+        count += *words != ' ';
+    }
+    return count;
+}
+
+/* In turn, each long enough to be read: how a hand works, how many were refused, each and why. */
+static void test_each_refused_file_is_told_with_its_reason(void **state)
+{
+    (void)state;
+    static struct shelf shelf;
+    memset(&shelf, 0, sizeof shelf);
+    shelf.line_count = 2;
+    for (uint32_t i = 0; i < 2; i++) {
+        shelf.lines[i].slot = SHELF_SLOT_NONE;
+        memset(shelf.lines[i].file, 'f', sizeof shelf.lines[i].file - 1u - 20u * i);
+        memset(shelf.lines[i].why, 'w', sizeof shelf.lines[i].why - 1u - 30u * i);
+    }
+    shelf_note_graph(&shelf, "graphs/wakin.graph:3: wakin has 5 keys");
+    memory.shelf = &shelf;
+    core.config.book.refused = 2;
+    const uint32_t start = core.tick;
+    for (uint32_t s = 0; s < SIZE_COUNT; s++) {
+        const float width = sizes[s][0], height = sizes[s][1];
+        uint32_t seen = 0;
+        for (uint32_t turn = 0; turn < 6; turn++) {
+            core.tick = start + 60u + turn * 4u * CORE_TICK_HZ;
+            core.game.lab.stir_tick = core.game.lab.act_tick = core.tick;
+            core.game.language = LANGUAGE_EN;
+            lay_out(width, height);
+            check_inside(width, height);
+            const uint32_t letters = glyphs_of(0xf0c089ffu);
+            for (uint32_t i = 0; i < shelf_fault_count(&shelf); i++) {
+                const struct shelf_line fault = shelf_fault(&shelf, i);
+                seen |= letters == letters_in(fault.file) + letters_in(fault.why) ? 1u << i : 0u;
+            }
+        }
+        /* On an upright screen of just the canvas' height there is no room for lines. */
+        assert_true(seen == 7u || (seen == 0u && width < height));
+    }
+    core.tick = start;
+}
+
 static void test_the_ordinary_morph_beside_it_is_straight(void **state)
 {
     (void)state;
@@ -273,6 +356,8 @@ int main(void)
         TEST(test_every_knot_is_taken_where_it_is_drawn),
         TEST(test_the_fish_stays_between_stage_and_ruler),
         TEST(test_an_unknown_species_has_a_graph_and_no_fish),
+        TEST(test_only_the_recorded_species_itself_is_shown),
+        TEST(test_each_refused_file_is_told_with_its_reason),
         TEST(test_the_ordinary_morph_beside_it_is_straight),
         TEST(test_an_edited_knot_moves_the_way_of_a_point),
         TEST(test_the_album_stays_on_every_screen_with_one_to_six_fish),
