@@ -1,4 +1,4 @@
-# plots_2005.gp -- figure 3.6 of the 2005 thesis: the growth of the bigeye, three ways.
+# plots_2005.gp -- figure 3.6 of the 2005 thesis: the growth of the bigeye tuna, three ways.
 # gnuplot -e "dir='build/thesis-2005'" plots_2005.gp
 set datafile separator ','
 set terminal pngcairo size 1280,720 font 'Sans,16' background rgb '#fbfaf8'
