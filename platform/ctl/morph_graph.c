@@ -15,12 +15,15 @@ static const char name[] = "graph";
 #define SAMPLES 400u
 #define KEY_WIDTH 190.0 /* How large a key's outline may be. */
 #define KEY_HEIGHT 124.0
+#define TURN_SAMPLES 20000u /* Of a curve that changes by 20 % in a 20th of life: 0.01 % apart. */
+#define TURN_LEAST 0.01     /* How far back it comes, for a turn to be told. */
 
 struct graph_plan {
     struct morph_pick pick;
     const char *path, *curve_name;
     uint32_t curve;
     struct morph_rig keys; /* That reaches every key whole. */
+    struct graph_lengths lengths;
     struct svg svg;
 };
 
@@ -52,7 +55,7 @@ static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double w
     struct outline outline = {
         .species = plan->pick.fish, .rig = &plan->keys, .view = outline_view_of(card),
         .progress = (float)key / (float)(card->key_count - 1u), .length_px = 1.0,
-        .colour = outline_key_colour(key), .opacity = 0.75,
+        .colour = outline_key_colour(card, key), .opacity = 0.75,
     };
     double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 };
     outline_measure(&outline, low, high);
@@ -73,39 +76,73 @@ static void draw_key(struct graph_plan *plan, uint32_t key)
     graph_print_age(age, (double)card->key_age_days[key]);
     graph_print_length(length, 1e3 * (double)card->key_length_m[key], 4);
     outline_words(words, card->key_names[key]);
-    svg_text(&plan->svg, x, GRAPH_TOP - 38.0, 16.0, "middle", outline_key_colour(key), "%s", words);
+    svg_text(&plan->svg, x, GRAPH_TOP - 38.0, 16.0, "middle", outline_key_colour(card, key), "%s",
+             words);
     svg_text(&plan->svg, x, GRAPH_TOP - 18.0, 13.0, "middle", SVG_GREY, "%s, %s", age, length);
     svg_line(&plan->svg, x, GRAPH_TOP - 10.0, x, GRAPH_BOTTOM, SVG_GREY, 1.0, "3 4");
 }
 
 static void draw_curve(struct graph_plan *plan, uint32_t key)
 {
+    const struct species_card *card = &plan->pick.fish->card;
     const struct graph *graph = &plan->pick.rig.curves[plan->curve];
     svg_begin_line(&plan->svg);
     for (uint32_t i = 0; i <= SAMPLES; i++) {
         float weights[MORPH_KEY_MAX];
         const float progress = (float)i / (float)SAMPLES;
-        graph_weights(graph, plan->pick.fish->card.key_count, progress, weights);
+        graph_weights(graph, card->key_count, progress, weights);
         svg_point(&plan->svg, graph_x((double)progress), graph_y((double)weights[key]));
     }
-    svg_end_line(&plan->svg, outline_key_colour(key), 3.5, NULL);
+    svg_end_line(&plan->svg, outline_key_colour(card, key), 3.5, NULL);
     for (uint32_t i = 0; i < graph->knot_count; i++) {
         svg_dot(&plan->svg, graph_x((double)graph->knots[i].progress),
                 graph_y((double)graph->knots[i].weight[key]), 4.5, SVG_PAPER,
-                outline_key_colour(key));
+                outline_key_colour(card, key));
     }
 }
 
-static void draw_scale(struct graph_plan *plan, double max_m)
+static void draw_scale(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;
     svg_begin_line(&plan->svg);
     for (uint32_t i = 0; i <= SAMPLES; i++) {
         const float progress = (float)i / (float)SAMPLES;
         svg_point(&plan->svg, graph_x((double)progress),
-                  graph_y((double)life_length_m(card, progress) / max_m));
+                  graph_length_y(&plan->lengths, 1e3 * (double)life_length_m(card, progress)));
     }
     svg_end_line(&plan->svg, MORPH_SCALE_COLOUR, 2.5, "9 5");
+}
+
+/* A peak's or a trough's length, beyond the curve. */
+static void draw_turn(struct graph_plan *plan, double progress, double mm, bool is_peak)
+{
+    const double x = graph_x(progress), y = graph_length_y(&plan->lengths, mm);
+    svg_dot(&plan->svg, x, y, 4.5, MORPH_SCALE_COLOUR, SVG_PAPER);
+    svg_text(&plan->svg, x, y + (is_peak ? -12.0 : 24.0), 15.0, "middle", MORPH_SCALE_COLOUR,
+             "%.1f mm", mm);
+}
+
+/* Where a length turns round: a conger is longest before it is an eel. */
+static void draw_turns(struct graph_plan *plan)
+{
+    const struct species_card *card = &plan->pick.fish->card;
+    double last = 1e3 * (double)life_length_m(card, 0.0f), turned = last, at = 0.0;
+    int way = 0; /* 1 as it grows, -1 as it shrinks. */
+    for (uint32_t i = 1; i <= TURN_SAMPLES; i++) {
+        const double progress = (double)i / (double)TURN_SAMPLES;
+        const double mm = 1e3 * (double)life_length_m(card, (float)progress);
+        if (way == 0 || (mm - turned) * way >= 0.0) { /* Farther than ever on this way. */
+            way = way != 0 ? way : mm > last ? 1 : mm < last ? -1 : 0;
+            turned = mm;
+            at = progress;
+        } else if (fabs(mm - turned) > TURN_LEAST * turned) {
+            draw_turn(plan, at, turned, way > 0);
+            way = -way;
+            turned = mm;
+            at = progress;
+        }
+        last = mm;
+    }
 }
 
 /* Who has a curve that this picture does not show. */
@@ -122,7 +159,8 @@ static void draw_foot(struct graph_plan *plan)
         }
     }
     svg_text(&plan->svg, GRAPH_RIGHT, y, 13.0, "end", SVG_GREY,
-             "Solid: what each key counts for, in its colour. Dashed: the fish's length.");
+             "Solid: what each key counts for, in its colour. Dashed: the fish's length%s.",
+             plan->lengths.is_log ? ", by factors" : "");
     if (list[0]) {
         svg_text(&plan->svg, GRAPH_LEFT, y, 13.0, "start", SVG_GREY, "Other curves: %s.", list);
     }
@@ -131,16 +169,19 @@ static void draw_foot(struct graph_plan *plan)
 static void draw(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;
-    const double max_m = (double)morph_pick_length_max_m(card);
+    plan->lengths = graph_lengths(card, plan->pick.thesis);
     morph_rig_init(&plan->keys, card, TEMPLATE_PAIRWISE);
     draw_title(plan);
-    graph_axes(&plan->svg, card, 1e3 * max_m);
+    graph_axes(&plan->svg, card, &plan->lengths);
     for (uint32_t key = 0; key < card->key_count; key++) {
         draw_key(plan, key);
     }
-    draw_scale(plan, max_m);
+    draw_scale(plan);
     for (uint32_t key = 0; key < card->key_count; key++) {
         draw_curve(plan, key);
+    }
+    if (!plan->pick.thesis) {
+        draw_turns(plan);
     }
     draw_foot(plan);
 }
@@ -180,7 +221,9 @@ const struct morph_command ctl_morph_graph = {
     .usage =
         "  --svg FILE    where the picture goes\n"
         "  --curve NAME  a part's own curve instead of the whole fish's\n"
-        "\nKeys are red, green and blue as in the 2005 thesis, further ones orange, teal, pink,\n"
-        "brown and grey; the size is purple, read off on the right.\n",
+        "\nThree keys are red, green and blue as in the 2005 thesis; of more, those between have\n"
+        "the colours between, as in the growth lab: red, orange, green, teal, blue for five. The\n"
+        "size is purple, read off on the right: by factors where it spans more than ten, with\n"
+        "the lengths where it turns round. With --thesis its axis is even, as in the thesis.\n",
     .run = run,
 };

@@ -24,7 +24,18 @@ void graph_print_age(char out[GRAPH_WORDS], double days);
 /* Keys are drawn at measured lengths: 125.5 mm; between them three digits are enough. */
 void graph_print_length(char out[GRAPH_WORDS], double mm, int digits);
 
+/* What the axis on the right reads from its foot to its top. */
+struct graph_lengths {
+    double low_mm, high_mm;
+    bool is_log; /* By factors, else by differences from 0. */
+};
+
+/* By factors where a life spans more than ten, unless `is_even` asks for the paper's own look. */
+struct graph_lengths graph_lengths(const struct species_card *card, bool is_even);
+double graph_length_y(const struct graph_lengths *lengths, double mm);
+
 /* Shares on the left; progress below, and under it ages with lengths; lengths on the right. */
-void graph_axes(struct svg *svg, const struct species_card *card, double length_max_mm);
+void graph_axes(struct svg *svg, const struct species_card *card,
+                const struct graph_lengths *lengths);
 
 #endif

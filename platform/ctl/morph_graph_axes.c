@@ -5,9 +5,12 @@
 #include <stdio.h>
 
 #include "platform/ctl/morph_outline.h"
+#include "platform/ctl/morph_pick.h"
 
 #define AGES 652.0 /* Where their line is. */
 #define YEAR_DAYS 365.25
+#define FOOT 1.4       /* How far below the least length that axis goes, for a trough's words. */
+#define LOG_FROM 10.0f /* A life that spans more is read off by factors. */
 #define AGE_MAX 16u   /* Ages that are marked ... */
 #define AGE_ROOM 78.0 /* ... and how far apart, for their words. */
 
@@ -56,17 +59,50 @@ static double round_step(double range)
     return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
 }
 
-static void draw_lengths(struct svg *svg, double max_mm)
+/* 1, 2 or 5 times a power of ten, the greatest that is not above `mm`. */
+static double round_below(double mm)
 {
-    const double step = round_step(max_mm);
-    for (double mm = 0.0; mm <= max_mm * 1.0001; mm += step) {
-        const double y = graph_y(mm / max_mm);
-        char text[GRAPH_WORDS];
-        graph_print_length(text, mm, 4);
-        svg_line(svg, GRAPH_RIGHT, y, GRAPH_RIGHT + 6.0, y, MORPH_SCALE_COLOUR, 1.5, NULL);
-        svg_text(svg, GRAPH_RIGHT + 12.0, y + 5.0, 14.0, "start", MORPH_SCALE_COLOUR, "%s", text);
+    const double power = pow(10.0, floor(log10(mm) + 1e-9)), part = mm / power + 1e-6;
+    return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
+}
+
+struct graph_lengths graph_lengths(const struct species_card *card, bool is_even)
+{
+    float min_m, max_m;
+    morph_pick_lengths(card, &min_m, &max_m);
+    if (is_even || max_m <= LOG_FROM * min_m) {
+        return (struct graph_lengths){ 0.0, 1e3 * (double)max_m, false };
     }
+    return (struct graph_lengths){ 1e3 * (double)min_m / FOOT, 1e3 * (double)max_m, true };
+}
+
+double graph_length_y(const struct graph_lengths *lengths, double mm)
+{
+    return graph_y(lengths->is_log
+                       ? log(mm / lengths->low_mm) / log(lengths->high_mm / lengths->low_mm)
+                       : mm / lengths->high_mm);
+}
+
+static void draw_length(struct svg *svg, const struct graph_lengths *lengths, double mm)
+{
+    const double y = graph_length_y(lengths, mm);
+    char text[GRAPH_WORDS];
+    graph_print_length(text, mm, 4);
+    svg_line(svg, GRAPH_RIGHT, y, GRAPH_RIGHT + 6.0, y, MORPH_SCALE_COLOUR, 1.5, NULL);
+    svg_text(svg, GRAPH_RIGHT + 12.0, y + 5.0, 14.0, "start", MORPH_SCALE_COLOUR, "%s", text);
+}
+
+static void draw_lengths(struct svg *svg, const struct graph_lengths *lengths)
+{
+    const double step = round_step(lengths->high_mm), most = lengths->high_mm * 1.0001;
     svg_line(svg, GRAPH_RIGHT, GRAPH_TOP, GRAPH_RIGHT, GRAPH_BOTTOM, MORPH_SCALE_COLOUR, 1.5, NULL);
+    for (double mm = 0.0; !lengths->is_log && mm <= most; mm += step) {
+        draw_length(svg, lengths, mm);
+    }
+    for (double mm = round_below(2.5 * lengths->low_mm); lengths->is_log && mm <= most;
+         mm = round_below(2.51 * mm)) { /* 1, 2, 5, 10 .. */
+        draw_length(svg, lengths, mm);
+    }
 }
 
 static void draw_progress(struct svg *svg)
@@ -137,10 +173,11 @@ static void draw_ages(struct svg *svg, const struct species_card *card)
     svg_text(svg, GRAPH_LEFT - 36.0, AGES + 44.0, 13.0, "end", MORPH_SCALE_COLOUR, "length");
 }
 
-void graph_axes(struct svg *svg, const struct species_card *card, double length_max_mm)
+void graph_axes(struct svg *svg, const struct species_card *card,
+                const struct graph_lengths *lengths)
 {
     draw_shares(svg);
     draw_progress(svg);
     draw_ages(svg, card);
-    draw_lengths(svg, length_max_mm);
+    draw_lengths(svg, lengths);
 }

@@ -6,17 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/plate.h"
+#include "platform/key_colour.h"
 
 #define JOIN_LENGTHS 1e-5f /* Body lengths: less than a count of the tables. */
 
 /* Back to front. */
 enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
 
-const char *outline_key_colour(uint32_t key)
+const char *outline_key_colour(const struct species_card *card, uint32_t key)
 {
     static char colours[MORPH_KEY_MAX][8];
-    snprintf(colours[key], sizeof colours[key], "#%06x", plate_key_colour(key) & 0xffffffu);
+    snprintf(colours[key], sizeof colours[key], "#%06x",
+             key_colour(card->key_count, key) & 0xffffffu);
     return colours[key];
 }
 

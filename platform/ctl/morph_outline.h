@@ -5,8 +5,8 @@
 #include "core/morph/morph.h"
 #include "platform/ctl/svg.h"
 
-/* plate_key_colour() as SVG writes it, "#d0392b"; the answer is static, for each key its own. */
-const char *outline_key_colour(uint32_t key);
+/* key_colour() as SVG writes it, "#d23a2c"; the answer is static, for each key its own. */
+const char *outline_key_colour(const struct species_card *card, uint32_t key);
 
 /* A name as people write it: "long leaf". */
 void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);

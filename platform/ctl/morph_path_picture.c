@@ -17,7 +17,7 @@ static void draw_fish(struct picture *picture, const struct window *window, doub
         outline.species = fish;
         outline.rig = &picture->keys;
         outline.progress = (float)key / (float)(fish->card.key_count - 1u);
-        outline.colour = outline_key_colour(key);
+        outline.colour = outline_key_colour(&fish->card, key);
         outline.opacity = opacity;
         outline.line_px = 1.0;
         outline_draw(&picture->svg, &outline);
@@ -92,10 +92,11 @@ static struct label free_label(const struct label *taken, uint32_t count, double
 
 static void draw_dots(struct picture *picture, const struct window *window, double radius)
 {
+    const struct species_card *card = &picture->plan->pick.fish->card;
     for (uint32_t key = 0; key < picture->keys.key_count; key++) {
         double x, y;
         path_place(window, path_key(picture, key), &x, &y);
-        svg_dot(&picture->svg, x, y, radius, outline_key_colour(key), SVG_PAPER);
+        svg_dot(&picture->svg, x, y, radius, outline_key_colour(card, key), SVG_PAPER);
     }
 }
 
@@ -110,7 +111,7 @@ static void draw_names(struct picture *picture, const struct window *window)
         outline_words(words, card->key_names[key]);
         taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(words));
         svg_text(&picture->svg, taken[key].x, taken[key].y, 14.0, "start",
-                 outline_key_colour(key), "%s", words);
+                 outline_key_colour(card, key), "%s", words);
     }
 }
 

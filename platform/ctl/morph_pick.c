@@ -227,8 +227,7 @@ const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct 
 
 /* ---- Place ---------------------------------------------------------------------------------- */
 
-/* From the shortest to the longest of its drawn life, m. */
-static void length_range(const struct species_card *card, float *min, float *max)
+void morph_pick_lengths(const struct species_card *card, float *min, float *max)
 {
     *min = *max = life_length_m(card, 0.0f);
     for (uint32_t i = 1; i <= LENGTH_SAMPLES; i++) {
@@ -252,7 +251,7 @@ static enum exit_code check_drawn(const struct species_card *card, enum place pl
         return EXIT_OK;
     }
     if (place == PLACE_LENGTH_MM) {
-        length_range(card, &from, &to);
+        morph_pick_lengths(card, &from, &to);
         from *= 1e3f;
         to *= 1e3f;
     }
@@ -292,13 +291,6 @@ static enum exit_code settle_place(struct morph_pick *pick, const struct words *
                                                : morph_progress(card, (float)(1e-3 * value));
     }
     return EXIT_OK;
-}
-
-float morph_pick_length_max_m(const struct species_card *card)
-{
-    float min, max;
-    length_range(card, &min, &max);
-    return max;
 }
 
 /* ---- All of it ------------------------------------------------------------------------------ */

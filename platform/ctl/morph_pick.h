@@ -58,7 +58,7 @@ enum exit_code morph_pick_file(const char *path, const char *command, struct spe
  * answer is static. */
 const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct morph_rig *rig);
 
-/* The greatest length of its drawn life, m: what a scale of 1 is. */
-float morph_pick_length_max_m(const struct species_card *card);
+/* The least and the greatest length of its drawn life, m; the latter is what a scale of 1 is. */
+void morph_pick_lengths(const struct species_card *card, float *min, float *max);
 
 #endif

@@ -51,7 +51,8 @@ static enum exit_code run(int argc, const char *const *argv)
         return code;
     }
     const struct species_card *card = &plan.pick.fish->card;
-    const float length_max_m = morph_pick_length_max_m(card);
+    float length_min_m, length_max_m;
+    morph_pick_lengths(card, &length_min_m, &length_max_m);
     fputs("progress,age_days,length_mm,scale", stdout);
     for (uint32_t key = 0; key < card->key_count; key++) {
         printf(",w_%s", card->key_names[key]);

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "platform/key_colour.h"
+
 #define DAYS_PER_YEAR 365.25
 
 void plate_age(char out[PLATE_WORDS_SIZE], float age_days)
@@ -83,21 +85,15 @@ void plate_bar(struct canvas *canvas, float x, float y, float width_max_px, floa
     canvas_words(canvas, x, y + 1.15f * size_px, size_px, ALIGN_CENTRE, PLATE_INK, words);
 }
 
-uint32_t plate_key_colour(uint32_t key)
-{
-    static const uint32_t colours[MORPH_KEY_MAX] = { 0xd0392b, 0x3a9a4b, 0x2f62c4, 0xd9952b,
-                                                     0x2ba6a6, 0xb0457f, 0x7a6a3a, 0x4a4f57 };
-    return colours[key % MORPH_KEY_MAX];
-}
-
 void plate_weights(struct canvas *canvas, struct canvas_box box, uint32_t key_count,
                    const float weights[MORPH_KEY_MAX])
 {
     float left = box.left;
     for (uint32_t i = 0; i < key_count; i++) {
         const float width = box.width * f_clamp(weights[i], 0.0f, 1.0f);
-        canvas_fill(canvas, (struct canvas_box){ left, box.top, width, box.height },
-                    plate_key_colour(i), plate_key_colour(i));
+        const uint32_t colour = key_colour(key_count, i);
+        canvas_fill(canvas, (struct canvas_box){ left, box.top, width, box.height }, colour,
+                    colour);
         left += width;
     }
 }

@@ -30,11 +30,8 @@ float plate_round_length_m(float length_m);
 void plate_bar(struct canvas *canvas, float x, float y, float width_max_px, float px_per_m,
                float size_px);
 
-/* The keys' weights side by side in the colours of the deformation graph. */
+/* The keys' weights side by side in their colours (platform/key_colour.h). */
 void plate_weights(struct canvas *canvas, struct canvas_box box, uint32_t key_count,
                    const float weights[MORPH_KEY_MAX]);
-
-/* The colour of key `key`'s curve: red, green and blue for three, as in the 2005 thesis. */
-uint32_t plate_key_colour(uint32_t key);
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/game/lab.h"
+#include "platform/key_colour.h"
 #include "platform/render/ui_signs.h"
 
 #define CLOTH 0x141a3cffu
@@ -39,14 +40,7 @@ struct ui_box lab_place(const struct lab_page *page, enum lab_part part)
 
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key)
 {
-    static const uint32_t colours[8] = { 0xd23a2cffu, 0xdc7415ffu, 0xc9a012ffu, 0x7ba32bffu,
-                                         0x2f9a4effu, 0x1c97a0ffu, 0x2f6fd0ffu, 0x27408bffu };
-    static const uint8_t of_count[9][8] = {
-        [2] = { 0, 6 },          [3] = { 0, 4, 6 },          [4] = { 0, 1, 4, 6 },
-        [5] = { 0, 1, 4, 5, 6 }, [6] = { 0, 1, 2, 4, 5, 6 }, [7] = { 0, 1, 2, 4, 5, 6, 7 },
-        [8] = { 0, 1, 2, 3, 4, 5, 6, 7 },
-    };
-    return colours[of_count[key_count < 8u ? key_count : 8u][key & 7u]];
+    return key_colour(key_count, key) << 8 | 0xffu;
 }
 
 int lab_is_pointed(const struct lab_page *page, enum lab_part part)

@@ -29,7 +29,7 @@ struct ui_box lab_place(const struct lab_page *page, enum lab_part part);
 float lab_px_x(const struct lab_page *page, float x);
 float lab_px_y(const struct lab_page *page, float y);
 
-/* A key's colour: red, green and blue of three, as in the thesis; between them of more. */
+/* key_colour(), opaque: 0xRRGGBBAA. */
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key);
 
 /* Whether a hand is over a part, or has hold of it. */

@@ -178,7 +178,7 @@ drawn() { # LINES OPTIONS...: a whole SVG with so many lines of the first key's 
     morph "$@" --svg "$work/picture.svg" || return 1
     head -c 300 "$work/picture.svg"
     ! grep -qiE 'nan|inf["., ]' "$work/picture.svg" && grep -q '<svg xmlns="http://www.w3.org/2000/svg"' "$work/picture.svg" &&
-        [ "$(tail -1 "$work/picture.svg")" = '</svg>' ] && [ "$(grep -c '#d0392b' "$work/picture.svg")" -ge "$least" ]
+        [ "$(tail -1 "$work/picture.svg")" = '</svg>' ] && [ "$(grep -c '#d23a2c' "$work/picture.svg")" -ge "$least" ]
 }
 for id in "${species[@]}"; do
     check "$id: the graph is drawn" drawn 4 graph "$id"
@@ -197,6 +197,34 @@ odd_name() { # An id may begin with what has no capital.
     morph graph "$work/koi.txt" --svg "$work/koi.svg" && ! LC_ALL=C grep -q "$(printf '[\001-\010\016-\037]')" "$work/koi.svg" &&
         grep -q '>2 koi<' "$work/koi.svg"
 }
+colours_of() { # OPTIONS...: the colours of the keys' curves, in the keys' order
+    morph graph "$@" --svg "$work/colours.svg" &&
+        sed -nE 's/.*stroke="(#[0-9a-f]{6})" stroke-width="3.5".*/\1/p' "$work/colours.svg" | paste -sd ' '
+}
+is_coloured() { # COLOURS OPTIONS...
+    local is
+    is=$(colours_of "${@:2}")
+    echo "$is"
+    [ "$is" = "$1" ]
+}
+check 'five keys go from red over green to blue' is_coloured '#d23a2c #dc7415 #2f9a4e #1c97a0 #2f6fd0' wakin
+check 'three are red, green and blue as in the thesis' is_coloured '#d23a2c #2f9a4e #2f6fd0' wakin --thesis
+turns() { # Where a conger's length turns round is told; as the thesis draws it, it is not
+    morph graph kuroanago --svg "$work/turns.svg" && grep -q '>125.5 mm</text>' "$work/turns.svg" &&
+        grep -q '>56.0 mm</text>' "$work/turns.svg" && grep -q 'by factors' "$work/turns.svg" &&
+        morph graph kuroanago --thesis --svg "$work/turns.svg" && ! grep -qE '>56.0 mm<|by factors' "$work/turns.svg" &&
+        grep -q '>0 mm</text>' "$work/turns.svg"
+}
+check "a conger's peak and its least length are told" turns
+named() { # The kiosk's English name, without what is in brackets, stands in the first line of the text
+    local id name
+    for id in "${species[@]}"; do
+        name=$(sed -nE "s/^fish_$id = ([^(]*[^( ]).*/\1/p" "$root/assets/text/en.txt")
+        echo "$id: $name"
+        [ -n "$name" ] && head -1 "$root/assets/species/$id.txt" | grep -qi -- "$name" || return 1
+    done
+}
+check 'a species has one English name' named
 check 'under any name' odd_name
 check 'with a curve for each key and one for the size' has_curves
 

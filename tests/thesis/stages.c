@@ -13,6 +13,7 @@
 #include "platform/ctl/morph_pick.h"
 #include "platform/ctl/plate.h"
 #include "platform/ctl/portrait.h"
+#include "platform/key_colour.h"
 
 #define WIDTH 1920.0f
 #define MARGIN 40.0f
@@ -82,7 +83,8 @@ static void key_words(const struct species_card *card, uint32_t key, float x, fl
     char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[3 * PLATE_WORDS_SIZE];
     plate_age(age, card->key_age_days[key]);
     snprintf(length, sizeof length, "%.4g mm", 1e3 * (double)card->key_length_m[key]);
-    canvas_words(&canvas, x, y, 26.0f, ALIGN_CENTRE, plate_key_colour(key), card->key_names[key]);
+    canvas_words(&canvas, x, y, 26.0f, ALIGN_CENTRE, key_colour(card->key_count, key),
+                 card->key_names[key]);
     snprintf(words, sizeof words, "%s, %s %s", age, plate_measure(card), length);
     canvas_words(&canvas, x, y + 28.0f, 20.0f, ALIGN_CENTRE, PLATE_SOFT_INK, words);
 }

@@ -7,7 +7,9 @@
 
 #include <string.h>
 
+#include "core/morph/species.h"
 #include "platform/ctl/plate.h"
+#include "platform/key_colour.h"
 
 #define WIDTH 200u
 #define HEIGHT 80u
@@ -158,16 +160,46 @@ static void test_weights_fill_their_bar_in_their_shares(void **state)
     struct canvas canvas = white_canvas();
     const float weights[MORPH_KEY_MAX] = { 0.25f, 0.0f, 0.75f };
     plate_weights(&canvas, (struct canvas_box){ 0.0f, 0.0f, 200.0f, 10.0f }, 3, weights);
-    const vec3 red = canvas_colour(plate_key_colour(0)), blue = canvas_colour(plate_key_colour(2));
+    const vec3 red = canvas_colour(key_colour(3, 0)), blue = canvas_colour(key_colour(3, 2));
     assert_true(f_abs(canvas.pixels[49].x - red.x) < 1e-5f);
     assert_true(f_abs(canvas.pixels[50].z - blue.z) < 1e-5f);
     assert_true(f_abs(canvas.pixels[199].z - blue.z) < 1e-5f);
     canvas_close(&canvas);
 }
 
+static void test_three_keys_are_red_green_and_blue(void **state)
+{
+    (void)state;
+    for (uint32_t key = 0; key < 3; key++) {
+        const vec3 c = canvas_colour(key_colour(3, key));
+        const float channel[3] = { c.x, c.y, c.z };
+        assert_true(channel[key] > channel[(key + 1) % 3] && channel[key] > channel[(key + 2) % 3]);
+    }
+}
+
+/* By position from the youngest to the oldest: the lab, sheets and graphs ask the same table. */
+static void test_keys_begin_red_and_each_has_a_colour_of_its_own(void **state)
+{
+    (void)state;
+    for (uint32_t count = 2; count <= MORPH_KEY_MAX; count++) {
+        assert_int_equal(key_colour(count, 0), key_colour(3, 0));
+        for (uint32_t i = 0; i < count; i++) {
+            for (uint32_t j = 0; j < i; j++) {
+                assert_int_not_equal(key_colour(count, i), key_colour(count, j));
+            }
+        }
+        if (count <= 6) {
+            assert_int_equal(key_colour(count, count - 1u), key_colour(3, 2));
+        }
+    }
+    assert_int_equal(key_colour(5, 2), key_colour(3, 1)); /* Red, orange, GREEN, teal, blue. */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_three_keys_are_red_green_and_blue),
+        cmocka_unit_test(test_keys_begin_red_and_each_has_a_colour_of_its_own),
         cmocka_unit_test(test_edges_between_pixels_cover_them_in_part),
         cmocka_unit_test(test_what_lies_outside_is_cut_off),
         cmocka_unit_test(test_colours_come_back_from_linear_light),
