@@ -28,12 +28,16 @@
 #define EDIT_WHY_SIZE 160u
 #define EDIT_TEXT_MAX 4096u /* A graph with every knot has 2.2 KB. */
 
+/* edit_text.c */
+
 /* Writes what is to be kept into `out`; returns its length, < EDIT_TEXT_MAX. */
 size_t edit_file_format(const struct edit_record *record, char out[EDIT_TEXT_MAX]);
 
 /* Reads `size` bytes of any content as a graph of `card`. 1, or 0 and `why` says "LINE: what". */
 int edit_file_parse(const char *text, size_t size, const struct species_card *card,
                     struct lab_edit *edit, char why[EDIT_WHY_SIZE]);
+
+/* edit_file.c */
 
 /* Keeps it in `data`/graphs, or takes away what was kept when it is the species' own again. On the
  * disk when the call comes back. 0 or a negative errno. */

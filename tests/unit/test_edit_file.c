@@ -156,6 +156,8 @@ static void test_a_bad_file_costs_one_line_and_the_species_keeps_its_own(void **
     assert_non_null(strstr(told, "longer than any graph"));
 }
 
+#define ENDS "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 1\n"
+
 static void test_each_mistake_is_told_with_its_line(void **state)
 {
     (void)state;
@@ -168,17 +170,19 @@ static void test_each_mistake_is_told_with_its_line(void **state)
         const char *body, *says;
     } mistakes[] = {
         { "", "6: the file ends without 'end'" },
-        { "knot 0 1 0 0 0 0\nend\n", "8: knot 1: fewer than 2 knots" },
-        { "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 0.5\nend\n", "9: knot 2: its weights do not sum to 1" },
-        { "knot 0 1 0 0 0 0\nknot 1 2 0 0 0 -1\nend\n", "9: knot 2: a weight is negative" },
-        { "knot 0 1 0 0 0 0\nknot 0 0 0 0 0 1\nend\n", "9: knot 2: its progress does not rise" },
-        { "knot 0.1 1 0 0 0 0\nknot 1 0 0 0 0 1\nend\n", "9: knot 1: the first knot is not at 0" },
+        { "knot 0 1 0 0 0 0\nend\n", "8: fewer than 2 knots" },
+        { "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 0.5\nend\n", "8: knot 2: its weights do not sum to 1" },
+        { "knot 0 1 0 0 0 0\nknot 1 2 0 0 0 -1\nend\n", "8: knot 2: a weight is negative" },
+        { "knot 0 1 0 0 0 0\nknot 0 0 0 0 0 1\nend\n", "8: knot 2: its progress does not rise" },
+        { "knot 0.1 1 0 0 0 0\nknot 1 0 0 0 0 1\nend\n", "7: knot 1: the first knot is not at 0" },
         { "knot 0 1 0 0 0\n", "7: expected 6 numbers" },
         { "knot 0 1 0 0 0 0 0\n", "7: more than 6 numbers" },
         { "knot 0 1 0 0 0 nan\n", "7: expected 6 numbers" },
         { "knots 0 1 0 0 0 0\n", "7: expected 'knot', 'scale' or 'end'" },
-        { "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 1\nscale 0 0.01\nend\n", "the scale does not rise" },
-        { "knot 0 1 0 0 0 0\nknot 1 0 0 0 0 1\nscale 0 99\nscale 1 99\nend\n", "the scale does" },
+        { ENDS "scale 0 0.01\nend\n", "9: scale knot 1: they do not rise from 0 to 1" },
+        { ENDS "scale 0 0.01\n\nscale 0.9 1\nend\n", "11: scale knot 2: they do not rise" },
+        { ENDS "scale 0 1\nscale 0.4 1\nscale 0.4 1\nscale 1 2\nend\n", "11: scale knot 3: they" },
+        { ENDS "scale 0 1\nscale 1 99\nend\n", "10: scale knot 2: not of 0.2 mm to 20 m" },
     };
     for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
         char text[600];
@@ -188,6 +192,19 @@ static void test_each_mistake_is_told_with_its_line(void **state)
             fail_msg("'%s' is told as '%s'", mistakes[i].body, why);
         }
     }
+    char text[600];
+    snprintf(text, sizeof text, "%s" ENDS "end\n", head);
+    char *solved = strstr(text, "solved 0");
+    solved[7] = '1';
+    assert_int_equal(parse(text, &edit, why), 0); /* The second key is never seen. */
+    snprintf(head, sizeof head, "the key '%s' is hardly seen", card->key_names[1]);
+    assert_non_null(strstr(why, head));
+    solved[7] = '0';
+    const size_t size = strlen(text);
+    assert_int_equal(edit_file_parse(text, size, card, &edit, why), 1);
+    text[size - 5u] = 0; /* In place of a line's end. */
+    assert_int_equal(edit_file_parse(text, size, card, &edit, why), 0);
+    assert_non_null(strstr(why, "8: not a text"));
     assert_int_equal(parse("kingyo-graph 2\n", &edit, why), 0);
     assert_non_null(strstr(why, "1: not a graph of version 1"));
     assert_int_equal(parse("kingyo-graph 1\nspecies funa\n", &edit, why), 0);

@@ -1,0 +1,298 @@
+/* edit_text.c -- graphs in words. */
+#include "platform/edit_file.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LINE_SIZE 256u
+
+static const char *const templates[TEMPLATE_COUNT] = {
+    [TEMPLATE_OWN] = "own",
+    [TEMPLATE_ORDINARY] = "ordinary",
+    [TEMPLATE_PAIRWISE] = "pairwise",
+    [TEMPLATE_SIMULTANEOUS] = "simultaneous",
+    [TEMPLATE_SMOOTH] = "smooth",
+};
+static const char *const lines[] = { [GRAPH_STRAIGHT] = "straight", [GRAPH_SMOOTH] = "smooth" };
+
+/* ---- Writing -------------------------------------------------------------------------------- */
+
+struct text_out {
+    char *out;
+    size_t used;
+};
+
+__attribute__((format(printf, 2, 3)))
+static void put(struct text_out *text, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int length =
+        vsnprintf(text->out + text->used, EDIT_TEXT_MAX - text->used, format, arguments);
+    va_end(arguments);
+    text->used += (size_t)length;
+}
+
+size_t edit_file_format(const struct edit_record *record, char out[EDIT_TEXT_MAX])
+{
+    const struct graph *graph = &record->edit.graph;
+    struct text_out text = { .out = out };
+    put(&text, "kingyo-graph %u\nspecies %s\nkeys %u\n", EDIT_FILE_VERSION, record->species,
+        record->key_count);
+    put(&text, "template %s\nline %s\nsolved %u\n", templates[record->edit.template],
+        lines[graph->line], graph->solved);
+    for (uint32_t i = 0; i < graph->knot_count; i++) {
+        put(&text, "knot %.9g", (double)graph->knots[i].progress);
+        for (uint32_t key = 0; key < record->key_count; key++) {
+            put(&text, " %.9g", (double)graph->knots[i].weight[key]);
+        }
+        put(&text, "\n");
+    }
+    for (uint32_t i = 0; i < record->edit.scale_knot_count; i++) {
+        const struct scale_knot *knot = &record->edit.scale_knots[i];
+        put(&text, "scale %.9g %.9g\n", (double)knot->progress, (double)knot->length_m);
+    }
+    put(&text, "end\n");
+    return text.used;
+}
+
+/* ---- Reading -------------------------------------------------------------------------------- */
+
+struct reading {
+    const char *text;
+    size_t size, at;
+    uint32_t line;         /* Of what was read last, from 1. */
+    char words[LINE_SIZE]; /* It, without comment and white space around. */
+    uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
+    char *why;
+};
+
+__attribute__((format(printf, 2, 3)))
+static int refuse(struct reading *reading, const char *format, ...)
+{
+    char what[EDIT_WHY_SIZE - 12u];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    snprintf(reading->why, EDIT_WHY_SIZE, "%u: %s", reading->line, what);
+    return 0;
+}
+
+/* The next line that says something; 0 at the end, or when it is none that was ever written. */
+static int next_line(struct reading *reading)
+{
+    while (reading->at < reading->size) {
+        size_t length = 0, end = reading->at;
+        reading->line++;
+        while (end < reading->size && reading->text[end] != '\n') {
+            end++;
+        }
+        for (size_t i = reading->at; i < end && reading->text[i] != '#'; i++) {
+            const char c = reading->text[i];
+            if (c == 0 || length + 1u == LINE_SIZE) {
+                return refuse(reading, c == 0 ? "not a text" : "longer than %u characters",
+                              LINE_SIZE - 1u);
+            }
+            if (length > 0 || !isspace((unsigned char)c)) {
+                reading->words[length++] = c;
+            }
+        }
+        reading->at = end + 1u;
+        while (length > 0 && isspace((unsigned char)reading->words[length - 1u])) {
+            length--;
+        }
+        reading->words[length] = 0;
+        if (length > 0) {
+            return 1;
+        }
+    }
+    return refuse(reading, "the file ends without 'end'");
+}
+
+/* What follows `word` on the line, or null when the line begins otherwise. */
+static const char *after(const struct reading *reading, const char *word)
+{
+    const size_t length = strlen(word);
+    const char *rest = reading->words + length;
+    return strncmp(reading->words, word, length) == 0 && (*rest == ' ' || *rest == 0) ? rest
+                                                                                      : NULL;
+}
+
+/* Reads a line "`word` VALUE" and finds the value among names; its place, or -1. */
+static int named(struct reading *reading, const char *word, const char *const *names, int count)
+{
+    const char *rest = next_line(reading) ? after(reading, word) : NULL;
+    for (int i = 0; rest != NULL && i < count; i++) {
+        if (*rest == ' ' && strcmp(rest + 1, names[i]) == 0) {
+            return i;
+        }
+    }
+    if (reading->why[0] == 0) {
+        refuse(reading, "expected '%s' and one of its words", word);
+    }
+    return -1;
+}
+
+/* Exactly `count` numbers. */
+static int numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        char *end;
+        out[i] = strtof(rest, &end);
+        if (end == rest || !isfinite(out[i])) {
+            return refuse(reading, "expected %u numbers", count);
+        }
+        rest = end;
+    }
+    while (*rest == ' ') {
+        rest++;
+    }
+    return *rest == 0 ? 1 : refuse(reading, "more than %u numbers", count);
+}
+
+static int read_head(struct reading *reading, const struct species_card *card,
+                     struct lab_edit *edit)
+{
+    static const char *const first[] = { "1" };
+    static const char *const yes_or_no[] = { "0", "1" };
+    const char *const id[] = { card->id };
+    char count[4];
+    const char *const keys[] = { count };
+    snprintf(count, sizeof count, "%u", (unsigned)card->key_count % 100u);
+    if (named(reading, "kingyo-graph", first, 1) < 0) {
+        return refuse(reading, "not a graph of version %u", EDIT_FILE_VERSION);
+    }
+    if (named(reading, "species", id, 1) < 0) {
+        return refuse(reading, "not of the species %s", card->id);
+    }
+    if (named(reading, "keys", keys, 1) < 0) {
+        return refuse(reading, "%s has %u keys", card->id, card->key_count);
+    }
+    const int template = named(reading, "template", templates, TEMPLATE_COUNT);
+    const int line = template < 0 ? -1 : named(reading, "line", lines, 2);
+    const int solved = line < 0 ? -1 : named(reading, "solved", yes_or_no, 2);
+    if (solved < 0) {
+        return 0;
+    }
+    edit->template = (uint8_t)template;
+    edit->graph.line = (uint8_t)line;
+    edit->graph.solved = (uint8_t)solved;
+    return 1;
+}
+
+static int read_knot(struct reading *reading, const char *rest, const struct species_card *card,
+                     struct graph *graph)
+{
+    float values[1u + MORPH_KEY_MAX] = { 0 };
+    if (graph->knot_count == GRAPH_KNOT_MAX) {
+        return refuse(reading, "more than %u knots", GRAPH_KNOT_MAX);
+    }
+    if (!numbers(reading, rest, values, 1u + card->key_count)) {
+        return 0;
+    }
+    reading->knot_line[graph->knot_count] = reading->line;
+    struct graph_knot *knot = &graph->knots[graph->knot_count++];
+    knot->progress = values[0];
+    memcpy(knot->weight, values + 1, card->key_count * sizeof values[0]);
+    return 1;
+}
+
+static int read_scale(struct reading *reading, const char *rest, struct lab_edit *edit)
+{
+    float values[2] = { 0 };
+    if (edit->scale_knot_count == GRAPH_KNOT_MAX) {
+        return refuse(reading, "more than %u scale knots", GRAPH_KNOT_MAX);
+    }
+    if (!numbers(reading, rest, values, 2)) {
+        return 0;
+    }
+    reading->scale_line[edit->scale_knot_count] = reading->line;
+    edit->scale_knots[edit->scale_knot_count++] = (struct scale_knot){ values[0], values[1] };
+    return 1;
+}
+
+/* Of a graph that is none: which knot, and what is wrong with it. */
+static int judge_graph(struct reading *reading, const struct species_card *card,
+                       const struct graph *graph)
+{
+    static const char *const faults[] = {
+        [GRAPH_ENDS] = "the first knot is not at 0, or the last not at 1",
+        [GRAPH_ORDER] = "its progress does not rise",
+        [GRAPH_NEGATIVE] = "a weight is negative",
+        [GRAPH_SUM] = "its weights do not sum to 1",
+    };
+    const struct graph_verdict verdict = graph_check(graph, card->key_count);
+    switch (verdict.fault) {
+    case GRAPH_GOOD:
+        return 1;
+    case GRAPH_KNOT_COUNT:
+        return refuse(reading, "fewer than 2 knots");
+    case GRAPH_UNSOLVABLE:
+        return refuse(reading, "the key '%s' is hardly seen at its own progress: no shape to solve",
+                      card->key_names[verdict.key]);
+    default:
+        reading->line = reading->knot_line[verdict.knot];
+        return refuse(reading, "knot %u: %s", verdict.knot + 1u, faults[verdict.fault]);
+    }
+}
+
+static int judge_scale(struct reading *reading, const struct lab_edit *edit)
+{
+    const uint32_t count = edit->scale_knot_count;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct scale_knot *knot = &edit->scale_knots[i];
+        const float end = i == 0 ? 0.0f : i + 1u == count ? 1.0f : knot->progress;
+        reading->line = reading->scale_line[i];
+        if (count == 1u || knot->progress != end ||
+            (i > 0 && knot->progress <= knot[-1].progress)) {
+            return refuse(reading, "scale knot %u: they do not rise from 0 to 1", i + 1u);
+        }
+        if (!(knot->length_m >= LAB_LENGTH_MIN_M && knot->length_m <= LAB_LENGTH_MAX_M)) {
+            return refuse(reading, "scale knot %u: not of 0.2 mm to 20 m", i + 1u);
+        }
+    }
+    return 1;
+}
+
+static int judge(struct reading *reading, const struct species_card *card,
+                 const struct lab_edit *edit)
+{
+    if (!judge_graph(reading, card, &edit->graph) || !judge_scale(reading, edit)) {
+        return 0;
+    }
+    return lab_edit_is_good(edit, card) ? 1 : refuse(reading, "no graph of %s", card->id);
+}
+
+int edit_file_parse(const char *text, size_t size, const struct species_card *card,
+                    struct lab_edit *edit, char why[EDIT_WHY_SIZE])
+{
+    struct reading reading = { .text = text, .size = size, .why = why };
+    struct lab_edit read = { 0 };
+    why[0] = 0;
+    if (!read_head(&reading, card, &read)) {
+        return 0;
+    }
+    while (next_line(&reading)) {
+        const char *knot = after(&reading, "knot"), *scale = after(&reading, "scale");
+        if (strcmp(reading.words, "end") == 0) {
+            if (!judge(&reading, card, &read)) {
+                return 0;
+            }
+            *edit = read;
+            return 1;
+        }
+        if (knot == NULL && scale == NULL) {
+            return refuse(&reading, "expected 'knot', 'scale' or 'end'");
+        }
+        if (!(knot != NULL ? read_knot(&reading, knot, card, &read.graph)
+                           : read_scale(&reading, scale, &read))) {
+            return 0;
+        }
+    }
+    return 0;
+}
+
