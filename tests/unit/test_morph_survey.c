@@ -65,9 +65,9 @@ static void test_a_good_fish_has_no_flaw(void **state)
     assert_int_equal(survey.keys_alone, fish.card.key_count);
     assert_true(survey.key_error.value == 0.0f);
     assert_int_equal(survey.flipped_skin + survey.flipped_fins, 0);
-    assert_true(survey.body_in_body.value == 0.0f && survey.eye_in_body.value < 0.005f);
+    assert_true(survey.body_in_body.value == 0.0f && survey.eye_in_body.value == 0.0f);
     assert_true(survey.pupil_in_body.value == 0.0f && survey.eye_in_eye.value == 0.0f);
-    assert_true(survey.fin_in_body.value < 0.005f && survey.volume_dip.value < 0.02f);
+    assert_true(survey.fin_in_body.value < 0.0005f && survey.volume_dip.value < 0.02f);
     assert_true(survey.volume_last > 0.0f);
 }
 
