@@ -107,6 +107,12 @@ static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *fro
     const struct extent b = extent_of(mesh, key, two, false);
     const double length_a = (double)a.high - (double)a.low;
     const double length_b = (double)b.high - (double)b.low;
+    const struct extent c = extent_of(mesh, key, up, false);
+    if ((double)c.high - (double)c.low > SQUARE_RATIO * fmax(length_a, length_b)) {
+        snprintf(why, IMPORT_WHY_SIZE, "front: longest along %s, where its back would be; say "
+                                       "--up AXIS", import_axis_names[up]);
+        return false;
+    }
     if (fmax(length_a, length_b) < SQUARE_RATIO * fmin(length_a, length_b)) {
         snprintf(why, IMPORT_WHY_SIZE, "front: nearly as wide as long; say --front AXIS");
         return false;
@@ -180,7 +186,7 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan 
         return EXIT_BAD_DATA;
     }
     if (report->front % 3 == plan->up % 3) {
-        snprintf(why, IMPORT_WHY_SIZE, "front: %s, and up is %s",
+        snprintf(why, IMPORT_WHY_SIZE, "front: %s, and up is %s; say --front and --up",
                  import_axis_names[report->front], import_axis_names[plan->up]);
         return EXIT_BAD_DATA;
     }

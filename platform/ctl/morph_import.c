@@ -378,6 +378,9 @@ static enum exit_code open_like(struct import_words *words)
             plan->like = species_table[i];
         }
     }
+    if (words->like && !plan->like && !strpbrk(words->like, "/.")) {
+        return morph_pick_unknown(name, words->like);
+    }
     if (words->like && !plan->like) {
         const enum exit_code code = morph_pick_file(words->like, name, &slot);
         if (code != EXIT_OK) {
@@ -512,7 +515,9 @@ const struct morph_command ctl_morph_import = {
         "                       how far off it is. Lines of 'NAME X Y Z': snout, tail_root, back,\n"
         "                       belly, eye_right, eye_left, tail_top, tail_bottom, and\n"
         "                       NAME_start, NAME_end, NAME_tip of dorsal, dorsal2, anal,\n"
-        "                       pectoral_right, .._left, pelvic_right, .._left; four or more\n"
+        "                       pectoral_right, .._left, pelvic_right, .._left; four or more,\n"
+        "                       each within 10 % of the length of the mesh. As many files as the\n"
+        "                       species has keys\n"
         "  --marks A,B,C        the landmarks' files, where they stand elsewhere\n"
         "Parts are known by the names of groups or objects: eye, tail or caudal, dorsal,\n"
         "dorsal_2, anal, pectoral, pelvic, finlet_upper, finlet_lower; all else is body.\n",

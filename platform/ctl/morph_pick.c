@@ -173,7 +173,7 @@ static enum exit_code read_file(struct morph_pick *pick, const char *command)
     return code;
 }
 
-static enum exit_code refuse_species(const char *command, const char *word)
+enum exit_code morph_pick_unknown(const char *command, const char *word)
 {
     char list[SPECIES_BUILT_IN * (SPECIES_NAME_SIZE + 2u)] = "";
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -195,7 +195,7 @@ static enum exit_code open_species(struct morph_pick *pick, const char *command)
         return EXIT_OK;
     }
     if (!strpbrk(pick->word, "/.")) {
-        return refuse_species(command, pick->word);
+        return morph_pick_unknown(command, pick->word);
     }
     return read_file(pick, command);
 }

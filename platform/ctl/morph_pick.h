@@ -54,6 +54,9 @@ enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enu
  * or another code, told in one line. */
 enum exit_code morph_pick_file(const char *path, const char *command, struct species_slot *slot);
 
+/* That `word` names no species, with those that there are; EXIT_USAGE. */
+enum exit_code morph_pick_unknown(const char *command, const char *word);
+
 /* `fish` as the ordinary morph would have it (eq. 3.1): its first and its last key, straight. The
  * answer is static. */
 const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct morph_rig *rig);

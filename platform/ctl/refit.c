@@ -241,8 +241,10 @@ static struct refit_error error_of(const struct tally *tally)
                                  tally->max };
 }
 
+/* At every vertex of the one and of the other that a triangle uses. */
 static void measure(const struct import_mesh *mesh, struct refit_result *result)
 {
+    static bool seen[IMPORT_VERTEX_MAX];
     struct tally to = { 0 }, from = { 0 };
     vec3 at;
     fitted_tree.triangle_count = 0;
@@ -255,9 +257,14 @@ static void measure(const struct import_mesh *mesh, struct refit_result *result)
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
         count_gap(&to, sqrtf(tree_nearest(fit.tree, fit.now[i], TREE_ANY_PART, &at)));
     }
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const vec3 q = mesh->positions[0][mesh->triangles[i][i % 3]];
-        count_gap(&from, sqrtf(tree_nearest(&fitted_tree, q, TREE_ANY_PART, &at)));
+    memset(seen, 0, sizeof seen);
+    for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        const uint32_t vertex = mesh->triangles[i / 3][i % 3];
+        if (!seen[vertex]) {
+            const vec3 q = mesh->positions[0][vertex];
+            count_gap(&from, sqrtf(tree_nearest(&fitted_tree, q, TREE_ANY_PART, &at)));
+            seen[vertex] = true;
+        }
     }
     result->to_mesh = error_of(&to);
     result->from_mesh = error_of(&from);
@@ -340,6 +347,22 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
     }
 }
 
+/* Which landmark lies farthest off the mesh. */
+static void find_stray(const struct mark_list *marks, struct refit_result *result)
+{
+    result->stray = "";
+    result->stray_gap = 0.0f;
+    for (uint32_t i = 0; i < marks->count; i++) {
+        vec3 at;
+        const float gap =
+            sqrtf(tree_nearest(&target_tree, marks->marks[i].place, TREE_ANY_PART, &at));
+        if (gap > result->stray_gap) {
+            result->stray = marks->marks[i].name;
+            result->stray_gap = gap;
+        }
+    }
+}
+
 void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh *mesh,
                const struct mark_list *marks, struct refit_result *result)
 {
@@ -351,6 +374,7 @@ void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh
                  (uint8_t)import_part(mesh->group_names[mesh->groups[i]]));
     }
     tree_build(&target_tree);
+    find_stray(marks, result);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         fit_lod(slot, lod, key, mesh, marks, result);
     }

@@ -47,6 +47,8 @@ struct refit_result {
     struct refit_error to_mesh;   /* Of the fitted vertices to the mesh ... */
     struct refit_error from_mesh; /* ... and of the mesh's vertices to what was fitted. */
     float mark_max;               /* The farthest landmark from its own. */
+    const char *stray;            /* The landmark farthest off the mesh, in the list, or "" ... */
+    float stray_gap;              /* ... and how far. */
 };
 
 /* Fits key `key` of both levels of detail in `slot` (a copy of the template) to shape 0 of `mesh`,

@@ -6,6 +6,8 @@
 #include "platform/ctl/import_plan.h"
 #include "platform/ctl/refit.h"
 
+#define STRAY_MAX 0.1f /* Of the length: a landmark may lie in the flesh, and no farther off. */
+
 static const struct landmark *mark_of(const struct mark_list *marks, const char *name)
 {
     for (uint32_t i = 0; i < marks->count; i++) {
@@ -97,6 +99,11 @@ enum exit_code refit_files(struct species_slot *slot, const char *const *files,
             return EXIT_BAD_DATA;
         }
         refit_key(slot, key, &mesh, &list, &result);
+        if (result.stray_gap > STRAY_MAX) {
+            snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s lies %.0f %% of the length off the mesh",
+                     marks[key], result.stray, 100.0 * (double)result.stray_gap);
+            return EXIT_BAD_DATA;
+        }
         tell(files[key], &result);
     }
     return EXIT_OK;

@@ -103,8 +103,13 @@ fitted_well() { # Each mean, both ways, within 0.4 % of the length
 check 'a bream is bent onto goldfish by four landmarks' fits
 check 'within 0.4 % of their length in the mean' fitted_well
 check 'and grows as one' morph weights "$work/fitted.kfish" --steps 4
+awk '$1 == "tail_root" { $3 += 0.002 } { print }' "$work/fit0.marks" >"$work/stray.marks"
+strays() { morph import "$work/x.kfish" --fit kurodai "${meshes[@]}" --marks "$work/stray.marks,$1,$1,$1,$1" 2>&1 >/dev/null |
+    grep -E '^[^ ]*stray.marks: tail_root lies [1-9][0-9] % of the length off the mesh$'; }
+check 'a landmark off the mesh is told' strays "$work/fit1.marks"
 check 'landmarks are needed' mistake 74 grown.marks "$work/x.kfish" --fit wakin "$work/grown.obj" "$work/grown.obj" \
     "$work/grown.obj" "$work/grown.obj" "$work/grown.obj"
+check 'no such template' mistake 2 "'karp' is no species; there are wakin" "$work/x.kfish" --fit karp "$work/grown.obj"
 check 'a file a key' mistake 2 'and there are 1 files' "$work/x.kfish" --fit wakin "$work/grown.obj"
 
 # ---- glTF

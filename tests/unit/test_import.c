@@ -175,6 +175,15 @@ static void test_front_and_up_and_unit_are_found(void **state)
     }
 }
 
+static void test_a_fish_that_lies_along_up_is_told_to_say_up(void **state)
+{
+    (void)state;
+    read_objs(&species_wakin, 2, 1.0f);
+    struct import_plan plan = *plan_of(&species_wakin); /* Its nose is to +y. */
+    assert_int_equal(build_from(&plan), EXIT_BAD_DATA);
+    assert_string_equal(why, "front: longest along +y, where its back would be; say --up AXIS");
+}
+
 static void test_a_fish_without_eyes_is_faced_by_its_thicker_half(void **state)
 {
     (void)state;
@@ -489,6 +498,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_shapes_from_obj_files_are_the_same_within_quantisation),
         cmocka_unit_test(test_front_and_up_and_unit_are_found),
+        cmocka_unit_test(test_a_fish_that_lies_along_up_is_told_to_say_up),
         cmocka_unit_test(test_a_fish_without_eyes_is_faced_by_its_thicker_half),
         cmocka_unit_test(test_parts_are_known_by_words_in_names),
         cmocka_unit_test(test_bad_obj_files_are_named_with_their_line),

@@ -160,6 +160,47 @@ static void test_one_species_is_bent_onto_another(void **state)
     }
 }
 
+/* A hair on the snout: no surface that would draw the skin. */
+static void test_the_error_is_of_every_vertex(void **state)
+{
+    (void)state;
+    struct refit_result result;
+    for (uint32_t corner = 0; corner < 3; corner++) {
+        loft_otherwise("assets/species/wakin.txt");
+        shape_of(&species_wakin.lod[0], species_wakin.card.key_count, 0, truth);
+        mark_truth(&species_wakin.lod[0], truth);
+        make_mesh(0, 0.0f);
+        const uint32_t tip = mesh.vertex_count++, root = mesh.triangles[0][0];
+        const uint32_t hair = mesh.triangle_count++;
+        for (uint32_t k = 0; k < 3; k++) {
+            mesh.triangles[hair][k] = k == corner ? tip : root;
+        }
+        mesh.positions[0][tip] = v3_add(mesh.positions[0][root], v3(0.0f, 0.3f, 0.0f));
+        mesh.groups[hair] = mesh.groups[0];
+        pack_copy(&species_wakin, &slot);
+        refit_key(&slot, 0, &mesh, &marks, &result);
+        /* One corner of three draws the skin to it. */
+        assert_true(corner == hair % 3 || result.from_mesh.max > 0.1f);
+    }
+}
+
+static void test_a_landmark_off_the_mesh_is_told(void **state)
+{
+    (void)state;
+    struct refit_result result;
+    loft_otherwise("assets/species/wakin.txt");
+    shape_of(&species_wakin.lod[0], species_wakin.card.key_count, 0, truth);
+    mark_truth(&species_wakin.lod[0], truth);
+    make_mesh(0, 0.0f);
+    pack_copy(&species_wakin, &slot);
+    refit_key(&slot, 0, &mesh, &marks, &result);
+    assert_true(result.stray_gap < 0.02f);
+    marks.marks[3].place.y += 0.4f;
+    refit_key(&slot, 0, &mesh, &marks, &result);
+    assert_string_equal(result.stray, marks.marks[3].name);
+    assert_true(result.stray_gap > 0.1f && result.stray_gap <= 0.42f);
+}
+
 static void test_noise_of_a_scan_is_averaged_and_not_followed(void **state)
 {
     (void)state;
@@ -303,6 +344,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_larva_bent_onto_the_adult_finds_each_vertex),
         cmocka_unit_test(test_one_species_is_bent_onto_another),
+        cmocka_unit_test(test_the_error_is_of_every_vertex),
+        cmocka_unit_test(test_a_landmark_off_the_mesh_is_told),
         cmocka_unit_test(test_noise_of_a_scan_is_averaged_and_not_followed),
         cmocka_unit_test(test_meshes_without_parts_are_fitted_too),
         cmocka_unit_test(test_the_warp_carries_landmarks_and_leaves_what_is_there),
