@@ -105,17 +105,6 @@ static void share_among_neighbours(struct graph_knot *knot, uint32_t key_count, 
     knot->weight[after] += 0.5f * rest;
 }
 
-/* Rounding goes where it matters least: into the greatest of the others. */
-static void sum_to_one(struct graph_knot *knot, uint32_t key_count, uint32_t key)
-{
-    uint32_t most = key == 0 ? 1u : 0u;
-    for (uint32_t i = 0; i < key_count; i++) {
-        most = i != key && knot->weight[i] > knot->weight[most] ? i : most;
-    }
-    const float others = sum_of_others(knot, key_count, key) - knot->weight[most];
-    knot->weight[most] = f_max(1.0f - knot->weight[key] - others, 0.0f);
-}
-
 void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, uint32_t key,
                     float weight)
 {
@@ -132,7 +121,6 @@ void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, ui
     } else {
         share_among_neighbours(at, key_count, key, rest);
     }
-    sum_to_one(at, key_count, key);
 }
 
 void lab_edit_move(struct lab_edit *edit, uint32_t knot, float progress)

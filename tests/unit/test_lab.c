@@ -134,12 +134,17 @@ static void test_the_dip_that_opens_it_presses_nothing(void **state)
     open_stall(&config);
     press(INPUT_START);
     ticks(GAME_CHOOSE_TICKS_MIN);
-    dip(0, 0.40f, 0.0f);
+    const struct lab_point over = middle_of(LAB_SMOOTH), canvas = lab_canvas(0);
+    dip(0, (over.x / canvas.x - 0.5f) * core.tank.size_m.x,
+        (over.y / canvas.y - 0.5f) * core.tank.size_m.z);
     ticks(30);
-    const struct lab before = core.game.lab;
-    assert_int_equal(before.holds, HOLD_BUTTON);
-    assert_int_equal(before.playing, 1);
-    assert_int_equal(before.species, 0);
+    assert_int_equal(core.game.phase, PHASE_LAB);
+    assert_int_equal(core.game.lab.holds, HOLD_BUTTON);
+    assert_int_equal(look()->lab.template, TEMPLATE_OWN);
+    assert_int_equal(scene.lab.playing, 1);
+    come_up();
+    go_down(); /* Now it is meant. */
+    assert_int_equal(look()->lab.template, TEMPLATE_SMOOTH);
 }
 
 static void test_nothing_that_is_done_there_is_a_score(void **state)
@@ -480,6 +485,41 @@ static void test_knots_are_added_where_life_stands_and_taken_away_there(void **s
     assert_int_equal(look()->lab.is_own, 1);
 }
 
+static void test_a_knot_that_a_drawing_needs_stays(void **state)
+{
+    (void)state;
+    tap(LAB_SIMULTANEOUS);
+    assert_int_equal(core.game.lab.edit.graph.solved, 1);
+    for (uint32_t i = 0; i < 2u * GRAPH_KNOT_MAX; i++) {
+        core.game.lab.progress = (float)(i % 5u) * 0.25f;
+        core.game.lab.playing = 0;
+        tap(LAB_REMOVE);
+        assert_true(lab_edit_is_good(&core.game.lab.edit, card()));
+    }
+    assert_in_range(core.game.lab.edit.graph.knot_count, 3, card()->key_count);
+}
+
+/* Where many keys' knots lie one upon the other, the curve in hand is meant. */
+static void test_of_knots_in_one_place_that_of_the_curve_in_hand_is_taken(void **state)
+{
+    (void)state;
+    tap(LAB_PAIRWISE);
+    for (uint32_t key = 0; key < card()->key_count; key++) {
+        const uint32_t knot = key == 2 ? 3u : 2u; /* Another key's: this one has nothing there. */
+        tap((enum lab_part)(LAB_KEY + key));
+        struct lab_point at = knot_at(knot, key);
+        at.x += 5.0f;
+        at.y -= 5.0f;
+        hover(at);
+        go_down();
+        assert_int_equal(core.game.lab.holds, HOLD_WEIGHT);
+        assert_int_equal(core.game.lab.held_knot, knot);
+        assert_int_equal(core.game.lab.layer, key);
+        come_up();
+        tap(LAB_PAIRWISE);
+    }
+}
+
 static void test_the_scale_is_drawn_by_hand_and_tells_on_the_ruler(void **state)
 {
     (void)state;
@@ -627,6 +667,8 @@ int main(void)
         TEST(test_a_page_turned_under_a_held_knot_leaves_it_alone),
         TEST(test_templates_take_the_places_of_the_graph),
         TEST(test_knots_are_added_where_life_stands_and_taken_away_there),
+        TEST(test_a_knot_that_a_drawing_needs_stays),
+        TEST(test_of_knots_in_one_place_that_of_the_curve_in_hand_is_taken),
         TEST(test_the_scale_is_drawn_by_hand_and_tells_on_the_ruler),
         TEST(test_a_saved_graph_is_handed_out_known_as_kept_and_there_on_return),
         TEST(test_a_graph_that_cannot_be_kept_is_no_longer_being_saved),

@@ -168,6 +168,25 @@ static void test_ten_thousand_grips_leave_a_graph(void **state)
     }
 }
 
+/* Rounding never adds up: a third of what graph_check() forgives, with as many keys as may be. */
+static void test_weights_sum_to_one_whatever_was_gripped(void **state)
+{
+    (void)state;
+    struct lab_edit many = { .graph.knot_count = 2 };
+    many.graph.knots[0].weight[0] = 1.0f;
+    for (uint32_t i = 0; i < 10000; i++) {
+        const uint32_t bits = rng_u32((struct rng_key){ 3, i, 0, RNG_TEST });
+        lab_edit_weigh(&many, MORPH_KEY_MAX, 0, bits % MORPH_KEY_MAX,
+                       (float)(bits >> 8 & 0xffffu) / 65535.0f);
+        double sum = 0.0;
+        for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+            assert_true(many.graph.knots[0].weight[key] >= 0.0f);
+            sum += (double)many.graph.knots[0].weight[key];
+        }
+        assert_true(sum > 1.0 - 3e-7 && sum < 1.0 + 3e-7);
+    }
+}
+
 static void test_the_first_touch_draws_the_growth_curve_by_hand(void **state)
 {
     (void)state;
@@ -363,6 +382,7 @@ int main(void)
         TEST(test_there_are_at_most_twelve_knots_and_at_least_two),
         TEST(test_each_template_is_one_of_the_species),
         TEST(test_ten_thousand_grips_leave_a_graph),
+        TEST(test_weights_sum_to_one_whatever_was_gripped),
         TEST(test_the_first_touch_draws_the_growth_curve_by_hand),
         TEST(test_a_size_knot_that_is_only_touched_changes_no_length),
         TEST(test_the_conger_keeps_its_least_length_drawn_by_hand),
