@@ -87,7 +87,7 @@ static const struct row rows[] = {
     { "triangles turned over: fins", OF(flipped_fins), "%.0f", 1.0, 0.0, AT_MOST },
     { "moments at which the body has a hole", OF(moments_open), "%.0f", 1.0, 0.0, AT_MOST },
     { "skin folded into itself, % of length", FOUND(body_in_body), "%.3f", 100.0, 0.0, AT_MOST },
-    { "fin in the body, % of length", FOUND(fin_in_body), "%.3f", 100.0, 0.05, AT_MOST },
+    { "fin deeper than its root, % of length", FOUND(fin_in_body), "%.3f", 100.0, 0.05, AT_MOST },
     { "fin in an eye, % of length", FOUND(fin_in_eye), "%.3f", 100.0, 0.0, AT_MOST },
     { "eye in the head, % of length", FOUND(eye_in_body), "%.3f", 100.0, 0.0, AT_MOST },
     { "pupil in the head, % of length", FOUND(pupil_in_body), "%.3f", 100.0, 0.0, AT_MOST },
@@ -247,8 +247,8 @@ const struct morph_command ctl_morph_check = {
         "                own), snout at one place\n"
         "  length, age   older at every moment; as long as the growth curve says, but for a size\n"
         "                drawn by hand; each leads back to the other\n"
-        "  turned over   a triangle of body or eye that faces inward; a fin's that turns over\n"
-        "                from one moment to the next\n"
+        "  turned over   a triangle of body or eye that faces inward; a fin's that faces back at\n"
+        "                once, for one that turns step by step does not count\n"
         "  a hole        without a closed body nothing can be told to be inside of it\n"
         "  skin folded   a point just outside the body's skin that is inside the body; told is\n"
         "                the way out along its normal\n"

@@ -8,9 +8,6 @@
 #include "platform/ctl/morph_part.h"
 #include "platform/ctl/morph_walk.h"
 
-#define AREA_MIN 1e-9f   /* Twice the area of what is too small to face anywhere. */
-#define TURNED_OVER 0.0f /* The cosine of a right angle. */
-
 static void measure_sum(const float *weight, float *error, float *least)
 {
     double sum = 0.0;
@@ -59,40 +56,6 @@ static void measure_key(struct walk *w)
         const bool carried = w->mesh->vertices[i].anchor != ANCHOR_NONE;
         const vec3 drawn = carried ? w->key_positions[i] : morph_position(w->mesh, key, i);
         walk_keep(w, &w->out->key_error, v3_length(v3_sub(w->positions[i], drawn)), i);
-    }
-}
-
-static void mark_flipped(struct walk *w, uint32_t triangle, uint32_t *count)
-{
-    if (!w->flipped[triangle]) {
-        w->flipped[triangle] = true;
-        w->out->flipped_at = w->out->flipped_skin + w->out->flipped_fins == 0 ? w->progress
-                                                                              : w->out->flipped_at;
-        (*count)++;
-    }
-}
-
-static void measure_flips(struct walk *w)
-{
-    for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {
-        const uint16_t *c = &w->mesh->indices[3u * t];
-        const vec3 face = v3_cross(v3_sub(w->positions[c[1]], w->positions[c[0]]),
-                                   v3_sub(w->positions[c[2]], w->positions[c[0]]));
-        if (v3_length(face) < AREA_MIN) {
-            continue;
-        }
-        if (w->mesh->vertices[c[0]].part < PART_TAIL) {
-            const vec3 outward =
-                v3_add(w->normals[c[0]], v3_add(w->normals[c[1]], w->normals[c[2]]));
-            if (v3_dot(face, outward) < TURNED_OVER) {
-                mark_flipped(w, t, &w->out->flipped_skin);
-            }
-        } else {
-            if (v3_dot(face, w->facing[t]) < TURNED_OVER) {
-                mark_flipped(w, t, &w->out->flipped_fins);
-            }
-            w->facing[t] = face;
-        }
     }
 }
 
@@ -185,7 +148,7 @@ static void measure_moment(struct walk *w, float progress)
     shape_at(w, progress);
     measure_weights(w);
     measure_key(w);
-    measure_flips(w);
+    walk_measure_flips(w);
     walk_build_skins(w);
     walk_measure_inside(w);
     measure_volume(w);

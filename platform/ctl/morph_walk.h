@@ -15,7 +15,8 @@ struct walk { /* About 10 MiB. */
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     vec3 key_positions[MESH_VERTEX_MAX];
     vec3 facing[MESH_INDEX_MAX / 3]; /* Of a fin's triangle when it last had an area. */
-    bool flipped[MESH_INDEX_MAX / 3];
+    bool flipped[MESH_INDEX_MAX / 3], doubtful[MESH_INDEX_MAX / 3];
+    float before; /* The moment before this one; not below it at the first. */
     uint32_t root[MESH_VERTEX_MAX]; /* Of a fin's point: where its ray is rooted. */
     bool key_alone[MORPH_KEY_MAX];
     float key_volume[MORPH_KEY_MAX];
@@ -36,6 +37,9 @@ static inline void walk_keep(const struct walk *w, struct finding *finding, floa
 void walk_find_roots(struct walk *w);
 void walk_build_skins(struct walk *w);
 void walk_measure_inside(struct walk *w);
+
+/* morph_flips.c: at every moment that has a shape, in their order. */
+void walk_measure_flips(struct walk *w);
 
 /* morph_ages.c: the whole life of it, moment by moment, without any shape. */
 void walk_measure_ages(struct walk *w, uint32_t steps);

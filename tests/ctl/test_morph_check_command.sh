@@ -48,7 +48,7 @@ spoiled() {
         "$root/assets/species/wakin.txt" >"$work/sunk.txt"
     morph check "$work/sunk.txt" --steps 200 >"$work/text"
     [ $? = 1 ] || { cat "$work/text"; return 1; }
-    grep -q '^not so (near): fin in the body.* at progress .* (pectoral)' "$work/text"
+    grep -q '^not so (near): fin deeper than its root.* at progress .* (pectoral)' "$work/text"
 }
 check 'a spoiled drawing is not good, and it says what and where' spoiled
 

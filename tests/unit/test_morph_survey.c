@@ -124,8 +124,26 @@ static void test_a_fin_that_turns_over_is_seen(void **state)
         points[last_key][i].z = (int16_t)(points[last_key][i].z / 2);
     }
     measure();
-    assert_true(survey.flipped_fins > 0);
+    const uint32_t seen = survey.flipped_fins;
+    assert_true(seen > 0);
     assert_true(survey.flipped_at > 0.5f);
+    morph_survey(&fish, &rig, 0, 4 * STEPS, &survey); /* However often it is looked at. */
+    assert_int_equal(survey.flipped_fins, seen);
+    morph_survey(&fish, &rig, 0, 5, &survey);
+    assert_int_equal(survey.flipped_fins, seen);
+}
+
+/* A hatchling's fin lies otherwise than a larva's: it unfolds in a few hundredths of a life. */
+static void test_a_fin_that_turns_far_in_a_moment_is_not_turned_over(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        for (uint32_t steps = 3; steps < 100; steps += 16) {
+            morph_rig_init(&rig, &species_table[i]->card, TEMPLATE_OWN);
+            morph_survey(species_table[i], &rig, 0, steps, &survey);
+            assert_int_equal(survey.flipped_fins, 0);
+        }
+    }
 }
 
 static void test_a_skin_that_folds_is_seen(void **state)
@@ -269,6 +287,7 @@ int main(void)
         cmocka_unit_test_setup(test_a_key_that_is_never_alone_is_not_counted, new_fish),
         cmocka_unit_test_setup(test_a_triangle_wound_the_wrong_way_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_fin_that_turns_over_is_seen, new_fish),
+        cmocka_unit_test(test_a_fin_that_turns_far_in_a_moment_is_not_turned_over),
         cmocka_unit_test_setup(test_a_skin_that_folds_is_seen, new_fish),
         cmocka_unit_test_setup(test_an_eye_in_the_head_is_seen, new_fish),
         cmocka_unit_test_setup(test_a_fin_tip_in_the_body_is_seen, new_fish),
