@@ -6,7 +6,7 @@ SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
 SPECIES_PARTS := assets/bake/species assets/bake/species_write \
     $(patsubst %.c,%,$(filter-out %/shelf.c,$(wildcard platform/species/*.c))) \
     $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \
-    core/base/fmath core/base/vec
+    core/base/fmath core/base/vec platform/out_file
 # Compiled for the building machine, apart from what is compiled for the kiosk.
 SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/bake_host/%.o)
 GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o) $(BUILD)/generated/species_table.o

@@ -43,7 +43,7 @@ void canvas_shade(struct canvas *canvas, struct canvas_box box, float strength);
 void canvas_words(struct canvas *canvas, float x, float y, float size_px, enum canvas_align align,
                   uint32_t rgb, const char *words);
 
-/* 0, or a negative errno; what was written of the file is removed then. */
+/* 0, or a negative errno; then the file is not there, or as it was before. */
 int canvas_write_png(const struct canvas *canvas, const char *path);
 
 #endif

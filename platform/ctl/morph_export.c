@@ -105,6 +105,6 @@ const struct morph_command ctl_morph_export = {
         "  --glb FILE.glb        glTF 2.0 of the whole life: key shapes as morph targets (solved\n"
         "                        ones where the graph is), weights, size and what rides on the\n"
         "                        skin animated over 10 s, a mesh a part, coloured vertices\n"
-        "A file that could not be written whole is removed.\n",
+        "A file that could not be written whole is not there, or as it was before.\n",
     .run = run,
 };

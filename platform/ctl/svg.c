@@ -21,10 +21,12 @@ static void put_escaped(FILE *file, const char *text)
 
 bool svg_open(struct svg *svg, const char *path, double width, double height, const char *title)
 {
-    svg->file = fopen(path, "w");
-    if (!svg->file) {
+    const int error = out_open(&svg->out, path);
+    if (error != 0) {
+        errno = -error;
         return false;
     }
+    svg->file = svg->out.file;
     fprintf(svg->file,
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" "
@@ -98,11 +100,7 @@ void svg_end_line(struct svg *svg, const char *colour, double width, const char 
 bool svg_close(struct svg *svg)
 {
     fputs("</svg>\n", svg->file);
-    const bool failed = ferror(svg->file) != 0;
-    const int before = errno;
-    if (fclose(svg->file) != 0) {
-        return false;
-    }
-    errno = failed ? before : 0;
-    return !failed;
+    const int error = out_close(&svg->out);
+    errno = -error;
+    return error == 0;
 }

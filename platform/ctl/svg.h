@@ -7,13 +7,16 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "platform/out_file.h"
+
 #define SVG_PAPER "#fbfaf8"
 #define SVG_INK "#333333"
 #define SVG_GREY "#8a8580"
 #define SVG_FAINT "#e4dfd8"
 
 struct svg {
-    FILE *file;
+    FILE *file; /* Of `out`. */
+    struct out_file out;
 };
 
 /* Begins the picture on a paper of that size; false with errno set where there is no such file. */
@@ -39,7 +42,7 @@ void svg_begin_line(struct svg *svg);
 void svg_point(struct svg *svg, double x, double y);
 void svg_end_line(struct svg *svg, const char *colour, double width, const char *dashes);
 
-/* Ends the picture. Whether all of it was written, else errno is set. */
+/* Ends the picture. Whether all of it was written; else errno is set and nothing is changed. */
 bool svg_close(struct svg *svg);
 
 #endif

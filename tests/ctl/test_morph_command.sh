@@ -272,6 +272,30 @@ check 'a picture goes somewhere' mistake 2 --svg graph wakin
 check 'but not there' mistake 74 /nowhere/ graph wakin --svg /nowhere/g.svg
 check 'nor the other' mistake 74 /nowhere/ path wakin --part eye --svg /nowhere/g.svg
 check 'a full disk is told' mistake 74 /dev/full graph wakin --svg /dev/full
+mkfifo "$work/pipe"
+stays() { # WORDS...: a pipe that nobody reads is no place, and stays a pipe
+    timeout 10 "$ctl" morph "$@" >"$work/out" 2>"$work/err"
+    local status=$?
+    cat "$work/err"
+    [ $status -eq 74 ] && [ "$(wc -l <"$work/err")" -eq 1 ] && [ -p "$work/pipe" ]
+}
+for to in 'graph wakin --svg' 'path wakin --part eye --svg' 'export wakin --sheet' 'export wakin --glb' \
+    'export wakin --progress 1 --obj'; do
+    # shellcheck disable=SC2086  # Words.
+    check "${to%% *} ${to##* } onto a pipe that nobody reads" stays $to "$work/pipe"
+done
+check 'import onto a pipe' stays import "$work/pipe" "$root/assets/species/wakin.txt"
+check 'import onto a device' mistake 74 /dev/null import /dev/null "$root/assets/species/wakin.txt"
+check 'a full disk takes no species' mistake 74 /dev/full import /dev/full "$root/assets/species/wakin.txt"
+devices_stay() { [ -c /dev/null ] && [ -c /dev/full ]; }
+check 'and devices stay what they are' devices_stay
+onto_link() { # What a link leads to is drawn; the link stays
+    : >"$work/drawing.svg"
+    ln -s drawing.svg "$work/link.svg"
+    morph graph wakin --svg "$work/link.svg" && [ -L "$work/link.svg" ] && grep -q '</svg>' "$work/drawing.svg" &&
+        ! ls "$work" | grep part
+}
+check 'a link to a file stays one' onto_link
 full_output() {
     local status
     for words in list 'list --json' 'weights wakin --steps 5000' 'growth wakin' 'path wakin --part eye --steps 2' --help; do

@@ -8,6 +8,7 @@ FUZZ_CC := clang
 FUZZ_CFLAGS := -std=c17 -O1 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I. \
     -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FUZZ_SRC := $(filter-out %/blend_pick.c,$(wildcard core/morph/*.c)) core/base/fmath.c core/base/vec.c \
+    platform/out_file.c \
     $(filter-out %/shelf.c,$(wildcard platform/species/*.c)) \
     $(wildcard platform/ctl/import_*.c platform/ctl/refit*.c) tests/fuzz/exercise.c tests/fuzz/meshes.c
 FUZZ_OBJ := $(FUZZ_SRC:%.c=$(FUZZ)/%.o)

@@ -6,11 +6,13 @@
 #include <cmocka.h>
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include "platform/ctl/canvas.h"
@@ -67,6 +69,7 @@ static void test_what_was_written_is_there(void **state)
     assert_int_equal(out_close(&out), 0);
     assert_int_equal(stat(path, &status), 0);
     assert_int_equal(status.st_size, 64 * 4096);
+    unlink(path);
 }
 
 static void test_half_a_file_is_removed(void **state)
@@ -121,6 +124,132 @@ static void test_half_a_picture_is_removed(void **state)
     canvas_close(&canvas);
 }
 
+/* ---- What is no plain file ------------------------------------------------------------------- */
+
+static mode_t kind_of(const char *name)
+{
+    struct stat status;
+    assert_int_equal(lstat(name, &status), 0);
+    return status.st_mode & S_IFMT;
+}
+
+static void write_words(const char *name, const char *words)
+{
+    FILE *file = fopen(name, "w");
+    assert_non_null(file);
+    fputs(words, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void reads(const char *name, const char *words)
+{
+    char is[64] = "";
+    FILE *file = fopen(name, "r");
+    assert_non_null(file);
+    assert_true(fread(is, 1, sizeof is - 1, file) == strlen(words));
+    fclose(file);
+    assert_string_equal(is, words);
+}
+
+static int write_new(int (*open_out)(struct out_file *, const char *), const char *name)
+{
+    struct out_file out;
+    const int error = open_out(&out, name);
+    if (error != 0) {
+        return error;
+    }
+    fputs("new", out.file);
+    return out_close(&out);
+}
+
+static void test_a_full_disk_leaves_the_file_that_was_there(void **state)
+{
+    (void)state;
+    struct out_file out;
+    write_words(path, "old");
+    assert_int_equal(chmod(path, 0640), 0);
+    assert_int_equal(out_open(&out, path), 0);
+    limit_files(10000);
+    write_much(out.file);
+    reads(path, "old");
+    const int error = out_close(&out);
+    limit_files(RLIM_INFINITY);
+    assert_int_equal(error, -EFBIG);
+    reads(path, "old");
+    assert_int_equal(write_new(out_open, path), 0);
+    reads(path, "new");
+    struct stat status;
+    assert_int_equal(stat(path, &status), 0);
+    assert_int_equal(status.st_mode & 0777, 0640);
+    unlink(path);
+}
+
+static void test_a_pipe_takes_what_is_written_and_stays(void **state)
+{
+    (void)state;
+    char is[8] = "";
+    assert_int_equal(mkfifo(path, 0600), 0);
+    assert_int_equal(write_new(out_open, path), -ENXIO); /* Nobody reads: no waiting. */
+    const int reader = open(path, O_RDONLY | O_NONBLOCK);
+    assert_true(reader >= 0);
+    assert_int_equal(write_new(out_open_lasting, path), -ENOTSUP);
+    assert_int_equal(write_new(out_open, path), 0);
+    assert_int_equal(read(reader, is, sizeof is), 3);
+    assert_string_equal(is, "new");
+    close(reader);
+    assert_int_equal(kind_of(path), S_IFIFO);
+    unlink(path);
+}
+
+/* Whoever may make nodes sees whether one is replaced. */
+static void test_a_device_is_never_replaced(void **state)
+{
+    (void)state;
+    if (mknod(path, S_IFCHR | 0600, makedev(1, 7)) != 0) { /* A /dev/full of our own. */
+        skip();
+    }
+    const int fd = open(path, O_WRONLY | O_CLOEXEC);
+    const int opens = fd >= 0; /* Not where folders are mounted without devices. */
+    if (opens) {
+        close(fd);
+    }
+    assert_int_equal(write_new(out_open, path), opens ? -ENOSPC : -EACCES);
+    assert_int_equal(write_new(out_open_lasting, path), -ENOTSUP);
+    assert_int_equal(kind_of(path), S_IFCHR);
+    unlink(path);
+    if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) { /* A disk takes nothing at all. */
+        assert_int_equal(write_new(out_open, path), -ENOTSUP);
+        assert_int_equal(kind_of(path), S_IFBLK);
+        unlink(path);
+    }
+}
+
+static void test_a_link_stays_one_and_leads_nowhere_new(void **state)
+{
+    (void)state;
+    char link[80], part[80];
+    snprintf(link, sizeof link, "%s/link", folder);
+    snprintf(part, sizeof part, "%s" OUT_FILE_PART, path);
+    assert_int_equal(symlink(path, link), 0);
+    assert_int_equal(write_new(out_open, link), -ENOENT);
+    assert_int_equal(write_new(out_open_lasting, link), -ENOENT);
+    assert_false(exists(path));
+    write_words(path, "old");
+    assert_int_equal(write_new(out_open, link), 0);
+    assert_int_equal(kind_of(link), S_IFLNK);
+    reads(path, "new");
+    /* A link where the part is to be is no way to another's file. */
+    unlink(link);
+    write_words(link, "theirs");
+    assert_int_equal(symlink(link, part), 0);
+    assert_int_equal(write_new(out_open_lasting, path), 0);
+    reads(link, "theirs");
+    reads(path, "new");
+    assert_false(exists(part));
+    unlink(link);
+    unlink(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -129,6 +258,10 @@ int main(void)
         cmocka_unit_test(test_a_full_device_is_told_and_stays),
         cmocka_unit_test(test_a_file_that_cannot_be_opened_is_left_alone),
         cmocka_unit_test(test_half_a_picture_is_removed),
+        cmocka_unit_test(test_a_full_disk_leaves_the_file_that_was_there),
+        cmocka_unit_test(test_a_pipe_takes_what_is_written_and_stays),
+        cmocka_unit_test(test_a_device_is_never_replaced),
+        cmocka_unit_test(test_a_link_stays_one_and_leads_nowhere_new),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -1,5 +1,6 @@
 /* test_pictures.c -- contact sheets, PNG files and frame-time figures. */
 #include <errno.h>
+#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -82,10 +83,12 @@ static void test_a_png_is_written_and_a_bad_path_is_told(void **state)
     char path[] = "/tmp/kingyo-png-XXXXXX";
     uint8_t head[24];
     (void)state;
-    const int fd = mkstemp(path);
+    int fd = mkstemp(path);
     assert_true(fd >= 0);
+    close(fd);
     paint(picture, 32, 16);
     assert_int_equal(png_write(path, picture, 32, 16), 0);
+    fd = open(path, O_RDONLY); /* Another file stands there now. */
     assert_int_equal(read(fd, head, sizeof head), sizeof head);
     close(fd);
     unlink(path);
