@@ -324,9 +324,12 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     draw_above(renderer, scene);
 }
 
+/* In a round the fish of lab and album can wait. */
 static void draw_ui(struct renderer *renderer, const struct scene *scene)
 {
-    specimen_pass_work(&renderer->specimens);
+    if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {
+        specimen_pass_work(&renderer->specimens, true);
+    }
     ui_draw(&renderer->ui, &renderer->specimens, scene, (float)renderer->config.width,
             (float)renderer->config.height);
 }

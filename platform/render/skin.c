@@ -5,7 +5,6 @@
 
 #include "core/base/panic.h"
 
-#define COARSE 4u        /* Texels a side that the first, coarse painting takes as one. */
 #define EDGE 20          /* Of 255: neighbours that differ more are painted at four points each. */
 #define SCALE_ROWS_MIN 6u /* So many rows of dots mean scales. */
 
@@ -116,21 +115,67 @@ static void put(const struct painting *painting, uint32_t index, const struct pa
     painting->brush->shine[index] = byte(paint->shine);
 }
 
-/* One point for `step` x `step` texels of the band that begins at row `first`. */
-static void paint_plainly(const struct painting *painting, uint32_t first, uint32_t step)
+/* One point a texel of the band that begins at row `first`. */
+static void paint_plainly(const struct painting *painting, uint32_t first)
 {
     struct paint paint;
     for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
-        const uint32_t x = i % PAINT_SIZE, y = i / PAINT_SIZE;
-        const uint32_t from = (y - y % step) * PAINT_SIZE + x - x % step;
-        if (from != i) {
-            memcpy(painting->brush->paint[i], painting->brush->paint[from], 4);
-            painting->brush->shine[i] = painting->brush->shine[from];
-        } else if (paint_point(painting, (float)x + 0.5f * (float)step,
-                               (float)(first + y) + 0.5f * (float)step, &paint)) {
+        const float x = (float)(i % PAINT_SIZE) + 0.5f;
+        const float y = (float)(first + i / PAINT_SIZE) + 0.5f;
+        if (paint_point(painting, x, y, &paint)) {
             put(painting, i, &paint);
         }
     }
+}
+
+/* ---- The first, coarse painting: one point for many texels, and smooth between them. --------- */
+
+static void paint_coarse_points(const struct painting *painting)
+{
+    const float middle = 0.5f * (float)SKIN_COARSE;
+    for (uint32_t i = 0; i < SKIN_COARSE_SIZE * SKIN_COARSE_SIZE; i++) {
+        struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
+        float *const point = painting->brush->coarse[i];
+        paint_point(painting, (float)(i % SKIN_COARSE_SIZE * SKIN_COARSE) + middle,
+                    (float)(i / SKIN_COARSE_SIZE * SKIN_COARSE) + middle, &paint);
+        point[0] = paint.colour.x;
+        point[1] = paint.colour.y;
+        point[2] = paint.colour.z;
+        point[3] = paint.clear;
+        point[4] = paint.shine;
+    }
+}
+
+/* The two points beside texel `at`, not across the border of its cell of `size` texels, and how
+ * much of the second. */
+static float beside(uint32_t at, uint32_t size, uint32_t points[2])
+{
+    const float first = (float)(at - at % size) / (float)SKIN_COARSE;
+    const float last = first + (float)(size / SKIN_COARSE) - 1.0f;
+    const float x = f_clamp(((float)at + 0.5f) / (float)SKIN_COARSE - 0.5f, first, last);
+    points[0] = (uint32_t)x;
+    points[1] = (float)points[0] + 1.0f <= last ? points[0] + 1u : points[0];
+    return x - (float)points[0];
+}
+
+static void smooth_texel(const struct painting *painting, uint32_t index, uint32_t x, uint32_t y)
+{
+    const bool body = y < PAINT_BODY_HEIGHT;
+    uint32_t columns[2], rows[2];
+    float value[5];
+    const float right = beside(x, body ? PAINT_SIZE : PAINT_CELL_WIDTH, columns);
+    const float down = beside(y, body ? PAINT_BODY_HEIGHT : PAINT_CELL_HEIGHT, rows);
+    for (uint32_t i = 0; i < 5; i++) {
+        float line[2];
+        for (uint32_t k = 0; k < 2; k++) {
+            const uint32_t row = rows[k] * SKIN_COARSE_SIZE;
+            line[k] = f_lerp(painting->brush->coarse[row + columns[0]][i],
+                             painting->brush->coarse[row + columns[1]][i], right);
+        }
+        value[i] = f_lerp(line[0], line[1], down);
+    }
+    put(painting, index, &(struct paint){ .colour = { value[0], value[1], value[2] },
+                                          .clear = value[3], .shine = value[4] });
 }
 
 static bool differ(const uint8_t a[4], const uint8_t b[4])
@@ -196,8 +241,11 @@ static void send(const struct skin *skin, const struct skin_brush *brush, uint32
 static void paint_coarsely(struct skin *skin, struct skin_brush *brush, uint32_t sheet)
 {
     const struct painting painting = painting_of(skin, brush, sheet);
+    paint_coarse_points(&painting);
     for (uint32_t band = 0; band < SKIN_BANDS; band++) {
-        paint_plainly(&painting, band * SKIN_BAND, COARSE);
+        for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
+            smooth_texel(&painting, i, i % PAINT_SIZE, band * SKIN_BAND + i / PAINT_SIZE);
+        }
         send(skin, brush, sheet, band * SKIN_BAND);
     }
     skin->is_coarse[sheet] = true;
@@ -253,15 +301,25 @@ uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands)
         }
         const struct painting painting = painting_of(skin, brush, sheet);
         const uint32_t first = skin->bands_done[sheet] * SKIN_BAND;
-        paint_plainly(&painting, first, 1);
+        paint_plainly(&painting, first);
         smooth_rims(&painting, first);
         send(skin, brush, sheet, first);
         skin->bands_done[sheet]++;
         skin->is_coarse[sheet] |= skin->bands_done[sheet] == SKIN_BANDS;
         bands--;
     }
-    skin->shown_px = 0.0f;
     return bands;
+}
+
+bool skin_is_done(const struct skin *skin)
+{
+    return next_sheet(skin) == skin->sheet_count;
+}
+
+bool skin_is_fine(const struct skin *skin)
+{
+    const uint32_t sheet = next_sheet(skin);
+    return sheet == skin->sheet_count || f_abs((float)sheet - skin->shown) >= 1.0f;
 }
 
 float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX])

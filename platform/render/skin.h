@@ -2,8 +2,8 @@
  *
  * Marks wander and fade between keys as paint_at() says, so keys' sheets alone, mixed, would show a
  * bar twice. Two neighbouring sheets are mixed, SKIN_SHEETS or fewer in all. A sheet is painted
- * coarsely when it is first wanted and finely over the next frames, the nearest to what is shown
- * first. */
+ * coarsely, smooth between points, when it is first wanted, and finely over the next frames, the
+ * nearest to what is shown first. */
 #ifndef KINGYO_PLATFORM_RENDER_SKIN_H
 #define KINGYO_PLATFORM_RENDER_SKIN_H
 
@@ -21,15 +21,19 @@ struct skin {
     uint32_t bands_done[SKIN_SHEETS];
     bool is_coarse[SKIN_SHEETS]; /* At least. */
     float shown;    /* Which sheet the largest fish in it showed, or between which two; ... */
-    float shown_px; /* ... and how large that fish was. 0: none since it was last worked on. */
+    float shown_px; /* ... and how large that fish was. 0: none in this frame. */
     GLuint paints;  /* Array: colour, and how clear. */
     GLuint shines;  /* Array: how silvery. */
 };
+
+#define SKIN_COARSE 4u /* Texels from point to point of the first, coarse painting. */
+#define SKIN_COARSE_SIZE (PAINT_SIZE / SKIN_COARSE)
 
 /* Where a band is painted; whose it is does not matter. */
 struct skin_brush {
     uint8_t paint[SKIN_BAND * PAINT_SIZE][4];
     uint8_t shine[SKIN_BAND * PAINT_SIZE];
+    float coarse[SKIN_COARSE_SIZE * SKIN_COARSE_SIZE][5]; /* Colour, how clear, how silvery. */
 };
 
 void skin_open(struct gl_status *status, struct skin *skin);
@@ -45,6 +49,10 @@ void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[
 
 /* Paints up to `bands` on; returns how many of them were not needed. A band takes about 1 ms. */
 uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands);
+
+/* Whether the sheets that skin_show() gave for its largest fish are painted finely; whether all. */
+bool skin_is_fine(const struct skin *skin);
+bool skin_is_done(const struct skin *skin);
 
 /* How clear it is, [0, 1], without marks; and how many scales lie along it, 0: none are seen. */
 float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX]);

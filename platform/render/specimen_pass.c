@@ -4,13 +4,15 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "platform/clock.h"
 #include "shaders.h"
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
 #define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
 #define SWAY_LENGTHS 0.3f /* So far swimming brings it out of its mesh's reach, at most. */
-#define WORK_BANDS 3u    /* Painted in a frame: 6,144 texels, or more at rims. */
+#define WORK_NS 10000000u /* Painting in a frame while what is seen is coarse. */
+#define REST_NS 3000000u /* And while something else is. */
 #define CLEAR_MIN 0.02f  /* Through less nothing is seen. */
 
 static struct specimen_program program(struct gl_status *status, const char *name,
@@ -71,6 +73,22 @@ void specimen_pass_close(struct specimen_pass *pass)
     }
 }
 
+/* The skin of a built-in species with the very same coats: the ordinary morph of one is painted as
+ * the species itself is. Null: none is here. */
+static struct skin *skin_like(struct specimen_pass *pass, const struct species *species)
+{
+    const struct species_card *const card = &species->card;
+    for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
+        const struct species *const other = pass->slots[i].species;
+        if (other && other != species && other->card.key_count == card->key_count &&
+            other->card.form == card->form && other->card.motion == card->motion &&
+            memcmp(other->coats, species->coats, sizeof species->coats) == 0) {
+            return &pass->slots[i].skin;
+        }
+    }
+    return NULL;
+}
+
 static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
                  const struct specimen *specimen)
 {
@@ -82,41 +100,109 @@ static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
         fish_mesh_fill(&slot->mesh[lod], &pass->memory, &species->lod[lod],
                        species->card.key_count);
     }
-    skin_wear(&slot->skin, species);
+    slot->worn = skin_like(pass, species);
+    if (!slot->worn) {
+        slot->worn = &slot->skin;
+        skin_wear(&slot->skin, species);
+    }
+}
+
+/* Where a built-in species always is; null of any other. Its tables never change: all its editions
+ * are one. */
+static struct specimen_slot *home_of(struct specimen_pass *pass, const struct species *species)
+{
+    for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
+        if (species_table[i] == species) {
+            return &pass->slots[i];
+        }
+    }
+    return NULL;
+}
+
+/* The slot of another, or which of theirs has rested longest. */
+static struct specimen_slot *other_of(struct specimen_pass *pass, const struct specimen *specimen)
+{
+    struct specimen_slot *rested = &pass->slots[SPECIES_BUILT_IN];
+    for (uint32_t i = SPECIES_BUILT_IN; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        if (slot->species == specimen->species && slot->edition == specimen->edition) {
+            return slot;
+        }
+        rested = slot->last_used < rested->last_used ? slot : rested;
+    }
+    return rested;
 }
 
 static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
-    struct specimen_slot *rested = &pass->slots[0];
-    pass->draw_count++;
-    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
-        struct specimen_slot *const slot = &pass->slots[i];
-        if (slot->species == specimen->species && slot->edition == specimen->edition) {
-            slot->last_used = pass->draw_count;
-            return slot;
-        }
-        if (!slot->species || slot->last_used < rested->last_used) {
-            rested = slot;
-        }
+    struct specimen_slot *const home = home_of(pass, specimen->species);
+    struct specimen_slot *const slot = home ? home : other_of(pass, specimen);
+    if (slot->species != specimen->species || (!home && slot->edition != specimen->edition)) {
+        fill(pass, slot, specimen);
     }
-    fill(pass, rested, specimen);
-    rested->last_used = pass->draw_count;
-    return rested;
+    slot->last_used = ++pass->draw_count;
+    return slot;
 }
 
-void specimen_pass_work(struct specimen_pass *pass)
+/* Whose skin to paint on: the largest fish's of those seen coarsely, else any other's; null when all
+ * are done. */
+static struct skin *unfinished(struct specimen_pass *pass, bool *is_seen)
 {
-    uint32_t bands = WORK_BANDS;
-    for (uint32_t i = 0; i < SPECIMEN_SLOTS && bands > 0; i++) {
-        if (pass->slots[i].species) {
-            bands = skin_work(&pass->slots[i].skin, &pass->brush, bands);
+    struct skin *found = NULL;
+    *is_seen = false;
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        struct skin *const skin = &slot->skin;
+        if (!slot->species || slot->worn != skin || skin_is_done(skin)) {
+            continue;
         }
+        const bool seen = skin->shown_px > 0.0f && !skin_is_fine(skin);
+        if (!found || (seen && !*is_seen) ||
+            (seen == *is_seen && skin->shown_px > found->shown_px)) {
+            found = skin;
+            *is_seen = seen;
+        }
+    }
+    return found;
+}
+
+/* Fills the first built-in species' slot that is empty; about a millisecond. */
+static void fill_ahead(struct specimen_pass *pass)
+{
+    for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
+        if (!pass->slots[i].species) {
+            fill(pass, &pass->slots[i], &(struct specimen){ .species = species_table[i] });
+            return;
+        }
+    }
+}
+
+static uint64_t now_ns(void)
+{
+    const struct hal_clock clock = clock_device();
+    return clock.ops->now_ns(clock.self);
+}
+
+void specimen_pass_work(struct specimen_pass *pass, bool ahead)
+{
+    const uint64_t start_ns = now_ns();
+    bool is_seen;
+    struct skin *skin = unfinished(pass, &is_seen);
+    if (!skin && ahead) {
+        fill_ahead(pass);
+    }
+    while (skin && now_ns() - start_ns < (is_seen ? WORK_NS : REST_NS)) {
+        skin_work(skin, &pass->brush, 1);
+        skin = unfinished(pass, &is_seen);
+    }
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        pass->slots[i].skin.shown_px = 0.0f;
     }
 }
 
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen)
 {
-    skin_work(&slot_of(pass, specimen)->skin, &pass->brush, SKIN_SHEETS * SKIN_BANDS);
+    skin_work(slot_of(pass, specimen)->worn, &pass->brush, SKIN_SHEETS * SKIN_BANDS);
 }
 
 static void colour_of(float out[4], uint32_t rgba)
@@ -232,10 +318,10 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     struct specimen_slot *const slot = slot_of(pass, specimen);
     const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
     const struct species_mesh *const mesh = &slot->species->lod[lod];
-    struct told told = { .look = { 1.0f - specimen->fade, skin_scales(&slot->skin) },
+    struct told told = { .look = { 1.0f - specimen->fade, skin_scales(slot->worn) },
                          .screen_px = { width_px, height_px } };
     morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
-    skin_show(&slot->skin, &pass->brush, pass->pose.weight[0], specimen->length_px, told.sheets);
+    skin_show(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px, told.sheets);
     send_pose(pass, mesh->anchor_count);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
@@ -243,12 +329,12 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     if (specimen->shadow > 0.0f) {
         draw_shadow(pass, specimen, told.screen_px);
     }
-    told.look[2] = skin_clearness(&slot->skin, pass->pose.weight[0]);
+    told.look[2] = skin_clearness(slot->worn, pass->pose.weight[0]);
     send(&pass->body, specimen, slot, &told);
     send(&pass->fin, specimen, slot, &told);
     clear_depth(specimen, mesh->reach, height_px);
-    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->skin.paints);
-    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->skin.shines);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->worn->paints);
+    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->worn->shines);
     gl_bind_texture(2, GL_TEXTURE_2D_ARRAY, pass->patterns);
     glBindVertexArray(slot->mesh[lod].vertex_array);
     draw_fish(pass, &slot->mesh[lod], told.look[2] > CLEAR_MIN, told.look);

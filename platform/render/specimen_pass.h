@@ -1,8 +1,9 @@
 /* specimen_pass.h -- draws specimens (specimen.h): any species, its own paint, one fish at a time.
  *
- * A species is brought to the GPU when it is first asked for, in the slot that has rested longest.
- * Its skin is painted coarsely at once and finely over the next frames, some rows in each. All
- * memory is taken at the start: about 0.2 MiB here, 25 MiB of textures. */
+ * Each built-in species has a slot of its own, which is filled when it is first asked for or when
+ * there is time; another is brought to the GPU when it is asked for, in the other slot that has
+ * rested longest. Its skin is painted coarsely at once and finely over the next frames, so long in
+ * each. All memory is taken at the start: about 0.2 MiB here, 37 MiB of textures. */
 #ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
 #define KINGYO_PLATFORM_RENDER_SPECIMEN_PASS_H
 
@@ -12,7 +13,8 @@
 #include "platform/render/specimen.h"
 #include "platform/render/textures.h"
 
-#define SPECIMEN_SLOTS 6u /* The lab's species and its rival; an album's page, each in its coat. */
+#define SPECIMEN_OTHERS 2u /* The lab's rival, and a species that is not built in. */
+#define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
 struct specimen_program {
     GLuint name;
@@ -23,6 +25,7 @@ struct specimen_slot {
     const struct species *species; /* Null: empty. */
     uint32_t edition;
     uint32_t last_used;   /* In draws, to find who rests longest. */
+    struct skin *worn;    /* Its own skin, or a built-in's that is painted alike. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* The species' own. */
     struct skin skin;
@@ -45,8 +48,9 @@ void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
                         const struct textures *textures);
 void specimen_pass_close(struct specimen_pass *pass);
 
-/* Paints on what is unfinished: about 3 ms of work a call while there is any. Once a frame. */
-void specimen_pass_work(struct specimen_pass *pass);
+/* Paints on what is unfinished: 10 ms a call while what was drawn last is not fine, else 3 ms while
+ * there is any. With `ahead`, built-in species that nobody asked for yet, too. Once a frame. */
+void specimen_pass_work(struct specimen_pass *pass, bool ahead);
 
 /* Paints all of a species now, for who keeps a single picture. */
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen);

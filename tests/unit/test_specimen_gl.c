@@ -1,9 +1,10 @@
-/* test_specimen_gl.c -- specimens as they are drawn: all species, their paint, and four slots. */
+/* test_specimen_gl.c -- specimens as they are drawn: all species, their paint, and its slots. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -197,15 +198,16 @@ static void test_whatever_depth_was_there_a_specimen_is_drawn_over_it(void **sta
 static void test_a_species_that_lost_its_slot_comes_back_the_same(void **state)
 {
     (void)state;
-    assert_true(species_table_count > SPECIMEN_SLOTS);
-    struct specimen fish = fish_of(species_table[0], 0.4f);
+    species_thesis(species_table[1], &memory, &changed);
+    struct specimen fish = fish_of(&changed, 0.4f);
     picture(pictures[0], &fish, 0.3f);
-    for (uint32_t i = 1; i <= SPECIMEN_SLOTS; i++) {
-        struct specimen other = fish_of(species_table[i], 0.4f);
+    for (uint32_t i = 1; i <= SPECIMEN_OTHERS; i++) {
+        struct specimen other = fish;
+        other.edition = 100u + i;
         picture(pictures[1], &other, 0.3f);
     }
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
-        assert_ptr_not_equal(pass.slots[i].species, species_table[0]);
+        assert_true(pass.slots[i].species != &changed || pass.slots[i].edition != fish.edition);
     }
     picture(pictures[1], &fish, 0.3f);
     assert_memory_equal(pictures[0], pictures[1], SIZE);
@@ -277,6 +279,149 @@ static void test_a_key_s_sheet_is_what_paint_at_says(void **state)
     assert_true(off < count / 8u); /* Rims. */
 }
 
+static uint32_t empty_slots(void)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
+        count += !pass.slots[i].species;
+    }
+    return count;
+}
+
+static void open_anew(void)
+{
+    specimen_pass_close(&pass);
+    memset(&pass, 0, sizeof pass);
+    specimen_pass_open(&status, &pass, &textures);
+    assert_string_equal(status.text, "");
+}
+
+static void draw_only(const struct specimen *fish)
+{
+    gl_target_bind(&target);
+    specimen_pass_draw(&pass, fish, (float)WIDTH, (float)HEIGHT);
+}
+
+/* Thumbnails of all keys and one large fish in between, as the lab's page has them. */
+static float work_to_fine_ms(const struct species *species)
+{
+    clock_t used = 0;
+    struct specimen fish = fish_of(species, 0.37f), thumb = fish;
+    const struct skin *skin = NULL;
+    thumb.length_px = 20.0f;
+    for (uint32_t frame = 0; frame < 1000; frame++) {
+        const clock_t start = clock();
+        specimen_pass_work(&pass, true);
+        used += clock() - start;
+        draw_only(&fish);
+        for (uint32_t key = 0; key < species->card.key_count; key++) {
+            thumb.progress = (float)key / (float)(species->card.key_count - 1u);
+            draw_only(&thumb);
+        }
+        for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
+            skin = pass.slots[i].species == species ? &pass.slots[i].skin : skin;
+        }
+        if (skin_is_fine(skin)) {
+            return 1e3f * (float)used / (float)CLOCKS_PER_SEC;
+        }
+    }
+    return 1e9f;
+}
+
+/* One second of frames, 25 with 10 ms of work each, counted in processor time; the others' paint
+ * waits meanwhile. */
+static void test_what_is_shown_is_painted_finely_first_and_within_a_second(void **state)
+{
+    (void)state;
+    open_anew();
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        const float work_ms = work_to_fine_ms(species_table[i]);
+        print_message("%s: %.0f ms\n", species_table[i]->card.id, (double)work_ms);
+        assert_true(work_ms <= 250.0f);
+    }
+}
+
+static void test_when_there_is_time_all_built_in_species_are_painted_ahead(void **state)
+{
+    (void)state;
+    open_anew();
+    specimen_pass_work(&pass, false);
+    assert_int_equal(empty_slots(), SPECIES_BUILT_IN);
+    for (uint32_t frame = 0; frame < 20000 && empty_slots() > 0; frame++) {
+        specimen_pass_work(&pass, true);
+    }
+    assert_int_equal(empty_slots(), 0);
+    uint32_t done = 0;
+    for (uint32_t frame = 0; frame < 20000 && done < SPECIES_BUILT_IN; frame++) {
+        specimen_pass_work(&pass, true);
+        done = 0;
+        for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
+            done += skin_is_done(&pass.slots[i].skin);
+        }
+    }
+    assert_int_equal(done, SPECIES_BUILT_IN);
+}
+
+static void test_the_ordinary_morph_wears_the_skin_of_its_species(void **state)
+{
+    (void)state;
+    struct specimen fish = fish_of(species_table[3], 0.5f);
+    draw_only(&fish);
+    species_straighten(species_table[3], &memory, &changed);
+    struct specimen rival = fish_of(&changed, 0.5f);
+    rival.edition = 900;
+    draw_only(&rival);
+    const struct skin *worn = NULL;
+    for (uint32_t i = SPECIES_BUILT_IN; i < SPECIMEN_SLOTS; i++) {
+        worn = pass.slots[i].edition == 900 ? pass.slots[i].worn : worn;
+    }
+    assert_ptr_equal(worn, &pass.slots[3].skin);
+}
+
+/* Neighbouring texels of the coarse painting: where they are equal, squares are seen. */
+static void test_the_first_coarse_painting_has_no_squares(void **state)
+{
+    (void)state;
+    static uint8_t sheet[PAINT_SIZE * PAINT_SIZE][4];
+    const struct species *const species = species_table[1];
+    open_anew();
+    struct specimen fish = fish_of(species, 1.0f);
+    draw_only(&fish);
+    const struct skin *const skin = &pass.slots[1].skin;
+    GLuint framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, skin->paints, 0,
+                              (GLint)(skin->sheet_count - 1u));
+    glReadPixels(0, 0, PAINT_SIZE, PAINT_SIZE, GL_RGBA, GL_UNSIGNED_BYTE, sheet);
+    glDeleteFramebuffers(1, &framebuffer);
+    int32_t steepest = 0;
+    for (uint32_t i = 0; i < PAINT_BODY_HEIGHT * PAINT_SIZE; i++) {
+        const int32_t next = (int32_t)sheet[i % PAINT_SIZE < PAINT_SIZE - 1u ? i + 1u : i][0];
+        const int32_t step = next - (int32_t)sheet[i][0];
+        steepest = step > steepest ? step : -step > steepest ? -step : steepest;
+    }
+    print_message("steepest step from texel to texel: %d of 255\n", steepest);
+    assert_true(steepest <= 64); /* A quarter of the whole, for four texels from point to point. */
+}
+
+/* A solved graph's weights may be negative: paint takes them as none (paint_at), and so must the
+ * choice of the sheets. */
+static void test_a_negative_weight_chooses_no_sheet(void **state)
+{
+    (void)state;
+    const float weights[MORPH_KEY_MAX] = { -0.2f, 1.0f, 0.0f, 0.2f };
+    const float painted[MORPH_KEY_MAX] = { 0.0f, 1.0f, 0.0f, 0.2f };
+    float sheets[2][3];
+    struct skin *const skin = &pass.slots[1].skin;
+    assert_true(skin->species.card.key_count >= 4);
+    skin_show(skin, &pass.brush, weights, 100.0f, sheets[0]);
+    skin_show(skin, &pass.brush, painted, 100.0f, sheets[1]);
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_float_equal(sheets[0][i], sheets[1][i], 1e-6f);
+    }
+}
+
 static void test_a_finished_skin_wants_no_more_work(void **state)
 {
     (void)state;
@@ -303,6 +448,11 @@ int main(void)
         cmocka_unit_test(test_another_edition_in_the_same_memory_is_drawn_anew),
         cmocka_unit_test(test_a_key_s_sheet_is_what_paint_at_says),
         cmocka_unit_test(test_a_finished_skin_wants_no_more_work),
+        cmocka_unit_test(test_what_is_shown_is_painted_finely_first_and_within_a_second),
+        cmocka_unit_test(test_when_there_is_time_all_built_in_species_are_painted_ahead),
+        cmocka_unit_test(test_the_ordinary_morph_wears_the_skin_of_its_species),
+        cmocka_unit_test(test_the_first_coarse_painting_has_no_squares),
+        cmocka_unit_test(test_a_negative_weight_chooses_no_sheet),
     };
     return cmocka_run_group_tests(tests, open_pass, close_pass);
 }
