@@ -51,17 +51,25 @@ static struct ui_box place_of(const struct grid *grid, uint32_t index, uint32_t 
 
 /* ---- One fish ------------------------------------------------------------------------------- */
 
+/* The last two keys' coats are red: there its own pattern comes through; in one that was met
+ * younger, by the day on which it was met with that pattern. */
+static float ripe(const struct scene_grown *fish)
+{
+    const struct species_card *card = &species_wakin.card;
+    const float key = 1.0f / ((float)card->key_count - 1.0f);
+    const float met = life_progress(card, fish->caught_age_days);
+    const float whole = fminf(1.0f - key, met);
+    return ui_smooth(whole - key, whole, fish->progress);
+}
+
 static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t index,
                  const struct scene_grown *fish)
 {
     const float t = frame->time_s + 0.7f * (float)index;
-    /* The last two keys' coats are red: there its own pattern comes through. */
-    const float keys = (float)species_wakin.card.key_count;
-    const float grey = (keys - 3.0f) / (keys - 1.0f), red = (keys - 2.0f) / (keys - 1.0f);
     struct specimen specimen = { .species = &species_wakin,
                                  .progress = fish->progress,
                                  .look = fish->look,
-                                 .ripe = ui_smooth(grey, red, fish->progress) };
+                                 .ripe = ripe(fish) };
     specimen_portrait(&specimen);
     const float high = water.height - 2.3f * SEAL_SIZE * frame->unit;
     specimen_fit(&specimen, water.x + 0.05f * water.width, water.y + 0.06f * high,

@@ -38,11 +38,11 @@ static uint32_t find_root(const struct species_mesh *mesh, uint8_t part, uint8_t
     return found;
 }
 
+/* Of the endless line, as `kingyoctl morph path` and `check` measure it. */
 static float away_from_line(vec3 point, vec3 from, vec3 to)
 {
     const vec3 line = v3_sub(to, from), off = v3_sub(point, from);
-    const float t =
-        f_clamp(v3_dot(off, line) / f_max(v3_dot(line, line), 1e-12f), 0.0f, 1.0f);
+    const float t = v3_dot(off, line) / f_max(v3_dot(line, line), 1e-12f);
     return v3_length(v3_mad(off, line, -t));
 }
 

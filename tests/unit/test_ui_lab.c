@@ -302,6 +302,26 @@ static void test_an_edited_knot_moves_the_way_of_a_point(void **state)
     assert_true(v3_length(v3_sub(before, after)) > 1e-3f);
 }
 
+/* As `kingyoctl morph path` measures it: from the endless line through both ends. */
+static void test_a_bow_is_told_from_the_endless_line(void **state)
+{
+    (void)state;
+    for (uint32_t s = 0; s < species_table_count; s++) {
+        take(s);
+        lay_out(1280, 720);
+        for (uint32_t p = 0; p < BENCH_POINT_COUNT; p++) {
+            const struct bench_way *way = &memory.bench.ways[p];
+            const vec3 along = v3_sub(way->at[BENCH_STEPS], way->at[0]);
+            float bow = 0.0f;
+            for (uint32_t i = 0; way->is_there && i <= BENCH_STEPS; i++) {
+                const vec3 off = v3_sub(way->at[i], way->at[0]);
+                bow = f_max(bow, v3_length(v3_cross(off, along)) / v3_length(along));
+            }
+            assert_float_equal(way->bow, bow, 1e-5f);
+        }
+    }
+}
+
 /* ---- The album ------------------------------------------------------------------------------ */
 
 static void catch_fish(uint32_t count)
@@ -348,6 +368,32 @@ static void test_each_fish_wears_the_pattern_that_it_wore_in_the_tank(void **sta
     assert_int_not_equal(batch.specimens[0].look, batch.specimens[1].look);
 }
 
+/* However young: from the day on which it was met it has the pattern that it was met with. */
+static void test_a_fish_looks_on_the_day_it_was_met_as_it_did_in_the_tank(void **state)
+{
+    (void)state;
+    uint32_t met = 0, hatched = 0;
+    ticks(300);
+    catch_fish(ALBUM_FISH_MAX);
+    for (uint32_t i = 0; i < core.game.album.fish_count; i++) {
+        core.game.album.fish[i].age_days = 20.0f + 25.0f * (float)i;
+    }
+    for (uint32_t part = 0; part <= 200; part++) {
+        core.game.phase_tick = core.tick - part * album_ticks(ALBUM_FISH_MAX) / 200u;
+        lay_out(1280, 720);
+        for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
+            if (scene.album.fish[i].is_caught) {
+                met++;
+                assert_float_equal(batch.specimens[i].ripe, 1.0f, 1e-4f);
+            } else if (scene.album.fish[i].progress == 0.0f && i > 2) {
+                hatched++;
+                assert_float_equal(batch.specimens[i].ripe, 0.0f, 0.0f);
+            }
+        }
+    }
+    assert_true(met > 0 && hatched > 0);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, open_lab)
@@ -361,6 +407,8 @@ int main(void)
         TEST(test_the_ordinary_morph_beside_it_is_straight),
         TEST(test_an_edited_knot_moves_the_way_of_a_point),
         TEST(test_the_album_stays_on_every_screen_with_one_to_six_fish),
+        TEST(test_a_bow_is_told_from_the_endless_line),
+        TEST(test_a_fish_looks_on_the_day_it_was_met_as_it_did_in_the_tank),
         TEST(test_each_fish_wears_the_pattern_that_it_wore_in_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
