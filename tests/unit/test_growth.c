@@ -83,6 +83,22 @@ static void test_the_table_runs_into_the_curve_without_a_corner(void **state)
     assert_float_equal(growth_length_m(&conger, 10.0f * 365.25f), 1.10f, 0.02f);
 }
 
+/* A curve far ahead of the last measured length would have it leave that length steeply: a table
+ * that rises so little before would sink below its own points first. */
+static void test_a_table_does_not_sink_before_it_runs_into_a_steep_curve(void **state)
+{
+    (void)state;
+    const struct growth lean = { 1.0f, 2.0f, -2.0f, 0.05f, 3,
+                                 { { 0.0f, 0.010f }, { 50.0f, 0.020f }, { 150.0f, 0.021f } } };
+    float before = growth_length_m(&lean, 0.0f);
+    for (int step = 1; step <= 1600; step++) {
+        const float now = growth_length_m(&lean, 0.1f * (float)step);
+        assert_true(now >= before);
+        before = now;
+    }
+    assert_true(before > 0.05f);
+}
+
 static void test_of_three_ages_of_one_length_the_youngest_is_told(void **state)
 {
     (void)state;
@@ -172,6 +188,7 @@ int main(void)
         cmocka_unit_test(test_every_measured_length_is_met),
         cmocka_unit_test(test_between_measured_lengths_it_overshoots_neither),
         cmocka_unit_test(test_the_table_runs_into_the_curve_without_a_corner),
+        cmocka_unit_test(test_a_table_does_not_sink_before_it_runs_into_a_steep_curve),
         cmocka_unit_test(test_of_three_ages_of_one_length_the_youngest_is_told),
         cmocka_unit_test(test_growth_says_where_it_goes_one_way),
         cmocka_unit_test(test_a_fish_ahead_of_its_curve_waits_and_does_not_shrink),
