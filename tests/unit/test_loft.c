@@ -181,6 +181,22 @@ static void test_confluent_fins_end_in_the_tail_s_edges(void **state)
     }
 }
 
+/* Two curves that both paint all of a piece have half of it each, and 128 and 128 is one too many. */
+static void test_masks_that_round_up_together_still_sum_to_255(void **state)
+{
+    (void)state;
+    const struct loft *l = lofted("", "", "template pairwise\n"
+                                          "curve here\narea 0 1 0 1 .1\ntemplate smooth\n"
+                                          "curve there\narea 0 1 0 1 .1\ntemplate smooth\n");
+    uint32_t halved = 0;
+    for (uint32_t i = 0; i < l->vertex_count; i++) {
+        const struct species_vertex *v = &l->vertices[i];
+        assert_int_equal(v->mask[0] + v->mask[1] + v->mask[2] + v->mask[3], 255);
+        halved += v->mask[1] == 127 && v->mask[2] == 128;
+    }
+    assert_true(halved > 100);
+}
+
 static void test_masks_sum_to_255_and_do_not_tear_the_skin(void **state)
 {
     (void)state;
@@ -242,6 +258,7 @@ int main(void)
         cmocka_unit_test(test_a_leaf_thin_head_keeps_both_eyes_apart),
         cmocka_unit_test(test_a_ray_s_second_point_is_out_of_the_body_and_its_root_in),
         cmocka_unit_test(test_confluent_fins_end_in_the_tail_s_edges),
+        cmocka_unit_test(test_masks_that_round_up_together_still_sum_to_255),
         cmocka_unit_test(test_masks_sum_to_255_and_do_not_tear_the_skin),
         cmocka_unit_test(test_an_area_is_painted_softly_where_it_is_told),
         cmocka_unit_test(test_a_long_whip_is_told_in_coarser_counts),
