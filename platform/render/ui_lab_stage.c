@@ -11,6 +11,10 @@
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
 #define CHORD 0xffffff90u
+#define TOP 40.0f         /* Over the fish; it turns a little as it swims, ... */
+#define TOP_CAPTION 62.0f /* ... and under a caption, ... */
+#define FOOT 12.0f        /* ... and over the ruler. */
+#define DOT_WAY 120.0f    /* A way so long has dots of full size. */
 
 /* ---- Room ----------------------------------------------------------------------------------- */
 
@@ -34,6 +38,18 @@ static struct tank_room room_of(const struct lab_page *page, uint32_t half)
     return (struct tank_room){ .box = box, .ruler_y = box.y + box.height - 40.0f * u };
 }
 
+/* Where the fish may be, from top to bottom. */
+struct span_px {
+    float top, foot;
+};
+
+static struct span_px free_span(const struct lab_page *page, const struct tank_room *room)
+{
+    const float u = page->frame.unit;
+    return (struct span_px){ room->box.y + (page->lab->compare ? TOP_CAPTION : TOP) * u,
+                             room->ruler_y - FOOT * u };
+}
+
 /* As large as it may be at any age, and smaller while it is young. */
 static float length_px(const struct lab_page *page, const struct tank_room *room)
 {
@@ -41,9 +57,8 @@ static float length_px(const struct lab_page *page, const struct tank_room *room
     const struct specimen_bounds *reach = &bench->bounds;
     const float u = page->frame.unit;
     const float wide = (room->box.width - 64.0f * u) / fmaxf(reach->left + reach->right, 0.1f);
-    const float top = page->lab->compare ? 46.0f : 40.0f;
-    const float high = (room->ruler_y - room->box.y - top * u) /
-                       fmaxf(reach->up + reach->down, 0.1f);
+    const struct span_px span = free_span(page, room);
+    const float high = (span.foot - span.top) / fmaxf(reach->up + reach->down, 0.1f);
     const float grown = YOUNG_SIZE + (1.0f - YOUNG_SIZE) * page->lab->progress;
     return fminf(wide, high) * grown;
 }
@@ -52,15 +67,15 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
 {
     const struct ui_bench *bench = page->bench;
     const struct specimen_bounds *reach = &bench->bounds;
-    const float u = page->frame.unit, time_s = page->frame.time_s;
-    const float top = page->lab->compare ? 46.0f : 40.0f;
+    const struct span_px span = free_span(page, room);
+    const float time_s = page->frame.time_s;
     struct specimen fish = { .species = bench->species, .edition = bench->edition,
                              .rig = &bench->rig, .progress = page->lab->progress,
                              .length_px = length_px(page, room), .shadow = 0.35f };
     specimen_portrait(&fish);
     fish.x_px = room->box.x + 0.5f * room->box.width +
                 0.5f * (reach->left - reach->right) * fish.length_px;
-    fish.y_px = 0.5f * (room->box.y + top * u + room->ruler_y) +
+    fish.y_px = 0.5f * (span.top + span.foot) +
                 0.5f * (reach->up - reach->down) * fish.length_px;
     if (!page->lab->path) { /* Ways are drawn on a fish that holds still. */
         fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
@@ -185,12 +200,16 @@ static void tell(const struct lab_page *page, const struct tank_room *room)
             room->box.y + 44.0f * u, line);
 }
 
-static void caption(const struct lab_page *page, const struct tank_room *room, enum text_key key,
-                    const char *figure)
+/* Both are of one age, and of one length: each says so. */
+static void caption(const struct lab_page *page, const struct tank_room *room, enum text_key key)
 {
     const float u = page->frame.unit;
-    char words[2u * TEXT_LINE_MAX];
-    snprintf(words, sizeof words, "%s   %s", text_words(page->frame.language, key), figure);
+    char words[3u * TEXT_LINE_MAX];
+    char age[TEXT_LINE_MAX], length[32];
+    lab_age_words(page->frame.language, page->lab->age_days, age, sizeof age);
+    lab_length_words(page->lab->length_m, length, sizeof length);
+    snprintf(words, sizeof words, "%s   %s  %s", text_words(page->frame.language, key), age,
+             length);
     const struct ui_ribbon ribbon = { .x = room->box.x + 0.5f * room->box.width,
                                       .y = room->box.y + 26.0f * u, .size_px = 21.0f * u,
                                       .font = FONT_BODY, .fill = 0x06222ec0u, .line = 0x9fd6d080u,
@@ -225,11 +244,26 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
     ui_shape(page->frame.batch,
              &(struct ui_shape){ .box = { middle[0] - r, middle[1] - r, 2.0f * r, 2.0f * r },
                                  .kind = UI_PANEL, .fill = fill, .line = line,
-                                 .shape = { 0, 0, r, 2.0f * page->frame.unit } });
+                                 .shape = { 0, 0, r, fminf(2.0f * page->frame.unit, 0.35f * r) } });
+}
+
+/* Dots give way to a short way between them: an eye's is some 20 px long. */
+static float dot_size(const struct lab_page *page, const struct specimen *fish,
+                      const struct bench_way *way)
+{
+    float length_px = 0.0f;
+    for (uint32_t i = 0; i < BENCH_STEPS; i++) {
+        float from[2], to[2];
+        put(fish, way->at[i], from);
+        put(fish, way->at[i + 1u], to);
+        length_px += hypotf(to[0] - from[0], to[1] - from[1]);
+    }
+    const float share = length_px / (page->frame.unit * DOT_WAY);
+    return fminf(fmaxf(share, 0.4f), 1.0f);
 }
 
 /* The way that a point goes (figures 3.4 and 3.5), and the line that the ordinary morph draws for
- * it (figure 3.2); a dot where a key is, and where it is now. */
+ * it (figure 3.2); a dot where a key is, a ring round where it is now. */
 static void one_way(const struct lab_page *page, const struct specimen *fish,
                     const struct bench_way *way, uint32_t colour)
 {
@@ -238,14 +272,16 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     if (!way->is_there) {
         return;
     }
+    const float size = dot_size(page, fish, way);
     way_line(page, fish, way->ordinary, 2.0f, CHORD);
-    way_line(page, fish, way->at, 4.0f, colour);
+    way_line(page, fish, way->at, 1.5f + 2.5f * size, colour);
     for (uint32_t key = 0; key < keys; key++) {
         const uint32_t step =
             (uint32_t)((float)key / (float)(keys - 1u) * (float)BENCH_STEPS + 0.5f);
-        way_dot(page, fish, way->at[step], 6.5f, lab_key_colour(keys, key), 0xffffffffu);
+        way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key),
+                0xffffffffu);
     }
-    way_dot(page, fish, way->at[now], 10.0f, colour, 0x20140cffu);
+    way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour); /* The eye is seen in it. */
 }
 
 /* What a ray has for a dorsal fin is its sting. */
@@ -318,9 +354,7 @@ static void rival(const struct lab_page *page)
     fish.rig = &page->bench->ordinary_rig;
     ui_specimen(page->frame.batch, &fish);
     ruler(page, &room, &fish);
-    char length[32];
-    lab_length_words(page->lab->length_m, length, sizeof length);
-    caption(page, &room, TEXT_LAB_THE_ORDINARY, length);
+    caption(page, &room, TEXT_LAB_THE_ORDINARY);
     const struct ui_box stage = lab_place(page, LAB_STAGE);
     const int across = page->lab->upright;
     const float from[2] = { across ? stage.x : room.box.x, across ? room.box.y : stage.y };
@@ -337,9 +371,7 @@ static void fish_and_figures(const struct lab_page *page)
     ruler(page, &room, &fish);
     if (page->lab->compare) {
         rival(page);
-        char age[TEXT_LINE_MAX];
-        lab_age_words(page->frame.language, page->lab->age_days, age, sizeof age);
-        caption(page, &room, TEXT_LAB_OURS, age);
+        caption(page, &room, TEXT_LAB_OURS);
     } else {
         tell(page, &room);
     }
