@@ -66,6 +66,22 @@ void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
     n += unfold_normal(key.w) * weight;
 }
 
+#if ANCHORS
+// To where its anchor is, if it rides on one.
+void carry(int row, inout vec3 p, inout vec3 n)
+{
+    if (rides.x < 254.5) {
+        int at = 2 * CURVES + 2 * int(rides.x + 0.5);
+#if ANCHORS > 1
+        vec4 turn = POSE(at + 1);
+        p = turned_by(turn, p);
+        n = turned_by(turn, n);
+#endif
+        p += POSE(at).xyz;
+    }
+}
+#endif
+
 // The vertex in the fish's own frame and unit. Its normal is not yet of length 1.
 void morph(int row, out vec3 p, out vec3 n)
 {
@@ -106,14 +122,6 @@ void morph(int row, out vec3 p, out vec3 n)
 #endif
     p *= reach;
 #if ANCHORS
-    if (rides.x < 254.5) {
-        int at = 2 * CURVES + 2 * int(rides.x + 0.5);
-#if ANCHORS > 1
-        vec4 turn = POSE(at + 1);
-        p = turned_by(turn, p);
-        n = turned_by(turn, n);
-#endif
-        p += POSE(at).xyz;
-    }
+    carry(row, p, n);
 #endif
 }

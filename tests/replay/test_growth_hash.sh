@@ -1,6 +1,7 @@
 #!/bin/bash
 # test_growth_hash.sh -- gcc and clang, -O0 to -O3, four lanes and eight, grow every species into the same shapes,
-# bit for bit; and nothing that the language leaves undefined happens on the way.
+# bit for bit; and nothing that the language leaves undefined happens on the way. That is said of one bake: the
+# tables are drawn in double by the libm of the machine that builds, and another's may round a count otherwise.
 #
 # BUILD is the folder that make uses. Speaks TAP; where a hash differs it names the species.
 set -u

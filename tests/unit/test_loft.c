@@ -181,7 +181,7 @@ static void test_confluent_fins_end_in_the_tail_s_edges(void **state)
     }
 }
 
-/* Two curves that both paint all of a piece have half of it each, and 128 and 128 is one too many. */
+/* Two curves that both paint all of a piece have half of it each; 128 and 128 are too many. */
 static void test_masks_that_round_up_together_still_sum_to_255(void **state)
 {
     (void)state;
