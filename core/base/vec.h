@@ -63,6 +63,16 @@ static inline float v3_length(vec3 a)
     return f_sqrt(v3_dot(a, a));
 }
 
+/* How far `p` is from the endless line through `from` and `to`; from `from` where those are nearer
+ * to each other than 1e-6 and no line goes through them. */
+static inline float v3_from_line(vec3 p, vec3 from, vec3 to)
+{
+    const vec3 along = v3_sub(to, from), there = v3_sub(p, from);
+    const float square = v3_dot(along, along);
+    return v3_length(square < 1e-12f ? there
+                                     : v3_mad(there, along, -v3_dot(there, along) / square));
+}
+
 /* The unit vector along `a`; `otherwise` where `a` is shorter than 1 nm and has no direction. */
 static inline vec3 v3_normalize_or(vec3 a, vec3 otherwise)
 {

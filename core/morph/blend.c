@@ -33,6 +33,12 @@ vec3 morph_normal(int16_t folded)
     return v3_scale(n, 1.0f / v3_length(n));
 }
 
+int16_t morph_count(float x, float reach)
+{
+    const float counts = f_clamp(x / reach * COUNTS, -COUNTS, COUNTS);
+    return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
+}
+
 /* A unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1, as one number that
  * survives being a 16-bit fraction: -32767 .. 32257. */
 int16_t morph_fold_normal(vec3 n)

@@ -185,6 +185,10 @@ vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vert
 vec3 morph_normal(int16_t folded);
 int16_t morph_fold_normal(vec3 normal);
 
+/* The count nearest to a coordinate `x` in a mesh that reaches so far, ties away from 0; beyond the
+ * reach, its end. The inverse of morph_position() for each axis. */
+int16_t morph_count(float x, float reach);
+
 /* straight.c: the thesis' own method, to compare with */
 
 struct straight_memory { /* The caller's, as long as the species made from it is used. */

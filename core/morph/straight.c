@@ -3,7 +3,6 @@
 
 #include "core/base/panic.h"
 
-#define COUNTS 32767.0f
 #define REACH_MAX 4.0f
 
 static const struct species_vertex *straight_vertices(const struct species_mesh *mesh,
@@ -28,12 +27,6 @@ static float farthest(const vec3 *positions, uint32_t count)
         most = f_max(most, f_max(f_abs(p.x), f_max(f_abs(p.y), f_abs(p.z))));
     }
     return most;
-}
-
-static int16_t count_of(float x, float reach)
-{
-    const float counts = f_clamp(x / reach * COUNTS, -COUNTS, COUNTS);
-    return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
 }
 
 /* A key's whole shape, in the straight_memory's scratch. */
@@ -68,9 +61,9 @@ static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32
         out[i] = mesh->points[key][i];
         if (reach != mesh->reach || mesh->vertices[i].anchor != ANCHOR_NONE) {
             out[i] = (struct species_point){
-                .x = count_of(p.x, reach),
-                .y = count_of(p.y, reach),
-                .z = count_of(p.z, reach),
+                .x = morph_count(p.x, reach),
+                .y = morph_count(p.y, reach),
+                .z = morph_count(p.z, reach),
                 .normal = morph_fold_normal(memory->normals[i]),
             };
         }

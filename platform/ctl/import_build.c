@@ -109,11 +109,6 @@ static void coordinates(const struct builder *b, enum species_part part, enum sp
     }
 }
 
-static int16_t count_of(const struct builder *b, float x)
-{
-    return (int16_t)lrintf(x / b->reach * 32767.0f);
-}
-
 static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
 {
     const struct import_mesh *m = b->mesh;
@@ -122,9 +117,9 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
     corner.side = (uint8_t)side_of(b, part_of(b, t), t);
     for (uint32_t key = 0; key < m->key_count; key++) {
         const vec3 p = m->positions[key][vertex];
-        corner.at[key][0] = count_of(b, p.x);
-        corner.at[key][1] = count_of(b, p.y);
-        corner.at[key][2] = count_of(b, p.z);
+        corner.at[key][0] = morph_count(p.x, b->reach);
+        corner.at[key][1] = morph_count(p.y, b->reach);
+        corner.at[key][2] = morph_count(p.z, b->reach);
     }
     if (m->is_ours && m->has_uv) {
         corner.u = f_clamp(m->uv[vertex][0], -2.0f, 4.0f);

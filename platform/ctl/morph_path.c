@@ -28,16 +28,6 @@ static enum exit_code find_vertex(struct path_plan *plan)
     return EXIT_OK;
 }
 
-float chord_distance(const struct chord *chord, vec3 p)
-{
-    const vec3 along = v3_sub(chord->to, chord->from), there = v3_sub(p, chord->from);
-    const float length_squared = v3_dot(along, along);
-    if (length_squared < 1e-12f) {
-        return v3_length(there);
-    }
-    return v3_length(v3_mad(there, along, -v3_dot(there, along) / length_squared));
-}
-
 static struct chord chord_of(const struct species *fish, const struct morph_rig *rig,
                              uint32_t vertex)
 {
@@ -52,9 +42,10 @@ static void print_row(const struct path_plan *plan, float progress)
     const vec3 o = morph_part_place(plan->ordinary, &plan->ordinary_rig, plan->vertex, progress);
     printf("%.6f,%.3f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", (double)progress,
            (double)life_age_days(card, progress), 1e3 * (double)life_length_m(card, progress),
-           (double)p.x, (double)p.y, (double)p.z, (double)chord_distance(&plan->chord, p),
+           (double)p.x, (double)p.y, (double)p.z,
+           (double)v3_from_line(p, plan->chord.from, plan->chord.to),
            (double)o.x, (double)o.y, (double)o.z,
-           (double)chord_distance(&plan->ordinary_chord, o));
+           (double)v3_from_line(o, plan->ordinary_chord.from, plan->ordinary_chord.to));
 }
 
 static enum exit_code print_table(const struct path_plan *plan)

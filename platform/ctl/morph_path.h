@@ -2,8 +2,8 @@
 #ifndef KINGYO_PLATFORM_CTL_MORPH_PATH_H
 #define KINGYO_PLATFORM_CTL_MORPH_PATH_H
 
-#include "platform/ctl/morph_part.h"
 #include "platform/ctl/morph_pick.h"
+#include "platform/species/part.h"
 
 /* From a part's first place to its last. */
 struct chord {
@@ -18,9 +18,6 @@ struct path_plan {
     struct morph_rig ordinary_rig;
     struct chord chord, ordinary_chord;
 };
-
-/* How far `p` is from the chord's line, or from its point where it has no length. */
-float chord_distance(const struct chord *chord, vec3 p);
 
 /* Draws it into the file plan->svg. EXIT_OK, or another code, told. */
 enum exit_code path_picture(const struct path_plan *plan, const char *command);

@@ -27,7 +27,7 @@ void path_walk(struct picture *picture)
             picture->drawn[i] = morph_part_place(pick->drawn, &own, plan->vertex,
                                                  drawn_progress(&pick->drawn->card, progress));
         }
-        const float far = chord_distance(&plan->chord, picture->way[i]);
+        const float far = v3_from_line(picture->way[i], plan->chord.from, plan->chord.to);
         if (far > picture->farthest_lengths) {
             picture->farthest = picture->way[i];
             picture->farthest_lengths = far;

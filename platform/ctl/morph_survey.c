@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "platform/ctl/morph_part.h"
 #include "platform/ctl/morph_walk.h"
+#include "platform/species/part.h"
 
 static void measure_sum(const float *weight, float *error, float *least)
 {
@@ -160,14 +160,6 @@ static vec3 place_of(struct walk *w, uint32_t vertex, float progress)
     return w->positions[vertex];
 }
 
-static float from_line(vec3 p, vec3 from, vec3 to)
-{
-    const vec3 along = v3_sub(to, from), there = v3_sub(p, from);
-    const float square = v3_dot(along, along);
-    return square < 1e-12f ? v3_length(there)
-                           : v3_length(v3_mad(there, along, -v3_dot(there, along) / square));
-}
-
 static void measure_path(struct walk *w, enum species_part part, enum species_side side,
                          uint32_t steps, struct curvature *out)
 {
@@ -180,7 +172,7 @@ static void measure_path(struct walk *w, enum species_part part, enum species_si
     const vec3 from = place_of(w, vertex, 0.0f), to = place_of(w, vertex, 1.0f);
     for (uint32_t i = 0; i <= steps; i++) {
         const vec3 p = place_of(w, vertex, (float)i / (float)steps);
-        out->from_chord = f_max(out->from_chord, from_line(p, from, to));
+        out->from_chord = f_max(out->from_chord, v3_from_line(p, from, to));
     }
 }
 

@@ -180,18 +180,13 @@ static void make_normals(vec3 *normals)
     }
 }
 
-static int16_t count_of(float x, float reach)
-{
-    return (int16_t)lrintf(fminf(fmaxf(x / reach, -1.0f), 1.0f) * 32767.0f);
-}
-
 static void put_point(struct species_slot *slot, uint32_t lod, uint32_t key, uint32_t vertex,
                       vec3 position, vec3 normal)
 {
     const float reach = slot->species.lod[lod].reach;
     slot->tables[lod].points[key][vertex] =
-        (struct species_point){ count_of(position.x, reach), count_of(position.y, reach),
-                                count_of(position.z, reach), morph_fold_normal(normal) };
+        (struct species_point){ morph_count(position.x, reach), morph_count(position.y, reach),
+                                morph_count(position.z, reach), morph_fold_normal(normal) };
 }
 
 /* The skin first: what rides on it asks it where it is. */

@@ -7,13 +7,6 @@
 
 #include "core/morph/morph.h"
 
-static int16_t count_of(float x, float reach)
-{
-    const float counts = x / reach * 32767.0f;
-    assert(fabsf(counts) <= 32767.0f);
-    return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
-}
-
 void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_tables *tables,
                   struct species_mesh *mesh)
 {
@@ -33,10 +26,11 @@ void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_table
     for (uint32_t key = 0; key < key_count; key++) {
         for (uint32_t i = 0; i < loft->vertex_count; i++) {
             const vec3 p = loft->positions[key][i];
+            assert(fmaxf(fmaxf(fabsf(p.x), fabsf(p.y)), fabsf(p.z)) <= loft->reach);
             tables->points[key][i] = (struct species_point){
-                .x = count_of(p.x, loft->reach),
-                .y = count_of(p.y, loft->reach),
-                .z = count_of(p.z, loft->reach),
+                .x = morph_count(p.x, loft->reach),
+                .y = morph_count(p.y, loft->reach),
+                .z = morph_count(p.z, loft->reach),
                 .normal = morph_fold_normal(loft->normals[key][i]),
             };
         }

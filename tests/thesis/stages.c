@@ -9,11 +9,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/morph_part.h"
 #include "platform/ctl/morph_pick.h"
 #include "platform/ctl/plate.h"
 #include "platform/ctl/portrait.h"
 #include "platform/key_colour.h"
+#include "platform/species/part.h"
 
 #define WIDTH 1920.0f
 #define MARGIN 40.0f

@@ -8,8 +8,8 @@
 
 #include <cmocka.h>
 
-#include "platform/ctl/morph_part.h"
 #include "platform/ctl/morph_survey.h"
+#include "platform/species/part.h"
 
 #define STEPS 20
 

@@ -1,5 +1,5 @@
-/* morph_part.c -- the vertex that stands for a part is the nearest to what its coordinates say. */
-#include "platform/ctl/morph_part.h"
+/* part.c -- the vertex that stands for a part is the nearest to what its coordinates say. */
+#include "platform/species/part.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
-/* morph_part.h -- parts by their names, and the vertex that stands for each. Pure. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_PART_H
-#define KINGYO_PLATFORM_CTL_MORPH_PART_H
+/* part.h -- parts by their names, and the vertex that stands for each. Pure. */
+#ifndef KINGYO_PLATFORM_SPECIES_PART_H
+#define KINGYO_PLATFORM_SPECIES_PART_H
 
 #include "core/morph/morph.h"
 
