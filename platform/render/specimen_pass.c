@@ -144,8 +144,8 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
     return slot;
 }
 
-/* Whose skin to paint on: the largest fish's of those seen coarsely, else any other's; null when all
- * are done. */
+/* Whose skin to paint on: the largest fish's of those seen coarsely, else any other's; null when
+ * all are done. */
 static struct skin *unfinished(struct specimen_pass *pass, bool *is_seen)
 {
     struct skin *found = NULL;
