@@ -68,6 +68,7 @@ struct reading {
     char words[LINE_SIZE]; /* It, without comment and white space around. */
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
+    int is_unreadable;     /* `why` says that there is no such line; nothing else matters. */
 };
 
 __attribute__((format(printf, 2, 3)))
@@ -75,10 +76,21 @@ static int refuse(struct reading *reading, const char *format, ...)
 {
     char what[EDIT_WHY_SIZE - 12u];
     va_list arguments;
+    if (reading->is_unreadable) {
+        return 0;
+    }
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
     snprintf(reading->why, EDIT_WHY_SIZE, "%u: %s", reading->line, what);
+    return 0;
+}
+
+static int end_reading(struct reading *reading, const char *what)
+{
+    reading->line += reading->line == 0; /* Of an empty file. */
+    refuse(reading, "%s", what);
+    reading->is_unreadable = 1;
     return 0;
 }
 
@@ -94,8 +106,7 @@ static int next_line(struct reading *reading)
         for (size_t i = reading->at; i < end && reading->text[i] != '#'; i++) {
             const char c = reading->text[i];
             if (c == 0 || length + 1u == LINE_SIZE) {
-                return refuse(reading, c == 0 ? "not a text" : "longer than %u characters",
-                              LINE_SIZE - 1u);
+                return end_reading(reading, c == 0 ? "not a text" : "longer than any line of one");
             }
             if (length > 0 || !isspace((unsigned char)c)) {
                 reading->words[length++] = c;
@@ -110,7 +121,7 @@ static int next_line(struct reading *reading)
             return 1;
         }
     }
-    return refuse(reading, "the file ends without 'end'");
+    return end_reading(reading, "the file ends without 'end'");
 }
 
 /* What follows `word` on the line, or null when the line begins otherwise. */

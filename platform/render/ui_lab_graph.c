@@ -57,8 +57,9 @@ static void dot_in(const struct lab_page *page, struct ui_box field, float x, fl
 static void percent_axis(const struct lab_page *page, struct ui_box field)
 {
     const float u = page->frame.unit;
-    struct ui_text style = lab_text(page, 16.0f, LAB_INK_SOFT);
+    struct ui_text style = lab_text(page, 15.0f, LAB_INK_SOFT);
     style.align = 1.0f;
+    style.fit_px = 38.0f * u; /* Clear of the paper's frame, and of a knot in hand. */
     for (uint32_t i = 0; i <= 4u; i++) {
         const float share = 0.25f * (float)i;
         char words[8];
@@ -68,7 +69,7 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
             float at[2];
             in_field(field, 0.0f, share, at);
             snprintf(words, sizeof words, "%u%%", i * 25u);
-            ui_text(page->frame.batch, &style, at[0] - 7.0f * u, ui_text_middle(&style, at[1]),
+            ui_text(page->frame.batch, &style, at[0] - 10.0f * u, ui_text_middle(&style, at[1]),
                     words);
         }
     }

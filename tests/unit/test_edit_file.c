@@ -205,6 +205,12 @@ static void test_each_mistake_is_told_with_its_line(void **state)
     text[size - 5u] = 0; /* In place of a line's end. */
     assert_int_equal(edit_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
+    assert_int_equal(parse("", &edit, why), 0);
+    assert_string_equal(why, "1: the file ends without 'end'");
+    assert_int_equal(parse("kingyo-graph 1\n", &edit, why), 0);
+    assert_string_equal(why, "1: the file ends without 'end'");
+    assert_int_equal(edit_file_parse("kingyo-graph 1\nspec\0es", 21, card, &edit, why), 0);
+    assert_string_equal(why, "2: not a text");
     assert_int_equal(parse("kingyo-graph 2\n", &edit, why), 0);
     assert_non_null(strstr(why, "1: not a graph of version 1"));
     assert_int_equal(parse("kingyo-graph 1\nspecies funa\n", &edit, why), 0);
