@@ -7,9 +7,6 @@
 #include "core/show.h"
 #include "core/tank/surface.h"
 
-#define COLOUR_START_DAYS 50.0f /* Keepers see the first red at 50 to 60 days ... */
-#define COLOUR_FULL_DAYS 120.0f /* ... and clear red within three to four months. */
-
 static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish *out)
 {
     out->position_m = fish->position_m;
@@ -20,7 +17,7 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->bend_rad = fish->bend_rad;
     out->gape = surface_gape(fish, tick);
     out->gulp = surface_gulp(fish, tick);
-    out->maturity = f_smoothstep(COLOUR_START_DAYS, COLOUR_FULL_DAYS, fish->age_days);
+    out->maturity = show_maturity(fish->age_days);
     out->look = fish->look;
     out->place = show_place(fish->gait);
     out->age_days = fish->age_days;

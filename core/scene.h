@@ -187,6 +187,7 @@ struct scene_album {
         uint32_t look;
         float caught_age_days, caught_length_m;
         float age_days, length_m, progress;
+        float maturity;      /* As struct scene_fish has it. */
     } fish[ALBUM_FISH_MAX];
 };
 

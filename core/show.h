@@ -21,6 +21,13 @@ static inline uint8_t show_place(uint8_t gait)
     }
 }
 
+/* [0, 1] along the colour keys: keepers see the first red at 50 to 60 days, and clear red within
+ * three to four months. */
+static inline float show_maturity(float age_days)
+{
+    return f_smoothstep(50.0f, 120.0f, age_days);
+}
+
 /* The pictures of a cell < SHEET_CELL_COUNT: 255 whole .. 1 nearly torn, 0 where there is no paper;
  * and 0 dry .. 255 wet, 0 beyond the ring. */
 static inline uint8_t show_integrity(const struct sheet *sheet, uint32_t cell)

@@ -45,3 +45,33 @@ vec3 red_of(float hue)
 {
     return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
 }
+
+// Young goldfish lose their grey in patches, the belly first.
+const vec3 FRY = vec3(0.40, 0.42, 0.27);
+float turned(float maturity, float ahead)
+{
+    return smoothstep(0.10, 0.42, maturity + ahead);
+}
+
+// A goldfish's skin where its pattern is white, and where it is red; `under` is 0 at the back and 1
+// at the belly. In the tank and in the album, so that each is known again.
+void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out vec3 stain)
+{
+    float belly = smoothstep(0.52, 0.96, under);
+    vec3 red = red_of(hue);
+    vec3 below = mix(WHITE, red, 0.25);
+    vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
+    pale = mix(young, mix(WHITE, below, 0.55 * belly), turned(maturity, 0.10 * belly - 0.06));
+    stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
+}
+
+// Its fins at (u, v) of species.h, to the `layer` of patterns that its skin has.
+vec3 goldfish_fin(vec2 at, float maturity, float hue, float layer)
+{
+    float seed = fract(hue * 17.31);
+    float root = 1.0 - at.y;
+    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + layer * 0.37)
+        + 0.20 * sin(at.x * 9.0 + hue * 20.0) + 0.25 * root);
+    vec3 tint = mix(WHITE, red_of(hue), stained);
+    return mix(mix(FRY * 1.25, tint, turned(maturity, 0.0)), WHITE, 0.22 * at.y);
+}

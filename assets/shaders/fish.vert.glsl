@@ -18,31 +18,18 @@ out float out_m;       // How far above the surface.
 #endif
 out vec4 haze;         // What water and gloss add; w: how much of the gill's edge shows.
 
-const vec3 FRY = vec3(0.40, 0.42, 0.27);
 const float WAVE_NUMBER = 6.45;  // rad per body length: 0.97 lengths a wave (Videler & Hess).
 const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
 const float ARC_MIDDLE = 0.02;   // Body lengths that a bend of 1 rad moves the mean of its mass by.
 const float SEAM = 0.005;        // m.
 const float JAWS = 0.080;        // How far back the mouth's motion reaches, of the body's u.
 
-// Young fish lose their grey in patches, the belly first.
-float turned(float ahead)
-{
-    return smoothstep(0.10, 0.42, character.y + ahead);
-}
-
 #ifdef FIN
 void colour()
 {
-    float seed = fract(character.w * 17.31);
-    float root = 1.0 - surface.y;
-    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + character.z * 0.37)
-        + 0.20 * sin(surface.x * 9.0 + character.w * 20.0) + 0.25 * root);
-    vec3 tint = mix(WHITE, red_of(character.w), stained);
-    tint = mix(FRY * 1.25, tint, turned(0.0));
-    stain = mix(tint, WHITE, 0.22 * surface.y);
+    stain = goldfish_fin(surface.xy, character.y, character.w, character.z);
     pale = stain;
-    skin = vec4(surface.x * 9.87 + seed, surface.y, 0.0, 0.0);
+    skin = vec4(surface.x * 9.87 + fract(character.w * 17.31), surface.y, 0.0, 0.0);
 }
 #else
 void colour()
@@ -50,11 +37,7 @@ void colour()
     float eye_part = step(0.5, surface.z * 255.0);
     float under = 1.0 - abs(surface.y * 2.0 - 1.0); // 0 at the back, 1 at the belly.
     float belly = smoothstep(0.52, 0.96, under);
-    vec3 red = red_of(character.w);
-    vec3 below = mix(WHITE, red, 0.25);
-    vec3 young = mix(FRY * (0.62 + 0.38 * under), vec3(0.80, 0.80, 0.66), belly);
-    pale = mix(young, mix(WHITE, below, 0.55 * belly), turned(0.10 * belly - 0.06));
-    stain = mix(young, mix(red, below, 0.55 * belly), turned(0.10 * belly + 0.06));
+    goldfish_skin(under, character.y, character.w, pale, stain);
     vec3 iris = mix(vec3(0.86, 0.62, 0.20), vec3(0.78, 0.78, 0.72), fract(character.w * 17.31));
     pale = mix(pale, iris, eye_part);
     stain = mix(stain, vec3(0.015), eye_part);

@@ -10,7 +10,7 @@ uniform vec3 sheets;           // Two of their layers, and how much of the secon
 uniform vec4 look; // Opacity, scales along the body, how clear that is; 1: behind a clear body.
 uniform vec4 tint;
 uniform sampler2DArray patterns; // What individual goldfish wear.
-uniform vec3 worn;               // Pattern, hue, and how far it has come through.
+uniform vec4 worn;               // Pattern, hue, how far it has come through, maturity.
 
 out vec4 color;
 
@@ -48,7 +48,6 @@ vec3 mirrored(vec3 n)
     return mix(deep, sky, smoothstep(-0.12, 0.30, up));
 }
 
-// As assets/shaders/fish.vert.glsl colours the tank's grown goldfish, so that each is known again.
 vec3 worn_body(vec3 paint)
 {
     float under = 1.0 - abs(skin.y * 2.0 - 1.0);
@@ -56,20 +55,16 @@ vec3 worn_body(vec3 paint)
     float bow = (under - 0.52) * (under - 0.52);
     float gill = max(1.0 - abs(skin.x - 0.285 + 0.25 * bow) * 80.0, 0.0);
     gill *= smoothstep(0.15, 0.35, under) * (1.0 - belly);
-    vec3 red = red_of(worn.y);
-    vec3 below = mix(WHITE, mix(WHITE, red, 0.25), 0.55 * belly);
-    vec3 stain = mix(red, mix(WHITE, red, 0.25), 0.55 * belly);
+    vec3 pale;
+    vec3 stain;
+    goldfish_skin(under, worn.w, worn.y, pale, stain);
     float is_red = texture(patterns, vec3(skin.xy, worn.x)).r;
-    return mix(paint, mix(below, stain, is_red) * (1.0 - 0.36 * gill), worn.z);
+    return mix(paint, mix(pale, stain, is_red) * (1.0 - 0.36 * gill), worn.z);
 }
 
 vec3 worn_fin(vec3 paint)
 {
-    float seed = fract(worn.y * 17.31);
-    float stained = smoothstep(0.30, 0.72, fract(seed * 7.7 + worn.x * 0.37)
-        + 0.20 * sin(skin.x * 9.0 + worn.y * 20.0) + 0.25 * (1.0 - skin.y));
-    vec3 own = mix(mix(WHITE, red_of(worn.y), stained), WHITE, 0.22 * skin.y);
-    return mix(paint, own, worn.z);
+    return mix(paint, goldfish_fin(skin.xy, worn.w, worn.y, worn.x), worn.z);
 }
 
 vec3 lit(vec3 paint, vec3 n, float shine, float gloss)

@@ -5,6 +5,7 @@
 #include "core/core.h"
 #include "core/game/phases.h"
 #include "core/morph/morph.h"
+#include "core/show.h"
 
 void album_clear(struct album *album)
 {
@@ -102,6 +103,7 @@ static void show_fish(const struct album_fish *fish, float progress, struct scen
         .age_days = age_days,
         .length_m = own_length_m(card, fish, progress, age_days),
         .progress = progress,
+        .maturity = show_maturity(age_days),
     };
 }
 

@@ -29,7 +29,8 @@ struct specimen {
     float fade;      /* [0, 1] 0: whole, 1: gone. */
     uint32_t tint;   /* 0xRRGGBBAA, mixed over its own paint by its alpha; 0: its own alone. */
     uint32_t look;   /* Of a goldfish: whose pattern it wears, as struct scene_fish has it, ... */
-    float ripe;      /* ... and how far that has come through its youth's coat; [0, 1]. */
+    float ripe;      /* ... how far that has come through its youth's coat, [0, 1], ... */
+    float maturity;  /* ... and how far its grey has turned, as struct scene_fish has it. */
 };
 
 /* What becomes of the body's axes: screen right, screen up, and toward the viewer. */

@@ -235,8 +235,8 @@ static void send(const struct specimen_program *program, const struct specimen *
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
     glUniform4fv(program->look, 1, told->look);
     glUniform4fv(program->tint, 1, tint);
-    glUniform3f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
-                specimen->ripe);
+    glUniform4f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
+                specimen->ripe, specimen->maturity);
     glUniform3fv(program->sheets, 1, told->sheets);
 }
 

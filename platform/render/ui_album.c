@@ -69,7 +69,8 @@ static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t ind
     struct specimen specimen = { .species = &species_wakin,
                                  .progress = fish->progress,
                                  .look = fish->look,
-                                 .ripe = ripe(fish) };
+                                 .ripe = ripe(fish),
+                                 .maturity = fish->maturity };
     specimen_portrait(&specimen);
     const float high = water.height - 2.3f * SEAL_SIZE * frame->unit;
     specimen_fit(&specimen, water.x + 0.05f * water.width, water.y + 0.06f * high,

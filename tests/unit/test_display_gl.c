@@ -8,6 +8,9 @@
 #include <cmocka.h>
 
 #include "core/core.h"
+#include "core/game/album.h"
+#include "core/morph/morph.h"
+#include "core/show.h"
 #include "platform/render/display_gl.h"
 
 #define WIDTH 320u
@@ -146,6 +149,69 @@ static void test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_
     print_message("red of a snout: %u in air, %u under 3 cm of water, of 6375\n",
                   middle(pixels[0], 0), middle(pixels[1], 0));
     assert_true(middle(pixels[0], 0) > middle(pixels[1], 0) + 25u * 12u);
+}
+
+/* Of the middle column, rows `top` to `bottom`: how much redder than green is the reddest. */
+static float reddest(const uint8_t rgb[PIXELS_SIZE], uint32_t top, uint32_t bottom)
+{
+    float most = 0.0f;
+    for (uint32_t y = top; y < bottom; y++) {
+        const uint8_t *pixel = rgb + (y * WIDTH + WIDTH / 2u) * 3u;
+        most = f_max(most, 1.0f - (float)pixel[1] / f_max((float)pixel[0], 1.0f));
+    }
+    return most;
+}
+
+/* All red, in air, from its left; it fills the middle. */
+static float red_in_hand(float age_days)
+{
+    core_scene(&core, &scene);
+    scene.phase = PHASE_WORDLESS;
+    scene.poi[0].present = scene.bowl[0].present = 0;
+    scene.fish_count = 1;
+    scene.fish[0] = (struct scene_fish){
+        .position_m = v3(0.0f, 0.12f, 0.0f), .length_m = 0.08f, .place = SCENE_ON_POI,
+        .age_days = age_days, .maturity = show_maturity(age_days),
+        .progress = life_progress(&species_wakin.card, age_days) };
+    scene.view.target_m = v3(0.0f, 0.12f, 0.0f);
+    scene.view.eye_m = v3(-0.10f, 0.13f, 0.0f);
+    picture(pixels[0]);
+    return reddest(pixels[0], HEIGHT / 2u - 3u, HEIGHT / 2u + 3u);
+}
+
+/* Alone on the album's page, noted by the game as it notes a catch, so long into its life. */
+static float red_in_album(float age_days, float caught_days)
+{
+    core.tank.fish[0].look = 0;
+    core.tank.fish[0].age_days = caught_days;
+    core.tank.fish[0].gait = GAIT_BOWL;
+    core.tank.fish[0].holder = 0;
+    album_clear(&core.game.album);
+    album_note(&core, 0, 1);
+    core.game.phase = PHASE_ALBUM;
+    core_scene(&core, &scene);
+    scene.phase_s = 5.0f;
+    scene.album.fish[0].age_days = age_days;
+    scene.album.fish[0].maturity = show_maturity(age_days);
+    scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
+    scene.album.fish[0].is_caught = 0; /* Its seal is red, too. */
+    for (uint32_t i = 0; i < 20; i++) { /* Until its paint is fine. */
+        picture(pixels[0]);
+    }
+    return reddest(pixels[0], HEIGHT / 5u, HEIGHT * 3u / 5u);
+}
+
+/* Older than 120 days all are red; younger, each has turned as far as in the tank. */
+static void test_on_the_day_it_was_met_a_fish_of_the_album_looks_as_in_the_tank(void **state)
+{
+    (void)state;
+    for (float days = 56.0f; days < 130.0f; days += 8.0f) {
+        const float tank = red_in_hand(days), album = red_in_album(days, days);
+        print_message("%3.0f days: %.2f in the hand, %.2f in the album\n", (double)days,
+                      (double)tank, (double)album);
+        assert_true(f_abs(tank - album) < 0.20f);
+    }
+    assert_true(red_in_album(60.0f, 100.0f) < 0.35f); /* Before that it is young, and dark. */
 }
 
 /* A poi that lies level 5 cm over the water; the eye is over its middle. */
@@ -396,6 +462,7 @@ int main(void)
         WITH_DISPLAY(test_one_fish_a_hole_and_a_wave_each_change_the_picture),
         WITH_DISPLAY(
             test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water),
+        WITH_DISPLAY(test_on_the_day_it_was_met_a_fish_of_the_album_looks_as_in_the_tank),
         WITH_DISPLAY(test_more_stress_is_brighter_for_every_eye_and_only_in_practice),
         WITH_DISPLAY(test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface),
         WITH_DISPLAY(test_players_are_told_apart_without_colours),

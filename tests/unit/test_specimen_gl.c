@@ -144,7 +144,7 @@ static void test_a_ripe_goldfish_wears_its_look_and_a_young_one_its_coat(void **
     picture(pictures[0], &fish, 0.0f);
     const uint8_t *pixel = pixel_at(pictures[0], &fish, flank);
     assert_true(pixel[0] > 2 * pixel[1]); /* Not ripe: red as the species is. */
-    fish.ripe = 1.0f;
+    fish.ripe = fish.maturity = 1.0f;
     picture(pictures[0], &fish, 0.0f);
     assert_true(pixel[1] > 140 && pixel[2] > 120);
     fish.look = 0; /* Red all over. */
