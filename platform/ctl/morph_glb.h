@@ -1,5 +1,6 @@
 /* morph_glb.h -- what the parts of the glTF writer share: the file (morph_glb.c, which says how a
- * fish becomes one), its shapes (morph_glb_mesh.c) and its life (morph_glb_life.c). */
+ * fish becomes one), its shapes (morph_glb_look.c), its meshes (morph_glb_mesh.c) and its life
+ * (morph_glb_life.c). */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_GLB_H
 #define KINGYO_PLATFORM_CTL_MORPH_GLB_H
 
@@ -30,6 +31,21 @@ struct fish_glb {
     bool skinned[PIECE_MAX]; /* Some of the piece rides on the skin. */
     uint32_t materials[PART_COUNT]; /* From 1; 0: not there yet. */
 };
+
+/* A vertex's numbers in one shape. */
+struct aspect {
+    vec3 position, normal, colour;
+    float hides;
+};
+
+/* How much curve `curve` moves the vertex; those that the rig has not count for the first. */
+float glb_share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t curve);
+
+/* B of morph_glb_look.c, and D of a curve's key; what rides on the skin stands where it is at
+ * progress 1. */
+struct aspect glb_base_look(const struct fish_glb *fish, uint32_t vertex);
+struct aspect glb_target_look(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
+                              uint32_t key);
 
 /* Adds the mesh of `piece`; sets its targets and whether it is skinned. Answers the mesh. */
 uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t piece);

@@ -1,25 +1,9 @@
-/* morph_glb_mesh.c -- a piece of the fish as a glTF mesh: the last key, and the ways to the others.
- *
- * Ours: p = sum over curves c of m_c sum over keys k of V_ck C_ck, with the masks m_c (sum 1), the
- * graph's weights V_c (sum 1, each >= 0) and the solved shapes C_c (the drawings where nothing is
- * solved). glTF: p = B + sum of w_t D_t. So B = sum m_c C_c,last and, for each curve and each key
- * but the last, D = m_c (C_ck - C_c,last) with w = V_ck: the same sum, every weight in [0, 1].
- *
- * Colours are targets too (COLOR_0, linear): who does not morph them shows the last key's,
- * which is also how the file stands when nothing moves it. A glass body's alpha is there, but its
- * material is opaque: unsorted clear bodies look worse in viewers than whole ones. Fins blend. */
-#include <stdlib.h>
+/* morph_glb_mesh.c -- a piece of the fish as a glTF mesh: the last key, and the ways to the others
+ * (morph_glb_look.c says which those are). */
 #include <string.h>
 
 #include "platform/ctl/morph_glb.h"
-#include "platform/ctl/portrait.h"
 #include "platform/species/reader.h"
-
-/* A vertex's numbers in one shape. */
-struct aspect {
-    vec3 position, normal, colour;
-    float hides;
-};
 
 /* The columns of a mesh before they go to the file. Too large for a stack. */
 static struct {
@@ -33,106 +17,6 @@ static struct {
     float shares[MESH_VERTEX_MAX][4]; /* Floats: importers misread fractions of 255. */
     uint16_t indices[MESH_INDEX_MAX];
 } columns;
-
-/* How much curve `curve` moves the vertex; those that the rig has not count for the first. */
-static float share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t curve)
-{
-    uint32_t share = 0;
-    for (uint32_t i = 0; i < MORPH_CURVE_MAX; i++) {
-        if (i == curve || (curve == 0 && i >= fish->pick->rig.curve_count)) {
-            share += fish->mesh->vertices[vertex].mask[i];
-        }
-    }
-    return (float)share / 255.0f;
-}
-
-/* Linear, for that is what glTF's vertex colours are. */
-static void take_paint(const struct fish_glb *fish, uint32_t vertex, uint32_t key,
-                       struct aspect *out)
-{
-    const struct paint *paint = &fish->paints[key][vertex];
-    out->colour = canvas_linear(paint->colour);
-    out->hides = portrait_hides(paint, &fish->mesh->vertices[vertex]);
-}
-
-static void add_look(struct aspect *sum, const struct aspect *look, float weight)
-{
-    sum->position = v3_mad(sum->position, look->position, weight);
-    sum->normal = v3_mad(sum->normal, look->normal, weight);
-    sum->colour = v3_mad(sum->colour, look->colour, weight);
-    sum->hides += look->hides * weight;
-}
-
-/* Keys' normals are blended on the octahedron |x| + |y| + |z| = 1: see struct morph_pose. */
-static vec3 on_octahedron(vec3 n)
-{
-    return v3_scale(n, 1.0f / (f_abs(n.x) + f_abs(n.y) + f_abs(n.z)));
-}
-
-/* C_ck of one vertex. */
-static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
-                          uint32_t key)
-{
-    struct aspect sum = { .hides = 0.0f };
-    for (uint32_t j = 0; j < fish->pick->rig.key_count; j++) {
-        struct aspect drawn = {
-            .position = morph_position(fish->mesh, j, vertex),
-            .normal = on_octahedron(morph_normal(fish->mesh->points[j][vertex].normal)),
-        };
-        take_paint(fish, vertex, j, &drawn);
-        add_look(&sum, &drawn, fish->pick->rig.solution[curve][key][j]);
-    }
-    return sum;
-}
-
-/* What rides on the skin stands in the file where it is at progress 1, so that a reader that knows
- * no skins still sees a whole fish; its joint takes that back first (its inverse bind matrix). */
-static void carry(const struct fish_glb *fish, uint32_t vertex, bool is_place, struct aspect *look)
-{
-    const uint8_t anchor = fish->mesh->vertices[vertex].anchor;
-    if (anchor != ANCHOR_NONE) {
-        const struct anchor_pose *at = &fish->adult.anchor[anchor];
-        look->position = quat_turn(at->turn, look->position);
-        look->normal = quat_turn(at->turn, look->normal);
-        if (is_place) {
-            look->position = v3_add(look->position, at->position);
-        }
-    }
-}
-
-static struct aspect base_look(const struct fish_glb *fish, uint32_t vertex)
-{
-    const uint32_t last = fish->pick->rig.key_count - 1u;
-    const struct aspect painted = solved(fish, vertex, 0, last); /* By the whole fish's curve. */
-    struct aspect sum = { .hides = 0.0f };
-    for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
-        const struct aspect one = solved(fish, vertex, curve, last);
-        add_look(&sum, &one, share_of(fish, vertex, curve));
-    }
-    sum.colour = v3(f_clamp(painted.colour.x, 0.0f, 1.0f), f_clamp(painted.colour.y, 0.0f, 1.0f),
-                    f_clamp(painted.colour.z, 0.0f, 1.0f));
-    sum.hides = f_clamp(painted.hides, 0.0f, 1.0f);
-    carry(fish, vertex, true, &sum);
-    return sum;
-}
-
-static struct aspect target_look(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
-                               uint32_t key)
-{
-    const float share = share_of(fish, vertex, curve);
-    const struct aspect to = solved(fish, vertex, curve, key);
-    struct aspect way = to;
-    const struct aspect from = solved(fish, vertex, curve, fish->pick->rig.key_count - 1u);
-    add_look(&way, &from, -1.0f);
-    way.position = v3_scale(way.position, share);
-    way.normal = v3_scale(way.normal, share);
-    if (curve != 0) {
-        way.colour = v3(0.0f, 0.0f, 0.0f);
-        way.hides = 0.0f;
-    }
-    carry(fish, vertex, false, &way);
-    return way;
-}
 
 static void put_look(uint32_t place, const struct aspect *look)
 {
@@ -169,7 +53,7 @@ static struct target_list list_targets(const struct fish_glb *fish)
     struct target_list list = { .curves = 1 };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
         for (uint32_t i = 0; i < columns.count; i++) {
-            if (share_of(fish, columns.vertices[i], curve) > 0.0f) {
+            if (glb_share_of(fish, columns.vertices[i], curve) > 0.0f) {
                 list.curves |= (uint8_t)(1u << curve);
             }
         }
@@ -235,7 +119,7 @@ static void print_attributes(struct fish_glb *fish, bool skinned, struct bytes *
 {
     struct glb *file = &fish->file;
     for (uint32_t i = 0; i < columns.count; i++) {
-        struct aspect look = base_look(fish, columns.vertices[i]);
+        struct aspect look = glb_base_look(fish, columns.vertices[i]);
         columns.facing[i] = f_max(v3_length(look.normal), 1e-6f);
         look.normal = v3_normalize_or(look.normal, v3(0.0f, 1.0f, 0.0f));
         put_look(i, &look);
@@ -260,7 +144,7 @@ static void print_targets(struct fish_glb *fish, const struct target_list *list,
     for (uint32_t t = 0; t < list->count; t++) {
         for (uint32_t i = 0; i < columns.count; i++) {
             struct aspect look =
-                target_look(fish, columns.vertices[i], list->curve[t], list->key[t]);
+                glb_target_look(fish, columns.vertices[i], list->curve[t], list->key[t]);
             /* Only directions count: all of a vertex's normals are scaled as its base is. */
             look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
             put_look(i, &look);

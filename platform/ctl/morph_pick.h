@@ -54,6 +54,9 @@ enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enu
  * or another code, told in one line. */
 enum exit_code morph_pick_file(const char *path, const char *command, struct species_slot *slot);
 
+/* Sets what `pick->word` draws: a built-in species, or a file's. EXIT_OK, or another code, told. */
+enum exit_code morph_pick_open(struct morph_pick *pick, const char *command);
+
 /* That `word` names no species, with those that there are; EXIT_USAGE. */
 enum exit_code morph_pick_unknown(const char *command, const char *word);
 

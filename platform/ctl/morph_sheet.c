@@ -1,12 +1,10 @@
-/* morph_sheet.c -- lays portraits out on a page. */
+/* morph_sheet.c -- lays portraits out on a page. Frames are in morph_frames.c. */
 #include "platform/ctl/morph_sheet.h"
 
-#include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
+#include "platform/ctl/morph_sheet_parts.h"
 #include "platform/ctl/plate.h"
-#include "platform/folder.h"
 
 #define PAGE_WIDTH 2400.0f
 #define MARGIN 48.0f
@@ -14,15 +12,10 @@
 #define CELL_FILL 0.86f      /* How much of a cell's width the longest fish takes. */
 #define GAP 14.0f            /* Above and below a fish, pixels. */
 #define KEY_COLUMNS_MAX 4u   /* More keys take more rows: they are there to be looked at. */
-#define MEASURE_STEPS 20u    /* Stages measured before anything is drawn. */
 #define KEY_WORDS_PX 24.0f
 #define BETWEEN_WORDS_PX 15.0f
 
-#define WATER_ABOVE 0xa7c4cbu /* Dark enough for a glass larva, light enough for a black eel. */
-#define WATER_BELOW 0x6d94a1u
 #define PAPER 0xf2f1ecu
-
-static const char command[] = "export";
 
 /* What all cells of one width share. */
 struct layout {
@@ -40,35 +33,6 @@ struct page {
 };
 
 static struct portrait portrait; /* One at a time, too large for a stack. */
-
-static enum exit_code no_memory(void)
-{
-    return morph_fail(EXIT_IO, command, "%s", strerror(ENOMEM));
-}
-
-static enum exit_code write_canvas(const struct canvas *canvas, const char *path)
-{
-    const int error = canvas_write_png(canvas, path);
-    return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
-}
-
-static void measure_life(const struct morph_pick *pick, struct portrait_bounds bounds[VIEW_COUNT])
-{
-    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-        bounds[view] = portrait_nowhere;
-    }
-    for (uint32_t i = 0; i <= MEASURE_STEPS; i++) {
-        portrait_take(&portrait, pick->fish, &pick->rig, (float)i / (float)MEASURE_STEPS);
-        for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-            portrait_measure(&portrait, (enum portrait_view)view, &bounds[view]);
-        }
-    }
-}
-
-static float middle(float a, float b)
-{
-    return 0.5f * (a + b);
-}
 
 /* ---- The page -------------------------------------------------------------------------------- */
 
@@ -101,8 +65,8 @@ static void draw_view(struct page *page, enum portrait_view view, struct canvas_
     if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
         page->failed = true;
     } else {
-        portrait_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high),
-                      scale_px, &raster);
+        portrait_draw(&portrait, view, sheet_middle(b->left, b->right),
+                      sheet_middle(b->low, b->high), scale_px, &raster);
         page->failed |=
             !raster_finish(&raster, &page->canvas, (uint32_t)box.left, (uint32_t)box.top);
     }
@@ -155,7 +119,7 @@ static void draw_water(struct page *page, const struct layout *layout, float top
 {
     const struct canvas_box water = { MARGIN, top, (float)columns * layout->cell_width,
                                       layout->water_height };
-    canvas_fill(&page->canvas, water, WATER_ABOVE, WATER_BELOW);
+    canvas_fill(&page->canvas, water, SHEET_WATER_ABOVE, SHEET_WATER_BELOW);
 }
 
 static void draw_head(struct page *page)
@@ -229,78 +193,16 @@ enum exit_code morph_sheet_write(const struct morph_pick *pick, const char *path
 {
     struct page page = { .pick = pick };
     const uint32_t strips = pick->fish->card.key_count - 1u, rows = key_rows(pick);
-    measure_life(pick, page.bounds);
+    sheet_measure(&portrait, pick, page.bounds);
     page.keys = plan(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
     page.betweens = plan(&page, SHEET_BETWEEN, BETWEEN_WORDS_PX);
     const float height = HEAD_HEIGHT + (float)rows * page.keys.height +
                          (float)strips * (page.betweens.height + MARGIN) + MARGIN;
     if (!canvas_open(&page.canvas, (uint32_t)PAGE_WIDTH, (uint32_t)height)) {
-        return no_memory();
+        return sheet_no_memory();
     }
     draw_page(&page);
-    const enum exit_code code = page.failed ? no_memory() : write_canvas(&page.canvas, path);
+    const enum exit_code code = page.failed ? sheet_no_memory() : sheet_write(&page.canvas, path);
     canvas_close(&page.canvas);
-    return code;
-}
-
-/* ---- Frames ---------------------------------------------------------------------------------- */
-
-static bool draw_frame(const struct morph_pick *pick, struct canvas *canvas,
-                       struct raster *raster, enum portrait_view view,
-                       const struct portrait_bounds *b, float progress)
-{
-    const struct species_card *card = &pick->fish->card;
-    const float width = (float)FRAME_WIDTH, height = (float)FRAME_HEIGHT;
-    const float scale_px = f_min(0.9f * width / (b->right - b->left),
-                                 0.72f * height / (b->high - b->low));
-    const float length_m = life_length_m(card, progress);
-    char name[PLATE_WORDS_SIZE], age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE];
-    char words[4 * PLATE_WORDS_SIZE];
-    portrait_take(&portrait, pick->fish, &pick->rig, progress);
-    canvas_fill(canvas, (struct canvas_box){ 0.0f, 0.0f, width, height }, WATER_ABOVE,
-                WATER_BELOW);
-    portrait_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high), scale_px,
-                  raster);
-    const bool whole = raster_finish(raster, canvas, 0, 0);
-    plate_age(age, life_age_days(card, progress));
-    plate_length(length, length_m);
-    plate_name(name, card->id);
-    snprintf(words, sizeof words, "%s, %s, %s %s", name, age, plate_measure(card), length);
-    canvas_words(canvas, MARGIN, height - 36.0f, 30.0f, ALIGN_LEFT, PLATE_INK, words);
-    plate_bar(canvas, 0.82f * width, height - 62.0f, 0.25f * width, scale_px / length_m, 26.0f);
-    return whole;
-}
-
-static enum exit_code write_frame(const struct canvas *canvas, const struct morph_pick *pick,
-                                  const char *folder, uint32_t index)
-{
-    char path[FOLDER_PATH_MAX + 64];
-    snprintf(path, sizeof path, "%s/%s_%04u.png", folder, pick->fish->card.id, index);
-    return write_canvas(canvas, path);
-}
-
-enum exit_code morph_frames_write(const struct morph_pick *pick, enum portrait_view view,
-                                  uint32_t count, const char *folder)
-{
-    struct portrait_bounds bounds[VIEW_COUNT];
-    struct canvas canvas = { 0 };
-    struct raster raster = { 0 };
-    const int error = folder_make(folder);
-    if (error) {
-        return morph_fail(EXIT_IO, command, "%.900s: %s", folder, strerror(-error));
-    }
-    measure_life(pick, bounds);
-    enum exit_code code = EXIT_OK;
-    if (!canvas_open(&canvas, FRAME_WIDTH, FRAME_HEIGHT) ||
-        !raster_open(&raster, FRAME_WIDTH, FRAME_HEIGHT)) {
-        code = no_memory();
-    }
-    for (uint32_t i = 0; code == EXIT_OK && i < count; i++) {
-        const float progress = (float)i / (float)(count - 1u);
-        const bool whole = draw_frame(pick, &canvas, &raster, view, &bounds[view], progress);
-        code = whole ? write_frame(&canvas, pick, folder, i) : no_memory();
-    }
-    raster_close(&raster);
-    canvas_close(&canvas);
     return code;
 }

@@ -1,0 +1,34 @@
+/* morph_sheet_parts.c -- a life's reach, and what is said when a picture cannot be made. */
+#include "platform/ctl/morph_sheet_parts.h"
+
+#include <errno.h>
+#include <string.h>
+
+#define MEASURE_STEPS 20u /* Stages measured before anything is drawn. */
+
+static const char command[] = "export";
+
+enum exit_code sheet_no_memory(void)
+{
+    return morph_fail(EXIT_IO, command, "%s", strerror(ENOMEM));
+}
+
+enum exit_code sheet_write(const struct canvas *canvas, const char *path)
+{
+    const int error = canvas_write_png(canvas, path);
+    return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
+}
+
+void sheet_measure(struct portrait *portrait, const struct morph_pick *pick,
+                   struct portrait_bounds bounds[VIEW_COUNT])
+{
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        bounds[view] = portrait_nowhere;
+    }
+    for (uint32_t i = 0; i <= MEASURE_STEPS; i++) {
+        portrait_take(portrait, pick->fish, &pick->rig, (float)i / (float)MEASURE_STEPS);
+        for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+            portrait_measure(portrait, (enum portrait_view)view, &bounds[view]);
+        }
+    }
+}
