@@ -13,6 +13,7 @@
 #define UNEVEN 0.35f       /* A spot is so much larger or smaller than it is drawn. */
 #define CELL_RIM 0.2f      /* Of a spot's cell: so near its border no spot has its middle. */
 #define BOW_HEIGHT 0.35f   /* A flank's height in body lengths, for the gill cover's bow. */
+#define SIDE_RIM 0.25f     /* Sine round the girth: so far a flank begins from its edge. */
 #define SLIT_HEIGHT 7.0f   /* A head of 0.14 lengths: from a slit's width to a share of height. */
 
 /* From back to belly over one flank, in body lengths, and how much less it is at the tail root. A
@@ -166,7 +167,8 @@ static float side(const struct species_mark *m, const struct mark_point *at)
 {
     const float toward = m->count == SIDE_RIGHT ? at->right : -at->right;
     const float soft = f_max(m->width, 0.02f);
-    return f_smoothstep(-soft, soft, toward) * within(at->u, m->from, m->to, SOFT_HEIGHT);
+    return f_smoothstep(SIDE_RIM, SIDE_RIM + 2.0f * soft, toward) *
+           within(at->u, m->from, m->to, SOFT_HEIGHT);
 }
 
 /* From the snout (at height `high`) to the corner (`to`, `low`), finer toward the corner. */

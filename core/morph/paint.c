@@ -10,6 +10,8 @@
 #define PUPIL 0.52f       /* Of the eye's visible radius. */
 #define IRIS_SHINE 0.6f
 #define BACK_SHINE 0.35f  /* Of the flank's: scales lie there under dark skin. */
+#define STALK_FROM 0.96f  /* From here to the tail root skin becomes the tail fin's, ... */
+#define STALK_FIN 0.9f    /* ... so far: the flesh of the stalk runs out into its rays. */
 #define MARK_OPAQUE 0.85f /* Pigment on a larva of glass is seen; a little shows through it. */
 
 static vec3 rgb(uint32_t colour)
@@ -126,10 +128,29 @@ static void lay_marks(const struct species *species, const float *share, uint32_
     }
 }
 
+/* `slots`: the most marks of any key. */
+static struct paint paint_of(const struct species *species, const float *share, uint32_t slots,
+                             const struct species_vertex *at)
+{
+    const struct mark_point point = mark_point_of(at, (enum body_form)species->card.form);
+    struct paint paint = mean_paint(species, share, &point);
+    for (uint32_t slot = 0; slot < slots; slot++) {
+        lay_marks(species, share, slot, &point, &paint);
+    }
+    return paint;
+}
+
+/* Toward the tail root skin becomes the fin's: no edge of it lies over the fin. */
+static void run_out(struct paint *skin, const struct paint *fin, float u)
+{
+    const float share = STALK_FIN * f_smoothstep(STALK_FROM, 1.0f, u);
+    skin->colour = v3_lerp(skin->colour, fin->colour, share);
+    skin->shine *= 1.0f - share;
+}
+
 struct paint paint_at(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct species_vertex *at)
 {
-    const struct mark_point point = mark_point_of(at, (enum body_form)species->card.form);
     float share[MORPH_KEY_MAX], sum = 0.0f;
     uint32_t slots = 0;
     CORE_ASSERT(species->card.form <= FORM_PUFFER);
@@ -145,9 +166,12 @@ struct paint paint_at(const struct species *species, const float weights[MORPH_K
             slots = species->coats[key].mark_count;
         }
     }
-    struct paint paint = mean_paint(species, share, &point);
-    for (uint32_t slot = 0; slot < slots; slot++) {
-        lay_marks(species, share, slot, &point, &paint);
+    struct paint paint = paint_of(species, share, slots, at);
+    if (at->part == PART_BODY && at->u > STALK_FROM && species->card.motion != MOTION_WING) {
+        const float down = 1.0f - f_abs(at->v * 2.0f - 1.0f);
+        const struct species_vertex root = { .u = down, .part = PART_TAIL };
+        const struct paint fin = paint_of(species, share, slots, &root);
+        run_out(&paint, &fin, at->u);
     }
     return paint;
 }

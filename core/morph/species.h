@@ -20,7 +20,7 @@
 #define SPECIES_BUILT_IN 7u
 #define SPECIES_EXTRA_MAX 8u   /* Fixed slots for makers' packed files. */
 #define SPECIES_MAX (SPECIES_BUILT_IN + SPECIES_EXTRA_MAX)
-#define MESH_VERTEX_MAX 1024u  /* Of one level of detail; a near bigeye has 830. */
+#define MESH_VERTEX_MAX 1024u  /* Of one level of detail; a near bigeye has 847. */
 #define MESH_INDEX_MAX 8192u
 #define ANCHOR_MAX 96u         /* A root for each ray column of each fin, and two eyes. */
 #define ANCHOR_NONE 255u

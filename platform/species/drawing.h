@@ -98,6 +98,7 @@ struct species_text {
 /* One level of detail: how many rings and spokes the body has, rays and points along each fin. */
 struct detail {
     uint32_t rings, spokes;
+    bool round_end; /* A ring more rounds off the tail root. */
     uint32_t eye_rings, eye_spokes;
     struct { uint32_t across, along; } fins[PART_COUNT];
 };

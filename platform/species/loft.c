@@ -9,9 +9,11 @@
 #include <string.h>
 
 #define RINGS_MAX 64
+#define CAP_AT 0.6    /* So far from the last ring to the closing point an end's own ring stands; */
+#define CAP_FACES 0.8 /* it faces backward so much for each part outward. */
 
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
-    { .rings = 24, .spokes = 16, .eye_rings = 5, .eye_spokes = 14,
+    { .rings = 24, .spokes = 16, .round_end = true, .eye_rings = 5, .eye_spokes = 14,
       .fins = { [PART_TAIL] = { 11, 5 }, [PART_DORSAL] = { 13, 4 }, [PART_ANAL] = { 8, 4 },
                 [PART_PECTORAL] = { 6, 3 }, [PART_PELVIC] = { 5, 3 },
                 [PART_DORSAL_2] = { 6, 3 } } },
@@ -97,6 +99,21 @@ static void add_ring(struct lofting *l, double u)
     }
 }
 
+/* Between the last ring and the closing points: it rounds off the flesh of the tail root. It is no
+ * part of the grid, for nothing rides there. */
+static void add_cap_ring(struct lofting *l)
+{
+    for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
+        const double v = (double)spoke / l->detail->spokes;
+        next_vertex(l, (struct species_vertex){ .u = 1.0f, .v = (float)v, .anchor = ANCHOR_NONE });
+        for (uint32_t key = 0; key < l->species->key_count; key++) {
+            const struct key_text *text = &l->species->keys[key];
+            place(l, key, end_point(text, CAP_AT, v),
+                  unit(mad(body_normal(text, 1.0, v), (point3){ 0.0, 0.0, 1.0 }, CAP_FACES)));
+        }
+    }
+}
+
 static void add_body(struct lofting *l)
 {
     const uint32_t rings = l->detail->rings, spokes = l->detail->spokes;
@@ -108,7 +125,11 @@ static void add_body(struct lofting *l)
     for (uint32_t ring = 0; ring < rings; ring++) {
         add_ring(l, u[ring]);
     }
-    const uint32_t last = first + (rings - 1) * (spokes + 1);
+    if (l->detail->round_end) {
+        add_cap_ring(l);
+    }
+    const uint32_t rows = rings + (l->detail->round_end ? 1u : 0u);
+    const uint32_t last = first + (rows - 1) * (spokes + 1);
     const uint32_t end = add_poles(l, 1.0, unit((point3){ 1.0, 0.0, 0.3 }));
     for (uint32_t j = 0; j < spokes; j++) {
         const uint32_t left = 2 * j < spokes ? 0 : 1;

@@ -47,6 +47,8 @@ struct ball eye_ball(const struct key_text *key, uint32_t side);
 
 /* The body's last point, a little behind its last ring. */
 double body_end(const struct key_text *key);
+/* Of the round end: `t` 0 at the last ring .. 1 at that point. */
+point3 end_point(const struct key_text *key, double t, double v);
 
 /* `at` 0 .. 1 from the first ray to the last, `along` 0 .. 1 from root to tip. The root (0) lies in
  * the body, everything beyond it (down to the least above 0) outside. */

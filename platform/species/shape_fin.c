@@ -46,6 +46,19 @@ double body_end(const struct key_text *key)
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
 
+/* How much of the tail root's girth is left at `t` of the way to that point: a round end. */
+static double closing(double t)
+{
+    return sqrt(fmax(1.0 - t * t, 0.0));
+}
+
+point3 end_point(const struct key_text *key, double t, double v)
+{
+    const point3 p = body_point(key, 1.0, v);
+    const double middle = (double)section(key, 1.0).offset, left = closing(t);
+    return (point3){ p.x * left, middle + (p.y - middle) * left, 1.0 + t * (body_end(key) - 1.0) };
+}
+
 /* From the base's top (0) to its bottom, within the stalk however tall a maker draws it. */
 static point3 tail_root(const struct key_text *key, double at)
 {
@@ -147,10 +160,10 @@ static double outness(const struct key_text *key, point3 p)
         return CLEAR_OF;
     }
     const struct station s = section(key, fmin(p.z, 1.0));
-    const double closing = p.z > 1.0 ? (end - p.z) / (end - 1.0) : 1.0;
+    const double left = p.z > 1.0 ? closing((p.z - 1.0) / (end - 1.0)) : 1.0;
     const double e = (double)s.exponent;
-    const double x = fabs(p.x) / (0.5 * (double)s.width * closing);
-    const double y = fabs(p.y - (double)s.offset) / (0.5 * (double)s.depth * closing);
+    const double x = fabs(p.x) / (0.5 * (double)s.width * left);
+    const double y = fabs(p.y - (double)s.offset) / (0.5 * (double)s.depth * left);
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 

@@ -65,6 +65,40 @@ static void test_every_key_of_every_species_measures_1(void **state)
     }
 }
 
+/* One lobe is turned one way and one the other: seen from above neither is longer. */
+static void test_every_tail_reaches_as_far_to_either_side(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        const struct species_mesh *mesh = &species_table[i]->lod[0];
+        for (uint32_t key = 0; key < species_table[i]->card.key_count; key++) {
+            float right = 0.0f, left = 0.0f;
+            for (uint32_t j = 0; j < mesh->vertex_count; j++) {
+                const float x = morph_position(mesh, key, j).x;
+                if (mesh->vertices[j].part == PART_TAIL) {
+                    right = f_max(right, x);
+                    left = f_max(left, -x);
+                }
+            }
+            assert_float_equal(right, left, 0.05f * right + 1e-3f);
+        }
+    }
+}
+
+static void test_a_tail_root_is_rounded_off(void **state)
+{
+    (void)state;
+    const struct loft *l = lofted("", "", "template pairwise\n");
+    const uint32_t row = l->grid_spokes + 1u, cap = l->grid_first + l->grid_rings * row;
+    const vec3 back = l->positions[0][cap - row], round = l->positions[0][cap];
+    const vec3 point = l->positions[0][cap + row];
+    const float there = (round.z - back.z) / (point.z - back.z);
+    const float left = (round.y - point.y) / (back.y - point.y);
+    assert_in_range((uint32_t)(100.0f * there), 40, 80);
+    assert_true(left > 1.15f * (1.0f - there)); /* Well outside the cone. */
+    assert_float_equal(there * there + left * left, 1.0f, 0.01f);
+}
+
 static void test_rings_rise_to_the_tail_root_and_crowd_where_outlines_turn(void **state)
 {
     (void)state;
@@ -250,6 +284,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_key_of_every_species_measures_1),
+        cmocka_unit_test(test_every_tail_reaches_as_far_to_either_side),
+        cmocka_unit_test(test_a_tail_root_is_rounded_off),
         cmocka_unit_test(test_rings_rise_to_the_tail_root_and_crowd_where_outlines_turn),
         cmocka_unit_test(test_body_coordinates_keep_the_gill_cover_where_each_key_draws_it),
         cmocka_unit_test(test_fins_and_eyes_ride_and_body_and_tail_do_not),

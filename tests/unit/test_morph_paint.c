@@ -137,13 +137,38 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
                                     .to = 1.0f };
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
     assert_float_equal(cover(m, 0.5f, LEFT_FLANK), 0.0f, 1e-3f);
-    assert_float_equal(cover(m, 0.5f, 0.0f), 0.5f, 0.1f);
+    assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f); /* The edge is the other flank's, ... */
+    assert_float_equal(cover(m, 0.5f, 0.01f), 0.0f, 0.0f);
+    assert_float_equal(cover(m, 0.5f, 0.04f), 0.0f, 0.01f); /* ... and so is what runs over it. */
+    assert_float_equal(cover(m, 0.5f, 0.10f), 1.0f, 0.01f);
     struct species_vertex fin = { .part = PART_PECTORAL, .side = SIDE_RIGHT };
     struct mark_point point = mark_point_of(&fin, FORM_FUSIFORM);
     assert_float_equal(mark_cover(&m, &point), 1.0f, 1e-3f);
     fin.side = SIDE_LEFT;
     point = mark_point_of(&fin, FORM_FUSIFORM);
     assert_float_equal(mark_cover(&m, &point), 0.0f, 1e-3f);
+}
+
+/* How far apart two places of a young fish's coat are in colour. */
+static float unlike(const struct species *species, struct species_vertex a, struct species_vertex b)
+{
+    const float weights[MORPH_KEY_MAX] = { 0.0f, 0.0f, 1.0f };
+    return v3_length(v3_sub(paint_at(species, weights, &a).colour,
+                            paint_at(species, weights, &b).colour));
+}
+
+static void test_skin_runs_out_into_what_the_tail_fin_wears(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        const struct species_vertex fin = { .u = 0.5f, .part = PART_TAIL };
+        const struct species_vertex end = { .u = 1.0f, .v = 0.25f, .part = PART_BODY };
+        const struct species_vertex stalk = { .u = 0.95f, .v = 0.25f, .part = PART_BODY };
+        if (species_table[i]->card.motion != MOTION_WING) { /* A whip ends in no fin. */
+            assert_true(unlike(species_table[i], end, fin) <=
+                        0.15f * unlike(species_table[i], stalk, fin) + 0.01f);
+        }
+    }
 }
 
 static void test_mouth_and_gill_are_fine_lines_of_the_head(void **state)
@@ -243,6 +268,7 @@ int main(void)
         cmocka_unit_test(test_rows_have_their_dots_on_every_row),
         cmocka_unit_test(test_a_margin_is_on_the_outer_part_of_its_own_fin),
         cmocka_unit_test(test_a_blind_side_is_one_flank_and_its_paired_fins),
+        cmocka_unit_test(test_skin_runs_out_into_what_the_tail_fin_wears),
         cmocka_unit_test(test_mouth_and_gill_are_fine_lines_of_the_head),
         cmocka_unit_test(test_a_pupil_is_black_in_its_iris_and_never_of_glass),
         cmocka_unit_test(test_negative_weights_of_solved_shapes_take_no_colour_away),

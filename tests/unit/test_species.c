@@ -80,7 +80,7 @@ static void test_levels_of_detail_keep_their_vertex_budgets(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
-        assert_in_range(species_table[i]->lod[0].vertex_count, 400, 840);
+        assert_in_range(species_table[i]->lod[0].vertex_count, 400, 860);
         assert_in_range(species_table[i]->lod[1].vertex_count, 80, 240);
     }
     assert_in_range(wakin->lod[0].vertex_count, 600, 780);

@@ -93,6 +93,7 @@ static void test_nothing_is_deeper_in_the_fish_than_it_should_be(void **state)
     MOST(fin_in_body.value, 0.0005f)
     MOST(fin_in_eye.value, 0.0f)
     MOST(eye_in_body.value, 0.0f)
+    MOST(root_off_skin.value, 0.001f)
 }
 
 static void test_no_pupil_is_in_a_head_and_no_eye_in_the_other(void **state)
