@@ -148,9 +148,33 @@ vec2 scales(vec2 uv)
     return vec2(edge, clamp(1.2 - 1.3 * front, 0.0, 1.0)) * (told * trunk * step(1.0, look.y));
 }
 
+// Lines round the body too fine for a sheet of paint (platform/render/skin.h); core/morph/mark.c's
+// bands. Each is as broad as it is, however few pixels that are.
+uniform vec4 line_place[2];
+uniform vec4 line_shape[2];
+uniform vec3 line_colour[2];
+
+vec4 lined(vec4 paint)
+{
+    float high = 0.5 + 0.5 * cos(6.2831853 * skin.y);
+    for (int i = 0; i < 2; i++) {
+        float at = skin.x - line_place[i].w * (high - 0.5) - line_place[i].x;
+        float wide = max(fwidth(at), 1e-5);
+        float off = abs((clamp(floor(at / max(line_place[i].y, 1e-4)), 0.0, line_place[i].z - 1.0)
+            + 0.5) * line_place[i].y - at);
+        float here = min(off + 0.5 * wide, line_shape[i].x) - max(off - 0.5 * wide, -line_shape[i].x);
+        float cover = clamp(here / wide, 0.0, 1.0) * line_shape[i].w * step(0.5, line_place[i].z)
+            * smoothstep(line_shape[i].y - 0.03, line_shape[i].y + 0.03, high)
+            * (1.0 - smoothstep(line_shape[i].z - 0.03, line_shape[i].z + 0.03, high));
+        paint.rgb = mix(paint.rgb, line_colour[i], cover);
+        paint.a *= 1.0 - 0.85 * cover;
+    }
+    return paint;
+}
+
 vec4 body(vec3 n)
 {
-    vec4 paint = mixed(paints, paint_uv);
+    vec4 paint = lined(mixed(paints, paint_uv));
     float shine = mixed(shines, paint_uv).r;
     paint.rgb = mix(worn_body(paint.rgb), tint.rgb, tint.a);
     vec2 scale = scales(skin.xy) * (1.0 - smoothstep(0.02, 0.30, look.z)) * (1.0 - tint.a);
@@ -158,7 +182,9 @@ vec4 body(vec3 n)
     vec3 base = to_light(paint.rgb) * (1.06 - 0.36 * scale.x);
     vec3 light = lit(base, n, shine * (1.0 - 0.5 * scale.x), 0.35 + 0.5 * shine);
     float edge = 1.0 - max(n.z, 0.0);
-    float alpha = mix(1.0, 0.24 + 0.66 * edge * edge, paint.a);
+    // What is clear all over lets most through; its outline and what is painted on it are seen.
+    float through = paint.a * (1.5 - 0.5 * paint.a);
+    float alpha = mix(1.0, 0.14 + 0.66 * edge * edge, through);
     return vec4(light, alpha);
 }
 

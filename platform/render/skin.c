@@ -7,6 +7,7 @@
 
 #define EDGE 20          /* Of 255: neighbours that differ more are painted at four points each. */
 #define SCALE_ROWS_MIN 6u /* So many rows of dots mean scales. */
+#define LINES_MIN 40u     /* So many bands round a body are lines too fine for a sheet. */
 
 static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
 {
@@ -57,6 +58,26 @@ static void leave_out_dots(struct skin *skin)
     }
 }
 
+static bool is_lines(const struct species_mark *mark)
+{
+    return mark->kind == MARK_BANDS && mark->part == PART_BODY && mark->count >= LINES_MIN;
+}
+
+/* What the shader draws is not painted; the marks stay in skin->lined. */
+static void leave_out_lines(struct skin *skin)
+{
+    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
+        struct species_coat *const coat = &skin->species.coats[key];
+        skin->lined[key].count = 0;
+        for (uint32_t i = 0; i < coat->mark_count; i++) {
+            if (is_lines(&coat->marks[i])) {
+                skin->lined[key] = coat->marks[i];
+                coat->marks[i].part = PART_COUNT;
+            }
+        }
+    }
+}
+
 void skin_wear(struct skin *skin, const struct species *species)
 {
     const uint32_t steps = species->card.key_count - 1u;
@@ -67,6 +88,7 @@ void skin_wear(struct skin *skin, const struct species *species)
     skin->shown = skin->shown_px = 0.0f;
     memset(skin->bands_done, 0, sizeof skin->bands_done);
     memset(skin->is_coarse, 0, sizeof skin->is_coarse);
+    leave_out_lines(skin);
     if (skin_scales(skin) > 0.0f) {
         leave_out_dots(skin);
     }
@@ -320,6 +342,38 @@ bool skin_is_fine(const struct skin *skin)
 {
     const uint32_t sheet = next_sheet(skin);
     return sheet == skin->sheet_count || f_abs((float)sheet - skin->shown) >= 1.0f;
+}
+
+static struct skin_lines lines_of(const struct species_mark *mark, float share)
+{
+    const float step = f_max(mark->to - mark->from, 1e-3f) / f_max((float)mark->count, 1.0f);
+    return (struct skin_lines){
+        .place = { mark->from, step, (float)mark->count, mark->slant },
+        .shape = { 0.5f * mark->width, mark->low, mark->high, share },
+        .colour = { (float)(mark->colour >> 16 & 255u) / 255.0f,
+                    (float)(mark->colour >> 8 & 255u) / 255.0f,
+                    (float)(mark->colour & 255u) / 255.0f },
+    };
+}
+
+/* Lines of the keys that weigh most, each faded by its weight, as paint_at() fades marks that keys
+ * do not share: no two neighbouring keys' larvae have as many muscles. */
+void skin_lines(const struct skin *skin, const float weights[MORPH_KEY_MAX],
+                struct skin_lines lines[SKIN_LINES])
+{
+    float sum = 0.0f;
+    memset(lines, 0, SKIN_LINES * sizeof *lines);
+    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
+        sum += f_max(weights[key], 0.0f);
+    }
+    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
+        const float share = f_max(weights[key], 0.0f) / f_max(sum, 1e-6f);
+        struct skin_lines *const least =
+            lines[0].shape[3] < lines[1].shape[3] ? &lines[0] : &lines[1];
+        if (skin->lined[key].count > 0 && share > least->shape[3]) {
+            *least = lines_of(&skin->lined[key], share);
+        }
+    }
 }
 
 float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX])

@@ -17,6 +17,7 @@
 
 struct skin {
     struct species species; /* A copy: its coats are asked for as long as it is worn. */
+    struct species_mark lined[MORPH_KEY_MAX]; /* Marks that are not painted: skin_lines(). */
     uint32_t sheet_count, per_key;
     uint32_t bands_done[SKIN_SHEETS];
     bool is_coarse[SKIN_SHEETS]; /* At least. */
@@ -53,6 +54,17 @@ uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands);
 /* Whether the sheets that skin_show() gave for its largest fish are painted finely; whether all. */
 bool skin_is_fine(const struct skin *skin);
 bool skin_is_done(const struct skin *skin);
+
+/* Lines round the body that are finer than a sheet's texels, as a leaf larva's muscles show: the
+ * shader draws them, as sharp as the screen. What mark_cover() asks of MARK_BANDS. */
+#define SKIN_LINES 2u
+struct skin_lines {
+    float place[4]; /* Where the first begins, how far apart, how many, their slant. */
+    float shape[4]; /* Half a line's width, from which height to which, and how much it covers. */
+    float colour[3];
+};
+void skin_lines(const struct skin *skin, const float weights[MORPH_KEY_MAX],
+                struct skin_lines lines[SKIN_LINES]);
 
 /* How clear it is, [0, 1], without marks; and how many scales lie along it, 0: none are seen. */
 float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX]);

@@ -31,6 +31,9 @@ static struct specimen_program program(struct gl_status *status, const char *nam
         .tint = glGetUniformLocation(made, "tint"),
         .sheets = glGetUniformLocation(made, "sheets"),
         .worn = glGetUniformLocation(made, "worn"),
+        .line_place = glGetUniformLocation(made, "line_place"),
+        .line_shape = glGetUniformLocation(made, "line_shape"),
+        .line_colour = glGetUniformLocation(made, "line_colour"),
     };
 }
 
@@ -217,6 +220,7 @@ struct told {
     float sheets[3];
     float look[4];
     float screen_px[2];
+    struct skin_lines lines[SKIN_LINES];
 };
 
 static void send(const struct specimen_program *program, const struct specimen *specimen,
@@ -238,6 +242,11 @@ static void send(const struct specimen_program *program, const struct specimen *
     glUniform4f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
                 specimen->ripe, specimen->maturity);
     glUniform3fv(program->sheets, 1, told->sheets);
+    for (GLint i = 0; i < (GLint)SKIN_LINES && program->line_place >= 0; i++) {
+        glUniform4fv(program->line_place + i, 1, told->lines[i].place);
+        glUniform4fv(program->line_shape + i, 1, told->lines[i].shape);
+        glUniform3fv(program->line_colour + i, 1, told->lines[i].colour);
+    }
 }
 
 static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
@@ -322,6 +331,7 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
                          .screen_px = { width_px, height_px } };
     morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
     skin_show(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px, told.sheets);
+    skin_lines(slot->worn, pass->pose.weight[0], told.lines);
     send_pose(pass, mesh->anchor_count);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);

@@ -19,6 +19,7 @@
 struct specimen_program {
     GLuint name;
     GLint reach, axes, place, screen, swim, look, tint, sheets, worn;
+    GLint line_place, line_shape, line_colour;
 };
 
 struct specimen_slot {

@@ -422,6 +422,29 @@ static void test_a_negative_weight_chooses_no_sheet(void **state)
     }
 }
 
+/* A leaf larva from so near that a line is 5 px broad and the sheet's texels 9: its muscles' lines,
+ * 60 on 0.9 of its length, are sharp all the same. */
+static void test_a_leaf_larva_s_muscles_are_sharp_lines(void **state)
+{
+    (void)state;
+    const float length_px = 2400.0f;
+    struct specimen fish = { .species = species_table[3], /* kuroanago */
+                             .length_px = length_px,
+                             .x_px = 0.5f * (float)WIDTH, .y_px = 0.5f * (float)HEIGHT };
+    picture(pictures[0], &fish, 0.0f);
+    const uint8_t *const row = pictures[0] + HEIGHT / 2u * WIDTH * 4u;
+    uint32_t lines = 0;
+    for (uint32_t x = 2; x < WIDTH; x++) {
+        const int32_t rise = (int32_t)row[x * 4u + 1u] - (int32_t)row[(x - 2u) * 4u + 1u];
+        const int32_t before = (int32_t)row[(x - 1u) * 4u + 1u] -
+                               (int32_t)row[(x > 3u ? x - 3u : 0u) * 4u + 1u];
+        lines += rise > 24 && before <= 24;
+    }
+    const float expected = (float)WIDTH / length_px * 60.0f / 0.9f;
+    print_message("%u lines, %.1f expected\n", lines, (double)expected);
+    assert_true(f_abs((float)lines - expected) <= 2.5f); /* u is not quite even along the body. */
+}
+
 static void test_a_finished_skin_wants_no_more_work(void **state)
 {
     (void)state;
@@ -448,6 +471,7 @@ int main(void)
         cmocka_unit_test(test_another_edition_in_the_same_memory_is_drawn_anew),
         cmocka_unit_test(test_a_key_s_sheet_is_what_paint_at_says),
         cmocka_unit_test(test_a_finished_skin_wants_no_more_work),
+        cmocka_unit_test(test_a_leaf_larva_s_muscles_are_sharp_lines),
         cmocka_unit_test(test_what_is_shown_is_painted_finely_first_and_within_a_second),
         cmocka_unit_test(test_when_there_is_time_all_built_in_species_are_painted_ahead),
         cmocka_unit_test(test_the_ordinary_morph_wears_the_skin_of_its_species),
