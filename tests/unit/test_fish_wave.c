@@ -164,7 +164,8 @@ static void test_the_full_stroke_sweeps_a_fifth_of_the_length(void **state)
     assert_float_equal(half, 0.5f * tail, 0.015f);
 }
 
-/* A half circle of length 1 is 0.64 across and 0.32 deep; 2.5 radians are a little less. */
+/* A half circle of length 1 is 0.64 across and 0.32 deep; 2.5 radians are a little less bent, and the
+ * outer lobe of the tail's fork, a third of a length long, stands off the curve. */
 static void test_a_start_bends_the_whole_fish_into_a_c(void **state)
 {
     (void)state;
@@ -175,7 +176,7 @@ static void test_a_start_bends_the_whole_fish_into_a_c(void **state)
     const float off_left = (straight.left - bent.left) / length_px;
     const float off_right = (bent.right - straight.right) / length_px;
     print_message("a C is %.2f lengths high, %.2f deep\n", (double)high, (double)deep);
-    assert_true(high < 0.80f && high > 0.60f);
+    assert_true(high < 0.88f && high > 0.60f);
     assert_true(deep > 0.35f && deep < 0.60f);
     assert_true(off_left > off_right); /* Head and tail lie to its left. */
 }
