@@ -164,8 +164,8 @@ static void test_the_full_stroke_sweeps_a_fifth_of_the_length(void **state)
     assert_float_equal(half, 0.5f * tail, 0.015f);
 }
 
-/* A half circle of length 1 is 0.64 across and 0.32 deep; 2.5 radians are a little less bent, and the
- * outer lobe of the tail's fork, a third of a length long, stands off the curve. */
+/* A half circle of length 1 is 0.64 across and 0.32 deep; 2.5 radians are a little less bent, and
+ * the outer lobe of the tail's fork, a third of a length long, stands off the curve. */
 static void test_a_start_bends_the_whole_fish_into_a_c(void **state)
 {
     (void)state;
