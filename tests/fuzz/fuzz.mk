@@ -1,5 +1,6 @@
 # fuzz.mk -- what makers' files may do to us, tried by libFuzzer under address and undefined-behaviour sanitizers.
-# Leaks are not looked for: those of assimp would be found, and end with the child process that it runs in.
+# A fall inside assimp ends that fuzzer early and is told, but is no finding of ours: kingyoctl reads with it in a
+# child, and answers its end with one line. Leaks are not looked for: those of assimp would be found, and end with the child process that it runs in.
 
 FUZZ_SECONDS ?= 30
 FUZZ := $(BUILD)/fuzz
@@ -26,10 +27,12 @@ fuzz-morph:
 	        -max_len=65536 $$([ $$t = text ] && echo -dict=tests/fuzz/text.dict) -print_final_stats=1 -artifact_prefix=$(FUZZ)/findings/$$t- \
 	        $(FUZZ)/corpus/$$t $$([ $$t = text ] && echo assets/species || echo tests/fuzz/corpus/$$t) \
 	        >$(FUZZ)/$$t.log 2>&1; code=$$?; \
+	    own=; if grep -q '^SUMMARY:.*libassimp' $(FUZZ)/$$t.log; then own=1; code=0; fi; \
 	    printf '  %-6s %9s executions, %5s edges, %s\n' $$t \
 	        "$$(sed -n 's/^stat::number_of_executed_units: *//p' $(FUZZ)/$$t.log | tail -1)" \
 	        "$$(sed -nE 's/.* cov: ([0-9]+).*/\1/p' $(FUZZ)/$$t.log | tail -1)" \
-	        "$$([ $$code -eq 0 ] && echo 'no finding' || echo "exit $$code: see $(FUZZ)/$$t.log")"; \
+	        "$$([ -n "$$own" ] && echo "assimp itself fell, which kingyoctl's child process is for" || \
+	            { [ $$code -eq 0 ] && echo 'no finding'; } || echo "exit $$code: see $(FUZZ)/$$t.log")"; \
 	    [ $$code -eq 0 ] || exit 1; \
 	done
 
