@@ -7,7 +7,7 @@
  * In the festival, 300 fish, No. 6 paper, 60 s at most, both arms of an experiment play the same
  * seeds: the same fish, the same paper. What the stall's lore says must show in what was caught
  * (facts about technique are in the README). Exit 0: all pay; with less than SEEDS_ENOUGH seeds, at
- * least PAYS_MIN of them do and none goes the wrong way. Exit 1: not so. */
+ * least PAYS_MIN of them do and none goes plainly the wrong way. Exit 1: not so. */
 #include <stdio.h>
 #include <string.h>
 
@@ -19,6 +19,9 @@
 
 #define SEEDS_ENOUGH 200u
 #define PAYS_MIN 2u /* With a tenth of the seeds: what is too plain to be missed. */
+/* Of any of seven by chance 5 %, of each a seventh: with few seeds one in three runs would else see
+ * a wrong way that is none. */
+#define PLAINLY_WRONG_P (0.05 / 7.0)
 #define FISH_COUNT 300u
 #define ROUND_S 60u
 #define GRADE 6u
@@ -93,15 +96,18 @@ static void judge(const struct league *league, struct trial *trial)
  * seeds a true but small effect may not show, so not each must. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
-    uint32_t count[VERDICT_COUNT] = { 0 };
+    uint32_t count[VERDICT_COUNT] = { 0 }, plainly_wrong = 0;
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
         count[trials[i].verdict]++;
+        plainly_wrong += trials[i].verdict == VERDICT_WRONG_WAY &&
+                         trials[i].found.p < PLAINLY_WRONG_P;
     }
     const uint32_t needed = seeds >= SEEDS_ENOUGH ? (uint32_t)EXPERIMENT_COUNT : PAYS_MIN;
-    const int well = count[VERDICT_PAYS] >= needed && count[VERDICT_WRONG_WAY] == 0;
-    printf("\n%s: %u of %zu pay, %u the wrong way; with %u seeds %u must pay and none go wrong\n",
+    const int well = count[VERDICT_PAYS] >= needed && plainly_wrong == 0;
+    printf("\n%s: %u of %zu pay, %u the wrong way, %u of these plainly (p < %.4f); "
+           "with %u seeds %u must pay and none go plainly wrong\n",
            well ? "so" : "NOT SO", count[VERDICT_PAYS], EXPERIMENT_COUNT,
-           count[VERDICT_WRONG_WAY], seeds, needed);
+           count[VERDICT_WRONG_WAY], plainly_wrong, PLAINLY_WRONG_P, seeds, needed);
     return well;
 }
 
