@@ -17,6 +17,7 @@
 #include "platform/render/fish_mesh.h"
 #include "platform/render/fish_poses.h"
 #include "shaders.h"
+#include "tests/unit/gl_context.h"
 
 #define BETWEEN 9u
 #define ERROR_MAX 1e-5f  /* Of a length. */
@@ -66,14 +67,7 @@ static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
 static int open_context(void **state)
 {
     (void)state;
-    SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
-    assert_int_equal(SDL_Init(SDL_INIT_VIDEO), 0);
-    SDL_Window *const window = SDL_CreateWindow("morph", 0, 0, 64, 64, SDL_WINDOW_OPENGL);
-    assert_non_null(window);
-    assert_non_null(SDL_GL_CreateContext(window));
+    open_gl_context("morph");
     fish_mesh_reserve(&mesh);
     pose_buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof texels);
     feedback_buffer = gl_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, NULL,

@@ -11,6 +11,7 @@
 #include <SDL.h>
 
 #include "platform/render/specimen_pass.h"
+#include "tests/unit/gl_context.h"
 
 #define WIDTH 320u
 #define HEIGHT 200u
@@ -28,14 +29,7 @@ static uint8_t pictures[2][SIZE];
 static int open_pass(void **state)
 {
     (void)state;
-    SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
-    assert_int_equal(SDL_Init(SDL_INIT_VIDEO), 0);
-    SDL_Window *const window = SDL_CreateWindow("specimen", 0, 0, 64, 64, SDL_WINDOW_OPENGL);
-    assert_non_null(window);
-    assert_non_null(SDL_GL_CreateContext(window));
+    open_gl_context("specimen");
     textures_open(&status, &textures);
     specimen_pass_open(&status, &pass, &textures);
     gl_target_open(&status, "sheet", &target,
