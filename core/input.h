@@ -22,8 +22,46 @@ enum input_button {
     INPUT_RIGHT = 1u << 2,
     INPUT_OK = 1u << 3,
     INPUT_LANGUAGE = 1u << 4,
-    INPUT_TEST = 1u << 5,
-    INPUT_BUTTON_ALL = (1u << 6) - 1u,
+    INPUT_TEST = 1u << 5,    /* Opens and leaves the operator's menu. */
+    INPUT_SERVICE = 1u << 6, /* A credit that nobody paid for. */
+    INPUT_TILT = 1u << 7,    /* The cabinet was shaken or leant. */
+    INPUT_DOOR = 1u << 8,    /* The cabinet stands open. */
+    INPUT_BUTTON_ALL = (1u << 9) - 1u,
+};
+
+#define CONTROLLER_MAX 8u /* Four that play, and four that lie ready. */
+
+/* A USB controller that is plugged in, as the operator's menu may deal with it. What it is called
+ * is no concern of the core: the shell dresses the scene with names (scene.h). */
+enum controller_state {
+    CONTROLLER_NONE = 0,
+    CONTROLLER_FREE,    /* Another driver has it, which it will keep unless it is chosen. */
+    CONTROLLER_PLAYS,   /* It is a poi, or will be when it is asked for. */
+    CONTROLLER_LOST,    /* It was a poi and is away. */
+    CONTROLLER_BARRED,  /* Never taken: a boot keyboard, a hub's, no input fields. */
+    CONTROLLER_DENIED,  /* Chosen, but we may not open it. */
+    CONTROLLER_STATE_COUNT,
+};
+
+/* What a controller that is being learned wants of whoever holds it, in this order. */
+enum learn_step {
+    LEARN_NONE = 0, /* Nothing is learned. */
+    LEARN_REST,     /* Keep it still. */
+    LEARN_LEFT,
+    LEARN_RIGHT,
+    LEARN_FAR,
+    LEARN_NEAR,
+    LEARN_DIP,
+    LEARN_TRY,      /* It plays with what was learned: keep it, or begin again? */
+    LEARN_FAILED,   /* What it said cannot be a poi. */
+    LEARN_STEP_COUNT,
+};
+
+struct desk_input {
+    uint8_t state[CONTROLLER_MAX]; /* enum controller_state; a row keeps its place. */
+    uint8_t learn_step;            /* enum learn_step */
+    uint8_t learn_row;             /* Of the controller that is learned. */
+    uint8_t learn_progress;        /* 0 .. 255 of the present step. */
 };
 
 enum poi_link {
@@ -71,6 +109,7 @@ struct input {
     uint32_t edit_saved_id;   /* The same of output.edit. */
     uint8_t edit_refused;     /* 1: the store keeps no edit, or its last try to failed. */
     uint8_t upright;          /* The screen stands: narrower than LAB_UPRIGHT_ASPECT. */
+    struct desk_input desk;   /* What the operator's menu shows of controllers. */
     struct poi_input poi[POI_MAX];
     struct shade_input shade[SHADE_MAX];
 };

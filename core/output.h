@@ -68,11 +68,32 @@ struct round_record {
     } player[POI_MAX];
 };
 
+/* What the operator orders of a controller. `id` rises by one with each order; 0: none yet. */
+enum desk_order_kind {
+    DESK_NOTHING = 0,
+    DESK_CHOOSE,     /* Take it from whoever has it; it is a poi from now on. */
+    DESK_RELEASE,    /* Give it back, and forget what was learned. */
+    DESK_LEARN,      /* Begin to learn it; the device is chosen with that. */
+    DESK_LEARN_NEXT, /* Whoever holds it says that he did as he was told. */
+    DESK_LEARN_KEEP, /* Keep what was learned for this vendor:product:serial. */
+    DESK_LEARN_END,  /* Forget it. */
+};
+
+struct desk_order {
+    uint32_t id;
+    uint8_t kind; /* enum desk_order_kind */
+    uint8_t row;  /* < CONTROLLER_MAX, as in desk_input. */
+};
+
 struct output {
     uint32_t sound_count; /* <= OUTPUT_SOUND_MAX; further sounds of the frame are not heard. */
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
-    uint8_t start_lamp; /* Level. */
+    uint8_t start_lamp;     /* Level. */
+    uint8_t coin_lockout;   /* Level: coins fall through to the return. */
+    uint32_t coins_counted; /* Since the start: the meter in the cabinet gets a pulse for each. */
+    uint32_t tickets;       /* Since the start: the dispenser gets a pulse for each. */
+    struct desk_order order; /* The newest. */
     struct round_record record; /* The newest; stays until the next, for a store that is busy. */
     struct edit_record edit;    /* Likewise; what the store did not take by then is this run's. */
 };

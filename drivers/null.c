@@ -124,20 +124,62 @@ struct hal_buttons null_buttons(const char *line)
     return (struct hal_buttons){ .ops = &ops, .self = line_self(line) };
 }
 
-static int null_set_start(void *self, int lit)
+static int null_set(void *self, enum hal_switch which, int active)
 {
     (void)self;
-    (void)lit;
+    (void)which;
+    (void)active;
     return HAL_ERR_NONE;
 }
 
-struct hal_lamps null_lamps(const char *line)
+static int null_pulse(void *self, enum hal_switch which, uint32_t count)
 {
-    static const struct hal_lamps_ops ops = {
-        .set_start = null_set_start,
+    (void)self;
+    (void)which;
+    (void)count;
+    return HAL_ERR_NONE;
+}
+
+struct hal_switches null_switches(const char *line)
+{
+    static const struct hal_switches_ops ops = {
+        .set = null_set,
+        .pulse = null_pulse,
         .describe = null_describe,
     };
-    return (struct hal_lamps){ .ops = &ops, .self = line_self(line) };
+    return (struct hal_switches){ .ops = &ops, .self = line_self(line) };
+}
+
+static int null_desk(void *self, struct desk_input *out)
+{
+    (void)self;
+    *out = (struct desk_input){ 0 };
+    return HAL_ERR_NONE;
+}
+
+static const char *null_name(void *self, uint32_t row)
+{
+    (void)self;
+    (void)row;
+    return "";
+}
+
+static int null_order(void *self, const struct desk_order *order)
+{
+    (void)self;
+    (void)order;
+    return HAL_ERR_NONE;
+}
+
+struct hal_controllers null_controllers(const char *line)
+{
+    static const struct hal_controllers_ops ops = {
+        .poll = null_desk,
+        .name = null_name,
+        .order = null_order,
+        .describe = null_describe,
+    };
+    return (struct hal_controllers){ .ops = &ops, .self = line_self(line) };
 }
 
 static int null_play(void *self, const struct sound_event *event)
@@ -230,7 +272,8 @@ struct hal null_hal(void)
         .clock = { .ops = &clock_ops, .self = NULL },
         .display = null_display(NULL),
         .buttons = null_buttons(NULL),
-        .lamps = null_lamps(NULL),
+        .switches = null_switches(NULL),
+        .controllers = null_controllers(NULL),
         .audio = null_audio(NULL),
         .storage = null_storage(NULL),
         .watchdog = null_watchdog(NULL),

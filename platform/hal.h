@@ -96,6 +96,8 @@ struct hal_shade_ops {
 struct button_sample {
     uint32_t held, pressed;   /* enum input_button */
     uint32_t coin_count;
+    uint32_t faults;          /* Since the last poll: coins that stick, edges that were lost, lines
+                                 that went. */
     uint8_t quit;             /* A desktop's quit key; a cabinet has none. */
     uint8_t full_screen;      /* A desktop's full-screen key was pressed. */
 };
@@ -105,8 +107,30 @@ struct hal_buttons_ops {
     const char *(*describe)(void *self);
 };
 
-struct hal_lamps_ops {
-    int (*set_start)(void *self, int lit);
+/* What the kiosk switches. */
+enum hal_switch {
+    HAL_START_LAMP = 0,
+    HAL_COIN_LOCKOUT,
+    HAL_TICKET,       /* One pulse, one ticket. */
+    HAL_COIN_COUNTER, /* One pulse, one step of the meter. */
+    HAL_SWITCH_COUNT,
+};
+
+struct hal_switches_ops {
+    int (*set)(void *self, enum hal_switch which, int active);
+    /* `count` more pulses, which the driver makes one after the other, in its own time. */
+    int (*pulse)(void *self, enum hal_switch which, uint32_t count);
+    const char *(*describe)(void *self);
+};
+
+/* Controllers of which the operator may choose those that play: one row each. */
+#define HAL_CONTROLLER_TEXT 48u
+struct hal_controllers_ops {
+    /* Level: what there is, and how learning goes. Once a frame. */
+    int (*poll)(void *self, struct desk_input *out);
+    /* "057e:2009 Pro Controller, port 3-1.2"; "" for a row without one. UTF-8. */
+    const char *(*name)(void *self, uint32_t row);
+    int (*order)(void *self, const struct desk_order *order);
     const char *(*describe)(void *self);
 };
 
@@ -142,7 +166,8 @@ struct hal_display { const struct hal_display_ops *ops; void *self; };
 struct hal_poi { const struct hal_poi_ops *ops; void *self; };
 struct hal_shade { const struct hal_shade_ops *ops; void *self; };
 struct hal_buttons { const struct hal_buttons_ops *ops; void *self; };
-struct hal_lamps { const struct hal_lamps_ops *ops; void *self; };
+struct hal_switches { const struct hal_switches_ops *ops; void *self; };
+struct hal_controllers { const struct hal_controllers_ops *ops; void *self; };
 struct hal_audio { const struct hal_audio_ops *ops; void *self; };
 struct hal_storage { const struct hal_storage_ops *ops; void *self; };
 struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
@@ -153,7 +178,8 @@ struct hal {
     struct hal_poi poi[POI_MAX];
     struct hal_shade shade[SHADE_MAX];
     struct hal_buttons buttons;
-    struct hal_lamps lamps;
+    struct hal_switches switches;
+    struct hal_controllers controllers;
     struct hal_audio audio;
     struct hal_storage storage;
     struct hal_watchdog watchdog;

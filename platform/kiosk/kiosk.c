@@ -50,6 +50,7 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     kiosk->input.held = buttons.held & (uint32_t)INPUT_BUTTON_ALL;
     kiosk->input.pressed |= buttons.pressed & (uint32_t)INPUT_BUTTON_ALL;
     kiosk->input.coin_count += buttons.coin_count;
+    kiosk->faults.buttons += buttons.faults;
     if (buttons.full_screen) {
         hal->display.ops->toggle_full_screen(hal->display.self);
     }
@@ -81,6 +82,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
         kiosk->end = KIOSK_DISPLAY_LOST;
     }
     sample_buttons(kiosk, hal);
+    hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.desk);
     const uint64_t now_ns = kiosk->sampled_ns = clock_ns(hal->clock);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         kiosk->faults.poi += poi_hand_sample(&kiosk->hands[i], &hal->poi[i], now_ns);
@@ -181,12 +183,46 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-static void present_lamps(struct kiosk *kiosk, const struct hal *hal)
+static void set_switch(struct kiosk *kiosk, const struct hal *hal, enum hal_switch which,
+                       uint8_t active)
 {
-    if (kiosk->output.start_lamp != kiosk->start_lamp) {
-        const int result = hal->lamps.ops->set_start(hal->lamps.self, kiosk->output.start_lamp);
-        kiosk->faults.lamps += (uint32_t)hal_is_fault(result);
-        kiosk->start_lamp = kiosk->output.start_lamp;
+    const uint32_t bit = 1u << which;
+    if (!(kiosk->switched & bit) != !active) {
+        const int result = hal->switches.ops->set(hal->switches.self, which, active != 0);
+        kiosk->faults.switches += (uint32_t)hal_is_fault(result);
+        kiosk->switched ^= bit;
+    }
+}
+
+/* Asks for as many pulses as `wanted` has grown by. */
+static void pulse_switch(struct kiosk *kiosk, const struct hal *hal, enum hal_switch which,
+                         uint32_t wanted, uint32_t *asked)
+{
+    if (wanted != *asked) {
+        const int result = hal->switches.ops->pulse(hal->switches.self, which, wanted - *asked);
+        kiosk->faults.switches += (uint32_t)hal_is_fault(result);
+        *asked = wanted;
+    }
+}
+
+static void present_switches(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct output *output = &kiosk->output;
+    set_switch(kiosk, hal, HAL_START_LAMP, output->start_lamp);
+    set_switch(kiosk, hal, HAL_COIN_LOCKOUT, output->coin_lockout);
+    if (kiosk->config.source.next) {
+        return; /* A replay's coins were metered when they fell. */
+    }
+    pulse_switch(kiosk, hal, HAL_COIN_COUNTER, output->coins_counted, &kiosk->coins_metered);
+    pulse_switch(kiosk, hal, HAL_TICKET, output->tickets, &kiosk->tickets_given);
+}
+
+static void present_order(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct desk_order *order = &kiosk->output.order;
+    if (!kiosk->config.source.next && order->id != kiosk->ordered_id) {
+        hal->controllers.ops->order(hal->controllers.self, order);
+        kiosk->ordered_id = order->id;
     }
 }
 
@@ -247,7 +283,8 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
 {
     if (tick_count > 0) {
         present_sounds(kiosk, hal);
-        present_lamps(kiosk, hal);
+        present_switches(kiosk, hal);
+        present_order(kiosk, hal);
         present_forces(kiosk, hal);
         present_record(kiosk, hal);
         present_edit(kiosk, hal);

@@ -45,7 +45,7 @@ enum kiosk_end {
 
 /* What went wrong and was survived, since the start. */
 struct kiosk_faults {
-    uint32_t poi, shade, display, audio, storage, lamps;
+    uint32_t poi, shade, display, audio, storage, buttons, switches;
 };
 
 struct kiosk {
@@ -65,7 +65,9 @@ struct kiosk {
     uint64_t save_retry_ns;
     uint64_t audio_retry_ns; /* When a sound card that went is looked for again; 0: none went. */
     uint32_t refused_seen; /* Of the store's failed writes, those already among the faults. */
-    uint8_t start_lamp;
+    uint32_t switched;         /* Levels as last set, a bit (1 << enum hal_switch) each. */
+    uint32_t coins_metered, tickets_given; /* Pulses asked for so far. */
+    uint32_t ordered_id;       /* Newest order that the controllers got. */
     uint8_t end;           /* enum kiosk_end */
 
     uint64_t frames;

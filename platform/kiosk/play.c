@@ -45,7 +45,8 @@ static void tell_devices(const struct hal *hal)
         tell_device("fan", hal->shade[i].ops->describe(hal->shade[i].self));
     }
     tell_device("buttons", hal->buttons.ops->describe(hal->buttons.self));
-    tell_device("lamps", hal->lamps.ops->describe(hal->lamps.self));
+    tell_device("switches", hal->switches.ops->describe(hal->switches.self));
+    tell_device("usb", hal->controllers.ops->describe(hal->controllers.self));
     tell_device("sound", hal->audio.ops->describe(hal->audio.self));
     tell_device("store", hal->storage.ops->describe(hal->storage.self));
     tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
@@ -91,7 +92,7 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     const struct kiosk_faults *faults = &kiosk->faults;
     const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
     const uint32_t sum = faults->poi + faults->shade + faults->display + faults->audio +
-                         faults->storage + faults->lamps;
+                         faults->storage + faults->buttons + faults->switches;
     if (end == KIOSK_DISPLAY_LOST) {
         fprintf(stderr, "kingyo: the display was lost after %u s: %s\n",
                 kiosk->core.tick / CORE_TICK_HZ,

@@ -1,0 +1,51 @@
+/* hid_hand.h -- raw reports into a hand, by a map. Pure: no device, no clock, no library.
+ *
+ * Every real transport, every simulated twin and the fuzzer meet here. Any bytes may come: a report
+ * that is too short, of another id, or garbage is refused and counted; what it cannot know it
+ * leaves as it was. The core judges what is left (core/game/trust.h). */
+#ifndef KINGYO_DRIVERS_HID_HAND_H
+#define KINGYO_DRIVERS_HID_HAND_H
+
+#include <stdint.h>
+
+#include "drivers/hid_map.h"
+#include "drivers/pointer_fan.h"
+#include "drivers/pointer_poi.h"
+#include "platform/hal.h"
+
+struct hid_hand {
+    struct hid_descriptor descriptor;
+    struct hid_map map;
+    struct pointer_poi pointer; /* Of HID_STYLE_POINTER. */
+    struct pointer_fan fan;
+    struct pointer_report report;
+    struct poi_target target;   /* Of the newest report; RATE axes go on from here. */
+    float value[HID_ROLE_COUNT]; /* Newest of each axis, [-1, 1]; of keys 0 or 1. */
+    uint64_t time_ns;           /* Of the newest report or sample. */
+    uint32_t held;              /* enum input_button levels ... */
+    uint32_t pressed;           /* ... and edges that nobody took yet. */
+    uint8_t sequence, has_sequence;
+    uint8_t present;            /* A pen is in range, a hand is there. */
+    uint32_t report_count, refused_count;
+    uint32_t gap_count;         /* Reports that the sequence number says were lost. */
+};
+
+/* `face` is read, `map` copied, `view` copied. -1: the descriptor cannot be read, or the map is not
+ * sound for it. */
+int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const struct hid_map *map,
+                  const struct view *view);
+
+/* Takes one report. 1: the hand may have moved; 0: refused, or no report that the map knows. */
+int hid_hand_report(struct hid_hand *hand, const struct hid_raw *raw);
+
+/* Where the hand is at `time_ns`, which never goes back: of a RATE or a stroke it is later than the
+ * last report's. 0: it is not there (no report yet, a pen out of range). */
+int hid_hand_sample(struct hid_hand *hand, uint64_t time_ns, struct poi_sample *out);
+
+/* Adds its buttons: levels, and the edges since the last call. */
+void hid_hand_buttons(struct hid_hand *hand, struct button_sample *out);
+
+/* The fan that a FAN button holds up, if any. */
+struct shade_input hid_hand_fan(struct hid_hand *hand, uint64_t time_ns);
+
+#endif

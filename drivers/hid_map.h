@@ -1,0 +1,101 @@
+/* hid_map.h -- which field of a controller's reports is which motion of a hand. Pure data.
+ *
+ * Made by a table of known devices (hid_map_known.c), else from what the descriptor offers
+ * (hid_map_offer.c), else by being shown (hid_learn.h); kept as a line of text for each
+ * vendor:product:serial (hid_map_text.c). hid_hand.h plays with it. */
+#ifndef KINGYO_DRIVERS_HID_MAP_H
+#define KINGYO_DRIVERS_HID_MAP_H
+
+#include <stdint.h>
+
+#include "drivers/hid_descriptor.h"
+#include "drivers/hid_port.h"
+
+#define HID_BINDING_MAX 32u /* Six axes, hat, tip, pressure, sequence, and buttons enough. */
+
+/* What a field moves. */
+enum hid_role {
+    HID_ROLE_NONE = 0,
+    HID_ROLE_X,        /* + is the player's right. */
+    HID_ROLE_Y,        /* + is up. */
+    HID_ROLE_Z,        /* + is toward the player. */
+    HID_ROLE_PITCH,
+    HID_ROLE_YAW,
+    HID_ROLE_ROLL,
+    HID_ROLE_TILT,     /* Of a hand without a wrist: the slant of the ring, as a wheel gives it. */
+    HID_ROLE_DIP,      /* A button, a trigger, a pen's tip or its pressure: down while pressed. */
+    HID_ROLE_LEVEL,    /* A button: back to level. */
+    HID_ROLE_FAN,      /* A button: hold the fan instead. */
+    HID_ROLE_IN_RANGE, /* 0: the pen is away, its axes say nothing. */
+    HID_ROLE_SEQUENCE, /* One more with each report; a gap is reports that were lost. */
+    HID_ROLE_START,    /* Buttons of the cabinet that sit on the controller. */
+    HID_ROLE_LEFT,
+    HID_ROLE_RIGHT,
+    HID_ROLE_OK,
+    HID_ROLE_HAT,      /* Of a hat: its directions are LEFT, RIGHT, and OK for up and down. */
+    HID_ROLE_COUNT,
+};
+
+/* How a field moves it. */
+enum hid_manner {
+    HID_MANNER_PLACE = 0, /* The value is the place: tablets, tracked pois. */
+    HID_MANNER_RATE,      /* The value is a speed: sticks, pucks. */
+    HID_MANNER_STEP,      /* The value is a way since the last report: mice, wheels. */
+    HID_MANNER_PRESS,     /* Pressed from half way between `rest` and `full` on. */
+    HID_MANNER_HAT,       /* Eight directions from `rest`, clockwise from up; out of range: none. */
+    HID_MANNER_COUNT,
+};
+
+struct hid_binding {
+    uint8_t role, manner;   /* enum hid_role, enum hid_manner */
+    uint8_t report_id;
+    uint32_t bit_offset;    /* With report_id it names the field; the descriptor says the rest. */
+    uint8_t bit_size;       /* 1 .. 32 */
+    hid_usage usage;        /* Of an array: pressed while some element selects it; else 0. */
+    int32_t rest;           /* Value of a stick let go, a key not pressed, an axis' low end. */
+    int32_t full;           /* Value at the positive end; below `rest` turns the axis round. */
+    int32_t dead;           /* Around `rest` a RATE says nothing, in the field's steps. */
+};
+
+/* How the hand as a whole is led. */
+enum hid_style {
+    HID_STYLE_NONE = 0,
+    HID_STYLE_POSE,    /* Six true axes; our own poi. */
+    HID_STYLE_POINTER, /* Two axes of a picture, dip and tilt by buttons: mouse, tablet. */
+    HID_STYLE_FLY,     /* Sticks or a puck push it about; dip by button or by the axis of height. */
+};
+
+enum hid_map_source {
+    HID_MAP_NONE = 0, /* It cannot be a poi as it is. */
+    HID_MAP_OWN,      /* Our own poi's descriptor, byte for byte. */
+    HID_MAP_KNOWN,
+    HID_MAP_OFFERED,
+    HID_MAP_LEARNED,
+};
+
+struct hid_map {
+    uint8_t source, style; /* enum hid_map_source, enum hid_style */
+    uint8_t trembles;      /* As struct poi_input's. */
+    uint8_t feels;         /* It takes our haptic output report. */
+    uint32_t count;        /* <= HID_BINDING_MAX */
+    struct hid_binding binding[HID_BINDING_MAX];
+};
+
+/* The best map for a controller: our own poi, a known device, what it offers. `out->source` says
+ * which; HID_MAP_NONE when it can be none of them. A keyboard, a boot device's keys and what has
+ * no axes give NONE. */
+void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
+                    const uint8_t *descriptor_bytes, uint32_t descriptor_size,
+                    const struct hid_descriptor *descriptor);
+
+/* Whether it can be played with: style and axes go together, every binding lies in the
+ * descriptor's report of its id, no number is out of range. What was read from a file is asked. */
+int hid_map_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor);
+
+/* One line of text without a newline, and back; -1 and one sentence in `error` where it is none.
+ * The key is written as vendor:product:serial by hid_book.h. */
+#define HID_MAP_TEXT_SIZE 2048u
+int hid_map_write(const struct hid_map *map, char text[HID_MAP_TEXT_SIZE]);
+int hid_map_read(struct hid_map *out, const char *text, char error[HAL_TEXT_SIZE]);
+
+#endif

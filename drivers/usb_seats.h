@@ -1,0 +1,33 @@
+/* usb_seats.h -- controllers on USB, through libusb: up to POI_MAX of them play, each in a seat.
+ *
+ * One thread of its own waits for transfers and hot-plugs (usb_pump.c); reports cross to the frame
+ * loop through a ring of a fixed size for each seat. It takes our own poi and what the operator
+ * chose (usb_choice.h), and nothing else: never a boot keyboard, never another interface of the
+ * same device. */
+#ifndef KINGYO_DRIVERS_USB_SEATS_H
+#define KINGYO_DRIVERS_USB_SEATS_H
+
+#include <stdint.h>
+
+#include "drivers/hid_port.h"
+#include "platform/hal.h"
+
+struct usb_seats;
+
+/* Starts the thread. The one object of it is the file's own: a process has one USB. `choices` is
+ * the data folder's file of chosen controllers (null: only our own poi plays, choices are not
+ * kept). `why` gets one line where there is no USB at all; the rest then answers HAL_ERR_NONE. */
+struct usb_seats *usb_seats_start(struct hal_clock clock, const char *choices,
+                                  char why[HAL_TEXT_SIZE]);
+
+/* Seat `index` < POI_MAX. Whoever sits there comes back to the same seat after it was pulled out:
+ * by vendor:product:serial, else by its port. */
+struct hid_port usb_seats_port(struct usb_seats *seats, uint32_t index);
+
+/* The rows of the operator's menu. */
+struct hal_controllers usb_seats_controllers(struct usb_seats *seats);
+
+/* Cancels, waits, closes, gives kernel drivers back, ends the thread. */
+void usb_seats_stop(struct usb_seats *seats);
+
+#endif
