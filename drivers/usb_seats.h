@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "drivers/hid_port.h"
+#include "drivers/hid_roster.h"
 #include "platform/hal.h"
 
 struct usb_seats;
@@ -24,8 +25,7 @@ struct usb_seats *usb_seats_start(struct hal_clock clock, const char *choices,
  * by vendor:product:serial, else by its port. */
 struct hid_port usb_seats_port(struct usb_seats *seats, uint32_t index);
 
-/* The rows of the operator's menu. */
-struct hal_controllers usb_seats_controllers(struct usb_seats *seats);
+struct hid_roster usb_seats_roster(struct usb_seats *seats);
 
 /* Cancels, waits, closes, gives kernel drivers back, ends the thread. */
 void usb_seats_stop(struct usb_seats *seats);
