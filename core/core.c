@@ -27,6 +27,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
         config->modes >= 1u << CHOICE_COUNT || config->players > POI_MAX ||
         (config->grade != 0 &&
          (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX)) ||
+        config->credit_coins > CREDIT_COINS_MAX || config->ticket_fish > CREDIT_TICKET_FISH_MAX ||
         !lab_book_is_good(&config->book)) {
         return CORE_ERR_RANGE;
     }
@@ -248,6 +249,8 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     hash = hash_u32(hash, config->modes);
     hash = hash_u32(hash, config->grade);
     hash = hash_u32(hash, config->players);
+    hash = hash_u32(hash, config->credit_coins);
+    hash = hash_u32(hash, config->ticket_fish);
     return lab_book_hash(hash, &config->book);
 }
 

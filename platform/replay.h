@@ -4,9 +4,9 @@
  * chunks of at most one second, then one end mark, and nothing after it:
  *
  *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
- *            zero-filled), core_config as 11 u32 (seed, preset, fish_count, language, round_s,
- *            modes, grade, players, best_today of each mode), u32 book size, u64 sum of the 80
- *            bytes before it
+ *            zero-filled), core_config as 13 u32 (seed, preset, fish_count, language, round_s,
+ *            modes, grade, players, credit_coins, ticket_fish, best_today of each mode), u32 book
+ *            size, u64 sum of the 88 bytes before it
  *   book     as many bytes (replay_book.h), u64 sum; nothing where the size is 0
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u32 fouls, u16 modes played, u16 players, u64 core_hash after the last tick,
@@ -33,19 +33,22 @@
 #include "core/input.h"
 #include "platform/replay_book.h"
 
-#define REPLAY_VERSION 4u /* 1 knew no shadows, 2 no modes, 3 no growth lab: all are refused. */
-#define REPLAY_HEADER_SIZE 88u
+#define REPLAY_VERSION 5u /* 1 knew no shadows, 2 no modes, 3 no growth lab, 4 neither credits nor
+                             the operator's desk: all are refused. */
+#define REPLAY_HEADER_SIZE 96u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
 #define REPLAY_SUM_SIZE 8u
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
 #define REPLAY_PROGRAM_SIZE 16u
 
-/* One tick at most: mask, buttons, edges, coins, two saved ids, a mask of hands, each poi with a
- * mask, a link, six floats and an age, each shade with a mask, its presence and three floats, and
- * the digest. */
+#define REPLAY_DESK_BYTES (CONTROLLER_MAX + 3u)
+
+/* One tick at most: mask, buttons, edges, coins, two saved ids, levels, a mask of the desk and the
+ * desk, a mask of hands, each poi with a mask, a link, six floats and an age, each shade with a
+ * mask, its presence and three floats, and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
-    (1u + 5u * 4u + 1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) +                                      \
+    (1u + 5u * 4u + 1u + 2u + REPLAY_DESK_BYTES + 1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) +                                      \
      SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 

@@ -1,12 +1,13 @@
 /* replay_codec.c -- one input as the bytes that differ from the input before.
  *
- * First a mask: which of held, pressed, coin_count, record_saved_id, edit_saved_id and of what
- * hands hold follow, whether the screen turned, and whether the store ceased to keep edits or keeps
- * them again. Then those, the numbers as u32; of what hands hold, a mask of pois (low half) and
- * shades (high half), and of each of these a mask of its own, one byte (a poi's link, wrist and
- * trembling, a shade's presence), those floats that changed, as their bits, and a poi's age as u16.
- * Floats travel whole: a play must come back to the last bit, and of a hand that broke each
- * counts. */
+ * First a mask: which of held, pressed, coin_count, record_saved_id, edit_saved_id, of levels, of
+ * the operator's desk and of what hands hold follow. Then those in this order: the numbers as u32;
+ * the levels as a byte (the screen stands, the store keeps no edits); of the desk, a u16 mask of
+ * its bytes (each controller's state, then step, row and progress of learning) and those that
+ * changed; of what hands hold, a mask of pois (low half) and shades (high half), and of each of
+ * these a mask of its own, one byte (a poi's link, wrist and trembling, a shade's presence), those
+ * floats that changed, as their bits, and a poi's age as u16. Floats travel whole: a play must come
+ * back to the last bit, and of a hand that broke each counts. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -18,9 +19,24 @@ enum {
     HAS_SAVED_ID = 1u << 3,
     HAS_HANDS = 1u << 4,
     HAS_EDIT_ID = 1u << 5,
-    IS_TURNED = 1u << 6, /* The screen stands where it lay, or lies where it stood. */
-    IS_REFUSED = 1u << 7, /* Edits are not kept any more, or are again. */
+    HAS_LEVELS = 1u << 6,
+    HAS_DESK = 1u << 7,
 };
+
+enum {
+    LEVEL_UPRIGHT = 1u << 0,
+    LEVEL_REFUSED = 1u << 1,
+    LEVEL_ALL = 3u,
+};
+
+enum {
+    DESK_STEP = CONTROLLER_MAX, /* Behind a byte for each controller. */
+    DESK_ROW,
+    DESK_PROGRESS,
+    DESK_BYTES,
+};
+_Static_assert(DESK_BYTES == REPLAY_DESK_BYTES && DESK_BYTES <= 16, "each has its bit in a u16");
+_Static_assert(sizeof(struct desk_input) == DESK_BYTES, "the desk's bytes are all of it");
 
 enum {
     HANDS_POI = 1u << 0,          /* Of poi 0; the others follow, */
@@ -149,6 +165,40 @@ static size_t encode_hands(const struct input *before, const struct input *input
     return mask ? size : 0;
 }
 
+static uint8_t levels_of(const struct input *input)
+{
+    return (uint8_t)((input->upright ? LEVEL_UPRIGHT : 0u) |
+                     (input->edit_refused ? LEVEL_REFUSED : 0u));
+}
+
+static void list_desk(const struct desk_input *desk, uint8_t out[DESK_BYTES])
+{
+    memcpy(out, desk->state, CONTROLLER_MAX);
+    out[DESK_STEP] = desk->learn_step;
+    out[DESK_ROW] = desk->learn_row;
+    out[DESK_PROGRESS] = desk->learn_progress;
+}
+
+/* 0 bytes when nothing changed. */
+static size_t encode_desk(const struct desk_input *before, const struct desk_input *desk,
+                          uint8_t *out)
+{
+    uint8_t old[DESK_BYTES], new[DESK_BYTES];
+    uint32_t mask = 0;
+    size_t size = 2;
+    list_desk(before, old);
+    list_desk(desk, new);
+    for (unsigned i = 0; i < DESK_BYTES; i++) {
+        if (new[i] != old[i]) {
+            mask |= 1u << i;
+            out[size++] = new[i];
+        }
+    }
+    out[0] = (uint8_t)mask;
+    out[1] = (uint8_t)(mask >> 8);
+    return mask ? size : 0;
+}
+
 size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out)
 {
     const int held = input->held != before->held;
@@ -156,21 +206,23 @@ size_t replay_encode_input(const struct input *before, const struct input *input
     const int coins = input->coin_count != 0;
     const int saved = input->record_saved_id != before->record_saved_id;
     const int edited = input->edit_saved_id != before->edit_saved_id;
-    const int turned = (input->upright != 0) != (before->upright != 0);
-    const int refused = (input->edit_refused != 0) != (before->edit_refused != 0);
+    const int levels = levels_of(input) != levels_of(before);
     const uint32_t mask = (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) |
                           (coins ? HAS_COINS : 0u) | (saved ? HAS_SAVED_ID : 0u) |
-                          (edited ? HAS_EDIT_ID : 0u) | (turned ? IS_TURNED : 0u) |
-                          (refused ? IS_REFUSED : 0u);
+                          (edited ? HAS_EDIT_ID : 0u) | (levels ? HAS_LEVELS : 0u);
     size_t size = 1;
     size += put_if(held, input->held, out + size);
     size += put_if(pressed, input->pressed, out + size);
     size += put_if(coins, input->coin_count, out + size);
     size += put_if(saved, input->record_saved_id, out + size);
     size += put_if(edited, input->edit_saved_id, out + size);
-    const size_t hands_size = encode_hands(before, input, out + size);
-    out[0] = (uint8_t)(mask | (hands_size > 0 ? HAS_HANDS : 0u));
-    return size + hands_size;
+    if (levels) {
+        out[size++] = levels_of(input);
+    }
+    const size_t desk_size = encode_desk(&before->desk, &input->desk, out + size);
+    const size_t hands_size = encode_hands(before, input, out + size + desk_size);
+    out[0] = (uint8_t)(mask | (desk_size > 0 ? HAS_DESK : 0u) | (hands_size > 0 ? HAS_HANDS : 0u));
+    return size + desk_size + hands_size;
 }
 
 /* ---- Decoding ---- */
@@ -268,6 +320,31 @@ static void decode_hands(struct input *input, struct bytes_left *left)
     }
 }
 
+static void decode_levels(struct input *input, struct bytes_left *left)
+{
+    const uint8_t levels = take_u8(left);
+    left->bad |= levels > LEVEL_ALL || levels == levels_of(input);
+    input->upright = (levels & LEVEL_UPRIGHT) != 0;
+    input->edit_refused = (levels & LEVEL_REFUSED) != 0;
+}
+
+static void decode_desk(struct desk_input *desk, struct bytes_left *left)
+{
+    uint8_t bytes[DESK_BYTES];
+    const uint32_t mask = take_u16(left);
+    list_desk(desk, bytes);
+    left->bad |= mask == 0 || mask >> DESK_BYTES != 0;
+    for (unsigned i = 0; i < DESK_BYTES; i++) {
+        bytes[i] = mask >> i & 1u ? take_u8(left) : bytes[i];
+        left->bad |= i < CONTROLLER_MAX && bytes[i] >= CONTROLLER_STATE_COUNT;
+    }
+    left->bad |= bytes[DESK_STEP] >= LEARN_STEP_COUNT || bytes[DESK_ROW] >= CONTROLLER_MAX;
+    memcpy(desk->state, bytes, CONTROLLER_MAX);
+    desk->learn_step = bytes[DESK_STEP];
+    desk->learn_row = bytes[DESK_ROW];
+    desk->learn_progress = bytes[DESK_PROGRESS];
+}
+
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size)
 {
     struct bytes_left left = { .at = bytes, .size = size };
@@ -284,11 +361,11 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
     if (mask & HAS_EDIT_ID) {
         next.edit_saved_id = take_u32(&left);
     }
-    if (mask & IS_TURNED) {
-        next.upright = !next.upright;
+    if (mask & HAS_LEVELS) {
+        decode_levels(&next, &left);
     }
-    if (mask & IS_REFUSED) {
-        next.edit_refused = !next.edit_refused;
+    if (mask & HAS_DESK) {
+        decode_desk(&next.desk, &left);
     }
     if (mask & HAS_HANDS) {
         decode_hands(&next, &left);

@@ -91,6 +91,18 @@ static int read_book(struct replay_reader *reader, size_t size)
     return 0;
 }
 
+/* Those that are bytes in core_config. */
+static int are_small_fields(const uint8_t *config)
+{
+    static const uint8_t offsets[] = { 4, 12, 20, 24, 28, 32, 36 };
+    for (size_t i = 0; i < sizeof offsets; i++) {
+        if (replay_get_u32(config + offsets[i]) > UINT8_MAX) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 static int read_header(struct replay_reader *reader)
 {
     uint8_t *bytes = reader->bytes;
@@ -112,11 +124,7 @@ static int read_header(struct replay_reader *reader)
     if (replay_get_u32(bytes + HEADER_VERSION) >> 16 != REPLAY_HEADER_SIZE ||
         replay_get_u32(bytes + HEADER_TICK_HZ) != CORE_TICK_HZ ||
         !is_program_name(bytes + HEADER_PROGRAM) ||
-        replay_get_u32(bytes + HEADER_CONFIG + 4) > UINT8_MAX ||
-        replay_get_u32(bytes + HEADER_CONFIG + 12) > UINT8_MAX ||
-        replay_get_u32(bytes + HEADER_CONFIG + 20) > UINT8_MAX ||
-        replay_get_u32(bytes + HEADER_CONFIG + 24) > UINT8_MAX ||
-        replay_get_u32(bytes + HEADER_CONFIG + 28) > UINT8_MAX) {
+        !are_small_fields(bytes + HEADER_CONFIG)) {
         return refuse(reader, 0, HEADER_SIZE_FIELD, "the header says what this program "
                                                     "never writes");
     }
@@ -130,9 +138,11 @@ static int read_header(struct replay_reader *reader)
         .modes = (uint8_t)replay_get_u32(config + 20),
         .grade = (uint8_t)replay_get_u32(config + 24),
         .players = (uint8_t)replay_get_u32(config + 28),
+        .credit_coins = (uint8_t)replay_get_u32(config + 32),
+        .ticket_fish = (uint8_t)replay_get_u32(config + 36),
     };
     for (uint32_t i = 0; i < MODE_COUNT; i++) {
-        reader->header.config.best_today[i] = replay_get_u32(config + 32 + 4 * i);
+        reader->header.config.best_today[i] = replay_get_u32(config + 40 + 4 * i);
     }
     memcpy(reader->header.program, bytes + HEADER_PROGRAM, REPLAY_PROGRAM_SIZE);
     reader->offset = REPLAY_HEADER_SIZE;

@@ -49,7 +49,8 @@ static uint64_t put_header(uint8_t *out, const struct core_config *config, size_
 {
     const uint32_t fields[] = { config->seed,     config->preset,  config->fish_count,
                                 config->language, config->round_s, config->modes,
-                                config->grade,    config->players, config->best_today[0],
+                                config->grade,    config->players, config->credit_coins,
+                                config->ticket_fish, config->best_today[0],
                                 config->best_today[1], config->best_today[2] };
     _Static_assert(MODE_COUNT == 3, "the header has a field for each mode's best");
     memset(out, 0, REPLAY_HEADER_SIZE);

@@ -33,6 +33,7 @@ static const struct field config_fields[] = {
     FIELD(core_config, seed),     FIELD(core_config, preset),  FIELD(core_config, fish_count),
     FIELD(core_config, language), FIELD(core_config, round_s), FIELD(core_config, best_today),
     FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
+    FIELD(core_config, credit_coins), FIELD(core_config, ticket_fish),
     SKIP(core_config, lanes),     SKIP(core_config, book),
 };
 

@@ -28,6 +28,7 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     const struct input before = { 0 };
     struct input all = { .held = 1, .pressed = 2, .coin_count = 3, .record_saved_id = 4,
                          .edit_saved_id = 5, .edit_refused = 1, .upright = 1 };
+    memset(&all.desk, 1, sizeof all.desk);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         all.poi[i] = (struct poi_input){
             .link = POI_LINK_LIVE,
@@ -82,22 +83,22 @@ static void test_a_shade_that_no_recorder_writes_is_refused(void **state)
     assert_int_equal(input.shade[0].present, 1);
 }
 
-static void test_a_screen_that_turns_costs_no_byte_and_turns_back(void **state)
+static void test_a_screen_that_turns_costs_one_byte_and_turns_back(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input lies = { .edit_saved_id = 2 }, stands = { .edit_saved_id = 2, .upright = 1 };
     struct input decoded = lies;
-    assert_int_equal(replay_encode_input(&lies, &stands, bytes), 1);
-    assert_int_equal(replay_decode_input(&decoded, bytes, 1), 1);
+    assert_int_equal(replay_encode_input(&lies, &stands, bytes), 2);
+    assert_int_equal(replay_decode_input(&decoded, bytes, 2), 2);
     assert_int_equal(decoded.upright, 1);
     assert_int_equal(decoded.edit_saved_id, 2);
-    assert_int_equal(replay_encode_input(&stands, &lies, bytes), 1);
-    assert_int_equal(replay_decode_input(&decoded, bytes, 1), 1);
+    assert_int_equal(replay_encode_input(&stands, &lies, bytes), 2);
+    assert_int_equal(replay_decode_input(&decoded, bytes, 2), 2);
     assert_int_equal(decoded.upright, 0);
 }
 
-static void test_a_store_that_keeps_no_graph_costs_no_byte_and_comes_back(void **state)
+static void test_a_store_that_keeps_no_graph_costs_one_byte_and_comes_back(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -105,11 +106,59 @@ static void test_a_store_that_keeps_no_graph_costs_no_byte_and_comes_back(void *
     struct input decoded = keeps;
     for (uint32_t i = 0; i < 2; i++) {
         const struct input *from = i == 0 ? &keeps : &refuses, *to = i == 0 ? &refuses : &keeps;
-        assert_int_equal(replay_encode_input(from, to, bytes), 1);
-        assert_int_equal(replay_decode_input(&decoded, bytes, 1), 1);
+        assert_int_equal(replay_encode_input(from, to, bytes), 2);
+        assert_int_equal(replay_decode_input(&decoded, bytes, 2), 2);
         assert_int_equal(decoded.edit_refused, to->edit_refused);
         assert_int_equal(decoded.upright, 1);
     }
+}
+
+static void test_levels_that_no_recorder_writes_are_refused(void **state)
+{
+    (void)state;
+    enum { LEVELS = 1 << 6 };
+    const uint8_t unknown[2] = { LEVELS, 4 }, unchanged[2] = { LEVELS, 0 };
+    struct input input = { 0 };
+    assert_int_equal(replay_decode_input(&input, unknown, 2), 0);
+    assert_int_equal(replay_decode_input(&input, unchanged, 2), 0);
+}
+
+static void test_a_controller_that_comes_costs_three_bytes_beside_the_mask(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    struct input before = { .desk = { .state = { CONTROLLER_PLAYS } } };
+    struct input after = before;
+    after.desk.state[7] = CONTROLLER_FREE;
+    assert_int_equal(replay_encode_input(&before, &after, bytes), 4);
+    for (size_t cut = 0; cut < 4; cut++) {
+        struct input untouched = before;
+        assert_int_equal(replay_decode_input(&untouched, bytes, cut), 0);
+        assert_memory_equal(&untouched.desk, &before.desk, sizeof before.desk);
+    }
+    assert_int_equal(replay_decode_input(&before, bytes, 4), 4);
+    assert_memory_equal(&before.desk, &after.desk, sizeof after.desk);
+}
+
+static void test_a_desk_that_no_recorder_writes_is_refused(void **state)
+{
+    (void)state;
+    enum { DESK = 1 << 7, STEP = 1, ROW = 2, BEYOND = 8 };
+    const uint8_t refused[][4] = {
+        { DESK, 0, 0, 0 },                      /* The desk changed, but nothing of it. */
+        { DESK, 1, 0, CONTROLLER_STATE_COUNT }, /* No such state, */
+        { DESK, 0, STEP, LEARN_STEP_COUNT },    /* no such step, */
+        { DESK, 0, ROW, CONTROLLER_MAX },       /* no such row, */
+        { DESK, 0, BEYOND, 1 },                 /* no such byte. */
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        struct input input = { 0 };
+        assert_int_equal(replay_decode_input(&input, refused[i], 4), 0);
+    }
+    const uint8_t good[4] = { DESK, 0, ROW, CONTROLLER_MAX - 1 };
+    struct input input = { 0 };
+    assert_int_equal(replay_decode_input(&input, good, 4), 4);
+    assert_int_equal(input.desk.learn_row, CONTROLLER_MAX - 1);
 }
 
 static uint32_t draw(uint32_t tick, uint32_t what)
@@ -185,8 +234,11 @@ int main(void)
         cmocka_unit_test(test_the_largest_difference_fits_the_bound),
         cmocka_unit_test(test_a_fan_that_glides_costs_seven_bytes_a_tick),
         cmocka_unit_test(test_a_shade_that_no_recorder_writes_is_refused),
-        cmocka_unit_test(test_a_screen_that_turns_costs_no_byte_and_turns_back),
-        cmocka_unit_test(test_a_store_that_keeps_no_graph_costs_no_byte_and_comes_back),
+        cmocka_unit_test(test_a_screen_that_turns_costs_one_byte_and_turns_back),
+        cmocka_unit_test(test_a_store_that_keeps_no_graph_costs_one_byte_and_comes_back),
+        cmocka_unit_test(test_levels_that_no_recorder_writes_are_refused),
+        cmocka_unit_test(test_a_controller_that_comes_costs_three_bytes_beside_the_mask),
+        cmocka_unit_test(test_a_desk_that_no_recorder_writes_is_refused),
         cmocka_unit_test(test_any_bits_of_a_hand_come_back),
         cmocka_unit_test(test_a_hand_that_only_grows_old_costs_five_bytes),
         cmocka_unit_test(test_a_poi_that_no_recorder_writes_is_refused),
