@@ -9,8 +9,9 @@
  *    1      sequence, 0 .. 255 and round       1      sequence
  *    2.. 7  X Y Z: +-1 m of world               2.. 7  force X Y Z: +-POI_FORCE_N_MAX
  *    8..13  Rx Ry Rz: +-pi, pitch yaw roll       8..13  torque X Y Z: +-POI_TORQUE_N_M_MAX
- *   14      buttons, a bit each                14..16  drag, slap, tear: 0 .. 255 is 0 .. 1
- */
+ *   14      buttons, enum poi_button           14..16  drag, slap, tear: 0 .. 255 is 0 .. 1
+ *
+ * What the bytes mean is declared to the host by poi_descriptor.h. */
 #ifndef KINGYO_DRIVERS_POI_REPORT_H
 #define KINGYO_DRIVERS_POI_REPORT_H
 
@@ -24,10 +25,19 @@
 #define POI_FEEL_ID 2u
 #define POI_FEEL_SIZE 17u
 
+/* Keys on a poi's handle; HID's Button 1 is bit 0. The other bits are a maker's own. */
+enum poi_button {
+    POI_BUTTON_OK = 1u << 0, /* Under the thumb, where any other program looks for a trigger. */
+    POI_BUTTON_START = 1u << 1,
+    POI_BUTTON_LEFT = 1u << 2,
+    POI_BUTTON_RIGHT = 1u << 3,
+    POI_BUTTON_FAN = 1u << 4, /* While it is down the hand holds a fan instead. */
+};
+
 /* What an input report says. Angles as struct angles has them, within +-pi. */
 struct poi_report {
     struct poi_target target;
-    uint8_t buttons;
+    uint8_t buttons;  /* enum poi_button levels. */
     uint8_t sequence; /* One more than the last's; a gap is reports that were lost. */
 };
 
