@@ -15,9 +15,8 @@
 #define HID_DEPTH_MAX 32u              /* Nested collections; real devices nest 4 deep. */
 #define HID_PUSH_MAX 8u                /* Pushed globals; real devices push 1. */
 #define HID_FIELD_BITS_MAX 256u        /* Report Size of one field. */
-#define HID_REPORT_BITS_MAX 65536u /* Of one report: 8 KiB, the largest that Linux reads at once.  \
-                                    */
-#define HID_FIELD_MAX 16384u /* Fields of all groups together; bounds what listing them costs. */
+#define HID_REPORT_BITS_MAX 65536u /* Of one report: 8 KiB; the largest real one has 7,487 bytes. */
+#define HID_FIELD_MAX 65536u /* Of all groups together: one such report, a bit each. */
 
 enum hid_flag { /* Of an Input item, HID 1.11 section 6.2.2.5. */
                 HID_CONSTANT = 1u << 0,
@@ -63,7 +62,7 @@ enum hid_error {
     HID_ERR_RANGES,          /* More than HID_RANGE_MAX usages. */
     HID_ERR_FIELDS,          /* More than HID_FIELD_MAX fields. */
     HID_ERR_USAGE_RANGE,     /* Usage Minimum above Usage Maximum, on two pages, or alone. */
-    HID_ERR_DELIMITER,       /* Delimiters nested, or closed without one open. */
+    HID_ERR_DELIMITER,       /* Delimiters nested, or not in pairs before the main item. */
     HID_ERR_COUNT,
 };
 

@@ -28,6 +28,7 @@ run_one() { # RESULTS PROGRAM
     if [ "$failed" -eq 0 ]; then
         printf '  ok    %-28s %4d passed  %6s s\n' "$name" "$passed" "$seconds"
         grep -iE '^\s*ok\b.*# skip' "$log" | sed 's/^\s*ok[ 0-9]*-*/        skipped:/'
+        sed -n 's/^# figure: /        /p' "$log" # What a test counted, for its readers.
     else
         printf '  FAIL  %-28s %4d passed, %d failed  %6s s\n' "$name" "$passed" "$failed" "$seconds"
         [ $status -eq 124 ] && echo "        stopped after $limit_s s"

@@ -1,0 +1,38 @@
+/* hid_globals.h -- what Global items set, and Push and Pop keep: HID 1.11, section 6.2.2.7.
+ *
+ * A private part of hid_descriptor.c. */
+#ifndef KINGYO_DRIVERS_HID_GLOBALS_H
+#define KINGYO_DRIVERS_HID_GLOBALS_H
+
+#include "drivers/hid_descriptor.h"
+#include "drivers/hid_item.h"
+
+/* Limits keep their raw data: a maximum is signed only if its minimum is negative, which is not
+ * known before the Input item. */
+struct hid_limit {
+    uint32_t data;
+    uint8_t size;
+};
+
+struct hid_globals {
+    uint16_t usage_page;
+    struct hid_limit logical_min, logical_max, physical_min, physical_max;
+    int32_t unit_exponent;
+    uint32_t unit, report_size, report_count;
+    uint8_t report_id; /* 0: none was given yet. */
+};
+
+struct hid_global_stack {
+    struct hid_globals now, pushed[HID_PUSH_MAX];
+    uint32_t pushed_count;
+};
+
+/* Takes one Global item. */
+enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item);
+
+int64_t hid_limit_min(struct hid_limit limit);
+
+/* A maximum, beside the minimum that it belongs to. */
+int64_t hid_limit_max(struct hid_limit limit, int64_t min);
+
+#endif
