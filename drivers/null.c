@@ -108,6 +108,19 @@ struct hal_shade null_shade(const char *line)
     return (struct hal_shade){ .ops = &ops, .self = line_self(line) };
 }
 
+static uint32_t null_arrange(void *self, int may_move)
+{
+    (void)self;
+    (void)may_move;
+    return 0;
+}
+
+struct hal_seats null_seats(void)
+{
+    static const struct hal_seats_ops ops = { .arrange = null_arrange };
+    return (struct hal_seats){ .ops = &ops, .self = NULL };
+}
+
 static int null_buttons_poll(void *self, struct button_sample *out)
 {
     (void)self;
@@ -271,6 +284,7 @@ struct hal null_hal(void)
     struct hal hal = {
         .clock = { .ops = &clock_ops, .self = NULL },
         .display = null_display(NULL),
+        .seats = null_seats(),
         .buttons = null_buttons(NULL),
         .switches = null_switches(NULL),
         .controllers = null_controllers(NULL),

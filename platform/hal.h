@@ -107,6 +107,14 @@ struct hal_buttons_ops {
     const char *(*describe)(void *self);
 };
 
+/* Who sits where, in a kiosk that has more controllers than seats, or better ones from now on. */
+struct hal_seats_ops {
+    /* Once a frame, before the pois are asked. Only when `may_move` may a seat go to another
+     * controller: between two games. Returns the seats that did, a bit (1 << seat) each: their
+     * poi and fan are to be opened again. */
+    uint32_t (*arrange)(void *self, int may_move);
+};
+
 /* What the kiosk switches. */
 enum hal_switch {
     HAL_START_LAMP = 0,
@@ -165,6 +173,7 @@ struct hal_clock { const struct hal_clock_ops *ops; void *self; };
 struct hal_display { const struct hal_display_ops *ops; void *self; };
 struct hal_poi { const struct hal_poi_ops *ops; void *self; };
 struct hal_shade { const struct hal_shade_ops *ops; void *self; };
+struct hal_seats { const struct hal_seats_ops *ops; void *self; };
 struct hal_buttons { const struct hal_buttons_ops *ops; void *self; };
 struct hal_switches { const struct hal_switches_ops *ops; void *self; };
 struct hal_controllers { const struct hal_controllers_ops *ops; void *self; };
@@ -177,6 +186,7 @@ struct hal {
     struct hal_display display;
     struct hal_poi poi[POI_MAX];
     struct hal_shade shade[SHADE_MAX];
+    struct hal_seats seats;
     struct hal_buttons buttons;
     struct hal_switches switches;
     struct hal_controllers controllers;

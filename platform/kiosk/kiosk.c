@@ -22,6 +22,26 @@ static void show_hands(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat, uint64_t now_ns)
+{
+    kiosk->faults.poi += poi_hand_open(&kiosk->hands[seat], &hal->poi[seat], now_ns);
+    if (seat < SHADE_MAX) {
+        kiosk->faults.shade += shade_hand_open(&kiosk->shades[seat], &hal->shade[seat], now_ns);
+    }
+}
+
+/* Between two games a seat may go to a better controller; nobody loses his in the middle of one. */
+static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
+{
+    const int may_move = kiosk->core.game.phase == PHASE_ATTRACT;
+    const uint32_t moved = hal->seats.ops->arrange(hal->seats.self, may_move);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (moved & (1u << i)) {
+            open_seat(kiosk, hal, i, kiosk->sampled_ns);
+        }
+    }
+}
+
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config)
 {
@@ -31,12 +51,9 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     if (error != CORE_OK) {
         return error;
     }
-    const uint64_t now_ns = clock_ns(hal->clock);
+    hal->seats.ops->arrange(hal->seats.self, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        kiosk->faults.poi += poi_hand_open(&kiosk->hands[i], &hal->poi[i], now_ns);
-    }
-    for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        kiosk->faults.shade += shade_hand_open(&kiosk->shades[i], &hal->shade[i], now_ns);
+        open_seat(kiosk, hal, i, clock_ns(hal->clock));
     }
     core_scene(&kiosk->core, &kiosk->scene);
     show_hands(kiosk, hal);
@@ -81,15 +98,16 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     if (events.lost) {
         kiosk->end = KIOSK_DISPLAY_LOST;
     }
-    sample_buttons(kiosk, hal);
     hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.desk);
     const uint64_t now_ns = kiosk->sampled_ns = clock_ns(hal->clock);
+    arrange_seats(kiosk, hal);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         kiosk->faults.poi += poi_hand_sample(&kiosk->hands[i], &hal->poi[i], now_ns);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         kiosk->faults.shade += shade_hand_sample(&kiosk->shades[i], &hal->shade[i], now_ns);
     }
+    sample_buttons(kiosk, hal); /* After the pois: a controller's own buttons came with it. */
     kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
     kiosk->input.edit_saved_id = hal->storage.ops->kept_edit_id(hal->storage.self);
     kiosk->input.edit_refused = hal->storage.ops->refuses_edits(hal->storage.self) != 0;

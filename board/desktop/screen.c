@@ -1,0 +1,103 @@
+/* screen.c -- the window, or the whole screen; and whether there is one at all. */
+#include <SDL.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "board/desktop/parts.h"
+#include "drivers/null.h"
+#include "platform/render/display_gl.h"
+
+static struct {
+    struct display_gl display;
+    char text[HAL_TEXT_SIZE];
+} devices;
+
+void screen_ignore(const uint32_t *types, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        SDL_EventState(types[i], SDL_IGNORE);
+    }
+}
+
+/* Events that no driver takes would fill SDL's queue over a long day, and a full queue drops what
+ * comes next: the click that closes the window. */
+static void ignore_foreign_events(void)
+{
+    static const Uint32 foreign[] = {
+        SDL_FINGERDOWN,       SDL_FINGERUP,          SDL_FINGERMOTION,    SDL_DOLLARGESTURE,
+        SDL_DOLLARRECORD,     SDL_MULTIGESTURE,      SDL_CLIPBOARDUPDATE, SDL_DROPFILE,
+        SDL_DROPTEXT,         SDL_DROPBEGIN,         SDL_DROPCOMPLETE,    SDL_DISPLAYEVENT,
+        SDL_AUDIODEVICEADDED, SDL_AUDIODEVICEREMOVED, SDL_SYSWMEVENT,     SDL_LOCALECHANGED,
+        SDL_RENDER_TARGETS_RESET, SDL_RENDER_DEVICE_RESET,
+    };
+    screen_ignore(foreign, sizeof foreign / sizeof foreign[0]);
+}
+
+void screen_open(struct hal *hal, const struct board_options *options)
+{
+    struct display_gl *display = &devices.display;
+    display->config = (struct display_gl_config){
+        .width = options->width,
+        .height = options->height,
+        .full_screen = options->full_screen != 0,
+        .off_screen = options->off_screen != 0,
+        .title = "Kingyo",
+        .shelf = options->shelf,
+    };
+    display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
+    hal->display = display_gl_device(display);
+    if (hal->display.ops->open(display) != HAL_OK) {
+        snprintf(devices.text, sizeof devices.text, "%.*s",
+                 (int)sizeof devices.text - 1, hal->display.ops->describe(display));
+        hal->display = null_display(devices.text);
+        return;
+    }
+    ignore_foreign_events();
+}
+
+/* A kernel without a graphics card has no /dev/dri/card*: then SDL need not be asked, which
+ * would make the libraries under it complain on standard error. */
+static int has_graphics_card(void)
+{
+    char path[32];
+    for (int i = 0; i < 16; i++) {
+        snprintf(path, sizeof path, "/dev/dri/card%d", i);
+        if (access(path, F_OK) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int is_set(const char *name)
+{
+    const char *value = getenv(name);
+    return value && value[0];
+}
+
+int board_has_screen(char *why, size_t why_size)
+{
+    const int has_windows = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+    if (!has_windows && !is_set("SDL_VIDEODRIVER") && !has_graphics_card()) {
+        snprintf(why, why_size, "neither DISPLAY nor WAYLAND_DISPLAY is set, and there is no "
+                                "graphics card");
+        return 0;
+    }
+    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+        snprintf(why, why_size, "%s (SDL: %s)",
+                 has_windows ? "the display does not answer" : "no screen is plugged in",
+                 SDL_GetError());
+        return 0;
+    }
+    const char *driver = SDL_GetCurrentVideoDriver();
+    const int shows = driver && strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0;
+    if (!shows) {
+        snprintf(why, why_size, "%s (SDL fell back to '%s')",
+                 has_windows ? "the display does not answer" : "no screen is plugged in",
+                 driver ? driver : "nothing");
+    }
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    return shows;
+}

@@ -1,0 +1,39 @@
+/* store.c -- what sound, disk and service manager there is. */
+#include <stdlib.h>
+
+#include "board/desktop/parts.h"
+#include "drivers/null.h"
+#include "platform/audio.h"
+#include "platform/storage.h"
+#include "platform/watchdog.h"
+
+static struct {
+    struct audio audio;
+    struct storage storage;
+    struct watchdog watchdog;
+} devices;
+
+/* Both say in describe() what is missing, and then do nothing: a null driver could not say more. */
+void store_open(struct hal *hal, const struct board_options *options)
+{
+    if (!options->mute) {
+        hal->audio = audio_device(&devices.audio);
+        hal->audio.ops->open(hal->audio.self);
+    }
+    if (options->data_dir) {
+        devices.storage.dir = options->data_dir;
+        hal->storage = storage_device(&devices.storage);
+        hal->storage.ops->open(hal->storage.self);
+    } else {
+        hal->storage = null_storage("no store: HOME is not set; --data DIR keeps the scores");
+    }
+}
+
+void watchdog_open(struct hal *hal)
+{
+    const char *usec = getenv("WATCHDOG_USEC");
+    if (watchdog_init(&devices.watchdog, hal->clock, getenv("NOTIFY_SOCKET"),
+                      usec ? strtoull(usec, NULL, 10) : 0) == HAL_OK) {
+        hal->watchdog = watchdog_device(&devices.watchdog);
+    }
+}

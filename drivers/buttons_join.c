@@ -1,0 +1,65 @@
+/* buttons_join.c -- asks every panel, and says what any of them says. */
+#include "drivers/buttons_join.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/base/panic.h"
+
+int buttons_join_add(struct buttons_join *join, struct hal_buttons part)
+{
+    CORE_ASSERT(part.ops);
+    if (join->part_count == BUTTONS_JOIN_MAX) {
+        return -1;
+    }
+    join->part[join->part_count++] = part;
+    return 0;
+}
+
+static void add(struct button_sample *sum, const struct button_sample *part)
+{
+    sum->held |= part->held;
+    sum->pressed |= part->pressed;
+    sum->coin_count += part->coin_count;
+    sum->faults += part->faults;
+    sum->quit |= part->quit;
+    sum->full_screen |= part->full_screen;
+}
+
+/* The joint panel is there while any part of it is; a part that fails says what it still knows. */
+static int join_poll(void *self, struct button_sample *out)
+{
+    const struct buttons_join *join = self;
+    int result = HAL_ERR_NONE;
+    *out = (struct button_sample){ 0 };
+    for (uint32_t i = 0; i < join->part_count; i++) {
+        struct button_sample part = { 0 };
+        if (join->part[i].ops->poll(join->part[i].self, &part) != HAL_ERR_NONE) {
+            result = HAL_OK;
+        }
+        add(out, &part);
+    }
+    return result;
+}
+
+static const char *join_describe(void *self)
+{
+    struct buttons_join *join = self;
+    size_t length = 0;
+    join->text[0] = '\0';
+    for (uint32_t i = 0; i < join->part_count && length + 1 < sizeof join->text; i++) {
+        const char *line = join->part[i].ops->describe(join->part[i].self);
+        if (line[0]) {
+            snprintf(join->text + length, sizeof join->text - length, "%s%s", length ? "; " : "",
+                     line);
+            length = strlen(join->text);
+        }
+    }
+    return join->text;
+}
+
+struct hal_buttons buttons_join_device(struct buttons_join *join)
+{
+    static const struct hal_buttons_ops ops = { .poll = join_poll, .describe = join_describe };
+    return (struct hal_buttons){ .ops = &ops, .self = join };
+}
