@@ -72,7 +72,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/render/render.mk
 -include tests/thesis/thesis.mk
 -include tests/paper/paper.mk
--include tests/fuzz/fuzz.mk
+-include tests/fuzz/fuzz.mk tests/fuzz/devices.mk
 
 ## help: this list
 help:

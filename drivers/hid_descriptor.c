@@ -232,7 +232,7 @@ static enum hid_error fail(struct hid_descriptor *out, enum hid_error error, siz
 enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *bytes, size_t size)
 {
     struct reader reader = { .out = out };
-    memset(out, 0, sizeof *out);
+    memset(out, 0, offsetof(struct hid_descriptor, group)); /* What is behind it is 61 KB. */
     if (size > HID_DESCRIPTOR_SIZE_MAX) {
         return fail(out, HID_ERR_TOO_LONG, HID_DESCRIPTOR_SIZE_MAX);
     }

@@ -71,9 +71,9 @@ struct hid_descriptor {
     size_t error_offset; /* Of the item's first byte. */
     uint8_t has_report_ids;
     uint32_t group_count, range_count, field_count;
-    struct hid_group group[HID_GROUP_MAX];
-    struct hid_range range[HID_RANGE_MAX];
     uint32_t report_bits[256]; /* Of the payload of each input report; 0: there is none. */
+    struct hid_group group[HID_GROUP_MAX]; /* Beyond their counts both lists hold anything. */
+    struct hid_range range[HID_RANGE_MAX];
 };
 
 /* Fills `out`, wholly on HID_OK; on an error its lists are what came before, and not to be used. */

@@ -1,0 +1,92 @@
+/* hid_file.c -- one look at every letter says whether a file is text. */
+#include "platform/ctl/hid_file.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+static int hex_digit(int letter)
+{
+    return isdigit(letter)                  ? letter - '0'
+           : letter >= 'a' && letter <= 'f' ? letter - 'a' + 10
+           : letter >= 'A' && letter <= 'F' ? letter - 'A' + 10
+                                            : -1;
+}
+
+static int is_hex_text(const uint8_t *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i++) {
+        if (hex_digit(bytes[i]) < 0 && !isspace(bytes[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+long hid_from_hex(uint8_t *bytes, size_t size)
+{
+    long count = 0;
+    int high = -1;
+    if (!is_hex_text(bytes, size)) {
+        return HID_NOT_HEX;
+    }
+    for (size_t i = 0; i < size; i++) {
+        const int digit = hex_digit(bytes[i]);
+        if (digit < 0 && high >= 0) {
+            return HID_HALF_HEX;
+        }
+        if (high >= 0) {
+            bytes[count++] = (uint8_t)(high << 4 | digit);
+        }
+        high = high < 0 ? digit : -1;
+    }
+    return high < 0 ? count : HID_HALF_HEX;
+}
+
+enum exit_code hid_tell_io(const char *path)
+{
+    fprintf(stderr, "kingyoctl hid: %s: %s\n", path, strerror(errno));
+    return EXIT_IO;
+}
+
+enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
+                             const char *path)
+{
+    const long count = hid_from_hex(bytes, size);
+    if (count == HID_HALF_HEX) {
+        fprintf(stderr, "kingyoctl hid: %s: hex text in which a byte has one digit\n", path);
+        return EXIT_BAD_DATA;
+    }
+    const size_t byte_count = count >= 0 ? (size_t)count : size;
+    const enum hid_error error = hid_descriptor_read(out, bytes, byte_count);
+    if (error || out->group_count == 0) {
+        fprintf(stderr, "kingyoctl hid: %s: byte %zu: %s\n", path,
+                error ? out->error_offset : byte_count,
+                error ? hid_error_text(error) : "no input field that is used for anything");
+        return EXIT_BAD_DATA;
+    }
+    return EXIT_OK;
+}
+
+enum exit_code hid_file_read(struct hid_descriptor *out, const char *path)
+{
+    static uint8_t bytes[HID_FILE_SIZE];
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        return hid_tell_io(path);
+    }
+    const size_t size = fread(bytes, 1, sizeof bytes, file);
+    const enum exit_code code = ferror(file) ? hid_tell_io(path) : EXIT_OK;
+    fclose(file);
+    return code == EXIT_OK ? hid_file_take(out, bytes, size, path) : code;
+}
+
+void hid_file_id(const char *path, char id[HID_ID_SIZE])
+{
+    const char *slash = strrchr(path, '/');
+    const char *base = slash ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
+    const size_t length = dot && dot != base ? (size_t)(dot - base) : strlen(base);
+    snprintf(id, HID_ID_SIZE, "%.*s", (int)(length < HID_ID_SIZE ? length : HID_ID_SIZE - 1), base);
+}

@@ -1,0 +1,55 @@
+/* device_poi_report.c -- any bytes as a report of our own poi, and as what its hand is to feel.
+ * Whatever is taken is within its range, and says the same again when it is written and read. */
+#include <math.h>
+#include <string.h>
+
+#include "drivers/poi_report.h"
+#include "tests/fuzz/trap.h"
+
+static void hold_pose(const uint8_t *bytes, uint32_t size)
+{
+    struct poi_report report, again;
+    uint8_t written[POI_REPORT_SIZE];
+    if (!poi_report_decode(bytes, size, &report)) {
+        return;
+    }
+    const vec3 at = report.target.position_m;
+    HOLD(size == POI_REPORT_SIZE && fabsf(at.x) <= POI_REPORT_REACH_M);
+    HOLD(fabsf(at.y) <= POI_REPORT_REACH_M && fabsf(at.z) <= POI_REPORT_REACH_M);
+    poi_report_encode(&report, written);
+    HOLD(memcmp(written, bytes, sizeof written) == 0);
+    HOLD(poi_report_decode(written, sizeof written, &again));
+    HOLD(again.sequence == report.sequence && again.buttons == report.buttons);
+}
+
+static void hold_feel(const uint8_t *bytes, uint32_t size)
+{
+    struct poi_force force;
+    uint8_t written[POI_FEEL_SIZE], sequence = 0;
+    if (!poi_feel_decode(bytes, size, &force, &sequence)) {
+        return;
+    }
+    HOLD(size == POI_FEEL_SIZE && sequence == bytes[1]);
+    poi_feel_encode(&force, sequence, written);
+    HOLD(memcmp(written, bytes, sizeof written) == 0);
+}
+
+/* Any floats at all must be written within their range, and be readable. */
+static void hold_wild(const uint8_t *bytes, size_t size)
+{
+    struct poi_force force = { 0 }, again;
+    uint8_t written[POI_FEEL_SIZE];
+    memcpy(&force, bytes, size < sizeof force ? size : sizeof force);
+    poi_feel_encode(&force, 7u, written);
+    HOLD(poi_feel_decode(written, sizeof written, &again, NULL));
+    HOLD(fabsf(again.force_n.x) <= POI_FORCE_N_MAX);
+    HOLD(fabsf(again.torque_n_m.z) <= POI_TORQUE_N_M_MAX);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    hold_pose(bytes, (uint32_t)size);
+    hold_feel(bytes, (uint32_t)size);
+    hold_wild(bytes, size);
+    return 0;
+}

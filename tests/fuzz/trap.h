@@ -1,0 +1,17 @@
+/* trap.h -- what a fuzz target holds true: a finding is a fall at the line that says so. */
+#ifndef KINGYO_TESTS_FUZZ_TRAP_H
+#define KINGYO_TESTS_FUZZ_TRAP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
+
+#define HOLD(condition)                                                                            \
+    do {                                                                                           \
+        if (!(condition)) {                                                                        \
+            __builtin_trap();                                                                      \
+        }                                                                                          \
+    } while (0)
+
+#endif
