@@ -18,7 +18,8 @@ _Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_ve
 _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
 
 /* Vertices. Tables are many short streams, which processors' own foresight is slow to find. */
-#define AHEAD 64u
+#define AHEAD 96u
+#define LINE 64u /* Bytes that memory gives at once. */
 
 /* What all of a shape's blocks share. */
 struct blending {
@@ -91,6 +92,7 @@ static inline struct block load_block(const struct species_vertex *vertices)
     struct block block = { 0 };
     ilanes masks = { 0 };
     __builtin_prefetch(vertices + AHEAD);
+    __builtin_prefetch(vertices + AHEAD + LANES / 2);
 #pragma GCC unroll 8
     for (int lane = 0; lane < LANES; lane++) {
         uint64_t word;
@@ -248,11 +250,25 @@ static struct blending begin(const struct species_mesh *mesh, uint32_t key_count
     return b;
 }
 
+/* The first AHEAD vertices' worth of every stream at once, for nothing has asked for them yet. */
+static void foresee(const struct blending *b)
+{
+    const uint32_t count = b->mesh->vertex_count < AHEAD ? b->mesh->vertex_count : AHEAD;
+    for (uint32_t first = 0; first < count; first += LINE / sizeof(struct species_point)) {
+        __builtin_prefetch(&b->mesh->vertices[first]);
+        __builtin_prefetch(&b->mesh->vertices[first + LINE / sizeof(struct species_vertex)]);
+        for (uint32_t at = 0; at < b->key_count; at++) {
+            __builtin_prefetch(&b->mesh->points[b->key[at]][first]);
+        }
+    }
+}
+
 uint32_t LANES_NAME(blend_blocks)(const struct species_mesh *mesh, uint32_t key_count,
                                   const struct morph_pose *pose, vec3 *positions, vec3 *normals)
 {
     const struct blending b = begin(mesh, key_count, pose);
     uint32_t first = 0;
+    foresee(&b);
     for (; first + LANES < mesh->vertex_count; first += LANES) {
         const struct block block = load_block(&mesh->vertices[first]);
         struct point_lanes p = blend(&b, &block, first);
