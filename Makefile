@@ -36,7 +36,9 @@ TEST_CFLAGS = $(HOST_CFLAGS)
 
 # Asked for once, and only when something is compiled, so that `make help` and the set-up work on a
 # machine that has no pkg-config yet. Libraries' headers are the system's: our warnings are for us.
-PACKAGES := sdl2 glesv2 egl sqlite3
+PACKAGES = sdl2 glesv2 egl sqlite3 $(if $(filter-out 0,$(GPIOD)),libgpiod)
+# Lines of buttons and coins: libgpiod 1.x or 2.x as the machine has it, or none (0).
+GPIOD = $(eval GPIOD := $$(or $$(firstword $$(subst ., ,$$(shell pkg-config --modversion libgpiod 2>/dev/null))),0))$(GPIOD)
 LIB_CFLAGS = $(eval LIB_CFLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags $(PACKAGES))))$(LIB_CFLAGS)
 LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS)
 
@@ -44,7 +46,8 @@ CORE_SRC := $(wildcard core/*.c core/*/*.c)
 PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c platform/species/*.c)
 KIOSK_SRC := $(wildcard platform/kiosk/*.c)
 CTL_SRC := $(wildcard platform/ctl/*.c)
-DRIVER_SRC := $(wildcard drivers/*.c)
+GPIOD_SRC := drivers/gpio_lines0.c drivers/gpio_lines1.c drivers/gpio_lines2.c
+DRIVER_SRC = $(filter-out $(GPIOD_SRC),$(wildcard drivers/*.c)) drivers/gpio_lines$(GPIOD).c
 BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 
 # Kernels (core/base/lanes.h) are compiled once for four lanes and, where the compiler makes code for

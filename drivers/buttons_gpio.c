@@ -1,0 +1,114 @@
+/* buttons_gpio.c -- the reader's counters as the HAL's samples, and the HAL's wishes as its. */
+#include "drivers/buttons_gpio.h"
+
+#include <string.h>
+
+/* Which button a line is; 0: a coin is none. */
+static const uint32_t button_of[GPIO_INPUT_COUNT] = {
+    [GPIO_START] = INPUT_START,     [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
+    [GPIO_OK] = INPUT_OK,           [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,
+    [GPIO_TILT] = INPUT_TILT,       [GPIO_COIN] = 0,          [GPIO_DOOR] = INPUT_DOOR,
+};
+
+static uint32_t buttons_of(uint32_t roles)
+{
+    uint32_t buttons = 0;
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        buttons |= roles & 1u << i ? button_of[i] : 0u;
+    }
+    return buttons;
+}
+
+static int buttons_gpio_poll(void *self, struct button_sample *out)
+{
+    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    const uint32_t pressed = atomic_exchange(&reader->pressed, 0); /* Before the level: see there. */
+    *out = (struct button_sample){
+        .pressed = buttons_of(pressed),
+        .held = buttons_of(atomic_load(&reader->held)),
+        .coin_count = atomic_exchange(&reader->coins, 0),
+        .faults = atomic_exchange(&reader->faults, 0),
+    };
+    return HAL_OK;
+}
+
+static const char *buttons_gpio_describe(void *self)
+{
+    struct buttons_gpio *gpio = self;
+    pthread_mutex_lock(&gpio->reader.mutex);
+    memcpy(gpio->text, gpio->reader.text, sizeof gpio->text);
+    pthread_mutex_unlock(&gpio->reader.mutex);
+    return gpio->text;
+}
+
+void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE])
+{
+    pthread_mutex_lock(&gpio->reader.mutex);
+    memcpy(out, gpio->reader.why[role], HAL_TEXT_SIZE);
+    pthread_mutex_unlock(&gpio->reader.mutex);
+}
+
+static int is_wired(const struct gpio_reader *reader, enum hal_switch which)
+{
+    return reader->wires[GPIO_INPUT_COUNT + which].wired;
+}
+
+static int buttons_gpio_set(void *self, enum hal_switch which, int active)
+{
+    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    const uint32_t bit = 1u << (GPIO_INPUT_COUNT + which);
+    if (!is_wired(reader, which)) {
+        return HAL_ERR_NONE;
+    }
+    if (active) {
+        atomic_fetch_or(&reader->wanted, bit);
+    } else {
+        atomic_fetch_and(&reader->wanted, ~bit);
+    }
+    return HAL_OK;
+}
+
+static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
+{
+    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    if (!is_wired(reader, which)) {
+        return HAL_ERR_NONE;
+    }
+    atomic_fetch_add(&reader->pulses[which], count);
+    return HAL_OK;
+}
+
+int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
+                       const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
+{
+    gpio_reader_open(&gpio->reader, lines, wires, clock);
+    const int result = gpio_reader_start(&gpio->reader);
+    if (result != HAL_OK) {
+        gpio_reader_close(&gpio->reader);
+    }
+    return result;
+}
+
+void buttons_gpio_stop(struct buttons_gpio *gpio)
+{
+    gpio_reader_stop(&gpio->reader);
+}
+
+struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = buttons_gpio_poll,
+        .describe = buttons_gpio_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = gpio };
+}
+
+struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio)
+{
+    static const struct hal_switches_ops ops = {
+        .set = buttons_gpio_set,
+        .pulse = buttons_gpio_pulse,
+        .describe = buttons_gpio_describe,
+    };
+    return (struct hal_switches){ .ops = &ops, .self = gpio };
+}

@@ -1,0 +1,84 @@
+/* gpio_dev.c -- /dev/gpiochip*, poll() and sentences. */
+#include "drivers/gpio_dev.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/gpio_wires.h"
+
+bool gpio_dev_next(struct gpio_dev_walk *walk)
+{
+    static const char prefix[] = "gpiochip";
+    if (!walk->folder) {
+        walk->folder = opendir("/dev");
+    }
+    const struct dirent *entry;
+    while (walk->folder && (entry = readdir(walk->folder)) != NULL) {
+        if (strncmp(entry->d_name, prefix, sizeof prefix - 1u) == 0) {
+            snprintf(walk->path, sizeof walk->path, "/dev/%s", entry->d_name);
+            walk->count++;
+            return true;
+        }
+    }
+    gpio_dev_end(walk);
+    return false;
+}
+
+void gpio_dev_end(struct gpio_dev_walk *walk)
+{
+    if (walk->folder) {
+        closedir(walk->folder);
+        walk->folder = NULL;
+    }
+}
+
+struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms)
+{
+    struct gpio_dev_ready ready = { 0 };
+    struct pollfd polled[GPIO_INPUT_COUNT];
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        polled[i] = (struct pollfd){ .fd = fds[i], .events = POLLIN }; /* poll() skips -1. */
+    }
+    if (poll(polled, GPIO_INPUT_COUNT, (int)timeout_ms) <= 0) {
+        return ready; /* Nothing came; a signal is none of our business. */
+    }
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        ready.readable |= polled[i].revents & POLLIN ? 1u << i : 0u;
+        ready.gone |= polled[i].revents & (POLLERR | POLLHUP | POLLNVAL) ? 1u << i : 0u;
+    }
+    return ready;
+}
+
+void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
+                          const char *consumer)
+{
+    char line[GPIO_WIRE_TEXT_SIZE];
+    gpio_wire_text(wire, line);
+    if (error == EBUSY) {
+        snprintf(why, HAL_TEXT_SIZE, "%s is held by '%.31s': end that, or take it off the line",
+                 line, consumer && consumer[0] ? consumer : "another program");
+    } else if (error == EACCES || error == EPERM) {
+        snprintf(why, HAL_TEXT_SIZE, "%s may not be used: put the kiosk's user into its group",
+                 line);
+    } else {
+        snprintf(why, HAL_TEXT_SIZE, "%s: %s", line, strerror(error));
+    }
+}
+
+void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
+                          const char *denied, uint32_t chip_count)
+{
+    char line[GPIO_WIRE_TEXT_SIZE];
+    gpio_wire_text(wire, line);
+    if (denied[0]) {
+        snprintf(why, HAL_TEXT_SIZE, "%s: %.20s is not ours to open: put the kiosk's user "
+                                     "into its group", line, denied);
+    } else if (chip_count == 0) {
+        snprintf(why, HAL_TEXT_SIZE, "%s: there is no GPIO chip in /dev", line);
+    } else {
+        snprintf(why, HAL_TEXT_SIZE, "%s: no chip has that line; kingyoctl lines list shows them",
+                 line);
+    }
+}

@@ -1,0 +1,35 @@
+/* gpio_dev.h -- what both libgpiod backends do alike: chips in /dev, waiting on lines, and the
+ * words for what cannot be had. */
+#ifndef KINGYO_DRIVERS_GPIO_DEV_H
+#define KINGYO_DRIVERS_GPIO_DEV_H
+
+#include <dirent.h>
+
+#include "drivers/gpio_lines.h"
+
+/* A walk over the chips' device files, in the folder's order. The first call with a zero walk opens
+ * it; the one that answers false has closed it, and so does gpio_dev_end(). */
+struct gpio_dev_walk {
+    DIR *folder;
+    char path[sizeof "/dev/" + 256];
+    uint32_t count; /* Chips so far. */
+};
+bool gpio_dev_next(struct gpio_dev_walk *walk);
+void gpio_dev_end(struct gpio_dev_walk *walk);
+
+/* Waits at most `timeout_ms` for the descriptors of input lines; -1 is none. Sets a bit for each
+ * that has something to read, and one for each whose chip went away. */
+struct gpio_dev_ready {
+    uint32_t readable, gone;
+};
+struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms);
+
+/* The line is known, but `error` (an errno) came of asking for it; `consumer` holds it, if any. */
+void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
+                          const char *consumer);
+
+/* No chip has the line; `denied`: the path of one that may not be opened, or "". */
+void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
+                          const char *denied, uint32_t chip_count);
+
+#endif

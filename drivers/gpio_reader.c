@@ -1,0 +1,361 @@
+/* gpio_reader.c -- wait, believe, count, switch; and look for what is missing. */
+#include "drivers/gpio_reader.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "drivers/gpio_wires.h"
+
+#define NS_PER_MS 1000000u
+#define RETRY_NS 1000000000u /* A chip that comes back is had within a second. */
+#define WATCH_NS 100000000u  /* Levels are read this often even where no edge comes. */
+#define STOP_STEPS_MAX 200u  /* Of 10 ms: ten pulses of the slowest meters. */
+#define STOP_STEP_NS 10000000
+
+_Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
+
+static uint64_t now_ns(const struct gpio_reader *reader)
+{
+    return reader->clock.ops->now_ns(reader->clock.self);
+}
+
+static uint32_t bit_of(enum gpio_role role)
+{
+    return 1u << role;
+}
+
+static uint32_t wired_bits(const struct gpio_reader *reader)
+{
+    uint32_t bits = 0;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        bits |= reader->wires[role].wired ? bit_of(role) : 0u;
+    }
+    return bits;
+}
+
+/* ---- What was seen -------------------------------------------------------------------------- */
+
+static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct debounce_turn turn)
+{
+    if (role == GPIO_COIN) {
+        coin_mech_turn(&reader->coin, turn.time_ns, turn.active);
+        return;
+    }
+    reader->levels = turn.active ? reader->levels | bit_of(role) : reader->levels & ~bit_of(role);
+    atomic_store(&reader->held, reader->levels); /* Before the press: who sees that sees this. */
+    if (turn.active) {
+        atomic_fetch_or(&reader->pressed, bit_of(role));
+    }
+}
+
+/* Moves what was counted since the last time to where the frame loop finds it. */
+static void publish(struct gpio_reader *reader)
+{
+    struct coin_mech *coin = &reader->coin;
+    uint32_t faults = coin_mech_faults(coin);
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        faults += reader->inputs[i].lost;
+        reader->inputs[i].lost = 0;
+    }
+    atomic_fetch_add(&reader->coins, coin->coins);
+    atomic_fetch_add(&reader->faults, faults);
+    coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
+}
+
+/* ---- Lines that come and go ----------------------------------------------------------------- */
+
+static void begin_input(struct gpio_reader *reader, enum gpio_role role)
+{
+    const struct gpio_wire *wire = &reader->wires[role];
+    const struct gpio_lines *lines = &reader->lines;
+    const bool active = lines->ops->level(lines->self, role) == 1;
+    const uint64_t now = now_ns(reader);
+    const uint32_t period_us =
+        lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
+    reader->inputs[role] = gpio_input_begin(period_us * 1000ull, active, now);
+    if (role == GPIO_COIN) {
+        reader->coin = coin_mech_begin(wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull,
+                                       active, now);
+    } else if (active) { /* Held, but nobody saw it pressed. */
+        reader->levels |= bit_of(role);
+    }
+}
+
+static void lose_line(struct gpio_reader *reader, enum gpio_role role)
+{
+    reader->had &= ~bit_of(role);
+    reader->levels &= ~bit_of(role);
+    if (role == GPIO_COIN) {
+        coin_mech_lose(&reader->coin);
+    }
+}
+
+/* Lets go of what went with its chip: one loss, one fault. */
+static void lose_lines(struct gpio_reader *reader)
+{
+    const uint32_t before = reader->had;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (before & bit_of(role) &&
+            reader->lines.ops->level(reader->lines.self, role) == HAL_ERR_GONE) {
+            lose_line(reader, role);
+        }
+    }
+    if (reader->had != before) {
+        atomic_fetch_add(&reader->faults, 1);
+        atomic_store(&reader->held, reader->levels);
+    }
+}
+
+static uint32_t count_bits(uint32_t bits)
+{
+    return (uint32_t)__builtin_popcount(bits);
+}
+
+/* One line of what there is, and of the first thing that is missing. */
+static void say(struct gpio_reader *reader, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
+{
+    const char *missing = "";
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT && !missing[0]; i++) {
+        missing = why[i];
+    }
+    pthread_mutex_lock(&reader->mutex);
+    memcpy(reader->why, why, sizeof reader->why);
+    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%s%.100s",
+             reader->lines.ops->describe(reader->lines.self), count_bits(reader->had),
+             gpio_wires_count(reader->wires), missing[0] ? "; " : "", missing);
+    pthread_mutex_unlock(&reader->mutex);
+}
+
+/* Asks for what is missing. */
+static int ask(struct gpio_reader *reader)
+{
+    char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE] = { { 0 } };
+    const int result = reader->lines.ops->open(reader->lines.self, reader->wires, why);
+    const uint32_t fresh = result > 0 ? (uint32_t)result & ~reader->had : 0u;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (fresh & bit_of(role) && gpio_role_is_input(role)) {
+            begin_input(reader, role);
+        }
+    }
+    reader->had |= fresh;
+    reader->lit &= ~fresh; /* Outputs begin inactive. */
+    reader->retry_ns = now_ns(reader) + RETRY_NS;
+    atomic_store(&reader->held, reader->levels);
+    say(reader, why);
+    return result;
+}
+
+/* ---- One round ------------------------------------------------------------------------------ */
+
+/* Up to when all turns of a line are known: what still stands to be believed is not. */
+static uint64_t known_until_ns(const struct gpio_input *input, uint64_t now)
+{
+    const uint64_t pending_ns =
+        input->debounce.raw != input->debounce.stable ? input->debounce.since_ns : now;
+    const uint64_t known_ns = pending_ns < now ? pending_ns : now;
+    return input->disagrees_ns < known_ns ? input->disagrees_ns : known_ns;
+}
+
+static uint64_t input_due_ns(const struct gpio_reader *reader, enum gpio_role role)
+{
+    const uint64_t due_ns = gpio_input_due_ns(&reader->inputs[role]);
+    if (role != GPIO_COIN || due_ns != UINT64_MAX) {
+        return due_ns;
+    }
+    return coin_mech_due_ns(&reader->coin);
+}
+
+static void take_edges(struct gpio_reader *reader, const struct gpio_edge *edges, uint32_t count,
+                       uint32_t *touched)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const enum gpio_role role = edges[i].role;
+        struct debounce_turn turn;
+        if (gpio_role_is_input(role) && reader->had & bit_of(role)) {
+            *touched |= bit_of(role);
+            if (gpio_input_edge(&reader->inputs[role], &edges[i], &turn)) {
+                take_turn(reader, role, turn);
+            }
+        }
+    }
+}
+
+/* Reads the level of every line that was touched or is due, which lets its last turn count. */
+static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
+{
+    const struct gpio_lines *lines = &reader->lines;
+    for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
+        const uint64_t now = now_ns(reader);
+        if (!(reader->had & bit_of(role)) ||
+            (!(touched & bit_of(role)) && now < input_due_ns(reader, role))) {
+            continue;
+        }
+        const int level = lines->ops->level(lines->self, role);
+        struct debounce_turn turn;
+        if (level == HAL_ERR_GONE) {
+            lose_lines(reader);
+        }
+        if (level >= 0 && gpio_input_level(&reader->inputs[role], now, level != 0, &turn)) {
+            take_turn(reader, role, turn);
+        }
+        if (level >= 0 && role == GPIO_COIN) {
+            coin_mech_settle(&reader->coin, known_until_ns(&reader->inputs[role], now));
+        }
+    }
+}
+
+static void drive_output(struct gpio_reader *reader, enum gpio_role role)
+{
+    const uint32_t bit = bit_of(role);
+    struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
+    pulse_train_add(train, atomic_exchange(&reader->pulses[role - GPIO_INPUT_COUNT], 0));
+    if (!(reader->had & bit)) {
+        return; /* Its pulses wait for it. */
+    }
+    const bool pulses = pulse_train_at(train, now_ns(reader));
+    const bool active = pulses || (atomic_load(&reader->wanted) & bit) != 0;
+    if (active == ((reader->lit & bit) != 0)) {
+        return;
+    }
+    const int result = reader->lines.ops->set(reader->lines.self, role, active);
+    if (result == HAL_OK) {
+        reader->lit ^= bit;
+    } else if (result == HAL_ERR_GONE) {
+        lose_lines(reader);
+    }
+}
+
+static void drive_outputs(struct gpio_reader *reader)
+{
+    uint32_t owed = 0;
+    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
+        const struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
+        drive_output(reader, role);
+        owed += reader->had & bit_of(role) ? train->left + train->on : 0u;
+    }
+    atomic_store(&reader->owed, owed);
+}
+
+static void earlier(uint64_t *due_ns, uint64_t other_ns)
+{
+    *due_ns = other_ns < *due_ns ? other_ns : *due_ns;
+}
+
+static uint32_t wait_ms(const struct gpio_reader *reader)
+{
+    const uint64_t now = now_ns(reader);
+    uint64_t due_ns = now + GPIO_WAIT_MS_MAX * (uint64_t)NS_PER_MS;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (!(reader->had & bit_of(role))) {
+            continue;
+        }
+        earlier(&due_ns, gpio_role_is_input(role)
+                             ? input_due_ns(reader, role)
+                             : pulse_train_due_ns(&reader->trains[role - GPIO_INPUT_COUNT]));
+    }
+    return due_ns <= now ? 1u : (uint32_t)((due_ns - now + NS_PER_MS - 1u) / NS_PER_MS);
+}
+
+void gpio_reader_step(struct gpio_reader *reader)
+{
+    struct gpio_edge edges[GPIO_EDGES_MAX];
+    uint32_t touched = 0;
+    if (reader->had != wired_bits(reader) && now_ns(reader) >= reader->retry_ns) {
+        ask(reader);
+    }
+    const int count = reader->lines.ops->wait(reader->lines.self, edges, GPIO_EDGES_MAX,
+                                              wait_ms(reader));
+    if (count == HAL_ERR_GONE) {
+        lose_lines(reader);
+        ask(reader);
+    }
+    take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u, &touched);
+    if (count < (int)GPIO_EDGES_MAX) { /* Else more edges come before anything may settle. */
+        if (now_ns(reader) >= reader->watch_ns) {
+            reader->watch_ns = now_ns(reader) + WATCH_NS;
+            touched = ~0u;
+        }
+        settle_inputs(reader, touched);
+    }
+    drive_outputs(reader);
+    publish(reader);
+}
+
+/* ---- Its life ------------------------------------------------------------------------------- */
+
+int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
+                     const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
+{
+    memset(reader, 0, sizeof *reader);
+    reader->lines = lines;
+    reader->clock = clock;
+    pthread_mutex_init(&reader->mutex, NULL);
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        reader->wires[role] = gpio_wire_filled(&wires[role], role);
+        if (!gpio_role_is_input(role)) {
+            reader->trains[role - GPIO_INPUT_COUNT] = (struct pulse_train){
+                .on_ns = reader->wires[role].pulse_on_us * 1000ull,
+                .off_ns = reader->wires[role].pulse_off_us * 1000ull,
+            };
+        }
+    }
+    return ask(reader);
+}
+
+void gpio_reader_close(struct gpio_reader *reader)
+{
+    const struct gpio_lines *lines = &reader->lines;
+    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
+        if (reader->had & bit_of(role)) { /* Nobody counts coins any more: they fall through. */
+            lines->ops->set(lines->self, role, role == GPIO_COIN_LOCKOUT);
+        }
+    }
+    lines->ops->close(lines->self);
+    reader->had = reader->lit = 0;
+    pthread_mutex_destroy(&reader->mutex);
+}
+
+static void *read_lines(void *context)
+{
+    struct gpio_reader *reader = context;
+    while (!atomic_load(&reader->stop)) {
+        gpio_reader_step(reader);
+    }
+    return NULL;
+}
+
+/* The thread takes no signals: those that end the kiosk are the main thread's to see. */
+int gpio_reader_start(struct gpio_reader *reader)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    reader->runs = pthread_create(&reader->thread, NULL, read_lines, reader) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return reader->runs ? HAL_OK : HAL_ERR_IO;
+}
+
+static bool owes(struct gpio_reader *reader)
+{
+    uint32_t owed = atomic_load(&reader->owed);
+    for (uint32_t i = 0; i < GPIO_OUTPUT_COUNT; i++) {
+        owed |= atomic_load(&reader->pulses[i]);
+    }
+    return owed > 0;
+}
+
+void gpio_reader_stop(struct gpio_reader *reader)
+{
+    if (reader->runs) {
+        const struct timespec step = { .tv_nsec = STOP_STEP_NS };
+        for (uint32_t i = 0; i < STOP_STEPS_MAX && owes(reader); i++) {
+            nanosleep(&step, NULL);
+        }
+        atomic_store(&reader->stop, 1);
+        pthread_join(reader->thread, NULL);
+        reader->runs = 0;
+    }
+    gpio_reader_close(reader);
+}

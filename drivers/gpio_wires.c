@@ -1,0 +1,306 @@
+/* gpio_wires.c -- words of wiring. */
+#include "drivers/gpio_wires.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#define COIN_DEBOUNCE_US 3000u  /* Contacts of coin switches jump for 1 to 3 ms. */
+#define COIN_MIN_US 15000u      /* 25 ms -20 %, and 5 ms of jumping at its ends. */
+#define COIN_MAX_US 250000u     /* 200 ms +20 %. */
+#define PULSE_ON_US 100000u     /* Electromechanical meters do five to ten steps a second. */
+#define PULSE_OFF_US 100000u
+
+/* What a role is called, and what stands still for how long before it counts. */
+static const struct {
+    const char *name;
+    uint32_t debounce_us;
+} roles[GPIO_ROLE_COUNT] = {
+    [GPIO_START] = { "start", 5000 },     /* Microswitches jump for 1 to 5 ms, and a frame is 16. */
+    [GPIO_LEFT] = { "left", 5000 },
+    [GPIO_RIGHT] = { "right", 5000 },
+    [GPIO_OK] = { "ok", 5000 },
+    [GPIO_TEST] = { "test", 20000 },      /* Hidden and rare: rather slow than by accident. */
+    [GPIO_SERVICE] = { "service", 20000 },
+    [GPIO_TILT] = { "tilt", 2000 },       /* A pendulum touches its ring for a few milliseconds. */
+    [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
+    [GPIO_DOOR] = { "door", 50000 },      /* It rattles. */
+    [GPIO_START_LAMP] = { "start-lamp", 0 },
+    [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
+    [GPIO_TICKET] = { "ticket", 0 },
+    [GPIO_COIN_COUNTER] = { "coin-counter", 0 },
+};
+
+__attribute__((format(printf, 2, 3)))
+static bool refuse(char why[HAL_TEXT_SIZE], const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(why, HAL_TEXT_SIZE, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+const char *gpio_role_name(enum gpio_role role)
+{
+    return role < GPIO_ROLE_COUNT ? roles[role].name : "";
+}
+
+static int folded(char letter)
+{
+    return letter == '_' ? '-' : tolower((unsigned char)letter);
+}
+
+enum gpio_role gpio_role_find(const char *name, size_t length)
+{
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        size_t i = 0;
+        while (i < length && roles[role].name[i] && folded(name[i]) == roles[role].name[i]) {
+            i++;
+        }
+        if (i == length && !roles[role].name[i]) {
+            return role;
+        }
+    }
+    return GPIO_ROLE_COUNT;
+}
+
+/* ---- Words ---------------------------------------------------------------------------------- */
+
+/* A piece of the text: its bytes are the caller's. */
+struct word {
+    const char *at;
+    size_t length;
+};
+
+static bool is_word(struct word word, const char *text)
+{
+    return word.length == strlen(text) && memcmp(word.at, text, word.length) == 0;
+}
+
+/* Whether `word` begins with `prefix`, which is then taken off. */
+static bool takes_off(struct word *word, const char *prefix)
+{
+    const size_t length = strlen(prefix);
+    if (word->length < length || memcmp(word->at, prefix, length) != 0) {
+        return false;
+    }
+    *word = (struct word){ word->at + length, word->length - length };
+    return true;
+}
+
+/* The part of `rest` before `mark`, and `rest` behind it; all of it where there is no mark. */
+static struct word split(struct word *rest, char mark)
+{
+    const char *at = rest->length ? memchr(rest->at, mark, rest->length) : NULL;
+    const size_t length = at ? (size_t)(at - rest->at) : rest->length;
+    const size_t taken = at ? length + 1u : length;
+    const struct word first = { rest->at, length };
+    *rest = (struct word){ rest->at + taken, rest->length - taken };
+    return first;
+}
+
+/* Digits up to `max`, taken off the front. */
+static bool takes_number(struct word *word, uint32_t max, uint32_t *out)
+{
+    uint64_t value = 0;
+    size_t i = 0;
+    while (i < word->length && isdigit((unsigned char)word->at[i])) {
+        value = value * 10u + (uint64_t)(word->at[i] - '0');
+        if (value > max) {
+            return false;
+        }
+        i++;
+    }
+    *word = (struct word){ word->at + i, word->length - i };
+    *out = (uint32_t)value;
+    return i > 0;
+}
+
+static bool reads_time(struct word word, uint32_t *out_us)
+{
+    static const struct {
+        const char *unit;
+        uint32_t us;
+    } units[] = { { "us", 1 }, { "ms", 1000 }, { "s", 1000000 } };
+    uint32_t number;
+    if (!takes_number(&word, GPIO_TIME_US_MAX, &number)) {
+        return false;
+    }
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        if (is_word(word, units[i].unit)) {
+            *out_us = number * units[i].us;
+            return number >= 1 && number <= GPIO_TIME_US_MAX / units[i].us;
+        }
+    }
+    return false;
+}
+
+static bool reads_times(struct word word, char mark, uint32_t *first_us, uint32_t *second_us)
+{
+    const struct word first = split(&word, mark);
+    return reads_time(first, first_us) && reads_time(word, second_us);
+}
+
+/* ---- A wire --------------------------------------------------------------------------------- */
+
+static bool copies_name(struct word word, char out[GPIO_TEXT_SIZE])
+{
+    if (word.length == 0 || word.length >= GPIO_TEXT_SIZE) {
+        return false;
+    }
+    memcpy(out, word.at, word.length);
+    out[word.length] = '\0';
+    return true;
+}
+
+/* NAME, or CHIP:OFFSET where digits alone stand behind the last colon. */
+static bool reads_line(struct word word, struct gpio_wire *wire)
+{
+    const char *colon = word.length ? memrchr(word.at, ':', word.length) : NULL;
+    if (colon) {
+        const size_t length = (size_t)(colon - word.at);
+        struct word digits = { colon + 1, word.length - length - 1u };
+        if (takes_number(&digits, UINT16_MAX, &wire->offset) && digits.length == 0) {
+            return copies_name((struct word){ word.at, length }, wire->chip);
+        }
+        wire->offset = 0;
+    }
+    return copies_name(word, wire->name);
+}
+
+static bool reads_level_or_bias(struct word word, struct gpio_wire *wire, bool *has_bias)
+{
+    static const char *const biases[] = {
+        [GPIO_BIAS_AS_IS] = "as-is",
+        [GPIO_BIAS_UP] = "up",
+        [GPIO_BIAS_DOWN] = "down",
+        [GPIO_BIAS_OFF] = "float",
+    };
+    if (is_word(word, "low") || is_word(word, "high")) {
+        wire->active_low = is_word(word, "low");
+        return true;
+    }
+    for (uint8_t i = 0; i < sizeof biases / sizeof biases[0]; i++) {
+        if (is_word(word, biases[i])) {
+            wire->bias = i;
+            *has_bias = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Each time is a word of the roles that have it, and of no other. */
+static bool reads_timing(struct word word, enum gpio_role role, struct gpio_wire *wire)
+{
+    if (takes_off(&word, "debounce=")) {
+        return gpio_role_is_input(role) && reads_time(word, &wire->debounce_us);
+    }
+    if (takes_off(&word, "window=")) {
+        return role == GPIO_COIN &&
+               reads_times(word, '-', &wire->pulse_min_us, &wire->pulse_max_us) &&
+               wire->pulse_min_us < wire->pulse_max_us;
+    }
+    return takes_off(&word, "pulse=") && !gpio_role_is_input(role) &&
+           reads_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
+}
+
+bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
+                    char why[HAL_TEXT_SIZE])
+{
+    struct word rest = { text, strlen(text) };
+    if (!memchr(text, '=', rest.length)) {
+        return refuse(why, "'%.60s': ROLE=LINE is wanted, as in start=BTN_START", text);
+    }
+    const struct word name = split(&rest, '=');
+    const enum gpio_role role = gpio_role_find(name.at, name.length);
+    if (role == GPIO_ROLE_COUNT) {
+        return refuse(why, "'%.*s' is no role: start left right ok test service tilt coin door "
+                           "start-lamp coin-lockout ticket coin-counter",
+                      (int)(name.length < 20 ? name.length : 20), name.at);
+    }
+    struct gpio_wire wire = { .wired = 1, .active_low = gpio_role_is_input(role) };
+    bool has_bias = !gpio_role_is_input(role);
+    const struct word line = split(&rest, ',');
+    if (!reads_line(line, &wire)) {
+        return refuse(why, "%s: a line's name or CHIP:OFFSET is wanted, of 1 to %u letters",
+                      roles[role].name, GPIO_TEXT_SIZE - 1u);
+    }
+    while (rest.length > 0) {
+        const struct word word = split(&rest, ',');
+        if (!reads_level_or_bias(word, &wire, &has_bias) && !reads_timing(word, role, &wire)) {
+            return refuse(why, "%s: '%.*s' is none of low high up down float as-is%s",
+                          roles[role].name, (int)(word.length < 30 ? word.length : 30), word.at,
+                          role == GPIO_COIN          ? " debounce=3ms window=15ms-250ms"
+                          : gpio_role_is_input(role) ? " debounce=5ms"
+                                                     : " pulse=100ms/100ms");
+        }
+    }
+    if (!has_bias) {
+        wire.bias = wire.active_low ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
+    }
+    wires[role] = gpio_wire_filled(&wire, role);
+    return true;
+}
+
+/* ---- Wires ---------------------------------------------------------------------------------- */
+
+static void fill(uint32_t *value, uint32_t own)
+{
+    *value = *value ? *value : own;
+}
+
+struct gpio_wire gpio_wire_filled(const struct gpio_wire *wire, enum gpio_role role)
+{
+    struct gpio_wire filled = *wire;
+    fill(&filled.debounce_us, roles[role].debounce_us);
+    if (role == GPIO_COIN) {
+        fill(&filled.pulse_min_us, COIN_MIN_US);
+        fill(&filled.pulse_max_us, COIN_MAX_US);
+    } else if (!gpio_role_is_input(role)) {
+        fill(&filled.pulse_on_us, PULSE_ON_US);
+        fill(&filled.pulse_off_us, PULSE_OFF_US);
+    }
+    return filled;
+}
+
+uint32_t gpio_wires_count(const struct gpio_wire wires[GPIO_ROLE_COUNT])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
+        count += wires[i].wired != 0;
+    }
+    return count;
+}
+
+void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE])
+{
+    if (wire->name[0]) {
+        snprintf(out, GPIO_WIRE_TEXT_SIZE, "%s", wire->name);
+    } else {
+        snprintf(out, GPIO_WIRE_TEXT_SIZE, "%s:%u", wire->chip, wire->offset);
+    }
+}
+
+static bool is_same_line(const struct gpio_wire *a, const struct gpio_wire *b)
+{
+    return a->wired && b->wired && strcmp(a->name, b->name) == 0 &&
+           strcmp(a->chip, b->chip) == 0 && a->offset == b->offset;
+}
+
+bool gpio_wires_agree(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE])
+{
+    for (enum gpio_role a = 0; a < GPIO_ROLE_COUNT; a++) {
+        for (enum gpio_role b = a + 1; b < GPIO_ROLE_COUNT; b++) {
+            if (is_same_line(&wires[a], &wires[b])) {
+                char line[GPIO_WIRE_TEXT_SIZE];
+                gpio_wire_text(&wires[a], line);
+                return refuse(why, "%s and %s are both on %s: one line, one role",
+                              gpio_role_name(a), gpio_role_name(b), line);
+            }
+        }
+    }
+    return true;
+}
