@@ -16,3 +16,5 @@ setup:
 JOBS ?= $(shell nproc)
 
 .PHONY: run setup
+
+-include board/poi-gadget/poi-gadget.mk

@@ -1,0 +1,86 @@
+/* hid_gadget.c -- reads and writes that never block. */
+#include "board/poi-gadget/hid_gadget.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+#define READS_MAX 8 /* A host sends one a frame; f_hid queues four requests. */
+
+void hid_gadget_init(struct hid_gadget *gadget, const char *path)
+{
+    *gadget = (struct hid_gadget){ .path = path, .fd = -1 };
+}
+
+static int is_stdout(const struct hid_gadget *gadget)
+{
+    return strcmp(gadget->path, "-") == 0;
+}
+
+int hid_gadget_open(struct hid_gadget *gadget)
+{
+    if (gadget->fd < 0) {
+        gadget->fd = is_stdout(gadget) ? STDOUT_FILENO
+                                       : open(gadget->path, O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    }
+    return gadget->fd >= 0;
+}
+
+/* EAGAIN: the last report still waits to be fetched. ESHUTDOWN: no host has configured us. The
+ * rest says that the function behind the file is gone. */
+static void survive(struct hid_gadget *gadget)
+{
+    if (errno != EAGAIN && errno != EINTR && errno != ESHUTDOWN) {
+        hid_gadget_close(gadget);
+    }
+}
+
+int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
+{
+    struct poi_report numbered = *report;
+    uint8_t bytes[POI_REPORT_SIZE];
+    numbered.sequence = gadget->sequence;
+    poi_report_encode(&numbered, bytes);
+    if (gadget->fd >= 0) {
+        if (write(gadget->fd, bytes, sizeof bytes) == (ssize_t)sizeof bytes) {
+            gadget->sequence++;
+            gadget->sent_count++;
+            return 1;
+        }
+        survive(gadget);
+    }
+    gadget->skipped_count++;
+    return 0;
+}
+
+int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out)
+{
+    int felt = 0;
+    for (int i = 0; i < READS_MAX && gadget->fd >= 0 && !is_stdout(gadget); i++) {
+        uint8_t bytes[64];
+        const ssize_t size = read(gadget->fd, bytes, sizeof bytes);
+        if (size < 0) {
+            survive(gadget);
+            break;
+        }
+        if (size == 0) {
+            break;
+        }
+        if (poi_feel_decode(bytes, (uint32_t)size, out, NULL)) {
+            gadget->felt_count++;
+            felt = 1;
+        } else {
+            gadget->refused_count++;
+        }
+    }
+    return felt;
+}
+
+void hid_gadget_close(struct hid_gadget *gadget)
+{
+    if (gadget->fd >= 0 && !is_stdout(gadget)) {
+        close(gadget->fd);
+    }
+    gadget->fd = -1;
+}

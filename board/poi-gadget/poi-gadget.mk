@@ -1,0 +1,29 @@
+# poi-gadget.mk -- kingyo-poi, the program of a poi's own board: no library but libc and libm, so that it
+# is built where it runs or crossed in seconds: make poi-gadget CC=aarch64-linux-gnu-gcc BUILD=build-arm64
+
+GADGET_DIR := board/poi-gadget
+GADGET_SRC := $(wildcard $(GADGET_DIR)/*.c)
+GADGET_SHARED := core/base/fmath.c core/base/vec.c core/base/rng.c drivers/poi_descriptor.c \
+    drivers/poi_report.c
+# Static: the board's Debian may be older than the one that compiles.
+GADGET_LDFLAGS ?= -static
+GADGET_OBJ := $(patsubst %.c,$(BUILD)/poi-gadget/%.o,$(GADGET_SRC) $(GADGET_SHARED))
+
+# Tests take its parts from the archive that all tests link.
+BOARD_OBJ += $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/main.c,$(GADGET_SRC)))
+
+## poi-gadget: kingyo-poi, the program of a poi's own board (board/poi-gadget/README.md)
+poi-gadget: $(BUILD)/kingyo-poi
+
+$(BUILD)/kingyo-poi: $(GADGET_OBJ)
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g $(GADGET_LDFLAGS) -o $@ $^ -lm
+
+$(BUILD)/poi-gadget/%.o: %.c
+	@mkdir -p $(@D)
+	$(call step,CC,$< (poi))
+	$(Q)$(CC) $(BASE_CFLAGS) -D_GNU_SOURCE $(DEP_FLAGS) -c -o $@ $<
+
+tests: $(BUILD)/kingyo-poi
+
+.PHONY: poi-gadget

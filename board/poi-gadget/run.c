@@ -1,0 +1,155 @@
+/* run.c -- absolute beats, so that no lateness adds up. */
+#include "board/poi-gadget/run.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "board/poi-gadget/hid_gadget.h"
+#include "board/poi-gadget/pose_line.h"
+
+#define REOPEN_BEATS 64u /* A function that is not there is asked for that seldom. */
+
+static volatile sig_atomic_t told_to_end;
+
+static void on_signal(int number)
+{
+    (void)number;
+    told_to_end = 1;
+}
+
+static void heed_signals(void)
+{
+    const struct sigaction action = { .sa_handler = on_signal };
+    told_to_end = 0;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    signal(SIGPIPE, SIG_IGN);
+}
+
+/* ---- Beats ---------------------------------------------------------------------------------- */
+
+struct beat {
+    uint64_t next_ns, period_ns, begin_ns;
+    uint64_t count; /* Beats that were due. */
+    uint32_t late;  /* Of them dropped: the board was too slow. */
+};
+
+static uint64_t now_ns(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (uint64_t)time.tv_sec * 1000000000u + (uint64_t)time.tv_nsec;
+}
+
+static void beat_start(struct beat *beat, uint32_t rate_hz)
+{
+    const uint64_t now = now_ns();
+    *beat = (struct beat){ .next_ns = now, .begin_ns = now, .period_ns = 1000000000u / rate_hz };
+}
+
+/* Sleeps until the next beat; returns how many seconds it is after the last one. */
+static float beat_wait(struct beat *beat)
+{
+    const uint64_t now = now_ns();
+    uint64_t beats = 1;
+    if (now > beat->next_ns + beat->period_ns) {
+        const uint64_t late = (now - beat->next_ns) / beat->period_ns;
+        beat->late += (uint32_t)late;
+        beats += late;
+    }
+    beat->next_ns += beats * beat->period_ns;
+    beat->count += beats;
+    const struct timespec until = { .tv_sec = (time_t)(beat->next_ns / 1000000000u),
+                                    .tv_nsec = (long)(beat->next_ns % 1000000000u) };
+    while (!told_to_end && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, NULL) == EINTR) {
+    }
+    return (float)(beats * beat->period_ns) * 1e-9f;
+}
+
+static int is_over(const struct beat *beat, const struct run_options *options)
+{
+    const float seconds = (float)(beat->next_ns - beat->begin_ns) * 1e-9f;
+    return told_to_end || (options->seconds > 0.0f && seconds > options->seconds);
+}
+
+/* ---- The cable ------------------------------------------------------------------------------ */
+
+static void tell_figures(const struct hid_gadget *gadget, const struct beat *beat)
+{
+    const double seconds = (double)(beat->next_ns - beat->begin_ns) * 1e-9;
+    fprintf(stderr,
+            "kingyo-poi: %u reports sent in %.1f s, %u not fetched in time; %u of %" PRIu64
+            " beats late; felt %u, %u refused\n",
+            gadget->sent_count, seconds, gadget->skipped_count, beat->late, beat->count,
+            gadget->felt_count, gadget->refused_count);
+}
+
+static void one_beat(struct hid_gadget *gadget, struct feel_sink sink, float seconds,
+                     enum pose_result result, const struct poi_report *report)
+{
+    struct poi_force force;
+    if (result == POSE_NEW) {
+        hid_gadget_send(gadget, report);
+    }
+    const int felt = hid_gadget_feel(gadget, &force);
+    if (sink.feel) {
+        sink.feel(sink.self, felt ? &force : NULL, seconds);
+    }
+}
+
+enum exit_code run(const struct run_options *options, struct pose_source source,
+                   struct feel_sink sink)
+{
+    struct hid_gadget gadget;
+    struct beat beat;
+    struct poi_report report = { 0 };
+    enum pose_result result = POSE_NONE;
+    hid_gadget_init(&gadget, options->device);
+    if (!hid_gadget_open(&gadget)) {
+        fprintf(stderr, "%s: %s; 'kingyo-poi-gadget start' makes it, or name it by --device\n",
+                options->device, strerror(errno));
+        return EXIT_IO;
+    }
+    heed_signals();
+    beat_start(&beat, options->rate_hz);
+    float seconds = 1.0f / (float)options->rate_hz;
+    while (result >= 0 && !is_over(&beat, options)) {
+        if (gadget.fd < 0 && beat.count % REOPEN_BEATS == 0) {
+            hid_gadget_open(&gadget);
+        }
+        result = source.step(source.self, seconds, &report);
+        one_beat(&gadget, sink, seconds, result, &report);
+        seconds = beat_wait(&beat);
+    }
+    if (sink.stop) {
+        sink.stop(sink.self);
+    }
+    tell_figures(&gadget, &beat);
+    hid_gadget_close(&gadget);
+    return result == POSE_BAD ? EXIT_DATA : EXIT_OK;
+}
+
+enum exit_code watch(const struct run_options *options, struct pose_source source)
+{
+    struct beat beat;
+    struct poi_report report = { 0 };
+    enum pose_result result = POSE_NONE;
+    heed_signals();
+    beat_start(&beat, options->rate_hz);
+    float seconds = 1.0f / (float)options->rate_hz;
+    while (result >= 0 && !is_over(&beat, options) && !ferror(stdout)) {
+        char text[POSE_LINE_SIZE];
+        result = source.step(source.self, seconds, &report);
+        if (result == POSE_NEW) {
+            pose_line_write(&report, text);
+            puts(text);
+            fflush(stdout);
+        }
+        seconds = beat_wait(&beat);
+    }
+    return result == POSE_BAD ? EXIT_DATA : EXIT_OK;
+}

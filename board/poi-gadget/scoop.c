@@ -1,0 +1,63 @@
+/* scoop.c -- a table of strokes, and a spot for each scoop. */
+#include "board/poi-gadget/scoop.h"
+
+#define DEG F_DEG
+
+/* The festival tank is 0.85 m by 0.55 m, 0.12 m deep; the first player's bowl floats at its near
+ * right corner, 12 mm over the water. What is dipped at keeps clear of it and of the walls. */
+#define SPOT_LEFT_M (-0.30f)
+#define SPOT_RIGHT_M 0.16f
+#define SPOT_FAR_M (-0.17f)
+#define SPOT_NEAR_M 0.12f
+#define BOWL_X_M 0.289f /* Left of its middle by what a fish slides off a ring that leans 58 deg. */
+#define BOWL_Y_M 0.062f
+#define BOWL_Z_M 0.185f
+
+/* Relative to the spot, or to the bowl. */
+static const struct stroke {
+    uint8_t at_bowl;
+    uint8_t buttons;
+    float seconds;
+    float x_m, y_m, z_m;
+    float pitch_deg, roll_deg;
+} strokes[SCOOP_STROKES] = {
+    { 0, POI_BUTTON_START, 0.9f, 0.00f, 0.060f, 0.05f, 0.0f, 0.0f },
+    { 0, 0, 0.4f, 0.00f, 0.045f, 0.05f, -38.0f, 0.0f },      /* Leans: the far edge first. */
+    { 0, 0, 0.45f, 0.00f, -0.050f, -0.05f, -38.0f, 0.0f },   /* Slides in along the paper. */
+    { 0, 0, 0.6f, 0.00f, -0.055f, -0.09f, -4.0f, 0.0f },     /* Glides under. */
+    { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },       /* Lifts level, and drains. */
+    { 1, 0, 1.1f, 0.00f, 0.020f, 0.00f, 2.0f, 0.0f },
+    { 1, POI_BUTTON_OK, 0.5f, 0.00f, 0.000f, 0.00f, 0.0f, 58.0f }, /* Tips to the right. */
+    { 1, 0, 0.6f, -0.03f, 0.030f, 0.00f, 0.0f, 0.0f },
+};
+
+/* Spots that fill the plane evenly: additive steps of the plastic number, which no row repeats. */
+static vec3 spot_m(uint32_t scoop)
+{
+    const float u = 0.5f + (float)scoop * 0.7548777f, v = 0.5f + (float)scoop * 0.5698403f;
+    return v3(f_lerp(SPOT_LEFT_M, SPOT_RIGHT_M, u - f_floor(u)), 0.0f,
+              f_lerp(SPOT_FAR_M, SPOT_NEAR_M, v - f_floor(v)));
+}
+
+static struct pose_line line_of(uint32_t number)
+{
+    const struct stroke *stroke = &strokes[number % SCOOP_STROKES];
+    const vec3 base_m = stroke->at_bowl ? v3(BOWL_X_M, BOWL_Y_M, BOWL_Z_M)
+                                        : spot_m(number / SCOOP_STROKES % 4096u);
+    return (struct pose_line){
+        .glide_s = stroke->seconds,
+        .buttons = stroke->buttons,
+        .target = { .position_m = v3_add(base_m, v3(stroke->x_m, stroke->y_m, stroke->z_m)),
+                    .angles = { .pitch_rad = stroke->pitch_deg * DEG,
+                                .roll_rad = stroke->roll_deg * DEG } },
+    };
+}
+
+void scoop_step(struct scoop *scoop, float seconds, struct poi_report *out)
+{
+    if (pose_glide_is_there(&scoop->glide)) {
+        const struct pose_line next = line_of(scoop->stroke++);
+        pose_glide_send(&scoop->glide, &next);
+    }
+    pose_glide_step(&scoop->glide, seconds, out);
+}

@@ -1,0 +1,53 @@
+/* script_source.c -- whatever text has come goes into the tape. */
+#include "board/poi-gadget/script_source.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <stdio.h>
+#include <unistd.h>
+
+static void read_more(struct script_source *script)
+{
+    struct pollfd ready = { .fd = script->fd, .events = POLLIN };
+    uint32_t room;
+    char *at = pose_tape_room(&script->tape, &room);
+    if (room == 0 || script->tape.ended || poll(&ready, 1, 0) <= 0) {
+        return;
+    }
+    const ssize_t size = read(script->fd, at, room);
+    if (size > 0) {
+        pose_tape_wrote(&script->tape, (uint32_t)size);
+    } else if (size == 0 || (errno != EAGAIN && errno != EINTR)) {
+        script->tape.ended = 1;
+    }
+}
+
+/* No hand is still to the bit, and the kiosk takes a sensor that is for a frozen one: half a step
+ * of the report to either side. */
+static void tremble(struct script_source *script, struct poi_report *report)
+{
+    const float half_m = 0.5f * POI_REPORT_REACH_M / 32767.0f;
+    report->target.position_m.x += script->step++ & 1u ? half_m : -half_m;
+}
+
+static enum pose_result script_step(void *self, float seconds, struct poi_report *out)
+{
+    struct script_source *script = self;
+    read_more(script);
+    const int got = pose_tape_step(&script->tape, seconds, out);
+    if (got < 0) {
+        fprintf(stderr, "%s:%u: %s\n", script->name, script->tape.line, script->tape.why);
+        return POSE_BAD;
+    }
+    if (got == 0) {
+        return script->tape.ended ? POSE_END : POSE_NONE;
+    }
+    tremble(script, out);
+    return POSE_NEW;
+}
+
+struct pose_source script_source(struct script_source *script, int fd, const char *name)
+{
+    *script = (struct script_source){ .fd = fd, .name = name };
+    return (struct pose_source){ .step = script_step, .self = script };
+}
