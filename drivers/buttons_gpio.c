@@ -22,7 +22,7 @@ static uint32_t buttons_of(uint32_t roles)
 static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
     struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
-    const uint32_t pressed = atomic_exchange(&reader->pressed, 0); /* Before the level: see there. */
+    const uint32_t pressed = atomic_exchange(&reader->pressed, 0); /* The level comes after it. */
     *out = (struct button_sample){
         .pressed = buttons_of(pressed),
         .held = buttons_of(atomic_load(&reader->held)),

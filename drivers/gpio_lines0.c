@@ -1,4 +1,4 @@
-/* gpio_lines0.c -- no libgpiod on the machine that built this: no line can be had, and it says so. */
+/* gpio_lines0.c -- no libgpiod on the machine that built this: no line can be had, it says. */
 #include <stdio.h>
 #include <time.h>
 
