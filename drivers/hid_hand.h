@@ -8,10 +8,14 @@
 
 #include <stdint.h>
 
+#include "drivers/fly_poi.h"
 #include "drivers/hid_map.h"
 #include "drivers/pointer_fan.h"
 #include "drivers/pointer_poi.h"
 #include "platform/hal.h"
+
+/* After so long out of range a pen lies beside its tablet, and nobody is there. */
+#define HID_PEN_AWAY_NS 3000000000ull
 
 struct hid_hand {
     struct hid_descriptor descriptor;
@@ -19,13 +23,19 @@ struct hid_hand {
     struct pointer_poi pointer; /* Of HID_STYLE_POINTER. */
     struct pointer_fan fan;
     struct pointer_report report;
-    struct poi_target target;   /* Of the newest report; RATE axes go on from here. */
-    float value[HID_ROLE_COUNT]; /* Newest of each axis, [-1, 1]; of keys 0 or 1. */
-    uint64_t time_ns;           /* Of the newest report or sample. */
+    struct fly_poi fly;         /* Of HID_STYLE_FLY. */
+    struct poi_target target;   /* Of HID_STYLE_POSE: the newest report's. */
+    /* Newest of each binding: [-1, 1]; of a STEP, steps; of a hat, its direction, -1 for none; of
+     * what is pressed, 0 or 1. */
+    float value[HID_BINDING_MAX];
+    uint32_t awake;             /* Bindings of sticks that were seen near their rest, a bit each:
+                                   one that never was is not there, or broken. */
+    uint64_t time_ns;           /* Of the newest report. */
+    uint64_t range_ns;          /* When the pen was last in range. */
     uint32_t held;              /* enum input_button levels ... */
     uint32_t pressed;           /* ... and edges that nobody took yet. */
     uint8_t sequence, has_sequence;
-    uint8_t present;            /* A pen is in range, a hand is there. */
+    uint8_t present;            /* It said where it is. */
     uint32_t report_count, refused_count;
     uint32_t gap_count;         /* Reports that the sequence number says were lost. */
 };
@@ -35,11 +45,15 @@ struct hid_hand {
 int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const struct hid_map *map,
                   const struct view *view);
 
+/* The tank is looked at so from now on. */
+void hid_hand_look(struct hid_hand *hand, const struct view *view);
+
 /* Takes one report. 1: the hand may have moved; 0: refused, or no report that the map knows. */
 int hid_hand_report(struct hid_hand *hand, const struct hid_raw *raw);
 
-/* Where the hand is at `time_ns`, which never goes back: of a RATE or a stroke it is later than the
- * last report's. 0: it is not there (no report yet, a pen out of range). */
+/* Where the hand is at `time_ns`, which never goes back: of a RATE or a stroke that is farther on
+ * than at the last report; a POSE is that of its report, whenever it is asked for. 0: it is not
+ * there (no report yet, a pen that was put aside). */
 int hid_hand_sample(struct hid_hand *hand, uint64_t time_ns, struct poi_sample *out);
 
 /* Adds its buttons: levels, and the edges since the last call. */

@@ -1,7 +1,7 @@
 /* hid_map.h -- which field of a controller's reports is which motion of a hand. Pure data.
  *
  * Made by a table of known devices (hid_map_known.c), else from what the descriptor offers
- * (hid_map_offer.c), else by being shown (hid_learn.h); kept as a line of text for each
+ * (hid_offer.c), else by being shown (hid_learn.h); kept as a line of text for each
  * vendor:product:serial (hid_map_text.c). hid_hand.h plays with it. */
 #ifndef KINGYO_DRIVERS_HID_MAP_H
 #define KINGYO_DRIVERS_HID_MAP_H
@@ -16,9 +16,9 @@
 /* What a field moves. */
 enum hid_role {
     HID_ROLE_NONE = 0,
-    HID_ROLE_X,        /* + is the player's right. */
+    HID_ROLE_X,        /* + is the player's right, also of a picture. */
     HID_ROLE_Y,        /* + is up. */
-    HID_ROLE_Z,        /* + is toward the player. */
+    HID_ROLE_Z,        /* + is toward the player: down in a picture. */
     HID_ROLE_PITCH,
     HID_ROLE_YAW,
     HID_ROLE_ROLL,
@@ -49,8 +49,9 @@ enum hid_manner {
 struct hid_binding {
     uint8_t role, manner;   /* enum hid_role, enum hid_manner */
     uint8_t report_id;
-    uint32_t bit_offset;    /* With report_id it names the field; the descriptor says the rest. */
+    uint32_t bit_offset;    /* Of the payload, behind the report id. */
     uint8_t bit_size;       /* 1 .. 32 */
+    uint8_t is_signed;      /* Two's complement; makers hide such numbers in vendors' bytes. */
     hid_usage usage;        /* Of an array: pressed while some element selects it; else 0. */
     int32_t rest;           /* Value of a stick let go, a key not pressed, an axis' low end. */
     int32_t full;           /* Value at the positive end; below `rest` turns the axis round. */
@@ -67,7 +68,7 @@ enum hid_style {
 
 enum hid_map_source {
     HID_MAP_NONE = 0, /* It cannot be a poi as it is. */
-    HID_MAP_OWN,      /* Our own poi's descriptor, byte for byte. */
+    HID_MAP_OWN,      /* Our own poi's report, field for field. */
     HID_MAP_KNOWN,
     HID_MAP_OFFERED,
     HID_MAP_LEARNED,
@@ -81,11 +82,14 @@ struct hid_map {
     struct hid_binding binding[HID_BINDING_MAX];
 };
 
+/* Whether this is our own poi: every field of drivers/poi_report.h in its place. Its vendor and
+ * product may be any maker's. */
+int hid_map_is_own(const struct hid_descriptor *descriptor);
+
 /* The best map for a controller: our own poi, a known device, what it offers. `out->source` says
  * which; HID_MAP_NONE when it can be none of them. A keyboard, a boot device's keys and what has
  * no axes give NONE. */
 void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
-                    const uint8_t *descriptor_bytes, uint32_t descriptor_size,
                     const struct hid_descriptor *descriptor);
 
 /* Whether it can be played with: style and axes go together, every binding lies in the
@@ -94,7 +98,7 @@ int hid_map_is_sound(const struct hid_map *map, const struct hid_descriptor *des
 
 /* One line of text without a newline, and back; -1 and one sentence in `error` where it is none.
  * The key is written as vendor:product:serial by hid_book.h. */
-#define HID_MAP_TEXT_SIZE 2048u
+#define HID_MAP_TEXT_SIZE 3072u /* HID_BINDING_MAX of the longest. */
 int hid_map_write(const struct hid_map *map, char text[HID_MAP_TEXT_SIZE]);
 int hid_map_read(struct hid_map *out, const char *text, char error[HAL_TEXT_SIZE]);
 

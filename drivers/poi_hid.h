@@ -16,14 +16,22 @@ struct hid_mapper {
     void *self;
 };
 
+/* Who else wants to see what a seat's controller says: the operator's desk, while it learns. */
+struct hid_watch {
+    void (*report)(void *self, const struct hid_raw *raw);
+    void *self;
+};
+
 struct poi_hid {
     struct hid_port port;
     struct hal_clock clock;
     struct hid_mapper mapper;
+    struct hid_watch watch;
     struct view view;
     struct hid_face face;
     struct hid_hand hand;
     uint8_t is_open;
+    uint8_t plays;         /* There is a map that the hand can be led by. */
     uint8_t feel_sequence;
     char text[HAL_TEXT_SIZE];
 };
@@ -31,6 +39,12 @@ struct poi_hid {
 /* `mapper.choose` null: hid_map_choose() alone. */
 void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
                   struct hid_mapper mapper, const struct view *view);
+
+/* What it says from now on is shown to `watch`, too; `watch.report` null: to nobody. */
+void poi_hid_show(struct poi_hid *poi, struct hid_watch watch);
+
+/* From now on it plays by `map`; null: by the mapper's, asked anew. Returns whether it plays. */
+int poi_hid_remap(struct poi_hid *poi, const struct hid_map *map);
 
 struct hal_poi poi_hid_device(struct poi_hid *poi);
 struct hal_shade poi_hid_fan(struct poi_hid *poi);

@@ -4,17 +4,6 @@
 /* The wheel clicks, the hand does not: the tilt follows within about three time constants. */
 #define TILT_TAU_S 0.06f
 
-/* The far edge leads into the water and out of it, in proportion to the ring's speed. The
- * pointer's ray runs away from the player as it goes down, so this turns the paper toward its
- * own course, and less water is pushed by it: what a practised hand does. A poi that goes in
- * flat lasts four dips; with this, eight. */
-#define SLANT_MAX_RAD (28.0f * F_DEG)
-#define SLANT_AT_M_S 0.40f
-
-/* A dip sets off at once, or the first frames after the click would show nothing: twice what the
- * smoothest stroke needs, and still in the air. A lift begins under water and takes its time. */
-#define DIP_START_M_S2 (-16.0f)
-
 /* No wrist keeps a ring in its own plane while the arm hurries: the leading edge rises with the
  * speed. Gliding at 0.1 m/s this is under 3 degrees; at 1 m/s the paper takes the water's full
  * push. */
@@ -28,49 +17,9 @@
 #define BACK_FREE_M 0.025f    /* So high it is clear of the water, and goes at its pace; ... */
 #define BACK_UNDER_WATER 0.12f /* ... below it, at so much of that, or the paper would tear. */
 
-struct stroke {
-    float height_m, speed_m_s, acceleration_m_s2;
-};
-
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {
     return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
-}
-
-/* The quintic with the given start (place, speed, acceleration) that ends at rest. */
-static struct stroke stroke_at(const struct pointer_poi *pointer, uint64_t time_ns)
-{
-    const float total = pointer->stroke_s;
-    const float t = seconds_between(pointer->stroke_ns, time_ns);
-    if (t >= total) {
-        return (struct stroke){ .height_m = pointer->to_m };
-    }
-    const float distance = pointer->to_m - pointer->from_m;
-    const float v = pointer->from_m_s * total;
-    const float a = 0.5f * pointer->from_m_s2 * total * total;
-    const float c3 = 10.0f * distance - 6.0f * v - 3.0f * a;
-    const float c4 = -15.0f * distance + 8.0f * v + 3.0f * a;
-    const float c5 = 6.0f * distance - 3.0f * v - a;
-    const float s = t / total;
-    return (struct stroke){
-        .height_m = pointer->from_m + s * (v + s * (a + s * (c3 + s * (c4 + s * c5)))),
-        .speed_m_s =
-            (v + s * (2.0f * a + s * (3.0f * c3 + s * (4.0f * c4 + s * 5.0f * c5)))) / total,
-        .acceleration_m_s2 =
-            (2.0f * a + s * (6.0f * c3 + s * (12.0f * c4 + s * 20.0f * c5))) / (total * total),
-    };
-}
-
-static void begin_stroke(struct pointer_poi *pointer, uint64_t time_ns, int down)
-{
-    const struct stroke now = stroke_at(pointer, time_ns);
-    pointer->from_m = now.height_m;
-    pointer->from_m_s = now.speed_m_s;
-    pointer->from_m_s2 =
-        down ? f_min(now.acceleration_m_s2, DIP_START_M_S2) : now.acceleration_m_s2;
-    pointer->to_m = down ? POINTER_DIP_M : POINTER_HOVER_M;
-    pointer->stroke_s = down ? POINTER_DOWN_S : POINTER_UP_S;
-    pointer->stroke_ns = time_ns;
 }
 
 static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
@@ -78,7 +27,7 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
     const float dt = seconds_between(pointer->time_ns, time_ns);
     const float left = f_exp(-f_min(dt / TILT_TAU_S, 50.0f));
     pointer->tilt_rad = f_lerp(pointer->tilt_goal_rad, pointer->tilt_rad, left);
-    const float dry = f_smoothstep(0.0f, BACK_FREE_M, stroke_at(pointer, time_ns).height_m);
+    const float dry = f_smoothstep(0.0f, BACK_FREE_M, dip_at(&pointer->dip, time_ns).height_m);
     pointer->back_done_s += dt * f_lerp(BACK_UNDER_WATER, 1.0f, dry);
     if (time_ns > pointer->time_ns) {
         pointer->time_ns = time_ns;
@@ -108,9 +57,8 @@ void pointer_poi_init(struct pointer_poi *pointer, const struct view *view)
     *pointer = (struct pointer_poi){
         .view = *view,
         .aspect = 16.0f / 9.0f,
-        .from_m = POINTER_HOVER_M,
-        .to_m = POINTER_HOVER_M,
     };
+    dip_init(&pointer->dip);
 }
 
 int pointer_report_is_usable(const struct pointer_report *report)
@@ -168,7 +116,7 @@ int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report 
     }
     pointer->buttons = report->buttons;
     if (changed & POINTER_DIP) {
-        begin_stroke(pointer, pointer->time_ns, (report->buttons & POINTER_DIP) != 0);
+        dip_begin(&pointer->dip, pointer->time_ns, (report->buttons & POINTER_DIP) != 0);
     }
     const float turn = report->wheel_notches * POINTER_TILT_STEP_RAD;
     pointer->tilt_goal_rad =
@@ -182,8 +130,8 @@ int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report 
 struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_ns)
 {
     move_to_time(pointer, time_ns);
-    const struct stroke stroke = stroke_at(pointer, pointer->time_ns);
-    const float slant = SLANT_MAX_RAD * f_min(1.0f, f_abs(stroke.speed_m_s) / SLANT_AT_M_S);
+    const struct dip_state stroke = dip_at(&pointer->dip, pointer->time_ns);
+    const float slant = dip_slant_rad(stroke.speed_m_s);
     const float left = lag_left(pointer);
     const float x = pointer->ndc_x + left * pointer->lag_x;
     const float y = pointer->ndc_y + left * pointer->lag_y;
@@ -191,7 +139,7 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
         view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
     follow_hand(pointer, view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
     const vec3 lean = v3_limit(v3_scale(pointer->hand_m_s, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
-    const float pitch_max_rad = POINTER_TILT_MAX_RAD + SLANT_MAX_RAD;
+    const float pitch_max_rad = POINTER_TILT_MAX_RAD + DIP_SLANT_MAX_RAD;
     return (struct poi_target){
         .position_m = hand_m,
         .angles.pitch_rad =

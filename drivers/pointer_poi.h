@@ -14,6 +14,7 @@
 
 #include <stdint.h>
 
+#include "drivers/dip.h"
 #include "platform/hal.h"
 
 enum pointer_button {
@@ -31,10 +32,10 @@ struct pointer_report {
     float wheel_notches;               /* Since the last report; away from the user is positive. */
 };
 
-#define POINTER_HOVER_M 0.035f         /* Over the water: clear of ripples, near enough to aim. */
-#define POINTER_DIP_M (-0.050f)        /* Under it: where the fish of a 10 .. 20 cm tank cruise. */
-#define POINTER_DOWN_S 0.30f
-#define POINTER_UP_S 0.46f             /* Slower than down: a wet sheet carries the pool on it. */
+#define POINTER_HOVER_M DIP_HOVER_M
+#define POINTER_DIP_M DIP_DEPTH_M
+#define POINTER_DOWN_S DIP_DOWN_S
+#define POINTER_UP_S DIP_UP_S
 #define POINTER_TILT_STEP_RAD (7.5f * F_DEG) /* One notch of the wheel ... */
 #define POINTER_TILT_MAX_RAD (60.0f * F_DEG) /* ... of at most eight either way. */
 
@@ -50,11 +51,7 @@ struct pointer_poi {
     float lag_x, lag_y;
     float back_s, back_done_s;
 
-    /* The present stroke: a quintic from where the ring was when the button changed. */
-    uint64_t stroke_ns;
-    float stroke_s;             /* Its duration; 0 before the first. */
-    float from_m, from_m_s, from_m_s2, to_m;
-
+    struct dip dip;             /* The present stroke. */
     float tilt_rad, tilt_goal_rad;
 
     vec3 hand_m, hand_m_s;      /* The pointer on the still water at the last sample; its speed. */

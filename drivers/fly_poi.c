@@ -1,0 +1,177 @@
+/* fly_poi.c -- the manner of playing with sticks. */
+#include "drivers/fly_poi.h"
+
+#include "drivers/pointer_fan.h"
+
+#define PUSH_TAU_S 0.07f  /* A thumb flicks, an arm does not. */
+#define TWIST_TAU_S 0.06f /* As the wheel's tilt of a pointer. */
+#define STEP_MAX_S 0.008f /* What is flown is added up in steps so short that none matters. */
+#define GAP_MAX_S 1.0f    /* Nobody looked for longer: it stood meanwhile. */
+
+/* Half of the picture's width and height that a hand may go to, seen from the middle. */
+#define SEEN 0.94f
+#define VIEW_ASPECT (16.0f / 9.0f)
+
+/* A ring that leans into its way, as pointer_poi's. */
+#define LEAN_RAD_PER_M_S (28.0f * F_DEG)
+#define LEAN_MAX_RAD (20.0f * F_DEG)
+
+#define LEVEL_FROM_M 0.03f /* So near to its hovering a ring that levels slows down. */
+
+#define LAP_M 0.35f /* So far beyond the near edge the fan lies in the player's lap. */
+
+static float share_of(float value)
+{
+    return f_is_finite(value) ? f_clamp(value, -1.0f, 1.0f) : 0.0f;
+}
+
+static vec3 shares_of(vec3 v)
+{
+    return v3(share_of(v.x), share_of(v.y), share_of(v.z));
+}
+
+static vec3 kept_within(vec3 v, vec3 low, vec3 high)
+{
+    return v3(f_clamp(v.x, low.x, high.x), f_clamp(v.y, low.y, high.y),
+              f_clamp(v.z, low.z, high.z));
+}
+
+void fly_poi_look(struct fly_poi *fly, const struct view *view)
+{
+    const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, 0.0f);
+    const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, 0.0f);
+    const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, 0.0f);
+    fly->view = *view;
+    fly->low_m = v3(-f_abs(right.x), FLY_LOW_M, f_min(far.z, near.z));
+    fly->high_m = v3(f_abs(right.x), FLY_HIGH_M, f_max(far.z, near.z));
+    fly->place_m = kept_within(fly->place_m, fly->low_m, fly->high_m);
+}
+
+void fly_poi_init(struct fly_poi *fly, const struct view *view)
+{
+    *fly = (struct fly_poi){ .place_m = { 0.0f, DIP_HOVER_M, 0.0f } };
+    dip_init(&fly->dip);
+    fly_poi_look(fly, view);
+}
+
+/* The ring's height over the still water: that of its flight, less what it is let down. */
+static float height_m(const struct fly_poi *fly, uint64_t time_ns)
+{
+    return fly->place_m.y - DIP_HOVER_M + dip_at(&fly->dip, time_ns).height_m;
+}
+
+static float pace_m_s(float at_m)
+{
+    return f_lerp(FLY_WATER_M_S, FLY_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
+}
+
+/* A little push goes a little way: the cube under the straight line makes the middle fine. */
+static float eased(float push)
+{
+    return push * (0.35f + 0.65f * push * push);
+}
+
+static vec3 wanted_m_s(const struct fly_poi *fly, uint64_t time_ns)
+{
+    const vec3 push = fly->report.push;
+    const float pace = pace_m_s(height_m(fly, time_ns));
+    if (fly->report.buttons & POINTER_FAN) {
+        return v3(0.0f, 0.0f, 0.0f);
+    }
+    const float climb = fly->report.buttons & POINTER_LEVEL
+                            ? share_of((DIP_HOVER_M - fly->place_m.y) / LEVEL_FROM_M)
+                            : eased(push.y);
+    return v3(pace * eased(push.x), FLY_HEIGHT_M_S * climb, pace * eased(push.z));
+}
+
+static void lead_fan(struct fly_poi *fly, float dt_s)
+{
+    const vec3 push = fly->report.push;
+    const int fans = (fly->report.buttons & POINTER_FAN) != 0;
+    const float swing = dt_s / POINTER_FAN_SWING_S;
+    if (fans) {
+        const vec3 way = v3(eased(push.x), 0.0f, eased(push.z));
+        const vec3 led = v3_mad(fly->shade_m, way, FLY_AIR_M_S * dt_s);
+        fly->shade_m = kept_within(led, fly->low_m, fly->high_m);
+    }
+    fly->swing = f_clamp(fly->swing + (fans ? swing : -swing), 0.0f, 1.0f);
+}
+
+static void fly_step(struct fly_poi *fly, uint64_t time_ns, float dt_s)
+{
+    const vec3 goal = wanted_m_s(fly, time_ns);
+    fly->speed_m_s = v3_lerp(fly->speed_m_s, goal, 1.0f - f_exp(-dt_s / PUSH_TAU_S));
+    const vec3 next = v3_mad(fly->place_m, fly->speed_m_s, dt_s);
+    fly->place_m = kept_within(next, fly->low_m, fly->high_m);
+    const vec3 twist = v3_scale(fly->report.twist, FLY_TILT_MAX_RAD);
+    fly->twist_rad = v3_lerp(fly->twist_rad, twist, 1.0f - f_exp(-dt_s / TWIST_TAU_S));
+    lead_fan(fly, dt_s);
+}
+
+static void fly_to_time(struct fly_poi *fly, uint64_t time_ns)
+{
+    if (time_ns <= fly->time_ns) {
+        return;
+    }
+    float left_s = (float)(time_ns - fly->time_ns) * 1e-9f;
+    if (fly->time_ns == 0 || left_s > GAP_MAX_S) {
+        left_s = 0.0f;
+    }
+    while (left_s > 0.0f) {
+        const float dt_s = f_min(left_s, STEP_MAX_S);
+        left_s -= dt_s;
+        fly_step(fly, time_ns - (uint64_t)(left_s * 1e9f), dt_s);
+    }
+    fly->time_ns = time_ns;
+}
+
+void fly_poi_report(struct fly_poi *fly, const struct fly_report *report)
+{
+    fly_to_time(fly, report->time_ns);
+    const uint32_t changed = fly->report.buttons ^ report->buttons;
+    fly->report = *report;
+    fly->report.push = shares_of(report->push);
+    fly->report.twist = shares_of(report->twist);
+    if (changed & POINTER_DIP) {
+        dip_begin(&fly->dip, fly->time_ns, (report->buttons & POINTER_DIP) != 0);
+    }
+    if ((changed & report->buttons & POINTER_FAN) && fly->swing <= 0.0f) {
+        fly->shade_m = fly->place_m;
+    }
+}
+
+/* Going down it also goes away from the player, along the line of sight, so that the slant of the
+ * ring turns it toward its own course. */
+static vec3 slid_m(const struct fly_poi *fly, float down_m)
+{
+    const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);
+    const float slope = sight.y < -0.1f ? f_clamp(sight.z / sight.y, 0.0f, 1.5f) : 0.0f;
+    return v3(0.0f, -down_m, -slope * down_m);
+}
+
+struct poi_target fly_poi_target(struct fly_poi *fly, uint64_t time_ns)
+{
+    fly_to_time(fly, time_ns);
+    const struct dip_state stroke = dip_at(&fly->dip, fly->time_ns);
+    const vec3 along = v3(fly->speed_m_s.x, 0.0f, fly->speed_m_s.z);
+    const vec3 lean = v3_limit(v3_scale(along, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
+    const float slant = dip_slant_rad(stroke.speed_m_s);
+    return (struct poi_target){
+        .position_m = v3_add(fly->place_m, slid_m(fly, DIP_HOVER_M - stroke.height_m)),
+        .angles = { .yaw_rad = fly->twist_rad.y,
+                    .pitch_rad = fly->twist_rad.x - slant - lean.z,
+                    .roll_rad = fly->twist_rad.z - lean.x },
+    };
+}
+
+struct shade_input fly_poi_fan(struct fly_poi *fly, uint64_t time_ns)
+{
+    fly_to_time(fly, time_ns);
+    const float share = f_smoothstep(0.0f, 1.0f, fly->swing);
+    return (struct shade_input){
+        .present = fly->swing > 0.0f,
+        .x_m = fly->shade_m.x,
+        .z_m = f_lerp(fly->high_m.z + LAP_M, fly->shade_m.z, share),
+        .radius_m = POINTER_FAN_RADIUS_M,
+    };
+}

@@ -1,0 +1,411 @@
+/* hid_hand.c -- bits to shares, shares to motions. */
+#include "drivers/hid_hand.h"
+
+#include <string.h>
+
+#include "drivers/poi_report.h"
+
+/* A window that no mouse can see: a count is a pixel of it, as wide as a hand's way on a desk. */
+#define WINDOW_WIDTH 1920u
+#define WINDOW_HEIGHT 1080u
+
+#define PRESS_AT 0.5f    /* Of the way of a trigger; ... */
+#define RELEASE_AT 0.4f  /* ... it trembles no more than this between. */
+#define AWAKE_WITHIN 0.3f /* Of its way to either end a stick is let go. */
+#define HAT_DIRECTIONS 8.0f
+
+int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const struct hid_map *map,
+                  const struct view *view)
+{
+    memset(hand, 0, sizeof *hand);
+    const uint32_t size =
+        face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
+    hid_descriptor_read(&hand->descriptor, face->descriptor, size);
+    if (!hid_map_is_sound(map, &hand->descriptor)) {
+        return -1;
+    }
+    hand->map = *map;
+    hand->report = (struct pointer_report){
+        .x_px = 0.5f * WINDOW_WIDTH,
+        .y_px = 0.5f * WINDOW_HEIGHT,
+        .width_px = WINDOW_WIDTH,
+        .height_px = WINDOW_HEIGHT,
+    };
+    for (uint32_t i = 0; i < map->count; i++) {
+        hand->value[i] = map->binding[i].manner == HID_MANNER_HAT ? -1.0f : 0.0f;
+    }
+    pointer_poi_init(&hand->pointer, view);
+    pointer_fan_init(&hand->fan, view);
+    fly_poi_init(&hand->fly, view);
+    return 0;
+}
+
+void hid_hand_look(struct hid_hand *hand, const struct view *view)
+{
+    hand->pointer.view = hand->fan.view = *view;
+    fly_poi_look(&hand->fly, view);
+}
+
+/* ---- Bits to shares ------------------------------------------------------------------------- */
+
+static uint32_t bits_at(const uint8_t *bytes, uint32_t offset, uint32_t size)
+{
+    const uint32_t first = offset / 8u, last = (offset + size - 1u) / 8u;
+    uint64_t word = 0;
+    for (uint32_t i = first; i <= last; i++) {
+        word |= (uint64_t)bytes[i] << (8u * (i - first));
+    }
+    return (uint32_t)(word >> offset % 8u & ((1ull << size) - 1u));
+}
+
+static int64_t raw_of(const struct hid_binding *binding, const uint8_t *payload)
+{
+    const uint32_t bits = bits_at(payload, binding->bit_offset, binding->bit_size);
+    const int64_t half = (int64_t)1 << (binding->bit_size - 1u);
+    return binding->is_signed && bits >= half ? (int64_t)bits - 2 * half : (int64_t)bits;
+}
+
+/* How far it is from `rest` (0) to `full` (1), and beyond. */
+static float way_of(const struct hid_binding *binding, int64_t raw)
+{
+    const int64_t span = (int64_t)binding->full - binding->rest;
+    return (float)(raw - binding->rest) / (float)span;
+}
+
+/* 0 within `dead`, and as before at the ends. */
+static float past_dead(float share, float dead)
+{
+    const float size = f_abs(share);
+    const float rest = size > dead ? f_min((size - dead) / (1.0f - dead), 1.0f) : 0.0f;
+    return share < 0.0f ? -rest : rest;
+}
+
+static float dead_share(const struct hid_binding *binding, float steps)
+{
+    return f_clamp((float)binding->dead / f_abs(steps), 0.0f, 0.9f);
+}
+
+static float stick_of(const struct hid_binding *binding, int64_t raw)
+{
+    const float span = (float)((int64_t)binding->full - binding->rest);
+    return binding->manner == HID_MANNER_RATE
+               ? past_dead(f_clamp(way_of(binding, raw), -1.0f, 1.0f), dead_share(binding, span))
+               : past_dead(f_clamp(2.0f * way_of(binding, raw) - 1.0f, -1.0f, 1.0f),
+                           dead_share(binding, 0.5f * span));
+}
+
+static float pressed_of(float way, float before)
+{
+    return way >= (before > 0.5f ? RELEASE_AT : PRESS_AT) ? 1.0f : 0.0f;
+}
+
+static float hat_of(const struct hid_binding *binding, int64_t raw)
+{
+    const int64_t direction = raw - binding->rest;
+    return direction >= 0 && (float)direction < HAT_DIRECTIONS ? (float)direction : -1.0f;
+}
+
+/* Whether some element of the array that begins at the binding's bits selects its usage. */
+static int is_selected(const struct hid_hand *hand, const struct hid_binding *binding,
+                       struct hid_report report)
+{
+    const struct hid_descriptor *descriptor = &hand->descriptor;
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        const struct hid_group *group = &descriptor->group[i];
+        if ((group->flags & HID_VARIABLE) || group->report_id != binding->report_id ||
+            group->bit_offset != binding->bit_offset) {
+            continue;
+        }
+        for (uint32_t j = 0; j < group->count; j++) {
+            const int64_t raw = hid_field_value(descriptor, group, j, report);
+            if (hid_selected(descriptor, group, raw) == binding->usage) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* Sticks that rest in the middle count once they were seen there. */
+static int has_rest(const struct hid_binding *binding)
+{
+    return binding->manner == HID_MANNER_RATE ||
+           (binding->manner == HID_MANNER_PLACE && binding->dead > 0);
+}
+
+static float stick_if_awake(struct hid_hand *hand, uint32_t index, int64_t raw)
+{
+    const float share = stick_of(&hand->map.binding[index], raw);
+    if (!has_rest(&hand->map.binding[index])) {
+        return share;
+    }
+    if (f_abs(share) < AWAKE_WITHIN) {
+        hand->awake |= 1u << index;
+    }
+    return hand->awake & 1u << index ? share : 0.0f;
+}
+
+static void read_binding(struct hid_hand *hand, uint32_t index, struct hid_report report)
+{
+    const struct hid_binding *binding = &hand->map.binding[index];
+    const int64_t raw = raw_of(binding, report.bytes + hand->descriptor.has_report_ids);
+    float *value = &hand->value[index];
+    switch (binding->manner) {
+    case HID_MANNER_STEP:
+        *value = binding->full < binding->rest ? -(float)raw : (float)raw;
+        break;
+    case HID_MANNER_PRESS:
+        *value = binding->usage ? (float)is_selected(hand, binding, report)
+                                : pressed_of(way_of(binding, raw), *value);
+        break;
+    case HID_MANNER_HAT:
+        *value = hat_of(binding, raw);
+        break;
+    default:
+        *value = stick_if_awake(hand, index, raw);
+        break;
+    }
+}
+
+/* Whether the map knows this report at all. Steps are of one report only. */
+static int read_bindings(struct hid_hand *hand, uint8_t report_id, struct hid_report report)
+{
+    int knows = 0;
+    for (uint32_t i = 0; i < hand->map.count; i++) {
+        if (hand->map.binding[i].report_id == report_id) {
+            read_binding(hand, i, report);
+            knows = 1;
+        } else if (hand->map.binding[i].manner == HID_MANNER_STEP) {
+            hand->value[i] = 0.0f;
+        }
+    }
+    return knows;
+}
+
+/* ---- Shares to motions ---------------------------------------------------------------------- */
+
+/* All bindings of a role together; `manner` HID_MANNER_COUNT: of any manner. */
+static float sum_of(const struct hid_hand *hand, enum hid_role role, enum hid_manner manner)
+{
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < hand->map.count; i++) {
+        const struct hid_binding *binding = &hand->map.binding[i];
+        if (binding->role == role && (manner == HID_MANNER_COUNT || binding->manner == manner)) {
+            sum += hand->value[i];
+        }
+    }
+    return sum;
+}
+
+static int has(const struct hid_hand *hand, enum hid_role role, enum hid_manner manner)
+{
+    for (uint32_t i = 0; i < hand->map.count; i++) {
+        const struct hid_binding *binding = &hand->map.binding[i];
+        if (binding->role == role && binding->manner == manner) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int is_pressed(const struct hid_hand *hand, enum hid_role role)
+{
+    return sum_of(hand, role, HID_MANNER_PRESS) > 0.5f;
+}
+
+static uint32_t pointer_buttons(const struct hid_hand *hand)
+{
+    return (is_pressed(hand, HID_ROLE_DIP) ? (uint32_t)POINTER_DIP : 0u) |
+           (is_pressed(hand, HID_ROLE_LEVEL) ? (uint32_t)POINTER_LEVEL : 0u) |
+           (is_pressed(hand, HID_ROLE_FAN) ? (uint32_t)POINTER_FAN : 0u);
+}
+
+static int is_in_range(const struct hid_hand *hand)
+{
+    return !has(hand, HID_ROLE_IN_RANGE, HID_MANNER_PRESS) || is_pressed(hand, HID_ROLE_IN_RANGE);
+}
+
+/* A place is kept while the pen is away, for then its axes say nothing. */
+static void point(struct hid_hand *hand)
+{
+    struct pointer_report *report = &hand->report;
+    const int in_range = is_in_range(hand);
+    const float width = (float)WINDOW_WIDTH, height = (float)WINDOW_HEIGHT;
+    report->time_ns = hand->time_ns;
+    report->wheel_notches = sum_of(hand, HID_ROLE_TILT, HID_MANNER_STEP);
+    report->buttons = in_range ? pointer_buttons(hand) : 0u;
+    if (has(hand, HID_ROLE_X, HID_MANNER_PLACE) && in_range) {
+        report->x_px = 0.5f * width * (1.0f + sum_of(hand, HID_ROLE_X, HID_MANNER_PLACE));
+        report->y_px = 0.5f * height * (1.0f + sum_of(hand, HID_ROLE_Z, HID_MANNER_PLACE));
+    }
+    report->x_px += sum_of(hand, HID_ROLE_X, HID_MANNER_STEP);
+    report->y_px += sum_of(hand, HID_ROLE_Z, HID_MANNER_STEP);
+    report->x_px = f_clamp(report->x_px, 0.0f, width);
+    report->y_px = f_clamp(report->y_px, 0.0f, height);
+    pointer_fan_report(&hand->fan, report);
+    pointer_poi_report(&hand->pointer, report);
+    if (in_range) {
+        hand->range_ns = hand->time_ns;
+        hand->present = 1;
+    }
+}
+
+static vec3 twist_of(const struct hid_hand *hand)
+{
+    return v3(sum_of(hand, HID_ROLE_PITCH, HID_MANNER_COUNT),
+              sum_of(hand, HID_ROLE_YAW, HID_MANNER_COUNT),
+              sum_of(hand, HID_ROLE_ROLL, HID_MANNER_COUNT));
+}
+
+static void fly(struct hid_hand *hand)
+{
+    const struct fly_report report = {
+        .time_ns = hand->time_ns,
+        .push = v3(sum_of(hand, HID_ROLE_X, HID_MANNER_RATE),
+                   sum_of(hand, HID_ROLE_Y, HID_MANNER_RATE),
+                   sum_of(hand, HID_ROLE_Z, HID_MANNER_RATE)),
+        .twist = twist_of(hand),
+        .buttons = pointer_buttons(hand),
+    };
+    fly_poi_report(&hand->fly, &report);
+    hand->present = 1;
+}
+
+static uint32_t hat_buttons(const struct hid_hand *hand)
+{
+    uint32_t buttons = 0;
+    for (uint32_t i = 0; i < hand->map.count; i++) {
+        const int direction = (int)hand->value[i];
+        if (hand->map.binding[i].manner == HID_MANNER_HAT && direction >= 0) {
+            buttons |= direction >= 5              ? INPUT_LEFT
+                       : direction % 4 == 0        ? INPUT_OK
+                                                   : INPUT_RIGHT;
+        }
+    }
+    return buttons;
+}
+
+static void press(struct hid_hand *hand)
+{
+    const uint32_t held = (is_pressed(hand, HID_ROLE_START) ? (uint32_t)INPUT_START : 0u) |
+                          (is_pressed(hand, HID_ROLE_LEFT) ? (uint32_t)INPUT_LEFT : 0u) |
+                          (is_pressed(hand, HID_ROLE_RIGHT) ? (uint32_t)INPUT_RIGHT : 0u) |
+                          (is_pressed(hand, HID_ROLE_OK) ? (uint32_t)INPUT_OK : 0u) |
+                          hat_buttons(hand);
+    hand->pressed |= held & ~hand->held;
+    hand->held = held;
+}
+
+/* ---- Reports -------------------------------------------------------------------------------- */
+
+static int refuse(struct hid_hand *hand)
+{
+    hand->refused_count++;
+    return 0;
+}
+
+/* A report that comes twice is one; what is missing between two is counted. */
+static int pose(struct hid_hand *hand, const struct hid_raw *raw)
+{
+    struct poi_report report;
+    if (!poi_report_decode(raw->bytes, raw->size, &report)) {
+        return refuse(hand);
+    }
+    const uint8_t step = (uint8_t)(report.sequence - hand->sequence);
+    if (hand->has_sequence && step == 0) {
+        return refuse(hand);
+    }
+    hand->gap_count += hand->has_sequence ? step - 1u : 0u;
+    hand->sequence = report.sequence;
+    hand->has_sequence = 1;
+    hand->target = report.target;
+    hand->present = 1;
+    return 1;
+}
+
+static int lead(struct hid_hand *hand, const struct hid_raw *raw, struct hid_report report)
+{
+    const uint8_t id = (uint8_t)hid_report_id(&hand->descriptor, report);
+    if (hand->map.style == HID_STYLE_POSE && !pose(hand, raw)) {
+        return 0;
+    }
+    if (!read_bindings(hand, id, report)) {
+        return 0; /* A battery's, a touch pad's: nothing of the hand. */
+    }
+    if (hand->map.style == HID_STYLE_POINTER) {
+        point(hand);
+    } else if (hand->map.style == HID_STYLE_FLY) {
+        fly(hand);
+    }
+    press(hand);
+    return 1;
+}
+
+int hid_hand_report(struct hid_hand *hand, const struct hid_raw *raw)
+{
+    const uint32_t size = raw->size < HID_REPORT_MAX ? raw->size : HID_REPORT_MAX;
+    const struct hid_report report = { .bytes = raw->bytes, .size = size };
+    hand->report_count++;
+    if (raw->time_ns > hand->time_ns) {
+        hand->time_ns = raw->time_ns;
+    }
+    if (raw->size == 0 || raw->size > HID_REPORT_MAX ||
+        !hid_report_is_whole(&hand->descriptor, report)) {
+        return refuse(hand);
+    }
+    return lead(hand, raw, report);
+}
+
+/* ---- What comes of it ----------------------------------------------------------------------- */
+
+static struct poi_target pointed(struct hid_hand *hand, uint64_t time_ns)
+{
+    struct poi_target target = pointer_poi_target(&hand->pointer, time_ns);
+    const vec3 twist = v3_scale(twist_of(hand), FLY_TILT_MAX_RAD); /* Of a pen. */
+    target.angles.pitch_rad += twist.x;
+    target.angles.yaw_rad += twist.y;
+    target.angles.roll_rad += twist.z;
+    return target;
+}
+
+static int is_put_aside(const struct hid_hand *hand, uint64_t time_ns)
+{
+    return !is_in_range(hand) && time_ns > hand->range_ns &&
+           time_ns - hand->range_ns > HID_PEN_AWAY_NS;
+}
+
+int hid_hand_sample(struct hid_hand *hand, uint64_t time_ns, struct poi_sample *out)
+{
+    const int is_pose = hand->map.style == HID_STYLE_POSE;
+    if (!hand->present || is_put_aside(hand, time_ns)) {
+        return 0;
+    }
+    *out = (struct poi_sample){
+        .time_ns = is_pose ? hand->time_ns : time_ns,
+        .has_wrist = (uint8_t)is_pose,
+        .trembles = hand->map.trembles,
+        .target = is_pose                                ? hand->target
+                  : hand->map.style == HID_STYLE_POINTER ? pointed(hand, time_ns)
+                                                         : fly_poi_target(&hand->fly, time_ns),
+    };
+    return 1;
+}
+
+void hid_hand_buttons(struct hid_hand *hand, struct button_sample *out)
+{
+    out->held |= hand->held;
+    out->pressed |= hand->pressed;
+    hand->pressed = 0;
+}
+
+struct shade_input hid_hand_fan(struct hid_hand *hand, uint64_t time_ns)
+{
+    switch (hand->map.style) {
+    case HID_STYLE_POINTER:
+        return pointer_fan_shade(&hand->fan, time_ns);
+    case HID_STYLE_FLY:
+        return fly_poi_fan(&hand->fly, time_ns);
+    default:
+        return (struct shade_input){ 0 };
+    }
+}

@@ -1,0 +1,210 @@
+/* hid_map.c -- which map a controller gets, and whether a map can be played with. */
+#include "drivers/hid_map.h"
+
+#include <string.h>
+
+#include "drivers/hid_offer.h"
+#include "drivers/poi_report.h"
+
+#define KEYBOARD_PAGE 0x0007u
+
+/* ---- Our own -------------------------------------------------------------------------------- */
+
+struct place {
+    hid_usage usage;
+    uint32_t bit_offset, bit_size;
+};
+
+/* Behind the sequence number, which has no usage of its own to be known by. */
+static const struct place own_places[] = {
+    { USAGE_X, 8, 16 },   { USAGE_Y, 24, 16 },  { USAGE_Z, 40, 16 },
+    { USAGE_RX, 56, 16 }, { USAGE_RY, 72, 16 }, { USAGE_RZ, 88, 16 },
+};
+
+static int is_at(const struct hid_spot *spot, const struct place *place)
+{
+    const struct hid_group *group = spot->group;
+    return group && group->bit_size == place->bit_size && group->logical_min == -32767 &&
+           group->logical_max == 32767 && !(group->flags & HID_RELATIVE) &&
+           group->bit_offset + spot->index * group->bit_size == place->bit_offset;
+}
+
+int hid_map_is_own(const struct hid_descriptor *descriptor)
+{
+    if (!descriptor->has_report_ids ||
+        descriptor->report_bits[POI_REPORT_ID] != 8u * (POI_REPORT_SIZE - 1u)) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < sizeof own_places / sizeof own_places[0]; i++) {
+        const struct hid_spot spot =
+            hid_offer_find(descriptor, 0, POI_REPORT_ID, 1, own_places[i].usage);
+        if (!is_at(&spot, &own_places[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void bind_own_buttons(struct hid_map *map)
+{
+    static const uint8_t roles[] = { HID_ROLE_START, HID_ROLE_LEFT, HID_ROLE_RIGHT, HID_ROLE_OK };
+    for (uint32_t i = 0; i < sizeof roles; i++) {
+        hid_offer_bits(map, (struct hid_binding){
+                                .role = roles[i],
+                                .manner = HID_MANNER_PRESS,
+                                .report_id = POI_REPORT_ID,
+                                .bit_offset = 8u * 13u + i,
+                                .bit_size = 1,
+                                .full = 1,
+                            });
+    }
+}
+
+static void map_own(struct hid_map *map)
+{
+    static const uint8_t roles[] = { HID_ROLE_X,     HID_ROLE_Y,   HID_ROLE_Z,
+                                     HID_ROLE_PITCH, HID_ROLE_YAW, HID_ROLE_ROLL };
+    *map = (struct hid_map){ .source = HID_MAP_OWN, .style = HID_STYLE_POSE, .feels = 1 };
+    for (uint32_t i = 0; i < sizeof roles; i++) {
+        hid_offer_bits(map, (struct hid_binding){
+                                .role = roles[i],
+                                .manner = HID_MANNER_PLACE,
+                                .report_id = POI_REPORT_ID,
+                                .bit_offset = own_places[i].bit_offset,
+                                .bit_size = (uint8_t)own_places[i].bit_size,
+                                .is_signed = 1,
+                                .rest = -32767,
+                                .full = 32767,
+                            });
+    }
+    bind_own_buttons(map);
+}
+
+/* ---- The choice ----------------------------------------------------------------------------- */
+
+/* What a person types with is never taken from him, whatever else is in the same interface. */
+static int has_keyboard(const struct hid_descriptor *descriptor)
+{
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        const struct hid_group *group = &descriptor->group[i];
+        if (group->application == USAGE_KEYBOARD && !(group->flags & HID_CONSTANT) &&
+            descriptor->range[group->range_first].first >> 16 == KEYBOARD_PAGE) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
+                    const struct hid_descriptor *descriptor)
+{
+    memset(out, 0, sizeof *out);
+    if (descriptor->error != HID_OK || has_keyboard(descriptor)) {
+        return;
+    }
+    if (hid_map_is_own(descriptor)) {
+        map_own(out);
+    } else if (!hid_known_map(out, identity, descriptor)) {
+        hid_offer_map(out, descriptor);
+    }
+    if (!hid_map_is_sound(out, descriptor)) {
+        memset(out, 0, sizeof *out);
+    }
+}
+
+/* ---- Soundness ------------------------------------------------------------------------------ */
+
+static int is_axis_role(uint8_t role)
+{
+    return role >= HID_ROLE_X && role <= HID_ROLE_TILT;
+}
+
+static int manner_fits(const struct hid_binding *binding)
+{
+    switch (binding->manner) {
+    case HID_MANNER_PLACE:
+    case HID_MANNER_RATE:
+        return is_axis_role(binding->role) ||
+               (binding->role == HID_ROLE_SEQUENCE && binding->manner == HID_MANNER_PLACE);
+    case HID_MANNER_STEP:
+        return is_axis_role(binding->role);
+    case HID_MANNER_PRESS:
+        return !is_axis_role(binding->role) && binding->role != HID_ROLE_HAT &&
+               binding->role != HID_ROLE_SEQUENCE;
+    case HID_MANNER_HAT:
+        return binding->role == HID_ROLE_HAT;
+    default:
+        return 0;
+    }
+}
+
+static int is_array_at(const struct hid_descriptor *descriptor, const struct hid_binding *binding)
+{
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        const struct hid_group *group = &descriptor->group[i];
+        if (!(group->flags & HID_VARIABLE) && group->report_id == binding->report_id &&
+            group->bit_offset == binding->bit_offset && group->bit_size == binding->bit_size) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int binding_is_sound(const struct hid_binding *binding,
+                            const struct hid_descriptor *descriptor)
+{
+    const uint64_t end = (uint64_t)binding->bit_offset + binding->bit_size;
+    const int64_t span = (int64_t)binding->full - binding->rest;
+    const int64_t width = span < 0 ? -span : span;
+    return binding->role > HID_ROLE_NONE && binding->role < HID_ROLE_COUNT &&
+           manner_fits(binding) && binding->bit_size >= 1 && binding->bit_size <= 32 &&
+           binding->is_signed <= 1 && end <= descriptor->report_bits[binding->report_id] &&
+           span != 0 && binding->dead >= 0 && binding->dead < width &&
+           (binding->usage == 0 || is_array_at(descriptor, binding));
+}
+
+static int has(const struct hid_map *map, enum hid_role role, enum hid_manner manner)
+{
+    for (uint32_t i = 0; i < map->count; i++) {
+        if (map->binding[i].role == role && map->binding[i].manner == manner) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int has_plane(const struct hid_map *map, enum hid_manner manner)
+{
+    return has(map, HID_ROLE_X, manner) && has(map, HID_ROLE_Z, manner);
+}
+
+static int style_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor)
+{
+    const int dips = has(map, HID_ROLE_DIP, HID_MANNER_PRESS);
+    switch (map->style) {
+    case HID_STYLE_POSE:
+        return hid_map_is_own(descriptor);
+    case HID_STYLE_POINTER:
+        return dips && (has_plane(map, HID_MANNER_PLACE) || has_plane(map, HID_MANNER_STEP));
+    case HID_STYLE_FLY:
+        return has_plane(map, HID_MANNER_RATE) &&
+               (dips || has(map, HID_ROLE_Y, HID_MANNER_RATE));
+    default:
+        return 0;
+    }
+}
+
+int hid_map_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor)
+{
+    if (descriptor->error != HID_OK || map->source == HID_MAP_NONE ||
+        map->source > HID_MAP_LEARNED || map->count > HID_BINDING_MAX || map->trembles > 1 ||
+        map->feels > 1) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < map->count; i++) {
+        if (!binding_is_sound(&map->binding[i], descriptor)) {
+            return 0;
+        }
+    }
+    return style_is_sound(map, descriptor);
+}

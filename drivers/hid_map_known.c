@@ -1,0 +1,85 @@
+/* hid_map_known.c -- controllers whose makers hide things, or name them in ways of their own.
+ *
+ * Layouts are those of the Linux kernel's drivers/hid/hid-playstation.c: struct
+ * dualshock4_input_report_common and struct dualsense_input_report. */
+#include "drivers/hid_offer.h"
+
+#define SONY 0x054cu
+#define STICK_DEAD 12 /* Of 127: worn ones come back no nearer to their middle. */
+
+struct known {
+    uint16_t vendor, product;
+    const struct hid_binding *bindings;
+    uint32_t count;
+};
+
+#define STICK(role_, bit)                                                                        \
+    {                                                                                             \
+        .role = role_, .manner = HID_MANNER_RATE, .report_id = 1, .bit_offset = bit,              \
+        .bit_size = 8, .rest = 128, .full = 255, .dead = STICK_DEAD                               \
+    }
+#define TURN(role_, bit)                                                                         \
+    {                                                                                             \
+        .role = role_, .manner = HID_MANNER_PLACE, .report_id = 1, .bit_offset = bit,             \
+        .bit_size = 8, .rest = 0, .full = 255, .dead = STICK_DEAD                                 \
+    }
+#define BUTTON(role_, bit)                                                                       \
+    {                                                                                             \
+        .role = role_, .manner = HID_MANNER_PRESS, .report_id = 1, .bit_offset = bit,             \
+        .bit_size = 1, .rest = 0, .full = 1                                                       \
+    }
+#define TRIGGER(role_, bit)                                                                      \
+    {                                                                                             \
+        .role = role_, .manner = HID_MANNER_PRESS, .report_id = 1, .bit_offset = bit,             \
+        .bit_size = 8, .rest = 0, .full = 255                                                     \
+    }
+#define HAT(bit)                                                                                 \
+    {                                                                                             \
+        .role = HID_ROLE_HAT, .manner = HID_MANNER_HAT, .report_id = 1, .bit_offset = bit,        \
+        .bit_size = 4, .rest = 0, .full = 7                                                       \
+    }
+
+/* Square, cross, circle, triangle, L1, R1, L2, R2, share, options ... from bit 36 on. */
+static const struct hid_binding dualshock4[] = {
+    STICK(HID_ROLE_X, 0),         STICK(HID_ROLE_Z, 8),       TURN(HID_ROLE_ROLL, 16),
+    TURN(HID_ROLE_PITCH, 24),     HAT(32),                    BUTTON(HID_ROLE_DIP, 37),
+    BUTTON(HID_ROLE_OK, 37),      BUTTON(HID_ROLE_LEVEL, 38), BUTTON(HID_ROLE_FAN, 39),
+    BUTTON(HID_ROLE_DIP, 41),     TRIGGER(HID_ROLE_DIP, 64),  BUTTON(HID_ROLE_START, 45),
+};
+
+/* The triggers come before the buttons, which begin at bit 60. */
+static const struct hid_binding dualsense[] = {
+    STICK(HID_ROLE_X, 0),         STICK(HID_ROLE_Z, 8),       TURN(HID_ROLE_ROLL, 16),
+    TURN(HID_ROLE_PITCH, 24),     HAT(56),                    BUTTON(HID_ROLE_DIP, 61),
+    BUTTON(HID_ROLE_OK, 61),      BUTTON(HID_ROLE_LEVEL, 62), BUTTON(HID_ROLE_FAN, 63),
+    BUTTON(HID_ROLE_DIP, 65),     TRIGGER(HID_ROLE_DIP, 40),  BUTTON(HID_ROLE_START, 69),
+};
+
+#define ROW(product, table) { SONY, product, table, sizeof table / sizeof table[0] }
+
+static const struct known knowns[] = {
+    ROW(0x05c4, dualshock4), /* DualShock 4 */
+    ROW(0x09cc, dualshock4), /* ... its second edition */
+    ROW(0x0ba0, dualshock4), /* ... its wireless adapter */
+    ROW(0x0ce6, dualsense),  /* DualSense */
+    ROW(0x0df2, dualsense),  /* DualSense Edge */
+};
+
+int hid_known_map(struct hid_map *out, const struct hid_identity *identity,
+                  const struct hid_descriptor *descriptor)
+{
+    for (uint32_t i = 0; i < sizeof knowns / sizeof knowns[0]; i++) {
+        const struct known *known = &knowns[i];
+        if (known->vendor == identity->vendor && known->product == identity->product) {
+            struct hid_map map = { .source = HID_MAP_KNOWN, .style = HID_STYLE_FLY };
+            for (uint32_t j = 0; j < known->count; j++) {
+                hid_offer_bits(&map, known->bindings[j]);
+            }
+            if (hid_map_is_sound(&map, descriptor)) {
+                *out = map;
+                return 1;
+            }
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,236 @@
+/* poi_hid.c -- a port's reports, through a hand, to the frame loop. */
+#include "drivers/poi_hid.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/poi_report.h"
+
+void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
+                  struct hid_mapper mapper, const struct view *view)
+{
+    memset(poi, 0, sizeof *poi);
+    poi->port = port;
+    poi->clock = clock;
+    poi->mapper = mapper;
+    poi->view = *view;
+    snprintf(poi->text, sizeof poi->text, "controller not opened yet");
+}
+
+void poi_hid_show(struct poi_hid *poi, struct hid_watch watch)
+{
+    poi->watch = watch;
+}
+
+static uint64_t poi_now_ns(const struct poi_hid *poi)
+{
+    return poi->clock.ops->now_ns(poi->clock.self);
+}
+
+/* ---- Who sits here -------------------------------------------------------------------------- */
+
+static const char *source_text(uint8_t source)
+{
+    static const char *const texts[] = {
+        [HID_MAP_NONE] = "cannot be a poi as it is: learn it in the operator's menu",
+        [HID_MAP_OWN] = "our own poi",
+        [HID_MAP_KNOWN] = "a known controller",
+        [HID_MAP_OFFERED] = "played by what it offers",
+        [HID_MAP_LEARNED] = "played as learned",
+    };
+    return texts[source <= HID_MAP_LEARNED ? source : HID_MAP_NONE];
+}
+
+static void say_who(struct poi_hid *poi, uint8_t source)
+{
+    const struct hid_identity *who = &poi->face.identity;
+    snprintf(poi->text, sizeof poi->text, "%04x:%04x %.40s%s%.24s: %s", who->vendor, who->product,
+             who->name[0] ? who->name : "controller", who->port[0] ? " at port " : "", who->port,
+             source_text(source));
+}
+
+static void choose_map(struct poi_hid *poi, struct hid_map *out)
+{
+    const struct hid_face *face = &poi->face;
+    struct hid_descriptor *descriptor = &poi->hand.descriptor; /* hid_hand_init() reads it again. */
+    const uint32_t size =
+        face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
+    hid_descriptor_read(descriptor, face->descriptor, size);
+    if (poi->mapper.choose) {
+        poi->mapper.choose(poi->mapper.self, face, descriptor, out);
+    } else {
+        hid_map_choose(out, &face->identity, descriptor);
+    }
+}
+
+int poi_hid_remap(struct poi_hid *poi, const struct hid_map *map)
+{
+    struct hid_map chosen;
+    if (!poi->is_open) {
+        return 0;
+    }
+    if (map) {
+        chosen = *map;
+    } else {
+        choose_map(poi, &chosen);
+    }
+    poi->plays = hid_hand_init(&poi->hand, &poi->face, &chosen, &poi->view) == 0;
+    say_who(poi, poi->plays ? chosen.source : (uint8_t)HID_MAP_NONE);
+    return poi->plays;
+}
+
+static int poi_hid_open(void *self)
+{
+    struct poi_hid *poi = self;
+    const int result = poi->port.ops->open(poi->port.self, &poi->face);
+    poi->is_open = result == HAL_OK;
+    poi->plays = 0;
+    if (!poi->is_open) {
+        snprintf(poi->text, sizeof poi->text, "%s", poi->port.ops->describe(poi->port.self));
+        return result;
+    }
+    poi_hid_remap(poi, NULL);
+    return HAL_OK;
+}
+
+/* ---- What it says --------------------------------------------------------------------------- */
+
+static int hear(struct poi_hid *poi, const struct hid_raw *raw, struct poi_sample *out)
+{
+    if (poi->watch.report) {
+        poi->watch.report(poi->watch.self, raw);
+    }
+    return poi->plays && hid_hand_report(&poi->hand, raw) &&
+           hid_hand_sample(&poi->hand, raw->time_ns, out);
+}
+
+/* A hand that is led by place reports itself; any other goes on between two reports, and is a hand
+ * still when its controller is at rest. */
+static int goes_on(const struct poi_hid *poi)
+{
+    return poi->is_open && poi->plays && poi->hand.map.style != HID_STYLE_POSE;
+}
+
+/* What came before the plug was pulled is still played; that it is gone is told then. */
+static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct poi_hid *poi = self;
+    struct hid_raw raw;
+    uint32_t count = 0;
+    if (!poi->is_open) {
+        return HAL_ERR_GONE;
+    }
+    while (count + 1u < max) {
+        const int result = poi->port.ops->take(poi->port.self, &raw);
+        if (result == HAL_ERR_GONE) {
+            poi->is_open = 0;
+            snprintf(poi->text, sizeof poi->text, "%s", poi->port.ops->describe(poi->port.self));
+            return count > 0 ? (int)count : HAL_ERR_GONE;
+        }
+        if (result <= 0) {
+            break;
+        }
+        count += (uint32_t)hear(poi, &raw, &out[count]);
+    }
+    if (goes_on(poi) && count < max) {
+        count += (uint32_t)hid_hand_sample(&poi->hand, poi_now_ns(poi), &out[count]);
+    }
+    return (int)count;
+}
+
+static int poi_hid_feel(void *self, const struct poi_force *force)
+{
+    struct poi_hid *poi = self;
+    uint8_t bytes[POI_FEEL_SIZE];
+    if (!poi->is_open || !poi->plays || !poi->hand.map.feels) {
+        return HAL_ERR_NONE;
+    }
+    poi_feel_encode(force, poi->feel_sequence, bytes);
+    const int result = poi->port.ops->send(poi->port.self, bytes, sizeof bytes);
+    if (result == HAL_OK) {
+        poi->feel_sequence++;
+    }
+    return result;
+}
+
+static void poi_hid_look(void *self, const struct view *view)
+{
+    struct poi_hid *poi = self;
+    poi->view = *view;
+    hid_hand_look(&poi->hand, view);
+}
+
+static const char *poi_hid_describe(void *self)
+{
+    const struct poi_hid *poi = self;
+    return poi->text;
+}
+
+/* ---- Its fan and its buttons ---------------------------------------------------------------- */
+
+static int fan_open(void *self)
+{
+    (void)self;
+    return HAL_OK; /* Whoever sits here may have one; who has none never holds it up. */
+}
+
+static int fan_poll(void *self, struct shade_input *out)
+{
+    struct poi_hid *poi = self;
+    *out = poi->is_open && poi->plays ? hid_hand_fan(&poi->hand, poi_now_ns(poi))
+                                      : (struct shade_input){ 0 };
+    return HAL_OK;
+}
+
+static const char *fan_describe(void *self)
+{
+    (void)self;
+    return "the controller's fan button";
+}
+
+static int buttons_poll(void *self, struct button_sample *out)
+{
+    struct poi_hid *poi = self;
+    *out = (struct button_sample){ 0 };
+    if (poi->is_open && poi->plays) {
+        hid_hand_buttons(&poi->hand, out);
+    }
+    return HAL_OK;
+}
+
+static const char *buttons_describe(void *self)
+{
+    (void)self;
+    return "the controller's own buttons";
+}
+
+struct hal_poi poi_hid_device(struct poi_hid *poi)
+{
+    static const struct hal_poi_ops ops = {
+        .open = poi_hid_open,
+        .poll = poi_hid_poll,
+        .feel = poi_hid_feel,
+        .look = poi_hid_look,
+        .describe = poi_hid_describe,
+    };
+    return (struct hal_poi){ .ops = &ops, .self = poi };
+}
+
+struct hal_shade poi_hid_fan(struct poi_hid *poi)
+{
+    static const struct hal_shade_ops ops = {
+        .open = fan_open,
+        .poll = fan_poll,
+        .describe = fan_describe,
+    };
+    return (struct hal_shade){ .ops = &ops, .self = poi };
+}
+
+struct hal_buttons poi_hid_buttons(struct poi_hid *poi)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = buttons_poll,
+        .describe = buttons_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = poi };
+}
