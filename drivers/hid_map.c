@@ -45,9 +45,10 @@ int hid_map_is_own(const struct hid_descriptor *descriptor)
     return 1;
 }
 
+/* In the order of enum poi_button. */
 static void bind_own_buttons(struct hid_map *map)
 {
-    static const uint8_t roles[] = { HID_ROLE_START, HID_ROLE_LEFT, HID_ROLE_RIGHT, HID_ROLE_OK };
+    static const uint8_t roles[] = { HID_ROLE_OK, HID_ROLE_START, HID_ROLE_LEFT, HID_ROLE_RIGHT };
     for (uint32_t i = 0; i < sizeof roles; i++) {
         hid_offer_bits(map, (struct hid_binding){
                                 .role = roles[i],

@@ -68,7 +68,7 @@ enum hid_style {
 
 enum hid_map_source {
     HID_MAP_NONE = 0, /* It cannot be a poi as it is. */
-    HID_MAP_OWN,      /* Our own poi's report, field for field. */
+    HID_MAP_OWN,      /* It reports as our own poi does. */
     HID_MAP_KNOWN,
     HID_MAP_OFFERED,
     HID_MAP_LEARNED,
@@ -82,8 +82,8 @@ struct hid_map {
     struct hid_binding binding[HID_BINDING_MAX];
 };
 
-/* Whether this is our own poi: every field of drivers/poi_report.h in its place. Its vendor and
- * product may be any maker's. */
+/* Whether it reports as our own poi does: every axis of drivers/poi_report.h in its place. Wider than
+ * poi_descriptor_is(): a maker who adds a report of his own is played as ours once he was chosen. */
 int hid_map_is_own(const struct hid_descriptor *descriptor);
 
 /* The best map for a controller: our own poi, a known device, what it offers. `out->source` says
