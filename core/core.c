@@ -35,7 +35,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     core->config = *config;
     game_init(&core->game, config);
     keeper_open(core);
-    if (keeper_modes(config) == 1u << CHOICE_LAB) {
+    if (keeper_modes(config) == 1u << CHOICE_LAB && config->credit_coins == 0) {
         struct output unheard = { 0 };
         lab_begin(core, &unheard);
     }

@@ -25,6 +25,7 @@ enum sound {
     SOUND_CALL,    /* The keeper calls the time: a minute, two, ten seconds left. */
     SOUND_FOUL,    /* The umpire's whistle. */
     SOUND_CHOOSE,  /* Another mode is pointed at. */
+    SOUND_COIN,    /* A coin was taken. */
     SOUND_COUNT,
 };
 

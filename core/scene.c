@@ -153,6 +153,7 @@ static void show_game(const struct core *core, struct scene *scene)
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         show_offer(core, mode, &scene->offer[mode]);
     }
+    credit_show(core, &scene->credit);
     if (game->phase == PHASE_LAB) {
         lab_show(core, &scene->lab);
     }

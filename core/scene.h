@@ -93,6 +93,7 @@ enum scene_phase {
     PHASE_CHOOSE = 5,   /* Which mode? */
     PHASE_LAB = 6,      /* The growth lab. */
     PHASE_ALBUM = 7,    /* What was caught grows up. */
+    PHASE_MENU = 8,     /* The operator's menu. */
 };
 
 enum game_mode {
@@ -143,6 +144,8 @@ enum scene_hint {
     HINT_NO_SHADE,    /* Keep your shadow off the water before the start. */
     HINT_CLEAR_RIM,   /* Lift the whole ring out of the water before the bowl. */
     HINT_CHOOSE,      /* LEFT and RIGHT choose, START begins. */
+    HINT_COIN,        /* Nothing is paid yet. */
+    HINT_PAID_BACK,   /* The round ended for want of a poi: its credit came back. */
     HINT_COUNT,
 };
 
@@ -191,6 +194,17 @@ struct scene_album {
     } fish[ALBUM_FISH_MAX];
 };
 
+/* What was paid. */
+struct scene_credit {
+    uint8_t price;           /* Coins a credit; 0: free play. */
+    uint8_t unpaid;          /* Nobody has paid, so nobody may play. */
+    uint8_t warnings;        /* enum credit_warning */
+    uint32_t coins;          /* Towards the next credit. */
+    uint32_t credits;
+    float coin_s, asked_s;   /* Since the last coin fell, and since somebody wanted to play in
+                                vain; a day or more: never. */
+};
+
 struct scene {
     uint32_t tick;
     struct view view;
@@ -234,6 +248,7 @@ struct scene {
         uint8_t out;         /* Its round is over: by fouls or for want of paper. */
     } player[POI_MAX];
 
+    struct scene_credit credit;
     struct scene_lab lab;
     struct scene_album album;
 };

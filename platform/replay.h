@@ -48,8 +48,8 @@
  * desk, a mask of hands, each poi with a mask, a link, six floats and an age, each shade with a
  * mask, its presence and three floats, and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
-    (1u + 5u * 4u + 1u + 2u + REPLAY_DESK_BYTES + 1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) +                                      \
-     SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
+    (1u + 5u * 4u + 1u + 2u + REPLAY_DESK_BYTES + 1u +                                             \
+     POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
 /* The largest chunk, or the header with the largest book; with an end mark behind. */

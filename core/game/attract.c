@@ -11,6 +11,7 @@ void attract_begin(struct core *core)
 {
     core->game.mode = keeper_first_mode(&core->config);
     core->game.gone_tick = 0;
+    core->game.credit.is_paid = 0; /* Whatever ended had its worth of it. */
     phase_enter(core, PHASE_ATTRACT);
     keeper_pour_back(core);
     keeper_set_up(core, core->config.preset);
@@ -20,8 +21,10 @@ void attract_tick(struct core *core, const struct input *input, struct output *o
 {
     struct game *game = &core->game;
     if ((input->pressed & INPUT_START) || phase_dipped(core, input) < POI_MAX) {
-        hints_init(&game->hints);
         choose_begin(core, output);
+    }
+    if (game->phase != PHASE_ATTRACT) {
+        hints_init(&game->hints); /* A new player. */
         return;
     }
     const int is_full = core->bowl[0].fish_count >= BOWL_MAX;

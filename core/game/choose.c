@@ -105,6 +105,7 @@ static void take(struct core *core, struct output *output)
     struct game *game = &core->game;
     const int is_lab = game->lab_chosen || keeper_modes(&core->config) == 1u << CHOICE_LAB;
     game->lab_chosen = 0;
+    credit_take(core);
     if (is_lab) {
         lab_begin(core, output);
     } else {
@@ -115,6 +116,10 @@ static void take(struct core *core, struct output *output)
 void choose_begin(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
+    if (!credit_can_play(core)) {
+        credit_ask(core);
+        return;
+    }
     if (mode_count(keeper_modes(&core->config)) == 1u) {
         take(core, output);
         return;

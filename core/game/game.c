@@ -72,7 +72,7 @@ void game_init(struct game *game, const struct core_config *config)
 static int start_lamp(const struct core *core)
 {
     const uint8_t phase = core->game.phase;
-    return (phase == PHASE_ATTRACT || phase == PHASE_CHOOSE) &&
+    return (phase == PHASE_ATTRACT || phase == PHASE_CHOOSE) && credit_can_play(core) &&
            core->tick % CORE_TICK_HZ < START_LAMP_TICKS;
 }
 
@@ -88,11 +88,13 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
     }
     hand_read(core, input);
     hand_links(core, input);
+    credit_tick(core, input, output);
     tick_phase(core, input, output);
     hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
     hand_tick_all(core, input, targets, live);
     hints_tick(&game->hints, core);
     output->start_lamp = (uint8_t)start_lamp(core);
+    credit_show_outputs(core, output);
 }
 
 int game_may_scoop(const struct core *core, uint32_t index)
@@ -174,6 +176,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = hash_u32(hash, game->rest_ticks[i]);
         hash = bot_hash(hash, &game->bot[i]);
     }
+    hash = credit_hash(hash, &game->credit);
     hash = album_hash(hash, &game->album);
     hash = lab_hash_quick(hash, &game->lab);
     return hints_hash(hash, &game->hints);

@@ -11,6 +11,7 @@
 
 #include "core/game/album.h"
 #include "core/game/bot.h"
+#include "core/game/credit.h"
 #include "core/game/hints.h"
 #include "core/game/keeper.h"
 #include "core/game/lab.h"
@@ -75,6 +76,7 @@ struct game {
     uint32_t rest_ticks[POI_MAX];    /* How long its player has had nothing to do with it. */
     struct hints hints;
     struct bot bot[POI_MAX];
+    struct credit credit;
     struct album album;
     struct lab lab;
 };

@@ -192,19 +192,28 @@ static uint8_t wanted_in_ready(const struct hints *hints, const struct core *cor
     return is_bot || (hints->learned & BIT(HINT_MOVE)) ? HINT_NONE : HINT_MOVE;
 }
 
+static uint8_t want_to_play(const struct core *core)
+{
+    return credit_can_play(core) ? HINT_START : HINT_COIN;
+}
+
 static uint8_t wanted(const struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
     const struct game *game = &core->game;
     switch (game->phase) {
     case PHASE_ATTRACT:
-        return HINT_START;
+        return want_to_play(core);
     case PHASE_CHOOSE:
         return HINT_CHOOSE;
     case PHASE_LAB:
     case PHASE_ALBUM:
         return HINT_NONE; /* They say themselves what to do. */
+    case PHASE_MENU:
+        return HINT_NONE;
     case PHASE_RESULT:
-        return core->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? HINT_START : HINT_NONE;
+        return game->credit.came_back                                 ? HINT_PAID_BACK
+               : core->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? want_to_play(core)
+                                                                       : HINT_NONE;
     default:
         break;
     }

@@ -22,8 +22,8 @@ uint32_t phase_dipped(const struct core *core, const struct input *input);
 void attract_begin(struct core *core);
 void attract_tick(struct core *core, const struct input *input, struct output *output);
 
-/* Somebody wants to play: where several modes are offered, which? Where there is nothing to choose
- * it is READY at once. */
+/* Somebody wants to play. Nobody has paid: all stays as it is. Else, where several modes are
+ * offered, which? Where there is nothing to choose it is READY at once. */
 void choose_begin(struct core *core, struct output *output);
 void choose_tick(struct core *core, const struct input *input, struct output *output);
 

@@ -9,8 +9,10 @@ void result_begin(struct core *core, struct output *output)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         core->poi[i].rider_count = 0; /* Too late: they go back to the water. */
     }
+    core->game.credit.is_paid = 0;
     phase_enter(core, PHASE_RESULT);
     score_keep(core, output);
+    credit_hand_out_tickets(core);
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
 

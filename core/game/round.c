@@ -124,6 +124,7 @@ void round_tick(struct core *core, struct output *output)
     pause_tick(core);
     note_who_plays(core);
     if (pause_is_over(core)) {
+        credit_give_back(core);
         result_begin(core, output);
         return;
     }

@@ -124,4 +124,15 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 260.0f,
     },
+    /* A coin on the rim of a brass bowl: "chirin". Two modes of a small bell, a fourth and a bit
+     * apart as bells have them, struck twice as the coin tips over. */
+    [SOUND_COIN] = {
+        .layer = {
+            TONE(0.30f, 0.0f, 0.4f, 90.0f, 2349.3f, 2349.3f, 0.0f),
+            TONE(0.18f, 0.0f, 0.4f, 60.0f, 3135.0f, 3135.0f, 0.0f),
+            TONE(0.30f, 85.0f, 0.4f, 260.0f, 3520.0f, 3520.0f, 0.0f),
+            NOISE(0.12f, 0.0f, 0.3f, 5.0f, 5200.0f, 5200.0f, 0.0f, 0.8f, 0.0f),
+        },
+        .length_ms = 1200.0f,
+    },
 };

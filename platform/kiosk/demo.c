@@ -59,6 +59,7 @@ static enum exit_code begin(struct demo *demo)
         .stopwatch = clock_device(),
     };
     options_stall(options, 1u << MODE_FESTIVAL, &config.core);
+    config.core.credit_coins = 0; /* The bot has no money. */
     for (uint32_t i = 0; i < options_players(options); i++) {
         config.bot[i] = 1;
     }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/game/credit.h"
 #include "core/game/rules.h"
 #include "core/poi/sheet.h"
 #include "core/scene.h"
@@ -133,6 +134,16 @@ static int set_players(struct options *options, const char *value)
     return set_small(value, 1, POI_MAX, &options->players);
 }
 
+static int set_coins(struct options *options, const char *value)
+{
+    return set_small(value, 0, CREDIT_COINS_MAX, &options->coins);
+}
+
+static int set_tickets(struct options *options, const char *value)
+{
+    return set_small(value, 0, CREDIT_TICKET_FISH_MAX, &options->tickets);
+}
+
 static int set_record(struct options *options, const char *value)
 {
     return copy_path(options->record, value);
@@ -187,6 +198,10 @@ static const struct option table[] = {
       set_grade, 0 },
     { "players", "N", "bowls at the tank; who has no controller leaves one empty", "1 to 4",
       set_players, 0 },
+    { "coins", "N", "coins that a round costs; 0, as it is else: free play", "0 to 20", set_coins,
+      0 },
+    { "tickets", "N", "a ticket for each N fish that a player catches; 0: none", "0 to 20",
+      set_tickets, 0 },
     { "record", "FILE", "write the play to FILE, a new one, to be shown again", "a path",
       set_record, 0 },
     { "replay", "FILE", "show a recorded play and check it", "a path", set_replay, 1 },

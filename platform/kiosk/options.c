@@ -128,8 +128,8 @@ static const char *read_line(struct options *options, char *line, const char **e
     key = trim(key);
     const struct option *option = option_find(key, strlen(key));
     if (!option || option->only_command_line) {
-        *expects = "one of window, poi, mode, grade, players, record, shots, data, lang, tank, "
-                   "seed, fish";
+        *expects = "one of window, poi, mode, grade, players, coins, tickets, record, shots, data, "
+                   "lang, tank, seed, fish";
         return "unknown key";
     }
     struct options tried = *options;
@@ -178,8 +178,9 @@ void options_print_help(void)
     puts("kingyo: a goldfish-scooping stall. The mouse is the poi: hold the left button to dip\n"
          "it, let go to lift; the wheel tilts it, the right button levels it. While F is held\n"
          "the mouse leads a fan over the water, whose still shade gathers fish. Space starts, the\n"
-         "arrows choose a mode, L changes the language, F11 is full screen, Esc quits. Without a\n"
-         "screen the bot plays, and pictures of it are written.\n");
+         "arrows choose a mode, 5 is a coin, F2 opens the operator's menu, F3 is its service\n"
+         "button, L changes the language, F11 is full screen, Esc quits. Without a screen the\n"
+         "bot plays, and pictures of it are written.\n");
     const struct option *option;
     for (uint32_t i = 0; (option = option_at(i)) != NULL; i++) {
         char left[40], right[OPTION_TEXT_MAX];
@@ -206,6 +207,8 @@ void options_stall(const struct options *options, uint8_t modes, struct core_con
     core->modes = options->modes ? options->modes : modes;
     core->grade = options->grade;
     core->players = options->players;
+    core->credit_coins = options->coins;
+    core->ticket_fish = options->tickets;
 }
 
 uint32_t options_players(const struct options *options)

@@ -38,6 +38,7 @@ struct options {
     uint8_t modes;                 /* As core_config's; 0: nobody said. */
     uint8_t grade;                 /* As core_config's. */
     uint8_t players;               /* As core_config's. */
+    uint8_t coins, tickets;        /* As core_config's credit_coins and ticket_fish. */
     char record[OPTIONS_PATH_MAX]; /* Each "" when not asked for. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];

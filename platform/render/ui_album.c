@@ -196,5 +196,5 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
         picture(frame, scene, i, box);
         frame->batch->opacity = 1.0f;
     }
-    ui_start_ribbon(frame, frame->height - 56.0f * frame->unit, TEXT_AGAIN);
+    ui_start_ribbon(frame, scene, frame->height - 56.0f * frame->unit, TEXT_AGAIN);
 }

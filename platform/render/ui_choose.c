@@ -147,6 +147,7 @@ static void seconds_ring(const struct ui_frame *frame, const struct scene *scene
 
 static void foot(const struct ui_frame *frame, const struct scene *scene)
 {
+    ui_credits(frame, scene, frame->height - 186.0f * frame->unit);
     const float u = frame->unit, x = 0.5f * frame->width, room = frame->width - 32.0f * u;
     char words[TEXT_LINE_MAX];
     ui_best_words(scene, words, sizeof words);

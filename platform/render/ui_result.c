@@ -234,7 +234,7 @@ static void result_foot(const struct ui_frame *frame, const struct scene *scene,
                         const struct ui_memory *memory)
 {
     if (scene->hint == HINT_START) {
-        ui_start_ribbon(frame, frame->height - 58.0f * frame->unit, TEXT_AGAIN);
+        ui_start_ribbon(frame, scene, frame->height - 58.0f * frame->unit, TEXT_AGAIN);
     } else {
         ui_hint_ribbon(frame, scene, memory);
     }

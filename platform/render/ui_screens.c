@@ -63,6 +63,7 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         ui_attract(&frame, scene);
         break;
     default: /* PHASE_WORDLESS */
-        break;
+        return;
     }
+    ui_warnings(&frame, scene);
 }

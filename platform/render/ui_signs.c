@@ -48,6 +48,8 @@ static const char *hint_words(uint8_t language, uint8_t hint)
         [HINT_NO_SHADE] = TEXT_HINT_NO_SHADE,
         [HINT_CLEAR_RIM] = TEXT_HINT_CLEAR_RIM,
         [HINT_CHOOSE] = TEXT_HINT_CHOOSE,
+        [HINT_COIN] = TEXT_HINT_COIN,
+        [HINT_PAID_BACK] = TEXT_HINT_PAID_BACK,
     };
     return text_words(language, (enum text_key)keys[hint]);
 }
@@ -94,19 +96,26 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
     frame->batch->opacity = 1.0f;
 }
 
-void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key)
+void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
+                     enum text_key key)
 {
     const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
+    const float asking = ui_asking(scene);
     const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
                                  128.0f * u };
+    char coins[TEXT_LINE_MAX];
+    ui_coin_words(scene, coins, sizeof coins);
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
-                                 .fill = ui_fade(0xff7a30b0u, 0.25f + 0.55f * pulse) });
-    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y, .size_px = 35.0f * u,
+                                 .fill = ui_fade(0xff7a30b0u,
+                                                 fmaxf(0.25f + 0.55f * pulse, asking)) });
+    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y,
+                                      .size_px = (35.0f + 6.0f * asking) * u,
                                       .font = FONT_STALL, .fill = 0xc8341ff2u, .line = UI_GOLD,
                                       .ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse),
                                       .room_px = frame->width - 32.0f * u };
-    ui_ribbon(frame, &ribbon, text_words(frame->language, key));
+    ui_ribbon(frame, &ribbon,
+              scene->credit.unpaid ? coins : text_words(frame->language, key));
 }
 
 void ui_best_words(const struct scene *scene, char *out, size_t out_size)

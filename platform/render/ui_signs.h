@@ -26,8 +26,21 @@ const char *ui_mode_name(uint8_t language, uint8_t mode);
 void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory);
 
-/* The glowing call to play, centred at height `y`. */
-void ui_start_ribbon(const struct ui_frame *frame, float y, enum text_key key);
+/* The glowing call to play, centred at height `y`; or, where nobody has paid, for coins. */
+void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
+                     enum text_key key);
+
+/* How many rounds are paid for, centred at height `y`; nothing where the play is free. */
+void ui_credits(const struct ui_frame *frame, const struct scene *scene, float y);
+
+/* How many coins a round still costs. */
+void ui_coin_words(const struct scene *scene, char *out, size_t out_size);
+
+/* 1 .. 0: how lately somebody wanted to play who has not paid. */
+float ui_asking(const struct scene *scene);
+
+/* Over everything: the cabinet is shaken or open, or has no poi. */
+void ui_warnings(const struct ui_frame *frame, const struct scene *scene);
 
 /* "Best today: 12 fish", or that there is none yet. */
 void ui_best_words(const struct scene *scene, char *out, size_t out_size);

@@ -97,8 +97,17 @@ static const struct field game_fields[] = {
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
     FIELD(game, rest_ticks),
-    SKIP(game, hints),        SKIP(game, bot),         SKIP(game, album),
+    SKIP(game, hints),        SKIP(game, bot),         SKIP(game, credit),
+    SKIP(game, album),
     SKIP(game, lab),
+};
+
+static const struct field credit_fields[] = {
+    FIELD(credit, is_paid),   FIELD(credit, came_back), FIELD(credit, warnings),
+    FIELD(credit, coins),     FIELD(credit, credits),   FIELD(credit, metered),
+    FIELD(credit, services),  FIELD(credit, refunds),   FIELD(credit, tilts),
+    FIELD(credit, tickets),   FIELD(credit, coin_tick), FIELD(credit, tilt_tick),
+    FIELD(credit, asked_tick),
 };
 
 static const struct field player_fields[] = {
@@ -319,6 +328,7 @@ static const struct table tables[] = {
     TABLE(lab_edit, edit_fields, &core.game.lab.edits[SPECIES_MAX - 1u]),
     TABLE(graph, graph_fields, &core.game.lab.edit.graph),
     TABLE(graph, graph_fields, &core.game.lab.edits[0].graph),
+    TABLE(credit, credit_fields, &core.game.credit),
     TABLE(album, album_fields, &core.game.album),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[0]),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[ALBUM_FISH_MAX - 1u]),

@@ -176,13 +176,16 @@ static void test_what_is_asked_reaches_the_stall(void **state)
 {
     static const char *const none[] = { "kingyo" };
     static const char *const all[] = { "kingyo", "--mode", "practice", "--grade", "7", "--players",
-                                       "4", "--tank", "thesis", "--fish", "50", "--lang", "en" };
+                                       "4", "--tank", "thesis", "--fish", "50", "--lang", "en",
+                                       "--coins", "3", "--tickets", "10" };
     struct core_config core = { .seed = 9, .round_s = 30, .best_today = { 4 } };
     (void)state;
     assert_int_equal(parse(COUNT(none), none), 0);
     options_stall(&options, OPTIONS_MODES_ALL, &core);
     assert_int_equal(core.modes, OPTIONS_MODES_ALL); /* Of the screen; the demo says otherwise. */
     assert_int_equal(core.grade, 0);
+    assert_int_equal(core.credit_coins, 0);
+    assert_int_equal(core.ticket_fish, 0);
     assert_int_equal(core.players, 0);
     assert_int_equal(options_players(&options), 1);
     assert_int_equal(core.preset, TANK_PRESET_FESTIVAL);
@@ -194,6 +197,8 @@ static void test_what_is_asked_reaches_the_stall(void **state)
     assert_int_equal(options_players(&options), 4);
     assert_int_equal(core.preset, TANK_PRESET_THESIS);
     assert_int_equal(core.fish_count, 50);
+    assert_int_equal(core.credit_coins, 3);
+    assert_int_equal(core.ticket_fish, 10);
     assert_int_equal(core.language, LANGUAGE_EN);
     assert_int_equal(core.seed, 9);
     assert_int_equal(core.round_s, 30);

@@ -186,6 +186,51 @@ static void test_every_count_of_fish_fits(void **state)
     }
 }
 
+static void test_what_is_paid_and_what_is_wrong_fits_in_every_phase(void **state)
+{
+    (void)state;
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_CHOOSE, PHASE_READY,
+                                      PHASE_ROUND,   PHASE_RESULT, PHASE_ALBUM };
+    static const uint32_t counts[] = { 0, 1, 99, 4294967295u };
+    for (uint32_t k = 0; k < SIZE_COUNT * 6u * 4u * 8u * LANGUAGE_COUNT; k++) {
+        const struct size size = sizes[k % SIZE_COUNT];
+        const uint32_t count = counts[k / (SIZE_COUNT * 6u) % 4u];
+        set_scene(phases[k / SIZE_COUNT % 6u], (uint8_t)(k % LANGUAGE_COUNT), HINT_COIN, 6.0f);
+        scene.credit = (struct scene_credit){
+            .price = 20,
+            .unpaid = count == 0,
+            .warnings = (uint8_t)(k / (SIZE_COUNT * 24u) % 8u),
+            .coins = k % 20u,
+            .credits = count,
+            .coin_s = 0.1f * (float)(k % 7u),
+            .asked_s = 0.1f * (float)(k % 13u),
+        };
+        lay_out(size);
+        check_inside(size);
+    }
+}
+
+static uint32_t glyph_quads(void);
+
+static void test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play(void **state)
+{
+    (void)state;
+    uint32_t before = 0;
+    for (uint32_t warned = 0; warned < 4u; warned++) {
+        set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
+        scene.credit.warnings = (uint8_t)((1u << warned) - 1u);
+        lay_out(sizes[0]);
+        assert_true(glyph_quads() > before);
+        before = glyph_quads();
+    }
+    set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
+    lay_out(sizes[0]);
+    const uint32_t free_play = glyph_quads();
+    scene.credit.price = 1;
+    lay_out(sizes[0]);
+    assert_true(glyph_quads() > free_play + 6u); /* "Credits 0" */
+}
+
 static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
 {
     (void)state;
@@ -643,6 +688,9 @@ int main(void)
         cmocka_unit_test(test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment),
         cmocka_unit_test(test_every_mode_fits_with_one_to_four_players_and_all_that_is_called),
         cmocka_unit_test(test_every_count_of_fish_fits),
+        cmocka_unit_test(test_what_is_paid_and_what_is_wrong_fits_in_every_phase),
+        cmocka_unit_test(
+            test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play),
         cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
         cmocka_unit_test(test_what_a_player_must_read_is_readable_from_two_metres),
         cmocka_unit_test(test_no_hint_means_no_ribbon),

@@ -1,0 +1,66 @@
+/* ui_credit.c -- what was paid, what is still to pay, and what is wrong with the cabinet. */
+#include <math.h>
+
+#include "core/game/credit.h"
+#include "platform/render/ui_signs.h"
+
+#define CLINK_S 0.5f /* The plate swells so long when a coin falls, */
+#define ASK_S 1.2f   /* and the call for one when somebody wants to play in vain. */
+
+void ui_credits(const struct ui_frame *frame, const struct scene *scene, float y)
+{
+    const struct scene_credit *credit = &scene->credit;
+    const float u = frame->unit;
+    const float clink = 1.0f - ui_smooth(0.0f, CLINK_S, credit->coin_s);
+    char words[TEXT_LINE_MAX];
+    if (credit->price == 0) {
+        return;
+    }
+    text_number(words, sizeof words, text_words(frame->language, TEXT_CREDITS), credit->credits);
+    const struct ui_ribbon plate = {
+        .x = 0.5f * frame->width,
+        .y = y,
+        .size_px = (27.0f + 5.0f * clink) * u,
+        .font = FONT_STALL,
+        .fill = credit->credits > 0 ? 0x17754ee8u : UI_NIGHT,
+        .line = credit->credits > 0 || clink > 0.0f ? UI_GOLD : UI_GOLD_DIM,
+        .ink = 0xfff8eaffu,
+        .room_px = frame->width - 32.0f * u,
+    };
+    ui_ribbon(frame, &plate, words);
+}
+
+float ui_asking(const struct scene *scene)
+{
+    return scene->credit.unpaid ? 1.0f - ui_smooth(0.0f, ASK_S, scene->credit.asked_s) : 0.0f;
+}
+
+void ui_coin_words(const struct scene *scene, char *out, size_t out_size)
+{
+    const struct scene_credit *credit = &scene->credit;
+    const uint32_t missing = credit->price > credit->coins ? credit->price - credit->coins : 0u;
+    text_number(out, out_size, text_words(scene->language, TEXT_COIN), missing);
+}
+
+void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
+{
+    static const enum text_key keys[] = { TEXT_WARN_TILT, TEXT_WARN_DOOR, TEXT_WARN_NO_POI };
+    const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
+    const float u = frame->unit;
+    uint32_t shown = scene->credit.warnings;
+    float y = 0.215f * frame->height;
+    if (in_round) {
+        shown &= ~(uint32_t)WARN_NO_POI; /* It is said in larger letters: the round waits. */
+    }
+    for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        if (shown >> i & 1u) {
+            const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y,
+                                              .size_px = 27.0f * u, .font = FONT_BODY,
+                                              .fill = 0xb8301ee8u, .line = UI_GOLD,
+                                              .ink = 0xfff8eaffu,
+                                              .room_px = frame->width - 32.0f * u };
+            ui_ribbon(frame, &ribbon, text_words(frame->language, keys[i]));
+            y += 58.0f * u;
+        }
+    }
+}
