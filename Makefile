@@ -36,7 +36,7 @@ TEST_CFLAGS = $(HOST_CFLAGS)
 
 # Asked for once, and only when something is compiled, so that `make help` and the set-up work on a
 # machine that has no pkg-config yet. Libraries' headers are the system's: our warnings are for us.
-PACKAGES = sdl2 glesv2 egl sqlite3 $(if $(filter-out 0,$(GPIOD)),libgpiod)
+PACKAGES = sdl2 glesv2 egl sqlite3 libusb-1.0 $(if $(filter-out 0,$(GPIOD)),libgpiod)
 # Lines of buttons and coins: libgpiod 1.x or 2.x as the machine has it, or none (0).
 GPIOD = $(eval GPIOD := $$(or $$(firstword $$(subst ., ,$$(shell pkg-config --modversion libgpiod 2>/dev/null))),0))$(GPIOD)
 LIB_CFLAGS = $(eval LIB_CFLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags $(PACKAGES))))$(LIB_CFLAGS)

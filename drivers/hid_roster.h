@@ -20,6 +20,8 @@ struct hid_roster_ops {
      * is barred. */
     int (*choose)(void *self, uint32_t row);
     int (*release)(void *self, uint32_t row);
+    /* One line: how many there are, or what is in the way and what to do about it. */
+    const char *(*describe)(void *self);
 };
 
 struct hid_roster { const struct hid_roster_ops *ops; void *self; };

@@ -1,6 +1,6 @@
 /* usb_seats.h -- controllers on USB, through libusb: up to POI_MAX of them play, each in a seat.
  *
- * One thread of its own waits for transfers and hot-plugs (usb_pump.c); reports cross to the frame
+ * One thread of its own waits for transfers and hot-plugs (usb_pump.h); reports cross to the frame
  * loop through a ring of a fixed size for each seat. It takes our own poi and what the operator
  * chose (usb_choice.h), and nothing else: never a boot keyboard, never another interface of the
  * same device. */
@@ -11,15 +11,24 @@
 
 #include "drivers/hid_port.h"
 #include "drivers/hid_roster.h"
+#include "drivers/usb_choice.h"
 #include "platform/hal.h"
 
 struct usb_seats;
 
-/* Starts the thread. The one object of it is the file's own: a process has one USB. `choices` is
- * the data folder's file of chosen controllers (null: only our own poi plays, choices are not
- * kept). `why` gets one line where there is no USB at all; the rest then answers HAL_ERR_NONE. */
-struct usb_seats *usb_seats_start(struct hal_clock clock, const char *choices,
-                                  char why[HAL_TEXT_SIZE]);
+/* All is copied but what the clock points at. */
+struct usb_seats_config {
+    struct hal_clock clock;       /* Asked by the thread, too. */
+    const char *choices;          /* The file of chosen controllers; null: choices are not kept. */
+    const struct usb_key *listed; /* These play whatever the file says (--usb). */
+    uint32_t listed_count;
+    const char *sysfs;            /* Null: "/sys". Tests have their own. */
+};
+
+/* Starts the thread. The one object of it is the file's own: a process has one USB. `why` gets one
+ * line where there is no USB at all (the rest then answers HAL_ERR_NONE), or where a line of the
+ * file cannot be used; else "". */
+struct usb_seats *usb_seats_start(const struct usb_seats_config *config, char why[HAL_TEXT_SIZE]);
 
 /* Seat `index` < POI_MAX. Whoever sits there comes back to the same seat after it was pulled out:
  * by vendor:product:serial, else by its port. */

@@ -1,0 +1,259 @@
+/* usb_choice.c -- wishes, verdicts and seats. */
+#include "drivers/usb_choice.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/poi_descriptor.h"
+
+/* ---- Keys ----------------------------------------------------------------------------------- */
+
+static int read_id(const char *text, uint16_t *out)
+{
+    unsigned value = 0;
+    for (int i = 0; i < 4; i++) {
+        if (!isxdigit((unsigned char)text[i])) {
+            return -1;
+        }
+        const int c = tolower((unsigned char)text[i]);
+        value = value * 16u + (unsigned)(c <= '9' ? c - '0' : c - 'a' + 10);
+    }
+    *out = (uint16_t)value;
+    return 0;
+}
+
+int usb_key_read(struct usb_key *out, const char *text)
+{
+    struct usb_key key = { 0 };
+    const size_t length = strlen(text);
+    if (length < 9u || read_id(text, &key.vendor) || text[4] != ':' ||
+        read_id(text + 5, &key.product)) {
+        return -1;
+    }
+    if (length > 9u) {
+        const size_t serial = length - 10u;
+        if (text[9] != ':' || serial == 0u || serial >= sizeof key.serial) {
+            return -1;
+        }
+        memcpy(key.serial, text + 10, serial);
+    }
+    *out = key;
+    return 0;
+}
+
+void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE])
+{
+    snprintf(text, USB_KEY_TEXT_SIZE, "%04x:%04x%s%s", key->vendor, key->product,
+             key->serial[0] ? ":" : "", key->serial);
+}
+
+struct usb_key usb_key_of(const struct hid_identity *identity)
+{
+    struct usb_key key = { .vendor = identity->vendor, .product = identity->product };
+    snprintf(key.serial, sizeof key.serial, "%s", identity->serial);
+    return key;
+}
+
+/* ---- Wishes --------------------------------------------------------------------------------- */
+
+static int is_same_key(const struct usb_key *a, const struct usb_key *b)
+{
+    return a->vendor == b->vendor && a->product == b->product && !strcmp(a->serial, b->serial);
+}
+
+static void forget_wish(struct usb_choice *choice, uint32_t index)
+{
+    choice->wish_count--;
+    memmove(&choice->wish[index], &choice->wish[index + 1u],
+            (choice->wish_count - index) * sizeof choice->wish[0]);
+}
+
+void usb_choice_wish(struct usb_choice *choice, const struct usb_key *key, int plays, int kept)
+{
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        const struct usb_wish *old = &choice->wish[i];
+        if (is_same_key(&old->key, key)) {
+            kept |= old->kept && !old->plays == !plays;
+            forget_wish(choice, i);
+            break;
+        }
+    }
+    if (choice->wish_count == USB_WISH_MAX) {
+        forget_wish(choice, 0u);
+    }
+    choice->wish[choice->wish_count++] =
+        (struct usb_wish){ .key = *key, .plays = plays != 0, .kept = kept != 0 };
+}
+
+int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE])
+{
+    struct usb_key key;
+    char text[USB_CHOICE_LINE_SIZE + 2u];
+    const size_t length = strcspn(line, "\r\n");
+    const size_t blank = strspn(line, " \t");
+    if (blank >= length || line[blank] == '#') {
+        return 0;
+    }
+    if (length >= sizeof text) {
+        snprintf(error, USB_ERROR_SIZE, "a line is too long");
+        return -1;
+    }
+    snprintf(text, sizeof text, "%.*s", (int)length, line);
+    const int plays = strncmp(text, "plays ", 6u) == 0;
+    if (!plays && strncmp(text, "rests ", 6u) != 0) {
+        snprintf(error, USB_ERROR_SIZE, "a line begins with neither 'plays' nor 'rests'");
+        return -1;
+    }
+    if (usb_key_read(&key, text + 6)) {
+        snprintf(error, USB_ERROR_SIZE, "'%.40s' is no VVVV:PPPP or VVVV:PPPP:SERIAL", text + 6);
+        return -1;
+    }
+    usb_choice_wish(choice, &key, plays, 1);
+    return 0;
+}
+
+int usb_choice_line(const struct usb_choice *choice, uint32_t index,
+                    char line[USB_CHOICE_LINE_SIZE])
+{
+    char text[USB_KEY_TEXT_SIZE];
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        const struct usb_wish *wish = &choice->wish[i];
+        if (wish->kept && index-- == 0u) {
+            usb_key_write(&wish->key, text);
+            snprintf(line, USB_CHOICE_LINE_SIZE, "%s %s", wish->plays ? "plays" : "rests", text);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The wish that speaks of it most exactly; null: nobody named it. */
+static const struct usb_wish *find_wish(const struct usb_choice *choice,
+                                        const struct hid_identity *identity)
+{
+    const struct usb_wish *found = NULL;
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        const struct usb_wish *wish = &choice->wish[i];
+        if (wish->key.vendor != identity->vendor || wish->key.product != identity->product) {
+            continue;
+        }
+        if (!wish->key.serial[0]) {
+            found = found ? found : wish;
+        } else if (!strcmp(wish->key.serial, identity->serial)) {
+            return wish;
+        }
+    }
+    return found;
+}
+
+/* ---- Verdicts ------------------------------------------------------------------------------- */
+
+/* Usage tables, Generic Desktop 06, 07, 80 .. and Consumer: whole keyboards and single keys. */
+static int is_keys(hid_usage application)
+{
+    const uint32_t page = application >> 16, id = application & 0xffffu;
+    return (page == 0x01u && (id == 0x06u || id == 0x07u || id == 0x80u)) || page == 0x0cu;
+}
+
+enum usb_kind usb_choice_kind(const uint8_t *bytes, uint32_t size, struct hid_descriptor *scratch)
+{
+    if (size == 0u) {
+        return USB_KIND_UNKNOWN;
+    }
+    if (poi_descriptor_is(bytes, size)) {
+        return USB_KIND_OWN;
+    }
+    if (hid_descriptor_read(scratch, bytes, size) != HID_OK) {
+        return USB_KIND_NOTHING;
+    }
+    uint32_t keys = 0, others = 0;
+    for (uint32_t i = 0; i < scratch->group_count; i++) {
+        const struct hid_group *group = &scratch->group[i];
+        if (group->range_count > 0 && !(group->flags & HID_CONSTANT)) {
+            *(is_keys(group->application) ? &keys : &others) += 1u;
+        }
+    }
+    return others == 0 ? (keys == 0 ? USB_KIND_NOTHING : USB_KIND_KEYS)
+           : keys == 0 ? USB_KIND_HAND
+                       : USB_KIND_MIXED;
+}
+
+static int is_bench(const struct hid_identity *identity)
+{
+    return identity->vendor == USB_BENCH_VENDOR && identity->product == USB_BENCH_PRODUCT;
+}
+
+enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
+                                  const struct usb_subject *subject)
+{
+    if (subject->is_boot_keyboard || subject->kind == USB_KIND_NOTHING ||
+        subject->kind == USB_KIND_KEYS) {
+        return USB_BARRED;
+    }
+    const struct usb_wish *wish = find_wish(choice, subject->identity);
+    if (wish && !wish->plays) {
+        return USB_FREE;
+    }
+    if (subject->kind == USB_KIND_UNKNOWN) {
+        return wish || is_bench(subject->identity) ? USB_ASK : USB_FREE;
+    }
+    return wish || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
+}
+
+/* ---- Seats ---------------------------------------------------------------------------------- */
+
+uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_identity *b)
+{
+    if (a->vendor != b->vendor || a->product != b->product) {
+        return 0u;
+    }
+    const int same_port = !strcmp(a->port, b->port);
+    const int same_serial = !strcmp(a->serial, b->serial);
+    if (a->serial[0] && same_serial) {
+        return same_port ? 4u : 3u; /* Two of a cheap kind may share a number. */
+    }
+    if (same_port) {
+        return 2u; /* A broken one was replaced where it was. */
+    }
+    return same_serial ? 1u : 0u; /* Neither has a number, and it was plugged in elsewhere. */
+}
+
+/* The vacant seat of whoever is most like it; none where two are equally so by their kind alone. */
+static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
+{
+    uint32_t best = POI_MAX, most = 0u, equals = 0u;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint32_t likeness = place[i].was_taken && !place[i].is_taken
+                                      ? usb_choice_likeness(&place[i].identity, identity)
+                                      : 0u;
+        if (likeness > most) {
+            best = i;
+            most = likeness;
+            equals = 0u;
+        } else if (likeness > 0u && likeness == most) {
+            equals++;
+        }
+    }
+    return most == 1u && equals > 0u ? POI_MAX : best;
+}
+
+uint32_t usb_choice_seat(const struct usb_place place[POI_MAX],
+                         const struct hid_identity *identity)
+{
+    const uint32_t own = own_seat(place, identity);
+    if (own < POI_MAX) {
+        return own;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!place[i].was_taken) {
+            return i;
+        }
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!place[i].is_taken && !place[i].is_held) {
+            return i;
+        }
+    }
+    return POI_MAX;
+}

@@ -1,0 +1,103 @@
+/* usb_choice.h -- which controllers on USB may be claimed, and at which seat they sit. Pure.
+ *
+ * Claimed is what somebody named: the operator in the menu (kept in a file), whoever started the
+ * kiosk (--usb), and our own poi: its makers have ids of their own, so it is known by its report
+ * descriptor. Where that cannot be read without claiming, only a named id is asked, and the one
+ * that pid.codes keeps for anybody's bench. Keyboards are never claimed, whoever names them. */
+#ifndef KINGYO_DRIVERS_USB_CHOICE_H
+#define KINGYO_DRIVERS_USB_CHOICE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/input.h"
+#include "drivers/hid_descriptor.h"
+#include "drivers/hid_port.h"
+
+#define USB_BENCH_VENDOR 0x1209u  /* pid.codes' id for tests: no product may be sold with it. */
+#define USB_BENCH_PRODUCT 0x0001u
+#define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* "057e:2009:" and a serial number. */
+#define USB_WISH_MAX 32u /* A stall whose four pois were replaced seven times. */
+#define USB_ERROR_SIZE 96u
+
+/* A controller, or every one of a kind. */
+struct usb_key {
+    uint16_t vendor, product;
+    char serial[HID_TEXT_SIZE]; /* "": whatever its serial number is. */
+};
+
+/* Reads "VVVV:PPPP" or "VVVV:PPPP:SERIAL", four hexadecimal digits each. 0, or -1. */
+int usb_key_read(struct usb_key *out, const char *text);
+void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE]);
+struct usb_key usb_key_of(const struct hid_identity *identity);
+
+struct usb_wish {
+    struct usb_key key;
+    uint8_t plays; /* 0: it rests, although it would play by itself. */
+    uint8_t kept;  /* It belongs into the file. */
+};
+
+/* Zero wants nothing but our own poi. */
+struct usb_choice {
+    uint32_t wish_count;
+    struct usb_wish wish[USB_WISH_MAX];
+};
+
+/* In place of an older wish for the same key. When full, the oldest is forgotten. */
+void usb_choice_wish(struct usb_choice *choice, const struct usb_key *key, int plays, int kept);
+
+/* The file of choices: a line "plays KEY" or "rests KEY" each, '#' begins a comment line. Reads one
+ * line: 0, or -1 and one sentence in `error`. */
+int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE]);
+
+/* The file's line `index` without a newline, or 0 when there are no more. */
+#define USB_CHOICE_LINE_SIZE (USB_KEY_TEXT_SIZE + 8u)
+int usb_choice_line(const struct usb_choice *choice, uint32_t index,
+                    char line[USB_CHOICE_LINE_SIZE]);
+
+/* What an input report descriptor is good for. */
+enum usb_kind {
+    USB_KIND_UNKNOWN = 0, /* It was not read yet. */
+    USB_KIND_NOTHING,     /* No input fields, or it cannot be read. */
+    USB_KIND_KEYS,        /* A keyboard, keypad, power or media keys: and nothing else. */
+    USB_KIND_MIXED,       /* Such keys, and something else. */
+    USB_KIND_HAND,        /* Something that may be led by a hand. */
+    USB_KIND_OWN,         /* Our own poi, byte for byte. */
+};
+
+enum usb_kind usb_choice_kind(const uint8_t *bytes, uint32_t size, struct hid_descriptor *scratch);
+
+/* One interface of a device. */
+struct usb_subject {
+    const struct hid_identity *identity;
+    uint8_t is_boot_keyboard; /* By its interface descriptor, HID 1.11 section 4.2. */
+    uint8_t kind;             /* enum usb_kind */
+};
+
+/* In order of what is better, for a device of several interfaces. */
+enum usb_verdict {
+    USB_BARRED = 0, /* Never. */
+    USB_FREE,       /* Only if it is chosen. */
+    USB_ASK,        /* It may be claimed to read its report descriptor; then judge again. */
+    USB_PLAYS,
+};
+enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
+                                  const struct usb_subject *subject);
+
+/* Who sits, or sat, where. */
+struct usb_place {
+    uint8_t was_taken; /* `identity` sits there or did last. */
+    uint8_t is_taken;  /* It sits there now. */
+    uint8_t is_held;   /* It went only just now: a stranger does not get its seat. */
+    struct hid_identity identity;
+};
+
+/* The seat for who comes: its own, as its serial number or else its port says; else one that nobody
+ * ever had; else one that is not held. POI_MAX: none. */
+uint32_t usb_choice_seat(const struct usb_place place[POI_MAX],
+                         const struct hid_identity *identity);
+
+/* How much two look like the same controller: 0 not at all; more is more. */
+uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_identity *b);
+
+#endif

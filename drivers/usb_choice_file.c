@@ -1,0 +1,75 @@
+/* usb_choice_file.c -- a line a wish, written beside and put in place. */
+#include "drivers/usb_choice_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+uint32_t usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
+{
+    char line[2u * USB_CHOICE_LINE_SIZE], error[USB_ERROR_SIZE];
+    uint32_t number = 0, bad = 0;
+    FILE *file = path[0] ? fopen(path, "re") : NULL;
+    while (file && fgets(line, sizeof line, file)) {
+        number++;
+        if (usb_choice_read_line(choice, line, error)) {
+            snprintf(why, HAL_TEXT_SIZE, "%.60s:%u: %s", path, number, error);
+            bad++;
+        }
+    }
+    if (file) {
+        fclose(file);
+    }
+    return bad;
+}
+
+static int write_lines(const struct usb_choice *choice, FILE *file)
+{
+    char line[USB_CHOICE_LINE_SIZE];
+    fputs("# Controllers on USB that play, or rest, as the operator chose in the menu.\n", file);
+    for (uint32_t i = 0; usb_choice_line(choice, i, line); i++) {
+        fprintf(file, "%s\n", line);
+    }
+    const int failed = fflush(file) != 0 || ferror(file) || fsync(fileno(file)) != 0;
+    const int error = failed ? -errno : 0;
+    return fclose(file) != 0 && !error ? -errno : error;
+}
+
+/* So that the new name outlives a loss of power, too. */
+static void sync_folder(const char *path)
+{
+    char folder[PATH_MAX];
+    const char *slash = strrchr(path, '/');
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
+    const int fd = open(folder[0] ? folder : "/", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd >= 0) {
+        fsync(fd);
+        close(fd);
+    }
+}
+
+int usb_choice_save(const struct usb_choice *choice, const char *path)
+{
+    char part[PATH_MAX];
+    if (!path[0]) {
+        return 0;
+    }
+    if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
+        return -ENAMETOOLONG;
+    }
+    FILE *file = fopen(part, "we");
+    int error = file ? write_lines(choice, file) : -errno;
+    if (!error && rename(part, path) != 0) {
+        error = -errno;
+    }
+    if (error && file) {
+        unlink(part);
+    }
+    if (!error) {
+        sync_folder(path);
+    }
+    return error;
+}

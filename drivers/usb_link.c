@@ -1,0 +1,287 @@
+/* usb_link.c -- transfers of one controller, in and out. */
+#include "drivers/usb_link.h"
+
+#include <string.h>
+
+#define RETRY_NS 10000000ull /* After an error: a spark on the cable is over by then. */
+
+static uint64_t now_ns(const struct usb_link *link)
+{
+    return link->clock.ops->now_ns(link->clock.self);
+}
+
+/* ---- Memory --------------------------------------------------------------------------------- */
+
+static int init_flight(struct usb_flight *flight, struct usb_link *link)
+{
+    flight->link = link;
+    flight->transfer = libusb_alloc_transfer(0);
+    return flight->transfer ? 0 : -1;
+}
+
+int usb_link_init(struct usb_link *link, struct hal_clock clock)
+{
+    memset(link, 0, sizeof *link);
+    link->clock = clock;
+    int error = init_flight(&link->out, link);
+    for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
+        error |= init_flight(&link->in[i], link);
+    }
+    return error;
+}
+
+void usb_link_free(struct usb_link *link)
+{
+    libusb_free_transfer(link->out.transfer);
+    for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
+        libusb_free_transfer(link->in[i].transfer);
+    }
+}
+
+/* ---- In ------------------------------------------------------------------------------------- */
+
+/* A device that is gone will say so in other transfers and by hot-plug, too: once is enough. */
+static void note_error(struct usb_link *link, int error)
+{
+    if (error == LIBUSB_ERROR_NO_DEVICE) {
+        link->is_gone = 1;
+        return;
+    }
+    link->error_count++;
+    link->retry_ns = now_ns(link) + RETRY_NS;
+}
+
+static void submit(struct usb_flight *flight)
+{
+    const int error = libusb_submit_transfer(flight->transfer);
+    flight->is_flying = error == LIBUSB_SUCCESS;
+    flight->is_due = error != LIBUSB_SUCCESS;
+    if (error) {
+        note_error(flight->link, error);
+    }
+}
+
+/* What a transfer that came back says of the device. 1: it may be submitted again at once. */
+static int read_status(struct usb_link *link, const struct libusb_transfer *transfer)
+{
+    switch (transfer->status) {
+    case LIBUSB_TRANSFER_COMPLETED:
+        link->error_count = 0;
+        usb_seat_report(link->seat, now_ns(link), transfer->buffer,
+                        (uint32_t)transfer->actual_length);
+        return 1;
+    case LIBUSB_TRANSFER_OVERFLOW: /* More than its descriptor declared: the report is lost. */
+        usb_seat_report(link->seat, now_ns(link), transfer->buffer, HID_REPORT_MAX + 1u);
+        note_error(link, LIBUSB_ERROR_OVERFLOW);
+        return 0;
+    case LIBUSB_TRANSFER_NO_DEVICE:
+        note_error(link, LIBUSB_ERROR_NO_DEVICE);
+        return 0;
+    case LIBUSB_TRANSFER_STALL:
+        link->has_halted = 1;
+        note_error(link, LIBUSB_ERROR_PIPE);
+        return 0;
+    case LIBUSB_TRANSFER_CANCELLED: /* By ourselves, because its endpoint halted. */
+        return 0;
+    default: /* An error on the wire, or the first sign of a cable that is being pulled out. */
+        note_error(link, LIBUSB_ERROR_IO);
+        return 0;
+    }
+}
+
+static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
+{
+    struct usb_flight *flight = transfer->user_data;
+    struct usb_link *link = flight->link;
+    flight->is_flying = 0;
+    if (link->state != USB_LINK_LIVE) {
+        return; /* It was cancelled, or it came too late. */
+    }
+    if (read_status(link, transfer) && !link->is_gone) {
+        submit(flight);
+    } else {
+        flight->is_due = 1;
+    }
+}
+
+/* Whole packets, so that none overflows; one report at most, so that none waits for another. */
+static int transfer_size(const struct usb_pipe *pipe)
+{
+    const uint32_t packet = pipe->in_packet_size;
+    const uint32_t packets = pipe->report_size_max ? (pipe->report_size_max + packet - 1u) / packet
+                                                   : 1u;
+    const uint32_t size = packets * packet;
+    return (int)(size <= USB_TRANSFER_MAX ? size : USB_TRANSFER_MAX / packet * packet);
+}
+
+void usb_link_begin(struct usb_link *link, libusb_device_handle *handle,
+                    const struct usb_pipe *pipe, struct usb_seat *seat)
+{
+    link->state = USB_LINK_LIVE;
+    link->is_gone = link->has_halted = 0;
+    link->error_count = 0;
+    link->retry_ns = 0;
+    link->handle = handle;
+    link->pipe = *pipe;
+    link->seat = seat;
+    for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
+        struct usb_flight *flight = &link->in[i];
+        libusb_fill_interrupt_transfer(flight->transfer, handle, pipe->in_endpoint, flight->buffer,
+                                       transfer_size(pipe), on_report, flight, 0);
+        submit(flight);
+    }
+}
+
+/* ---- Out ------------------------------------------------------------------------------------ */
+
+static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
+{
+    struct usb_flight *flight = transfer->user_data;
+    flight->is_flying = 0;
+    if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
+        flight->link->is_gone = 1;
+    }
+    usb_seat_sent(flight->link->seat); /* Felt or not: the next blow will be newer. */
+}
+
+/* SET_REPORT of an output report, HID 1.11 section 7.2.2. */
+static void fill_set_report(struct usb_link *link, uint32_t size)
+{
+    struct usb_flight *out = &link->out;
+    const uint8_t request_type = LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS |
+                                 LIBUSB_RECIPIENT_INTERFACE;
+    const uint8_t id = link->pipe.has_report_ids ? link->seat->out_bytes[0] : 0u;
+    libusb_fill_control_setup(out->buffer, request_type, 0x09, (uint16_t)(0x0200u | id),
+                              link->pipe.interface_number, (uint16_t)size);
+    memcpy(out->buffer + LIBUSB_CONTROL_SETUP_SIZE, link->seat->out_bytes, size);
+    libusb_fill_control_transfer(out->transfer, link->handle, out->buffer, on_sent, out,
+                                 USB_OUT_TIMEOUT_MS);
+}
+
+void usb_link_send(struct usb_link *link)
+{
+    struct usb_flight *out = &link->out;
+    if (link->state != USB_LINK_LIVE || link->is_gone || out->is_flying) {
+        return;
+    }
+    const uint32_t size = usb_seat_outgoing(link->seat);
+    if (size == 0u) {
+        return;
+    }
+    if (link->pipe.out_endpoint) {
+        memcpy(out->buffer, link->seat->out_bytes, size);
+        libusb_fill_interrupt_transfer(out->transfer, link->handle, link->pipe.out_endpoint,
+                                       out->buffer, (int)size, on_sent, out, USB_OUT_TIMEOUT_MS);
+    } else {
+        fill_set_report(link, size);
+    }
+    out->is_flying = libusb_submit_transfer(out->transfer) == LIBUSB_SUCCESS;
+    if (!out->is_flying) {
+        usb_seat_sent(link->seat);
+    }
+}
+
+/* ---- The end -------------------------------------------------------------------------------- */
+
+/* Of a transfer that comes back by itself meanwhile, libusb says NOT_FOUND: that is no harm. */
+static void cancel(struct usb_flight *flight)
+{
+    flight->is_due = 0;
+    if (flight->is_flying) {
+        libusb_cancel_transfer(flight->transfer);
+    }
+}
+
+void usb_link_drain(struct usb_link *link, int is_gone)
+{
+    if (link->state != USB_LINK_LIVE) {
+        return;
+    }
+    link->state = USB_LINK_DRAINING;
+    link->is_gone |= is_gone != 0;
+    for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
+        cancel(&link->in[i]);
+    }
+    cancel(&link->out);
+}
+
+static int is_flying(const struct usb_link *link)
+{
+    int flying = link->out.is_flying;
+    for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
+        flying |= link->in[i].is_flying;
+    }
+    return flying;
+}
+
+/* Releasing gives the interface back to the kernel's driver, where there still is one. */
+static void close_link(struct usb_link *link)
+{
+    libusb_release_interface(link->handle, link->pipe.interface_number);
+    libusb_close(link->handle);
+    link->handle = NULL;
+    link->state = USB_LINK_NONE;
+}
+
+/* A halt is cleared while nothing is queued behind it: 1 when it is. */
+static int clear_halt(struct usb_link *link)
+{
+    int flying = 0;
+    for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
+        flying |= link->in[i].is_flying;
+        if (link->in[i].is_flying) {
+            libusb_cancel_transfer(link->in[i].transfer);
+        }
+    }
+    if (flying) {
+        return 0;
+    }
+    link->has_halted = 0;
+    if (libusb_clear_halt(link->handle, link->pipe.in_endpoint) == LIBUSB_ERROR_NO_DEVICE) {
+        link->is_gone = 1;
+    }
+    return 1;
+}
+
+static void submit_again(struct usb_link *link)
+{
+    if (link->has_halted && !clear_halt(link)) {
+        return;
+    }
+    for (uint32_t i = 0; i < USB_IN_FLIGHT && !link->is_gone; i++) {
+        if (link->in[i].is_due) {
+            submit(&link->in[i]);
+        }
+    }
+}
+
+static int is_due(const struct usb_link *link)
+{
+    int due = 0;
+    for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
+        due |= link->in[i].is_due;
+    }
+    return due;
+}
+
+int usb_link_tend(struct usb_link *link)
+{
+    if (link->state == USB_LINK_DRAINING && !is_flying(link)) {
+        close_link(link);
+    }
+    if (link->state != USB_LINK_LIVE) {
+        return 0;
+    }
+    if (link->is_gone || link->error_count >= USB_ERRORS_MAX) {
+        return 1;
+    }
+    if (is_due(link) && now_ns(link) >= link->retry_ns) {
+        submit_again(link);
+    }
+    return 0;
+}
+
+uint64_t usb_link_due_ns(const struct usb_link *link)
+{
+    return link->state == USB_LINK_LIVE && is_due(link) ? link->retry_ns : UINT64_MAX;
+}

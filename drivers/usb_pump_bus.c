@@ -1,0 +1,168 @@
+/* usb_pump_bus.c -- the bus against the table, the operator's orders, and what is told of both. */
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/usb_choice_file.h"
+#include "drivers/usb_pump.h"
+
+/* ---- Comparing ------------------------------------------------------------------------------ */
+
+static struct usb_entry *find_entry(struct usb_pump *pump, const libusb_device *device)
+{
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (pump->entry[i].device.device == device) {
+            return &pump->entry[i];
+        }
+    }
+    return NULL;
+}
+
+static void meet(struct usb_pump *pump, struct usb_entry *entry, libusb_device *device)
+{
+    const struct usb_judge judge = {
+        .sysfs = pump->sysfs, .choice = &pump->choice, .scratch = &pump->scratch
+    };
+    if (usb_device_meet(&entry->device, device, &judge)) {
+        return;
+    }
+    entry->trouble = USB_FINE;
+    entry->is_seen = 1;
+    entry->link = entry->seat = USB_NOBODY;
+    entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
+                                entry->device.verdict == USB_BARRED);
+    entry->met_ns = entry->due_ns = usb_pump_now_ns(pump);
+    pump->rows_changed = 1;
+}
+
+/* Its row stays while it is lost: while its seat waits for it. */
+static void part(struct usb_pump *pump, struct usb_entry *entry)
+{
+    usb_pump_unseat(pump, entry, 1);
+    if (entry->row < CONTROLLER_MAX && pump->rows.row[entry->row].state != CONTROLLER_LOST) {
+        usb_rows_clear(&pump->rows, entry->row);
+    }
+    pump->rows_changed = 1;
+    usb_device_forget(&entry->device);
+}
+
+/* Departures first: who was pulled out and put in again finds its seat free. */
+void usb_pump_compare(struct usb_pump *pump)
+{
+    libusb_device **list;
+    const ssize_t count = libusb_get_device_list(pump->context, &list);
+    if (count < 0) {
+        return; /* No memory: the next change is another chance. */
+    }
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        pump->entry[i].is_seen = 0;
+    }
+    for (ssize_t i = 0; i < count; i++) {
+        struct usb_entry *entry = find_entry(pump, list[i]);
+        if (entry) {
+            entry->is_seen = 1;
+        }
+    }
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (pump->entry[i].device.device && !pump->entry[i].is_seen) {
+            part(pump, &pump->entry[i]);
+        }
+    }
+    for (ssize_t i = 0; i < count; i++) {
+        struct usb_entry *empty = find_entry(pump, NULL);
+        if (!find_entry(pump, list[i]) && empty) {
+            meet(pump, empty, list[i]);
+        }
+    }
+    libusb_free_device_list(list, 1);
+}
+
+/* ---- Orders --------------------------------------------------------------------------------- */
+
+/* It plays no more, nor is it waited for. */
+static void release(struct usb_pump *pump, const struct hid_identity *identity)
+{
+    const uint32_t row = usb_rows_find(&pump->rows, identity);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (pump->place[i].was_taken && !pump->place[i].is_taken &&
+            usb_choice_likeness(&pump->place[i].identity, identity) >= 2u) {
+            pump->place[i].was_taken = 0;
+        }
+    }
+    if (row < CONTROLLER_MAX && pump->rows.row[row].state == CONTROLLER_LOST) {
+        usb_rows_clear(&pump->rows, row);
+    }
+}
+
+static void obey(struct usb_pump *pump, const struct usb_order *order)
+{
+    const struct usb_key key = usb_key_of(&order->identity);
+    usb_choice_wish(&pump->choice, &key, order->plays, 1);
+    usb_choice_save(&pump->choice, pump->choices_path);
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        struct usb_entry *entry = &pump->entry[i];
+        if (!entry->device.device) {
+            continue;
+        }
+        const int is_meant = usb_choice_likeness(&entry->device.face.identity,
+                                                 &order->identity) >= 2u;
+        if (is_meant && !order->plays) {
+            usb_pump_unseat(pump, entry, 0);
+        }
+        entry->due_ns = entry->link == USB_NOBODY ? usb_pump_now_ns(pump) : entry->due_ns;
+    }
+    if (!order->plays) {
+        release(pump, &order->identity);
+    }
+    pump->rows_changed = 1;
+}
+
+void usb_pump_obey(struct usb_pump *pump)
+{
+    struct usb_order order;
+    while (usb_roster_order(&pump->roster, &order)) {
+        obey(pump, &order);
+    }
+}
+
+/* ---- Telling -------------------------------------------------------------------------------- */
+
+static void tell_trouble(const struct usb_entry *entry, char text[HAL_TEXT_SIZE])
+{
+    const struct hid_identity *who = &entry->device.face.identity;
+    static const char *const remedies[] = {
+        [USB_DENIED] = "may not be opened: name it in board/udev/70-kingyo.rules, replug it",
+        [USB_HELD] = "is held by another program: end that",
+        [USB_BROKEN] = "does not answer: replug it",
+        [USB_AWAY] = "does not answer: replug it",
+    };
+    snprintf(text, HAL_TEXT_SIZE, "%04x:%04x at USB port %s %s", who->vendor, who->product,
+             who->port, remedies[entry->trouble]);
+}
+
+static void tell_count(const struct usb_pump *pump, char text[HAL_TEXT_SIZE])
+{
+    uint32_t here = 0, playing = 0;
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        const struct usb_entry *entry = &pump->entry[i];
+        here += entry->device.device && entry->device.verdict != USB_BARRED;
+        playing += entry->device.device && entry->link != USB_NOBODY;
+    }
+    snprintf(text, HAL_TEXT_SIZE, "libusb: %u controller%s, %u of them play%s", here,
+             here == 1 ? "" : "s", playing,
+             pump->has_hotplug ? "" : "; no hot-plug, looked for once a second");
+}
+
+void usb_pump_tell(struct usb_pump *pump)
+{
+    if (!pump->rows_changed) {
+        return;
+    }
+    pump->rows_changed = 0;
+    tell_count(pump, pump->rows.text);
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (pump->entry[i].device.device && pump->entry[i].trouble != USB_FINE) {
+            tell_trouble(&pump->entry[i], pump->rows.text);
+        }
+    }
+    usb_roster_post(&pump->roster, &pump->rows);
+}

@@ -1,0 +1,205 @@
+/* usb_pump_table.c -- who is there, who sits where, and who has to go. */
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/usb_pump.h"
+
+#define NS_PER_S 1000000000ull
+#define SOON_NS (NS_PER_S / 10u)
+#define RETRY_NS (2u * NS_PER_S)   /* Rights and other programs change by hand. */
+#define SETTLE_NS (2u * NS_PER_S)  /* A driver binds within that, udev's rule is done, too. */
+#define HOLD_NS (30u * NS_PER_S)   /* So long nobody else gets the seat of who was unplugged. */
+
+static struct usb_judge judge_of(struct usb_pump *pump)
+{
+    return (struct usb_judge){
+        .sysfs = pump->sysfs,
+        .choice = &pump->choice,
+        .scratch = &pump->scratch,
+    };
+}
+
+static void set_row(struct usb_pump *pump, const struct usb_entry *entry, uint8_t state)
+{
+    if (entry->row < CONTROLLER_MAX) {
+        struct hid_row *row = &pump->rows.row[entry->row];
+        row->identity = entry->device.face.identity;
+        row->state = state;
+        row->seat = (uint8_t)(entry->seat < POI_MAX ? entry->seat : POI_MAX);
+        pump->rows_changed = 1;
+    }
+}
+
+/* ---- Seats ---------------------------------------------------------------------------------- */
+
+void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone)
+{
+    if (entry->link == USB_NOBODY) {
+        return;
+    }
+    usb_link_drain(&pump->link[entry->link], is_gone);
+    usb_seat_leave(&pump->seat[entry->seat]);
+    pump->place[entry->seat].is_taken = 0;
+    pump->lost_ns[entry->seat] = usb_pump_now_ns(pump);
+    set_row(pump, entry, CONTROLLER_LOST);
+    entry->link = entry->seat = USB_NOBODY;
+    entry->due_ns = usb_pump_now_ns(pump) + SOON_NS;
+}
+
+static uint32_t find_seat(struct usb_pump *pump, const struct hid_identity *identity)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        pump->place[i].is_held = usb_pump_now_ns(pump) - pump->lost_ns[i] < HOLD_NS;
+    }
+    return usb_choice_seat(pump->place, identity);
+}
+
+static uint32_t find_link(const struct usb_pump *pump)
+{
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        if (pump->link[i].state == USB_LINK_NONE) {
+            return i;
+        }
+    }
+    return USB_NOBODY;
+}
+
+/* A stranger who gets a lost one's seat ends the wait for it. */
+static void forget_former(struct usb_pump *pump, const struct usb_entry *entry, uint32_t seat)
+{
+    const struct usb_place *place = &pump->place[seat];
+    const uint32_t row = place->was_taken ? usb_rows_find(&pump->rows, &place->identity)
+                                          : CONTROLLER_MAX;
+    if (row < CONTROLLER_MAX && row != entry->row &&
+        pump->rows.row[row].state == CONTROLLER_LOST) {
+        usb_rows_clear(&pump->rows, row);
+    }
+}
+
+static void seat_it(struct usb_pump *pump, struct usb_entry *entry, libusb_device_handle *handle,
+                    uint32_t seat, uint32_t link)
+{
+    forget_former(pump, entry, seat);
+    pump->place[seat] = (struct usb_place){
+        .was_taken = 1, .is_taken = 1, .identity = entry->device.face.identity
+    };
+    entry->seat = seat;
+    entry->link = link;
+    usb_seat_sit(&pump->seat[seat], &entry->device.face);
+    usb_link_begin(&pump->link[link], handle, &entry->device.pipe, &pump->seat[seat]);
+    set_row(pump, entry, CONTROLLER_PLAYS);
+}
+
+/* ---- Looking and opening -------------------------------------------------------------------- */
+
+/* Whether it sat somewhere before and is only away. */
+static int was_here(const struct usb_pump *pump, const struct usb_entry *entry)
+{
+    return entry->row < CONTROLLER_MAX && pump->rows.row[entry->row].state == CONTROLLER_LOST;
+}
+
+static void say_trouble(struct usb_pump *pump, struct usb_entry *entry)
+{
+    const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
+    set_row(pump, entry,
+            (uint8_t)(is_denied                  ? CONTROLLER_DENIED
+                      : was_here(pump, entry) ? CONTROLLER_LOST
+                                                 : CONTROLLER_FREE));
+    entry->due_ns = usb_pump_now_ns(pump) + RETRY_NS;
+}
+
+static void open_it(struct usb_pump *pump, struct usb_entry *entry)
+{
+    const struct usb_judge judge = judge_of(pump);
+    const uint32_t seat = find_seat(pump, &entry->device.face.identity);
+    const uint32_t link = find_link(pump);
+    libusb_device_handle *handle;
+    if (seat >= POI_MAX || link == USB_NOBODY) {
+        set_row(pump, entry, CONTROLLER_FREE);
+        entry->due_ns = usb_pump_now_ns(pump) + RETRY_NS;
+        return;
+    }
+    entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
+    if (handle) {
+        seat_it(pump, entry, handle, seat, link);
+    } else if (entry->trouble != USB_FINE) {
+        say_trouble(pump, entry);
+    } else {
+        entry->due_ns = usb_pump_now_ns(pump); /* What it read changed the verdict. */
+    }
+}
+
+/* Before a driver has bound it, /sys does not show its descriptor; a while later it never will. */
+static uint64_t next_look_ns(const struct usb_pump *pump, const struct usb_entry *entry)
+{
+    const uint64_t now_ns = usb_pump_now_ns(pump);
+    return entry->device.kind == USB_KIND_UNKNOWN && now_ns - entry->met_ns < SETTLE_NS
+               ? now_ns + SOON_NS
+               : UINT64_MAX;
+}
+
+static void look_at(struct usb_pump *pump, struct usb_entry *entry)
+{
+    const struct usb_judge judge = judge_of(pump);
+    usb_device_look(&entry->device, &judge);
+    entry->trouble = USB_FINE;
+    entry->due_ns = next_look_ns(pump, entry);
+    switch (entry->device.verdict) {
+    case USB_BARRED:
+        set_row(pump, entry, CONTROLLER_BARRED);
+        break;
+    case USB_FREE:
+        set_row(pump, entry, CONTROLLER_FREE);
+        break;
+    default:
+        open_it(pump, entry);
+    }
+}
+
+/* It failed: whose it is leaves, and what has come back already is closed at once. */
+static void unseat_link(struct usb_pump *pump, uint32_t link)
+{
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        struct usb_entry *entry = &pump->entry[i];
+        if (entry->device.device && entry->link == link) {
+            usb_pump_unseat(pump, entry, pump->link[link].is_gone);
+        }
+    }
+    usb_link_tend(&pump->link[link]);
+}
+
+void usb_pump_tend(struct usb_pump *pump)
+{
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        struct usb_entry *entry = &pump->entry[i];
+        if (!entry->device.device) {
+            continue;
+        }
+        if (entry->link != USB_NOBODY) {
+            usb_link_send(&pump->link[entry->link]);
+        } else if (usb_pump_now_ns(pump) >= entry->due_ns) {
+            look_at(pump, entry);
+        }
+    }
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        if (usb_link_tend(&pump->link[i])) {
+            unseat_link(pump, i);
+        }
+    }
+}
+
+uint64_t usb_pump_due_ns(const struct usb_pump *pump)
+{
+    uint64_t due_ns = UINT64_MAX;
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        const struct usb_entry *entry = &pump->entry[i];
+        if (entry->device.device && entry->link == USB_NOBODY && entry->due_ns < due_ns) {
+            due_ns = entry->due_ns;
+        }
+    }
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        const uint64_t link_ns = usb_link_due_ns(&pump->link[i]);
+        due_ns = link_ns < due_ns ? link_ns : due_ns;
+    }
+    return due_ns;
+}

@@ -1,0 +1,166 @@
+/* usb_seat.c -- who sits here, what it said, and what it is to feel. */
+#include "drivers/usb_seat.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void usb_seat_init(struct usb_seat *seat, void (*wake)(void *self), void *wake_self)
+{
+    memset(seat, 0, sizeof *seat);
+    usb_mail_init(&seat->mail);
+    seat->wake = wake;
+    seat->wake_self = wake_self;
+}
+
+/* ---- The thread's side ---------------------------------------------------------------------- */
+
+void usb_seat_sit(struct usb_seat *seat, const struct hid_face *face)
+{
+    const uint32_t generation = atomic_load_explicit(&seat->generation, memory_order_relaxed) + 1u;
+    struct usb_sitting *sitting = &seat->sitting[seat->mail.writing];
+    sitting->generation = generation;
+    sitting->face = *face;
+    usb_mail_post(&seat->mail);
+    atomic_store_explicit(&seat->generation, generation, memory_order_release);
+}
+
+void usb_seat_leave(struct usb_seat *seat)
+{
+    atomic_fetch_add_explicit(&seat->generation, 1u, memory_order_release);
+}
+
+void usb_seat_report(struct usb_seat *seat, uint64_t now_ns, const uint8_t *bytes, uint32_t size)
+{
+    if (size == 0u) {
+        return; /* A gadget's short packet, not a report. */
+    }
+    if (size > HID_REPORT_MAX) {
+        usb_ring_lose(&seat->ring);
+        return;
+    }
+    seat->last_ns = now_ns > seat->last_ns ? now_ns : seat->last_ns;
+    usb_ring_push(&seat->ring, atomic_load_explicit(&seat->generation, memory_order_relaxed),
+                  seat->last_ns, bytes, size);
+}
+
+uint32_t usb_seat_outgoing(struct usb_seat *seat)
+{
+    if (atomic_load_explicit(&seat->outgoing, memory_order_acquire) != USB_OUT_READY) {
+        return 0u;
+    }
+    if (seat->out_generation != atomic_load_explicit(&seat->generation, memory_order_relaxed)) {
+        usb_seat_sent(seat); /* It was meant for who sat here before. */
+        return 0u;
+    }
+    atomic_store_explicit(&seat->outgoing, USB_OUT_FLYING, memory_order_relaxed);
+    return seat->out_size;
+}
+
+void usb_seat_sent(struct usb_seat *seat)
+{
+    atomic_store_explicit(&seat->outgoing, USB_OUT_NONE, memory_order_release);
+}
+
+/* ---- The frame loop's side ------------------------------------------------------------------ */
+
+static uint32_t generation_now(struct usb_seat *seat)
+{
+    return atomic_load_explicit(&seat->generation, memory_order_acquire);
+}
+
+static int port_open(void *self, struct hid_face *out)
+{
+    struct usb_seat *seat = self;
+    if (seat->is_never) {
+        return HAL_ERR_NONE;
+    }
+    const uint32_t generation = generation_now(seat);
+    usb_mail_fetch(&seat->mail);
+    const struct usb_sitting *sitting = &seat->sitting[seat->mail.reading];
+    if (!(generation & 1u) || sitting->generation != generation) {
+        return HAL_ERR_GONE; /* Nobody, or they change places while we look. */
+    }
+    *out = sitting->face;
+    seat->opened = generation;
+    seat->identity = sitting->face.identity;
+    return HAL_OK;
+}
+
+/* Drops what those left behind who sat here before; null: nothing came yet. */
+static const struct usb_ring_slot *newest_sitting(struct usb_seat *seat)
+{
+    const struct usb_ring_slot *slot = usb_ring_peek(&seat->ring);
+    while (slot && slot->generation < seat->opened) {
+        usb_ring_drop(&seat->ring);
+        slot = usb_ring_peek(&seat->ring);
+    }
+    return slot;
+}
+
+static int port_take(void *self, struct hid_raw *out)
+{
+    struct usb_seat *seat = self;
+    if (seat->is_never) {
+        return HAL_ERR_NONE;
+    }
+    const uint32_t generation = generation_now(seat); /* First: all before it is in the ring. */
+    const struct usb_ring_slot *slot = newest_sitting(seat);
+    if (slot && slot->generation == seat->opened) {
+        out->time_ns = slot->raw.time_ns;
+        out->size = slot->raw.size;
+        memcpy(out->bytes, slot->raw.bytes, slot->raw.size);
+        usb_ring_drop(&seat->ring);
+        return 1;
+    }
+    return seat->opened != 0u && generation == seat->opened ? 0 : HAL_ERR_GONE;
+}
+
+static int port_send(void *self, const uint8_t *bytes, uint32_t size)
+{
+    struct usb_seat *seat = self;
+    if (seat->opened == 0u || generation_now(seat) != seat->opened) {
+        return HAL_ERR_GONE;
+    }
+    if (size == 0u || size > HID_REPORT_MAX) {
+        return HAL_ERR_IO;
+    }
+    if (atomic_load_explicit(&seat->outgoing, memory_order_acquire) != USB_OUT_NONE) {
+        return HAL_ERR_BUSY;
+    }
+    memcpy(seat->out_bytes, bytes, size);
+    seat->out_size = size;
+    seat->out_generation = seat->opened;
+    atomic_store_explicit(&seat->outgoing, USB_OUT_READY, memory_order_release);
+    seat->wake(seat->wake_self);
+    return HAL_OK;
+}
+
+static uint32_t port_lost_count(void *self)
+{
+    return usb_ring_lost(&((struct usb_seat *)self)->ring);
+}
+
+static const char *port_describe(void *self)
+{
+    struct usb_seat *seat = self;
+    const struct hid_identity *who = &seat->identity;
+    if (seat->opened == 0u || generation_now(seat) != seat->opened) {
+        snprintf(seat->text, sizeof seat->text, "no controller on USB yet");
+    } else {
+        snprintf(seat->text, sizeof seat->text, "%04x:%04x %.60s (USB port %s)", who->vendor,
+                 who->product, who->name, who->port);
+    }
+    return seat->text;
+}
+
+struct hid_port usb_seat_port(struct usb_seat *seat)
+{
+    static const struct hid_port_ops ops = {
+        .open = port_open,
+        .take = port_take,
+        .send = port_send,
+        .lost_count = port_lost_count,
+        .describe = port_describe,
+    };
+    return (struct hid_port){ .ops = &ops, .self = seat };
+}
