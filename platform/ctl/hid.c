@@ -7,6 +7,7 @@
 #include "platform/ctl/ctl.h"
 #include "platform/ctl/hid_file.h"
 #include "platform/ctl/hid_rows.h"
+#include "platform/ctl/hid_watch.h"
 
 static const char name[] = "hid";
 static struct hid_descriptor descriptor;
@@ -57,18 +58,28 @@ static enum exit_code run(int argc, const char *const *argv)
     if (argc == 3 && strcmp(argv[0], "decode") == 0) {
         return decode(argv[1], argv[2]);
     }
-    return ctl_usage(name, "describe FILE, or decode DESCRIPTOR REPORTS.tsv; --help says more");
+    if (argc >= 1 && strcmp(argv[0], "watch") == 0) {
+        return end_of_rows(hid_watch(argc - 1, argv + 1));
+    }
+    return ctl_usage(name, "describe FILE, decode DESCRIPTOR REPORTS.tsv, or watch [DEVICE]; "
+                           "--help says more");
 }
 
 const struct ctl_command ctl_hid = {
     .name = name,
-    .summary = "what a HID report descriptor says, and what reports mean",
+    .summary = "what a HID report descriptor says, what reports mean, what a device sends",
     .usage =
         "  kingyoctl hid describe FILE                   every input field, one row each\n"
-        "  kingyoctl hid decode DESCRIPTOR REPORTS.tsv   the values in recorded reports\n\n"
+        "  kingyoctl hid decode DESCRIPTOR REPORTS.tsv   the values in recorded reports\n"
+        "  kingyoctl hid watch                           which devices there are\n"
+        "  kingyoctl hid watch DEVICE [OPTION...]        what one sends now: a picture on a\n"
+        "                                                terminal, rows as of decode elsewhere\n"
+        "      --descriptor FILE   DEVICE is a file or pipe of raw reports, which FILE declares\n"
+        "      --seconds N         ends by itself\n\n"
         "A descriptor is hex text, or binary if the file holds anything else. Reports are rows\n"
         "of id, number and hex (report id first, if the device has them) under a header line;\n"
         "those are shown whose id is the descriptor's file name without its extension, and\n"
-        "that are as long as declared.\n",
+        "that are as long as declared. `cat /dev/hidraw3 >file` records what watch can read.\n"
+        "Rows of watch have one more column, milliseconds since it began.\n",
     .run = run,
 };

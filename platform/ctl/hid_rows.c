@@ -115,10 +115,11 @@ static enum exit_code refuse(const char *path, unsigned row, const char *what)
 static enum exit_code decode_row(const struct hid_descriptor *descriptor, const char *id,
                                  char *line, const char *path, unsigned row)
 {
+    line[strcspn(line, "\r\n")] = '\0';
     char *rest = line;
-    const char *row_id = strsep(&rest, "\t\n");
-    const char *seq = strsep(&rest, "\t\n");
-    char *hex = strsep(&rest, "\t\n");
+    const char *row_id = strsep(&rest, "\t");
+    const char *seq = strsep(&rest, "\t");
+    char *hex = strsep(&rest, "\t");
     const int is_header = row == 1 && strcmp(row_id, "id") == 0;
     if (is_header || strcmp(row_id, id) != 0) {
         return EXIT_OK;

@@ -1,0 +1,182 @@
+/* hid_source.c -- wait, read, cut. */
+#include "platform/ctl/hid_source.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/hidraw.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "platform/ctl/hid_file.h"
+
+static enum exit_code tell_open(const char *path)
+{
+    if (errno == EACCES || errno == EPERM) {
+        fprintf(stderr,
+                "kingyoctl hid: %s: %s; a udev rule as board/udev's gives it to your group, "
+                "'kingyoctl doctor' says which\n",
+                path, strerror(errno));
+        return EXIT_IO;
+    }
+    return hid_tell_io(path);
+}
+
+/* ---- Descriptors ---------------------------------------------------------------------------- */
+
+static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, const char *path)
+{
+    struct hidraw_report_descriptor said = { .size = 0 };
+    int size = 0;
+    if (ioctl(file, HIDIOCGRDESCSIZE, &size) < 0) {
+        return hid_tell_io(path);
+    }
+    said.size = (uint32_t)size;
+    if (ioctl(file, HIDIOCGRDESC, &said) < 0) {
+        return hid_tell_io(path);
+    }
+    const enum hid_error error = hid_descriptor_read(descriptor, said.value, said.size);
+    if (error) {
+        fprintf(stderr, "kingyoctl hid: %s: byte %zu of its descriptor: %s\n", path,
+                descriptor->error_offset, hid_error_text(error));
+        return EXIT_BAD_DATA;
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code get_descriptor(struct hid_source *source, struct hid_descriptor *descriptor,
+                                     const char *descriptor_path)
+{
+    if (descriptor_path) {
+        return hid_file_read(descriptor, descriptor_path);
+    }
+    if (!source->is_node) {
+        fprintf(stderr, "kingyoctl hid: %s: no device's node; --descriptor FILE says what it is\n",
+                source->path);
+        return EXIT_USAGE;
+    }
+    return ask_node(source->file, descriptor, source->path);
+}
+
+enum exit_code hid_source_open(struct hid_source *source, const char *path,
+                               struct hid_descriptor *descriptor, const char *descriptor_path)
+{
+    source->path = path;
+    source->descriptor = descriptor;
+    source->at_end = 0;
+    source->size = 0;
+    source->given = 0;
+    source->taken = 0;
+    source->file = open(path, O_RDONLY | O_CLOEXEC);
+    if (source->file < 0) {
+        return tell_open(path);
+    }
+    int size = 0;
+    source->is_node = ioctl(source->file, HIDIOCGRDESCSIZE, &size) == 0;
+    const enum exit_code code = get_descriptor(source, descriptor, descriptor_path);
+    if (code != EXIT_OK) {
+        hid_source_close(source);
+    }
+    return code;
+}
+
+void hid_source_close(struct hid_source *source)
+{
+    close(source->file);
+    source->file = -1;
+}
+
+/* ---- Reports -------------------------------------------------------------------------------- */
+
+static enum hid_pull end_with(enum exit_code *code, enum exit_code how)
+{
+    *code = how;
+    return HID_PULL_END;
+}
+
+static enum hid_pull refuse(const struct hid_source *source, const char *what, enum exit_code *code)
+{
+    fprintf(stderr, "kingyoctl hid: %s: byte %llu: %s\n", source->path,
+            (unsigned long long)source->taken, what);
+    return end_with(code, EXIT_BAD_DATA);
+}
+
+/* Cuts the next report off: as long as declared. */
+static enum hid_pull cut(struct hid_source *source, struct hid_report *out, enum exit_code *code)
+{
+    const struct hid_descriptor *descriptor = source->descriptor;
+    const int id = hid_report_id(descriptor, (struct hid_report){ source->bytes, source->size });
+    const uint32_t bits = source->size > 0 ? descriptor->report_bits[id] : 0;
+    if (source->size > 0 && bits == 0) {
+        return refuse(source, "no report of this descriptor begins here", code);
+    }
+    const size_t whole = (bits + 7u) / 8u + descriptor->has_report_ids;
+    if (source->size == 0 || source->size < whole) {
+        return HID_PULL_NOTHING;
+    }
+    source->given = whole;
+    *out = (struct hid_report){ source->bytes, whole };
+    return HID_PULL_REPORT;
+}
+
+static void forget(struct hid_source *source, size_t size)
+{
+    source->size -= size;
+    source->taken += size;
+    memmove(source->bytes, source->bytes + size, source->size);
+}
+
+/* Waits for bytes and adds them. NOTHING: there may be some now. */
+static enum hid_pull fill(struct hid_source *source, int timeout_ms, enum exit_code *code)
+{
+    struct pollfd wait = { .fd = source->file, .events = POLLIN };
+    if (poll(&wait, 1, timeout_ms) <= 0) {
+        return HID_PULL_NOTHING; /* Or a signal, which the caller looks for. */
+    }
+    const ssize_t size =
+        read(source->file, source->bytes + source->size, sizeof source->bytes - source->size);
+    if (size < 0 && (errno == ENODEV || errno == EIO) && source->is_node) {
+        fprintf(stderr, "kingyoctl hid: %s: was pulled out\n", source->path);
+        return end_with(code, EXIT_IO);
+    }
+    if (size < 0 && errno != EINTR && errno != EAGAIN) {
+        return end_with(code, hid_tell_io(source->path));
+    }
+    source->at_end = size == 0;
+    source->size += size > 0 ? (size_t)size : 0;
+    return HID_PULL_NOTHING;
+}
+
+static enum hid_pull pull_from_node(struct hid_source *source, int timeout_ms,
+                                    struct hid_report *out, enum exit_code *code)
+{
+    source->size = 0;
+    const enum hid_pull pull = fill(source, timeout_ms, code);
+    if (pull == HID_PULL_END || source->size == 0) {
+        return source->at_end ? end_with(code, EXIT_OK) : pull;
+    }
+    *out = (struct hid_report){ source->bytes, source->size };
+    return HID_PULL_REPORT;
+}
+
+enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct hid_report *out,
+                              enum exit_code *code)
+{
+    if (source->is_node) {
+        return pull_from_node(source, timeout_ms, out, code);
+    }
+    forget(source, source->given);
+    source->given = 0;
+    enum hid_pull pull = cut(source, out, code);
+    if (pull == HID_PULL_NOTHING && !source->at_end) {
+        pull = fill(source, timeout_ms, code);
+        return pull == HID_PULL_NOTHING ? cut(source, out, code) : pull;
+    }
+    if (pull == HID_PULL_NOTHING) {
+        return source->size > 0 ? refuse(source, "ends within a report", code)
+                                : end_with(code, EXIT_OK);
+    }
+    return pull;
+}
