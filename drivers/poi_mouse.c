@@ -1,4 +1,4 @@
-/* poi_mouse.c -- SDL mouse events into pointer reports; the decoder does the rest. */
+/* poi_mouse.c -- SDL's mouse and finger events into pointer reports; the decoder does the rest. */
 #include "drivers/poi_mouse.h"
 
 #include <SDL.h>
@@ -7,10 +7,11 @@
 #define EVENT_BATCH 64
 
 void poi_mouse_init(struct poi_mouse *mouse, struct hal_clock clock, const struct view *view,
-                    uint32_t width, uint32_t height)
+                    uint32_t width, uint32_t height, uint32_t heeds)
 {
     *mouse = (struct poi_mouse){
         .clock = clock,
+        .heeds = (uint8_t)heeds,
         .report = {
             .x_px = 0.5f * (float)width,
             .y_px = 0.5f * (float)height,
@@ -49,8 +50,11 @@ static int poi_mouse_open(void *self)
         return HAL_ERR_NONE;
     }
     SDL_ShowCursor(SDL_DISABLE); /* The poi is the cursor. */
+    static const char *const names[] = { "", "mouse", "touch screen", "mouse or touch screen" };
     const char *video = SDL_GetCurrentVideoDriver();
-    snprintf(mouse->text, sizeof mouse->text, "mouse (SDL %s)", video ? video : "?");
+    snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->heeds & 3u],
+             video ? video : "?");
+    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_HEEDS_FINGERS ? "0" : "1");
     mouse->last_poll_ns = mouse_now_ns(mouse);
     SDL_DelEventWatch(watch_key, mouse); /* Opened again, it still watches once. */
     SDL_AddEventWatch(watch_key, mouse);
@@ -78,9 +82,9 @@ static uint32_t button_bit(uint8_t sdl_button)
                                             : 0u;
 }
 
-static void take_event(struct pointer_report *report, const SDL_Event *event)
+static void take_mouse(struct poi_mouse *mouse, const SDL_Event *event)
 {
-    report->wheel_notches = 0.0f;
+    struct pointer_report *report = &mouse->report;
     switch (event->type) {
     case SDL_MOUSEMOTION:
         learn_window(report, event->motion.windowID);
@@ -88,10 +92,10 @@ static void take_event(struct pointer_report *report, const SDL_Event *event)
         report->y_px = (float)event->motion.y;
         break;
     case SDL_MOUSEBUTTONDOWN:
-        report->buttons |= button_bit(event->button.button);
+        mouse->mouse_buttons |= button_bit(event->button.button);
         break;
     case SDL_MOUSEBUTTONUP:
-        report->buttons &= ~button_bit(event->button.button);
+        mouse->mouse_buttons &= ~button_bit(event->button.button);
         break;
     case SDL_MOUSEWHEEL:
         report->wheel_notches = event->wheel.direction == SDL_MOUSEWHEEL_FLIPPED
@@ -101,6 +105,37 @@ static void take_event(struct pointer_report *report, const SDL_Event *event)
     default:
         break;
     }
+}
+
+static void take_finger(struct poi_mouse *mouse, const SDL_TouchFingerEvent *finger)
+{
+    const struct touch_event event = {
+        .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
+                          : finger->type == SDL_FINGERUP ? TOUCH_UP
+                                                         : TOUCH_MOVE),
+        .id = finger->fingerId,
+        .x = finger->x,
+        .y = finger->y,
+    };
+    struct pointer_report *report = &mouse->report;
+    if (touch_fingers_take(&mouse->fingers, &event)) {
+        learn_window(report, finger->windowID);
+        report->x_px = mouse->fingers.x * (float)report->width_px;
+        report->y_px = mouse->fingers.y * (float)report->height_px;
+    }
+}
+
+static void take_event(struct poi_mouse *mouse, const SDL_Event *event)
+{
+    const int is_finger = event->type >= SDL_FINGERDOWN;
+    mouse->report.wheel_notches = 0.0f;
+    if (is_finger && (mouse->heeds & POINTER_HEEDS_FINGERS)) {
+        take_finger(mouse, &event->tfinger);
+    } else if (!is_finger && (mouse->heeds & POINTER_HEEDS_MOUSE)) {
+        take_mouse(mouse, event);
+    }
+    mouse->report.buttons = (mouse->report.buttons & POINTER_FAN) | mouse->mouse_buttons |
+                            (mouse->fingers.dips ? (uint32_t)POINTER_DIP : 0u);
 }
 
 /* What the pointer says goes to both hands; each heeds what is its own. */
@@ -131,28 +166,37 @@ static struct poi_sample sample_at(struct poi_mouse *mouse, uint64_t time_ns)
 }
 
 /* SDL stamps a whole batch with the moment it was pumped, so the reports of a fast mouse are spread
- * evenly over the time since the last poll. The last sample is of now: the stroke goes on, and a
- * pointer at rest is still a hand. */
-static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
+ * evenly over the time since the last poll. One of out[] is left free. */
+static uint32_t take_events(struct poi_mouse *mouse, uint32_t first, uint32_t last,
+                            uint64_t now_ns, struct poi_sample *out, uint32_t max)
 {
-    struct poi_mouse *mouse = self;
     SDL_Event events[EVENT_BATCH];
-    const uint64_t now_ns = mouse_now_ns(mouse);
     uint32_t count = 0;
     int taken;
     do {
-        taken = SDL_PeepEvents(events, EVENT_BATCH, SDL_GETEVENT, SDL_MOUSEMOTION, SDL_MOUSEWHEEL);
+        taken = SDL_PeepEvents(events, EVENT_BATCH, SDL_GETEVENT, first, last);
         for (int i = 0; i < taken; i++) {
             const uint64_t span_ns = now_ns - mouse->last_poll_ns;
-            take_event(&mouse->report, &events[i]);
+            take_event(mouse, &events[i]);
             mouse->report.time_ns =
                 mouse->last_poll_ns + span_ns * (uint64_t)(i + 1) / (uint64_t)taken;
             if (tell_hands(mouse) && count + 1 < max) {
                 out[count++] = sample_at(mouse, mouse->report.time_ns);
             }
         }
-        mouse->last_poll_ns = now_ns;
+        mouse->last_poll_ns = taken > 0 ? now_ns : mouse->last_poll_ns;
     } while (taken == EVENT_BATCH);
+    return count;
+}
+
+/* The last sample is of now: the stroke goes on, and a pointer at rest is still a hand. */
+static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct poi_mouse *mouse = self;
+    const uint64_t now_ns = mouse_now_ns(mouse);
+    uint32_t count = take_events(mouse, SDL_FINGERDOWN, SDL_FINGERMOTION, now_ns, out, max);
+    count += take_events(mouse, SDL_MOUSEMOTION, SDL_MOUSEWHEEL, now_ns, out + count, max - count);
+    mouse->last_poll_ns = now_ns;
     take_fan_key(mouse, now_ns);
     if (count < max) {
         out[count++] = sample_at(mouse, now_ns);
@@ -218,4 +262,30 @@ struct hal_poi poi_mouse_device(struct poi_mouse *mouse)
         .describe = poi_mouse_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = mouse };
+}
+
+static int buttons_poll(void *self, struct button_sample *out)
+{
+    struct poi_mouse *mouse = self;
+    const uint32_t count = mouse->fingers.count;
+    *out = (struct button_sample){
+        .held = count >= TOUCH_START_FINGERS ? (uint32_t)INPUT_START : 0u,
+        .pressed = touch_fingers_start(&mouse->fingers) ? (uint32_t)INPUT_START : 0u,
+    };
+    return HAL_OK;
+}
+
+static const char *buttons_describe(void *self)
+{
+    const struct poi_mouse *mouse = self;
+    return mouse->heeds & POINTER_HEEDS_FINGERS ? "three fingers start" : "";
+}
+
+struct hal_buttons poi_mouse_buttons(struct poi_mouse *mouse)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = buttons_poll,
+        .describe = buttons_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = mouse };
 }

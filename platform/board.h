@@ -7,17 +7,23 @@
 #include "platform/hal.h"
 
 enum board_poi {
-    BOARD_POI_AUTO = 0, /* The board's best: a mouse on the desktop. */
+    BOARD_POI_AUTO = 0, /* The best that is plugged in: USB, then a pad, then mouse or finger. */
     BOARD_POI_MOUSE,
+    BOARD_POI_TOUCH,
     BOARD_POI_PAD,
     BOARD_POI_USB,
     BOARD_POI_BOT,
 };
 
+#define BOARD_USB_MAX 8u       /* Controllers that are named: as many as the desk has rows. */
+#define BOARD_USB_SIZE 80u     /* "VVVV:PPPP:SERIAL" with a serial of 64 bytes, and some. */
+
 struct shelf;
 
 struct board_options {
     uint8_t poi;               /* enum board_poi */
+    uint32_t usb_count;        /* Controllers that play without being chosen in the menu. */
+    const char (*usb)[BOARD_USB_SIZE];
     uint8_t off_screen;        /* Render without a screen, for pictures. */
     uint8_t full_screen;
     uint32_t width, height;    /* Window or picture size in pixels; 0 is the board's own. */
@@ -35,6 +41,9 @@ struct board_options {
 /* Wires real drivers where there are devices and null drivers where there are none. Never fails:
  * what is missing says so through describe(). */
 void board_open(struct hal *hal, const struct board_options *options);
+
+/* Gives every device back: the store has written, cables may be pulled, threads have ended. */
+void board_close(struct hal *hal);
 
 /* The board's display off screen, START pressed once at `start_ns`, no hands, no sound, no
  * store, and a clock that begins at 0 and that only board_rehearsal_advance() moves: the same on

@@ -20,3 +20,11 @@ void board_open(struct hal *hal, const struct board_options *options)
     store_open(hal, options);
     watchdog_open(hal);
 }
+
+void board_close(struct hal *hal)
+{
+    hal->audio.ops->close(hal->audio.self);
+    hal->storage.ops->close(hal->storage.self); /* Again, perhaps: that is no harm. */
+    hands_close();
+    hal->display.ops->close(hal->display.self);
+}

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "drivers/buttons_join.h"
 #include "platform/board.h"
 
 /* The display, and SDL's video with it. */
@@ -16,6 +17,11 @@ void screen_ignore(const uint32_t *types, size_t count);
 
 /* Whoever may hold a poi, shared out among the seats, and his fan. */
 void hands_open(struct hal *hal, const struct board_options *options);
+
+/* The buttons that controllers have themselves. */
+void hands_add_buttons(struct buttons_join *join);
+
+void hands_close(void);
 
 /* Every button there is, as one panel; after hands_open(). */
 void panel_open(struct hal *hal, const struct board_options *options);

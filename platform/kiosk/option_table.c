@@ -56,8 +56,26 @@ static int find_name(const char *const *names, uint8_t count, const char *value,
 
 static int set_poi(struct options *options, const char *value)
 {
-    static const char *const names[] = { "auto", "mouse", "pad", "usb", "bot" };
+    static const char *const names[] = { "auto", "mouse", "touch", "pad", "usb", "bot" };
     return find_name(names, sizeof names / sizeof names[0], value, &options->poi);
+}
+
+/* Four hexadecimal digits. */
+static int is_id(const char *text)
+{
+    return strspn(text, "0123456789abcdefABCDEF") == 4;
+}
+
+static int set_usb(struct options *options, const char *value)
+{
+    const size_t length = strlen(value);
+    const int is_whole = length == 9 || (length > 10 && length < BOARD_USB_SIZE);
+    if (!is_whole || options->usb_count == BOARD_USB_MAX || !is_id(value) || value[4] != ':' ||
+        !is_id(value + 5) || (length > 9 && value[9] != ':')) {
+        return 0;
+    }
+    memcpy(options->usb[options->usb_count++], value, length + 1);
+    return 1;
 }
 
 static int set_language(struct options *options, const char *value)
@@ -190,8 +208,10 @@ static const struct option table[] = {
       "5 to 600 seconds", set_demo, 1 },
     { "window", "WxH", "play in a window of that size; else full screen",
       "WIDTHxHEIGHT from 320x240 to 8192x8192", set_window, 0 },
-    { "poi", "KIND", "who holds the poi: auto, mouse, pad, usb or bot, who holds all",
-      "auto, mouse, pad, usb or bot", set_poi, 0 },
+    { "poi", "KIND", "who holds the poi: auto, usb, pad, mouse, touch; or bot, who holds all",
+      "auto, usb, pad, mouse, touch or bot", set_poi, 0 },
+    { "usb", "ID", "a USB controller that may be a poi; again for each",
+      "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most", set_usb, 0 },
     { "mode", "NAME", "festival, championship, practice, lab (fish grow), or choose: START asks",
       "festival, championship, practice, lab or choose", set_mode, 0 },
     { "grade", "N", "paper from 4, strong, to 7, weak (6; a championship has 5)", "4 to 7",

@@ -128,8 +128,8 @@ static const char *read_line(struct options *options, char *line, const char **e
     key = trim(key);
     const struct option *option = option_find(key, strlen(key));
     if (!option || option->only_command_line) {
-        *expects = "one of window, poi, mode, grade, players, coins, tickets, record, shots, data, "
-                   "lang, tank, seed, fish";
+        *expects = "one of window, poi, usb, mode, grade, players, coins, tickets, record, shots, "
+                   "data, lang, tank, seed, fish";
         return "unknown key";
     }
     struct options tried = *options;
@@ -179,7 +179,9 @@ void options_print_help(void)
          "it, let go to lift; the wheel tilts it, the right button levels it. While F is held\n"
          "the mouse leads a fan over the water, whose still shade gathers fish. Space starts, the\n"
          "arrows choose a mode, 5 is a coin, F2 opens the operator's menu, F3 is its service\n"
-         "button, L changes the language, F11 is full screen, Esc quits. Without a screen the\n"
+         "button, L changes the language, F11 is full screen, Esc quits. On a touch screen one\n"
+         "finger leads the poi, a second one dips it, and three press START. On a pad the left\n"
+         "stick leads it, A or a trigger dips it, the right stick tilts it. Without a screen the\n"
          "bot plays, and pictures of it are written.\n");
     const struct option *option;
     for (uint32_t i = 0; (option = option_at(i)) != NULL; i++) {
@@ -188,8 +190,10 @@ void options_print_help(void)
         printf("  %-18s %s\n", left, option_says(option, option->help, right));
     }
     puts("\nEach player needs a controller; a seat without one waits empty, and with --poi bot\n"
-         "the stall's bot plays them all. A championship is held in the official tank: the stall\n"
-         "changes tanks for it.\n"
+         "the stall's bot plays them all. With --poi auto the first player gets the best that is\n"
+         "plugged in, also while the stall is open: a USB poi, else a pad, else mouse or finger.\n"
+         "Nobody's controller changes in mid-game. A championship is held in the official tank:\n"
+         "the stall changes tanks for it.\n"
          "\nA recording is never written over: --record refuses a file that holds anything. It is\n"
          "whole after each second: a kiosk that is killed loses one at most, a power cut more.\n"
          "\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay\n"

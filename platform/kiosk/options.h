@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "core/core.h"
+#include "platform/board.h"
 
 #define OPTIONS_PATH_MAX 1024u
 #define OPTIONS_ERROR_MAX 256u
@@ -39,6 +40,8 @@ struct options {
     uint8_t grade;                 /* As core_config's. */
     uint8_t players;               /* As core_config's. */
     uint8_t coins, tickets;        /* As core_config's credit_coins and ticket_fish. */
+    uint8_t usb_count;
+    char usb[BOARD_USB_MAX][BOARD_USB_SIZE]; /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
     char record[OPTIONS_PATH_MAX]; /* Each "" when not asked for. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];

@@ -67,13 +67,6 @@ static void tell_seats(const struct kiosk *kiosk)
     }
 }
 
-static void close_devices(const struct hal *hal)
-{
-    hal->audio.ops->close(hal->audio.self);
-    hal->storage.ops->close(hal->storage.self); /* Again, perhaps: that is no harm. */
-    hal->display.ops->close(hal->display.self);
-}
-
 /* What a frame costs from its first look at a device to the end of its swap, and the core in it. */
 static void tell_work(const struct kiosk *kiosk)
 {
@@ -143,6 +136,8 @@ int play_open(struct session *session)
     }
     const struct board_options board = {
         .poi = options->poi,
+        .usb_count = options->usb_count,
+        .usb = options->usb,
         .full_screen = options->width == 0,
         .width = options->width,
         .height = options->height,
@@ -155,7 +150,7 @@ int play_open(struct session *session)
     board_open(&session->hal, &board);
     const struct hal_display *display = &session->hal.display;
     if (display->ops->poll(display->self, &events) == HAL_ERR_NONE) {
-        close_devices(&session->hal);
+        board_close(&session->hal);
         return 0;
     }
     return 1;
@@ -219,7 +214,7 @@ enum exit_code play_run(struct session *session)
         code = begin(session);
     }
     if (code != EXIT_OK) {
-        close_devices(&session->hal);
+        board_close(&session->hal);
         return code;
     }
     tell_devices(&session->hal);
@@ -227,6 +222,6 @@ enum exit_code play_run(struct session *session)
     session_tell_shelf(session);
     fflush(stdout);
     code = end_play(session, run(session));
-    close_devices(&session->hal);
+    board_close(&session->hal);
     return code;
 }

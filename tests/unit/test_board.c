@@ -33,7 +33,7 @@ static int open_board(void **state)
 static int close_board(void **state)
 {
     (void)state;
-    hal.display.ops->close(hal.display.self);
+    board_close(&hal);
     return 0;
 }
 

@@ -33,7 +33,8 @@ static int open_mouse(void **state)
     }
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     bench_clock.now_ns = 1000 * MS;
-    poi_mouse_init(&mouse, clock_sim_device(&bench_clock), stall_view(), WIDTH, HEIGHT);
+    poi_mouse_init(&mouse, clock_sim_device(&bench_clock), stall_view(), WIDTH, HEIGHT,
+                   POINTER_HEEDS_MOUSE);
     const struct hal_poi device = poi_mouse_device(&mouse);
     const int opened = device.ops->open(device.self);
     return opened != HAL_OK ? -1 : device.ops->open(device.self); /* As after a loss. */

@@ -1,0 +1,100 @@
+/* pad_tilt.c -- a complementary filter on the direction of up. */
+#include "drivers/pad_tilt.h"
+
+#define G_M_S2 9.81f
+#define DOWN_TAU_S 0.5f    /* Shaking takes a tenth of that; a gyroscope drifts in minutes. */
+#define REST_TAU_S 4.0f    /* Longer than any scoop's look at a fish. */
+#define REST_BAND_RAD (2.0f * F_DEG) /* A hand trembles by as much. */
+#define RATE_MAX_RAD_S 40.0f /* 2,000 degrees/s is full scale of every pad; beyond is noise. */
+#define STEP_MAX_S 0.25f   /* A rate that is older says nothing of now. */
+
+static float seconds_between(uint64_t from_ns, uint64_t to_ns)
+{
+    return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
+}
+
+/* What stands still in the world turns the other way in the pad's axes. */
+static void turn_to(struct pad_tilt *tilt, uint64_t time_ns)
+{
+    const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
+    if (tilt->turn_ns > 0 && tilt->knows_down) {
+        const vec3 turned = v3_mad(tilt->up, v3_cross(tilt->up, tilt->rate_rad_s), dt_s);
+        tilt->up = v3_normalize_or(turned, tilt->up);
+    }
+    tilt->turn_ns = time_ns > tilt->turn_ns ? time_ns : tilt->turn_ns;
+}
+
+int pad_tilt_turns(struct pad_tilt *tilt, uint64_t time_ns, vec3 rate_rad_s)
+{
+    if (!v3_is_finite(rate_rad_s)) {
+        return -1;
+    }
+    turn_to(tilt, time_ns);
+    tilt->rate_rad_s = v3_limit(rate_rad_s, RATE_MAX_RAD_S);
+    return 0;
+}
+
+/* A pad that is shaken or falls knows of no down: then the gyroscope has the word. */
+int pad_tilt_weighs(struct pad_tilt *tilt, uint64_t time_ns, vec3 up_m_s2)
+{
+    if (!v3_is_finite(up_m_s2)) {
+        return -1;
+    }
+    const float weight = v3_length(up_m_s2);
+    const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
+    turn_to(tilt, time_ns);
+    if (!(weight > 0.7f * G_M_S2 && weight < 1.3f * G_M_S2)) {
+        return 0;
+    }
+    const vec3 up = v3_scale(up_m_s2, 1.0f / weight);
+    const float share = tilt->knows_down ? dt_s / (dt_s + DOWN_TAU_S) : 1.0f;
+    tilt->up = v3_normalize_or(v3_lerp(tilt->up, up, share), up);
+    tilt->knows_down = 1;
+    return 0;
+}
+
+static float pitch_of(vec3 up)
+{
+    return f_atan2(-up.z, f_sqrt(up.x * up.x + up.y * up.y));
+}
+
+static float roll_of(vec3 up)
+{
+    return f_atan2(-up.x, f_sqrt(up.y * up.y + up.z * up.z));
+}
+
+void pad_tilt_level(struct pad_tilt *tilt)
+{
+    tilt->knows_rest = tilt->knows_down;
+    tilt->rest_pitch_rad = pitch_of(tilt->up);
+    tilt->rest_roll_rad = roll_of(tilt->up);
+}
+
+static float beyond_band(float angle_rad)
+{
+    const float size = f_max(0.0f, f_abs(angle_rad) - REST_BAND_RAD);
+    return f_clamp(angle_rad < 0.0f ? -size : size, -PAD_TILT_MAX_RAD, PAD_TILT_MAX_RAD);
+}
+
+struct angles pad_tilt_at(struct pad_tilt *tilt, uint64_t time_ns, int hovers)
+{
+    turn_to(tilt, time_ns);
+    if (!tilt->knows_down) {
+        return (struct angles){ 0 };
+    }
+    if (!tilt->knows_rest) {
+        pad_tilt_level(tilt);
+        tilt->rest_ns = time_ns;
+    }
+    const float pitch_rad = pitch_of(tilt->up);
+    const float roll_rad = roll_of(tilt->up);
+    const float dt_s = f_min(seconds_between(tilt->rest_ns, time_ns), STEP_MAX_S);
+    const float share = hovers ? dt_s / (dt_s + REST_TAU_S) : 0.0f;
+    tilt->rest_pitch_rad = f_lerp(tilt->rest_pitch_rad, pitch_rad, share);
+    tilt->rest_roll_rad = f_lerp(tilt->rest_roll_rad, roll_rad, share);
+    tilt->rest_ns = time_ns > tilt->rest_ns ? time_ns : tilt->rest_ns;
+    return (struct angles){
+        .pitch_rad = beyond_band(pitch_rad - tilt->rest_pitch_rad),
+        .roll_rad = beyond_band(roll_rad - tilt->rest_roll_rad),
+    };
+}

@@ -1,0 +1,66 @@
+/* pad_track.c -- a queue of reports, and samples a tick apart. */
+#include "drivers/pad_track.h"
+
+#include <string.h>
+
+#define SAMPLE_NS 8333333ull /* A tick. */
+
+void pad_track_init(struct pad_track *track, const struct view *view, uint64_t time_ns)
+{
+    *track = (struct pad_track){ .sampled_ns = time_ns };
+    pad_hand_init(&track->hand, view);
+}
+
+void pad_track_keep(struct pad_track *track, const struct pad_report *report)
+{
+    if (track->report_count == PAD_REPORTS_MAX) {
+        pad_hand_report(&track->hand, &track->report[0]);
+        memmove(&track->report[0], &track->report[1],
+                sizeof track->report - sizeof track->report[0]);
+        track->report_count--;
+    }
+    track->report[track->report_count++] = *report;
+}
+
+/* A sample each `step_ns` as long as it lies before `until_ns`. */
+static uint32_t sample_until(struct pad_track *track, uint64_t until_ns, uint64_t step_ns,
+                             struct poi_sample *out, uint32_t max)
+{
+    uint32_t count = 0;
+    while (count < max && track->sampled_ns + step_ns < until_ns) {
+        track->sampled_ns += step_ns;
+        out[count++] = pad_hand_sample(&track->hand, track->sampled_ns);
+    }
+    return count;
+}
+
+uint32_t pad_track_take(struct pad_track *track, uint64_t now_ns, struct poi_sample *out,
+                        uint32_t max)
+{
+    if (max == 0) {
+        return 0;
+    }
+    const uint64_t span_ns = now_ns > track->sampled_ns ? now_ns - track->sampled_ns : 0;
+    const uint64_t even_ns = span_ns / max + 1u; /* After a stall: all of it, in larger steps. */
+    const uint64_t step_ns = even_ns > SAMPLE_NS ? even_ns : SAMPLE_NS;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < track->report_count; i++) {
+        const struct pad_report *report = &track->report[i];
+        count += sample_until(track, report->time_ns, step_ns, out + count, max - 1u - count);
+        pad_hand_report(&track->hand, report);
+    }
+    track->report_count = 0;
+    count += sample_until(track, now_ns, step_ns, out + count, max - 1u - count);
+    track->sampled_ns = now_ns;
+    out[count++] = pad_hand_sample(&track->hand, now_ns);
+    return count;
+}
+
+void pad_track_buttons(struct pad_track *track, struct button_sample *out)
+{
+    for (uint32_t i = 0; i < track->report_count; i++) {
+        pad_hand_report(&track->hand, &track->report[i]);
+    }
+    track->report_count = 0;
+    pad_hand_buttons(&track->hand, out);
+}
