@@ -6,15 +6,15 @@ good=tests/hid/good
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }
 byte() { printf "\\x$(printf %02x "$1")"; }
 [ -e "$folder/made" ] && exit 0
-mkdir -p "$folder"/{descriptor,report,rows}
+mkdir -p "$folder"/{descriptor,report,rows,hand,map_text,wires}
+word() { byte $(($1 % 256)); byte $(($1 / 256)); }
 for file in $good/descriptors/*.hid tests/hid/malformed/*.hid; do
     id=$(basename "$file" .hid)
     unhex <"$file" >"$folder/descriptor/$id"
     size=$(stat -c %s "$folder/descriptor/$id")
     [ "$size" -le 2048 ] || continue
     {
-        byte $((size % 256))
-        byte $((size / 256))
+        word "$size"
         cat "$folder/descriptor/$id"
         awk -F'\t' -v id="$id" '$1 == id && length($3) <= 256 && n++ < 4 { print $3 }' $good/reports.tsv |
             while read -r hex; do
@@ -29,4 +29,36 @@ for file in $good/descriptors/*.hid tests/hid/malformed/*.hid; do
         awk -F'\t' -v id="$id" '$1 == id && n++ < 2 { print "d\t" $2 "\t" $3 "\t" $4 }' $good/reports.tsv
     } >"$folder/rows/$id"
 done
+# A hand: whose it is, what it declares, the map that is chosen, its reports 8 ms apart.
+while IFS=$'\t' read -r id vendor product _; do
+    [[ $vendor$product =~ ^[0-9a-f]{8}$ ]] || vendor=0000 product=0000
+    {
+        word $((16#$vendor))
+        word $((16#$product))
+        word "$(stat -c %s "$folder/descriptor/$id")"
+        cat "$folder/descriptor/$id"
+        echo
+        awk -F'\t' -v id="$id" '$1 == id && length($3) <= 256 && n++ < 8 { print $3 }' $good/reports.tsv |
+            while read -r hex; do
+                byte 16
+                byte $((${#hex} / 2))
+                echo "$hex" | unhex
+            done
+    } >"$folder/hand/$id"
+done < <(tail -n +2 $good/provenance.tsv)
+
+cat >"$folder/map_text/learned" <<'END'
+learned fly x=rate:1:u8@0:128..255~12 dip=press:1:u1@37:0..1 ok=press:0:u8@16:0..1/00070028
+END
+echo 'known pointer trembles x=place:1:s16@8:-32767..32767 z=place:1:s16@24:32767..-32767 in-range=press:1:u1@40:0..1' \
+    >"$folder/map_text/known"
+echo 'own pose feels tilt=step:2:s8@0:0..1 hat=hat:2:u4@8:0..7' >"$folder/map_text/own"
+cat >"$folder/wires/cabinet" <<'END'
+start=BTN_START,low,up,debounce=5ms
+coin=pinctrl-bcm2711:17,window=15ms-250ms
+ticket=TICKET,high,pulse=100ms/100ms
+start_lamp=gpio-sim.0:4,float
+plays 057e:2009:A0-1
+rests 1209:0001
+END
 touch "$folder/made"

@@ -1,0 +1,106 @@
+/* device_hand.c -- any controller, any map that is sound for it, any reports: a finite hand.
+ *
+ * Input: vendor and product (two bytes each, low first), the size of the descriptor (likewise), the
+ * descriptor, a map as a line of text ("": the one that is chosen), then reports: a byte of time, a
+ * byte of size, as many bytes. */
+#include <string.h>
+
+#include "drivers/hid_hand.h"
+#include "tests/fuzz/trap.h"
+
+#define TIME_STEP_NS 500000u /* Of the byte of time: up to 128 ms, and at 255 eight seconds. */
+
+static const struct view view = {
+    .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
+};
+static struct hid_face face;
+static struct hid_map map;
+static struct hid_hand hand;
+
+static uint16_t word_at(const uint8_t *bytes)
+{
+    return (uint16_t)(bytes[0] | bytes[1] << 8);
+}
+
+static void hold_finite(const struct poi_sample *sample, uint64_t time_ns)
+{
+    const vec3 at = sample->target.position_m;
+    const struct angles angles = sample->target.angles;
+    HOLD(f_is_finite(at.x) && f_is_finite(at.y) && f_is_finite(at.z));
+    HOLD(f_is_finite(angles.pitch_rad) && f_is_finite(angles.yaw_rad) &&
+         f_is_finite(angles.roll_rad));
+    HOLD(sample->time_ns <= time_ns);
+}
+
+static void hold_hand(uint64_t time_ns)
+{
+    struct poi_sample sample;
+    struct button_sample buttons = { 0 }, again = { 0 };
+    if (hid_hand_sample(&hand, time_ns, &sample)) {
+        hold_finite(&sample, time_ns);
+    }
+    const struct shade_input fan = hid_hand_fan(&hand, time_ns);
+    HOLD(!fan.present || (f_is_finite(fan.x_m) && f_is_finite(fan.z_m)));
+    hid_hand_buttons(&hand, &buttons);
+    HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0 && buttons.coin_count == 0);
+    hid_hand_buttons(&hand, &again);
+    HOLD(again.pressed == 0 && again.held == buttons.held); /* An edge is told once. */
+}
+
+static void play(const uint8_t *bytes, size_t size)
+{
+    struct hid_raw raw = { .time_ns = 1000000000u };
+    uint32_t count = 0;
+    while (size >= 2u) {
+        const size_t wanted = bytes[1], taken = wanted < size - 2u ? wanted : size - 2u;
+        raw.time_ns += bytes[0] == 255u ? 8000000000u : bytes[0] * TIME_STEP_NS;
+        raw.size = (uint32_t)taken;
+        memcpy(raw.bytes, bytes + 2, taken);
+        const int moved = hid_hand_report(&hand, &raw);
+        HOLD(moved == 0 || moved == 1);
+        HOLD(hand.report_count == ++count && hand.refused_count <= count);
+        hold_hand(raw.time_ns + bytes[0]);
+        bytes += 2u + taken;
+        size -= 2u + taken;
+    }
+}
+
+/* Takes the line of text; returns the bytes that it took. */
+static size_t take_map(const uint8_t *bytes, size_t size)
+{
+    static char text[HID_MAP_TEXT_SIZE];
+    char error[HAL_TEXT_SIZE];
+    size_t length = 0;
+    while (length < size && bytes[length] != '\n' && length + 1u < sizeof text) {
+        text[length] = (char)bytes[length];
+        length++;
+    }
+    text[length] = '\0';
+    if (length == 0 || hid_map_read(&map, text, error)) {
+        hid_descriptor_read(&hand.descriptor, face.descriptor, face.descriptor_size);
+        hid_map_choose(&map, &face.identity, &hand.descriptor);
+    }
+    return length < size ? length + 1u : length;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    if (size < 6u) {
+        return 0;
+    }
+    face.identity.vendor = word_at(bytes);
+    face.identity.product = word_at(bytes + 2);
+    const size_t wanted = word_at(bytes + 4) % (HID_DESCRIPTOR_MAX + 1u);
+    const size_t taken = wanted < size - 6u ? wanted : size - 6u;
+    memcpy(face.descriptor, bytes + 6, taken);
+    face.descriptor_size = (uint32_t)taken;
+    bytes += 6u + taken;
+    size -= 6u + taken;
+    const size_t line = take_map(bytes, size);
+    HOLD(map.source != HID_MAP_NONE || map.count <= HID_BINDING_MAX);
+    if (hid_hand_init(&hand, &face, &map, &view) == 0) {
+        HOLD(hid_map_is_sound(&map, &hand.descriptor));
+        play(bytes + line, size - line);
+    }
+    return 0;
+}
