@@ -1,25 +1,28 @@
 /* gpio_input.h -- what to believe of one input line: its edges, and its level looked at now and
  * then. Pure.
  *
- * The kernel says the time of an edge well, and its direction badly: it reads the level only when
- * its thread comes round, and edges a few milliseconds apart were then seen with the wrong one. So
- * an edge is taken as a turn away from where the line was, whatever it says, unless edges are known
- * to be lost before it; and where the level disagrees with that for longer than an edge can be
- * under way, the level is right. */
+ * The kernel says the time of an edge well, and its direction less well: its thread reads the level
+ * when it comes round to it, and with edges a few milliseconds apart that was the next one's. So
+ *  - an edge that changes nothing tells of a level that came and went before the kernel looked;
+ *  - two of them in a row are a pulse from the first to the second, both of which were read late;
+ *  - where the level disagrees with the edges for longer than an edge can be under way, edges were
+ *    lost, and the level is right. */
 #ifndef KINGYO_DRIVERS_GPIO_INPUT_H
 #define KINGYO_DRIVERS_GPIO_INPUT_H
 
 #include "drivers/debounce.h"
 #include "drivers/gpio_lines.h"
 
-#define GPIO_UNDER_WAY_NS 20000000u /* Three times the 6 ms at which edges were seen mistaken. */
+#define GPIO_UNDER_WAY_NS 50000000u /* Eight times the 6 ms at which edges were seen mistaken. */
 
 struct gpio_input {
     struct debounce debounce;
-    uint64_t mended_ns;    /* When the level was last believed against the edges. */
-    uint64_t disagrees_ns; /* Since when it says something else; UINT64_MAX: it does not. */
-    uint32_t turned;       /* Edges that were believed against their direction ... */
-    uint32_t lost;         /* ... and edges that never came. Since the start. */
+    uint64_t blinked_ns; /* The last edge, where it changed nothing; else UINT64_MAX. */
+    uint64_t doubted_ns; /* Since when a level was read that the edges do not explain, or that a
+                            second blink might; else UINT64_MAX. */
+    uint64_t mended_ns;  /* When the level was last believed against the edges. */
+    uint32_t late;       /* Pulses that were read late ... */
+    uint32_t lost;       /* ... and edges that never came. Since the start. */
 };
 
 struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t now_ns);
@@ -34,5 +37,8 @@ bool gpio_input_level(struct gpio_input *input, uint64_t now_ns, bool active,
 
 /* When the level should be read next; UINT64_MAX: whenever it is convenient. */
 uint64_t gpio_input_due_ns(const struct gpio_input *input);
+
+/* Up to when every turn of this line is known at `now_ns`: what still has to stand is not. */
+uint64_t gpio_input_known_ns(const struct gpio_input *input, uint64_t now_ns);
 
 #endif

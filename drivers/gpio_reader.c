@@ -149,15 +149,6 @@ static int ask(struct gpio_reader *reader)
 
 /* ---- One round ------------------------------------------------------------------------------ */
 
-/* Up to when all turns of a line are known: what still stands to be believed is not. */
-static uint64_t known_until_ns(const struct gpio_input *input, uint64_t now)
-{
-    const uint64_t pending_ns =
-        input->debounce.raw != input->debounce.stable ? input->debounce.since_ns : now;
-    const uint64_t known_ns = pending_ns < now ? pending_ns : now;
-    return input->disagrees_ns < known_ns ? input->disagrees_ns : known_ns;
-}
-
 static uint64_t input_due_ns(const struct gpio_reader *reader, enum gpio_role role)
 {
     const uint64_t due_ns = gpio_input_due_ns(&reader->inputs[role]);
@@ -201,7 +192,7 @@ static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
             take_turn(reader, role, turn);
         }
         if (level >= 0 && role == GPIO_COIN) {
-            coin_mech_settle(&reader->coin, known_until_ns(&reader->inputs[role], now));
+            coin_mech_settle(&reader->coin, gpio_input_known_ns(&reader->inputs[role], now));
         }
     }
 }

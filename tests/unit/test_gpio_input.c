@@ -1,0 +1,173 @@
+/* test_gpio_input.c -- what is believed of a line whose kernel is late, and of one that lost. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "drivers/gpio_input.h"
+
+#define MS 1000000ull
+#define PERIOD_NS (3 * MS)
+
+static struct debounce_turn turn;
+
+static bool edge(struct gpio_input *input, uint64_t time_ms, bool active, uint32_t lost_before)
+{
+    const struct gpio_edge gpio_edge = {
+        .time_ns = time_ms * MS,
+        .active = active,
+        .lost_before = lost_before,
+    };
+    return gpio_input_edge(input, &gpio_edge, &turn);
+}
+
+static bool level(struct gpio_input *input, uint64_t now_ms, bool active)
+{
+    return gpio_input_level(input, now_ms * MS, active, &turn);
+}
+
+static void assert_turn(uint64_t time_ms, bool active)
+{
+    assert_int_equal(turn.time_ns, time_ms * MS);
+    assert_int_equal(turn.active, active);
+}
+
+static void test_edges_of_the_right_direction_turn_when_the_level_says_so_too(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(edge(&input, 100, true, 0));
+    assert_false(level(&input, 102, true));
+    assert_true(level(&input, 103, true));
+    assert_turn(100, true);
+    assert_false(edge(&input, 150, false, 0));
+    assert_true(level(&input, 153, false));
+    assert_turn(150, false);
+    assert_int_equal(input.late + input.lost, 0);
+}
+
+static void test_a_pulse_whose_both_edges_were_read_late_is_the_pulse_between_them(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(edge(&input, 100, false, 0)); /* Went active at 100, was back when it was read. */
+    assert_false(level(&input, 110, false));   /* A look between the two decides nothing. */
+    assert_true(edge(&input, 125, false, 0));
+    assert_turn(100, true);
+    assert_true(level(&input, 130, false));
+    assert_turn(125, false);
+    assert_int_equal(input.late, 1);
+    assert_int_equal(input.lost, 0);
+}
+
+static void test_one_edge_that_changes_nothing_is_a_spark(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(edge(&input, 100, false, 0));
+    assert_false(level(&input, 110, false));
+    assert_int_equal(gpio_input_due_ns(&input), 160 * MS);
+    assert_false(level(&input, 160, false));
+    assert_false(edge(&input, 200, false, 0)); /* The next one is no half of a pair with it. */
+    assert_false(level(&input, 201, false));
+    assert_false(edge(&input, 1000, true, 0));
+    assert_true(level(&input, 1003, true));
+    assert_turn(1000, true);
+    assert_int_equal(input.late, 0);
+}
+
+static void test_a_blink_that_was_seen_at_once_delays_nothing(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(edge(&input, 100, true, 0));
+    assert_false(edge(&input, 101, true, 0));
+    assert_false(level(&input, 102, true)); /* What comes was dated by now: 1 ms is no pulse. */
+    assert_int_equal(gpio_input_due_ns(&input), 104 * MS);
+    assert_true(level(&input, 104, true));
+    assert_turn(101, true);
+}
+
+static void test_bounces_that_are_read_as_one_leave_the_line_where_it_is(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(edge(&input, 100, true, 0));
+    assert_false(edge(&input, 102, true, 0)); /* Open and closed again, read as closed. */
+    assert_true(edge(&input, 140, false, 0));
+    assert_turn(102, true);
+    assert_true(level(&input, 143, false));
+    assert_turn(140, false);
+}
+
+static void test_numbered_edges_that_were_lost_are_counted_and_the_rest_is_believed(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(edge(&input, 100, true, 0));
+    assert_true(level(&input, 110, true));
+    assert_false(edge(&input, 200, true, 6)); /* As it stands already: nothing turns, no blink. */
+    assert_int_equal(input.lost, 6);
+    assert_false(level(&input, 300, true));
+    assert_false(edge(&input, 400, false, 2));
+    assert_true(level(&input, 403, false));
+    assert_turn(400, false);
+    assert_int_equal(input.lost, 8);
+}
+
+static void test_a_level_that_no_edge_told_of_is_believed_after_a_while(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(level(&input, 100, true));
+    assert_int_equal(gpio_input_due_ns(&input), 150 * MS);
+    assert_false(level(&input, 149, true)); /* Its edge may be under way. */
+    assert_int_equal(gpio_input_known_ns(&input, 149 * MS), 100 * MS);
+    assert_true(level(&input, 150, true));
+    assert_int_equal(input.lost, 1);
+    assert_turn(100, true);
+    assert_false(edge(&input, 99, true, 0)); /* Here it comes, and changes nothing any more. */
+    assert_false(level(&input, 200, true));
+    assert_int_equal(input.lost, 1);
+}
+
+static void test_a_level_read_before_its_edge_came_mends_nothing(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(level(&input, 100, true));
+    assert_false(edge(&input, 99, true, 0));
+    assert_true(level(&input, 102, true));
+    assert_turn(99, true);
+    assert_int_equal(input.lost, 0);
+}
+
+static void test_turns_are_known_up_to_where_something_still_has_to_stand(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_int_equal(gpio_input_known_ns(&input, 50 * MS), 50 * MS);
+    edge(&input, 100, true, 0);
+    assert_int_equal(gpio_input_known_ns(&input, 101 * MS), 100 * MS);
+    assert_true(level(&input, 103, true));
+    assert_int_equal(gpio_input_known_ns(&input, 103 * MS), 103 * MS);
+    edge(&input, 200, true, 0);
+    assert_int_equal(gpio_input_known_ns(&input, 210 * MS), 200 * MS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_edges_of_the_right_direction_turn_when_the_level_says_so_too),
+        cmocka_unit_test(test_a_pulse_whose_both_edges_were_read_late_is_the_pulse_between_them),
+        cmocka_unit_test(test_one_edge_that_changes_nothing_is_a_spark),
+        cmocka_unit_test(test_a_blink_that_was_seen_at_once_delays_nothing),
+        cmocka_unit_test(test_bounces_that_are_read_as_one_leave_the_line_where_it_is),
+        cmocka_unit_test(test_numbered_edges_that_were_lost_are_counted_and_the_rest_is_believed),
+        cmocka_unit_test(test_a_level_that_no_edge_told_of_is_believed_after_a_while),
+        cmocka_unit_test(test_a_level_read_before_its_edge_came_mends_nothing),
+        cmocka_unit_test(test_turns_are_known_up_to_where_something_still_has_to_stand),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
