@@ -83,8 +83,7 @@ static void map_own(struct hid_map *map)
 
 /* ---- The choice ----------------------------------------------------------------------------- */
 
-/* What a person types with is never taken from him, whatever else is in the same interface. */
-static int has_keyboard(const struct hid_descriptor *descriptor)
+int hid_map_has_keyboard(const struct hid_descriptor *descriptor)
 {
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
@@ -100,7 +99,7 @@ void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
                     const struct hid_descriptor *descriptor)
 {
     memset(out, 0, sizeof *out);
-    if (descriptor->error != HID_OK || has_keyboard(descriptor)) {
+    if (descriptor->error != HID_OK || hid_map_has_keyboard(descriptor)) {
         return;
     }
     if (hid_map_is_own(descriptor)) {

@@ -82,9 +82,13 @@ struct hid_map {
     struct hid_binding binding[HID_BINDING_MAX];
 };
 
-/* Whether it reports as our own poi does: every axis of drivers/poi_report.h in its place. Wider than
- * poi_descriptor_is(): a maker who adds a report of his own is played as ours once he was chosen. */
+/* Whether it reports as our own poi does: every axis of drivers/poi_report.h in its place. Wider
+ * than poi_descriptor_is(): a maker who adds a report of his own is played as ours once he was
+ * chosen. */
 int hid_map_is_own(const struct hid_descriptor *descriptor);
+
+/* Whether keys that a person types with are in it: it is left alone then, whatever else is. */
+int hid_map_has_keyboard(const struct hid_descriptor *descriptor);
 
 /* The best map for a controller: our own poi, a known device, what it offers. `out->source` says
  * which; HID_MAP_NONE when it can be none of them. A keyboard, a boot device's keys and what has

@@ -74,7 +74,10 @@ static int32_t to_i32(int64_t value)
 
 static void set_ends(struct hid_binding *binding, const struct hid_group *group, int turned)
 {
-    const int64_t low = group->logical_min, high = group->logical_max;
+    const uint32_t bits = group->bit_size - (group->logical_min < 0);
+    const int64_t most = ((int64_t)1 << bits) - 1; /* Some declare more than their bits hold. */
+    const int64_t low = group->logical_min;
+    const int64_t high = group->logical_max < most ? group->logical_max : most;
     const int64_t middle = low + (high - low + 1) / 2;
     int64_t rest = low, full = high;
     switch (binding->manner) {
