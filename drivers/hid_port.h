@@ -24,6 +24,19 @@ struct hid_identity {
     char port[32]; /* Where it is plugged in: "3-1.4" is bus 3, port 1, port 4 of that hub. */
 };
 
+/* How many bytes of a text fit into `max` without cutting a letter of UTF-8 in two. */
+static inline int hid_text_fit(const char *text, int max)
+{
+    int length = 0;
+    while (length < max && text[length]) {
+        length++;
+    }
+    while (length > 0 && ((uint8_t)text[length] & 0xc0u) == 0x80u) {
+        length--;
+    }
+    return length;
+}
+
 /* What sits in a seat: copied out whole, so that a decoder can be made for it. */
 struct hid_face {
     struct hid_identity identity;

@@ -44,8 +44,9 @@ static const char *source_text(uint8_t source)
 static void say_who(struct poi_hid *poi, uint8_t source)
 {
     const struct hid_identity *who = &poi->face.identity;
-    snprintf(poi->text, sizeof poi->text, "%04x:%04x %.40s%s%.24s: %s", who->vendor, who->product,
-             who->name[0] ? who->name : "controller", who->port[0] ? " at port " : "", who->port,
+    const char *name = who->name[0] ? who->name : "controller";
+    snprintf(poi->text, sizeof poi->text, "%04x:%04x %.*s%s%.24s: %s", who->vendor, who->product,
+             hid_text_fit(name, 40), name, who->port[0] ? " at port " : "", who->port,
              source_text(source));
 }
 

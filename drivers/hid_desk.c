@@ -1,0 +1,244 @@
+/* hid_desk.c -- orders in, rows out. */
+#include "drivers/hid_desk.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void hid_desk_init(struct hid_desk *desk, struct hid_roster roster, struct hid_book *book,
+                   struct poi_hid *const seats[POI_MAX])
+{
+    memset(desk, 0, sizeof *desk);
+    desk->roster = roster;
+    desk->book = book;
+    desk->learn_seat = POI_MAX;
+    memcpy(desk->seat, seats, sizeof desk->seat);
+}
+
+/* ---- Learning ------------------------------------------------------------------------------- */
+
+static struct poi_hid *learning_seat(const struct hid_desk *desk)
+{
+    return desk->learn_seat < POI_MAX ? desk->seat[desk->learn_seat] : NULL;
+}
+
+static void show_report(void *self, const struct hid_raw *raw)
+{
+    struct hid_desk *desk = self;
+    hid_learn_report(&desk->learn, raw);
+}
+
+static void leave_seat(struct hid_desk *desk)
+{
+    struct poi_hid *seat = learning_seat(desk);
+    if (seat) {
+        poi_hid_show(seat, (struct hid_watch){ 0 });
+    }
+    desk->learn_seat = POI_MAX;
+    desk->learn_waits = 0;
+}
+
+static void fail_learning(struct hid_desk *desk)
+{
+    leave_seat(desk);
+    desk->learn.step = LEARN_FAILED;
+}
+
+static void end_learning(struct hid_desk *desk, const struct hid_map *map)
+{
+    struct poi_hid *seat = learning_seat(desk);
+    if (seat) {
+        poi_hid_remap(seat, map);
+    }
+    leave_seat(desk);
+    desk->keeps = 0;
+    desk->learn.step = LEARN_NONE;
+}
+
+static int begin_learning(struct hid_desk *desk, uint32_t row)
+{
+    const uint8_t state = desk->row[row].state;
+    if (desk->learn.step != LEARN_NONE) {
+        end_learning(desk, NULL);
+    }
+    desk->learn_row = (uint8_t)row;
+    const int result = state == CONTROLLER_PLAYS
+                           ? HAL_OK
+                           : desk->roster.ops->choose(desk->roster.self, row);
+    if (result != HAL_OK) {
+        fail_learning(desk);
+        return result;
+    }
+    desk->learn.step = LEARN_REST; /* It is told to keep still while it sits down. */
+    desk->learn.report_count = 0;
+    desk->learn_waits = 1;
+    return HAL_OK;
+}
+
+static int is_same(const struct hid_identity *one, const struct hid_identity *other)
+{
+    return one->vendor == other->vendor && one->product == other->product &&
+           strcmp(one->serial, other->serial) == 0 && strcmp(one->port, other->port) == 0;
+}
+
+/* The seat opens when the frame loop looks for it, within a second. */
+static void sit_down(struct hid_desk *desk)
+{
+    const struct hid_row *row = &desk->row[desk->learn_row];
+    struct poi_hid *seat = row->seat < POI_MAX ? desk->seat[row->seat] : NULL;
+    if (row->state == CONTROLLER_DENIED || row->state == CONTROLLER_BARRED ||
+        row->state == CONTROLLER_NONE) {
+        fail_learning(desk);
+        return;
+    }
+    if (!seat || !seat->is_open || !is_same(&seat->face.identity, &row->identity)) {
+        return;
+    }
+    desk->learn_waits = 0;
+    desk->learn_seat = row->seat;
+    hid_learn_begin(&desk->learn, &seat->face);
+    if (desk->learn.step == LEARN_FAILED) {
+        leave_seat(desk);
+        return;
+    }
+    poi_hid_show(seat, (struct hid_watch){ .report = show_report, .self = desk });
+}
+
+static void go_on(struct hid_desk *desk)
+{
+    struct poi_hid *seat = learning_seat(desk);
+    if (!seat) {
+        return; /* It has not sat down: there is nothing to go on with. */
+    }
+    hid_learn_next(&desk->learn);
+    if (desk->learn.step == LEARN_TRY) {
+        poi_hid_show(seat, (struct hid_watch){ 0 });
+        if (!poi_hid_remap(seat, &desk->learn.map)) {
+            poi_hid_remap(seat, NULL);
+            fail_learning(desk);
+        }
+    } else if (desk->learn.step == LEARN_FAILED) {
+        leave_seat(desk);
+    }
+}
+
+static int keep(struct hid_desk *desk)
+{
+    const struct poi_hid *seat = learning_seat(desk);
+    if (!seat || desk->learn.step != LEARN_TRY) {
+        return HAL_ERR_IO;
+    }
+    const int result = hid_book_keep(desk->book, &seat->face.identity, &desk->learn.map);
+    desk->keeps = result == HAL_ERR_BUSY;
+    if (result != HAL_ERR_BUSY) {
+        end_learning(desk, result == HAL_OK ? &desk->learn.map : NULL);
+    }
+    return result == HAL_ERR_BUSY ? HAL_OK : result;
+}
+
+/* ---- Orders --------------------------------------------------------------------------------- */
+
+static void forget(struct hid_desk *desk)
+{
+    desk->forgets = hid_book_forget(desk->book, &desk->forget_identity) == HAL_ERR_BUSY;
+}
+
+static int release(struct hid_desk *desk, uint32_t row)
+{
+    if (desk->learn.step != LEARN_NONE && desk->learn_row == row) {
+        end_learning(desk, NULL);
+    }
+    if (desk->row[row].state != CONTROLLER_NONE) {
+        desk->forget_identity = desk->row[row].identity;
+        forget(desk);
+    }
+    return desk->roster.ops->release(desk->roster.self, row);
+}
+
+static int hid_desk_order(void *self, const struct desk_order *order)
+{
+    struct hid_desk *desk = self;
+    if (order->row >= CONTROLLER_MAX) {
+        return HAL_ERR_NONE;
+    }
+    switch (order->kind) {
+    case DESK_CHOOSE:
+        return desk->roster.ops->choose(desk->roster.self, order->row);
+    case DESK_RELEASE:
+        return release(desk, order->row);
+    case DESK_LEARN:
+        return begin_learning(desk, order->row);
+    case DESK_LEARN_NEXT:
+        go_on(desk);
+        return HAL_OK;
+    case DESK_LEARN_KEEP:
+        return keep(desk);
+    case DESK_LEARN_END:
+        end_learning(desk, NULL);
+        return HAL_OK;
+    default:
+        return HAL_OK;
+    }
+}
+
+/* ---- Rows ----------------------------------------------------------------------------------- */
+
+/* Pulled out while it is learned: what it was shown so far is of no use. */
+static void watch_learning(struct hid_desk *desk)
+{
+    const struct poi_hid *seat = learning_seat(desk);
+    if (desk->learn_waits) {
+        sit_down(desk);
+    } else if (seat && !seat->is_open) {
+        fail_learning(desk);
+    }
+    if (desk->keeps) {
+        keep(desk);
+    }
+}
+
+static int hid_desk_poll(void *self, struct desk_input *out)
+{
+    struct hid_desk *desk = self;
+    desk->roster.ops->rows(desk->roster.self, desk->row);
+    watch_learning(desk);
+    if (desk->forgets) {
+        forget(desk);
+    }
+    memset(out, 0, sizeof *out);
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        out->state[i] = desk->row[i].state;
+    }
+    out->learn_step = desk->learn.step;
+    out->learn_row = desk->learn.step == LEARN_NONE ? 0u : desk->learn_row;
+    out->learn_progress = desk->learn_waits ? 0u : hid_learn_progress(&desk->learn);
+    return HAL_OK;
+}
+
+static const char *hid_desk_name(void *self, uint32_t row)
+{
+    struct hid_desk *desk = self;
+    if (row >= CONTROLLER_MAX || desk->row[row].state == CONTROLLER_NONE) {
+        return "";
+    }
+    const struct hid_identity *who = &desk->row[row].identity;
+    snprintf(desk->name, sizeof desk->name, "%04x:%04x %.*s%s%.9s", who->vendor, who->product,
+             hid_text_fit(who->name, 24), who->name, who->port[0] ? ", " : "", who->port);
+    return desk->name;
+}
+
+static const char *hid_desk_describe(void *self)
+{
+    (void)self;
+    return "controllers on USB, chosen in the operator's menu";
+}
+
+struct hal_controllers hid_desk_device(struct hid_desk *desk)
+{
+    static const struct hal_controllers_ops ops = {
+        .poll = hid_desk_poll,
+        .name = hid_desk_name,
+        .order = hid_desk_order,
+        .describe = hid_desk_describe,
+    };
+    return (struct hal_controllers){ .ops = &ops, .self = desk };
+}

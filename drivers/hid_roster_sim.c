@@ -1,0 +1,109 @@
+/* hid_roster_sim.c -- rows of memory. */
+#include "drivers/hid_roster_sim.h"
+
+#include <string.h>
+
+void hid_roster_sim_init(struct hid_roster_sim *sim, struct hid_port_sim *const seats[POI_MAX])
+{
+    memset(sim, 0, sizeof *sim);
+    memcpy(sim->seat, seats, sizeof sim->seat);
+}
+
+static int is_seated(const struct hid_roster_sim *sim, uint32_t seat)
+{
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        if (sim->taken[i] == seat + 1u) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int sit_down(struct hid_roster_sim *sim, uint32_t row)
+{
+    for (uint32_t i = 0; i < POI_MAX && !sim->taken[row]; i++) {
+        if (sim->seat[i] && !is_seated(sim, i)) {
+            sim->taken[row] = (uint8_t)(i + 1u);
+        }
+    }
+    if (!sim->taken[row]) {
+        return 0;
+    }
+    struct hid_port_sim *seat = sim->seat[sim->taken[row] - 1u];
+    seat->face = sim->face[row];
+    seat->absent = sim->face[row] == NULL;
+    return 1;
+}
+
+void hid_roster_sim_plug(struct hid_roster_sim *sim, uint32_t row, const struct hid_face *face)
+{
+    if (!face && sim->taken[row]) {
+        sim->seat[sim->taken[row] - 1u]->absent = 1;
+    }
+    if (!face && !sim->chosen[row]) {
+        sim->barred[row] = sim->denied[row] = 0;
+    }
+    sim->face[row] = face;
+    if (face && sim->chosen[row]) {
+        sit_down(sim, row);
+    }
+}
+
+static uint8_t state_of(const struct hid_roster_sim *sim, uint32_t row)
+{
+    if (!sim->face[row]) {
+        return sim->chosen[row] ? CONTROLLER_LOST : CONTROLLER_NONE;
+    }
+    return sim->barred[row]                        ? CONTROLLER_BARRED
+           : !sim->chosen[row]                     ? CONTROLLER_FREE
+           : sim->denied[row] || !sim->taken[row]  ? CONTROLLER_DENIED
+                                                   : CONTROLLER_PLAYS;
+}
+
+static void rows(void *self, struct hid_row out[CONTROLLER_MAX])
+{
+    const struct hid_roster_sim *sim = self;
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        out[i] = (struct hid_row){ .state = state_of(sim, i), .seat = POI_MAX };
+        if (sim->face[i]) {
+            out[i].identity = sim->face[i]->identity;
+        }
+        if (sim->taken[i]) {
+            out[i].seat = (uint8_t)(sim->taken[i] - 1u);
+        }
+    }
+}
+
+static int choose(void *self, uint32_t row)
+{
+    struct hid_roster_sim *sim = self;
+    sim->choose_count++;
+    if (row >= CONTROLLER_MAX || !sim->face[row] || sim->barred[row]) {
+        return HAL_ERR_NONE;
+    }
+    if (!sim->denied[row] && !sit_down(sim, row)) {
+        return HAL_ERR_BUSY;
+    }
+    sim->chosen[row] = 1;
+    return HAL_OK;
+}
+
+static int release(void *self, uint32_t row)
+{
+    struct hid_roster_sim *sim = self;
+    sim->release_count++;
+    if (row >= CONTROLLER_MAX || !sim->chosen[row]) {
+        return HAL_ERR_NONE;
+    }
+    if (sim->taken[row]) {
+        sim->seat[sim->taken[row] - 1u]->absent = 1;
+    }
+    sim->taken[row] = sim->chosen[row] = 0;
+    return HAL_OK;
+}
+
+struct hid_roster hid_roster_sim_device(struct hid_roster_sim *sim)
+{
+    static const struct hid_roster_ops ops = { .rows = rows, .choose = choose, .release = release };
+    return (struct hid_roster){ .ops = &ops, .self = sim };
+}
