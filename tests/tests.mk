@@ -17,7 +17,7 @@ E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close
 # Whole-machine tests run alone, after those that only compute (tests/run.sh).
 TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh \
     tests/soak/test_*.sh tests/ctl/test_*.sh tests/fuzz/test_*.sh \
-    tests/hid/test_*.sh)
+    tests/hid/test_*.sh tests/board/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 

@@ -1,0 +1,92 @@
+#!/bin/bash
+# test_device_rules.sh -- whom board/udev gives devices to, and whom board/sysusers makes. Speaks TAP.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+check() { # TITLE COMMAND...
+    local title=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$work/said"
+    fi
+}
+skip() { count=$((count + 1)); echo "ok $count - $1 # skip $2"; }
+
+rules=board/udev/70-kingyo.rules gpio=board/udev/71-kingyo-gpio.rules
+gets() { # RULES DEVICE WHAT
+    local got
+    got=$(awk -v device="$2" -f tests/board/udev.awk "$1" | tr '\n' ' ') || return 1
+    echo "got '$got', wanted '$3'"
+    [ "${got% }" = "$3" ]
+}
+usb() { echo "ACTION=add;SUBSYSTEM=usb;ENV{DEVTYPE}=usb_device;ATTRS{idVendor}=$1;ATTRS{idProduct}=$2;power/control="; }
+ours='GROUP=kingyo MODE=0660'
+
+# ---- Controllers
+for id in 1209:0001 054c:05c4 054c:09cc 054c:0ba0 054c:0ce6 054c:0df2 256f:c62e 256f:c635 046d:c626 046d:c62b; do
+    check "a controller $id is the kiosk's, and stays awake" \
+        gets $rules "$(usb "${id%:*}" "${id#*:}")" "$ours ATTR{power/control}=on"
+done
+check 'its hidraw node is the kiosk'\''s too' gets $rules \
+    'ACTION=add;SUBSYSTEM=hidraw;ATTRS{idVendor}=054c;ATTRS{idProduct}=0ce6;power/control=' "$ours"
+check 'also when udev is triggered' gets $rules "$(usb 054c 0ce6 | sed s/add/change/)" "$ours ATTR{power/control}=on"
+check 'one without power control is not asked for it' gets $rules "$(usb 054c 0ce6 | sed 's/;power.*//')" "$ours"
+for id in 046d:c31c 046d:0ce6 054c:0001 1209:0002 1d6b:0002 054c:0ce61 '*:*'; do
+    check "what is not listed ($id) stays root's" gets $rules "$(usb "${id%:*}" "${id#*:}")" ''
+done
+check 'an interface is nobody'\''s matter' gets $rules "$(usb 054c 0ce6 | sed s/usb_device/usb_interface/)" ''
+check 'nor is its event node' gets $rules "$(usb 054c 0ce6 | sed s/SUBSYSTEM=usb/SUBSYSTEM=input/)" ''
+check 'nor one that is pulled out' gets $rules "$(usb 054c 0ce6 | sed s/add/remove/)" ''
+
+# ---- GPIO
+check 'a GPIO chip is the kiosk'\''s' gets $gpio 'ACTION=add;SUBSYSTEM=gpio;KERNEL=gpiochip0' "$ours"
+check 'also the twelfth' gets $gpio 'ACTION=add;SUBSYSTEM=gpio;KERNEL=gpiochip12' "$ours"
+check 'a line of the old kind is not' gets $gpio 'ACTION=add;SUBSYSTEM=gpio;KERNEL=gpio17' ''
+check 'nor is a chip of another subsystem' gets $gpio 'ACTION=add;SUBSYSTEM=block;KERNEL=gpiochip0' ''
+
+# ---- Rules of rules
+before_73() { for file in board/udev/*; do [[ $file =~ /([0-9]{2})-[a-z-]+\.rules$ ]] && [ "${BASH_REMATCH[1]}" -lt 73 ] || return 1; done; }
+check 'each file comes before seats are handed out' before_73
+nothing_more() { ! grep -vE '^#' board/udev/* | grep -E '0?66[1-9]|0?777|RUN|PROGRAM|IMPORT|OWNER|uaccess|SYMLINK'; }
+check 'nothing is run, nothing is for everybody' nothing_more
+ids_are_ids() { ! grep -oE 'ATTRS\{id[A-Za-z]+\}=="[^"]*"' $rules | grep -vE '=="[0-9a-f]{4}(\|[0-9a-f]{4})*"$'; }
+check 'every id is four digits, none is a pattern' ids_are_ids
+known_are_listed() { # Every USB controller with a map of its own.
+    local id count=0
+    for id in $(sed -nE 's/^ *ROW\(0x([0-9a-f]{4}),.*/\1/p' drivers/hid_map_known.c); do
+        gets $rules "$(usb 054c "$id")" "$ours ATTR{power/control}=on" || { echo "$id"; return 1; }
+        count=$((count + 1))
+    done
+    [ $count -ge 5 ]
+}
+check 'every controller with a map of its own is listed' known_are_listed
+if udevadm verify --help >"$work/help" 2>&1; then
+    check 'udev itself finds no mistake' udevadm verify --resolve-names=never board/udev/*.rules
+else
+    skip 'udev itself finds no mistake' 'udevadm has no verify here (systemd 254 brought it)'
+fi
+
+# ---- The kiosk's user
+if command -v systemd-sysusers >"$work/which"; then
+    mkdir -p "$work/root/etc"
+    printf 'root:x:0:0:root:/root:/bin/sh\n' >"$work/root/etc/passwd"
+    printf 'root:x:0:\naudio:x:29:\n' >"$work/root/etc/group"
+    makes() { systemd-sysusers --root="$work/root" - <board/sysusers/kingyo.conf; }
+    # shellcheck disable=SC2317
+    is_so() { grep -qE "$1" "$work/root/etc/$2" || { cat "$work/root/etc/$2"; return 1; }; }
+    check 'systemd makes the user' makes
+    check 'without a shell, at home in /var/lib/kingyo' is_so '^kingyo:x:[0-9]+:[0-9]+:Kingyo[^:]*:/var/lib/kingyo:/usr/sbin/nologin$' passwd
+    check 'of the system' awk -F: '$1 == "kingyo" { found = $3 < 1000 } END { exit !found }' "$work/root/etc/passwd"
+    check 'with a group of its name' is_so '^kingyo:x:[0-9]+:$' group
+    for group in video render audio input gpio; do
+        check "and a member of $group" is_so "^$group:x:[0-9]+:kingyo$" group
+    done
+    check 'a second time changes nothing' makes
+else
+    skip 'systemd makes the user' 'there is no systemd-sysusers'
+fi
+echo "1..$count"
