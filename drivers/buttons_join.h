@@ -11,7 +11,7 @@
 struct buttons_join {
     struct hal_buttons part[BUTTONS_JOIN_MAX];
     uint32_t part_count;
-    char text[HAL_TEXT_SIZE];
+    char text[3u * HAL_TEXT_SIZE]; /* What the parts say, cut to fit. */
 };
 
 /* Adds a panel; it is asked in that order. -1: there are BUTTONS_JOIN_MAX, and nobody asks it. */

@@ -201,8 +201,8 @@ static int buttons_poll(void *self, struct button_sample *out)
 
 static const char *buttons_describe(void *self)
 {
-    (void)self;
-    return "the controller's own buttons";
+    const struct poi_hid *poi = self;
+    return poi->is_open && poi->plays ? "the controller's own buttons" : "";
 }
 
 struct hal_poi poi_hid_device(struct poi_hid *poi)

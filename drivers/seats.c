@@ -119,16 +119,23 @@ static uint32_t who_is_there(const struct seats *seats, uint8_t kind[SEAT_SOURCE
     return there;
 }
 
-static uint32_t seats_arrange(void *self, int may_move)
+/* Who sits and was away is here again: that is told at once, in a round, too. */
+static uint32_t who_came_back(const struct seats *seats, uint32_t there)
 {
-    struct seats *seats = self;
-    uint8_t kind[SEAT_SOURCE_MAX];
+    uint32_t back = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint8_t source = seats->seat[i].source;
+        const uint32_t bit = source == SEAT_EMPTY ? 0u : 1u << source;
+        back |= bit & there & ~seats->there ? 1u << i : 0u;
+    }
+    return back;
+}
+
+static uint32_t move_seats(struct seats *seats, const uint8_t kind[SEAT_SOURCE_MAX],
+                           uint32_t there)
+{
     uint8_t sits[POI_MAX];
     uint32_t moved = 0;
-    const uint32_t there = who_is_there(seats, kind); /* Asked in a round, too: they look. */
-    if (!may_move) {
-        return 0;
-    }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         sits[i] = seats->seat[i].source;
     }
@@ -142,6 +149,47 @@ static uint32_t seats_arrange(void *self, int may_move)
         }
     }
     return moved;
+}
+
+static void listen(struct seats *seats, uint32_t index)
+{
+    const struct hal_poi *poi = &seats->source[index].poi;
+    const uint32_t bit = 1u << index;
+    struct poi_sample unheard[HAL_POI_SAMPLES_MAX];
+    if (!(seats->idle & bit)) {
+        seats->idle |= poi->ops->open(poi->self) == HAL_OK ? bit : 0u;
+    } else if (poi->ops->poll(poi->self, unheard, HAL_POI_SAMPLES_MAX) == HAL_ERR_GONE) {
+        seats->idle &= ~bit;
+    }
+}
+
+static void listen_to_idle(struct seats *seats, uint32_t there)
+{
+    uint32_t sitting = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint8_t source = seats->seat[i].source;
+        sitting |= source == SEAT_EMPTY ? 0u : 1u << source;
+    }
+    seats->idle &= there & ~sitting;
+    for (uint32_t i = 0; i < seats->source_count; i++) {
+        if (there & ~sitting & (1u << i)) {
+            listen(seats, i);
+        }
+    }
+}
+
+static uint32_t seats_arrange(void *self, int may_move)
+{
+    struct seats *seats = self;
+    uint8_t kind[SEAT_SOURCE_MAX];
+    const uint32_t there = who_is_there(seats, kind);
+    uint32_t changed = who_came_back(seats, there);
+    if (may_move) {
+        changed |= move_seats(seats, kind, there);
+    }
+    listen_to_idle(seats, there);
+    seats->there = there;
+    return changed;
 }
 
 static int seat_open(void *self)

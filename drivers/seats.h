@@ -2,7 +2,9 @@
  *
  * Sources come and go while the kiosk runs: a USB poi is plugged in, a pad's battery ends. Each
  * seat's device of struct hal stays the same and passes on to whatever source sits there. The best
- * kind gets the first seat; who sits keeps his place among his kind. */
+ * kind gets the first seat; who sits keeps his place among his kind. Whoever is there and has no
+ * seat is listened to all the same, lest his words pile up: his buttons count, and the operator's
+ * desk may learn him. */
 #ifndef KINGYO_DRIVERS_SEATS_H
 #define KINGYO_DRIVERS_SEATS_H
 
@@ -29,6 +31,8 @@ struct seat_source {
 struct seats {
     struct seat_source source[SEAT_SOURCE_MAX];
     uint32_t source_count;
+    uint32_t there;           /* Sources that were there when they were last asked, a bit each; */
+    uint32_t idle;            /* and those of them that are open without a seat. */
     struct view view;         /* As told last; who sits down is told it. */
     uint8_t has_view;
     const char *empty_line;   /* What the first seat says while nobody sits there. */

@@ -15,8 +15,10 @@ enum board_poi {
     BOARD_POI_BOT,
 };
 
-#define BOARD_USB_MAX 8u       /* Controllers that are named: as many as the desk has rows. */
-#define BOARD_USB_SIZE 80u     /* "VVVV:PPPP:SERIAL" with a serial of 64 bytes, and some. */
+#define BOARD_USB_MAX 8u     /* Controllers that are named: as many as the desk has rows. */
+#define BOARD_USB_SIZE 74u   /* "VVVV:PPPP:" and a serial number of 63 bytes. */
+#define BOARD_LINE_MAX 32u   /* Wires: every role once, and again to overrule the file's. */
+#define BOARD_LINE_SIZE 128u /* "coin-counter=LABEL:OFFSET,low,up,pulse=100ms/100ms", and some. */
 
 struct shelf;
 
@@ -24,6 +26,8 @@ struct board_options {
     uint8_t poi;               /* enum board_poi */
     uint32_t usb_count;        /* Controllers that play without being chosen in the menu. */
     const char (*usb)[BOARD_USB_SIZE];
+    uint32_t line_count;       /* What is wired where; of one role the last counts. */
+    const char (*line)[BOARD_LINE_SIZE];
     uint8_t off_screen;        /* Render without a screen, for pictures. */
     uint8_t full_screen;
     uint32_t width, height;    /* Window or picture size in pixels; 0 is the board's own. */
@@ -38,11 +42,22 @@ struct board_options {
     void *on_display_lost_self;
 };
 
+/* Whether every text is a wire, and no two roles are on one line. -1: `why` says what is wrong. */
+int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count,
+                      char why[HAL_TEXT_SIZE]);
+
+/* Whether `text` names a USB controller: "VVVV:PPPP" or "VVVV:PPPP:SERIAL". */
+int board_reads_usb(const char *text);
+
 /* Wires real drivers where there are devices and null drivers where there are none. Never fails:
  * what is missing says so through describe(). */
 void board_open(struct hal *hal, const struct board_options *options);
 
-/* Gives every device back: the store has written, cables may be pulled, threads have ended. */
+/* Gives every device back but the display, which may be gone: coins fall through, kernel drivers
+ * have their controllers again, threads have ended. */
+void board_let_go(struct hal *hal);
+
+/* The same, and closes the display. */
 void board_close(struct hal *hal);
 
 /* The board's display off screen, START pressed once at `start_ns`, no hands, no sound, no

@@ -14,6 +14,7 @@ void board_open(struct hal *hal, const struct board_options *options)
     hal->clock = clock_device();
     screen_open(hal, options);
     if (!options->off_screen) {
+        usb_open(hal, options);
         hands_open(hal, options);
         panel_open(hal, options);
     }
@@ -21,10 +22,17 @@ void board_open(struct hal *hal, const struct board_options *options)
     watchdog_open(hal);
 }
 
-void board_close(struct hal *hal)
+void board_let_go(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
     hal->storage.ops->close(hal->storage.self); /* Again, perhaps: that is no harm. */
+    panel_close();
     hands_close();
+    usb_close();
+}
+
+void board_close(struct hal *hal)
+{
+    board_let_go(hal);
     hal->display.ops->close(hal->display.self);
 }

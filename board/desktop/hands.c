@@ -49,6 +49,19 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
     seats_add(&devices.seats, &mouse);
 }
 
+/* One owner a device. */
+static void bar_pads(void)
+{
+    struct pad_bar bar[PADS_BAR_MAX] = { 0 };
+    pads_bar(&devices.pads, bar, usb_bars(bar, PADS_BAR_MAX));
+}
+
+static int pad_is_there(void *self)
+{
+    bar_pads(); /* The operator chooses controllers while the stall is open. */
+    return pads_is_there(self);
+}
+
 /* Makers of pads that SDL does not know yet add them to the data folder. */
 static void add_pads(struct hal *hal, const struct board_options *options)
 {
@@ -57,12 +70,13 @@ static void add_pads(struct hal *hal, const struct board_options *options)
         snprintf(database, sizeof database, "%.1024s/gamecontrollerdb.txt", options->data_dir);
     }
     pads_init(&devices.pads, hal->clock, &options->view);
+    bar_pads();
     pads_open(&devices.pads, database[0] ? database : NULL);
     for (uint32_t i = 0; i < PADS_MAX; i++) {
         const struct seat_source pad = {
             .poi = pads_poi(&devices.pads, i),
             .fan = pads_fan(&devices.pads, i),
-            .is_there = pads_is_there,
+            .is_there = pad_is_there,
             .self = &devices.pads.pad[i],
             .kind = SEAT_PAD,
         };
@@ -72,8 +86,10 @@ static void add_pads(struct hal *hal, const struct board_options *options)
 
 static const char *missing_poi(uint8_t poi)
 {
-    return poi == BOARD_POI_PAD ? "no pad yet: plug one in; --poi auto plays with the mouse, too"
-                                : "";
+    return poi == BOARD_POI_PAD   ? "no pad yet: plug one in; --poi auto plays with the mouse, too"
+           : poi == BOARD_POI_USB ? "no USB poi yet: plug one in, or choose a controller in the "
+                                    "operator's menu; --poi auto plays with the mouse, too"
+                                  : "";
 }
 
 void hands_open(struct hal *hal, const struct board_options *options)
@@ -86,6 +102,7 @@ void hands_open(struct hal *hal, const struct board_options *options)
         return;
     }
     seats_init(&devices.seats, missing_poi(options->poi));
+    usb_add_seats(&devices.seats);
     if (wants(options, BOARD_POI_PAD)) {
         add_pads(hal, options);
     }

@@ -1,19 +1,87 @@
 /* panel.c -- every button there is, as one panel: a desktop's keys, whoever plays, since Esc must
- * quit, and those of controllers. */
+ * quit; the cabinet's lines; and the buttons of controllers. */
+#include <stdio.h>
+
 #include "board/desktop/parts.h"
+#include "drivers/buttons_gpio.h"
 #include "drivers/buttons_keyboard.h"
+#include "drivers/gpio_wires.h"
+#include "drivers/null.h"
 
 static struct {
     struct buttons_join join;
     struct buttons_keyboard keyboard;
+    struct buttons_gpio gpio;
+    uint8_t has_gpio;
 } devices;
+
+static int read_wires(struct gpio_wire wires[GPIO_ROLE_COUNT],
+                      const char (*line)[BOARD_LINE_SIZE], uint32_t count,
+                      char why[HAL_TEXT_SIZE])
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (!gpio_wire_read(line[i], wires, why)) {
+            return -1;
+        }
+    }
+    return gpio_wires_agree(wires, why) ? 0 : -1;
+}
+
+int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count,
+                      char why[HAL_TEXT_SIZE])
+{
+    struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
+    return read_wires(wires, line, count, why);
+}
+
+/* A line that cannot be had is told, and looked for while the stall is open. */
+static void tell_missing(const struct gpio_wire wires[GPIO_ROLE_COUNT])
+{
+    char why[HAL_TEXT_SIZE];
+    for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (wires[role].wired) {
+            buttons_gpio_why(&devices.gpio, (enum gpio_role)role, why);
+            if (why[0]) {
+                fprintf(stderr, "kingyo: line %s: %s\n", gpio_role_name((enum gpio_role)role), why);
+            }
+        }
+    }
+}
+
+static void open_lines(struct hal *hal, const struct board_options *options)
+{
+    struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
+    char why[HAL_TEXT_SIZE];
+    if (options->line_count == 0 ||
+        read_wires(wires, options->line, options->line_count, why)) {
+        return; /* The options were asked before: board_reads_lines(). */
+    }
+    devices.has_gpio = buttons_gpio_start(&devices.gpio, gpio_lines_device(), wires, hal->clock) ==
+                       HAL_OK;
+    if (!devices.has_gpio) {
+        hal->switches = null_switches("no lines: the kernel gives no thread for them");
+        return;
+    }
+    tell_missing(wires);
+    buttons_join_add(&devices.join, buttons_gpio_device(&devices.gpio));
+    hal->switches = buttons_gpio_switches(&devices.gpio);
+}
 
 void panel_open(struct hal *hal, const struct board_options *options)
 {
-    (void)options;
     devices.join = (struct buttons_join){ 0 };
     devices.keyboard = (struct buttons_keyboard){ 0 };
     buttons_join_add(&devices.join, buttons_keyboard_device(&devices.keyboard));
+    open_lines(hal, options);
+    usb_add_buttons(&devices.join);
     hands_add_buttons(&devices.join);
     hal->buttons = buttons_join_device(&devices.join);
+}
+
+void panel_close(void)
+{
+    if (devices.has_gpio) {
+        buttons_gpio_stop(&devices.gpio);
+        devices.has_gpio = 0;
+    }
 }

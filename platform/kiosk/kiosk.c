@@ -30,10 +30,12 @@ static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat,
     }
 }
 
-/* Between two games a seat may go to a better controller; nobody loses his in the middle of one. */
+/* Between two games, and while the operator looks at what plays, a seat may go to a better
+ * controller; nobody loses his in the middle of a game. */
 static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
 {
-    const int may_move = kiosk->core.game.phase == PHASE_ATTRACT;
+    const uint8_t phase = kiosk->core.game.phase;
+    const int may_move = phase == PHASE_ATTRACT || phase == PHASE_MENU;
     const uint32_t moved = hal->seats.ops->arrange(hal->seats.self, may_move);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (moved & (1u << i)) {

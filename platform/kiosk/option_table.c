@@ -60,21 +60,35 @@ static int set_poi(struct options *options, const char *value)
     return find_name(names, sizeof names / sizeof names[0], value, &options->poi);
 }
 
-/* Four hexadecimal digits. */
-static int is_id(const char *text)
-{
-    return strspn(text, "0123456789abcdefABCDEF") == 4;
-}
-
 static int set_usb(struct options *options, const char *value)
 {
-    const size_t length = strlen(value);
-    const int is_whole = length == 9 || (length > 10 && length < BOARD_USB_SIZE);
-    if (!is_whole || options->usb_count == BOARD_USB_MAX || !is_id(value) || value[4] != ':' ||
-        !is_id(value + 5) || (length > 9 && value[9] != ':')) {
+    if (strlen(value) >= BOARD_USB_SIZE || options->usb_count == BOARD_USB_MAX ||
+        !board_reads_usb(value)) {
         return 0;
     }
-    memcpy(options->usb[options->usb_count++], value, length + 1);
+    memcpy(options->usb[options->usb_count++], value, strlen(value) + 1u);
+    return 1;
+}
+
+/* The one wire of `value`. */
+static int read_wire(const char *value, char line[1][BOARD_LINE_SIZE], char why[HAL_TEXT_SIZE])
+{
+    if (strlen(value) >= BOARD_LINE_SIZE) {
+        snprintf(why, HAL_TEXT_SIZE, "longer than %u characters", BOARD_LINE_SIZE - 1u);
+        return -1;
+    }
+    memcpy(line[0], value, strlen(value) + 1u);
+    return board_reads_lines((const char (*)[BOARD_LINE_SIZE])line, 1, why);
+}
+
+static int set_line(struct options *options, const char *value)
+{
+    char why[HAL_TEXT_SIZE];
+    char(*line)[BOARD_LINE_SIZE] = &options->line[options->line_count];
+    if (options->line_count == BOARD_LINE_MAX || read_wire(value, line, why)) {
+        return 0;
+    }
+    options->line_count++;
     return 1;
 }
 
@@ -212,6 +226,8 @@ static const struct option table[] = {
       "auto, usb, pad, mouse, touch or bot", set_poi, 0 },
     { "usb", "ID", "a USB controller that may be a poi; again for each",
       "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most", set_usb, 0 },
+    { "line", "ROLE=LINE", "a GPIO line and its role; 'kingyoctl lines' has more; again for each",
+      "ROLE=LINE[,WORD...]; 32 at most", set_line, 0 },
     { "mode", "NAME", "festival, championship, practice, lab (fish grow), or choose: START asks",
       "festival, championship, practice, lab or choose", set_mode, 0 },
     { "grade", "N", "paper from 4, strong, to 7, weak (6; a championship has 5)", "4 to 7",
@@ -258,6 +274,29 @@ const char *option_says(const struct option *option, const char *text, char out[
              fish_max(TANK_PRESET_FESTIVAL), fish_max(TANK_PRESET_THESIS),
              fish_max(TANK_PRESET_OFFICIAL));
     return out;
+}
+
+const char *option_objects(const struct option *option, const char *value,
+                           char out[OPTION_TEXT_MAX])
+{
+    char line[1][BOARD_LINE_SIZE];
+    char why[HAL_TEXT_SIZE];
+    if (option->set != set_line || read_wire(value, line, why) == 0) {
+        return NULL;
+    }
+    snprintf(out, OPTION_TEXT_MAX, "%s", why);
+    return out;
+}
+
+int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX])
+{
+    char why[HAL_TEXT_SIZE];
+    if (board_reads_lines((const char (*)[BOARD_LINE_SIZE])options->line, options->line_count,
+                          why) == 0) {
+        return 0;
+    }
+    snprintf(says, OPTION_TEXT_MAX, "%s", why);
+    return 1;
 }
 
 int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])

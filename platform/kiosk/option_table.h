@@ -6,7 +6,7 @@
 
 #include "platform/kiosk/options.h"
 
-#define OPTION_TEXT_MAX 96
+#define OPTION_TEXT_MAX 160 /* As HAL_TEXT_SIZE: a board has its say. */
 
 struct option {
     const char *name;
@@ -25,6 +25,14 @@ const struct option *option_find(const char *name, size_t length);
 
 /* `text`, and for --fish the bounds that only the waters know, in the order of --tank's names. */
 const char *option_says(const struct option *option, const char *text, char out[OPTION_TEXT_MAX]);
+
+/* What is wrong with `value`, where the option can say more than what would be right; null where it
+ * cannot, and where nothing is. */
+const char *option_objects(const struct option *option, const char *value,
+                           char out[OPTION_TEXT_MAX]);
+
+/* Whether two wires are on one line; then `says` which. */
+int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
 
 /* Whether the tank is too small for them; then `says` holds a line without its beginning. */
 int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);

@@ -57,6 +57,11 @@ static int parse_one(struct options *options, int argc, const char *const *argv,
         return -1;
     }
     if (!option->set(options, value)) {
+        const char *objection = option_objects(option, value, expects);
+        if (objection) {
+            snprintf(error, OPTIONS_ERROR_MAX, "--%s: '%.60s': %s", option->name, value, objection);
+            return -1;
+        }
         snprintf(error, OPTIONS_ERROR_MAX, "--%s: '%.100s' is not right; expected %s", option->name,
                  value ? value : "", option_says(option, option->expects, expects));
         return -1;
@@ -79,6 +84,10 @@ int options_parse(struct options *options, int argc, const char *const *argv,
     char says[OPTION_TEXT_MAX];
     if (option_too_many_fish(options, says)) {
         snprintf(error, OPTIONS_ERROR_MAX, "--fish: %s", says);
+        return -1;
+    }
+    if (option_wires_clash(options, says)) {
+        snprintf(error, OPTIONS_ERROR_MAX, "--line: %s", says);
         return -1;
     }
     return 0;
@@ -128,14 +137,23 @@ static const char *read_line(struct options *options, char *line, const char **e
     key = trim(key);
     const struct option *option = option_find(key, strlen(key));
     if (!option || option->only_command_line) {
-        *expects = "one of window, poi, usb, mode, grade, players, coins, tickets, record, shots, "
-                   "data, lang, tank, seed, fish";
+        *expects = "one of window, poi, usb, line, mode, grade, players, coins, tickets, record, "
+                   "shots, data, lang, tank, seed, fish";
         return "unknown key";
     }
     struct options tried = *options;
+    const char *value = trim(equals + 1);
+    const char *objection = option_objects(option, value, bound);
+    if (objection) {
+        return objection;
+    }
     *expects = option_says(option, option->expects, bound);
-    if (!option->set(&tried, trim(equals + 1))) {
+    if (!option->set(&tried, value)) {
         return "wrong value";
+    }
+    if (option_wires_clash(&tried, bound)) {
+        *expects = "";
+        return bound;
     }
     *options = tried;
     return NULL;
@@ -144,7 +162,7 @@ static const char *read_line(struct options *options, char *line, const char **e
 int options_read_config(struct options *options, const char *path, void (*warn)(const char *line))
 {
     char line[OPTIONS_PATH_MAX + 64];
-    char text[OPTIONS_ERROR_MAX + 128];
+    char text[OPTIONS_ERROR_MAX + 256];
     char bound[OPTION_TEXT_MAX];
     FILE *file = fopen(path, "r");
     if (!file) {
@@ -155,7 +173,8 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
         const char *expects = "";
         const char *wrong = read_line(options, line, &expects, bound);
         if (wrong && warn) {
-            snprintf(text, sizeof text, "%.200s:%u: %s; expected %s", path, number, wrong, expects);
+            snprintf(text, sizeof text, "%.200s:%u: %s%s%s", path, number, wrong,
+                     expects[0] ? "; expected " : "", expects);
             warn(text);
         }
     }

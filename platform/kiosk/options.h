@@ -40,8 +40,9 @@ struct options {
     uint8_t grade;                 /* As core_config's. */
     uint8_t players;               /* As core_config's. */
     uint8_t coins, tickets;        /* As core_config's credit_coins and ticket_fish. */
-    uint8_t usb_count;
-    char usb[BOARD_USB_MAX][BOARD_USB_SIZE]; /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
+    uint8_t usb_count, line_count;
+    char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
+    char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* "ROLE=LINE[,WORD...]" */
     char record[OPTIONS_PATH_MAX]; /* Each "" when not asked for. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];

@@ -122,6 +122,7 @@ static void on_display_lost(void *self)
 {
     struct session *session = self;
     const enum exit_code code = end_play(session, KIOSK_DISPLAY_LOST);
+    board_let_go(&session->hal);
     fflush(NULL);
     _exit((int)code);
 }
@@ -137,7 +138,9 @@ int play_open(struct session *session)
     const struct board_options board = {
         .poi = options->poi,
         .usb_count = options->usb_count,
-        .usb = options->usb,
+        .usb = (const char (*)[BOARD_USB_SIZE])options->usb,
+        .line_count = options->line_count,
+        .line = (const char (*)[BOARD_LINE_SIZE])options->line,
         .full_screen = options->width == 0,
         .width = options->width,
         .height = options->height,

@@ -217,12 +217,31 @@ static void test_a_lost_one_keeps_its_seat_while_the_game_lasts(void **state)
     assert_int_equal(poi.ops->poll(poi.self, &sample, 1), HAL_ERR_GONE);
     assert_int_equal(poi.ops->open(poi.self), HAL_ERR_GONE);
     usb.there = 1;
+    assert_int_equal(arrange(0), 1u); /* Back at once, also in a round. */
     assert_int_equal(arrange(0), 0u);
     assert_int_equal(poi.ops->open(poi.self), HAL_OK);
     usb.there = 0;
     assert_int_equal(arrange(1), 3u);
     assert_int_equal(poi.ops->poll(poi.self, &sample, 1), 1);
     assert_true(mouse.polled > 0);
+}
+
+/* Else SDL's queue would fill with what a mouse says that nobody plays with. */
+static void test_who_has_no_seat_is_listened_to(void **state)
+{
+    (void)state;
+    while (seats.source_count < POI_MAX + 1u) {
+        add(&pad, SEAT_PAD);
+    }
+    usb.there = pad.there = 1;
+    arrange(1);
+    assert_int_equal(mouse.polled, 0);
+    for (uint32_t i = 0; i < 3; i++) {
+        arrange(i % 2 == 0);
+    }
+    assert_int_equal(mouse.opened, 1);
+    assert_int_equal(mouse.polled, 3);
+    assert_int_equal(usb.polled, 0); /* The frame loop does, since it sits. */
 }
 
 static void test_who_sits_down_is_told_the_view(void **state)
@@ -270,6 +289,7 @@ int main(void)
         cmocka_unit_test_setup(test_a_seat_passes_on_to_whoever_sits_there, begin),
         cmocka_unit_test_setup(test_a_better_one_gets_the_seat_between_games_only, begin),
         cmocka_unit_test_setup(test_a_lost_one_keeps_its_seat_while_the_game_lasts, begin),
+        cmocka_unit_test_setup(test_who_has_no_seat_is_listened_to, begin),
         cmocka_unit_test_setup(test_who_sits_down_is_told_the_view, begin),
         cmocka_unit_test_setup(test_a_hand_that_stands_up_feels_nothing_more, begin),
         cmocka_unit_test_setup(test_one_source_too_many_is_refused, begin),

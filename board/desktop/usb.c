@@ -1,0 +1,121 @@
+/* usb.c -- controllers on USB: our own poi, and what somebody chose to be one. */
+#include <stdio.h>
+
+#include "board/desktop/parts.h"
+#include "drivers/poi_hid.h"
+#include "drivers/usb_seats.h"
+
+#define PATH_SIZE 1100u /* A data folder and a name in it. */
+
+static struct {
+    struct usb_seats *usb; /* Null: not started. */
+    struct poi_hid poi[POI_MAX];
+    struct usb_key listed[BOARD_USB_MAX];
+    uint32_t listed_count;
+    char choices[PATH_SIZE];
+    char text[HAL_TEXT_SIZE];
+} devices;
+
+static void read_listed(const struct board_options *options)
+{
+    devices.listed_count = 0;
+    for (uint32_t i = 0; i < options->usb_count && i < BOARD_USB_MAX; i++) {
+        if (usb_key_read(&devices.listed[devices.listed_count], options->usb[i]) == 0) {
+            devices.listed_count++;
+        }
+    }
+}
+
+int board_reads_usb(const char *text)
+{
+    struct usb_key key;
+    return usb_key_read(&key, text) == 0;
+}
+
+/* Nothing on USB is touched where somebody else is to play. */
+void usb_open(struct hal *hal, const struct board_options *options)
+{
+    if (options->poi != BOARD_POI_AUTO && options->poi != BOARD_POI_USB) {
+        return;
+    }
+    const struct hid_mapper mapper = { 0 };
+    read_listed(options);
+    snprintf(devices.choices, sizeof devices.choices, "%.1000s/usb.txt",
+             options->data_dir ? options->data_dir : "");
+    const struct usb_seats_config config = {
+        .clock = hal->clock,
+        .choices = options->data_dir ? devices.choices : NULL,
+        .listed = devices.listed,
+        .listed_count = devices.listed_count,
+    };
+    devices.usb = usb_seats_start(&config, devices.text);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        poi_hid_init(&devices.poi[i], usb_seats_port(devices.usb, i), hal->clock, mapper,
+                     &options->view);
+    }
+}
+
+/* Whoever sits at a seat of USB's is there once it is known how he plays. Who cannot play yet is
+ * listened to, so that the operator's desk may learn him. */
+static int is_there(void *self)
+{
+    struct poi_hid *poi = self;
+    const struct hal_poi device = poi_hid_device(poi);
+    struct poi_sample unheard;
+    if (!poi->is_open) {
+        device.ops->open(device.self);
+    } else if (!poi->plays) {
+        device.ops->poll(device.self, &unheard, 1);
+    }
+    return poi->is_open && poi->plays;
+}
+
+void usb_add_seats(struct seats *seats)
+{
+    for (uint32_t i = 0; devices.usb && i < POI_MAX; i++) {
+        const struct seat_source source = {
+            .poi = poi_hid_device(&devices.poi[i]),
+            .fan = poi_hid_fan(&devices.poi[i]),
+            .is_there = is_there,
+            .self = &devices.poi[i],
+            .kind = SEAT_USB,
+        };
+        seats_add(seats, &source);
+    }
+}
+
+void usb_add_buttons(struct buttons_join *join)
+{
+    for (uint32_t i = 0; devices.usb && i < POI_MAX; i++) {
+        buttons_join_add(join, poi_hid_buttons(&devices.poi[i]));
+    }
+}
+
+/* What is named, and what plays by now. */
+uint32_t usb_bars(struct pad_bar *out, uint32_t max)
+{
+    struct hid_row rows[CONTROLLER_MAX] = { 0 };
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < devices.listed_count && count < max; i++) {
+        out[count++] = (struct pad_bar){ devices.listed[i].vendor, devices.listed[i].product };
+    }
+    if (devices.usb) {
+        const struct hid_roster roster = usb_seats_roster(devices.usb);
+        roster.ops->rows(roster.self, rows);
+    }
+    for (uint32_t i = 0; i < CONTROLLER_MAX && count < max; i++) {
+        const struct hid_identity *who = &rows[i].identity;
+        if (rows[i].state == CONTROLLER_PLAYS || rows[i].state == CONTROLLER_LOST) {
+            out[count++] = (struct pad_bar){ who->vendor, who->product };
+        }
+    }
+    return count;
+}
+
+void usb_close(void)
+{
+    if (devices.usb) {
+        usb_seats_stop(devices.usb);
+        devices.usb = NULL;
+    }
+}
