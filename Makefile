@@ -128,6 +128,6 @@ generated:
 clean:
 	rm -rf build build-clang $(BUILD)
 
--include $(shell [ -d $(BUILD) ] && find $(BUILD) -name '*.d')
+-include $(shell [ -d $(BUILD) ] && find $(BUILD) -type f -name '*.d')
 
 .PHONY: help build clang generated clean
