@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#define SHUT_MAX 64u /* Writes in a row: a quarter of a second. */
 #define READS_MAX 8 /* A host sends one a frame; f_hid queues four requests. */
 
 void hid_gadget_init(struct hid_gadget *gadget, const char *path)
@@ -27,12 +28,24 @@ int hid_gadget_open(struct hid_gadget *gadget)
     return gadget->fd >= 0;
 }
 
-/* EAGAIN: the last report still waits to be fetched. ESHUTDOWN: no host has configured us. The
- * rest says that the function behind the file is gone. */
+/* EAGAIN: the last report still waits to be fetched, or nothing is to be felt. ESHUTDOWN: no host
+ * has configured us. Anything else says that the function behind the file is gone. */
 static void survive(struct hid_gadget *gadget)
 {
     if (errno != EAGAIN && errno != EINTR && errno != ESHUTDOWN) {
         hid_gadget_close(gadget);
+    }
+}
+
+/* A host that stays away, and a function that was taken away, answer alike: who opens the file
+ * again may find another function behind it. */
+static void survive_send(struct hid_gadget *gadget)
+{
+    gadget->shut_count = errno == ESHUTDOWN ? gadget->shut_count + 1 : 0;
+    survive(gadget);
+    if (gadget->shut_count >= SHUT_MAX) {
+        hid_gadget_close(gadget);
+        gadget->shut_count = 0;
     }
 }
 
@@ -46,9 +59,10 @@ int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
         if (write(gadget->fd, bytes, sizeof bytes) == (ssize_t)sizeof bytes) {
             gadget->sequence++;
             gadget->sent_count++;
+            gadget->shut_count = 0;
             return 1;
         }
-        survive(gadget);
+        survive_send(gadget);
     }
     gadget->skipped_count++;
     return 0;

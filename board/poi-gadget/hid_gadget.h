@@ -13,6 +13,7 @@ struct hid_gadget {
     const char *path;       /* "-": reports go to standard output, and nothing is felt. */
     int fd;                 /* -1: not open. */
     uint8_t sequence;       /* Of the next report that leaves. */
+    uint32_t shut_count;    /* Writes in a row that found no host. */
     uint32_t sent_count;
     uint32_t skipped_count; /* The host had not fetched the last one, or nobody is there. */
     uint32_t felt_count;

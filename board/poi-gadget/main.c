@@ -5,27 +5,35 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "board/poi-gadget/calibrate.h"
+#include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/run.h"
-#include "board/poi-gadget/scoop.h"
 #include "board/poi-gadget/script_source.h"
+#include "board/poi-gadget/self_test.h"
+#include "board/poi-gadget/sensor_source.h"
 #include "drivers/poi_descriptor.h"
 
 static const char usage[] =
     "kingyo-poi COMMAND [OPTION...]: the program of a poi's own board.\n\n"
-    "  run          poses to the host, at each beat; what the hand feels to the motor\n"
+    "  run          poses to the host, at each beat; what the hand feels to motor and light\n"
     "  watch        prints the poses, a line each, as --script reads them\n"
+    "  test         looks at each part of this poi, and says what to do\n"
+    "  calibrate    asks for the wires' eye at each mark, prints lines for the config\n"
     "  descriptor   writes the HID report descriptor to standard output; --hex as text\n\n"
     "  --simulate          scoops without sensors, for who tests a kiosk\n"
     "  --script            poses from standard input: [+MS] X Y Z PITCH YAW ROLL [KEY...]\n"
     "                      in mm and degrees, or 'lost'; +MS glides; keys OK START LEFT RIGHT FAN\n"
+    "  --config FILE       /etc/kingyo-poi/poi.conf\n"
     "  --device FILE       /dev/hidg0; - writes the reports to standard output\n"
     "  --rate HZ           of the reports, 50 .. 1000; 250\n"
-    "  --seconds S         ends then; 0: never\n\n"
+    "  --seconds S         ends then; 0: never\n"
+    "  --root DIR          looks for sys and dev there\n\n"
     "Exit code: 0 fine; 1 checked, and not so; 2 wrong usage; 65 bad data; 74 a path that\n"
     "cannot be read or written.\n";
 
 struct arguments {
     struct run_options run;
+    const char *config, *root;
     uint8_t simulate, script, hex;
 };
 
@@ -41,32 +49,73 @@ static int read_count(const char *word, uint32_t least, uint32_t most, uint32_t 
     return 1;
 }
 
+/* ---- Options -------------------------------------------------------------------------------- */
+
+static int read_flag(struct arguments *out, const char *name)
+{
+    const struct flag {
+        const char *name;
+        uint8_t *value;
+    } flags[] = {
+        { "--simulate", &out->simulate },
+        { "--script", &out->script },
+        { "--hex", &out->hex },
+    };
+    for (size_t i = 0; i < sizeof flags / sizeof flags[0]; i++) {
+        if (strcmp(flags[i].name, name) == 0) {
+            *flags[i].value = 1;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int read_path(struct arguments *out, const char *name, const char *value)
+{
+    const struct path {
+        const char *name;
+        const char **value;
+    } paths[] = {
+        { "--config", &out->config },
+        { "--device", &out->run.device },
+        { "--root", &out->root },
+    };
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        if (strcmp(paths[i].name, name) == 0) {
+            *paths[i].value = value;
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* One option and its value: how many words it took, or 0 where it is none. */
 static int read_option(struct arguments *out, const char *name, const char *value)
 {
     uint32_t seconds;
-    if (strcmp(name, "--simulate") == 0) {
-        return out->simulate = 1;
+    if (read_flag(out, name)) {
+        return 1;
     }
-    if (strcmp(name, "--script") == 0) {
-        return out->script = 1;
+    if (!value) {
+        return 0;
     }
-    if (strcmp(name, "--hex") == 0) {
-        return out->hex = 1;
-    }
-    if (strcmp(name, "--device") == 0 && value) {
-        out->run.device = value;
-        return 2;
-    }
-    if (strcmp(name, "--rate") == 0 && value) {
+    if (strcmp(name, "--rate") == 0) {
         return read_count(value, RUN_RATE_MIN_HZ, RUN_RATE_MAX_HZ, &out->run.rate_hz) ? 2 : 0;
     }
-    if (strcmp(name, "--seconds") == 0 && value && read_count(value, 0, 86400, &seconds)) {
+    if (strcmp(name, "--seconds") == 0 && read_count(value, 0, 86400, &seconds)) {
         out->run.seconds = (float)seconds;
         return 2;
     }
-    return 0;
+    return read_path(out, name, value) ? 2 : 0;
 }
+
+static enum exit_code wrong(const char *what, const char *word)
+{
+    fprintf(stderr, "kingyo-poi: %s '%.100s'; --help lists what there is\n", what, word);
+    return EXIT_USAGE;
+}
+
+/* ---- Commands ------------------------------------------------------------------------------- */
 
 static enum exit_code descriptor(const struct arguments *arguments)
 {
@@ -85,42 +134,120 @@ static enum exit_code descriptor(const struct arguments *arguments)
     return EXIT_OK;
 }
 
-static enum pose_result simulate_step(void *self, float seconds, struct poi_report *out)
+/* A poi that was named none of its own is the one of poi_config.h: good enough to be simulated. */
+static enum exit_code load(struct poi_config *config, const struct arguments *arguments)
 {
-    scoop_step(self, seconds, out);
-    return POSE_NEW;
+    poi_config_init(config);
+    if (arguments->config && !poi_config_load(config, arguments->config)) {
+        return access(arguments->config, R_OK) == 0 ? EXIT_DATA : EXIT_IO;
+    }
+    return EXIT_OK;
 }
 
-static enum exit_code play(const struct arguments *arguments, int prints)
+static enum exit_code play_sensors(const struct poi_config *config,
+                                   const struct arguments *arguments, struct feel_sink sink,
+                                   int prints)
+{
+    static struct sensor_source own;
+    char why[SENSORS_WHY_SIZE];
+    if (!poi_config_is_calibrated(config)) {
+        fputs("kingyo-poi: the wires are not calibrated: kingyo-poi calibrate\n", stderr);
+        return EXIT_NOT_SO;
+    }
+    if (!sensors_open(&own.sensors, config, arguments->root, why)) {
+        fprintf(stderr, "kingyo-poi: %s; kingyo-poi test says more\n", why);
+        sensors_close(&own.sensors);
+        return EXIT_IO;
+    }
+    const struct pose_source source = sensor_source(&own, config);
+    const enum exit_code code = prints ? watch(&arguments->run, source)
+                                       : run(&arguments->run, source, sink);
+    fprintf(stderr, "kingyo-poi: %u readings missed\n", own.sensors.failed_count);
+    sensors_close(&own.sensors);
+    return code;
+}
+
+/* Poses from wherever the options say, to the host or as text. */
+static enum exit_code play(struct poi_config *config, const struct arguments *arguments, int prints)
 {
     static struct script_source script;
-    static struct scoop scoop;
-    struct pose_source source = { .step = simulate_step, .self = &scoop };
+    static struct twin_source twin;
+    static struct motor motor;
+    struct feel_sink sink = { 0 };
+    struct pose_source source;
+    char why[MOTOR_WHY_SIZE];
+    if (!prints) {
+        if (!motor_open(&motor, config, arguments->root, why)) {
+            fprintf(stderr, "kingyo-poi: %s\n", why); /* It plays on: only the hand misses it. */
+        }
+        sink = motor_sink(&motor);
+    }
+    if (!arguments->script && !arguments->simulate) {
+        return play_sensors(config, arguments, sink, prints);
+    }
     if (arguments->script) {
         source = script_source(&script, STDIN_FILENO, "standard input");
+    } else {
+        if (!poi_config_is_calibrated(config)) {
+            sensor_twin_calibrate(config);
+        }
+        source = twin_source(&twin, config);
     }
-    return prints ? watch(&arguments->run, source)
-                  : run(&arguments->run, source, (struct feel_sink){ 0 });
+    return prints ? watch(&arguments->run, source) : run(&arguments->run, source, sink);
 }
 
-static enum exit_code wrong(const char *what, const char *word)
+static enum exit_code command(const char *name, struct arguments *arguments)
 {
-    fprintf(stderr, "kingyo-poi: %s '%.100s'; --help lists what there is\n", what, word);
-    return EXIT_USAGE;
+    struct poi_config config;
+    const int prints = strcmp(name, "watch") == 0;
+    if (strcmp(name, "descriptor") == 0) {
+        return descriptor(arguments);
+    }
+    if (arguments->simulate && arguments->script) {
+        return wrong("--simulate and --script exclude each other in", name);
+    }
+    if (!arguments->config && !arguments->simulate && !arguments->script) {
+        arguments->config = "/etc/kingyo-poi/poi.conf";
+    }
+    const enum exit_code loaded = load(&config, arguments);
+    if (loaded != EXIT_OK) {
+        return loaded;
+    }
+    if (strcmp(name, "test") == 0) {
+        return self_test(&config, arguments->root, arguments->run.device);
+    }
+    if (strcmp(name, "calibrate") == 0) {
+        return calibrate(&config, arguments->root);
+    }
+    return play(&config, arguments, prints);
+}
+
+static int is_command(const char *word)
+{
+    static const char *const commands[] = { "run", "watch", "test", "calibrate", "descriptor" };
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        if (strcmp(commands[i], word) == 0) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 int main(int argc, char **argv)
 {
-    struct arguments arguments = { .run = { .device = "/dev/hidg0", .rate_hz = 250 } };
-    const char *command = argc > 1 ? argv[1] : "--help";
+    struct arguments arguments = { .run = { .device = "/dev/hidg0", .rate_hz = 250 }, .root = "" };
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0) {
-            command = argv[i];
+            fputs(usage, stdout);
+            return EXIT_OK;
         }
     }
-    if (strcmp(command, "--help") == 0) {
-        fputs(usage, argc > 1 ? stdout : stderr);
-        return argc > 1 ? EXIT_OK : EXIT_USAGE;
+    if (argc < 2) {
+        fputs(usage, stderr);
+        return EXIT_USAGE;
+    }
+    if (!is_command(argv[1])) {
+        return (int)wrong("unknown command", argv[1]);
     }
     for (int i = 2, taken; i < argc; i += taken) {
         taken = read_option(&arguments, argv[i], i + 1 < argc ? argv[i + 1] : NULL);
@@ -128,15 +255,5 @@ int main(int argc, char **argv)
             return (int)wrong("not an option, or not its value:", argv[i]);
         }
     }
-    if (strcmp(command, "descriptor") == 0) {
-        return (int)descriptor(&arguments);
-    }
-    const int runs = strcmp(command, "run") == 0, prints = strcmp(command, "watch") == 0;
-    if (!runs && !prints) {
-        return (int)wrong("unknown command", command);
-    }
-    if (arguments.simulate == arguments.script) {
-        return (int)wrong("give one of --simulate and --script to", command);
-    }
-    return (int)play(&arguments, prints);
+    return (int)command(argv[1], &arguments);
 }

@@ -1,0 +1,129 @@
+/* attitude.c -- quaternions, so that no direction is special. */
+#include "board/poi-gadget/attitude.h"
+
+#define PULL_PER_S 1.0f        /* Gravity corrects within a second. */
+#define TRUST_G 0.15f          /* An acceleration off by this share of g says nothing of down. */
+#define STILL_RAD_S 0.05f      /* Slower is no hand: 3 degrees a second. */
+#define STILL_S 1.0f
+#define BIAS_PER_S 0.5f
+#define BIAS_MAX_RAD_S 0.2f    /* 11 degrees a second: cheap chips at worst. */
+
+struct quaternion quaternion_product(struct quaternion a, struct quaternion b)
+{
+    return (struct quaternion){
+        .w = a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
+        .x = a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+        .y = a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+        .z = a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
+    };
+}
+
+static struct quaternion normalized(struct quaternion q)
+{
+    const float square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    if (!(square > 1e-12f) || !f_is_finite(square)) {
+        return (struct quaternion){ .w = 1.0f };
+    }
+    const float s = 1.0f / f_sqrt(square);
+    return (struct quaternion){ q.w * s, q.x * s, q.y * s, q.z * s };
+}
+
+/* A turn about an axis, the length of which is half the angle's sine. */
+static struct quaternion about(float half_rad, float x, float y, float z)
+{
+    const float s = f_sin(half_rad);
+    return (struct quaternion){ f_cos(half_rad), x * s, y * s, z * s };
+}
+
+/* Yaw about +y, then pitch about +x, then roll, which lowers the right side: about -z. */
+struct quaternion quaternion_of(struct angles angles)
+{
+    const struct quaternion yaw = about(0.5f * angles.yaw_rad, 0.0f, 1.0f, 0.0f);
+    const struct quaternion pitch = about(0.5f * angles.pitch_rad, 1.0f, 0.0f, 0.0f);
+    const struct quaternion roll = about(0.5f * angles.roll_rad, 0.0f, 0.0f, -1.0f);
+    return quaternion_product(quaternion_product(yaw, pitch), roll);
+}
+
+/* The poi's axes in the world are the columns of the rotation's matrix. */
+struct angles quaternion_angles(struct quaternion q)
+{
+    const float right_y = 2.0f * (q.x * q.y + q.w * q.z);
+    const float up_y = 1.0f - 2.0f * (q.x * q.x + q.z * q.z);
+    const vec3 back = v3(2.0f * (q.x * q.z + q.w * q.y), 2.0f * (q.y * q.z - q.w * q.x),
+                         1.0f - 2.0f * (q.x * q.x + q.y * q.y));
+    const float level = f_sqrt(back.x * back.x + back.z * back.z);
+    return (struct angles){ .yaw_rad = f_atan2(back.x, back.z),
+                            .pitch_rad = f_atan2(-back.y, level),
+                            .roll_rad = f_atan2(-right_y, up_y) };
+}
+
+/* World's up in the poi's axes: the middle row of the matrix. */
+static vec3 up_of(struct quaternion q)
+{
+    return v3(2.0f * (q.x * q.y + q.w * q.z), 1.0f - 2.0f * (q.x * q.x + q.z * q.z),
+              2.0f * (q.y * q.z - q.w * q.x));
+}
+
+/* Level, but for what gravity shows: the shortest turn that brings `up` upright. */
+static struct quaternion upright(vec3 up)
+{
+    if (up.y < -0.9999f) {
+        return (struct quaternion){ .x = 1.0f };
+    }
+    return normalized((struct quaternion){ 1.0f + up.y, -up.z, 0.0f, up.x });
+}
+
+static void learn_bias(struct attitude *attitude, vec3 gyro_rad_s, float trust, float seconds)
+{
+    const vec3 rest = v3_sub(gyro_rad_s, attitude->bias_rad_s);
+    attitude->still_s = v3_length(rest) < STILL_RAD_S && trust > 0.5f ? attitude->still_s + seconds
+                                                                      : 0.0f;
+    if (attitude->still_s > STILL_S) {
+        const float share = f_min(BIAS_PER_S * seconds, 1.0f);
+        attitude->bias_rad_s = v3_limit(v3_mad(attitude->bias_rad_s, rest, share), BIAS_MAX_RAD_S);
+    }
+}
+
+void attitude_feel(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2, float seconds)
+{
+    if (!v3_is_finite(gyro_rad_s) || !v3_is_finite(accel_m_s2)) {
+        return;
+    }
+    const float pull = v3_length(accel_m_s2) / GRAVITY_M_S2;
+    const float trust = f_clamp(1.0f - f_abs(pull - 1.0f) / TRUST_G, 0.0f, 1.0f);
+    const vec3 up = v3_normalize_or(accel_m_s2, v3(0.0f, 1.0f, 0.0f));
+    if (!attitude->knows) {
+        attitude->turn = upright(up);
+        attitude->knows = trust > 0.0f;
+        return;
+    }
+    learn_bias(attitude, gyro_rad_s, trust, seconds);
+    const vec3 off = v3_cross(up, up_of(attitude->turn));
+    const vec3 rate = v3_mad(v3_sub(gyro_rad_s, attitude->bias_rad_s), off, PULL_PER_S * trust);
+    const float angle = v3_length(rate) * seconds;
+    const vec3 axis = v3_normalize_or(rate, v3(0.0f, 0.0f, 0.0f));
+    const struct quaternion step = about(0.5f * f_min(angle, F_PI), axis.x, axis.y, axis.z);
+    attitude->turn = normalized(quaternion_product(attitude->turn, step));
+}
+
+void attitude_know(struct attitude *attitude, struct quaternion turn)
+{
+    attitude->turn = normalized(turn);
+    attitude->knows = 1;
+}
+
+struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds)
+{
+    struct angles angles = quaternion_angles(attitude->turn);
+    if (!attitude->has_ahead && attitude->knows) {
+        attitude->ahead_rad = angles.yaw_rad;
+        attitude->has_ahead = 1;
+    }
+    const float off_rad = f_wrap_angle(angles.yaw_rad - attitude->ahead_rad);
+    if (ahead_s > 0.0f) {
+        const float share = f_min(seconds / ahead_s, 1.0f);
+        attitude->ahead_rad = f_wrap_angle(attitude->ahead_rad + share * off_rad);
+    }
+    angles.yaw_rad = f_wrap_angle(angles.yaw_rad - attitude->ahead_rad);
+    return angles;
+}

@@ -1,0 +1,81 @@
+/* board_pose.c -- wires give the eye, the inertial sensor the way from there to the ring. */
+#include "board/poi-gadget/board_pose.h"
+
+#include <assert.h>
+
+/* By the largest of the four, which is never near 0 (Shepperd 1978). */
+struct quaternion quaternion_of_rows(const vec3 row[3])
+{
+    const float xx = row[0].x, yy = row[1].y, zz = row[2].z;
+    const float four[4] = { 1.0f + xx + yy + zz, 1.0f + xx - yy - zz, 1.0f - xx + yy - zz,
+                            1.0f - xx - yy + zz };
+    uint32_t most = 0;
+    for (uint32_t i = 1; i < 4; i++) {
+        most = four[i] > four[most] ? i : most;
+    }
+    const float s = 0.5f / f_sqrt(four[most]), half = 0.5f * f_sqrt(four[most]);
+    const float wx = (row[2].y - row[1].z) * s, wy = (row[0].z - row[2].x) * s,
+                wz = (row[1].x - row[0].y) * s;
+    const float xy = (row[0].y + row[1].x) * s, xz = (row[0].z + row[2].x) * s,
+                yz = (row[1].z + row[2].y) * s;
+    switch (most) {
+    case 0:
+        return (struct quaternion){ half, wx, wy, wz };
+    case 1:
+        return (struct quaternion){ wx, half, xy, xz };
+    case 2:
+        return (struct quaternion){ wy, xy, half, yz };
+    default:
+        return (struct quaternion){ wz, xz, yz, half };
+    }
+}
+
+void board_pose_init(struct board_pose *pose, const struct poi_config *config)
+{
+    assert(poi_config_is_calibrated(config) && draw_wires_can_tell(config->spool_m));
+    *pose = (struct board_pose){ .config = config, .mount = quaternion_of_rows(config->imu_row) };
+    pose->attitude.bias_rad_s = config->gyro_bias_rad_s;
+}
+
+static vec3 to_poi(const struct poi_config *config, vec3 chip)
+{
+    return v3(v3_dot(config->imu_row[0], chip), v3_dot(config->imu_row[1], chip),
+              v3_dot(config->imu_row[2], chip));
+}
+
+static void feel_attitude(struct board_pose *pose, const struct readings *readings, float seconds)
+{
+    if (!readings->fuses) {
+        attitude_feel(&pose->attitude, to_poi(pose->config, readings->gyro_rad_s),
+                      to_poi(pose->config, readings->accel_m_s2), seconds);
+        return;
+    }
+    /* Its world's +z is our +y, a quarter turn about x; and its axes are the chip's. */
+    const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
+    const struct quaternion back = { pose->mount.w, -pose->mount.x, -pose->mount.y,
+                                     -pose->mount.z };
+    attitude_know(&pose->attitude,
+                  quaternion_product(quaternion_product(upright, readings->turn), back));
+}
+
+void board_pose_step(struct board_pose *pose, const struct readings *readings, float seconds,
+                     struct poi_report *out)
+{
+    const struct poi_config *config = pose->config;
+    float length_m[DRAW_WIRE_COUNT];
+    for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+        length_m[i] = config->zero_m[i] + config->step_m[i] * readings->wire[i];
+    }
+    feel_attitude(pose, readings, seconds);
+    out->buttons = readings->buttons;
+    out->target.angles = attitude_angles(&pose->attitude, config->ahead_s, seconds);
+    pose->wires = draw_wires_meet(config->spool_m, length_m, &pose->eye_m);
+    if (pose->wires != DRAW_WIRES_OK || !pose->attitude.knows) {
+        pose->steady.begun = 0;
+        out->target.position_m.x = __builtin_nanf("");
+        return;
+    }
+    const struct basis axes = basis_from_angles(out->target.angles);
+    const vec3 eye_m = steady_step(&pose->steady, pose->eye_m, seconds);
+    out->target.position_m = v3_add(eye_m, basis_to_world(&axes, config->ring_m));
+}

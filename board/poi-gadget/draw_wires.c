@@ -1,0 +1,82 @@
+/* draw_wires.c -- the spools' own axes make two of three unknowns linear. */
+#include "board/poi-gadget/draw_wires.h"
+
+#include <assert.h>
+
+#define SPOOLS_APART_M 0.1f
+
+/* The first spool is the origin, the second lies on +x, the third in the plane of x and y. */
+struct spool_axes {
+    vec3 x, y, normal; /* The normal points up. */
+    float second_x_m, third_x_m, third_y_m;
+};
+
+static struct spool_axes axes_of(const vec3 spool_m[DRAW_WIRE_COUNT])
+{
+    const vec3 second_m = v3_sub(spool_m[1], spool_m[0]), third_m = v3_sub(spool_m[2], spool_m[0]);
+    struct spool_axes axes = { .x = v3_normalize_or(second_m, v3(1.0f, 0.0f, 0.0f)) };
+    axes.second_x_m = v3_length(second_m);
+    axes.third_x_m = v3_dot(axes.x, third_m);
+    const vec3 aside_m = v3_mad(third_m, axes.x, -axes.third_x_m);
+    axes.y = v3_normalize_or(aside_m, v3(0.0f, 0.0f, 1.0f));
+    axes.third_y_m = v3_length(aside_m);
+    axes.normal = v3_cross(axes.x, axes.y);
+    if (axes.normal.y < 0.0f) {
+        axes.normal = v3_scale(axes.normal, -1.0f);
+    }
+    return axes;
+}
+
+int draw_wires_can_tell(const vec3 spool_m[DRAW_WIRE_COUNT])
+{
+    const struct spool_axes axes = axes_of(spool_m);
+    return axes.second_x_m > SPOOLS_APART_M && axes.third_y_m > SPOOLS_APART_M &&
+           axes.normal.y > 0.5f;
+}
+
+enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
+                                       const float length_m[DRAW_WIRE_COUNT], vec3 *out)
+{
+    assert(draw_wires_can_tell(spool_m));
+    const struct spool_axes axes = axes_of(spool_m);
+    for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+        if (!(length_m[i] > 0.0f && length_m[i] < DRAW_WIRE_MAX_M)) {
+            return DRAW_WIRES_LENGTH;
+        }
+    }
+    const float a = length_m[0] * length_m[0], b = length_m[1] * length_m[1],
+                c = length_m[2] * length_m[2];
+    const float d = axes.second_x_m, i = axes.third_x_m, j = axes.third_y_m;
+    const float x_m = (a - b + d * d) / (2.0f * d);
+    const float y_m = (a - c + i * i + j * j - 2.0f * i * x_m) / (2.0f * j);
+    const float below = a - x_m * x_m - y_m * y_m; /* Of the depth under the plane, squared. */
+    /* Wires that are DRAW_WIRE_SLACK_M too short to meet leave this much less than nothing. */
+    if (below < -2.0f * DRAW_WIRE_SLACK_M * length_m[0]) {
+        return DRAW_WIRES_APART;
+    }
+    if (below < DRAW_WIRE_NEAR_M * DRAW_WIRE_NEAR_M) {
+        return DRAW_WIRES_HIGH;
+    }
+    const vec3 flat_m = v3_mad(v3_mad(spool_m[0], axes.x, x_m), axes.y, y_m);
+    *out = v3_mad(flat_m, axes.normal, -f_sqrt(below));
+    return DRAW_WIRES_OK;
+}
+
+void draw_wires_lengths(const vec3 spool_m[DRAW_WIRE_COUNT], vec3 eye_m,
+                        float length_m[DRAW_WIRE_COUNT])
+{
+    for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+        length_m[i] = v3_length(v3_sub(eye_m, spool_m[i]));
+    }
+}
+
+const char *draw_wires_text(enum draw_wires_result result)
+{
+    static const char *const text[DRAW_WIRES_RESULT_COUNT] = {
+        [DRAW_WIRES_OK] = "they meet",
+        [DRAW_WIRES_LENGTH] = "a wire has no length: is it plugged in and calibrated?",
+        [DRAW_WIRES_APART] = "the wires do not meet: is one caught, slack or torn?",
+        [DRAW_WIRES_HIGH] = "the poi is held up among the spools, where its height is a guess",
+    };
+    return text[result];
+}

@@ -1,0 +1,132 @@
+/* motor.c -- numbers as text, written only when they change. */
+#include "board/poi-gadget/motor.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define PATH_SIZE 256
+#define EXPORT_TRIES 20 /* Of 10 ms: udev may hand the new files over a moment later. */
+
+static int put(const char *path, uint32_t value)
+{
+    char text[16];
+    const int size = snprintf(text, sizeof text, "%u", value);
+    const int fd = open(path, O_WRONLY | O_CLOEXEC);
+    if (fd < 0) {
+        return 0;
+    }
+    const int wrote = write(fd, text, (size_t)size) == size;
+    close(fd);
+    return wrote;
+}
+
+static void put_again(int fd, uint32_t *last, uint32_t value)
+{
+    char text[16];
+    if (fd < 0 || value == *last) {
+        return;
+    }
+    const int size = snprintf(text, sizeof text, "%u", value);
+    if (pwrite(fd, text, (size_t)size, 0) == size) {
+        *last = value;
+    }
+}
+
+static int open_later(const char *path)
+{
+    for (int i = 0; i < EXPORT_TRIES; i++) {
+        const int fd = open(path, O_WRONLY | O_CLOEXEC);
+        if (fd >= 0) {
+            return fd;
+        }
+        nanosleep(&(struct timespec){ .tv_nsec = 10000000 }, NULL);
+    }
+    return -1;
+}
+
+static int open_pwm(struct motor *motor, const struct poi_config *config, const char *root,
+                    char why[MOTOR_WHY_SIZE])
+{
+    char chip[PATH_SIZE], path[PATH_SIZE + 32];
+    snprintf(chip, sizeof chip, "%s/sys/class/pwm/pwmchip%d", root, config->pwm_chip);
+    snprintf(path, sizeof path, "%s/pwm%u/duty_cycle", chip, config->pwm_channel);
+    if (access(path, F_OK) != 0) {
+        char export[PATH_SIZE + 32];
+        snprintf(export, sizeof export, "%s/export", chip);
+        if (!put(export, config->pwm_channel)) {
+            snprintf(why, MOTOR_WHY_SIZE, "motor: cannot write %.120s", export);
+            return 0;
+        }
+    }
+    motor->duty_fd = open_later(path);
+    motor->period_ns = 1000000000u / config->motor_hz;
+    motor->least = config->motor_least;
+    motor->duty_ns = UINT32_MAX;
+    put_again(motor->duty_fd, &motor->duty_ns, 0); /* Before a shorter period, or it is refused. */
+    snprintf(path, sizeof path, "%s/pwm%u/period", chip, config->pwm_channel);
+    const int period = put(path, motor->period_ns);
+    snprintf(path, sizeof path, "%s/pwm%u/enable", chip, config->pwm_channel);
+    if (motor->duty_fd < 0 || !period || !put(path, 1)) {
+        snprintf(why, MOTOR_WHY_SIZE, "motor: cannot set up %.110s/pwm%u", chip,
+                 config->pwm_channel);
+        return 0;
+    }
+    return 1;
+}
+
+static int open_light(struct motor *motor, const struct poi_config *config, const char *root,
+                      char why[MOTOR_WHY_SIZE])
+{
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/sys/class/leds/%s/max_brightness", root, config->light);
+    FILE *file = fopen(path, "r");
+    const int got = file && fscanf(file, "%u", &motor->light_most) == 1;
+    if (file) {
+        fclose(file);
+    }
+    snprintf(path, sizeof path, "%s/sys/class/leds/%s/brightness", root, config->light);
+    motor->light_fd = got ? open(path, O_WRONLY | O_CLOEXEC) : -1;
+    if (motor->light_fd < 0) {
+        snprintf(why, MOTOR_WHY_SIZE, "light: no LED '%s' that may be written", config->light);
+        return 0;
+    }
+    return 1;
+}
+
+int motor_open(struct motor *motor, const struct poi_config *config, const char *root,
+               char why[MOTOR_WHY_SIZE])
+{
+    *motor = (struct motor){ .duty_fd = -1, .light_fd = -1, .light_value = UINT32_MAX };
+    const int turns = config->pwm_chip < 0 || open_pwm(motor, config, root, why);
+    const int shines = config->light[0] == '\0' || open_light(motor, config, root, why);
+    motor_set(motor, (struct feel_levels){ 0 });
+    return turns && shines;
+}
+
+void motor_set(struct motor *motor, struct feel_levels levels)
+{
+    const float level = f_clamp(levels.motor, 0.0f, 1.0f);
+    const float duty = level < 0.02f ? 0.0f : motor->least + (1.0f - motor->least) * level;
+    put_again(motor->duty_fd, &motor->duty_ns, (uint32_t)(duty * (float)motor->period_ns));
+    const float light = f_clamp(levels.light, 0.0f, 1.0f) * (float)motor->light_most;
+    put_again(motor->light_fd, &motor->light_value, (uint32_t)(light + 0.5f));
+}
+
+static void motor_feel(void *self, const struct poi_force *newest, float seconds)
+{
+    struct motor *motor = self;
+    motor_set(motor, feel_mix_step(&motor->mix, newest, seconds));
+}
+
+static void motor_stop(void *self)
+{
+    motor_set(self, (struct feel_levels){ 0 });
+}
+
+struct feel_sink motor_sink(struct motor *motor)
+{
+    return (struct feel_sink){ .feel = motor_feel, .stop = motor_stop, .self = motor };
+}

@@ -1,0 +1,188 @@
+/* self_test.c -- a table of judgements, printed as they fall. */
+#include "board/poi-gadget/self_test.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/motor.h"
+#include "board/poi-gadget/sensors.h"
+
+#define LOOKS 50u             /* Of the sensors, at rest. */
+#define LOOK_S 0.02f
+#define NOISE_STEPS_MAX 8.0f  /* Means of four jump less on a sound converter: 2 mm. */
+#define GRAVITY_OFF_MAX 0.08f /* Share of g: a chip off by more is broken, or moves. */
+#define SPIN_REST_MAX 0.2f    /* rad/s */
+
+struct verdicts {
+    uint32_t good, bad;
+};
+
+/* One line: ok or FAIL, what, and in words why. */
+__attribute__((format(printf, 4, 5))) static void judge(struct verdicts *verdicts, int good,
+                                                        const char *what, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    printf("%-4s  %-10s ", good ? "ok" : "FAIL", what);
+    vprintf(format, arguments);
+    putchar('\n');
+    fflush(stdout);
+    va_end(arguments);
+    if (good) {
+        verdicts->good++;
+    } else {
+        verdicts->bad++;
+    }
+}
+
+/* ---- Sensors at rest ------------------------------------------------------------------------ */
+
+struct looks {
+    struct readings last;
+    float low[DRAW_WIRE_COUNT], high[DRAW_WIRE_COUNT];
+    float spin_rad_s, pull_m_s2; /* Means of the lengths. */
+    uint32_t missed;
+    struct timespec began, ended;
+};
+
+static void look(struct sensors *sensors, struct looks *looks)
+{
+    *looks = (struct looks){ 0 };
+    clock_gettime(CLOCK_MONOTONIC, &looks->began);
+    for (uint32_t n = 0; n < LOOKS; n++) {
+        looks->missed += !sensors_read(sensors, &looks->last);
+        for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+            const float wire = looks->last.wire[i];
+            looks->low[i] = n == 0 ? wire : f_min(looks->low[i], wire);
+            looks->high[i] = n == 0 ? wire : f_max(looks->high[i], wire);
+        }
+        looks->spin_rad_s += v3_length(looks->last.gyro_rad_s) / (float)LOOKS;
+        looks->pull_m_s2 += v3_length(looks->last.accel_m_s2) / (float)LOOKS;
+    }
+    clock_gettime(CLOCK_MONOTONIC, &looks->ended);
+}
+
+static void judge_speed(struct verdicts *verdicts, const struct looks *looks)
+{
+    const double seconds = (double)(looks->ended.tv_sec - looks->began.tv_sec) +
+                           (double)(looks->ended.tv_nsec - looks->began.tv_nsec) * 1e-9;
+    const double each_ms = seconds * 1000.0 / (double)LOOKS;
+    judge(verdicts, looks->missed == 0, "sensors", "%u of %u readings answered",
+          LOOKS - looks->missed, LOOKS);
+    judge(verdicts, each_ms < 4.0, "speed", "%.2f ms a reading: %.0f a second%s", each_ms,
+          1000.0 / each_ms, each_ms < 4.0 ? "" : "; raise the bus' clock, or lower --rate");
+}
+
+static void judge_wires(struct verdicts *verdicts, const struct poi_config *config,
+                        const struct looks *looks)
+{
+    for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+        const float noise = looks->high[i] - looks->low[i];
+        char what[16];
+        snprintf(what, sizeof what, "wire %u", i + 1);
+        judge(verdicts, noise <= NOISE_STEPS_MAX && looks->last.wire[i] > 0.0f, what,
+              "channel %u says %.1f, within %.1f steps%s", config->channel[i],
+              (double)looks->last.wire[i], (double)noise,
+              noise > NOISE_STEPS_MAX     ? "; hold the poi still, or shield the cable"
+              : looks->last.wire[i] > 0.0f ? ""
+                                           : "; 0 is an open or shorted potentiometer");
+    }
+}
+
+static void judge_turn(struct verdicts *verdicts, const struct poi_config *config,
+                       const struct looks *looks)
+{
+    const struct quaternion q = looks->last.turn;
+    if (looks->last.fuses) {
+        const int alive = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.0f;
+        judge(verdicts, alive, "inertia", "%s fuses by itself%s", config->imu,
+              alive ? "" : ", but says nothing: write a fusing mode to its operation_mode");
+        return;
+    }
+    const float off = f_abs(looks->pull_m_s2 / GRAVITY_M_S2 - 1.0f);
+    judge(verdicts, off < GRAVITY_OFF_MAX, "gravity", "%.2f m/s^2%s", (double)looks->pull_m_s2,
+          off < GRAVITY_OFF_MAX ? "" : "; lay the poi down, and look at the chip's scale");
+    judge(verdicts, looks->spin_rad_s < SPIN_REST_MAX, "gyroscope", "%.3f rad/s at rest%s",
+          (double)looks->spin_rad_s, looks->spin_rad_s < SPIN_REST_MAX ? "" : "; lay it down");
+}
+
+static void judge_place(struct verdicts *verdicts, const struct poi_config *config,
+                        const struct looks *looks)
+{
+    struct board_pose pose;
+    struct poi_report report = { 0 };
+    if (!poi_config_is_calibrated(config)) {
+        judge(verdicts, 0, "place", "the wires are not calibrated: kingyo-poi calibrate");
+        return;
+    }
+    board_pose_init(&pose, config);
+    for (uint32_t i = 0; i < 3; i++) {
+        board_pose_step(&pose, &looks->last, LOOK_S, &report);
+    }
+    const vec3 at_m = report.target.position_m;
+    const int reach = v3_is_finite(at_m) && v3_length(at_m) < POI_REPORT_REACH_M;
+    judge(verdicts, pose.wires == DRAW_WIRES_OK && reach, "place", "%s; ring at %.0f %.0f %.0f mm",
+          draw_wires_text(pose.wires), (double)(at_m.x * 1000.0f), (double)(at_m.y * 1000.0f),
+          (double)(at_m.z * 1000.0f));
+}
+
+static void judge_sensors(struct verdicts *verdicts, const struct poi_config *config,
+                          const char *root)
+{
+    struct sensors sensors;
+    struct looks looks;
+    char why[SENSORS_WHY_SIZE];
+    if (!sensors_open(&sensors, config, root, why)) {
+        judge(verdicts, 0, "sensors", "%s; look at dtoverlay in config.txt and at the wiring", why);
+    } else {
+        look(&sensors, &looks);
+        judge_speed(verdicts, &looks);
+        judge_wires(verdicts, config, &looks);
+        judge_turn(verdicts, config, &looks);
+        judge_place(verdicts, config, &looks);
+        judge(verdicts, 1, "keys", "%u device%s of gpio-keys; held now: %02x", sensors.keys.count,
+              sensors.keys.count == 1 ? "" : "s", looks.last.buttons);
+    }
+    sensors_close(&sensors);
+}
+
+/* ---- Outputs -------------------------------------------------------------------------------- */
+
+static void judge_motor(struct verdicts *verdicts, const struct poi_config *config,
+                        const char *root)
+{
+    struct motor motor;
+    char why[MOTOR_WHY_SIZE];
+    const int named = config->pwm_chip >= 0 || config->light[0] != '\0';
+    const int works = motor_open(&motor, config, root, why);
+    judge(verdicts, works, "motor", "%s", !works  ? why
+                                          : named ? "did it hum, and the light shine?"
+                                                  : "none named: the hand feels nothing");
+    if (named) {
+        motor_set(&motor, (struct feel_levels){ .motor = 0.8f, .light = 1.0f });
+        nanosleep(&(struct timespec){ .tv_nsec = 500000000 }, NULL);
+        motor_set(&motor, (struct feel_levels){ 0 });
+    }
+}
+
+static void judge_cable(struct verdicts *verdicts, const char *device)
+{
+    const int can = access(device, R_OK | W_OK) == 0;
+    judge(verdicts, can, "cable", "%s%s%s", device, can ? "" : ": ",
+          can ? "" : strerror(errno));
+}
+
+enum exit_code self_test(const struct poi_config *config, const char *root, const char *device)
+{
+    struct verdicts verdicts = { 0 };
+    judge_sensors(&verdicts, config, root);
+    judge_motor(&verdicts, config, root);
+    judge_cable(&verdicts, device);
+    printf("%u ok, %u failed\n", verdicts.good, verdicts.bad);
+    return verdicts.bad == 0 ? EXIT_OK : EXIT_NOT_SO;
+}

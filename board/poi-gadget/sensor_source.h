@@ -1,0 +1,30 @@
+/* sensor_source.h -- poses from sensors: the board's own, or their twin with a hand that scoops. */
+#ifndef KINGYO_POI_GADGET_SENSOR_SOURCE_H
+#define KINGYO_POI_GADGET_SENSOR_SOURCE_H
+
+#include "board/poi-gadget/pose_source.h"
+#include "board/poi-gadget/scoop.h"
+#include "board/poi-gadget/sensor_twin.h"
+#include "board/poi-gadget/sensors.h"
+
+#define SENSOR_GONE_BEATS 25u /* Answers missed in a row; then the poi does not know its place. */
+
+struct sensor_source {
+    struct board_pose pose;
+    struct sensors sensors;
+    struct readings readings;
+    uint32_t missed;        /* In a row. */
+};
+
+/* `sensors` are open, `config` outlives it, sound and calibrated. */
+struct pose_source sensor_source(struct sensor_source *source, const struct poi_config *config);
+
+struct twin_source {
+    struct scoop scoop;
+    struct sensor_twin twin;
+    struct board_pose pose;
+};
+
+struct pose_source twin_source(struct twin_source *source, const struct poi_config *config);
+
+#endif

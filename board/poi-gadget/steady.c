@@ -1,0 +1,24 @@
+/* steady.c -- two low passes, one led by the other. */
+#include "board/poi-gadget/steady.h"
+
+/* Share of the way to the new value that a low pass goes in a step. */
+static float share_of(float corner_hz, float seconds)
+{
+    const float t = F_TAU * corner_hz * seconds;
+    return t / (1.0f + t);
+}
+
+vec3 steady_step(struct steady *steady, vec3 raw_m, float seconds)
+{
+    if (!steady->begun) {
+        *steady = (struct steady){ .begun = 1, .place_m = raw_m, .raw_m = raw_m };
+        return raw_m;
+    }
+    const vec3 speed_m_s = v3_scale(v3_sub(raw_m, steady->raw_m), 1.0f / seconds);
+    steady->raw_m = raw_m;
+    steady->speed_m_s =
+        v3_lerp(steady->speed_m_s, speed_m_s, share_of(STEADY_SPEED_HZ, seconds));
+    const float corner_hz = STEADY_REST_HZ + STEADY_HZ_PER_M_S * v3_length(steady->speed_m_s);
+    steady->place_m = v3_lerp(steady->place_m, raw_m, share_of(corner_hz, seconds));
+    return steady->place_m;
+}
