@@ -6,7 +6,7 @@ good=tests/hid/good
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }
 byte() { printf "\\x$(printf %02x "$1")"; }
 [ -e "$folder/made" ] && exit 0
-mkdir -p "$folder"/{descriptor,report,rows,hand,map_text,wires}
+mkdir -p "$folder"/{descriptor,report,rows,hand,map_text,learn,book,wires}
 word() { byte $(($1 % 256)); byte $(($1 / 256)); }
 for file in $good/descriptors/*.hid tests/hid/malformed/*.hid; do
     id=$(basename "$file" .hid)
@@ -53,6 +53,26 @@ END
 echo 'known pointer trembles x=place:1:s16@8:-32767..32767 z=place:1:s16@24:32767..-32767 in-range=press:1:u1@40:0..1' \
     >"$folder/map_text/known"
 echo 'own pose feels tilt=step:2:s8@0:0..1 hat=hat:2:u4@8:0..7' >"$folder/map_text/own"
+{
+    echo 'kingyo poi 1'
+    echo '054c:0ce6:A0-1'
+    cat "$folder/map_text/learned"
+} >"$folder/book/one.poi"
+
+# A joystick of three bytes that is still, goes left, right, away, near, and is pressed.
+joystick=05010904a101093009311500 joystick+=26ff0075089502810205091901290815002501750195088102c0
+{
+    word $((${#joystick} / 2))
+    echo $joystick | unhex
+    for step in 808000 0a8000 f68000 800a00 80f600 808001; do
+        for report in 808000 $step $step; do
+            byte 64
+            byte 3
+            echo $report | unhex
+        done
+        byte 255
+    done
+} >"$folder/learn/joystick"
 cat >"$folder/wires/cabinet" <<'END'
 start=BTN_START,low,up,debounce=5ms
 coin=pinctrl-bcm2711:17,window=15ms-250ms

@@ -1,7 +1,7 @@
 # devices.mk -- what controllers, coin slots and files about them may do to us, tried by libFuzzer under the
 # address and undefined-behaviour sanitizers. Targets are pure: bytes in, checks out.
 
-DEVICE_TARGETS := descriptor report rows poi_report hand map_text coin edges wires
+DEVICE_TARGETS := descriptor report rows poi_report hand map_text learn book coin edges wires
 DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
 DEVICE_HID := $(patsubst %,$(FUZZ)/drivers/%.o,hid_descriptor hid_globals hid_item hid_report)
 DEVICE_CTL := $(patsubst %,$(FUZZ)/platform/ctl/%.o,hid_file hid_rows)
@@ -22,6 +22,8 @@ $(FUZZ)/device_rows: $(DEVICE_HID) $(DEVICE_CTL)
 $(FUZZ)/device_poi_report: $(DEVICE_POI)
 $(FUZZ)/device_hand: $(DEVICE_HAND)
 $(FUZZ)/device_map_text: $(DEVICE_MAP) $(DEVICE_POI)
+$(FUZZ)/device_learn: $(FUZZ)/drivers/hid_learn.o $(DEVICE_HAND)
+$(FUZZ)/device_book: $(FUZZ)/drivers/hid_book_text.o $(DEVICE_MAP) $(DEVICE_POI)
 $(FUZZ)/device_coin: $(FUZZ)/drivers/coin_mech.o $(FUZZ)/drivers/debounce.o
 $(FUZZ)/device_edges: $(FUZZ)/drivers/gpio_input.o $(FUZZ)/drivers/debounce.o
 $(FUZZ)/device_wires: $(patsubst %,$(FUZZ)/drivers/%.o,gpio_wires usb_choice poi_descriptor) $(DEVICE_HID)

@@ -1,0 +1,37 @@
+/* device_book.c -- any text as a kept controller: its bad line is told, or it is the same again
+ * when it is written and read, under a name that leads nowhere else. */
+#include <string.h>
+
+#include "drivers/hid_book_text.h"
+#include "tests/fuzz/trap.h"
+
+static void hold_name(const struct hid_book_entry *entry)
+{
+    char name[HID_BOOK_NAME_SIZE];
+    hid_book_name(entry, name);
+    HOLD(strnlen(name, sizeof name) < sizeof name && name[0] != '.' && !strchr(name, '/'));
+    for (const char *letter = name; *letter; letter++) {
+        HOLD(*letter > ' ' && *letter < 0x7f);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static char text[HID_BOOK_TEXT_SIZE], written[HID_BOOK_TEXT_SIZE];
+    static struct hid_book_entry entry, again;
+    char error[HAL_TEXT_SIZE] = "";
+    size = size < sizeof text ? size : sizeof text - 1u;
+    memcpy(text, bytes, size);
+    text[size] = '\0';
+    const int line = hid_book_read(&entry, text, error);
+    HOLD(line >= 0 && strnlen(error, sizeof error) < sizeof error);
+    if (line > 0) {
+        HOLD(error[0] != '\0');
+        return 0;
+    }
+    hold_name(&entry);
+    HOLD(hid_book_write(&entry, written) == 0 && hid_book_read(&again, written, error) == 0);
+    HOLD(again.vendor == entry.vendor && again.product == entry.product);
+    HOLD(strcmp(again.serial, entry.serial) == 0 && again.map.count == entry.map.count);
+    return 0;
+}
