@@ -2,26 +2,27 @@
  * then. Pure.
  *
  * The kernel says the time of an edge well, and its direction less well: its thread reads the level
- * when it comes round to it, and with edges a few milliseconds apart that was the next one's. So
- *  - an edge that changes nothing tells of a level that came and went before the kernel looked;
- *  - two of them in a row are a pulse from the first to the second, both of which were read late;
+ * when it comes round to it, and of edges a few milliseconds apart that was the next one's. So
+ *  - an edge that changes nothing tells of a level that came and went before the kernel looked: the
+ *    line was not at rest, that is all. Two of them are no pulse, or else the sparks of a relay, or
+ *    of a lighter held to the slot, would be coins;
  *  - where the level disagrees with the edges for longer than an edge can be under way, edges were
- *    lost, and the level is right. */
+ *    lost, and the level is right.
+ * A pulse must last longer than the kernel is late, then: 6 ms were seen on an emulated machine
+ * that was busy, and the shortest coin takes 20. */
 #ifndef KINGYO_DRIVERS_GPIO_INPUT_H
 #define KINGYO_DRIVERS_GPIO_INPUT_H
 
 #include "drivers/debounce.h"
 #include "drivers/gpio_lines.h"
 
-#define GPIO_UNDER_WAY_NS 50000000u /* Eight times the 6 ms at which edges were seen mistaken. */
+#define GPIO_UNDER_WAY_NS 20000000u /* Three times the 6 ms at which edges were seen late. */
 
 struct gpio_input {
     struct debounce debounce;
-    uint64_t blinked_ns; /* The last edge, where it changed nothing; else UINT64_MAX. */
-    uint64_t doubted_ns; /* Since when a level was read that the edges do not explain, or that a
-                            second blink might; else UINT64_MAX. */
+    uint64_t doubted_ns; /* Since when the level is not what the edges say; UINT64_MAX: it is. */
     uint64_t mended_ns;  /* When the level was last believed against the edges. */
-    uint32_t late;       /* Pulses that were read late ... */
+    uint32_t blinks;     /* Edges that changed nothing ... */
     uint32_t lost;       /* ... and edges that never came. Since the start. */
 };
 

@@ -1,0 +1,183 @@
+/* coin_rain.c -- pulses, stalls and frames, all of them drawn from one seed. */
+#include "tests/gpio/coin_rain.h"
+
+#include <string.h>
+
+#include "drivers/gpio_wires.h"
+
+#define US 1000ull
+#define MS 1000000ull
+
+/* splitmix64. */
+static uint64_t draw(uint64_t *seed)
+{
+    uint64_t z = *seed += 0x9e3779b97f4a7c15ull;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebull;
+    return z ^ z >> 31;
+}
+
+static uint64_t between(uint64_t *seed, uint64_t least, uint64_t most)
+{
+    return least + draw(seed) % (most - least + 1u);
+}
+
+/* ---- Pulses --------------------------------------------------------------------------------- */
+
+static void add_edge(struct coin_rain *rain, uint64_t time_ns, bool active)
+{
+    rain->pulse[rain->edge_count++] = (struct gpio_sim_event){
+        .time_ns = time_ns,
+        .role = GPIO_COIN,
+        .active = active,
+    };
+}
+
+/* A contact that closes or opens and jumps up to three times, 20 us to 500 us between two edges:
+ * 3 ms at most. Returns where it came to rest. */
+static uint64_t add_contact(struct coin_rain *rain, uint64_t time_ns, bool active)
+{
+    const uint64_t jumps = between(&rain->seed, 0, 3);
+    add_edge(rain, time_ns, active);
+    for (uint64_t i = 0; i < 2 * jumps; i++) {
+        time_ns += between(&rain->seed, 20 * US, 500 * US);
+        add_edge(rain, time_ns, i % 2 ? active : !active);
+    }
+    return time_ns;
+}
+
+/* One in fifty is a knock, one in a hundred a jam. Widths are of what stands between bounces: 3 ms
+ * of bounce and 6 ms of a late kernel may come to them, and must not make a coin of a knock. */
+static uint64_t draw_width(struct coin_rain *rain)
+{
+    const uint64_t kind = draw(&rain->seed) % 100u;
+    rain->falls = kind >= 3;
+    if (kind < 2) {
+        rain->knocks++;
+        return between(&rain->seed, 4 * MS, 5900 * US);
+    }
+    if (kind < 3) {
+        rain->jams++;
+        return between(&rain->seed, 260 * MS, 900 * MS);
+    }
+    rain->left--;
+    return between(&rain->seed, 20 * MS, 240 * MS);
+}
+
+static void draw_pulse(struct coin_rain *rain)
+{
+    rain->edge_count = rain->edge_next = 0;
+    const uint64_t begin_ns = rain->time_ns + between(&rain->seed, 20 * MS, 120 * MS);
+    const uint64_t closed_ns = add_contact(rain, begin_ns, true);
+    rain->time_ns = add_contact(rain, closed_ns + draw_width(rain), false);
+    rain->edges += rain->edge_count;
+}
+
+static bool next_edge(void *self, struct gpio_sim_event *out)
+{
+    struct coin_rain *rain = self;
+    if (rain->edge_next == rain->edge_count) {
+        rain->coins += rain->falls; /* The last edge of it is behind us. */
+        rain->falls = 0;
+        if (rain->left == 0) {
+            return false;
+        }
+        draw_pulse(rain);
+    }
+    *out = rain->pulse[rain->edge_next++];
+    return true;
+}
+
+/* ---- The cabinet ---------------------------------------------------------------------------- */
+
+struct cabinet {
+    struct coin_rain rain;
+    struct gpio_lines_sim sim;
+    struct buttons_gpio gpio;
+    uint64_t seed, due_ns, stall_max_ns;
+    uint32_t fallen[2]; /* At the last look that was 200 ms after its forerunner, and at that. */
+    uint64_t marked_ns;
+    struct rain_result result;
+};
+
+static void look(struct cabinet *cabinet)
+{
+    const struct hal_buttons buttons = buttons_gpio_device(&cabinet->gpio);
+    struct rain_result *result = &cabinet->result;
+    struct button_sample sample;
+    buttons.ops->poll(buttons.self, &sample);
+    result->counted += sample.coin_count;
+    result->faults += sample.faults;
+    result->looks++;
+    result->early += result->counted > cabinet->rain.coins;
+    result->late += result->counted < cabinet->fallen[1];
+    if (cabinet->sim.now_ns >= cabinet->marked_ns + 200 * MS) {
+        cabinet->fallen[1] = cabinet->fallen[0];
+        cabinet->fallen[0] = cabinet->rain.coins;
+        cabinet->marked_ns = cabinet->sim.now_ns;
+    }
+}
+
+/* A frame of 4 to 20 ms; one in fifty takes up to 3 s. */
+static void draw_frame(struct cabinet *cabinet)
+{
+    const bool is_slow = draw(&cabinet->seed) % 50u == 0;
+    const uint64_t frame_ns = is_slow ? between(&cabinet->seed, 20 * MS, 3000 * MS)
+                                      : between(&cabinet->seed, 4 * MS, 20 * MS);
+    if (frame_ns > cabinet->result.longest_frame_ns) {
+        cabinet->result.longest_frame_ns = frame_ns;
+    }
+    cabinet->due_ns = cabinet->sim.now_ns + frame_ns;
+}
+
+/* One round in eight begins late: the thread was not run for as long as the kernel's queue can hold
+ * what contacts do (16 edges: 25 ms; 64: 100 ms). One in sixteen meets a kernel whose own
+ * thread is up to 6 ms late; else it is up to 0.3 ms. */
+static void stall(struct cabinet *cabinet)
+{
+    cabinet->sim.late_max_ns = draw(&cabinet->seed) % 16u == 0 ? 6 * MS : 300 * US;
+    if (draw(&cabinet->seed) % 8u == 0) {
+        const uint64_t stall_ns = between(&cabinet->seed, 100 * US, cabinet->stall_max_ns);
+        if (stall_ns > cabinet->result.longest_stall_ns) {
+            cabinet->result.longest_stall_ns = stall_ns;
+        }
+        gpio_lines_sim_pass(&cabinet->sim, stall_ns);
+    }
+}
+
+struct rain_result coin_rain(const struct rain_config *config)
+{
+    static struct cabinet cabinet;
+    struct gpio_wire wires[GPIO_ROLE_COUNT] = { [GPIO_COIN] = { .wired = 1, .name = "COIN" } };
+    memset(&cabinet, 0, sizeof cabinet);
+    cabinet.rain = (struct coin_rain){ .left = config->coins, .seed = config->seed };
+    cabinet.seed = config->seed ^ 0x5157u;
+    gpio_lines_sim_init(&cabinet.sim,
+                        (struct gpio_sim_script){ .next = next_edge, .self = &cabinet.rain },
+                        (uint32_t)config->seed | 1u);
+    cabinet.sim.late_min_ns = 10 * US;
+    cabinet.stall_max_ns = config->is_second ? 100 * MS : 25 * MS;
+    cabinet.sim.is_numbered = config->is_second;
+    cabinet.sim.queue_size = config->is_second ? 64 : 16;
+    gpio_reader_open(&cabinet.gpio.reader, gpio_lines_sim_device(&cabinet.sim), wires,
+                     gpio_lines_sim_clock(&cabinet.sim));
+    while (cabinet.sim.has_next || cabinet.sim.now_ns < cabinet.rain.time_ns + 4000 * MS) {
+        stall(&cabinet);
+        gpio_reader_step(&cabinet.gpio.reader);
+        if (cabinet.sim.now_ns >= cabinet.due_ns) {
+            look(&cabinet);
+            draw_frame(&cabinet);
+        }
+    }
+    look(&cabinet);
+    struct rain_result result = cabinet.result;
+    result.coins = cabinet.rain.coins;
+    result.knocks = cabinet.rain.knocks;
+    result.jams = cabinet.rain.jams;
+    result.edges = cabinet.rain.edges;
+    result.dropped = cabinet.sim.dropped;
+    result.blinks = cabinet.gpio.reader.inputs[GPIO_COIN].blinks;
+    result.time_ns = cabinet.sim.now_ns;
+    gpio_reader_close(&cabinet.gpio.reader);
+    return result;
+}
