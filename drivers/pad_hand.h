@@ -1,19 +1,16 @@
 /* pad_hand.h -- turns what a game pad says (sticks, triggers, buttons, motion) into a hand.
  *
  * Pure: no device, no clock, no library. SDL's pads (poi_pad.h) and their simulated twin
- * (pad_sim.h) meet here. The left stick leads the ring over the water at up to PAD_LEAD_M_S, in
- * metres: as fast in the far corner as near. It leads a pointer, so everything that makes a mouse
- * good to scoop with (pointer_poi.h: strokes, slant, lean) is a pad's, too: A or a trigger dips,
- * the right stick tilts and turns, X levels, the left shoulder holds the fan. A pad with a
- * gyroscope is a wrist besides (pad_tilt.h). */
+ * (pad_sim.h) meet here. The left stick flies the ring over the water (fly_poi.h, as any stick
+ * does), A or a trigger dips it, the right stick tilts and turns it, X levels it, the left shoulder
+ * holds the fan. A pad with a gyroscope is a wrist besides (pad_tilt.h). */
 #ifndef KINGYO_DRIVERS_PAD_HAND_H
 #define KINGYO_DRIVERS_PAD_HAND_H
 
 #include <stdint.h>
 
+#include "drivers/fly_poi.h"
 #include "drivers/pad_tilt.h"
-#include "drivers/pointer_fan.h"
-#include "drivers/pointer_poi.h"
 #include "platform/hal.h"
 
 enum pad_axis {
@@ -43,10 +40,9 @@ enum pad_button {
     PAD_RIGHT = 1u << 14,
 };
 
-#define PAD_LEAD_M_S 0.45f      /* Full stick: over a tank of a metre in about two seconds. */
-#define PAD_DEAD 4915            /* 15 % of an axis: worn sticks rest there. */
-#define PAD_TRIGGER_ON 16384     /* Half way: down; ... */
-#define PAD_TRIGGER_OFF 9830     /* ... and 30 %: up again, so that a trembling finger dips once. */
+#define PAD_DEAD 4915          /* 15 % of an axis: worn sticks rest there. */
+#define PAD_TRIGGER_ON 16384   /* Half way: down; ... */
+#define PAD_TRIGGER_OFF 9830   /* ... and 30 %: up again, so that a trembling finger dips once. */
 #define PAD_TILT_RAD (45.0f * F_DEG) /* Full right stick. */
 
 /* Everything a pad can say at one moment; levels. */
@@ -59,26 +55,17 @@ struct pad_report {
 };
 
 struct pad_hand {
-    struct pointer_poi pointer;
-    struct pointer_fan fan;
+    struct fly_poi fly;
     struct pad_tilt tilt;
-    struct pad_report now;        /* The newest. */
-    struct pointer_report report; /* What the pointer was told last. */
-    float ndc_x, ndc_y;           /* Where the stick has led. */
-    float speed_x_m_s, speed_z_m_s;
-    float tilt_goal_rad, roll_goal_rad; /* Of the right stick. */
-    struct angles turn;           /* Beyond what the pointer makes: stick and wrist, smoothed. */
-    uint64_t turn_ns;
-    uint64_t time_ns;             /* As far as it was led. */
+    struct pad_report now;  /* The newest. */
+    vec3 stick_twist;       /* Pitch, yaw, roll by the right stick, as fly_report's. */
+    uint64_t time_ns;       /* As far as it has come. */
     uint8_t trigger_down;
-    uint32_t held, pressed;       /* enum input_button */
+    uint32_t held, pressed; /* enum input_button */
 };
 
 /* A hand over the middle of the water. `view` is copied. */
 void pad_hand_init(struct pad_hand *hand, const struct view *view);
-
-/* The window's size, which says how far the hand can go; 0 is not heeded. */
-void pad_hand_window(struct pad_hand *hand, uint32_t width_px, uint32_t height_px);
 
 /* Takes one report, any bits; one that is older than the last counts as now. */
 void pad_hand_report(struct pad_hand *hand, const struct pad_report *report);

@@ -41,7 +41,8 @@ int pad_tilt_weighs(struct pad_tilt *tilt, uint64_t time_ns, vec3 up_m_s2)
         return -1;
     }
     const float weight = v3_length(up_m_s2);
-    const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
+    const float dt_s = f_min(seconds_between(tilt->weigh_ns, time_ns), STEP_MAX_S);
+    tilt->weigh_ns = time_ns > tilt->weigh_ns ? time_ns : tilt->weigh_ns;
     turn_to(tilt, time_ns);
     if (!(weight > 0.7f * G_M_S2 && weight < 1.3f * G_M_S2)) {
         return 0;

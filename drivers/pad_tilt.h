@@ -19,7 +19,8 @@ struct pad_tilt {
     uint8_t knows_down;  /* `up` came from an accelerometer. */
     uint8_t knows_rest;
     float rest_pitch_rad, rest_roll_rad;
-    uint64_t turn_ns;    /* Of the newest rate. */
+    uint64_t turn_ns;    /* As far as it was turned. */
+    uint64_t weigh_ns;   /* Of the newest weight. */
     uint64_t rest_ns;    /* Since then the rest was not followed. */
     vec3 rate_rad_s;
 };

@@ -24,20 +24,6 @@ static int pad_open(void *self)
                                 : (int)HAL_ERR_NONE;
 }
 
-/* How far a hand can go is how far is seen. */
-static void learn_window(struct pad *pad)
-{
-    SDL_Window *window = SDL_GL_GetCurrentWindow();
-    int width = 0;
-    int height = 0;
-    if (window) {
-        SDL_GetWindowSize(window, &width, &height);
-    }
-    if (width > 0 && height > 0) {
-        pad_hand_window(&pad->track.hand, (uint32_t)width, (uint32_t)height);
-    }
-}
-
 static int pad_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct pad *pad = self;
@@ -45,7 +31,6 @@ static int pad_poll(void *self, struct poi_sample *out, uint32_t max)
     if (!pad->controller) {
         return HAL_ERR_GONE;
     }
-    learn_window(pad);
     return (int)pad_track_take(&pad->track, pads_now_ns(pad->pads), out, max);
 }
 

@@ -1,0 +1,178 @@
+/* pad_sim.c -- the simulated twin of SDL's pads. */
+#include "drivers/pad_sim.h"
+
+#include <string.h>
+
+#include "core/base/rng.h"
+
+void pad_sim_init(struct pad_sim *sim, struct hal_clock clock, const struct view *view)
+{
+    *sim = (struct pad_sim){
+        .clock = clock,
+        .unplug_at = PAD_SIM_NEVER,
+        .jump_at = PAD_SIM_NEVER,
+    };
+    pad_track_init(&sim->track, view, clock.ops->now_ns(clock.self));
+}
+
+static uint64_t sim_now_ns(const struct pad_sim *sim)
+{
+    return sim->clock.ops->now_ns(sim->clock.self);
+}
+
+static int pad_sim_open(void *self)
+{
+    struct pad_sim *sim = self;
+    sim->open_count++;
+    if (sim->gone && sim_now_ns(sim) >= sim->replug_ns) {
+        const struct view view = sim->track.hand.fly.view;
+        pad_track_init(&sim->track, &view, sim_now_ns(sim)); /* As SDL's, it comes anew. */
+        sim->gone = 0;
+        sim->unplug_at = PAD_SIM_NEVER;
+    }
+    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+}
+
+static float any_float(uint32_t index, uint32_t what)
+{
+    const uint32_t bits = rng_u32((struct rng_key){ 83, index, what, RNG_TEST });
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static vec3 any_vec3(uint32_t index, uint32_t what)
+{
+    return v3(any_float(index, what), any_float(index, what + 1), any_float(index, what + 2));
+}
+
+/* SDL checks none of it either. */
+static void spoil(struct pad_report *report, uint32_t index)
+{
+    for (uint32_t i = 0; i < PAD_AXIS_COUNT; i++) {
+        report->axis[i] = (int16_t)rng_u32((struct rng_key){ 83, index, i, RNG_TEST });
+    }
+    report->buttons = rng_u32((struct rng_key){ 83, index, 7, RNG_TEST });
+    report->has_turn = report->has_weight = 1;
+    report->turn_rad_s = any_vec3(index, 10);
+    report->weight_m_s2 = any_vec3(index, 20);
+}
+
+static struct pad_report next_report(struct pad_sim *sim)
+{
+    struct pad_report report = sim->reports[sim->next];
+    if (sim->next == sim->jump_at) {
+        report.axis[PAD_LEAD_X] = report.axis[PAD_TILT_X] = INT16_MAX;
+        report.axis[PAD_LEAD_Y] = report.axis[PAD_TILT_Y] = INT16_MIN;
+    }
+    if (sim->next >= sim->spoil_from && sim->next < sim->spoil_to) {
+        spoil(&report, sim->next);
+    }
+    sim->next++;
+    return report;
+}
+
+/* What arrived by now waits; HAL_ERR_GONE once the cable is out. */
+static int arrive(struct pad_sim *sim)
+{
+    const uint64_t now_ns = sim_now_ns(sim);
+    if (sim->gone || (now_ns >= sim->silent_from_ns && now_ns < sim->silent_to_ns)) {
+        return sim->gone ? (int)HAL_ERR_GONE : (int)HAL_OK;
+    }
+    while (sim->next < sim->report_count && sim->reports[sim->next].time_ns <= now_ns) {
+        if (sim->next >= sim->unplug_at) {
+            sim->gone = 1;
+            return HAL_ERR_GONE;
+        }
+        const int twice = sim->double_every > 0 && sim->next % sim->double_every == 0;
+        const struct pad_report report = next_report(sim);
+        for (int i = 0; i <= twice; i++) {
+            pad_track_keep(&sim->track, &report);
+        }
+    }
+    return HAL_OK;
+}
+
+static int pad_sim_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct pad_sim *sim = self;
+    const int result = arrive(sim);
+    return result == HAL_OK ? (int)pad_track_take(&sim->track, sim_now_ns(sim), out, max) : result;
+}
+
+static int pad_sim_feel(void *self, const struct poi_force *force)
+{
+    struct pad_sim *sim = self;
+    sim->felt = pad_rumble_of(force);
+    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+}
+
+static void pad_sim_look(void *self, const struct view *view)
+{
+    struct pad_sim *sim = self;
+    pad_hand_look(&sim->track.hand, view);
+}
+
+static const char *pad_sim_describe(void *self)
+{
+    (void)self;
+    return "simulated pad";
+}
+
+static int fan_open(void *self)
+{
+    const struct pad_sim *sim = self;
+    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+}
+
+static int fan_poll(void *self, struct shade_input *out)
+{
+    struct pad_sim *sim = self;
+    if (sim->gone) {
+        return HAL_ERR_GONE;
+    }
+    *out = pad_hand_fan(&sim->track.hand, sim_now_ns(sim));
+    return HAL_OK;
+}
+
+static int buttons_poll(void *self, struct button_sample *out)
+{
+    struct pad_sim *sim = self;
+    *out = (struct button_sample){ 0 };
+    if (arrive(sim) != HAL_OK) {
+        return HAL_ERR_GONE;
+    }
+    pad_track_buttons(&sim->track, out);
+    return HAL_OK;
+}
+
+struct hal_poi pad_sim_device(struct pad_sim *sim)
+{
+    static const struct hal_poi_ops ops = {
+        .open = pad_sim_open,
+        .poll = pad_sim_poll,
+        .feel = pad_sim_feel,
+        .look = pad_sim_look,
+        .describe = pad_sim_describe,
+    };
+    return (struct hal_poi){ .ops = &ops, .self = sim };
+}
+
+struct hal_shade pad_sim_fan(struct pad_sim *sim)
+{
+    static const struct hal_shade_ops ops = {
+        .open = fan_open,
+        .poll = fan_poll,
+        .describe = pad_sim_describe,
+    };
+    return (struct hal_shade){ .ops = &ops, .self = sim };
+}
+
+struct hal_buttons pad_sim_buttons(struct pad_sim *sim)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = buttons_poll,
+        .describe = pad_sim_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = sim };
+}
