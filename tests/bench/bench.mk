@@ -70,7 +70,22 @@ $(BENCH_MORPH): %: %.o $(BUILD)/platform/cpu.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
-.PHONY: bench bench-tank bench-poi bench-morph
+BENCH_HID := $(BUILD)/tests/bench/bench_hid
+BENCH_HID_SRC := $(patsubst %,drivers/%.c,hid_descriptor hid_globals hid_item hid_report)
+
+## bench-hid: what reading a report descriptor costs at worst, in time and in memory; build/bench_hid.tsv
+bench-hid:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_HID)
+	@$(BENCH_HID) tests/hid $(BUILD)/bench_hid.tsv
+	@for file in $(BENCH_HID_SRC); do $(CC) $(HOST_CFLAGS) -fstack-usage -c -o $(BUILD)/bench_hid.o $$file && \
+	    cat $(BUILD)/bench_hid.su; done | sort -t"$$(printf '\t')" -k2 -nr | head -1 | \
+	    awk -F'\t' '{ printf "  the deepest frame of the reader: %d bytes of stack (%s)\n", $$2, $$1 }'
+
+$(BENCH_HID): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: bench bench-tank bench-poi bench-morph bench-hid
 
 # Bots' rounds, on every core: minutes. Pictures where there is a gnuplot (board/setup.sh dev).
 BENCH_PLAY := $(BUILD)/tests/bench/technique $(BUILD)/tests/bench/scores

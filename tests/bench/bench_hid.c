@@ -1,0 +1,164 @@
+/* bench_hid.c -- what it costs to read a report descriptor: of real devices, of hostile ones, and
+ * of those made to be slow; and what a report costs.
+ *
+ * Usage: bench_hid FOLDER [TSV]   FOLDER is tests/hid; the table is also written to TSV
+ *
+ * CPU time of this thread. Each figure is the best of RUNS runs, for whatever else runs here is no
+ * cost of ours; the worst file of each group is named. Status 1: some descriptor takes more than
+ * GOAL_US, which is a tenth of a frame. */
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "drivers/hid_descriptor.h"
+#include "platform/ctl/hid_file.h"
+
+#define RUNS 25u
+#define GOAL_US 1600.0
+
+static struct hid_descriptor descriptor;
+static uint8_t bytes[HID_FILE_SIZE];
+static FILE *tsv;
+static double worst_us;
+
+static double now_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec * 1e6 + (double)now.tv_nsec * 1e-3;
+}
+
+static double read_us(const uint8_t *from, size_t size)
+{
+    double best = 1e9;
+    for (uint32_t run = 0; run < RUNS; run++) {
+        const double begin = now_us();
+        hid_descriptor_read(&descriptor, from, size);
+        const double took = now_us() - begin;
+        best = took < best ? took : best;
+    }
+    worst_us = best > worst_us ? best : worst_us;
+    return best;
+}
+
+static void row(const char *what, double us, const char *of)
+{
+    printf("  %-52s %9.2f us   %s\n", what, us, of);
+    if (tsv) {
+        fprintf(tsv, "%s\t%.3f\t%s\n", what, us, of);
+    }
+}
+
+/* ---- Files ---------------------------------------------------------------------------------- */
+
+static size_t load(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        perror(path);
+        exit(74);
+    }
+    const size_t size = fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    const long count = hid_from_hex(bytes, size);
+    return count >= 0 ? (size_t)count : size;
+}
+
+static void bench_folder(const char *what, const char *path)
+{
+    char file[768], slowest[256] = "";
+    double worst = 0.0;
+    uint32_t count = 0;
+    DIR *folder = opendir(path);
+    for (const struct dirent *entry; folder && (entry = readdir(folder));) {
+        if (!strstr(entry->d_name, ".hid")) {
+            continue;
+        }
+        snprintf(file, sizeof file, "%s/%s", path, entry->d_name);
+        const double us = read_us(bytes, load(file));
+        count++;
+        if (us > worst) {
+            worst = us;
+            snprintf(slowest, sizeof slowest, "%s", entry->d_name);
+        }
+    }
+    if (!folder || count == 0) {
+        fprintf(stderr, "bench_hid: %s: no descriptors\n", path);
+        exit(74);
+    }
+    closedir(folder);
+    row(what, worst, slowest);
+}
+
+/* ---- Made to be slow ------------------------------------------------------------------------ */
+
+static void bench_filled(const char *what, const uint8_t *pattern, size_t size)
+{
+    size_t at = 0;
+    for (; at + size <= HID_DESCRIPTOR_SIZE_MAX; at += size) {
+        memcpy(bytes + at, pattern, size);
+    }
+    const double us = read_us(bytes, at);
+    row(what, us, hid_error_text(descriptor.error));
+}
+
+#define FILLED(what, ...)                                                                          \
+    bench_filled((what), (const uint8_t[]){ __VA_ARGS__ }, sizeof((const uint8_t[]){ __VA_ARGS__ }))
+
+/* ---- Reports -------------------------------------------------------------------------------- */
+
+static void bench_report(const char *path)
+{
+    static uint8_t report_bytes[HID_REPORT_BITS_MAX / 8u + 1u];
+    char file[768];
+    double best = 1e9;
+    int64_t sum = 0;
+    snprintf(file, sizeof file, "%s/good/descriptors/016-ci-dualsense.hid", path);
+    hid_descriptor_read(&descriptor, bytes, load(file));
+    report_bytes[0] = 1;
+    for (uint32_t run = 0; run < 40u * RUNS; run++) {
+        const double begin = now_us();
+        for (uint32_t i = 0; i < descriptor.group_count; i++) {
+            const struct hid_group *group = &descriptor.group[i];
+            const struct hid_report report = { report_bytes, 64u };
+            for (uint32_t j = 0; group->report_id == 1u && j < group->count; j++) {
+                sum += hid_field_value(&descriptor, group, j, report);
+            }
+        }
+        const double took = now_us() - begin;
+        best = took < best ? took : best;
+    }
+    row("every value of a DualSense's report", best, sum == 0 ? "64 bytes, at rest" : "");
+}
+
+int main(int argc, char **argv)
+{
+    char path[512];
+    if (argc < 2) {
+        fputs("usage: bench_hid FOLDER [TSV]\n", stderr);
+        return 2;
+    }
+    tsv = argc > 2 ? fopen(argv[2], "w") : NULL;
+    snprintf(path, sizeof path, "%s/good/descriptors", argv[1]);
+    bench_folder("the slowest real descriptor", path);
+    snprintf(path, sizeof path, "%s/malformed", argv[1]);
+    bench_folder("the slowest hostile one of the corpus", path);
+    FILLED("65,535 bytes of Push and Pop", 0xa4, 0xb4);
+    FILLED("65,535 bytes of collections that open and close", 0xa0, 0xc0);
+    FILLED("65,535 bytes of Input items that declare nothing", 0x80);
+    FILLED("65,535 bytes of usages that no field uses", 0x08, 0xb0);
+    FILLED("65,535 bytes of globals", 0x04, 0x14, 0x24, 0x34, 0x44, 0x54, 0x64, 0x74, 0x94);
+    FILLED("65,535 bytes of long items", 0xfe, 0x00, 0x00);
+    bench_report(argv[1]);
+    printf("  memory of what was read: %zu bytes, the caller's, whatever it says\n",
+           sizeof descriptor);
+    if (tsv) {
+        fclose(tsv);
+    }
+    if (worst_us > GOAL_US) {
+        printf("  OVER ITS BOUND: %.0f us, %.0f allowed\n", worst_us, GOAL_US);
+    }
+    return worst_us > GOAL_US;
+}
