@@ -62,7 +62,7 @@ $(BUILD)/tests/unit/test_lanes_wide.o: BASE_CFLAGS += -Wno-psabi \
 
 $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
-	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $^ -lcmocka $(HOST_LIBS)
+	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $(filter %.o,$^) $(filter %.a,$^) -lcmocka $(HOST_LIBS)
 
 # The judge of the technique bench (tests/bench/technique.c) is a part of the bench alone.
 $(BUILD)/tests/unit/test_statistics: $(BUILD)/tests/bench/statistics.o

@@ -5,6 +5,7 @@
 
 #include <cmocka.h>
 
+#include "drivers/coin_mech.h" /* The shell is linked. */
 #include "tests/gpio/coin_rain.h"
 
 #define COINS 20000u
