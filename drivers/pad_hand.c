@@ -45,7 +45,7 @@ static void read_motion(struct pad_hand *hand)
     }
 }
 
-/* Pushed away the far edge rises, as by a mouse's wheel; pushed to the right the right one sinks. */
+/* Pushed away the far edge rises, as by a wheel; pushed to the right the right one sinks. */
 static void read_sticks(struct pad_hand *hand)
 {
     const int16_t *axis = hand->now.axis;

@@ -2,6 +2,8 @@
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
+#include "drivers/hid_book.h"
+#include "drivers/hid_desk.h"
 #include "drivers/poi_hid.h"
 #include "drivers/usb_seats.h"
 
@@ -10,6 +12,8 @@
 static struct {
     struct usb_seats *usb; /* Null: not started. */
     struct poi_hid poi[POI_MAX];
+    struct hid_book book;
+    struct hid_desk desk;
     struct usb_key listed[BOARD_USB_MAX];
     uint32_t listed_count;
     char choices[PATH_SIZE];
@@ -32,13 +36,30 @@ int board_reads_usb(const char *text)
     return usb_key_read(&key, text) == 0;
 }
 
+static void complain(void *self, const char *line)
+{
+    (void)self;
+    fprintf(stderr, "kingyo: %s\n", line);
+}
+
+static void open_desk(struct hal *hal, const struct board_options *options)
+{
+    struct poi_hid *seats[POI_MAX];
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        seats[i] = &devices.poi[i];
+        poi_hid_init(seats[i], usb_seats_port(devices.usb, i), hal->clock,
+                     hid_book_mapper(&devices.book), &options->view);
+    }
+    hid_desk_init(&devices.desk, usb_seats_roster(devices.usb), &devices.book, seats);
+    hal->controllers = hid_desk_device(&devices.desk);
+}
+
 /* Nothing on USB is touched where somebody else is to play. */
 void usb_open(struct hal *hal, const struct board_options *options)
 {
     if (options->poi != BOARD_POI_AUTO && options->poi != BOARD_POI_USB) {
         return;
     }
-    const struct hid_mapper mapper = { 0 };
     read_listed(options);
     snprintf(devices.choices, sizeof devices.choices, "%.1000s/usb.txt",
              options->data_dir ? options->data_dir : "");
@@ -48,11 +69,12 @@ void usb_open(struct hal *hal, const struct board_options *options)
         .listed = devices.listed,
         .listed_count = devices.listed_count,
     };
+    hid_book_open(&devices.book, options->data_dir, complain, NULL);
     devices.usb = usb_seats_start(&config, devices.text);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_hid_init(&devices.poi[i], usb_seats_port(devices.usb, i), hal->clock, mapper,
-                     &options->view);
+    if (devices.text[0]) {
+        complain(NULL, devices.text);
     }
+    open_desk(hal, options);
 }
 
 /* Whoever sits at a seat of USB's is there once it is known how he plays. Who cannot play yet is
@@ -116,6 +138,7 @@ void usb_close(void)
 {
     if (devices.usb) {
         usb_seats_stop(devices.usb);
+        hid_book_close(&devices.book);
         devices.usb = NULL;
     }
 }
