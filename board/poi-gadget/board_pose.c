@@ -58,18 +58,29 @@ static void feel_attitude(struct board_pose *pose, const struct readings *readin
                   quaternion_product(quaternion_product(upright, readings->turn), back));
 }
 
-void board_pose_step(struct board_pose *pose, const struct readings *readings, float seconds,
-                     struct poi_report *out)
+/* A wire that is torn or let go is pulled in to its potentiometer's stop, and one that is not
+ * plugged in says nothing: neither has a length. */
+static enum draw_wires_result feel_wires(struct board_pose *pose, const struct readings *readings)
 {
     const struct poi_config *config = pose->config;
     float length_m[DRAW_WIRE_COUNT];
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
+        if (!(readings->wire[i] >= BOARD_POSE_STEPS_MIN)) {
+            return DRAW_WIRES_LENGTH;
+        }
         length_m[i] = config->zero_m[i] + config->step_m[i] * readings->wire[i];
     }
+    return draw_wires_meet(config->spool_m, length_m, &pose->eye_m);
+}
+
+void board_pose_step(struct board_pose *pose, const struct readings *readings, float seconds,
+                     struct poi_report *out)
+{
+    const struct poi_config *config = pose->config;
     feel_attitude(pose, readings, seconds);
     out->buttons = readings->buttons;
     out->target.angles = attitude_angles(&pose->attitude, config->ahead_s, seconds);
-    pose->wires = draw_wires_meet(config->spool_m, length_m, &pose->eye_m);
+    pose->wires = feel_wires(pose, readings);
     if (pose->wires != DRAW_WIRES_OK || !pose->attitude.knows) {
         pose->steady.begun = 0;
         out->target.position_m.x = __builtin_nanf("");

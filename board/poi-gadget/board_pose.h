@@ -7,6 +7,9 @@
 #include "board/poi-gadget/steady.h"
 #include "drivers/poi_report.h"
 
+/* Fewer steps of the converter are the stop of a potentiometer, with its noise. */
+#define BOARD_POSE_STEPS_MIN 8.0f
+
 /* All sensors at one moment, in the chips' own steps and axes. */
 struct readings {
     float wire[DRAW_WIRE_COUNT]; /* Steps of the converter, a mean of several. */

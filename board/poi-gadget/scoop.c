@@ -7,7 +7,7 @@
  * right corner, 12 mm over the water. What is dipped at keeps clear of it and of the walls. */
 #define SPOT_LEFT_M (-0.30f)
 #define SPOT_RIGHT_M 0.16f
-#define SPOT_FAR_M (-0.17f)
+#define SPOT_FAR_M (-0.12f)
 #define SPOT_NEAR_M 0.12f
 #define BOWL_X_M 0.289f /* Left of its middle by what a fish slides off a ring that leans 58 deg. */
 #define BOWL_Y_M 0.062f

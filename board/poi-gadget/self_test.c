@@ -83,14 +83,15 @@ static void judge_wires(struct verdicts *verdicts, const struct poi_config *conf
 {
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
         const float noise = looks->high[i] - looks->low[i];
+        const int out = looks->low[i] >= BOARD_POSE_STEPS_MIN;
         char what[16];
         snprintf(what, sizeof what, "wire %u", i + 1);
-        judge(verdicts, noise <= NOISE_STEPS_MAX && looks->last.wire[i] > 0.0f, what,
+        judge(verdicts, noise <= NOISE_STEPS_MAX && out, what,
               "channel %u says %.1f, within %.1f steps%s", config->channel[i],
               (double)looks->last.wire[i], (double)noise,
-              noise > NOISE_STEPS_MAX     ? "; hold the poi still, or shield the cable"
-              : looks->last.wire[i] > 0.0f ? ""
-                                           : "; 0 is an open or shorted potentiometer");
+              noise > NOISE_STEPS_MAX ? "; hold the poi still, or shield the cable"
+              : out                   ? ""
+                                      : "; that is its stop, or an open potentiometer");
     }
 }
 
