@@ -3,9 +3,11 @@
 
 #include <assert.h>
 
+#define ROUNDING_S 1e-4f /* Ten hundredths of a second are not quite a tenth. */
+
 int pose_glide_is_there(const struct pose_glide *glide)
 {
-    return !glide->begun || glide->at_s >= glide->to.glide_s;
+    return !glide->begun || glide->at_s >= glide->to.glide_s - ROUNDING_S;
 }
 
 void pose_glide_send(struct pose_glide *glide, const struct pose_line *to)
@@ -33,8 +35,7 @@ void pose_glide_step(struct pose_glide *glide, float seconds, struct poi_report 
     assert(glide->begun && seconds >= 0.0f);
     const struct poi_target *from = &glide->from.target, *to = &glide->to.target;
     glide->at_s += seconds;
-    const float t = glide->at_s < glide->to.glide_s ? smooth(glide->at_s / glide->to.glide_s)
-                                                    : 1.0f;
+    const float t = pose_glide_is_there(glide) ? 1.0f : smooth(glide->at_s / glide->to.glide_s);
     out->target.position_m = v3_lerp(from->position_m, to->position_m, t);
     out->target.angles = (struct angles){
         .yaw_rad = turn_between(from->angles.yaw_rad, to->angles.yaw_rad, t),

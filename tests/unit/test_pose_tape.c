@@ -1,0 +1,186 @@
+/* test_pose_tape.c -- lines of poses: read, refused, written back, and glided through. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "board/poi-gadget/pose_tape.h"
+#include "core/base/rng.h"
+
+static void feed(struct pose_tape *tape, const char *text)
+{
+    uint32_t room;
+    char *at = pose_tape_room(tape, &room);
+    assert_true(strlen(text) <= room);
+    memcpy(at, text, strlen(text));
+    pose_tape_wrote(tape, (uint32_t)strlen(text));
+}
+
+static void test_a_line_says_place_turn_time_and_keys(void **state)
+{
+    (void)state;
+    struct pose_line line;
+    const char *why;
+    assert_int_equal(
+        pose_line_read(&line, " +400  120 -50 30.5  -25 0 190  OK FAN # down\n", &why), 1);
+    assert_float_equal(line.glide_s, 0.4f, 1e-6f);
+    assert_float_equal(line.target.position_m.x, 0.12f, 1e-6f);
+    assert_float_equal(line.target.position_m.y, -0.05f, 1e-6f);
+    assert_float_equal(line.target.position_m.z, 0.0305f, 1e-6f);
+    assert_float_equal(line.target.angles.pitch_rad, -25.0f * F_DEG, 1e-5f);
+    assert_float_equal(line.target.angles.roll_rad, -170.0f * F_DEG, 1e-5f); /* The same turn. */
+    assert_int_equal(line.buttons, POI_BUTTON_OK | POI_BUTTON_FAN);
+    assert_int_equal(pose_line_read(&line, "lost START", &why), 1);
+    assert_true(line.lost && line.buttons == POI_BUTTON_START);
+    assert_int_equal(pose_line_read(&line, "  # a remark", &why), 0);
+    assert_int_equal(pose_line_read(&line, "\r\n", &why), 0);
+}
+
+static void test_what_is_no_pose_is_refused_with_its_reason(void **state)
+{
+    (void)state;
+    static const struct bad {
+        const char *text, *why;
+    } bad[] = {
+        { "1 2 3 4 5", "six numbers" },       { "+100", "six numbers" },
+        { "1 2 3 4 5 x", "angle" },           { "1 1001 3 4 5 6", "place" },
+        { "nan 2 3 4 5 6", "place" },         { "1 2 3 4 5 361", "angle" },
+        { "1 2 3 4 5 inf", "angle" },         { "+-1 1 2 3 4 5 6", "glide" },
+        { "+600001 1 2 3 4 5 6", "glide" },   { "1 2 3 4 5 6 JUMP", "key" },
+        { "lost 1", "key" },                  { "1e99 2 3 4 5 6", "place" },
+    };
+    char endless[300];
+    memset(endless, '1', sizeof endless - 1);
+    endless[sizeof endless - 1] = '\0';
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        struct pose_line line = { .glide_s = 77.0f };
+        const char *why = "";
+        assert_int_equal(pose_line_read(&line, bad[i].text, &why), -1);
+        assert_non_null(strstr(why, bad[i].why));
+        assert_float_equal(line.glide_s, 77.0f, 0.0f);
+    }
+    struct pose_line line;
+    const char *why;
+    assert_int_equal(pose_line_read(&line, endless, &why), -1);
+}
+
+static void test_what_is_written_is_read_back(void **state)
+{
+    (void)state;
+    for (uint32_t n = 0; n < 2000; n++) {
+        float d[6];
+        for (uint32_t k = 0; k < 6; k++) {
+            d[k] = rng_range((struct rng_key){ 13, n, k, RNG_TEST }, -0.99f, 0.99f);
+        }
+        const struct poi_report report = {
+            .target = { .position_m = { d[0], d[1], d[2] },
+                        .angles = { d[3] * F_PI, d[4] * F_PI, d[5] * F_PI } },
+            .buttons = (uint8_t)(n & 31u),
+        };
+        char text[POSE_LINE_SIZE];
+        struct pose_line line;
+        const char *why;
+        pose_line_write(&report, text);
+        assert_int_equal(pose_line_read(&line, text, &why), 1);
+        assert_float_equal(line.target.position_m.y, d[1], 6e-6f);
+        assert_float_equal(line.target.angles.yaw_rad, d[3] * F_PI, 1e-4f);
+        assert_float_equal(line.target.angles.pitch_rad, d[4] * F_PI, 1e-4f);
+        assert_int_equal(line.buttons, n & 31u);
+    }
+}
+
+static void test_a_glide_takes_its_time_and_ends_where_it_was_sent(void **state)
+{
+    (void)state;
+    struct pose_tape tape = { 0 };
+    struct poi_report out = { 0 };
+    feed(&tape, "0 0 0 0 170 0\n+100 100 0 0 0 -170 0 OK\n50 0 0 0 0 0\n");
+    tape.ended = 1;
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
+    assert_float_equal(out.target.position_m.x, 0.0f, 0.0f);
+    float before_m = 0.0f;
+    for (uint32_t i = 1; i <= 10; i++) {
+        assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
+        assert_true(out.target.position_m.x > before_m);
+        assert_int_equal(out.buttons, POI_BUTTON_OK);
+        /* The short way round: never through straight ahead. */
+        assert_true(f_abs(out.target.angles.yaw_rad) > 169.0f * F_DEG);
+        if (i == 5) {
+            assert_float_equal(out.target.position_m.x, 0.05f, 1e-5f);
+        }
+        before_m = out.target.position_m.x;
+    }
+    assert_float_equal(out.target.position_m.x, 0.1f, 1e-6f);
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
+    assert_float_equal(out.target.position_m.x, 0.05f, 0.0f);
+    assert_int_equal(out.buttons, 0);
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
+}
+
+static void test_a_tape_that_waits_for_more_holds_its_hand_still(void **state)
+{
+    (void)state;
+    struct pose_tape tape = { 0 };
+    struct poi_report out = { 0 };
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
+    feed(&tape, "100 0 0 0");
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0); /* Half a line is none. */
+    feed(&tape, " 0 0\n");
+    for (uint32_t i = 0; i < 20; i++) {
+        assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
+        assert_float_equal(out.target.position_m.x, 0.1f, 0.0f);
+    }
+    feed(&tape, "lost\n200 0 0 0 0 0");
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
+    assert_false(f_is_finite(out.target.position_m.x));
+    tape.ended = 1; /* The last line needs no end. */
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
+    assert_float_equal(out.target.position_m.x, 0.2f, 0.0f);
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 0);
+}
+
+static void test_a_bad_line_is_told_by_its_number(void **state)
+{
+    (void)state;
+    struct pose_tape tape = { 0 };
+    struct poi_report out = { 0 };
+    feed(&tape, "# a\n0 0 0 0 0 0\n\nnonsense\n");
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), 1);
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), -1);
+    assert_int_equal(tape.line, 4);
+    assert_non_null(tape.why);
+}
+
+static void test_bytes_without_an_end_are_no_line_and_no_harm(void **state)
+{
+    (void)state;
+    struct pose_tape tape = { 0 };
+    struct poi_report out = { 0 };
+    char junk[POSE_TAPE_SIZE + 1];
+    memset(junk, 'x', POSE_TAPE_SIZE);
+    junk[POSE_TAPE_SIZE] = '\0';
+    feed(&tape, junk);
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), -1);
+    memset(&tape, 0, sizeof tape);
+    memset(tape.text, 0, 10);
+    pose_tape_wrote(&tape, 10);
+    tape.ended = 1;
+    assert_int_equal(pose_tape_step(&tape, 0.01f, &out), -1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_line_says_place_turn_time_and_keys),
+        cmocka_unit_test(test_what_is_no_pose_is_refused_with_its_reason),
+        cmocka_unit_test(test_what_is_written_is_read_back),
+        cmocka_unit_test(test_a_glide_takes_its_time_and_ends_where_it_was_sent),
+        cmocka_unit_test(test_a_tape_that_waits_for_more_holds_its_hand_still),
+        cmocka_unit_test(test_a_bad_line_is_told_by_its_number),
+        cmocka_unit_test(test_bytes_without_an_end_are_no_line_and_no_harm),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
