@@ -54,13 +54,19 @@ static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct de
 static void publish(struct gpio_reader *reader)
 {
     struct coin_mech *coin = &reader->coin;
-    uint32_t faults = coin_mech_faults(coin);
+    struct gpio_total *total = &reader->total;
+    uint32_t lost = 0;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
-        faults += reader->inputs[i].lost;
+        lost += reader->inputs[i].lost;
         reader->inputs[i].lost = 0;
     }
     atomic_fetch_add(&reader->coins, coin->coins);
-    atomic_fetch_add(&reader->faults, faults);
+    atomic_fetch_add(&reader->faults, coin_mech_faults(coin) + lost);
+    total->coins += coin->coins;
+    total->too_short += coin->too_short;
+    total->stuck += coin->stuck;
+    total->cut += coin->cut;
+    total->lost_edges += lost;
     coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
 }
 
@@ -103,6 +109,7 @@ static void lose_lines(struct gpio_reader *reader)
         }
     }
     if (reader->had != before) {
+        reader->total.lost_chips++;
         atomic_fetch_add(&reader->faults, 1);
         atomic_store(&reader->held, reader->levels);
     }
@@ -260,6 +267,7 @@ void gpio_reader_step(struct gpio_reader *reader)
                                               wait_ms(reader));
     if (count == HAL_ERR_GONE) {
         lose_lines(reader);
+        publish(reader); /* What was counted of lines that may be asked for anew. */
         ask(reader);
     }
     take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u, &touched);

@@ -16,6 +16,12 @@
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
 #define GPIO_WAIT_MS_MAX 20u /* How late a lamp may be, and a level that no edge told of. */
 
+/* What was counted since the lines were asked for first. */
+struct gpio_total {
+    uint32_t coins, too_short, stuck, cut; /* As coin_mech's. */
+    uint32_t lost_edges, lost_chips;
+};
+
 struct gpio_reader {
     struct gpio_lines lines;
     struct hal_clock clock;
@@ -30,6 +36,7 @@ struct gpio_reader {
     struct coin_mech coin;
     struct pulse_train trains[GPIO_OUTPUT_COUNT];
     uint32_t levels;                         /* Debounced, a bit each role. */
+    struct gpio_total total;                 /* For whoever steps. */
 
     /* Between the threads. */
     _Atomic uint32_t held, pressed;          /* Bits of input roles; COIN is never among them. */

@@ -16,7 +16,8 @@ struct ctl_command {
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
-extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper, ctl_morph;
+extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper, ctl_morph,
+    ctl_lines;
 
 /* One line on standard error, "kingyoctl COMMAND: ...", and EXIT_USAGE. */
 __attribute__((format(printf, 2, 3)))

@@ -6,7 +6,8 @@
 #include "platform/ctl/ctl.h"
 
 static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_paper, &ctl_play,
-                                                      &ctl_morph, &ctl_replay, &ctl_hid };
+                                                      &ctl_morph, &ctl_replay, &ctl_hid,
+                                                      &ctl_lines };
 
 static void print_help(void)
 {

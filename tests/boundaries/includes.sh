@@ -38,8 +38,8 @@ bot_rule='a bot knows the stall by core/game/sight.h alone'
 bot_files='/(bot|bot_[a-z]+|aim|look|patch|technique)\.[ch]$'
 bot_headers='core/game/(bot|bot_[a-z]+|aim|look|patch|technique|sight)\.h|core/poi/pose\.h'
 driver_rule="a driver includes only platform/hal.h, the core's contracts, drivers and libraries"
-shell_rule='only board/ and main wire drivers and boards; kingyoctl may show a pure decoder'
-decoders='drivers/hid_descriptor\.h'
+shell_rule='only board/ and main wire drivers and boards; kingyoctl may show a pure decoder, and GPIO lines'
+decoders='drivers/(hid_descriptor|gpio_[a-z]+|buttons_gpio|coin_mech|debounce|pulse_train)\.h'
 
 breaches=$({
     # shellcheck disable=SC2086

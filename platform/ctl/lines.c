@@ -1,0 +1,248 @@
+/* lines.c -- `kingyoctl lines`: which GPIO lines there are, and what is wired to them. */
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/gpio_wires.h"
+#include "platform/clock.h"
+#include "platform/ctl/ctl.h"
+#include "platform/ctl/lines_show.h"
+#include "platform/number.h"
+
+#define SECONDS_MAX 86400u
+#define SET_SECONDS 3u     /* A lamp that is looked at, without --seconds. */
+#define PULSES_MAX 1000u   /* A meter that is tried out. */
+#define NS_PER_S 1000000000ull
+
+static const char name[] = "lines";
+static struct buttons_gpio gpio;
+static volatile sig_atomic_t is_stopped;
+
+/* What stands behind the subcommand. */
+struct request {
+    struct gpio_wire wires[GPIO_ROLE_COUNT];
+    enum gpio_role role;    /* Of the newest wire. */
+    uint32_t seconds;       /* 0: not said. */
+    const char *word;       /* "on", "off", a count; null: none. */
+};
+
+static void stop(int signal_number)
+{
+    (void)signal_number;
+    is_stopped = 1;
+}
+
+static void end_at_signals(void)
+{
+    const struct sigaction action = { .sa_handler = stop };
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+}
+
+/* ---- The words ------------------------------------------------------------------------------ */
+
+static enum exit_code read_wire(struct request *request, const char *text)
+{
+    char why[HAL_TEXT_SIZE];
+    if (!gpio_wire_read(text, request->wires, why) ||
+        !gpio_wires_agree(request->wires, why)) {
+        return ctl_usage(name, "%s", why);
+    }
+    request->role = gpio_role_find(text, (size_t)(strchr(text, '=') - text));
+    return EXIT_OK;
+}
+
+static enum exit_code read_words(struct request *request, int argc, const char *const *argv)
+{
+    for (int i = 0; i < argc; i++) {
+        if (strcmp(argv[i], "--seconds") == 0) {
+            const char *value = i + 1 < argc ? argv[++i] : NULL;
+            if (!number_parse(value, 1, SECONDS_MAX, &request->seconds)) {
+                return ctl_usage(name, "--seconds wants a number from 1 to %u", SECONDS_MAX);
+            }
+        } else if (strchr(argv[i], '=')) {
+            const enum exit_code code = read_wire(request, argv[i]);
+            if (code != EXIT_OK) {
+                return code;
+            }
+        } else if (argv[i][0] == '-' || request->word) {
+            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
+        } else {
+            request->word = argv[i];
+        }
+    }
+    return EXIT_OK;
+}
+
+/* ---- The lines ------------------------------------------------------------------------------ */
+
+/* Whether every wire was had; what was not is told. */
+static int has_all(const struct gpio_reader *reader)
+{
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
+        if (reader->why[i][0]) {
+            fprintf(stderr, "kingyoctl lines: %s: %s\n", gpio_role_name((enum gpio_role)i),
+                    reader->why[i]);
+        }
+    }
+    return (uint32_t)__builtin_popcount(reader->had) == gpio_wires_count(reader->wires);
+}
+
+static enum exit_code open_lines(const struct request *request)
+{
+    gpio_reader_open(&gpio.reader, gpio_lines_device(), request->wires, clock_device());
+    if (!has_all(&gpio.reader)) {
+        gpio_reader_close(&gpio.reader);
+        return EXIT_IO;
+    }
+    end_at_signals();
+    return EXIT_OK;
+}
+
+static uint64_t now_ns(void)
+{
+    const struct hal_clock clock = clock_device();
+    return clock.ops->now_ns(clock.self);
+}
+
+/* Steps the lines until it is `until_ns` or somebody ends it. */
+static void step_until(uint64_t until_ns, struct lines_show *show)
+{
+    while (!is_stopped && now_ns() < until_ns) {
+        gpio_reader_step(&gpio.reader);
+        if (show) {
+            lines_show_rows(show, stdout);
+            fflush(stdout);
+        }
+    }
+}
+
+/* ---- The subcommands ------------------------------------------------------------------------ */
+
+static enum exit_code run_list(const struct request *request)
+{
+    if (gpio_wires_count(request->wires) > 0 || request->word || request->seconds) {
+        return ctl_usage(name, "list wants no words");
+    }
+    return lines_list(gpio_lines_device(), stdout);
+}
+
+static enum exit_code run_watch(const struct request *request)
+{
+    if (gpio_wires_count(request->wires) == 0 || request->word) {
+        return ctl_usage(name, "watch wants ROLE=LINE, once or more");
+    }
+    const enum exit_code code = open_lines(request);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    struct lines_show show = lines_show_begin(&gpio.reader);
+    puts("seconds\trole\twhat");
+    fflush(stdout);
+    step_until(request->seconds ? now_ns() + request->seconds * NS_PER_S : UINT64_MAX, &show);
+    gpio_reader_close(&gpio.reader);
+    return EXIT_OK;
+}
+
+/* One output and one word. */
+static enum exit_code open_output(const struct request *request, const char *wanted)
+{
+    if (gpio_wires_count(request->wires) != 1 || !request->word) {
+        return ctl_usage(name, "ROLE=LINE and %s are wanted", wanted);
+    }
+    if (gpio_role_is_input(request->role)) {
+        return ctl_usage(name, "%s is a button: only start-lamp, coin-lockout, ticket and "
+                               "coin-counter are switched", gpio_role_name(request->role));
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code run_set(const struct request *request)
+{
+    const char wanted[] = "'on' or 'off'";
+    enum exit_code code = open_output(request, wanted);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const int is_on = strcmp(request->word, "on") == 0;
+    if (!is_on && strcmp(request->word, "off") != 0) {
+        return ctl_usage(name, "%s is wanted, not '%.40s'", wanted, request->word);
+    }
+    code = open_lines(request);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct hal_switches switches = buttons_gpio_switches(&gpio);
+    switches.ops->set(switches.self, (enum hal_switch)(request->role - GPIO_INPUT_COUNT), is_on);
+    const uint32_t seconds = request->seconds ? request->seconds : SET_SECONDS;
+    step_until(now_ns() + seconds * NS_PER_S, NULL);
+    gpio_reader_close(&gpio.reader);
+    return EXIT_OK;
+}
+
+static enum exit_code run_pulse(const struct request *request)
+{
+    uint32_t count = 0;
+    enum exit_code code = open_output(request, "a count");
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (!number_parse(request->word, 1, PULSES_MAX, &count)) {
+        return ctl_usage(name, "pulse wants a count from 1 to %u, not '%.40s'", PULSES_MAX,
+                         request->word);
+    }
+    code = open_lines(request);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct hal_switches switches = buttons_gpio_switches(&gpio);
+    switches.ops->pulse(switches.self, (enum hal_switch)(request->role - GPIO_INPUT_COUNT), count);
+    do {
+        gpio_reader_step(&gpio.reader);
+    } while (!is_stopped && atomic_load(&gpio.reader.owed) > 0);
+    const uint32_t owed = atomic_load(&gpio.reader.owed);
+    gpio_reader_close(&gpio.reader);
+    printf("%u pulses on %s\n", count - owed, gpio_role_name(request->role));
+    return owed == 0 ? EXIT_OK : EXIT_NOT_SO;
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    static const struct {
+        const char *word;
+        enum exit_code (*run)(const struct request *request);
+    } subcommands[] = {
+        { "list", run_list }, { "watch", run_watch }, { "set", run_set }, { "pulse", run_pulse },
+    };
+    struct request request = { 0 };
+    if (argc == 0) {
+        return ctl_usage(name, "list, watch, set or pulse is wanted; --help says more");
+    }
+    for (size_t i = 0; i < sizeof subcommands / sizeof subcommands[0]; i++) {
+        if (strcmp(argv[0], subcommands[i].word) == 0) {
+            const enum exit_code code = read_words(&request, argc - 1, argv + 1);
+            return code != EXIT_OK ? code : subcommands[i].run(&request);
+        }
+    }
+    return ctl_usage(name, "'%.60s' is none of list, watch, set, pulse", argv[0]);
+}
+
+const struct ctl_command ctl_lines = {
+    .name = name,
+    .summary = "GPIO lines: which there are, what buttons and coins do, lamps and meters by hand",
+    .usage =
+        "  kingyoctl lines list                       every line of every chip, and who holds it\n"
+        "  kingyoctl lines watch ROLE=LINE... [--seconds N]\n"
+        "                                             presses, coins with their widths, faults\n"
+        "  kingyoctl lines set ROLE=LINE on|off [--seconds N]\n"
+        "                                             for N seconds (3); then the line is let go\n"
+        "  kingyoctl lines pulse ROLE=LINE COUNT      steps a meter, asks for tickets\n"
+        "\n"
+        "ROLE: start left right ok test service tilt coin door, start-lamp coin-lockout ticket\n"
+        "coin-counter. LINE: a line's name, or CHIP:OFFSET by the chip's label; behind it, after\n"
+        "commas: low high up down float as-is debounce=5ms window=15ms-250ms pulse=100ms/100ms.\n"
+        "Exit code 74: a line could not be had. A line that the kiosk holds is the kiosk's: end\n"
+        "it first.\n",
+    .run = run,
+};
