@@ -16,7 +16,7 @@
 
 #define FLY_AIR_M_S 0.55f    /* At full push: across the stall's tank in a second and a half. */
 #define FLY_WATER_M_S 0.26f  /* Under water: wet paper bears 0.4 m/s broadside. */
-#define FLY_HEIGHT_M_S 0.20f /* Up and down. */
+#define FLY_HEIGHT_M_S 0.30f /* Up and down: as fast as a dip is at its fastest. */
 #define FLY_HIGH_M 0.12f     /* No higher: a hand over the rim. */
 #define FLY_LOW_M (-0.11f)   /* No deeper: the floor of the stall's tank. */
 #define FLY_TILT_MAX_RAD (60.0f * F_DEG)
