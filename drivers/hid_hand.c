@@ -37,6 +37,7 @@ int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const stru
     pointer_poi_init(&hand->pointer, view);
     pointer_fan_init(&hand->fan, view);
     fly_poi_init(&hand->fly, view);
+    pose_fan_init(&hand->pose);
     return 0;
 }
 
@@ -318,7 +319,7 @@ static int pose(struct hid_hand *hand, const struct hid_raw *raw)
     hand->gap_count += hand->has_sequence ? step - 1u : 0u;
     hand->sequence = report.sequence;
     hand->has_sequence = 1;
-    hand->target = report.target;
+    pose_fan_move(&hand->pose, &report.target, report.buttons & POI_BUTTON_FAN, hand->time_ns);
     hand->present = 1;
     return 1;
 }
@@ -384,7 +385,7 @@ int hid_hand_sample(struct hid_hand *hand, uint64_t time_ns, struct poi_sample *
         .time_ns = is_pose ? hand->time_ns : time_ns,
         .has_wrist = (uint8_t)is_pose,
         .trembles = hand->map.trembles,
-        .target = is_pose                                ? hand->target
+        .target = is_pose                                ? pose_fan_poi(&hand->pose)
                   : hand->map.style == HID_STYLE_POINTER ? pointed(hand, time_ns)
                                                          : fly_poi_target(&hand->fly, time_ns),
     };
@@ -405,6 +406,8 @@ struct shade_input hid_hand_fan(struct hid_hand *hand, uint64_t time_ns)
         return pointer_fan_shade(&hand->fan, time_ns);
     case HID_STYLE_FLY:
         return fly_poi_fan(&hand->fly, time_ns);
+    case HID_STYLE_POSE:
+        return pose_fan_shade(&hand->pose, time_ns);
     default:
         return (struct shade_input){ 0 };
     }

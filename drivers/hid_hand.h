@@ -12,6 +12,7 @@
 #include "drivers/hid_map.h"
 #include "drivers/pointer_fan.h"
 #include "drivers/pointer_poi.h"
+#include "drivers/pose_fan.h"
 #include "platform/hal.h"
 
 /* After so long out of range a pen lies beside its tablet, and nobody is there. */
@@ -24,7 +25,7 @@ struct hid_hand {
     struct pointer_fan fan;
     struct pointer_report report;
     struct fly_poi fly;         /* Of HID_STYLE_FLY. */
-    struct poi_target target;   /* Of HID_STYLE_POSE: the newest report's. */
+    struct pose_fan pose;       /* Of HID_STYLE_POSE: the newest report's. */
     /* Newest of each binding: [-1, 1]; of a STEP, steps; of a hat, its direction, -1 for none; of
      * what is pressed, 0 or 1. */
     float value[HID_BINDING_MAX];

@@ -121,7 +121,7 @@ static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
     if (!poi->is_open) {
         return HAL_ERR_GONE;
     }
-    while (count + 1u < max) {
+    for (uint32_t taken = 0; taken < HID_REPORTS_MAX && count < max; taken++) {
         const int result = poi->port.ops->take(poi->port.self, &raw);
         if (result == HAL_ERR_GONE) {
             poi->is_open = 0;

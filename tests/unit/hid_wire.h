@@ -12,6 +12,7 @@
 #include "drivers/hid_port_sim.h"
 
 #define CORPUS "tests/hid/good/descriptors/"
+#define KNOWN "../../known/"
 
 struct hid_wire {
     struct hid_face face;

@@ -198,6 +198,9 @@ static void test_a_playstation_pad_is_known_by_its_ids(void **state)
     assert_int_equal(edge.source, HID_MAP_KNOWN);
     assert_int_equal(other.source, HID_MAP_OFFERED);
     assert_int_equal(binding_of(&known, HID_ROLE_START)->bit_offset, 69); /* Options. */
+    const struct hid_map fourth = map_of(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4);
+    assert_int_equal(fourth.source, HID_MAP_KNOWN);
+    assert_int_equal(binding_of(&fourth, HID_ROLE_START)->bit_offset, 45);
 }
 
 static void test_a_known_map_that_does_not_fit_the_descriptor_is_not_used(void **state)

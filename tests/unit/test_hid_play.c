@@ -346,9 +346,12 @@ static void test_a_pen_tablet_lands_fish(void **state)
     assert_true(landed_in(2, "pen in a mouse's report") >= 5);
 }
 
-static void test_a_dualsense_lands_fish(void **state)
+static void test_a_playstation_pad_lands_fish(void **state)
 {
     (void)state;
+    take_up(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4, say_playstation);
+    assert_true(landed_in(2, "DualShock 4") >= 2);
+    assert_int_equal(player.poi.hand.map.source, HID_MAP_KNOWN);
     take_up("016-ci-dualsense", 0x054c, 0x0ce6, say_playstation);
     assert_true(landed_in(2, "DualSense") >= 2);
     assert_int_equal(player.poi.hand.map.source, HID_MAP_KNOWN);
@@ -378,7 +381,7 @@ int main(void)
         cmocka_unit_test(test_our_own_poi_lands_fish),
         cmocka_unit_test(test_a_mouse_lands_fish),
         cmocka_unit_test(test_a_pen_tablet_lands_fish),
-        cmocka_unit_test(test_a_dualsense_lands_fish),
+        cmocka_unit_test(test_a_playstation_pad_lands_fish),
         cmocka_unit_test(test_pads_and_sticks_of_any_maker_land_fish),
         cmocka_unit_test(test_a_3dconnexion_puck_lands_fish),
     };

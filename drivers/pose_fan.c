@@ -1,0 +1,71 @@
+/* pose_fan.c -- one hand, two things to hold. */
+#include "drivers/pose_fan.h"
+
+#include "drivers/pointer_fan.h"
+
+#define LAP_Z_M 0.75f /* In the player's lap, beyond the near edge of any tank. */
+
+void pose_fan_init(struct pose_fan *fan)
+{
+    *fan = (struct pose_fan){ .back = 1.0f };
+}
+
+static void go_to_time(struct pose_fan *fan, uint64_t time_ns)
+{
+    if (time_ns <= fan->time_ns) {
+        return;
+    }
+    const float dt_s = fan->time_ns > 0 ? (float)(time_ns - fan->time_ns) * 1e-9f : 0.0f;
+    const float swing = dt_s / POINTER_FAN_SWING_S;
+    fan->swing = f_clamp(fan->swing + (fan->held ? swing : -swing), 0.0f, 1.0f);
+    fan->back = fan->held ? fan->back : f_min(1.0f, fan->back + dt_s / POSE_FAN_BACK_S);
+    fan->time_ns = time_ns;
+}
+
+/* The way from angle to angle is the shorter one round; what is no number stays what it is. */
+static float turned(float from_rad, float to_rad, float share)
+{
+    const float way_rad = to_rad - from_rad;
+    return f_is_finite(way_rad) && f_abs(way_rad) < 1000.0f
+               ? from_rad + share * f_wrap_angle(way_rad)
+               : to_rad;
+}
+
+struct poi_target pose_fan_poi(const struct pose_fan *fan)
+{
+    const float share = f_smoothstep(0.0f, 1.0f, fan->back);
+    const struct poi_target *from = &fan->waits, *to = &fan->hand;
+    if (fan->back >= 1.0f) {
+        return *to;
+    }
+    return (struct poi_target){
+        .position_m = v3_lerp(from->position_m, to->position_m, share),
+        .angles = { .yaw_rad = turned(from->angles.yaw_rad, to->angles.yaw_rad, share),
+                    .pitch_rad = turned(from->angles.pitch_rad, to->angles.pitch_rad, share),
+                    .roll_rad = turned(from->angles.roll_rad, to->angles.roll_rad, share) },
+    };
+}
+
+void pose_fan_move(struct pose_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns)
+{
+    go_to_time(fan, time_ns);
+    if (held && !fan->held) {
+        fan->waits = pose_fan_poi(fan); /* Of the hand before this: it may have moved with the key. */
+        fan->back = 0.0f;
+    }
+    fan->held = held != 0;
+    fan->hand = *hand;
+}
+
+struct shade_input pose_fan_shade(struct pose_fan *fan, uint64_t time_ns)
+{
+    go_to_time(fan, time_ns);
+    const float share = f_smoothstep(0.0f, 1.0f, fan->swing);
+    const vec3 at_m = fan->hand.position_m;
+    return (struct shade_input){
+        .present = fan->swing > 0.0f,
+        .x_m = at_m.x,
+        .z_m = f_lerp(f_max(LAP_Z_M, at_m.z), at_m.z, share),
+        .radius_m = POINTER_FAN_RADIUS_M,
+    };
+}
