@@ -89,13 +89,23 @@ static int read_status(struct usb_link *link, const struct libusb_transfer *tran
     }
 }
 
+/* What was said before the end counts; what was cancelled says nothing. */
+static void take_last(struct usb_link *link, const struct libusb_transfer *transfer)
+{
+    if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
+        usb_seat_report(link->seat, now_ns(link), transfer->buffer,
+                        (uint32_t)transfer->actual_length);
+    }
+}
+
 static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
 {
     struct usb_flight *flight = transfer->user_data;
     struct usb_link *link = flight->link;
     flight->is_flying = 0;
     if (link->state != USB_LINK_LIVE) {
-        return; /* It was cancelled, or it came too late. */
+        take_last(link, transfer);
+        return;
     }
     if (read_status(link, transfer) && !link->is_gone) {
         submit(flight);
@@ -118,7 +128,7 @@ void usb_link_begin(struct usb_link *link, libusb_device_handle *handle,
                     const struct usb_pipe *pipe, struct usb_seat *seat)
 {
     link->state = USB_LINK_LIVE;
-    link->is_gone = link->has_halted = 0;
+    link->is_gone = link->has_halted = link->has_left = 0;
     link->error_count = 0;
     link->retry_ns = 0;
     link->handle = handle;
@@ -129,55 +139,6 @@ void usb_link_begin(struct usb_link *link, libusb_device_handle *handle,
         libusb_fill_interrupt_transfer(flight->transfer, handle, pipe->in_endpoint, flight->buffer,
                                        transfer_size(pipe), on_report, flight, 0);
         submit(flight);
-    }
-}
-
-/* ---- Out ------------------------------------------------------------------------------------ */
-
-static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
-{
-    struct usb_flight *flight = transfer->user_data;
-    flight->is_flying = 0;
-    if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
-        flight->link->is_gone = 1;
-    }
-    usb_seat_sent(flight->link->seat); /* Felt or not: the next blow will be newer. */
-}
-
-/* SET_REPORT of an output report, HID 1.11 section 7.2.2. */
-static void fill_set_report(struct usb_link *link, uint32_t size)
-{
-    struct usb_flight *out = &link->out;
-    const uint8_t request_type = LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS |
-                                 LIBUSB_RECIPIENT_INTERFACE;
-    const uint8_t id = link->pipe.has_report_ids ? link->seat->out_bytes[0] : 0u;
-    libusb_fill_control_setup(out->buffer, request_type, 0x09, (uint16_t)(0x0200u | id),
-                              link->pipe.interface_number, (uint16_t)size);
-    memcpy(out->buffer + LIBUSB_CONTROL_SETUP_SIZE, link->seat->out_bytes, size);
-    libusb_fill_control_transfer(out->transfer, link->handle, out->buffer, on_sent, out,
-                                 USB_OUT_TIMEOUT_MS);
-}
-
-void usb_link_send(struct usb_link *link)
-{
-    struct usb_flight *out = &link->out;
-    if (link->state != USB_LINK_LIVE || link->is_gone || out->is_flying) {
-        return;
-    }
-    const uint32_t size = usb_seat_outgoing(link->seat);
-    if (size == 0u) {
-        return;
-    }
-    if (link->pipe.out_endpoint) {
-        memcpy(out->buffer, link->seat->out_bytes, size);
-        libusb_fill_interrupt_transfer(out->transfer, link->handle, link->pipe.out_endpoint,
-                                       out->buffer, (int)size, on_sent, out, USB_OUT_TIMEOUT_MS);
-    } else {
-        fill_set_report(link, size);
-    }
-    out->is_flying = libusb_submit_transfer(out->transfer) == LIBUSB_SUCCESS;
-    if (!out->is_flying) {
-        usb_seat_sent(link->seat);
     }
 }
 
@@ -199,10 +160,19 @@ void usb_link_drain(struct usb_link *link, int is_gone)
     }
     link->state = USB_LINK_DRAINING;
     link->is_gone |= is_gone != 0;
+    link->leave_ns = now_ns(link) + USB_LEAVE_MS * 1000000ull;
     for (uint32_t i = 0; i < USB_IN_FLIGHT; i++) {
         cancel(&link->in[i]);
     }
     cancel(&link->out);
+}
+
+void usb_link_leave(struct usb_link *link)
+{
+    if (link->state == USB_LINK_DRAINING && !link->has_left) {
+        link->has_left = 1;
+        usb_seat_leave(link->seat);
+    }
 }
 
 static int is_flying(const struct usb_link *link)
@@ -264,10 +234,22 @@ static int is_due(const struct usb_link *link)
     return due;
 }
 
+/* The seat is told first: closing may take its time. */
+static void tend_draining(struct usb_link *link)
+{
+    const int flying = is_flying(link);
+    if (!flying || now_ns(link) >= link->leave_ns) {
+        usb_link_leave(link);
+    }
+    if (!flying) {
+        close_link(link);
+    }
+}
+
 int usb_link_tend(struct usb_link *link)
 {
-    if (link->state == USB_LINK_DRAINING && !is_flying(link)) {
-        close_link(link);
+    if (link->state == USB_LINK_DRAINING) {
+        tend_draining(link);
     }
     if (link->state != USB_LINK_LIVE) {
         return 0;
@@ -283,5 +265,8 @@ int usb_link_tend(struct usb_link *link)
 
 uint64_t usb_link_due_ns(const struct usb_link *link)
 {
+    if (link->state == USB_LINK_DRAINING && !link->has_left) {
+        return link->leave_ns;
+    }
     return link->state == USB_LINK_LIVE && is_due(link) ? link->retry_ns : UINT64_MAX;
 }

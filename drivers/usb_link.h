@@ -15,6 +15,7 @@
 #define USB_IN_FLIGHT 4u      /* At 1,000 Hz the thread may sleep 3 ms and lose nothing. */
 #define USB_TRANSFER_MAX 1024u /* No packet of an interrupt endpoint is longer, USB 2.0 5.7.3. */
 #define USB_ERRORS_MAX 8u     /* In a row, before it is opened anew. */
+#define USB_LEAVE_MS 50u      /* So long what is on its way back may still bring a report. */
 #define USB_OUT_TIMEOUT_MS 100u /* Who does not take a blow by then shall not feel it. */
 
 /* What an endpoint descriptor says, and the report descriptor. */
@@ -47,8 +48,10 @@ struct usb_link {
     uint8_t state;       /* enum usb_link_state */
     uint8_t is_gone;     /* The device is unplugged: nothing can be asked of it. */
     uint8_t has_halted;  /* The endpoint stalled. */
+    uint8_t has_left;    /* Its seat was told that it is gone. */
     uint32_t error_count; /* In a row. */
     uint64_t retry_ns;   /* When what is due may be submitted again. */
+    uint64_t leave_ns;   /* When its seat is told, although something still flies. */
     struct hal_clock clock;
     libusb_device_handle *handle;
     struct usb_seat *seat;
@@ -69,8 +72,12 @@ void usb_link_begin(struct usb_link *link, libusb_device_handle *handle,
 /* Sends what the seat wants sent, if the last one is done. */
 void usb_link_send(struct usb_link *link);
 
-/* Begins the end of it. `is_gone`: it was unplugged. */
+/* Begins the end of it. `is_gone`: it was unplugged. Its seat is told when all that it reported has
+ * arrived, or USB_LEAVE_MS later. */
 void usb_link_drain(struct usb_link *link, int is_gone);
+
+/* Tells its seat now, for somebody else wants to sit there. */
+void usb_link_leave(struct usb_link *link);
 
 /* Does what callbacks may not: submits again, clears a halt, closes what has drained. 0: it lives;
  * 1: it failed, and usb_link_drain() is right. */

@@ -30,6 +30,7 @@ struct usb_entry {
     uint8_t trouble;          /* enum usb_trouble */
     uint8_t is_seen;          /* By the comparison that goes on. */
     uint32_t row, link, seat; /* USB_NOBODY: none. */
+    uint32_t drains;          /* The link that it had, which may not be closed yet. */
     uint64_t met_ns;
     uint64_t due_ns;          /* When to look at it again. */
 };
@@ -82,6 +83,9 @@ void usb_pump_tend(struct usb_pump *pump);
 
 /* Takes the operator's orders. */
 void usb_pump_obey(struct usb_pump *pump);
+
+/* What the menu shows of it. */
+void usb_pump_show(struct usb_pump *pump, const struct usb_entry *entry, uint8_t state);
 
 /* Whoever sits there leaves; `is_gone`: unplugged. */
 void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone);

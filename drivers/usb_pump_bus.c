@@ -27,7 +27,7 @@ static void meet(struct usb_pump *pump, struct usb_entry *entry, libusb_device *
     }
     entry->trouble = USB_FINE;
     entry->is_seen = 1;
-    entry->link = entry->seat = USB_NOBODY;
+    entry->link = entry->seat = entry->drains = USB_NOBODY;
     entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
                                 entry->device.verdict == USB_BARRED);
     entry->met_ns = entry->due_ns = usb_pump_now_ns(pump);
@@ -107,6 +107,7 @@ static void obey(struct usb_pump *pump, const struct usb_order *order)
                                                  &order->identity) >= 2u;
         if (is_meant && !order->plays) {
             usb_pump_unseat(pump, entry, 0);
+            usb_pump_show(pump, entry, CONTROLLER_FREE);
         }
         entry->due_ns = entry->link == USB_NOBODY ? usb_pump_now_ns(pump) : entry->due_ns;
     }

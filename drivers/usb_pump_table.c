@@ -19,7 +19,7 @@ static struct usb_judge judge_of(struct usb_pump *pump)
     };
 }
 
-static void set_row(struct usb_pump *pump, const struct usb_entry *entry, uint8_t state)
+void usb_pump_show(struct usb_pump *pump, const struct usb_entry *entry, uint8_t state)
 {
     if (entry->row < CONTROLLER_MAX) {
         struct hid_row *row = &pump->rows.row[entry->row];
@@ -38,10 +38,10 @@ void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone
         return;
     }
     usb_link_drain(&pump->link[entry->link], is_gone);
-    usb_seat_leave(&pump->seat[entry->seat]);
     pump->place[entry->seat].is_taken = 0;
     pump->lost_ns[entry->seat] = usb_pump_now_ns(pump);
-    set_row(pump, entry, CONTROLLER_LOST);
+    usb_pump_show(pump, entry, CONTROLLER_LOST);
+    entry->drains = entry->link;
     entry->link = entry->seat = USB_NOBODY;
     entry->due_ns = usb_pump_now_ns(pump) + SOON_NS;
 }
@@ -76,10 +76,21 @@ static void forget_former(struct usb_pump *pump, const struct usb_entry *entry, 
     }
 }
 
+/* Whoever still leaves it has to hurry. */
+static void clear_seat(struct usb_pump *pump, uint32_t seat)
+{
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        if (pump->link[i].seat == &pump->seat[seat]) {
+            usb_link_leave(&pump->link[i]);
+        }
+    }
+}
+
 static void seat_it(struct usb_pump *pump, struct usb_entry *entry, libusb_device_handle *handle,
                     uint32_t seat, uint32_t link)
 {
     forget_former(pump, entry, seat);
+    clear_seat(pump, seat);
     pump->place[seat] = (struct usb_place){
         .was_taken = 1, .is_taken = 1, .identity = entry->device.face.identity
     };
@@ -87,7 +98,7 @@ static void seat_it(struct usb_pump *pump, struct usb_entry *entry, libusb_devic
     entry->link = link;
     usb_seat_sit(&pump->seat[seat], &entry->device.face);
     usb_link_begin(&pump->link[link], handle, &entry->device.pipe, &pump->seat[seat]);
-    set_row(pump, entry, CONTROLLER_PLAYS);
+    usb_pump_show(pump, entry, CONTROLLER_PLAYS);
 }
 
 /* ---- Looking and opening -------------------------------------------------------------------- */
@@ -101,10 +112,10 @@ static int was_here(const struct usb_pump *pump, const struct usb_entry *entry)
 static void say_trouble(struct usb_pump *pump, struct usb_entry *entry)
 {
     const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
-    set_row(pump, entry,
-            (uint8_t)(is_denied                  ? CONTROLLER_DENIED
-                      : was_here(pump, entry) ? CONTROLLER_LOST
-                                                 : CONTROLLER_FREE));
+    usb_pump_show(pump, entry,
+                  (uint8_t)(is_denied                 ? CONTROLLER_DENIED
+                            : was_here(pump, entry) ? CONTROLLER_LOST
+                                                      : CONTROLLER_FREE));
     entry->due_ns = usb_pump_now_ns(pump) + RETRY_NS;
 }
 
@@ -115,7 +126,7 @@ static void open_it(struct usb_pump *pump, struct usb_entry *entry)
     const uint32_t link = find_link(pump);
     libusb_device_handle *handle;
     if (seat >= POI_MAX || link == USB_NOBODY) {
-        set_row(pump, entry, CONTROLLER_FREE);
+        usb_pump_show(pump, entry, CONTROLLER_FREE);
         entry->due_ns = usb_pump_now_ns(pump) + RETRY_NS;
         return;
     }
@@ -146,14 +157,20 @@ static void look_at(struct usb_pump *pump, struct usb_entry *entry)
     entry->due_ns = next_look_ns(pump, entry);
     switch (entry->device.verdict) {
     case USB_BARRED:
-        set_row(pump, entry, CONTROLLER_BARRED);
+        usb_pump_show(pump, entry, CONTROLLER_BARRED);
         break;
     case USB_FREE:
-        set_row(pump, entry, CONTROLLER_FREE);
+        usb_pump_show(pump, entry, CONTROLLER_FREE);
         break;
     default:
         open_it(pump, entry);
     }
+}
+
+/* Until its old handle is closed, its interface is ours and cannot be claimed anew. */
+static int is_draining(const struct usb_pump *pump, const struct usb_entry *entry)
+{
+    return entry->drains != USB_NOBODY && pump->link[entry->drains].state == USB_LINK_DRAINING;
 }
 
 /* It failed: whose it is leaves, and what has come back already is closed at once. */
@@ -177,7 +194,7 @@ void usb_pump_tend(struct usb_pump *pump)
         }
         if (entry->link != USB_NOBODY) {
             usb_link_send(&pump->link[entry->link]);
-        } else if (usb_pump_now_ns(pump) >= entry->due_ns) {
+        } else if (!is_draining(pump, entry) && usb_pump_now_ns(pump) >= entry->due_ns) {
             look_at(pump, entry);
         }
     }
@@ -193,7 +210,8 @@ uint64_t usb_pump_due_ns(const struct usb_pump *pump)
     uint64_t due_ns = UINT64_MAX;
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         const struct usb_entry *entry = &pump->entry[i];
-        if (entry->device.device && entry->link == USB_NOBODY && entry->due_ns < due_ns) {
+        if (entry->device.device && entry->link == USB_NOBODY && !is_draining(pump, entry) &&
+            entry->due_ns < due_ns) {
             due_ns = entry->due_ns;
         }
     }

@@ -1,0 +1,55 @@
+/* usb_link_send.c -- what the hand is to feel, on its way to the device. */
+#include <string.h>
+
+#include "drivers/usb_link.h"
+
+#define HID_SET_REPORT 0x09u     /* HID 1.11 section 7.2.2 ... */
+#define HID_OUTPUT_REPORT 0x0200u /* ... and the upper byte of its value. */
+
+static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
+{
+    struct usb_flight *flight = transfer->user_data;
+    flight->is_flying = 0;
+    if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
+        flight->link->is_gone = 1;
+    }
+    usb_seat_sent(flight->link->seat); /* Felt or not: the next blow will be newer. */
+}
+
+/* On the control pipe, for who has no other. */
+static void fill_set_report(struct usb_link *link, uint32_t size)
+{
+    struct usb_flight *out = &link->out;
+    const uint8_t request_type = LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS |
+                                 LIBUSB_RECIPIENT_INTERFACE;
+    const uint8_t id = link->pipe.has_report_ids ? link->seat->out_bytes[0] : 0u;
+    libusb_fill_control_setup(out->buffer, request_type, HID_SET_REPORT,
+                              (uint16_t)(HID_OUTPUT_REPORT | id),
+                              link->pipe.interface_number, (uint16_t)size);
+    memcpy(out->buffer + LIBUSB_CONTROL_SETUP_SIZE, link->seat->out_bytes, size);
+    libusb_fill_control_transfer(out->transfer, link->handle, out->buffer, on_sent, out,
+                                 USB_OUT_TIMEOUT_MS);
+}
+
+void usb_link_send(struct usb_link *link)
+{
+    struct usb_flight *out = &link->out;
+    if (link->state != USB_LINK_LIVE || link->is_gone || out->is_flying) {
+        return;
+    }
+    const uint32_t size = usb_seat_outgoing(link->seat);
+    if (size == 0u) {
+        return;
+    }
+    if (link->pipe.out_endpoint) {
+        memcpy(out->buffer, link->seat->out_bytes, size);
+        libusb_fill_interrupt_transfer(out->transfer, link->handle, link->pipe.out_endpoint,
+                                       out->buffer, (int)size, on_sent, out, USB_OUT_TIMEOUT_MS);
+    } else {
+        fill_set_report(link, size);
+    }
+    out->is_flying = libusb_submit_transfer(out->transfer) == LIBUSB_SUCCESS;
+    if (!out->is_flying) {
+        usb_seat_sent(link->seat);
+    }
+}

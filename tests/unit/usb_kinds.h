@@ -1,0 +1,177 @@
+/* usb_kinds.h -- the devices that tests of USB plug in, and the frame loop that meets them. */
+#ifndef KINGYO_TESTS_USB_KINDS_H
+#define KINGYO_TESTS_USB_KINDS_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <libusb.h>
+
+#include "drivers/poi_descriptor.h"
+#include "drivers/poi_report.h"
+#include "drivers/usb_seats.h"
+#include "platform/clock.h"
+#include "tests/unit/usb_stand.h"
+
+/* HID 1.11 appendix E.6: a boot keyboard's. */
+static const uint8_t keyboard_descriptor[] = {
+    0x05, 0x01, 0x09, 0x06, 0xa1, 0x01, 0x05, 0x07, 0x19, 0xe0, 0x29, 0xe7, 0x15, 0x00, 0x25, 0x01,
+    0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0x95, 0x01, 0x75, 0x08, 0x81, 0x01, 0x95, 0x05, 0x75, 0x01,
+    0x05, 0x08, 0x19, 0x01, 0x29, 0x05, 0x91, 0x02, 0x95, 0x01, 0x75, 0x03, 0x91, 0x01, 0x95, 0x06,
+    0x75, 0x08, 0x15, 0x00, 0x25, 0x65, 0x05, 0x07, 0x19, 0x00, 0x29, 0x65, 0x81, 0x00, 0xc0,
+};
+
+/* A joystick of two axes of a byte and eight buttons, without report ids. */
+static const uint8_t joystick_descriptor[] = {
+    0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08,
+    0x95, 0x02, 0x81, 0x02, 0x05, 0x09, 0x19, 0x01, 0x29, 0x08, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01,
+    0x95, 0x08, 0x81, 0x02, 0xc0,
+};
+
+#define OWN_INTERFACE                                                                              \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .packet_size = 64, .has_out = 1,                                \
+        .descriptor = poi_descriptor, .descriptor_size = POI_DESCRIPTOR_SIZE,                      \
+    }
+#define KEYBOARD_INTERFACE                                                                         \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .subclass = 1, .protocol = 1, .packet_size = 8,                 \
+        .descriptor = keyboard_descriptor, .descriptor_size = sizeof keyboard_descriptor,          \
+    }
+#define JOYSTICK_INTERFACE                                                                         \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .packet_size = 8, .descriptor = joystick_descriptor,            \
+        .descriptor_size = sizeof joystick_descriptor,                                             \
+    }
+
+/* Made by somebody with an id of their own. */
+static const struct stand_kind own_poi = {
+    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A1", .is_bound = 1,
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind second_poi = {
+    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A2", .is_bound = 1,
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind plain_poi = { /* No serial number. */
+    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .is_bound = 1,
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind bench_poi = { /* On somebody's bench; no driver has it. */
+    .vendor = 0x1209, .product = 0x0001, .name = "Bench poi",
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind joystick = {
+    .vendor = 0x046d, .product = 0xc215, .name = "Joystick", .serial = "J7", .is_bound = 1,
+    .interface_count = 1, .interface = { JOYSTICK_INTERFACE },
+};
+static const struct stand_kind keyboard = {
+    .vendor = 0x046a, .product = 0x0001, .name = "Keyboard", .is_bound = 1,
+    .interface_count = 1, .interface = { KEYBOARD_INTERFACE },
+};
+
+/* A folder for one test, and the thread over it. */
+struct usb_bench {
+    char folder[64], sysfs[96], choices[96];
+    struct usb_seats *seats;
+    char why[HAL_TEXT_SIZE];
+};
+
+static inline void bench_prepare(struct usb_bench *bench)
+{
+    snprintf(bench->folder, sizeof bench->folder, "/tmp/kingyo-usb-XXXXXX");
+    if (!mkdtemp(bench->folder)) {
+        abort();
+    }
+    snprintf(bench->sysfs, sizeof bench->sysfs, "%s/sys", bench->folder);
+    snprintf(bench->choices, sizeof bench->choices, "%s/usb.txt", bench->folder);
+    stand_begin(bench->sysfs);
+}
+
+static inline void bench_start(struct usb_bench *bench, const struct usb_key *listed,
+                               uint32_t listed_count)
+{
+    const struct usb_seats_config config = {
+        .clock = clock_device(),
+        .choices = bench->choices,
+        .listed = listed,
+        .listed_count = listed_count,
+        .sysfs = bench->sysfs,
+    };
+    bench->seats = usb_seats_start(&config, bench->why);
+}
+
+/* How much was not given back. */
+static inline uint32_t bench_end(struct usb_bench *bench)
+{
+    char command[128];
+    usb_seats_stop(bench->seats);
+    const uint32_t left = stand_end();
+    snprintf(command, sizeof command, "rm -r '%s'", bench->folder);
+    return left + (system(command) != 0);
+}
+
+static inline struct hid_row bench_row(struct usb_bench *bench, uint32_t index)
+{
+    struct hid_row rows[CONTROLLER_MAX];
+    const struct hid_roster roster = usb_seats_roster(bench->seats);
+    roster.ops->rows(roster.self, rows);
+    return rows[index];
+}
+
+#define BENCH_WAIT_MS 5000u
+
+/* Until row `index` is in that state; 0 when it never was. */
+static inline int bench_until(struct usb_bench *bench, uint32_t index, uint8_t state)
+{
+    for (uint32_t i = 0; i < BENCH_WAIT_MS * 5u; i++) {
+        if (bench_row(bench, index).state == state) {
+            return 1;
+        }
+        usleep(200);
+    }
+    return 0;
+}
+
+/* Until seat `index` has somebody. */
+static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid_face *face)
+{
+    const struct hid_port port = usb_seats_port(bench->seats, index);
+    for (uint32_t i = 0; i < BENCH_WAIT_MS * 5u; i++) {
+        if (port.ops->open(port.self, face) == HAL_OK) {
+            return 1;
+        }
+        usleep(200);
+    }
+    return 0;
+}
+
+/* The next answer of take() that is not 0. */
+static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid_raw *raw)
+{
+    const struct hid_port port = usb_seats_port(bench->seats, index);
+    for (uint32_t i = 0; i < BENCH_WAIT_MS * 20u; i++) {
+        const int result = port.ops->take(port.self, raw);
+        if (result != 0) {
+            return result;
+        }
+        usleep(50);
+    }
+    return 0;
+}
+
+/* Report number `number`, which its bytes say. */
+static inline void bench_say(uint32_t device, uint32_t number)
+{
+    uint8_t bytes[POI_REPORT_SIZE] = { POI_REPORT_ID, (uint8_t)number, (uint8_t)(number >> 8) };
+    stand_report(device, bytes, sizeof bytes);
+}
+
+static inline uint32_t bench_number(const struct hid_raw *raw)
+{
+    return (uint32_t)raw->bytes[1] | (uint32_t)raw->bytes[2] << 8;
+}
+
+#endif

@@ -1,0 +1,103 @@
+/* usb_stand_bus.h -- the bus of usb_stand.h from within: what its two halves share. */
+#ifndef KINGYO_TESTS_USB_STAND_BUS_H
+#define KINGYO_TESTS_USB_STAND_BUS_H
+
+#include <pthread.h>
+#include <stdint.h>
+
+#include <libusb.h>
+
+#include "tests/unit/usb_stand.h"
+
+#define BUS 3u
+#define IN_ENDPOINT 0x81u
+#define OUT_ENDPOINT 0x02u
+#define PENDING_MAX 16u
+#define DONE_MAX 4096u
+#define HANDLE_MAX 64u
+
+struct wire_report {
+    uint32_t size;
+    uint8_t bytes[1024];
+};
+
+struct libusb_context {
+    int fd;
+};
+
+struct libusb_device {
+    uint32_t index;
+    uint32_t references;
+    uint8_t attached, port;
+    const struct stand_kind *kind;
+    struct stand_seen seen;
+    struct wire_report *wire;
+    uint32_t wire_first, wire_count;
+    int fail;                  /* enum libusb_transfer_status of the next; 0: none. */
+    struct libusb_transfer *pending[PENDING_MAX]; /* Oldest first. */
+    uint32_t pending_count;
+};
+
+struct libusb_device_handle {
+    struct libusb_device *device;
+    int fd;
+    uint32_t claimed;          /* A bit each. */
+    uint8_t auto_detaches;
+};
+
+/* What libusb_handle_events() will do next: a transfer's callback, or hot-plug's. */
+struct done {
+    struct libusb_transfer *transfer;
+    struct libusb_device *device;
+    libusb_hotplug_event event;
+    uint64_t at_ns;
+};
+
+struct stand_bus {
+    pthread_mutex_t lock;
+    char sysfs[256];
+    struct libusb_context context;
+    struct libusb_device *devices[STAND_DEVICE_MAX];
+    uint32_t device_count;
+    struct done done[DONE_MAX];
+    uint32_t done_count;
+    libusb_hotplug_callback_fn hotplug;
+    void *hotplug_self;
+    libusb_pollfd_added_cb fd_added;
+    libusb_pollfd_removed_cb fd_removed;
+    void *fd_self;
+    struct libusb_device_handle *handles[HANDLE_MAX];
+    struct stand_faults faults;
+    uint32_t lists, transfers, breaches, calls;
+    uint8_t is_running, has_thread;
+    pthread_t thread;          /* The drivers' own: whoever asked for the list of devices first. */
+    int in_transfer_callback, in_hotplug_callback;
+};
+
+extern struct stand_bus bus;
+
+
+void bus_lock(void);
+void bus_unlock(void);
+
+/* All that follows: with the lock. */
+void bus_breach(const char *what);
+void bus_note_call(const char *name); /* From whichever thread it came. */
+void bus_note_talk(const char *name); /* A call that talks to a device, and so waits. */
+void bus_ring(int fd);
+
+/* The transfer will come back, now or so much later. */
+void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms);
+
+/* Reports meet transfers, and output reports the device. */
+void bus_run_wire(struct libusb_device *device);
+void bus_run_outs(struct libusb_device *device);
+int bus_take_pending(struct libusb_device *device, const struct libusb_transfer *transfer);
+
+/* A driver of the kernel lets an interface go, or has it again. */
+void bus_show_driver(const struct libusb_device *device, uint32_t interface);
+void bus_hide_driver(const struct libusb_device *device, uint32_t interface);
+
+uint64_t bus_now_ns(void);
+
+#endif

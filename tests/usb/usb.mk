@@ -1,0 +1,42 @@
+# usb.mk -- the USB transport over a bus of memory (tests/unit/usb_stand.h), and under the sanitizers.
+
+USB_TESTS := usb_seats usb_unplug usb_crowd usb_ring usb_choice
+USB_STAND := usb_stand usb_stand_lib
+
+# libusb's functions come from the stand: what the program itself defines is linked before libraries.
+$(USB_TESTS:%=$(BUILD)/tests/unit/test_%): $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
+.SECONDARY: $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
+
+# The same again with everything they call compiled for address + undefined behaviour, and for threads.
+USB_SAN := $(BUILD)/usb
+USB_SAN_SRC := $(wildcard drivers/usb_*.c) $(addprefix drivers/,hid_descriptor.c hid_globals.c hid_item.c \
+    hid_report.c poi_descriptor.c) platform/clock.c $(USB_STAND:%=tests/unit/%.c) tests/unit/panic.c
+USB_SAN_BIN := $(foreach t,$(USB_TESTS),$(USB_SAN)/address/test_$(t) $(USB_SAN)/thread/test_$(t))
+USB_SAN_CFLAGS := -std=c17 -O1 -g $(WARN) -D_GNU_SOURCE -I. -fno-sanitize-recover=all
+USB_FLAGS = $(eval USB_FLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags libusb-1.0)))$(USB_FLAGS)
+
+## test-usb-sanitizers: unplugs, hot-plug storms and slow closes under address and thread sanitizers
+test-usb-sanitizers: $(USB_SAN_BIN)
+	@tests/run.sh $(USB_SAN)/address $(filter $(USB_SAN)/address/%,$(USB_SAN_BIN))
+	@tests/run.sh $(USB_SAN)/thread $(filter $(USB_SAN)/thread/%,$(USB_SAN_BIN))
+
+$(USB_SAN)/address/%: SANITIZE := -fsanitize=address,undefined
+$(USB_SAN)/thread/%: SANITIZE := -fsanitize=thread
+$(USB_SAN)/address/test_%: $(USB_SAN)/address/tests/unit/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o)
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread
+$(USB_SAN)/thread/test_%: $(USB_SAN)/thread/tests/unit/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o)
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread
+$(USB_SAN)/address/%.o: %.c
+	@mkdir -p $(@D)
+	$(call step,CC,$< (address))
+	$(Q)$(CC) $(USB_SAN_CFLAGS) $(USB_FLAGS) $(SANITIZE) $(DEP_FLAGS) -c -o $@ $<
+$(USB_SAN)/thread/%.o: %.c
+	@mkdir -p $(@D)
+	$(call step,CC,$< (thread))
+	$(Q)$(CC) $(USB_SAN_CFLAGS) $(USB_FLAGS) $(SANITIZE) $(DEP_FLAGS) -c -o $@ $<
+
+.PHONY: test-usb-sanitizers
+.SECONDARY: $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o) $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o) \
+    $(foreach t,$(USB_TESTS),$(USB_SAN)/address/tests/unit/test_$(t).o $(USB_SAN)/thread/tests/unit/test_$(t).o)
