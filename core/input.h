@@ -108,7 +108,7 @@ struct input {
     uint32_t record_saved_id; /* Newest output.record id known to be on disk; 0 is none. */
     uint32_t edit_saved_id;   /* The same of output.edit. */
     uint8_t edit_refused;     /* 1: the store keeps no edit, or its last try to failed. */
-    uint8_t upright;          /* The screen stands: narrower than LAB_UPRIGHT_ASPECT. */
+    uint8_t upright;          /* The screen stands: narrower than OVERLAY_UPRIGHT_ASPECT. */
     struct desk_input desk;   /* What the operator's menu shows of controllers. */
     struct poi_input poi[POI_MAX];
     struct shade_input shade[SHADE_MAX];

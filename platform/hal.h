@@ -49,7 +49,7 @@ struct hal_image {
 struct display_events {
     uint8_t quit;        /* The window was closed, or the session ends. */
     uint8_t lost;        /* The display is gone; nothing can be shown any more. */
-    uint8_t upright;     /* Level: it is narrower than LAB_UPRIGHT_ASPECT of its height. */
+    uint8_t upright;     /* Level: it is narrower than OVERLAY_UPRIGHT_ASPECT of its height. */
 };
 
 struct hal_display_ops {

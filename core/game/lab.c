@@ -7,9 +7,7 @@
 #include "core/game/keeper.h"
 #include "core/game/lab_press.h"
 #include "core/game/phases.h"
-#include "core/game/trust.h"
 
-#define STIR 14.0f        /* A hand that stays within this of where it was rests; on the canvas. */
 #define BUTTON_LIFE_S 9.0f /* A held LEFT or RIGHT goes through a life in so long. */
 
 void lab_init(struct lab *lab, const struct core_config *config)
@@ -35,33 +33,11 @@ void lab_begin(struct core *core, struct output *output)
 
 /* ---- The hand ------------------------------------------------------------------------------- */
 
-/* Who holds a poi that can turn looks at the tank, not through a pointer's ray: its plan is the
- * canvas. Such an arm need not reach behind the tank for what stands high on the screen. */
-static struct lab_point plan_point(const struct core *core, int upright, vec3 hand_m)
-{
-    const struct lab_point canvas = lab_canvas(upright);
-    return (struct lab_point){ canvas.x * (0.5f + hand_m.x / core->tank.size_m.x),
-                               canvas.y * (0.5f + hand_m.z / core->tank.size_m.z) };
-}
-
-/* The first player's hand; POI_MAX when there is none. A leap loses nothing here, so no hand is
- * doubted for one. */
-static uint32_t leading_hand(const struct core *core, const struct input *input)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->bowl[i].present && input->poi[i].link == POI_LINK_LIVE &&
-            trust_can_read(&input->poi[i].target)) {
-            return i;
-        }
-    }
-    return POI_MAX;
-}
-
 static void note_stir(struct core *core)
 {
     struct lab *lab = &core->game.lab;
     const float x = lab->x - lab->stir_x, y = lab->y - lab->stir_y;
-    if (x * x + y * y > STIR * STIR) {
+    if (x * x + y * y > OVERLAY_STIR * OVERLAY_STIR) {
         lab->stir_x = lab->x;
         lab->stir_y = lab->y;
         lab->stir_tick = core->tick;
@@ -83,25 +59,19 @@ static void change_hands(struct lab *lab, uint32_t index)
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct lab *lab = &core->game.lab;
-    const uint32_t index = leading_hand(core, input);
-    if (index == POI_MAX) {
+    const struct overlay_hand hand = overlay_hand_of(core, input, lab->upright);
+    if (!hand.present) {
         lab->has_hand = lab->presses = 0;
         lab_release(core);
         return;
     }
-    change_hands(lab, index);
+    change_hands(lab, hand.player);
     lab->has_hand = 1;
-    const struct poi_input *says = &input->poi[index];
-    const vec3 hand_m = says->target.position_m;
-    const struct lab_point canvas = lab_canvas(lab->upright);
-    const struct lab_point at =
-        says->has_wrist ? plan_point(core, lab->upright, hand_m)
-                        : lab_point_of(&tank_preset(core->tank.preset)->view, lab->upright, hand_m);
-    lab->x = f_clamp(at.x, 0.0f, canvas.x);
-    lab->y = f_clamp(at.y, 0.0f, canvas.y);
+    lab->x = hand.at.x;
+    lab->y = hand.at.y;
     note_stir(core);
     const int was_down = lab->presses;
-    lab->presses = hand_m.y < (was_down ? LAB_RELEASE_Y_M : LAB_PRESS_Y_M);
+    lab->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
     if (lab->presses && !was_down) {
         lab_press(core, output);
     } else if (lab->presses) {

@@ -18,8 +18,6 @@
 #define LAB_LIFE_TICKS (14u * CORE_TICK_HZ)  /* A life takes so long to play, ... */
 #define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u) /* ... and stands still at its end. */
 #define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* START held so long leaves. */
-#define LAB_PRESS_Y_M 0.010f   /* A hand below this presses ... */
-#define LAB_RELEASE_Y_M 0.018f /* ... until it is above this: a mouse's hovers at 0.035. */
 #define LAB_GRAB 24.0f         /* A knot is taken within so much of it, on the canvas. */
 
 /* What the hand has hold of, from the press to the release. */

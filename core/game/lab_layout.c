@@ -1,19 +1,14 @@
-/* lab_layout.c -- two canvases. */
+/* lab_layout.c -- every part's place on both canvases. */
 #include "core/game/lab_layout.h"
 
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 
-#define WIDE_WIDTH 1280.0f
-#define WIDE_HEIGHT 720.0f
-#define UPRIGHT_WIDTH 854.0f
-#define UPRIGHT_HEIGHT 1400.0f
-#define DEPTH_MIN_M 0.05f  /* What is nearer to the eye is not on any screen. */
 #define KEY_GAP 8.0f
 #define KEY_WIDTH_MAX 262.0f
 #define PRESS_ROOM 12.0f   /* So far beside a field a press still means it. */
 
-static const struct lab_box wide[LAB_PART_COUNT] = {
+static const struct overlay_box wide[LAB_PART_COUNT] = {
     [LAB_BACK] = { 24.0f, 14.0f, 56.0f, 52.0f },
     [LAB_NAME] = { 84.0f, 14.0f, 560.0f, 52.0f },
     [LAB_NEXT] = { 648.0f, 14.0f, 56.0f, 52.0f },
@@ -40,7 +35,7 @@ static const struct lab_box wide[LAB_PART_COUNT] = {
     [LAB_RESET] = { 1026.0f, 646.0f, 230.0f, 58.0f },
 };
 
-static const struct lab_box upright_boxes[LAB_PART_COUNT] = {
+static const struct overlay_box upright_boxes[LAB_PART_COUNT] = {
     [LAB_BACK] = { 24.0f, 20.0f, 64.0f, 60.0f },
     [LAB_NAME] = { 92.0f, 20.0f, 516.0f, 60.0f },
     [LAB_NEXT] = { 612.0f, 20.0f, 64.0f, 60.0f },
@@ -67,28 +62,22 @@ static const struct lab_box upright_boxes[LAB_PART_COUNT] = {
     [LAB_RESET] = { 433.0f, 1328.0f, 397.0f, 60.0f },
 };
 
-struct lab_point lab_canvas(int upright)
-{
-    return upright ? (struct lab_point){ UPRIGHT_WIDTH, UPRIGHT_HEIGHT }
-                   : (struct lab_point){ WIDE_WIDTH, WIDE_HEIGHT };
-}
-
 /* All in one row, each as wide as there is room, and no wider than a fish asks for. */
-static struct lab_box key_box(struct lab_box row, uint32_t key_count, uint32_t key)
+static struct overlay_box key_box(struct overlay_box row, uint32_t key_count, uint32_t key)
 {
     if (key >= key_count) {
-        return (struct lab_box){ 0.0f, 0.0f, 0.0f, 0.0f };
+        return (struct overlay_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
     const float share = (row.width + KEY_GAP) / (float)key_count;
     const float width = f_min(share - KEY_GAP, KEY_WIDTH_MAX);
     const float span = row.width - width;
     const float x = row.x + span * (float)key / (float)(key_count - 1u);
-    return (struct lab_box){ x, row.y, width, row.height };
+    return (struct overlay_box){ x, row.y, width, row.height };
 }
 
-struct lab_box lab_box(int upright, uint32_t key_count, enum lab_part part)
+struct overlay_box lab_box(int upright, uint32_t key_count, enum lab_part part)
 {
-    const struct lab_box *boxes = upright ? upright_boxes : wide;
+    const struct overlay_box *boxes = upright ? upright_boxes : wide;
     CORE_ASSERT(part < LAB_PART_COUNT);
     CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
     if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
@@ -97,36 +86,16 @@ struct lab_box lab_box(int upright, uint32_t key_count, enum lab_part part)
     return boxes[part];
 }
 
-static int is_inside(struct lab_box box, float room, struct lab_point at)
-{
-    return box.width > 0.0f && at.x >= box.x - room && at.x <= box.x + box.width + room &&
-           at.y >= box.y - room && at.y <= box.y + box.height + room;
-}
-
-enum lab_part lab_part_at(int upright, uint32_t key_count, struct lab_point at)
+enum lab_part lab_part_at(int upright, uint32_t key_count, struct overlay_point at)
 {
     for (uint32_t part = LAB_NOTHING + 1u; part < LAB_PRESSED_COUNT; part++) {
         const int is_field = part == LAB_PLOT || part == LAB_CHART;
-        const struct lab_box box = lab_box(upright, key_count, (enum lab_part)part);
-        if (is_inside(box, is_field ? PRESS_ROOM : 0.0f, at)) {
+        const struct overlay_box box = lab_box(upright, key_count, (enum lab_part)part);
+        if (overlay_is_inside(box, is_field ? PRESS_ROOM : 0.0f, at)) {
             return (enum lab_part)part;
         }
     }
     return LAB_NOTHING;
-}
-
-/* A screen shows `half_height_tan` above and below its middle if it is `aspect_min` wide or wider;
- * else that much times aspect_min beside it. */
-struct lab_point lab_point_of(const struct view *view, int upright, vec3 point_m)
-{
-    const struct basis axes = view_basis(view);
-    const vec3 from_eye_m = v3_sub(point_m, view->eye_m);
-    const float depth_m = f_max(-v3_dot(from_eye_m, axes.back), DEPTH_MIN_M);
-    const float right = v3_dot(from_eye_m, axes.right) / (depth_m * view->half_height_tan);
-    const float up = v3_dot(from_eye_m, axes.up) / (depth_m * view->half_height_tan);
-    const struct lab_point canvas = lab_canvas(upright);
-    const float unit = upright ? 0.5f * canvas.x / view->aspect_min : 0.5f * canvas.y;
-    return (struct lab_point){ 0.5f * canvas.x + unit * right, 0.5f * canvas.y - unit * up };
 }
 
 struct span {
@@ -135,8 +104,8 @@ struct span {
 
 static struct span age_span(int upright, uint32_t key_count)
 {
-    const struct lab_box first = lab_box(upright, key_count, LAB_KEY);
-    const struct lab_box last =
+    const struct overlay_box first = lab_box(upright, key_count, LAB_KEY);
+    const struct overlay_box last =
         lab_box(upright, key_count, (enum lab_part)(LAB_KEY + key_count - 1u));
     return (struct span){ first.x + 0.5f * first.width, last.x + 0.5f * last.width };
 }

@@ -1,20 +1,12 @@
-/* lab_layout.h -- where everything of the growth lab is, for the hand that presses it and the
- * picture that shows it alike.
- *
- * A canvas of 1280 x 720 lies on wide screens, one of 854 x 1400 on those that stand upright, x to
- * the right, y down, from its top left corner; each is as large as fits, centred. The canvas is
- * measured in the tank's camera: what is under a point of the water's plane is under that point's
- * place on the screen, whatever the screen's size. */
+/* lab_layout.h -- where everything of the growth lab is on its canvas (overlay.h), for the hand
+ * that presses it and the picture that shows it alike. */
 #ifndef KINGYO_CORE_GAME_LAB_LAYOUT_H
 #define KINGYO_CORE_GAME_LAB_LAYOUT_H
 
 #include <stdint.h>
 
+#include "core/game/overlay.h"
 #include "core/morph/species.h"
-#include "core/view.h"
-
-/* Narrower screens (width over height) take the upright canvas. */
-#define LAB_UPRIGHT_ASPECT 0.61f
 
 /* What can be pressed, then what can be dragged, then what only shows. */
 enum lab_part {
@@ -49,24 +41,11 @@ enum lab_part {
     LAB_PART_COUNT,
 };
 
-struct lab_box {
-    float x, y, width, height;
-};
-
-struct lab_point {
-    float x, y;
-};
-
-struct lab_point lab_canvas(int upright); /* Its width and height. */
-
 /* Where a part is for a species of so many keys; empty where there is no such key. */
-struct lab_box lab_box(int upright, uint32_t key_count, enum lab_part part);
+struct overlay_box lab_box(int upright, uint32_t key_count, enum lab_part part);
 
 /* The part that a press there means; LAB_NOTHING elsewhere. */
-enum lab_part lab_part_at(int upright, uint32_t key_count, struct lab_point at);
-
-/* Where a point of the world is on the canvas. */
-struct lab_point lab_point_of(const struct view *view, int upright, vec3 point_m);
+enum lab_part lab_part_at(int upright, uint32_t key_count, struct overlay_point at);
 
 /* The line of life runs from under the first key's picture to under the last's. */
 float lab_age_x(int upright, uint32_t key_count, float progress);

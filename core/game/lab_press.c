@@ -176,12 +176,12 @@ void lab_use(struct core *core, enum lab_part part, struct output *output)
 
 /* ---- Knots ---------------------------------------------------------------------------------- */
 
-static struct lab_box plot_of(const struct lab *lab, const struct species_card *card)
+static struct overlay_box plot_of(const struct lab *lab, const struct species_card *card)
 {
     return lab_box(lab->upright, card->key_count, LAB_PLOT);
 }
 
-static float away2(const struct lab *lab, struct lab_box plot, float progress, float share)
+static float away2(const struct lab *lab, struct overlay_box plot, float progress, float share)
 {
     const float x = plot.x + progress * plot.width - lab->x;
     const float y = plot.y + (1.0f - share) * plot.height - lab->y;
@@ -191,7 +191,7 @@ static float away2(const struct lab *lab, struct lab_box plot, float progress, f
 /* The knot of the scale under the hand, or LAB_NO_KNOT. */
 static uint32_t size_knot_at(const struct lab *lab, const struct species_card *card)
 {
-    const struct lab_box plot = plot_of(lab, card);
+    const struct overlay_box plot = plot_of(lab, card);
     struct scale_knot knots[GRAPH_KNOT_MAX];
     const uint32_t count = lab_edit_scale_knots(&lab->edit, card, knots);
     uint32_t found = LAB_NO_KNOT;
@@ -211,7 +211,7 @@ static uint32_t size_knot_at(const struct lab *lab, const struct species_card *c
 static uint32_t weight_knot_at(const struct lab *lab, const struct species_card *card,
                                uint32_t *key)
 {
-    const struct lab_box plot = plot_of(lab, card);
+    const struct overlay_box plot = plot_of(lab, card);
     const struct graph *graph = &lab->edit.graph;
     uint32_t found = LAB_NO_KNOT;
     float least = LAB_GRAB * LAB_GRAB;
@@ -253,7 +253,7 @@ static void scrub_to(struct lab *lab, float progress)
 }
 
 /* A knot stays where it was last when the next step would leave no shape to solve for. */
-static void drag_weight(struct lab *lab, const struct species_card *card, struct lab_point at)
+static void drag_weight(struct lab *lab, const struct species_card *card, struct overlay_point at)
 {
     const uint32_t knot = lab->held_knot;
     struct lab_edit moved = lab->edit;
@@ -265,7 +265,7 @@ static void drag_weight(struct lab *lab, const struct species_card *card, struct
     scrub_to(lab, lab->edit.graph.knots[knot].progress);
 }
 
-static void drag_size(struct lab *lab, const struct species_card *card, struct lab_point at)
+static void drag_size(struct lab *lab, const struct species_card *card, struct overlay_point at)
 {
     const uint32_t knot = lab->held_knot;
     lab_edit_size_move(&lab->edit, card, knot, at.x);
@@ -275,16 +275,16 @@ static void drag_size(struct lab *lab, const struct species_card *card, struct l
 }
 
 /* In shares of a field, from its lower left corner. */
-static struct lab_point share_of(const struct lab *lab, struct lab_box field)
+static struct overlay_point share_of(const struct lab *lab, struct overlay_box field)
 {
-    return (struct lab_point){ (lab->x - field.x) / field.width,
+    return (struct overlay_point){ (lab->x - field.x) / field.width,
                                1.0f - (lab->y - field.y) / field.height };
 }
 
 /* The chart's axis is age, from hatching to the last key's. */
 static float charted_progress(const struct lab *lab, const struct species_card *card)
 {
-    const struct lab_box chart = lab_box(lab->upright, card->key_count, LAB_CHART);
+    const struct overlay_box chart = lab_box(lab->upright, card->key_count, LAB_CHART);
     const float share = f_clamp(share_of(lab, chart).x, 0.0f, 1.0f);
     return life_progress(card, share * card->key_age_days[card->key_count - 1u]);
 }
@@ -293,7 +293,7 @@ void lab_drag(struct core *core)
 {
     struct lab *lab = &core->game.lab;
     const struct species_card *card = card_of(core);
-    const struct lab_point at = share_of(lab, plot_of(lab, card));
+    const struct overlay_point at = share_of(lab, plot_of(lab, card));
     switch (lab->holds) {
     case HOLD_AGE:
         scrub_to(lab, lab_age_progress(lab->upright, card->key_count, lab->x));
@@ -317,7 +317,7 @@ void lab_drag(struct core *core)
 
 static void point(struct lab *lab, const struct species_card *card)
 {
-    const struct lab_point at = { lab->x, lab->y };
+    const struct overlay_point at = { lab->x, lab->y };
     lab->points = (uint8_t)lab_part_at(lab->upright, card->key_count, at);
 }
 

@@ -159,7 +159,7 @@ static int display_poll(void *self, struct display_events *out)
         }
     }
     const struct renderer_config *const drawn = &display->renderer.config;
-    out->upright = (float)drawn->width < LAB_UPRIGHT_ASPECT * (float)drawn->height;
+    out->upright = (float)drawn->width < OVERLAY_UPRIGHT_ASPECT * (float)drawn->height;
     out->lost = display->lost; /* Pumping may have been what noticed. */
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }

@@ -32,7 +32,7 @@ float lab_px_y(const struct lab_page *page, float y)
 
 struct ui_box lab_place(const struct lab_page *page, enum lab_part part)
 {
-    const struct lab_box box = lab_box(page->lab->upright, page->lab->card.key_count, part);
+    const struct overlay_box box = lab_box(page->lab->upright, page->lab->card.key_count, part);
     const float u = page->frame.unit;
     return (struct ui_box){ lab_px_x(page, box.x), lab_px_y(page, box.y), box.width * u,
                             box.height * u };
@@ -286,7 +286,7 @@ static void hand(const struct lab_page *page)
 static struct lab_page open_page(const struct ui_frame *frame, const struct scene *scene,
                                  struct ui_bench *bench)
 {
-    const struct lab_point canvas = lab_canvas(scene->lab.upright);
+    const struct overlay_point canvas = overlay_size(scene->lab.upright);
     struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
     page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
     if (scene->lab.upright) {

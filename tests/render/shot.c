@@ -250,7 +250,7 @@ static void open_lab(const struct options *options, struct output *output)
     lab->species = (uint8_t)options->species;
     lab_begin(&core, output);
     lab->playing = 0;
-    lab->upright = (float)options->width < LAB_UPRIGHT_ASPECT * (float)options->height;
+    lab->upright = (float)options->width < OVERLAY_UPRIGHT_ASPECT * (float)options->height;
     lab->progress = options->progress;
     lab->compare = options->compare;
     lab->path = options->path;

@@ -37,7 +37,7 @@ static void take(uint32_t species)
 
 static void lay_out(float width, float height)
 {
-    core.game.lab.upright = width < LAB_UPRIGHT_ASPECT * height;
+    core.game.lab.upright = width < OVERLAY_UPRIGHT_ASPECT * height;
     look();
     ui_screens(&batch, &memory, &scene, width, height);
     longest = batch.quad_count > longest ? batch.quad_count : longest;
@@ -99,9 +99,9 @@ static int is_dot(float x, float y, uint32_t colour)
 }
 
 /* A hand with a wrist over that point of the canvas; down when it shall press. */
-static void point_at(struct lab_point at, int down)
+static void point_at(struct overlay_point at, int down)
 {
-    const struct lab_point canvas = lab_canvas(core.game.lab.upright);
+    const struct overlay_point canvas = overlay_size(core.game.lab.upright);
     input.upright = core.game.lab.upright;
     hold(0, v3((at.x / canvas.x - 0.5f) * core.tank.size_m.x, down ? -0.02f : 0.035f,
                (at.y / canvas.y - 0.5f) * core.tank.size_m.z));
@@ -117,14 +117,14 @@ static void test_every_knot_is_taken_where_it_is_drawn(void **state)
     for (uint32_t s = 0; s < 4; s++) {
         const float width = sizes[s][0], height = sizes[s][1];
         lay_out(width, height);
-        const struct lab_point canvas = lab_canvas(core.game.lab.upright);
+        const struct overlay_point canvas = overlay_size(core.game.lab.upright);
         const float unit = core.game.lab.upright ? width / canvas.x
                                                  : f_min(width / canvas.x, height / canvas.y);
-        const struct lab_box plot =
+        const struct overlay_box plot =
             lab_box(core.game.lab.upright, scene.lab.card.key_count, LAB_PLOT);
         for (uint32_t i = 0; i < core.game.lab.edit.graph.knot_count; i++) {
             const struct graph_knot *knot = &core.game.lab.edit.graph.knots[i];
-            const struct lab_point at = { plot.x + knot->progress * plot.width,
+            const struct overlay_point at = { plot.x + knot->progress * plot.width,
                                           plot.y + (1.0f - knot->weight[0]) * plot.height };
             core.game.lab.layer = 0;
             lay_out(width, height);
@@ -152,8 +152,8 @@ static void test_the_fish_stays_between_stage_and_ruler(void **state)
         lay_out(size[0], size[1]);
         const struct specimen *fish = &batch.specimens[0];
         const struct specimen_bounds reach = specimen_bounds(fish);
-        const struct lab_point canvas = lab_canvas(core.game.lab.upright);
-        const struct lab_box stage =
+        const struct overlay_point canvas = overlay_size(core.game.lab.upright);
+        const struct overlay_box stage =
             lab_box(core.game.lab.upright, scene.lab.card.key_count, LAB_STAGE);
         const float unit = core.game.lab.upright
                                ? size[0] / canvas.x

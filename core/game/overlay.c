@@ -1,0 +1,79 @@
+/* overlay.c -- two canvases, and the hand over them. */
+#include "core/game/overlay.h"
+
+#include "core/base/fmath.h"
+#include "core/core.h"
+#include "core/game/trust.h"
+
+#define WIDE_WIDTH 1280.0f
+#define WIDE_HEIGHT 720.0f
+#define UPRIGHT_WIDTH 854.0f
+#define UPRIGHT_HEIGHT 1400.0f
+#define DEPTH_MIN_M 0.05f  /* What is nearer to the eye is not on any screen. */
+
+struct overlay_point overlay_size(int upright)
+{
+    return upright ? (struct overlay_point){ UPRIGHT_WIDTH, UPRIGHT_HEIGHT }
+                   : (struct overlay_point){ WIDE_WIDTH, WIDE_HEIGHT };
+}
+
+int overlay_is_inside(struct overlay_box box, float room, struct overlay_point at)
+{
+    return box.width > 0.0f && at.x >= box.x - room && at.x <= box.x + box.width + room &&
+           at.y >= box.y - room && at.y <= box.y + box.height + room;
+}
+
+/* A screen shows `half_height_tan` above and below its middle if it is `aspect_min` wide or wider;
+ * else that much times aspect_min beside it. */
+struct overlay_point overlay_point_of(const struct view *view, int upright, vec3 point_m)
+{
+    const struct basis axes = view_basis(view);
+    const vec3 from_eye_m = v3_sub(point_m, view->eye_m);
+    const float depth_m = f_max(-v3_dot(from_eye_m, axes.back), DEPTH_MIN_M);
+    const float right = v3_dot(from_eye_m, axes.right) / (depth_m * view->half_height_tan);
+    const float up = v3_dot(from_eye_m, axes.up) / (depth_m * view->half_height_tan);
+    const struct overlay_point canvas = overlay_size(upright);
+    const float unit = upright ? 0.5f * canvas.x / view->aspect_min : 0.5f * canvas.y;
+    return (struct overlay_point){ 0.5f * canvas.x + unit * right, 0.5f * canvas.y - unit * up };
+}
+
+/* Who holds a poi that can turn looks at the tank, not through a pointer's ray: its plan is the
+ * canvas. Such an arm need not reach behind the tank for what stands high on the screen. */
+static struct overlay_point plan_point(const struct core *core, int upright, vec3 hand_m)
+{
+    const struct overlay_point canvas = overlay_size(upright);
+    return (struct overlay_point){ canvas.x * (0.5f + hand_m.x / core->tank.size_m.x),
+                                  canvas.y * (0.5f + hand_m.z / core->tank.size_m.z) };
+}
+
+/* POI_MAX when there is none. A leap loses nothing here, so no hand is doubted for one. */
+static uint32_t leading_hand(const struct core *core, const struct input *input)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (core->bowl[i].present && input->poi[i].link == POI_LINK_LIVE &&
+            trust_can_read(&input->poi[i].target)) {
+            return i;
+        }
+    }
+    return POI_MAX;
+}
+
+struct overlay_hand overlay_hand_of(const struct core *core, const struct input *input, int upright)
+{
+    const uint32_t player = leading_hand(core, input);
+    if (player == POI_MAX) {
+        return (struct overlay_hand){ 0 };
+    }
+    const struct poi_input *says = &input->poi[player];
+    const vec3 hand_m = says->target.position_m;
+    const struct overlay_point canvas = overlay_size(upright);
+    const struct overlay_point at =
+        says->has_wrist ? plan_point(core, upright, hand_m)
+                        : overlay_point_of(&tank_preset(core->tank.preset)->view, upright, hand_m);
+    return (struct overlay_hand){
+        .present = 1,
+        .player = (uint8_t)player,
+        .at = { f_clamp(at.x, 0.0f, canvas.x), f_clamp(at.y, 0.0f, canvas.y) },
+        .height_m = hand_m.y,
+    };
+}
