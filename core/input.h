@@ -22,12 +22,13 @@ enum input_button {
     INPUT_RIGHT = 1u << 2,
     INPUT_OK = 1u << 3,
     INPUT_LANGUAGE = 1u << 4,
-    INPUT_TEST = 1u << 5,    /* Opens and leaves the operator's menu. */
-    INPUT_SERVICE = 1u << 6, /* A credit that nobody paid for. */
+    INPUT_TEST = 1u << 5,    /* Opens the operator's menu, and takes what it points at there. */
+    INPUT_SERVICE = 1u << 6, /* A credit that nobody paid for; in the menu, the next tag. */
     INPUT_TILT = 1u << 7,    /* The cabinet was shaken or leant. */
     INPUT_DOOR = 1u << 8,    /* The cabinet stands open. */
     INPUT_BUTTON_ALL = (1u << 9) - 1u,
 };
+#define INPUT_BUTTON_COUNT 9u
 
 #define CONTROLLER_MAX 8u /* Four that play, and four that lie ready. */
 

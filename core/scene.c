@@ -154,6 +154,8 @@ static void show_game(const struct core *core, struct scene *scene)
         show_offer(core, mode, &scene->offer[mode]);
     }
     credit_show(core, &scene->credit);
+    scene->asks_menu = (uint8_t)menu_is_asking(core);
+    menu_show(core, &scene->menu);
     if (game->phase == PHASE_LAB) {
         lab_show(core, &scene->lab);
     }

@@ -205,6 +205,33 @@ struct scene_credit {
                                 vain; a day or more: never. */
 };
 
+/* The operator's menu (core/game/menu.h), while the phase is PHASE_MENU. */
+struct scene_menu {
+    uint8_t page;            /* enum menu_page */
+    uint8_t tag;             /* That is pointed at. */
+    uint16_t tags;           /* Of the page's, those that are offered; a bit each. */
+    uint8_t row;             /* Of the controller that is dealt with. */
+    uint8_t upright, has_hand, presses;
+    float x, y;              /* The hand, on the canvas (core/game/overlay.h). */
+    struct desk_input desk;
+    uint32_t held;           /* enum input_button */
+    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Since the menu was opened; */
+    uint32_t test_coins;     /* coins too: they are no money. */
+    float coin_s;            /* Since the last of them fell. */
+};
+
+#define SCENE_NAME_SIZE 48u
+#define SCENE_LINE_SIZE 160u
+
+/* What devices are called, which is no concern of the core: the shell fills it while the operator's
+ * menu is shown, and core_scene() leaves it as it is. UTF-8, each "" where there is nothing. */
+struct scene_devices {
+    char controller[CONTROLLER_MAX][SCENE_NAME_SIZE];
+    char controllers[SCENE_LINE_SIZE]; /* What looks for them, or what is missing for that. */
+    char buttons[SCENE_LINE_SIZE];     /* The same of buttons. */
+    uint32_t button_faults;            /* Since the start. */
+};
+
 struct scene {
     uint32_t tick;
     struct view view;
@@ -249,6 +276,9 @@ struct scene {
     } player[POI_MAX];
 
     struct scene_credit credit;
+    uint8_t asks_menu;       /* TEST was pressed in a round: once more, and it ends. */
+    struct scene_menu menu;
+    struct scene_devices devices;
     struct scene_lab lab;
     struct scene_album album;
 };

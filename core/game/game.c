@@ -43,6 +43,9 @@ static void tick_phase(struct core *core, const struct input *input, struct outp
     case PHASE_LAB:
         lab_tick(core, input, output);
         break;
+    case PHASE_MENU:
+        menu_tick(core, input, output);
+        break;
     case PHASE_ALBUM:
         album_tick(core, input, output);
         break;
@@ -72,6 +75,9 @@ void game_init(struct game *game, const struct core_config *config)
 static int start_lamp(const struct core *core)
 {
     const uint8_t phase = core->game.phase;
+    if (phase == PHASE_MENU) {
+        return menu_lights_start(core);
+    }
     return (phase == PHASE_ATTRACT || phase == PHASE_CHOOSE) && credit_can_play(core) &&
            core->tick % CORE_TICK_HZ < START_LAMP_TICKS;
 }
@@ -89,7 +95,9 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
     hand_read(core, input);
     hand_links(core, input);
     credit_tick(core, input, output);
-    tick_phase(core, input, output);
+    if (!menu_opens(core, input, output)) {
+        tick_phase(core, input, output);
+    }
     hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
     hand_tick_all(core, input, targets, live);
     hints_tick(&game->hints, core);
@@ -177,6 +185,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = bot_hash(hash, &game->bot[i]);
     }
     hash = credit_hash(hash, &game->credit);
+    hash = menu_hash(hash, &game->menu);
     hash = album_hash(hash, &game->album);
     hash = lab_hash_quick(hash, &game->lab);
     return hints_hash(hash, &game->hints);

@@ -15,6 +15,7 @@
 #include "core/game/hints.h"
 #include "core/game/keeper.h"
 #include "core/game/lab.h"
+#include "core/game/menu.h"
 #include "core/game/pause.h"
 #include "core/game/player.h"
 #include "core/game/rules.h"
@@ -77,6 +78,7 @@ struct game {
     struct hints hints;
     struct bot bot[POI_MAX];
     struct credit credit;
+    struct menu menu;
     struct album album;
     struct lab lab;
 };

@@ -325,6 +325,33 @@ uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
     return unwritten + waiting;
 }
 
+static void copy_line(char *out, size_t out_size, const char *line)
+{
+    size_t length = line ? strlen(line) : 0;
+    length = length < out_size ? length : out_size - 1u;
+    memcpy(out, line ? line : "", length);
+    out[length] = 0;
+}
+
+/* What the core knows by rows and bits has names on the operator's screen. */
+static void name_devices(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct scene_devices *devices = &kiosk->scene.devices;
+    const struct hal_controllers *controllers = &hal->controllers;
+    if (kiosk->scene.phase != PHASE_MENU) {
+        return;
+    }
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        copy_line(devices->controller[i], sizeof devices->controller[i],
+                  controllers->ops->name(controllers->self, i));
+    }
+    copy_line(devices->controllers, sizeof devices->controllers,
+              controllers->ops->describe(controllers->self));
+    copy_line(devices->buttons, sizeof devices->buttons,
+              hal->buttons.ops->describe(hal->buttons.self));
+    devices->button_faults = kiosk->faults.buttons;
+}
+
 static uint64_t stopwatch_ns(const struct kiosk *kiosk)
 {
     return clock_ns(kiosk->config.stopwatch);
@@ -347,6 +374,7 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     sample_devices(kiosk, hal);
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
+    name_devices(kiosk, hal);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
     show_hands(kiosk, hal);
     present(kiosk, hal, tick_count);

@@ -4,8 +4,6 @@
 #include "core/game/game.h"
 #include "platform/render/ui_signs.h"
 
-#define CEDAR 0xd9a667ffu
-#define CEDAR_DIM 0xa77d50ffu
 #define SECONDS_SHOWN 99.0f
 #define RAISE_S 0.16f
 
@@ -31,18 +29,6 @@ static void time_words(uint8_t language, uint32_t seconds, char *out, size_t out
     const int even = seconds >= 120u && seconds % 60u == 0;
     text_number(out, out_size, text_words(language, even ? TEXT_MINUTES : TEXT_SECONDS),
                 even ? seconds / 60u : seconds);
-}
-
-static void cords(const struct ui_frame *frame, struct ui_box box, float pole_y)
-{
-    const float u = frame->unit;
-    for (uint32_t i = 0; i < 2u; i++) {
-        const float x = box.x + box.width * (i == 0 ? 0.2f : 0.8f);
-        const struct ui_box cord = { x - 2.5f * u, pole_y, 5.0f * u, box.y + 12.0f * u - pole_y };
-        ui_shape(frame->batch,
-                 &(struct ui_shape){ .box = cord, .kind = UI_PANEL, .fill = 0xb83a26ffu,
-                                     .line = 0x641a12ffu, .shape = { 0, 0, 2.5f * u, u } });
-    }
 }
 
 static void tag_words(const struct ui_frame *frame, const struct scene *scene, uint8_t mode,
@@ -94,36 +80,9 @@ static float raised(const struct scene *scene, const struct ui_memory *memory, u
 static void wooden_tag(const struct ui_frame *frame, const struct scene *scene, uint8_t mode,
                        struct ui_box box, float pole_y)
 {
-    const float u = frame->unit;
-    const int pointed = mode == scene->choice;
-    if (pointed) {
-        const struct ui_box halo = { box.x - 60.0f * u, box.y - 50.0f * u, box.width + 120.0f * u,
-                                     box.height + 110.0f * u };
-        ui_shape(frame->batch,
-                 &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
-                                     .fill = ui_fade(0xffb050ffu,
-                                                     0.75f + 0.25f * ui_pulse(frame->time_s,
-                                                                              2.4f)) });
-    }
-    cords(frame, box, pole_y);
-    const struct ui_box shade = { box.x + 5.0f * u, box.y + 12.0f * u, box.width, box.height };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c70u,
-                                               .shape = { 0, 0, 12.0f * u } });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WOOD,
-                                               .fill = pointed ? CEDAR : CEDAR_DIM,
-                                               .line = pointed ? 0xc8341fffu : 0x5a3a20ffu,
-                                               .shape = { 0, 0, 10.0f * u,
-                                                          (pointed ? 5.0f : 2.0f) * u } });
+    ui_cords(frame, box, pole_y);
+    ui_wooden_tag(frame, box, mode == scene->choice);
     tag_words(frame, scene, mode, box);
-}
-
-static void pole(const struct ui_frame *frame, float y, float width)
-{
-    const float u = frame->unit;
-    const struct ui_box box = { 0.5f * (frame->width - width), y - 8.0f * u, width, 15.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = 0x8a5a34ffu,
-                                               .line = 0x3a2214ffu,
-                                               .shape = { 0, 0, 7.0f * u, 2.0f * u } });
 }
 
 /* How long the keeper waits for somebody to point or to take a tag. */
@@ -188,7 +147,7 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     ui_text(frame->batch, &title, 0.5f * frame->width,
             ui_text_middle(&title, fmaxf(pole_y - 64.0f * u, 40.0f * u)),
             text_words(frame->language, TEXT_CHOOSE));
-    pole(frame, pole_y, fminf(row + 56.0f * u, frame->width));
+    ui_pole(frame, 0.5f * frame->width, pole_y, fminf(row + 56.0f * u, frame->width));
     struct ui_box box = { 0.5f * (frame->width - row), middle - 0.5f * height, width, height };
     for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         if ((scene->modes >> mode & 1u) == 0) {

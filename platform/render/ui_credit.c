@@ -42,25 +42,32 @@ void ui_coin_words(const struct scene *scene, char *out, size_t out_size)
     text_number(out, out_size, text_words(scene->language, TEXT_COIN), missing);
 }
 
+static void warning(const struct ui_frame *frame, float y, enum text_key key)
+{
+    const float u = frame->unit;
+    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y, .size_px = 27.0f * u,
+                                      .font = FONT_BODY, .fill = 0xb8301ee8u, .line = UI_GOLD,
+                                      .ink = 0xfff8eaffu, .room_px = frame->width - 32.0f * u };
+    ui_ribbon(frame, &ribbon, text_words(frame->language, key));
+}
+
 void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
 {
     static const enum text_key keys[] = { TEXT_WARN_TILT, TEXT_WARN_DOOR, TEXT_WARN_NO_POI };
     const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
-    const float u = frame->unit;
     uint32_t shown = scene->credit.warnings;
     float y = 0.215f * frame->height;
+    if (scene->asks_menu) {
+        warning(frame, y, TEXT_MENU_ASK);
+        y += 58.0f * frame->unit;
+    }
     if (in_round) {
         shown &= ~(uint32_t)WARN_NO_POI; /* It is said in larger letters: the round waits. */
     }
     for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         if (shown >> i & 1u) {
-            const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y,
-                                              .size_px = 27.0f * u, .font = FONT_BODY,
-                                              .fill = 0xb8301ee8u, .line = UI_GOLD,
-                                              .ink = 0xfff8eaffu,
-                                              .room_px = frame->width - 32.0f * u };
-            ui_ribbon(frame, &ribbon, text_words(frame->language, keys[i]));
-            y += 58.0f * u;
+            warning(frame, y, keys[i]);
+            y += 58.0f * frame->unit;
         }
     }
 }

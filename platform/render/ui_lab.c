@@ -57,12 +57,7 @@ struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill)
 void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
                   const char *words)
 {
-    struct ui_text fitted = *style;
-    fitted.align = 0.5f;
-    fitted.fit_px = box.width;
-    fitted.size_px = ui_text_size(&fitted, words);
-    ui_text(page->frame.batch, &fitted, box.x + 0.5f * box.width,
-            ui_text_middle(&fitted, box.y + 0.5f * box.height), words);
+    ui_words_in(&page->frame, box, style, words);
 }
 
 /* ---- Buttons -------------------------------------------------------------------------------- */

@@ -132,6 +132,17 @@ void ui_noren(const struct ui_frame *frame, float lift)
     ui_hang_lantern(frame, left + width + 64.0f * u, top, 118.0f * u, 2.0f);
 }
 
+void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
+                 const char *words)
+{
+    struct ui_text fitted = *style;
+    fitted.align = 0.5f;
+    fitted.fit_px = box.width;
+    fitted.size_px = ui_text_size(&fitted, words);
+    ui_text(frame->batch, &fitted, box.x + 0.5f * box.width,
+            ui_text_middle(&fitted, box.y + 0.5f * box.height), words);
+}
+
 void ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words)
 {
     const float pad = 0.95f * ribbon->size_px, height = 1.95f * ribbon->size_px;

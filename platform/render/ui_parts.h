@@ -33,6 +33,16 @@ void ui_noren(const struct ui_frame *frame, float lift);
 /* A paper lantern hanging from (x, y); `size` is its body's height, in pixels. */
 void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase);
 
+/* A bamboo pole centred at (x, y); the two cords on which a tag hangs from it; and the tag, bare,
+ * in the light when it is pointed at. */
+void ui_pole(const struct ui_frame *frame, float x, float y, float width);
+void ui_cords(const struct ui_frame *frame, struct ui_box box, float pole_y);
+void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed);
+
+/* A line of words in the middle of a box, shrunk to its width. */
+void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
+                 const char *words);
+
 /* A pill with one line of words in it, centred at (x, y). */
 struct ui_ribbon {
     float x, y, size_px;

@@ -62,6 +62,9 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
     case PHASE_ATTRACT:
         ui_attract(&frame, scene);
         break;
+    case PHASE_MENU:
+        ui_menu(&frame, scene);
+        return; /* It says itself what is wrong. */
     default: /* PHASE_WORDLESS */
         return;
     }

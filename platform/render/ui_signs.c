@@ -37,7 +37,7 @@ void ui_plate(const struct ui_frame *frame, struct ui_box box)
 
 static const char *hint_words(uint8_t language, uint8_t hint)
 {
-    static const uint8_t keys[HINT_COUNT] = {
+    static const uint16_t keys[HINT_COUNT] = {
         [HINT_START] = TEXT_HINT_START,   [HINT_MOVE] = TEXT_HINT_MOVE,
         [HINT_DIP] = TEXT_HINT_DIP,       [HINT_LIFT] = TEXT_HINT_LIFT,
         [HINT_BOWL] = TEXT_HINT_BOWL,     [HINT_TILT] = TEXT_HINT_TILT,

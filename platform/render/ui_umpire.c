@@ -28,7 +28,7 @@ static void countdown(const struct ui_frame *frame, const struct scene *scene)
 
 static void call(const struct ui_frame *frame, const struct scene *scene)
 {
-    static const uint8_t keys[] = {
+    static const uint16_t keys[] = {
         [CALL_ONE_MINUTE] = TEXT_CALL_ONE_MINUTE,
         [CALL_TWO_MINUTES] = TEXT_CALL_TWO_MINUTES,
         [CALL_TEN_SECONDS] = TEXT_CALL_TEN_SECONDS,
@@ -49,7 +49,7 @@ static void call(const struct ui_frame *frame, const struct scene *scene)
 static float foul_flag(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                        float y)
 {
-    static const uint8_t keys[FOUL_COUNT] = {
+    static const uint16_t keys[FOUL_COUNT] = {
         [FOUL_POURED] = TEXT_FOUL_POURED,
         [FOUL_WALL] = TEXT_FOUL_WALL,
         [FOUL_SHADE] = TEXT_FOUL_SHADE,

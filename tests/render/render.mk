@@ -1,6 +1,7 @@
 # render.mk -- a look at the picture without playing.
 
-$(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/shell.a $(BUILD)/core.a
+$(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/tests/render/shot_menu.o \
+    $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
@@ -8,7 +9,8 @@ $(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/shell.a $(BUIL
 # --players N are bots; --follow M looks at the first poi from so near; --paper holds one up, with
 # --stress, --water MM, --tilt DEGREES, --owner N; --heel DEGREES tilts the bowls; --careless plays
 # with a hand that wets half the paper and pushes it; --lab SPECIES --progress P is the growth lab, with
-# --compare, --path, --size-layer; --album N --progress P the album with N fish.
+# --compare, --path, --size-layer; --album N --progress P the album with N fish;
+# --menu PAGE --step N a page of the operator's menu; --coins N what a round costs.
 ## shot: a picture of the stall in out/shot.png; ARGS="--mode championship --players 4 --start --seconds 40 --passes -o FILE"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out

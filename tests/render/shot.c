@@ -10,6 +10,7 @@
 #include "core/core.h"
 #include "platform/png.h"
 #include "platform/render/display_gl.h"
+#include "tests/render/shot_menu.h"
 
 #define PIXELS_MAX (3840u * 2160u)
 #define SKIN_FRAMES 150u /* Until the skins of all keys that are shown are painted finely. */
@@ -30,6 +31,8 @@ struct options {
     uint8_t players, mode, modes; /* Who plays, what is pointed at, and what is offered. */
     uint8_t lab, compare, path, size_layer; /* The growth lab, and what is shown there: ... */
     uint8_t album;                          /* (or so many fish in the album) */
+    const char *menu;                       /* (or a page of the operator's menu, at a step) */
+    uint8_t step, coins;                    /* What a round costs. */
     uint32_t species;
     float progress;                         /* ... this species, so far in its life. */
 
@@ -108,6 +111,9 @@ static const struct plain_option {
     { "--size-layer", KIND_FLAG, offsetof(struct options, size_layer), 0.0f },
     { "--progress", KIND_FLOAT, offsetof(struct options, progress), 1.0f },
     { "--album", KIND_BYTE, offsetof(struct options, album), 0.0f },
+    { "--menu", KIND_TEXT, offsetof(struct options, menu), 0.0f },
+    { "--step", KIND_BYTE, offsetof(struct options, step), 0.0f },
+    { "--coins", KIND_BYTE, offsetof(struct options, coins), 0.0f },
     { "--en", KIND_FLAG, offsetof(struct options, english), 0.0f },
     { "--passes", KIND_FLAG, offsetof(struct options, passes), 0.0f },
     { "--paper", KIND_FLAG, offsetof(struct options, paper), 0.0f },
@@ -244,13 +250,18 @@ static struct poi_input careless_hand(float time_s)
     };
 }
 
+static uint8_t is_upright(const struct options *options)
+{
+    return (float)options->width < OVERLAY_UPRIGHT_ASPECT * (float)options->height;
+}
+
 static void open_lab(const struct options *options, struct output *output)
 {
     struct lab *lab = &core.game.lab;
     lab->species = (uint8_t)options->species;
     lab_begin(&core, output);
     lab->playing = 0;
-    lab->upright = (float)options->width < OVERLAY_UPRIGHT_ASPECT * (float)options->height;
+    lab->upright = is_upright(options);
     lab->progress = options->progress;
     lab->compare = options->compare;
     lab->path = options->path;
@@ -279,6 +290,7 @@ static void play(const struct options *options)
                                         .fish_count = options->fish,
                                         .players = options->players,
                                         .modes = options->modes,
+                                        .credit_coins = options->coins,
                                         .language = options->english ? LANGUAGE_EN : LANGUAGE_JA };
     struct output output = { 0 };
     if (core_init(&core, &config) != CORE_OK) {
@@ -305,6 +317,9 @@ static void play(const struct options *options)
         open_lab(options, &output);
     } else if (options->album > 0) {
         open_album(options);
+    } else if (options->menu) {
+        shot_menu_open(&core, options->menu, options->step, is_upright(options));
+        shot_menu_name(&scene.devices);
     }
     core_scene(&core, &scene);
 }

@@ -98,8 +98,19 @@ static const struct field game_fields[] = {
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
     FIELD(game, rest_ticks),
     SKIP(game, hints),        SKIP(game, bot),         SKIP(game, credit),
-    SKIP(game, album),
+    SKIP(game, menu),         SKIP(game, album),
     SKIP(game, lab),
+};
+
+static const struct field menu_fields[] = {
+    FIELD(menu, page),       FIELD(menu, row),        FIELD(menu, upright),
+    FIELD(menu, has_hand),   FIELD(menu, hand),       FIELD(menu, presses),
+    FIELD(menu, points),     FIELD(menu, tag),        FIELD(menu, desk),
+    FIELD(menu, pressed_count),
+    FIELD(menu, held),       FIELD(menu, test_coins), FIELD(menu, coin_tick),
+    FIELD(menu, order_id),   FIELD(menu, ask_tick),   FIELD(menu, take_tick),
+    FIELD(menu, act_tick),   FIELD(menu, x),          FIELD(menu, y),
+    FIELD(menu, stir_x),     FIELD(menu, stir_y),
 };
 
 static const struct field credit_fields[] = {
@@ -328,6 +339,7 @@ static const struct table tables[] = {
     TABLE(lab_edit, edit_fields, &core.game.lab.edits[SPECIES_MAX - 1u]),
     TABLE(graph, graph_fields, &core.game.lab.edit.graph),
     TABLE(graph, graph_fields, &core.game.lab.edits[0].graph),
+    TABLE(menu, menu_fields, &core.game.menu),
     TABLE(credit, credit_fields, &core.game.credit),
     TABLE(album, album_fields, &core.game.album),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[0]),

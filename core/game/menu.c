@@ -1,0 +1,316 @@
+/* menu.c -- one tick of the operator's menu: buttons, the hand, and what is taken. */
+#include "core/game/menu.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/keeper.h"
+#include "core/game/menu_pages.h"
+#include "core/game/phases.h"
+
+#define NEVER_S 1e6f /* Eleven days. */
+
+static uint16_t offers(const struct menu *menu)
+{
+    return menu_sheet_of(menu->page)->offers(menu);
+}
+
+/* What the shell says of controllers is in range: another driver's bug is not ours to draw. */
+static void check(const struct desk_input *desk)
+{
+    CORE_ASSERT(desk->learn_step < LEARN_STEP_COUNT);
+    CORE_ASSERT(desk->learn_row < CONTROLLER_MAX);
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        CORE_ASSERT(desk->state[i] < CONTROLLER_STATE_COUNT);
+    }
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+static int is_played(const struct core *core)
+{
+    return core->game.phase == PHASE_READY || core->game.phase == PHASE_ROUND;
+}
+
+int menu_is_asking(const struct core *core)
+{
+    const uint32_t ask_tick = core->game.menu.ask_tick;
+    return is_played(core) && ask_tick != 0 && core->tick - ask_tick < MENU_ASK_TICKS;
+}
+
+static void open_menu(struct core *core, const struct input *input)
+{
+    struct menu *menu = &core->game.menu;
+    *menu = (struct menu){
+        .desk = input->desk,
+        .upright = input->upright != 0,
+        .presses = 1, /* Who holds a poi down takes nothing. */
+        .order_id = menu->order_id,
+        .take_tick = core->tick,
+        .act_tick = core->tick,
+    };
+    check(&input->desk);
+    credit_give_back(core);
+    core->game.paused = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        core->poi[i].rider_count = 0; /* They go back to the water. */
+    }
+    keeper_pour_back(core);
+    phase_enter(core, PHASE_MENU);
+    menu_turn(core, MENU_TOP);
+}
+
+int menu_opens(struct core *core, const struct input *input, struct output *output)
+{
+    if (!(input->pressed & INPUT_TEST) || core->game.phase == PHASE_MENU) {
+        return 0;
+    }
+    output_sound(output, SOUND_CALL, 0.8f, 0.0f);
+    if (is_played(core) && !menu_is_asking(core)) {
+        core->game.menu.ask_tick = core->tick;
+        return 0;
+    }
+    open_menu(core, input);
+    return 1;
+}
+
+/* ---- Pointing ------------------------------------------------------------------------------- */
+
+static uint8_t first_tag(uint16_t offered)
+{
+    uint8_t tag = 0;
+    while (tag < MENU_TAG_MAX && !(offered >> tag & 1u)) {
+        tag++;
+    }
+    CORE_ASSERT(tag < MENU_TAG_MAX);
+    return tag;
+}
+
+/* What was pointed at may be gone: a controller was unplugged, a step was learned. */
+static void point_at_something(struct menu *menu)
+{
+    const uint16_t offered = offers(menu);
+    uint8_t *tag = &menu->tag[menu->page];
+    *tag = offered >> *tag & 1u ? *tag : first_tag(offered);
+}
+
+void menu_turn(struct core *core, enum menu_page page)
+{
+    struct menu *menu = &core->game.menu;
+    menu->page = (uint8_t)page;
+    menu->points = 0;
+    if (page == MENU_CONTROLLER || page == MENU_LEARN) {
+        menu->tag[page] = 0; /* Another controller: what was done to the last one is no matter. */
+    }
+    point_at_something(menu);
+}
+
+static void point_at(struct menu *menu, uint32_t tag, struct output *output)
+{
+    if (menu->tag[menu->page] != tag) {
+        menu->tag[menu->page] = (uint8_t)tag;
+        output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
+    }
+}
+
+/* The next that is offered, forward or back, and round. */
+static void point_on(struct menu *menu, int forward, struct output *output)
+{
+    const uint32_t count = menu_sheet_of(menu->page)->tag_count;
+    const uint16_t offered = offers(menu);
+    uint32_t tag = menu->tag[menu->page];
+    do {
+        tag = (tag + (forward ? 1u : count - 1u)) % count;
+    } while (!(offered >> tag & 1u));
+    point_at(menu, tag, output);
+}
+
+static void take(struct core *core, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    if (core->tick - menu->take_tick < MENU_TAKE_TICKS) {
+        return;
+    }
+    menu->take_tick = core->tick;
+    output_sound(output, SOUND_TICK, 0.7f, 0.0f);
+    menu_sheet_of(menu->page)->take(core, menu->tag[menu->page], output);
+}
+
+static void heed_buttons(struct core *core, const struct input *input, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
+    const uint32_t pressed =
+        input->pressed & (menu_sheet_of(menu->page)->watches ? inside : (uint32_t)INPUT_BUTTON_ALL);
+    if (pressed & (INPUT_SERVICE | INPUT_RIGHT)) {
+        point_on(menu, 1, output);
+    } else if (pressed & INPUT_LEFT) {
+        point_on(menu, 0, output);
+    }
+    if (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) {
+        take(core, output);
+    }
+}
+
+/* ---- The hand ------------------------------------------------------------------------------- */
+
+/* A controller that is being learned is swung about: its way over the water means nothing yet. */
+static int is_learning(const struct menu *menu)
+{
+    return menu->page == MENU_LEARN && menu->desk.learn_step != LEARN_TRY &&
+           menu->desk.learn_step != LEARN_FAILED;
+}
+
+/* From 1; 0: none. */
+static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
+{
+    const uint16_t offered = offers(menu);
+    for (uint32_t tag = 0; tag < menu_sheet_of(menu->page)->tag_count; tag++) {
+        if (overlay_is_inside(menu_box(menu->upright, menu->page, offered, tag), 0.0f, at)) {
+            return (uint8_t)(tag + 1u);
+        }
+    }
+    return 0;
+}
+
+static void note_stir(struct core *core)
+{
+    struct menu *menu = &core->game.menu;
+    const float x = menu->x - menu->stir_x, y = menu->y - menu->stir_y;
+    if (x * x + y * y > OVERLAY_STIR * OVERLAY_STIR) {
+        menu->stir_x = menu->x;
+        menu->stir_y = menu->y;
+        menu->act_tick = core->tick;
+    }
+}
+
+/* It points as it comes over a tag; where it rests the buttons have their way. */
+static void follow_hand(struct core *core, const struct input *input, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    const struct overlay_hand hand = overlay_hand_of(core, input, menu->upright);
+    if (!hand.present || is_learning(menu)) {
+        menu->has_hand = menu->points = 0;
+        menu->presses = 1; /* Whoever comes next takes nothing until it has come up. */
+        return;
+    }
+    const int was_down = menu->presses || hand.player != menu->hand;
+    menu->has_hand = 1;
+    menu->hand = hand.player;
+    menu->x = hand.at.x;
+    menu->y = hand.at.y;
+    note_stir(core);
+    const uint8_t points = tag_under(menu, hand.at);
+    if (points != menu->points && points > 0) {
+        point_at(menu, points - 1u, output);
+    }
+    menu->points = points;
+    menu->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
+    if (menu->presses && !was_down && points > 0) {
+        point_at(menu, points - 1u, output); /* Whatever the buttons said since it came there. */
+        take(core, output);
+    }
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+static void count_presses(struct menu *menu, uint32_t pressed)
+{
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        const int counts = (pressed >> i & 1u) && menu->pressed_count[i] < MENU_COUNT_MAX;
+        menu->pressed_count[i] = (uint16_t)(menu->pressed_count[i] + counts);
+    }
+}
+
+/* A coin is a test of the mechanism here: no credit comes of it, and the meter stands. */
+static void count_coins(struct core *core, uint32_t count, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    if (count > 0) {
+        const uint32_t room = MENU_COUNT_MAX - menu->test_coins;
+        menu->test_coins += count < room ? count : room;
+        menu->coin_tick = core->tick;
+        output_sound(output, SOUND_COIN, 0.5f, 0.0f);
+    }
+}
+
+static void watch(struct core *core, const struct input *input, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    check(&input->desk);
+    const int has_changed = memcmp(&menu->desk, &input->desk, sizeof menu->desk) != 0;
+    menu->desk = input->desk;
+    menu->upright = input->upright != 0;
+    menu->held = input->held;
+    count_presses(menu, input->pressed);
+    count_coins(core, input->coin_count, output);
+    if (input->pressed != 0 || input->coin_count > 0 || has_changed) {
+        menu->act_tick = core->tick;
+    }
+    point_at_something(menu);
+}
+
+void menu_tick(struct core *core, const struct input *input, struct output *output)
+{
+    watch(core, input, output);
+    heed_buttons(core, input, output);
+    if (core->game.phase == PHASE_MENU) {
+        follow_hand(core, input, output);
+    }
+    if (core->game.phase == PHASE_MENU &&
+        core->tick - core->game.menu.act_tick >= MENU_IDLE_TICKS) {
+        menu_close(core, output);
+    }
+}
+
+int menu_lights_start(const struct core *core)
+{
+    const struct menu *menu = &core->game.menu;
+    return menu->page == MENU_LINES && (menu->held & INPUT_START) != 0;
+}
+
+/* ---- What is seen of it --------------------------------------------------------------------- */
+
+void menu_show(const struct core *core, struct scene_menu *out)
+{
+    const struct menu *menu = &core->game.menu;
+    *out = (struct scene_menu){ 0 };
+    if (core->game.phase != PHASE_MENU) {
+        return;
+    }
+    out->page = menu->page;
+    out->tag = menu->tag[menu->page];
+    out->tags = offers(menu);
+    out->row = menu->row;
+    out->upright = menu->upright;
+    out->has_hand = menu->has_hand;
+    out->presses = menu->presses;
+    out->x = menu->x;
+    out->y = menu->y;
+    out->desk = menu->desk;
+    out->held = menu->held;
+    memcpy(out->pressed_count, menu->pressed_count, sizeof out->pressed_count);
+    out->test_coins = menu->test_coins;
+    out->coin_s = menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S
+                                       : NEVER_S;
+}
+
+uint64_t menu_hash(uint64_t hash, const struct menu *menu)
+{
+    const uint32_t words[] = { menu->page,      menu->row,        menu->upright,
+                               menu->has_hand,  menu->hand,       menu->presses,
+                               menu->points,    menu->held,       menu->test_coins,
+                               menu->coin_tick, menu->order_id,   menu->ask_tick,
+                               menu->take_tick, menu->act_tick };
+    const float floats[] = { menu->x, menu->y, menu->stir_x, menu->stir_y };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    hash = hash_bytes(hash, menu->tag, sizeof menu->tag);
+    hash = hash_bytes(hash, (const uint8_t *)&menu->desk, sizeof menu->desk);
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        hash = hash_u32(hash, menu->pressed_count[i]);
+    }
+    return hash_floats(hash, floats, sizeof floats / sizeof floats[0]);
+}

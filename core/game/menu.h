@@ -1,0 +1,83 @@
+/* menu.h -- the operator's menu: pages of wooden tags, one of which is pointed at.
+ *
+ * TEST opens it. Then SERVICE, LEFT and RIGHT point, and TEST, START and OK take what is pointed
+ * at: the two buttons inside the cabinet suffice. So does a hand over the water, which points where
+ * it is and takes by a dip. The last tag of each page leads back.
+ *
+ * While it is open nothing is played and no coin is money. TEST in a round only asks: it lies where
+ * a cleaner's elbow reaches it, and somebody stands there who has paid. Pressed again it ends the
+ * round, without a result, since a round that was cut short is neither a score nor a record; what
+ * it cost comes back.
+ *
+ * To add a page: a name in enum menu_page, a row in menu_pages.c with what its tags do, and its
+ * words and picture in platform/render/ui_menu.c. */
+#ifndef KINGYO_CORE_GAME_MENU_H
+#define KINGYO_CORE_GAME_MENU_H
+
+#include <stdint.h>
+
+#include "core/game/overlay.h"
+#include "core/input.h"
+#include "core/output.h"
+#include "core/scene.h"
+
+#define MENU_TAG_MAX 12u /* Eight in a page's body, and four at its foot. */
+#define MENU_ASK_TICKS (5u * CORE_TICK_HZ)    /* So long a second TEST ends the round. */
+#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two takes within it are one hand's. Nor could
+                                                 more than one order be told in a frame. */
+#define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Left open and forgotten: the stall opens again. */
+#define MENU_COUNT_MAX 9999u                  /* A counter of the lines' page stops there. */
+
+enum menu_page {
+    MENU_TOP = 0,
+    MENU_CONTROLLERS, /* All that are plugged in, ... */
+    MENU_CONTROLLER,  /* ... one of them, ... */
+    MENU_LEARN,       /* ... and what it says when it is moved. */
+    MENU_LINES,       /* Buttons and coins. */
+    MENU_PAGE_COUNT,
+};
+
+/* The tags of each page. */
+enum { TOP_CONTROLLERS = 0, TOP_LINES, TOP_LEAVE, TOP_TAGS };
+enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* Behind one for each controller. */
+enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
+enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
+enum { LINES_BACK = 0, LINES_TAGS };
+
+struct menu {
+    uint8_t page;    /* enum menu_page */
+    uint8_t row;     /* Of the controller that is dealt with. */
+    uint8_t upright; /* As the last input said. */
+    uint8_t has_hand, hand, presses;
+    uint8_t points;  /* The tag under the hand, from 1; 0: none. */
+    uint8_t tag[MENU_PAGE_COUNT]; /* Which is pointed at on each page. */
+    struct desk_input desk;       /* As the last input said. */
+    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Since it was opened. */
+    uint32_t held;
+    uint32_t test_coins, coin_tick;
+    uint32_t order_id;
+    uint32_t ask_tick;  /* When TEST was pressed in a round; 0: it was not. */
+    uint32_t take_tick; /* When a tag was taken last, ... */
+    uint32_t act_tick;  /* ... and when anybody last did anything. */
+    float x, y;         /* The hand, on the canvas; ... */
+    float stir_x, stir_y; /* ... and where it last moved on from. */
+};
+
+struct core;
+
+/* Whether TEST opens the menu in this very tick; in a round, it asks first. */
+int menu_opens(struct core *core, const struct input *input, struct output *output);
+void menu_tick(struct core *core, const struct input *input, struct output *output);
+
+/* Whether a second TEST would end the round now. */
+int menu_is_asking(const struct core *core);
+
+/* While the lines are looked at, the start button's lamp is lit by its button. */
+int menu_lights_start(const struct core *core);
+
+/* What there is to see of it. */
+void menu_show(const struct core *core, struct scene_menu *out);
+
+uint64_t menu_hash(uint64_t hash, const struct menu *menu);
+
+#endif

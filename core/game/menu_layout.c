@@ -1,0 +1,93 @@
+/* menu_layout.c -- where the tags of a page are, for the hand that takes them and the picture that
+ * shows them alike. */
+#include "core/base/fmath.h"
+#include "core/base/panic.h"
+#include "core/game/menu_pages.h"
+
+/* What differs between the two canvases. */
+struct measures {
+    struct overlay_box body;
+    uint32_t hung_max;                 /* Tags side by side. */
+    float hung_width, hung_height, hung_gap, hung_drop; /* `drop`: for the next row's pole. */
+    float row_height, row_pitch;
+    float foot_y, foot_width, foot_height, foot_gap;
+};
+
+static const struct measures wide = {
+    .body = { 130.0f, 124.0f, 1020.0f, 464.0f },
+    .hung_max = 4, .hung_width = 282.0f, .hung_height = 190.0f, .hung_gap = 26.0f,
+    .hung_drop = 66.0f,
+    .row_height = 52.0f, .row_pitch = 58.0f,
+    .foot_y = 610.0f, .foot_width = 250.0f, .foot_height = 66.0f, .foot_gap = 24.0f,
+};
+static const struct measures upright_measures = {
+    .body = { 27.0f, 200.0f, 800.0f, 1040.0f },
+    .hung_max = 2, .hung_width = 372.0f, .hung_height = 214.0f, .hung_gap = 30.0f,
+    .hung_drop = 76.0f,
+    .row_height = 112.0f, .row_pitch = 128.0f,
+    .foot_y = 1262.0f, .foot_width = 250.0f, .foot_height = 86.0f, .foot_gap = 20.0f,
+};
+
+/* How many of the tags from `first` up to `limit` are offered. */
+static uint32_t count_offered(uint16_t offered, uint32_t first, uint32_t limit)
+{
+    uint32_t count = 0;
+    for (uint32_t tag = first; tag < limit; tag++) {
+        count += offered >> tag & 1u;
+    }
+    return count;
+}
+
+/* The `nth` of `count`, in as few rows as they fit, each centred. */
+static struct overlay_box hung_box(const struct measures *m, uint32_t nth, uint32_t count)
+{
+    const uint32_t rows = (count + m->hung_max - 1u) / m->hung_max;
+    const uint32_t row = nth / m->hung_max, column = nth % m->hung_max;
+    const uint32_t left = count - row * m->hung_max;
+    const float in_row = (float)(left < m->hung_max ? left : m->hung_max);
+    const float width = in_row * m->hung_width + (in_row - 1.0f) * m->hung_gap;
+    const float pitch = m->hung_height + m->hung_drop;
+    const float height = (float)rows * pitch - m->hung_drop;
+    return (struct overlay_box){
+        m->body.x + 0.5f * (m->body.width - width) +
+            (float)column * (m->hung_width + m->hung_gap),
+        m->body.y + 0.5f * (m->body.height - height) + (float)row * pitch,
+        m->hung_width,
+        m->hung_height,
+    };
+}
+
+/* All in one row, each no wider than there is room. */
+static struct overlay_box foot_box(const struct measures *m, int upright, uint32_t nth,
+                                   uint32_t count)
+{
+    const float gaps = (float)(count - 1u) * m->foot_gap;
+    const float width = f_min(m->foot_width, (m->body.width - gaps) / (float)count);
+    const float row = (float)count * width + gaps;
+    return (struct overlay_box){
+        0.5f * (overlay_size(upright).x - row) + (float)nth * (width + m->foot_gap),
+        m->foot_y,
+        width,
+        m->foot_height,
+    };
+}
+
+struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag)
+{
+    const struct menu_sheet *sheet = menu_sheet_of(page);
+    const struct measures *m = upright ? &upright_measures : &wide;
+    CORE_ASSERT(tag < sheet->tag_count);
+    if (!(offered >> tag & 1u)) {
+        return (struct overlay_box){ 0.0f, 0.0f, 0.0f, 0.0f };
+    }
+    if (tag >= sheet->body_count) {
+        return foot_box(m, upright, count_offered(offered, sheet->body_count, tag),
+                        count_offered(offered, sheet->body_count, sheet->tag_count));
+    }
+    if (sheet->body == BODY_HUNG) {
+        return hung_box(m, count_offered(offered, 0, tag),
+                        count_offered(offered, 0, sheet->body_count));
+    }
+    return (struct overlay_box){ m->body.x, m->body.y + (float)tag * m->row_pitch, m->body.width,
+                                 m->row_height };
+}

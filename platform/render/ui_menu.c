@@ -1,0 +1,257 @@
+/* ui_menu.c -- the operator's menu: before the stall opens its keeper hangs up tags, too. */
+#include "platform/render/ui_menu.h"
+
+#include <math.h>
+
+/* What a page is called, what its tags are called, and what else it shows. */
+struct sheet_words {
+    enum text_key title;
+    enum text_key names[MENU_TAG_MAX]; /* Of the tags at the foot and of those that hang. */
+    enum text_key lines[MENU_TAG_MAX]; /* Under the name of one that hangs. */
+    void (*draw)(const struct menu_view *view);
+};
+
+static const struct sheet_words sheets[MENU_PAGE_COUNT] = {
+    [MENU_TOP] = {
+        .title = TEXT_MENU,
+        .names = { [TOP_CONTROLLERS] = TEXT_MENU_CONTROLLERS, [TOP_LINES] = TEXT_MENU_LINES,
+                   [TOP_LEAVE] = TEXT_MENU_LEAVE },
+        .lines = { [TOP_CONTROLLERS] = TEXT_MENU_CONTROLLERS_WORDS,
+                   [TOP_LINES] = TEXT_MENU_LINES_WORDS },
+    },
+    [MENU_CONTROLLERS] = {
+        .title = TEXT_MENU_CONTROLLERS,
+        .names = { [ROWS_BACK] = TEXT_MENU_BACK },
+        .draw = menu_rows,
+    },
+    [MENU_CONTROLLER] = {
+        .title = TEXT_MENU_CONTROLLERS,
+        .names = { [ROW_CHOOSE] = TEXT_ROW_CHOOSE, [ROW_RELEASE] = TEXT_ROW_RELEASE,
+                   [ROW_LEARN] = TEXT_ROW_LEARN, [ROW_BACK] = TEXT_MENU_BACK },
+        .lines = { [ROW_CHOOSE] = TEXT_ROW_CHOOSE_WORDS, [ROW_RELEASE] = TEXT_ROW_RELEASE_WORDS,
+                   [ROW_LEARN] = TEXT_ROW_LEARN_WORDS },
+        .draw = menu_one_controller,
+    },
+    [MENU_LEARN] = {
+        .title = TEXT_ROW_LEARN,
+        .names = { [LEARNS_NEXT] = TEXT_LEARNS_NEXT, [LEARNS_KEEP] = TEXT_LEARNS_KEEP,
+                   [LEARNS_AGAIN] = TEXT_LEARNS_AGAIN, [LEARNS_END] = TEXT_LEARNS_END },
+        .draw = menu_learning,
+    },
+    [MENU_LINES] = {
+        .title = TEXT_MENU_LINES,
+        .names = { [LINES_BACK] = TEXT_MENU_BACK },
+        .draw = menu_lines,
+    },
+};
+
+/* ---- Shared --------------------------------------------------------------------------------- */
+
+struct ui_box menu_place(const struct menu_view *view, struct overlay_box box)
+{
+    const float u = view->frame.unit;
+    return (struct ui_box){ view->x + box.x * u, view->y + box.y * u, box.width * u,
+                            box.height * u };
+}
+
+struct ui_box menu_tag_place(const struct menu_view *view, uint32_t tag)
+{
+    const struct scene_menu *menu = view->menu;
+    return menu_place(view, menu_box(menu->upright, menu->page, menu->tags, tag));
+}
+
+const char *menu_text(const struct menu_view *view, enum text_key key)
+{
+    return text_words(view->frame.language, key);
+}
+
+struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fill)
+{
+    return (struct ui_text){ .font = FONT_BODY, .size_px = size * view->frame.unit,
+                             .fill = fill };
+}
+
+struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill)
+{
+    const int brush = view->frame.language == LANGUAGE_JA;
+    return (struct ui_text){ .font = brush ? FONT_BRUSH : FONT_STALL,
+                             .size_px = (brush ? size : 0.6f * size) * view->frame.unit,
+                             .weight_em = brush ? 0.022f : 0.0f,
+                             .spacing_em = brush ? -0.08f : 0.0f,
+                             .fill = fill };
+}
+
+/* ---- Tags ----------------------------------------------------------------------------------- */
+
+/* It sinks a little under the hand that presses it. */
+static struct ui_box tag_board(const struct menu_view *view, uint32_t tag, struct ui_box box)
+{
+    const int is_pointed = view->menu->tag == tag;
+    if (is_pointed && view->menu->has_hand && view->menu->presses) {
+        box.y += 3.0f * view->frame.unit;
+    }
+    ui_wooden_tag(&view->frame, box, is_pointed);
+    return box;
+}
+
+static void hung_tag(const struct menu_view *view, uint32_t tag)
+{
+    const struct sheet_words *sheet = &sheets[view->menu->page];
+    const float u = view->frame.unit;
+    const struct ui_text name = menu_brush(view, 88.0f, MENU_INK);
+    const struct ui_text line = menu_style(view, 24.0f, MENU_INK_SOFT);
+    struct ui_box box = menu_tag_place(view, tag);
+    ui_cords(&view->frame, box, box.y - 40.0f * u);
+    box = tag_board(view, tag, box);
+    const float x = box.x + 14.0f * u, width = box.width - 28.0f * u;
+    ui_words_in(&view->frame, (struct ui_box){ x, box.y, width, 0.62f * box.height }, &name,
+                menu_text(view, sheet->names[tag]));
+    ui_words_in(&view->frame,
+                (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height }, &line,
+                menu_text(view, sheet->lines[tag]));
+}
+
+static void foot_tag(const struct menu_view *view, uint32_t tag)
+{
+    const float u = view->frame.unit;
+    const struct ui_box box = tag_board(view, tag, menu_tag_place(view, tag));
+    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = MENU_INK };
+    ui_words_in(&view->frame,
+                (struct ui_box){ box.x + 12.0f * u, box.y, box.width - 24.0f * u, box.height },
+                &name, menu_text(view, sheets[view->menu->page].names[tag]));
+}
+
+/* A pole over each row of hung tags: those whose neighbour to the left is not in their row. */
+static void poles(const struct menu_view *view, const struct menu_sheet *sheet)
+{
+    const float u = view->frame.unit;
+    float row_y = -1.0f, from = 0.0f, to = 0.0f;
+    for (uint32_t tag = 0; tag <= sheet->body_count; tag++) {
+        const int is_tag = tag < sheet->body_count && (view->menu->tags >> tag & 1u);
+        const struct ui_box box = is_tag ? menu_tag_place(view, tag) : (struct ui_box){ 0 };
+        const int is_last = tag == sheet->body_count;
+        if (row_y >= 0.0f && (is_last || (is_tag && box.y > row_y))) {
+            ui_pole(&view->frame, 0.5f * (from + to), row_y - 40.0f * u, to - from + 60.0f * u);
+        }
+        if (is_tag) {
+            from = box.y > row_y ? box.x : from;
+            to = box.x + box.width;
+            row_y = box.y;
+        }
+    }
+}
+
+static void tags(const struct menu_view *view)
+{
+    const struct menu_sheet *sheet = menu_sheet_of(view->menu->page);
+    if (sheet->body == BODY_HUNG) {
+        poles(view, sheet);
+    }
+    for (uint32_t tag = 0; tag < sheet->tag_count; tag++) {
+        if (!(view->menu->tags >> tag & 1u)) {
+            continue;
+        }
+        if (tag >= sheet->body_count) {
+            foot_tag(view, tag);
+        } else if (sheet->body == BODY_HUNG) {
+            hung_tag(view, tag);
+        }
+    }
+}
+
+/* ---- The page ------------------------------------------------------------------------------- */
+
+/* Night over the tank, so dark that letters are read before its lights. */
+static void veil(const struct menu_view *view)
+{
+    const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0x090d24dcu });
+}
+
+static void title(const struct menu_view *view)
+{
+    const int upright = view->menu->upright;
+    const struct ui_box box =
+        menu_place(view, upright ? (struct overlay_box){ 40.0f, 40.0f, 774.0f, 110.0f }
+                                 : (struct overlay_box){ 320.0f, 18.0f, 640.0f, 96.0f });
+    struct ui_text style = menu_brush(view, 92.0f, MENU_CREAM);
+    style.outline_em = 0.03f;
+    style.soft_em = 0.1f;
+    style.line = 0x0a0c24e0u;
+    ui_words_in(&view->frame, box, &style, menu_text(view, sheets[view->menu->page].title));
+}
+
+static void keys(const struct menu_view *view)
+{
+    const int upright = view->menu->upright;
+    const int watches = menu_sheet_of(view->menu->page)->watches;
+    const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
+    ui_words_in(&view->frame,
+                menu_place(view, upright ? (struct overlay_box){ 27.0f, 1366.0f, 800.0f, 34.0f }
+                                         : (struct overlay_box){ 60.0f, 684.0f, 1160.0f, 32.0f }),
+                &style,
+                menu_text(view, watches ? TEXT_MENU_WATCH_KEYS : TEXT_MENU_KEYS));
+}
+
+/* On any page but the one that counts them: a coin that falls in here buys nothing. */
+static void test_coins(const struct menu_view *view)
+{
+    const float u = view->frame.unit;
+    const int upright = view->menu->upright;
+    const struct ui_box room =
+        menu_place(view, upright ? (struct overlay_box){ 127.0f, 152.0f, 600.0f, 44.0f }
+                                 : (struct overlay_box){ 960.0f, 44.0f, 300.0f, 44.0f });
+    char words[TEXT_LINE_MAX];
+    text_number(words, sizeof words, menu_text(view, TEXT_TEST_COINS), view->menu->test_coins);
+    const struct ui_ribbon ribbon = { .x = room.x + 0.5f * room.width,
+                                      .y = room.y + 0.5f * room.height,
+                                      .size_px = 22.0f * u,
+                                      .font = FONT_BODY,
+                                      .fill = 0x5a3a20e0u,
+                                      .line = UI_GOLD,
+                                      .ink = MENU_CREAM,
+                                      .room_px = room.width };
+    if (view->menu->test_coins > 0 && view->menu->page != MENU_LINES) {
+        ui_ribbon(&view->frame, &ribbon, words);
+    }
+}
+
+static void hand(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    const float u = view->frame.unit;
+    if (menu->has_hand) {
+        ui_poi_sign(&view->frame, view->x + menu->x * u, view->y + menu->y * u,
+                    (menu->presses ? 15.0f : 20.0f) * u, 1.0f, ui_player_colours[0]);
+    }
+}
+
+/* As large as fits; on an upright screen as the camera has it, which is where the hand points. */
+static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
+{
+    const struct overlay_point canvas = overlay_size(scene->menu.upright);
+    struct menu_view view = { .frame = *frame, .menu = &scene->menu, .devices = &scene->devices };
+    view.frame.unit = scene->menu.upright
+                          ? frame->width / canvas.x
+                          : fminf(frame->width / canvas.x, frame->height / canvas.y);
+    view.x = 0.5f * (frame->width - canvas.x * view.frame.unit);
+    view.y = 0.5f * (frame->height - canvas.y * view.frame.unit);
+    return view;
+}
+
+void ui_menu(const struct ui_frame *frame, const struct scene *scene)
+{
+    const struct menu_view view = open_view(frame, scene);
+    frame->batch->opacity = ui_smooth(0.0f, 0.25f, scene->phase_s);
+    veil(&view);
+    title(&view);
+    tags(&view);
+    if (sheets[view.menu->page].draw != NULL) {
+        sheets[view.menu->page].draw(&view);
+    }
+    keys(&view);
+    test_coins(&view);
+    hand(&view);
+    frame->batch->opacity = 1.0f;
+}

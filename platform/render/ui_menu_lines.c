@@ -1,0 +1,96 @@
+/* ui_menu_lines.c -- a lamp for each button, lit while it is held, and what fell. */
+#include <stdio.h>
+
+#include "platform/render/ui_menu.h"
+
+#define CLINK_S 0.5f
+
+static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
+    TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
+    TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
+};
+#define COIN INPUT_BUTTON_COUNT /* Behind the buttons, in the order of their bits. */
+
+static struct ui_box cell(const struct menu_view *view, uint32_t index)
+{
+    const int upright = view->menu->upright;
+    const uint32_t columns = upright ? 2u : 5u;
+    const float width = upright ? 385.0f : 218.0f, height = upright ? 150.0f : 188.0f;
+    const float gap = upright ? 30.0f : 18.0f;
+    const float left = 0.5f * (overlay_size(upright).x - (float)columns * width -
+                               (float)(columns - 1u) * gap);
+    return menu_place(view, (struct overlay_box){
+                                left + (float)(index % columns) * (width + gap),
+                                (upright ? 206.0f : 118.0f) +
+                                    (float)(index / columns) * (height + gap),
+                                width,
+                                height,
+                            });
+}
+
+static void lamp(const struct menu_view *view, float x, float y, float radius, float lit)
+{
+    const float u = view->frame.unit, glow = 3.2f * radius;
+    if (lit > 0.0f) {
+        ui_shape(view->frame.batch,
+                 &(struct ui_shape){ .box = { x - glow, y - glow, 2.0f * glow, 2.0f * glow },
+                                     .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
+                                     .fill = ui_fade(0xff8a30ffu, 0.9f * lit) });
+    }
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                 .kind = UI_PANEL, .fill = lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
+                                 .line = lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu,
+                                 .shape = { 0, 0, radius, 3.0f * u } });
+}
+
+/* Lamp, name and count, one under the other; on an upright screen the lamp is beside them. */
+static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
+{
+    const struct ui_box box = cell(view, index);
+    const float u = view->frame.unit;
+    const int upright = view->menu->upright;
+    const struct ui_text name = menu_style(view, 27.0f, MENU_INK);
+    const struct ui_text number = { .font = FONT_STALL, .size_px = 40.0f * u,
+                                    .fill = MENU_INK_SOFT };
+    char digits[12];
+    snprintf(digits, sizeof digits, "%u", count);
+    ui_wooden_tag(&view->frame, box, 0);
+    lamp(view, box.x + (upright ? 74.0f * u : 0.5f * box.width),
+         box.y + (upright ? 0.5f * box.height : 46.0f * u), (upright ? 36.0f : 29.0f) * u, lit);
+    const float left = box.x + (upright ? 130.0f : 10.0f) * u;
+    const float width = box.x + box.width - 12.0f * u - left;
+    const float top = box.y + (upright ? 22.0f : 80.0f) * u;
+    ui_words_in(&view->frame, (struct ui_box){ left, top, width, 48.0f * u }, &name,
+                menu_text(view, names[index]));
+    ui_words_in(&view->frame, (struct ui_box){ left, top + 48.0f * u, width, 54.0f * u }, &number,
+                digits);
+}
+
+/* What the lines are, how often they failed, and that a coin in here is no money. */
+static void notes(const struct menu_view *view)
+{
+    const int upright = view->menu->upright;
+    const struct ui_text warm = menu_style(view, 24.0f, 0xf0c089ffu);
+    const struct ui_text cool = menu_style(view, 22.0f, 0xc9d2eeffu);
+    const float x = upright ? 27.0f : 60.0f, y = upright ? 1120.0f : 526.0f;
+    const float width = overlay_size(upright).x - 2.0f * x;
+    char faults[TEXT_LINE_MAX], words[TEXT_LINE_MAX + 64u];
+    text_number(faults, sizeof faults, menu_text(view, TEXT_LINE_FAULTS),
+                view->devices->button_faults);
+    snprintf(words, sizeof words, "%s      %s", menu_text(view, TEXT_TEST_COINS_WORDS), faults);
+    ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y, width, 34.0f }), &warm,
+                words);
+    ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y + 36.0f, width, 30.0f }),
+                &cool, view->devices->buttons);
+}
+
+void menu_lines(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        line(view, i, menu->held >> i & 1u ? 1.0f : 0.0f, menu->pressed_count[i]);
+    }
+    line(view, COIN, 1.0f - ui_smooth(0.0f, CLINK_S, menu->coin_s), menu->test_coins);
+    notes(view);
+}

@@ -1,0 +1,60 @@
+/* shot_menu.c -- what a stall's keeper may find on his desk. */
+#include "tests/render/shot_menu.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+    uint8_t state;
+    const char *name;
+} found[CONTROLLER_MAX] = {
+    { CONTROLLER_PLAYS, "1209:0001 Kingyo poi, port 1-1.2" },
+    { CONTROLLER_FREE, "054c:09cc Wireless Controller, port 1-1.4" },
+    { CONTROLLER_LOST, "046d:c626 SpaceNavigator, port 3-2" },
+    { CONTROLLER_DENIED, "056a:0302 Wacom Intuos, port 1-1.1.3" },
+    { CONTROLLER_NONE, "" },
+    { CONTROLLER_BARRED, "046d:c31c USB Keyboard, port 2-1" },
+};
+
+void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright)
+{
+    static const char *const names[MENU_PAGE_COUNT] = { "top", "controllers", "controller",
+                                                        "learn", "lines" };
+    struct output output = { 0 };
+    struct input input = { .pressed = INPUT_TEST, .upright = upright != 0 };
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        input.desk.state[i] = found[i].state;
+    }
+    core_tick(core, &input, &output);
+    struct menu *menu = &core->game.menu;
+    for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
+        menu->page = strcmp(names[i], page) == 0 ? i : menu->page;
+    }
+    menu->row = menu->page == MENU_CONTROLLER && step < CONTROLLER_MAX ? step : 0;
+    input.desk.learn_step = menu->page == MENU_LEARN ? step % LEARN_STEP_COUNT : 0;
+    input.desk.learn_progress = 150;
+    input.pressed = menu->page == MENU_LINES ? INPUT_LEFT | INPUT_OK : 0;
+    input.held = INPUT_LEFT | INPUT_DOOR;
+    input.coin_count = menu->page == MENU_LINES || menu->page == MENU_TOP ? 3 : 0;
+    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].has_wrist = 1;
+    input.poi[0].target.position_m = v3(0.12f, 0.06f, 0.10f);
+    core_tick(core, &input, &output);
+    input.pressed = input.coin_count = 0;
+    for (uint32_t i = 0; i < CORE_TICK_HZ / 4u; i++) {
+        core_tick(core, &input, &output);
+    }
+}
+
+void shot_menu_name(struct scene_devices *devices)
+{
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        if (found[i].state != CONTROLLER_NONE) {
+            snprintf(devices->controller[i], SCENE_NAME_SIZE, "%s", found[i].name);
+        }
+    }
+    snprintf(devices->controllers, SCENE_LINE_SIZE, "libusb 1.0.26: 5 controllers");
+    snprintf(devices->buttons, SCENE_LINE_SIZE,
+             "GPIO lines of gpiochip0 (libgpiod 1.6.3): START, LEFT, RIGHT, OK, TEST, COIN");
+    devices->button_faults = 2;
+}

@@ -1,0 +1,586 @@
+/* test_menu.c -- the operator's menu: two buttons or a hand lead everywhere, no round runs behind
+ * it, no coin in it is money, and each order is told once. */
+#include "core/game/menu_pages.h"
+#include "game_stand.h"
+
+static const struct menu *menu(void)
+{
+    return &core.game.menu;
+}
+
+static uint8_t pointed(void)
+{
+    return menu()->tag[menu()->page];
+}
+
+/* A press as a hand makes it: nobody presses twice within a tenth of a second. */
+static void push(uint32_t button)
+{
+    press(button);
+    steps(MENU_TAKE_TICKS);
+}
+
+static int setup_open(void **state)
+{
+    setup(state);
+    input.desk.state[0] = CONTROLLER_PLAYS;
+    input.desk.state[3] = CONTROLLER_FREE;
+    push(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    return 0;
+}
+
+static void go_to_controllers(void)
+{
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_CONTROLLERS);
+}
+
+/* The page of row 3, which is free. */
+static void go_to_a_controller(void)
+{
+    go_to_controllers();
+    push(INPUT_SERVICE);
+    assert_int_equal(pointed(), 3);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_CONTROLLER);
+    assert_int_equal(menu()->row, 3);
+}
+
+static void go_to_lines(void)
+{
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_LINES);
+}
+
+static void expect_order(uint32_t id, enum desk_order_kind kind, uint8_t row)
+{
+    assert_int_equal(output.order.id, id);
+    assert_int_equal(output.order.kind, kind);
+    assert_int_equal(output.order.row, row);
+}
+
+/* ---- Opening and leaving -------------------------------------------------------------------- */
+
+static void test_test_opens_it_at_once_where_nothing_is_played(void **state)
+{
+    (void)state;
+    press(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_int_equal(menu()->page, MENU_TOP); /* The press that opened it took nothing. */
+    setup(state);
+    play_into_result();
+    press(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+}
+
+static void test_in_a_round_test_asks_and_an_elbow_ends_nothing(void **state)
+{
+    (void)state;
+    play_into_round();
+    press(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_true(menu_is_asking(&core));
+    steps(MENU_ASK_TICKS);
+    assert_false(menu_is_asking(&core));
+    press(INPUT_TEST); /* Much later: it asks anew. */
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_true(menu_is_asking(&core));
+}
+
+static void test_a_second_test_ends_the_round_without_a_result_and_pays_it_back(void **state)
+{
+    (void)state;
+    core.config.credit_coins = 1;
+    core.game.credit.credits = 2;
+    play_into_round();
+    core.game.player[0].caught = 7;
+    assert_int_equal(core.game.credit.credits, 1);
+    press(INPUT_TEST);
+    press(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_int_equal(core.game.credit.credits, 2);
+    assert_int_equal(core.game.credit.refunds, 1);
+    assert_int_equal(output.record.id, 0);
+    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 2);
+}
+
+static void test_the_question_of_one_round_is_not_asked_in_the_next(void **state)
+{
+    (void)state;
+    play_into_round();
+    press(INPUT_TEST);
+    core.game.phase = PHASE_RESULT;
+    assert_false(menu_is_asking(&core));
+}
+
+static void test_its_last_tag_opens_the_stall_again(void **state)
+{
+    (void)state;
+    push(INPUT_LEFT); /* Round the other way: the last one. */
+    assert_int_equal(pointed(), TOP_LEAVE);
+    push(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_left_open_and_forgotten_the_stall_opens_again(void **state)
+{
+    (void)state;
+    steps(MENU_IDLE_TICKS / 2u);
+    push(INPUT_SERVICE); /* Somebody is there. */
+    steps(MENU_IDLE_TICKS - 2u * MENU_TAKE_TICKS);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    steps(3u * MENU_TAKE_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_start_in_the_menu_begins_no_round(void **state)
+{
+    (void)state;
+    push(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_int_equal(menu()->page, MENU_CONTROLLERS);
+    assert_int_equal(core.game.round_count, 0);
+}
+
+/* ---- Two buttons ---------------------------------------------------------------------------- */
+
+static void test_service_points_round_and_passes_over_empty_rows(void **state)
+{
+    (void)state;
+    go_to_controllers();
+    static const uint8_t way[] = { 0, 3, ROWS_BACK, 0, 3 };
+    for (size_t i = 0; i < sizeof way; i++) {
+        assert_int_equal(pointed(), way[i]);
+        push(INPUT_SERVICE);
+    }
+}
+
+static void test_service_gives_no_credit_in_the_menu(void **state)
+{
+    (void)state;
+    core.config.credit_coins = 1;
+    push(INPUT_SERVICE);
+    assert_int_equal(core.game.credit.credits, 0);
+    assert_int_equal(core.game.credit.services, 0);
+}
+
+/* Every page, by TEST and SERVICE alone, and out again by its last tag. */
+static void test_two_buttons_lead_through_every_page_and_back(void **state)
+{
+    (void)state;
+    uint32_t seen = 0;
+    go_to_a_controller();
+    seen |= 1u << MENU_TOP | 1u << MENU_CONTROLLERS | 1u << MENU_CONTROLLER;
+    push(INPUT_SERVICE);
+    assert_int_equal(pointed(), ROW_LEARN);
+    push(INPUT_TEST);
+    seen |= 1u << menu()->page;
+    for (uint32_t tries = 0; core.game.phase == PHASE_MENU && tries < 100u; tries++) {
+        const uint32_t last = menu_sheet_of(menu()->page)->tag_count - 1u;
+        if (menu()->page == MENU_TOP && !(seen >> MENU_LINES & 1u)) {
+            while (pointed() != TOP_LINES) {
+                push(INPUT_SERVICE);
+            }
+        } else {
+            while (pointed() != last) {
+                push(INPUT_SERVICE);
+            }
+        }
+        push(INPUT_TEST);
+        seen |= core.game.phase == PHASE_MENU ? 1u << menu()->page : 0u;
+    }
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_int_equal(seen, (1u << MENU_PAGE_COUNT) - 1u);
+}
+
+static void test_one_push_takes_once_however_it_bounces(void **state)
+{
+    (void)state;
+    go_to_controllers();
+    press(INPUT_TEST);
+    press(INPUT_TEST);
+    press(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_CONTROLLER);
+    assert_int_equal(output.order.id, 0);
+}
+
+/* ---- Controllers ---------------------------------------------------------------------------- */
+
+static void test_what_may_be_done_to_a_controller_is_what_it_is_good_for(void **state)
+{
+    (void)state;
+    static const struct {
+        uint8_t state;
+        uint16_t tags;
+    } offers[] = {
+        { CONTROLLER_NONE, 0 },
+        { CONTROLLER_FREE, 1u << ROW_CHOOSE | 1u << ROW_LEARN },
+        { CONTROLLER_PLAYS, 1u << ROW_RELEASE | 1u << ROW_LEARN },
+        { CONTROLLER_LOST, 1u << ROW_RELEASE },
+        { CONTROLLER_BARRED, 0 },
+        { CONTROLLER_DENIED, 1u << ROW_CHOOSE | 1u << ROW_RELEASE },
+    };
+    static struct scene scene;
+    go_to_a_controller();
+    for (size_t i = 0; i < sizeof offers / sizeof offers[0]; i++) {
+        input.desk.state[3] = offers[i].state;
+        step();
+        core_scene(&core, &scene);
+        assert_int_equal(scene.menu.tags, offers[i].tags | 1u << ROW_BACK);
+        assert_true(scene.menu.tags >> scene.menu.tag & 1u); /* It points at one of them. */
+    }
+}
+
+static void test_each_order_is_told_once_with_its_row(void **state)
+{
+    (void)state;
+    go_to_a_controller();
+    push(INPUT_TEST);
+    expect_order(1, DESK_CHOOSE, 3);
+    steps(CORE_TICK_HZ);
+    expect_order(1, DESK_CHOOSE, 3);
+    input.desk.state[3] = CONTROLLER_PLAYS;
+    step();
+    assert_int_equal(pointed(), ROW_RELEASE); /* What was pointed at is gone. */
+    push(INPUT_TEST);
+    expect_order(2, DESK_RELEASE, 3);
+}
+
+static void test_orders_count_on_when_the_menu_is_opened_again(void **state)
+{
+    (void)state;
+    go_to_a_controller();
+    push(INPUT_TEST);
+    core.game.phase = PHASE_ATTRACT;
+    push(INPUT_TEST);
+    go_to_a_controller();
+    push(INPUT_TEST);
+    expect_order(2, DESK_CHOOSE, 3);
+}
+
+static void test_a_controller_is_learned_step_by_step_and_kept(void **state)
+{
+    (void)state;
+    go_to_a_controller();
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    expect_order(1, DESK_LEARN, 3);
+    assert_int_equal(pointed(), LEARNS_END); /* Until the desk has begun. */
+    uint32_t id = 1;
+    for (uint8_t learn = LEARN_REST; learn <= LEARN_DIP; learn++) {
+        input.desk.learn_step = learn;
+        input.desk.learn_row = 3;
+        step();
+        push(INPUT_LEFT); /* Whatever it pointed at: */
+        while (pointed() != LEARNS_NEXT) {
+            push(INPUT_SERVICE);
+        }
+        push(INPUT_TEST);
+        expect_order(++id, DESK_LEARN_NEXT, 3);
+    }
+    input.desk.learn_step = LEARN_TRY;
+    step();
+    assert_int_equal(pointed(), LEARNS_KEEP);
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    expect_order(++id, DESK_LEARN, 3); /* Once more. */
+    while (pointed() != LEARNS_KEEP) {
+        push(INPUT_SERVICE);
+    }
+    push(INPUT_TEST);
+    expect_order(++id, DESK_LEARN_KEEP, 3);
+    assert_int_equal(menu()->page, MENU_CONTROLLERS);
+}
+
+static void test_what_failed_can_be_tried_again_or_left(void **state)
+{
+    (void)state;
+    go_to_a_controller();
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    input.desk.learn_step = LEARN_FAILED;
+    step();
+    push(INPUT_LEFT);
+    push(INPUT_SERVICE);
+    while (pointed() != LEARNS_END) {
+        push(INPUT_SERVICE);
+    }
+    push(INPUT_TEST);
+    expect_order(2, DESK_LEARN_END, 3);
+    assert_int_equal(menu()->page, MENU_CONTROLLER);
+}
+
+static void test_a_menu_that_is_forgotten_ends_what_was_being_learned(void **state)
+{
+    (void)state;
+    go_to_a_controller();
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    input.desk.learn_step = LEARN_LEFT;
+    steps(MENU_IDLE_TICKS + MENU_TAKE_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    expect_order(2, DESK_LEARN_END, 3);
+}
+
+/* ---- Buttons and coins ---------------------------------------------------------------------- */
+
+static void test_a_coin_in_the_menu_is_a_test_and_no_money(void **state)
+{
+    (void)state;
+    core.config.credit_coins = 1;
+    static struct scene scene;
+    for (uint32_t i = 0; i < 5; i++) {
+        input.coin_count = 1;
+        step();
+    }
+    input.coin_count = 0;
+    core_scene(&core, &scene);
+    assert_int_equal(scene.menu.test_coins, 5);
+    assert_int_equal(core.game.credit.coins + core.game.credit.credits, 0);
+    assert_int_equal(output.coins_counted, 0);
+    assert_int_equal(output.coin_lockout, 0); /* Else none would reach the mechanism. */
+}
+
+static void test_lines_are_watched_and_only_test_leads_back(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    go_to_lines();
+    const uint32_t shown = INPUT_START | INPUT_OK | INPUT_LEFT | INPUT_RIGHT | INPUT_TILT;
+    input.held = shown;
+    push(shown);
+    push(shown);
+    core_scene(&core, &scene);
+    assert_int_equal(menu()->page, MENU_LINES);
+    assert_int_equal(scene.menu.held, shown);
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        const uint32_t opened_with = 1u << i == INPUT_SERVICE || 1u << i == INPUT_TEST;
+        assert_int_equal(scene.menu.pressed_count[i], shown >> i & 1u ? 2u : opened_with);
+    }
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_TOP);
+}
+
+static void test_the_start_buttons_lamp_follows_it_while_lines_are_watched(void **state)
+{
+    (void)state;
+    go_to_lines();
+    step();
+    assert_int_equal(output.start_lamp, 0);
+    input.held = INPUT_START;
+    step();
+    assert_int_equal(output.start_lamp, 1);
+}
+
+static void test_counters_stop_where_their_digits_end(void **state)
+{
+    (void)state;
+    go_to_lines();
+    for (uint32_t i = 0; i < MENU_COUNT_MAX + 10u; i++) {
+        press(INPUT_DOOR);
+    }
+    assert_int_equal(menu()->pressed_count[8], MENU_COUNT_MAX);
+    input.coin_count = UINT32_MAX;
+    step();
+    assert_int_equal(menu()->test_coins, MENU_COUNT_MAX);
+    step();
+    assert_int_equal(menu()->test_coins, MENU_COUNT_MAX);
+}
+
+static void test_a_shake_while_the_operator_works_is_no_shake(void **state)
+{
+    (void)state;
+    push(INPUT_TILT);
+    assert_int_equal(core.game.credit.tilts, 0);
+}
+
+/* ---- The hand ------------------------------------------------------------------------------- */
+
+/* A poi with a wrist, whose plan of the tank is the canvas, over the middle of a tag. */
+static void hold_over(uint32_t tag, float y_m)
+{
+    const int upright = input.upright;
+    const struct overlay_point canvas = overlay_size(upright);
+    const struct menu_sheet *sheet = menu_sheet_of(menu()->page);
+    const struct overlay_box box = menu_box(upright, menu()->page, sheet->offers(menu()), tag);
+    assert_true(box.width > 0.0f);
+    input.poi[0] = (struct poi_input){
+        .link = POI_LINK_LIVE,
+        .has_wrist = 1,
+        .target.position_m = { core.tank.size_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f),
+                               y_m,
+                               core.tank.size_m.z *
+                                   ((box.y + 0.5f * box.height) / canvas.y - 0.5f) },
+    };
+}
+
+static void tap(uint32_t tag)
+{
+    hold_over(tag, ABOVE_M);
+    steps(MENU_TAKE_TICKS);
+    assert_int_equal(pointed(), tag);
+    input.poi[0].target.position_m.y = BELOW_M;
+    step();
+    input.poi[0].target.position_m.y = ABOVE_M;
+    steps(MENU_TAKE_TICKS);
+}
+
+static void test_a_poi_alone_leads_everywhere_on_both_screens(void **state)
+{
+    for (uint8_t upright = 0; upright < 2u; upright++) {
+        setup_open(state);
+        input.upright = upright;
+        step();
+        tap(TOP_CONTROLLERS);
+        assert_int_equal(menu()->page, MENU_CONTROLLERS);
+        tap(3);
+        assert_int_equal(menu()->page, MENU_CONTROLLER);
+        tap(ROW_CHOOSE);
+        expect_order(1, DESK_CHOOSE, 3);
+        tap(ROW_LEARN);
+        assert_int_equal(menu()->page, MENU_LEARN);
+        input.desk.learn_step = LEARN_TRY;
+        step();
+        tap(LEARNS_KEEP);
+        expect_order(3, DESK_LEARN_KEEP, 3);
+        tap(ROWS_BACK);
+        tap(TOP_LINES);
+        assert_int_equal(menu()->page, MENU_LINES);
+        tap(LINES_BACK);
+        tap(TOP_LEAVE);
+        assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    }
+}
+
+static void test_a_dip_that_hits_no_tag_takes_none(void **state)
+{
+    (void)state;
+    hold_over(TOP_CONTROLLERS, ABOVE_M);
+    steps(MENU_TAKE_TICKS);
+    input.poi[0].target.position_m.z = -0.49f * core.tank.size_m.z; /* The title. */
+    step();
+    input.poi[0].target.position_m.y = BELOW_M;
+    steps(MENU_TAKE_TICKS);
+    assert_int_equal(menu()->page, MENU_TOP);
+}
+
+static void test_who_opens_it_with_a_poi_in_the_water_takes_nothing(void **state)
+{
+    hold_at(BELOW_M);
+    setup_open(state);
+    hold_over(TOP_LEAVE, BELOW_M);
+    steps(CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_int_equal(pointed(), TOP_LEAVE);
+}
+
+static void test_a_controller_that_is_being_learned_points_at_nothing(void **state)
+{
+    (void)state;
+    go_to_a_controller();
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    input.desk.learn_step = LEARN_LEFT;
+    step();
+    const uint8_t before = pointed();
+    for (uint32_t tag = 0; tag < 2u; tag++) {
+        hold_over(tag == 0 ? LEARNS_NEXT : LEARNS_END, ABOVE_M);
+        steps(MENU_TAKE_TICKS);
+        input.poi[0].target.position_m.y = BELOW_M;
+        steps(MENU_TAKE_TICKS);
+        assert_int_equal(pointed(), before);
+        assert_int_equal(menu()->page, MENU_LEARN);
+    }
+    expect_order(1, DESK_LEARN, 3);
+}
+
+/* ---- Places --------------------------------------------------------------------------------- */
+
+static void expect_apart(int upright, uint8_t page, uint16_t offered)
+{
+    const struct overlay_point canvas = overlay_size(upright);
+    const uint32_t count = menu_sheet_of(page)->tag_count;
+    for (uint32_t a = 0; a < count; a++) {
+        const struct overlay_box box = menu_box(upright, page, offered, a);
+        if (!(offered >> a & 1u)) {
+            assert_true(box.width <= 0.0f);
+            continue;
+        }
+        assert_true(box.x >= 0.0f && box.y >= 0.0f);
+        assert_true(box.x + box.width <= canvas.x && box.y + box.height <= canvas.y);
+        for (uint32_t b = 0; b < a; b++) {
+            const struct overlay_box other = menu_box(upright, page, offered, b);
+            const int apart = other.width <= 0.0f || other.x + other.width <= box.x ||
+                              box.x + box.width <= other.x || other.y + other.height <= box.y ||
+                              box.y + box.height <= other.y;
+            if (!apart) {
+                fail_msg("page %u: tags %u and %u overlap", page, a, b);
+            }
+        }
+    }
+}
+
+static void test_no_two_tags_overlap_and_all_are_on_the_canvas(void **state)
+{
+    (void)state;
+    for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
+        const uint32_t all = 1u << menu_sheet_of(page)->tag_count;
+        for (uint32_t offered = 1; offered < all; offered++) {
+            expect_apart(0, page, (uint16_t)offered);
+            expect_apart(1, page, (uint16_t)offered);
+        }
+    }
+}
+
+static void test_a_desk_that_is_out_of_range_is_a_bug(void **state)
+{
+    (void)state;
+    input.desk.state[2] = CONTROLLER_STATE_COUNT;
+    expect_assert_failure(step());
+    input.desk.state[2] = 0;
+    input.desk.learn_row = CONTROLLER_MAX;
+    expect_assert_failure(step());
+    input.desk.learn_row = 0;
+    input.desk.learn_step = LEARN_STEP_COUNT;
+    expect_assert_failure(step());
+}
+
+#define IN_MENU(test) cmocka_unit_test_setup(test, setup_open)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_test_opens_it_at_once_where_nothing_is_played, setup),
+        cmocka_unit_test_setup(test_in_a_round_test_asks_and_an_elbow_ends_nothing, setup),
+        cmocka_unit_test_setup(
+            test_a_second_test_ends_the_round_without_a_result_and_pays_it_back, setup),
+        cmocka_unit_test_setup(test_the_question_of_one_round_is_not_asked_in_the_next, setup),
+        IN_MENU(test_its_last_tag_opens_the_stall_again),
+        IN_MENU(test_left_open_and_forgotten_the_stall_opens_again),
+        IN_MENU(test_start_in_the_menu_begins_no_round),
+        IN_MENU(test_service_points_round_and_passes_over_empty_rows),
+        IN_MENU(test_service_gives_no_credit_in_the_menu),
+        IN_MENU(test_two_buttons_lead_through_every_page_and_back),
+        IN_MENU(test_one_push_takes_once_however_it_bounces),
+        IN_MENU(test_what_may_be_done_to_a_controller_is_what_it_is_good_for),
+        IN_MENU(test_each_order_is_told_once_with_its_row),
+        IN_MENU(test_orders_count_on_when_the_menu_is_opened_again),
+        IN_MENU(test_a_controller_is_learned_step_by_step_and_kept),
+        IN_MENU(test_what_failed_can_be_tried_again_or_left),
+        IN_MENU(test_a_menu_that_is_forgotten_ends_what_was_being_learned),
+        IN_MENU(test_a_coin_in_the_menu_is_a_test_and_no_money),
+        IN_MENU(test_lines_are_watched_and_only_test_leads_back),
+        IN_MENU(test_the_start_buttons_lamp_follows_it_while_lines_are_watched),
+        IN_MENU(test_counters_stop_where_their_digits_end),
+        IN_MENU(test_a_shake_while_the_operator_works_is_no_shake),
+        cmocka_unit_test(test_a_poi_alone_leads_everywhere_on_both_screens),
+        IN_MENU(test_a_dip_that_hits_no_tag_takes_none),
+        cmocka_unit_test_setup(test_who_opens_it_with_a_poi_in_the_water_takes_nothing, setup),
+        IN_MENU(test_a_controller_that_is_being_learned_points_at_nothing),
+        cmocka_unit_test(test_no_two_tags_overlap_and_all_are_on_the_canvas),
+        IN_MENU(test_a_desk_that_is_out_of_range_is_a_bug),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

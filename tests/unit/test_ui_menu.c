@@ -1,0 +1,230 @@
+/* test_ui_menu.c -- the operator's menu as it is drawn: all of it on the screen and read from a
+ * metre, in both languages, whatever the screen. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/game/menu_pages.h"
+#include "platform/render/ui_screens.h"
+
+#define ROUNDING_PX 0.6f
+
+static const struct { float width, height; } sizes[] = {
+    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 }, { 1080, 1920 }, { 1024, 768 },
+    { 640, 360 }, { 480, 800 }, { 3440, 1440 },
+};
+#define SIZE_COUNT (sizeof sizes / sizeof *sizes)
+
+static struct scene scene;
+static struct ui_batch batch;
+static struct ui_memory memory;
+
+/* A page with everything on it that there can be, the longest names first. */
+static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
+{
+    memset(&scene, 0, sizeof scene);
+    scene.tick = 1000;
+    scene.phase = PHASE_MENU;
+    scene.phase_s = 3.0f;
+    scene.language = language;
+    struct scene_menu *menu = &scene.menu;
+    *menu = (struct scene_menu){ .page = page, .tags = tags, .upright = (uint8_t)upright,
+                                 .row = 1, .held = 0x155u, .test_coins = 9999,
+                                 .coin_s = 0.1f, .has_hand = 1, .presses = 1,
+                                 .x = 400.0f, .y = 300.0f };
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        menu->desk.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
+        memset(scene.devices.controller[i], 'W', SCENE_NAME_SIZE - 1u);
+    }
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        menu->pressed_count[i] = MENU_COUNT_MAX;
+    }
+    memset(scene.devices.buttons, 'm', SCENE_LINE_SIZE - 1u);
+    memset(scene.devices.controllers, 'm', SCENE_LINE_SIZE - 1u);
+    scene.devices.button_faults = 4294967295u;
+}
+
+static void lay_out(uint32_t size)
+{
+    memory = (struct ui_memory){ 0 };
+    ui_screens(&batch, &memory, &scene, sizes[size].width, sizes[size].height);
+    assert_int_equal(batch.dropped_count, 0);
+    assert_true(batch.quad_count > 0);
+}
+
+static void expect_inside(uint32_t size)
+{
+    for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
+        const struct ui_vertex *v = &batch.vertices[i];
+        if (batch.kinds[i / 4u] != UI_GLOW &&
+            (v->x < -ROUNDING_PX || v->y < -ROUNDING_PX || v->x > sizes[size].width + ROUNDING_PX ||
+             v->y > sizes[size].height + ROUNDING_PX)) {
+            fail_msg("page %d step %d language %d on %gx%g: quad %u of kind %d reaches %.1f,%.1f",
+                     scene.menu.page, scene.menu.desk.learn_step, scene.language,
+                     (double)sizes[size].width, (double)sizes[size].height, i / 4u,
+                     batch.kinds[i / 4u], (double)v->x, (double)v->y);
+        }
+    }
+}
+
+static int is_upright(uint32_t size)
+{
+    return sizes[size].width < OVERLAY_UPRIGHT_ASPECT * sizes[size].height;
+}
+
+static void test_nothing_leaves_the_screen_on_any_page(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * MENU_PAGE_COUNT * LANGUAGE_COUNT; k++) {
+        const uint32_t size = k % SIZE_COUNT;
+        const uint8_t page = (uint8_t)(k / SIZE_COUNT % MENU_PAGE_COUNT);
+        const uint32_t all = (1u << menu_sheet_of(page)->tag_count) - 1u;
+        const uint32_t last = (all + 1u) / 2u;
+        for (uint8_t step = 0; step < LEARN_STEP_COUNT; step++) {
+            for (uint32_t bare = 0; bare < 2u; bare++) {
+                set_page(page, (uint16_t)(bare ? last : all),
+                         (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
+                scene.menu.desk.learn_step = step;
+                scene.tick += 37u * step; /* Another moment of what moves. */
+                lay_out(size);
+                expect_inside(size);
+            }
+        }
+    }
+}
+
+/* A 24 inch screen is 30 cm high: 2.4 % of it is a letter of 7 mm, 25 minutes of arc from a metre.
+ * The lines that name devices shrink to their room, and are for who stands before it. */
+static void test_every_word_is_read_from_a_metre(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < MENU_PAGE_COUNT * LANGUAGE_COUNT * LEARN_STEP_COUNT; k++) {
+        const uint8_t page = (uint8_t)(k % MENU_PAGE_COUNT);
+        const uint32_t all = (1u << menu_sheet_of(page)->tag_count) - 1u;
+        set_page(page, (uint16_t)all, (uint8_t)(k / MENU_PAGE_COUNT % LANGUAGE_COUNT), 0);
+        scene.menu.desk.learn_step = (uint8_t)(k / (MENU_PAGE_COUNT * LANGUAGE_COUNT));
+        memset(&scene.devices, 0, sizeof scene.devices);
+        snprintf(scene.devices.controller[1], SCENE_NAME_SIZE, "054c:09cc Wireless Controller");
+        lay_out(0);
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            const struct ui_vertex *v = &batch.vertices[i * 4u];
+            if (batch.kinds[i] == UI_GLYPH) {
+                float em_px = 0.0f;
+                for (uint32_t font = 0; font < FONT_COUNT && em_px <= 0.0f; font++) {
+                    for (uint32_t g = 0; g < asset_fonts[font].glyph_count; g++) {
+                        const struct font_glyph *glyph = &asset_fonts[font].glyphs[g];
+                        const float right = v->u - (float)glyph->x, down = v->v - (float)glyph->y;
+                        if (right >= 0.0f && right < (float)glyph->width && down >= 0.0f &&
+                            down < (float)glyph->height) {
+                            em_px = asset_fonts[font].em_px * v->shape[3];
+                            break;
+                        }
+                    }
+                }
+                if (em_px < 0.024f * 720.0f) {
+                    fail_msg("page %d step %d language %d: letter %u is %.1f px", page,
+                             scene.menu.desk.learn_step, scene.language, i, (double)em_px);
+                }
+            }
+        }
+    }
+}
+
+static uint32_t count_kind(enum ui_kind kind)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        count += batch.kinds[i] == kind;
+    }
+    return count;
+}
+
+static void test_a_board_is_drawn_for_each_controller_that_is_there(void **state)
+{
+    (void)state;
+    uint32_t before = 0;
+    for (uint32_t there = 0; there <= CONTROLLER_MAX; there++) {
+        set_page(MENU_CONTROLLERS, (uint16_t)(1u << ROWS_BACK | ((1u << there) - 1u)), 0, 0);
+        lay_out(0);
+        const uint32_t boards = count_kind(UI_WOOD);
+        assert_int_equal(boards, there + 1u); /* And the way back. */
+        assert_true(there == 0 || boards > before);
+        before = boards;
+    }
+}
+
+static void test_with_none_plugged_in_the_reason_is_shown(void **state)
+{
+    (void)state;
+    set_page(MENU_CONTROLLERS, 1u << ROWS_BACK, LANGUAGE_EN, 0);
+    scene.devices.controllers[0] = 0;
+    lay_out(0);
+    const uint32_t without = count_kind(UI_GLYPH);
+    snprintf(scene.devices.controllers, SCENE_LINE_SIZE, "no libusb in this build");
+    lay_out(0);
+    assert_int_equal(count_kind(UI_GLYPH), without + 19u); /* Its letters; spaces are no quads. */
+}
+
+/* Brightness of a button's lamp: that of the round panel. */
+static uint32_t lit_lamps(void)
+{
+    uint32_t lit = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct ui_vertex *v = &batch.vertices[i * 4u];
+        lit += batch.kinds[i] == UI_PANEL && v->fill[0] == 0xff && v->fill[1] == 0xd0;
+    }
+    return lit;
+}
+
+static void test_a_lamp_is_lit_for_each_button_that_is_held(void **state)
+{
+    (void)state;
+    uint32_t held = 0;
+    for (uint32_t i = 0; i <= INPUT_BUTTON_COUNT; i++) {
+        set_page(MENU_LINES, 1u, LANGUAGE_JA, 0);
+        scene.menu.coin_s = 60.0f;
+        scene.menu.held = held;
+        lay_out(0);
+        assert_int_equal(lit_lamps(), i);
+        held = held << 1 | 1u;
+    }
+    scene.menu.coin_s = 0.0f; /* One falls just now. */
+    lay_out(0);
+    assert_int_equal(lit_lamps(), INPUT_BUTTON_COUNT + 1u);
+}
+
+static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
+{
+    (void)state;
+    memset(&scene, 0, sizeof scene);
+    scene.phase = PHASE_ROUND;
+    scene.phase_s = 20.0f;
+    scene.seconds_left = 30.0f;
+    lay_out(0);
+    const uint32_t without = count_kind(UI_GLYPH);
+    scene.asks_menu = 1;
+    for (uint32_t size = 0; size < SIZE_COUNT; size++) {
+        lay_out(size);
+        expect_inside(size);
+    }
+    lay_out(0);
+    assert_true(count_kind(UI_GLYPH) > without + 15u);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_nothing_leaves_the_screen_on_any_page),
+        cmocka_unit_test(test_every_word_is_read_from_a_metre),
+        cmocka_unit_test(test_a_board_is_drawn_for_each_controller_that_is_there),
+        cmocka_unit_test(test_with_none_plugged_in_the_reason_is_shown),
+        cmocka_unit_test(test_a_lamp_is_lit_for_each_button_that_is_held),
+        cmocka_unit_test(test_in_a_round_the_question_is_read_over_the_tank),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
