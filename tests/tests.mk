@@ -19,7 +19,7 @@ TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tes
     tests/soak/test_*.sh tests/ctl/test_*.sh tests/fuzz/test_*.sh \
     tests/hid/test_*.sh tests/board/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
-TEST_PROGRAMS := $(UNIT) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
+TEST_PROGRAMS := $(UNIT) $(GPIO_TEST) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 
 ## test: sets the machine up, builds and runs every test; the last line counts them
 test:
@@ -28,7 +28,7 @@ test:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
 ## tests: builds what `make test` runs, without running it
-tests: build $(UNIT) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
+tests: build $(UNIT) $(GPIO_TEST) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
     $(BUILD)/tests/bench/technique
 
 ## check: what a change must pass before it is kept: boundaries, tests, sizes

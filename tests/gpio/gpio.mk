@@ -14,4 +14,24 @@ $(BENCH_COINS): $(BENCH_COINS).o $(BUILD)/tests/gpio/coin_rain.o $(BUILD)/shell.
 
 $(BUILD)/tests/unit/test_coin_rain: $(BUILD)/tests/gpio/coin_rain.o
 
-.PHONY: bench-coins
+# The backend of this machine's libgpiod over a fake library; the other release's by `make gpiod2`.
+GPIO_TEST = $(if $(filter-out 0,$(GPIOD)),$(BUILD)/tests/gpio/test_gpio_backend)
+GPIO_TEST_WRAP := -Wl,--wrap=gpio_dev_next,--wrap=gpio_dev_end
+
+$(BUILD)/tests/gpio/test_gpio_backend: $(addprefix $(BUILD)/tests/gpio/,test_gpio_backend.o \
+    fake_board.o fake_gpiod$(GPIOD).o) $(BUILD)/shell.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g $(GPIO_TEST_WRAP) -o $@ $^ -lcmocka -lpthread
+
+## gpiod2: compiles and tests the backend for libgpiod 2.x with Debian 13's header and library, which it fetches
+gpiod2:
+	@board/setup.sh dev test
+	@BUILD=$(BUILD) CC='$(CC)' CFLAGS='$(BASE_CFLAGS) -D_GNU_SOURCE' LDFLAGS='$(GPIO_TEST_WRAP)' \
+	    tests/gpio/gpiod2.sh
+
+## test-gpio-sanitizers: the reader's thread under the thread sanitizer, the rest of GPIO under address and undefined
+test-gpio-sanitizers:
+	@BUILD=$(BUILD) CC='$(CC)' CFLAGS='$(BASE_CFLAGS) -D_GNU_SOURCE' LDFLAGS='$(GPIO_TEST_WRAP)' \
+	    GPIOD='$(GPIOD)' tests/gpio/sanitizers.sh
+
+.PHONY: bench-coins gpiod2 test-gpio-sanitizers
