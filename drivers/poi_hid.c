@@ -101,8 +101,12 @@ static int hear(struct poi_hid *poi, const struct hid_raw *raw, struct poi_sampl
     if (poi->watch.report) {
         poi->watch.report(poi->watch.self, raw);
     }
-    return poi->plays && hid_hand_report(&poi->hand, raw) &&
-           hid_hand_sample(&poi->hand, raw->time_ns, out);
+    const int is_heard = poi->plays && hid_hand_report(&poi->hand, raw) &&
+                         hid_hand_sample(&poi->hand, raw->time_ns, out);
+    if (is_heard) {
+        out->was_stamped = 1;
+    }
+    return is_heard;
 }
 
 /* A hand that is led by place reports itself; any other goes on between two reports, and is a hand

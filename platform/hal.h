@@ -67,6 +67,7 @@ struct hal_display_ops {
 /* One decoded reading of a hand: a pose and when it arrived. */
 struct poi_sample {
     uint64_t time_ns;         /* Arrival, on the clock of hal_clock_ops. */
+    uint8_t was_stamped;      /* 1: a report's own arrival; 0: made up, between two or at rest. */
     uint8_t has_wrist;
     uint8_t trembles;         /* As struct poi_input's. */
     struct poi_target target; /* Any bits that the device sent. */

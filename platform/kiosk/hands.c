@@ -46,6 +46,9 @@ static uint32_t take(struct poi_hand *hand, const struct poi_sample *sample)
     hand->trembles = sample->trembles;
     hand->newest_ns = sample->time_ns;
     hand->was_seen = 1;
+    if (sample->was_stamped && hand->waiting_count < HAL_POI_SAMPLES_MAX) {
+        hand->waiting_ns[hand->waiting_count++] = sample->time_ns;
+    }
     return !resample_push(&hand->path, sample);
 }
 
@@ -115,6 +118,15 @@ void poi_hand_at(const struct poi_hand *hand, uint32_t index, uint32_t tick_coun
     } else if (hand->path.count > 0) {
         out->target = resample_at(&hand->path, index, tick_count);
     }
+}
+
+void poi_hand_time(struct poi_hand *hand, uint64_t now_ns, struct timing *wait)
+{
+    for (uint32_t i = 0; i < hand->waiting_count; i++) {
+        const uint64_t came_ns = hand->waiting_ns[i];
+        timing_add(wait, now_ns > came_ns ? now_ns - came_ns : 0u);
+    }
+    hand->waiting_count = 0;
 }
 
 void poi_hand_end(struct poi_hand *hand)

@@ -10,6 +10,7 @@
 #include "core/input.h"
 #include "platform/hal.h"
 #include "platform/kiosk/resample.h"
+#include "platform/kiosk/timing.h"
 
 /* One player's controller. */
 struct poi_hand {
@@ -19,6 +20,8 @@ struct poi_hand {
     uint8_t link;       /* enum poi_link, but never BOT. */
     uint8_t has_wrist, trembles; /* As its newest reading says. */
     uint8_t was_seen;   /* It gave a reading once. */
+    uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* When reports came that no tick has used yet; */
+    uint32_t waiting_count;                   /* more than fit are not timed. */
 };
 
 /* Looks for the device. Returns whether that was a fault. */
@@ -35,6 +38,9 @@ uint32_t poi_hand_sample(struct poi_hand *hand, const struct hal_poi *device, ui
  * gently. */
 void poi_hand_at(const struct poi_hand *hand, uint32_t index, uint32_t tick_count, uint64_t now_ns,
                  struct poi_input *out);
+
+/* The frame's first tick begins: adds to `wait` how long each report has waited for it. */
+void poi_hand_time(struct poi_hand *hand, uint64_t now_ns, struct timing *wait);
 
 /* After the frame's last tick: the way is done. */
 void poi_hand_end(struct poi_hand *hand);

@@ -143,6 +143,15 @@ static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count
     return 1;
 }
 
+/* On the clock that stamps the reports. */
+static void time_reports(struct kiosk *kiosk, const struct hal *hal)
+{
+    const uint64_t now_ns = clock_ns(hal->clock);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        poi_hand_time(&kiosk->hands[i], now_ns, &kiosk->report_wait);
+    }
+}
+
 static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
 {
     const struct kiosk_tap *tap = &kiosk->config.tap;
@@ -372,6 +381,9 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     begin_frame(kiosk);
     const uint32_t tick_due = pace_ticks_due(&kiosk->pace, clock_ns(hal->clock));
     sample_devices(kiosk, hal);
+    if (tick_due > 0) {
+        time_reports(kiosk, hal);
+    }
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
     name_devices(kiosk, hal);

@@ -74,6 +74,7 @@ struct kiosk {
     struct kiosk_faults faults;
     struct timing frame_time; /* Begin to begin, on the stopwatch. */
     struct timing work_time;  /* Begin to end of kiosk_frame. */
+    struct timing report_wait; /* From a poi's report to the tick that uses it. */
     uint64_t core_ns;         /* Spent in ticks and scene. */
     uint64_t frame_begin_ns;
 };

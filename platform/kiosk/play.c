@@ -77,6 +77,18 @@ static void tell_work(const struct kiosk *kiosk)
            (double)timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
 }
 
+/* Only where there is a poi that stamps its reports. */
+static void tell_reports(const struct kiosk *kiosk)
+{
+    const struct timing *wait = &kiosk->report_wait;
+    if (wait->count > 0) {
+        printf("%llu reports of pois, from arrival to the tick that used them: median %.1f ms, "
+               "p99 %.1f ms\n",
+               (unsigned long long)wait->count, (double)timing_quantile_ns(wait, 0.5) * 1e-6,
+               (double)timing_quantile_ns(wait, 0.99) * 1e-6);
+    }
+}
+
 /* Closes the store before the figures are told: what it could not keep is one of them. EXIT_IO when
  * rounds are lost. */
 static enum exit_code tell_end(struct session *session, enum kiosk_end end)
@@ -97,6 +109,7 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
            (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
            (unsigned long long)kiosk->pace.dropped, sum);
     tell_work(kiosk);
+    tell_reports(kiosk);
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
         fprintf(stderr, "kingyo: %u rounds or graphs could not be written (%s)\n", lost,

@@ -1,7 +1,7 @@
 # bench.mk -- the figures, one row each with the command that gives it.
 
 BENCH_BIN := $(BUILD)/tests/bench/bench_start $(BUILD)/tests/bench/bench_latency \
-    $(BUILD)/tests/bench/bench_open
+    $(BUILD)/tests/bench/bench_open $(BUILD)/tests/bench/bench_reports
 
 ## bench: frame time, start, memory, latency and sizes of this machine, as a table and build/bench.tsv
 bench:

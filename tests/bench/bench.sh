@@ -65,6 +65,9 @@ if [ -x "$BUILD/tests/bench/bench_latency" ]; then
     [ $within -eq 0 ] || row 'input to picture' 'OVER ITS BOUND' 'bench_latency'
 fi
 
+waits=$("$BUILD/tests/bench/bench_reports" 10 500)
+row 'a USB report to its tick, 500 a second: median, p99' "$(grep -oP 'tick: median \K[0-9.]+ ms, p99 [0-9.]+ ms' <<<"$waits")" 'bench_reports 10 500'
+
 size=$("$BUILD/tests/sizes" | awk '$1 == "core" || $1 == "scene" { printf "%s%s %d KiB", sep, $1, $2 / 1024; sep = ", " }')
 row 'the state, and what is shown of it' "$size" 'make sizes'
 row "the core's code and constants" "$(size -A "$BUILD/core.o" | awk '$1 ~ /^\.text/ { c += $2 } $1 ~ /^\.rodata/ { k += $2 }

@@ -1,0 +1,144 @@
+/* bench_reports.c -- report to tick: how long what a USB poi says waits for the tick that uses it.
+ *
+ * bench_reports [SECONDS [REPORT_HZ [FRAME_MS [WORK_MS]]]]     (10 500 16.667 5)
+ *
+ * The real frame loop, the real decoder of our own poi, the real ring between the USB thread and
+ * the frame loop, on the real clock. A thread stands for libusb's: it says reports as a poi sends
+ * them, each stamped as it arrives. The display stands for a screen: it takes WORK_MS to draw and
+ * returns at the next beat of FRAME_MS. What is measured is the kiosk's own figure, as in its last
+ * lines. Not in it: the wire, the host controller, libusb, and the picture after the tick
+ * (bench_latency). Exit code 1: reports were lost, or p99 is over a frame and two ms. */
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/tank/preset.h"
+#include "drivers/null.h"
+#include "drivers/poi_descriptor.h"
+#include "drivers/poi_hid.h"
+#include "drivers/poi_report.h"
+#include "drivers/usb_seat.h"
+#include "platform/clock.h"
+#include "platform/kiosk/kiosk.h"
+
+static struct bench {
+    double seconds, report_hz, frame_ms, work_ms;
+    struct hal_clock clock;
+    struct usb_seat seat;
+    struct poi_hid poi;
+    struct kiosk kiosk;
+    uint64_t beat_ns;
+    atomic_int stop;
+    uint32_t said;
+} bench = { .seconds = 10.0, .report_hz = 500.0, .frame_ms = 16.667, .work_ms = 5.0 };
+
+static uint64_t now_ns(void)
+{
+    return bench.clock.ops->now_ns(bench.clock.self);
+}
+
+/* A ring that circles over the water. */
+static void say(uint32_t index)
+{
+    uint8_t bytes[POI_REPORT_SIZE];
+    const float turn = (float)index / (float)bench.report_hz;
+    const struct poi_report report = {
+        .target.position_m = v3(0.1f * f_cos(turn), 0.05f, 0.1f * f_sin(turn)),
+        .sequence = (uint8_t)index,
+    };
+    poi_report_encode(&report, bytes);
+    usb_seat_report(&bench.seat, now_ns(), bytes, sizeof bytes);
+}
+
+static void *run_poi(void *context)
+{
+    const uint64_t begin_ns = now_ns();
+    (void)context;
+    while (!atomic_load(&bench.stop)) {
+        bench.said++;
+        clock_sleep_until(begin_ns + (uint64_t)(1e9 * bench.said / bench.report_hz));
+        say(bench.said);
+    }
+    return NULL;
+}
+
+static int screen_present(void *self, const struct scene *scene)
+{
+    const uint64_t beat_ns = (uint64_t)(bench.frame_ms * 1e6);
+    const uint64_t drawn_ns = now_ns() + (uint64_t)(bench.work_ms * 1e6);
+    (void)self;
+    (void)scene;
+    while (now_ns() < drawn_ns) { /* Drawing keeps its core busy. */
+    }
+    bench.beat_ns += beat_ns * ((drawn_ns - bench.beat_ns) / beat_ns + 1u);
+    clock_sleep_until(bench.beat_ns);
+    return HAL_OK;
+}
+
+/* What the hand is to feel goes nowhere: it is taken off at once. */
+static void take_feeling(void *self)
+{
+    (void)self;
+    if (usb_seat_outgoing(&bench.seat) > 0) {
+        usb_seat_sent(&bench.seat);
+    }
+}
+
+static void wire(struct hal *hal)
+{
+    static struct hid_face face = { .identity = { .name = "Kingyo poi" } };
+    static struct hal_display_ops screen;
+    memcpy(face.descriptor, poi_descriptor, sizeof poi_descriptor);
+    face.descriptor_size = sizeof poi_descriptor;
+    usb_seat_init(&bench.seat, take_feeling, NULL);
+    usb_seat_sit(&bench.seat, &face);
+    poi_hid_init(&bench.poi, usb_seat_port(&bench.seat), bench.clock, (struct hid_mapper){ 0 },
+                 &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    *hal = null_hal();
+    hal->clock = bench.clock;
+    hal->poi[0] = poi_hid_device(&bench.poi);
+    screen = *hal->display.ops;
+    screen.present = screen_present;
+    hal->display.ops = &screen;
+}
+
+static int tell(uint32_t lost)
+{
+    const struct timing *wait = &bench.kiosk.report_wait;
+    const double median_ms = (double)timing_quantile_ns(wait, 0.5) * 1e-6;
+    const double p99_ms = (double)timing_quantile_ns(wait, 0.99) * 1e-6;
+    printf("%.0f reports a second, a frame each %.1f ms of which %.1f are work: %llu of %u used, "
+           "%u lost; arrival to tick: median %.1f ms, p99 %.1f ms, max %.1f ms\n",
+           bench.report_hz, bench.frame_ms, bench.work_ms, (unsigned long long)wait->count,
+           bench.said, lost, median_ms, p99_ms, (double)wait->max_ns * 1e-6);
+    return lost == 0 && wait->count > 0 && p99_ms < bench.frame_ms + 2.0 ? 0 : 1;
+}
+
+int main(int argc, char **argv)
+{
+    double *const figures[] = { &bench.seconds, &bench.report_hz, &bench.frame_ms,
+                                &bench.work_ms };
+    static const struct kiosk_config config = { .core = { .seed = 1 } };
+    struct hal hal;
+    pthread_t thread;
+    for (int i = 1; i < argc && i <= 4; i++) {
+        *figures[i - 1] = strtod(argv[i], NULL);
+    }
+    bench.clock = clock_device();
+    wire(&hal);
+    if (kiosk_init(&bench.kiosk, &hal, &config) != CORE_OK ||
+        pthread_create(&thread, NULL, run_poi, NULL) != 0) {
+        return 2;
+    }
+    bench.beat_ns = now_ns();
+    const uint64_t end_ns = bench.beat_ns + (uint64_t)(bench.seconds * 1e9);
+    while (now_ns() < end_ns) {
+        kiosk_frame(&bench.kiosk, &hal);
+    }
+    atomic_store(&bench.stop, 1);
+    pthread_join(thread, NULL);
+    const struct hid_port port = usb_seat_port(&bench.seat);
+    return tell(port.ops->lost_count(port.self));
+}
