@@ -57,6 +57,64 @@ static void test_every_option_is_understood(void **state)
     assert_int_equal(options.demo_s, 30);
 }
 
+static void test_who_holds_the_poi_has_a_name(void **state)
+{
+    static const struct { const char *name; uint8_t poi; } kinds[] = {
+        { "auto", BOARD_POI_AUTO }, { "mouse", BOARD_POI_MOUSE }, { "touch", BOARD_POI_TOUCH },
+        { "pad", BOARD_POI_PAD },   { "usb", BOARD_POI_USB },     { "bot", BOARD_POI_BOT },
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        const char *const argv[] = { "kingyo", "--poi", kinds[i].name };
+        assert_int_equal(parse(COUNT(argv), argv), 0);
+        assert_int_equal(options.poi, kinds[i].poi);
+    }
+}
+
+static void test_controllers_and_lines_are_named_one_after_the_other(void **state)
+{
+    static const char *const argv[] = {
+        "kingyo", "--usb", "057e:2009", "--usb=054c:09cc:A1:B2", "--line", "start=BTN_START",
+        "--line=coin=pinctrl-bcm2711:17,low,up", "--line", "start=BTN_A",
+    };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.usb_count, 2);
+    assert_string_equal(options.usb[0], "057e:2009");
+    assert_string_equal(options.usb[1], "054c:09cc:A1:B2");
+    assert_int_equal(options.line_count, 3);
+    assert_string_equal(options.line[1], "coin=pinctrl-bcm2711:17,low,up");
+}
+
+static void test_no_more_controllers_or_lines_than_there_is_room_for(void **state)
+{
+    const char *argv[2 * (BOARD_LINE_MAX + 2)] = { "kingyo" };
+    (void)state;
+    for (uint32_t i = 0; i <= BOARD_USB_MAX; i++) {
+        argv[1 + 2 * i] = "--usb";
+        argv[2 + 2 * i] = "1209:0001";
+    }
+    assert_int_equal(parse(1 + 2 * (int)BOARD_USB_MAX, argv), 0);
+    assert_int_equal(parse(3 + 2 * (int)BOARD_USB_MAX, argv), -1);
+    for (uint32_t i = 0; i <= BOARD_LINE_MAX; i++) {
+        argv[1 + 2 * i] = "--line";
+        argv[2 + 2 * i] = "tilt=T";
+    }
+    assert_int_equal(parse(1 + 2 * (int)BOARD_LINE_MAX, argv), 0);
+    assert_int_equal(parse(3 + 2 * (int)BOARD_LINE_MAX, argv), -1);
+}
+
+static void test_a_wrong_wire_is_told_with_what_is_wrong_about_it(void **state)
+{
+    static const char *const no_role[] = { "kingyo", "--line", "jump=BTN" };
+    static const char *const clash[] = { "kingyo", "--line", "start=A", "--line", "left=A" };
+    (void)state;
+    assert_int_equal(parse(COUNT(no_role), no_role), -1);
+    assert_non_null(strstr(error, "--line: 'jump=BTN': "));
+    assert_int_equal(parse(COUNT(clash), clash), -1);
+    assert_non_null(strstr(error, "start and left are both on A"));
+}
+
 static void test_demo_needs_no_seconds(void **state)
 {
     static const char *const last[] = { "kingyo", "--demo" };
@@ -81,6 +139,14 @@ static const char *const wrong[][4] = {
     { "kingyo", "--window", "319x600", NULL },
     { "kingyo", "--window", "99999999999999999999999x600", NULL },
     { "kingyo", "--poi", "net", NULL },
+    { "kingyo", "--usb", "057e", NULL },
+    { "kingyo", "--usb", "057e:200", NULL },
+    { "kingyo", "--usb", "057e:20090", NULL },
+    { "kingyo", "--usb", "057g:2009", NULL },
+    { "kingyo", "--usb", "057e-2009", NULL },
+    { "kingyo", "--usb", NULL },
+    { "kingyo", "--line", "start", NULL },
+    { "kingyo", "--line", "=A", NULL },
     { "kingyo", "--lang", "fr", NULL },
     { "kingyo", "--seed", "-1", NULL },
     { "kingyo", "--seed", "4294967296", NULL },
@@ -266,6 +332,22 @@ static void test_a_configuration_file_sets_the_same_things(void **state)
     assert_int_equal(options.players, 2);
 }
 
+/* A stall opens although a wire of its file is wrong, and with those that are right. */
+static void test_a_file_wires_lines_and_says_which_it_cannot(void **state)
+{
+    (void)state;
+    assert_int_equal(read_text("usb = 057e:2009\nline = start=BTN_START\nline = jump=X\n"
+                               "line = left=BTN_START\nline = coin=chip:4,low # the slot\n"),
+                     0);
+    assert_int_equal(options.usb_count, 1);
+    assert_int_equal(options.line_count, 2);
+    assert_string_equal(options.line[1], "coin=chip:4,low");
+    assert_int_equal(warning_count, 2);
+    assert_non_null(strstr(warnings[0], ":3: "));
+    assert_null(strstr(warnings[0], "expected"));
+    assert_non_null(strstr(warnings[1], ":4: start and left are both on BTN_START"));
+}
+
 static void test_a_number_is_decimal_whatever_it_begins_with(void **state)
 {
     static const char *const argv[] = { "kingyo", "--seed", "010" };
@@ -328,6 +410,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_option_is_understood),
+        cmocka_unit_test(test_who_holds_the_poi_has_a_name),
+        cmocka_unit_test(test_controllers_and_lines_are_named_one_after_the_other),
+        cmocka_unit_test(test_no_more_controllers_or_lines_than_there_is_room_for),
+        cmocka_unit_test(test_a_wrong_wire_is_told_with_what_is_wrong_about_it),
+        cmocka_unit_test(test_a_file_wires_lines_and_says_which_it_cannot),
         cmocka_unit_test(test_demo_needs_no_seconds),
         cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
         cmocka_unit_test(test_as_many_fish_as_the_tank_holds_and_not_one_more),
