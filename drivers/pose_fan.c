@@ -50,7 +50,7 @@ void pose_fan_move(struct pose_fan *fan, const struct poi_target *hand, int held
 {
     go_to_time(fan, time_ns);
     if (held && !fan->held) {
-        fan->waits = pose_fan_poi(fan); /* Of the hand before this: it may have moved with the key. */
+        fan->waits = pose_fan_poi(fan); /* Of before this: it may have moved with the key. */
         fan->back = 0.0f;
     }
     fan->held = held != 0;

@@ -90,7 +90,8 @@ static void test_a_descriptor_says_how_its_device_is_played(void **state)
 
 static int is_keyboard(const char *name)
 {
-    static const char *const keyboards[] = { "012", "036", "041", "151", "175", "207", "209", "214" };
+    static const char *const keyboards[] = { "012", "036", "041", "151",
+                                             "175", "207", "209", "214" };
     for (uint32_t i = 0; i < sizeof keyboards / sizeof keyboards[0]; i++) {
         if (strncmp(name, keyboards[i], 3) == 0) {
             return 1;
