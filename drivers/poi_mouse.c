@@ -113,15 +113,14 @@ static void take_finger(struct poi_mouse *mouse, const SDL_TouchFingerEvent *fin
         .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
                           : finger->type == SDL_FINGERUP ? TOUCH_UP
                                                          : TOUCH_MOVE),
-        .id = finger->fingerId,
+        .id = finger->fingerId, /* The report has the time. */
         .x = finger->x,
         .y = finger->y,
     };
     struct pointer_report *report = &mouse->report;
     if (touch_fingers_take(&mouse->fingers, &event)) {
         learn_window(report, finger->windowID);
-        report->x_px = mouse->fingers.x * (float)report->width_px;
-        report->y_px = mouse->fingers.y * (float)report->height_px;
+        touch_fingers_point(&mouse->fingers, report);
     }
 }
 

@@ -70,6 +70,16 @@ int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *
     return changed;
 }
 
+void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_report *report)
+{
+    if (fingers->has_place) {
+        report->x_px = fingers->x * (float)report->width_px;
+        report->y_px = fingers->y * (float)report->height_px;
+    }
+    report->buttons = fingers->dips ? report->buttons | (uint32_t)POINTER_DIP
+                                    : report->buttons & ~(uint32_t)POINTER_DIP;
+}
+
 int touch_fingers_start(struct touch_fingers *fingers)
 {
     const int pressed = fingers->start_pressed;

@@ -8,6 +8,8 @@
 
 #include <stdint.h>
 
+#include "drivers/pointer_poi.h"
+
 #define TOUCH_FINGER_MAX 10u /* More do not fit on a hand; they are not heeded. */
 #define TOUCH_DIP_FINGERS 2u
 #define TOUCH_START_FINGERS 3u
@@ -19,9 +21,10 @@ enum touch_kind {
 };
 
 struct touch_event {
-    uint8_t kind;  /* enum touch_kind */
-    int64_t id;    /* Of the finger, as long as it is down. */
-    float x, y;    /* In the window, 0 .. 1 from its top left corner; any bits. */
+    uint64_t time_ns; /* When it came. */
+    uint8_t kind;     /* enum touch_kind */
+    int64_t id;       /* Of the finger, as long as it is down. */
+    float x, y;       /* In the window, 0 .. 1 from its top left corner; any bits. */
 };
 
 struct touch_fingers {
@@ -37,6 +40,9 @@ struct touch_fingers {
 
 /* 1: something changed. 0: no number, an unknown finger, one too many, or nothing new. */
 int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *event);
+
+/* What they say as a pointer: its place in a window and its buttons; the rest of `report` stays. */
+void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_report *report);
 
 /* Whether three fingers came together since the last call. */
 int touch_fingers_start(struct touch_fingers *fingers);

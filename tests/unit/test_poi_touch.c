@@ -11,8 +11,10 @@
 #include <cmocka.h>
 
 #include "core/base/rng.h"
+#include "core/game/trust.h"
 #include "drivers/clock_sim.h"
 #include "drivers/poi_mouse.h"
+#include "drivers/touch_sim.h"
 #include "pointer.h"
 
 /* ---- Fingers -------------------------------------------------------------------------------- */
@@ -119,6 +121,115 @@ static void test_any_events_leave_a_place_on_the_glass(void **state)
         assert_true(fingers.x >= 0.0f && fingers.x <= 1.0f);
         assert_true(fingers.y >= 0.0f && fingers.y <= 1.0f);
         assert_int_equal(fingers.dips, fingers.count >= TOUCH_DIP_FINGERS);
+    }
+}
+
+/* ---- The twin ------------------------------------------------------------------------------- */
+
+#define SCRIPT 1000u
+static struct touch_event script[SCRIPT];
+static struct clock_sim twin_clock;
+static struct touch_sim sim;
+static struct hal_poi twin;
+
+/* One finger strolls, a second is put down and lifted twice a second. */
+static int begin_twin(void **state)
+{
+    (void)state;
+    twin_clock = (struct clock_sim){ .now_ns = 1000 * MS };
+    touch_sim_init(&sim, clock_sim_device(&twin_clock), stall_view(), WIDTH, HEIGHT);
+    for (uint32_t i = 0; i < SCRIPT; i++) {
+        const int second = i > 0 && i % 30 == 0;
+        script[i] = (struct touch_event){
+            .time_ns = (1000 + 8 * (uint64_t)i) * MS,
+            .kind = (uint8_t)(i == 0               ? TOUCH_DOWN
+                              : second && i % 60   ? TOUCH_DOWN
+                              : second             ? TOUCH_UP
+                                                   : TOUCH_MOVE),
+            .id = second ? 2 : 1,
+            .x = 0.5f + 0.3f * f_sin((float)i * 0.02f),
+            .y = 0.5f + 0.2f * f_cos((float)i * 0.03f),
+        };
+    }
+    sim.events = script;
+    sim.event_count = SCRIPT;
+    twin = touch_sim_device(&sim);
+    return twin.ops->open(twin.self);
+}
+
+/* Plays the rest of the script; every sample is a hand's. Returns the last answer. */
+static int play_out(void)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    struct poi_sample last = { 0 };
+    int result = 0;
+    for (uint32_t i = 0; i < 560 && result >= 0; i++) {
+        twin_clock.now_ns += 16 * MS;
+        result = twin.ops->poll(twin.self, samples, HAL_POI_SAMPLES_MAX);
+        for (int k = 0; k < result; k++) {
+            assert_true(trust_can_read(&samples[k].target));
+            assert_true(samples[k].time_ns >= last.time_ns);
+            last = samples[k];
+        }
+    }
+    return result;
+}
+
+static void test_a_script_of_fingers_strolls_and_dips(void **state)
+{
+    (void)state;
+    uint32_t dips = 0;
+    float before_m = POINTER_HOVER_M;
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    for (uint32_t i = 0; i < 500; i++) {
+        twin_clock.now_ns += 16 * MS;
+        const int count = twin.ops->poll(twin.self, samples, HAL_POI_SAMPLES_MAX);
+        const float height_m = samples[count - 1].target.position_m.y;
+        dips += before_m >= 0.0f && height_m < 0.0f;
+        before_m = height_m;
+    }
+    assert_int_equal(dips, 17); /* Of 33 changes every other one goes down. */
+}
+
+/* Doubled, leaping, spoilt, liftings kept back: a hand all the same, and at the end of it all the
+ * glass is usable again. */
+static void test_a_bad_panel_is_still_a_hand(void **state)
+{
+    (void)state;
+    sim.double_every = 3;
+    sim.mute_every = 4;
+    sim.jump_at = 77;
+    sim.spoil_from = 200;
+    sim.spoil_to = 800;
+    sim.silent_from_ns = 3000 * MS;
+    sim.silent_to_ns = 4000 * MS;
+    play_out();
+    assert_int_equal(sim.next, SCRIPT);
+    for (int64_t id = 0; id < 16; id++) {
+        const struct touch_event up = { .kind = TOUCH_UP, .id = id };
+        touch_fingers_take(&sim.fingers, &up);
+        const struct touch_event other = { .kind = TOUCH_UP, .id = -id };
+        touch_fingers_take(&sim.fingers, &other);
+    }
+    assert_int_equal(sim.fingers.count, 0);
+    assert_false(sim.fingers.dips);
+}
+
+static void test_it_may_be_unplugged_at_any_event(void **state)
+{
+    (void)state;
+    struct poi_sample sample;
+    for (uint32_t at = 0; at < SCRIPT; at++) {
+        begin_twin(state);
+        sim.unplug_at = at;
+        sim.replug_ns = UINT64_MAX;
+        assert_int_equal(play_out(), HAL_ERR_GONE);
+        assert_int_equal(sim.next, at);
+        assert_int_equal(twin.ops->open(twin.self), HAL_ERR_GONE);
+        sim.replug_ns = twin_clock.now_ns;
+        assert_int_equal(twin.ops->open(twin.self), HAL_OK);
+        assert_int_equal(twin.ops->poll(twin.self, &sample, 1), 1);
+        assert_false(sim.fingers.dips);
     }
 }
 
@@ -301,6 +412,9 @@ int main(void)
         cmocka_unit_test_setup(test_three_fingers_press_start_once, clean_glass),
         cmocka_unit_test_setup(test_a_panel_that_tells_nonsense_leads_nowhere, clean_glass),
         cmocka_unit_test_setup(test_any_events_leave_a_place_on_the_glass, clean_glass),
+        cmocka_unit_test_setup(test_a_script_of_fingers_strolls_and_dips, begin_twin),
+        cmocka_unit_test_setup(test_a_bad_panel_is_still_a_hand, begin_twin),
+        cmocka_unit_test_setup(test_it_may_be_unplugged_at_any_event, begin_twin),
         cmocka_unit_test_setup_teardown(test_a_finger_leads_the_ring_and_a_second_lets_it_down,
                                         open_both, close_pointer),
         cmocka_unit_test_setup_teardown(test_whoever_moved_last_leads, open_both, close_pointer),
