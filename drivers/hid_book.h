@@ -9,18 +9,11 @@
 #include <pthread.h>
 #include <stdint.h>
 
-#include "drivers/hid_map.h"
+#include "drivers/hid_book_text.h"
 #include "drivers/poi_hid.h"
 
 #define HID_BOOK_MAX 64u         /* Controllers; a stall has four. When full, no more is learned. */
 #define HID_BOOK_PATH_SIZE 1024u
-#define HID_BOOK_TEXT_SIZE (HID_MAP_TEXT_SIZE + 256u)
-
-struct hid_book_entry {
-    uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* "": all of this product that say none. */
-    struct hid_map map;
-};
 
 /* What the thread has to do. */
 struct hid_book_job {

@@ -2,7 +2,15 @@
 #ifndef KINGYO_DRIVERS_HID_BOOK_TEXT_H
 #define KINGYO_DRIVERS_HID_BOOK_TEXT_H
 
-#include "drivers/hid_book.h"
+#include "drivers/hid_map.h"
+
+#define HID_BOOK_TEXT_SIZE (HID_MAP_TEXT_SIZE + 256u)
+
+struct hid_book_entry {
+    uint16_t vendor, product;
+    char serial[HID_TEXT_SIZE]; /* "": all of this product that say none. */
+    struct hid_map map;
+};
 
 #define HID_BOOK_NAME_SIZE 224u /* Three letters for each byte of the longest serial number. */
 

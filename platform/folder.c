@@ -2,6 +2,8 @@
 #include "platform/folder.h"
 
 #include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -40,4 +42,16 @@ int folder_make(const char *path)
         return -ENOTDIR;
     }
     return access(path, W_OK | X_OK) != 0 ? -errno : 0;
+}
+
+void folder_default_data(char out[FOLDER_PATH_MAX])
+{
+    const char *data = getenv("XDG_DATA_HOME");
+    const char *home = getenv("HOME");
+    out[0] = '\0';
+    if (data && data[0] == '/') {
+        snprintf(out, FOLDER_PATH_MAX, "%s/kingyo", data);
+    } else if (home && home[0] == '/') {
+        snprintf(out, FOLDER_PATH_MAX, "%s/.local/share/kingyo", home);
+    }
 }

@@ -9,4 +9,7 @@
  * FOLDER_PATH_MAX bytes on. */
 int folder_make(const char *path);
 
+/* Where scores live when nobody says: the user's data folder. "" when there is none. */
+void folder_default_data(char out[FOLDER_PATH_MAX]);
+
 #endif

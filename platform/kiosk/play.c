@@ -14,19 +14,6 @@
 
 #define SHOT_TICKS (5u * CORE_TICK_HZ)
 
-/* Where scores live when nobody says: the user's data folder. "" when there is none. When it
- * cannot be made, the store will say so and the stall opens all the same. */
-static void default_data_folder(char out[OPTIONS_PATH_MAX])
-{
-    const char *data = getenv("XDG_DATA_HOME");
-    const char *home = getenv("HOME");
-    if (data && data[0] == '/') {
-        snprintf(out, OPTIONS_PATH_MAX, "%s/kingyo", data);
-    } else if (home && home[0] == '/') {
-        snprintf(out, OPTIONS_PATH_MAX, "%s/.local/share/kingyo", home);
-    }
-}
-
 static void tell_device(const char *name, const char *line)
 {
     if (line && line[0]) {
@@ -145,8 +132,8 @@ int play_open(struct session *session)
     struct options *options = &session->options;
     struct display_events events;
     if (!options->data[0]) {
-        default_data_folder(options->data);
-        folder_make(options->data);
+        folder_default_data(options->data);
+        folder_make(options->data); /* When it cannot be made, the store will say so. */
     }
     const struct board_options board = {
         .poi = options->poi,

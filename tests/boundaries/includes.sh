@@ -39,7 +39,7 @@ bot_files='/(bot|bot_[a-z]+|aim|look|patch|technique)\.[ch]$'
 bot_headers='core/game/(bot|bot_[a-z]+|aim|look|patch|technique|sight)\.h|core/poi/pose\.h'
 driver_rule="a driver includes only platform/hal.h, the core's contracts, drivers and libraries"
 shell_rule='only board/ and main wire drivers and boards; kingyoctl may show a pure decoder, and GPIO lines'
-decoders='drivers/(hid_descriptor|gpio_[a-z]+|buttons_gpio|coin_mech|debounce|pulse_train)\.h'
+decoders='drivers/(hid_(descriptor|port|map|book_text)|usb_(choice|choice_file|sysfs)|gpio_[a-z]+|buttons_gpio|coin_mech|debounce|pulse_train)\.h'
 
 breaches=$({
     # shellcheck disable=SC2086

@@ -1,0 +1,161 @@
+/* doctor.c -- `kingyoctl doctor`: finds devices, permissions, drivers in the way, display, sound
+ * and store, and says in one line each what to do. */
+#include "platform/ctl/doctor.h"
+
+#include <errno.h>
+#include <grp.h>
+#include <pwd.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "platform/ctl/ctl.h"
+#include "platform/folder.h"
+
+#define WORDS_MAX 160 /* Every wire and controller that the kiosk takes, and more. */
+
+static const char name[] = "doctor";
+static struct doctor doctor;
+
+struct doctor_words {
+    const char *root, *user;
+    int as_json;
+};
+
+/* ---- Who the kiosk is ----------------------------------------------------------------------- */
+
+static enum exit_code take_user(struct doctor_user *user, const char *wanted)
+{
+    const struct passwd *entry = wanted ? getpwnam(wanted) : getpwuid(geteuid());
+    int count = DOCTOR_GROUPS_MAX;
+    if (!entry && wanted) {
+        fprintf(stderr, "kingyoctl doctor: --user %s: there is no such user; board/sysusers makes "
+                        "'kingyo'\n", wanted);
+        return EXIT_BAD_DATA;
+    }
+    user->id = entry ? entry->pw_uid : geteuid();
+    snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
+    if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
+        count = DOCTOR_GROUPS_MAX; /* Of more groups the first are looked at. */
+    }
+    user->group_count = entry ? (uint32_t)count : 0;
+    return EXIT_OK;
+}
+
+/* ---- What the kiosk would be asked ---------------------------------------------------------- */
+
+static void warn(const char *line)
+{
+    struct doctor_finding *finding =
+        doctor_find(&doctor, "config", DOCTOR_WRONG, "%s", doctor.options.config);
+    doctor_state(finding, "%s", line);
+    doctor_todo(finding, "mend that line: the kiosk passes it over");
+}
+
+/* As main() does: the file first, and the words win over it. */
+static enum exit_code read_config(int argc, const char *const *argv)
+{
+    char path[OPTIONS_PATH_MAX], error[OPTIONS_ERROR_MAX];
+    memcpy(path, doctor.options.config, sizeof path);
+    doctor.options = (struct options){ 0 };
+    memcpy(doctor.options.config, path, sizeof path);
+    const int failed = options_read_config(&doctor.options, path, warn);
+    if (failed) {
+        fprintf(stderr, "kingyoctl doctor: %s: %s\n", path, strerror(-failed));
+        return EXIT_IO;
+    }
+    if (options_parse(&doctor.options, argc, argv, error)) {
+        return ctl_usage(name, "%s", error);
+    }
+    if (doctor_count(&doctor, DOCTOR_WRONG) == 0) {
+        doctor_state(doctor_find(&doctor, "config", DOCTOR_FINE, "%s", path), "every line is used");
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code read_options(int argc, const char *const *argv)
+{
+    char error[OPTIONS_ERROR_MAX];
+    if (options_parse(&doctor.options, argc, argv, error)) {
+        return ctl_usage(name, "%s", error);
+    }
+    const enum exit_code code = doctor.options.config[0] ? read_config(argc, argv) : EXIT_OK;
+    if (code == EXIT_OK && !doctor.options.data[0]) {
+        folder_default_data(doctor.options.data);
+    }
+    return code;
+}
+
+/* Own words are taken out; the others are the kiosk's, with a word before them as main() has. */
+static enum exit_code take_words(struct doctor_words *words, int argc, const char *const *argv,
+                                 const char **rest, int *rest_count)
+{
+    *rest_count = 0;
+    rest[(*rest_count)++] = "kingyo";
+    for (int i = 0; i < argc; i++) {
+        const char **value = strcmp(argv[i], "--root") == 0   ? &words->root
+                             : strcmp(argv[i], "--user") == 0 ? &words->user
+                                                              : NULL;
+        if (strcmp(argv[i], "--json") == 0) {
+            words->as_json = 1;
+        } else if (value && i + 1 < argc) {
+            *value = argv[++i];
+        } else if (value) {
+            return ctl_usage(name, "%s needs a value", argv[i]);
+        } else if (*rest_count < WORDS_MAX) {
+            rest[(*rest_count)++] = argv[i];
+        } else {
+            return ctl_usage(name, "too many words");
+        }
+    }
+    return EXIT_OK;
+}
+
+/* ---- The round ------------------------------------------------------------------------------ */
+
+static void look(void)
+{
+    doctor_usb(&doctor);
+    doctor_nodes(&doctor);
+    doctor_gpio(&doctor);
+    doctor_screen(&doctor);
+    doctor_sound(&doctor);
+    doctor_store(&doctor);
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    struct doctor_words words = { .root = "" };
+    const char *rest[WORDS_MAX];
+    int rest_count;
+    enum exit_code code = take_words(&words, argc, argv, rest, &rest_count);
+    code = code == EXIT_OK ? take_user(&doctor.user, words.user) : code;
+    code = code == EXIT_OK ? read_options(rest_count, rest) : code;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    doctor.root = words.root;
+    look();
+    (words.as_json ? doctor_report_json : doctor_report_text)(&doctor);
+    if (fflush(stdout)) {
+        fprintf(stderr, "kingyoctl doctor: standard output: %s\n", strerror(errno));
+        return EXIT_IO;
+    }
+    return doctor_count(&doctor, DOCTOR_WRONG) > 0 ? EXIT_NOT_SO : EXIT_OK;
+}
+
+const struct ctl_command ctl_doctor = {
+    .name = name,
+    .summary = "what is plugged in, what is in the way, and what to do about it",
+    .usage = "  kingyoctl doctor [--json] [--user NAME] [--root FOLDER] [KIOSK OPTION...]\n\n"
+             "Looks at controllers, GPIO lines, permissions, drivers, display, sound, data\n"
+             "folder and database, and touches nothing. Each finding is a line: fine, look (it\n"
+             "works, but look at it) or WRONG, with what to do below it.\n\n"
+             "  --user NAME     for whom: the kiosk's user (kingyo) may do less than you\n"
+             "  --root FOLDER   looks at the /sys, /dev and /proc in FOLDER\n"
+             "  --json          for programs: {findings: [{part, level, what, state, todo}],\n"
+             "                  more, fine, look, wrong}\n\n"
+             "Options of the kiosk count as they would for it: --config FILE, --data FOLDER,\n"
+             "--usb VVVV:PPPP, --line ROLE=WIRE. Exit code 1: something is wrong.\n",
+    .run = run,
+};

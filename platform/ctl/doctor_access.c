@@ -1,0 +1,85 @@
+/* doctor_access.c -- may the kiosk's user use it, and who could say that he may. */
+#include <errno.h>
+#include <grp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "platform/ctl/doctor.h"
+
+static bool is_in(const struct doctor_user *user, gid_t group)
+{
+    for (uint32_t i = 0; i < user->group_count; i++) {
+        if (user->groups[i] == group) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Of the mode's bits the kernel looks at those of the first who fits: owner, group, others. */
+static int by_mode(const struct doctor_user *user, const struct stat *about)
+{
+    const mode_t both = S_IROTH | S_IWOTH;
+    const mode_t bits = user->id == about->st_uid     ? about->st_mode >> 6
+                        : is_in(user, about->st_gid) ? about->st_mode >> 3
+                                                     : about->st_mode;
+    return user->id == 0 || (bits & both) == both ? 0 : EACCES;
+}
+
+int doctor_may_use(const struct doctor *doctor, const char *path)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    struct stat about;
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    if (stat(whole, &about)) {
+        return errno;
+    }
+    if (doctor->user.id == geteuid() && access(whole, R_OK | W_OK) == 0) {
+        return 0; /* An access list may say more than the mode: seats' users have one. */
+    }
+    return by_mode(&doctor->user, &about);
+}
+
+void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *finding,
+                        const char *path, const char *otherwise)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    struct stat about;
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    const mode_t group_may = S_IRGRP | S_IWGRP;
+    if (stat(whole, &about)) {
+        doctor_todo(finding, "%s is not there: mount /dev with devtmpfs and start udev", path);
+        return;
+    }
+    const struct group *group = getgrgid(about.st_gid);
+    if (about.st_gid != 0 && (about.st_mode & group_may) == group_may && group) {
+        doctor_todo(finding, "sudo usermod -aG %s %s, then log in again or restart the kiosk",
+                    group->gr_name, doctor->user.name);
+    } else {
+        doctor_todo(finding, "%s", otherwise);
+    }
+}
+
+void doctor_line(const struct doctor *doctor, char *out, size_t size, const char *path, ...)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    const int used = snprintf(whole, sizeof whole, "%s", doctor->root);
+    va_list arguments;
+    va_start(arguments, path);
+    vsnprintf(whole + used, sizeof whole - (size_t)used, path, arguments);
+    va_end(arguments);
+    FILE *file = fopen(whole, "r");
+    if (!file || !fgets(out, (int)size, file)) {
+        out[0] = '\0';
+    }
+    if (file) {
+        fclose(file);
+    }
+    out[strcspn(out, "\n")] = '\0';
+    for (char *at = out; *at; at++) {
+        *at = (unsigned char)*at < 0x20 || *at == 0x7f ? '.' : *at;
+    }
+}

@@ -1,0 +1,26 @@
+/* doctor_gpio.h -- what was seen of GPIO lines, and what to say of a wire then. Pure. */
+#ifndef KINGYO_PLATFORM_CTL_DOCTOR_GPIO_H
+#define KINGYO_PLATFORM_CTL_DOCTOR_GPIO_H
+
+#include "drivers/gpio_lines.h"
+#include "platform/ctl/doctor.h"
+
+#define GPIO_CENSUS_MAX 1024u /* A Raspberry Pi 5 has 130 lines on 14 chips. */
+
+struct gpio_seen {
+    char chip[GPIO_TEXT_SIZE]; /* Its label. */
+    char name[GPIO_TEXT_SIZE];
+    char consumer[GPIO_TEXT_SIZE];
+    uint32_t offset;
+    bool is_used;
+};
+
+struct gpio_census {
+    uint32_t count, more;
+    struct gpio_seen line[GPIO_CENSUS_MAX];
+};
+
+void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct gpio_wire *wire,
+                      const struct gpio_census *census);
+
+#endif

@@ -1,0 +1,167 @@
+/* doctor_screen.c -- graphics cards and their sockets, sound cards and their outputs. */
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/board.h"
+#include "platform/ctl/doctor.h"
+
+#define CARDS_MAX 16u /* Of each kind: graphics, renderers, sound. */
+
+/* Names in a folder under the root that begin so, in their order. */
+struct names {
+    uint32_t count;
+    char name[CARDS_MAX][64];
+};
+
+static int by_name(const void *left, const void *right)
+{
+    return strcmp(left, right);
+}
+
+static void list(const struct doctor *doctor, const char *path, const char *prefix,
+                 struct names *out)
+{
+    char whole[OPTIONS_PATH_MAX + 64u];
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    DIR *folder = opendir(whole);
+    const struct dirent *entry;
+    out->count = 0;
+    while (folder && out->count < CARDS_MAX && (entry = readdir(folder))) {
+        if (strncmp(entry->d_name, prefix, strlen(prefix)) == 0) {
+            snprintf(out->name[out->count++], sizeof out->name[0], "%.63s", entry->d_name);
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    qsort(out->name, out->count, sizeof out->name[0], by_name);
+}
+
+/* A node that the kiosk opens itself: who may not is told how he may. */
+static void look_at_node(struct doctor *doctor, const char *part, const char *path,
+                         const char *group)
+{
+    char join[DOCTOR_TEXT];
+    const int error = doctor_may_use(doctor, path);
+    struct doctor_finding *finding =
+        doctor_find(doctor, part, error ? DOCTOR_WRONG : DOCTOR_FINE, "%s", path);
+    if (!error) {
+        doctor_state(finding, "%s may use it", doctor->user.name);
+        return;
+    }
+    snprintf(join, sizeof join, "sudo usermod -aG %s %s, then log in again or restart the kiosk",
+             group, doctor->user.name);
+    doctor_state(finding, "%s may not use it: %s", doctor->user.name, strerror(error));
+    doctor_todo_access(doctor, finding, path, join);
+}
+
+static void look_at_nodes(struct doctor *doctor, const char *part, const char *folder,
+                          const char *prefix, const char *group)
+{
+    struct names nodes;
+    char path[160];
+    list(doctor, folder, prefix, &nodes);
+    for (uint32_t i = 0; i < nodes.count; i++) {
+        snprintf(path, sizeof path, "%s/%s", folder, nodes.name[i]);
+        look_at_node(doctor, part, path, group);
+    }
+}
+
+/* ---- Screens -------------------------------------------------------------------------------- */
+
+/* "card1-HDMI-A-1": how many sockets have a screen in them. */
+static uint32_t look_at_sockets(struct doctor *doctor)
+{
+    struct names sockets;
+    uint32_t connected = 0;
+    list(doctor, "/sys/class/drm", "card", &sockets);
+    for (uint32_t i = 0; i < sockets.count; i++) {
+        char status[32], mode[32];
+        doctor_line(doctor, status, sizeof status, "/sys/class/drm/%s/status", sockets.name[i]);
+        doctor_line(doctor, mode, sizeof mode, "/sys/class/drm/%s/modes", sockets.name[i]);
+        if (status[0]) {
+            doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "%s", sockets.name[i]),
+                         "%s%s%s", status, mode[0] ? ", " : "", mode);
+            connected += strcmp(status, "connected") == 0;
+        }
+    }
+    return connected;
+}
+
+static bool is_under_a_desktop(const struct doctor *doctor)
+{
+    return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
+}
+
+/* Whether a window opens at all is asked only of this machine, by this user. */
+static void try_screen(struct doctor *doctor)
+{
+    char why[HAL_TEXT_SIZE] = "";
+    const bool has_screen = board_has_screen(why, sizeof why) != 0;
+    struct doctor_finding *finding =
+        doctor_find(doctor, "display", has_screen ? DOCTOR_FINE : DOCTOR_WRONG, "the kiosk's");
+    doctor_state(finding, "%s", has_screen ? "opens here and now" : why);
+    if (!has_screen) {
+        doctor_todo(finding, "plug a screen in, or start from a desktop; without one the kiosk "
+                             "only writes pictures");
+    }
+}
+
+void doctor_screen(struct doctor *doctor)
+{
+    const uint32_t connected = look_at_sockets(doctor);
+    if (is_under_a_desktop(doctor)) {
+        doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "desktop"), "%s",
+                     getenv("WAYLAND_DISPLAY") ? getenv("WAYLAND_DISPLAY") : getenv("DISPLAY"));
+    } else {
+        look_at_nodes(doctor, "display", "/dev/dri", "card", "video");
+        look_at_nodes(doctor, "display", "/dev/dri", "renderD", "render");
+    }
+    if (!doctor->root[0]) {
+        try_screen(doctor);
+    } else if (connected == 0) {
+        struct doctor_finding *none = doctor_find(doctor, "display", DOCTOR_WRONG, "screens");
+        doctor_state(none, "no screen is plugged in");
+        doctor_todo(none, "plug one in and switch it on");
+    }
+}
+
+/* ---- Sound ---------------------------------------------------------------------------------- */
+
+/* " 0 [PCH            ]: HDA-Intel - HDA Intel PCH", then a line of where it is. */
+static uint32_t look_at_cards(struct doctor *doctor)
+{
+    char path[OPTIONS_PATH_MAX + 64u], line[DOCTOR_TEXT];
+    uint32_t count = 0;
+    snprintf(path, sizeof path, "%s/proc/asound/cards", doctor->root);
+    FILE *file = fopen(path, "r");
+    while (file && fgets(line, sizeof line, file)) {
+        unsigned number;
+        const char *name = strstr(line, "]: ");
+        if (sscanf(line, " %u [", &number) == 1 && name) {
+            line[strcspn(line, "\n")] = '\0';
+            doctor_state(doctor_find(doctor, "sound", DOCTOR_FINE, "card %u", number), "%s",
+                         name + 3);
+            count++;
+        }
+    }
+    if (file) {
+        fclose(file);
+    }
+    return count;
+}
+
+void doctor_sound(struct doctor *doctor)
+{
+    if (look_at_cards(doctor) == 0) {
+        struct doctor_finding *none = doctor_find(doctor, "sound", DOCTOR_LOOK, "cards");
+        doctor_state(none, "there is none: the stall is silent");
+        doctor_todo(none, "plug one in, or enable the board's own (on a Raspberry Pi: "
+                          "dtparam=audio=on)");
+        return;
+    }
+    look_at_nodes(doctor, "sound", "/dev/snd", "pcm", "audio");
+}

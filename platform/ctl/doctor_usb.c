@@ -1,0 +1,198 @@
+/* doctor_usb.c -- every device on USB: may it play, may it be opened, does somebody hold it, will
+ * it stay awake. Hubs are left out. */
+#include "platform/ctl/doctor_usb.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "drivers/usb_choice_file.h"
+#include "platform/ctl/hid_nodes.h"
+
+static const char *map_words(const struct hid_map *map)
+{
+    switch (map->source) {
+    case HID_MAP_OWN:
+        return "our own poi";
+    case HID_MAP_KNOWN:
+        return "a controller we know";
+    case HID_MAP_OFFERED:
+        return map->style == HID_STYLE_POINTER ? "it points" : "it has sticks";
+    default:
+        return "to be learned in the operator's menu";
+    }
+}
+
+static struct doctor_finding *say(struct doctor *doctor, const struct usb_device *device,
+                                  enum doctor_level level)
+{
+    const struct hid_identity *identity = &device->identity;
+    const char *name = identity->name[0] ? identity->name : device->maker;
+    return doctor_find(doctor, "usb", level, "%04x:%04x %s, port %s", identity->vendor,
+                       identity->product, name[0] ? name : "without a name", device->port);
+}
+
+static void say_denied(struct doctor *doctor, const struct usb_device *device, bool plays,
+                       int error, const char *node)
+{
+    char rule[DOCTOR_TEXT];
+    struct doctor_finding *finding = say(doctor, device, plays ? DOCTOR_WRONG : DOCTOR_LOOK);
+    snprintf(rule, sizeof rule,
+             "put into /etc/udev/rules.d/71-kingyo-local.rules and replug it: SUBSYSTEM==\"usb\", "
+             "ATTR{idVendor}==\"%04x\", ATTR{idProduct}==\"%04x\", GROUP=\"kingyo\", "
+             "MODE=\"0660\", ATTR{power/control}=\"on\"",
+             device->identity.vendor, device->identity.product);
+    doctor_state(finding, "could play, but %s may not open it: %s: %s", doctor->user.name, node,
+                 strerror(error));
+    doctor_todo_access(doctor, finding, node, rule);
+}
+
+/* A driver that libusb does not take off by itself, or another program. */
+static void say_held(struct doctor *doctor, const struct usb_device *device,
+                     const struct usb_interface *interface)
+{
+    const bool by_program = strcmp(interface->driver, "usbfs") == 0;
+    struct doctor_finding *finding =
+        say(doctor, device, by_program ? DOCTOR_LOOK : DOCTOR_WRONG);
+    if (by_program) {
+        doctor_state(finding, "a program has claimed it, which is well if that is the kiosk");
+        doctor_todo(finding, "sudo fuser -v /dev/bus/usb/%03u/%03u names it", device->bus,
+                    device->number);
+    } else {
+        doctor_state(finding, "could play, but the driver %s holds it", interface->driver);
+        doctor_todo(finding, "echo %s:%u.%u | sudo tee /sys/bus/usb/drivers/%s/unbind",
+                    device->port, device->configuration, interface->number, interface->driver);
+    }
+}
+
+static void say_ready(struct doctor *doctor, const struct usb_device *device,
+                      const struct usb_interface *interface)
+{
+    const bool plays = interface->verdict == USB_PLAYS;
+    struct doctor_finding *finding =
+        say(doctor, device, device->sleeps ? DOCTOR_LOOK : DOCTOR_FINE);
+    doctor_state(finding, "%s (%s)%s", plays ? "plays" : "may play", map_words(&interface->map),
+                 device->sleeps ? ", but may fall asleep in mid-round" : "");
+    if (device->sleeps) {
+        doctor_todo(finding,
+                    "sudo cp board/udev/*.rules /etc/udev/rules.d/ and replug it, or for now: "
+                    "echo on | sudo tee " USB_DEVICES "/%s/power/control",
+                    device->port);
+    } else if (!plays) {
+        doctor_todo(finding, "choose it in the operator's menu, or start with --usb %04x:%04x",
+                    device->identity.vendor, device->identity.product);
+    }
+}
+
+static void say_hand(struct doctor *doctor, const struct usb_device *device,
+                     const struct usb_interface *interface)
+{
+    char node[64];
+    snprintf(node, sizeof node, "/dev/bus/usb/%03u/%03u", device->bus, device->number);
+    const int error = doctor_may_use(doctor, node);
+    if (error) {
+        say_denied(doctor, device, interface->verdict == USB_PLAYS, error, node);
+    } else if (interface->driver[0] && strcmp(interface->driver, "usbhid") != 0) {
+        say_held(doctor, device, interface);
+    } else {
+        say_ready(doctor, device, interface);
+    }
+}
+
+static void say_device(struct doctor *doctor, const struct usb_device *device,
+                       const struct usb_interface *interface)
+{
+    const uint8_t kind = interface->subject.kind;
+    if (interface->class == USB_CLASS_HID && interface->verdict >= USB_FREE &&
+        kind != USB_KIND_NOTHING) {
+        say_hand(doctor, device, interface);
+    } else if (strcmp(interface->driver, "xpad") == 0) {
+        doctor_state(say(doctor, device, DOCTOR_FINE), "plays as a pad, through SDL");
+    } else if (interface->class == USB_CLASS_HID) {
+        doctor_state(say(doctor, device, DOCTOR_FINE),
+                     kind == USB_KIND_NOTHING ? "sends nothing: no controller"
+                                              : "has keys: a keyboard is never claimed");
+    } else {
+        doctor_state(say(doctor, device, DOCTOR_FINE), "is no controller%s%s",
+                     interface->driver[0] ? "; driver " : "", interface->driver);
+    }
+}
+
+/* What is wished: by name on the command line or in the file, by choice in the menu. */
+static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
+{
+    char path[2u * OPTIONS_PATH_MAX], why[HAL_TEXT_SIZE];
+    struct usb_key key;
+    *choice = (struct usb_choice){ 0 };
+    snprintf(path, sizeof path, "%.1000s%.1000s/usb.txt", doctor->root, doctor->options.data);
+    usb_choice_load(choice, doctor->options.data[0] ? path : "", why);
+    for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
+        if (usb_key_read(&key, doctor->options.usb[i]) == 0) {
+            usb_choice_wish(choice, &key, 1, 0);
+        }
+    }
+}
+
+/* "3-1.4": a bus, a port, and ports of hubs; "usb3" is a bus, "3-1.4:1.0" an interface. */
+static bool is_port(const char *name)
+{
+    return name[0] >= '0' && name[0] <= '9' && strchr(name, '-') && !strchr(name, ':') &&
+           strlen(name) < USB_PORT_SIZE;
+}
+
+static int by_name(const void *left, const void *right)
+{
+    return strcmp(left, right);
+}
+
+void doctor_usb(struct doctor *doctor)
+{
+    static char ports[DOCTOR_FINDINGS_MAX][USB_PORT_SIZE];
+    char path[OPTIONS_PATH_MAX + 64u];
+    struct usb_choice choice;
+    uint32_t count = 0, shown = 0;
+    snprintf(path, sizeof path, "%s" USB_DEVICES, doctor->root);
+    DIR *folder = opendir(path);
+    const struct dirent *entry;
+    while (folder && count < DOCTOR_FINDINGS_MAX && (entry = readdir(folder))) {
+        if (is_port(entry->d_name)) {
+            snprintf(ports[count++], USB_PORT_SIZE, "%.31s", entry->d_name);
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    qsort(ports, count, sizeof ports[0], by_name);
+    read_choice(doctor, &choice);
+    for (uint32_t i = 0; i < count; i++) {
+        struct usb_device device = { 0 };
+        struct usb_interface best;
+        memcpy(device.port, ports[i], USB_PORT_SIZE);
+        doctor_read_usb(doctor, &choice, &device, &best);
+        if (device.class != USB_CLASS_HUB) {
+            say_device(doctor, &device, &best);
+            shown++;
+        }
+    }
+    if (shown == 0) {
+        struct doctor_finding *none = doctor_find(doctor, "usb", DOCTOR_LOOK, "controllers");
+        doctor_state(none, folder ? "nothing is plugged in" : "this machine has no USB");
+        doctor_todo(none, "plug one in, or play with the mouse, a pad or a finger");
+    }
+}
+
+void doctor_nodes(struct doctor *doctor)
+{
+    static struct hid_node nodes[HID_NODES_MAX];
+    const uint32_t count = hid_nodes_list(doctor->root, nodes);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct hid_node *node = &nodes[i];
+        if (strcmp(hid_node_bus(node), "USB") != 0) {
+            doctor_state(doctor_find(doctor, "hid", DOCTOR_FINE, "%04x:%04x %s", node->vendor,
+                                     node->product, node->name),
+                         "by %s: plays through SDL where it is a pad, mouse or touch screen",
+                         hid_node_bus(node));
+        }
+    }
+}
