@@ -59,7 +59,7 @@ static void change_hands(struct lab *lab, uint32_t index)
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct lab *lab = &core->game.lab;
-    const struct overlay_hand hand = overlay_hand_of(core, input, lab->upright);
+    const struct overlay_hand hand = overlay_first_hand(core, input, lab->upright);
     if (!hand.present) {
         lab->has_hand = lab->presses = 0;
         lab_release(core);

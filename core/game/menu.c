@@ -174,22 +174,29 @@ static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
     return 0;
 }
 
-static void note_stir(struct core *core)
+/* Whoever moves leads, with a bowl at the tank or without: what is tried here may be a controller
+ * that nobody played with yet. */
+static struct overlay_hand leading_hand(struct core *core, const struct input *input)
 {
     struct menu *menu = &core->game.menu;
-    const float x = menu->x - menu->stir_x, y = menu->y - menu->stir_y;
-    if (x * x + y * y > OVERLAY_STIR * OVERLAY_STIR) {
-        menu->stir_x = menu->x;
-        menu->stir_y = menu->y;
-        menu->act_tick = core->tick;
+    struct overlay_hand lead = overlay_hand_of(core, input, menu->upright, menu->hand);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct overlay_hand hand = overlay_hand_of(core, input, menu->upright, i);
+        const float x = hand.at.x - menu->rest[i].x, y = hand.at.y - menu->rest[i].y;
+        if (hand.present && x * x + y * y > OVERLAY_STIR * OVERLAY_STIR) {
+            menu->rest[i] = hand.at;
+            menu->act_tick = core->tick;
+            lead = hand;
+        }
     }
+    return lead;
 }
 
 /* It points as it comes over a tag; where it rests the buttons have their way. */
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    const struct overlay_hand hand = overlay_hand_of(core, input, menu->upright);
+    const struct overlay_hand hand = leading_hand(core, input);
     if (!hand.present || is_learning(menu)) {
         menu->has_hand = menu->points = 0;
         menu->presses = 1; /* Whoever comes next takes nothing until it has come up. */
@@ -200,7 +207,6 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     menu->hand = hand.player;
     menu->x = hand.at.x;
     menu->y = hand.at.y;
-    note_stir(core);
     const uint8_t points = tag_under(menu, hand.at);
     if (points != menu->points && points > 0) {
         point_at(menu, points - 1u, output);
@@ -303,7 +309,6 @@ uint64_t menu_hash(uint64_t hash, const struct menu *menu)
                                menu->points,    menu->held,       menu->test_coins,
                                menu->coin_tick, menu->order_id,   menu->ask_tick,
                                menu->take_tick, menu->act_tick };
-    const float floats[] = { menu->x, menu->y, menu->stir_x, menu->stir_y };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }
@@ -312,5 +317,8 @@ uint64_t menu_hash(uint64_t hash, const struct menu *menu)
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
         hash = hash_u32(hash, menu->pressed_count[i]);
     }
-    return hash_floats(hash, floats, sizeof floats / sizeof floats[0]);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hash = hash_float(hash_float(hash, menu->rest[i].x), menu->rest[i].y);
+    }
+    return hash_float(hash_float(hash, menu->x), menu->y);
 }

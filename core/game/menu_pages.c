@@ -159,7 +159,7 @@ const struct menu_sheet *menu_sheet_of(uint8_t page)
 
 void menu_close(struct core *core, struct output *output)
 {
-    if (core->game.menu.desk.learn_step != LEARN_NONE) {
+    if (core->game.menu.page == MENU_LEARN) {
         order(core, output, DESK_LEARN_END);
     }
     attract_begin(core);

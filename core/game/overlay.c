@@ -46,25 +46,13 @@ static struct overlay_point plan_point(const struct core *core, int upright, vec
                                   canvas.y * (0.5f + hand_m.z / core->tank.size_m.z) };
 }
 
-/* POI_MAX when there is none. A leap loses nothing here, so no hand is doubted for one. */
-static uint32_t leading_hand(const struct core *core, const struct input *input)
+struct overlay_hand overlay_hand_of(const struct core *core, const struct input *input,
+                                    int upright, uint32_t player)
 {
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->bowl[i].present && input->poi[i].link == POI_LINK_LIVE &&
-            trust_can_read(&input->poi[i].target)) {
-            return i;
-        }
-    }
-    return POI_MAX;
-}
-
-struct overlay_hand overlay_hand_of(const struct core *core, const struct input *input, int upright)
-{
-    const uint32_t player = leading_hand(core, input);
-    if (player == POI_MAX) {
+    const struct poi_input *says = &input->poi[player];
+    if (says->link != POI_LINK_LIVE || !trust_can_read(&says->target)) {
         return (struct overlay_hand){ 0 };
     }
-    const struct poi_input *says = &input->poi[player];
     const vec3 hand_m = says->target.position_m;
     const struct overlay_point canvas = overlay_size(upright);
     const struct overlay_point at =
@@ -76,4 +64,16 @@ struct overlay_hand overlay_hand_of(const struct core *core, const struct input 
         .at = { f_clamp(at.x, 0.0f, canvas.x), f_clamp(at.y, 0.0f, canvas.y) },
         .height_m = hand_m.y,
     };
+}
+
+struct overlay_hand overlay_first_hand(const struct core *core, const struct input *input,
+                                       int upright)
+{
+    struct overlay_hand hand = { 0 };
+    for (uint32_t i = 0; i < POI_MAX && !hand.present; i++) {
+        if (core->bowl[i].present) {
+            hand = overlay_hand_of(core, input, upright, i);
+        }
+    }
+    return hand;
 }

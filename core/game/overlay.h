@@ -36,8 +36,8 @@ int overlay_is_inside(struct overlay_box box, float room, struct overlay_point a
 /* Where a point of the world is on the canvas. */
 struct overlay_point overlay_point_of(const struct view *view, int upright, vec3 point_m);
 
-/* The hand that points: the first player's that can be read, where it is, clamped to the canvas,
- * and how high. */
+/* A hand that points: where it is, clamped to the canvas, and how high. Absent: nobody's, or it
+ * cannot be read. A leap loses nothing here, so no hand is doubted for one. */
 struct overlay_hand {
     uint8_t present;
     uint8_t player;
@@ -48,6 +48,10 @@ struct overlay_hand {
 struct core;
 
 struct overlay_hand overlay_hand_of(const struct core *core, const struct input *input,
-                                    int upright);
+                                    int upright, uint32_t player);
+
+/* That of the first who has a bowl at the tank. */
+struct overlay_hand overlay_first_hand(const struct core *core, const struct input *input,
+                                       int upright);
 
 #endif

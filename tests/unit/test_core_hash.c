@@ -110,7 +110,7 @@ static const struct field menu_fields[] = {
     FIELD(menu, held),       FIELD(menu, test_coins), FIELD(menu, coin_tick),
     FIELD(menu, order_id),   FIELD(menu, ask_tick),   FIELD(menu, take_tick),
     FIELD(menu, act_tick),   FIELD(menu, x),          FIELD(menu, y),
-    FIELD(menu, stir_x),     FIELD(menu, stir_y),
+    FIELD(menu, rest),
 };
 
 static const struct field credit_fields[] = {

@@ -496,6 +496,28 @@ static void test_a_controller_that_is_being_learned_points_at_nothing(void **sta
     expect_order(1, DESK_LEARN, 3);
 }
 
+static void test_whoever_moves_points_also_without_a_bowl(void **state)
+{
+    (void)state;
+    hold_over(TOP_CONTROLLERS, ABOVE_M);
+    steps(2);
+    input.poi[2] = input.poi[0]; /* There is one bowl, and a third controller. */
+    steps(2);
+    hold_over(TOP_LINES, ABOVE_M);
+    steps(2);
+    assert_int_equal(pointed(), TOP_LINES);
+    const struct poi_input mine = input.poi[0];
+    hold_over(TOP_LEAVE, ABOVE_M);
+    input.poi[2] = input.poi[0];
+    input.poi[0] = mine;
+    steps(2);
+    assert_int_equal(menu()->hand, 2);
+    assert_int_equal(pointed(), TOP_LEAVE);
+    input.poi[2].target.position_m.y = BELOW_M;
+    steps(MENU_TAKE_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
 /* ---- Places --------------------------------------------------------------------------------- */
 
 static void expect_apart(int upright, uint8_t page, uint16_t offered)
@@ -579,6 +601,7 @@ int main(void)
         IN_MENU(test_a_dip_that_hits_no_tag_takes_none),
         cmocka_unit_test_setup(test_who_opens_it_with_a_poi_in_the_water_takes_nothing, setup),
         IN_MENU(test_a_controller_that_is_being_learned_points_at_nothing),
+        IN_MENU(test_whoever_moves_points_also_without_a_bowl),
         cmocka_unit_test(test_no_two_tags_overlap_and_all_are_on_the_canvas),
         IN_MENU(test_a_desk_that_is_out_of_range_is_a_bug),
     };
