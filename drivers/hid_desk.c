@@ -228,8 +228,8 @@ static const char *hid_desk_name(void *self, uint32_t row)
 
 static const char *hid_desk_describe(void *self)
 {
-    (void)self;
-    return "controllers on USB, chosen in the operator's menu";
+    const struct hid_desk *desk = self;
+    return desk->roster.ops->describe(desk->roster.self);
 }
 
 struct hal_controllers hid_desk_device(struct hid_desk *desk)

@@ -102,8 +102,17 @@ static int release(void *self, uint32_t row)
     return HAL_OK;
 }
 
+static const char *describe(void *self)
+{
+    (void)self;
+    return "controllers made of memory";
+}
+
 struct hid_roster hid_roster_sim_device(struct hid_roster_sim *sim)
 {
-    static const struct hid_roster_ops ops = { .rows = rows, .choose = choose, .release = release };
+    static const struct hid_roster_ops ops = { .rows = rows,
+                                              .choose = choose,
+                                              .release = release,
+                                              .describe = describe };
     return (struct hid_roster){ .ops = &ops, .self = sim };
 }

@@ -49,23 +49,26 @@ static int interface_request(libusb_device_handle *handle, const struct usb_devi
                                    device->pipe.interface_number, NULL, 0, REQUEST_MS);
 }
 
-/* GET_DESCRIPTOR of the interface, HID 1.11 section 7.1.1. */
+/* GET_DESCRIPTOR of the interface, HID 1.11 section 7.1.1. What /sys showed may have been mended by
+ * a driver of the kernel that mends the reports, too; ours come as the device sends them. It will
+ * do where the device does not answer. */
 static enum usb_trouble read_descriptor(libusb_device_handle *handle, struct usb_device *device)
 {
     const uint8_t type = LIBUSB_ENDPOINT_IN | LIBUSB_REQUEST_TYPE_STANDARD |
                          LIBUSB_RECIPIENT_INTERFACE;
-    if (device->face.descriptor_size > 0u) {
-        return USB_FINE;
-    }
+    uint8_t bytes[HID_DESCRIPTOR_MAX];
     const int size = libusb_control_transfer(
         handle, type, LIBUSB_REQUEST_GET_DESCRIPTOR, HID_REPORT_DESCRIPTOR << 8,
-        device->pipe.interface_number, device->face.descriptor, (uint16_t)device->declared_size,
-        DESCRIPTOR_MS);
-    if (size <= 0) {
-        return size < 0 && size != LIBUSB_ERROR_BUSY ? trouble_of(size) : USB_BROKEN;
+        device->pipe.interface_number, bytes, (uint16_t)device->declared_size, DESCRIPTOR_MS);
+    if (size > 0) {
+        memcpy(device->face.descriptor, bytes, (size_t)size);
+        device->face.descriptor_size = (uint32_t)size;
+        return USB_FINE;
     }
-    device->face.descriptor_size = (uint32_t)size;
-    return USB_FINE;
+    if (size != LIBUSB_ERROR_NO_DEVICE && device->face.descriptor_size > 0u) {
+        return USB_FINE;
+    }
+    return size == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY : USB_BROKEN;
 }
 
 /* What the transfers must know. */

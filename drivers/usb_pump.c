@@ -116,10 +116,7 @@ static void watch_bus(struct usb_pump *pump)
 static void one_round(struct usb_pump *pump)
 {
     usb_pump_obey(pump);
-    if (pump->bus_changed || !pump->has_hotplug) {
-        pump->bus_changed = 0;
-        usb_pump_compare(pump);
-    }
+    usb_pump_compare(pump);
     usb_pump_tend(pump);
     usb_pump_tell(pump);
     wait_and_handle(pump);
@@ -158,6 +155,7 @@ static void close_all(struct usb_pump *pump)
 static void *run(void *self)
 {
     struct usb_pump *pump = self;
+    pthread_setname_np(pthread_self(), "usb");
     libusb_set_pollfd_notifiers(pump->context, on_fd_added, on_fd_removed, pump);
     watch_bus(pump);
     while (!atomic_load(&pump->stop)) {

@@ -27,7 +27,8 @@
 /* A device, and what we do with it. */
 struct usb_entry {
     struct usb_device device; /* .device null: the entry is empty. */
-    uint8_t trouble;          /* enum usb_trouble */
+    uint8_t trouble;          /* enum usb_trouble, and which of them was told. */
+    uint8_t told_trouble;
     uint8_t is_seen;          /* By the comparison that goes on. */
     uint32_t row, link, seat; /* USB_NOBODY: none. */
     uint32_t drains;          /* The link that it had, which may not be closed yet. */
@@ -39,6 +40,8 @@ struct usb_pump {
     struct hal_clock clock;
     const char *sysfs;
     const char *choices_path; /* "": choices are not kept. */
+    void (*tell)(void *self, const char *line); /* May be null. */
+    void *tell_self;
     struct usb_choice choice;
 
     /* Both threads'. */
@@ -53,6 +56,8 @@ struct usb_pump {
     libusb_hotplug_callback_handle hotplug;
     uint8_t has_hotplug;
     uint8_t bus_changed, fds_changed, rows_changed;
+    uint64_t compare_ns;       /* When to compare again although nothing was said ... */
+    uint64_t settled_ns;       /* ... until then. */
     uint32_t fd_count;
     struct pollfd fd[USB_FD_MAX];
     struct usb_entry entry[USB_DEVICE_MAX];
@@ -75,7 +80,7 @@ void usb_pump_wake(void *self);
 
 uint64_t usb_pump_now_ns(const struct usb_pump *pump);
 
-/* Compares the bus with the table: who is new is met, who is gone is forgotten. */
+/* Compares the bus with the table, if it is time to: who is new is met, who is gone forgotten. */
 void usb_pump_compare(struct usb_pump *pump);
 
 /* Looks at whoever is due, opens who may play, closes what failed. */
@@ -92,6 +97,9 @@ void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone
 
 /* When the next of these is due; UINT64_MAX: never. */
 uint64_t usb_pump_due_ns(const struct usb_pump *pump);
+
+/* Says once what is in an entry's way. */
+void usb_pump_tell_trouble(struct usb_pump *pump, struct usb_entry *entry);
 
 /* Posts the rows, if they are others than before. */
 void usb_pump_tell(struct usb_pump *pump);

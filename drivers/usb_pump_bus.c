@@ -5,6 +5,11 @@
 #include "drivers/usb_choice_file.h"
 #include "drivers/usb_pump.h"
 
+#define NS_PER_MS 1000000ull
+#define SETTLE_NS (2000u * NS_PER_MS) /* The slowest hubs' devices have a configuration by then. */
+#define AGAIN_NS (100u * NS_PER_MS)
+#define NO_HOTPLUG_NS (1000u * NS_PER_MS) /* Where nobody says when the bus changes. */
+
 /* ---- Comparing ------------------------------------------------------------------------------ */
 
 static struct usb_entry *find_entry(struct usb_pump *pump, const libusb_device *device)
@@ -25,7 +30,7 @@ static void meet(struct usb_pump *pump, struct usb_entry *entry, libusb_device *
     if (usb_device_meet(&entry->device, device, &judge)) {
         return;
     }
-    entry->trouble = USB_FINE;
+    entry->trouble = entry->told_trouble = USB_FINE;
     entry->is_seen = 1;
     entry->link = entry->seat = entry->drains = USB_NOBODY;
     entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
@@ -46,7 +51,7 @@ static void part(struct usb_pump *pump, struct usb_entry *entry)
 }
 
 /* Departures first: who was pulled out and put in again finds its seat free. */
-void usb_pump_compare(struct usb_pump *pump)
+static void compare(struct usb_pump *pump)
 {
     libusb_device **list;
     const ssize_t count = libusb_get_device_list(pump->context, &list);
@@ -74,6 +79,24 @@ void usb_pump_compare(struct usb_pump *pump)
         }
     }
     libusb_free_device_list(list, 1);
+}
+
+/* A device is announced before the kernel has chosen its configuration, without which it has no
+ * interfaces; nothing more is said when it has. So the bus is looked at until it must have settled.
+ */
+void usb_pump_compare(struct usb_pump *pump)
+{
+    const uint64_t now_ns = usb_pump_now_ns(pump);
+    if (pump->bus_changed) {
+        pump->bus_changed = 0;
+        pump->settled_ns = now_ns + SETTLE_NS;
+    } else if (now_ns < pump->compare_ns) {
+        return;
+    }
+    compare(pump);
+    pump->compare_ns = now_ns < pump->settled_ns ? now_ns + AGAIN_NS
+                       : pump->has_hotplug       ? UINT64_MAX
+                                                 : now_ns + NO_HOTPLUG_NS;
 }
 
 /* ---- Orders --------------------------------------------------------------------------------- */
@@ -127,17 +150,33 @@ void usb_pump_obey(struct usb_pump *pump)
 
 /* ---- Telling -------------------------------------------------------------------------------- */
 
-static void tell_trouble(const struct usb_entry *entry, char text[HAL_TEXT_SIZE])
+static void write_trouble(const struct usb_entry *entry, char text[HAL_TEXT_SIZE])
 {
     const struct hid_identity *who = &entry->device.face.identity;
     static const char *const remedies[] = {
-        [USB_DENIED] = "may not be opened: name it in board/udev/70-kingyo.rules, replug it",
+        [USB_DENIED] = "may not be opened: install board/udev/70-kingyo.rules "
+                       "(kingyoctl doctor writes its line)",
         [USB_HELD] = "is held by another program: end that",
         [USB_BROKEN] = "does not answer: replug it",
-        [USB_AWAY] = "does not answer: replug it",
     };
     snprintf(text, HAL_TEXT_SIZE, "%04x:%04x at USB port %s %s", who->vendor, who->product,
              who->port, remedies[entry->trouble]);
+}
+
+/* That it was pulled out in the very moment is no trouble of anybody's. */
+static int is_in_the_way(const struct usb_entry *entry)
+{
+    return entry->trouble != USB_FINE && entry->trouble != USB_AWAY;
+}
+
+void usb_pump_tell_trouble(struct usb_pump *pump, struct usb_entry *entry)
+{
+    char text[HAL_TEXT_SIZE];
+    if (pump->tell && is_in_the_way(entry) && entry->trouble != entry->told_trouble) {
+        write_trouble(entry, text);
+        pump->tell(pump->tell_self, text);
+    }
+    entry->told_trouble = entry->trouble;
 }
 
 static void tell_count(const struct usb_pump *pump, char text[HAL_TEXT_SIZE])
@@ -161,8 +200,8 @@ void usb_pump_tell(struct usb_pump *pump)
     pump->rows_changed = 0;
     tell_count(pump, pump->rows.text);
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        if (pump->entry[i].device.device && pump->entry[i].trouble != USB_FINE) {
-            tell_trouble(&pump->entry[i], pump->rows.text);
+        if (pump->entry[i].device.device && is_in_the_way(&pump->entry[i])) {
+            write_trouble(&pump->entry[i], pump->rows.text);
         }
     }
     usb_roster_post(&pump->roster, &pump->rows);

@@ -111,6 +111,7 @@ static int was_here(const struct usb_pump *pump, const struct usb_entry *entry)
 
 static void say_trouble(struct usb_pump *pump, struct usb_entry *entry)
 {
+    usb_pump_tell_trouble(pump, entry);
     const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
     usb_pump_show(pump, entry,
                   (uint8_t)(is_denied                 ? CONTROLLER_DENIED
@@ -132,6 +133,7 @@ static void open_it(struct usb_pump *pump, struct usb_entry *entry)
     }
     entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
     if (handle) {
+        entry->told_trouble = USB_FINE;
         seat_it(pump, entry, handle, seat, link);
     } else if (entry->trouble != USB_FINE) {
         say_trouble(pump, entry);
@@ -153,8 +155,10 @@ static void look_at(struct usb_pump *pump, struct usb_entry *entry)
 {
     const struct usb_judge judge = judge_of(pump);
     usb_device_look(&entry->device, &judge);
-    entry->trouble = USB_FINE;
     entry->due_ns = next_look_ns(pump, entry);
+    if (entry->device.verdict <= USB_FREE) {
+        entry->trouble = entry->told_trouble = USB_FINE;
+    }
     switch (entry->device.verdict) {
     case USB_BARRED:
         usb_pump_show(pump, entry, CONTROLLER_BARRED);
@@ -207,7 +211,7 @@ void usb_pump_tend(struct usb_pump *pump)
 
 uint64_t usb_pump_due_ns(const struct usb_pump *pump)
 {
-    uint64_t due_ns = UINT64_MAX;
+    uint64_t due_ns = pump->compare_ns;
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         const struct usb_entry *entry = &pump->entry[i];
         if (entry->device.device && entry->link == USB_NOBODY && !is_draining(pump, entry) &&

@@ -38,6 +38,8 @@ struct usb_seats *usb_seats_start(const struct usb_seats_config *config, char wh
     pump->clock = config->clock;
     pump->choices_path = one.choices;
     pump->sysfs = one.sysfs;
+    pump->tell = config->tell;
+    pump->tell_self = config->tell_self;
     usb_choice_load(&pump->choice, one.choices, why);
     for (uint32_t i = 0; i < config->listed_count; i++) {
         usb_choice_wish(&pump->choice, &config->listed[i], 1, 0);

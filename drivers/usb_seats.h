@@ -23,6 +23,10 @@ struct usb_seats_config {
     const struct usb_key *listed; /* These play whatever the file says (--usb). */
     uint32_t listed_count;
     const char *sysfs;            /* Null: "/sys". Tests have their own. */
+    /* Gets one line when a controller that should play cannot be had, from the thread; null: nobody
+     * is told but who asks hid_roster_ops.describe(). */
+    void (*tell)(void *self, const char *line);
+    void *tell_self;
 };
 
 /* Starts the thread. The one object of it is the file's own: a process has one USB. `why` gets one

@@ -68,6 +68,7 @@ void usb_open(struct hal *hal, const struct board_options *options)
         .choices = options->data_dir ? devices.choices : NULL,
         .listed = devices.listed,
         .listed_count = devices.listed_count,
+        .tell = complain,
     };
     hid_book_open(&devices.book, options->data_dir, complain, NULL);
     devices.usb = usb_seats_start(&config, devices.text);

@@ -60,7 +60,7 @@ static void test_our_own_poi_plays_whoever_made_it(void **state)
     assert_true(poi_descriptor_is(face.descriptor, face.descriptor_size));
     assert_int_equal(stand_seen(poi).claimed_interfaces, 1);
     assert_int_equal(stand_seen(poi).set_idles, 1);
-    assert_int_equal(stand_seen(poi).descriptor_reads, 0); /* /sys had said it. */
+    assert_int_equal(stand_seen(poi).descriptor_reads, 1); /* A driver may have mended /sys'. */
     assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
     assert_int_equal(bench_row(&bench, 0).seat, 0);
 }
@@ -216,21 +216,58 @@ static void test_what_knows_no_requests_plays_all_the_same(void **state)
     assert_true(bench_open(&bench, 0, &face));
 }
 
+static void test_one_that_hides_its_descriptor_plays_by_what_the_kernel_read(void **state)
+{
+    (void)state;
+    stand_set_faults(&(struct stand_faults){ .hides_descriptor = 1 });
+    bench_start(&bench, NULL, 0);
+    stand_plug(&own_poi, 1);
+    assert_true(bench_open(&bench, 0, &face));
+    assert_true(poi_descriptor_is(face.descriptor, face.descriptor_size));
+}
+
+static void test_one_that_is_announced_before_it_is_configured_is_not_overlooked(void **state)
+{
+    (void)state;
+    stand_set_faults(&(struct stand_faults){ .is_unconfigured = 1 });
+    bench_start(&bench, NULL, 0);
+    stand_plug(&own_poi, 1);
+    usleep(50000);
+    assert_int_equal(bench_row(&bench, 0).state, CONTROLLER_NONE);
+    stand_set_faults(&(struct stand_faults){ 0 }); /* Nothing is said of that on the bus. */
+    assert_true(bench_open(&bench, 0, &face));
+}
+
+static void test_without_hot_plug_the_bus_is_looked_at_now_and_then(void **state)
+{
+    (void)state;
+    stand_set_faults(&(struct stand_faults){ .no_hotplug = 1 });
+    bench_start(&bench, NULL, 0);
+    usleep(2100000); /* The bus has settled, as far as anybody can know. */
+    stand_plug(&own_poi, 1);
+    assert_true(bench_open(&bench, 0, &face));
+    assert_non_null(strstr(described(), "no hot-plug"));
+}
+
 /* ---- In the way ----------------------------------------------------------------------------- */
 
 static void test_a_poi_that_may_not_be_opened_names_the_rule_that_lets_it(void **state)
 {
     (void)state;
+    char line[HAL_TEXT_SIZE];
     stand_set_faults(&(struct stand_faults){ .open_error = LIBUSB_ERROR_ACCESS });
     bench_start(&bench, NULL, 0);
     stand_plug(&own_poi, 1);
     assert_true(bench_until(&bench, 0, CONTROLLER_DENIED));
     assert_non_null(strstr(described(), "cafe:0b01 at USB port 3-1"));
-    assert_non_null(strstr(described(), ".rules"));
+    assert_non_null(strstr(described(), "70-kingyo.rules"));
+    assert_int_equal(bench_told(&bench, line), 1); /* Once, however often it is tried. */
+    assert_string_equal(line, described());
     stand_set_faults(&(struct stand_faults){ 0 });
     assert_true(bench_open(&bench, 0, &face)); /* Found out without a replug. */
     assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
     assert_null(strstr(described(), "rules"));
+    assert_int_equal(bench_told(&bench, line), 1);
 }
 
 static void test_a_poi_that_another_program_holds_says_so(void **state)
@@ -542,6 +579,9 @@ int main(void)
         BENCH(test_other_interfaces_are_left_alone),
         BENCH(test_a_boot_mouse_is_told_to_speak_in_reports),
         BENCH(test_what_knows_no_requests_plays_all_the_same),
+        BENCH(test_one_that_hides_its_descriptor_plays_by_what_the_kernel_read),
+        BENCH(test_one_that_is_announced_before_it_is_configured_is_not_overlooked),
+        BENCH(test_without_hot_plug_the_bus_is_looked_at_now_and_then),
         BENCH(test_a_poi_that_may_not_be_opened_names_the_rule_that_lets_it),
         BENCH(test_a_poi_that_another_program_holds_says_so),
         BENCH(test_without_usb_nobody_ever_comes),

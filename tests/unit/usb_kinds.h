@@ -2,6 +2,7 @@
 #ifndef KINGYO_TESTS_USB_KINDS_H
 #define KINGYO_TESTS_USB_KINDS_H
 
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,10 +78,34 @@ struct usb_bench {
     char folder[64], sysfs[96], choices[96];
     struct usb_seats *seats;
     char why[HAL_TEXT_SIZE];
+    pthread_mutex_t lock; /* Of what follows: the thread tells. */
+    uint32_t told_count;
+    char told[HAL_TEXT_SIZE];
 };
+
+static inline void bench_tell(void *self, const char *line)
+{
+    struct usb_bench *bench = self;
+    pthread_mutex_lock(&bench->lock);
+    snprintf(bench->told, sizeof bench->told, "%s", line);
+    bench->told_count++;
+    pthread_mutex_unlock(&bench->lock);
+}
+
+/* How many lines were told, and the newest. */
+static inline uint32_t bench_told(struct usb_bench *bench, char line[HAL_TEXT_SIZE])
+{
+    pthread_mutex_lock(&bench->lock);
+    const uint32_t count = bench->told_count;
+    snprintf(line, HAL_TEXT_SIZE, "%s", bench->told);
+    pthread_mutex_unlock(&bench->lock);
+    return count;
+}
 
 static inline void bench_prepare(struct usb_bench *bench)
 {
+    pthread_mutex_init(&bench->lock, NULL);
+    bench->told_count = 0;
     snprintf(bench->folder, sizeof bench->folder, "/tmp/kingyo-usb-XXXXXX");
     if (!mkdtemp(bench->folder)) {
         abort();
@@ -99,6 +124,8 @@ static inline void bench_start(struct usb_bench *bench, const struct usb_key *li
         .listed = listed,
         .listed_count = listed_count,
         .sysfs = bench->sysfs,
+        .tell = bench_tell,
+        .tell_self = bench,
     };
     bench->seats = usb_seats_start(&config, bench->why);
 }

@@ -78,6 +78,8 @@ struct stand_faults {
     uint8_t stalls_requests;     /* SET_IDLE and SET_PROTOCOL are unknown. */
     uint8_t hold_outs;           /* Output reports are taken from the host only after this ends. */
     uint8_t lets_outs_time_out;
+    uint8_t is_unconfigured;     /* The kernel has not chosen a configuration yet. */
+    uint8_t hides_descriptor;    /* GET_DESCRIPTOR of the report descriptor is refused. */
     int init_error;
     uint8_t no_hotplug;
 };

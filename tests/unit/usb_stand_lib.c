@@ -302,6 +302,12 @@ static void describe_interface(struct configuration *it, const struct stand_inte
 int libusb_get_active_config_descriptor(libusb_device *device,
                                         struct libusb_config_descriptor **out)
 {
+    bus_lock();
+    const int is_unconfigured = bus.faults.is_unconfigured;
+    bus_unlock();
+    if (is_unconfigured) {
+        return LIBUSB_ERROR_NOT_FOUND;
+    }
     struct configuration *it = calloc(1, sizeof *it);
     it->head.bConfigurationValue = 1;
     it->head.bNumInterfaces = (uint8_t)device->kind->interface_count;
@@ -471,7 +477,8 @@ int libusb_control_transfer(libusb_device_handle *handle, uint8_t type, uint8_t 
     }
     if (!device->attached) {
         result = LIBUSB_ERROR_NO_DEVICE;
-    } else if (type == 0x81 && request == 0x06 && value == 0x2200) {
+    } else if (type == 0x81 && request == 0x06 && value == 0x2200 &&
+               !bus.faults.hides_descriptor) {
         result = read_report_descriptor(device, index, data, size);
     } else if (type == 0x21 && !bus.faults.stalls_requests) {
         device->seen.set_idles += request == 0x0a;
