@@ -11,6 +11,7 @@
 #define NOISE_MAX 0.20f        /* Of its range a field may tremble while all is still. */
 #define WAY_MIN 0.12f          /* Of its range a field must go to be an axis, ... */
 #define PRESS_MIN 0.30f        /* ... and to be what dips. */
+#define CLEAR_WAY 0.4f         /* Of its range: nobody asks for more than that. */
 #define VENDOR_WORTH 0.5f      /* A field that says nothing of itself must go twice as far. */
 #define STEP_WAY 100.0f        /* Of a mouse: counts that are a way. */
 #define MIDDLE_SHARE 0.2f      /* So near to its rest a stick comes back when it is let go. */
@@ -383,6 +384,21 @@ static int is_taken(const struct hid_map *map, const struct hid_binding *binding
     return 0;
 }
 
+/* Some pens never say that they are in range, or say it the other way round: whoever moved an axis
+ * was there. */
+static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
+{
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        const struct learn_field *field = &learn->field[i];
+        const struct hid_binding own = binding_of(learn, field, HID_ROLE_IN_RANGE);
+        if (own.report_id == binding->report_id && own.bit_offset == binding->bit_offset) {
+            return field->end[LEARN_LEFT] != binding->full ||
+                   field->end[LEARN_NEAR] != binding->full;
+        }
+    }
+    return 1;
+}
+
 /* What was not shown stays as it was offered: the menu's buttons, the turns of a second stick. */
 static void keep_offered(struct hid_learn *learn)
 {
@@ -390,7 +406,8 @@ static void keep_offered(struct hid_learn *learn)
         const struct hid_binding *binding = &learn->offered.binding[i];
         const int was_shown = binding->role == HID_ROLE_X || binding->role == HID_ROLE_Y ||
                               binding->role == HID_ROLE_Z || binding->role == HID_ROLE_DIP;
-        if (!was_shown && !is_taken(&learn->map, binding)) {
+        const int is_false = binding->role == HID_ROLE_IN_RANGE && never_said(learn, binding);
+        if (!was_shown && !is_false && !is_taken(&learn->map, binding)) {
             hid_offer_bits(&learn->map, *binding);
         }
     }
@@ -453,7 +470,7 @@ static float way_share(const struct hid_learn *learn)
         const int counts = step == LEARN_DIP || group_of(learn, field)->bit_size >= 4;
         best = counts ? f_max(best, share_of(learn, field, way_in(field, step))) : best;
     }
-    return f_min(1.0f, best / (2.0f * PRESS_MIN));
+    return f_min(1.0f, best / CLEAR_WAY);
 }
 
 uint8_t hid_learn_progress(const struct hid_learn *learn)

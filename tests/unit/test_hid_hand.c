@@ -471,7 +471,7 @@ static void test_any_bytes_leave_a_finite_hand(void **state)
             hid_hand_report(&hand, &raw);
             if (hid_hand_sample(&hand, now_ms * MS, &sample)) {
                 assert_true(v3_is_finite(sample.target.position_m));
-                assert_true(v3_length(sample.target.position_m) < 5.0f); /* As far as a view goes. */
+                assert_true(v3_length(sample.target.position_m) < 5.0f); /* A view's end. */
                 assert_true(f_is_finite(sample.target.angles.pitch_rad));
                 assert_true(f_abs(sample.target.angles.roll_rad) < 4.0f);
             }

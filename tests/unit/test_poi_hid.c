@@ -163,7 +163,7 @@ static void test_who_cannot_play_is_listened_to_by_the_desk(void **state)
 
 /* ---- The wire breaks ------------------------------------------------------------------------ */
 
-static void test_what_came_before_the_plug_was_pulled_is_played_at_each_of_1000_reports(void **state)
+static void test_pulled_out_at_each_of_1000_reports_what_came_before_is_played(void **state)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     (void)state;
@@ -324,7 +324,7 @@ int main(void)
         cmocka_unit_test(test_a_pad_feels_nothing_and_a_keyboard_is_no_poi),
         cmocka_unit_test(test_who_cannot_play_is_listened_to_by_the_desk),
         cmocka_unit_test(
-            test_what_came_before_the_plug_was_pulled_is_played_at_each_of_1000_reports),
+            test_pulled_out_at_each_of_1000_reports_what_came_before_is_played),
         cmocka_unit_test(test_each_fault_of_a_wire_is_survived),
         cmocka_unit_test(test_doubles_are_one_and_lost_ones_are_counted),
         cmocka_unit_test(test_a_frame_that_took_too_long_loses_the_newest_and_says_so),

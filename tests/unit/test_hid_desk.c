@@ -1,0 +1,291 @@
+/* test_hid_desk.c -- the operator's desk: choosing, learning, keeping, over seats of memory. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "drivers/hid_desk.h"
+#include "drivers/hid_roster_sim.h"
+#include "hid_wire.h"
+#include "pointer.h"
+
+static struct clock_sim clock_now;
+static struct hid_wire wire[2]; /* A DualSense, and a pen tablet. */
+static struct hid_port_sim port[2];
+static struct hid_roster_sim roster;
+static struct hid_book book;
+static struct poi_hid seat[2];
+static struct hid_desk desk;
+
+static int set_up(void **state)
+{
+    struct hid_port_sim *ports[POI_MAX] = { &port[0], &port[1] };
+    struct poi_hid *seats[POI_MAX] = { &seat[0], &seat[1] };
+    (void)state;
+    clock_now.now_ns = 1000000000ull;
+    wire_load(&wire[0], &clock_now, "016-ci-dualsense");
+    wire[0].face.identity = (struct hid_identity){ .vendor = 0x054c, .product = 0x0ce6,
+                                                   .name = "Wireless Controller", .port = "3-1" };
+    wire_load(&wire[1], &clock_now, "137-dg-huion-h610-if0");
+    wire[1].face.identity = (struct hid_identity){ .vendor = 0x256c, .product = 0x006e,
+                                                   .port = "3-2" };
+    hid_book_open(&book, NULL, NULL, NULL);
+    for (uint32_t i = 0; i < 2; i++) {
+        hid_port_sim_init(&port[i], clock_sim_device(&clock_now), &wire[0].face);
+        port[i].absent = 1;
+        poi_hid_init(&seat[i], hid_port_sim_port(&port[i]), clock_sim_device(&clock_now),
+                     hid_book_mapper(&book), stall_view());
+    }
+    hid_roster_sim_init(&roster, ports);
+    hid_roster_sim_plug(&roster, 0, &wire[0].face);
+    hid_roster_sim_plug(&roster, 3, &wire[1].face);
+    hid_desk_init(&desk, hid_roster_sim_device(&roster), &book, seats);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    hid_book_close(&book);
+    return 0;
+}
+
+/* A frame: seats are looked at, then the desk. */
+static struct desk_input frame(void)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    struct desk_input out;
+    const struct hal_controllers device = hid_desk_device(&desk);
+    clock_now.now_ns += 16666667ull;
+    for (uint32_t i = 0; i < 2; i++) {
+        const struct hal_poi poi = poi_hid_device(&seat[i]);
+        if (!seat[i].is_open) {
+            poi.ops->open(poi.self);
+        }
+        poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
+    }
+    assert_int_equal(device.ops->poll(device.self, &out), HAL_OK);
+    return out;
+}
+
+static int order(enum desk_order_kind kind, uint8_t row)
+{
+    static uint32_t id;
+    const struct desk_order wanted = { .id = ++id, .kind = (uint8_t)kind, .row = row };
+    const struct hal_controllers device = hid_desk_device(&desk);
+    return device.ops->order(device.self, &wanted);
+}
+
+static const char *name(uint32_t row)
+{
+    const struct hal_controllers device = hid_desk_device(&desk);
+    return device.ops->name(device.self, row);
+}
+
+/* Whoever holds the pad pushes its right stick instead of its left one, and squeezes L1. */
+static void push(uint32_t at, int64_t across, int64_t along, int64_t squeezed)
+{
+    struct hid_wire *pad = &wire[0];
+    wire_put(pad, 1, USAGE_X, 128);
+    wire_put(pad, 1, USAGE_Y, 128);
+    wire_put(pad, 1, USAGE_HAT, 8);
+    wire_put(pad, 1, USAGE_Z, across);
+    wire_put(pad, 1, USAGE_RZ, along);
+    wire_put(pad, 1, USAGE_BUTTON + 5u, squeezed);
+    uint8_t bytes[64] = { 1 };
+    memcpy(bytes + 1, pad->payload[1], 63);
+    hid_port_sim_say(&port[at], bytes, sizeof bytes);
+}
+
+static struct desk_input step(int64_t across, int64_t along, int64_t squeezed)
+{
+    struct desk_input out = { 0 };
+    for (uint32_t i = 0; i < 80; i++) {
+        push(0, i > 10 ? across : 128, i > 10 ? along : 128, i > 10 ? squeezed : 0);
+        out = frame();
+    }
+    push(0, 128, 128, 0);
+    frame();
+    return out;
+}
+
+static void teach(void)
+{
+    assert_int_equal(order(DESK_LEARN, 0), HAL_OK);
+    assert_int_equal(frame().learn_step, LEARN_REST);
+    frame();
+    assert_int_equal(step(128, 128, 0).learn_progress, 255);
+    order(DESK_LEARN_NEXT, 0);
+    assert_true(step(0, 128, 0).learn_progress > 200);
+    order(DESK_LEARN_NEXT, 0);
+    step(255, 128, 0);
+    order(DESK_LEARN_NEXT, 0);
+    step(128, 0, 0);
+    order(DESK_LEARN_NEXT, 0);
+    step(128, 255, 0);
+    order(DESK_LEARN_NEXT, 0);
+    assert_int_equal(step(128, 128, 1).learn_step, LEARN_DIP);
+    order(DESK_LEARN_NEXT, 0);
+}
+
+static void test_rows_are_what_is_plugged_in(void **state)
+{
+    (void)state;
+    const struct desk_input out = frame();
+    assert_int_equal(out.state[0], CONTROLLER_FREE);
+    assert_int_equal(out.state[1], CONTROLLER_NONE);
+    assert_int_equal(out.state[3], CONTROLLER_FREE);
+    assert_string_equal(name(0), "054c:0ce6 Wireless Controller, 3-1");
+    assert_string_equal(name(1), "");
+    assert_string_equal(name(CONTROLLER_MAX), "");
+}
+
+static void test_a_long_name_is_cut_between_its_letters(void **state)
+{
+    (void)state;
+    snprintf(wire[0].face.identity.name, HID_TEXT_SIZE, "%s",
+             "\xe9\x87\x91\xe9\xad\x9a\xe6\x8e\xac\xe3\x81\x84\xe3\x81\xae\xe5\x8f\xb0"
+             "\xe3\x81\xae\xe6\x9f\x84\xe3\x81\xa7\xe3\x81\x99"); /* Ten of three bytes. */
+    frame();
+    assert_int_equal(strlen(name(0)), 10 + 24 + 2 + 3);
+    assert_true(strlen(name(0)) < HAL_CONTROLLER_TEXT);
+}
+
+static void test_who_is_chosen_plays_and_who_is_released_does_not(void **state)
+{
+    (void)state;
+    frame();
+    assert_int_equal(order(DESK_CHOOSE, 0), HAL_OK);
+    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
+    frame();
+    assert_true(seat[0].plays);
+    assert_int_equal(order(DESK_RELEASE, 0), HAL_OK);
+    assert_int_equal(frame().state[0], CONTROLLER_FREE);
+    assert_false(seat[0].is_open);
+    assert_int_equal(order(DESK_CHOOSE, 1), HAL_ERR_NONE); /* An empty row. */
+    assert_int_equal(order(DESK_CHOOSE, CONTROLLER_MAX), HAL_ERR_NONE);
+}
+
+static void test_a_pad_is_learned_tried_and_kept(void **state)
+{
+    (void)state;
+    frame();
+    teach();
+    const struct desk_input tried = frame();
+    assert_int_equal(tried.learn_step, LEARN_TRY);
+    assert_int_equal(tried.learn_row, 0);
+    assert_true(seat[0].plays);
+    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED);
+    assert_int_equal(seat[0].hand.map.binding[0].bit_offset, 16); /* The right stick. */
+    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_OK);
+    assert_int_equal(frame().learn_step, LEARN_NONE);
+    assert_non_null(hid_book_find(&book, &wire[0].face.identity));
+    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED); /* It plays on. */
+}
+
+static void test_what_is_not_kept_is_forgotten(void **state)
+{
+    (void)state;
+    frame();
+    teach();
+    frame();
+    order(DESK_LEARN_END, 0);
+    assert_int_equal(frame().learn_step, LEARN_NONE);
+    assert_null(hid_book_find(&book, &wire[0].face.identity));
+    assert_int_equal(seat[0].hand.map.source, HID_MAP_KNOWN);
+}
+
+static void test_a_released_controller_is_forgotten(void **state)
+{
+    (void)state;
+    frame();
+    teach();
+    order(DESK_LEARN_KEEP, 0);
+    frame();
+    order(DESK_RELEASE, 0);
+    frame();
+    assert_null(hid_book_find(&book, &wire[0].face.identity));
+}
+
+static void test_one_that_is_pulled_out_while_it_is_learned_fails(void **state)
+{
+    (void)state;
+    frame();
+    order(DESK_LEARN, 0);
+    frame();
+    frame();
+    step(128, 128, 0);
+    order(DESK_LEARN_NEXT, 0);
+    hid_roster_sim_plug(&roster, 0, NULL);
+    frame();
+    assert_int_equal(frame().learn_step, LEARN_FAILED);
+    order(DESK_LEARN_NEXT, 0); /* Nobody is there to go on with. */
+    assert_int_equal(frame().learn_step, LEARN_FAILED);
+    hid_roster_sim_plug(&roster, 0, &wire[0].face);
+    frame();
+    teach(); /* Begun again it goes well. */
+    assert_int_equal(frame().learn_step, LEARN_TRY);
+}
+
+static void test_one_that_may_not_be_opened_cannot_be_learned(void **state)
+{
+    (void)state;
+    roster.denied[3] = 1;
+    frame();
+    order(DESK_LEARN, 3);
+    assert_int_equal(frame().learn_step, LEARN_FAILED);
+    order(DESK_LEARN_END, 3);
+    roster.barred[0] = 1;
+    assert_int_equal(order(DESK_LEARN, 0), HAL_ERR_NONE);
+    assert_int_equal(frame().learn_step, LEARN_FAILED);
+}
+
+static void test_who_cannot_be_shown_is_told_so(void **state)
+{
+    (void)state;
+    frame();
+    order(DESK_LEARN, 0);
+    for (uint32_t i = LEARN_REST; i <= LEARN_DIP; i++) {
+        frame();
+        step(128, 128, 0); /* Nobody moves it. */
+        order(DESK_LEARN_NEXT, 0);
+    }
+    assert_int_equal(frame().learn_step, LEARN_FAILED);
+    assert_true(seat[0].plays); /* By what it played by before. */
+    assert_int_equal(seat[0].hand.map.source, HID_MAP_KNOWN);
+    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_ERR_IO);
+}
+
+static void test_orders_that_do_not_fit_harm_nothing(void **state)
+{
+    (void)state;
+    frame();
+    order(DESK_LEARN_NEXT, 0);
+    order(DESK_LEARN_END, 0);
+    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_ERR_IO);
+    order(DESK_NOTHING, 0);
+    order((enum desk_order_kind)250, 0);
+    order(DESK_RELEASE, 5);
+    assert_int_equal(frame().learn_step, LEARN_NONE);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_rows_are_what_is_plugged_in),
+        TEST(test_a_long_name_is_cut_between_its_letters),
+        TEST(test_who_is_chosen_plays_and_who_is_released_does_not),
+        TEST(test_a_pad_is_learned_tried_and_kept),
+        TEST(test_what_is_not_kept_is_forgotten),
+        TEST(test_a_released_controller_is_forgotten),
+        TEST(test_one_that_is_pulled_out_while_it_is_learned_fails),
+        TEST(test_one_that_may_not_be_opened_cannot_be_learned),
+        TEST(test_who_cannot_be_shown_is_told_so),
+        TEST(test_orders_that_do_not_fit_harm_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
