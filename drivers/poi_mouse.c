@@ -61,9 +61,11 @@ static int poi_mouse_open(void *self)
     return HAL_OK;
 }
 
+/* Bare of a window system a touch screen names no window: it is the one that is drawn in. */
 static void learn_window(struct pointer_report *report, uint32_t window_id)
 {
-    SDL_Window *window = SDL_GetWindowFromID(window_id);
+    SDL_Window *named = SDL_GetWindowFromID(window_id);
+    SDL_Window *window = named ? named : SDL_GL_GetCurrentWindow();
     int width = 0;
     int height = 0;
     if (window) {

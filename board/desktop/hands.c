@@ -56,9 +56,12 @@ static void bar_pads(void)
     pads_bar(&devices.pads, bar, usb_bars(bar, PADS_BAR_MAX));
 }
 
+/* The operator chooses controllers while the stall is open: that is looked at once a frame. */
 static int pad_is_there(void *self)
 {
-    bar_pads(); /* The operator chooses controllers while the stall is open. */
+    if (self == &devices.pads.pad[0]) {
+        bar_pads();
+    }
     return pads_is_there(self);
 }
 
@@ -95,6 +98,7 @@ static const char *missing_poi(uint8_t poi)
 void hands_open(struct hal *hal, const struct board_options *options)
 {
     const uint32_t heeds = pointers(options);
+    devices.has_pointer = 0;
     if (!heeds) {
         ignore_pointers();
     }
