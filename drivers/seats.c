@@ -151,6 +151,37 @@ static uint32_t move_seats(struct seats *seats, const uint8_t kind[SEAT_SOURCE_M
     return moved;
 }
 
+static uint32_t who_sits(const struct seats *seats)
+{
+    uint32_t sitting = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint8_t source = seats->seat[i].source;
+        sitting |= source == SEAT_EMPTY ? 0u : 1u << source;
+    }
+    return sitting;
+}
+
+/* In a game: whose controller is away may take up another of its kind that nobody plays with. It
+ * may be his own, plugged in elsewhere. */
+static uint32_t take_up_others(struct seats *seats, const uint8_t kind[SEAT_SOURCE_MAX],
+                               uint32_t there)
+{
+    uint32_t moved = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint8_t away = seats->seat[i].source;
+        const uint32_t standing = there & ~who_sits(seats);
+        if (away == SEAT_EMPTY || (there & (1u << away))) {
+            continue;
+        }
+        const uint8_t other = first_of(kind, seats->source_count, standing, kind[away]);
+        if (other != SEAT_EMPTY) {
+            seats->seat[i].source = other;
+            moved |= 1u << i;
+        }
+    }
+    return moved;
+}
+
 static void listen(struct seats *seats, uint32_t index)
 {
     const struct hal_poi *poi = &seats->source[index].poi;
@@ -165,11 +196,7 @@ static void listen(struct seats *seats, uint32_t index)
 
 static void listen_to_idle(struct seats *seats, uint32_t there)
 {
-    uint32_t sitting = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const uint8_t source = seats->seat[i].source;
-        sitting |= source == SEAT_EMPTY ? 0u : 1u << source;
-    }
+    const uint32_t sitting = who_sits(seats);
     seats->idle &= there & ~sitting;
     for (uint32_t i = 0; i < seats->source_count; i++) {
         if (there & ~sitting & (1u << i)) {
@@ -184,9 +211,7 @@ static uint32_t seats_arrange(void *self, int may_move)
     uint8_t kind[SEAT_SOURCE_MAX];
     const uint32_t there = who_is_there(seats, kind);
     uint32_t changed = who_came_back(seats, there);
-    if (may_move) {
-        changed |= move_seats(seats, kind, there);
-    }
+    changed |= may_move ? move_seats(seats, kind, there) : take_up_others(seats, kind, there);
     listen_to_idle(seats, there);
     seats->there = there;
     return changed;

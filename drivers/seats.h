@@ -2,7 +2,8 @@
  *
  * Sources come and go while the kiosk runs: a USB poi is plugged in, a pad's battery ends. Each
  * seat's device of struct hal stays the same and passes on to whatever source sits there. The best
- * kind gets the first seat; who sits keeps his place among his kind. Whoever is there and has no
+ * kind gets the first seat; who sits keeps his place among his kind. In a game a seat changes only
+ * if its controller is away and another of its kind stands by. Whoever is there and has no
  * seat is listened to all the same, lest his words pile up: his buttons count, and the operator's
  * desk may learn him. */
 #ifndef KINGYO_DRIVERS_SEATS_H

@@ -110,9 +110,9 @@ struct hal_buttons_ops {
 
 /* Who sits where, in a kiosk that has more controllers than seats, or better ones from now on. */
 struct hal_seats_ops {
-    /* Once a frame, before the pois are asked. Only when `may_move` may a seat go to another
-     * controller: between two games. Returns the seats that did, or whose own controller came back,
-     * a bit (1 << seat) each: their poi and fan are to be opened again. */
+    /* Once a frame, before the pois are asked. Only when `may_move`, between two games, may a seat
+     * go to another controller while its own is there. Returns the seats that did, or whose own
+     * came back, a bit (1 << seat) each: their poi and fan are to be opened again. */
     uint32_t (*arrange)(void *self, int may_move);
 };
 

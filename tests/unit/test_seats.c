@@ -226,6 +226,29 @@ static void test_a_lost_one_keeps_its_seat_while_the_game_lasts(void **state)
     assert_true(mouse.polled > 0);
 }
 
+/* His own without a serial number, plugged in elsewhere, or the one that lies ready: but never the
+ * mouse, and never somebody else's. */
+static void test_who_lost_his_in_a_game_takes_up_another_of_its_kind(void **state)
+{
+    (void)state;
+    static struct source second, third;
+    second = third = (struct source){ 0 };
+    add(&second, SEAT_USB);
+    add(&third, SEAT_USB);
+    usb.there = second.there = 1;
+    arrange(1);
+    usb.there = 0;
+    assert_int_equal(arrange(0), 0u); /* The second has a seat, the mouse is no poi. */
+    third.there = 1;
+    assert_int_equal(arrange(0), 1u);
+    const struct hal_poi poi = seats_poi(&seats, 0);
+    struct poi_sample sample;
+    poi.ops->poll(poi.self, &sample, 1);
+    assert_int_equal(third.polled, 1);
+    usb.there = 1;
+    assert_int_equal(arrange(0), 0u);
+}
+
 /* Else SDL's queue would fill with what a mouse says that nobody plays with. */
 static void test_who_has_no_seat_is_listened_to(void **state)
 {
@@ -289,6 +312,7 @@ int main(void)
         cmocka_unit_test_setup(test_a_seat_passes_on_to_whoever_sits_there, begin),
         cmocka_unit_test_setup(test_a_better_one_gets_the_seat_between_games_only, begin),
         cmocka_unit_test_setup(test_a_lost_one_keeps_its_seat_while_the_game_lasts, begin),
+        cmocka_unit_test_setup(test_who_lost_his_in_a_game_takes_up_another_of_its_kind, begin),
         cmocka_unit_test_setup(test_who_has_no_seat_is_listened_to, begin),
         cmocka_unit_test_setup(test_who_sits_down_is_told_the_view, begin),
         cmocka_unit_test_setup(test_a_hand_that_stands_up_feels_nothing_more, begin),
