@@ -21,6 +21,7 @@ static void judge(struct coin_mech *mech)
             mech->too_short++;
         } else {
             mech->coins++;
+            mech->width_ns = width_ns;
         }
     }
     mech->state = COIN_IDLE;

@@ -25,6 +25,7 @@ struct coin_mech {
     uint8_t state;                       /* enum coin_state */
     bool spoilt;                         /* This pulse is none: nobody saw it begin whole. */
     bool sticks;                         /* It is too long, which was told. */
+    uint64_t width_ns;                   /* Of the last coin. */
     uint32_t coins, too_short, stuck;    /* Since the start. */
     uint32_t cut;                        /* Pulses that nobody saw to their end. */
 };

@@ -86,7 +86,7 @@ static void show_coins(const struct lines_show *show, FILE *out)
     if (now->coins != before->coins) {
         begin_row(show, out, gpio_role_name(GPIO_COIN));
         fprintf(out, "coin %u, its pulse %.1f ms\n", now->coins,
-                (double)(coin->end_ns - coin->begin_ns) * 1e-6);
+                (double)coin->width_ns * 1e-6);
     }
     show_count(show, out, "too short for a coin", before->too_short, now->too_short);
     show_count(show, out, "a coin sticks", before->stuck, now->stuck);

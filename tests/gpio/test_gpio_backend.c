@@ -63,7 +63,7 @@ static void test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired(voi
 {
     (void)state;
     const struct gpio_lines lines = fresh();
-    wire("start=BTN_START");
+    wire("start=BTN_START,debounce=9ms");
     wire("coin=panel:2,high,float,debounce=7ms");
     wire("start-lamp=LAMP,low");
     assert_int_equal(ask(&lines), 1 << GPIO_START | 1 << GPIO_COIN | 1 << GPIO_START_LAMP);
@@ -74,9 +74,11 @@ static void test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired(voi
     assert_int_equal(start->bias, GPIO_BIAS_UP);
     assert_int_equal(coin->bias, GPIO_BIAS_OFF);
     assert_true(lamp->is_output && lamp->value == 0);
-    assert_int_equal(coin->debounce_us, is_second(&lines) ? 7000 : 0);
+    assert_int_equal(start->debounce_us, is_second(&lines) ? 9000 : 0);
+    assert_int_equal(coin->debounce_us, 0); /* Its edges are wanted as they come. */
     assert_int_equal(coin->queue_size, is_second(&lines) ? GPIO_EDGES_MAX : 0);
-    assert_int_equal(lines.ops->debounces(lines.self, GPIO_COIN), is_second(&lines));
+    assert_int_equal(lines.ops->debounces(lines.self, GPIO_START), is_second(&lines));
+    assert_int_equal(lines.ops->debounces(lines.self, GPIO_COIN), 0);
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
         assert_string_equal(why[i], "");
     }

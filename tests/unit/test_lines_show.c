@@ -68,6 +68,31 @@ static void test_jams_and_chips_that_go_are_told_when_they_do(void **state)
     free(text);
 }
 
+static void test_a_coin_s_width_is_its_own_where_the_next_one_has_begun(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = {
+        LEVEL(100, GPIO_COIN, 1), LEVEL(148, GPIO_COIN, 0),
+        LEVEL(180, GPIO_COIN, 1), LEVEL(205, GPIO_COIN, 0),
+    };
+    struct gpio_sim_events script = { .events = events, .count = 4 };
+    struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
+    char why[HAL_TEXT_SIZE], *text = NULL;
+    size_t size = 0;
+    assert_true(gpio_wire_read("coin=C", wires, why));
+    gpio_lines_sim_init(&sim, gpio_sim_events_script(&script), 1);
+    gpio_reader_open(&gpio.reader, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
+    struct lines_show show = lines_show_begin(&gpio.reader);
+    gpio_lines_sim_pass(&sim, 190 * MS);
+    gpio_reader_step(&gpio.reader);
+    FILE *out = open_memstream(&text, &size);
+    lines_show_rows(&show, out);
+    fclose(out);
+    assert_string_equal(text, "0.190\tcoin\tcoin 1, its pulse 48.0 ms\n");
+    gpio_reader_close(&gpio.reader);
+    free(text);
+}
+
 static void test_every_line_has_a_row_that_says_who_holds_it(void **state)
 {
     (void)state;
@@ -89,6 +114,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_presses_and_coins_have_a_row_each_when_they_count),
         cmocka_unit_test(test_jams_and_chips_that_go_are_told_when_they_do),
+        cmocka_unit_test(test_a_coin_s_width_is_its_own_where_the_next_one_has_begun),
         cmocka_unit_test(test_every_line_has_a_row_that_says_who_holds_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
