@@ -5,7 +5,7 @@ folder=$1
 good=tests/hid/good
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }
 byte() { printf "\\x$(printf %02x "$1")"; }
-[ -e "$folder/made" ] && exit 0
+[ "$folder/made" -nt "$0" ] && exit 0
 mkdir -p "$folder"/{descriptor,report,rows,hand,map_text,learn,book,wires}
 word() { byte $(($1 % 256)); byte $(($1 / 256)); }
 for file in $good/descriptors/*.hid tests/hid/malformed/*.hid; do
