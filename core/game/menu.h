@@ -2,7 +2,8 @@
  *
  * TEST opens it. Then SERVICE, LEFT and RIGHT point, and TEST, START and OK take what is pointed
  * at: the two buttons inside the cabinet suffice. So does a hand over the water, which points where
- * it is and takes by a dip: that of any seat, and the one that moved last. The last tag of each page leads back.
+ * it is and takes by a dip: that of any seat, and the one that moved last. The last tag of each
+ * page leads back.
  *
  * While it is open nothing is played and no coin is money. TEST in a round only asks: it lies where
  * a cleaner's elbow reaches it, and somebody stands there who has paid. Pressed again it ends the

@@ -1,0 +1,332 @@
+/* test_menu_desk.c -- an operator with two buttons, a desk, and a controller that he teaches to be
+ * a poi: from presses and raw reports to what is shown and who leads the ring. Every part between
+ * the wire and the picture is the kiosk's own. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/game/menu_pages.h"
+#include "core/tank/preset.h"
+#include "drivers/display_sim.h"
+#include "drivers/hid_desk.h"
+#include "drivers/hid_roster_sim.h"
+#include "drivers/null.h"
+#include "hid_wire.h"
+#include "platform/kiosk/kiosk.h"
+
+#define FRAME_NS 16666667ull
+#define ROW 2u
+#define MIDDLE 0.5f
+
+static struct rig {
+    struct clock_sim clock;
+    struct display_sim display;
+    struct hid_wire wire;
+    struct hid_roster_sim roster;
+    struct hid_book book;
+    struct poi_hid poi;
+    struct hid_desk desk;
+    struct hal hal;
+    struct kiosk kiosk;
+    struct button_sample buttons; /* Of the next frame. */
+    float x, z;                   /* The stick, [0, 1] each. */
+    uint8_t trigger;
+    uint32_t lockout, coin_pulses, ticket_pulses, lamp; /* What the cabinet was told. */
+} rig;
+
+/* ---- A cabinet ------------------------------------------------------------------------------ */
+
+static int poll_buttons(void *self, struct button_sample *out)
+{
+    (void)self;
+    *out = rig.buttons;
+    rig.buttons = (struct button_sample){ 0 };
+    return HAL_OK;
+}
+
+static const char *describe_buttons(void *self)
+{
+    (void)self;
+    return "two buttons and a slot";
+}
+
+static int set_switch(void *self, enum hal_switch which, int active)
+{
+    (void)self;
+    *(which == HAL_START_LAMP ? &rig.lamp : &rig.lockout) = (uint32_t)active;
+    return HAL_OK;
+}
+
+static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
+{
+    (void)self;
+    *(which == HAL_TICKET ? &rig.ticket_pulses : &rig.coin_pulses) += count;
+    return HAL_OK;
+}
+
+static void say_stick(void)
+{
+    wire_put(&rig.wire, -1, USAGE_X, wire_share(&rig.wire, -1, USAGE_X, rig.x));
+    wire_put(&rig.wire, -1, USAGE_Y, wire_share(&rig.wire, -1, USAGE_Y, rig.z));
+    wire_send(&rig.wire, wire_put(&rig.wire, -1, USAGE_BUTTON + 1u, rig.trigger));
+}
+
+static void frames(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        rig.clock.now_ns += FRAME_NS;
+        say_stick();
+        assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
+    }
+}
+
+static void push(uint32_t button)
+{
+    rig.buttons.pressed = button;
+    frames(10);
+}
+
+static const struct scene_menu *shown(void)
+{
+    return &rig.display.scene.menu;
+}
+
+static void point_at(uint32_t tag)
+{
+    for (uint32_t i = 0; i < MENU_TAG_MAX && shown()->tag != tag; i++) {
+        push(INPUT_SERVICE);
+    }
+    assert_int_equal(shown()->tag, tag);
+}
+
+static int set_up(void **state)
+{
+    static const struct hal_buttons_ops buttons = { poll_buttons, describe_buttons };
+    static const struct hal_switches_ops switches = { set_switch, pulse_switch, describe_buttons };
+    static const struct kiosk_config config = {
+        .core = { .seed = 5, .fish_count = 8, .round_s = 10, .credit_coins = 2 }
+    };
+    struct hid_port_sim *const seats[POI_MAX] = { &rig.wire.port };
+    struct poi_hid *const pois[POI_MAX] = { &rig.poi };
+    (void)state;
+    memset(&rig, 0, sizeof rig);
+    rig.x = rig.z = MIDDLE;
+    rig.clock.now_ns = FRAME_NS;
+    wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
+    snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
+    rig.wire.port.absent = 1; /* It lies there, and sits nowhere yet. */
+    hid_roster_sim_init(&rig.roster, seats);
+    hid_roster_sim_plug(&rig.roster, ROW, &rig.wire.face);
+    hid_book_open(&rig.book, NULL, NULL, NULL);
+    rig.hal = null_hal();
+    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.display = display_sim_device(&rig.display);
+    rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
+    rig.hal.switches = (struct hal_switches){ .ops = &switches };
+    poi_hid_init(&rig.poi, hid_port_sim_port(&rig.wire.port), rig.hal.clock,
+                 hid_book_mapper(&rig.book), &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    hid_desk_init(&rig.desk, hid_roster_sim_device(&rig.roster), &rig.book, pois);
+    rig.hal.controllers = hid_desk_device(&rig.desk);
+    rig.hal.poi[0] = poi_hid_device(&rig.poi);
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
+    frames(2);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    hid_book_close(&rig.book);
+    return 0;
+}
+
+static void open_the_row(void)
+{
+    push(INPUT_TEST);
+    assert_int_equal(rig.display.scene.phase, PHASE_MENU);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLERS);
+    point_at(ROW);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLER);
+}
+
+/* ---- Names ---------------------------------------------------------------------------------- */
+
+static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state)
+{
+    (void)state;
+    assert_string_equal(rig.display.scene.devices.buttons, "");
+    open_the_row();
+    assert_non_null(strstr(rig.display.scene.devices.controller[ROW], "Flight Stick"));
+    assert_string_equal(rig.display.scene.devices.controller[0], "");
+    assert_string_equal(rig.display.scene.devices.buttons, "two buttons and a slot");
+    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_FREE);
+}
+
+/* ---- Choosing ------------------------------------------------------------------------------- */
+
+static void test_what_is_chosen_plays_and_what_is_released_does_not(void **state)
+{
+    (void)state;
+    open_the_row();
+    point_at(ROW_CHOOSE);
+    push(INPUT_TEST);
+    assert_int_equal(rig.roster.choose_count, 1);
+    frames(90); /* A seat is looked for once a second. */
+    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_PLAYS);
+    assert_int_equal(rig.kiosk.hands[0].link, POI_LINK_LIVE);
+    point_at(ROW_RELEASE);
+    push(INPUT_TEST);
+    assert_int_equal(rig.roster.release_count, 1);
+    frames(90);
+    assert_int_equal(rig.roster.choose_count, 1);
+    assert_int_equal(rig.roster.release_count, 1); /* Each order was told once. */
+}
+
+/* ---- Learning ------------------------------------------------------------------------------- */
+
+static void show_step(uint8_t step, float x, float z, uint8_t trigger)
+{
+    assert_int_equal(shown()->desk.learn_step, step);
+    rig.x = x;
+    rig.z = z;
+    rig.trigger = trigger;
+    frames(60);
+    point_at(LEARNS_NEXT);
+    push(INPUT_TEST);
+}
+
+/* The stick's way is turned round, as on a cabinet that it was built into backwards. */
+static void learn_backwards(void)
+{
+    open_the_row();
+    point_at(ROW_LEARN);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_LEARN);
+    frames(90);
+    show_step(LEARN_REST, MIDDLE, MIDDLE, 0);
+    show_step(LEARN_LEFT, 1.0f, MIDDLE, 0);
+    show_step(LEARN_RIGHT, 0.0f, MIDDLE, 0);
+    show_step(LEARN_FAR, MIDDLE, 1.0f, 0);
+    show_step(LEARN_NEAR, MIDDLE, 0.0f, 0);
+    show_step(LEARN_DIP, MIDDLE, MIDDLE, 1);
+    rig.trigger = 0;
+    frames(30);
+    assert_int_equal(shown()->desk.learn_step, LEARN_TRY);
+}
+
+/* Whither the ring goes when the stick goes right. */
+static float way_right_m(void)
+{
+    rig.x = rig.z = MIDDLE;
+    frames(60);
+    const float before_m = rig.kiosk.input.poi[0].target.position_m.x;
+    rig.x = 1.0f;
+    frames(60);
+    const float after_m = rig.kiosk.input.poi[0].target.position_m.x;
+    rig.x = MIDDLE;
+    return after_m - before_m;
+}
+
+static void test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught(void **state)
+{
+    (void)state;
+    learn_backwards();
+    assert_true(way_right_m() < -0.02f); /* Already while it is tried. */
+    point_at(LEARNS_KEEP);
+    push(INPUT_TEST);
+    frames(5);
+    assert_int_equal(shown()->page, MENU_CONTROLLERS);
+    assert_int_equal(shown()->desk.learn_step, LEARN_NONE);
+    assert_non_null(hid_book_find(&rig.book, &rig.wire.face.identity));
+    assert_true(way_right_m() < -0.02f);
+}
+
+static void test_what_was_not_kept_is_forgotten(void **state)
+{
+    (void)state;
+    learn_backwards();
+    point_at(LEARNS_END);
+    push(INPUT_TEST);
+    frames(5);
+    assert_int_equal(shown()->page, MENU_CONTROLLER);
+    assert_null(hid_book_find(&rig.book, &rig.wire.face.identity));
+    assert_true(way_right_m() > 0.02f);
+}
+
+static void test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_goes_on(void **state)
+{
+    (void)state;
+    open_the_row();
+    point_at(ROW_LEARN);
+    push(INPUT_TEST);
+    frames(90);
+    show_step(LEARN_REST, MIDDLE, MIDDLE, 0);
+    hid_roster_sim_plug(&rig.roster, ROW, NULL);
+    frames(10);
+    assert_int_equal(shown()->desk.learn_step, LEARN_FAILED);
+    point_at(LEARNS_END);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLER);
+    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_LOST);
+    point_at(ROW_BACK);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLERS);
+}
+
+/* ---- Money ---------------------------------------------------------------------------------- */
+
+static void drop(uint32_t coins)
+{
+    rig.buttons.coin_count = coins;
+    frames(2);
+}
+
+static void test_the_slot_opens_when_somebody_could_play_and_the_meter_counts_money_alone(
+    void **state)
+{
+    (void)state;
+    assert_int_equal(rig.lockout, 1); /* There is no poi: what would a coin buy? */
+    open_the_row();
+    assert_int_equal(rig.lockout, 0); /* The operator tries the mechanism. */
+    drop(7);
+    assert_int_equal(shown()->test_coins, 7);
+    assert_int_equal(rig.coin_pulses, 0);
+    point_at(ROW_CHOOSE);
+    push(INPUT_TEST);
+    frames(90);
+    for (uint32_t i = 0; i < 3; i++) {
+        point_at(menu_sheet_of(shown()->page)->tag_count - 1u);
+        push(INPUT_TEST);
+    }
+    assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
+    assert_int_equal(rig.lockout, 0);
+    drop(3);
+    assert_int_equal(rig.coin_pulses, 3);
+    assert_int_equal(rig.display.scene.credit.credits, 1);
+    assert_int_equal(rig.display.scene.credit.coins, 1);
+    frames(30);
+    assert_int_equal(rig.coin_pulses, 3);
+}
+
+#define IN_CABINET(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        IN_CABINET(test_controllers_and_lines_have_names_in_the_menu_alone),
+        IN_CABINET(test_what_is_chosen_plays_and_what_is_released_does_not),
+        IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),
+        IN_CABINET(test_what_was_not_kept_is_forgotten),
+        IN_CABINET(test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_goes_on),
+        IN_CABINET(
+            test_the_slot_opens_when_somebody_could_play_and_the_meter_counts_money_alone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
