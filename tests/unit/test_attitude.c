@@ -56,7 +56,9 @@ static void test_a_quaternion_turns_as_the_cores_angles_do(void **state)
 static void test_at_rest_gravity_alone_tells_pitch_and_roll(void **state)
 {
     (void)state;
-    const struct angles slants[] = { { 0, 0, 0 }, { 0, 0.6f, 0 }, { 0, -1.2f, 0.4f }, { 0, 0.1f, -1.3f } };
+    const struct angles slants[] = {
+        { 0, 0, 0 }, { 0, 0.6f, 0 }, { 0, -1.2f, 0.4f }, { 0, 0.1f, -1.3f }
+    };
     for (size_t i = 0; i < sizeof slants / sizeof slants[0]; i++) {
         struct attitude attitude = { 0 };
         for (uint32_t n = 0; n < 500; n++) {
@@ -120,7 +122,8 @@ static void test_a_hand_that_turns_slowly_is_not_taken_for_a_bias(void **state)
         attitude_feel(&attitude, v3(0, 0.08f, 0), v3(0, GRAVITY_M_S2, 0), DT_S);
     }
     assert_true(v3_length(attitude.bias_rad_s) < 1e-6f);
-    assert_float_equal(attitude_angles(&attitude, 0.0f, DT_S).yaw_rad, 0.0f, 1e-3f); /* Ahead now. */
+    /* The first heading that is asked for counts as straight ahead. */
+    assert_float_equal(attitude_angles(&attitude, 0.0f, DT_S).yaw_rad, 0.0f, 1e-3f);
 }
 
 static void test_the_heading_leaks_to_straight_ahead_and_nothing_else_does(void **state)

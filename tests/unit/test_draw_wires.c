@@ -43,8 +43,8 @@ static void test_the_wires_lengths_give_back_the_place(void **state)
 static void test_spools_that_hang_at_odd_heights_in_any_order_do_as_well(void **state)
 {
     (void)state;
-    const vec3 odd_m[2][3] = { { { 0.1f, 0.9f, 0.4f }, { -0.5f, 0.7f, 0.0f }, { 0.4f, 0.6f, -0.3f } },
-                               { { 0.4f, 0.6f, -0.3f }, { 0.1f, 0.9f, 0.4f }, { -0.5f, 0.7f, 0.0f } } };
+    const vec3 a_m = { 0.1f, 0.9f, 0.4f }, b_m = { -0.5f, 0.7f, 0.0f }, c_m = { 0.4f, 0.6f, -0.3f };
+    const vec3 odd_m[2][3] = { { a_m, b_m, c_m }, { c_m, a_m, b_m } };
     for (uint32_t k = 0; k < 2; k++) {
         assert_true(draw_wires_can_tell(odd_m[k]));
         const vec3 eye_m = { 0.05f, -0.03f, -0.02f };
@@ -56,7 +56,7 @@ static void test_spools_that_hang_at_odd_heights_in_any_order_do_as_well(void **
     }
 }
 
-static void test_a_step_of_a_converter_moves_the_place_by_little_more_than_a_millimetre(void **state)
+static void test_a_step_of_a_converter_moves_the_place_by_about_a_millimetre(void **state)
 {
     (void)state;
     float worst_m = 0.0f;
@@ -117,7 +117,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_wires_lengths_give_back_the_place),
         cmocka_unit_test(test_spools_that_hang_at_odd_heights_in_any_order_do_as_well),
-        cmocka_unit_test(test_a_step_of_a_converter_moves_the_place_by_little_more_than_a_millimetre),
+        cmocka_unit_test(test_a_step_of_a_converter_moves_the_place_by_about_a_millimetre),
         cmocka_unit_test(test_what_is_no_place_is_refused_and_the_last_place_kept),
         cmocka_unit_test(test_spools_in_a_row_or_on_a_wall_cannot_tell),
     };

@@ -1,0 +1,209 @@
+#!/bin/bash
+# test_poi_gadget.sh -- kingyo-poi-gadget on a configfs made of folders, under each shell that is here.
+#
+# The folder stands for the kernel's own: attributes vanish with their directory, and a directory with
+# directories or links in it stays (Documentation/filesystems/configfs.rst). tests/vm has the real one.
+# Speaks TAP.
+set -u
+build=$(realpath "${BUILD:-build}")
+gadget_script=$(realpath board/poi-gadget/kingyo-poi-gadget)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+
+check() { # TITLE COMMAND...
+    local title=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$work/said"
+    fi
+}
+
+# A machine with one USB device controller, and commands in place of the system's: as functions, because
+# busybox looks for its own before it looks for programs. Nothing here touches this machine's kernel.
+mkdir "$work/bin"
+cat >"$work/commands" <<END
+mount() { :; }
+modprobe() { :; }
+rmdir() { "$work/bin/rmdir" "\$@"; }
+mkdir() { "$work/bin/mkdir" "\$@"; }
+END
+ln -s /bin/mkdir "$work/bin/mkdir"
+cat >"$work/bin/rmdir" <<'END'
+#!/bin/bash
+for folder; do
+    for entry in "$folder"/*; do
+        if [ -L "$entry" ]; then echo "rmdir: $folder: a link is in it" >&2; exit 1; fi
+        if [ -d "$entry" ] && [ -n "$(ls "$entry")" ]; then
+            echo "rmdir: $folder: $entry is not empty" >&2
+            exit 1
+        fi
+    done
+    rm -r "$folder"
+done
+END
+chmod +x "$work/bin"/*
+
+fresh() { # A new machine; no gadget, no settings.
+    rm -rf "$work/config" "$work/sys" "$work/conf"
+    mkdir -p "$work/config/usb_gadget" "$work/sys/class/udc/fe980000.usb" "$work/sys/dev/char/240:0"
+    echo configured >"$work/sys/class/udc/fe980000.usb/state"
+    echo DEVNAME=hidg0 >"$work/sys/dev/char/240:0/uevent"
+    mkdir -p "$work/sys/firmware/devicetree/base"
+    printf '00000000deadbeef\0' >"$work/sys/firmware/devicetree/base/serial-number"
+}
+
+script() { # ARGUMENTS: what it says goes to "$work/words".
+    # shellcheck disable=SC2016
+    COMMANDS=$work/commands CONFIGFS=$work/config SYSFS=$work/sys KINGYO_POI_GADGET_CONF=$work/conf \
+        $shell -c '. "$COMMANDS"; . "$0"' "$gadget_script" "$@" >"$work/words" 2>&1
+}
+
+g=$work/config/usb_gadget/kingyo-poi
+ids='VENDOR=0x1209 PRODUCT=0x0001'
+poi=POI=$build/kingyo-poi
+
+refuses() { # CODE PATTERN ARGUMENTS...: and leaves nothing behind.
+    local code=$1 pattern=$2 status
+    shift 2
+    script "$@"
+    status=$?
+    cat "$work/words"
+    [ $status -eq "$code" ] && grep -q -- "$pattern" "$work/words" && [ ! -e "$g" ]
+}
+
+holds() { # FILE TEXT
+    echo "$1: '$(cat "$g/$1")', expected '$2'"
+    [ "$(cat "$g/$1")" = "$2" ]
+}
+
+starts() {
+    fresh
+    # shellcheck disable=SC2086
+    script start $ids "$poi" || { cat "$work/words"; return 1; }
+    holds idVendor 0x1209 && holds idProduct 0x0001 && holds functions/hid.poi/report_length 17 &&
+        holds functions/hid.poi/protocol 0 && holds UDC fe980000.usb &&
+        holds strings/0x409/serialnumber 00000000deadbeef &&
+        cmp "$g/functions/hid.poi/report_desc" <("$build/kingyo-poi" descriptor) &&
+        [ "$(readlink -f "$g/configs/c.1/hid.poi")" = "$(readlink -f "$g/functions/hid.poi")" ]
+}
+
+interval() { # Linux 6.16 has it: the file is there once the function is made.
+    fresh
+    rm "$work/bin/mkdir"
+    cat >"$work/bin/mkdir" <<'END'
+#!/bin/bash
+/bin/mkdir "$@" || exit
+for folder; do case $folder in */functions/hid.poi) : >"$folder/interval" ;; esac; done
+END
+    chmod +x "$work/bin/mkdir"
+    # shellcheck disable=SC2086
+    script start $ids "$poi"
+    local status=$?
+    ln -sf /bin/mkdir "$work/bin/mkdir"
+    [ $status -eq 0 ] && holds functions/hid.poi/interval 4
+}
+
+tells() { # PATTERN CODE: what status says.
+    script status
+    local status=$?
+    cat "$work/words"
+    [ $status -eq "$2" ] && grep -q -- "$1" "$work/words"
+}
+
+plugs() {
+    starts || return 1
+    echo 240:0 >"$g/functions/hid.poi/dev"
+    tells "0x1209:0x0001.*configured, reports through /dev/hidg0" 0 || return 1
+    script detach && holds UDC '' && tells detached 1 || return 1
+    script attach && holds UDC fe980000.usb
+}
+
+stops() {
+    starts && script stop && [ ! -e "$g" ] && tells 'no gadget' 1 && script stop
+}
+
+starts_once() {
+    starts || return 1
+    # shellcheck disable=SC2086
+    ! script start $ids "$poi" && grep -q 'stop it first' "$work/words" && holds UDC fe980000.usb
+}
+
+reads_settings() {
+    fresh
+    printf '# mine\nVENDOR=0x1d50\nPRODUCT=0xABCD\n\nSERIAL=poi 7\nNAME=Red poi' >"$work/conf"
+    script start "$poi" SERIAL=eight && holds idVendor 0x1d50 && holds idProduct 0xABCD &&
+        holds strings/0x409/serialnumber eight && holds strings/0x409/product 'Red poi'
+}
+
+half_way() { # A kernel that does not take the descriptor: what was made is taken away again.
+    fresh
+    printf '#!/bin/sh\nexit 74\n' >"$work/bad-poi"
+    chmod +x "$work/bad-poi"
+    # shellcheck disable=SC2086
+    refuses 74 'does not take the descriptor' start $ids "POI=$work/bad-poi"
+}
+
+warns() {
+    starts && grep -q 'do not give this poi away' "$work/words"
+}
+
+shells=()
+command -v dash >/dev/null && shells+=('dash')
+command -v busybox >/dev/null && shells+=('busybox sh')
+[ ${#shells[@]} -gt 0 ] || shells=('sh')
+for shell in "${shells[@]}"; do
+    check "$shell: a gadget is made, with our descriptor, and plugged in" starts
+    check "$shell: the ids for tests come with a warning" warns
+    check "$shell: it is asked each millisecond where the kernel lets one choose" interval
+    check "$shell: pulled out, plugged in, and said so" plugs
+    check "$shell: taken away in an order that configfs takes" stops
+    check "$shell: only one at a time" starts_once
+    check "$shell: settings come from a file and from the command line" reads_settings
+    fresh
+    check "$shell: no ids, no poi" refuses 2 'USB ids of its own' start "$poi"
+    check "$shell: nor with one of them" refuses 2 'USB ids of its own' start VENDOR=0x1209 "$poi"
+    check "$shell: nor with what is no id" refuses 2 'not 0x and four' start VENDOR=4617 PRODUCT=0x0001 "$poi"
+    check "$shell: nor with 0" refuses 2 'not 0x and four' start VENDOR=0x1209 PRODUCT=0x0000 "$poi"
+    # shellcheck disable=SC2086
+    check "$shell: a setting that is none" refuses 2 'is no setting' start $ids COLOUR=red
+    echo 'VENDOR 0x1209' >"$work/conf"
+    check "$shell: and its line in the file" refuses 65 'conf:1' start "$poi"
+    rm "$work/conf"
+    mkdir "$work/sys/class/udc/other"
+    # shellcheck disable=SC2086
+    check "$shell: of two controllers one must be chosen" refuses 2 'choose one by UDC=' start $ids "$poi"
+    # shellcheck disable=SC2086
+    check "$shell: and be there" refuses 74 "no USB device controller 'third'" start $ids "$poi" UDC=third
+    rm -r "$work/sys/class/udc"
+    # shellcheck disable=SC2086
+    check "$shell: none at all says what a Raspberry Pi needs" refuses 74 'dr_mode=peripheral' start $ids "$poi"
+    check "$shell: what was half made is taken away" half_way
+    check "$shell: an unknown command is wrong usage" refuses 2 'COMMAND' restart
+done
+
+# The README lists the descriptor item by item.
+readme_bytes() {
+    sed -nE 's/^\| `([0-9a-f ]+)` \|.*/\1/p' board/poi-gadget/README.md | tr -s ' \n' ' ' | sed 's/ $//'
+}
+same_bytes() {
+    echo "README: $(readme_bytes)"
+    [ "$(readme_bytes)" = "$("$build/kingyo-poi" descriptor --hex | tr -s ' \n' ' ' | sed 's/ $//')" ]
+}
+check 'the README lists the bytes that the program gives' same_bytes
+
+# Its table of fields against what kingyoctl's reader makes of the bytes.
+readme_fields() { # bit offset, bits, usage, logical and physical ends
+    awk -F'|' '/^\| 1 \| [0-9]+ \|/ { for (i = 3; i <= 9; i++) gsub(/[ `]/, "", $i)
+        print $3, $4, $5, $6, $7, $8, $9 }' board/poi-gadget/README.md
+}
+same_fields() {
+    "$build/kingyo-poi" descriptor --hex >"$work/poi.hid"
+    "$build/kingyoctl" hid describe "$work/poi.hid" | tail -n +2 |
+        awk -F'\t' '{ print $4, $5, $11, $12, $13, $14, $15 }' >"$work/read"
+    diff "$work/read" <(readme_fields) && [ "$(wc -l <"$work/read")" -eq 15 ]
+}
+check 'and its table of fields is what a reader makes of them' same_fields
+echo "1..$count"

@@ -1,0 +1,187 @@
+#!/bin/bash
+# test_poi_program.sh -- kingyo-poi as a maker meets it: scripts, simulation, self-test, calibration, exit
+# codes; a folder stands for its board. Speaks TAP.
+set -u
+build=${BUILD:-build}
+poi=$build/kingyo-poi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+
+check() { # TITLE COMMAND...
+    local title=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$work/said"
+    fi
+}
+
+ends() { # CODE PATTERN ARGUMENTS...: standard input is the caller's.
+    local code=$1 pattern=$2 status
+    shift 2
+    "$poi" "$@" >"$work/out" 2>"$work/err"
+    status=$?
+    echo "exit code $status, expected $code"
+    cat "$work/err"
+    [ $status -eq "$code" ] && cat "$work/out" "$work/err" | grep -q -- "$pattern"
+}
+
+# ---- Words that are wrong -------------------------------------------------------------------------
+check 'no command is wrong usage' ends 2 'COMMAND'
+check 'nor is an unknown one' ends 2 'unknown command' fly
+check 'nor an option that is none' ends 2 'not an option' run --fast
+check 'nor a rate that no cable has' ends 2 'not its value' run --simulate --rate 5000
+check 'nor a value left out' ends 2 'not an option' run --simulate --rate
+check 'two sources at once' ends 2 'exclude' run --simulate --script
+check 'a device that is not there' ends 74 'kingyo-poi-gadget start' run --simulate --device "$work/none"
+check 'a config that is not there' ends 74 'No such file' run --config "$work/none"
+check 'help is no fault' ends 0 'calibrate' --help
+printf 'adc = mcp3208\nspool1 = 0 1\n' >"$work/bad.conf"
+check 'a bad line of a config is named' ends 65 'bad.conf:2: a spool is' test --config "$work/bad.conf"
+check 'who was never calibrated does not play' ends 1 'kingyo-poi calibrate' run \
+    --config board/poi-gadget/poi.conf --device -
+
+# ---- Scripts --------------------------------------------------------------------------------------
+bytes() { # Of reports on standard input, a line each.
+    od -An -v -w15 -tx1 | tr -d ' '
+}
+plays() {
+    printf '%s\n' '0 0 0 0 0 0' '100 -50 0 -45 0 0 OK' 'lost START' |
+        "$poi" run --script --device - 2>/dev/null | bytes >"$work/played"
+    cat "$work/played"
+    # A step of X trembles to either side; Y -50 mm is -1638, a pitch of -45 degrees -8192, lost 8000.
+    grep -qE '^0100(0000|ffff)0000000000000000000000$' "$work/played" &&
+        grep -qE '^0101(cc|cd)0c9af9000000e00000000001$' "$work/played" &&
+        grep -qE '^01020080000000000*02$' "$work/played" && [ "$(wc -l <"$work/played")" -eq 3 ]
+}
+check 'a line is a report' plays
+glides() {
+    echo '+100 0 100 0 0 0 0' | "$poi" run --script --rate 100 --device - 2>/dev/null | bytes >"$work/glided"
+    [ "$(wc -l <"$work/glided")" -eq 10 ]
+}
+check 'a glide of 100 ms is ten reports of a hundred a second' glides
+never_still() { # A sensor that repeats itself to the bit is a frozen one to the kiosk.
+    yes '10 20 30 0 0 0' | head -50 | "$poi" run --script --rate 1000 --device - 2>/dev/null | bytes |
+        cut -c5- | uniq -c | awk '$1 > 1 { exit 1 }'
+}
+check 'a hand of text is never still to the bit' never_still
+bad_line() { printf '0 0 0 0 0 0\n0 0 0 0 0 up\n' | ends 65 'standard input:2: an angle' run --script --device -; }
+check 'a line that is none is told by its number' bad_line
+waits() { # A pipe that stays open: the hand waits where it is, and goes on.
+    mkfifo "$work/pipe"
+    "$poi" run --script --rate 100 --device - <"$work/pipe" 2>/dev/null | bytes >"$work/waited" &
+    exec 7>"$work/pipe"
+    echo '10 0 0 0 0 0' >&7
+    sleep 0.4
+    echo '20 0 0 0 0 0' >&7
+    exec 7>&-
+    wait
+    local first last
+    first=$(grep -cE '^01..4[78]01' "$work/waited")
+    last=$(tail -1 "$work/waited" | cut -c5-8)
+    echo "$first reports at 10 mm, then $last"
+    [ "$first" -gt 20 ] && [[ $last =~ ^(8f|90)02$ ]]
+}
+check 'a pipe that stays open is waited for' waits
+takes() { # What watch prints is a script that gives the same poses.
+    "$poi" watch --simulate --rate 100 --seconds 1 >"$work/take" &&
+        "$poi" watch --script --rate 100 <"$work/take" >"$work/again" &&
+        [ "$(wc -l <"$work/take")" -ge 90 ] &&
+        paste -d' ' "$work/take" "$work/again" | awk '{ n = NF / 2
+            for (i = 1; i <= 6; i++) if (($i - $(i + n)) ^ 2 > 0.04 ^ 2) exit 1
+            if (n != int(n) || (n == 7 && $7 != $14)) exit 1 }'
+}
+check 'a take can be played again' takes
+
+# ---- Simulation -----------------------------------------------------------------------------------
+scoops() { # Eight seconds: it dips, comes up, tips over the bowl at 335, 185 mm, and dips elsewhere.
+    "$poi" watch --simulate --rate 50 --seconds 8 >"$work/scoops"
+    awk '$2 < -40 { if (!down) dips++; down = 1; if (dips == 1) first = $1; else second = $1 }
+         $2 > 20 { down = 0 }
+         $6 > 50 && $1 > 255 && $1 < 415 && $3 > 105 { tips++ }
+         END { print dips " dips, " tips " reports of tipping, at " first " and " second
+               exit !(dips == 2 && tips > 10 && (first - second) ^ 2 > 900) }' "$work/scoops"
+}
+check 'a simulated hand scoops, each time elsewhere' scoops
+beats() {
+    "$poi" run --simulate --rate 500 --seconds 2 --device - 2>"$work/err" | wc -c >"$work/bytes"
+    cat "$work/err"
+    awk '{ exit !($1 % 15 == 0 && $1 / 15 >= 900 && $1 / 15 <= 1001) }' "$work/bytes"
+}
+check 'five hundred reports a second are five hundred' beats
+
+# ---- A board made of files ------------------------------------------------------------------------
+iio=$work/board/sys/bus/iio/devices
+mkdir -p "$iio/iio:device0" "$iio/iio:device1"
+echo mcp3208 >"$iio/iio:device0/name"
+echo bno055 >"$iio/iio:device1/name"
+echo '11585 11585 0 0' >"$iio/iio:device1/in_rot_quaternion_raw"
+: >"$work/hidg0"
+
+hold_at() { # X Y Z in mm: what the three converters then say, of wires that wind 0.25 mm a step from 200.
+    awk -v x="$1" -v y="$2" -v z="$3" -v folder="$iio/iio:device0" 'BEGIN {
+        split("-450 450 0", sx); split("-300 -300 350", sz)
+        for (i = 1; i <= 3; i++) {
+            length_mm = sqrt((x - sx[i]) ^ 2 + (y - 750) ^ 2 + (z - sz[i]) ^ 2)
+            printf "%.0f\n", (length_mm - 200) / 0.25 >(folder "/in_voltage" (i - 1) "_raw")
+        } }'
+}
+asked() { # PATTERN TIMES: waits until calibrate has asked so often; 10 s at most.
+    local tries=0
+    until [ "$(grep -c "$1" "$work/asked")" -ge "$2" ]; do
+        tries=$((tries + 1))
+        [ $tries -lt 200 ] || { cat "$work/asked"; return 1; }
+        sleep 0.05
+    done
+}
+calibrates() {
+    mkfifo "$work/hand"
+    hold_at 0 0 0
+    "$poi" calibrate --config board/poi-gadget/poi.conf --root "$work/board" <"$work/hand" \
+        >"$work/lines" 2>"$work/asked" &
+    local pid=$! mark=0
+    exec 8>"$work/hand"
+    while read -r x y z; do
+        mark=$((mark + 1))
+        asked '^mark' $mark || return 1
+        hold_at "$x" "$y" "$z"
+        echo >&8
+    done <<<"-300 0 -200
+300 0 -200
+0 0 200
+0 200 0"
+    asked 'lay the poi' 1 || return 1
+    echo >&8
+    exec 8>&-
+    wait $pid || { cat "$work/asked"; return 1; }
+    cat "$work/lines"
+    awk '/^wire/ { n++; if (($3 - 200) ^ 2 > 0.3 || ($4 - 0.25) ^ 2 > 1e-6) exit 1 } END { exit n != 3 }' \
+        "$work/lines"
+}
+check 'calibration finds what a step of each wire is' calibrates
+cat board/poi-gadget/poi.conf "$work/lines" >"$work/poi.conf"
+sees() { # The eye at 0 100 0: the ring is 15 mm under it and 60 mm before it.
+    hold_at 0 100 0
+    "$poi" watch --config "$work/poi.conf" --root "$work/board" --rate 50 --seconds 1 >"$work/seen" 2>/dev/null
+    tail -1 "$work/seen"
+    tail -1 "$work/seen" | awk '{ exit !($1 ^ 2 < 1 && ($2 - 85) ^ 2 < 1 && ($3 + 60) ^ 2 < 1) }'
+}
+check 'and then the poi knows where it is' sees
+check 'a whole board passes its self-test' ends 0 '^10 ok, 0 failed' test --config "$work/poi.conf" \
+    --root "$work/board" --device "$work/hidg0"
+echo 1 >"$iio/iio:device0/in_voltage1_raw"
+check 'a wire at its stop fails it, by name' ends 1 'FAIL  wire 2' test --config "$work/poi.conf" \
+    --root "$work/board" --device "$work/hidg0"
+check 'and is no place' ends 1 'FAIL  place' test --config "$work/poi.conf" --root "$work/board" \
+    --device "$work/hidg0"
+hold_at 0 100 0
+check 'so does a cable that is not there' ends 1 'FAIL  cable' test --config "$work/poi.conf" \
+    --root "$work/board" --device "$work/none"
+rm "$iio/iio:device1/name"
+check 'and a chip' ends 1 "FAIL  sensors    no inertial sensor 'bno055'" test --config "$work/poi.conf" \
+    --root "$work/board" --device "$work/hidg0"
+check 'without which nobody plays' ends 74 'kingyo-poi test says more' run --config "$work/poi.conf" \
+    --root "$work/board" --device -
+echo "1..$count"
