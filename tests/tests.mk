@@ -71,6 +71,9 @@ $(BUILD)/tests/unit/test_statistics: $(BUILD)/tests/bench/statistics.o
 $(BUILD)/tests/unit/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
     -Wl,--wrap=strdup,--wrap=fopen
 
+# The kernel that a live device is read from.
+$(BUILD)/tests/unit/test_hid_source: TRAP := -Wl,--wrap=open,--wrap=ioctl,--wrap=read
+
 $(BUILD)/tests/e2e/hand: $(BUILD)/tests/e2e/hand.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
 $(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
 $(E2E_BIN):

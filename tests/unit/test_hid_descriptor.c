@@ -160,6 +160,8 @@ static void test_each_malformed_descriptor_is_refused_at_its_place(void **state)
     assert_int_equal(READ(JOYSTICK, 0x85, 0x00, END), HID_ERR_REPORT_ID);
     assert_int_equal(READ(JOYSTICK, 0x19, 0x05, 0x29, 0x02, END), HID_ERR_USAGE_RANGE);
     assert_int_equal(READ(JOYSTICK, 0xa9, 0x00, END), HID_ERR_DELIMITER);
+    assert_int_equal(READ(JOYSTICK, 0xa9, 0x01, 0x09, 0x30, 0x81, 0x02, END), HID_ERR_DELIMITER);
+    assert_int_equal(read_in.error_offset, 10); /* At the main item that it should have ended by. */
     assert_int_equal(READ(JOYSTICK, 0x77, 0xff, 0xff, 0xff, 0xff, 0x97, 0xff, 0xff, 0xff, 0xff,
                           0x09, 0x30, 0x81, 0x02, END),
                      HID_ERR_REPORT_SIZE);
@@ -192,6 +194,60 @@ static void test_limits_hold_on_both_sides(void **state)
     assert_int_equal(repeated(usage, HID_RANGE_MAX + 1u, 0), HID_ERR_RANGES);
     assert_int_equal(hid_descriptor_read(&read_in, collection, HID_DESCRIPTOR_SIZE_MAX + 1u),
                      HID_ERR_TOO_LONG);
+    const uint8_t push[2] = { 0xa4, 0xa4 };
+    assert_int_equal(repeated(push, HID_PUSH_MAX / 2u, 0), HID_OK);
+    assert_int_equal(repeated(push, HID_PUSH_MAX / 2u + 1u, 0), HID_ERR_PUSH);
+}
+
+/* Reports 1 and 2 of `count` bits each, every bit a field. */
+static enum hid_error bits(uint32_t count)
+{
+    const uint8_t low = (uint8_t)count, high = (uint8_t)(count >> 8), more = (uint8_t)(count >> 16);
+    return READ(JOYSTICK, 0x75, 0x01, 0x97, low, high, more, 0, 0x85, 0x01, 0x09, 0x30, 0x81, 0x02,
+                0x85, 0x02, 0x95, 0x01, 0x09, 0x31, 0x81, 0x02, END);
+}
+
+static void test_as_many_fields_as_the_longest_report_has_bits(void **state)
+{
+    (void)state;
+    assert_int_equal(bits(HID_FIELD_MAX - 1u), HID_OK);
+    assert_int_equal(read_in.field_count, HID_FIELD_MAX);
+    assert_int_equal(bits(HID_FIELD_MAX), HID_ERR_FIELDS);
+    assert_int_equal(bits(HID_REPORT_BITS_MAX + 1u), HID_ERR_REPORT_SIZE);
+}
+
+static void test_nothing_of_the_last_descriptor_shows(void **state)
+{
+    (void)state;
+    assert_int_equal(bits(100), HID_OK);
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0x09, 0x32, 0x81, 0x02, END), HID_OK);
+    assert_int_equal(read_in.group_count, 1);
+    assert_int_equal(read_in.field_count, 1);
+    assert_false(read_in.has_report_ids);
+    assert_int_equal(read_in.report_bits[1], 0);
+    assert_int_equal(READ(0xc0), HID_ERR_NO_COLLECTION);
+    assert_int_equal(read_in.group_count, 0);
+    assert_int_equal(READ(0x00), HID_OK);
+    assert_int_equal(read_in.error_offset, 0);
+}
+
+static void test_values_of_any_size_are_read_from_any_bit(void **state)
+{
+    (void)state;
+    /* 3 bits, 32 signed ones, 64, and one that is its own sign. */
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x03, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02,
+                          0x17, 0, 0, 0, 0x80, 0x27, 0xff, 0xff, 0xff, 0x7f, 0x75, 0x20, 0x09, 0x31,
+                          0x81, 0x02, 0x75, 0x40, 0x09, 0x32, 0x81, 0x02, 0x75, 0x01, 0x09, 0x33,
+                          0x81, 0x02, END),
+                     HID_OK);
+    const struct hid_report report = REPORT(0x05, 0, 0, 0, 0xfc, 0x1f, 0x32, 0x54, 0x76, 0, 0, 0,
+                                            0x08);
+    assert_true(hid_report_is_whole(&read_in, report));
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, report), 5);
+    assert_true(hid_field_value(&read_in, &read_in.group[1], 0, report) == -0x80000000ll);
+    /* Wider ones give their low 32 bits. */
+    assert_true(hid_field_value(&read_in, &read_in.group[2], 0, report) == -0x3579bc01ll);
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[3], 0, report), -1);
 }
 
 int main(void)
@@ -209,6 +265,9 @@ int main(void)
         cmocka_unit_test(test_long_and_reserved_items_are_passed_over),
         cmocka_unit_test(test_each_malformed_descriptor_is_refused_at_its_place),
         cmocka_unit_test(test_limits_hold_on_both_sides),
+        cmocka_unit_test(test_as_many_fields_as_the_longest_report_has_bits),
+        cmocka_unit_test(test_nothing_of_the_last_descriptor_shows),
+        cmocka_unit_test(test_values_of_any_size_are_read_from_any_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
