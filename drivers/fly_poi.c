@@ -36,15 +36,30 @@ static vec3 kept_within(vec3 v, vec3 low, vec3 high)
               f_clamp(v.z, low.z, high.z));
 }
 
+/* The higher a ring, the farther up in the picture it is, and the wider apart. */
+static vec3 seen_m(const struct fly_poi *fly, vec3 at_m)
+{
+    const float height = f_clamp((at_m.y - FLY_LOW_M) / (FLY_HIGH_M - FLY_LOW_M), 0.0f, 1.0f);
+    return kept_within(at_m, v3_lerp(fly->low_m[0], fly->low_m[1], height),
+                       v3_lerp(fly->high_m[0], fly->high_m[1], height));
+}
+
+static void look_at_height(struct fly_poi *fly, uint32_t index, float height_m)
+{
+    const struct view *view = &fly->view;
+    const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, height_m);
+    const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, height_m);
+    const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, height_m);
+    fly->low_m[index] = v3(-f_abs(right.x), FLY_LOW_M, f_min(far.z, near.z));
+    fly->high_m[index] = v3(f_abs(right.x), FLY_HIGH_M, f_max(far.z, near.z));
+}
+
 void fly_poi_look(struct fly_poi *fly, const struct view *view)
 {
-    const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, 0.0f);
-    const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, 0.0f);
-    const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, 0.0f);
     fly->view = *view;
-    fly->low_m = v3(-f_abs(right.x), FLY_LOW_M, f_min(far.z, near.z));
-    fly->high_m = v3(f_abs(right.x), FLY_HIGH_M, f_max(far.z, near.z));
-    fly->place_m = kept_within(fly->place_m, fly->low_m, fly->high_m);
+    look_at_height(fly, 0, FLY_LOW_M);
+    look_at_height(fly, 1, FLY_HIGH_M);
+    fly->place_m = seen_m(fly, fly->place_m);
 }
 
 void fly_poi_init(struct fly_poi *fly, const struct view *view)
@@ -92,7 +107,7 @@ static void lead_fan(struct fly_poi *fly, float dt_s)
     if (fans) {
         const vec3 way = v3(eased(push.x), 0.0f, eased(push.z));
         const vec3 led = v3_mad(fly->shade_m, way, FLY_AIR_M_S * dt_s);
-        fly->shade_m = kept_within(led, fly->low_m, fly->high_m);
+        fly->shade_m = seen_m(fly, led);
     }
     fly->swing = f_clamp(fly->swing + (fans ? swing : -swing), 0.0f, 1.0f);
 }
@@ -102,7 +117,7 @@ static void fly_step(struct fly_poi *fly, uint64_t time_ns, float dt_s)
     const vec3 goal = wanted_m_s(fly, time_ns);
     fly->speed_m_s = v3_lerp(fly->speed_m_s, goal, 1.0f - f_exp(-dt_s / PUSH_TAU_S));
     const vec3 next = v3_mad(fly->place_m, fly->speed_m_s, dt_s);
-    fly->place_m = kept_within(next, fly->low_m, fly->high_m);
+    fly->place_m = seen_m(fly, next);
     const vec3 twist = v3_scale(fly->report.twist, FLY_TILT_MAX_RAD);
     fly->twist_rad = v3_lerp(fly->twist_rad, twist, 1.0f - f_exp(-dt_s / TWIST_TAU_S));
     lead_fan(fly, dt_s);
@@ -171,7 +186,7 @@ struct shade_input fly_poi_fan(struct fly_poi *fly, uint64_t time_ns)
     return (struct shade_input){
         .present = fly->swing > 0.0f,
         .x_m = fly->shade_m.x,
-        .z_m = f_lerp(fly->high_m.z + LAP_M, fly->shade_m.z, share),
+        .z_m = f_lerp(fly->high_m[0].z + LAP_M, fly->shade_m.z, share),
         .radius_m = POINTER_FAN_RADIUS_M,
     };
 }

@@ -31,7 +31,8 @@ struct fly_report {
 
 struct fly_poi {
     struct view view;
-    vec3 low_m, high_m;  /* Where it may fly: what the view shows. */
+    vec3 low_m[2], high_m[2]; /* Where it may fly, which is what the view shows: at FLY_LOW_M, and
+                                 at FLY_HIGH_M. */
     struct fly_report report;
     struct dip dip;
     vec3 place_m;        /* Over the still water, before the dip. */

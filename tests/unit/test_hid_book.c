@@ -1,4 +1,4 @@
-/* test_hid_book.c -- what was learned of controllers, over a restart, a torn file and a full card. */
+/* test_hid_book.c -- what was learned, over a restart, a torn file and a card that fails. */
 #include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -72,7 +72,10 @@ static struct hid_map learned(void)
 static int keep(const struct hid_identity *who, const struct hid_map *map)
 {
     int result;
-    for (uint32_t i = 0; (result = hid_book_keep(&book, who, map)) == HAL_ERR_BUSY && i < 5000; i++) {
+    for (uint32_t i = 0; i < 5000; i++) {
+        if ((result = hid_book_keep(&book, who, map)) != HAL_ERR_BUSY) {
+            break;
+        }
         usleep(1000);
     }
     return result;
