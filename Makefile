@@ -46,8 +46,8 @@ CORE_SRC := $(wildcard core/*.c core/*/*.c)
 PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c platform/species/*.c)
 KIOSK_SRC := $(wildcard platform/kiosk/*.c)
 CTL_SRC := $(wildcard platform/ctl/*.c)
-GPIOD_SRC := drivers/gpio_lines0.c drivers/gpio_lines1.c drivers/gpio_lines2.c
-DRIVER_SRC = $(filter-out $(GPIOD_SRC),$(wildcard drivers/*.c)) drivers/gpio_lines$(GPIOD).c
+GPIOD_SRC := $(wildcard drivers/gpio_lines[0-9].c drivers/gpio_chips[0-9].c)
+DRIVER_SRC = $(filter-out $(GPIOD_SRC),$(wildcard drivers/*.c)) $(filter %$(GPIOD).c,$(GPIOD_SRC))
 BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 
 # Kernels (core/base/lanes.h) are compiled once for four lanes and, where the compiler makes code for

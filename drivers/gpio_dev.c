@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #include "drivers/gpio_wires.h"
 
@@ -49,6 +50,39 @@ struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t ti
         ready.gone |= polled[i].revents & (POLLERR | POLLHUP | POLLNVAL) ? 1u << i : 0u;
     }
     return ready;
+}
+
+bool gpio_dev_lacks_edges(int error)
+{
+    return error == ENODEV || error == ENXIO; /* Of gpiod_to_irq() in the kernel. */
+}
+
+void gpio_dev_look_from_now(struct gpio_dev_looks *looks, enum gpio_role role, int level)
+{
+    looks->roles |= 1u << role;
+    looks->active = level == 1 ? looks->active | 1u << role : looks->active & ~(1u << role);
+}
+
+uint32_t gpio_dev_look_ms(const struct gpio_dev_looks *looks, uint32_t timeout_ms)
+{
+    return looks->roles && timeout_ms > GPIO_LOOK_MS ? GPIO_LOOK_MS : timeout_ms;
+}
+
+bool gpio_dev_look(struct gpio_dev_looks *looks, enum gpio_role role, int level,
+                   struct gpio_edge *out)
+{
+    struct timespec now;
+    if (level < 0 || level == (int)(looks->active >> role & 1u)) {
+        return false;
+    }
+    gpio_dev_look_from_now(looks, role, level);
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    *out = (struct gpio_edge){
+        .time_ns = (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec,
+        .role = (uint8_t)role,
+        .active = level == 1,
+    };
+    return true;
 }
 
 void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,

@@ -24,6 +24,23 @@ struct gpio_dev_ready {
 };
 struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms);
 
+/* Lines of chips that give no interrupts (port expanders whose INT is not wired): their levels are
+ * looked at this often, which a coin's pulse of 20 ms outlasts five times over. */
+#define GPIO_LOOK_MS 4u
+struct gpio_dev_looks {
+    uint32_t roles;  /* That are looked at, a bit each ... */
+    uint32_t active; /* ... and where they were. */
+};
+
+/* Whether asking for edges failed since the line gives none. */
+bool gpio_dev_lacks_edges(int error);
+void gpio_dev_look_from_now(struct gpio_dev_looks *looks, enum gpio_role role, int level);
+/* How long may be waited when there are such lines. */
+uint32_t gpio_dev_look_ms(const struct gpio_dev_looks *looks, uint32_t timeout_ms);
+/* True: `level` is another than before, and `out` is the edge of it, dated now. */
+bool gpio_dev_look(struct gpio_dev_looks *looks, enum gpio_role role, int level,
+                   struct gpio_edge *out);
+
 /* The line is known, but `error` (an errno) came of asking for it; `consumer` holds it, if any. */
 void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
                           const char *consumer);

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drivers/gpio_chips.h"
 #include "drivers/gpio_dev.h"
 
 #define QUEUE_SIZE 16u /* LINEEVENT's kfifo in gpiolib-cdev.c. */
@@ -23,6 +24,7 @@ struct held {
 static struct lines1 {
     struct held held[GPIO_ROLE_COUNT];
     int fds[GPIO_INPUT_COUNT]; /* -1: no such line. */
+    struct gpio_dev_looks looks;
     uint8_t went;              /* A chip went away, which is still to be told. */
     char text[HAL_TEXT_SIZE];
 } lines1;
@@ -76,10 +78,11 @@ static void let_go(struct lines1 *lines, enum gpio_role role)
     *held = (struct held){ 0 };
     if (gpio_role_is_input(role)) {
         lines->fds[role] = -1;
+        lines->looks.roles &= ~(1u << role);
     }
 }
 
-static int request(struct gpiod_line *line, const struct gpio_wire *wire, enum gpio_role role)
+static int request(struct gpiod_line *line, const struct gpio_wire *wire, int type)
 {
     static const int bias_flags[] = {
         [GPIO_BIAS_AS_IS] = 0,
@@ -89,8 +92,7 @@ static int request(struct gpiod_line *line, const struct gpio_wire *wire, enum g
     };
     const struct gpiod_line_request_config config = {
         .consumer = "kingyo",
-        .request_type = gpio_role_is_input(role) ? GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES
-                                                 : GPIOD_LINE_REQUEST_DIRECTION_OUTPUT,
+        .request_type = type,
         .flags = bias_flags[wire->bias] |
                  (wire->active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0),
     };
@@ -104,12 +106,21 @@ static void hold(struct lines1 *lines, const struct gpio_wire *wire, enum gpio_r
     if (!find_line(wire, held, why)) {
         return;
     }
-    if (request(held->line, wire, role) != 0) {
-        gpio_dev_why_refused(why, wire, errno, gpiod_line_consumer(held->line));
-        let_go(lines, role);
-    } else if (gpio_role_is_input(role)) {
+    const bool is_input = gpio_role_is_input(role);
+    int failed = request(held->line, wire, is_input ? GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES
+                                                    : GPIOD_LINE_REQUEST_DIRECTION_OUTPUT);
+    if (!failed && is_input) {
         lines->fds[role] = gpiod_line_event_get_fd(held->line);
         held->active = gpiod_line_get_value(held->line) == 1;
+    } else if (failed && is_input && gpio_dev_lacks_edges(errno)) {
+        failed = request(held->line, wire, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
+        if (!failed) {
+            gpio_dev_look_from_now(&lines->looks, role, gpiod_line_get_value(held->line));
+        }
+    }
+    if (failed) {
+        gpio_dev_why_refused(why, wire, errno, gpiod_line_consumer(held->line));
+        let_go(lines, role);
     }
 }
 
@@ -172,29 +183,6 @@ static int read_edges(struct lines1 *lines, enum gpio_role role, struct gpio_edg
     return count;
 }
 
-static int lines1_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms)
-{
-    struct lines1 *lines = self;
-    const struct gpio_dev_ready ready = gpio_dev_wait(lines->fds, lines->went ? 0 : timeout_ms);
-    uint32_t count = 0;
-    for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
-        int taken = ready.gone & 1u << role ? -1 : 0;
-        if (ready.readable & 1u << role && count < max) {
-            taken = read_edges(lines, role, out + count, max - count);
-        }
-        if (taken < 0) {
-            let_go(lines, role);
-            lines->went = 1;
-        }
-        count += taken > 0 ? (uint32_t)taken : 0u;
-    }
-    if (lines->went && count == 0) { /* What the others said comes first. */
-        lines->went = 0;
-        return HAL_ERR_GONE;
-    }
-    return (int)count;
-}
-
 /* ---- Levels --------------------------------------------------------------------------------- */
 
 /* What a call that failed means: the chip is gone, or this time went wrong. */
@@ -235,53 +223,51 @@ static int lines1_debounces(void *self, enum gpio_role role)
     return 0;
 }
 
-/* ---- Looking round -------------------------------------------------------------------------- */
+/* ---- Waiting -------------------------------------------------------------------------------- */
 
-static void copy_text(char out[GPIO_TEXT_SIZE], const char *text)
+/* A line without edges; 1: there was one nevertheless. */
+static uint32_t look(struct lines1 *lines, enum gpio_role role, struct gpio_edge *out)
 {
-    snprintf(out, GPIO_TEXT_SIZE, "%s", text ? text : "");
+    const int level = lines1_level(lines, role);
+    lines->went |= level == HAL_ERR_GONE;
+    return gpio_dev_look(&lines->looks, role, level, out);
 }
 
-static uint32_t list_chip(struct gpiod_chip *chip,
-                          void (*tell)(void *context, const struct gpio_line_info *line),
-                          void *context)
+static int lines1_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms)
 {
+    struct lines1 *lines = self;
+    const struct gpio_dev_ready ready = gpio_dev_wait(
+        lines->fds, lines->went ? 0 : gpio_dev_look_ms(&lines->looks, timeout_ms));
     uint32_t count = 0;
-    for (uint32_t offset = 0; offset < gpiod_chip_num_lines(chip); offset++) {
-        struct gpiod_line *line = gpiod_chip_get_line(chip, offset);
-        if (!line) {
+    for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
+        if (lines->looks.roles & 1u << role && count < max) {
+            count += look(lines, role, out + count);
             continue;
         }
-        struct gpio_line_info info = {
-            .offset = offset,
-            .used = gpiod_line_is_used(line),
-            .is_output = gpiod_line_direction(line) == GPIOD_LINE_DIRECTION_OUTPUT,
-            .active_low = gpiod_line_active_state(line) == GPIOD_LINE_ACTIVE_STATE_LOW,
-        };
-        copy_text(info.device, gpiod_chip_name(chip));
-        copy_text(info.chip, gpiod_chip_label(chip));
-        copy_text(info.name, gpiod_line_name(line));
-        copy_text(info.consumer, gpiod_line_consumer(line));
-        tell(context, &info);
-        count++;
+        int taken = ready.gone & 1u << role ? -1 : 0;
+        if (ready.readable & 1u << role && count < max) {
+            taken = read_edges(lines, role, out + count, max - count);
+        }
+        if (taken < 0) {
+            let_go(lines, role);
+            lines->went = 1;
+        }
+        count += taken > 0 ? (uint32_t)taken : 0u;
     }
-    return count;
+    if (lines->went && count == 0) { /* What the others said comes first. */
+        lines->went = 0;
+        return HAL_ERR_GONE;
+    }
+    return (int)count;
 }
+
+/* ---- The device ----------------------------------------------------------------------------- */
 
 static int lines1_list(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                        void *context)
 {
-    struct gpio_dev_walk walk = { 0 };
-    uint32_t count = 0;
     (void)self;
-    while (gpio_dev_next(&walk)) {
-        struct gpiod_chip *chip = gpiod_chip_open(walk.path);
-        if (chip) {
-            count += list_chip(chip, tell, context);
-            gpiod_chip_close(chip);
-        }
-    }
-    return walk.count > 0 ? (int)count : HAL_ERR_NONE;
+    return gpio_chips_list(tell, context);
 }
 
 static const char *lines1_describe(void *self)

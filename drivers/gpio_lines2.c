@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drivers/gpio_chips.h"
 #include "drivers/gpio_dev.h"
 
 #define QUEUE_SIZE GPIO_EDGES_MAX /* Asked of the kernel, which gives 16 a line unasked. */
@@ -21,6 +22,7 @@ struct held {
 static struct lines2 {
     struct held held[GPIO_ROLE_COUNT];
     int fds[GPIO_INPUT_COUNT];              /* -1: no such line. */
+    struct gpio_dev_looks looks;
     uint8_t went;                           /* A chip went away, which is still to be told. */
     struct gpiod_edge_event_buffer *buffer; /* Null: no room, and then no line is held. */
     char text[HAL_TEXT_SIZE];
@@ -81,6 +83,7 @@ static void let_go(struct lines2 *lines, enum gpio_role role)
     *held = (struct held){ 0 };
     if (gpio_role_is_input(role)) {
         lines->fds[role] = -1;
+        lines->looks.roles &= ~(1u << role);
     }
 }
 
@@ -93,7 +96,7 @@ static bool kernel_may_debounce(enum gpio_role role)
 }
 
 static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *wire,
-                  enum gpio_role role)
+                  enum gpio_role role, bool has_edges)
 {
     static const enum gpiod_line_bias biases[] = {
         [GPIO_BIAS_AS_IS] = GPIOD_LINE_BIAS_AS_IS,
@@ -106,12 +109,12 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
     int failed = gpiod_line_settings_set_bias(settings, biases[wire->bias]);
     failed |= gpiod_line_settings_set_direction(
         settings, is_input ? GPIOD_LINE_DIRECTION_INPUT : GPIOD_LINE_DIRECTION_OUTPUT);
-    if (is_input) {
+    if (is_input && has_edges) {
         failed |= gpiod_line_settings_set_edge_detection(settings, GPIOD_LINE_EDGE_BOTH);
         failed |= gpiod_line_settings_set_event_clock(settings, GPIOD_LINE_CLOCK_MONOTONIC);
         gpiod_line_settings_set_debounce_period_us(
             settings, kernel_may_debounce(role) ? wire->debounce_us : 0);
-    } else {
+    } else if (!is_input) {
         failed |= gpiod_line_settings_set_output_value(settings, GPIOD_LINE_VALUE_INACTIVE);
     }
     return failed;
@@ -119,13 +122,14 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
 
 /* Null: it was refused, and errno says why. */
 static struct gpiod_line_request *request(struct gpiod_chip *chip, unsigned int offset,
-                                          const struct gpio_wire *wire, enum gpio_role role)
+                                          const struct gpio_wire *wire, enum gpio_role role,
+                                          bool has_edges)
 {
     struct gpiod_line_settings *settings = gpiod_line_settings_new();
     struct gpiod_line_config *lines = gpiod_line_config_new();
     struct gpiod_request_config *config = gpiod_request_config_new();
     struct gpiod_line_request *got = NULL;
-    if (settings && lines && config && set_up(settings, wire, role) == 0 &&
+    if (settings && lines && config && set_up(settings, wire, role, has_edges) == 0 &&
         gpiod_line_config_add_line_settings(lines, &offset, 1, settings) == 0) {
         gpiod_request_config_set_consumer(config, "kingyo");
         gpiod_request_config_set_event_buffer_size(config, QUEUE_SIZE);
@@ -156,12 +160,21 @@ static void hold(struct lines2 *lines, const struct gpio_wire *wire, enum gpio_r
     if (!chip) {
         return;
     }
-    held->request = request(chip, held->offset, wire, role);
-    if (!held->request) {
-        tell_refusal(chip, held->offset, wire, why);
-    } else if (gpio_role_is_input(role)) {
+    const bool is_input = gpio_role_is_input(role);
+    held->request = request(chip, held->offset, wire, role, true);
+    if (held->request && is_input) {
         held->debounces = kernel_may_debounce(role) && wire->debounce_us > 0;
         lines->fds[role] = gpiod_line_request_get_fd(held->request);
+    } else if (!held->request && is_input && gpio_dev_lacks_edges(errno)) {
+        held->request = request(chip, held->offset, wire, role, false);
+        if (held->request) {
+            gpio_dev_look_from_now(
+                &lines->looks, role,
+                gpiod_line_request_get_value(held->request, held->offset));
+        }
+    }
+    if (!held->request) {
+        tell_refusal(chip, held->offset, wire, why);
     }
     gpiod_chip_close(chip); /* A request outlives it. */
 }
@@ -230,29 +243,6 @@ static int read_edges(struct lines2 *lines, enum gpio_role role, struct gpio_edg
     return count;
 }
 
-static int lines2_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms)
-{
-    struct lines2 *lines = self;
-    const struct gpio_dev_ready ready = gpio_dev_wait(lines->fds, lines->went ? 0 : timeout_ms);
-    uint32_t count = 0;
-    for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
-        int taken = ready.gone & 1u << role ? -1 : 0;
-        if (ready.readable & 1u << role && count < max) {
-            taken = read_edges(lines, role, out + count, max - count);
-        }
-        if (taken < 0) {
-            let_go(lines, role);
-            lines->went = 1;
-        }
-        count += taken > 0 ? (uint32_t)taken : 0u;
-    }
-    if (lines->went && count == 0) { /* What the others said comes first. */
-        lines->went = 0;
-        return HAL_ERR_GONE;
-    }
-    return (int)count;
-}
-
 /* ---- Levels --------------------------------------------------------------------------------- */
 
 /* What a call that failed means: the chip is gone, or this time went wrong. */
@@ -297,59 +287,51 @@ static int lines2_debounces(void *self, enum gpio_role role)
     return lines->held[role].debounces;
 }
 
-/* ---- Looking round -------------------------------------------------------------------------- */
+/* ---- Waiting -------------------------------------------------------------------------------- */
 
-static void copy_text(char out[GPIO_TEXT_SIZE], const char *text)
+/* A line without edges; 1: there was one nevertheless. */
+static uint32_t look(struct lines2 *lines, enum gpio_role role, struct gpio_edge *out)
 {
-    snprintf(out, GPIO_TEXT_SIZE, "%s", text ? text : "");
+    const int level = lines2_level(lines, role);
+    lines->went |= level == HAL_ERR_GONE;
+    return gpio_dev_look(&lines->looks, role, level, out);
 }
 
-static uint32_t list_chip(struct gpiod_chip *chip, struct gpiod_chip_info *chip_info,
-                          void (*tell)(void *context, const struct gpio_line_info *line),
-                          void *context)
+static int lines2_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms)
 {
-    const size_t line_count = gpiod_chip_info_get_num_lines(chip_info);
+    struct lines2 *lines = self;
+    const struct gpio_dev_ready ready = gpio_dev_wait(
+        lines->fds, lines->went ? 0 : gpio_dev_look_ms(&lines->looks, timeout_ms));
     uint32_t count = 0;
-    for (unsigned int offset = 0; offset < line_count; offset++) {
-        struct gpiod_line_info *line = gpiod_chip_get_line_info(chip, offset);
-        if (!line) {
+    for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
+        if (lines->looks.roles & 1u << role && count < max) {
+            count += look(lines, role, out + count);
             continue;
         }
-        struct gpio_line_info info = {
-            .offset = offset,
-            .used = gpiod_line_info_is_used(line),
-            .is_output = gpiod_line_info_get_direction(line) == GPIOD_LINE_DIRECTION_OUTPUT,
-            .active_low = gpiod_line_info_is_active_low(line),
-        };
-        copy_text(info.device, gpiod_chip_info_get_name(chip_info));
-        copy_text(info.chip, gpiod_chip_info_get_label(chip_info));
-        copy_text(info.name, gpiod_line_info_get_name(line));
-        copy_text(info.consumer, gpiod_line_info_get_consumer(line));
-        gpiod_line_info_free(line);
-        tell(context, &info);
-        count++;
+        int taken = ready.gone & 1u << role ? -1 : 0;
+        if (ready.readable & 1u << role && count < max) {
+            taken = read_edges(lines, role, out + count, max - count);
+        }
+        if (taken < 0) {
+            let_go(lines, role);
+            lines->went = 1;
+        }
+        count += taken > 0 ? (uint32_t)taken : 0u;
     }
-    return count;
+    if (lines->went && count == 0) { /* What the others said comes first. */
+        lines->went = 0;
+        return HAL_ERR_GONE;
+    }
+    return (int)count;
 }
+
+/* ---- The device ----------------------------------------------------------------------------- */
 
 static int lines2_list(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                        void *context)
 {
-    struct gpio_dev_walk walk = { 0 };
-    uint32_t count = 0;
     (void)self;
-    while (gpio_dev_next(&walk)) {
-        struct gpiod_chip *chip = gpiod_chip_open(walk.path);
-        struct gpiod_chip_info *info = chip ? gpiod_chip_get_info(chip) : NULL;
-        count += info ? list_chip(chip, info, tell, context) : 0u;
-        if (info) {
-            gpiod_chip_info_free(info);
-        }
-        if (chip) {
-            gpiod_chip_close(chip);
-        }
-    }
-    return walk.count > 0 ? (int)count : HAL_ERR_NONE;
+    return gpio_chips_list(tell, context);
 }
 
 static const char *lines2_describe(void *self)

@@ -72,6 +72,7 @@ int fake_line_request(struct fake_chip *chip, struct fake_line *line)
 {
     errno = chip->gone                          ? ENODEV
             : line->refuses                     ? line->refuses
+            : line->has_no_edges && !line->is_output && !line->is_looked_at ? ENXIO
             : line->consumer || line->requested ? EBUSY
                                                 : 0;
     if (errno) {
@@ -79,7 +80,7 @@ int fake_line_request(struct fake_chip *chip, struct fake_line *line)
     }
     line->requested = true;
     line->edges = 0;
-    if (!line->is_output) {
+    if (!line->is_output && !line->is_looked_at) {
         const int failed = pipe2(line->pipe, O_NONBLOCK);
         assert(!failed);
     }
@@ -90,7 +91,7 @@ void fake_line_release(struct fake_line *line)
 {
     assert(line->requested);
     line->requested = false;
-    if (!line->is_output) {
+    if (!line->is_output && !line->is_looked_at) {
         close(line->pipe[0]);
         if (line->pipe[1] >= 0) {
             close(line->pipe[1]);
@@ -127,7 +128,7 @@ void fake_chip_pull(struct fake_chip *chip)
     chip->gone = true;
     for (uint32_t i = 0; i < FAKE_LINES; i++) {
         struct fake_line *line = &chip->lines[i];
-        if (line->requested && !line->is_output) {
+        if (line->requested && !line->is_output && !line->is_looked_at) {
             close(line->pipe[1]); /* The reader's end hangs up. */
             line->pipe[1] = -1;
         }

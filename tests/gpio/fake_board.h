@@ -15,6 +15,8 @@ struct fake_line {
     const char *name;     /* Null: the board gives none. */
     const char *consumer; /* Not null: another program holds it. */
     int refuses;          /* An errno that a request is answered with; 0: none. */
+    bool has_no_edges;    /* It gives no interrupts ... */
+    bool is_looked_at;    /* ... and so was asked for without. */
     bool requested;
     int pipe[2];          /* Edges on their way; while it is requested as an input. */
     uint8_t value;        /* After active_low. */

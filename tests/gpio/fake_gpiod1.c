@@ -110,10 +110,7 @@ int gpiod_line_request(struct gpiod_line *line, const struct gpiod_line_request_
 {
     struct fake_line *of = line->of;
     of->is_output = config->request_type == GPIOD_LINE_REQUEST_DIRECTION_OUTPUT;
-    if (!of->is_output && config->request_type != GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES) {
-        errno = EINVAL;
-        return -1;
-    }
+    of->is_looked_at = config->request_type == GPIOD_LINE_REQUEST_DIRECTION_INPUT;
     if (fake_line_request(line->chip, of) != 0) {
         return -1;
     }
@@ -139,7 +136,10 @@ int gpiod_line_event_read_fd_multiple(int fd, struct gpiod_line_event *events,
     struct fake_line *line = NULL;
     for (uint32_t i = 0; i < FAKE_CHIPS * FAKE_LINES; i++) {
         struct fake_line *other = &fake_chips[i / FAKE_LINES].lines[i % FAKE_LINES];
-        line = other->requested && !other->is_output && other->pipe[0] == fd ? other : line;
+        if (other->requested && !other->is_output && !other->is_looked_at &&
+            other->pipe[0] == fd) {
+            line = other;
+        }
     }
     const int count = line ? fake_line_read(line, edges, num_events < 16 ? num_events : 16) : -1;
     for (int i = 0; i < count; i++) {

@@ -113,7 +113,9 @@ bool gpiod_line_info_is_active_low(struct gpiod_line_info *info)
 
 struct gpiod_line_settings *gpiod_line_settings_new(void)
 {
-    return calloc(1, sizeof(struct gpiod_line_settings));
+    struct gpiod_line_settings *settings = calloc(1, sizeof *settings);
+    settings->as.is_looked_at = true; /* Unless edges are asked for. */
+    return settings;
 }
 
 void gpiod_line_settings_free(struct gpiod_line_settings *settings)
@@ -131,8 +133,8 @@ int gpiod_line_settings_set_direction(struct gpiod_line_settings *settings,
 int gpiod_line_settings_set_edge_detection(struct gpiod_line_settings *settings,
                                            enum gpiod_line_edge edge)
 {
-    (void)settings;
-    return edge == GPIOD_LINE_EDGE_BOTH ? 0 : -1;
+    settings->as.is_looked_at = edge != GPIOD_LINE_EDGE_BOTH;
+    return 0;
 }
 
 int gpiod_line_settings_set_bias(struct gpiod_line_settings *settings, enum gpiod_line_bias bias)
@@ -218,6 +220,7 @@ struct gpiod_line_request *gpiod_chip_request_lines(struct gpiod_chip *chip,
 {
     struct fake_line *line = &chip->of->lines[line_cfg->offset];
     line->is_output = line_cfg->as.is_output;
+    line->is_looked_at = line_cfg->as.is_looked_at && !line->is_output;
     if (fake_line_request(chip->of, line) != 0) {
         return NULL;
     }

@@ -205,6 +205,32 @@ static void test_no_more_edges_are_taken_than_there_is_room_for_and_none_is_lost
     end(&lines);
 }
 
+static void test_a_line_without_interrupts_is_looked_at(void **state)
+{
+    (void)state;
+    struct gpio_edge edges[GPIO_EDGES_MAX];
+    const struct gpio_lines lines = fresh();
+    struct fake_line *door = &fake_chips[2].lines[5];
+    door->has_no_edges = true;
+    door->value = 1; /* It stands open. */
+    wire("door=DOOR");
+    wire("start=BTN_START");
+    assert_int_equal(ask(&lines), 1 << GPIO_DOOR | 1 << GPIO_START);
+    assert_string_equal(why[GPIO_DOOR], "");
+    assert_int_equal(lines.ops->debounces(lines.self, GPIO_DOOR), 0);
+    assert_int_equal(wait(&lines, edges), 0);
+    door->value = 0;
+    assert_int_equal(wait(&lines, edges), 1);
+    assert_int_equal(edges[0].role, GPIO_DOOR);
+    assert_int_equal(edges[0].active, 0);
+    assert_true(edges[0].time_ns > 0);
+    assert_int_equal(wait(&lines, edges), 0);
+    fake_chip_pull(&fake_chips[2]);
+    assert_int_equal(wait(&lines, edges), HAL_ERR_GONE);
+    assert_int_equal(lines.ops->level(lines.self, GPIO_DOOR), HAL_ERR_GONE);
+    end(&lines);
+}
+
 static void test_a_chip_that_goes_is_told_after_the_edges_of_the_others(void **state)
 {
     (void)state;
@@ -288,6 +314,7 @@ int main(void)
         cmocka_unit_test(test_edges_come_with_their_times_each_lines_oldest_first),
         cmocka_unit_test(test_edges_that_the_queue_dropped_are_counted_or_inferred),
         cmocka_unit_test(test_no_more_edges_are_taken_than_there_is_room_for_and_none_is_lost),
+        cmocka_unit_test(test_a_line_without_interrupts_is_looked_at),
         cmocka_unit_test(test_a_chip_that_goes_is_told_after_the_edges_of_the_others),
         cmocka_unit_test(test_a_chip_that_only_has_lamps_is_missed_when_one_is_set),
         cmocka_unit_test(test_all_lines_of_chips_that_may_be_opened_are_listed),
