@@ -74,6 +74,9 @@ int doctor_may_use(const struct doctor *doctor, const char *path);
 void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *finding,
                         const char *path, const char *otherwise);
 
+/* Whether a `kingyo` runs now: what is held may be held by it. */
+bool doctor_kiosk_runs(const struct doctor *doctor);
+
 /* ---- Small files of /sys -------------------------------------------------------------------- */
 
 /* The first line of a file under the root, printable; "" where there is none. */

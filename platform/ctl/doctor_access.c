@@ -1,4 +1,5 @@
 /* doctor_access.c -- may the kiosk's user use it, and who could say that he may. */
+#include <dirent.h>
 #include <errno.h>
 #include <grp.h>
 #include <stdarg.h>
@@ -82,4 +83,23 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
     for (char *at = out; *at; at++) {
         *at = (unsigned char)*at < 0x20 || *at == 0x7f ? '.' : *at;
     }
+}
+
+bool doctor_kiosk_runs(const struct doctor *doctor)
+{
+    char path[DOCTOR_PATH + OPTIONS_PATH_MAX], name[32];
+    bool runs = false;
+    snprintf(path, sizeof path, "%s/proc", doctor->root);
+    DIR *folder = opendir(path);
+    const struct dirent *entry;
+    while (folder && !runs && (entry = readdir(folder))) {
+        if (entry->d_name[0] >= '0' && entry->d_name[0] <= '9') {
+            doctor_line(doctor, name, sizeof name, "/proc/%.32s/comm", entry->d_name);
+            runs = strcmp(name, "kingyo") == 0;
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    return runs;
 }

@@ -10,8 +10,12 @@
 #include "drivers/usb_choice_file.h"
 #include "platform/ctl/hid_nodes.h"
 
-static const char *map_words(const struct hid_map *map)
+static const char *map_words(const struct usb_interface *interface)
 {
+    const struct hid_map *map = &interface->map;
+    if (interface->subject.kind == USB_KIND_UNKNOWN) {
+        return "it says how once it is claimed";
+    }
     switch (map->source) {
     case HID_MAP_OWN:
         return "our own poi";
@@ -48,38 +52,39 @@ static void say_denied(struct doctor *doctor, const struct usb_device *device, b
     doctor_todo_access(doctor, finding, node, rule);
 }
 
-/* A driver that libusb does not take off by itself, or another program. */
-static void say_held(struct doctor *doctor, const struct usb_device *device,
-                     const struct usb_interface *interface)
+/* A kernel driver gives way by itself (libusb's auto-detach); another program does not. */
+static void say_held(struct doctor *doctor, const struct usb_device *device)
 {
-    const bool by_program = strcmp(interface->driver, "usbfs") == 0;
-    struct doctor_finding *finding =
-        say(doctor, device, by_program ? DOCTOR_LOOK : DOCTOR_WRONG);
-    if (by_program) {
-        doctor_state(finding, "a program has claimed it, which is well if that is the kiosk");
-        doctor_todo(finding, "sudo fuser -v /dev/bus/usb/%03u/%03u names it", device->bus,
-                    device->number);
-    } else {
-        doctor_state(finding, "could play, but the driver %s holds it", interface->driver);
-        doctor_todo(finding, "echo %s:%u.%u | sudo tee /sys/bus/usb/drivers/%s/unbind",
-                    device->port, device->configuration, interface->number, interface->driver);
+    const bool by_kiosk = doctor_kiosk_runs(doctor);
+    struct doctor_finding *finding = say(doctor, device, by_kiosk ? DOCTOR_FINE : DOCTOR_WRONG);
+    if (by_kiosk) {
+        doctor_state(finding, "claimed, by the running kiosk");
+        return;
     }
+    doctor_state(finding, "could play, but another program has claimed it");
+    doctor_todo(finding, "end that program; sudo fuser -v /dev/bus/usb/%03u/%03u names it",
+                device->bus, device->number);
 }
 
 static void say_ready(struct doctor *doctor, const struct usb_device *device,
                       const struct usb_interface *interface)
 {
-    const bool plays = interface->verdict == USB_PLAYS;
+    static const char *const words[] = {
+        [USB_BARRED] = "never plays",
+        [USB_FREE] = "may play",
+        [USB_ASK] = "is asked as soon as the kiosk starts",
+        [USB_PLAYS] = "plays",
+    };
     struct doctor_finding *finding =
         say(doctor, device, device->sleeps ? DOCTOR_LOOK : DOCTOR_FINE);
-    doctor_state(finding, "%s (%s)%s", plays ? "plays" : "may play", map_words(&interface->map),
+    doctor_state(finding, "%s (%s)%s", words[interface->verdict], map_words(interface),
                  device->sleeps ? ", but may fall asleep in mid-round" : "");
     if (device->sleeps) {
         doctor_todo(finding,
                     "sudo cp board/udev/*.rules /etc/udev/rules.d/ and replug it, or for now: "
                     "echo on | sudo tee " USB_DEVICES "/%s/power/control",
                     device->port);
-    } else if (!plays) {
+    } else if (interface->verdict == USB_FREE) {
         doctor_todo(finding, "choose it in the operator's menu, or start with --usb %04x:%04x",
                     device->identity.vendor, device->identity.product);
     }
@@ -93,8 +98,8 @@ static void say_hand(struct doctor *doctor, const struct usb_device *device,
     const int error = doctor_may_use(doctor, node);
     if (error) {
         say_denied(doctor, device, interface->verdict == USB_PLAYS, error, node);
-    } else if (interface->driver[0] && strcmp(interface->driver, "usbhid") != 0) {
-        say_held(doctor, device, interface);
+    } else if (strcmp(interface->driver, "usbfs") == 0) {
+        say_held(doctor, device);
     } else {
         say_ready(doctor, device, interface);
     }

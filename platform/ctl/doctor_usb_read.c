@@ -81,8 +81,9 @@ static void read_interface(const struct doctor *doctor, const struct usb_choice 
 /* Whose interface is best to play with: what is told of a device is told of that. */
 static int is_better(const struct usb_interface *a, const struct usb_interface *b)
 {
-    return a->verdict != b->verdict ? a->verdict > b->verdict
-                                    : a->subject.kind > b->subject.kind;
+    return a->verdict != b->verdict             ? a->verdict > b->verdict
+           : a->subject.kind != b->subject.kind ? a->subject.kind > b->subject.kind
+                                                : a->number < b->number;
 }
 
 static void read_interfaces(const struct doctor *doctor, const struct usb_choice *choice,

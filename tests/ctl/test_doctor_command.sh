@@ -83,12 +83,18 @@ put data/usb.txt 'plays 054c:0ce6'
 check 'one that was chosen in the menu plays' finds fine usb 054c:0ce6 'plays \(a controller we know\)'
 rm "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
 ln -s /sys/bus/usb/drivers/usbfs "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
-check 'one that a program has claimed is one to look at' finds look usb 054c:0ce6 'a program has claimed it' 'sudo fuser -v /dev/bus/usb/001/002'
+check 'one that a program has claimed is wrong, and it is said how to find that' finds wrong usb 054c:0ce6 \
+    'another program has claimed it' 'end that program; sudo fuser -v /dev/bus/usb/001/002'
+put proc/4711/comm kingyo
+check 'unless that program is the kiosk' finds fine usb 054c:0ce6 'claimed, by the running kiosk'
+rm -r "$root/proc/4711"
 ln -sfn /sys/bus/usb/drivers/odd "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
-check 'a driver in the way is wrong, and it is said how to end it' finds wrong usb 054c:0ce6 'the driver odd holds it' \
-    'echo 1-1.1:1.3 . sudo tee /sys/bus/usb/drivers/odd/unbind'
+check 'a kernel driver gives way' finds fine usb 054c:0ce6 'plays'
 rm "$root/sys/bus/usb/devices/1-1.1:1.3/driver"
 check 'without a driver it is free' finds fine usb 054c:0ce6 'plays'
+mv "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001" "$work/hid"
+check 'one whose descriptor nobody has read yet says so' finds fine usb 054c:0ce6 'is asked as soon as the kiosk starts \(it says how once'
+mv "$work/hid" "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001"
 with=(--usb 046d:c31c)
 check 'a keyboard is never claimed, whoever names it' finds fine usb 046d:c31c 'a keyboard is never claimed'
 with=()
