@@ -89,12 +89,22 @@ static void begin_input(struct gpio_reader *reader, enum gpio_role role)
     }
 }
 
+/* A coin that had left its sensor when the line went has fallen, if its end did not stand yet. */
+static void lose_coin(struct gpio_reader *reader)
+{
+    const struct debounce *debounce = &reader->inputs[GPIO_COIN].debounce;
+    if (debounce->stable && !debounce->raw) {
+        coin_mech_turn(&reader->coin, debounce->since_ns, false);
+    }
+    coin_mech_lose(&reader->coin);
+}
+
 static void lose_line(struct gpio_reader *reader, enum gpio_role role)
 {
     reader->had &= ~bit_of(role);
     reader->levels &= ~bit_of(role);
     if (role == GPIO_COIN) {
-        coin_mech_lose(&reader->coin);
+        lose_coin(reader);
     }
 }
 
