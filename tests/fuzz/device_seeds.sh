@@ -81,4 +81,6 @@ start_lamp=gpio-sim.0:4,float
 plays 057e:2009:A0-1
 rests 1209:0001
 END
+rm -rf "$folder/live"
+cp -r "$folder/report" "$folder/live"
 touch "$folder/made"
