@@ -115,11 +115,11 @@ static inline void bench_prepare(struct usb_bench *bench)
     stand_begin(bench->sysfs);
 }
 
-static inline void bench_start(struct usb_bench *bench, const struct usb_key *listed,
-                               uint32_t listed_count)
+static inline void bench_start_with(struct usb_bench *bench, struct hal_clock clock,
+                                    const struct usb_key *listed, uint32_t listed_count)
 {
     const struct usb_seats_config config = {
-        .clock = clock_device(),
+        .clock = clock,
         .choices = bench->choices,
         .listed = listed,
         .listed_count = listed_count,
@@ -128,6 +128,12 @@ static inline void bench_start(struct usb_bench *bench, const struct usb_key *li
         .tell_self = bench,
     };
     bench->seats = usb_seats_start(&config, bench->why);
+}
+
+static inline void bench_start(struct usb_bench *bench, const struct usb_key *listed,
+                               uint32_t listed_count)
+{
+    bench_start_with(bench, clock_device(), listed, listed_count);
 }
 
 /* How much was not given back. */

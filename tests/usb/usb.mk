@@ -4,7 +4,7 @@ USB_TESTS := usb_seats usb_unplug usb_crowd usb_ring usb_choice
 USB_STAND := usb_stand usb_stand_lib
 
 # libusb's functions come from the stand: what the program itself defines is linked before libraries.
-$(USB_TESTS:%=$(BUILD)/tests/unit/test_%) $(BUILD)/tests/unit/test_board_usb: $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
+$(patsubst %,$(BUILD)/tests/unit/test_%,$(USB_TESTS) usb_play board_usb): $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
 .SECONDARY: $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
 
 # The same again with everything they call compiled for address + undefined behaviour, and for threads.
