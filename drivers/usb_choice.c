@@ -149,11 +149,14 @@ static const struct usb_wish *find_wish(const struct usb_choice *choice,
 
 /* ---- Verdicts ------------------------------------------------------------------------------- */
 
-/* Usage tables, Generic Desktop 06, 07, 80 .. and Consumer: whole keyboards and single keys. */
+/* Keys by their application, HID Usage Tables: Generic Desktop's keyboard, keypad and system
+ * control, media keys, telephones; and what no hand leads: monitors, power supplies, scanners of
+ * codes, scales, cards, and the keys to somebody's accounts (FIDO). */
 static int is_keys(hid_usage application)
 {
     const uint32_t page = application >> 16, id = application & 0xffffu;
-    return (page == 0x01u && (id == 0x06u || id == 0x07u || id == 0x80u)) || page == 0x0cu;
+    return (page == 0x01u && (id == 0x06u || id == 0x07u || id == 0x80u)) || page == 0x0bu ||
+           page == 0x0cu || (page >= 0x80u && page <= 0x8eu) || page == 0xf1d0u;
 }
 
 enum usb_kind usb_choice_kind(const uint8_t *bytes, uint32_t size, struct hid_descriptor *scratch)

@@ -59,7 +59,7 @@ int usb_choice_line(const struct usb_choice *choice, uint32_t index,
 enum usb_kind {
     USB_KIND_UNKNOWN = 0, /* It was not read yet. */
     USB_KIND_NOTHING,     /* No input fields, or it cannot be read. */
-    USB_KIND_KEYS,        /* A keyboard, keypad, power or media keys: and nothing else. */
+    USB_KIND_KEYS,        /* A keyboard, media keys, a power supply: nothing that a hand leads. */
     USB_KIND_MIXED,       /* Such keys, and something else. */
     USB_KIND_HAND,        /* Something that may be led by a hand. */
     USB_KIND_OWN,         /* Our own poi, byte for byte. */

@@ -85,7 +85,7 @@ void usb_device_judge(struct usb_device *device, const struct usb_judge *judge)
 }
 
 /* What `device` is by this interface alone. What was read from it once, it keeps: while we have it
- * claimed no driver of the kernel shows it. */
+ * claimed no driver of the kernel shows it, and what one shows may be mended. */
 static void look_at(struct usb_device *device, const struct usb_judge *judge,
                     const struct libusb_interface_descriptor *interface)
 {
@@ -94,9 +94,11 @@ static void look_at(struct usb_device *device, const struct usb_judge *judge,
     const uint32_t size =
         usb_sysfs_descriptor(judge->sysfs, face->identity.port, device->configuration,
                              interface->bInterfaceNumber, bytes);
-    if (size > 0u || face->identity.interface_number != interface->bInterfaceNumber) {
+    const int is_same = face->identity.interface_number == interface->bInterfaceNumber;
+    if (!is_same || (size > 0u && !device->is_read)) {
         memcpy(face->descriptor, bytes, size);
         face->descriptor_size = size;
+        device->is_read = 0;
     }
     face->identity.interface_number = interface->bInterfaceNumber;
     device->is_boot = interface->bInterfaceSubClass == HID_BOOT;

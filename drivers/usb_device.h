@@ -28,6 +28,7 @@ struct usb_device {
     uint8_t is_boot;        /* The interface knows the boot protocol ... */
     uint8_t is_boot_keyboard; /* ... of a keyboard. */
     uint32_t declared_size; /* Of its report descriptor. */
+    uint8_t is_read;        /* `face.descriptor` came from the device itself. */
     uint8_t verdict;        /* enum usb_verdict */
     uint8_t kind;           /* enum usb_kind */
     struct usb_pipe pipe;

@@ -63,6 +63,7 @@ static enum usb_trouble read_descriptor(libusb_device_handle *handle, struct usb
     if (size > 0) {
         memcpy(device->face.descriptor, bytes, (size_t)size);
         device->face.descriptor_size = (uint32_t)size;
+        device->is_read = 1;
         return USB_FINE;
     }
     if (size != LIBUSB_ERROR_NO_DEVICE && device->face.descriptor_size > 0u) {

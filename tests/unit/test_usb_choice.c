@@ -204,6 +204,19 @@ static void test_our_own_descriptor_is_known_to_the_last_byte(void **state)
     assert_int_equal(usb_choice_kind(cut_off, sizeof cut_off, &scratch), USB_KIND_NOTHING);
 }
 
+static void test_what_no_hand_leads_is_barred(void **state)
+{
+    (void)state;
+    static const uint8_t pages[][3] = { { 0x84, 0x00, 0x04 }, { 0xd0, 0xf1, 0x01 },
+                                        { 0x0b, 0x00, 0x05 } }; /* A UPS, a FIDO key, a headset. */
+    for (uint32_t i = 0; i < sizeof pages / sizeof pages[0]; i++) {
+        const uint8_t bytes[] = { 0x06, pages[i][0], pages[i][1], 0x09, pages[i][2], 0xa1, 0x01,
+                                  0x09, 0x20, 0x15, 0x00, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x01,
+                                  0x81, 0x02, 0xc0 };
+        assert_int_equal(usb_choice_kind(bytes, sizeof bytes, &scratch), USB_KIND_KEYS);
+    }
+}
+
 /* ---- Seats ---------------------------------------------------------------------------------- */
 
 static struct usb_place place_of(struct hid_identity who, int is_taken, int is_held)
@@ -375,6 +388,7 @@ int main(void)
         cmocka_unit_test(test_a_full_list_forgets_its_oldest),
         cmocka_unit_test(test_real_devices_are_told_apart_by_their_descriptors),
         cmocka_unit_test(test_our_own_descriptor_is_known_to_the_last_byte),
+        cmocka_unit_test(test_what_no_hand_leads_is_barred),
         cmocka_unit_test(test_who_comes_back_gets_its_own_seat),
         cmocka_unit_test(test_two_with_the_same_number_are_told_apart_by_their_ports),
         cmocka_unit_test(test_without_a_number_elsewhere_it_is_known_if_there_is_but_one),

@@ -226,6 +226,28 @@ static void test_one_that_hides_its_descriptor_plays_by_what_the_kernel_read(voi
     assert_true(poi_descriptor_is(face.descriptor, face.descriptor_size));
 }
 
+static void test_one_that_is_no_hand_after_all_is_asked_once(void **state)
+{
+    (void)state;
+    static const struct stand_kind disguised = {
+        .vendor = 0x1111, .product = 0x2222, .name = "Mended keyboard", .is_bound = 1,
+        .interface_count = 1,
+        .interface = { { .class = LIBUSB_CLASS_HID, .packet_size = 8,
+                         .descriptor = keyboard_descriptor,
+                         .descriptor_size = sizeof keyboard_descriptor,
+                         .mended = joystick_descriptor,
+                         .mended_size = sizeof joystick_descriptor } },
+    };
+    bench_start(&bench, NULL, 0);
+    const uint32_t device = stand_plug(&disguised, 1);
+    assert_true(bench_until(&bench, 0, CONTROLLER_FREE));
+    assert_int_equal(choose(0), HAL_OK);
+    assert_true(bench_until(&bench, 0, CONTROLLER_BARRED));
+    usleep(300000);
+    assert_int_equal(stand_seen(device).opens, 1);
+    assert_int_equal(stand_seen(device).closes, 1);
+}
+
 static void test_one_that_is_announced_before_it_is_configured_is_not_overlooked(void **state)
 {
     (void)state;
@@ -580,6 +602,7 @@ int main(void)
         BENCH(test_a_boot_mouse_is_told_to_speak_in_reports),
         BENCH(test_what_knows_no_requests_plays_all_the_same),
         BENCH(test_one_that_hides_its_descriptor_plays_by_what_the_kernel_read),
+        BENCH(test_one_that_is_no_hand_after_all_is_asked_once),
         BENCH(test_one_that_is_announced_before_it_is_configured_is_not_overlooked),
         BENCH(test_without_hot_plug_the_bus_is_looked_at_now_and_then),
         BENCH(test_a_poi_that_may_not_be_opened_names_the_rule_that_lets_it),

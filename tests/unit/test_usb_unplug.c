@@ -185,6 +185,26 @@ static void test_the_end_waits_for_all_that_flies(void **state)
     assert_int_equal(stand_end(), 0);
 }
 
+/* The last test of all: what the kernel never gave back is left to the end of the process. */
+static int tear_down_what_is_left(void **state)
+{
+    (void)state;
+    assert_true(bench_end(&bench) > 0);
+    assert_int_equal(stand_breaches(), 0); /* Nothing was closed or freed under it. */
+    return 0;
+}
+
+static void test_the_end_does_not_wait_for_ever(void **state)
+{
+    (void)state;
+    stand_set_faults(&(struct stand_faults){ .cancel_ms = 3600000 });
+    stand_plug(&own_poi, 1);
+    assert_true(bench_open(&bench, 0, &face));
+    const uint64_t begin_ns = now_ns();
+    usb_seats_stop(bench.seats);
+    assert_in_range(now_ns() - begin_ns, 1000000000ull, 10000000000ull);
+}
+
 static void test_pulled_out_while_it_is_being_opened(void **state)
 {
     (void)state;
@@ -207,6 +227,8 @@ int main(void)
         BENCH(test_transfers_that_come_back_late_are_waited_for),
         BENCH(test_the_end_waits_for_all_that_flies),
         BENCH(test_pulled_out_while_it_is_being_opened),
+        cmocka_unit_test_setup_teardown(test_the_end_does_not_wait_for_ever, set_up,
+                                        tear_down_what_is_left),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

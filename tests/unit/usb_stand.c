@@ -106,7 +106,11 @@ void bus_show_driver(const struct libusb_device *device, uint32_t interface)
     hid_path(device, interface, path, sizeof path);
     mkdir(path, 0755);
     snprintf(file, sizeof file, "%s/report_descriptor", path);
-    write_file(file, it->descriptor, it->descriptor_size);
+    if (it->mended) {
+        write_file(file, it->mended, it->mended_size);
+    } else {
+        write_file(file, it->descriptor, it->descriptor_size);
+    }
 }
 
 void bus_hide_driver(const struct libusb_device *device, uint32_t interface)
@@ -286,6 +290,8 @@ void stand_begin(const char *sysfs)
     bus.device_count = bus.done_count = 0;
     bus.lists = bus.transfers = bus.breaches = bus.calls = 0;
     bus.faults = (struct stand_faults){ 0 };
+    bus.is_running = 0;
+    memset(bus.handles, 0, sizeof bus.handles);
     bus.has_thread = 0;
     snprintf(bus.sysfs, sizeof bus.sysfs, "%s", sysfs ? sysfs : "");
     static const char *const folders[] = { "", "/bus", "/bus/usb", "/bus/usb/devices" };

@@ -19,6 +19,8 @@ struct stand_interface {
     uint8_t has_out;
     const uint8_t *descriptor; /* Of its reports. */
     uint32_t descriptor_size;
+    const uint8_t *mended;     /* What /sys shows in its place; null: the same. */
+    uint32_t mended_size;
 };
 
 struct stand_kind {

@@ -40,3 +40,13 @@ $(USB_SAN)/thread/%.o: %.c
 .PHONY: test-usb-sanitizers
 .SECONDARY: $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o) $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o) \
     $(foreach t,$(USB_TESTS),$(USB_SAN)/address/tests/unit/test_$(t).o $(USB_SAN)/thread/tests/unit/test_$(t).o)
+
+## bench-usb: how long a USB poi's report waits for its stamp and for its frame; SECONDS=10
+bench-usb: $(BUILD)/tests/bench/bench_usb
+	@$< $(or $(SECONDS),10)
+
+$(BUILD)/tests/bench/bench_usb: %: %.o $(USB_STAND:%=$(BUILD)/tests/unit/%.o) $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: bench-usb

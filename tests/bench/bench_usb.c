@@ -1,0 +1,112 @@
+/* bench_usb.c -- how long a report of a USB poi waits, and where: on its way to the stamp, and from
+ * there to the frame that takes it.
+ *
+ * bench_usb [SECONDS]
+ *
+ * The transport's own thread over a bus of memory (tests/unit/usb_stand.h), 1,000 reports a second,
+ * against a loop of 60 frames a second that takes all there are and then works for 4 ms. Real time
+ * on this machine; the kernel's host controller and the wire, 1 ms at most at full speed, are not
+ * in it. Exit code 1 when a report was lost or came out of order. */
+#include <pthread.h>
+#include <stdatomic.h>
+#include <time.h>
+
+#include "drivers/usb_seats.h"
+#include "platform/kiosk/timing.h"
+#include "tests/unit/usb_kinds.h"
+
+#define REPORT_NS 1000000ull
+#define FRAME_NS 16666667ull
+#define WORK_NS 4000000ull
+#define SECONDS_MAX 600u
+
+static struct usb_bench bench;
+static struct timing to_stamp, to_frame, call;
+static uint64_t sent_ns[65536]; /* By the number that the report says. */
+static atomic_int is_over;
+static uint32_t device;
+
+static uint64_t now_ns(void)
+{
+    return clock_device().ops->now_ns(NULL);
+}
+
+static void *wire(void *self)
+{
+    uint64_t next_ns = now_ns();
+    (void)self;
+    for (uint32_t i = 0; !atomic_load(&is_over); i++) {
+        next_ns += REPORT_NS;
+        clock_sleep_until(next_ns);
+        sent_ns[i & 0xffffu] = now_ns();
+        bench_say(device, i & 0xffffu);
+    }
+    return NULL;
+}
+
+/* Takes all that came; how many were not the next. */
+static uint32_t take_all(const struct hid_port *port, uint32_t *expected)
+{
+    struct hid_raw raw;
+    uint32_t wrong = 0;
+    int result;
+    do {
+        const uint64_t begin_ns = now_ns();
+        result = port->ops->take(port->self, &raw);
+        const uint64_t end_ns = now_ns();
+        timing_add(&call, end_ns - begin_ns);
+        if (result == 1) {
+            const uint32_t number = bench_number(&raw);
+            wrong += number != *expected;
+            *expected = (number + 1u) & 0xffffu;
+            timing_add(&to_stamp, raw.time_ns - sent_ns[number]);
+            timing_add(&to_frame, end_ns - raw.time_ns);
+        }
+    } while (result == 1);
+    return wrong;
+}
+
+static void tell(const char *what, const struct timing *timing)
+{
+    printf("%-28s p50 %6.2f ms   p99 %6.2f ms   at most %6.2f ms\n", what,
+           (double)timing_quantile_ns(timing, 0.5) * 1e-6,
+           (double)timing_quantile_ns(timing, 0.99) * 1e-6, (double)timing->max_ns * 1e-6);
+}
+
+static uint32_t run(uint32_t seconds)
+{
+    const struct hid_port port = usb_seats_port(bench.seats, 0);
+    const uint64_t end_ns = now_ns() + seconds * 1000000000ull;
+    uint32_t expected = 0, wrong = 0;
+    for (uint64_t frame_ns = now_ns(); frame_ns < end_ns; frame_ns += FRAME_NS) {
+        clock_sleep_until(frame_ns);
+        wrong += take_all(&port, &expected);
+        while (now_ns() < frame_ns + WORK_NS) { /* A core, a scene: the thread must do without. */
+        }
+    }
+    return wrong + port.ops->lost_count(port.self);
+}
+
+int main(int argc, char **argv)
+{
+    const uint32_t wanted = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 10u;
+    const uint32_t seconds = wanted > 0 && wanted <= SECONDS_MAX ? wanted : 10u;
+    struct hid_face face;
+    pthread_t thread;
+    bench_prepare(&bench);
+    bench_start(&bench, NULL, 0);
+    device = stand_plug(&own_poi, 1);
+    if (!bench_open(&bench, 0, &face) || pthread_create(&thread, NULL, wire, NULL)) {
+        return 1;
+    }
+    const uint32_t wrong = run(seconds);
+    atomic_store(&is_over, 1);
+    pthread_join(thread, NULL);
+    const uint32_t left = bench_end(&bench);
+    printf("%llu reports in %u s, %u lost or out of order\n", (unsigned long long)to_stamp.count,
+           seconds, wrong);
+    tell("wire to stamp", &to_stamp);
+    tell("stamp to frame (60 a second)", &to_frame);
+    printf("%-28s at most %.1f us\n", "one call of the frame loop", (double)call.max_ns * 1e-3);
+    return wrong > 0 || left > 0;
+}
