@@ -251,6 +251,27 @@ static void point(struct hid_hand *hand)
     }
 }
 
+/* What a stick of four switches pushes. */
+static float hat_push(const struct hid_hand *hand, enum hid_role role)
+{
+    static const int8_t right[] = { 0, 1, 1, 1, 0, -1, -1, -1 };
+    static const int8_t near[] = { -1, -1, 0, 1, 1, 1, 0, -1 };
+    const int8_t *way = role == HID_ROLE_X ? right : near;
+    float push = 0.0f;
+    for (uint32_t i = 0; i < hand->map.count; i++) {
+        const struct hid_binding *binding = &hand->map.binding[i];
+        if (binding->role == role && binding->manner == HID_MANNER_HAT && hand->value[i] >= 0.0f) {
+            push += (float)way[(int)hand->value[i] % 8];
+        }
+    }
+    return push;
+}
+
+static float push_of(const struct hid_hand *hand, enum hid_role role)
+{
+    return sum_of(hand, role, HID_MANNER_RATE) + hat_push(hand, role);
+}
+
 static vec3 twist_of(const struct hid_hand *hand)
 {
     return v3(sum_of(hand, HID_ROLE_PITCH, HID_MANNER_COUNT),
@@ -262,9 +283,8 @@ static void fly(struct hid_hand *hand)
 {
     const struct fly_report report = {
         .time_ns = hand->time_ns,
-        .push = v3(sum_of(hand, HID_ROLE_X, HID_MANNER_RATE),
-                   sum_of(hand, HID_ROLE_Y, HID_MANNER_RATE),
-                   sum_of(hand, HID_ROLE_Z, HID_MANNER_RATE)),
+        .push = v3(push_of(hand, HID_ROLE_X), sum_of(hand, HID_ROLE_Y, HID_MANNER_RATE),
+                   push_of(hand, HID_ROLE_Z)),
         .twist = twist_of(hand),
         .buttons = pointer_buttons(hand),
     };
@@ -277,7 +297,7 @@ static uint32_t hat_buttons(const struct hid_hand *hand)
     uint32_t buttons = 0;
     for (uint32_t i = 0; i < hand->map.count; i++) {
         const int direction = (int)hand->value[i];
-        if (hand->map.binding[i].manner == HID_MANNER_HAT && direction >= 0) {
+        if (hand->map.binding[i].role == HID_ROLE_HAT && direction >= 0) {
             buttons |= direction >= 5              ? INPUT_LEFT
                        : direction % 4 == 0        ? INPUT_OK
                                                    : INPUT_RIGHT;

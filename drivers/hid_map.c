@@ -132,7 +132,8 @@ static int manner_fits(const struct hid_binding *binding)
         return !is_axis_role(binding->role) && binding->role != HID_ROLE_HAT &&
                binding->role != HID_ROLE_SEQUENCE;
     case HID_MANNER_HAT:
-        return binding->role == HID_ROLE_HAT;
+        return binding->role == HID_ROLE_HAT || binding->role == HID_ROLE_X ||
+               binding->role == HID_ROLE_Z;
     default:
         return 0;
     }
@@ -187,7 +188,7 @@ static int style_is_sound(const struct hid_map *map, const struct hid_descriptor
     case HID_STYLE_POINTER:
         return dips && (has_plane(map, HID_MANNER_PLACE) || has_plane(map, HID_MANNER_STEP));
     case HID_STYLE_FLY:
-        return has_plane(map, HID_MANNER_RATE) &&
+        return (has_plane(map, HID_MANNER_RATE) || has_plane(map, HID_MANNER_HAT)) &&
                (dips || has(map, HID_ROLE_Y, HID_MANNER_RATE));
     default:
         return 0;

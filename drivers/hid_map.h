@@ -42,7 +42,8 @@ enum hid_manner {
     HID_MANNER_RATE,      /* The value is a speed: sticks, pucks. */
     HID_MANNER_STEP,      /* The value is a way since the last report: mice, wheels. */
     HID_MANNER_PRESS,     /* Pressed from half way between `rest` and `full` on. */
-    HID_MANNER_HAT,       /* Eight directions from `rest`, clockwise from up; out of range: none. */
+    HID_MANNER_HAT,       /* Eight directions from `rest`, clockwise from up; out of range: none. Of
+                             X and Z: a stick of four switches, which pushes fully or not at all. */
     HID_MANNER_COUNT,
 };
 

@@ -67,6 +67,12 @@ int hid_offer_bits(struct hid_map *map, struct hid_binding binding)
     return 1;
 }
 
+/* Some declare buttons, and never what they may say. */
+static int is_bare_button(const struct hid_group *group)
+{
+    return group->bit_size == 1 && group->logical_min == 0 && group->logical_max == 0;
+}
+
 static int32_t to_i32(int64_t value)
 {
     return (int32_t)(value < INT32_MIN ? INT32_MIN : value > INT32_MAX ? INT32_MAX : value);
@@ -77,7 +83,8 @@ static void set_ends(struct hid_binding *binding, const struct hid_group *group,
     const uint32_t bits = group->bit_size - (group->logical_min < 0);
     const int64_t most = ((int64_t)1 << bits) - 1; /* Some declare more than their bits hold. */
     const int64_t low = group->logical_min;
-    const int64_t high = group->logical_max < most ? group->logical_max : most;
+    const int64_t high =
+        group->logical_max < most && !is_bare_button(group) ? group->logical_max : most;
     const int64_t middle = low + (high - low + 1) / 2;
     int64_t rest = low, full = high;
     switch (binding->manner) {
@@ -114,7 +121,8 @@ int hid_offer_bind(struct hid_map *map, struct hid_spot spot, enum hid_role role
 {
     const struct hid_group *group = spot.group;
     const int is_switch = manner == HID_MANNER_PRESS || manner == HID_MANNER_HAT;
-    if (!group || (!is_switch && !is_axis(group)) || group->logical_min >= group->logical_max) {
+    if (!group || (!is_switch && !is_axis(group)) ||
+        (group->logical_min >= group->logical_max && !is_bare_button(group))) {
         return 0;
     }
     const int is_array = !(group->flags & HID_VARIABLE);
@@ -175,11 +183,19 @@ static uint32_t worth_of(const struct surface *surface)
     }
 }
 
+/* A stick of four switches: a hat is all the way there is. */
+static int is_switch_stick(const struct surface *surface)
+{
+    return (surface->application == USAGE_JOYSTICK || surface->application == USAGE_GAMEPAD) &&
+           of(surface, USAGE_HAT).group && !of(surface, USAGE_X).group;
+}
+
 static int is_surface(const struct hid_descriptor *descriptor, const struct hid_group *group,
                       struct surface *out)
 {
-    const int32_t index = place_in(descriptor, group, USAGE_X);
-    if ((group->flags & HID_CONSTANT) || !is_axis(group) || index < 0) {
+    const int has_x = is_axis(group) && place_in(descriptor, group, USAGE_X) >= 0;
+    const int has_hat = place_in(descriptor, group, USAGE_HAT) >= 0;
+    if ((group->flags & HID_CONSTANT) || (!has_x && !has_hat)) {
         return 0;
     }
     *out = (struct surface){
@@ -189,7 +205,7 @@ static int is_surface(const struct hid_descriptor *descriptor, const struct hid_
         .relative = (group->flags & HID_RELATIVE) != 0,
     };
     const struct hid_spot y = of(out, USAGE_Y);
-    return y.group && is_axis(y.group);
+    return (has_x && y.group && is_axis(y.group)) || (has_hat && is_switch_stick(out));
 }
 
 /* ---- Maps ----------------------------------------------------------------------------------- */
@@ -257,12 +273,18 @@ static void map_pad_buttons(struct hid_map *map, const struct surface *surface)
 
 static void map_pad(struct hid_map *map, const struct surface *surface)
 {
+    const struct hid_spot hat = of(surface, USAGE_HAT);
     map->style = HID_STYLE_FLY;
-    hid_offer_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_MANNER_RATE, 0);
-    hid_offer_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_RATE, 0);
-    map_right_stick(map, surface);
+    if (is_switch_stick(surface)) {
+        hid_offer_bind(map, hat, HID_ROLE_X, HID_MANNER_HAT, 0);
+        hid_offer_bind(map, hat, HID_ROLE_Z, HID_MANNER_HAT, 0);
+    } else {
+        hid_offer_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_MANNER_RATE, 0);
+        hid_offer_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_RATE, 0);
+        map_right_stick(map, surface);
+        hid_offer_bind(map, hat, HID_ROLE_HAT, HID_MANNER_HAT, 0);
+    }
     hid_offer_bind(map, of(surface, USAGE_ACCELERATOR), HID_ROLE_DIP, HID_MANNER_PRESS, 0);
-    hid_offer_bind(map, of(surface, USAGE_HAT), HID_ROLE_HAT, HID_MANNER_HAT, 0);
     map_pad_buttons(map, surface);
 }
 

@@ -12,7 +12,7 @@ UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
 E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close
 
--include tests/replay/replay.mk tests/golden/golden.mk tests/gltf/gltf.mk tests/gpio/gpio.mk tests/usb/usb.mk
+-include tests/replay/replay.mk tests/golden/golden.mk tests/gltf/gltf.mk tests/gpio/gpio.mk tests/usb/usb.mk tests/hid/hid.mk
 
 # Whole-machine tests run alone, after those that only compute (tests/run.sh).
 TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh \

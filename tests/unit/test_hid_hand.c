@@ -200,6 +200,26 @@ static void test_sticks_lead_the_fan_while_its_button_is_down(void **state)
     assert_true(hid_hand_fan(&hand, now_ms * MS).x_m < fan.x_m - 0.05f);
 }
 
+/* An arcade stick has four switches, which its maker calls a hat. */
+static void test_a_stick_of_switches_pushes_all_the_way(void **state)
+{
+    (void)state;
+    take_up("023-ci-xusb-arcadestick", 0x045e, 0x028e);
+    wire_put(&wire, 0, USAGE_HAT, 0); /* None: its directions are 1 .. 8. */
+    assert_true(send(0));
+    const vec3 before = sample_after(300).target.position_m;
+    assert_float_equal(before.x, 0.0f, 1e-6f);
+    wire_put(&wire, 0, USAGE_HAT, 2); /* Up and right. */
+    send(0);
+    const vec3 after = sample_after(300).target.position_m;
+    assert_true(after.x > 0.08f && after.z < before.z - 0.08f);
+    assert_int_equal(pressed(), 0);
+    wire_put(&wire, 0, USAGE_HAT, 0);
+    wire_put(&wire, 0, USAGE_BUTTON + 1u, 1);
+    send(0);
+    assert_float_equal(sample_after(700).target.position_m.y, DIP_DEPTH_M, 1e-4f);
+}
+
 /* ---- Pucks ---------------------------------------------------------------------------------- */
 
 static void puck(hid_usage usage, int64_t value)
@@ -225,6 +245,37 @@ static void test_a_puck_goes_all_ways(void **state)
     assert_true(sample_after(300).target.angles.roll_rad < -0.9f);
     puck(USAGE_RZ, 350); /* Clockwise from above. */
     assert_true(sample_after(300).target.angles.yaw_rad < -0.9f);
+}
+
+/* A SpaceNavigator's way: places in report 1, turns in report 2, and both called relative. */
+static void test_an_old_puck_says_its_ways_and_its_turns_apart(void **state)
+{
+    static const uint8_t descriptor[] = {
+        0x05, 0x01, 0x09, 0x08, 0xa1, 0x01,                         /* Multi-axis Controller */
+        0xa1, 0x00, 0x85, 0x01, 0x16, 0xa2, 0xfe, 0x26, 0x5e, 0x01, /* id 1, -350 .. 350 */
+        0x75, 0x10, 0x95, 0x03, 0x09, 0x30, 0x09, 0x31, 0x09, 0x32, 0x81, 0x06, 0xc0,
+        0xa1, 0x00, 0x85, 0x02, 0x09, 0x33, 0x09, 0x34, 0x09, 0x35, 0x81, 0x06, 0xc0,
+        0xa1, 0x02, 0x85, 0x03, 0x05, 0x09, 0x19, 0x01, 0x29, 0x02, 0x15, 0x00, 0x25, 0x01,
+        0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xc0, 0xc0,             /* id 3: buttons */
+    };
+    struct hid_map map;
+    (void)state;
+    wire_begin(&wire, &clock_now, descriptor, sizeof descriptor);
+    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(map.style, HID_STYLE_FLY);
+    assert_int_equal(hid_hand_init(&hand, &wire.face, &map, stall_view()), 0);
+    send(1);
+    send(2);
+    wire_put(&wire, 1, USAGE_X, -350);
+    send(1);
+    wire_put(&wire, 2, USAGE_RX, 350);
+    send(2); /* And the way goes on. */
+    const struct poi_target target = sample_after(400).target;
+    assert_true(target.position_m.x < -0.1f);
+    assert_true(target.angles.pitch_rad > 0.9f);
+    wire_put(&wire, 3, USAGE_BUTTON + 1u, 1);
+    send(3);
+    assert_int_equal(pressed(), INPUT_START | INPUT_OK);
 }
 
 /* ---- Pointers ------------------------------------------------------------------------------- */
@@ -492,7 +543,9 @@ int main(void)
         cmocka_unit_test(test_the_right_stick_turns_the_ring),
         cmocka_unit_test(test_a_hat_and_the_middle_buttons_are_the_cabinets),
         cmocka_unit_test(test_sticks_lead_the_fan_while_its_button_is_down),
+        cmocka_unit_test(test_a_stick_of_switches_pushes_all_the_way),
         cmocka_unit_test(test_a_puck_goes_all_ways),
+        cmocka_unit_test(test_an_old_puck_says_its_ways_and_its_turns_apart),
         cmocka_unit_test(test_a_mouse_moves_by_its_counts),
         cmocka_unit_test(test_a_pen_is_where_it_is_and_away_it_says_nothing),
         cmocka_unit_test(test_a_pen_that_leans_tilts_the_ring),

@@ -53,6 +53,7 @@ static const struct expected expected[] = {
     { "011-dell-413c-301a-mouse", HID_STYLE_POINTER, HID_MANNER_STEP, 0, 32 },
     { "012-compact-keyboard-2222-0099-if1", HID_STYLE_NONE, 0, 0, 0 },
     { "020-ci-luna-usb", HID_STYLE_FLY, HID_MANNER_RATE, 1, 24 },
+    { "023-ci-xusb-arcadestick", HID_STYLE_FLY, HID_MANNER_HAT, 0, 16 },
     { "027-ci-xusb-gamepad2", HID_STYLE_FLY, HID_MANNER_RATE, 0, 0 },
     { "033-ci-xboxone-model-1708-bluetooth", HID_STYLE_FLY, HID_MANNER_RATE, 1, 0 },
     { "036-hd-ion-15e4-0132", HID_STYLE_NONE, 0, 0, 0 },

@@ -1,0 +1,28 @@
+#!/bin/bash
+# sanitizers.sh -- hands, maps, learning, the book and the desk under the sanitizers: everything of drivers/ that
+# they call is compiled for address + undefined behaviour, and again for threads. Run by `make test-hand-sanitizers`.
+set -eu
+build=${BUILD:-build}
+read -ra cflags <<<"${CFLAGS:--std=c17 -O1 -g -I.}"
+cc=${CC:-gcc}
+tests=(hid_map hid_hand hid_learn hid_book hid_desk poi_hid fly_poi)
+sources=(drivers/{hid_*,poi_hid,poi_report,poi_descriptor,fly_poi,dip,pose_fan,pointer_*,clock_sim,null}.c
+    platform/kiosk/{kiosk,hands,resample}.c tests/unit/panic.c)
+
+for sanitizers in address,undefined thread; do
+    home=$build/hand-sanitizers/${sanitizers%%,*}
+    mkdir -p "$home"
+    objects=()
+    for source in $(ls "${sources[@]}"); do
+        object=$home/$(basename "$source" .c).o
+        $cc "${cflags[@]}" -fsanitize="$sanitizers" -fno-sanitize-recover=all -c -o "$object" "$source"
+        objects+=("$object")
+    done
+    for name in "${tests[@]}"; do
+        program=$home/test_$name
+        $cc "${cflags[@]}" -fsanitize="$sanitizers" -fno-sanitize-recover=all -o "$program" "tests/unit/test_$name.c" \
+            "${objects[@]}" "$build"/{core,shell,core}.a -lcmocka -lm -lpthread
+        CMOCKA_MESSAGE_OUTPUT=TAP "$program" >"$program.log" 2>&1 || { cat "$program.log" >&2; exit 1; }
+        echo "  ok    test_$name under $sanitizers: $(grep -c '^ok' "$program.log") tests"
+    done
+done
