@@ -32,7 +32,7 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     const float u = frame->unit;
     ui_noren(frame, 1.0f - ui_smooth(0.0f, 0.8f, scene->phase_s));
     best_tag(frame, scene, frame->height - 174.0f * u);
-    ui_credits(frame, scene, frame->height - 230.0f * u);
+    ui_credits(frame, scene, 0.5f * frame->width, frame->height - 230.0f * u);
     ui_start_ribbon(frame, scene, frame->height - 108.0f * u, TEXT_START);
     key_lines(frame);
 }

@@ -106,7 +106,6 @@ static void seconds_ring(const struct ui_frame *frame, const struct scene *scene
 
 static void foot(const struct ui_frame *frame, const struct scene *scene)
 {
-    ui_credits(frame, scene, frame->height - 186.0f * frame->unit);
     const float u = frame->unit, x = 0.5f * frame->width, room = frame->width - 32.0f * u;
     char words[TEXT_LINE_MAX];
     ui_best_words(scene, words, sizeof words);
@@ -160,5 +159,6 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     }
     foot(frame, scene);
     seconds_ring(frame, scene, frame->width - 66.0f * u, 62.0f * u);
+    ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     frame->batch->opacity = 1.0f;
 }

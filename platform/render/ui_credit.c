@@ -7,7 +7,7 @@
 #define CLINK_S 0.5f /* The plate swells so long when a coin falls, */
 #define ASK_S 1.2f   /* and the call for one when somebody wants to play in vain. */
 
-void ui_credits(const struct ui_frame *frame, const struct scene *scene, float y)
+void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const struct scene_credit *credit = &scene->credit;
     const float u = frame->unit;
@@ -18,14 +18,14 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float y
     }
     text_number(words, sizeof words, text_words(frame->language, TEXT_CREDITS), credit->credits);
     const struct ui_ribbon plate = {
-        .x = 0.5f * frame->width,
+        .x = x,
         .y = y,
-        .size_px = (27.0f + 5.0f * clink) * u,
+        .size_px = (25.0f + 4.0f * clink) * u,
         .font = FONT_STALL,
         .fill = credit->credits > 0 ? 0x17754ee8u : UI_NIGHT,
         .line = credit->credits > 0 || clink > 0.0f ? UI_GOLD : UI_GOLD_DIM,
         .ink = 0xfff8eaffu,
-        .room_px = frame->width - 32.0f * u,
+        .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * u,
     };
     ui_ribbon(frame, &plate, words);
 }
@@ -56,7 +56,8 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
     static const enum text_key keys[] = { TEXT_WARN_TILT, TEXT_WARN_DOOR, TEXT_WARN_NO_POI };
     const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
     uint32_t shown = scene->credit.warnings;
-    float y = 0.215f * frame->height;
+    /* Below what hangs there: the curtain, or the plates of a round. */
+    float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
     if (scene->asks_menu) {
         warning(frame, y, TEXT_MENU_ASK);
         y += 58.0f * frame->unit;

@@ -30,8 +30,8 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
 void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
                      enum text_key key);
 
-/* How many rounds are paid for, centred at height `y`; nothing where the play is free. */
-void ui_credits(const struct ui_frame *frame, const struct scene *scene, float y);
+/* How many rounds are paid for, centred at (x, y); nothing where the play is free. */
+void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y);
 
 /* How many coins a round still costs. */
 void ui_coin_words(const struct scene *scene, char *out, size_t out_size);

@@ -17,6 +17,7 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
+#include "core/game/credit.h"
 #include "platform/render/ui.h"
 
 #define WIDTH_MAX 3840
@@ -61,6 +62,12 @@ static const struct shot shots[] = {
       0, 1, 0, 0 },
     { "practice", PHASE_ROUND, HINT_WET_ALL, 40.0f, 140.0f, 3, 0, 0.8f, 1, MODE_PRACTICE, 0, 0, 0,
       1, 0 },
+    { "coin", PHASE_ATTRACT, HINT_COIN, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
+    { "paid", PHASE_CHOOSE, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_FESTIVAL, 0, 0, 0, 0,
+      0 },
+    { "warned", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
+    { "ask", PHASE_ROUND, HINT_DIP, 20.0f, 40.0f, 3, 12, 0.8f, 1, 0, 0, 0, 0, 0, 0 },
+    { "paidback", PHASE_RESULT, HINT_PAID_BACK, 6.2f, 0.0f, 4, 12, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
     { "result", PHASE_RESULT, HINT_NONE, 2.4f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
     { "again", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 4, 12, 0.4f, 1, MODE_PRACTICE, 0, 0, 0, 0, 0 },
     { "winner", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 47, 47, 0.4f, 1, MODE_CHAMPIONSHIP, 0,
@@ -86,6 +93,28 @@ static void fill_player(struct scene *scene, const struct shot *shot, uint8_t pl
     out->lost = player == 1 && shot->paused;
 }
 
+/* What is paid and what is wrong, in those pictures that show it. */
+static void fill_cabinet(struct scene *scene, const char *name)
+{
+    static const struct {
+        const char *name;
+        struct scene_credit credit;
+        uint8_t asks_menu;
+    } cabinets[] = {
+        { "coin", { .price = 3, .unpaid = 1, .coins = 1, .coin_s = 60.0f, .asked_s = 0.2f }, 0 },
+        { "paid", { .price = 3, .credits = 2, .coin_s = 0.1f, .asked_s = 60.0f }, 0 },
+        { "warned", { .warnings = WARN_TILT | WARN_DOOR | WARN_NO_POI }, 0 },
+        { "ask", { .price = 1 }, 1 },
+        { "paidback", { .price = 1, .credits = 1, .coin_s = 60.0f, .asked_s = 60.0f }, 0 },
+    };
+    for (size_t i = 0; i < sizeof cabinets / sizeof *cabinets; i++) {
+        if (strcmp(cabinets[i].name, name) == 0) {
+            scene->credit = cabinets[i].credit;
+            scene->asks_menu = cabinets[i].asks_menu;
+        }
+    }
+}
+
 static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t language)
 {
     memset(scene, 0, sizeof *scene);
@@ -104,6 +133,7 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->offer[MODE_PRACTICE] = (struct scene_offer){ 180, 6 };
     scene->grade = scene->offer[shot->mode].grade;
     scene->paused = shot->paused;
+    fill_cabinet(scene, shot->name);
     scene->call = shot->call;
     scene->call_s = 0.6f;
     for (uint8_t i = 0; i < shot->players; i++) {
