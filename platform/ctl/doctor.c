@@ -117,6 +117,7 @@ static void look(void)
 {
     doctor_usb(&doctor);
     doctor_nodes(&doctor);
+    doctor_input(&doctor);
     doctor_gpio(&doctor);
     doctor_screen(&doctor);
     doctor_sound(&doctor);

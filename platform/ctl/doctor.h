@@ -59,7 +59,10 @@ void doctor_todo(struct doctor_finding *finding, const char *format, ...);
 
 void doctor_usb(struct doctor *doctor);    /* Controllers on USB ... */
 void doctor_nodes(struct doctor *doctor);  /* ... and HID devices on anything else. */
+void doctor_input(struct doctor *doctor);  /* What SDL plays with: pads, mice, screens, keys. */
 void doctor_gpio(struct doctor *doctor);   /* Chips, and the lines that are wired. */
+/* Whether a desktop stands between the kiosk and the devices. */
+bool doctor_under_a_desktop(const struct doctor *doctor);
 void doctor_screen(struct doctor *doctor); /* Graphics cards, what is plugged into them. */
 void doctor_sound(struct doctor *doctor);
 void doctor_store(struct doctor *doctor);  /* Data folder, database, learned controllers. */
@@ -82,6 +85,15 @@ bool doctor_kiosk_runs(const struct doctor *doctor);
 /* The first line of a file under the root, printable; "" where there is none. */
 __attribute__((format(printf, 4, 5)))
 void doctor_line(const struct doctor *doctor, char *out, size_t size, const char *path, ...);
+
+/* Names in a folder under the root that begin so, in their order. */
+#define DOCTOR_NAMES_MAX 64u /* Of a kind: sockets, outputs, event nodes. More are left out. */
+struct doctor_names {
+    uint32_t count;
+    char name[DOCTOR_NAMES_MAX][64];
+};
+void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
+                 struct doctor_names *out);
 
 /* ---- What is told --------------------------------------------------------------------------- */
 

@@ -4,6 +4,7 @@
 #include <grp.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -102,4 +103,28 @@ bool doctor_kiosk_runs(const struct doctor *doctor)
         closedir(folder);
     }
     return runs;
+}
+
+static int by_name(const void *left, const void *right)
+{
+    return strverscmp(left, right);
+}
+
+void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
+                 struct doctor_names *out)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    DIR *folder = opendir(whole);
+    const struct dirent *entry;
+    out->count = 0;
+    while (folder && out->count < DOCTOR_NAMES_MAX && (entry = readdir(folder))) {
+        if (strncmp(entry->d_name, prefix, strlen(prefix)) == 0) {
+            snprintf(out->name[out->count++], sizeof out->name[0], "%.63s", entry->d_name);
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    qsort(out->name, out->count, sizeof out->name[0], by_name);
 }

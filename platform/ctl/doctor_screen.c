@@ -1,5 +1,4 @@
 /* doctor_screen.c -- graphics cards and their sockets, sound cards and their outputs. */
-#include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,38 +6,6 @@
 
 #include "platform/board.h"
 #include "platform/ctl/doctor.h"
-
-#define CARDS_MAX 16u /* Of each kind: graphics, renderers, sound. */
-
-/* Names in a folder under the root that begin so, in their order. */
-struct names {
-    uint32_t count;
-    char name[CARDS_MAX][64];
-};
-
-static int by_name(const void *left, const void *right)
-{
-    return strcmp(left, right);
-}
-
-static void list(const struct doctor *doctor, const char *path, const char *prefix,
-                 struct names *out)
-{
-    char whole[OPTIONS_PATH_MAX + 64u];
-    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
-    DIR *folder = opendir(whole);
-    const struct dirent *entry;
-    out->count = 0;
-    while (folder && out->count < CARDS_MAX && (entry = readdir(folder))) {
-        if (strncmp(entry->d_name, prefix, strlen(prefix)) == 0) {
-            snprintf(out->name[out->count++], sizeof out->name[0], "%.63s", entry->d_name);
-        }
-    }
-    if (folder) {
-        closedir(folder);
-    }
-    qsort(out->name, out->count, sizeof out->name[0], by_name);
-}
 
 /* A node that the kiosk opens itself: who may not is told how he may. */
 static void look_at_node(struct doctor *doctor, const char *part, const char *path,
@@ -61,9 +28,9 @@ static void look_at_node(struct doctor *doctor, const char *part, const char *pa
 static void look_at_nodes(struct doctor *doctor, const char *part, const char *folder,
                           const char *prefix, const char *group)
 {
-    struct names nodes;
+    struct doctor_names nodes;
     char path[160];
-    list(doctor, folder, prefix, &nodes);
+    doctor_list(doctor, folder, prefix, &nodes);
     for (uint32_t i = 0; i < nodes.count; i++) {
         snprintf(path, sizeof path, "%s/%s", folder, nodes.name[i]);
         look_at_node(doctor, part, path, group);
@@ -75,9 +42,9 @@ static void look_at_nodes(struct doctor *doctor, const char *part, const char *f
 /* "card1-HDMI-A-1": how many sockets have a screen in them. */
 static uint32_t look_at_sockets(struct doctor *doctor)
 {
-    struct names sockets;
+    struct doctor_names sockets;
     uint32_t connected = 0;
-    list(doctor, "/sys/class/drm", "card", &sockets);
+    doctor_list(doctor, "/sys/class/drm", "card", &sockets);
     for (uint32_t i = 0; i < sockets.count; i++) {
         char status[32], mode[32];
         doctor_line(doctor, status, sizeof status, "/sys/class/drm/%s/status", sockets.name[i]);
@@ -91,7 +58,7 @@ static uint32_t look_at_sockets(struct doctor *doctor)
     return connected;
 }
 
-static bool is_under_a_desktop(const struct doctor *doctor)
+bool doctor_under_a_desktop(const struct doctor *doctor)
 {
     return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
 }
@@ -113,7 +80,7 @@ static void try_screen(struct doctor *doctor)
 void doctor_screen(struct doctor *doctor)
 {
     const uint32_t connected = look_at_sockets(doctor);
-    if (is_under_a_desktop(doctor)) {
+    if (doctor_under_a_desktop(doctor)) {
         doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "desktop"), "%s",
                      getenv("WAYLAND_DISPLAY") ? getenv("WAYLAND_DISPLAY") : getenv("DISPLAY"));
     } else {

@@ -106,6 +106,17 @@ put sys/class/hidraw/hidraw0/device/uevent 'HID_ID=0005:0000054C:00000CE6
 HID_NAME=Wireless	Controller'
 check 'a controller by Bluetooth plays through SDL, and its name breaks no row' finds fine hid '054c:0ce6 Wireless.Controller' 'by Bluetooth: plays through SDL'
 
+put sys/class/input/event2/device/name 'Touch screen'
+put sys/class/input/event10/device/name 'Gamepad'
+put dev/input/event2 ''
+put dev/input/event10 ''
+chmod 600 "$root/dev/input/event2"
+chmod 666 "$root/dev/input/event10"
+check 'an event node that SDL may not read is wrong without a desktop' finds wrong input 'Touch screen, /dev/input/event2' \
+    'nobody may not read it' 'sudo usermod -aG input nobody'
+check 'one that it may is fine' finds fine input 'Gamepad, /dev/input/event10' 'nobody may read it'
+chmod 666 "$root/dev/input/event2"
+
 # ---- Lines
 put dev/gpiochip0 ''
 chmod 600 "$root/dev/gpiochip0"
