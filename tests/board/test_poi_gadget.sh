@@ -206,4 +206,25 @@ same_fields() {
     diff "$work/read" <(readme_fields) && [ "$(wc -l <"$work/read")" -eq 15 ]
 }
 check 'and its table of fields is what a reader makes of them' same_fields
+
+# What a board's own system reads. The unit's programs are made to exist: only its words are judged.
+if command -v dtc >/dev/null; then
+    check 'the overlay compiles' dtc -@ -q -I dts -O dtb -o "$work/poi.dtbo" board/poi-gadget/kingyo-poi.dts
+else
+    count=$((count + 1))
+    echo "ok $count - the overlay compiles # SKIP no dtc (device-tree-compiler)"
+fi
+unit_is_sound() {
+    sed -E "s#/usr/local/sbin/#$work/bin/#" board/poi-gadget/kingyo-poi.service >"$work/kingyo-poi.service"
+    printf '#!/bin/sh\n' | tee "$work/bin/kingyo-poi" >"$work/bin/kingyo-poi-gadget"
+    chmod +x "$work/bin"/kingyo-poi*
+    systemd-analyze verify --man=no "$work/kingyo-poi.service" 2>&1 | grep 'kingyo-poi.service:' && return 1
+    return 0
+}
+if command -v systemd-analyze >/dev/null; then
+    check 'systemd finds nothing wrong with the unit' unit_is_sound
+else
+    count=$((count + 1))
+    echo "ok $count - systemd finds nothing wrong with the unit # SKIP no systemd-analyze"
+fi
 echo "1..$count"
