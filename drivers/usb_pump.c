@@ -134,6 +134,7 @@ static int is_open(const struct usb_pump *pump)
 /* Cancels all, waits for all, closes all. */
 static void close_all(struct usb_pump *pump)
 {
+    pump->compare_ns = UINT64_MAX;
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         if (pump->entry[i].device.device) {
             usb_pump_unseat(pump, &pump->entry[i], 0);

@@ -19,7 +19,7 @@
 #include "drivers/usb_rows.h"
 #include "drivers/usb_seat.h"
 
-#define USB_DEVICE_MAX 16u        /* HID devices we keep an eye on; more are not seen. */
+#define USB_DEVICE_MAX 16u        /* HID devices we keep an eye on; keyboards give way to others. */
 #define USB_LINK_MAX (2u * POI_MAX) /* Four that play, and four that are still being closed. */
 #define USB_FD_MAX 16u            /* libusb's own two, one a link, and ours. */
 #define USB_NOBODY UINT32_MAX
@@ -30,7 +30,7 @@ struct usb_entry {
     uint8_t trouble;          /* enum usb_trouble, and which of them was told. */
     uint8_t told_trouble;
     uint8_t is_seen;          /* By the comparison that goes on. */
-    uint32_t row, link, seat; /* USB_NOBODY: none. */
+    uint32_t row, link, seat; /* USB_NOBODY: none; of rows CONTROLLER_MAX, too. */
     uint32_t drains;          /* The link that it had, which may not be closed yet. */
     uint64_t met_ns;
     uint64_t due_ns;          /* When to look at it again. */
@@ -90,7 +90,7 @@ void usb_pump_tend(struct usb_pump *pump);
 void usb_pump_obey(struct usb_pump *pump);
 
 /* What the menu shows of it. */
-void usb_pump_show(struct usb_pump *pump, const struct usb_entry *entry, uint8_t state);
+void usb_pump_show(struct usb_pump *pump, struct usb_entry *entry, uint8_t state);
 
 /* Whoever sits there leaves; `is_gone`: unplugged. */
 void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone);

@@ -22,23 +22,6 @@ static struct usb_entry *find_entry(struct usb_pump *pump, const libusb_device *
     return NULL;
 }
 
-static void meet(struct usb_pump *pump, struct usb_entry *entry, libusb_device *device)
-{
-    const struct usb_judge judge = {
-        .sysfs = pump->sysfs, .choice = &pump->choice, .scratch = &pump->scratch
-    };
-    if (usb_device_meet(&entry->device, device, &judge)) {
-        return;
-    }
-    entry->trouble = entry->told_trouble = USB_FINE;
-    entry->is_seen = 1;
-    entry->link = entry->seat = entry->drains = USB_NOBODY;
-    entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
-                                entry->device.verdict == USB_BARRED);
-    entry->met_ns = entry->due_ns = usb_pump_now_ns(pump);
-    pump->rows_changed = 1;
-}
-
 /* Its row stays while it is lost: while its seat waits for it. */
 static void part(struct usb_pump *pump, struct usb_entry *entry)
 {
@@ -48,6 +31,53 @@ static void part(struct usb_pump *pump, struct usb_entry *entry)
     }
     pump->rows_changed = 1;
     usb_device_forget(&entry->device);
+}
+
+/* An empty entry; in a full house, for who might play, that of somebody who never will. */
+static struct usb_entry *find_room(struct usb_pump *pump, enum usb_verdict verdict)
+{
+    struct usb_entry *room = find_entry(pump, NULL);
+    for (uint32_t i = 0; !room && verdict > USB_BARRED && i < USB_DEVICE_MAX; i++) {
+        if (pump->entry[i].device.verdict == USB_BARRED && pump->entry[i].link == USB_NOBODY) {
+            room = &pump->entry[i];
+            part(pump, room);
+        }
+    }
+    return room;
+}
+
+/* Who had its row, because it was lost for a moment, gets another one. */
+static void give_row(struct usb_pump *pump, struct usb_entry *entry)
+{
+    entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
+                                entry->device.verdict == USB_BARRED);
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (&pump->entry[i] != entry && pump->entry[i].row == entry->row) {
+            pump->entry[i].row = USB_NOBODY;
+        }
+    }
+    pump->rows_changed = 1;
+}
+
+static void meet(struct usb_pump *pump, libusb_device *device)
+{
+    const struct usb_judge judge = {
+        .sysfs = pump->sysfs, .choice = &pump->choice, .scratch = &pump->scratch
+    };
+    struct usb_device met;
+    if (usb_device_meet(&met, device, &judge)) {
+        return;
+    }
+    struct usb_entry *entry = find_room(pump, met.verdict);
+    if (!entry) {
+        usb_device_forget(&met);
+        return;
+    }
+    const uint64_t now_ns = usb_pump_now_ns(pump);
+    *entry = (struct usb_entry){ .device = met, .is_seen = 1, .link = USB_NOBODY,
+                                 .seat = USB_NOBODY, .drains = USB_NOBODY, .met_ns = now_ns,
+                                 .due_ns = now_ns };
+    give_row(pump, entry);
 }
 
 /* Departures first: who was pulled out and put in again finds its seat free. */
@@ -73,9 +103,8 @@ static void compare(struct usb_pump *pump)
         }
     }
     for (ssize_t i = 0; i < count; i++) {
-        struct usb_entry *empty = find_entry(pump, NULL);
-        if (!find_entry(pump, list[i]) && empty) {
-            meet(pump, empty, list[i]);
+        if (!find_entry(pump, list[i])) {
+            meet(pump, list[i]);
         }
     }
     libusb_free_device_list(list, 1);

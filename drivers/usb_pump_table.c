@@ -19,8 +19,12 @@ static struct usb_judge judge_of(struct usb_pump *pump)
     };
 }
 
-void usb_pump_show(struct usb_pump *pump, const struct usb_entry *entry, uint8_t state)
+void usb_pump_show(struct usb_pump *pump, struct usb_entry *entry, uint8_t state)
 {
+    if (entry->row >= CONTROLLER_MAX) { /* There was none for it when it came. */
+        entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
+                                    state == CONTROLLER_BARRED);
+    }
     if (entry->row < CONTROLLER_MAX) {
         struct hid_row *row = &pump->rows.row[entry->row];
         row->identity = entry->device.face.identity;
