@@ -15,8 +15,8 @@ struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t n
 static bool take_blink(struct gpio_input *input, uint64_t time_ns, struct debounce_turn *out)
 {
     struct debounce *debounce = &input->debounce;
-    if (debounce->period_ns == 0 || time_ns <= input->mended_ns) {
-        return false; /* No bounce to be seen; or the edge that was missed when it was mended. */
+    if (debounce->period_ns == 0) {
+        return false; /* What the kernel debounced does not blink. */
     }
     struct debounce_turn none;
     const bool active = debounce->raw;
@@ -48,7 +48,6 @@ bool gpio_input_level(struct gpio_input *input, uint64_t now_ns, bool active,
             return false;
         }
         turned = debounce_edge(&input->debounce, input->doubted_ns, active, out);
-        input->mended_ns = now_ns;
         input->lost++;
     }
     input->doubted_ns = NEVER;

@@ -21,7 +21,6 @@
 struct gpio_input {
     struct debounce debounce;
     uint64_t doubted_ns; /* Since when the level is not what the edges say; UINT64_MAX: it is. */
-    uint64_t mended_ns;  /* When the level was last believed against the edges. */
     uint32_t blinks;     /* Edges that changed nothing ... */
     uint32_t lost;       /* ... and edges that never came. Since the start. */
 };

@@ -75,6 +75,17 @@ static void test_a_pulse_whose_contact_jumps_is_one_coin(void **state)
     assert_counts(&mech, 1, 0, 0, 0);
 }
 
+static void test_a_pulse_in_pieces_is_as_wide_as_all_of_them(void **state)
+{
+    (void)state;
+    struct coin_mech mech = idle_mech();
+    pulse(&mech, 1000 * MS, 10 * MS);
+    pulse(&mech, 1015 * MS, 10 * MS);
+    coin_mech_settle(&mech, 9000 * MS);
+    assert_counts(&mech, 1, 0, 0, 0);
+    assert_int_equal(mech.width_ns, 25 * MS);
+}
+
 static void test_pulses_that_say_a_coins_worth_are_counted_each(void **state)
 {
     (void)state;
@@ -140,6 +151,7 @@ int main(void)
         cmocka_unit_test(test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_last),
         cmocka_unit_test(test_a_coin_counts_when_the_gap_behind_it_is_over),
         cmocka_unit_test(test_a_pulse_whose_contact_jumps_is_one_coin),
+        cmocka_unit_test(test_a_pulse_in_pieces_is_as_wide_as_all_of_them),
         cmocka_unit_test(test_pulses_that_say_a_coins_worth_are_counted_each),
         cmocka_unit_test(test_a_coin_that_sticks_is_told_while_it_sticks_and_once),
         cmocka_unit_test(test_what_covers_the_sensor_from_the_start_is_no_coin),

@@ -233,6 +233,25 @@ static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_right(
     }
 }
 
+static void test_nothing_settles_while_edges_are_still_to_be_taken(void **state)
+{
+    (void)state;
+    static struct gpio_sim_event events[66];
+    for (uint32_t i = 0; i < 63; i++) { /* START chatters: of 64 edges one place is left. */
+        events[i] = (struct gpio_sim_event)LEVEL(100 + i, GPIO_START, i % 2 == 0);
+    }
+    events[63] = (struct gpio_sim_event)LEVEL(200, GPIO_COIN, 1); /* A spark ... */
+    events[64] = (struct gpio_sim_event)LEVEL(201, GPIO_COIN, 0);
+    events[65] = (struct gpio_sim_event)LEVEL(390, GPIO_COIN, 1); /* ... and now a coin. */
+    static struct stand stand;
+    PLAY(&stand, events);
+    run_until(&stand, 70);
+    gpio_lines_sim_pass(&stand.sim, 400 * MS - stand.sim.now_ns);
+    run_until(&stand, 430);
+    assert_int_equal(stand.sum.faults, 0);
+    end(&stand);
+}
+
 static void test_a_chip_that_goes_is_one_fault_and_is_found_again(void **state)
 {
     (void)state;
@@ -399,6 +418,7 @@ int main(void)
         cmocka_unit_test(test_coins_that_stick_and_knocks_are_faults_and_no_coins),
         cmocka_unit_test(test_a_coin_whose_edges_the_kernel_reads_late_is_a_coin),
         cmocka_unit_test(test_edges_that_the_queue_dropped_are_faults_and_the_level_is_right),
+        cmocka_unit_test(test_nothing_settles_while_edges_are_still_to_be_taken),
         cmocka_unit_test(test_a_chip_that_goes_is_one_fault_and_is_found_again),
         cmocka_unit_test(test_a_line_that_another_holds_is_told_and_had_when_it_is_let_go),
         cmocka_unit_test(test_meters_and_dispensers_get_their_pulses_side_by_side),
