@@ -75,7 +75,8 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/render/render.mk
 -include tests/thesis/thesis.mk
 -include tests/paper/paper.mk
--include tests/fuzz/fuzz.mk tests/fuzz/devices.mk
+-include tests/fuzz/fuzz.mk
+-include tests/vm/vm.mk tests/fuzz/devices.mk
 
 ## help: this list
 help:
@@ -128,6 +129,6 @@ generated:
 clean:
 	rm -rf build build-clang $(BUILD)
 
--include $(shell [ -d $(BUILD) ] && find $(BUILD) -type f -name '*.d')
+-include $(shell [ -d $(BUILD) ] && find $(BUILD) -path $(BUILD)/vm -prune -o -type f -name '*.d' -print)
 
 .PHONY: help build clang generated clean

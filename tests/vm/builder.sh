@@ -1,0 +1,29 @@
+#!/bin/bash
+# builder.sh -- a root of the guest's release to compile in, in $cache/builder: gcc, make, the libraries.
+#
+# Compiles the kernel's modules and, where the guest is of another release or architecture than this
+# machine, the kiosk. Its programs are this machine's; its libraries are the guest's.
+. "$(dirname "$0")/lib.sh"
+
+builder=$cache/builder
+is_fresh "$builder/made" && exit 0
+step "a root to build in: $suite"
+tools=base-files,base-passwd,dash,bash,coreutils,sed,grep,gawk,findutils,tar,diffutils,gcc,libc6-dev,make,pkg-config,bc
+kbuild=$(guest_apt apt-cache depends "linux-headers-$(kernel_release)" |
+    sed -n 's/.*Depends: \(linux-kbuild-[^ :]*\).*/\1/p' | head -1)
+tools+=,$kbuild,fonts-morisawa-bizud-gothic,fonts-kouzan-mouhitsu,fonts-reggae,libstb-dev
+libraries=libsdl2-dev,libgles-dev,libegl-dev,libsqlite3-dev,libusb-1.0-0-dev,libgpiod-dev
+architectures=amd64
+if [ "$arch" != amd64 ]; then
+    architectures=amd64,$arch
+    tools+=,gcc-${tuple//_/-},libc6-dev:$arch,libstb-dev:$arch
+    libraries=$(sed "s/,/:$arch,/g; s/\$/:$arch/" <<<"$libraries")
+fi
+unpack_root "$builder" "$architectures" "$tools,$libraries"
+settle_root "$builder"
+ln -sfn gawk "$builder/usr/bin/awk"
+if [ -n "$cross" ]; then # An archive of another machine's objects needs that machine's ar.
+    mkdir -p "$builder/usr/local/bin"
+    ln -sf "/usr/bin/${cross}ar" "$builder/usr/local/bin/ar"
+fi
+touch "$builder/made"

@@ -1,0 +1,34 @@
+# lib.sh -- how the guest talks to the machine outside: lines in /host/out/talk, pictures on demand.
+#
+# "ok ID words", "bad ID words": one finding (checks.txt says which there are). "shot NAME": a picture,
+# please. Anything else is for people.
+talk=/host/out/talk
+
+say() { # WORDS
+    echo "$(now_ms) $*" >>$talk
+}
+
+found() { # STATUS ID WORDS: what was to be seen was (STATUS 0), or was not
+    if [ "$1" -eq 0 ]; then say "ok $2 ${3-}"; else say "bad $2 ${3-}"; fi
+}
+
+shot() { # NAME: /host/shots/NAME.png is what the screen shows now
+    rm -f "/host/shots/$1.png"
+    say "shot $1"
+    await 30 test -e "/host/shots/$1.done"
+}
+
+await() { # SECONDS COMMAND...: 0 as soon as COMMAND says so, 1 when the time is up
+    local end=$(($(now_ms) + $1 * 1000))
+    shift
+    while ! "$@" >/dev/null 2>&1; do
+        [ "$(now_ms)" -lt "$end" ] || return 1
+        sleep 0.1
+    done
+}
+
+now_ms() { # Since the boot; the file says hundredths of a second.
+    local up rest
+    read -r up rest </proc/uptime
+    echo "${up%.*}${up#*.}0"
+}

@@ -1,0 +1,106 @@
+# play.sh -- an evening: coins, START, a fish by the USB poi, cables pulled and put back, the end.
+. /host/guest/cabinet.sh
+. /host/guest/poi.sh
+play=/host/out/play.kgr
+
+kiosk_start() { # LOG SECONDS of the watchdog, OPTIONS...
+    log=/host/out/$1
+    patience=$2
+    shift 2
+    keeper /dev/watchdog0 "$patience" kingyo --lang en --data /tmp/data --poi usb --usb $poi_ids \
+        --line start=START --line coin=COIN,window=10ms-2s --line test=TEST --line service=SERVICE \
+        --line start-lamp=LAMP --line coin-counter=METER "$@" \
+        >$log.out 2>$log.err &
+    kiosk=$!
+    await 150 grep -q 'keeper: ready' $log.err
+}
+
+tell_logs() {
+    sed 's/^/0 # /' $log.out $log.err >>$talk
+}
+
+read_count() { # NAME: what the machine outside says of the recording (look.c), a moment ago
+    sed -n "s/^$1 //p" /host/seen 2>/dev/null
+}
+
+reads() { # NAME OPERATOR NUMBER
+    [ "$(read_count "$1")" "$2" "$3" ] 2>/dev/null
+}
+
+modprobe virtio-gpu
+modprobe i6300esb
+await 10 test -e /dev/dri/card0
+await 10 test -e /dev/watchdog0
+cabinet_open
+poi_make
+kiosk_start kingyo 120 --mode festival --grade 4 --coins 2 --fish 40 --seed 3 --record $play
+found $? screen "$(sed -n 's/.*display *//p' /host/out/kingyo.out | head -1), first picture $(now_ms) ms after power on"
+tell_logs
+await 20 is_held START && await 20 is_held COIN
+found $? lines "$(gpioinfo | grep -c kingyo) lines held by name"
+await 30 reads ticks -gt 240
+shot attract
+cp -r /tmp/mesa /host/out/
+
+# Coins, then START. Two coins are a credit, the credit is a round.
+coins 2
+await 20 reads credits -eq 1
+found $? coin "2 pulses: $(read_count coins) coins, $(read_count credits) credit"
+press START
+await 20 reads rounds -eq 1
+found $? start "$(read_count start) press, round $(read_count rounds), $(read_count credits) credits left"
+
+# The hand outside thinks of a way to a fish and sends it; here it goes to the gadget.
+say 'hand'
+await "$(cat /host/patience)" test -e /host/hand-done
+found "$(cat /host/hand-done 2>/dev/null || echo 1)" fish "$(tail -n 1 /host/hand.log)"
+shot caught
+
+# The cable, in mid-round.
+coins 2
+await 20 reads coins -ge 4
+credits=$(read_count credits)
+spans=$(read_count lost_spans)
+began=$(now_ms)
+poi_unplug
+await 20 reads lost_spans -gt "${spans:-0}"
+await 20 reads paused -eq 1
+found $? unplug "the round waits, $(($(now_ms) - began)) ms after the cable was pulled as seen from outside"
+shot paused
+sleep 1
+poi_plug
+plugged=$(now_ms)
+await 20 poi_is_taken
+taken=$(now_ms)
+await 30 reads paused -eq 0 && reads link -eq 2
+found $? replug "cable out for $((plugged - began)) ms; the kiosk had it again $((taken - plugged)) ms after the plug"
+[ "$(read_count phase)" = "$(read_count phase_round)" ] && reads rounds -eq 1 && reads credits -eq "${credits:-x}"
+found $? credit "round $(read_count rounds) goes on, $(read_count credits) credit kept"
+shot resumed
+
+# 200 coins by real edges.
+before=$(read_count coins)
+coins 200
+await 20 reads coins -ge $((before + 200))
+sleep 2
+found "$([ $(($(read_count coins) - before)) -eq 200 ] && echo 0 || echo 1)" coins "$(($(read_count coins) - before)) of 200 pulses counted"
+
+# The wires' chip, pulled away and back.
+cabinet_pull_out
+sleep 2
+kill -0 $kiosk
+found $? chip-away "the kiosk plays on"
+cabinet_plug
+await 20 is_held START
+coins_before=$(read_count coins)
+coins 2
+await 20 reads coins -eq $((coins_before + 2))
+found $? chip-back "$(gpioinfo | grep -c kingyo) lines held again, $(($(read_count coins) - coins_before)) of 2 coins counted"
+
+kill -TERM $kiosk
+wait $kiosk
+status=$?
+found $status end "exit code $status"
+tell_logs
+poi_stop
+dmesg >/host/out/dmesg

@@ -1,0 +1,48 @@
+# poi.sh -- our own poi on a cable that never leaves the machine: dummy_hcd is both its ends.
+poi_ids=1209:0001
+poi_gadget="sh /host/bin/kingyo-poi-gadget"
+
+poi_make() {
+    modprobe usbhid
+    modprobe hid-generic
+    modprobe dummy_hcd
+    modprobe libcomposite
+    modprobe usb_f_hid
+    $poi_gadget start VENDOR=0x1209 PRODUCT=0x0001 SERIAL=KINGYO-VM >>/host/out/poi.log 2>&1
+    found $? gadget "$(lsusb 2>/dev/null | grep -i $poi_ids | cut -d: -f2-)"
+    await 10 test -e /dev/hidg0
+    poi_hold
+}
+
+# Whoever holds the poi: at rest before the tank, until the machine outside sends a way.
+poi_hold() {
+    rm -f /tmp/way
+    mkfifo /tmp/way
+    kingyo-poi run --script --rate 120 --device /dev/hidg0 </tmp/way 2>>/host/out/poi.log &
+    poi=$!
+    (
+        echo '0 140 400 0 17 0'
+        while :; do
+            if [ -e /host/plan ]; then
+                cat /host/plan
+                rm /host/plan
+            fi
+            sleep 0.03
+        done
+    ) >/tmp/way &
+    feeder=$!
+}
+
+poi_unplug() { $poi_gadget detach >>/host/out/poi.log 2>&1; }
+poi_plug() { $poi_gadget attach >>/host/out/poi.log 2>&1; }
+
+# Whether the kiosk has it: through libusb, in place of the kernel's own driver.
+poi_is_taken() { ls /sys/bus/usb/drivers/usbfs | grep -q ':1.0$'; }
+
+poi_stop() {
+    kill $feeder
+    kill -TERM $poi
+    wait $poi
+    found $? haptics "$(tail -n 1 /host/out/poi.log)"
+    $poi_gadget stop >>/host/out/poi.log 2>&1
+}

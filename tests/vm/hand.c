@@ -1,0 +1,256 @@
+/* hand.c -- a hand that plays on the kiosk in the guest through its USB poi, until a fish is landed.
+ *
+ * hand RECORDING PLANS SECONDS. It follows the recording (twin.h), thinks a scoop out to its end on a
+ * copy of the stall, with the core's own bot for an arm, and only sets out where a fish would come of
+ * it. Then it writes the way as PLANS/plan, a pose for each of the poi's 120 reports a second, in the
+ * words of `kingyo-poi run --script`. Until then the poi rests, so that copy and stall stay one.
+ * Exit code 0: a fish was landed; 1: not in time; 65: the recording is not that of this core. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "core/game/bot.h"
+#include "tests/vm/twin.h"
+
+#define PLAN_TICKS_MAX (20u * CORE_TICK_HZ)
+#define HOME_TICKS (CORE_TICK_HZ)        /* Back to where it rests. */
+#define AFTER_TICKS (CORE_TICK_HZ / 2u)  /* The hand stays so long after a fish has fallen. */
+#define THINK_S 4.0                      /* From the newest tick known to the first of the plan, */
+#define DELIVERY_S 0.10                  /* of which so long goes by until the poi has it. */
+#define TRIES_MAX 40u                    /* Of luck, for one moment of the stall. */
+#define JITTERS 4u                       /* Lateness of a way, in which it is tried out, too. */
+#define PACE_S 4.0                       /* So long is looked at to tell how fast its clock goes. */
+#define PACE_MIN 0.2
+#define LATE_S 3.0                       /* A recording is late by a second and a frame. */
+
+struct plan {
+    struct poi_target way[PLAN_TICKS_MAX + HOME_TICKS];
+    uint32_t count;
+    uint32_t lands;  /* In so many of JITTERS + 1 trials a fish came of it. */
+};
+
+/* How fast the stall's clock goes: a guest that draws slowly drops ticks, and its fish are slow. */
+struct pace {
+    double since_s;
+    uint32_t since_ticks;
+    double rate; /* (0, 1] of CORE_TICK_HZ */
+};
+
+static struct twin twin;
+static struct pace pace = { .rate = 1.0 };
+static struct core copy; /* Megabytes: not for the stack. */
+static struct plan plans[2]; /* The best so far, and the one that is thought of. */
+
+static double now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static void wait_s(double seconds)
+{
+    if (seconds > 0.0) {
+        const struct timespec time = { (time_t)seconds, (long)((seconds - (double)(time_t)seconds) * 1e9) };
+        nanosleep(&time, NULL);
+    }
+}
+
+static void measure_pace(double time_s)
+{
+    const double passed_s = time_s - pace.since_s;
+    if (passed_s < PACE_S) {
+        return;
+    }
+    if (pace.since_s > 0.0) {
+        const double rate = (double)(twin.ticks - pace.since_ticks) / (passed_s * CORE_TICK_HZ);
+        pace.rate = rate > 1.0 ? 1.0 : rate < PACE_MIN ? PACE_MIN : rate;
+    }
+    pace.since_s = time_s;
+    pace.since_ticks = twin.ticks;
+}
+
+static uint32_t caught(const struct core *core)
+{
+    return core->game.player[0].caught;
+}
+
+/* Adds the way home, so that the next plan begins where this one did. */
+static void go_home(struct plan *out, struct poi_target home)
+{
+    const struct poi_target last = out->way[out->count - 1];
+    for (uint32_t i = 1; i <= HOME_TICKS; i++) {
+        const float t = (float)i / (float)HOME_TICKS, share = t * t * (3.0f - 2.0f * t);
+        struct poi_target at = home;
+        at.position_m = v3_lerp(last.position_m, home.position_m, share);
+        at.angles.yaw_rad = f_lerp(last.angles.yaw_rad, home.angles.yaw_rad, share);
+        at.angles.pitch_rad = f_lerp(last.angles.pitch_rad, home.angles.pitch_rad, share);
+        at.angles.roll_rad = f_lerp(last.angles.roll_rad, home.angles.roll_rad, share);
+        out->way[out->count++] = at;
+    }
+}
+
+/* The stall as it will be `lead` ticks on, with the poi where it rests, and the input of then. */
+static struct input wait_on_copy(uint32_t lead, struct output *ignored)
+{
+    struct input input = twin.input;
+    copy = twin.core;
+    input.pressed = input.coin_count = 0;
+    input.poi[0].age_ticks = 0;
+    for (uint32_t i = 0; i < lead; i++) {
+        twin_tick(&copy, &input, ignored);
+    }
+    return input;
+}
+
+/* Whether a fish comes of a way that begins `lead` ticks on: no cable is as punctual as a thought. */
+static int lands(uint32_t lead, const struct plan *way)
+{
+    static struct output ignored;
+    struct input input = wait_on_copy(lead, &ignored);
+    const uint32_t before = caught(&copy);
+    for (uint32_t i = 0; i < way->count; i++) {
+        input.poi[0].target = way->way[i];
+        twin_tick(&copy, &input, &ignored);
+    }
+    return caught(&copy) > before;
+}
+
+/* What an expert would do from `lead` ticks on: 1 and the way, where a fish comes of it. */
+static int think(uint32_t lead, uint32_t seed, struct plan *out)
+{
+    static struct output ignored;
+    struct bot bot;
+    struct input input = wait_on_copy(lead, &ignored);
+    const struct poi_target home = input.poi[0].target;
+    const uint32_t before = caught(&copy);
+    bot_init(&bot, &technique_expert, seed);
+    bot.hand.pose = home;
+    out->count = 0;
+    for (uint32_t end = PLAN_TICKS_MAX; out->count < end && copy.game.phase == PHASE_ROUND;) {
+        const struct sight sight = { &copy, 0 };
+        input.poi[0].target = bot_tick(&bot, &sight);
+        out->way[out->count++] = input.poi[0].target;
+        twin_tick(&copy, &input, &ignored);
+        if (end == PLAN_TICKS_MAX && caught(&copy) > before) {
+            end = out->count + AFTER_TICKS < end ? out->count + AFTER_TICKS : end;
+        }
+    }
+    if (caught(&copy) == before) {
+        return 0;
+    }
+    go_home(out, home);
+    return 1;
+}
+
+static void write_pose(FILE *file, const struct poi_target *target)
+{
+    const vec3 p = target->position_m;
+    const double degrees = 57.29577951308232;
+    fprintf(file, "%.2f %.2f %.2f %.2f %.2f %.2f\n", (double)p.x * 1e3, (double)p.y * 1e3,
+            (double)p.z * 1e3, (double)target->angles.pitch_rad * degrees,
+            (double)target->angles.yaw_rad * degrees, (double)target->angles.roll_rad * degrees);
+}
+
+/* Under another name first: who waits for it finds it whole. */
+static int send(const struct plan *way, const char *folder)
+{
+    char path[512], part[520];
+    snprintf(path, sizeof path, "%s/plan", folder);
+    snprintf(part, sizeof part, "%s.new", path);
+    FILE *file = fopen(part, "w");
+    if (!file) {
+        perror(part);
+        return 0;
+    }
+    for (double tick = 0.0; tick < (double)way->count; tick += pace.rate) {
+        write_pose(file, &way->way[(uint32_t)tick]);
+    }
+    return fclose(file) == 0 && rename(part, path) == 0;
+}
+
+/* Whether a round is on in which our poi is in hand. */
+static int can_play(void)
+{
+    const struct game *game = &twin.core.game;
+    return game->phase == PHASE_ROUND && !game->paused && twin.input.poi[0].link == POI_LINK_LIVE;
+}
+
+/* One more idea: it is the best where more comes of it, or as much sooner. */
+static void think_once(uint32_t seed)
+{
+    static const int32_t jitter_ticks[JITTERS] = { -12, 8, 18, 32 };
+    const uint32_t lead = (uint32_t)(THINK_S * CORE_TICK_HZ * pace.rate);
+    struct plan *best = &plans[0], *idea = &plans[1];
+    if (!think(lead, seed, idea) || (best->lands > JITTERS && best->count <= idea->count)) {
+        return;
+    }
+    idea->lands = 1;
+    for (uint32_t i = 0; i < JITTERS; i++) {
+        idea->lands += (uint32_t)lands((uint32_t)((int32_t)lead + jitter_ticks[i]), idea);
+    }
+    if (idea->lands > best->lands ||
+        (idea->lands == best->lands && idea->count < best->count)) {
+        *best = *idea;
+    }
+}
+
+/* Thinks until it is time to set out, and sends the best way. Returns how long it goes on from now,
+ * in seconds; 0 where there is none. */
+static double try_once(double seen_s, const char *folder, uint32_t *luck)
+{
+    const double start_s = seen_s + THINK_S, enough_s = start_s - 3.0 * DELIVERY_S;
+    uint32_t ideas = 0;
+    plans[0].lands = 0;
+    for (; ideas < TRIES_MAX && now_s() < enough_s; ideas++) {
+        think_once((*luck)++);
+    }
+    if (plans[0].lands == 0) {
+        return 0.0;
+    }
+    wait_s(start_s - DELIVERY_S - now_s());
+    const double long_s = (double)plans[0].count / (CORE_TICK_HZ * pace.rate);
+    printf("hand: the best of %u ideas at tick %u takes %.1f s at %.0f %% of its pace; "
+           "a fish in %u of %u trials\n",
+           ideas, twin.ticks, long_s, 100.0 * pace.rate, plans[0].lands, JITTERS + 1u);
+    fflush(stdout);
+    return send(&plans[0], folder) ? long_s + LATE_S : 0.0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 4) {
+        fprintf(stderr, "usage: hand RECORDING PLANS SECONDS\n");
+        return 2;
+    }
+    const double end_s = now_s() + strtod(argv[3], NULL);
+    double busy_until_s = 0.0;
+    uint32_t luck = 1, sent = 0;
+    twin.path = argv[1];
+    while (now_s() < end_s) {
+        const int more = twin_follow(&twin);
+        const double seen_s = now_s();
+        if (more < 0) {
+            printf("hand: tick %u is not the kiosk's\n", twin.differs_at);
+            return 65;
+        }
+        if (more > 0) {
+            measure_pace(seen_s);
+        }
+        if (twin.caught > 0) {
+            printf("hand: %u landed after %u plans, %u ticks computed alike\n", twin.caught, sent,
+                   twin.ticks);
+            return 0;
+        }
+        if (more > 0 && can_play() && seen_s > busy_until_s) {
+            const double long_s = try_once(seen_s, argv[2], &luck);
+            busy_until_s = now_s() + long_s;
+            sent += long_s > 0.0;
+        }
+        wait_s(0.05);
+    }
+    printf("hand: none landed after %u plans in %s s, %u ticks\n", sent, argv[3], twin.ticks);
+    return 1;
+}

@@ -1,0 +1,133 @@
+/* keeper.c -- what systemd is to the kiosk on a real board: it starts it, and as long as the kiosk
+ * says that it lives, the machine's own watchdog is fed. No more: a kiosk that hangs resets the machine.
+ *
+ * keeper DEVICE SECONDS COMMAND [WORD...]. The watchdog is opened at READY=1, fed at each WATCHDOG=1 and
+ * told to stand down when the command ends by itself, whose exit code is keeper's. At the end it says on
+ * standard error how often and at which longest distance it was fed. */
+#include <fcntl.h>
+#include <linux/watchdog.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#define LINE_SIZE 256
+
+struct keeper {
+    const char *device;
+    int timeout_s;
+    int watchdog_fd;   /* -1: not armed yet. */
+    unsigned fed;
+    double fed_s, longest_s;
+};
+
+static volatile sig_atomic_t asked_to_end;
+static pid_t child;
+
+static void pass_on(int number)
+{
+    asked_to_end = 1;
+    kill(child, number);
+}
+
+static double now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static int open_socket(void)
+{
+    struct sockaddr_un address = { .sun_family = AF_UNIX };
+    snprintf(address.sun_path, sizeof address.sun_path, "/run/keeper.%d", (int)getpid());
+    unlink(address.sun_path);
+    const int fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    if (fd < 0 || bind(fd, (const struct sockaddr *)&address, sizeof address) != 0) {
+        perror("keeper: socket");
+        exit(74);
+    }
+    setenv("NOTIFY_SOCKET", address.sun_path, 1);
+    return fd;
+}
+
+static void arm(struct keeper *keeper)
+{
+    keeper->watchdog_fd = open(keeper->device, O_WRONLY | O_CLOEXEC);
+    if (keeper->watchdog_fd < 0 ||
+        ioctl(keeper->watchdog_fd, WDIOC_SETTIMEOUT, &keeper->timeout_s) != 0) {
+        perror(keeper->device);
+        return;
+    }
+    keeper->fed_s = now_s();
+    fprintf(stderr, "keeper: ready; %s bites after %d s\n", keeper->device, keeper->timeout_s);
+}
+
+static void feed(struct keeper *keeper)
+{
+    const double time_s = now_s();
+    if (keeper->watchdog_fd >= 0 && ioctl(keeper->watchdog_fd, WDIOC_KEEPALIVE, 0) == 0) {
+        keeper->longest_s = time_s - keeper->fed_s > keeper->longest_s ? time_s - keeper->fed_s
+                                                                       : keeper->longest_s;
+        keeper->fed_s = time_s;
+        keeper->fed++;
+    }
+}
+
+static void listen_to(struct keeper *keeper, int fd)
+{
+    char line[LINE_SIZE];
+    struct pollfd wait = { .fd = fd, .events = POLLIN };
+    if (poll(&wait, 1, 100) <= 0) {
+        return;
+    }
+    const ssize_t size = recv(fd, line, sizeof line - 1, 0);
+    line[size > 0 ? size : 0] = '\0';
+    if (strstr(line, "READY=1") && keeper->watchdog_fd < 0) {
+        arm(keeper);
+    }
+    if (strstr(line, "WATCHDOG=1")) {
+        feed(keeper);
+    }
+}
+
+static void start(char **command, int timeout_s)
+{
+    char usec[32];
+    snprintf(usec, sizeof usec, "%d000000", timeout_s);
+    setenv("WATCHDOG_USEC", usec, 1);
+    child = fork();
+    if (child == 0) {
+        execvp(command[0], command);
+        perror(command[0]);
+        _exit(127);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    int status;
+    if (argc < 4) {
+        fprintf(stderr, "usage: keeper DEVICE SECONDS COMMAND [WORD...]\n");
+        return 2;
+    }
+    struct keeper keeper = { .device = argv[1], .timeout_s = atoi(argv[2]), .watchdog_fd = -1 };
+    const int fd = open_socket();
+    start(argv + 3, keeper.timeout_s);
+    signal(SIGTERM, pass_on);
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        listen_to(&keeper, fd);
+    }
+    if (keeper.watchdog_fd >= 0 && write(keeper.watchdog_fd, "V", 1) != 1) {
+        perror(keeper.device);
+    }
+    fprintf(stderr, "keeper: fed %u times, %.1f s apart at most\n", keeper.fed, keeper.longest_s);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}

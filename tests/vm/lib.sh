@@ -1,0 +1,103 @@
+# lib.sh -- what the scripts of this folder share: which guests there are, and their Debian.
+#
+# Source it; it wants GUEST and BUILD. Everything that is fetched or built lies in $cache, and stays.
+# shellcheck shell=bash disable=SC2034  # what it sets is used by those who source it
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+top=$(cd "$here/../.." && pwd)
+BUILD=${BUILD:-build}
+
+# suite: the release. arch: the guest's. linux: of the source package. cross: the prefix of the compiler.
+case $GUEST in
+    bookworm) suite=bookworm arch=amd64 linux=6.1 machine=x86_64 gpiod=libgpiod2 ;;
+    trixie) suite=trixie arch=amd64 linux=6.12 machine=x86_64 gpiod=libgpiod3 ;;
+    arm64) suite=bookworm arch=arm64 linux=6.1 machine=aarch64 gpiod=libgpiod2 ;;
+    *)
+        echo "test-vm: GUEST is bookworm, trixie or arm64, not '$GUEST'" >&2
+        exit 2
+        ;;
+esac
+tuple=$machine-linux-gnu cross=
+[ "$arch" = amd64 ] || cross=$tuple-
+mkdir -p "$BUILD/vm/$GUEST"
+cache=$(cd "$BUILD/vm/$GUEST" && pwd)
+days_max=7 # So old may be what was fetched: a mirror forgets kernels after that.
+
+step() { printf '[%4d s] %s\n' "$SECONDS" "$*"; }
+
+# Whether FILE was made less than days_max ago.
+is_fresh() { [ -n "$(find "$1" -maxdepth 0 -mtime "-$days_max" 2>/dev/null)" ]; }
+
+# The addresses that this machine fetches Debian from: the archive, and its security fixes.
+mirror() { # archive|security
+    apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
+        awk -v security="$([ "$1" = security ] && echo 1 || echo 0)" '
+            $2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
+}
+
+# Lines for apt of the guest's release. The archive alone will do: a fixed kernel is in its next point.
+sources() {
+    local archive security
+    archive=$(mirror archive)
+    security=$(mirror security)
+    if [ -z "$archive" ]; then
+        echo 'test-vm: apt on this machine knows no Debian archive; run apt-get update first' >&2
+        return 1
+    fi
+    echo "deb $archive $suite main"
+    [ -z "$security" ] || echo "deb $security $suite-security main"
+}
+
+# An apt of the guest's release and architecture, beside this machine's own.
+guest_apt() { # COMMAND...
+    local dir=$cache/apt
+    if ! is_fresh "$dir/updated"; then
+        mkdir -p "$dir"/{lists,archives}/partial
+        sources >"$dir/sources.list"
+        : >"$dir/status"
+        cat >"$dir/apt.conf" <<END
+Dir::State "$dir"; Dir::State::lists "$dir/lists"; Dir::State::status "$dir/status";
+Dir::Cache "$dir"; Dir::Etc::sourcelist "$dir/sources.list"; Dir::Etc::sourceparts "-";
+APT::Architecture "$arch"; APT::Architectures { "$arch"; }; APT::Sandbox::User "root";
+END
+        APT_CONFIG=$dir/apt.conf apt-get -qq update
+        touch "$dir/updated"
+    fi
+    APT_CONFIG=$dir/apt.conf "$@"
+}
+
+# Which kernel the release has now: "6.1.0-56-amd64".
+kernel_release() {
+    guest_apt apt-cache depends "linux-image-$arch" | sed -n 's/.*Depends: linux-image-//p' | head -1
+}
+
+# A folder of unpacked packages, not set up: enough to run programs from, and made in seconds.
+unpack_root() { # FOLDER ARCHITECTURES PACKAGES, both with commas
+    local -a lines
+    rm -rf --one-file-system "$1"
+    mapfile -t lines < <(sources)
+    mmdebstrap --quiet --mode=root --variant=extract --architectures="$2" --include="$3" \
+        "$suite" "$1" "${lines[@]}" 2>"$1.log" || {
+        tail -5 "$1.log" >&2
+        return 1
+    }
+}
+
+# What their maintainers' scripts would have done to make it a place to run programs in.
+settle_root() { # FOLDER
+    local part
+    for part in bin sbin lib lib64; do
+        if [ -d "$1/$part" ] && [ ! -L "$1/$part" ]; then
+            mkdir -p "$1/usr/$part"
+            cp -a "$1/$part/." "$1/usr/$part/"
+            rm -rf "${1:?}/$part"
+            ln -s "usr/$part" "$1/$part"
+        fi
+    done
+    mkdir -p "$1"/{dev,proc,sys,run,tmp,root,host,etc}
+    [ -e "$1/usr/bin/awk" ] || ln -s mawk "$1/usr/bin/awk"
+    [ -e "$1/etc/passwd" ] || echo 'root:x:0:0:root:/root:/bin/sh' >"$1/etc/passwd"
+    [ -e "$1/etc/group" ] || printf '%s\n' root:x:0: tty:x:5: disk:x:6: kmem:x:15: video:x:44: \
+        render:x:105: input:x:106: dialout:x:20: audio:x:29: lp:x:7: cdrom:x:24: tape:x:26: \
+        sgx:x:107: kvm:x:108: plugdev:x:46: kingyo:x:990: >"$1/etc/group"
+}

@@ -1,0 +1,76 @@
+/* look.c -- what is going on in the guest, by the recording it writes: "name value" lines.
+ *
+ * look RECORDING FILE, which is written anew whenever there is more, until a signal comes. */
+#include <signal.h>
+#include <stdio.h>
+#include <time.h>
+
+#include "tests/vm/twin.h"
+
+#define LOOK_NS 100000000 /* A recording grows once a second. */
+
+static volatile sig_atomic_t told_to_end;
+
+static void on_signal(int number)
+{
+    (void)number;
+    told_to_end = 1;
+}
+
+static void tell(FILE *file, const struct twin *twin)
+{
+    static const char *const buttons[] = { "start", "left", "right", "ok", "language",
+                                           "test", "service", "tilt", "door" };
+    const struct core *core = &twin->core;
+    fprintf(file, "ticks %u\ndiffers_at %u\n", twin->ticks, twin->differs_at);
+    for (unsigned i = 0; i < sizeof buttons / sizeof buttons[0]; i++) {
+        fprintf(file, "%s %u\n", buttons[i], twin->presses[i]);
+    }
+    fprintf(file, "coins %u\ncredits %u\ntaken %u\n", twin->coins, core->game.credit.credits,
+           core->game.round_count);
+    fprintf(file, "phase_round %u\n", PHASE_ROUND);
+    fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", core->game.phase, core->game.paused,
+           core->game.round_count, twin->caught);
+    fprintf(file, "link %u\nlost_spans %u\nlost_ms %u\npaused_ms %u\n", twin->input.poi[0].link,
+           twin->lost_spans, twin->lost_ticks * 1000u / CORE_TICK_HZ,
+           twin->paused_ticks * 1000u / CORE_TICK_HZ);
+    const vec3 at = twin->input.poi[0].target.position_m;
+    fprintf(file, "hand_mm %.1f %.1f %.1f\n", (double)at.x * 1e3, (double)at.y * 1e3, (double)at.z * 1e3);
+}
+
+/* Under another name first: who reads it finds it whole. */
+static int tell_to(const char *path, const struct twin *twin)
+{
+    char part[512];
+    snprintf(part, sizeof part, "%s.new", path);
+    FILE *file = fopen(part, "w");
+    if (!file) {
+        return 0;
+    }
+    tell(file, twin);
+    return fclose(file) == 0 && rename(part, path) == 0;
+}
+
+int main(int argc, char **argv)
+{
+    static struct twin twin;
+    const struct sigaction action = { .sa_handler = on_signal };
+    const struct timespec rest = { .tv_nsec = LOOK_NS };
+    if (argc != 3) {
+        fprintf(stderr, "usage: look RECORDING FILE\n");
+        return 2;
+    }
+    sigaction(SIGTERM, &action, NULL);
+    twin.path = argv[1];
+    for (;;) {
+        const int more = twin_follow(&twin);
+        if (more != 0 && !tell_to(argv[2], &twin)) {
+            perror(argv[2]);
+            return 74;
+        }
+        if (more < 0 || (more == 0 && told_to_end)) {
+            return more < 0 ? 65 : 0;
+        }
+        nanosleep(&rest, NULL);
+    }
+}

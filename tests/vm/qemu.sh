@@ -1,0 +1,72 @@
+# qemu.sh -- starts the guest, listens to it, takes its pictures. Source it after lib.sh.
+#
+# The guest writes lines to share/out/talk (guest/lib.sh); QEMU is asked for pictures and says what
+# happened to its machine (a watchdog that bit) through QMP on two pipes.
+# shellcheck shell=bash disable=SC2154
+run=$cache/run share=$cache/run/share
+qemu_pid='' qmp_in='' qmp_reader='' qmp_id=0
+
+qemu_words() { # The machine: 2 processors and 1 GiB, nothing emulated that the kiosk does not use.
+    local words=(-nodefaults -no-user-config -display none -smp 2 -m 1024 -kernel "$cache/kernel/image"
+        -initrd "$cache/initrd.zst" -no-reboot -action watchdog=reset
+        -drive "file=$cache/root.sqfs,format=raw,if=virtio,readonly=on"
+        -fsdev "local,id=host,path=$share,security_model=none" -device virtio-9p-pci,fsdev=host,mount_tag=host
+        -device "virtio-gpu-pci,xres=$width,yres=$height,edid=off" -device i6300esb
+        -serial "file:$run/console" -qmp "pipe:$run/qmp" -accel tcg,thread=multi,tb-size=512)
+    local append='quiet loglevel=4 mitigations=off panic=-1'
+    case $arch in
+        amd64) words+=(-machine q35 -cpu "${VM_CPU:-max}" -append "console=ttyS0 $append") ;;
+        arm64) words+=(-machine virt -cpu cortex-a72 -append "console=ttyAMA0 $append") ;;
+    esac
+    printf '%s\n' "${words[@]}"
+}
+
+qmp() { # COMMAND [ARGUMENTS]: waits until QEMU has done it
+    qmp_id=$((qmp_id + 1))
+    printf '{"execute":"%s","arguments":{%s},"id":%d}\n' "$1" "${2-}" "$qmp_id" >&"$qmp_in"
+    for _ in $(seq 200); do
+        grep -q "\"id\": $qmp_id\b" "$run/qmp.log" && break
+        kill -0 "$qemu_pid" 2>/dev/null || return 1
+        sleep 0.05
+    done
+    ! grep "\"id\": $qmp_id\b" "$run/qmp.log" | grep -q '"error"'
+}
+
+guest_start() { # LIMIT_S
+    local -a words
+    rm -f "$run"/qmp.in "$run"/qmp.out "$run"/qmp.log
+    mkfifo "$run/qmp.in" "$run/qmp.out"
+    : >"$share/out/talk"
+    : >"$run/qmp.log"
+    mapfile -t words < <(qemu_words)
+    exec {qmp_in}<>"$run/qmp.in"
+    cat "$run/qmp.out" >"$run/qmp.log" &
+    qmp_reader=$!
+    timeout --signal=KILL "$1" "qemu-system-$machine" "${words[@]}" >"$run/qemu.log" 2>&1 &
+    qemu_pid=$!
+    qmp qmp_capabilities
+}
+
+guest_shot() { # NAME, of build/vm/GUEST/shots/NAME.png
+    local file=$cache/shots/$1.png
+    qmp screendump "\"filename\":\"$file\",\"format\":\"png\"" && : >"$share/shots/$1.done"
+}
+
+guest_listen() { # Until the guest is off: pictures when asked, each line to heard(), if there is one.
+    local line
+    while read -r line; do
+        set -- $line
+        [ "${2-}" = shot ] && guest_shot "$3"
+        heard "$line"
+    done < <(tail -n +1 -s 0.05 -f --pid="$qemu_pid" "$share/out/talk")
+    qemu_status=0
+    wait "$qemu_pid" 2>/dev/null || qemu_status=$?
+    qemu_pid=''
+    exec {qmp_in}>&-
+    wait "$qmp_reader" 2>/dev/null || true
+}
+
+guest_stop() {
+    [ -z "$qemu_pid" ] || kill -9 "$qemu_pid" 2>/dev/null || true
+    [ -z "$qmp_reader" ] || kill "$qmp_reader" 2>/dev/null || true
+}

@@ -1,0 +1,147 @@
+#!/bin/bash
+# test-vm.sh -- boots the guest that GUEST names, drives the kiosk in it from outside, judges.
+#
+# Everything it fetches and builds stays in BUILD/vm/GUEST: run/ has the logs, shots/ the pictures.
+# KEEP=1 leaves the guest's last recording. Exit code 0 when every line of checks.txt passed, else 1.
+export GUEST=${GUEST:-bookworm} BUILD=${BUILD:-build}
+. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/qemu.sh"
+width=320 height=240
+limit_s=${VM_SECONDS:-420} patience_s=${VM_PATIENCE:-120}
+shots=$cache/shots
+declare -A verdict words
+look_pid='' hand_pid='' hanging=0
+
+leave() {
+    guest_stop
+    for pid in $look_pid $hand_pid; do
+        kill "$pid" 2>/dev/null || true
+    done
+}
+trap leave EXIT
+
+judge() { # ok|bad ID WORDS
+    [ "${verdict[$2]-ok}" = ok ] || return 0 # Once bad is bad.
+    verdict[$2]=$1 words[$2]=${*:3}
+}
+
+passes() { # ID WORDS -- COMMAND...
+    local id=$1 said=$2
+    shift 3
+    if "$@"; then judge ok "$id" "$said"; else judge bad "$id" "$said"; fi
+}
+
+make_share() {
+    rm -rf "$run" "$shots"
+    mkdir -p "$share"/{bin,out,shots} "$shots"
+    cp -r "$here/guest" "$share/"
+    cp "$programs"/{kingyo,kingyoctl,kingyo-poi} "$programs/tests/vm/keeper" "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
+    echo "${VM_PARTS:-play hang}" >"$share/parts"
+    echo "$patience_s" >"$share/patience"
+    [ ! -d "$cache/mesa" ] || cp -r "$cache/mesa" "$share/mesa"
+}
+
+hand() { # In the background: the guest goes on as soon as hand-done is there.
+    local status=0
+    "$BUILD/tests/vm/hand" "$share/out/play.kgr" "$share" "$patience_s" >"$share/hand.log" 2>&1 || status=$?
+    echo "$status" >"$share/hand-done"
+}
+
+heard() { # A line of the guest's (guest/lib.sh).
+    set -- $1
+    case ${2-} in
+        ok | bad) judge "${@:2}" ;;
+        booted) judge ok boot "${*:3}" ;;
+        hand) hand & hand_pid=$! ;;
+        the) hanging=1 ;; # "the kiosk is stopped"
+        not) hanging=0 ;;
+        '#') [ "${V:-0}" = 0 ] || echo "       $*" ;;
+    esac
+    [ "${2-}" = '#' ] || printf '       %s\n' "$*"
+}
+
+# A picture's colours, and the share of its pixels, in thousandths, that are the tank's blue and fish's red.
+picture() { # NAME
+    convert "$shots/$1.png" -depth 8 rgb:- 2>/dev/null | od -An -v -tu1 -w3 | awk '
+        { seen[$1 "," $2 "," $3] = 1 }
+        $3 > 110 && $3 > $1 + 40 { blue++ }
+        $1 > 140 && $2 < 130 && $3 < 110 && $1 > $2 + 40 { red++ }
+        END { for (colour in seen) colours++; print colours + 0, int(1000 * blue / (NR ? NR : 1)), int(1000 * red / (NR ? NR : 1)) }'
+}
+
+shows_tank() { # COLOURS BLUE RED
+    [ $# -eq 3 ] && [ "$1" -gt 800 ] && [ "$2" -gt 100 ] && [ "$3" -ge 3 ]
+}
+
+judge_pictures() {
+    local it
+    read -ra it < <(picture attract) || true
+    passes picture "${it[0]-0} colours, ${it[1]-0} / 1000 blue, ${it[2]-0} / 1000 red" -- shows_tank "${it[@]}"
+    if [ -f "$shots/paused.png" ] && [ -f "$shots/resumed.png" ]; then
+        local differ
+        differ=$(compare -metric AE -fuzz 15% "$shots/paused.png" "$shots/resumed.png" null: 2>&1 || true)
+        passes paused "$differ pixels are others than in the round that goes on" -- [ "${differ%%.*}" -gt 1500 ]
+    fi
+}
+
+seen() { # NAME: what look.c saw of it last
+    sed -n "s/^$1 //p" "$share/seen" 2>/dev/null || true
+}
+
+first() { # PATTERN FILES...: the first line of them that has it; none is no mistake
+    grep -hE "$1" "${@:2}" 2>/dev/null | head -1 || true
+}
+
+judge_logs() {
+    local out=$share/out/kingyo.out err=$share/out/kingyo.err line
+    line=$(first 'arrival' "$out")
+    passes latency "${line:-the kiosk says nothing of it}" -- [ -n "$line" ]
+    line=$(first 'keeper: fed' "$err")
+    passes fed "${line:-it never was}" -- [ "${line:+1}" = 1 ]
+    line=$(first 'BUG:|Oops|Call Trace|segfault|general protection|Kernel panic|hung task' "$run/console" "$share/out/dmesg")
+    [ -n "$line" ] || line=$(first 'panic|assert|anitizer|egmentation|aborted' "$err")
+    passes crash "${line:-$(wc -l <"$run/console") lines of the kernel, $(grep -vc '^keeper' "$err") of the kiosk}" -- [ -z "$line" ]
+    passes twin "$(seen ticks) ticks; the first that differs: $(seen differs_at)" -- grep -q '^differs_at 0' "$share/seen"
+}
+
+judge_watchdog() { # QEMU says when a watchdog bites, and why it ended.
+    local bit=no
+    grep -q '"WATCHDOG"' "$run/qmp.log" && bit=yes
+    passes watchdog "hanging: $hanging, bitten: $bit" -- [ "$hanging$bit" = 1yes ]
+}
+
+table() { # The verdict: a line each, and the count of both.
+    local id text passed=0 failed=0
+    printf '\n%s: %s, %d s\n' "$GUEST" "$(cat "$cache/kernel/release")" "$SECONDS"
+    while read -r id text; do
+        case ${verdict[$id]-} in
+            ok) passed=$((passed + 1)); printf '  pass  %-10s %s: %s\n' "$id" "$text" "${words[$id]}" ;;
+            bad) failed=$((failed + 1)); printf '  FAIL  %-10s %s: %s\n' "$id" "$text" "${words[$id]}" ;;
+            *) failed=$((failed + 1)); printf '  FAIL  %-10s %s: not reached\n' "$id" "$text" ;;
+        esac
+    done < <(grep -v '^#' "$here/checks.txt")
+    printf '%d passed, %d failed; pictures in %s\n' "$passed" "$failed" "${shots#"$top"/}"
+    [ "$failed" -eq 0 ]
+}
+
+"$here/builder.sh"
+"$here/root.sh"
+"$here/kernel.sh"
+"$here/initrd.sh"
+programs=$("$here/programs.sh")
+make_share
+step "boot ${GUEST}"
+guest_start "$limit_s"
+"$BUILD/tests/vm/look" "$share/out/play.kgr" "$share/seen" &
+look_pid=$!
+guest_listen
+[ ! -d "$share/out/mesa" ] || { rm -rf "$cache/mesa"; mv "$share/out/mesa" "$cache/mesa"; }
+sleep 1
+kill "$look_pid" 2>/dev/null || true
+wait "$look_pid" || true
+look_pid=''
+judge_pictures
+judge_logs
+judge_watchdog
+table | tee "$cache/table.txt"
+exit "${PIPESTATUS[0]}"

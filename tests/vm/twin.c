@@ -1,0 +1,77 @@
+/* twin.c -- reads what is new, ticks it, holds every digest against its own. */
+#include "tests/vm/twin.h"
+
+#include <string.h>
+
+void twin_tick(struct core *core, const struct input *input, struct output *output)
+{
+    output->sound_count = 0;
+    core_tick(core, input, output);
+}
+
+static void count_link(struct twin *twin)
+{
+    const uint8_t link = twin->input.poi[0].link;
+    if (link == POI_LINK_LOST && twin->was_live) {
+        twin->lost_spans++;
+        twin->lost_ticks = 0;
+    }
+    twin->lost_ticks += link == POI_LINK_LOST;
+    twin->was_live = link == POI_LINK_LIVE;
+}
+
+static void count(struct twin *twin)
+{
+    twin->coins += twin->input.coin_count;
+    for (uint32_t i = 0; i < sizeof twin->presses / sizeof twin->presses[0]; i++) {
+        twin->presses[i] += twin->input.pressed >> i & 1u;
+    }
+    count_link(twin);
+    twin->paused_ticks += twin->core.game.phase == PHASE_ROUND && twin->core.game.paused;
+}
+
+/* Past what was taken before: decoded, and not ticked again. */
+static int skip_known(struct twin *twin, struct input *input)
+{
+    for (uint32_t i = 0; i < twin->ticks; i++) {
+        if (replay_next(&twin->reader, input) != 1) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int begin(struct twin *twin)
+{
+    if (!twin->begun && core_init(&twin->core, &twin->reader.header.config) != CORE_OK) {
+        return 0;
+    }
+    twin->begun = 1;
+    return 1;
+}
+
+int twin_follow(struct twin *twin)
+{
+    struct input input = { 0 };
+    const uint32_t before = twin->ticks;
+    if (twin->differs_at || replay_open(&twin->reader, twin->path)) {
+        return twin->differs_at ? -1 : 0; /* Not there, or in mid-write: in a moment it is whole. */
+    }
+    if (!begin(twin) || !skip_known(twin, &input)) {
+        replay_close(&twin->reader);
+        return twin->begun ? 0 : -1;
+    }
+    while (replay_next(&twin->reader, &input) == 1) {
+        twin->input = input;
+        twin_tick(&twin->core, &input, &twin->output);
+        twin->ticks++;
+        count(twin);
+        twin->caught = twin->reader.totals.caught;
+        if ((uint32_t)core_hash_quick(&twin->core) != twin->reader.digest) {
+            twin->differs_at = twin->ticks;
+            break;
+        }
+    }
+    replay_close(&twin->reader);
+    return twin->differs_at ? -1 : twin->ticks > before;
+}
