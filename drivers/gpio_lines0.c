@@ -60,7 +60,7 @@ static void none_close(void *self)
 static const char *none_describe(void *self)
 {
     (void)self;
-    return "no libgpiod";
+    return "built without libgpiod";
 }
 
 struct gpio_lines gpio_lines_device(void)
