@@ -21,11 +21,11 @@ static const struct stroke {
     float x_m, y_m, z_m;
     float pitch_deg, roll_deg;
 } strokes[SCOOP_STROKES] = {
-    { 0, POI_BUTTON_START, 0.9f, 0.00f, 0.060f, 0.05f, 0.0f, 0.0f },
-    { 0, 0, 0.4f, 0.00f, 0.045f, 0.05f, -38.0f, 0.0f },      /* Leans: the far edge first. */
-    { 0, 0, 0.45f, 0.00f, -0.050f, -0.05f, -38.0f, 0.0f },   /* Slides in along the paper. */
-    { 0, 0, 0.6f, 0.00f, -0.055f, -0.09f, -4.0f, 0.0f },     /* Glides under. */
-    { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },       /* Lifts level, and drains. */
+    { 0, POI_BUTTON_START, 0.9f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
+    { 0, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },    /* A still shade gathers fish. */
+    { 0, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },   /* Slides in along the paper. */
+    { 0, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f },    /* Glides under. */
+    { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },      /* Lifts level, and drains. */
     { 1, 0, 1.1f, 0.00f, 0.020f, 0.00f, 2.0f, 0.0f },
     { 1, POI_BUTTON_OK, 0.5f, 0.00f, 0.000f, 0.00f, 0.0f, 58.0f }, /* Tips to the right. */
     { 1, 0, 0.6f, -0.03f, 0.030f, 0.00f, 0.0f, 0.0f },

@@ -1,8 +1,8 @@
 /* scoop.h -- a hand that scoops, again and again, without eyes: who tests a kiosk needs no sensors.
  *
- * One scoop is START and a look over the water, a slanted dip, a glide along the paper's plane, a
- * level lift that drains, the way to the first player's bowl of the festival tank, and the tip.
- * Each dips elsewhere, so that the whole tank gets its turn. Pure. */
+ * One scoop is START, a still shade that gathers fish, a slanted dip along the paper's plane, a
+ * glide under whoever came, a level lift that drains, the way to the first player's bowl of the
+ * festival tank, and the tip. Each dips elsewhere: the whole tank gets its turn. Pure. */
 #ifndef KINGYO_POI_GADGET_SCOOP_H
 #define KINGYO_POI_GADGET_SCOOP_H
 

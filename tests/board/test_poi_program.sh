@@ -100,8 +100,8 @@ takes() { # What watch prints is a script that gives the same poses.
 check 'a take can be played again' takes
 
 # ---- Simulation -----------------------------------------------------------------------------------
-scoops() { # Eight seconds: it dips, comes up, tips over the bowl at 335, 185 mm, and dips elsewhere.
-    "$poi" watch --simulate --rate 50 --seconds 8 >"$work/scoops"
+scoops() { # Ten seconds: it dips, comes up, tips over the bowl at 335, 185 mm, and dips elsewhere.
+    "$poi" watch --simulate --rate 50 --seconds 10 >"$work/scoops"
     awk '$2 < -40 { if (!down) dips++; down = 1; if (dips == 1) first = $1; else second = $1 }
          $2 > 20 { down = 0 }
          $6 > 50 && $1 > 255 && $1 < 415 && $3 > 105 { tips++ }
