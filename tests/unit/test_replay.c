@@ -459,6 +459,45 @@ static void test_a_true_recording_is_found_true(void **state)
     assert_true(core_hash(&core) == hash);
 }
 
+/* Coins, the menu, controllers that come and go there, one that is learned, and back. */
+static void test_a_visit_to_the_operators_menu_is_found_true(void **state)
+{
+    static struct output output;
+    static const uint32_t presses[] = { INPUT_TEST, INPUT_TEST,    INPUT_TEST,  INPUT_TEST,
+                                        INPUT_LEFT, INPUT_SERVICE, INPUT_RIGHT, INPUT_TEST,
+                                        INPUT_OK,   INPUT_SERVICE, INPUT_START, INPUT_SERVICE };
+    struct core_config paid = config;
+    struct input input = { .poi[0].link = POI_LINK_BOT };
+    (void)state;
+    paid.credit_coins = 2;
+    paid.ticket_fish = 3;
+    assert_int_equal(core_init(&core, &paid), CORE_OK);
+    empty_path();
+    assert_int_equal(recorder_begin(&recorder, path, &core), 0);
+    const struct kiosk_tap tap = recorder_tap(&recorder);
+    uint32_t menu_ticks = 0;
+    for (uint32_t tick = 0; tick < 6u * CORE_TICK_HZ; tick++) {
+        input.coin_count = tick % 50u == 7u;
+        input.pressed = tick % 30u == 29u ? presses[tick / 30u % 12u] : 0u;
+        input.held = tick / 100u % 2u ? INPUT_DOOR : 0u;
+        input.desk.state[0] = CONTROLLER_FREE;
+        input.desk.state[1u + tick / 77u % 7u] = (uint8_t)(tick / 31u % CONTROLLER_STATE_COUNT);
+        input.desk.learn_step = (uint8_t)(tick / 120u);
+        input.desk.learn_progress = (uint8_t)tick;
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+        menu_ticks += core.game.phase == PHASE_MENU;
+        tap.tick(tap.self, &input, &core);
+    }
+    assert_int_equal(recorder_end(&recorder), 0);
+    const uint64_t hash = core_hash(&core);
+    assert_true(menu_ticks > CORE_TICK_HZ && output.order.id > 0 && output.coins_counted > 0);
+    replay_all();
+    assert_int_equal(replayer.damaged, 0);
+    assert_int_equal(replayer.difference.found, 0);
+    assert_true(core_hash(&core) == hash);
+}
+
 /* Attract is nobody's; then the first player's festival. */
 static void test_a_recording_knows_who_played_what(void **state)
 {
@@ -562,6 +601,7 @@ int main(void)
         cmocka_unit_test(test_a_recording_is_never_replaced),
         cmocka_unit_test(test_a_path_that_cannot_be_written_is_told),
         cmocka_unit_test(test_a_true_recording_is_found_true),
+        cmocka_unit_test(test_a_visit_to_the_operators_menu_is_found_true),
         cmocka_unit_test(test_a_recording_knows_who_played_what),
         cmocka_unit_test(test_counts_rise_with_the_scores_and_begin_anew_with_a_round),
         cmocka_unit_test(test_the_first_tick_that_differs_is_named),
