@@ -3,12 +3,12 @@
 
 #include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "drivers/hid_book_file.h"
 #include "drivers/hid_book_text.h"
 
 #define FOLDER "pois"
@@ -48,31 +48,11 @@ static struct hid_book_entry *entry_of(struct hid_book *book, uint16_t vendor, u
     return NULL;
 }
 
-/* 0, or errno; EFBIG: longer than any file of ours. */
-static int read_text(const char *path, char text[HID_BOOK_TEXT_SIZE])
-{
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    size_t used = 0;
-    ssize_t got = 0;
-    if (fd < 0) {
-        return errno;
-    }
-    while (used < HID_BOOK_TEXT_SIZE &&
-           ((got = read(fd, text + used, HID_BOOK_TEXT_SIZE - used)) > 0 ||
-            (got < 0 && errno == EINTR))) {
-        used += got > 0 ? (size_t)got : 0u;
-    }
-    const int error = got < 0 ? errno : used == HID_BOOK_TEXT_SIZE ? EFBIG : 0;
-    close(fd);
-    text[used < HID_BOOK_TEXT_SIZE ? used : 0u] = '\0';
-    return error;
-}
-
 static void read_entry(struct hid_book *book, const char *path, struct complaints *to)
 {
     char text[HID_BOOK_TEXT_SIZE], why[HAL_TEXT_SIZE];
     struct hid_book_entry entry;
-    const int error = read_text(path, text);
+    const int error = hid_book_file_read(path, text);
     const int bad_line = error ? 0 : hid_book_read(&entry, text, why);
     if (error || bad_line) {
         complain(to, path, bad_line, error ? strerror(error) : why);
@@ -116,49 +96,6 @@ static void read_folder(struct hid_book *book, struct complaints *to)
 
 /* ---- The thread ----------------------------------------------------------------------------- */
 
-static int write_all(int fd, const char *text)
-{
-    size_t left = strlen(text);
-    while (left > 0) {
-        const ssize_t done = write(fd, text, left);
-        if (done < 0 && errno != EINTR) {
-            return errno;
-        }
-        text += done > 0 ? done : 0;
-        left -= done > 0 ? (size_t)done : 0u;
-    }
-    return fsync(fd) == 0 ? 0 : errno;
-}
-
-/* A name in a folder lasts once the folder is on the card. */
-static int sync_folder(const char *folder)
-{
-    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const int error = fd < 0 || fsync(fd) != 0 ? errno : 0;
-    if (fd >= 0) {
-        close(fd);
-    }
-    return error;
-}
-
-/* Written beside the file and put in its place, so that it is the old one or the new one. */
-static int replace(const char *path, const char *text)
-{
-    char beside[HID_BOOK_PATH_SIZE + 8u];
-    snprintf(beside, sizeof beside, "%s.new", path);
-    const int fd = open(beside, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (fd < 0) {
-        return errno;
-    }
-    int error = write_all(fd, text);
-    error = close(fd) != 0 && !error ? errno : error;
-    error = !error && rename(beside, path) != 0 ? errno : error;
-    if (error) {
-        unlink(beside);
-    }
-    return error;
-}
-
 static int do_job(const char *folder, const struct hid_book_job *job)
 {
     int error = 0;
@@ -166,11 +103,11 @@ static int do_job(const char *folder, const struct hid_book_job *job)
         return errno;
     }
     if (job->text[0]) {
-        error = replace(job->path, job->text);
+        error = hid_book_file_replace(job->path, job->text);
     } else if (unlink(job->path) != 0 && errno != ENOENT) {
         error = errno;
     }
-    return error ? error : sync_folder(folder);
+    return error ? error : hid_book_file_sync(folder);
 }
 
 static void *write_down(void *self)

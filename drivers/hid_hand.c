@@ -1,18 +1,15 @@
-/* hid_hand.c -- bits to shares, shares to motions. */
+/* hid_hand.c -- shares to motions. */
 #include "drivers/hid_hand.h"
 
 #include <string.h>
 
+#include "drivers/hid_value.h"
 #include "drivers/poi_report.h"
 
 /* A window that no mouse can see: a count is a pixel of it, as wide as a hand's way on a desk. */
 #define WINDOW_WIDTH 1920u
 #define WINDOW_HEIGHT 1080u
 
-#define PRESS_AT 0.5f    /* Of the way of a trigger; ... */
-#define RELEASE_AT 0.4f  /* ... it trembles no more than this between. */
-#define AWAKE_WITHIN 0.3f /* Of its way to either end a stick is let go. */
-#define HAT_DIRECTIONS 8.0f
 
 int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const struct hid_map *map,
                   const struct view *view)
@@ -45,142 +42,6 @@ void hid_hand_look(struct hid_hand *hand, const struct view *view)
 {
     hand->pointer.view = hand->fan.view = *view;
     fly_poi_look(&hand->fly, view);
-}
-
-/* ---- Bits to shares ------------------------------------------------------------------------- */
-
-static uint32_t bits_at(const uint8_t *bytes, uint32_t offset, uint32_t size)
-{
-    const uint32_t first = offset / 8u, last = (offset + size - 1u) / 8u;
-    uint64_t word = 0;
-    for (uint32_t i = first; i <= last; i++) {
-        word |= (uint64_t)bytes[i] << (8u * (i - first));
-    }
-    return (uint32_t)(word >> offset % 8u & ((1ull << size) - 1u));
-}
-
-static int64_t raw_of(const struct hid_binding *binding, const uint8_t *payload)
-{
-    const uint32_t bits = bits_at(payload, binding->bit_offset, binding->bit_size);
-    const int64_t half = (int64_t)1 << (binding->bit_size - 1u);
-    return binding->is_signed && bits >= half ? (int64_t)bits - 2 * half : (int64_t)bits;
-}
-
-/* How far it is from `rest` (0) to `full` (1), and beyond. */
-static float way_of(const struct hid_binding *binding, int64_t raw)
-{
-    const int64_t span = (int64_t)binding->full - binding->rest;
-    return (float)(raw - binding->rest) / (float)span;
-}
-
-/* 0 within `dead`, and as before at the ends. */
-static float past_dead(float share, float dead)
-{
-    const float size = f_abs(share);
-    const float rest = size > dead ? f_min((size - dead) / (1.0f - dead), 1.0f) : 0.0f;
-    return share < 0.0f ? -rest : rest;
-}
-
-static float dead_share(const struct hid_binding *binding, float steps)
-{
-    return f_clamp((float)binding->dead / f_abs(steps), 0.0f, 0.9f);
-}
-
-static float stick_of(const struct hid_binding *binding, int64_t raw)
-{
-    const float span = (float)((int64_t)binding->full - binding->rest);
-    return binding->manner == HID_MANNER_RATE
-               ? past_dead(f_clamp(way_of(binding, raw), -1.0f, 1.0f), dead_share(binding, span))
-               : past_dead(f_clamp(2.0f * way_of(binding, raw) - 1.0f, -1.0f, 1.0f),
-                           dead_share(binding, 0.5f * span));
-}
-
-static float pressed_of(float way, float before)
-{
-    return way >= (before > 0.5f ? RELEASE_AT : PRESS_AT) ? 1.0f : 0.0f;
-}
-
-static float hat_of(const struct hid_binding *binding, int64_t raw)
-{
-    const int64_t direction = raw - binding->rest;
-    return direction >= 0 && (float)direction < HAT_DIRECTIONS ? (float)direction : -1.0f;
-}
-
-/* Whether some element of the array that begins at the binding's bits selects its usage. */
-static int is_selected(const struct hid_hand *hand, const struct hid_binding *binding,
-                       struct hid_report report)
-{
-    const struct hid_descriptor *descriptor = &hand->descriptor;
-    for (uint32_t i = 0; i < descriptor->group_count; i++) {
-        const struct hid_group *group = &descriptor->group[i];
-        if ((group->flags & HID_VARIABLE) || group->report_id != binding->report_id ||
-            group->bit_offset != binding->bit_offset) {
-            continue;
-        }
-        for (uint32_t j = 0; j < group->count; j++) {
-            const int64_t raw = hid_field_value(descriptor, group, j, report);
-            if (hid_selected(descriptor, group, raw) == binding->usage) {
-                return 1;
-            }
-        }
-    }
-    return 0;
-}
-
-/* Sticks that rest in the middle count once they were seen there. */
-static int has_rest(const struct hid_binding *binding)
-{
-    return binding->manner == HID_MANNER_RATE ||
-           (binding->manner == HID_MANNER_PLACE && binding->dead > 0);
-}
-
-static float stick_if_awake(struct hid_hand *hand, uint32_t index, int64_t raw)
-{
-    const float share = stick_of(&hand->map.binding[index], raw);
-    if (!has_rest(&hand->map.binding[index])) {
-        return share;
-    }
-    if (f_abs(share) < AWAKE_WITHIN) {
-        hand->awake |= 1u << index;
-    }
-    return hand->awake & 1u << index ? share : 0.0f;
-}
-
-static void read_binding(struct hid_hand *hand, uint32_t index, struct hid_report report)
-{
-    const struct hid_binding *binding = &hand->map.binding[index];
-    const int64_t raw = raw_of(binding, report.bytes + hand->descriptor.has_report_ids);
-    float *value = &hand->value[index];
-    switch (binding->manner) {
-    case HID_MANNER_STEP:
-        *value = binding->full < binding->rest ? -(float)raw : (float)raw;
-        break;
-    case HID_MANNER_PRESS:
-        *value = binding->usage ? (float)is_selected(hand, binding, report)
-                                : pressed_of(way_of(binding, raw), *value);
-        break;
-    case HID_MANNER_HAT:
-        *value = hat_of(binding, raw);
-        break;
-    default:
-        *value = stick_if_awake(hand, index, raw);
-        break;
-    }
-}
-
-/* Whether the map knows this report at all. Steps are of one report only. */
-static int read_bindings(struct hid_hand *hand, uint8_t report_id, struct hid_report report)
-{
-    int knows = 0;
-    for (uint32_t i = 0; i < hand->map.count; i++) {
-        if (hand->map.binding[i].report_id == report_id) {
-            read_binding(hand, i, report);
-            knows = 1;
-        } else if (hand->map.binding[i].manner == HID_MANNER_STEP) {
-            hand->value[i] = 0.0f;
-        }
-    }
-    return knows;
 }
 
 /* ---- Shares to motions ---------------------------------------------------------------------- */
@@ -350,7 +211,7 @@ static int lead(struct hid_hand *hand, const struct hid_raw *raw, struct hid_rep
     if (hand->map.style == HID_STYLE_POSE && !pose(hand, raw)) {
         return 0;
     }
-    if (!read_bindings(hand, id, report)) {
+    if (!hid_hand_read(hand, id, report)) {
         return 0; /* A battery's, a touch pad's: nothing of the hand. */
     }
     if (hand->map.style == HID_STYLE_POINTER) {

@@ -1,55 +1,21 @@
-/* hid_learn.c -- who went farthest? */
+/* hid_learn.c -- hears what every field did in every step. */
 #include "drivers/hid_learn.h"
 
 #include <string.h>
 
 #include "core/base/fmath.h"
-#include "drivers/hid_offer.h"
+#include "drivers/hid_judge.h"
 
 #define REST_NS 1000000000ull  /* So long a hand keeps still before that is believed. */
 #define REST_REPORTS 8u        /* Or so many reports: those that only tell changes tell none. */
-#define NOISE_MAX 0.20f        /* Of its range a field may tremble while all is still. */
-#define WAY_MIN 0.12f          /* Of its range a field must go to be an axis, ... */
-#define PRESS_MIN 0.30f        /* ... and to be what dips. */
-#define CLEAR_WAY 0.4f         /* Of its range: nobody asks for more than that. */
-#define VENDOR_WORTH 0.5f      /* A field that says nothing of itself must go twice as far. */
-#define STEP_WAY 100.0f        /* Of a mouse: counts that are a way. */
-#define MIDDLE_SHARE 0.2f      /* So near to its rest a stick comes back when it is let go. */
-#define DEAD_SHARE 0.08f
-#define PAGE_OF(usage) ((usage) >> 16)
-#define PAGE_VENDOR 0xff00u
 
 /* ---- Fields --------------------------------------------------------------------------------- */
-
-static const struct hid_group *group_of(const struct hid_learn *learn,
-                                        const struct learn_field *field)
-{
-    return &learn->descriptor.group[field->group];
-}
-
-static int is_relative(const struct hid_group *group)
-{
-    return (group->flags & HID_RELATIVE) && group->application != USAGE_MULTI_AXIS;
-}
-
-/* Makers declare ranges that no bits of theirs can hold. */
-static int64_t high_of(const struct hid_group *group)
-{
-    const uint32_t bits = group->bit_size - (group->logical_min < 0);
-    const int64_t most = ((int64_t)1 << bits) - 1;
-    return group->logical_max < most ? group->logical_max : most;
-}
-
-static float span_of(const struct hid_group *group)
-{
-    return is_relative(group) ? STEP_WAY : (float)(high_of(group) - group->logical_min);
-}
 
 static void add_fields(struct hid_learn *learn, uint32_t group_index)
 {
     const struct hid_group *group = &learn->descriptor.group[group_index];
     if ((group->flags & HID_CONSTANT) || !(group->flags & HID_VARIABLE) || group->bit_size > 32u ||
-        high_of(group) <= group->logical_min) {
+        hid_judge_high(group) <= group->logical_min) {
         return;
     }
     for (uint32_t i = 0; i < group->count && learn->field_count < LEARN_FIELD_MAX; i++) {
@@ -64,7 +30,7 @@ static void begin_step(struct hid_learn *learn, enum learn_step step)
     learn->report_count = 0;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         struct learn_field *field = &learn->field[i];
-        if (is_relative(group_of(learn, field))) {
+        if (hid_judge_is_relative(hid_judge_group(learn, field))) {
             field->now = 0;
         }
         field->low[step] = field->high[step] = field->now;
@@ -106,9 +72,9 @@ static void hear_rest(struct learn_field *field, int64_t value)
 static void hear_field(struct hid_learn *learn, struct learn_field *field,
                        struct hid_report report)
 {
-    const struct hid_group *group = group_of(learn, field);
+    const struct hid_group *group = hid_judge_group(learn, field);
     const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);
-    const int relative = is_relative(group);
+    const int relative = hid_judge_is_relative(group);
     field->now = relative ? field->now + value : value;
     if (!field->heard) { /* What only tells changes tells with its first where it rested. */
         field->heard = 1;
@@ -172,269 +138,14 @@ void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw)
     learn->now_ns = raw->time_ns;
     learn->report_count++;
     for (uint32_t i = 0; i < learn->field_count; i++) {
-        if (group_of(learn, &learn->field[i])->report_id == id) {
+        if (hid_judge_group(learn, &learn->field[i])->report_id == id) {
             hear_field(learn, &learn->field[i], report);
         }
     }
     hear_arrays(learn, id, report);
 }
 
-/* ---- Judging -------------------------------------------------------------------------------- */
-
-static int64_t rest_of(const struct learn_field *field)
-{
-    return (field->rest_low + field->rest_high) / 2;
-}
-
-/* The farther of both ways from where it rested, with its sign. */
-static int64_t way_in(const struct learn_field *field, enum learn_step step)
-{
-    const int64_t down = field->low[step] - rest_of(field);
-    const int64_t up = field->high[step] - rest_of(field);
-    return up >= -down ? up : down;
-}
-
-static float worth_of(const struct hid_learn *learn, const struct learn_field *field)
-{
-    const struct hid_group *group = group_of(learn, field);
-    const float noise = (float)(field->rest_high - field->rest_low) / span_of(group);
-    const hid_usage usage = hid_usage_at(&learn->descriptor, group, field->index);
-    if (!field->heard || noise > NOISE_MAX) {
-        return 0.0f;
-    }
-    return PAGE_OF(usage) >= PAGE_VENDOR ? VENDOR_WORTH : 1.0f;
-}
-
-static float share_of(const struct hid_learn *learn, const struct learn_field *field, int64_t way)
-{
-    const float share = f_abs((float)way) / span_of(group_of(learn, field));
-    return f_min(share, 1.0f) * worth_of(learn, field);
-}
-
-/* How far it went in one step, and the other way in the other; 0, 0 if it did not. Where a step
- * begins the hand may still be where the last one ended, which is no way of this step. */
-struct ways {
-    int64_t there, back;
-};
-
-static struct ways ways_of(const struct learn_field *field, enum learn_step one,
-                           enum learn_step other)
-{
-    const int64_t rest = rest_of(field);
-    const struct ways down_up = { field->low[one] - rest, field->high[other] - rest };
-    const struct ways up_down = { field->high[one] - rest, field->low[other] - rest };
-    const int64_t first = -down_up.there < down_up.back ? -down_up.there : down_up.back;
-    const int64_t second = up_down.there < -up_down.back ? up_down.there : -up_down.back;
-    return first <= 0 && second <= 0 ? (struct ways){ 0 } : first >= second ? down_up : up_down;
-}
-
-static float axis_share(const struct hid_learn *learn, const struct learn_field *field,
-                        enum learn_step one, enum learn_step other)
-{
-    const struct ways ways = ways_of(field, one, other);
-    const int is_wide = group_of(learn, field)->bit_size >= 4;
-    return is_wide ? f_min(share_of(learn, field, ways.there), share_of(learn, field, ways.back))
-                   : 0.0f;
-}
-
-static const struct learn_field *best_axis(const struct hid_learn *learn, enum learn_step one,
-                                           enum learn_step other,
-                                           const struct learn_field *not_this)
-{
-    const struct learn_field *best = NULL;
-    float best_share = WAY_MIN;
-    for (uint32_t i = 0; i < learn->field_count; i++) {
-        const struct learn_field *field = &learn->field[i];
-        const float share = axis_share(learn, field, one, other);
-        if (field != not_this && share > best_share) {
-            best = field;
-            best_share = share;
-        }
-    }
-    return best;
-}
-
-static float press_share(const struct hid_learn *learn, const struct learn_field *field)
-{
-    return is_relative(group_of(learn, field))
-               ? 0.0f
-               : share_of(learn, field, way_in(field, LEARN_DIP));
-}
-
-static const struct learn_field *best_press(const struct hid_learn *learn,
-                                            const struct learn_field *x,
-                                            const struct learn_field *z)
-{
-    const struct learn_field *best = NULL;
-    float best_share = PRESS_MIN;
-    for (uint32_t i = 0; i < learn->field_count; i++) {
-        const struct learn_field *field = &learn->field[i];
-        if (field != x && field != z && press_share(learn, field) > best_share) {
-            best = field;
-            best_share = press_share(learn, field);
-        }
-    }
-    return best;
-}
-
-static const struct learn_key *best_key(const struct hid_learn *learn)
-{
-    for (uint32_t i = 0; i < learn->key_count; i++) {
-        if (!learn->key[i].rested) {
-            return &learn->key[i];
-        }
-    }
-    return NULL;
-}
-
-/* ---- The map -------------------------------------------------------------------------------- */
-
-static struct hid_binding binding_of(const struct hid_learn *learn,
-                                     const struct learn_field *field, enum hid_role role)
-{
-    const struct hid_group *group = group_of(learn, field);
-    return (struct hid_binding){
-        .role = (uint8_t)role,
-        .report_id = group->report_id,
-        .bit_offset = group->bit_offset + field->index * group->bit_size,
-        .bit_size = (uint8_t)group->bit_size,
-        .is_signed = group->logical_min < 0,
-    };
-}
-
-/* A stick comes back by itself when it is let go; a pen stays where it is. What a device calls
- * itself says more than what it did. */
-static int is_stick(const struct hid_learn *learn, const struct learn_field *field,
-                    enum learn_step one, enum learn_step other)
-{
-    const struct hid_group *group = group_of(learn, field);
-    const float near = MIDDLE_SHARE * span_of(group);
-    switch (group->application) {
-    case USAGE_JOYSTICK:
-    case USAGE_GAMEPAD:
-    case USAGE_MULTI_AXIS:
-        return 1;
-    case USAGE_MOUSE:
-    case USAGE_DIGITIZER:
-    case USAGE_PEN:
-    case USAGE_TOUCH_SCREEN:
-    case USAGE_TOUCH_PAD:
-        return 0;
-    default:
-        return f_abs((float)(field->end[one] - rest_of(field))) < near &&
-               f_abs((float)(field->end[other] - rest_of(field))) < near;
-    }
-}
-
-static void bind_axis(struct hid_learn *learn, const struct learn_field *field,
-                      enum hid_role role, enum learn_step one, enum learn_step other)
-{
-    const struct hid_group *group = group_of(learn, field);
-    const struct ways ways = ways_of(field, one, other);
-    struct hid_binding binding = binding_of(learn, field, role);
-    if (is_relative(group)) {
-        binding.manner = HID_MANNER_STEP;
-        binding.full = ways.back > 0 ? 1 : -1;
-    } else if (is_stick(learn, field, one, other)) {
-        binding.manner = HID_MANNER_RATE;
-        binding.rest = (int32_t)rest_of(field);
-        binding.full = (int32_t)(rest_of(field) + ways.back);
-        binding.dead = (int32_t)(DEAD_SHARE * f_abs((float)ways.back)) +
-                       (int32_t)(field->rest_high - field->rest_low);
-    } else {
-        binding.manner = HID_MANNER_PLACE;
-        binding.rest = (int32_t)(rest_of(field) + ways.there);
-        binding.full = (int32_t)(rest_of(field) + ways.back);
-    }
-    hid_offer_bits(&learn->map, binding);
-}
-
-static void bind_press(struct hid_learn *learn, const struct learn_field *field)
-{
-    struct hid_binding binding = binding_of(learn, field, HID_ROLE_DIP);
-    binding.manner = HID_MANNER_PRESS;
-    binding.rest = (int32_t)rest_of(field);
-    binding.full = (int32_t)(rest_of(field) + way_in(field, LEARN_DIP));
-    hid_offer_bits(&learn->map, binding);
-}
-
-static void bind_key(struct hid_learn *learn, const struct learn_key *key)
-{
-    const struct hid_group *group = &learn->descriptor.group[key->group];
-    hid_offer_bits(&learn->map, (struct hid_binding){
-                                    .role = HID_ROLE_DIP,
-                                    .manner = HID_MANNER_PRESS,
-                                    .report_id = group->report_id,
-                                    .bit_offset = group->bit_offset,
-                                    .bit_size = (uint8_t)group->bit_size,
-                                    .usage = key->usage,
-                                    .full = 1,
-                                });
-}
-
-static int is_taken(const struct hid_map *map, const struct hid_binding *binding)
-{
-    for (uint32_t i = 0; i < map->count; i++) {
-        const struct hid_binding *taken = &map->binding[i];
-        if (taken->report_id == binding->report_id && taken->bit_offset == binding->bit_offset &&
-            taken->usage == binding->usage) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-/* Some pens never say that they are in range, or say it the other way round: whoever moved an axis
- * was there. */
-static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
-{
-    for (uint32_t i = 0; i < learn->field_count; i++) {
-        const struct learn_field *field = &learn->field[i];
-        const struct hid_binding own = binding_of(learn, field, HID_ROLE_IN_RANGE);
-        if (own.report_id == binding->report_id && own.bit_offset == binding->bit_offset) {
-            return field->end[LEARN_LEFT] != binding->full ||
-                   field->end[LEARN_NEAR] != binding->full;
-        }
-    }
-    return 1;
-}
-
-/* What was not shown stays as it was offered: the menu's buttons, the turns of a second stick. */
-static void keep_offered(struct hid_learn *learn)
-{
-    for (uint32_t i = 0; i < learn->offered.count; i++) {
-        const struct hid_binding *binding = &learn->offered.binding[i];
-        const int was_shown = binding->role == HID_ROLE_X || binding->role == HID_ROLE_Y ||
-                              binding->role == HID_ROLE_Z || binding->role == HID_ROLE_DIP;
-        const int is_false = binding->role == HID_ROLE_IN_RANGE && never_said(learn, binding);
-        if (!was_shown && !is_false && !is_taken(&learn->map, binding)) {
-            hid_offer_bits(&learn->map, *binding);
-        }
-    }
-}
-
-static int make_map(struct hid_learn *learn)
-{
-    const struct learn_field *x = best_axis(learn, LEARN_LEFT, LEARN_RIGHT, NULL);
-    const struct learn_field *z = best_axis(learn, LEARN_FAR, LEARN_NEAR, x);
-    const struct learn_field *press = best_press(learn, x, z);
-    const struct learn_key *key = press ? NULL : best_key(learn);
-    if (!x || !z || (!press && !key)) {
-        return 0;
-    }
-    learn->map = (struct hid_map){ .source = HID_MAP_LEARNED };
-    bind_axis(learn, x, HID_ROLE_X, LEARN_LEFT, LEARN_RIGHT);
-    bind_axis(learn, z, HID_ROLE_Z, LEARN_FAR, LEARN_NEAR);
-    learn->map.style = learn->map.binding[0].manner == HID_MANNER_RATE ? HID_STYLE_FLY
-                                                                       : HID_STYLE_POINTER;
-    if (press) {
-        bind_press(learn, press);
-    } else {
-        bind_key(learn, key);
-    }
-    keep_offered(learn);
-    return hid_map_is_sound(&learn->map, &learn->descriptor);
-}
+/* ---- Going on ------------------------------------------------------------------------------- */
 
 void hid_learn_next(struct hid_learn *learn)
 {
@@ -448,7 +159,7 @@ void hid_learn_next(struct hid_learn *learn)
         begin_step(learn, (enum learn_step)(learn->step + 1));
         return;
     }
-    learn->step = make_map(learn) ? LEARN_TRY : LEARN_FAILED;
+    learn->step = hid_judge_map(learn) ? LEARN_TRY : LEARN_FAILED;
 }
 
 /* ---- Progress ------------------------------------------------------------------------------- */
@@ -458,19 +169,6 @@ static float rest_share(const struct hid_learn *learn)
     const float seconds = (float)(learn->now_ns - learn->begun_ns) / (float)REST_NS;
     const float reports = (float)learn->report_count / (float)REST_REPORTS;
     return learn->report_count == 0 ? 0.0f : f_min(1.0f, f_min(seconds, reports));
-}
-
-/* Of a way without its way back: how far the farthest went. */
-static float way_share(const struct hid_learn *learn)
-{
-    float best = 0.0f;
-    for (uint32_t i = 0; i < learn->field_count; i++) {
-        const struct learn_field *field = &learn->field[i];
-        const enum learn_step step = (enum learn_step)learn->step;
-        const int counts = step == LEARN_DIP || group_of(learn, field)->bit_size >= 4;
-        best = counts ? f_max(best, share_of(learn, field, way_in(field, step))) : best;
-    }
-    return f_min(1.0f, best / CLEAR_WAY);
 }
 
 uint8_t hid_learn_progress(const struct hid_learn *learn)
@@ -483,7 +181,7 @@ uint8_t hid_learn_progress(const struct hid_learn *learn)
     case LEARN_FAR:
     case LEARN_NEAR:
     case LEARN_DIP:
-        return (uint8_t)(255.0f * f_max(way_share(learn), best_key(learn) ? 1.0f : 0.0f));
+        return (uint8_t)(255.0f * hid_judge_clearness(learn));
     default:
         return 0;
     }

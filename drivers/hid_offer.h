@@ -42,6 +42,14 @@ struct hid_spot {
     hid_usage usage;
 };
 
+/* Whether it says more than a hat does: "X" of one bit is a button with a name. */
+int hid_offer_is_axis(const struct hid_group *group);
+
+/* Where in a group such a usage stands; -1: nowhere. In an array the first element stands for all.
+ */
+int32_t hid_offer_place(const struct hid_descriptor *descriptor, const struct hid_group *group,
+                        hid_usage usage);
+
 /* The first field of such a usage in reports of the application `application` (0: any), in report
  * `report_id` if it is there, else (`report_only` 0) in another. Padding and constants do not
  * count; of an array the group's first element stands for all. */

@@ -1,0 +1,68 @@
+/* hid_book_file.c -- a small file, whole or not at all. */
+#include "drivers/hid_book_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+int hid_book_file_read(const char *path, char text[HID_BOOK_TEXT_SIZE])
+{
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    size_t used = 0;
+    ssize_t got = 0;
+    if (fd < 0) {
+        return errno;
+    }
+    while (used < HID_BOOK_TEXT_SIZE &&
+           ((got = read(fd, text + used, HID_BOOK_TEXT_SIZE - used)) > 0 ||
+            (got < 0 && errno == EINTR))) {
+        used += got > 0 ? (size_t)got : 0u;
+    }
+    const int error = got < 0 ? errno : used == HID_BOOK_TEXT_SIZE ? EFBIG : 0;
+    close(fd);
+    text[used < HID_BOOK_TEXT_SIZE ? used : 0u] = '\0';
+    return error;
+}
+
+static int write_all(int fd, const char *text)
+{
+    size_t left = strlen(text);
+    while (left > 0) {
+        const ssize_t done = write(fd, text, left);
+        if (done < 0 && errno != EINTR) {
+            return errno;
+        }
+        text += done > 0 ? done : 0;
+        left -= done > 0 ? (size_t)done : 0u;
+    }
+    return fsync(fd) == 0 ? 0 : errno;
+}
+
+int hid_book_file_sync(const char *folder)
+{
+    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int error = fd < 0 || fsync(fd) != 0 ? errno : 0;
+    if (fd >= 0) {
+        close(fd);
+    }
+    return error;
+}
+
+int hid_book_file_replace(const char *path, const char *text)
+{
+    char beside[HID_BOOK_PATH_SIZE + 8u];
+    snprintf(beside, sizeof beside, "%s.new", path);
+    const int fd = open(beside, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (fd < 0) {
+        return errno;
+    }
+    int error = write_all(fd, text);
+    error = close(fd) != 0 && !error ? errno : error;
+    error = !error && rename(beside, path) != 0 ? errno : error;
+    if (error) {
+        unlink(beside);
+    }
+    return error;
+}

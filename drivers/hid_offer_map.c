@@ -1,0 +1,226 @@
+/* hid_offer_map.c -- the map that a descriptor's best surface makes: pucks, pens, sticks, mice. */
+#include <string.h>
+
+#include "drivers/hid_offer.h"
+
+/* ---- What a surface is ---------------------------------------------------------------------- */
+
+/* A report of an application, with an X in it. */
+struct surface {
+    const struct hid_descriptor *descriptor;
+    hid_usage application;
+    int report_id;
+    int relative;
+};
+
+static struct hid_spot of(const struct surface *surface, hid_usage usage)
+{
+    return hid_offer_find(surface->descriptor, surface->application, surface->report_id, 0, usage);
+}
+
+static struct hid_spot here(const struct surface *surface, hid_usage usage)
+{
+    return hid_offer_find(surface->descriptor, surface->application, surface->report_id, 1, usage);
+}
+
+/* 0: no hand can be led with it. Pens know best where they are; a mouse is led by everyone. */
+static uint32_t worth_of(const struct surface *surface)
+{
+    const int places = !surface->relative;
+    switch (surface->application) {
+    case USAGE_MULTI_AXIS:
+        return of(surface, USAGE_Z).group ? 60u : 0u;
+    case USAGE_PEN:
+    case USAGE_DIGITIZER:
+        return places ? 50u : 0u;
+    case USAGE_TOUCH_SCREEN:
+    case USAGE_TOUCH_PAD:
+        return places ? 35u : 0u;
+    case USAGE_JOYSTICK:
+    case USAGE_GAMEPAD:
+        return places ? 30u : 0u;
+    case USAGE_MOUSE:
+        return places ? 20u + (here(surface, USAGE_TIP_PRESSURE).group ? 5u : 0u) : 10u;
+    default:
+        return 0;
+    }
+}
+
+/* A stick of four switches: a hat is all the way there is. */
+static int is_switch_stick(const struct surface *surface)
+{
+    return (surface->application == USAGE_JOYSTICK || surface->application == USAGE_GAMEPAD) &&
+           of(surface, USAGE_HAT).group && !of(surface, USAGE_X).group;
+}
+
+static int is_surface(const struct hid_descriptor *descriptor, const struct hid_group *group,
+                      struct surface *out)
+{
+    const int has_x = hid_offer_is_axis(group) && hid_offer_place(descriptor, group, USAGE_X) >= 0;
+    const int has_hat = hid_offer_place(descriptor, group, USAGE_HAT) >= 0;
+    if ((group->flags & HID_CONSTANT) || (!has_x && !has_hat)) {
+        return 0;
+    }
+    *out = (struct surface){
+        .descriptor = descriptor,
+        .application = group->application,
+        .report_id = group->report_id,
+        .relative = (group->flags & HID_RELATIVE) != 0,
+    };
+    const struct hid_spot y = of(out, USAGE_Y);
+    return (has_x && y.group && hid_offer_is_axis(y.group)) || (has_hat && is_switch_stick(out));
+}
+
+/* ---- Maps ----------------------------------------------------------------------------------- */
+
+static struct hid_spot button(const struct surface *surface, uint32_t number)
+{
+    return of(surface, USAGE_BUTTON + number);
+}
+
+static void press(struct hid_map *map, const struct surface *surface, uint32_t number,
+                  enum hid_role role)
+{
+    hid_offer_bind(map, button(surface, number), role, HID_MANNER_PRESS, 0);
+}
+
+/* X right, Y toward whoever sits before it, Z down, and turns about them; some makers call the way
+ * of the puck relative, but what it says is how far it is pushed. */
+static void map_puck(struct hid_map *map, const struct surface *surface)
+{
+    map->style = HID_STYLE_FLY;
+    hid_offer_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_MANNER_RATE, 0);
+    hid_offer_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_RATE, 0);
+    hid_offer_bind(map, of(surface, USAGE_Z), HID_ROLE_Y, HID_MANNER_RATE, 1);
+    hid_offer_bind(map, of(surface, USAGE_RX), HID_ROLE_PITCH, HID_MANNER_PLACE, 0);
+    hid_offer_bind(map, of(surface, USAGE_RY), HID_ROLE_ROLL, HID_MANNER_PLACE, 1);
+    hid_offer_bind(map, of(surface, USAGE_RZ), HID_ROLE_YAW, HID_MANNER_PLACE, 1);
+    press(map, surface, 1, HID_ROLE_START);
+    press(map, surface, 1, HID_ROLE_OK);
+    press(map, surface, 2, HID_ROLE_LEVEL);
+    press(map, surface, 2, HID_ROLE_RIGHT);
+}
+
+/* Two sticks: X Y is the left one; the right one is Z Rz where there are both, else Rx Ry, for then
+ * Z is what the triggers pull at. */
+static void map_right_stick(struct hid_map *map, const struct surface *surface)
+{
+    const int by_z = of(surface, USAGE_Z).group && of(surface, USAGE_RZ).group;
+    const struct hid_spot across = of(surface, by_z ? USAGE_Z : USAGE_RX);
+    const struct hid_spot along = of(surface, by_z ? USAGE_RZ : USAGE_RY);
+    if (across.group && along.group) {
+        hid_offer_bind(map, across, HID_ROLE_ROLL, HID_MANNER_PLACE, 0);
+        hid_offer_bind(map, along, HID_ROLE_PITCH, HID_MANNER_PLACE, 0);
+    } else {
+        hid_offer_bind(map, of(surface, USAGE_RZ), HID_ROLE_YAW, HID_MANNER_PLACE, 1);
+    }
+}
+
+/* Pads number their buttons in two ways. With twelve and more it is 1-4 for the thumb, 5-8 at the
+ * shoulders, 9 and 10 in the middle; with fewer, the shoulders have 5 and 6 and the middle 7 and 8.
+ * The trigger of a joystick is 1 in both. */
+static void map_pad_buttons(struct hid_map *map, const struct surface *surface)
+{
+    const int is_long = button(surface, 12).group != NULL;
+    press(map, surface, 1, HID_ROLE_DIP);
+    press(map, surface, 1, HID_ROLE_OK);
+    press(map, surface, 2, is_long ? HID_ROLE_DIP : HID_ROLE_LEVEL);
+    press(map, surface, 3, is_long ? HID_ROLE_LEVEL : HID_ROLE_FAN);
+    press(map, surface, 4, HID_ROLE_FAN);
+    press(map, surface, 6, HID_ROLE_DIP);
+    press(map, surface, is_long ? 10 : 8, HID_ROLE_START);
+    if (is_long) {
+        press(map, surface, 8, HID_ROLE_DIP);
+    }
+}
+
+static void map_pad(struct hid_map *map, const struct surface *surface)
+{
+    const struct hid_spot hat = of(surface, USAGE_HAT);
+    map->style = HID_STYLE_FLY;
+    if (is_switch_stick(surface)) {
+        hid_offer_bind(map, hat, HID_ROLE_X, HID_MANNER_HAT, 0);
+        hid_offer_bind(map, hat, HID_ROLE_Z, HID_MANNER_HAT, 0);
+    } else {
+        hid_offer_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_MANNER_RATE, 0);
+        hid_offer_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_RATE, 0);
+        map_right_stick(map, surface);
+        hid_offer_bind(map, hat, HID_ROLE_HAT, HID_MANNER_HAT, 0);
+    }
+    hid_offer_bind(map, of(surface, USAGE_ACCELERATOR), HID_ROLE_DIP, HID_MANNER_PRESS, 0);
+    map_pad_buttons(map, surface);
+}
+
+static void map_tip(struct hid_map *map, const struct surface *surface)
+{
+    if (!hid_offer_bind(map, here(surface, USAGE_TIP), HID_ROLE_DIP, HID_MANNER_PRESS, 0) &&
+        !hid_offer_bind(map, here(surface, USAGE_BUTTON + 1u), HID_ROLE_DIP, HID_MANNER_PRESS,
+                        0) &&
+        hid_offer_bind(map, here(surface, USAGE_TIP_PRESSURE), HID_ROLE_DIP, HID_MANNER_PRESS,
+                       0)) {
+        struct hid_binding *pressure = &map->binding[map->count - 1u];
+        pressure->full = pressure->rest + (pressure->full - pressure->rest) / 8 + 1;
+    }
+}
+
+static void map_pen(struct hid_map *map, const struct surface *surface)
+{
+    map->style = HID_STYLE_POINTER;
+    hid_offer_bind(map, here(surface, USAGE_X), HID_ROLE_X, HID_MANNER_PLACE, 0);
+    hid_offer_bind(map, here(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_PLACE, 0);
+    map_tip(map, surface);
+    hid_offer_bind(map, here(surface, USAGE_IN_RANGE), HID_ROLE_IN_RANGE, HID_MANNER_PRESS, 0);
+    hid_offer_bind(map, here(surface, USAGE_BARREL), HID_ROLE_FAN, HID_MANNER_PRESS, 0);
+    hid_offer_bind(map, here(surface, USAGE_X_TILT), HID_ROLE_ROLL, HID_MANNER_PLACE, 0);
+    hid_offer_bind(map, here(surface, USAGE_Y_TILT), HID_ROLE_PITCH, HID_MANNER_PLACE, 0);
+}
+
+static void map_mouse(struct hid_map *map, const struct surface *surface)
+{
+    const enum hid_manner manner = surface->relative ? HID_MANNER_STEP : HID_MANNER_PLACE;
+    map->style = HID_STYLE_POINTER;
+    hid_offer_bind(map, here(surface, USAGE_X), HID_ROLE_X, manner, 0);
+    hid_offer_bind(map, here(surface, USAGE_Y), HID_ROLE_Z, manner, 0);
+    map_tip(map, surface);
+    hid_offer_bind(map, of(surface, USAGE_WHEEL), HID_ROLE_TILT, HID_MANNER_STEP, 0);
+    press(map, surface, 2, HID_ROLE_LEVEL);
+    press(map, surface, 3, HID_ROLE_FAN);
+}
+
+static void map_surface(struct hid_map *map, const struct surface *surface)
+{
+    switch (surface->application) {
+    case USAGE_MULTI_AXIS:
+        map_puck(map, surface);
+        break;
+    case USAGE_JOYSTICK:
+    case USAGE_GAMEPAD:
+        map_pad(map, surface);
+        break;
+    case USAGE_MOUSE:
+        map_mouse(map, surface);
+        break;
+    default:
+        map_pen(map, surface);
+        break;
+    }
+}
+
+void hid_offer_map(struct hid_map *out, const struct hid_descriptor *descriptor)
+{
+    struct surface best = { 0 };
+    uint32_t best_worth = 0;
+    memset(out, 0, sizeof *out);
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        struct surface surface;
+        if (is_surface(descriptor, &descriptor->group[i], &surface)) {
+            const uint32_t worth = worth_of(&surface);
+            best = worth > best_worth ? surface : best;
+            best_worth = worth > best_worth ? worth : best_worth;
+        }
+    }
+    if (best_worth > 0) {
+        map_surface(out, &best);
+        out->source = HID_MAP_OFFERED;
+    }
+}
