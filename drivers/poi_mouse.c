@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #define EVENT_BATCH 64
+#define CREEP_PX 24.0f /* A push of a table moves a mouse by less. */
 
 void poi_mouse_init(struct poi_mouse *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds)
@@ -126,9 +127,32 @@ static void take_finger(struct poi_mouse *mouse, const SDL_TouchFingerEvent *fin
     }
 }
 
+/* Where a window opens under it a pointer at rest has "moved"; a hand moves it on. */
+static void notice_use(struct poi_mouse *mouse, const SDL_Event *event)
+{
+    const int is_motion = event->type == SDL_MOUSEMOTION;
+    mouse->crept_px += is_motion ? f_abs((float)event->motion.xrel) +
+                                       f_abs((float)event->motion.yrel)
+                                 : CREEP_PX;
+    if (mouse->crept_px >= CREEP_PX) {
+        mouse->used_ns = mouse_now_ns(mouse);
+        mouse->crept_px = 0.0f;
+    }
+}
+
+int poi_mouse_is_used(void *self)
+{
+    const struct poi_mouse *mouse = self;
+    return mouse->used_ns > 0 && mouse_now_ns(mouse) - mouse->used_ns < POINTER_USED_NS;
+}
+
 static void take_event(struct poi_mouse *mouse, const SDL_Event *event)
 {
     const int is_finger = event->type >= SDL_FINGERDOWN;
+    const uint32_t heed = is_finger ? POINTER_HEEDS_FINGERS : POINTER_HEEDS_MOUSE;
+    if (mouse->heeds & heed) {
+        notice_use(mouse, event);
+    }
     mouse->report.wheel_notches = 0.0f;
     if (is_finger && (mouse->heeds & POINTER_HEEDS_FINGERS)) {
         take_finger(mouse, &event->tfinger);
@@ -224,35 +248,6 @@ static const char *poi_mouse_describe(void *self)
     return mouse->text;
 }
 
-static int fan_open(void *self)
-{
-    (void)self;
-    return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_NONE; /* The poi's open() did the rest. */
-}
-
-static int fan_poll(void *self, struct shade_input *out)
-{
-    struct poi_mouse *mouse = self;
-    *out = pointer_fan_shade(&mouse->fan, mouse_now_ns(mouse));
-    return HAL_OK;
-}
-
-static const char *fan_describe(void *self)
-{
-    (void)self;
-    return "the mouse while F is held";
-}
-
-struct hal_shade poi_mouse_fan(struct poi_mouse *mouse)
-{
-    static const struct hal_shade_ops ops = {
-        .open = fan_open,
-        .poll = fan_poll,
-        .describe = fan_describe,
-    };
-    return (struct hal_shade){ .ops = &ops, .self = mouse };
-}
-
 struct hal_poi poi_mouse_device(struct poi_mouse *mouse)
 {
     static const struct hal_poi_ops ops = {
@@ -263,30 +258,4 @@ struct hal_poi poi_mouse_device(struct poi_mouse *mouse)
         .describe = poi_mouse_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = mouse };
-}
-
-static int buttons_poll(void *self, struct button_sample *out)
-{
-    struct poi_mouse *mouse = self;
-    const uint32_t count = mouse->fingers.count;
-    *out = (struct button_sample){
-        .held = count >= TOUCH_START_FINGERS ? (uint32_t)INPUT_START : 0u,
-        .pressed = touch_fingers_start(&mouse->fingers) ? (uint32_t)INPUT_START : 0u,
-    };
-    return HAL_OK;
-}
-
-static const char *buttons_describe(void *self)
-{
-    const struct poi_mouse *mouse = self;
-    return mouse->heeds & POINTER_HEEDS_FINGERS ? "three fingers start" : "";
-}
-
-struct hal_buttons poi_mouse_buttons(struct poi_mouse *mouse)
-{
-    static const struct hal_buttons_ops ops = {
-        .poll = buttons_poll,
-        .describe = buttons_describe,
-    };
-    return (struct hal_buttons){ .ops = &ops, .self = mouse };
 }

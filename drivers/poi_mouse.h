@@ -27,6 +27,8 @@ struct poi_mouse {
     uint8_t heeds;                /* enum pointer_heed */
     uint32_t mouse_buttons;       /* enum pointer_button */
     struct touch_fingers fingers;
+    uint64_t used_ns;             /* When it last said what only a hand says; 0: never. */
+    float crept_px;               /* Moved since then. */
     struct pointer_report report; /* The pointer as last known; wheel apart. */
     uint64_t last_poll_ns;
     char text[HAL_TEXT_SIZE];
@@ -41,6 +43,11 @@ struct hal_poi poi_mouse_device(struct poi_mouse *mouse);
 
 /* The fan that the same mouse leads while F is held. */
 struct hal_shade poi_mouse_fan(struct poi_mouse *mouse);
+
+/* Whether somebody has it in hand: it was moved on, pressed or touched within POINTER_USED_NS. That
+ * a window opened under it is no sign of that. `mouse`: a struct poi_mouse. */
+#define POINTER_USED_NS 120000000000ull
+int poi_mouse_is_used(void *mouse);
 
 /* START by three fingers. */
 struct hal_buttons poi_mouse_buttons(struct poi_mouse *mouse);

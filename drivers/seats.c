@@ -111,12 +111,14 @@ static void stand_up(const struct seat_source *source)
 static uint32_t who_is_there(const struct seats *seats, uint8_t kind[SEAT_SOURCE_MAX])
 {
     uint32_t there = 0;
+    uint32_t stand_ins = 0;
     for (uint32_t i = 0; i < seats->source_count; i++) {
         const struct seat_source *source = &seats->source[i];
         kind[i] = source->kind;
+        stand_ins |= source->stands_in ? 1u << i : 0u;
         there |= !source->is_there || source->is_there(source->self) ? 1u << i : 0u;
     }
-    return there;
+    return there ? there : stand_ins;
 }
 
 /* Who sits and was away is here again: that is told at once, in a round, too. */
@@ -194,12 +196,17 @@ static void listen(struct seats *seats, uint32_t index)
     }
 }
 
+/* One that stands in is heard at all times: what it says shows that somebody has it in hand. */
 static void listen_to_idle(struct seats *seats, uint32_t there)
 {
-    const uint32_t sitting = who_sits(seats);
-    seats->idle &= there & ~sitting;
+    uint32_t heard = there;
     for (uint32_t i = 0; i < seats->source_count; i++) {
-        if (there & ~sitting & (1u << i)) {
+        heard |= seats->source[i].stands_in ? 1u << i : 0u;
+    }
+    heard &= ~who_sits(seats);
+    seats->idle &= heard;
+    for (uint32_t i = 0; i < seats->source_count; i++) {
+        if (heard & (1u << i)) {
             listen(seats, i);
         }
     }

@@ -27,6 +27,8 @@ struct seat_source {
     int (*is_there)(void *self);  /* Whether somebody could play with it now; null: always. */
     void *self;                   /* Of is_there(). */
     uint8_t kind;                 /* enum seat_kind */
+    uint8_t stands_in;            /* It is there whenever nobody else is, whatever is_there() says:
+                                     a mouse that lies about is no second player. */
 };
 
 struct seats {

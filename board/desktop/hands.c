@@ -44,7 +44,10 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
     const struct seat_source mouse = {
         .poi = poi_mouse_device(&devices.mouse),
         .fan = poi_mouse_fan(&devices.mouse),
+        .is_there = poi_mouse_is_used,
+        .self = &devices.mouse,
         .kind = SEAT_POINTER,
+        .stands_in = 1,
     };
     seats_add(&devices.seats, &mouse);
 }

@@ -71,6 +71,7 @@ static uint32_t frame(int may_move)
 {
     struct display_events events;
     struct desk_input desk;
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     hal.display.ops->poll(hal.display.self, &events);
     hal.controllers.ops->poll(hal.controllers.self, &desk);
     const uint32_t moved = hal.seats.ops->arrange(hal.seats.self, may_move);
@@ -78,8 +79,17 @@ static uint32_t frame(int may_move)
         if (moved & (1u << i)) {
             hal.poi[i].ops->open(hal.poi[i].self);
         }
+        hal.poi[i].ops->poll(hal.poi[i].self, samples, HAL_POI_SAMPLES_MAX);
     }
     return moved;
+}
+
+static void move_mouse(void)
+{
+    SDL_Event event = { .type = SDL_MOUSEMOTION };
+    event.motion.x = 100;
+    event.motion.xrel = 40;
+    assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
 static int sits(uint32_t seat, const char *who)
@@ -108,7 +118,20 @@ static void test_a_pad_that_is_plugged_in_gets_the_first_seat_after_the_game(voi
         assert_int_equal(frame(0), 0u);
     }
     assert_true(sits(0, "mouse"));
-    assert_int_equal(frame(1), 3u);
+    assert_int_equal(frame(1), 1u);
+    assert_true(sits(0, "pad"));
+}
+
+/* A pointer is always there; whether there is a mouse with a hand on it shows when it moves. */
+static void test_beside_a_pad_the_mouse_plays_second_once_it_is_moved(void **state)
+{
+    (void)state;
+    plug_pad();
+    frame(1);
+    assert_string_equal(hal.poi[1].ops->describe(hal.poi[1].self), "");
+    move_mouse();
+    frame(1);
+    frame(1);
     assert_true(sits(0, "pad"));
     assert_true(sits(1, "mouse"));
 }
@@ -129,7 +152,7 @@ static void test_a_pad_that_is_pulled_out_keeps_its_seat_until_the_game_is_over(
     assert_int_equal(hal.poi[0].ops->poll(hal.poi[0].self, &sample, 1), 1);
     assert_int_equal(SDL_JoystickDetachVirtual(0), 0);
     assert_int_equal(frame(0), 0u);
-    assert_int_equal(frame(1), 3u);
+    assert_int_equal(frame(1), 1u);
     assert_true(sits(0, "mouse"));
 }
 
@@ -194,6 +217,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(
             test_a_pad_that_is_plugged_in_gets_the_first_seat_after_the_game, open_auto,
             close_board),
+        cmocka_unit_test_setup_teardown(
+            test_beside_a_pad_the_mouse_plays_second_once_it_is_moved, open_auto, close_board),
         cmocka_unit_test_setup_teardown(
             test_a_pad_that_is_pulled_out_keeps_its_seat_until_the_game_is_over, open_auto,
             close_board),

@@ -226,6 +226,26 @@ static void test_a_lost_one_keeps_its_seat_while_the_game_lasts(void **state)
     assert_true(mouse.polled > 0);
 }
 
+/* A mouse that lies about in a cabinet is no second player, but the first where nobody else is. */
+static void test_one_that_stands_in_sits_where_nobody_else_does_or_once_it_is_used(void **state)
+{
+    (void)state;
+    seats.source[2].stands_in = 1;
+    mouse.there = 0;
+    assert_int_equal(arrange(1), 1u);
+    pad.there = 1;
+    assert_int_equal(arrange(1), 1u);
+    const struct hal_poi second = seats_poi(&seats, 1);
+    assert_int_equal(second.ops->open(second.self), HAL_ERR_NONE);
+    arrange(1);
+    assert_int_equal(mouse.polled, 1); /* Without a seat, lest nobody sees that it is moved. */
+    mouse.there = 1;
+    assert_int_equal(arrange(1), 2u);
+    mouse.there = 0;
+    assert_int_equal(arrange(0), 0u);
+    assert_int_equal(arrange(1), 2u);
+}
+
 /* His own without a serial number, plugged in elsewhere, or the one that lies ready: but never the
  * mouse, and never somebody else's. */
 static void test_who_lost_his_in_a_game_takes_up_another_of_its_kind(void **state)
@@ -312,6 +332,8 @@ int main(void)
         cmocka_unit_test_setup(test_a_seat_passes_on_to_whoever_sits_there, begin),
         cmocka_unit_test_setup(test_a_better_one_gets_the_seat_between_games_only, begin),
         cmocka_unit_test_setup(test_a_lost_one_keeps_its_seat_while_the_game_lasts, begin),
+        cmocka_unit_test_setup(
+            test_one_that_stands_in_sits_where_nobody_else_does_or_once_it_is_used, begin),
         cmocka_unit_test_setup(test_who_lost_his_in_a_game_takes_up_another_of_its_kind, begin),
         cmocka_unit_test_setup(test_who_has_no_seat_is_listened_to, begin),
         cmocka_unit_test_setup(test_who_sits_down_is_told_the_view, begin),
