@@ -33,6 +33,20 @@ poi_hold() {
     feeder=$!
 }
 
+# Before the kiosk takes it: its node says what it is, its reports are rows, the doctor knows it and the lines.
+poi_is_watched() {
+    await 10 test -e /dev/hidraw0
+    kingyoctl hid watch >/host/out/watched 2>&1
+    grep -q "^/dev/hidraw0.${poi_ids}.USB.hid-generic.ok" /host/out/watched &&
+        kingyoctl hid watch /dev/hidraw0 --seconds 2 >>/host/out/watched 2>&1 &&
+        [ "$(grep -c 0001:0030 /host/out/watched)" -ge 20 ]
+    found $? watch "$(grep -c 0001:0030 /host/out/watched) reports in 2 s, from $(grep -m 1 -o '/dev/hidraw0.*' /host/out/watched | tr '\t' ' ')"
+    kingyoctl doctor --usb $poi_ids --line start=START --data /tmp/data >/host/out/doctor 2>&1
+    grep -q "usb .*$poi_ids .*: plays (our own poi)" /host/out/doctor &&
+        grep -q 'line .*start on START: on cabinet, line 0, free' /host/out/doctor
+    found $? doctor "$(tail -n 1 /host/out/doctor)"
+}
+
 poi_unplug() { $poi_gadget detach >>/host/out/poi.log 2>&1; }
 poi_plug() { $poi_gadget attach >>/host/out/poi.log 2>&1; }
 
