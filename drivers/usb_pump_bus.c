@@ -145,11 +145,23 @@ static void release(struct usb_pump *pump, const struct hid_identity *identity)
     }
 }
 
+static void keep_choices(struct usb_pump *pump)
+{
+    char text[HAL_TEXT_SIZE];
+    const int error = usb_choice_save(&pump->choice, pump->choices_path);
+    if (error && pump->tell) {
+        snprintf(text, sizeof text, "%.70s: cannot write: %.30s; the choice holds for today",
+                 pump->choices_path, strerror(-error));
+        pump->tell(pump->tell_self, text);
+    }
+}
+
+/* Of a kind without serial numbers all are meant from now on, but those that sit go on sitting. */
 static void obey(struct usb_pump *pump, const struct usb_order *order)
 {
     const struct usb_key key = usb_key_of(&order->identity);
     usb_choice_wish(&pump->choice, &key, order->plays, 1);
-    usb_choice_save(&pump->choice, pump->choices_path);
+    keep_choices(pump);
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         struct usb_entry *entry = &pump->entry[i];
         if (!entry->device.device) {

@@ -1,7 +1,7 @@
 # usb.mk -- the USB transport over a bus of memory (tests/unit/usb_stand.h), and under the sanitizers.
 
-USB_TESTS := usb_seats usb_unplug usb_crowd usb_ring usb_choice
-USB_STAND := usb_stand usb_stand_lib
+USB_TESTS := usb_seats usb_reports usb_unplug usb_crowd usb_ring usb_choice
+USB_STAND := usb_stand usb_stand_lib usb_stand_open
 
 # libusb's functions come from the stand: what the program itself defines is linked before libraries.
 $(patsubst %,$(BUILD)/tests/unit/test_%,$(USB_TESTS) usb_play board_usb): $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
