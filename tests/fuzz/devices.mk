@@ -1,14 +1,16 @@
 # devices.mk -- what controllers, coin slots and files about them may do to us, tried by libFuzzer under the
 # address and undefined-behaviour sanitizers. Targets are pure: bytes in, checks out.
 
-DEVICE_TARGETS := descriptor report rows live poi_report hand map_text learn book coin edges wires pad
+DEVICE_TARGETS := descriptor report rows live poi_report hand map_text learn book coin edges wires pad \
+    poi_tape poi_board
 DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
 # A target takes from this archive what it calls, and is counted by that alone.
 DEVICE_SRC := $(wildcard drivers/hid_*.c drivers/pointer_*.c drivers/pose_*.c drivers/poi_[dr]*.c drivers/fly_*.c \
     drivers/dip.c drivers/pad_hand.c drivers/pad_tilt.c drivers/pad_track.c drivers/touch_fingers.c \
     drivers/gpio_wires.c drivers/gpio_input.c drivers/coin_mech.c drivers/debounce.c \
     drivers/usb_choice.c) $(patsubst %,platform/ctl/hid_%.c,file rows live names) \
-    core/view.c core/base/fmath.c core/base/vec.c
+    $(patsubst %,board/poi-gadget/%.c,pose_line pose_glide pose_tape poi_config draw_wires attitude steady \
+    board_pose sensor_twin feel_mix) core/view.c core/base/fmath.c core/base/vec.c core/base/rng.c
 
 ## fuzz-devices: hostile descriptors, reports, maps, wires, coins, pads and fingers, FUZZ_SECONDS (30) each; counts in build/fuzz/devices.tsv
 fuzz-devices:

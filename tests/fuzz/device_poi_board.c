@@ -1,0 +1,55 @@
+/* device_poi_board.c -- any bits as what the sensors of a poi's board say: a report that its host can
+ * read, or no place; and a motor that stays within its range. */
+#include <string.h>
+
+#include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/feel_mix.h"
+#include "board/poi-gadget/sensor_twin.h"
+#include "tests/fuzz/trap.h"
+
+struct moment {
+    float wire[3], turn[4], gyro[3], accel[3];
+    float drag, slap, tear;
+    uint8_t fuses, buttons;
+};
+
+static void hold_report(const struct poi_report *report)
+{
+    const struct angles turn = report->target.angles;
+    uint8_t bytes[POI_REPORT_SIZE];
+    struct poi_report read;
+    HOLD(f_is_finite(turn.yaw_rad) && f_is_finite(turn.pitch_rad) && f_is_finite(turn.roll_rad));
+    HOLD(f_abs(turn.yaw_rad) < 3.15f && f_abs(turn.pitch_rad) < 1.58f);
+    poi_report_encode(report, bytes);
+    HOLD(poi_report_decode(bytes, sizeof bytes, &read) ==
+         v3_is_finite(report->target.position_m));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    struct poi_config config;
+    struct board_pose pose;
+    struct feel_mix mix = { 0 };
+    struct moment now;
+    poi_config_init(&config);
+    sensor_twin_calibrate(&config);
+    board_pose_init(&pose, &config);
+    for (; size >= sizeof now; bytes += sizeof now, size -= sizeof now) {
+        struct readings readings = { 0 };
+        struct poi_report report = { 0 };
+        memcpy(&now, bytes, sizeof now);
+        memcpy(readings.wire, now.wire, sizeof now.wire);
+        readings.fuses = now.fuses & 1u;
+        readings.turn = (struct quaternion){ now.turn[0], now.turn[1], now.turn[2], now.turn[3] };
+        readings.gyro_rad_s = v3(now.gyro[0], now.gyro[1], now.gyro[2]);
+        readings.accel_m_s2 = v3(now.accel[0], now.accel[1], now.accel[2]);
+        readings.buttons = now.buttons;
+        board_pose_step(&pose, &readings, 0.004f, &report);
+        hold_report(&report);
+        const struct poi_force force = { .drag = now.drag, .slap = now.slap, .tear = now.tear };
+        const struct feel_levels levels = feel_mix_step(&mix, &force, 0.004f);
+        HOLD(levels.motor >= 0.0f && levels.motor <= 1.0f);
+        HOLD(levels.light >= 0.0f && levels.light <= 1.0f);
+    }
+    return 0;
+}
