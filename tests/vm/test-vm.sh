@@ -34,7 +34,7 @@ passes() { # ID WORDS -- COMMAND...
 make_share() {
     rm -rf "$run" "$shots"
     mkdir -p "$share"/{bin,out,shots} "$shots"
-    cp -r "$here/guest" "$share/"
+    cp -r "$here/guest" "$top/board/udev" "$share/"
     cp "$programs"/{kingyo,kingyoctl,kingyo-poi} "$programs/tests/vm/keeper" "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
     echo "${VM_PARTS:-play hang}" >"$share/parts"
     echo "$patience_s" >"$share/patience"

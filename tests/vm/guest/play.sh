@@ -34,6 +34,7 @@ await 10 test -e /dev/watchdog0
 cabinet_open
 poi_make
 poi_is_watched
+poi_is_given
 kiosk_start kingyo 120 --mode festival --grade 4 --coins 2 --fish 40 --seed 3 --record $play
 found $? screen "$(sed -n 's/.*display *//p' /host/out/kingyo.out | head -1), first picture $(now_ms) ms after power on"
 tell_logs

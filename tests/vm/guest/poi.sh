@@ -33,6 +33,17 @@ poi_hold() {
     feeder=$!
 }
 
+# Whether our udev rules gave the poi and the lines to the kiosk's group, and keep the poi awake.
+poi_is_given() {
+    udevadm settle --timeout=10
+    device=$(grep -l ^1209 /sys/bus/usb/devices/*/idVendor | head -n 1)
+    device=${device%/idVendor}
+    node=/dev/bus/usb/$(printf '%03d/%03d' "$(cat "$device/busnum")" "$(cat "$device/devnum")")
+    given=$(stat -c '%G %a' "$node" /dev/hidraw0 /dev/gpiochip0 | sort -u)
+    [ "$given" = 'kingyo 660' ] && [ "$(cat "$device/power/control")" = on ]
+    found $? rules "$node, hidraw0, gpiochip0: $given; power $(cat "$device/power/control")"
+}
+
 # Before the kiosk takes it: its node says what it is, its reports are rows, the doctor knows it and the lines.
 poi_is_watched() {
     await 10 test -e /dev/hidraw0
