@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "drivers/hid_descriptor.h"
+#include "drivers/hid_map.h"
+#include "drivers/usb_choice.h"
 #include "platform/ctl/ctl.h"
 #include "platform/ctl/hid_file.h"
 #include "platform/ctl/hid_rows.h"
@@ -50,6 +52,31 @@ static enum exit_code decode(const char *descriptor_path, const char *reports_pa
     return end_of_rows(code);
 }
 
+/* By what the kiosk would play it; `ids` null: a device of no known vendor. */
+static enum exit_code map(const char *path, const char *ids)
+{
+    struct hid_identity who = { 0 };
+    struct usb_key key = { 0 };
+    struct hid_map chosen;
+    char text[HID_MAP_TEXT_SIZE];
+    if (ids && usb_key_read(&key, ids) != 0) {
+        return ctl_usage(name, "map FILE [VVVV:PPPP]");
+    }
+    const enum exit_code code = hid_file_read(&descriptor, path);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    who.vendor = key.vendor;
+    who.product = key.product;
+    hid_map_choose(&chosen, &who, &descriptor);
+    if (chosen.source == HID_MAP_NONE || hid_map_write(&chosen, text) != 0) {
+        fprintf(stderr, "kingyoctl hid: %s: cannot be a poi as it is\n", path);
+        return EXIT_NOT_SO;
+    }
+    puts(text);
+    return end_of_rows(EXIT_OK);
+}
+
 static enum exit_code run(int argc, const char *const *argv)
 {
     if (argc == 2 && strcmp(argv[0], "describe") == 0) {
@@ -58,11 +85,14 @@ static enum exit_code run(int argc, const char *const *argv)
     if (argc == 3 && strcmp(argv[0], "decode") == 0) {
         return decode(argv[1], argv[2]);
     }
+    if ((argc == 2 || argc == 3) && strcmp(argv[0], "map") == 0) {
+        return map(argv[1], argc == 3 ? argv[2] : NULL);
+    }
     if (argc >= 1 && strcmp(argv[0], "watch") == 0) {
         return end_of_rows(hid_watch(argc - 1, argv + 1));
     }
-    return ctl_usage(name, "describe FILE, decode DESCRIPTOR REPORTS.tsv, or watch [DEVICE]; "
-                           "--help says more");
+    return ctl_usage(name, "describe FILE, decode DESCRIPTOR REPORTS.tsv, map FILE, or "
+                           "watch [DEVICE]; --help says more");
 }
 
 const struct ctl_command ctl_hid = {
@@ -71,6 +101,8 @@ const struct ctl_command ctl_hid = {
     .usage =
         "  kingyoctl hid describe FILE                   every input field, one row each\n"
         "  kingyoctl hid decode DESCRIPTOR REPORTS.tsv   the values in recorded reports\n"
+        "  kingyoctl hid map FILE [VVVV:PPPP]            as what the kiosk would play such a\n"
+        "                                                device; exit 1: as nothing\n"
         "  kingyoctl hid watch                           which devices there are\n"
         "  kingyoctl hid watch DEVICE [OPTION...]        what one sends now: a picture on a\n"
         "                                                terminal, rows as of decode elsewhere\n"
