@@ -1,5 +1,5 @@
-/* device_poi_board.c -- any bits as what the sensors of a poi's board say: a report that its host can
- * read, or no place; and a motor that stays within its range. */
+/* device_poi_board.c -- any bits as what the sensors of a poi's board say: a report that its host
+ * can read, or no place; and a motor that stays within its range. */
 #include <string.h>
 
 #include "board/poi-gadget/board_pose.h"

@@ -1,5 +1,5 @@
-/* device_poi_tape.c -- any bytes as a script of poses, and as lines of a poi's config: refused with a
- * reason, or a hand within its reach. */
+/* device_poi_tape.c -- any bytes as a script of poses, and as lines of a poi's config: refused with
+ * a reason, or a hand within its reach. */
 #include <string.h>
 
 #include "board/poi-gadget/poi_config.h"
