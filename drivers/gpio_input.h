@@ -3,13 +3,13 @@
  *
  * The kernel says the time of an edge well, and its direction less well: its thread reads the level
  * when it comes round to it, and of edges a few milliseconds apart that was the next one's. So
- *  - an edge that changes nothing tells of a level that came and went before the kernel looked: the
- *    line was not at rest, that is all. Two of them are no pulse, or else the sparks of a relay, or
- *    of a lighter held to the slot, would be coins;
+ *  - an edge that changes nothing, a blink, tells of a level that came and went before the kernel
+ *    looked: the line was not at rest, that is all;
+ *  - two blinks of a line that rested (no bounce, no late end of one) are a pulse if the second is
+ *    dated before anybody could see the first: the kernel was late by the whole pulse. Otherwise they are no more than two, or else the sparks of a
+ *    relay, or of a lighter held to the slot, would be coins;
  *  - where the level disagrees with the edges for longer than an edge can be under way, edges were
- *    lost, and the level is right.
- * A pulse must last longer than the kernel is late, then: 6 ms were seen on an emulated machine
- * that was busy, and the shortest coin takes 20. */
+ *    lost, and the level is right. */
 #ifndef KINGYO_DRIVERS_GPIO_INPUT_H
 #define KINGYO_DRIVERS_GPIO_INPUT_H
 
@@ -18,11 +18,16 @@
 
 #define GPIO_UNDER_WAY_NS 20000000u /* Three times the 6 ms at which edges were seen late. */
 
+#define GPIO_PAIR_NS 2000000u /* From the kernel's telling of a blink to its next edge's date. */
+
 struct gpio_input {
     struct debounce debounce;
+    uint64_t blinked_ns; /* The last edge, where it was a blink out of rest; else UINT64_MAX. */
+    uint64_t seen_ns;    /* When that was taken. */
     uint64_t doubted_ns; /* Since when the level is not what the edges say; UINT64_MAX: it is. */
-    uint32_t blinks;     /* Edges that changed nothing ... */
-    uint32_t lost;       /* ... and edges that never came. Since the start. */
+    uint32_t blinks;     /* Edges that changed nothing, */
+    uint32_t pairs;      /* pulses that were made of two of them, */
+    uint32_t lost;       /* and edges that never came. Since the start. */
 };
 
 struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t now_ns);

@@ -68,6 +68,7 @@ struct gpio_edge {
     uint8_t active;       /* After active_low: the level that the edge went to, as far as the kernel
                              knows: it reads the level a little after the edge. */
     uint32_t lost_before; /* Edges of this line that the kernel's queue dropped before it. */
+    uint64_t taken_ns;    /* When the reader took it, which sets it; 0: nobody says. */
 };
 
 #define GPIO_EDGES_MAX 64u /* Taken at once: four full queues of one line (16 on 6.1). */

@@ -175,12 +175,14 @@ static uint64_t input_due_ns(const struct gpio_reader *reader, enum gpio_role ro
     return coin_mech_due_ns(&reader->coin);
 }
 
-static void take_edges(struct gpio_reader *reader, const struct gpio_edge *edges, uint32_t count,
+static void take_edges(struct gpio_reader *reader, struct gpio_edge *edges, uint32_t count,
                        uint32_t *touched)
 {
+    const uint64_t now = now_ns(reader);
     for (uint32_t i = 0; i < count; i++) {
         const enum gpio_role role = edges[i].role;
         struct debounce_turn turn;
+        edges[i].taken_ns = now;
         if (gpio_role_is_input(role) && reader->had & bit_of(role)) {
             *touched |= bit_of(role);
             if (gpio_input_edge(&reader->inputs[role], &edges[i], &turn)) {

@@ -11,6 +11,7 @@
 #define PERIOD_NS (3 * MS)
 
 static struct debounce_turn turn;
+static uint64_t taken_ns; /* Of edges; 0: as soon as they came. */
 
 static bool edge(struct gpio_input *input, uint64_t time_ms, bool active, uint32_t lost_before)
 {
@@ -18,6 +19,7 @@ static bool edge(struct gpio_input *input, uint64_t time_ms, bool active, uint32
         .time_ns = time_ms * MS,
         .active = active,
         .lost_before = lost_before,
+        .taken_ns = taken_ns ? taken_ns : time_ms * MS,
     };
     return gpio_input_edge(input, &gpio_edge, &turn);
 }
@@ -58,6 +60,39 @@ static void test_sparks_are_no_pulse_however_far_apart(void **state)
     assert_int_equal(input.blinks, 8);
     assert_int_equal(input.lost, 0);
     assert_int_equal(gpio_input_known_ns(&input, 301 * MS), 301 * MS);
+}
+
+static void test_a_pulse_that_was_over_before_the_kernel_looked_is_a_pulse(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    taken_ns = 160 * MS; /* So late it was, and the second edge is dated just then. */
+    assert_false(edge(&input, 100, false, 0));
+    assert_false(level(&input, 161, false));
+    assert_true(edge(&input, 160, false, 0));
+    taken_ns = 0;
+    assert_turn(100, true);
+    assert_true(level(&input, 170, false));
+    assert_turn(160, false);
+    assert_int_equal(input.pairs, 1);
+    assert_false(edge(&input, 900, false, 0)); /* A third one is none of theirs. */
+    assert_false(level(&input, 910, false));
+}
+
+static void test_blinks_within_a_bounce_are_no_pair_however_late(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    taken_ns = 200 * MS;
+    assert_false(edge(&input, 100, true, 0));
+    assert_false(edge(&input, 101, true, 0)); /* It bounced as it closed ... */
+    assert_true(edge(&input, 140, true, 0));  /* ... and as it opened. */
+    assert_turn(101, true);
+    assert_false(edge(&input, 141, false, 0));
+    taken_ns = 0;
+    assert_true(level(&input, 200, false));
+    assert_turn(141, false);
+    assert_int_equal(input.pairs, 0);
 }
 
 static void test_a_pulse_that_was_read_late_in_its_time_keeps_its_width(void **state)
@@ -145,6 +180,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_edges_of_the_right_direction_turn_when_the_level_says_so_too),
         cmocka_unit_test(test_sparks_are_no_pulse_however_far_apart),
+        cmocka_unit_test(test_a_pulse_that_was_over_before_the_kernel_looked_is_a_pulse),
+        cmocka_unit_test(test_blinks_within_a_bounce_are_no_pair_however_late),
         cmocka_unit_test(test_a_pulse_that_was_read_late_in_its_time_keeps_its_width),
         cmocka_unit_test(test_bounces_that_are_read_as_one_leave_the_line_where_it_is),
         cmocka_unit_test(test_numbered_edges_that_were_lost_are_counted_and_the_rest_is_believed),

@@ -206,6 +206,12 @@ static void test_a_coin_whose_edges_the_kernel_reads_late_is_a_coin(void **state
     run_until(&stand, 400);
     assert_int_equal(stand.sum.coin_count, 1);
     end(&stand);
+    plug_in(&stand, events, 2);
+    stand.sim.late_min_ns = stand.sim.late_max_ns = 70 * MS; /* Long after it was over. */
+    begin(&stand);
+    run_until(&stand, 400);
+    assert_int_equal(stand.sum.coin_count, 1);
+    end(&stand);
 }
 
 static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_right(void **state)
