@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "assets.h"
+#include "glyphs.h"
 #include "platform/render/ui_screens.h"
 
 #define ROUNDING_PX 0.6f
@@ -250,24 +250,6 @@ static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
     }
 }
 
-/* The size in pixels at which a letter's quad is drawn: its place in the atlas tells its font. */
-static float em_px_of(uint32_t quad)
-{
-    const struct ui_vertex *v = &batch.vertices[quad * 4u];
-    for (uint32_t font = 0; font < FONT_COUNT; font++) {
-        for (uint32_t i = 0; i < asset_fonts[font].glyph_count; i++) {
-            const struct font_glyph *glyph = &asset_fonts[font].glyphs[i];
-            const float right = v->u - (float)glyph->x, down = v->v - (float)glyph->y;
-            if (right >= 0.0f && right < (float)glyph->width && down >= 0.0f &&
-                down < (float)glyph->height) {
-                return asset_fonts[font].em_px * v->shape[3];
-            }
-        }
-    }
-    fail_msg("quad %u shows no glyph", quad);
-    return 0.0f;
-}
-
 /* A letter of 3 % of a 40 cm high screen is 12 mm: 20 minutes of arc from 2 m. */
 static void test_what_a_player_must_read_is_readable_from_two_metres(void **state)
 {
@@ -281,10 +263,10 @@ static void test_what_a_player_must_read_is_readable_from_two_metres(void **stat
             memory = (struct ui_memory){ .hint = scene.hint };
             lay_out((struct size){ 1280, 720 });
             for (uint32_t i = 0; i < batch.quad_count; i++) {
-                if (batch.kinds[i] == UI_GLYPH && em_px_of(i) < 0.03f * 720.0f) {
+                if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 0.03f * 720.0f) {
                     fail_msg("phase %d mode %d language %d hint %d: letter %u is %.1f px",
                              scene.phase, scene.mode, scene.language, scene.hint, i,
-                             (double)em_px_of(i));
+                             (double)glyph_em_px(&batch, i));
                 }
             }
         }

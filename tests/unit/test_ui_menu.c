@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "core/game/menu_pages.h"
+#include "glyphs.h"
 #include "platform/render/ui_screens.h"
 
 #define ROUNDING_PX 0.6f
@@ -112,24 +113,10 @@ static void test_every_word_is_read_from_a_metre(void **state)
         snprintf(scene.devices.controller[1], SCENE_NAME_SIZE, "054c:09cc Wireless Controller");
         lay_out(0);
         for (uint32_t i = 0; i < batch.quad_count; i++) {
-            const struct ui_vertex *v = &batch.vertices[i * 4u];
-            if (batch.kinds[i] == UI_GLYPH) {
-                float em_px = 0.0f;
-                for (uint32_t font = 0; font < FONT_COUNT && em_px <= 0.0f; font++) {
-                    for (uint32_t g = 0; g < asset_fonts[font].glyph_count; g++) {
-                        const struct font_glyph *glyph = &asset_fonts[font].glyphs[g];
-                        const float right = v->u - (float)glyph->x, down = v->v - (float)glyph->y;
-                        if (right >= 0.0f && right < (float)glyph->width && down >= 0.0f &&
-                            down < (float)glyph->height) {
-                            em_px = asset_fonts[font].em_px * v->shape[3];
-                            break;
-                        }
-                    }
-                }
-                if (em_px < 0.024f * 720.0f) {
-                    fail_msg("page %d step %d language %d: letter %u is %.1f px", page,
-                             scene.menu.desk.learn_step, scene.language, i, (double)em_px);
-                }
+            if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 0.024f * 720.0f) {
+                fail_msg("page %d step %d language %d: letter %u is %.1f px", page,
+                         scene.menu.desk.learn_step, scene.language, i,
+                         (double)glyph_em_px(&batch, i));
             }
         }
     }
