@@ -1,13 +1,15 @@
 #!/bin/bash
-# sanitizers.sh -- hands, maps, learning, the book and the desk under the sanitizers: everything of drivers/ that
-# they call is compiled for address + undefined behaviour, and again for threads. Run by `make test-hand-sanitizers`.
+# sanitizers.sh -- hands, maps, learning, the book, the desk, the menu that leads to it, and a paid round over a cable
+# that comes out, under the sanitizers: everything of drivers/ and of the game that they call is compiled for address +
+# undefined behaviour, and again for threads. Run by `make test-hand-sanitizers`.
 set -eu
 build=${BUILD:-build}
 read -ra cflags <<<"${CFLAGS:--std=c17 -O1 -g -I.}"
+cflags+=(-Wno-conversion) # What checks shifts and sums makes wider numbers of small ones.
 cc=${CC:-gcc}
-tests=(hid_map hid_hand hid_learn hid_book hid_desk poi_hid fly_poi)
-sources=(drivers/{hid_*,poi_hid,poi_report,poi_descriptor,fly_poi,dip,pose_fan,pointer_*,clock_sim,null}.c
-    platform/kiosk/{kiosk,hands,resample}.c tests/unit/panic.c)
+tests=(hid_map hid_hand hid_learn hid_book hid_desk poi_hid fly_poi menu menu_desk credit unplug_paid)
+sources=(drivers/{hid_*,poi_hid,poi_report,poi_descriptor,fly_poi,dip,pose_fan,pointer_*,clock_sim,display_sim,null}.c
+    core/game/*.c platform/kiosk/{kiosk,hands,resample}.c tests/unit/panic.c)
 
 for sanitizers in address,undefined thread; do
     home=$build/hand-sanitizers/${sanitizers%%,*}
