@@ -5,9 +5,10 @@
  * when it comes round to it, and of edges a few milliseconds apart that was the next one's. So
  *  - an edge that changes nothing, a blink, tells of a level that came and went before the kernel
  *    looked: the line was not at rest, that is all;
- *  - two blinks of a line that rested (no bounce, no late end of one) are a pulse if the second is
- *    dated before anybody could see the first: the kernel was late by the whole pulse. Otherwise they are no more than two, or else the sparks of a
- *    relay, or of a lighter held to the slot, would be coins;
+ *  - two blinks of a line that rested (no bounce, no late end of one) are a pulse if the second
+ *    is dated before anybody could see the first: the kernel was late by the whole pulse. Otherwise
+ *    they are no more than two, or else the sparks of a relay, or of a lighter held to the slot,
+ *    would be coins;
  *  - where the level disagrees with the edges for longer than an edge can be under way, edges were
  *    lost, and the level is right. */
 #ifndef KINGYO_DRIVERS_GPIO_INPUT_H
@@ -17,7 +18,6 @@
 #include "drivers/gpio_lines.h"
 
 #define GPIO_UNDER_WAY_NS 20000000u /* Three times the 6 ms at which edges were seen late. */
-
 #define GPIO_PAIR_NS 2000000u /* From the kernel's telling of a blink to its next edge's date. */
 
 struct gpio_input {
