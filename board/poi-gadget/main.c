@@ -186,7 +186,7 @@ static enum exit_code play(struct poi_config *config, const struct arguments *ar
         return play_sensors(config, arguments, sink, prints);
     }
     if (arguments->script) {
-        source = script_source(&script, STDIN_FILENO, "standard input");
+        source = script_source(&script, STDIN_FILENO, "standard input", arguments->run.rate_hz);
     } else {
         if (!poi_config_is_calibrated(config)) {
             sensor_twin_calibrate(config);

@@ -30,11 +30,28 @@ static void tremble(struct script_source *script, struct poi_report *report)
     report->target.position_m.x += script->step++ & 1u ? half_m : -half_m;
 }
 
+/* All beats of `seconds`: what pose_tape_step() says of the last, or of the last that gave a pose. */
+static int step_beats(struct script_source *script, float seconds, struct poi_report *out)
+{
+    uint8_t buttons = 0;
+    int any = 0;
+    for (float left_s = seconds; left_s > 0.5f * script->beat_s; left_s -= script->beat_s) {
+        read_more(script);
+        const int got = pose_tape_step(&script->tape, script->beat_s, out);
+        if (got <= 0) {
+            return got < 0 ? -1 : any;
+        }
+        buttons |= out->buttons;
+        out->buttons = buttons;
+        any = 1;
+    }
+    return any;
+}
+
 static enum pose_result script_step(void *self, float seconds, struct poi_report *out)
 {
     struct script_source *script = self;
-    read_more(script);
-    const int got = pose_tape_step(&script->tape, seconds, out);
+    const int got = step_beats(script, seconds, out);
     if (got < 0) {
         fprintf(stderr, "%s:%u: %s\n", script->name, script->tape.line, script->tape.why);
         return POSE_BAD;
@@ -46,8 +63,9 @@ static enum pose_result script_step(void *self, float seconds, struct poi_report
     return POSE_NEW;
 }
 
-struct pose_source script_source(struct script_source *script, int fd, const char *name)
+struct pose_source script_source(struct script_source *script, int fd, const char *name,
+                                 uint32_t rate_hz)
 {
-    *script = (struct script_source){ .fd = fd, .name = name };
+    *script = (struct script_source){ .fd = fd, .name = name, .beat_s = 1.0f / (float)rate_hz };
     return (struct pose_source){ .step = script_step, .self = script };
 }

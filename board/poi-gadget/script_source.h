@@ -8,11 +8,14 @@
 struct script_source {
     int fd;
     const char *name; /* For messages. */
+    float beat_s;     /* How long a line without a glide lasts. */
     uint32_t step;    /* Since the start. */
     struct pose_tape tape;
 };
 
-/* `fd` is read only when it has something; `name` must outlive the source. */
-struct pose_source script_source(struct script_source *script, int fd, const char *name);
+/* `fd` is read only when it has something; `name` must outlive the source. A board that misses beats
+ * skips as many lines, so that a script takes its time and no longer; keys of those are kept. */
+struct pose_source script_source(struct script_source *script, int fd, const char *name,
+                                 uint32_t rate_hz);
 
 #endif

