@@ -30,7 +30,7 @@ static void tremble(struct script_source *script, struct poi_report *report)
     report->target.position_m.x += script->step++ & 1u ? half_m : -half_m;
 }
 
-/* All beats of `seconds`: what pose_tape_step() says of the last, or of the last that gave a pose. */
+/* All beats of `seconds`: 1 where one of them gave a pose, the last of which is `out`. */
 static int step_beats(struct script_source *script, float seconds, struct poi_report *out)
 {
     uint8_t buttons = 0;

@@ -13,8 +13,8 @@ struct script_source {
     struct pose_tape tape;
 };
 
-/* `fd` is read only when it has something; `name` must outlive the source. A board that misses beats
- * skips as many lines, so that a script takes its time and no longer; keys of those are kept. */
+/* `fd` is read only when it has something; `name` must outlive the source. A board that misses
+ * beats skips as many lines, so that a script takes its time; their keys are kept. */
 struct pose_source script_source(struct script_source *script, int fd, const char *name,
                                  uint32_t rate_hz);
 
