@@ -8,8 +8,8 @@
 release=$(kernel_release)
 [ -n "$release" ] || { echo "test-vm: no linux-image-$arch in $suite" >&2; exit 1; }
 kernel=$cache/kernel
-[ "$(cat "$kernel/release" 2>/dev/null)" = "$release" ] &&
-    [ -z "$(find "$here/modules" "$0" -newer "$kernel/release")" ] && exit 0
+made_of="$release $(cat "$0" "$here"/modules/*.c | cksum)"
+[ "$(cat "$kernel/made_of" 2>/dev/null)" = "$made_of" ] && exit 0
 step "kernel $release"
 rm -rf "$kernel" "$cache/debs"
 mkdir -p "$kernel" "$cache/debs"
@@ -70,3 +70,4 @@ done
 depmod -b "$kernel" "$release"
 rm -rf "$cache/debs"
 echo "$release" >"$kernel/release"
+echo "$made_of" >"$kernel/made_of"

@@ -28,8 +28,9 @@ static void tell(FILE *file, const struct twin *twin)
     }
     fprintf(file, "coins %u\ncredits %u\ntaken %u\n", twin->coins, core->game.credit.credits,
            core->game.round_count);
-    fprintf(file, "phase_round %u\n", PHASE_ROUND);
-    fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", core->game.phase, core->game.paused,
+    const uint8_t phase = core->game.phase;
+    fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);
+    fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", phase, core->game.paused,
            core->game.round_count, twin->caught);
     fprintf(file, "link %u\nlost_spans %u\nlost_ms %u\npaused_ms %u\n", twin->input.poi[0].link,
            twin->lost_spans, twin->lost_ticks * 1000u / CORE_TICK_HZ,

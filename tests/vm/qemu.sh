@@ -67,6 +67,6 @@ guest_listen() { # Until the guest is off: pictures when asked, each line to hea
 }
 
 guest_stop() {
-    [ -z "$qemu_pid" ] || kill -9 "$qemu_pid" 2>/dev/null || true
+    [ -z "$qemu_pid" ] || kill "$qemu_pid" 2>/dev/null || true # timeout(1), which passes it on
     [ -z "$qmp_reader" ] || kill "$qmp_reader" 2>/dev/null || true
 }
