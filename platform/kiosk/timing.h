@@ -5,11 +5,13 @@
 #include <stdint.h>
 
 #define TIMING_BIN_NS 50000u  /* 0.05 ms: finer than any frame time is stable. */
-#define TIMING_BIN_COUNT 8000u /* Up to 0.4 s; longer ones count in the last bin. */
+#define TIMING_BIN_COUNT 8000u /* Up to 0.4 s; behind that coarser ones, ... */
+#define TIMING_SLOW_NS 20000000u
+#define TIMING_SLOW_COUNT 500u /* ... up to 10 s; longer ones count in the last. */
 
 struct timing {
     uint64_t count, sum_ns, max_ns;
-    uint32_t bins[TIMING_BIN_COUNT];
+    uint32_t bins[TIMING_BIN_COUNT + TIMING_SLOW_COUNT];
 };
 
 void timing_add(struct timing *timing, uint64_t duration_ns);

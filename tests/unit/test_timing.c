@@ -40,10 +40,20 @@ static void test_what_no_bin_holds_is_told_as_the_longest(void **state)
 {
     (void)state;
     timing_add(&timing, 5 * MS);
-    timing_add(&timing, 700 * MS);
-    timing_add(&timing, 900 * MS);
-    assert_int_equal(timing_quantile_ns(&timing, 0.99), 900 * MS);
+    timing_add(&timing, 11000 * MS);
+    timing_add(&timing, 12000 * MS);
+    assert_int_equal(timing_quantile_ns(&timing, 0.99), 12000 * MS);
     assert_in_range(timing_quantile_ns(&timing, 0.3), 5 * MS, 5 * MS + TIMING_BIN_NS);
+}
+
+static void test_slow_frames_are_told_to_20_ms(void **state)
+{
+    (void)state;
+    for (uint64_t i = 0; i < 100; i++) {
+        timing_add(&timing, 400 * MS + i * 50 * MS);
+    }
+    assert_in_range(timing_quantile_ns(&timing, 0.5), 2840 * MS, 2870 * MS);
+    assert_in_range(timing_quantile_ns(&timing, 0.01), 400 * MS, 420 * MS);
 }
 
 int main(void)
@@ -53,6 +63,7 @@ int main(void)
         cmocka_unit_test_setup(
             test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th, clear),
         cmocka_unit_test_setup(test_what_no_bin_holds_is_told_as_the_longest, clear),
+        cmocka_unit_test_setup(test_slow_frames_are_told_to_20_ms, clear),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
