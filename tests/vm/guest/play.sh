@@ -76,6 +76,8 @@ until reads is_round -eq 1 || [ "$(now_ms)" -gt $((end + 60000)) ]; do
     sleep 1
     play_on
 done
+coins 2 # A credit that lies ready may not be lost either.
+await 20 reads credits -ge 1
 round=$(read_count rounds)
 credits=$(read_count credits)
 spans=$(read_count lost_spans)
