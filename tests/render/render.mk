@@ -37,7 +37,7 @@ specimen: $(BUILD)/tests/render/specimen
 
 PICTURE := out/pictures
 ## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
-pictures: fish-pictures game-pictures growth-picture lab-pictures
+pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture
 
 # The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
 # play, so the moments move with the physics; look before you keep them.
@@ -82,4 +82,12 @@ lab-pictures: $(BUILD)/tests/render/shot thesis-figures-2005
 	@convert build/thesis-2005/figure-4.14-three-ways.png -resize 1120x -quality 86 assets/pictures/hirame.jpg
 	@echo 'assets/pictures/hirame.jpg'
 
-.PHONY: lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures
+# The operator's desk: a controller that is being taught, and buttons and coins that are tried.
+menu-picture: $(BUILD)/tests/render/shot
+	@mkdir -p $(PICTURE)
+	@$< --menu learn --step 3 --en -o $(PICTURE)/learn.png
+	@$< --menu lines --en -o $(PICTURE)/lines.png
+	@convert $(PICTURE)/learn.png $(PICTURE)/lines.png -resize 800x +append -quality 86 assets/pictures/menu.jpg
+	@echo 'assets/pictures/menu.jpg'
+
+.PHONY: menu-picture lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures
