@@ -9,7 +9,9 @@ poi_make() {
     modprobe libcomposite
     modprobe usb_f_hid
     $poi_gadget start VENDOR=0x1209 PRODUCT=0x0001 SERIAL=KINGYO-VM >>/host/out/poi.log 2>&1
-    found $? gadget "$(lsusb 2>/dev/null | grep -i $poi_ids | cut -d: -f2-)"
+    started=$?
+    await 10 test -e /dev/hidraw0
+    found $started gadget "$(lsusb 2>/dev/null | grep -i $poi_ids | cut -d: -f2-)"
     await 10 test -e /dev/hidg0
     poi_hold
 }
