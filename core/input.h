@@ -63,6 +63,7 @@ struct desk_input {
     uint8_t learn_step;            /* enum learn_step */
     uint8_t learn_row;             /* Of the controller that is learned. */
     uint8_t learn_progress;        /* 0 .. 255 of the present step. */
+    uint8_t file_count;            /* Rows of the files' page: what each says is the shell's. */
 };
 
 enum poi_link {

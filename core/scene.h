@@ -211,6 +211,7 @@ struct scene_menu {
     uint8_t tag;             /* That is pointed at. */
     uint16_t tags;           /* Of the page's, those that are offered; a bit each. */
     uint8_t row;             /* Of the controller that is dealt with. */
+    uint8_t file_first;      /* The first row shown of desk.file_count; 0 when there is none. */
     uint8_t upright, has_hand, presses;
     float x, y;              /* The hand, on the canvas (core/game/overlay.h). */
     struct desk_input desk;
@@ -222,6 +223,10 @@ struct scene_menu {
 
 #define SCENE_NAME_SIZE 48u
 #define SCENE_LINE_SIZE 160u
+#define SCENE_FILE_MAX 8u   /* Rows of the files' page on a screen that stands. */
+#define SCENE_FILE_SIZE 64u
+
+enum scene_file_state { FILE_UNKNOWN = 0, FILE_USED, FILE_REFUSED, FILE_STATE_COUNT };
 
 /* What devices are called, which is no concern of the core: the shell fills it while the operator's
  * menu is shown, and core_scene() leaves it as it is. UTF-8, each "" where there is nothing. */
@@ -230,6 +235,11 @@ struct scene_devices {
     char controllers[SCENE_LINE_SIZE]; /* What looks for them, or what is missing for that. */
     char buttons[SCENE_LINE_SIZE];     /* The same of buttons. */
     uint32_t button_faults;            /* Since the start. */
+    struct scene_file {                /* From menu.file_first on. */
+        uint8_t state;                 /* enum scene_file_state */
+        char name[SCENE_FILE_SIZE];
+        char words[SCENE_LINE_SIZE];   /* What is in it, or why it was refused. */
+    } file[SCENE_FILE_MAX];
 };
 
 struct scene {

@@ -242,6 +242,12 @@ static int null_refuses_edits(void *self)
     return 1;
 }
 
+static int null_is_well(void *self)
+{
+    (void)self;
+    return 0;
+}
+
 /* Nothing is saved, and so nothing is refused or left behind. */
 static uint32_t null_none(void *self)
 {
@@ -259,6 +265,7 @@ struct hal_storage null_storage(const char *line)
         .keep_edit = null_keep_edit,
         .kept_edit_id = null_none,
         .refuses_edits = null_refuses_edits,
+        .is_well = null_is_well,
         .refused_count = null_none,
         .describe = null_describe,
         .close = null_none,

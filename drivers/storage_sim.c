@@ -70,6 +70,11 @@ static int storage_sim_refuses_edits(void *self)
     return sim->edit_failed;
 }
 
+static int storage_sim_is_well(void *self)
+{
+    return !storage_sim_refuses_edits(self);
+}
+
 static const char *storage_sim_describe(void *self)
 {
     (void)self;
@@ -99,6 +104,7 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
         .kept_edit_id = storage_sim_kept_edit_id,
         .refuses_edits = storage_sim_refuses_edits,
         .refused_count = storage_sim_refused_count,
+        .is_well = storage_sim_is_well,
         .describe = storage_sim_describe,
         .close = storage_sim_close,
     };

@@ -40,6 +40,10 @@ struct board_options {
      * the program here. */
     void (*on_display_lost)(void *self);
     void *on_display_lost_self;
+    /* Called while the board is opened, with each line "FILE:LINE: what" about a file of the data
+     * folder that was passed over; standard error has it, too. Null: none. */
+    void (*on_refused)(void *self, const char *line);
+    void *on_refused_self;
 };
 
 /* Whether every text is a wire, and no two roles are on one line. -1: `why` says what is wrong. */

@@ -159,6 +159,7 @@ struct hal_storage_ops {
     uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
     int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */
     uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
+    int (*is_well)(void *self); /* 1: rounds and edits are kept, and the last writes went well. */
     const char *(*describe)(void *self);
     /* Writes what save() and keep_edit() took, which may wait a few seconds; returns how many of
      * them it could not. */

@@ -42,7 +42,7 @@
 #define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
 #define REPLAY_PROGRAM_SIZE 16u
 
-#define REPLAY_DESK_BYTES (CONTROLLER_MAX + 3u)
+#define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
 
 /* One tick at most: mask, buttons, edges, coins, two saved ids, levels, a mask of the desk and the
  * desk, a mask of hands, each poi with a mask, a link, six floats and an age, each shade with a

@@ -3,11 +3,11 @@
  * First a mask: which of held, pressed, coin_count, record_saved_id, edit_saved_id, of levels, of
  * the operator's desk and of what hands hold follow. Then those in this order: the numbers as u32;
  * the levels as a byte (the screen stands, the store keeps no edits); of the desk, a u16 mask of
- * its bytes (each controller's state, then step, row and progress of learning) and those that
- * changed; of what hands hold, a mask of pois (low half) and shades (high half), and of each of
- * these a mask of its own, one byte (a poi's link, wrist and trembling, a shade's presence), those
- * floats that changed, as their bits, and a poi's age as u16. Floats travel whole: a play must come
- * back to the last bit, and of a hand that broke each counts. */
+ * its bytes (each controller's state, then step, row and progress of learning, then how many files
+ * there are) and those that changed; of what hands hold, a mask of pois (low half) and shades (high
+ * half), and of each of these a mask of its own, one byte (a poi's link, wrist and trembling, a
+ * shade's presence), those floats that changed, as their bits, and a poi's age as u16. Floats
+ * travel whole: a play must come back to the last bit, and of a hand that broke each counts. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -33,6 +33,7 @@ enum {
     DESK_STEP = CONTROLLER_MAX, /* Behind a byte for each controller. */
     DESK_ROW,
     DESK_PROGRESS,
+    DESK_FILES,
     DESK_BYTES,
 };
 _Static_assert(DESK_BYTES == REPLAY_DESK_BYTES && DESK_BYTES <= 16, "each has its bit in a u16");
@@ -177,6 +178,7 @@ static void list_desk(const struct desk_input *desk, uint8_t out[DESK_BYTES])
     out[DESK_STEP] = desk->learn_step;
     out[DESK_ROW] = desk->learn_row;
     out[DESK_PROGRESS] = desk->learn_progress;
+    out[DESK_FILES] = desk->file_count;
 }
 
 /* 0 bytes when nothing changed. */
@@ -343,6 +345,7 @@ static void decode_desk(struct desk_input *desk, struct bytes_left *left)
     desk->learn_step = bytes[DESK_STEP];
     desk->learn_row = bytes[DESK_ROW];
     desk->learn_progress = bytes[DESK_PROGRESS];
+    desk->file_count = bytes[DESK_FILES];
 }
 
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size)

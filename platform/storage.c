@@ -274,6 +274,13 @@ static int storage_refuses_edits(void *self)
     return !storage->running || atomic_load(&storage->edit_error) != 0;
 }
 
+static int storage_is_well(void *self)
+{
+    struct storage *storage = self;
+    return storage->has_file && atomic_load(&storage->error) == SQLITE_OK &&
+           !storage_refuses_edits(storage);
+}
+
 static uint32_t storage_refused_count(void *self)
 {
     struct storage *storage = self;
@@ -364,6 +371,7 @@ struct hal_storage storage_device(struct storage *storage)
         .keep_edit = storage_keep_edit,
         .kept_edit_id = storage_kept_edit_id,
         .refuses_edits = storage_refuses_edits,
+        .is_well = storage_is_well,
         .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,

@@ -42,6 +42,16 @@ static void complain(void *self, const char *line)
     fprintf(stderr, "kingyo: %s\n", line);
 }
 
+/* Before there are threads: what these say of files is for the operator's screen, too. */
+static void complain_of_file(void *self, const char *line)
+{
+    const struct board_options *options = self;
+    complain(NULL, line);
+    if (options->on_refused) {
+        options->on_refused(options->on_refused_self, line);
+    }
+}
+
 static void open_desk(struct hal *hal, const struct board_options *options)
 {
     struct poi_hid *seats[POI_MAX];
@@ -70,10 +80,11 @@ void usb_open(struct hal *hal, const struct board_options *options)
         .listed_count = devices.listed_count,
         .tell = complain,
     };
-    hid_book_open(&devices.book, options->data_dir, complain, NULL);
+    struct board_options told = *options;
+    hid_book_open(&devices.book, options->data_dir, complain_of_file, &told);
     devices.usb = usb_seats_start(&config, devices.text);
     if (devices.text[0]) {
-        complain(NULL, devices.text);
+        complain_of_file(&told, devices.text);
     }
     open_desk(hal, options);
 }

@@ -289,6 +289,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->tag = menu->tag[menu->page];
     out->tags = offers(menu);
     out->row = menu->row;
+    out->file_first = menu->file_first < menu->desk.file_count ? menu->file_first : 0;
     out->upright = menu->upright;
     out->has_hand = menu->has_hand;
     out->presses = menu->presses;
@@ -305,6 +306,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
 uint64_t menu_hash(uint64_t hash, const struct menu *menu)
 {
     const uint32_t words[] = { menu->page,      menu->row,        menu->upright,
+                               menu->file_first,
                                menu->has_hand,  menu->hand,       menu->presses,
                                menu->points,    menu->held,       menu->test_coins,
                                menu->coin_tick, menu->order_id,   menu->ask_tick,

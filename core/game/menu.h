@@ -35,20 +35,23 @@ enum menu_page {
     MENU_CONTROLLER,  /* ... one of them, ... */
     MENU_LEARN,       /* ... and what it says when it is moved. */
     MENU_LINES,       /* Buttons and coins. */
+    MENU_FILES,       /* What was found in the data folder, and what was not fit for use. */
     MENU_PAGE_COUNT,
 };
 
 /* The tags of each page. */
-enum { TOP_CONTROLLERS = 0, TOP_LINES, TOP_LEAVE, TOP_TAGS };
+enum { TOP_CONTROLLERS = 0, TOP_LINES, TOP_FILES, TOP_LEAVE, TOP_TAGS };
 enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* Behind one for each controller. */
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
+enum { FILES_MORE = 0, FILES_BACK, FILES_TAGS };
 
 struct menu {
     uint8_t page;    /* enum menu_page */
     uint8_t row;     /* Of the controller that is dealt with. */
     uint8_t upright; /* As the last input said. */
+    uint8_t file_first; /* The first row that the files' page shows. */
     uint8_t has_hand, hand, presses;
     uint8_t points;  /* The tag under the hand, from 1; 0: none. */
     uint8_t tag[MENU_PAGE_COUNT]; /* Which is pointed at on each page. */
@@ -75,6 +78,9 @@ int menu_is_asking(const struct core *core);
 
 /* While the lines are looked at, the start button's lamp is lit by its button. */
 int menu_lights_start(const struct core *core);
+
+/* Rows of the files' page that are seen at once, with the words of each in full. */
+uint32_t menu_files_shown(int upright);
 
 /* What there is to see of it. */
 void menu_show(const struct core *core, struct scene_menu *out);

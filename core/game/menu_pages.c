@@ -19,7 +19,7 @@ static void order(struct core *core, struct output *output, enum desk_order_kind
 static uint16_t top_offers(const struct menu *menu)
 {
     (void)menu;
-    return TAG(TOP_CONTROLLERS) | TAG(TOP_LINES) | TAG(TOP_LEAVE);
+    return TAG(TOP_CONTROLLERS) | TAG(TOP_LINES) | TAG(TOP_FILES) | TAG(TOP_LEAVE);
 }
 
 static void take_top(struct core *core, uint32_t tag, struct output *output)
@@ -30,6 +30,10 @@ static void take_top(struct core *core, uint32_t tag, struct output *output)
         break;
     case TOP_LINES:
         menu_turn(core, MENU_LINES);
+        break;
+    case TOP_FILES:
+        core->game.menu.file_first = 0;
+        menu_turn(core, MENU_FILES);
         break;
     default:
         menu_close(core, output);
@@ -140,6 +144,34 @@ static void take_lines(struct core *core, uint32_t tag, struct output *output)
     menu_turn(core, MENU_TOP);
 }
 
+/* ---- Files ---------------------------------------------------------------------------------- */
+
+#define FILES_SHOWN 5u
+
+uint32_t menu_files_shown(int upright)
+{
+    return upright ? SCENE_FILE_MAX : FILES_SHOWN;
+}
+
+static uint16_t files_offers(const struct menu *menu)
+{
+    const int is_long = menu->desk.file_count > menu_files_shown(menu->upright);
+    return (uint16_t)((is_long ? TAG(FILES_MORE) : 0u) | TAG(FILES_BACK));
+}
+
+/* Behind the last row comes the first again. */
+static void take_files(struct core *core, uint32_t tag, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    (void)output;
+    if (tag == FILES_BACK) {
+        menu_turn(core, MENU_TOP);
+        return;
+    }
+    const uint32_t next = menu->file_first + menu_files_shown(menu->upright);
+    menu->file_first = (uint8_t)(next < menu->desk.file_count ? next : 0u);
+}
+
 /* ---- The table ------------------------------------------------------------------------------ */
 
 static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
@@ -148,6 +180,7 @@ static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
     [MENU_CONTROLLER] = { BODY_HUNG, ROW_BACK, ROW_TAGS, 0, row_offers, take_row },
     [MENU_LEARN] = { BODY_FREE, 0, LEARNS_TAGS, 0, learn_offers, take_learn },
     [MENU_LINES] = { BODY_FREE, 0, LINES_TAGS, 1, lines_offers, take_lines },
+    [MENU_FILES] = { BODY_FREE, 0, FILES_TAGS, 0, files_offers, take_files },
 };
 _Static_assert(ROWS_TAGS <= MENU_TAG_MAX, "each tag has its bit");
 

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "platform/kiosk/dressing.h"
+
 #define RETRY_NS 1000000000ull /* A lost card, a failed save: once a second is often enough. */
 
 static uint64_t clock_ns(struct hal_clock clock)
@@ -101,6 +103,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
         kiosk->end = KIOSK_DISPLAY_LOST;
     }
     hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.desk);
+    kiosk->input.desk.file_count = dressing_file_count(kiosk->config.notes);
     const uint64_t now_ns = kiosk->sampled_ns = clock_ns(hal->clock);
     arrange_seats(kiosk, hal);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -334,33 +337,6 @@ uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
     return unwritten + waiting;
 }
 
-static void copy_line(char *out, size_t out_size, const char *line)
-{
-    size_t length = line ? strlen(line) : 0;
-    length = length < out_size ? length : out_size - 1u;
-    memcpy(out, line ? line : "", length);
-    out[length] = 0;
-}
-
-/* What the core knows by rows and bits has names on the operator's screen. */
-static void name_devices(struct kiosk *kiosk, const struct hal *hal)
-{
-    struct scene_devices *devices = &kiosk->scene.devices;
-    const struct hal_controllers *controllers = &hal->controllers;
-    if (kiosk->scene.phase != PHASE_MENU) {
-        return;
-    }
-    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        copy_line(devices->controller[i], sizeof devices->controller[i],
-                  controllers->ops->name(controllers->self, i));
-    }
-    copy_line(devices->controllers, sizeof devices->controllers,
-              controllers->ops->describe(controllers->self));
-    copy_line(devices->buttons, sizeof devices->buttons,
-              hal->buttons.ops->describe(hal->buttons.self));
-    devices->button_faults = kiosk->faults.buttons;
-}
-
 static uint64_t stopwatch_ns(const struct kiosk *kiosk)
 {
     return clock_ns(kiosk->config.stopwatch);
@@ -386,7 +362,7 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     }
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
-    name_devices(kiosk, hal);
+    dressing_put(&kiosk->scene, hal, kiosk->config.notes, kiosk->faults.buttons);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
     show_hands(kiosk, hal);
     present(kiosk, hal, tick_count);

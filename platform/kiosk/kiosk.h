@@ -9,6 +9,7 @@
 
 #include "core/core.h"
 #include "platform/hal.h"
+#include "platform/kiosk/file_notes.h"
 #include "platform/kiosk/hands.h"
 #include "platform/kiosk/pace.h"
 #include "platform/kiosk/shades.h"
@@ -32,6 +33,7 @@ struct kiosk_config {
     struct core_config core;
     uint8_t bot[POI_MAX];       /* These are the core's bot's, whatever device there is. */
     struct hal_clock stopwatch; /* Real time, for the figures only; never reaches the core. */
+    const struct file_notes *notes; /* For the operator's menu; outlives the kiosk. Null: none. */
     struct kiosk_tap tap;       /* Null function: none. */
     struct kiosk_source source; /* Null function: the devices play. */
 };

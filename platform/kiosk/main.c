@@ -12,6 +12,7 @@
 #include "platform/panic.h"
 
 static volatile sig_atomic_t stop;
+static struct session evening; /* Megabytes: not for the stack. */
 
 static void on_signal(int number)
 {
@@ -31,6 +32,13 @@ static void catch_signals(void)
 static void warn(const char *line)
 {
     fprintf(stderr, "kingyo: %s\n", line);
+}
+
+/* A line of the configuration that was passed over: the operator's menu shows it, too. */
+static void warn_of_config(const char *line)
+{
+    warn(line);
+    session_note_refused(&evening, line);
 }
 
 /* The stall is Japanese, and speaks English where the machine does not speak Japanese. The
@@ -61,7 +69,7 @@ static enum exit_code read_options(struct options *options, int argc, char **arg
         char path[OPTIONS_PATH_MAX];
         memcpy(path, options->config, sizeof path);
         *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
-        const int failed = options_read_config(options, path, warn);
+        const int failed = options_read_config(options, path, warn_of_config);
         if (failed) {
             fprintf(stderr, "kingyo: %s: cannot read: %s\n", path, strerror(-failed));
             return EXIT_IO;
@@ -122,29 +130,28 @@ static enum exit_code run(struct session *session)
 
 int main(int argc, char **argv)
 {
-    static struct session session; /* Megabytes: not for the stack. */
-    session.stop = &stop;
-    session.recorder.writer.fd = -1;
-    enum exit_code code = read_options(&session.options, argc, argv);
+    evening.stop = &stop;
+    evening.recorder.writer.fd = -1;
+    enum exit_code code = read_options(&evening.options, argc, argv);
     if (code != EXIT_OK) {
         return (int)code;
     }
-    if (session.options.help) {
+    if (evening.options.help) {
         options_print_help();
         return EXIT_OK;
     }
-    if (session.options.version) {
+    if (evening.options.version) {
         printf("kingyo %s\n", KINGYO_VERSION);
         return EXIT_OK;
     }
     catch_signals();
-    panic_prepare(last_wish, &session);
-    code = check_folders(&session.options);
+    panic_prepare(last_wish, &evening);
+    code = check_folders(&evening.options);
     if (code == EXIT_OK) {
-        code = session_check(&session);
+        code = session_check(&evening);
     }
     if (code == EXIT_OK) {
-        code = run(&session);
+        code = run(&evening);
     }
     return (int)code;
 }

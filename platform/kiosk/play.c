@@ -149,6 +149,8 @@ int play_open(struct session *session)
         .on_display_lost = on_display_lost,
         .on_display_lost_self = session,
         .shelf = &session->shelf,
+        .on_refused = session_note_refused,
+        .on_refused_self = session,
     };
     board_open(&session->hal, &board);
     const struct hal_display *display = &session->hal.display;

@@ -20,12 +20,19 @@ enum exit_code session_check(struct session *session)
     return EXIT_OK;
 }
 
+void session_note_refused(void *self, const char *line)
+{
+    struct session *session = self;
+    file_notes_refused(&session->notes, session->options.data, line);
+}
+
 /* In the log, and on the shelf for the lab's screen. */
 static void warn(void *context, const char *line)
 {
     struct session *session = context;
     const size_t folder = strlen(session->options.data) + 1u;
     fprintf(stderr, "kingyo: %s\n", line);
+    session_note_refused(session, line);
     shelf_note_graph(&session->shelf, line + (folder < strlen(line) ? folder : 0u));
 }
 
@@ -43,6 +50,37 @@ static void fill_book(const struct shelf *shelf, struct lab_book *book)
     book->refused = (uint8_t)(refused < UINT8_MAX ? refused : UINT8_MAX);
 }
 
+/* For the operator's menu: what a maker put there, and what became of it. */
+static void note_species(struct session *session)
+{
+    const struct shelf *shelf = &session->shelf;
+    char name[sizeof SHELF_FOLDER + SHELF_FILE_SIZE], words[SCENE_LINE_SIZE];
+    for (uint32_t i = 0; i < shelf->line_count; i++) {
+        const struct shelf_line *line = &shelf->lines[i];
+        const int is_used = line->slot != SHELF_SLOT_NONE;
+        snprintf(name, sizeof name, SHELF_FOLDER "/%s", line->file);
+        file_notes_add(&session->notes, is_used ? FILE_USED : FILE_REFUSED, name,
+                       is_used ? shelf->slots[line->slot].species.card.id : line->why);
+    }
+    if (shelf->unread_count > 0) {
+        snprintf(words, sizeof words, "%u more files, and no room for them", shelf->unread_count);
+        file_notes_add(&session->notes, FILE_REFUSED, SHELF_FOLDER, words);
+    }
+}
+
+static void note_graphs(struct session *session, const struct lab_book *book)
+{
+    char name[sizeof EDIT_FOLDER + SPECIES_NAME_SIZE + sizeof EDIT_SUFFIX];
+    for (uint32_t i = 0; i < lab_book_count(book); i++) {
+        if (book->has_edit[i]) {
+            const char *id = lab_book_card(book, i)->id;
+            snprintf(name, sizeof name, EDIT_FOLDER "/%.*s" EDIT_SUFFIX, (int)SPECIES_NAME_SIZE,
+                     id);
+            file_notes_add(&session->notes, FILE_USED, name, id);
+        }
+    }
+}
+
 enum exit_code session_begin(struct session *session, struct kiosk_config *config)
 {
     const char *record = session->options.record;
@@ -58,10 +96,13 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     }
     config->core.lanes = cpu_lanes();
     shelf_fill(&session->shelf, session->options.data);
+    note_species(session);
+    config->notes = &session->notes;
     if (!replay[0]) {
         fill_book(&session->shelf, &config->core.book);
         edit_file_fill(session->options.data, &config->core.book,
                        (struct edit_warn){ warn, session });
+        note_graphs(session, &config->core.book);
     }
     if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
         fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",

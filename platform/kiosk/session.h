@@ -18,6 +18,7 @@ struct session {
     struct recorder recorder;
     struct replayer replayer;
     struct shelf shelf;                  /* Makers' species, read as the kiosk begins. */
+    struct file_notes notes;             /* What became of these, and of all other files. */
     struct replay_totals replayed;       /* What session_check found in the file to replay. */
     uint8_t *rgb;                        /* For pictures; grows with the window. */
     size_t rgb_size;
@@ -31,6 +32,9 @@ enum exit_code session_check(struct session *session);
  * species from the data folder. `config` is what the caller wants; a replay brings its own
  * core_config. Returns an exit code, the reason is told. */
 enum exit_code session_begin(struct session *session, struct kiosk_config *config);
+
+/* Notes a file, "FILE: why", that was refused, for the operator's menu. `self` is a session. */
+void session_note_refused(void *self, const char *line);
 
 /* Tells of each file on the shelf: what was loaded on standard output, what was not, and why, on
  * standard error. */

@@ -15,9 +15,10 @@ static const struct sheet_words sheets[MENU_PAGE_COUNT] = {
     [MENU_TOP] = {
         .title = TEXT_MENU,
         .names = { [TOP_CONTROLLERS] = TEXT_MENU_CONTROLLERS, [TOP_LINES] = TEXT_MENU_LINES,
-                   [TOP_LEAVE] = TEXT_MENU_LEAVE },
+                   [TOP_FILES] = TEXT_MENU_FILES, [TOP_LEAVE] = TEXT_MENU_LEAVE },
         .lines = { [TOP_CONTROLLERS] = TEXT_MENU_CONTROLLERS_WORDS,
-                   [TOP_LINES] = TEXT_MENU_LINES_WORDS },
+                   [TOP_LINES] = TEXT_MENU_LINES_WORDS,
+                   [TOP_FILES] = TEXT_MENU_FILES_WORDS },
     },
     [MENU_CONTROLLERS] = {
         .title = TEXT_MENU_CONTROLLERS,
@@ -42,6 +43,11 @@ static const struct sheet_words sheets[MENU_PAGE_COUNT] = {
         .title = TEXT_MENU_LINES,
         .names = { [LINES_BACK] = TEXT_MENU_BACK },
         .draw = menu_lines,
+    },
+    [MENU_FILES] = {
+        .title = TEXT_MENU_FILES,
+        .names = { [FILES_MORE] = TEXT_FILES_MORE, [FILES_BACK] = TEXT_MENU_BACK },
+        .draw = menu_files,
     },
 };
 

@@ -40,5 +40,6 @@ void menu_rows(const struct menu_view *view);
 void menu_one_controller(const struct menu_view *view);
 void menu_learning(const struct menu_view *view);
 void menu_lines(const struct menu_view *view);
+void menu_files(const struct menu_view *view);
 
 #endif

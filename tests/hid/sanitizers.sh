@@ -9,7 +9,7 @@ cflags+=(-Wno-conversion) # What checks shifts and sums makes wider numbers of s
 cc=${CC:-gcc}
 tests=(hid_map hid_hand hid_learn hid_book hid_desk poi_hid fly_poi menu menu_desk credit unplug_paid)
 sources=(drivers/{hid_*,poi_hid,poi_report,poi_descriptor,fly_poi,dip,pose_fan,pointer_*,clock_sim,display_sim,null}.c
-    core/game/*.c platform/kiosk/{kiosk,hands,resample}.c tests/unit/panic.c)
+    core/game/*.c platform/kiosk/{kiosk,hands,resample,dressing,file_notes}.c tests/unit/panic.c)
 
 for sanitizers in address,undefined thread; do
     home=$build/hand-sanitizers/${sanitizers%%,*}

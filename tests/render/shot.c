@@ -319,7 +319,7 @@ static void play(const struct options *options)
         open_album(options);
     } else if (options->menu) {
         shot_menu_open(&core, options->menu, options->step, is_upright(options));
-        shot_menu_name(&scene.devices);
+        shot_menu_name(&scene.devices, core.game.menu.file_first);
     }
     core_scene(&core, &scene);
 }

@@ -16,20 +16,38 @@ static const struct {
     { CONTROLLER_BARRED, "046d:c31c USB Keyboard, port 2-1" },
 };
 
+/* The rows below the store's. */
+static const struct scene_file files[] = {
+    { FILE_REFUSED, "species/bad.kfish", "magic: no packed species begins so" },
+    { FILE_REFUSED, "species/tancho.kfish",
+      "curve 2: knot 5: its weights sum to 1.250000, and not to 1; kingyoctl morph import says in "
+      "which line of the text" },
+    { FILE_REFUSED, "graphs/wakin.graph:3", "wakin has 5 keys" },
+    { FILE_REFUSED, "usb.txt:4", "expected VVVV:PPPP[:SERIAL] and plays or rests" },
+    { FILE_REFUSED, "pois/046d-c626.poi:2", "unknown field 'wobble'" },
+    { FILE_REFUSED, "/etc/kingyo/kingyo.conf:7", "grade = 9: wrong value; expected 4 to 7" },
+    { FILE_USED, "species/funa.kfish", "funa" },
+    { FILE_USED, "graphs/hirame.graph", "hirame" },
+};
+#define FILE_COUNT (sizeof files / sizeof files[0])
+
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright)
 {
     static const char *const names[MENU_PAGE_COUNT] = { "top", "controllers", "controller",
-                                                        "learn", "lines" };
+                                                        "learn", "lines", "files" };
     struct output output = { 0 };
     struct input input = { .pressed = INPUT_TEST, .upright = upright != 0 };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         input.desk.state[i] = found[i].state;
     }
+    input.desk.file_count = FILE_COUNT + 1u;
     core_tick(core, &input, &output);
     struct menu *menu = &core->game.menu;
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
         menu->page = strcmp(names[i], page) == 0 ? i : menu->page;
     }
+    const uint32_t first = step * menu_files_shown(upright);
+    menu->file_first = (uint8_t)(first < input.desk.file_count ? first : 0u);
     menu->row = menu->page == MENU_CONTROLLER && step < CONTROLLER_MAX ? step : 0;
     input.desk.learn_step = menu->page == MENU_LEARN ? step % LEARN_STEP_COUNT : 0;
     input.desk.learn_progress = 150;
@@ -46,7 +64,7 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     }
 }
 
-void shot_menu_name(struct scene_devices *devices)
+void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
 {
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         if (found[i].state != CONTROLLER_NONE) {
@@ -57,4 +75,11 @@ void shot_menu_name(struct scene_devices *devices)
     snprintf(devices->buttons, SCENE_LINE_SIZE,
              "GPIO lines of gpiochip0 (libgpiod 1.6.3): START, LEFT, RIGHT, OK, TEST, COIN");
     devices->button_faults = 2;
+    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
+        const uint32_t row = file_first + i;
+        devices->file[i] = row == 0 ? (struct scene_file){ FILE_USED, "",
+                                                           "/var/lib/kingyo/kingyo.db" }
+                           : row <= FILE_COUNT ? files[row - 1u]
+                                               : (struct scene_file){ .state = FILE_UNKNOWN };
+    }
 }

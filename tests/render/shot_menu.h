@@ -4,11 +4,12 @@
 
 #include "core/core.h"
 
-/* Opens it on `page` (top, controllers, controller, learn or lines; others: top). `step` is enum
- * learn_step while it learns, and the row of the controller elsewhere. */
+/* Opens it on `page` (top, controllers, controller, learn, lines or files; others: top). `step` is
+ * enum learn_step while it learns, how often MORE was taken among the files, and the row of the
+ * controller elsewhere. */
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright);
 
-/* What those controllers are called, and the lines of what looks for them. */
-void shot_menu_name(struct scene_devices *devices);
+/* What those controllers are called, the lines of what looks for them, and files from a row on. */
+void shot_menu_name(struct scene_devices *devices, uint8_t file_first);
 
 #endif

@@ -104,6 +104,7 @@ static const struct field game_fields[] = {
 
 static const struct field menu_fields[] = {
     FIELD(menu, page),       FIELD(menu, row),        FIELD(menu, upright),
+    FIELD(menu, file_first),
     FIELD(menu, has_hand),   FIELD(menu, hand),       FIELD(menu, presses),
     FIELD(menu, points),     FIELD(menu, tag),        FIELD(menu, desk),
     FIELD(menu, pressed_count),

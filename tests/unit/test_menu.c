@@ -179,14 +179,12 @@ static void test_two_buttons_lead_through_every_page_and_back(void **state)
     seen |= 1u << menu()->page;
     for (uint32_t tries = 0; core.game.phase == PHASE_MENU && tries < 100u; tries++) {
         const uint32_t last = menu_sheet_of(menu()->page)->tag_count - 1u;
-        if (menu()->page == MENU_TOP && !(seen >> MENU_LINES & 1u)) {
-            while (pointed() != TOP_LINES) {
-                push(INPUT_SERVICE);
-            }
-        } else {
-            while (pointed() != last) {
-                push(INPUT_SERVICE);
-            }
+        const uint32_t wanted = menu()->page != MENU_TOP            ? last
+                                : !(seen >> MENU_LINES & 1u)        ? (uint32_t)TOP_LINES
+                                : !(seen >> MENU_FILES & 1u)        ? (uint32_t)TOP_FILES
+                                                                    : last;
+        while (pointed() != wanted) {
+            push(INPUT_SERVICE);
         }
         push(INPUT_TEST);
         seen |= core.game.phase == PHASE_MENU ? 1u << menu()->page : 0u;
@@ -322,6 +320,75 @@ static void test_a_menu_that_is_forgotten_ends_what_was_being_learned(void **sta
     steps(MENU_IDLE_TICKS + MENU_TAKE_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     expect_order(2, DESK_LEARN_END, 3);
+}
+
+/* ---- Files ---------------------------------------------------------------------------------- */
+
+static void go_to_files(uint8_t file_count)
+{
+    input.desk.file_count = file_count;
+    push(INPUT_SERVICE);
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_FILES);
+}
+
+static void test_more_is_offered_where_more_is_than_fits(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    go_to_files(0);
+    for (uint32_t upright = 0; upright < 2u; upright++) {
+        const uint32_t shown = menu_files_shown((int)upright);
+        input.upright = (uint8_t)upright;
+        for (uint32_t count = 0; count <= UINT8_MAX; count++) {
+            input.desk.file_count = (uint8_t)count;
+            step();
+            core_scene(&core, &scene);
+            assert_int_equal(scene.menu.tags,
+                             1u << FILES_BACK | (count > shown ? 1u << FILES_MORE : 0u));
+            assert_int_equal(scene.menu.desk.file_count, count);
+        }
+    }
+}
+
+/* However many there are and however the screen stands: each row is seen, and then the first. */
+static void test_more_leads_past_every_row_and_to_the_first_again(void **state)
+{
+    static struct scene scene;
+    for (uint32_t k = 0; k < 2u * UINT8_MAX; k++) {
+        setup_open(state);
+        input.upright = (uint8_t)(k % 2u);
+        go_to_files((uint8_t)(1u + k / 2u));
+        const uint32_t shown = menu_files_shown(input.upright);
+        for (uint32_t seen = 0; seen < input.desk.file_count; seen += shown) {
+            core_scene(&core, &scene);
+            assert_int_equal(scene.menu.file_first, seen);
+            push(INPUT_LEFT);
+            while (input.desk.file_count > shown && pointed() != FILES_MORE) {
+                push(INPUT_SERVICE);
+            }
+            if (pointed() == FILES_MORE) {
+                push(INPUT_TEST);
+            }
+        }
+        core_scene(&core, &scene);
+        assert_int_equal(scene.menu.file_first, 0);
+    }
+}
+
+static void test_files_are_shown_from_the_first_whenever_they_are_looked_at(void **state)
+{
+    (void)state;
+    go_to_files(20);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->file_first, menu_files_shown(0));
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_TOP);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_FILES);
+    assert_int_equal(menu()->file_first, 0);
 }
 
 /* ---- Buttons and coins ---------------------------------------------------------------------- */
@@ -580,6 +647,9 @@ int main(void)
             test_a_second_test_ends_the_round_without_a_result_and_pays_it_back, setup),
         cmocka_unit_test_setup(test_the_question_of_one_round_is_not_asked_in_the_next, setup),
         IN_MENU(test_its_last_tag_opens_the_stall_again),
+        IN_MENU(test_more_is_offered_where_more_is_than_fits),
+        IN_MENU(test_more_leads_past_every_row_and_to_the_first_again),
+        IN_MENU(test_files_are_shown_from_the_first_whenever_they_are_looked_at),
         IN_MENU(test_left_open_and_forgotten_the_stall_opens_again),
         IN_MENU(test_start_in_the_menu_begins_no_round),
         IN_MENU(test_service_points_round_and_passes_over_empty_rows),

@@ -484,6 +484,7 @@ static void test_a_visit_to_the_operators_menu_is_found_true(void **state)
         input.desk.state[1u + tick / 77u % 7u] = (uint8_t)(tick / 31u % CONTROLLER_STATE_COUNT);
         input.desk.learn_step = (uint8_t)(tick / 120u);
         input.desk.learn_progress = (uint8_t)tick;
+        input.desk.file_count = (uint8_t)(tick / 9u);
         output.sound_count = 0;
         core_tick(&core, &input, &output);
         menu_ticks += core.game.phase == PHASE_MENU;

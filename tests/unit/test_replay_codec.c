@@ -143,7 +143,7 @@ static void test_a_controller_that_comes_costs_three_bytes_beside_the_mask(void 
 static void test_a_desk_that_no_recorder_writes_is_refused(void **state)
 {
     (void)state;
-    enum { DESK = 1 << 7, STEP = 1, ROW = 2, BEYOND = 8 };
+    enum { DESK = 1 << 7, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
         { DESK, 0, 0, 0 },                      /* The desk changed, but nothing of it. */
         { DESK, 1, 0, CONTROLLER_STATE_COUNT }, /* No such state, */

@@ -1,5 +1,6 @@
 /* test_ui_menu.c -- the operator's menu as it is drawn: all of it on the screen and read from a
  * metre, in both languages, whatever the screen. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,6 +49,13 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     memset(scene.devices.buttons, 'm', SCENE_LINE_SIZE - 1u);
     memset(scene.devices.controllers, 'm', SCENE_LINE_SIZE - 1u);
     scene.devices.button_faults = 4294967295u;
+    menu->desk.file_count = UINT8_MAX;
+    menu->file_first = 160;
+    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
+        scene.devices.file[i].state = (uint8_t)(i % FILE_STATE_COUNT);
+        memset(scene.devices.file[i].name, 'W', SCENE_FILE_SIZE - 1u);
+        memset(scene.devices.file[i].words, 'W', SCENE_LINE_SIZE - 1u);
+    }
 }
 
 static void lay_out(uint32_t size)
@@ -157,6 +165,66 @@ static void test_with_none_plugged_in_the_reason_is_shown(void **state)
     assert_int_equal(count_kind(UI_GLYPH), without + 19u); /* Its letters; spaces are no quads. */
 }
 
+/* As long as a writer of reasons can make one, in letters and gaps as words have them. */
+static uint32_t set_reason(const char *name)
+{
+    static const char words[] = "curve 2: knot 5: its weights sum to 1.250000; ";
+    char *out = scene.devices.file[0].words;
+    uint32_t letters = 0;
+    for (uint32_t i = 0; i < SCENE_LINE_SIZE - 1u; i++) {
+        out[i] = words[i % (sizeof words - 1u)];
+        letters += out[i] != ' ';
+    }
+    snprintf(scene.devices.file[0].name, SCENE_FILE_SIZE, "%s", name);
+    scene.devices.file[0].state = FILE_REFUSED;
+    return letters;
+}
+
+static void test_the_longest_reason_is_read_whole_however_the_screen_stands(void **state)
+{
+    (void)state;
+    for (uint32_t size = 0; size < SIZE_COUNT; size++) {
+        const int upright = is_upright(size);
+        const float unit = upright ? sizes[size].width / 854.0f
+                                   : fminf(sizes[size].width / 1280.0f,
+                                           sizes[size].height / 720.0f);
+        set_page(MENU_FILES, 1u << FILES_BACK, LANGUAGE_EN, upright);
+        memset(&scene.devices, 0, sizeof scene.devices);
+        scene.menu.desk.file_count = 2;
+        scene.menu.file_first = 1;
+        snprintf(scene.devices.file[0].name, SCENE_FILE_SIZE, "x");
+        scene.devices.file[0].state = FILE_REFUSED;
+        lay_out(size);
+        const uint32_t without = count_kind(UI_GLYPH);
+        const uint32_t letters = set_reason("x");
+        lay_out(size);
+        assert_int_equal(count_kind(UI_GLYPH), without + letters);
+        expect_inside(size);
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 21.9f * unit) {
+                fail_msg("on %gx%g letter %u shrank to %.1f units", (double)sizes[size].width,
+                         (double)sizes[size].height, i, (double)(glyph_em_px(&batch, i) / unit));
+            }
+        }
+    }
+}
+
+static void test_a_slip_is_drawn_for_each_row_that_there_is(void **state)
+{
+    (void)state;
+    for (uint32_t count = 0; count <= 2u * SCENE_FILE_MAX; count++) {
+        for (int upright = 0; upright < 2; upright++) {
+            const uint32_t shown = menu_files_shown(upright);
+            set_page(MENU_FILES, 1u << FILES_BACK, LANGUAGE_JA, upright);
+            scene.menu.desk.file_count = (uint8_t)count;
+            scene.menu.file_first = (uint8_t)(count > shown ? shown : 0u);
+            const uint32_t left = count - scene.menu.file_first;
+            lay_out(upright ? 4 : 0);
+            assert_int_equal(count_kind(UI_WASHI), left < shown ? left : shown);
+        }
+    }
+}
+
 /* Brightness of a button's lamp: that of the round panel. */
 static uint32_t lit_lamps(void)
 {
@@ -210,6 +278,8 @@ int main(void)
         cmocka_unit_test(test_every_word_is_read_from_a_metre),
         cmocka_unit_test(test_a_board_is_drawn_for_each_controller_that_is_there),
         cmocka_unit_test(test_with_none_plugged_in_the_reason_is_shown),
+        cmocka_unit_test(test_the_longest_reason_is_read_whole_however_the_screen_stands),
+        cmocka_unit_test(test_a_slip_is_drawn_for_each_row_that_there_is),
         cmocka_unit_test(test_a_lamp_is_lit_for_each_button_that_is_held),
         cmocka_unit_test(test_in_a_round_the_question_is_read_over_the_tank),
     };

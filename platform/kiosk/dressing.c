@@ -1,0 +1,60 @@
+/* dressing.c -- copies lines from those who know them. */
+#include "platform/kiosk/dressing.h"
+
+#include <string.h>
+
+static void copy_line(char *out, size_t out_size, const char *line)
+{
+    size_t length = line ? strlen(line) : 0;
+    length = length < out_size ? length : out_size - 1u;
+    memcpy(out, line ? line : "", length);
+    out[length] = 0;
+}
+
+static void name_devices(struct scene_devices *devices, const struct hal *hal)
+{
+    const struct hal_controllers *controllers = &hal->controllers;
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        copy_line(devices->controller[i], sizeof devices->controller[i],
+                  controllers->ops->name(controllers->self, i));
+    }
+    copy_line(devices->controllers, sizeof devices->controllers,
+              controllers->ops->describe(controllers->self));
+    copy_line(devices->buttons, sizeof devices->buttons,
+              hal->buttons.ops->describe(hal->buttons.self));
+}
+
+/* The store is asked now: a card may fill up in mid-evening. */
+static struct scene_file store_row(const struct hal_storage *store)
+{
+    struct scene_file row = {
+        .state = store->ops->is_well(store->self) ? FILE_USED : FILE_REFUSED,
+    };
+    copy_line(row.words, sizeof row.words, store->ops->describe(store->self));
+    return row;
+}
+
+static void name_files(struct scene *scene, const struct hal *hal, const struct file_notes *notes)
+{
+    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
+        const uint32_t row = scene->menu.file_first + i;
+        scene->devices.file[i] = row == 0 ? store_row(&hal->storage)
+                                 : notes  ? file_notes_row(notes, row - 1u)
+                                          : (struct scene_file){ .state = FILE_UNKNOWN };
+    }
+}
+
+uint8_t dressing_file_count(const struct file_notes *notes)
+{
+    return (uint8_t)(1u + (notes ? file_notes_rows(notes) : 0u));
+}
+
+void dressing_put(struct scene *scene, const struct hal *hal, const struct file_notes *notes,
+                  uint32_t button_faults)
+{
+    if (scene->phase == PHASE_MENU) {
+        name_devices(&scene->devices, hal);
+        name_files(scene, hal, notes);
+        scene->devices.button_faults = button_faults;
+    }
+}
