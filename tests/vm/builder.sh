@@ -3,6 +3,7 @@
 #
 # Compiles the kernel's modules and, where the guest is of another release or architecture than this
 # machine, the kiosk. Its programs are this machine's; its libraries are the guest's.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
 builder=$cache/builder

@@ -1,10 +1,13 @@
-/* hand.c -- a hand that plays on the kiosk in the guest through its USB poi, until a fish is landed.
+/* hand.c -- a hand that plays on the kiosk in the guest through its USB poi, until a fish is
+ * landed.
  *
- * hand RECORDING PLANS SECONDS. It follows the recording (twin.h), thinks a scoop out to its end on a
- * copy of the stall, with the core's own bot for an arm, and only sets out where a fish would come of
- * it. Then it writes the way as PLANS/plan, a pose for each of the poi's 120 reports a second, in the
- * words of `kingyo-poi run --script`. Until then the poi rests, so that copy and stall stay one.
+ * hand RECORDING PLANS SECONDS. It follows the recording (twin.h), thinks a scoop out to its end on
+ * a copy of the stall, with the core's own bot for an arm, and only sets out where a fish would
+ * come of it. Then it writes the way as PLANS/plan, a pose for each of the poi's 120 reports a
+ * second, in the words of `kingyo-poi run --script`. Until then the poi rests, so that copy and
+ * stall stay one.
  * Exit code 0: a fish was landed; 1: not in time; 65: the recording is not that of this core. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +56,8 @@ static double now_s(void)
 static void wait_s(double seconds)
 {
     if (seconds > 0.0) {
-        const struct timespec time = { (time_t)seconds, (long)((seconds - (double)(time_t)seconds) * 1e9) };
+        const double whole = floor(seconds);
+        const struct timespec time = { (time_t)whole, (long)((seconds - whole) * 1e9) };
         nanosleep(&time, NULL);
     }
 }
@@ -105,7 +109,7 @@ static struct input wait_on_copy(uint32_t lead, struct output *ignored)
     return input;
 }
 
-/* Whether a fish comes of a way that begins `lead` ticks on: no cable is as punctual as a thought. */
+/* Whether a fish comes of a way that begins `lead` ticks on: a cable is not punctual. */
 static int lands(uint32_t lead, const struct plan *way)
 {
     static struct output ignored;

@@ -1,5 +1,6 @@
 #!/bin/bash
 # initrd.sh -- the guest's first minutes, in $cache/initrd.zst: busybox, its script, the modules that are used.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
 kernel=$cache/kernel release=$(cat "$cache/kernel/release")

@@ -1,9 +1,10 @@
 /* keeper.c -- what systemd is to the kiosk on a real board: it starts it, and as long as the kiosk
- * says that it lives, the machine's own watchdog is fed. No more: a kiosk that hangs resets the machine.
+ * says that it lives, the machine's own watchdog is fed. No more: a kiosk that hangs resets the
+ * machine.
  *
- * keeper DEVICE SECONDS COMMAND [WORD...]. The watchdog is opened at READY=1, fed at each WATCHDOG=1 and
- * told to stand down when the command ends by itself, whose exit code is keeper's. At the end it says on
- * standard error how often and at which longest distance it was fed. */
+ * keeper DEVICE SECONDS COMMAND [WORD...]. The watchdog is opened at READY=1, fed at each
+ * WATCHDOG=1 and told to stand down when the command ends by itself, whose exit code is keeper's.
+ * At the end it says on standard error how often and at which longest distance it was fed. */
 #include <fcntl.h>
 #include <linux/watchdog.h>
 #include <poll.h>

@@ -3,6 +3,7 @@
 #
 # gpio-sim is switched off in Debian's configurations (6.1 and 6.12): it is built from Debian's kernel
 # source against Debian's headers. Nothing of this machine is used but a chroot.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
 release=$(kernel_release)

@@ -36,7 +36,8 @@ static void tell(FILE *file, const struct twin *twin)
            twin->lost_spans, twin->lost_ticks * 1000u / CORE_TICK_HZ,
            twin->paused_ticks * 1000u / CORE_TICK_HZ);
     const vec3 at = twin->input.poi[0].target.position_m;
-    fprintf(file, "hand_mm %.1f %.1f %.1f\n", (double)at.x * 1e3, (double)at.y * 1e3, (double)at.z * 1e3);
+    fprintf(file, "hand_mm %.1f %.1f %.1f\n", (double)at.x * 1e3, (double)at.y * 1e3,
+            (double)at.z * 1e3);
 }
 
 /* Under another name first: who reads it finds it whole. */

@@ -3,6 +3,7 @@
 #
 # Where this machine is of the guest's release and architecture, what `make` built for it is taken as it
 # is. Else all is compiled in the builder (builder.sh), by its own compiler against the guest's libraries.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 release=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
 

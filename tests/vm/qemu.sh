@@ -2,7 +2,7 @@
 #
 # The guest writes lines to share/out/talk (guest/lib.sh); QEMU is asked for pictures and says what
 # happened to its machine (a watchdog that bit) through QMP on two pipes.
-# shellcheck shell=bash disable=SC2154
+# shellcheck shell=bash disable=SC2154,SC2054,SC2086,SC2034  # commas are QEMU's
 run=$cache/run share=$cache/run/share
 qemu_pid='' qmp_in='' qmp_reader='' qmp_id=0
 

@@ -2,6 +2,7 @@
 # root.sh -- the guest's root file system, in $cache/root.sqfs: Debian's packages and nothing of ours.
 #
 # What is ours comes through the shared folder, so that a change of the kiosk costs no new root.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
 is_fresh "$cache/root.sqfs" && exit 0

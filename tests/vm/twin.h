@@ -1,8 +1,8 @@
 /* twin.h -- the stall in the guest, computed once more outside of it from the recording it writes.
  *
- * The core is a pure function of its inputs: what the kiosk recorded, ticked again here, is the very
- * stall that runs there, and each tick's digest proves it. So a test knows all of the kiosk's mind,
- * at most a second late, without a word of the kiosk's for tests. */
+ * The core is a pure function of its inputs: what the kiosk recorded, ticked again here, is the
+ * very stall that runs there, and each tick's digest proves it. So a test knows all of the kiosk's
+ * mind, at most a second late, without a word of the kiosk's for tests. */
 #ifndef KINGYO_TESTS_VM_TWIN_H
 #define KINGYO_TESTS_VM_TWIN_H
 
@@ -28,8 +28,8 @@ struct twin {
     uint8_t was_live, begun;
 };
 
-/* Takes what the recording has by now. 1: there was more; 0: nothing new, or not whole yet; -1: it is
- * not the kiosk's play (differs_at), or no recording at all. A zeroed twin with a path begins. */
+/* Takes what the recording has by now. 1: there was more; 0: nothing new, or not whole yet; -1: it
+ * is not the kiosk's play (differs_at), or none at all. A zeroed twin with a path begins. */
 int twin_follow(struct twin *twin);
 
 /* One tick of any core on a hand's own input: what would be. */

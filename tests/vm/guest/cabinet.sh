@@ -1,6 +1,7 @@
 # cabinet.sh -- a cabinet's wires: a gpio-sim chip with named lines, pressed from its pull files.
 #
 # Buttons and the coin mechanism pull their line low, as real ones do.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
 cabinet=/sys/kernel/config/gpio-sim/cabinet
 cabinet_lines='START COIN TEST SERVICE TILT DOOR LAMP LOCKOUT METER TICKET'
 

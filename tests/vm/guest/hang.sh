@@ -1,4 +1,5 @@
 # hang.sh -- a kiosk that hangs resets the machine. The last part: nobody comes back from it.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
 kiosk_start hang 12 --fish 20
 sleep 3
 say 'the kiosk is stopped'

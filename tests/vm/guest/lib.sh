@@ -2,6 +2,7 @@
 #
 # "ok ID words", "bad ID words": one finding (checks.txt says which there are). "shot NAME": a picture,
 # please. Anything else is for people.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
 talk=/host/out/talk
 
 say() { # WORDS

@@ -1,4 +1,5 @@
 # play.sh -- an evening: coins, START, a fish by the USB poi, cables pulled and put back, the end.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
 . /host/guest/cabinet.sh
 . /host/guest/poi.sh
 play=/host/out/play.kgr
@@ -24,7 +25,7 @@ read_count() { # NAME: what the machine outside says of the recording (look.c), 
 }
 
 reads() { # NAME OPERATOR NUMBER
-    [ "$(read_count "$1")" "$2" "$3" ] 2>/dev/null
+    test "$(read_count "$1")" "$2" "$3" 2>/dev/null
 }
 
 # Keeps a round going: paid for, if it must be, and started.

@@ -1,4 +1,5 @@
 # poi.sh -- our own poi on a cable that never leaves the machine: dummy_hcd is both its ends.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
 poi_ids=1209:0001
 poi_gadget="sh /host/bin/kingyo-poi-gadget"
 
@@ -64,7 +65,10 @@ poi_unplug() { $poi_gadget detach >>/host/out/poi.log 2>&1; }
 poi_plug() { $poi_gadget attach >>/host/out/poi.log 2>&1; }
 
 # Whether the kiosk has it: through libusb, in place of the kernel's own driver.
-poi_is_taken() { ls /sys/bus/usb/drivers/usbfs | grep -q ':1.0$'; }
+poi_is_taken() {
+    set -- /sys/bus/usb/drivers/usbfs/*:1.0
+    [ -e "$1" ]
+}
 
 poi_stop() {
     kill $feeder
