@@ -7,6 +7,7 @@
 #include "drivers/poi_report.h"
 
 #define KEYBOARD_PAGE 0x0007u
+#define WORTH_KNOWN 100u /* More than anything that is only offered. */
 
 /* ---- Our own -------------------------------------------------------------------------------- */
 
@@ -109,6 +110,21 @@ void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
     }
     if (!hid_map_is_sound(out, descriptor)) {
         memset(out, 0, sizeof *out);
+    }
+}
+
+uint32_t hid_map_worth(const struct hid_identity *identity,
+                       const struct hid_descriptor *descriptor)
+{
+    struct hid_map map;
+    hid_map_choose(&map, identity, descriptor);
+    switch (map.source) {
+    case HID_MAP_NONE:
+        return 0;
+    case HID_MAP_OFFERED:
+        return hid_offer_worth(descriptor);
+    default:
+        return WORTH_KNOWN;
     }
 }
 

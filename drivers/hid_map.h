@@ -97,6 +97,11 @@ int hid_map_has_keyboard(const struct hid_descriptor *descriptor);
 void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
                     const struct hid_descriptor *descriptor);
 
+/* How well a hand is led by the map that hid_map_choose() finds, to compare interfaces of a device;
+ * 0: it finds none. */
+uint32_t hid_map_worth(const struct hid_identity *identity,
+                       const struct hid_descriptor *descriptor);
+
 /* Whether it can be played with: style and axes go together, every binding lies in the
  * descriptor's report of its id, no number is out of range. What was read from a file is asked. */
 int hid_map_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor);

@@ -67,6 +67,9 @@ int hid_offer_bits(struct hid_map *map, struct hid_binding binding);
 /* Fills `out` with the best that a descriptor offers; source HID_MAP_NONE: nothing. */
 void hid_offer_map(struct hid_map *out, const struct hid_descriptor *descriptor);
 
+/* How well a hand would be led by that, 0 .. 60; 0: by nothing. */
+uint32_t hid_offer_worth(const struct hid_descriptor *descriptor);
+
 /* Adds what a table of known devices says; 0: it knows none, `out` as it was. */
 int hid_known_map(struct hid_map *out, const struct hid_identity *identity,
                   const struct hid_descriptor *descriptor);

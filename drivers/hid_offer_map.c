@@ -206,21 +206,33 @@ static void map_surface(struct hid_map *map, const struct surface *surface)
     }
 }
 
-void hid_offer_map(struct hid_map *out, const struct hid_descriptor *descriptor)
+/* The surface that is worth most, and its worth; 0: there is none. */
+static uint32_t best_surface(const struct hid_descriptor *descriptor, struct surface *out)
 {
-    struct surface best = { 0 };
     uint32_t best_worth = 0;
-    memset(out, 0, sizeof *out);
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         struct surface surface;
         if (is_surface(descriptor, &descriptor->group[i], &surface)) {
             const uint32_t worth = worth_of(&surface);
-            best = worth > best_worth ? surface : best;
+            *out = worth > best_worth ? surface : *out;
             best_worth = worth > best_worth ? worth : best_worth;
         }
     }
-    if (best_worth > 0) {
+    return best_worth;
+}
+
+void hid_offer_map(struct hid_map *out, const struct hid_descriptor *descriptor)
+{
+    struct surface best = { 0 };
+    memset(out, 0, sizeof *out);
+    if (best_surface(descriptor, &best) > 0) {
         map_surface(out, &best);
         out->source = HID_MAP_OFFERED;
     }
+}
+
+uint32_t hid_offer_worth(const struct hid_descriptor *descriptor)
+{
+    struct surface best = { 0 };
+    return best_surface(descriptor, &best);
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drivers/hid_map.h"
 #include "drivers/poi_descriptor.h"
 
 /* ---- Keys ----------------------------------------------------------------------------------- */
@@ -159,27 +160,36 @@ static int is_keys(hid_usage application)
            page == 0x0cu || (page >= 0x80u && page <= 0x8eu) || page == 0xf1d0u;
 }
 
-enum usb_kind usb_choice_kind(const uint8_t *bytes, uint32_t size, struct hid_descriptor *scratch)
+/* Of fields that say something: whether all, or some, are of keys. */
+static enum usb_kind kind_by_fields(const struct hid_descriptor *descriptor)
 {
-    if (size == 0u) {
-        return USB_KIND_UNKNOWN;
-    }
-    if (poi_descriptor_is(bytes, size)) {
-        return USB_KIND_OWN;
-    }
-    if (hid_descriptor_read(scratch, bytes, size) != HID_OK) {
-        return USB_KIND_NOTHING;
-    }
     uint32_t keys = 0, others = 0;
-    for (uint32_t i = 0; i < scratch->group_count; i++) {
-        const struct hid_group *group = &scratch->group[i];
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        const struct hid_group *group = &descriptor->group[i];
         if (group->range_count > 0 && !(group->flags & HID_CONSTANT)) {
             *(is_keys(group->application) ? &keys : &others) += 1u;
         }
     }
-    return others == 0 ? (keys == 0 ? USB_KIND_NOTHING : USB_KIND_KEYS)
-           : keys == 0 ? USB_KIND_HAND
-                       : USB_KIND_MIXED;
+    return others > 0 ? USB_KIND_LEARNABLE : keys > 0 ? USB_KIND_KEYS : USB_KIND_NOTHING;
+}
+
+void usb_choice_read(struct usb_subject *subject, const uint8_t *bytes, uint32_t size,
+                     struct hid_descriptor *scratch)
+{
+    subject->kind = USB_KIND_UNKNOWN;
+    subject->worth = 0;
+    if (size == 0u) {
+        return;
+    }
+    if (hid_descriptor_read(scratch, bytes, size) != HID_OK) {
+        subject->kind = USB_KIND_NOTHING;
+        return;
+    }
+    subject->worth = (uint8_t)hid_map_worth(subject->identity, scratch);
+    subject->kind = (uint8_t)(poi_descriptor_is(bytes, size)    ? USB_KIND_OWN
+                              : hid_map_has_keyboard(scratch) ? USB_KIND_KEYS
+                              : subject->worth > 0            ? USB_KIND_HAND
+                                                              : kind_by_fields(scratch));
 }
 
 static int is_bench(const struct hid_identity *identity)
@@ -202,6 +212,30 @@ enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
         return wish || is_bench(subject->identity) ? USB_ASK : USB_FREE;
     }
     return wish || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
+}
+
+static uint32_t rank_of(const struct usb_choice *choice, const struct usb_subject *subject)
+{
+    switch (usb_choice_judge(choice, subject)) {
+    case USB_PLAYS:
+        return subject->kind == USB_KIND_LEARNABLE ? 2u : 4u;
+    case USB_ASK:
+        return 3u;
+    case USB_FREE:
+        return 1u;
+    default:
+        return 0u;
+    }
+}
+
+int usb_choice_is_better(const struct usb_choice *choice, const struct usb_subject *a,
+                         const struct usb_subject *b)
+{
+    const uint32_t rank = rank_of(choice, a), other = rank_of(choice, b);
+    return rank != other         ? rank > other
+           : a->kind != b->kind   ? a->kind > b->kind
+           : a->worth != b->worth ? a->worth > b->worth
+                                  : a->identity->interface_number < b->identity->interface_number;
 }
 
 /* ---- Seats ---------------------------------------------------------------------------------- */

@@ -3,7 +3,8 @@
  * Claimed is what somebody named: the operator in the menu (kept in a file), whoever started the
  * kiosk (--usb), and our own poi: its makers have ids of their own, so it is known by its report
  * descriptor. Where that cannot be read without claiming, only a named id is asked, and the one
- * that pid.codes keeps for anybody's bench. Keyboards are never claimed, whoever names them. */
+ * that pid.codes keeps for anybody's bench. What has keys to type with is never claimed, whoever
+ * names it. */
 #ifndef KINGYO_DRIVERS_USB_CHOICE_H
 #define KINGYO_DRIVERS_USB_CHOICE_H
 
@@ -59,22 +60,25 @@ int usb_choice_line(const struct usb_choice *choice, uint32_t index,
 enum usb_kind {
     USB_KIND_UNKNOWN = 0, /* It was not read yet. */
     USB_KIND_NOTHING,     /* No input fields, or it cannot be read. */
-    USB_KIND_KEYS,        /* A keyboard, media keys, a power supply: nothing that a hand leads. */
-    USB_KIND_MIXED,       /* Such keys, and something else. */
-    USB_KIND_HAND,        /* Something that may be led by a hand. */
+    USB_KIND_KEYS,        /* Keys to type with, whatever is beside them; or nothing but media keys,
+                             a power supply and the like: no hand leads those. */
+    USB_KIND_LEARNABLE,   /* Fields that no map of ours knows: it must be learned. */
+    USB_KIND_HAND,        /* A hand can lead it as it is: hid_map_choose() finds a map. */
     USB_KIND_OWN,         /* Our own poi, byte for byte. */
 };
-
-enum usb_kind usb_choice_kind(const uint8_t *bytes, uint32_t size, struct hid_descriptor *scratch);
 
 /* One interface of a device. */
 struct usb_subject {
     const struct hid_identity *identity;
     uint8_t is_boot_keyboard; /* By its interface descriptor, HID 1.11 section 4.2. */
     uint8_t kind;             /* enum usb_kind */
+    uint8_t worth;            /* hid_map_worth() */
 };
 
-/* In order of what is better, for a device of several interfaces. */
+/* Gives `subject` kind and worth by its report descriptor; size 0: that was not read yet. */
+void usb_choice_read(struct usb_subject *subject, const uint8_t *bytes, uint32_t size,
+                     struct hid_descriptor *scratch);
+
 enum usb_verdict {
     USB_BARRED = 0, /* Never. */
     USB_FREE,       /* Only if it is chosen. */
@@ -83,6 +87,12 @@ enum usb_verdict {
 };
 enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
                                   const struct usb_subject *subject);
+
+/* Of two interfaces of a device, whether `a` is the one to claim rather than `b`: one that can be
+ * played as it is, then one that is yet to be asked, then one that must be learned; of equals the
+ * one that leads a hand better, at last the one with the lower number. */
+int usb_choice_is_better(const struct usb_choice *choice, const struct usb_subject *a,
+                         const struct usb_subject *b);
 
 /* Who sits, or sat, where. */
 struct usb_place {

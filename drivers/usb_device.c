@@ -72,15 +72,23 @@ static uint32_t declared_size(const struct libusb_interface_descriptor *interfac
     return HID_DESCRIPTOR_MAX;
 }
 
-void usb_device_judge(struct usb_device *device, const struct usb_judge *judge)
+static struct usb_subject subject_of(const struct usb_device *device)
 {
-    device->kind = (uint8_t)usb_choice_kind(device->face.descriptor,
-                                            device->face.descriptor_size, judge->scratch);
-    const struct usb_subject subject = {
+    return (struct usb_subject){
         .identity = &device->face.identity,
         .is_boot_keyboard = device->is_boot_keyboard,
         .kind = device->kind,
+        .worth = device->worth,
     };
+}
+
+void usb_device_judge(struct usb_device *device, const struct usb_judge *judge)
+{
+    struct usb_subject subject = subject_of(device);
+    usb_choice_read(&subject, device->face.descriptor, device->face.descriptor_size,
+                    judge->scratch);
+    device->kind = subject.kind;
+    device->worth = subject.worth;
     device->verdict = (uint8_t)usb_choice_judge(judge->choice, &subject);
 }
 
@@ -107,9 +115,11 @@ static void look_at(struct usb_device *device, const struct usb_judge *judge,
     usb_device_judge(device, judge);
 }
 
-static int is_better(const struct usb_device *a, const struct usb_device *b)
+static int is_better(const struct usb_device *a, const struct usb_device *b,
+                     const struct usb_judge *judge)
 {
-    return a->verdict != b->verdict ? a->verdict > b->verdict : a->kind > b->kind;
+    const struct usb_subject first = subject_of(a), second = subject_of(b);
+    return usb_choice_is_better(judge->choice, &first, &second);
 }
 
 /* Of its interfaces the best: the first alternate setting of each, which is the one in force (HID
@@ -127,7 +137,7 @@ static int pick_interface(struct usb_device *device, const struct usb_judge *jud
             continue;
         }
         look_at(&found, judge, &interface->altsetting[0]);
-        if (!best.device || is_better(&found, &best)) {
+        if (!best.device || is_better(&found, &best, judge)) {
             best = found;
         }
     }

@@ -31,6 +31,7 @@ struct usb_device {
     uint8_t is_read;        /* `face.descriptor` came from the device itself. */
     uint8_t verdict;        /* enum usb_verdict */
     uint8_t kind;           /* enum usb_kind */
+    uint8_t worth;          /* hid_map_worth() */
     struct usb_pipe pipe;
     struct hid_face face;   /* descriptor_size 0: not known yet. */
 };

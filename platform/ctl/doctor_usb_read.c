@@ -70,24 +70,32 @@ static void read_interface(const struct doctor *doctor, const struct usb_choice 
     out->subject = (struct usb_subject){
         .identity = &device->identity,
         .is_boot_keyboard = out->subclass == BOOT && out->protocol == BOOT_KEYBOARD,
-        .kind = size ? (uint8_t)usb_choice_kind(bytes, size, &descriptor) : USB_KIND_UNKNOWN,
     };
+    usb_choice_read(&out->subject, bytes, size, &descriptor);
     out->verdict = usb_choice_judge(choice, &out->subject);
     if (size && hid_descriptor_read(&descriptor, bytes, size) == HID_OK) {
         hid_map_choose(&out->map, &device->identity, &descriptor);
     }
 }
 
-/* Whose interface is best to play with: what is told of a device is told of that. */
-static int is_better(const struct usb_interface *a, const struct usb_interface *b)
+/* Whose interface the kiosk would claim: what is told of a device is told of that. */
+static int is_better(const struct usb_choice *choice, const struct usb_interface *a,
+                     const struct usb_interface *b)
 {
-    return a->verdict != b->verdict             ? a->verdict > b->verdict
-           : a->subject.kind != b->subject.kind ? a->subject.kind > b->subject.kind
-                                                : a->number < b->number;
+    struct usb_subject first = a->subject, second = b->subject;
+    if (!first.identity || !second.identity) { /* Other classes than HID. */
+        return !first.identity == !second.identity ? a->number < b->number : !second.identity;
+    }
+    struct hid_identity one = *first.identity, other = *second.identity;
+    one.interface_number = (uint8_t)a->number;
+    other.interface_number = (uint8_t)b->number;
+    first.identity = &one;
+    second.identity = &other;
+    return usb_choice_is_better(choice, &first, &second);
 }
 
 static void read_interfaces(const struct doctor *doctor, const struct usb_choice *choice,
-                                struct usb_device *device, struct usb_interface *best)
+                            struct usb_device *device, struct usb_interface *best)
 {
     char path[OPTIONS_PATH_MAX + 64u];
     const size_t length = strlen(device->port);
@@ -101,7 +109,7 @@ static void read_interfaces(const struct doctor *doctor, const struct usb_choice
             struct usb_interface interface;
             read_interface(doctor, choice, device, entry->d_name, &interface);
             const bool is_first = count++ == 0;
-            if (is_first || is_better(&interface, best)) {
+            if (is_first || is_better(choice, &interface, best)) {
                 *best = interface;
             }
         }

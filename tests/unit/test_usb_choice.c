@@ -87,7 +87,7 @@ static void test_only_our_own_poi_plays_by_itself(void **state)
     const struct hid_identity bench = someone(USB_BENCH_VENDOR, USB_BENCH_PRODUCT, "", "1-1");
     assert_int_equal(judge(&nothing, &any, USB_KIND_OWN), USB_PLAYS);
     assert_int_equal(judge(&nothing, &any, USB_KIND_HAND), USB_FREE);
-    assert_int_equal(judge(&nothing, &any, USB_KIND_MIXED), USB_FREE);
+    assert_int_equal(judge(&nothing, &any, USB_KIND_LEARNABLE), USB_FREE);
     assert_int_equal(judge(&nothing, &any, USB_KIND_UNKNOWN), USB_FREE); /* Not even asked. */
     assert_int_equal(judge(&nothing, &bench, USB_KIND_UNKNOWN), USB_ASK);
     assert_int_equal(judge(&nothing, &bench, USB_KIND_HAND), USB_FREE);
@@ -152,15 +152,26 @@ static uint32_t read_hex(const char *path, uint8_t *out, uint32_t size)
     return count;
 }
 
-static enum usb_kind kind_of(const char *name)
+static struct usb_subject subject_of(const char *name, const struct hid_identity *identity)
 {
     uint8_t bytes[HID_DESCRIPTOR_MAX];
     char path[128];
+    struct usb_subject subject = { .identity = identity };
     snprintf(path, sizeof path, "tests/hid/good/descriptors/%s.hid", name);
-    return usb_choice_kind(bytes, read_hex(path, bytes, sizeof bytes), &scratch);
+    usb_choice_read(&subject, bytes, read_hex(path, bytes, sizeof bytes), &scratch);
+    return subject;
 }
 
-/* As their makers sell them: media keys are keys, a tablet with keys beside its pen is mixed. */
+static enum usb_kind kind_of_bytes(const uint8_t *bytes, uint32_t size)
+{
+    const struct hid_identity nobody = { 0 };
+    struct usb_subject subject = { .identity = &nobody };
+    usb_choice_read(&subject, bytes, size, &scratch);
+    return subject.kind;
+}
+
+/* As their makers sell them: media keys are keys; a tablet whose keys type, and a mouse whose do,
+ * are keyboards; vendors' own bytes must be learned. */
 static void test_real_devices_are_told_apart_by_their_descriptors(void **state)
 {
     (void)state;
@@ -175,19 +186,84 @@ static void test_real_devices_are_told_apart_by_their_descriptors(void **state)
         { "038-hd-sony-054c-0268", USB_KIND_HAND },
         { "049-hd-wacom-pen-tablet-056a-0081", USB_KIND_HAND },
         { "137-dg-huion-h610-if0", USB_KIND_HAND },
+        { "196-hr-0003-256c-006e-000a", USB_KIND_HAND },
+        { "144-dg-kye-easypen-m406-if0", USB_KIND_HAND },
         { "012-compact-keyboard-2222-0099-if1", USB_KIND_KEYS },
         { "036-hd-ion-15e4-0132", USB_KIND_KEYS },
         { "151-dg-ugee-m708-if2", USB_KIND_KEYS },
         { "171-ha-046d-b010-0001-000c", USB_KIND_KEYS },
         { "180-ha-046d-c534-0080-0001", USB_KIND_KEYS },
-        { "144-dg-kye-easypen-m406-if0", USB_KIND_MIXED },
-        { "214-hr-libinput-issue477-0003-28de-1142-0", USB_KIND_MIXED },
+        { "160-dg-xp-pen-star-06-if1", USB_KIND_KEYS },
+        { "207-hr-libinput-issue366-0003-046d-4082-0", USB_KIND_KEYS },
+        { "209-hr-libinput-issue410-0003-1532-0224-0", USB_KIND_KEYS },
+        { "214-hr-libinput-issue477-0003-28de-1142-0", USB_KIND_KEYS },
+        { "166-dg-huion-hs610-if0", USB_KIND_LEARNABLE },
+        { "182-ha-047f-c056-0003-ffa0", USB_KIND_LEARNABLE },
     };
+    const struct hid_identity nobody = { 0 };
     for (uint32_t i = 0; i < sizeof devices / sizeof devices[0]; i++) {
-        if (kind_of(devices[i].name) != devices[i].kind) {
-            fail_msg("%s is %d, not %u", devices[i].name, kind_of(devices[i].name),
-                     devices[i].kind);
+        const struct usb_subject subject = subject_of(devices[i].name, &nobody);
+        if (subject.kind != devices[i].kind) {
+            fail_msg("%s is %u, not %u", devices[i].name, subject.kind, devices[i].kind);
         }
+    }
+}
+
+/* Of `count` interfaces the one that would be claimed. */
+static uint32_t best_of(const struct usb_choice *choice, const char *const names[], uint32_t count)
+{
+    struct hid_identity identity[4];
+    struct usb_subject subject[4];
+    uint32_t best = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        identity[i] = someone(0x256c, 0x006e, "", "1-1");
+        identity[i].interface_number = (uint8_t)i;
+        subject[i] = names[i] ? subject_of(names[i], &identity[i])
+                              : (struct usb_subject){ .identity = &identity[i] };
+        best = i > 0 && usb_choice_is_better(choice, &subject[i], &subject[best]) ? i : best;
+    }
+    return best;
+}
+
+/* A tablet hides its pen behind a vendor's interface, a receiver its mouse behind a keyboard. */
+static void test_of_several_interfaces_the_one_that_leads_a_hand_best_is_claimed(void **state)
+{
+    (void)state;
+    static const char *const vendor = "166-dg-huion-hs610-if0";
+    static const char *const pen = "196-hr-0003-256c-006e-000a";
+    static const char *const mouse = "011-dell-413c-301a-mouse";
+    static const char *const typing = "207-hr-libinput-issue366-0003-046d-4082-0";
+    static const char *const media = "180-ha-046d-c534-0080-0001";
+    struct usb_choice choice = { 0 };
+    for (uint32_t chosen = 0; chosen < 2; chosen++) {
+        assert_int_equal(best_of(&choice, (const char *const[]){ vendor, pen }, 2), 1);
+        assert_int_equal(best_of(&choice, (const char *const[]){ pen, vendor }, 2), 0);
+        assert_int_equal(best_of(&choice, (const char *const[]){ mouse, pen, vendor }, 3), 1);
+        assert_int_equal(best_of(&choice, (const char *const[]){ typing, vendor, mouse }, 3), 2);
+        assert_int_equal(best_of(&choice, (const char *const[]){ media, vendor }, 2), 1);
+        assert_int_equal(best_of(&choice, (const char *const[]){ mouse, mouse }, 2), 0);
+        wish(&choice, "256c:006e", 1, 1);
+    }
+    /* No driver has bound the second yet: it is asked before the first must be learned. */
+    assert_int_equal(best_of(&choice, (const char *const[]){ vendor, NULL }, 2), 1);
+    assert_int_equal(best_of(&choice, (const char *const[]){ pen, NULL }, 2), 0);
+}
+
+static void test_keys_that_type_are_barred_with_whatever_is_beside_them(void **state)
+{
+    (void)state;
+    static const char *const names[] = {
+        "160-dg-xp-pen-star-06-if1",
+        "207-hr-libinput-issue366-0003-046d-4082-0",
+        "209-hr-libinput-issue410-0003-1532-0224-0",
+        "214-hr-libinput-issue477-0003-28de-1142-0",
+    };
+    struct usb_choice choice = { 0 };
+    const struct hid_identity who = someone(0x1234, 0x5678, "", "1-1");
+    wish(&choice, "1234:5678", 1, 1);
+    for (uint32_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        const struct usb_subject subject = subject_of(names[i], &who);
+        assert_int_equal(usb_choice_judge(&choice, &subject), USB_BARRED);
     }
 }
 
@@ -196,12 +272,12 @@ static void test_our_own_descriptor_is_known_to_the_last_byte(void **state)
     (void)state;
     uint8_t bytes[POI_DESCRIPTOR_SIZE];
     memcpy(bytes, poi_descriptor, sizeof bytes);
-    assert_int_equal(usb_choice_kind(bytes, sizeof bytes, &scratch), USB_KIND_OWN);
-    assert_int_equal(usb_choice_kind(bytes, 0, &scratch), USB_KIND_UNKNOWN);
+    assert_int_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
+    assert_int_equal(kind_of_bytes(bytes, 0), USB_KIND_UNKNOWN);
     bytes[1] ^= 1u; /* Another page of usages. */
-    assert_int_not_equal(usb_choice_kind(bytes, sizeof bytes, &scratch), USB_KIND_OWN);
+    assert_int_not_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_OWN);
     static const uint8_t cut_off[] = { 0x05 };
-    assert_int_equal(usb_choice_kind(cut_off, sizeof cut_off, &scratch), USB_KIND_NOTHING);
+    assert_int_equal(kind_of_bytes(cut_off, sizeof cut_off), USB_KIND_NOTHING);
 }
 
 static void test_what_no_hand_leads_is_barred(void **state)
@@ -213,7 +289,7 @@ static void test_what_no_hand_leads_is_barred(void **state)
         const uint8_t bytes[] = { 0x06, pages[i][0], pages[i][1], 0x09, pages[i][2], 0xa1, 0x01,
                                   0x09, 0x20, 0x15, 0x00, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x01,
                                   0x81, 0x02, 0xc0 };
-        assert_int_equal(usb_choice_kind(bytes, sizeof bytes, &scratch), USB_KIND_KEYS);
+        assert_int_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_KEYS);
     }
 }
 
@@ -387,6 +463,8 @@ int main(void)
         cmocka_unit_test(test_a_wish_with_a_serial_number_counts_more_than_one_without),
         cmocka_unit_test(test_a_full_list_forgets_its_oldest),
         cmocka_unit_test(test_real_devices_are_told_apart_by_their_descriptors),
+        cmocka_unit_test(test_of_several_interfaces_the_one_that_leads_a_hand_best_is_claimed),
+        cmocka_unit_test(test_keys_that_type_are_barred_with_whatever_is_beside_them),
         cmocka_unit_test(test_our_own_descriptor_is_known_to_the_last_byte),
         cmocka_unit_test(test_what_no_hand_leads_is_barred),
         cmocka_unit_test(test_who_comes_back_gets_its_own_seat),

@@ -192,7 +192,7 @@ static void test_other_interfaces_are_left_alone(void **state)
     (void)state;
     static const struct stand_kind pad = {
         .vendor = 0x054c, .product = 0x09cc, .name = "Pad", .is_bound = 1, .interface_count = 4,
-        .interface = { { .class = LIBUSB_CLASS_AUDIO }, KEYBOARD_INTERFACE, JOYSTICK_INTERFACE,
+        .interface = { VENDOR_INTERFACE, KEYBOARD_INTERFACE, JOYSTICK_INTERFACE,
                        { .class = LIBUSB_CLASS_AUDIO } },
     };
     bench_start(&bench, NULL, 0);

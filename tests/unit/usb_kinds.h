@@ -31,6 +31,12 @@ static const uint8_t joystick_descriptor[] = {
     0x95, 0x08, 0x81, 0x02, 0xc0,
 };
 
+/* Eight bytes that only their vendor knows, as tablets and receivers have them first. */
+static const uint8_t vendor_descriptor[] = {
+    0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 0x08,
+    0x95, 0x08, 0x81, 0x02, 0xc0,
+};
+
 #define OWN_INTERFACE                                                                              \
     {                                                                                              \
         .class = LIBUSB_CLASS_HID, .packet_size = 64, .has_out = 1,                                \
@@ -40,6 +46,11 @@ static const uint8_t joystick_descriptor[] = {
     {                                                                                              \
         .class = LIBUSB_CLASS_HID, .subclass = 1, .protocol = 1, .packet_size = 8,                 \
         .descriptor = keyboard_descriptor, .descriptor_size = sizeof keyboard_descriptor,          \
+    }
+#define VENDOR_INTERFACE                                                                           \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .packet_size = 8, .descriptor = vendor_descriptor,              \
+        .descriptor_size = sizeof vendor_descriptor,                                               \
     }
 #define JOYSTICK_INTERFACE                                                                         \
     {                                                                                              \
