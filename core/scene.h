@@ -199,6 +199,7 @@ struct scene_credit {
     uint8_t price;           /* Coins a credit; 0: free play. */
     uint8_t unpaid;          /* Nobody has paid, so nobody may play. */
     uint8_t warnings;        /* enum credit_warning */
+    uint8_t came_back;       /* What the last round cost: nothing of that round was counted. */
     uint32_t coins;          /* Towards the next credit. */
     uint32_t credits;
     float coin_s, asked_s;   /* Since the last coin fell, and since somebody wanted to play in

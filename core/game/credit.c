@@ -161,6 +161,7 @@ void credit_show(const struct core *core, struct scene_credit *out)
         .price = core->config.credit_coins,
         .unpaid = (uint8_t)!credit_can_play(core),
         .warnings = credit->warnings,
+        .came_back = credit->came_back,
         .coins = credit->coins,
         .credits = credit->credits,
         .coin_s = since_s(core, credit->coin_tick),

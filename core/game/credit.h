@@ -3,7 +3,8 @@
  * One credit plays for everybody who has a poi in hand: it is the tank that is hired. It is taken
  * when what was chosen begins, not when START is pressed: who only looks at the choice and leaves
  * has paid nothing. It comes back when that round ends because the pois' controllers went and
- * nobody came again, or because the operator opened the menu.
+ * nobody came again, or because the operator opened the menu; such a round wins no tickets and is
+ * neither a score nor a record.
  * All of it is in memory only: a kiosk that is switched off forgets what was not played. */
 #ifndef KINGYO_CORE_GAME_CREDIT_H
 #define KINGYO_CORE_GAME_CREDIT_H
@@ -65,7 +66,7 @@ void credit_take(struct core *core);
 /* What runs now ends, and not as it should: its credit comes back, if it took one. */
 void credit_give_back(struct core *core);
 
-/* The round is over: tickets for what each player caught, none for the bot. */
+/* The round is over and was not given back: tickets for what each player caught, none for a bot. */
 void credit_hand_out_tickets(struct core *core);
 
 /* What there is to see of it. */

@@ -1,4 +1,5 @@
-/* result.c -- the round is over: the count stands there for a while. */
+/* result.c -- the round is over: the count stands there for a while. What was given back was no
+ * round: else a plug that is pulled at a full bowl would be worth its prize again and again. */
 #include "core/core.h"
 #include "core/game/phases.h"
 #include "core/game/score.h"
@@ -11,8 +12,10 @@ void result_begin(struct core *core, struct output *output)
     }
     core->game.credit.is_paid = 0;
     phase_enter(core, PHASE_RESULT);
-    score_keep(core, output);
-    credit_hand_out_tickets(core);
+    if (!core->game.credit.came_back) {
+        score_keep(core, output);
+        credit_hand_out_tickets(core);
+    }
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
 

@@ -139,6 +139,21 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
     frame->batch->opacity = 1.0f;
 }
 
+/* Its credit came back, so nothing is counted: no figure, no place, no seal. */
+static void given_back(const struct ui_frame *frame, struct ui_box box)
+{
+    const float u = frame->unit, x = box.x + 0.5f * box.width;
+    const struct ui_text word = { .font = FONT_STALL, .size_px = 64.0f * u, .align = 0.5f,
+                                  .fill = 0xc8301effu, .fit_px = box.width - 60.0f * u };
+    const struct ui_text words = { .font = FONT_BODY, .size_px = 27.0f * u, .align = 0.5f,
+                                   .fill = UI_INK, .fit_px = box.width - 60.0f * u };
+    ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
+    ui_text(frame->batch, &word, x, ui_text_middle(&word, box.y + 238.0f * u),
+            text_words(frame->language, TEXT_GIVEN_BACK));
+    ui_text(frame->batch, &words, x, box.y + 338.0f * u,
+            text_words(frame->language, TEXT_GIVEN_BACK_WORDS));
+}
+
 static void one_players_result(const struct ui_frame *frame, const struct scene *scene,
                                struct ui_box box)
 {
@@ -223,6 +238,30 @@ static uint32_t most_caught(const struct scene *scene)
     return most;
 }
 
+/* A seal for who beat the day's best. */
+static void seal_of(const struct ui_frame *frame, const struct scene *scene,
+                    const struct ui_memory *memory, struct ui_box box)
+{
+    const float u = frame->unit, stamped = ui_smooth(1.6f, 1.8f, scene->phase_s);
+    const int record = rules_of(scene->mode)->keeps_score && !scene->by_bot &&
+                       most_caught(scene) > memory->best_before;
+    if (stamped > 0.0f && record) {
+        seal(frame, box.x + box.width - 130.0f * u, box.y - 8.0f * u, stamped);
+    }
+}
+
+static void counted(const struct ui_frame *frame, const struct scene *scene,
+                    const struct ui_memory *memory, struct ui_box box)
+{
+    if (ui_player_count(scene) > 1u) {
+        ranking(frame, scene, box);
+    } else {
+        one_players_result(frame, scene, box);
+    }
+    last_line(frame, scene, box);
+    seal_of(frame, scene, memory, box);
+}
+
 /* The call "time!" is seen before the card covers it. */
 static float after_call(const struct scene *scene)
 {
@@ -244,7 +283,6 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
                const struct ui_memory *memory)
 {
     const float u = frame->unit, in = ui_smooth(0.0f, 0.45f, scene->phase_s) * after_call(scene);
-    const int several = ui_player_count(scene) > 1u;
     const float width = fminf(680.0f * u, frame->width - 40.0f * u), height = 416.0f * u;
     const struct ui_box box = { 0.5f * (frame->width - width),
                                 0.45f * frame->height - 0.5f * height + 40.0f * u * (1.0f - in),
@@ -257,17 +295,10 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     card(frame, box);
     heading(frame, scene, box);
     frame->batch->opacity = 1.0f;
-    if (several) {
-        ranking(frame, scene, box);
+    if (scene->credit.came_back) {
+        given_back(frame, box);
     } else {
-        one_players_result(frame, scene, box);
-    }
-    last_line(frame, scene, box);
-    const float stamped = ui_smooth(1.6f, 1.8f, scene->phase_s);
-    const int record = rules_of(scene->mode)->keeps_score && !scene->by_bot &&
-                       most_caught(scene) > memory->best_before;
-    if (stamped > 0.0f && record) {
-        seal(frame, box.x + box.width - 130.0f * u, box.y - 8.0f * u, stamped);
+        counted(frame, scene, memory, box);
     }
     result_foot(frame, scene, memory);
 }

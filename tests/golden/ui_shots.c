@@ -105,7 +105,8 @@ static void fill_cabinet(struct scene *scene, const char *name)
         { "paid", { .price = 3, .credits = 2, .coin_s = 0.1f, .asked_s = 60.0f }, 0 },
         { "warned", { .warnings = WARN_TILT | WARN_DOOR | WARN_NO_POI }, 0 },
         { "ask", { .price = 1 }, 1 },
-        { "paidback", { .price = 1, .credits = 1, .coin_s = 60.0f, .asked_s = 60.0f }, 0 },
+        { "paidback",
+          { .price = 1, .credits = 1, .came_back = 1, .coin_s = 60.0f, .asked_s = 60.0f }, 0 },
     };
     for (size_t i = 0; i < sizeof cabinets / sizeof *cabinets; i++) {
         if (strcmp(cabinets[i].name, name) == 0) {

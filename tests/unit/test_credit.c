@@ -250,6 +250,53 @@ static void test_a_free_round_has_nothing_to_give_back(void **state)
     assert_int_equal(credit()->refunds, 0);
 }
 
+/* A plug that is pulled with a full bowl is worth neither prize nor place, however often. */
+static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    drop(PRICE);
+    for (uint32_t times = 1; times <= 3u; times++) {
+        hold_at(ABOVE_M);
+        press(INPUT_START);
+        steps(GAME_READY_TICKS + 10u);
+        assert_int_equal(core.game.phase, PHASE_ROUND);
+        core.game.player[0].caught = 14;
+        input.poi[0].link = POI_LINK_LOST;
+        steps(GAME_LOST_TICKS_MAX + 3u);
+        assert_int_equal(core.game.phase, PHASE_RESULT);
+        assert_int_equal(credit()->credits, 1);
+        assert_int_equal(credit()->refunds, times);
+        assert_int_equal(output.tickets, 0);
+        assert_int_equal(output.record.id, 0);
+        assert_int_equal(core.game.best_today[MODE_FESTIVAL], 0);
+        core_scene(&core, &scene);
+        assert_true(scene.credit.came_back);
+        steps(GAME_AGAIN_TICKS);
+    }
+    hold_at(ABOVE_M);
+    press(INPUT_START);
+    steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT); /* The next is played to its end. */
+    assert_int_equal(output.record.id, 1);
+    core_scene(&core, &scene);
+    assert_false(scene.credit.came_back);
+}
+
+static void test_a_free_round_whose_poi_is_lost_is_a_score(void **state)
+{
+    (void)state;
+    setup(state);
+    play_into_round();
+    steps(10);
+    core.game.player[0].caught = 14;
+    input.poi[0].link = POI_LINK_LOST;
+    steps(GAME_LOST_TICKS_MAX + 3u);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(output.record.caught, 14);
+    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 14);
+}
+
 /* ---- Tickets -------------------------------------------------------------------------------- */
 
 static void test_tickets_are_for_whole_handfuls_of_each_players_own(void **state)
@@ -395,6 +442,8 @@ int main(void)
                                setup_paid),
         cmocka_unit_test_setup(test_a_poi_that_comes_back_brings_no_credit_with_it, setup_paid),
         cmocka_unit_test(test_a_free_round_has_nothing_to_give_back),
+        cmocka_unit_test_setup(test_a_round_that_was_given_back_counts_for_nothing, setup_paid),
+        cmocka_unit_test(test_a_free_round_whose_poi_is_lost_is_a_score),
         cmocka_unit_test_setup(test_tickets_are_for_whole_handfuls_of_each_players_own,
                                setup_paid),
         cmocka_unit_test_setup(test_a_bot_wins_no_tickets, setup_paid),

@@ -200,6 +200,7 @@ static void test_what_is_paid_and_what_is_wrong_fits_in_every_phase(void **state
             .price = 20,
             .unpaid = count == 0,
             .warnings = (uint8_t)(k / (SIZE_COUNT * 24u) % 8u),
+            .came_back = (uint8_t)(k / 5u % 2u),
             .coins = k % 20u,
             .credits = count,
             .coin_s = 0.1f * (float)(k % 7u),
@@ -229,6 +230,29 @@ static void test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_pla
     scene.credit.price = 1;
     lay_out(sizes[0]);
     assert_true(glyph_quads() > free_play + 6u); /* "Credits 0" */
+}
+
+/* Neither figure, nor praise, nor place, nor seal: the card is the same whatever was caught. */
+static void test_a_round_that_was_given_back_is_told_without_a_count(void **state)
+{
+    (void)state;
+    static struct ui_vertex none_caught[sizeof batch.vertices / sizeof *batch.vertices];
+    for (uint8_t players = 1; players <= POI_MAX; players++) {
+        for (uint32_t caught = 0; caught < 60u; caught += 47u) {
+            set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_PAID_BACK, 6.0f);
+            set_match(MODE_CHAMPIONSHIP, players, 0);
+            scene.credit.came_back = 1;
+            for (uint32_t i = 0; i < POI_MAX; i++) {
+                scene.caught[i] = caught;
+            }
+            lay_out(sizes[0]);
+            if (caught == 0) {
+                memcpy(none_caught, batch.vertices, sizeof none_caught);
+            }
+            assert_memory_equal(batch.vertices, none_caught,
+                                4u * batch.quad_count * sizeof *none_caught);
+        }
+    }
 }
 
 static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
@@ -671,6 +695,7 @@ int main(void)
         cmocka_unit_test(test_every_mode_fits_with_one_to_four_players_and_all_that_is_called),
         cmocka_unit_test(test_every_count_of_fish_fits),
         cmocka_unit_test(test_what_is_paid_and_what_is_wrong_fits_in_every_phase),
+        cmocka_unit_test(test_a_round_that_was_given_back_is_told_without_a_count),
         cmocka_unit_test(
             test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play),
         cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
