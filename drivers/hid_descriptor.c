@@ -42,7 +42,12 @@ static enum hid_error add_range(struct reader *reader, hid_usage first, hid_usag
     if (out->range_count == HID_RANGE_MAX) {
         return HID_ERR_RANGES;
     }
-    out->range[out->range_count++] = (struct hid_range){ first, last };
+    uint32_t place = 0;
+    if (out->range_count > reader->range_first) {
+        const struct hid_range *before = &out->range[out->range_count - 1u];
+        place = before->place + (before->last - before->first) + 1u;
+    }
+    out->range[out->range_count++] = (struct hid_range){ first, last, place };
     return HID_OK;
 }
 

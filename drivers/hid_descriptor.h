@@ -30,6 +30,7 @@ typedef uint32_t hid_usage;
 
 struct hid_range {
     hid_usage first, last; /* Inclusive; first <= last. */
+    uint32_t place;        /* How many usages its group has before it: at most 2047 * 65536. */
 };
 
 /* What one Input item declared: `count` fields of `bit_size` bits, one after the other. */
@@ -85,8 +86,8 @@ const char *hid_error_text(enum hid_error error);
 /* How many usages a group has; 0: padding. */
 uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct hid_group *group);
 
-/* Its usage number `index`. A list that is too short repeats its last (HID 1.11, 6.2.2.8); 0 when
- * it has none. */
+/* Its usage number `index`, in the logarithm of its ranges. A list that is too short repeats its
+ * last (HID 1.11, 6.2.2.8); 0 when it has none. */
 hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        uint32_t index);
 

@@ -22,6 +22,7 @@ int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const stru
         return -1;
     }
     hand->map = *map;
+    hid_hand_find_arrays(hand);
     hand->report = (struct pointer_report){
         .x_px = 0.5f * WINDOW_WIDTH,
         .y_px = 0.5f * WINDOW_HEIGHT,

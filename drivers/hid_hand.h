@@ -29,6 +29,8 @@ struct hid_hand {
     /* Newest of each binding: [-1, 1]; of a STEP, steps; of a hat, its direction, -1 for none; of
      * what is pressed, 0 or 1. */
     float value[HID_BINDING_MAX];
+    uint16_t array[HID_BINDING_MAX]; /* Groups that are arrays and bound. */
+    uint32_t array_count;
     uint32_t awake;             /* Bindings of sticks that were seen near their rest, a bit each:
                                    one that never was is not there, or broken. */
     uint64_t time_ns;           /* Of the newest report. */

@@ -209,14 +209,14 @@ static void bind_axis(struct hid_learn *learn, const struct learn_field *field,
         binding.full = ways.back > 0 ? 1 : -1;
     } else if (is_stick(learn, field, one, other)) {
         binding.manner = HID_MANNER_RATE;
-        binding.rest = (int32_t)rest_of(field);
-        binding.full = (int32_t)(rest_of(field) + ways.back);
-        binding.dead = (int32_t)(DEAD_SHARE * f_abs((float)ways.back)) +
-                       (int32_t)(field->rest_high - field->rest_low);
+        binding.rest = rest_of(field);
+        binding.full = rest_of(field) + ways.back;
+        binding.dead = (int64_t)(DEAD_SHARE * f_abs((float)ways.back)) +
+                       (field->rest_high - field->rest_low);
     } else {
         binding.manner = HID_MANNER_PLACE;
-        binding.rest = (int32_t)(rest_of(field) + ways.there);
-        binding.full = (int32_t)(rest_of(field) + ways.back);
+        binding.rest = rest_of(field) + ways.there;
+        binding.full = rest_of(field) + ways.back;
     }
     hid_offer_bits(&learn->map, binding);
 }
@@ -225,8 +225,8 @@ static void bind_press(struct hid_learn *learn, const struct learn_field *field)
 {
     struct hid_binding binding = binding_of(learn, field, HID_ROLE_DIP);
     binding.manner = HID_MANNER_PRESS;
-    binding.rest = (int32_t)rest_of(field);
-    binding.full = (int32_t)(rest_of(field) + way_in(field, LEARN_DIP));
+    binding.rest = rest_of(field);
+    binding.full = rest_of(field) + way_in(field, LEARN_DIP);
     hid_offer_bits(&learn->map, binding);
 }
 

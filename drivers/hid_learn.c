@@ -113,7 +113,7 @@ static void hear_arrays(struct hid_learn *learn, int report_id, struct hid_repor
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
         if ((group->flags & (HID_VARIABLE | HID_CONSTANT)) || group->report_id != report_id ||
-            group->bit_size > 32u) {
+            group->bit_size > 32u || group->count > HID_ARRAY_MAX) {
             continue;
         }
         for (uint32_t j = 0; j < group->count; j++) {

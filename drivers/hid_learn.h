@@ -28,7 +28,7 @@ struct learn_field {
 
 /* A key of an array. */
 struct learn_key {
-    uint16_t group;
+    uint16_t group; /* Of at most HID_ARRAY_MAX elements. */
     uint8_t rested; /* It was down while all was still: none. */
     hid_usage usage;
 };

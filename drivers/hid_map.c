@@ -155,29 +155,43 @@ static int manner_fits(const struct hid_binding *binding)
     }
 }
 
+int hid_map_is_array_of(const struct hid_group *group, const struct hid_binding *binding)
+{
+    return !(group->flags & HID_VARIABLE) && group->count <= HID_ARRAY_MAX &&
+           group->report_id == binding->report_id && group->bit_offset == binding->bit_offset &&
+           group->bit_size == binding->bit_size;
+}
+
 static int is_array_at(const struct hid_descriptor *descriptor, const struct hid_binding *binding)
 {
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
-        const struct hid_group *group = &descriptor->group[i];
-        if (!(group->flags & HID_VARIABLE) && group->report_id == binding->report_id &&
-            group->bit_offset == binding->bit_offset && group->bit_size == binding->bit_size) {
+        if (hid_map_is_array_of(&descriptor->group[i], binding)) {
             return 1;
         }
     }
     return 0;
 }
 
+static int is_value(int64_t value)
+{
+    return value >= -HID_VALUE_MAX && value <= HID_VALUE_MAX;
+}
+
 static int binding_is_sound(const struct hid_binding *binding,
                             const struct hid_descriptor *descriptor)
 {
+    if (!is_value(binding->rest) || !is_value(binding->full)) {
+        return 0;
+    }
     const uint64_t end = (uint64_t)binding->bit_offset + binding->bit_size;
-    const int64_t span = (int64_t)binding->full - binding->rest;
+    const int64_t span = binding->full - binding->rest;
     const int64_t width = span < 0 ? -span : span;
     return binding->role > HID_ROLE_NONE && binding->role < HID_ROLE_COUNT &&
            manner_fits(binding) && binding->bit_size >= 1 && binding->bit_size <= 32 &&
            binding->is_signed <= 1 && end <= descriptor->report_bits[binding->report_id] &&
            span != 0 && binding->dead >= 0 && binding->dead < width &&
-           (binding->usage == 0 || is_array_at(descriptor, binding));
+           (binding->usage == 0 ||
+            (binding->manner == HID_MANNER_PRESS && is_array_at(descriptor, binding)));
 }
 
 static int has(const struct hid_map *map, enum hid_role role, enum hid_manner manner)

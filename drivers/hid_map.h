@@ -13,6 +13,13 @@
 
 #define HID_BINDING_MAX 32u /* Six axes, hat, tip, pressure, sequence, and buttons enough. */
 
+#define HID_VALUE_MAX 4294967295ll /* Of a field of 32 bits, whichever sign it has. */
+
+/* Elements of an array that keys may be bound to: a person has ten fingers, and real keyboards
+ * name six keys at a time, one of them fourteen. Each costs time in every report, and whoever
+ * writes a descriptor can ask for 65,536. */
+#define HID_ARRAY_MAX 16u
+
 /* What a field moves. */
 enum hid_role {
     HID_ROLE_NONE = 0,
@@ -54,9 +61,10 @@ struct hid_binding {
     uint8_t bit_size;       /* 1 .. 32 */
     uint8_t is_signed;      /* Two's complement; makers hide such numbers in vendors' bytes. */
     hid_usage usage;        /* Of an array: pressed while some element selects it; else 0. */
-    int32_t rest;           /* Value of a stick let go, a key not pressed, an axis' low end. */
-    int32_t full;           /* Value at the positive end; below `rest` turns the axis round. */
-    int32_t dead;           /* Around `rest` a RATE says nothing, in the field's steps. */
+    int64_t rest;           /* Value of a stick let go, a key not pressed, an axis' low end. */
+    int64_t full;           /* Value at the positive end; below `rest` turns the axis round. */
+    int64_t dead;           /* Around `rest` a RATE says nothing, in the field's steps. All three
+                               within +-HID_VALUE_MAX. */
 };
 
 /* How the hand as a whole is led. */
@@ -101,6 +109,10 @@ void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
  * 0: it finds none. */
 uint32_t hid_map_worth(const struct hid_identity *identity,
                        const struct hid_descriptor *descriptor);
+
+/* Whether a group is the array that such a binding's usage is an element of; one of more than
+ * HID_ARRAY_MAX elements is nobody's. */
+int hid_map_is_array_of(const struct hid_group *group, const struct hid_binding *binding);
 
 /* Whether it can be played with: style and axes go together, every binding lies in the
  * descriptor's report of its id, no number is out of range. What was read from a file is asked. */

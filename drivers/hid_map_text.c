@@ -31,14 +31,14 @@ _Static_assert(COUNT(style_words) == HID_STYLE_FLY + 1, "every style has a word"
 
 static int write_binding(const struct hid_binding *binding, char *text, size_t size)
 {
-    char dead[16] = "", usage[16] = "";
+    char dead[24] = "", usage[16] = "";
     if (binding->dead) {
-        snprintf(dead, sizeof dead, "~%" PRId32, binding->dead);
+        snprintf(dead, sizeof dead, "~%" PRId64, binding->dead);
     }
     if (binding->usage) {
         snprintf(usage, sizeof usage, "/%08" PRIx32, binding->usage);
     }
-    return snprintf(text, size, " %s=%s:%u:%c%u@%" PRIu32 ":%" PRId32 "..%" PRId32 "%s%s",
+    return snprintf(text, size, " %s=%s:%u:%c%u@%" PRIu32 ":%" PRId64 "..%" PRId64 "%s%s",
                     role_words[binding->role], manner_words[binding->manner], binding->report_id,
                     binding->is_signed ? 's' : 'u', binding->bit_size, binding->bit_offset,
                     binding->rest, binding->full, dead, usage);
@@ -124,10 +124,10 @@ static int read_tail(const char *at, struct hid_binding *out)
     int64_t value;
     if (*at == '~') {
         at++;
-        if (!read_number(&at, 10, 1, INT32_MAX, "", &value)) {
+        if (!read_number(&at, 10, 1, HID_VALUE_MAX, "", &value)) {
             return 0;
         }
-        out->dead = (int32_t)value;
+        out->dead = value;
     }
     if (*at == '/') {
         at++;
@@ -141,22 +141,20 @@ static int read_tail(const char *at, struct hid_binding *out)
 
 static int read_field(const char *at, struct hid_binding *out)
 {
-    int64_t report, bits, offset, rest, full;
+    int64_t report, bits, offset;
     if (!read_number(&at, 10, 0, 255, ":", &report) || (*at != 's' && *at != 'u')) {
         return 0;
     }
     out->is_signed = *at++ == 's';
     if (!read_number(&at, 10, 1, 32, "@", &bits) ||
         !read_number(&at, 10, 0, HID_REPORT_BITS_MAX, ":", &offset) ||
-        !read_number(&at, 10, INT32_MIN, INT32_MAX, "..", &rest) ||
-        !read_number(&at, 10, INT32_MIN, INT32_MAX, "", &full)) {
+        !read_number(&at, 10, -HID_VALUE_MAX, HID_VALUE_MAX, "..", &out->rest) ||
+        !read_number(&at, 10, -HID_VALUE_MAX, HID_VALUE_MAX, "", &out->full)) {
         return 0;
     }
     out->report_id = (uint8_t)report;
     out->bit_size = (uint8_t)bits;
     out->bit_offset = (uint32_t)offset;
-    out->rest = (int32_t)rest;
-    out->full = (int32_t)full;
     return read_tail(at, out);
 }
 

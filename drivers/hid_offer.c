@@ -69,11 +69,6 @@ static int is_bare_button(const struct hid_group *group)
     return group->bit_size == 1 && group->logical_min == 0 && group->logical_max == 0;
 }
 
-static int32_t to_i32(int64_t value)
-{
-    return (int32_t)(value < INT32_MIN ? INT32_MIN : value > INT32_MAX ? INT32_MAX : value);
-}
-
 static void set_ends(struct hid_binding *binding, const struct hid_group *group, int turned)
 {
     const uint32_t bits = group->bit_size - (group->logical_min < 0);
@@ -82,32 +77,29 @@ static void set_ends(struct hid_binding *binding, const struct hid_group *group,
     const int64_t high =
         group->logical_max < most && !is_bare_button(group) ? group->logical_max : most;
     const int64_t middle = low + (high - low + 1) / 2;
-    int64_t rest = low, full = high;
     switch (binding->manner) {
     case HID_MANNER_RATE:
-        rest = middle;
-        full = turned ? low : high;
+        binding->rest = middle;
+        binding->full = turned ? low : high;
         break;
     case HID_MANNER_STEP:
-        rest = 0;
-        full = turned ? -1 : 1;
+        binding->rest = 0;
+        binding->full = turned ? -1 : 1;
         break;
     default:
-        rest = turned ? high : low;
-        full = turned ? low : high;
+        binding->rest = turned ? high : low;
+        binding->full = turned ? low : high;
         break;
     }
-    binding->rest = to_i32(rest);
-    binding->full = to_i32(full);
 }
 
-static int32_t dead_of(const struct hid_group *group, uint8_t role, uint8_t manner)
+static int64_t dead_of(const struct hid_group *group, uint8_t role, uint8_t manner)
 {
     const int64_t half = (group->logical_max - group->logical_min) / 2;
     const int is_turn = role >= HID_ROLE_PITCH && role <= HID_ROLE_ROLL;
     if (manner == HID_MANNER_RATE || (manner == HID_MANNER_PLACE && is_turn)) {
         const int is_puck = group->application == USAGE_MULTI_AXIS;
-        return to_i32(half / (is_puck ? DEAD_SHARE_PUCK : DEAD_SHARE_STICK));
+        return half / (is_puck ? DEAD_SHARE_PUCK : DEAD_SHARE_STICK);
     }
     return 0;
 }
@@ -122,6 +114,9 @@ int hid_offer_bind(struct hid_map *map, struct hid_spot spot, enum hid_role role
         return 0;
     }
     const int is_array = !(group->flags & HID_VARIABLE);
+    if (is_array && (manner != HID_MANNER_PRESS || group->count > HID_ARRAY_MAX)) {
+        return 0;
+    }
     struct hid_binding binding = {
         .role = (uint8_t)role,
         .manner = (uint8_t)manner,

@@ -26,6 +26,9 @@ static struct hid_spot here(const struct surface *surface, hid_usage usage)
 /* 0: no hand can be led with it. Pens know best where they are; a mouse is led by everyone. */
 static uint32_t worth_of(const struct surface *surface)
 {
+    /* Less than the mouse that it says it is, too: until a host sets its Input Mode (usage 0d:52,
+     * a feature report), which none here does, it sends that mouse's reports and no finger's. */
+    enum { TOUCH_PAD_WORTH = 5u };
     const int places = !surface->relative;
     switch (surface->application) {
     case USAGE_MULTI_AXIS:
@@ -34,8 +37,9 @@ static uint32_t worth_of(const struct surface *surface)
     case USAGE_DIGITIZER:
         return places ? 50u : 0u;
     case USAGE_TOUCH_SCREEN:
-    case USAGE_TOUCH_PAD:
         return places ? 35u : 0u;
+    case USAGE_TOUCH_PAD:
+        return places ? TOUCH_PAD_WORTH : 0u;
     case USAGE_JOYSTICK:
     case USAGE_GAMEPAD:
         return places ? 30u : 0u;

@@ -1,30 +1,35 @@
 /* hid_report.c -- what was read, put to use: usages of groups, values of reports. */
+#include "drivers/hid_bits.h"
 #include "drivers/hid_descriptor.h"
 
 uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct hid_group *group)
 {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < group->range_count; i++) {
-        const struct hid_range *range = &descriptor->range[group->range_first + i];
-        count += range->last - range->first + 1u; /* One page each: at most 2048 * 65536. */
+    if (group->range_count == 0) {
+        return 0;
     }
-    return count;
+    const struct hid_range *last =
+        &descriptor->range[group->range_first + group->range_count - 1u];
+    return last->place + (last->last - last->first) + 1u;
 }
 
 hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        uint32_t index)
 {
-    hid_usage last = 0;
-    for (uint32_t i = 0; i < group->range_count; i++) {
-        const struct hid_range *range = &descriptor->range[group->range_first + i];
-        const uint32_t count = range->last - range->first + 1u;
-        if (index < count) {
-            return range->first + index;
-        }
-        index -= count;
-        last = range->last;
+    uint32_t low = 0, high = group->range_count; /* It is in a range of [low, high). */
+    if (high == 0) {
+        return 0;
     }
-    return last;
+    while (high - low > 1u) {
+        const uint32_t middle = low + (high - low) / 2u;
+        if (index < descriptor->range[group->range_first + middle].place) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    const struct hid_range *range = &descriptor->range[group->range_first + low];
+    const uint32_t within = index - range->place, most = range->last - range->first;
+    return range->first + (within < most ? within : most);
 }
 
 int hid_report_id(const struct hid_descriptor *descriptor, struct hid_report report)
@@ -45,26 +50,14 @@ int hid_report_is_whole(const struct hid_descriptor *descriptor, struct hid_repo
     return report.size >= payload + descriptor->has_report_ids;
 }
 
-/* Up to 32 bits from any place: at most five bytes. */
-static uint32_t bits_at(const uint8_t *bytes, uint32_t offset, uint32_t size)
-{
-    const uint32_t first = offset / 8u, last = (offset + size - 1u) / 8u;
-    uint64_t word = 0;
-    for (uint32_t i = first; i <= last; i++) {
-        word |= (uint64_t)bytes[i] << (8u * (i - first));
-    }
-    return (uint32_t)(word >> offset % 8u & ((1ull << size) - 1u));
-}
-
 int64_t hid_field_value(const struct hid_descriptor *descriptor, const struct hid_group *group,
                         uint32_t index, struct hid_report report)
 {
     const uint8_t *payload = report.bytes + descriptor->has_report_ids;
     const uint32_t size = group->bit_size < 32u ? group->bit_size : 32u;
-    const uint32_t raw = bits_at(payload, group->bit_offset + index * group->bit_size, size);
-    const int64_t half = (int64_t)1 << (size - 1u);
+    const uint32_t raw = hid_bits_at(payload, group->bit_offset + index * group->bit_size, size);
     const int is_signed = group->logical_min < 0 && (group->flags & HID_VARIABLE);
-    return is_signed && raw >= half ? (int64_t)raw - 2 * half : (int64_t)raw;
+    return is_signed ? hid_signed_bits(raw, size) : (int64_t)raw;
 }
 
 hid_usage hid_selected(const struct hid_descriptor *descriptor, const struct hid_group *group,

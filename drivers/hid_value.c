@@ -1,32 +1,23 @@
 /* hid_value.c -- bits to shares. */
 #include "drivers/hid_value.h"
 
+#include "drivers/hid_bits.h"
+
 #define PRESS_AT 0.5f    /* Of the way of a trigger; ... */
 #define RELEASE_AT 0.4f  /* ... it trembles no more than this between. */
 #define AWAKE_WITHIN 0.3f /* Of its way to either end a stick is let go. */
 #define HAT_DIRECTIONS 8.0f
 
-static uint32_t bits_at(const uint8_t *bytes, uint32_t offset, uint32_t size)
-{
-    const uint32_t first = offset / 8u, last = (offset + size - 1u) / 8u;
-    uint64_t word = 0;
-    for (uint32_t i = first; i <= last; i++) {
-        word |= (uint64_t)bytes[i] << (8u * (i - first));
-    }
-    return (uint32_t)(word >> offset % 8u & ((1ull << size) - 1u));
-}
-
 static int64_t raw_of(const struct hid_binding *binding, const uint8_t *payload)
 {
-    const uint32_t bits = bits_at(payload, binding->bit_offset, binding->bit_size);
-    const int64_t half = (int64_t)1 << (binding->bit_size - 1u);
-    return binding->is_signed && bits >= half ? (int64_t)bits - 2 * half : (int64_t)bits;
+    const uint32_t bits = hid_bits_at(payload, binding->bit_offset, binding->bit_size);
+    return binding->is_signed ? hid_signed_bits(bits, binding->bit_size) : (int64_t)bits;
 }
 
 /* How far it is from `rest` (0) to `full` (1), and beyond. */
 static float way_of(const struct hid_binding *binding, int64_t raw)
 {
-    const int64_t span = (int64_t)binding->full - binding->rest;
+    const int64_t span = binding->full - binding->rest;
     return (float)(raw - binding->rest) / (float)span;
 }
 
@@ -45,7 +36,7 @@ static float dead_share(const struct hid_binding *binding, float steps)
 
 static float stick_of(const struct hid_binding *binding, int64_t raw)
 {
-    const float span = (float)((int64_t)binding->full - binding->rest);
+    const float span = (float)(binding->full - binding->rest);
     return binding->manner == HID_MANNER_RATE
                ? past_dead(f_clamp(way_of(binding, raw), -1.0f, 1.0f), dead_share(binding, span))
                : past_dead(f_clamp(2.0f * way_of(binding, raw) - 1.0f, -1.0f, 1.0f),
@@ -63,25 +54,63 @@ static float hat_of(const struct hid_binding *binding, int64_t raw)
     return direction >= 0 && (float)direction < HAT_DIRECTIONS ? (float)direction : -1.0f;
 }
 
-/* Whether some element of the array that begins at the binding's bits selects its usage. */
-static int is_selected(const struct hid_hand *hand, const struct hid_binding *binding,
-                       struct hid_report report)
+/* Lets every binding of an array's go that a report of id `report_id` speaks of. */
+static void let_keys_go(struct hid_hand *hand, uint8_t report_id)
+{
+    for (uint32_t i = 0; i < hand->map.count; i++) {
+        if (hand->map.binding[i].usage && hand->map.binding[i].report_id == report_id) {
+            hand->value[i] = 0.0f;
+        }
+    }
+}
+
+static void press_key(struct hid_hand *hand, const struct hid_group *array, hid_usage usage)
+{
+    for (uint32_t i = 0; i < hand->map.count; i++) {
+        const struct hid_binding *binding = &hand->map.binding[i];
+        if (binding->usage == usage && binding->report_id == array->report_id &&
+            binding->bit_offset == array->bit_offset) {
+            hand->value[i] = 1.0f;
+        }
+    }
+}
+
+/* Each array that is bound is looked through once a report, however many bindings it has. */
+static void read_arrays(struct hid_hand *hand, uint8_t report_id, struct hid_report report)
 {
     const struct hid_descriptor *descriptor = &hand->descriptor;
-    for (uint32_t i = 0; i < descriptor->group_count; i++) {
-        const struct hid_group *group = &descriptor->group[i];
-        if ((group->flags & HID_VARIABLE) || group->report_id != binding->report_id ||
-            group->bit_offset != binding->bit_offset) {
-            continue;
-        }
-        for (uint32_t j = 0; j < group->count; j++) {
-            const int64_t raw = hid_field_value(descriptor, group, j, report);
-            if (hid_selected(descriptor, group, raw) == binding->usage) {
-                return 1;
+    let_keys_go(hand, report_id);
+    for (uint32_t i = 0; i < hand->array_count; i++) {
+        const struct hid_group *array = &descriptor->group[hand->array[i]];
+        for (uint32_t j = 0; array->report_id == report_id && j < array->count; j++) {
+            const hid_usage usage =
+                hid_selected(descriptor, array, hid_field_value(descriptor, array, j, report));
+            if (usage) {
+                press_key(hand, array, usage);
             }
         }
     }
+}
+
+static int is_bound(const struct hid_map *map, const struct hid_group *array)
+{
+    for (uint32_t i = 0; i < map->count; i++) {
+        if (map->binding[i].usage && hid_map_is_array_of(array, &map->binding[i])) {
+            return 1;
+        }
+    }
     return 0;
+}
+
+void hid_hand_find_arrays(struct hid_hand *hand)
+{
+    hand->array_count = 0;
+    for (uint32_t i = 0; i < hand->descriptor.group_count; i++) {
+        if (hand->array_count < HID_BINDING_MAX &&
+            is_bound(&hand->map, &hand->descriptor.group[i])) {
+            hand->array[hand->array_count++] = (uint16_t)i;
+        }
+    }
 }
 
 /* Sticks that rest in the middle count once they were seen there. */
@@ -113,8 +142,7 @@ static void read_binding(struct hid_hand *hand, uint32_t index, struct hid_repor
         *value = binding->full < binding->rest ? -(float)raw : (float)raw;
         break;
     case HID_MANNER_PRESS:
-        *value = binding->usage ? (float)is_selected(hand, binding, report)
-                                : pressed_of(way_of(binding, raw), *value);
+        *value = pressed_of(way_of(binding, raw), *value);
         break;
     case HID_MANNER_HAT:
         *value = hat_of(binding, raw);
@@ -128,9 +156,12 @@ static void read_binding(struct hid_hand *hand, uint32_t index, struct hid_repor
 int hid_hand_read(struct hid_hand *hand, uint8_t report_id, struct hid_report report)
 {
     int knows = 0;
+    read_arrays(hand, report_id, report);
     for (uint32_t i = 0; i < hand->map.count; i++) {
         if (hand->map.binding[i].report_id == report_id) {
-            read_binding(hand, i, report);
+            if (!hand->map.binding[i].usage) {
+                read_binding(hand, i, report);
+            }
             knows = 1;
         } else if (hand->map.binding[i].manner == HID_MANNER_STEP) {
             hand->value[i] = 0.0f;

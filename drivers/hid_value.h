@@ -4,6 +4,9 @@
 
 #include "drivers/hid_hand.h"
 
+/* Once, when the map is there: which arrays of the descriptor it binds. */
+void hid_hand_find_arrays(struct hid_hand *hand);
+
 /* Reads a whole report of id `report_id` into hand->value. 0: the map knows no such report. Steps
  * are of one report only. */
 int hid_hand_read(struct hid_hand *hand, uint8_t report_id, struct hid_report report);

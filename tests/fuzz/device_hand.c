@@ -1,21 +1,27 @@
-/* device_hand.c -- any controller, any map that is sound for it, any reports: a finite hand.
+/* device_hand.c -- any controller, any map that is sound for it, any reports: a finite hand, in
+ * bounded time.
  *
  * Input: vendor and product (two bytes each, low first), the size of the descriptor (likewise), the
  * descriptor, a map as a line of text ("": the one that is chosen), then reports: a byte of time, a
  * byte of size, as many bytes. */
 #include <string.h>
+#include <time.h>
 
 #include "drivers/hid_hand.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_STEP_NS 500000u /* Of the byte of time: up to 128 ms, and at 255 eight seconds. */
 
+/* Of a report, on its thread's clock and under the sanitizers, which make it 20 times as slow. */
+#define REPORT_NS_MAX 4000000ull
+#define REPORT_TRIES 3u /* What once took longer was perhaps the machine. */
+
 static const struct view view = {
     .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
 };
 static struct hid_face face;
 static struct hid_map map;
-static struct hid_hand hand;
+static struct hid_hand hand, before;
 
 static uint16_t word_at(const uint8_t *bytes)
 {
@@ -47,6 +53,28 @@ static void hold_hand(uint64_t time_ns)
     HOLD(again.pressed == 0 && again.held == buttons.held); /* An edge is told once. */
 }
 
+static uint64_t cpu_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
+}
+
+static int report_in_time(const struct hid_raw *raw)
+{
+    uint64_t took = REPORT_NS_MAX + 1u;
+    int moved = 0;
+    before = hand;
+    for (uint32_t i = 0; i < REPORT_TRIES && took > REPORT_NS_MAX; i++) {
+        hand = before;
+        const uint64_t begun = cpu_ns();
+        moved = hid_hand_report(&hand, raw);
+        took = cpu_ns() - begun;
+    }
+    HOLD(took <= REPORT_NS_MAX);
+    return moved;
+}
+
 static void play(const uint8_t *bytes, size_t size)
 {
     struct hid_raw raw = { .time_ns = 1000000000u };
@@ -56,7 +84,7 @@ static void play(const uint8_t *bytes, size_t size)
         raw.time_ns += bytes[0] == 255u ? 8000000000u : bytes[0] * TIME_STEP_NS;
         raw.size = (uint32_t)taken;
         memcpy(raw.bytes, bytes + 2, taken);
-        const int moved = hid_hand_report(&hand, &raw);
+        const int moved = report_in_time(&raw);
         HOLD(moved == 0 || moved == 1);
         HOLD(hand.report_count == ++count && hand.refused_count <= count);
         hold_hand(raw.time_ns + bytes[0]);

@@ -141,9 +141,9 @@ static void hold_leading(const struct leads *leads)
     assert_float_equal(led(&hand, leads, 0.5f, 0.5f, 1).y, DIP_DEPTH_M, 1e-3f);
 }
 
-static void learns(const struct leads *leads)
+/* What is on the wire already. */
+static void learns_this(const struct leads *leads)
 {
-    wire_load(&wire, &clock_now, leads->name);
     teach(leads);
     if (learn.step != LEARN_TRY) {
         fail_msg("%s was not learned", leads->name);
@@ -152,6 +152,12 @@ static void learns(const struct leads *leads)
     assert_int_equal(learn.map.binding[0].manner, leads->manner);
     assert_true(hid_map_is_sound(&learn.map, &wire.descriptor));
     hold_leading(leads);
+}
+
+static void learns(const struct leads *leads)
+{
+    wire_load(&wire, &clock_now, leads->name);
+    learns_this(leads);
 }
 
 static const struct leads devices[] = {
@@ -185,6 +191,24 @@ static void test_one_that_lies_the_other_way_round_is_learned_as_it_lies(void **
         turned.turned = 1;
         learns(&turned);
     }
+}
+
+static void test_axes_of_32_bits_are_learned_to_their_ends(void **state)
+{
+    static const struct leads wide = { "a joystick of 0 .. 2^32 - 1", USAGE_X, USAGE_Y,
+                                       USAGE_BUTTON + 1u, 0, HID_MANNER_RATE, 0, 0 };
+    static const uint8_t bytes[] = {
+        0x05, 1,    0x09, 4,    0xa1, 1, 0x09, 0x30, 0x09, 0x31, 0x15, 0, 0x27, 0xff, 0xff, 0xff,
+        0xff, 0x75, 32,   0x95, 2,    0x81, 2, 0x05, 9,    0x19, 1,    0x29, 8,    0x25, 1,
+        0x75, 1,    0x95, 8,    0x81, 2, 0xc0,
+    };
+    (void)state;
+    wire_begin(&wire, &clock_now, bytes, sizeof bytes);
+    learns_this(&wide);
+    assert_true(learn.map.binding[0].full > INT32_MAX);
+    assert_int_equal(learn.offered.source, HID_MAP_OFFERED); /* It is played as it is, too. */
+    learn.map = learn.offered;
+    hold_leading(&wide);
 }
 
 /* A pad's report counts, and its clock runs: none of that is an axis. */
@@ -299,6 +323,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_real_devices_are_learned),
         cmocka_unit_test(test_one_that_lies_the_other_way_round_is_learned_as_it_lies),
+        cmocka_unit_test(test_axes_of_32_bits_are_learned_to_their_ends),
         cmocka_unit_test(test_what_counts_or_trembles_at_rest_is_no_axis),
         cmocka_unit_test(test_the_buttons_that_were_not_shown_stay_what_they_were),
         cmocka_unit_test(test_nothing_shown_is_nothing_learned),

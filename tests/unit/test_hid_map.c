@@ -252,6 +252,8 @@ static void test_one_wrong_number_makes_a_map_unsound(void **state)
     SPOIL(map.binding[0].bit_size = 0);
     SPOIL(map.binding[0].bit_size = 33);
     SPOIL(map.binding[0].full = map.binding[0].rest);
+    SPOIL(map.binding[0].full = HID_VALUE_MAX + 1);
+    SPOIL(map.binding[0].rest = INT64_MIN);
     SPOIL(map.binding[0].dead = -1);
     SPOIL(map.binding[0].dead = 127);
     SPOIL(map.binding[5].usage = 0x00070004); /* There is no array. */
@@ -281,7 +283,7 @@ static void test_words_that_are_no_map_are_refused_with_a_reason(void **state)
         "learned fly x=rate:1:u0@0:0..1",
         "learned fly x=rate:1:u33@0:0..1",
         "learned fly x=rate:1:u8@70000:0..1",
-        "learned fly x=rate:1:u8@0:0..2147483648",
+        "learned fly x=rate:1:u8@0:0..4294967296",
         "learned fly x=rate:1:u8@0:0..99999999999999999999",
         "learned fly x=rate:1:u8@0:0..1~0",
         "learned fly x=rate:1:u8@0:0..1/0",
@@ -328,12 +330,53 @@ static void test_the_longest_map_fits_its_line(void **state)
         map.binding[i] = (struct hid_binding){
             .role = HID_ROLE_SEQUENCE, .manner = HID_MANNER_PLACE, .report_id = 255,
             .bit_offset = HID_REPORT_BITS_MAX, .bit_size = 32, .is_signed = 1,
-            .usage = UINT32_MAX, .rest = INT32_MIN, .full = INT32_MIN + 1, .dead = INT32_MAX,
+            .usage = UINT32_MAX, .rest = -HID_VALUE_MAX, .full = -HID_VALUE_MAX + 1,
+            .dead = HID_VALUE_MAX,
         };
     }
     assert_int_equal(hid_map_write(&map, line), 0);
     assert_int_equal(hid_map_read(&back, line, why), 0);
     assert_int_equal(back.binding[HID_BINDING_MAX - 1u].usage, UINT32_MAX);
+    assert_true(back.binding[HID_BINDING_MAX - 1u].rest == -HID_VALUE_MAX);
+    assert_true(back.binding[HID_BINDING_MAX - 1u].dead == HID_VALUE_MAX);
+}
+
+/* A joystick of two axes, and buttons 1 .. 4 named by an array of so many elements. */
+static void load_array(uint8_t elements)
+{
+    const uint8_t bytes[] = { 0x05, 1, 0x09, 4, 0xa1, 1, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25,
+                              127,  0x75, 8, 0x95, 2, 0x81, 2, 0x05, 9, 0x19, 1, 0x29, 4, 0x15, 1,
+                              0x25, 4, 0x75, 8, 0x95, elements, 0x81, 0, 0xc0 };
+    wire_begin(&wire, &clock_now, bytes, sizeof bytes);
+}
+
+static void test_an_array_of_more_keys_than_fingers_is_bound_to_nothing(void **state)
+{
+    struct hid_map map;
+    (void)state;
+    load_array(HID_ARRAY_MAX);
+    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(map.style, HID_STYLE_FLY);
+    assert_int_equal(binding_of(&map, HID_ROLE_DIP)->usage, USAGE_BUTTON + 1u);
+    load_array(HID_ARRAY_MAX + 1u);
+    assert_false(hid_map_is_sound(&map, &wire.descriptor)); /* As a file might want it. */
+    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(map.source, HID_MAP_NONE); /* For nothing dips. */
+}
+
+static void test_a_touchpad_that_is_also_a_mouse_is_played_as_one(void **state)
+{
+    static const char *const pads[] = { "073-hd-elan-04f3-300b",
+                                        "211-hr-libinput-issue423-0018-0488-121f-0",
+                                        "218-hr-libinput-issue674-0018-0911-5288-0" };
+    struct hid_map map;
+    (void)state;
+    for (uint32_t i = 0; i < 3; i++) {
+        wire_load(&wire, &clock_now, pads[i]);
+        hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+        assert_int_equal(map.style, HID_STYLE_POINTER);
+        assert_int_equal(binding_of(&map, HID_ROLE_X)->manner, HID_MANNER_STEP);
+    }
 }
 
 int main(void)
@@ -350,6 +393,8 @@ int main(void)
         cmocka_unit_test(test_words_that_are_no_map_are_refused_with_a_reason),
         cmocka_unit_test(test_a_line_with_too_many_bindings_is_refused),
         cmocka_unit_test(test_the_longest_map_fits_its_line),
+        cmocka_unit_test(test_an_array_of_more_keys_than_fingers_is_bound_to_nothing),
+        cmocka_unit_test(test_a_touchpad_that_is_also_a_mouse_is_played_as_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
