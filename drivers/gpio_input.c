@@ -3,25 +3,53 @@
 
 #define NEVER UINT64_MAX
 
+static const struct gpio_looks no_looks = { NEVER, NEVER, NEVER };
+
 struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t now_ns)
 {
     return (struct gpio_input){
         .debounce = debounce_begin(debounce_ns, active, now_ns),
         .blinked_ns = NEVER,
-        .doubted_ns = NEVER,
+        .other = no_looks,
     };
 }
 
-/* A pulse from the blink before to this one: both were read when it was over. */
-static bool take_pair(struct gpio_input *input, uint64_t end_ns, struct debounce_turn *out)
+/* ---- Looks ---------------------------------------------------------------------------------- */
+
+/* The level is still another than the edges say. */
+static bool is_doubted(const struct gpio_looks *other)
+{
+    return other->since_ns != NEVER && other->back_ns == NEVER;
+}
+
+/* Seen twice, and no edge was told meanwhile: the kernel is late by more than a spark lasts. */
+static bool is_proof(const struct gpio_looks *other)
+{
+    return other->since_ns != NEVER && other->last_ns - other->since_ns >= GPIO_PROOF_NS;
+}
+
+/* Forgets what was looked at. A level that came and went and that no edge explained is a loss. */
+static void end_looks(struct gpio_input *input, bool is_explained)
+{
+    const struct gpio_looks *other = &input->other;
+    input->lost += !is_explained && is_proof(other) && !is_doubted(other);
+    input->other = no_looks;
+}
+
+/* ---- Edges ---------------------------------------------------------------------------------- */
+
+/* The edge to the level that was seen behind it: the kernel read it when that was over. */
+static bool take_late(struct gpio_input *input, uint64_t time_ns, struct debounce_turn *out)
 {
     struct debounce *debounce = &input->debounce;
-    const bool active = debounce->raw;
-    const uint64_t begin_ns = input->blinked_ns;
+    const bool before = debounce->raw;
+    const uint64_t back_ns = input->other.back_ns;
+    input->late++;
     input->blinked_ns = NEVER;
-    input->pairs++;
-    debounce_edge(debounce, begin_ns, !active, out); /* Out of rest: nothing is to be settled. */
-    return debounce_edge(debounce, end_ns, active, out);
+    input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns; /* Masked until then. */
+    end_looks(input, true);
+    const bool turned = debounce_edge(debounce, time_ns, !before, out);
+    return turned || back_ns == NEVER ? turned : debounce_edge(debounce, back_ns, before, out);
 }
 
 /* The line left its level and was back before the kernel looked: what stood, stands anew. */
@@ -33,14 +61,15 @@ static bool take_blink(struct gpio_input *input, const struct gpio_edge *edge,
         return false; /* What the kernel debounced does not blink. */
     }
     input->blinks++;
-    if (input->blinked_ns != NEVER && edge->time_ns <= input->seen_ns + GPIO_PAIR_NS) {
-        return take_pair(input, edge->time_ns, out);
-    }
+    const bool is_pair = input->blinked_ns != NEVER &&
+                         edge->time_ns <= input->told_ns + GPIO_PAIR_NS &&
+                         edge->time_ns >= input->blinked_ns + debounce->period_ns;
     const bool active = debounce->raw;
     const bool rests = !active && !debounce->stable &&
                        edge->time_ns >= debounce->since_ns + GPIO_UNDER_WAY_NS;
-    input->blinked_ns = rests ? edge->time_ns : NEVER;
-    input->seen_ns = edge->taken_ns;
+    input->doubtful += is_pair;
+    input->blinked_ns = rests && !is_pair ? edge->time_ns : NEVER;
+    input->told_ns = edge->taken_ns;
     struct debounce_turn none;
     const bool turned = debounce_edge(debounce, edge->time_ns, !active, out);
     debounce_edge(debounce, edge->time_ns, active, &none); /* At once: nothing can settle. */
@@ -50,14 +79,37 @@ static bool take_blink(struct gpio_input *input, const struct gpio_edge *edge,
 bool gpio_input_edge(struct gpio_input *input, const struct gpio_edge *edge,
                      struct debounce_turn *out)
 {
+    const struct gpio_looks *other = &input->other;
     const bool active = edge->active != 0;
+    const bool changes = active != input->debounce.raw;
     input->lost += edge->lost_before;
-    input->doubted_ns = NEVER;
-    if (edge->lost_before == 0 && active == input->debounce.raw) {
+    if (edge->time_ns <= input->believed_ns) {
+        return false; /* Older news than the level. */
+    }
+    if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
+        (!changes || !is_doubted(other))) {
+        return take_late(input, edge->time_ns, out);
+    }
+    end_looks(input, false);
+    if (edge->lost_before == 0 && !changes) {
         return take_blink(input, edge, out);
     }
     input->blinked_ns = NEVER;
     return debounce_edge(&input->debounce, edge->time_ns, active, out);
+}
+
+/* ---- Levels --------------------------------------------------------------------------------- */
+
+/* The level is another than the edges say. True: for so long that it is believed. */
+static bool doubt(struct gpio_input *input, uint64_t now_ns)
+{
+    struct gpio_looks *other = &input->other;
+    if (!is_doubted(other)) {
+        end_looks(input, false);
+        other->since_ns = now_ns;
+    }
+    other->last_ns = now_ns;
+    return now_ns - other->since_ns >= GPIO_UNDER_WAY_NS;
 }
 
 bool gpio_input_level(struct gpio_input *input, uint64_t now_ns, bool active,
@@ -65,22 +117,27 @@ bool gpio_input_level(struct gpio_input *input, uint64_t now_ns, bool active,
 {
     bool turned = false;
     if (active != input->debounce.raw) {
-        input->doubted_ns = input->doubted_ns == NEVER ? now_ns : input->doubted_ns;
-        if (now_ns - input->doubted_ns < GPIO_UNDER_WAY_NS) {
+        if (!doubt(input, now_ns)) {
             return false;
         }
-        turned = debounce_edge(&input->debounce, input->doubted_ns, active, out);
+        turned = debounce_edge(&input->debounce, input->other.since_ns, active, out);
+        input->believed_ns = now_ns;
         input->blinked_ns = NEVER;
         input->lost++;
+        input->other = no_looks;
+    } else if (is_doubted(&input->other)) {
+        input->other.back_ns = now_ns;
+        if (!is_proof(&input->other)) {
+            input->other = no_looks;
+        }
     }
-    input->doubted_ns = NEVER;
     return turned || debounce_settle(&input->debounce, now_ns, out);
 }
 
 uint64_t gpio_input_due_ns(const struct gpio_input *input)
 {
-    return input->doubted_ns != NEVER ? input->doubted_ns + GPIO_UNDER_WAY_NS
-                                      : debounce_due_ns(&input->debounce);
+    return is_doubted(&input->other) ? input->other.since_ns + GPIO_UNDER_WAY_NS
+                                     : debounce_due_ns(&input->debounce);
 }
 
 uint64_t gpio_input_known_ns(const struct gpio_input *input, uint64_t now_ns)
@@ -88,5 +145,6 @@ uint64_t gpio_input_known_ns(const struct gpio_input *input, uint64_t now_ns)
     const struct debounce *debounce = &input->debounce;
     const uint64_t pending_ns = debounce->raw != debounce->stable ? debounce->since_ns : now_ns;
     const uint64_t known_ns = pending_ns < now_ns ? pending_ns : now_ns;
-    return input->doubted_ns < known_ns ? input->doubted_ns : known_ns;
+    return is_doubted(&input->other) && input->other.since_ns < known_ns ? input->other.since_ns
+                                                                         : known_ns;
 }

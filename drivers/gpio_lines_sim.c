@@ -53,8 +53,9 @@ static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
 static void move_wire(struct gpio_lines_sim *sim, const struct gpio_sim_event *event)
 {
     struct gpio_sim_line *line = &sim->lines[event->role];
-    const bool is_edge = line->level != event->active;
-    line->level = event->active;
+    const bool is_spark = event->what == GPIO_SIM_SPARK;
+    const bool is_edge = is_spark || line->level != event->active;
+    line->level = is_spark ? line->level : event->active;
     if (!is_edge || !(sim->held & 1u << event->role)) {
         return;
     }

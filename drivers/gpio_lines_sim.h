@@ -15,6 +15,7 @@
 
 enum gpio_sim_what {
     GPIO_SIM_LEVEL = 0, /* The wire of `role` is at `active` (after active_low) from now on. */
+    GPIO_SIM_SPARK,     /* It comes and goes as one edge: of chips with one event bit a line. */
     GPIO_SIM_GONE,      /* The chip of every line is pulled out ... */
     GPIO_SIM_BACK,      /* ... and plugged in again. Wires move meanwhile, unseen. */
 };

@@ -55,17 +55,19 @@ static void publish(struct gpio_reader *reader)
 {
     struct coin_mech *coin = &reader->coin;
     struct gpio_total *total = &reader->total;
-    uint32_t lost = 0;
+    uint32_t lost = 0, doubtful = 0;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
         lost += reader->inputs[i].lost;
-        reader->inputs[i].lost = 0;
+        doubtful += reader->inputs[i].doubtful;
+        reader->inputs[i].lost = reader->inputs[i].doubtful = 0;
     }
     atomic_fetch_add(&reader->coins, coin->coins);
-    atomic_fetch_add(&reader->faults, coin_mech_faults(coin) + lost);
+    atomic_fetch_add(&reader->faults, coin_mech_faults(coin) + lost + doubtful);
     total->coins += coin->coins;
     total->too_short += coin->too_short;
     total->stuck += coin->stuck;
     total->cut += coin->cut;
+    total->doubtful += doubtful;
     total->lost_edges += lost;
     coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
 }
@@ -166,13 +168,19 @@ static int ask(struct gpio_reader *reader)
 
 /* ---- One round ------------------------------------------------------------------------------ */
 
+static void earlier(uint64_t *due_ns, uint64_t other_ns)
+{
+    *due_ns = other_ns < *due_ns ? other_ns : *due_ns;
+}
+
 static uint64_t input_due_ns(const struct gpio_reader *reader, enum gpio_role role)
 {
-    const uint64_t due_ns = gpio_input_due_ns(&reader->inputs[role]);
-    if (role != GPIO_COIN || due_ns != UINT64_MAX) {
-        return due_ns;
+    uint64_t due_ns = gpio_input_due_ns(&reader->inputs[role]);
+    if (role == GPIO_COIN) {
+        due_ns = due_ns == UINT64_MAX ? coin_mech_due_ns(&reader->coin) : due_ns;
+        earlier(&due_ns, reader->coin_look_ns);
     }
-    return coin_mech_due_ns(&reader->coin);
+    return due_ns;
 }
 
 static void take_edges(struct gpio_reader *reader, struct gpio_edge *edges, uint32_t count,
@@ -204,6 +212,9 @@ static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
         }
         const int level = lines->ops->level(lines->self, role);
         struct debounce_turn turn;
+        if (role == GPIO_COIN) {
+            reader->coin_look_ns = now + GPIO_COIN_LOOK_NS;
+        }
         if (level == HAL_ERR_GONE) {
             lose_lines(reader);
         }
@@ -246,11 +257,6 @@ static void drive_outputs(struct gpio_reader *reader)
         owed += reader->had & bit_of(role) ? train->left + train->on : 0u;
     }
     atomic_store(&reader->owed, owed);
-}
-
-static void earlier(uint64_t *due_ns, uint64_t other_ns)
-{
-    *due_ns = other_ns < *due_ns ? other_ns : *due_ns;
 }
 
 static uint32_t wait_ms(const struct gpio_reader *reader)

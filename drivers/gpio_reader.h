@@ -15,10 +15,12 @@
 
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
 #define GPIO_WAIT_MS_MAX 20u /* How late a lamp may be, and a level that no edge told of. */
+#define GPIO_COIN_LOOK_NS 5000000u /* COIN's level is read this often: thrice in its least pulse. */
 
 /* What was counted since the lines were asked for first. */
 struct gpio_total {
     uint32_t coins, too_short, stuck, cut; /* As coin_mech's. */
+    uint32_t doubtful;                     /* Two sparks, or a coin that nobody saw. */
     uint32_t lost_edges, lost_chips;
 };
 
@@ -31,7 +33,8 @@ struct gpio_reader {
     uint32_t had;                            /* Lines held, a bit each role. */
     uint32_t lit;                            /* Outputs that were last set active. */
     uint64_t retry_ns;                       /* When what is missing is asked for again. */
-    uint64_t watch_ns;                       /* When every level is read again. */
+    uint64_t watch_ns;                       /* When every level is read again, */
+    uint64_t coin_look_ns;                   /* and COIN's. */
     struct gpio_input inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin;
     struct pulse_train trains[GPIO_OUTPUT_COUNT];

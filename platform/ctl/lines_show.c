@@ -91,6 +91,8 @@ static void show_coins(const struct lines_show *show, FILE *out)
     show_count(show, out, "too short for a coin", before->too_short, now->too_short);
     show_count(show, out, "a coin sticks", before->stuck, now->stuck);
     show_count(show, out, "its line went in mid-pulse", before->cut, now->cut);
+    show_count(show, out, "two sparks, or a coin that nobody saw", before->doubtful,
+               now->doubtful);
 }
 
 void lines_show_rows(struct lines_show *show, FILE *out)

@@ -2,14 +2,15 @@
  * the order of their times, and a line that stands still is believed in the end.
  *
  * Input: the debounce period in 0.1 ms and the first level; then two bytes a step, low first: 12
- * bits of time in 50 us, three that say what comes (an edge, one behind lost ones, a level), and
- * the level that it claims. */
+ * bits of time in 50 us, three that say what comes (an edge, one that is told late, one behind lost
+ * ones, a level), and the level that it claims. */
 #include "drivers/gpio_input.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_NS 50000u
 
 static struct debounce_turn last;
+static uint64_t dated_ns; /* The newest edge. */
 
 static void take(bool turned, const struct debounce_turn *turn)
 {
@@ -26,8 +27,10 @@ static void step(struct gpio_input *input, uint64_t now_ns, uint32_t what, bool 
         take(gpio_input_level(input, now_ns, active, &turn), &turn);
         return;
     }
+    dated_ns = what < 2u ? now_ns : dated_ns + (now_ns - dated_ns) / 8u;
     const struct gpio_edge edge = {
-        .time_ns = now_ns, .active = active, .lost_before = what == 3u ? 2u : 0u
+        .time_ns = dated_ns, .active = active, .lost_before = what == 3u ? 2u : 0u,
+        .taken_ns = now_ns,
     };
     take(gpio_input_edge(input, &edge, &turn), &turn);
 }
@@ -38,6 +41,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     if (size < 2u) {
         return 0;
     }
+    dated_ns = now_ns;
     last = (struct debounce_turn){ .time_ns = now_ns, .active = bytes[1] & 1u };
     struct gpio_input input = gpio_input_begin(bytes[0] * 100000ull, last.active, now_ns);
     for (size_t at = 2; at + 1u < size; at += 2) {

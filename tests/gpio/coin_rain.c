@@ -64,9 +64,27 @@ static uint64_t draw_width(struct coin_rain *rain)
     return between(&rain->seed, 20 * MS, 240 * MS);
 }
 
+/* Two sparks, as of a lighter at the slot: 16 to 80 ms apart, which is a coin's width. */
+static void add_sparks(struct coin_rain *rain)
+{
+    static const struct gpio_sim_event spark = { .what = GPIO_SIM_SPARK, .role = GPIO_COIN };
+    for (uint32_t i = 0; i < 2; i++) {
+        rain->time_ns += i ? between(&rain->seed, 16 * MS, 80 * MS)
+                           : between(&rain->seed, 30 * MS, 120 * MS);
+        rain->pulse[rain->edge_count] = spark;
+        rain->pulse[rain->edge_count++].time_ns = rain->time_ns;
+    }
+    rain->falls = 0;
+    rain->sparks++;
+}
+
 static void draw_pulse(struct coin_rain *rain)
 {
     rain->edge_count = rain->edge_next = 0;
+    if (draw(&rain->seed) % 20u == 0) {
+        add_sparks(rain);
+        return;
+    }
     const uint64_t begin_ns = rain->time_ns + between(&rain->seed, 20 * MS, 120 * MS);
     const uint64_t closed_ns = add_contact(rain, begin_ns, true);
     rain->time_ns = add_contact(rain, closed_ns + draw_width(rain), false);
@@ -174,6 +192,8 @@ struct rain_result coin_rain(const struct rain_config *config)
     result.coins = cabinet.rain.coins;
     result.knocks = cabinet.rain.knocks;
     result.jams = cabinet.rain.jams;
+    result.sparks = cabinet.rain.sparks;
+    result.doubtful = cabinet.gpio.reader.total.doubtful;
     result.edges = cabinet.rain.edges;
     result.dropped = cabinet.sim.dropped;
     result.blinks = cabinet.gpio.reader.inputs[GPIO_COIN].blinks;

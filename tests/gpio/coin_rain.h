@@ -1,6 +1,7 @@
 /* coin_rain.h -- a coin slot's line through a long day: coins of every width that acceptors give,
- * contacts that bounce at both ends, knocks and jams between them; over a kernel that is late and a
- * thread and a frame loop that are not run for a while. The same from the same seed. */
+ * contacts that bounce at both ends, knocks and jams between them, and sparks, two of them as far
+ * apart as a coin's edges; over a kernel that is late and a thread and a frame loop that are not
+ * run for a while. The same from the same seed. */
 #ifndef KINGYO_TESTS_GPIO_COIN_RAIN_H
 #define KINGYO_TESTS_GPIO_COIN_RAIN_H
 
@@ -11,7 +12,7 @@
 
 struct coin_rain {
     uint32_t left;  /* Coins that have not fallen. */
-    uint32_t coins, knocks, jams; /* That have. */
+    uint32_t coins, knocks, jams, sparks; /* That have; pairs of sparks. */
     uint64_t edges;
     uint64_t time_ns;             /* Where the last pulse ended. */
     uint64_t seed;
@@ -23,6 +24,8 @@ struct coin_rain {
 /* What came of a rain. */
 struct rain_result {
     uint32_t coins, knocks, jams;   /* That fell. */
+    uint32_t sparks;                /* Pairs of them, */
+    uint32_t doubtful;              /* and those that might have been coins: faults. */
     uint32_t counted, faults;       /* By the frame loop. */
     uint32_t early;                 /* Looks that had counted more than had fallen. */
     uint32_t late;                  /* Looks that missed a coin of two looks and 200 ms ago. */

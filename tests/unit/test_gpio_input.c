@@ -62,21 +62,97 @@ static void test_sparks_are_no_pulse_however_far_apart(void **state)
     assert_int_equal(gpio_input_known_ns(&input, 301 * MS), 301 * MS);
 }
 
+static void test_two_sparks_are_no_pulse_however_late_the_reader_comes(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    taken_ns = 130 * MS; /* The kernel told each at once; the reader was not run. */
+    assert_false(edge(&input, 100, false, 0));
+    assert_false(edge(&input, 125, false, 0));
+    assert_false(level(&input, 130, false));
+    assert_int_equal(input.doubtful, 1);
+    taken_ns = 160 * MS; /* Nor if the second is dated just when the first was taken. */
+    assert_false(edge(&input, 200, false, 0));
+    taken_ns = 0;
+    assert_false(edge(&input, 201, false, 0));
+    assert_false(level(&input, 400, false));
+    assert_int_equal(input.doubtful + input.late, 1);
+    assert_false(input.debounce.stable);
+}
+
 static void test_a_pulse_that_was_over_before_the_kernel_looked_is_a_pulse(void **state)
 {
     (void)state;
     struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
-    taken_ns = 160 * MS; /* So late it was, and the second edge is dated just then. */
-    assert_false(edge(&input, 100, false, 0));
-    assert_false(level(&input, 161, false));
-    assert_true(edge(&input, 160, false, 0));
+    assert_false(level(&input, 102, true)); /* It is seen, but not told, ... */
+    assert_false(level(&input, 107, true));
+    assert_false(level(&input, 112, true));
+    taken_ns = 118 * MS;
+    assert_false(edge(&input, 100, false, 0)); /* ... and told when it is over: */
+    assert_true(edge(&input, 118, false, 0));  /* its masked end is dated just then. */
     taken_ns = 0;
     assert_turn(100, true);
-    assert_true(level(&input, 170, false));
+    assert_true(level(&input, 122, false));
+    assert_turn(118, false);
+    assert_int_equal(input.late, 1);
+    assert_int_equal(input.lost + input.doubtful, 0);
+}
+
+static void test_a_pulse_that_was_seen_to_end_before_it_was_told_has_that_end(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(level(&input, 102, true));
+    assert_false(level(&input, 107, true));
+    assert_false(level(&input, 117, false));
+    assert_true(edge(&input, 100, false, 0)); /* Told at 170. */
+    assert_turn(100, true);
+    assert_true(edge(&input, 170, false, 0));
+    assert_turn(117, false);
+    assert_int_equal(input.lost + input.doubtful, 0);
+}
+
+static void test_one_look_at_a_spark_is_no_proof(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(level(&input, 100, true)); /* By chance, just then. */
+    taken_ns = 130 * MS;
+    assert_false(edge(&input, 100, false, 0));
+    assert_false(edge(&input, 125, false, 0));
+    taken_ns = 0;
+    assert_false(level(&input, 131, false));
+    assert_false(level(&input, 200, false));
+    assert_int_equal(input.late, 0);
+    assert_int_equal(input.doubtful, 1);
+}
+
+static void test_a_pulse_that_was_seen_and_never_told_is_a_loss(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    assert_false(level(&input, 102, true));
+    assert_false(level(&input, 107, true));
+    assert_false(level(&input, 112, false));
+    assert_int_equal(input.lost, 0); /* It may still be told. */
+    assert_false(edge(&input, 500, true, 0));
+    assert_int_equal(input.lost, 1);
+}
+
+static void test_news_from_before_a_level_that_was_believed_changes_nothing(void **state)
+{
+    (void)state;
+    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    level(&input, 102, true);
+    level(&input, 112, true);
+    assert_true(level(&input, 122, true));
+    assert_turn(102, true);
+    assert_false(edge(&input, 100, false, 0)); /* The edge that was missing, read as it is over. */
+    assert_true(input.debounce.stable);
+    assert_false(edge(&input, 160, false, 0));
+    assert_true(level(&input, 163, false));
     assert_turn(160, false);
-    assert_int_equal(input.pairs, 1);
-    assert_false(edge(&input, 900, false, 0)); /* A third one is none of theirs. */
-    assert_false(level(&input, 910, false));
+    assert_int_equal(input.lost, 1);
 }
 
 static void test_blinks_within_a_bounce_are_no_pair_however_late(void **state)
@@ -92,7 +168,7 @@ static void test_blinks_within_a_bounce_are_no_pair_however_late(void **state)
     taken_ns = 0;
     assert_true(level(&input, 200, false));
     assert_turn(141, false);
-    assert_int_equal(input.pairs, 0);
+    assert_int_equal(input.doubtful, 0);
 }
 
 static void test_a_pulse_that_was_read_late_in_its_time_keeps_its_width(void **state)
@@ -180,7 +256,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_edges_of_the_right_direction_turn_when_the_level_says_so_too),
         cmocka_unit_test(test_sparks_are_no_pulse_however_far_apart),
+        cmocka_unit_test(test_two_sparks_are_no_pulse_however_late_the_reader_comes),
         cmocka_unit_test(test_a_pulse_that_was_over_before_the_kernel_looked_is_a_pulse),
+        cmocka_unit_test(test_a_pulse_that_was_seen_to_end_before_it_was_told_has_that_end),
+        cmocka_unit_test(test_one_look_at_a_spark_is_no_proof),
+        cmocka_unit_test(test_a_pulse_that_was_seen_and_never_told_is_a_loss),
+        cmocka_unit_test(test_news_from_before_a_level_that_was_believed_changes_nothing),
         cmocka_unit_test(test_blinks_within_a_bounce_are_no_pair_however_late),
         cmocka_unit_test(test_a_pulse_that_was_read_late_in_its_time_keeps_its_width),
         cmocka_unit_test(test_bounces_that_are_read_as_one_leave_the_line_where_it_is),

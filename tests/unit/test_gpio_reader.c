@@ -214,6 +214,76 @@ static void test_a_coin_whose_edges_the_kernel_reads_late_is_a_coin(void **state
     end(&stand);
 }
 
+static void test_two_sparks_are_a_fault_and_no_coin_where_the_reader_was_not_run(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = {
+        { .time_ns = 100 * MS, .what = GPIO_SIM_SPARK, .role = GPIO_COIN },
+        { .time_ns = 125 * MS, .what = GPIO_SIM_SPARK, .role = GPIO_COIN },
+    };
+    static struct stand stand;
+    PLAY(&stand, events);
+    run_until(&stand, 90);
+    gpio_lines_sim_pass(&stand.sim, 130 * MS - stand.sim.now_ns);
+    run_until(&stand, 600);
+    assert_int_equal(stand.sum.coin_count, 0);
+    assert_int_equal(stand.sum.faults, 1);
+    end(&stand);
+}
+
+/* The coins of tests/vm/guest/cabinet.sh: pulses of 40 to 60 ms, 40 or 50 between. */
+#define CABINET_COINS 200u
+static uint64_t cabinet_coins(struct gpio_sim_event events[2 * CABINET_COINS])
+{
+    uint64_t time_ms = 100;
+    for (uint32_t left = CABINET_COINS, i = 0; left > 0; left--) {
+        events[i++] = (struct gpio_sim_event)LEVEL(time_ms, GPIO_COIN, 1);
+        time_ms += 40 + left % 3 * 10;
+        events[i++] = (struct gpio_sim_event)LEVEL(time_ms, GPIO_COIN, 0);
+        time_ms += 40 + left % 2 * 10;
+    }
+    return time_ms;
+}
+
+/* Linux on an emulated machine of two processors: now and then the one that has the interrupt's
+ * thread stands still for longer than a pulse lasts, while the other goes on. Edges then come late,
+ * all with the level of later, and what was masked is dated when the mask went. */
+static void test_200_coins_of_a_kernel_that_comes_late_with_the_wrong_level_are_200(void **state)
+{
+    (void)state;
+    static struct gpio_sim_event events[2 * CABINET_COINS];
+    static const uint64_t late_ms[] = { 0, 12, 0, 45, 30, 0, 70, 0, 55, 3, 95, 0, 0 };
+    static struct stand stand;
+    const uint64_t end_ms = cabinet_coins(events);
+    uint32_t at = 0;
+    PLAY(&stand, events);
+    while (stand.sim.now_ns < (end_ms + 300) * MS) {
+        stand.sim.late_min_ns = stand.sim.late_max_ns = late_ms[at++ / 7 % 13] * MS + 100000;
+        gpio_reader_step(&stand.gpio.reader);
+        poll(&stand);
+    }
+    assert_int_equal(stand.sum.coin_count, CABINET_COINS);
+    assert_true(stand.gpio.reader.inputs[GPIO_COIN].blinks > 0);
+    end(&stand);
+}
+
+static void test_a_coin_that_neither_kernel_nor_reader_saw_is_a_fault(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = {
+        LEVEL(100, GPIO_COIN, 1), LEVEL(140, GPIO_COIN, 0),
+    };
+    static struct stand stand;
+    PLAY(&stand, events);
+    stand.sim.late_min_ns = stand.sim.late_max_ns = 45 * MS;
+    run_until(&stand, 95);
+    gpio_lines_sim_pass(&stand.sim, 150 * MS - stand.sim.now_ns);
+    run_until(&stand, 600);
+    assert_int_equal(stand.sum.coin_count, 0);
+    assert_int_equal(stand.sum.faults, 1);
+    end(&stand);
+}
+
 static void test_edges_that_the_queue_dropped_are_faults_and_the_level_is_right(void **state)
 {
     (void)state;
@@ -423,6 +493,9 @@ int main(void)
         cmocka_unit_test(test_a_reader_that_is_not_run_for_a_while_loses_no_coin),
         cmocka_unit_test(test_coins_that_stick_and_knocks_are_faults_and_no_coins),
         cmocka_unit_test(test_a_coin_whose_edges_the_kernel_reads_late_is_a_coin),
+        cmocka_unit_test(test_two_sparks_are_a_fault_and_no_coin_where_the_reader_was_not_run),
+        cmocka_unit_test(test_200_coins_of_a_kernel_that_comes_late_with_the_wrong_level_are_200),
+        cmocka_unit_test(test_a_coin_that_neither_kernel_nor_reader_saw_is_a_fault),
         cmocka_unit_test(test_edges_that_the_queue_dropped_are_faults_and_the_level_is_right),
         cmocka_unit_test(test_nothing_settles_while_edges_are_still_to_be_taken),
         cmocka_unit_test(test_a_chip_that_goes_is_one_fault_and_is_found_again),
