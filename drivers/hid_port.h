@@ -11,7 +11,7 @@
 #include "platform/hal.h"
 
 #define HID_REPORT_MAX 256u      /* Bytes; pads send 64, the largest pen tablets 192. */
-#define HID_REPORTS_MAX 64u      /* That wait to be taken: 1,000 Hz over a stalled 60 ms. */
+#define HID_REPORTS_MAX 1024u    /* That wait to be taken: 1,000 Hz over a stalled second. */
 #define HID_DESCRIPTOR_MAX 4096u /* Bytes; what Linux itself reads at most. */
 #define HID_TEXT_SIZE 64u
 
@@ -56,7 +56,8 @@ struct hid_port_ops {
      * ever will. After HAL_ERR_GONE from take() this looks again. */
     int (*open)(void *self, struct hid_face *out);
     /* The next report, oldest first: 1 and `out`, or 0; HAL_ERR_GONE once it was pulled out and all
-     * that came before was taken. */
+     * that came before was taken. Of what came too fast to be kept the newest is, for many
+     * controllers speak only when something changes: their last word must be heard. */
     int (*take)(void *self, struct hid_raw *out);
     /* Sends an output report, id first, or drops it while the last one is still on its way
      * (HAL_ERR_BUSY). */

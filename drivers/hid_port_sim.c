@@ -80,12 +80,16 @@ static int has_fault(const struct hid_port_sim *sim, uint8_t kind, uint32_t numb
 
 /* ---- The wire ------------------------------------------------------------------------------- */
 
-/* When it is full the newest is lost, as with a transport whose ring is. */
+/* When it is full the newest takes the place of the one before, as with a transport whose ring is.
+ */
 static void arrive(struct hid_port_sim *sim, const struct hid_raw *raw)
 {
-    if (!sim->is_open || sim->ring_count == HID_REPORTS_MAX) {
-        sim->lost_count += sim->is_open;
+    if (!sim->is_open) {
         return;
+    }
+    if (sim->ring_count == HID_REPORTS_MAX) {
+        sim->ring_count--;
+        sim->lost_count++;
     }
     sim->ring[(sim->ring_first + sim->ring_count) % HID_REPORTS_MAX] = *raw;
     sim->ring_count++;

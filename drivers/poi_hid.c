@@ -6,6 +6,8 @@
 
 #include "drivers/poi_report.h"
 
+#define HEARD_MAX (HID_REPORTS_MAX + 1u) /* In one frame: all that waited, and the newest. */
+
 void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
                   struct hid_mapper mapper, const struct view *view)
 {
@@ -96,17 +98,30 @@ static int poi_hid_open(void *self)
 
 /* ---- What it says --------------------------------------------------------------------------- */
 
-static int hear(struct poi_hid *poi, const struct hid_raw *raw, struct poi_sample *out)
+/* Samples on their way to who polls. */
+struct basket {
+    struct poi_sample *out;
+    uint32_t count, max;
+};
+
+/* In a full one in place of the newest: where the hand is now must be told. */
+static void keep(struct basket *basket, const struct poi_sample *sample)
 {
+    basket->count -= basket->count == basket->max;
+    basket->out[basket->count++] = *sample;
+}
+
+static void hear(struct poi_hid *poi, const struct hid_raw *raw, struct basket *basket)
+{
+    struct poi_sample sample;
     if (poi->watch.report) {
         poi->watch.report(poi->watch.self, raw);
     }
-    const int is_heard = poi->plays && hid_hand_report(&poi->hand, raw) &&
-                         hid_hand_sample(&poi->hand, raw->time_ns, out);
-    if (is_heard) {
-        out->was_stamped = 1;
+    if (poi->plays && hid_hand_report(&poi->hand, raw) &&
+        hid_hand_sample(&poi->hand, raw->time_ns, &sample)) {
+        sample.was_stamped = 1;
+        keep(basket, &sample);
     }
-    return is_heard;
 }
 
 /* A hand that is led by place reports itself; any other goes on between two reports, and is a hand
@@ -116,31 +131,34 @@ static int goes_on(const struct poi_hid *poi)
     return poi->is_open && poi->plays && poi->hand.map.style != HID_STYLE_POSE;
 }
 
-/* What came before the plug was pulled is still played; that it is gone is told then. */
+/* All that waits is heard, however many samples there is room for: what a slow frame left for the
+ * next would come late, and the next after it again. What came before the plug was pulled is still
+ * played; that it is gone is told then. */
 static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct poi_hid *poi = self;
+    struct basket basket = { .out = out, .max = max };
+    struct poi_sample now;
     struct hid_raw raw;
-    uint32_t count = 0;
     if (!poi->is_open) {
         return HAL_ERR_GONE;
     }
-    for (uint32_t taken = 0; taken < HID_REPORTS_MAX && count < max; taken++) {
+    for (uint32_t taken = 0; taken < HEARD_MAX; taken++) {
         const int result = poi->port.ops->take(poi->port.self, &raw);
         if (result == HAL_ERR_GONE) {
             poi->is_open = 0;
             snprintf(poi->text, sizeof poi->text, "%s", poi->port.ops->describe(poi->port.self));
-            return count > 0 ? (int)count : HAL_ERR_GONE;
+            return basket.count > 0 ? (int)basket.count : HAL_ERR_GONE;
         }
         if (result <= 0) {
             break;
         }
-        count += (uint32_t)hear(poi, &raw, &out[count]);
+        hear(poi, &raw, &basket);
     }
-    if (goes_on(poi) && count < max) {
-        count += (uint32_t)hid_hand_sample(&poi->hand, poi_now_ns(poi), &out[count]);
+    if (goes_on(poi) && hid_hand_sample(&poi->hand, poi_now_ns(poi), &now)) {
+        keep(&basket, &now);
     }
-    return (int)count;
+    return (int)basket.count;
 }
 
 static int poi_hid_feel(void *self, const struct poi_force *force)

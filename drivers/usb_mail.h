@@ -25,12 +25,14 @@ static inline void usb_mail_init(struct usb_mail *mail)
     atomic_init(&mail->middle, 2u);
 }
 
-/* Writer: slot `mail->writing` is whole; it writes the next value into another one. */
-static inline void usb_mail_post(struct usb_mail *mail)
+/* Writer: slot `mail->writing` is whole; it writes the next value into another one. 1: nobody
+ * fetched the one before. */
+static inline int usb_mail_post(struct usb_mail *mail)
 {
     const unsigned old = atomic_exchange_explicit(&mail->middle, mail->writing | USB_MAIL_FRESH,
                                                   memory_order_acq_rel);
     mail->writing = old & (USB_MAIL_FRESH - 1u);
+    return (old & USB_MAIL_FRESH) != 0;
 }
 
 /* Reader: from now on slot `mail->reading` is the newest. 1: it is another one than before. */

@@ -6,22 +6,31 @@
 _Static_assert((HID_REPORTS_MAX & (HID_REPORTS_MAX - 1u)) == 0u,
                "the counters wrap at a multiple of the slots");
 
+void usb_ring_init(struct usb_ring *ring)
+{
+    memset(ring, 0, sizeof *ring);
+    usb_mail_init(&ring->mail);
+}
+
 int usb_ring_push(struct usb_ring *ring, uint32_t generation, uint64_t time_ns,
                   const uint8_t *bytes, uint32_t size)
 {
     const uint32_t pushed = atomic_load_explicit(&ring->pushed, memory_order_relaxed);
     const uint32_t taken = atomic_load_explicit(&ring->taken, memory_order_acquire);
-    if (pushed - taken == HID_REPORTS_MAX) {
-        usb_ring_lose(ring);
-        return 0;
-    }
-    struct usb_ring_slot *slot = &ring->slot[pushed % HID_REPORTS_MAX];
+    const int fits = pushed - taken < HID_REPORTS_MAX;
+    struct usb_ring_slot *slot =
+        fits ? &ring->slot[pushed % HID_REPORTS_MAX] : &ring->late[ring->mail.writing];
     slot->generation = generation;
+    slot->number = ring->next_number++;
     slot->raw.time_ns = time_ns;
     slot->raw.size = size;
     memcpy(slot->raw.bytes, bytes, size);
-    atomic_store_explicit(&ring->pushed, pushed + 1u, memory_order_release);
-    return 1;
+    if (fits) {
+        atomic_store_explicit(&ring->pushed, pushed + 1u, memory_order_release);
+    } else if (usb_mail_post(&ring->mail)) {
+        usb_ring_lose(ring);
+    }
+    return fits;
 }
 
 void usb_ring_lose(struct usb_ring *ring)
@@ -29,15 +38,26 @@ void usb_ring_lose(struct usb_ring *ring)
     atomic_fetch_add_explicit(&ring->lost, 1u, memory_order_relaxed);
 }
 
-const struct usb_ring_slot *usb_ring_peek(const struct usb_ring *ring)
+/* Of both ways the older one first. What was pushed is looked at before the mail: whatever was
+ * posted before that is seen then. */
+const struct usb_ring_slot *usb_ring_peek(struct usb_ring *ring)
 {
     const uint32_t taken = atomic_load_explicit(&ring->taken, memory_order_relaxed);
     const uint32_t pushed = atomic_load_explicit(&ring->pushed, memory_order_acquire);
-    return taken == pushed ? NULL : &ring->slot[taken % HID_REPORTS_MAX];
+    const struct usb_ring_slot *slot =
+        taken == pushed ? NULL : &ring->slot[taken % HID_REPORTS_MAX];
+    ring->has_late = ring->has_late || usb_mail_fetch(&ring->mail);
+    const struct usb_ring_slot *late = ring->has_late ? &ring->late[ring->mail.reading] : NULL;
+    ring->is_late = late && (!slot || (int32_t)(late->number - slot->number) < 0);
+    return ring->is_late ? late : slot;
 }
 
 void usb_ring_drop(struct usb_ring *ring)
 {
+    if (ring->is_late) {
+        ring->has_late = 0;
+        return;
+    }
     const uint32_t taken = atomic_load_explicit(&ring->taken, memory_order_relaxed);
     atomic_store_explicit(&ring->taken, taken + 1u, memory_order_release);
 }

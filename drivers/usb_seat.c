@@ -7,6 +7,7 @@
 void usb_seat_init(struct usb_seat *seat, void (*wake)(void *self), void *wake_self)
 {
     memset(seat, 0, sizeof *seat);
+    usb_ring_init(&seat->ring);
     usb_mail_init(&seat->mail);
     seat->wake = wake;
     seat->wake_self = wake_self;

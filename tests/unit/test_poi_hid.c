@@ -238,7 +238,7 @@ static void test_doubles_are_one_and_lost_ones_are_counted(void **state)
     assert_int_equal(stand.poi.hand.gap_count, 3);
 }
 
-static void test_a_frame_that_took_too_long_loses_the_newest_and_says_so(void **state)
+static void test_a_frame_that_took_too_long_hears_the_newest_and_counts_what_it_lost(void **state)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     (void)state;
@@ -247,8 +247,81 @@ static void test_a_frame_that_took_too_long_loses_the_newest_and_says_so(void **
     for (uint32_t i = 0; i < 2u * HID_REPORTS_MAX; i++) {
         say_next();
     }
-    assert_int_equal(poll(samples), HID_REPORTS_MAX);
+    assert_int_equal(poll(samples), HAL_POI_SAMPLES_MAX);
+    assert_int_equal(samples[HAL_POI_SAMPLES_MAX - 1u].time_ns, stand.clock.now_ns);
     assert_int_equal(stand.wire.port.lost_count, HID_REPORTS_MAX);
+    assert_int_equal(poll(samples), 0); /* Nothing is left for the next frame to be late with. */
+}
+
+/* Pads tell only what changes. In one frame of a tenth of a second the stick trembles at its end
+ * and is let go; then there is silence, and the hand must not go on. */
+static void test_the_last_report_before_a_silence_is_always_heard(void **state)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    (void)state;
+    for (uint32_t burst = 80; burst < 3u * HID_REPORTS_MAX; burst *= 6u) {
+        memset(&stand, 0, sizeof stand);
+        stand.clock.now_ns = 1000000000ull;
+        wire_load(&stand.wire, &stand.clock, "010-8bitdo-sn30pro-bt-dinput");
+        poi_hid_init(&stand.poi, hid_port_sim_port(&stand.wire.port),
+                     clock_sim_device(&stand.clock), (struct hid_mapper){ 0 }, stall_view());
+        reopen();
+        const uint8_t id = wire_put(&stand.wire, -1, USAGE_X, 0x80);
+        wire_put(&stand.wire, id, USAGE_Y, 0x80);
+        wire_send(&stand.wire, id);
+        poll(samples);
+        for (uint32_t i = 0; i < burst; i++) {
+            stand.clock.now_ns += 100000000ull / burst;
+            wire_put(&stand.wire, id, USAGE_X, 250 + i % 3u);
+            wire_put(&stand.wire, id, USAGE_BUTTON + 1u, 1);
+            wire_send(&stand.wire, id);
+        }
+        wire_put(&stand.wire, id, USAGE_X, 0x80);
+        wire_put(&stand.wire, id, USAGE_BUTTON + 1u, 0);
+        wire_send(&stand.wire, id);
+        int count = poll(samples);
+        assert_true(count > 0);
+        const float let_go_m = samples[count - 1].target.position_m.x;
+        for (uint32_t i = 0; i < 120; i++) {
+            stand.clock.now_ns += 16666667ull;
+            count = poll(samples);
+        }
+        const vec3 rest_m = samples[count - 1].target.position_m;
+        assert_true(rest_m.y > 0.0f);
+        assert_true(f_abs(rest_m.x - let_go_m) < 0.03f); /* It glides out; the wall is at 0.476. */
+    }
+}
+
+/* A mouse of 1,000 reports a second is led through a frame of half a second: no way is missing. */
+static void test_no_way_of_a_mouse_is_lost_in_a_slow_frame(void **state)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    float way_m[2];
+    (void)state;
+    for (uint32_t slow = 0; slow < 2; slow++) {
+        memset(&stand, 0, sizeof stand);
+        stand.clock.now_ns = 1000000000ull;
+        wire_load(&stand.wire, &stand.clock, "011-dell-413c-301a-mouse");
+        poi_hid_init(&stand.poi, hid_port_sim_port(&stand.wire.port),
+                     clock_sim_device(&stand.clock), (struct hid_mapper){ 0 }, stall_view());
+        reopen();
+        const uint8_t id = wire_put(&stand.wire, -1, USAGE_X, 0);
+        wire_send(&stand.wire, id);
+        int count = poll(samples);
+        const float from_m = samples[count - 1].target.position_m.x;
+        for (uint32_t i = 0; i < 500; i++) {
+            stand.clock.now_ns += 1000000ull;
+            wire_put(&stand.wire, id, USAGE_X, i % 5u == 0u);
+            wire_send(&stand.wire, id);
+            if (!slow && i % 16u == 0u) {
+                poll(samples);
+            }
+        }
+        count = poll(samples);
+        way_m[slow] = samples[count - 1].target.position_m.x - from_m;
+    }
+    assert_true(way_m[0] > 0.01f);
+    assert_true(f_abs(way_m[0] - way_m[1]) < 1e-4f);
 }
 
 /* ---- In the kiosk --------------------------------------------------------------------------- */
@@ -327,7 +400,10 @@ int main(void)
             test_pulled_out_at_each_of_1000_reports_what_came_before_is_played),
         cmocka_unit_test(test_each_fault_of_a_wire_is_survived),
         cmocka_unit_test(test_doubles_are_one_and_lost_ones_are_counted),
-        cmocka_unit_test(test_a_frame_that_took_too_long_loses_the_newest_and_says_so),
+        cmocka_unit_test(
+            test_a_frame_that_took_too_long_hears_the_newest_and_counts_what_it_lost),
+        cmocka_unit_test(test_the_last_report_before_a_silence_is_always_heard),
+        cmocka_unit_test(test_no_way_of_a_mouse_is_lost_in_a_slow_frame),
         cmocka_unit_test(test_a_poi_that_is_pulled_out_in_mid_round_is_lost_and_found_again),
         cmocka_unit_test(test_a_silent_poi_is_lost_and_one_that_speaks_again_found),
     };

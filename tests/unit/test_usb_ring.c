@@ -34,18 +34,20 @@ static uint32_t size_of(uint32_t number)
     return 4u + number % (HID_REPORT_MAX - 3u);
 }
 
+static atomic_int wrote;
+
+/* Now and then in bursts that no ring holds. */
 static void *write_reports(void *self)
 {
     uint8_t bytes[HID_REPORT_MAX];
     (void)self;
-    for (uint32_t i = 0; i < REPORT_COUNT;) {
+    for (uint32_t i = 0; i < REPORT_COUNT; i++) {
         fill_bytes(bytes, size_of(i), i);
-        if (usb_ring_push(&ring, i >> 8, i, bytes, size_of(i))) {
-            i++;
-        } else {
+        if (!usb_ring_push(&ring, i >> 8, i, bytes, size_of(i)) && i % 64u == 0u) {
             sched_yield();
         }
     }
+    atomic_store(&wrote, 1);
     return NULL;
 }
 
@@ -59,46 +61,93 @@ static void check_report(const struct usb_ring_slot *slot, uint32_t number)
     assert_int_equal(slot->generation, number >> 8);
 }
 
-static void test_reports_cross_between_threads_whole_and_in_order(void **state)
+static void test_reports_cross_between_threads_whole_and_in_order_and_the_last_always(void **state)
 {
     (void)state;
     pthread_t writer;
-    memset(&ring, 0, sizeof ring);
+    uint32_t count = 0, next = 0;
+    usb_ring_init(&ring);
     assert_int_equal(pthread_create(&writer, NULL, write_reports, NULL), 0);
-    for (uint32_t i = 0; i < REPORT_COUNT;) {
+    for (;;) {
+        const int is_all = atomic_load(&wrote);
         const struct usb_ring_slot *slot = usb_ring_peek(&ring);
+        if (!slot && is_all) {
+            break;
+        }
         if (!slot) {
             sched_yield();
             continue;
         }
-        check_report(slot, i++);
+        assert_true(slot->raw.time_ns >= next); /* Its number. */
+        next = (uint32_t)slot->raw.time_ns + 1u;
+        check_report(slot, next - 1u);
+        count++;
         usb_ring_drop(&ring);
     }
     pthread_join(writer, NULL);
-    assert_null(usb_ring_peek(&ring));
+    assert_int_equal(next, REPORT_COUNT);
+    assert_int_equal(count + usb_ring_lost(&ring), REPORT_COUNT);
 }
 
-static void test_a_full_ring_loses_the_newest_and_counts_it(void **state)
+static uint32_t next_number(void)
+{
+    const struct usb_ring_slot *slot = usb_ring_peek(&ring);
+    const uint32_t number = slot ? (uint32_t)slot->raw.time_ns : UINT32_MAX;
+    if (slot) {
+        usb_ring_drop(&ring);
+    }
+    return number;
+}
+
+static void test_a_full_ring_keeps_the_newest_and_counts_what_it_cannot(void **state)
 {
     (void)state;
     const uint8_t byte = 7;
-    memset(&ring, 0, sizeof ring);
+    usb_ring_init(&ring);
     for (uint32_t i = 0; i < HID_REPORTS_MAX; i++) {
         assert_true(usb_ring_push(&ring, 1, i, &byte, 1));
     }
-    assert_false(usb_ring_push(&ring, 1, 999, &byte, 1));
+    assert_false(usb_ring_push(&ring, 1, 5000, &byte, 1));
+    assert_int_equal(usb_ring_lost(&ring), 0);
+    assert_false(usb_ring_push(&ring, 1, 5001, &byte, 1));
     assert_int_equal(usb_ring_lost(&ring), 1);
-    assert_int_equal(usb_ring_peek(&ring)->raw.time_ns, 0);
-    usb_ring_drop(&ring);
-    assert_true(usb_ring_push(&ring, 1, 1000, &byte, 1));
+    for (uint32_t i = 0; i < 10; i++) {
+        assert_int_equal(next_number(), i);
+    }
+    assert_true(usb_ring_push(&ring, 1, 5002, &byte, 1)); /* Room again: that came later. */
+    for (uint32_t i = 10; i < HID_REPORTS_MAX; i++) {
+        assert_int_equal(next_number(), i);
+    }
+    assert_int_equal(next_number(), 5001);
+    assert_int_equal(next_number(), 5002);
+    assert_int_equal(next_number(), UINT32_MAX);
     assert_int_equal(usb_ring_lost(&ring), 1);
+}
+
+/* Neither the wait beside the ring nor the numbers of reports are thrown by a wrap. */
+static void test_one_that_waits_beside_a_full_ring_keeps_its_turn_over_a_wrap(void **state)
+{
+    (void)state;
+    const uint8_t byte = 7;
+    usb_ring_init(&ring);
+    ring.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
+    for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) { /* The last is number UINT32_MAX. */
+        usb_ring_push(&ring, 1, i, &byte, 1);
+    }
+    for (uint32_t i = 0; i < HID_REPORTS_MAX - 1u; i++) {
+        assert_int_equal(next_number(), i);
+    }
+    assert_true(usb_ring_push(&ring, 1, 9000, &byte, 1)); /* Number 0. */
+    assert_int_equal(next_number(), HID_REPORTS_MAX - 1u);
+    assert_int_equal(next_number(), HID_REPORTS_MAX + 1u);
+    assert_int_equal(next_number(), 9000);
 }
 
 static void test_counters_may_wrap(void **state)
 {
     (void)state;
     const uint8_t byte = 7;
-    memset(&ring, 0, sizeof ring);
+    usb_ring_init(&ring);
     atomic_store(&ring.pushed, UINT32_MAX - 5u);
     atomic_store(&ring.taken, UINT32_MAX - 5u);
     for (uint32_t i = 0; i < 3u * HID_REPORTS_MAX; i++) {
@@ -273,8 +322,10 @@ static void test_a_blow_for_one_who_left_does_not_reach_the_next(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reports_cross_between_threads_whole_and_in_order),
-        cmocka_unit_test(test_a_full_ring_loses_the_newest_and_counts_it),
+        cmocka_unit_test(
+            test_reports_cross_between_threads_whole_and_in_order_and_the_last_always),
+        cmocka_unit_test(test_a_full_ring_keeps_the_newest_and_counts_what_it_cannot),
+        cmocka_unit_test(test_one_that_waits_beside_a_full_ring_keeps_its_turn_over_a_wrap),
         cmocka_unit_test(test_counters_may_wrap),
         cmocka_unit_test(test_the_newest_value_is_whole_and_never_older_than_before),
         cmocka_unit_test(test_what_one_left_behind_is_not_taken_for_the_nexts),
