@@ -25,7 +25,8 @@ struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio);
 /* Why the line of `role` could not be had; "" where it is, or is not wired. Copied to `out`. */
 void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 
-/* As gpio_reader_stop(): coins are locked out, lamps go out. */
+/* As gpio_reader_stop(): coins are locked out, lamps go out; then the lines are let go, and what
+ * nobody drives is as its wiring rests (gpio_wires.h). */
 void buttons_gpio_stop(struct buttons_gpio *gpio);
 
 #endif

@@ -37,6 +37,13 @@ static inline bool gpio_role_is_input(enum gpio_role role)
     return role < GPIO_INPUT_COUNT;
 }
 
+/* Coins are locked out while nobody lets them in: before the first word, and after the last. All
+ * other outputs begin inactive. */
+static inline bool gpio_role_begins_active(enum gpio_role role)
+{
+    return role == GPIO_COIN_LOCKOUT;
+}
+
 #define GPIO_TEXT_SIZE 32u /* As the kernel's GPIO_MAX_NAME_SIZE. */
 
 enum gpio_bias {
@@ -84,10 +91,10 @@ struct gpio_line_info {
 };
 
 struct gpio_lines_ops {
-    /* Asks for every wired line that is not held yet; outputs begin inactive. What cannot be had
-     * is told in `why[role]`, one line each with what to do ("BTN_START is held by 'gpio-keys':
-     * remove its overlay"), "" where all is well. Returns what is held now, a bit each role;
-     * HAL_ERR_NONE where no GPIO chip is there at all. */
+    /* Asks for every wired line that is not held yet; outputs are driven at once, as
+     * gpio_role_begins_active() says. What cannot be had is told in `why[role]`, one line each with
+     * what to do ("BTN_START is held by 'gpio-keys': remove its overlay"), "" where all is well.
+     * Returns what is held now, a bit each role; HAL_ERR_NONE where no GPIO chip is there. */
     int (*open)(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
     /* Waits for edges at most `timeout_ms`, also where no line is held. Returns how many came, each

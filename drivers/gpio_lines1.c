@@ -82,7 +82,8 @@ static void let_go(struct lines1 *lines, enum gpio_role role)
     }
 }
 
-static int request(struct gpiod_line *line, const struct gpio_wire *wire, int type)
+static int request(struct gpiod_line *line, const struct gpio_wire *wire, enum gpio_role role,
+                   int type)
 {
     static const int bias_flags[] = {
         [GPIO_BIAS_AS_IS] = 0,
@@ -96,7 +97,7 @@ static int request(struct gpiod_line *line, const struct gpio_wire *wire, int ty
         .flags = bias_flags[wire->bias] |
                  (wire->active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0),
     };
-    return gpiod_line_request(line, &config, 0);
+    return gpiod_line_request(line, &config, gpio_role_begins_active(role));
 }
 
 static void hold(struct lines1 *lines, const struct gpio_wire *wire, enum gpio_role role,
@@ -107,13 +108,14 @@ static void hold(struct lines1 *lines, const struct gpio_wire *wire, enum gpio_r
         return;
     }
     const bool is_input = gpio_role_is_input(role);
-    int failed = request(held->line, wire, is_input ? GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES
-                                                    : GPIOD_LINE_REQUEST_DIRECTION_OUTPUT);
+    int failed = request(held->line, wire, role,
+                         is_input ? GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES
+                                  : GPIOD_LINE_REQUEST_DIRECTION_OUTPUT);
     if (!failed && is_input) {
         lines->fds[role] = gpiod_line_event_get_fd(held->line);
         held->active = gpiod_line_get_value(held->line) == 1;
     } else if (failed && is_input && gpio_dev_lacks_edges(errno)) {
-        failed = request(held->line, wire, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
+        failed = request(held->line, wire, role, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
         if (!failed) {
             gpio_dev_look_from_now(&lines->looks, role, gpiod_line_get_value(held->line));
         }

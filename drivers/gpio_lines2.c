@@ -115,7 +115,9 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
         gpiod_line_settings_set_debounce_period_us(
             settings, kernel_may_debounce(role) ? wire->debounce_us : 0);
     } else if (!is_input) {
-        failed |= gpiod_line_settings_set_output_value(settings, GPIOD_LINE_VALUE_INACTIVE);
+        failed |= gpiod_line_settings_set_output_value(
+            settings, gpio_role_begins_active(role) ? GPIOD_LINE_VALUE_ACTIVE
+                                                    : GPIOD_LINE_VALUE_INACTIVE);
     }
     return failed;
 }

@@ -158,6 +158,7 @@ static void ask(struct gpio_lines_sim *sim, enum gpio_role role, char why[HAL_TE
         snprintf(why, HAL_TEXT_SIZE, "%u is held by 'another'", role);
     } else {
         sim->held |= 1u << role;
+        sim->outputs[role] = gpio_role_begins_active(role);
     }
     if (gpio_role_is_input(role)) {
         sim->lines[role].last = sim->lines[role].level;

@@ -35,6 +35,16 @@ static uint32_t wired_bits(const struct gpio_reader *reader)
     return bits;
 }
 
+/* Outputs that are active until somebody says otherwise. */
+static uint32_t begin_bits(void)
+{
+    uint32_t bits = 0;
+    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
+        bits |= gpio_role_begins_active(role) ? bit_of(role) : 0u;
+    }
+    return bits;
+}
+
 /* ---- What was seen -------------------------------------------------------------------------- */
 
 static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct debounce_turn turn)
@@ -159,7 +169,7 @@ static int ask(struct gpio_reader *reader)
         }
     }
     reader->had |= fresh;
-    reader->lit &= ~fresh; /* Outputs begin inactive. */
+    reader->lit = (reader->lit & ~fresh) | (fresh & begin_bits());
     reader->retry_ns = now_ns(reader) + RETRY_NS;
     atomic_store(&reader->held, reader->levels);
     say(reader, why);
@@ -308,6 +318,7 @@ int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
     memset(reader, 0, sizeof *reader);
     reader->lines = lines;
     reader->clock = clock;
+    atomic_store(&reader->wanted, begin_bits());
     pthread_mutex_init(&reader->mutex, NULL);
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         reader->wires[role] = gpio_wire_filled(&wires[role], role);
@@ -325,8 +336,8 @@ void gpio_reader_close(struct gpio_reader *reader)
 {
     const struct gpio_lines *lines = &reader->lines;
     for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
-        if (reader->had & bit_of(role)) { /* Nobody counts coins any more: they fall through. */
-            lines->ops->set(lines->self, role, role == GPIO_COIN_LOCKOUT);
+        if (reader->had & bit_of(role)) {
+            lines->ops->set(lines->self, role, gpio_role_begins_active(role));
         }
     }
     lines->ops->close(lines->self);

@@ -221,8 +221,9 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                            "start-lamp coin-lockout ticket coin-counter",
                       (int)(name.length < 20 ? name.length : 20), name.at);
     }
-    struct gpio_wire wire = { .wired = 1, .active_low = gpio_role_is_input(role) };
-    bool has_bias = !gpio_role_is_input(role);
+    const bool rests = gpio_role_is_input(role) || gpio_role_begins_active(role);
+    struct gpio_wire wire = { .wired = 1, .active_low = rests };
+    bool has_bias = !rests;
     const struct word line = split(&rest, ',');
     if (!reads_line(line, &wire)) {
         return refuse(why, "%s: a line's name or CHIP:OFFSET is wanted, of 1 to %u letters",
@@ -238,8 +239,9 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                                                      : " pulse=100ms/100ms");
         }
     }
-    if (!has_bias) {
-        wire.bias = wire.active_low ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
+    if (!has_bias) { /* Undriven, an input is not pressed, and the lock is locked. */
+        const bool is_up = gpio_role_is_input(role) == (wire.active_low != 0);
+        wire.bias = is_up ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
     }
     wires[role] = gpio_wire_filled(&wire, role);
     return true;

@@ -4,12 +4,16 @@
  *
  * ROLE: start left right ok test service tilt coin door, start-lamp coin-lockout ticket
  * coin-counter. LINE: the line's name, or CHIP:OFFSET with the chip's label. WORDs:
- *     low, high         the level that means pressed or lit: low for inputs, high for outputs
+ *     low, high         the level that means pressed, lit or locked: low for inputs and for
+ *                       coin-lockout, high for the other outputs
  *     up, down, float   the bias; inputs that are low when pressed have up, those that are high
- *                       down, outputs what they had (as-is)
+ *                       down, coin-lockout the level that locks, outputs what they had (as-is)
  *     debounce=5ms      how long a level must stand before it counts
  *     window=15ms-250ms how long a coin's pulse lasts
  *     pulse=100ms/100ms an output's pulse and the rest behind it
+ * coin-lockout drives a coil that lets coins in while it has current: a line is let go with the
+ * kiosk, however that ends, and most chips then make an input of it. Nothing drives it from there
+ * on but its bias, so that a lock whose rest is open takes coins that nobody counts.
  * A time is a whole number with us, ms or s. Pure. */
 #ifndef KINGYO_DRIVERS_GPIO_WIRES_H
 #define KINGYO_DRIVERS_GPIO_WIRES_H

@@ -119,7 +119,7 @@ struct hal_seats_ops {
 /* What the kiosk switches. */
 enum hal_switch {
     HAL_START_LAMP = 0,
-    HAL_COIN_LOCKOUT,
+    HAL_COIN_LOCKOUT, /* Locked until it is first set. */
     HAL_TICKET,       /* One pulse, one ticket. */
     HAL_COIN_COUNTER, /* One pulse, one step of the meter. */
     HAL_SWITCH_COUNT,

@@ -137,6 +137,8 @@ static enum exit_code run_watch(const struct request *request)
     if (code != EXIT_OK) {
         return code;
     }
+    const struct hal_switches switches = buttons_gpio_switches(&gpio);
+    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0); /* If it is wired: coins are welcome. */
     struct lines_show show = lines_show_begin(&gpio.reader);
     puts("seconds\trole\twhat");
     fflush(stdout);
@@ -197,7 +199,9 @@ static enum exit_code run_pulse(const struct request *request)
         return code;
     }
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
-    switches.ops->pulse(switches.self, (enum hal_switch)(request->role - GPIO_INPUT_COUNT), count);
+    const enum hal_switch which = (enum hal_switch)(request->role - GPIO_INPUT_COUNT);
+    switches.ops->set(switches.self, which, 0); /* Pulses stand out from rest. */
+    switches.ops->pulse(switches.self, which, count);
     do {
         gpio_reader_step(&gpio.reader);
     } while (!is_stopped && atomic_load(&gpio.reader.owed) > 0);

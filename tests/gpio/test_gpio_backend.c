@@ -85,6 +85,21 @@ static void test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired(voi
     end(&lines);
 }
 
+static void test_the_coin_lock_is_locked_from_its_request_on_and_rests_so(void **state)
+{
+    (void)state;
+    const struct gpio_lines lines = fresh();
+    wire("coin-lockout=LAMP");
+    wire("ticket=panel:4");
+    assert_int_equal(ask(&lines), 1 << GPIO_COIN_LOCKOUT | 1 << GPIO_TICKET);
+    const struct fake_line *lock = &fake_chips[1].lines[3];
+    assert_true(lock->is_output && lock->active_low);
+    assert_int_equal(lock->value, 1);
+    assert_int_equal(lock->bias, GPIO_BIAS_DOWN);
+    assert_int_equal(fake_chips[1].lines[4].value, 0);
+    end(&lines);
+}
+
 static void test_a_chip_s_number_is_no_way_to_a_line(void **state)
 {
     (void)state;
@@ -308,6 +323,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired),
+        cmocka_unit_test(test_the_coin_lock_is_locked_from_its_request_on_and_rests_so),
         cmocka_unit_test(test_a_chip_s_number_is_no_way_to_a_line),
         cmocka_unit_test(test_what_cannot_be_had_says_who_or_what_is_in_the_way),
         cmocka_unit_test(test_without_any_chip_there_is_none),

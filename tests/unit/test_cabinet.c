@@ -161,6 +161,7 @@ static void test_who_shakes_the_cabinet_has_coins_sent_back_for_a_while(void **s
         PULSE(1000, GPIO_TILT, 4), PULSE(5000, GPIO_SERVICE, 100),
     };
     OPEN(events);
+    assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 1); /* Nobody has let coins in yet. */
     run_until(900);
     assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 0);
     run_until(1200);

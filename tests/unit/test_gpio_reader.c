@@ -469,6 +469,29 @@ static void test_lamps_follow_and_what_is_not_wired_says_so(void **state)
     end(&stand);
 }
 
+static void test_coins_are_locked_out_until_somebody_lets_them_in(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = {
+        { .time_ns = 1000 * MS, .what = GPIO_SIM_GONE },
+        { .time_ns = 1500 * MS, .what = GPIO_SIM_BACK },
+    };
+    static struct stand stand;
+    PLAY(&stand, events);
+    const struct hal_switches switches = buttons_gpio_switches(&stand.gpio);
+    assert_int_equal(stand.sim.outputs[GPIO_COIN_LOCKOUT], 1);
+    run_until(&stand, 500);
+    assert_int_equal(stand.sim.outputs[GPIO_COIN_LOCKOUT], 1);
+    assert_int_equal(stand.sim.set_count, 0); /* Never was it open for a moment. */
+    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0);
+    run_until(&stand, 900);
+    assert_int_equal(stand.sim.outputs[GPIO_COIN_LOCKOUT], 0);
+    run_until(&stand, 4000); /* The chip came back locked, and opens as is still wanted. */
+    assert_int_equal(stand.sim.outputs[GPIO_COIN_LOCKOUT], 0);
+    assert_int_equal(stand.sim.set_count, 2);
+    end(&stand);
+}
+
 static void test_a_cabinet_that_closes_locks_coins_out(void **state)
 {
     (void)state;
@@ -503,6 +526,7 @@ int main(void)
         cmocka_unit_test(test_meters_and_dispensers_get_their_pulses_side_by_side),
         cmocka_unit_test(test_pulses_that_are_owed_wait_for_a_chip_that_is_away),
         cmocka_unit_test(test_lamps_follow_and_what_is_not_wired_says_so),
+        cmocka_unit_test(test_coins_are_locked_out_until_somebody_lets_them_in),
         cmocka_unit_test(test_a_cabinet_that_closes_locks_coins_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -54,6 +54,20 @@ static void test_an_output_is_lit_by_high_and_keeps_its_bias(void **state)
     assert_int_equal(wire->pulse_off_us, 150000);
 }
 
+static void test_a_coin_lock_that_nobody_drives_is_locked(void **state)
+{
+    (void)state;
+    struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
+    assert_true(gpio_wire_read("coin-lockout=LOCK", wires, why));
+    assert_int_equal(wires[GPIO_COIN_LOCKOUT].active_low, 1);
+    assert_int_equal(wires[GPIO_COIN_LOCKOUT].bias, GPIO_BIAS_DOWN);
+    assert_true(gpio_wire_read("coin-lockout=LOCK,high", wires, why));
+    assert_int_equal(wires[GPIO_COIN_LOCKOUT].active_low, 0);
+    assert_int_equal(wires[GPIO_COIN_LOCKOUT].bias, GPIO_BIAS_UP);
+    assert_true(gpio_wire_read("coin-lockout=LOCK,float", wires, why));
+    assert_int_equal(wires[GPIO_COIN_LOCKOUT].bias, GPIO_BIAS_OFF);
+}
+
 static void test_a_later_wire_replaces_the_roles_earlier_one(void **state)
 {
     (void)state;
@@ -144,6 +158,7 @@ int main(void)
         cmocka_unit_test(test_a_button_by_name_closes_to_ground),
         cmocka_unit_test(test_a_line_by_chip_and_offset_takes_all_its_words),
         cmocka_unit_test(test_an_output_is_lit_by_high_and_keeps_its_bias),
+        cmocka_unit_test(test_a_coin_lock_that_nobody_drives_is_locked),
         cmocka_unit_test(test_a_later_wire_replaces_the_roles_earlier_one),
         cmocka_unit_test(test_what_is_wrong_is_said_and_changes_nothing),
         cmocka_unit_test(test_a_name_with_a_colon_but_no_number_is_a_name),

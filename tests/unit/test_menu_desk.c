@@ -115,6 +115,7 @@ static int set_up(void **state)
     struct poi_hid *const pois[POI_MAX] = { &rig.poi };
     (void)state;
     memset(&rig, 0, sizeof rig);
+    rig.lockout = 1; /* As it begins. */
     rig.x = rig.z = MIDDLE;
     rig.clock.now_ns = FRAME_NS;
     wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
