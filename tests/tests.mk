@@ -11,6 +11,8 @@ UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
 E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close
+# And the kiosk's own mind, by its recording.
+E2E := $(E2E_BIN) $(BUILD)/tests/vm/look
 
 -include tests/replay/replay.mk tests/golden/golden.mk tests/gltf/gltf.mk tests/gpio/gpio.mk tests/usb/usb.mk tests/hid/hid.mk
 
@@ -28,7 +30,7 @@ test:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
 ## tests: builds what `make test` runs, without running it
-tests: build $(UNIT) $(GPIO_TEST) $(E2E_BIN) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
+tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
     $(BUILD)/tests/bench/technique
 
 ## check: what a change must pass before it is kept: boundaries, tests, sizes
@@ -43,7 +45,7 @@ unit: $(filter $(BUILD)/tests/unit/test_$(ONLY)%,$(UNIT))
 ## test-e2e: the end-to-end tests alone: a virtual screen, the real kiosk, a real pointer
 test-e2e:
 	@board/setup.sh test
-	+@$(MAKE) --no-print-directory -j$(JOBS) build $(E2E_BIN)
+	+@$(MAKE) --no-print-directory -j$(JOBS) build $(E2E)
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_ALONE)
 
 ## test-fresh: both commands on minimal Debian 12 and 13 roots; needs root, a mirror and minutes

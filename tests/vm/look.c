@@ -28,6 +28,12 @@ static void tell(FILE *file, const struct twin *twin)
     }
     fprintf(file, "coins %u\ncredits %u\ntaken %u\n", twin->coins, core->game.credit.credits,
            core->game.round_count);
+    const struct menu *menu = &core->game.menu;
+    fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", core->game.credit.coins,
+            core->game.credit.refunds, core->game.credit.metered);
+    fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n",
+            menu_is_asking(core), menu->page, menu->tag[menu->page], menu->test_coins,
+            menu->desk.file_count);
     const uint8_t phase = core->game.phase;
     fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);
     fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", phase, core->game.paused,
