@@ -55,6 +55,7 @@ enum learn_step {
     LEARN_DIP,
     LEARN_TRY,      /* It plays with what was learned: keep it, or begin again? */
     LEARN_FAILED,   /* What it said cannot be a poi. */
+    LEARN_UNKEPT,   /* It plays with what was learned, which could not be written down. */
     LEARN_STEP_COUNT,
 };
 

@@ -74,10 +74,10 @@ enum desk_order_kind {
     DESK_NOTHING = 0,
     DESK_CHOOSE,     /* Take it from whoever has it; it is a poi from now on. */
     DESK_RELEASE,    /* Give it back, and forget what was learned. */
-    DESK_LEARN,      /* Begin to learn it; the device is chosen with that. */
+    DESK_LEARN,      /* Begin to learn it; it is chosen while that lasts. */
     DESK_LEARN_NEXT, /* Whoever holds it says that he did as he was told. */
     DESK_LEARN_KEEP, /* Keep what was learned for this vendor:product:serial. */
-    DESK_LEARN_END,  /* Forget it. */
+    DESK_LEARN_END,  /* Forget it, and give back who was not chosen before. */
 };
 
 struct desk_order {

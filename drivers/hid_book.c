@@ -110,6 +110,16 @@ static int do_job(const char *folder, const struct hid_book_job *job)
     return error ? error : hid_book_file_sync(folder);
 }
 
+static void say_failed(const struct complaints *to, const struct hid_book_job *job, int error)
+{
+    char text[HID_BOOK_PATH_SIZE + HAL_TEXT_SIZE];
+    snprintf(text, sizeof text, "%s: %s; what was %s holds until the kiosk ends", job->path,
+             strerror(error), job->text[0] ? "learned" : "forgotten");
+    if (to->complain) {
+        to->complain(to->self, text);
+    }
+}
+
 static void *write_down(void *self)
 {
     struct hid_book *book = self;
@@ -120,26 +130,38 @@ static void *write_down(void *self)
             continue;
         }
         const struct hid_book_job job = book->job; /* Nobody changes it before it is done. */
+        const struct complaints to = { .complain = book->tell, .self = book->tell_self };
         pthread_mutex_unlock(&book->lock);
         const int error = do_job(book->folder, &job);
+        if (error) {
+            say_failed(&to, &job, error);
+        }
         pthread_mutex_lock(&book->lock);
         book->has_job = 0;
         book->written_count += !error;
         book->failed_count += error != 0;
-        if (error) {
-            snprintf(book->why, sizeof book->why, "%.100s: %.50s", job.path, strerror(error));
-        }
+        book->last_failed = error != 0;
     }
     pthread_mutex_unlock(&book->lock);
     return NULL;
 }
 
-static int is_busy(struct hid_book *book)
+int hid_book_written(struct hid_book *book)
 {
     pthread_mutex_lock(&book->lock);
-    const int busy = book->has_job;
+    const int result = book->has_job       ? HAL_ERR_BUSY
+                       : book->last_failed ? HAL_ERR_IO
+                                           : HAL_OK;
     pthread_mutex_unlock(&book->lock);
-    return busy;
+    return result;
+}
+
+void hid_book_tell(struct hid_book *book, void (*tell)(void *self, const char *line), void *self)
+{
+    pthread_mutex_lock(&book->lock);
+    book->tell = tell;
+    book->tell_self = self;
+    pthread_mutex_unlock(&book->lock);
 }
 
 /* `forget`: the file is to go. Only while it is not busy. */
@@ -147,7 +169,7 @@ static int give_job(struct hid_book *book, const struct hid_book_entry *entry, i
 {
     char name[HID_BOOK_NAME_SIZE];
     if (!book->has_thread) {
-        return HAL_OK;
+        return book->folder[0] ? HAL_ERR_IO : HAL_OK;
     }
     hid_book_name(entry, name);
     pthread_mutex_lock(&book->lock);
@@ -203,7 +225,7 @@ const struct hid_map *hid_book_find(const struct hid_book *book,
 int hid_book_keep(struct hid_book *book, const struct hid_identity *identity,
                   const struct hid_map *map)
 {
-    if (is_busy(book)) {
+    if (hid_book_written(book) == HAL_ERR_BUSY) {
         return HAL_ERR_BUSY;
     }
     struct hid_book_entry *entry =
@@ -223,7 +245,7 @@ int hid_book_keep(struct hid_book *book, const struct hid_identity *identity,
 
 int hid_book_forget(struct hid_book *book, const struct hid_identity *identity)
 {
-    if (is_busy(book)) {
+    if (hid_book_written(book) == HAL_ERR_BUSY) {
         return HAL_ERR_BUSY;
     }
     struct hid_book_entry *entry =

@@ -31,8 +31,10 @@ struct hid_book {
     pthread_cond_t changed;
     uint8_t has_thread, has_job, stops; /* The rest is under `lock`. */
     struct hid_book_job job;
-    uint32_t written_count, failed_count;
-    char why[HAL_TEXT_SIZE];         /* Of the last failure. */
+    uint8_t last_failed;             /* The last job that was done; ... */
+    uint32_t written_count, failed_count; /* ... and all of them. */
+    void (*tell)(void *self, const char *line);
+    void *tell_self;
 };
 
 /* Reads `data`/pois (null: nothing is kept) and starts the thread. Complaints go to `complain`, a
@@ -45,13 +47,20 @@ const struct hid_map *hid_book_find(const struct hid_book *book,
                                     const struct hid_identity *identity);
 
 /* Keeps or forgets it. HAL_ERR_BUSY: the last one is still being written, ask again next frame;
- * HAL_ERR_IO: the book is full. */
+ * HAL_ERR_IO: the book is full, or nobody is there to write. */
 int hid_book_keep(struct hid_book *book, const struct hid_identity *identity,
                   const struct hid_map *map);
 int hid_book_forget(struct hid_book *book, const struct hid_identity *identity);
 
 /* A map for whoever asks: the learned one if it fits the descriptor, else hid_map_choose()'s. */
 struct hid_mapper hid_book_mapper(struct hid_book *book);
+
+/* What cannot be written is told from now on, one line, on the book's thread. Null: to nobody. */
+void hid_book_tell(struct hid_book *book, void (*tell)(void *self, const char *line), void *self);
+
+/* What became of the last keep() or forget(): HAL_ERR_BUSY while it is being written, HAL_OK,
+ * HAL_ERR_IO when it could not be: it holds for this run alone. */
+int hid_book_written(struct hid_book *book);
 
 /* Waits until all is on the card, and ends the thread. */
 void hid_book_close(struct hid_book *book);

@@ -34,7 +34,7 @@ static void leave_seat(struct hid_desk *desk)
         poi_hid_show(seat, (struct hid_watch){ 0 });
     }
     desk->learn_seat = POI_MAX;
-    desk->learn_waits = 0;
+    desk->learn_waits = desk->keeps = desk->writes = 0;
 }
 
 static void fail_learning(struct hid_desk *desk)
@@ -43,28 +43,62 @@ static void fail_learning(struct hid_desk *desk)
     desk->learn.step = LEARN_FAILED;
 }
 
-static void end_learning(struct hid_desk *desk, const struct hid_map *map)
+static int is_kind(const struct hid_identity *one, const struct hid_identity *other)
+{
+    return one->vendor == other->vendor && one->product == other->product &&
+           strcmp(one->serial, other->serial) == 0;
+}
+
+/* Learning chose it; where nothing came of that nobody chose it. Asked again while the roster is
+ * busy. */
+static void give_back(struct hid_desk *desk)
+{
+    const struct hid_row *row = &desk->row[desk->learn_row];
+    desk->gives_back =
+        desk->gives_back && is_kind(&row->identity, &desk->learn_identity) &&
+        desk->roster.ops->release(desk->roster.self, desk->learn_row) == HAL_ERR_BUSY;
+}
+
+/* It plays on by `map`; null: by what it would have played by without. */
+static void stop_learning(struct hid_desk *desk, const struct hid_map *map)
 {
     struct poi_hid *seat = learning_seat(desk);
     if (seat) {
         poi_hid_remap(seat, map);
     }
     leave_seat(desk);
-    desk->keeps = 0;
     desk->learn.step = LEARN_NONE;
+}
+
+static void end_learning(struct hid_desk *desk)
+{
+    const int plays_on = desk->learn.step == LEARN_UNKEPT || desk->writes;
+    stop_learning(desk, plays_on ? &desk->learn.map : NULL);
+    give_back(desk);
+}
+
+/* Begun again, what was free before is so still. */
+static void begin_anew(struct hid_desk *desk, uint32_t row)
+{
+    const int again = desk->learn.step != LEARN_NONE && desk->learn_row == row;
+    if (again) {
+        stop_learning(desk, NULL);
+    } else if (desk->learn.step != LEARN_NONE) {
+        end_learning(desk);
+    }
+    desk->gives_back = desk->row[row].state == CONTROLLER_FREE || (again && desk->gives_back);
+    desk->learn_row = (uint8_t)row;
+    desk->learn_identity = desk->row[row].identity;
 }
 
 static int begin_learning(struct hid_desk *desk, uint32_t row)
 {
-    const uint8_t state = desk->row[row].state;
-    if (desk->learn.step != LEARN_NONE) {
-        end_learning(desk, NULL);
-    }
-    desk->learn_row = (uint8_t)row;
-    const int result = state == CONTROLLER_PLAYS
+    begin_anew(desk, row);
+    const int result = desk->row[row].state == CONTROLLER_PLAYS
                            ? HAL_OK
                            : desk->roster.ops->choose(desk->roster.self, row);
     if (result != HAL_OK) {
+        desk->gives_back = 0;
         fail_learning(desk);
         return result;
     }
@@ -76,8 +110,7 @@ static int begin_learning(struct hid_desk *desk, uint32_t row)
 
 static int is_same(const struct hid_identity *one, const struct hid_identity *other)
 {
-    return one->vendor == other->vendor && one->product == other->product &&
-           strcmp(one->serial, other->serial) == 0 && strcmp(one->port, other->port) == 0;
+    return is_kind(one, other) && strcmp(one->port, other->port) == 0;
 }
 
 /* The seat opens when the frame loop looks for it, within a second. */
@@ -95,6 +128,7 @@ static void sit_down(struct hid_desk *desk)
     }
     desk->learn_waits = 0;
     desk->learn_seat = row->seat;
+    desk->learn_identity = row->identity; /* Some say their serial number only when opened. */
     hid_learn_begin(&desk->learn, &seat->face);
     if (desk->learn.step == LEARN_FAILED) {
         leave_seat(desk);
@@ -121,16 +155,31 @@ static void go_on(struct hid_desk *desk)
     }
 }
 
+/* It is kept once it is written: who switches off then may rely on it. */
+static void watch_writing(struct hid_desk *desk)
+{
+    const int result = hid_book_written(desk->book);
+    if (result == HAL_OK) {
+        stop_learning(desk, &desk->learn.map);
+    } else if (result != HAL_ERR_BUSY) {
+        desk->writes = 0;
+        desk->learn.step = LEARN_UNKEPT;
+    }
+}
+
 static int keep(struct hid_desk *desk)
 {
     const struct poi_hid *seat = learning_seat(desk);
-    if (!seat || desk->learn.step != LEARN_TRY) {
+    if (!seat || (desk->learn.step != LEARN_TRY && desk->learn.step != LEARN_UNKEPT)) {
         return HAL_ERR_IO;
     }
     const int result = hid_book_keep(desk->book, &seat->face.identity, &desk->learn.map);
+    desk->learn.step = result == HAL_OK || result == HAL_ERR_BUSY ? LEARN_TRY : LEARN_UNKEPT;
+    desk->gives_back = 0;
     desk->keeps = result == HAL_ERR_BUSY;
-    if (result != HAL_ERR_BUSY) {
-        end_learning(desk, result == HAL_OK ? &desk->learn.map : NULL);
+    desk->writes = result == HAL_OK;
+    if (desk->writes) {
+        watch_writing(desk);
     }
     return result == HAL_ERR_BUSY ? HAL_OK : result;
 }
@@ -145,7 +194,8 @@ static void forget(struct hid_desk *desk)
 static int release(struct hid_desk *desk, uint32_t row)
 {
     if (desk->learn.step != LEARN_NONE && desk->learn_row == row) {
-        end_learning(desk, NULL);
+        stop_learning(desk, NULL);
+        desk->gives_back = 0; /* It is released either way. */
     }
     if (desk->row[row].state != CONTROLLER_NONE) {
         desk->forget_identity = desk->row[row].identity;
@@ -162,6 +212,7 @@ static int hid_desk_order(void *self, const struct desk_order *order)
     }
     switch (order->kind) {
     case DESK_CHOOSE:
+        desk->gives_back &= order->row != desk->learn_row;
         return desk->roster.ops->choose(desk->roster.self, order->row);
     case DESK_RELEASE:
         return release(desk, order->row);
@@ -173,7 +224,7 @@ static int hid_desk_order(void *self, const struct desk_order *order)
     case DESK_LEARN_KEEP:
         return keep(desk);
     case DESK_LEARN_END:
-        end_learning(desk, NULL);
+        end_learning(desk);
         return HAL_OK;
     default:
         return HAL_OK;
@@ -188,11 +239,16 @@ static void watch_learning(struct hid_desk *desk)
     const struct poi_hid *seat = learning_seat(desk);
     if (desk->learn_waits) {
         sit_down(desk);
-    } else if (seat && !seat->is_open) {
+    } else if (seat && !seat->is_open && !desk->writes) {
         fail_learning(desk);
     }
     if (desk->keeps) {
         keep(desk);
+    } else if (desk->writes) {
+        watch_writing(desk);
+    }
+    if (desk->gives_back && desk->learn.step == LEARN_NONE) {
+        give_back(desk);
     }
 }
 

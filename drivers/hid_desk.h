@@ -19,6 +19,9 @@ struct hid_desk {
     uint8_t learn_seat;                /* < POI_MAX once the controller sits there. */
     uint8_t learn_waits;               /* It was chosen and has not sat down yet. */
     uint8_t keeps, forgets;            /* The book was busy: asked again at the next poll. */
+    uint8_t writes;                    /* What was learned is being written. */
+    uint8_t gives_back;                /* It was free before: unless it is kept it is so again. */
+    struct hid_identity learn_identity; /* Who is learned, ... */
     struct hid_identity forget_identity;
     char name[HAL_CONTROLLER_TEXT];
 };

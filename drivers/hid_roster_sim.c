@@ -44,6 +44,7 @@ void hid_roster_sim_plug(struct hid_roster_sim *sim, uint32_t row, const struct 
         sim->barred[row] = sim->denied[row] = 0;
     }
     sim->face[row] = face;
+    sim->who[row] = face ? face->identity : sim->who[row];
     if (face && sim->chosen[row]) {
         sit_down(sim, row);
     }
@@ -65,8 +66,8 @@ static void rows(void *self, struct hid_row out[CONTROLLER_MAX])
     const struct hid_roster_sim *sim = self;
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         out[i] = (struct hid_row){ .state = state_of(sim, i), .seat = POI_MAX };
-        if (sim->face[i]) {
-            out[i].identity = sim->face[i]->identity;
+        if (out[i].state != CONTROLLER_NONE) {
+            out[i].identity = sim->face[i] ? sim->face[i]->identity : sim->who[i];
         }
         if (sim->taken[i]) {
             out[i].seat = (uint8_t)(sim->taken[i] - 1u);

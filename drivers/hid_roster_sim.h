@@ -11,6 +11,7 @@ struct hid_roster_sim {
     const struct hid_face *face[CONTROLLER_MAX]; /* Plugged in, the caller's; null: an empty row. */
     uint8_t chosen[CONTROLLER_MAX];
     uint8_t barred[CONTROLLER_MAX];           /* A keyboard, say. */
+    struct hid_identity who[CONTROLLER_MAX];  /* Who was there last: one that is LOST has a name. */
     uint8_t denied[CONTROLLER_MAX];           /* We may not open it. */
     uint8_t taken[CONTROLLER_MAX];            /* Seat + 1; 0: it sits nowhere. */
     uint32_t choose_count, release_count;

@@ -82,6 +82,7 @@ void usb_open(struct hal *hal, const struct board_options *options)
     };
     struct board_options told = *options;
     hid_book_open(&devices.book, options->data_dir, complain_of_file, &told);
+    hid_book_tell(&devices.book, complain, NULL);
     devices.usb = usb_seats_start(&config, devices.text);
     if (devices.text[0]) {
         complain_of_file(&told, devices.text);

@@ -159,7 +159,7 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
 static int is_learning(const struct menu *menu)
 {
     return menu->page == MENU_LEARN && menu->desk.learn_step != LEARN_TRY &&
-           menu->desk.learn_step != LEARN_FAILED;
+           menu->desk.learn_step != LEARN_FAILED && menu->desk.learn_step != LEARN_UNKEPT;
 }
 
 /* From 1; 0: none. */
@@ -245,6 +245,8 @@ static void watch(struct core *core, const struct input *input, struct output *o
 {
     struct menu *menu = &core->game.menu;
     check(&input->desk);
+    const int is_unkept = input->desk.learn_step == LEARN_UNKEPT &&
+                          menu->desk.learn_step != LEARN_UNKEPT;
     const int has_changed = memcmp(&menu->desk, &input->desk, sizeof menu->desk) != 0;
     menu->desk = input->desk;
     menu->upright = input->upright != 0;
@@ -253,6 +255,10 @@ static void watch(struct core *core, const struct input *input, struct output *o
     count_coins(core, input->coin_count, output);
     if (input->pressed != 0 || input->coin_count > 0 || has_changed) {
         menu->act_tick = core->tick;
+    }
+    if (is_unkept) { /* Who said "keep" is told, wherever he went since. */
+        menu->row = input->desk.learn_row;
+        menu_turn(core, MENU_LEARN);
     }
     point_at_something(menu);
 }

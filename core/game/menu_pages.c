@@ -101,6 +101,7 @@ static uint16_t learn_offers(const struct menu *menu)
     case LEARN_NONE:
         return TAG(LEARNS_END); /* Nobody has begun yet, or the controller is away. */
     case LEARN_TRY:
+    case LEARN_UNKEPT: /* The card may be in by now. */
         return TAG(LEARNS_KEEP) | TAG(LEARNS_AGAIN) | TAG(LEARNS_END);
     case LEARN_FAILED:
         return TAG(LEARNS_AGAIN) | TAG(LEARNS_END);

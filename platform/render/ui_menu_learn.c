@@ -23,6 +23,7 @@ static const struct step_words steps[LEARN_STEP_COUNT] = {
     [LEARN_DIP] = { TEXT_LEARN_DIP, TEXT_LEARN_DIP_WORDS, 0.0f, 0.62f },
     [LEARN_TRY] = { TEXT_LEARN_TRY, TEXT_LEARN_TRY_WORDS, 0.0f, 0.0f },
     [LEARN_FAILED] = { TEXT_LEARN_FAILED, TEXT_LEARN_FAILED_WORDS, 0.0f, 0.0f },
+    [LEARN_UNKEPT] = { TEXT_LEARN_UNKEPT, TEXT_LEARN_UNKEPT_WORDS, 0.0f, 0.0f },
 };
 
 /* Where the parts of the page are. */
@@ -103,12 +104,13 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     const struct scene_menu *menu = view->menu;
     const struct overlay_point canvas = overlay_size(menu->upright);
     float x = 0.5f, y = 0.5f;
+    const int plays = step == LEARN_TRY || step == LEARN_UNKEPT;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
-    if (step == LEARN_TRY && menu->has_hand) { /* The poi that was taught leads this one. */
+    if (plays && menu->has_hand) { /* The poi that was taught leads this one. */
         x = menu->x / canvas.x;
         y = menu->y / canvas.y;
         radius *= menu->presses ? 0.75f : 1.0f;
-    } else if (step == LEARN_TRY) {
+    } else if (plays) {
         paper = 0.0f;
     } else {
         const float rest_y = step == LEARN_DIP ? 0.26f : 0.5f;

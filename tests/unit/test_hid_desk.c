@@ -1,9 +1,13 @@
 /* test_hid_desk.c -- the operator's desk: choosing, learning, keeping, over seats of memory. */
+#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -190,12 +194,119 @@ static void test_what_is_not_kept_is_forgotten(void **state)
 {
     (void)state;
     frame();
+    order(DESK_CHOOSE, 0);
+    frame();
     teach();
     frame();
     order(DESK_LEARN_END, 0);
     assert_int_equal(frame().learn_step, LEARN_NONE);
     assert_null(hid_book_find(&book, &wire[0].face.identity));
     assert_int_equal(seat[0].hand.map.source, HID_MAP_KNOWN);
+    assert_int_equal(frame().state[0], CONTROLLER_PLAYS); /* As it did before. */
+}
+
+static void test_who_was_free_is_so_again_where_nothing_was_kept(void **state)
+{
+    (void)state;
+    frame();
+    order(DESK_LEARN, 0); /* Ended before it sits, ... */
+    order(DESK_LEARN_END, 0);
+    assert_int_equal(frame().state[0], CONTROLLER_FREE);
+    teach(); /* ... while it is tried, also the second time, ... */
+    order(DESK_LEARN, 0);
+    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
+    order(DESK_LEARN_END, 0);
+    assert_int_equal(frame().state[0], CONTROLLER_FREE);
+    order(DESK_LEARN, 0); /* ... by the next that is learned, ... */
+    frame();
+    order(DESK_LEARN, 3);
+    assert_int_equal(frame().state[0], CONTROLLER_FREE);
+    assert_int_equal(frame().state[3], CONTROLLER_PLAYS);
+    order(DESK_LEARN_END, 3);
+    order(DESK_LEARN, 0); /* ... and while it is away. */
+    frame();
+    frame();
+    hid_roster_sim_plug(&roster, 0, NULL);
+    frame();
+    assert_int_equal(frame().learn_step, LEARN_FAILED);
+    order(DESK_LEARN_END, 0);
+    assert_int_equal(frame().state[0], CONTROLLER_NONE);
+    assert_int_equal(roster.release_count, 5);
+}
+
+static void test_who_was_kept_plays_on(void **state)
+{
+    (void)state;
+    frame();
+    teach();
+    order(DESK_LEARN_KEEP, 0);
+    frame();
+    order(DESK_LEARN, 0);
+    frame();
+    order(DESK_LEARN_END, 0);
+    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
+    assert_int_equal(roster.release_count, 0);
+}
+
+static atomic_uint told_count;
+
+static void count_line(void *self, const char *line)
+{
+    assert_non_null(strstr(line, self));
+    told_count++;
+}
+
+/* The thread writes when it may: some frames are patience. */
+static struct desk_input written(void)
+{
+    struct desk_input out = frame();
+    for (uint32_t i = 0; i < 5000 && out.learn_step == LEARN_TRY; i++) {
+        usleep(1000);
+        out = frame();
+    }
+    return out;
+}
+
+static void test_what_cannot_be_written_is_told_and_plays_on(void **state)
+{
+    char data[] = "/tmp/kingyo-desk-XXXXXX", pois[64], line[] = "/pois/054c-0ce6-.poi: ";
+    (void)state;
+    assert_non_null(mkdtemp(data));
+    snprintf(pois, sizeof pois, "%s/pois", data);
+    assert_int_equal(close(open(pois, O_CREAT | O_WRONLY, 0644)), 0); /* No folder can be here. */
+    hid_book_close(&book);
+    hid_book_open(&book, data, NULL, NULL);
+    hid_book_tell(&book, count_line, line);
+    told_count = 0;
+    frame();
+    teach();
+    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_OK);
+    assert_int_equal(written().learn_step, LEARN_UNKEPT);
+    assert_int_equal(told_count, 1);
+    assert_true(seat[0].plays);
+    assert_int_equal(unlink(pois), 0); /* Somebody saw to it. */
+    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_OK);
+    assert_int_equal(written().learn_step, LEARN_NONE);
+    assert_int_equal(book.written_count, 1);
+    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED);
+    hid_book_close(&book);
+    snprintf(pois, sizeof pois, "rm -rf %s", data);
+    assert_int_equal(system(pois), 0);
+    hid_book_open(&book, NULL, NULL, NULL);
+}
+
+static void test_who_lives_with_what_is_not_kept_plays_on(void **state)
+{
+    (void)state;
+    snprintf(book.folder, sizeof book.folder, "/nowhere/pois"); /* A book without its thread. */
+    frame();
+    teach();
+    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_ERR_IO);
+    assert_int_equal(frame().learn_step, LEARN_UNKEPT);
+    order(DESK_LEARN_END, 0);
+    assert_int_equal(frame().learn_step, LEARN_NONE);
+    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
+    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED);
 }
 
 static void test_a_released_controller_is_forgotten(void **state)
@@ -281,6 +392,10 @@ int main(void)
         TEST(test_who_is_chosen_plays_and_who_is_released_does_not),
         TEST(test_a_pad_is_learned_tried_and_kept),
         TEST(test_what_is_not_kept_is_forgotten),
+        TEST(test_who_was_free_is_so_again_where_nothing_was_kept),
+        TEST(test_who_was_kept_plays_on),
+        TEST(test_what_cannot_be_written_is_told_and_plays_on),
+        TEST(test_who_lives_with_what_is_not_kept_plays_on),
         TEST(test_a_released_controller_is_forgotten),
         TEST(test_one_that_is_pulled_out_while_it_is_learned_fails),
         TEST(test_one_that_may_not_be_opened_cannot_be_learned),

@@ -292,6 +292,32 @@ static void test_a_controller_is_learned_step_by_step_and_kept(void **state)
     assert_int_equal(menu()->page, MENU_CONTROLLERS);
 }
 
+static void test_who_kept_what_cannot_be_written_is_told_wherever_he_is(void **state)
+{
+    (void)state;
+    go_to_a_controller();
+    push(INPUT_SERVICE);
+    push(INPUT_TEST);
+    input.desk.learn_step = LEARN_TRY;
+    input.desk.learn_row = 3;
+    step();
+    while (pointed() != LEARNS_KEEP) {
+        push(INPUT_SERVICE);
+    }
+    push(INPUT_TEST);
+    expect_order(2, DESK_LEARN_KEEP, 3);
+    push(INPUT_SERVICE);
+    assert_int_equal(menu()->page, MENU_CONTROLLERS);
+    input.desk.learn_step = LEARN_UNKEPT;
+    step();
+    assert_int_equal(menu()->page, MENU_LEARN);
+    assert_int_equal(pointed(), LEARNS_KEEP);
+    push(INPUT_TEST);
+    expect_order(3, DESK_LEARN_KEEP, 3);
+    steps(10);
+    assert_int_equal(menu()->page, MENU_CONTROLLERS); /* It is told once. */
+}
+
 static void test_what_failed_can_be_tried_again_or_left(void **state)
 {
     (void)state;
@@ -660,6 +686,7 @@ int main(void)
         IN_MENU(test_each_order_is_told_once_with_its_row),
         IN_MENU(test_orders_count_on_when_the_menu_is_opened_again),
         IN_MENU(test_a_controller_is_learned_step_by_step_and_kept),
+        IN_MENU(test_who_kept_what_cannot_be_written_is_told_wherever_he_is),
         IN_MENU(test_what_failed_can_be_tried_again_or_left),
         IN_MENU(test_a_menu_that_is_forgotten_ends_what_was_being_learned),
         IN_MENU(test_a_coin_in_the_menu_is_a_test_and_no_money),

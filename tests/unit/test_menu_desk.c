@@ -258,6 +258,10 @@ static void test_what_was_not_kept_is_forgotten(void **state)
     frames(5);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     assert_null(hid_book_find(&rig.book, &rig.wire.face.identity));
+    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_FREE); /* As it was. */
+    point_at(ROW_CHOOSE);
+    push(INPUT_TEST);
+    frames(90);
     assert_true(way_right_m() > 0.02f);
 }
 
@@ -275,7 +279,8 @@ static void test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_g
     point_at(LEARNS_END);
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
-    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_LOST);
+    frames(2);
+    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_NONE); /* Nobody chose it. */
     point_at(ROW_BACK);
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLERS);
