@@ -2,22 +2,39 @@
 #include "drivers/gpio_dev.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <poll.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 
 #include "drivers/gpio_wires.h"
 
-bool gpio_dev_next(struct gpio_dev_walk *walk)
+static DIR *open_dev(const char *root)
+{
+    char path[1024];
+    const int length = snprintf(path, sizeof path, "%s/dev", root ? root : "");
+    return length < (int)sizeof path ? opendir(path) : NULL;
+}
+
+static bool is_chip(DIR *folder, const char *name)
 {
     static const char prefix[] = "gpiochip";
+    struct stat status;
+    return strncmp(name, prefix, sizeof prefix - 1u) == 0 &&
+           fstatat(dirfd(folder), name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+           !S_ISLNK(status.st_mode);
+}
+
+bool gpio_dev_next(struct gpio_dev_walk *walk)
+{
     if (!walk->folder) {
-        walk->folder = opendir("/dev");
+        walk->folder = open_dev(walk->root);
     }
     const struct dirent *entry;
     while (walk->folder && (entry = readdir(walk->folder)) != NULL) {
-        if (strncmp(entry->d_name, prefix, sizeof prefix - 1u) == 0) {
+        if (is_chip(walk->folder, entry->d_name)) {
             snprintf(walk->path, sizeof walk->path, "/dev/%s", entry->d_name);
             walk->count++;
             return true;

@@ -7,12 +7,14 @@
 
 #include "drivers/gpio_lines.h"
 
-/* A walk over the chips' device files, in the folder's order. The first call with a zero walk opens
- * it; the one that answers false has closed it, and so does gpio_dev_end(). */
+/* A walk over the chips' device files, in the folder's order, each once: symbolic links (Raspberry
+ * Pi OS has some for chips' former numbers) are left out. The first call with a walk that is zero
+ * but for `root` opens it; the one that answers false has closed it, and so does gpio_dev_end(). */
 struct gpio_dev_walk {
+    const char *root; /* Of the machine that is looked at; null: this one. */
     DIR *folder;
-    char path[sizeof "/dev/" + 256];
-    uint32_t count; /* Chips so far. */
+    char path[sizeof "/dev/" + 256]; /* Without the root. */
+    uint32_t count;   /* Chips so far. */
 };
 bool gpio_dev_next(struct gpio_dev_walk *walk);
 void gpio_dev_end(struct gpio_dev_walk *walk);

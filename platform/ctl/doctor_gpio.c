@@ -2,7 +2,6 @@
  * so. Asked of the kernel itself (linux/gpio.h), which tells who holds a line untaken. */
 #include "platform/ctl/doctor_gpio.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/gpio.h>
@@ -11,6 +10,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "drivers/gpio_dev.h"
 #include "drivers/gpio_wires.h"
 #include "platform/ctl/doctor.h"
 
@@ -77,22 +77,11 @@ static void look_at_chip(struct doctor *doctor, const char *path, struct gpio_ce
 
 static uint32_t look_at_chips(struct doctor *doctor, struct gpio_census *census)
 {
-    char path[OPTIONS_PATH_MAX + 64u];
-    uint32_t count = 0;
-    snprintf(path, sizeof path, "%s/dev", doctor->root);
-    DIR *folder = opendir(path);
-    const struct dirent *entry;
-    while (folder && (entry = readdir(folder))) {
-        if (strncmp(entry->d_name, "gpiochip", 8) == 0) {
-            snprintf(path, sizeof path, "/dev/%.60s", entry->d_name);
-            look_at_chip(doctor, path, census);
-            count++;
-        }
+    struct gpio_dev_walk walk = { .root = doctor->root };
+    while (gpio_dev_next(&walk)) {
+        look_at_chip(doctor, walk.path, census);
     }
-    if (folder) {
-        closedir(folder);
-    }
-    return count;
+    return walk.count;
 }
 
 /* ---- Wires ---------------------------------------------------------------------------------- */
@@ -103,10 +92,15 @@ static bool is_meant(const struct gpio_wire *wire, const struct gpio_seen *seen)
                          : strcmp(wire->chip, seen->chip) == 0 && wire->offset == seen->offset;
 }
 
-static void look_at_found(struct doctor_finding *finding, const struct gpio_seen *seen,
-                          uint32_t places)
+/* The line `seen`, one of `places`. Two chips of one label are told apart by nothing but names. */
+static void look_at_found(struct doctor_finding *finding, const struct gpio_wire *wire,
+                          const struct gpio_seen *seen, uint32_t places)
 {
-    if (places > 1u) {
+    if (places > 1u && !wire->name[0]) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "%u chips have that label", places);
+        doctor_todo(finding, "name it by its line's name, if it has one: kingyoctl lines list");
+    } else if (places > 1u) {
         finding->level = DOCTOR_WRONG;
         doctor_state(finding, "%u lines are called so", places);
         doctor_todo(finding, "name it by its chip: %s:%u", seen->chip, seen->offset);
@@ -136,7 +130,7 @@ void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct g
     struct doctor_finding *finding =
         doctor_find(doctor, "line", DOCTOR_FINE, "%s on %s", gpio_role_name(role), line);
     if (found) {
-        look_at_found(finding, found, places);
+        look_at_found(finding, wire, found, places);
         return;
     }
     finding->level = DOCTOR_WRONG;

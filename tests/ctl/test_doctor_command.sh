@@ -121,6 +121,8 @@ chmod 666 "$root/dev/input/event2"
 put dev/gpiochip0 ''
 chmod 600 "$root/dev/gpiochip0"
 check 'a chip that nobody needs may stay closed' finds look gpio /dev/gpiochip0 'nobody may not open it: Permission denied' 'sudo cp board/udev'
+ln -s gpiochip0 "$root/dev/gpiochip4" # As Raspberry Pi OS does.
+check 'a link to it is no other one' finds look gpio /dev/gpiochip 'nobody may not open it'
 with=(--line start=BTN_START)
 check 'one that is needed may not' finds wrong gpio /dev/gpiochip0 'nobody may not open it' 'sudo cp board/udev'
 check 'and its line is not found' finds wrong line 'start on BTN_START' 'no chip that may be opened has it' 'kingyoctl lines list'

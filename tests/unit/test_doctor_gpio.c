@@ -80,6 +80,17 @@ static void test_a_name_on_two_lines_is_wrong_and_the_chip_is_offered(void **sta
     assert_string_equal(finding->todo, "name it by its chip: pinctrl-bcm2711:17");
 }
 
+static void test_two_chips_of_one_label_are_told_apart_by_names_alone(void **state)
+{
+    (void)state;
+    memcpy(census.line[2].chip, "pinctrl-bcm2711", sizeof "pinctrl-bcm2711");
+    census.line[2].offset = 17;
+    const struct doctor_finding *finding = ask("ok=pinctrl-bcm2711:17");
+    assert_int_equal(finding->level, DOCTOR_WRONG);
+    assert_string_equal(finding->state, "2 chips have that label");
+    assert_non_null(strstr(finding->todo, "by its line's name"));
+}
+
 static void test_a_line_that_no_chip_has_is_wrong(void **state)
 {
     (void)state;
@@ -106,6 +117,8 @@ int main(void)
         cmocka_unit_test_setup(test_a_free_line_is_fine_and_found_on_its_chip, two_chips),
         cmocka_unit_test_setup(test_a_line_that_a_driver_holds_is_wrong_and_says_who, two_chips),
         cmocka_unit_test_setup(test_a_line_that_the_kiosk_itself_holds_is_fine, two_chips),
+        cmocka_unit_test_setup(
+            test_two_chips_of_one_label_are_told_apart_by_names_alone, two_chips),
         cmocka_unit_test_setup(
             test_a_name_on_two_lines_is_wrong_and_the_chip_is_offered, two_chips),
         cmocka_unit_test_setup(test_a_line_that_no_chip_has_is_wrong, two_chips),
