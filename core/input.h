@@ -11,6 +11,9 @@
 #include "core/base/vec.h"
 
 #define CORE_TICK_HZ 120u /* The only step length there is. Two ticks a frame at 60 Hz. */
+
+/* A round waits no longer for pois that are lost; so long a lost one's seat is kept for it. */
+#define POI_WAIT_TICKS_MAX (120u * CORE_TICK_HZ)
 #define CORE_TICK_S (1.0f / 120.0f)
 
 #define POI_MAX 4u   /* Players at one tank, as at a real stall. */

@@ -8,22 +8,34 @@
 #include <string.h>
 #include <unistd.h>
 
-uint32_t usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
+static int read_lines(struct usb_choice *choice, const char *path, FILE *file,
+                      char why[HAL_TEXT_SIZE])
 {
     char line[2u * USB_CHOICE_LINE_SIZE], error[USB_ERROR_SIZE];
-    uint32_t number = 0, bad = 0;
-    FILE *file = path[0] ? fopen(path, "re") : NULL;
-    while (file && fgets(line, sizeof line, file)) {
+    uint32_t number = 0;
+    int bad = 0;
+    while (fgets(line, sizeof line, file)) {
         number++;
         if (usb_choice_read_line(choice, line, error)) {
             snprintf(why, HAL_TEXT_SIZE, "%.60s:%u: %s", path, number, error);
             bad++;
         }
     }
+    return ferror(file) ? -errno : bad;
+}
+
+int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
+{
+    FILE *file = path[0] ? fopen(path, "re") : NULL;
+    const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
+    const int result = file ? read_lines(choice, path, file, why) : error;
+    if (result < 0) {
+        snprintf(why, HAL_TEXT_SIZE, "%.60s: cannot read: %.40s", path, strerror(-result));
+    }
     if (file) {
         fclose(file);
     }
-    return bad;
+    return result;
 }
 
 static int write_lines(const struct usb_choice *choice, FILE *file)

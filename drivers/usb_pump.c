@@ -73,7 +73,9 @@ static int wait_ms(const struct usb_pump *pump)
     return (int)(left_ms < most_ms ? left_ms : most_ms);
 }
 
-/* libusb's callbacks run in here, and nowhere else. */
+/* libusb's callbacks run in here; and within usb_device_open(), where libusb waits for the end of
+ * each request by handling whatever happens meanwhile. So all they do is to note what happened and
+ * to push reports: the table is not changed by them. */
 static void wait_and_handle(struct usb_pump *pump)
 {
     struct timeval at_once = { 0, 0 };

@@ -29,6 +29,7 @@ struct usb_entry {
     struct usb_device device; /* .device null: the entry is empty. */
     uint8_t trouble;          /* enum usb_trouble, and which of them was told. */
     uint8_t told_trouble;
+    uint8_t failures;         /* In a row, each of which took the thread some time. */
     uint8_t is_seen;          /* By the comparison that goes on. */
     uint32_t row, link, seat; /* USB_NOBODY: none; of rows CONTROLLER_MAX, too. */
     uint32_t drains;          /* The link that it had, which may not be closed yet. */
@@ -40,6 +41,7 @@ struct usb_pump {
     struct hal_clock clock;
     const char *sysfs;
     const char *choices_path; /* "": choices are not kept. */
+    uint8_t is_unread;        /* That file is there, but what it says is not known. */
     void (*tell)(void *self, const char *line); /* May be null. */
     void *tell_self;
     struct usb_choice choice;

@@ -145,13 +145,16 @@ static void release(struct usb_pump *pump, const struct hid_identity *identity)
     }
 }
 
+/* What nobody could read is not written over: the other choices are in it. */
 static void keep_choices(struct usb_pump *pump)
 {
     char text[HAL_TEXT_SIZE];
-    const int error = usb_choice_save(&pump->choice, pump->choices_path);
-    if (error && pump->tell) {
-        snprintf(text, sizeof text, "%.70s: cannot write: %.30s; the choice holds for today",
-                 pump->choices_path, strerror(-error));
+    const int error =
+        pump->is_unread ? 0 : usb_choice_save(&pump->choice, pump->choices_path);
+    if ((pump->is_unread || error) && pump->tell) {
+        snprintf(text, sizeof text, "%.60s: %s%.30s; the choice holds for today",
+                 pump->choices_path, pump->is_unread ? "is not written over" : "cannot write: ",
+                 error ? strerror(-error) : "");
         pump->tell(pump->tell_self, text);
     }
 }
@@ -174,6 +177,7 @@ static void obey(struct usb_pump *pump, const struct usb_order *order)
             usb_pump_show(pump, entry, CONTROLLER_FREE);
         }
         entry->due_ns = entry->link == USB_NOBODY ? usb_pump_now_ns(pump) : entry->due_ns;
+        entry->failures = 0;
     }
     if (!order->plays) {
         release(pump, &order->identity);

@@ -7,8 +7,13 @@
 #define NS_PER_S 1000000000ull
 #define SOON_NS (NS_PER_S / 10u)
 #define RETRY_NS (2u * NS_PER_S)   /* Rights and other programs change by hand. */
+/* Twice as long each time that one did not answer, for asking takes seconds in which the thread
+ * tends to nobody else. */
+#define RETRY_NS_MAX (60u * NS_PER_S)
+#define FAILURES_MAX 6u /* 2 s, 4, 8, 16, 32, and then the longest. */
 #define SETTLE_NS (2u * NS_PER_S)  /* A driver binds within that, udev's rule is done, too. */
-#define HOLD_NS (30u * NS_PER_S)   /* So long nobody else gets the seat of who was unplugged. */
+/* So long nobody else gets the seat of who was unplugged: a round may wait for it. */
+#define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
 
 static struct usb_judge judge_of(struct usb_pump *pump)
 {
@@ -113,6 +118,13 @@ static int was_here(const struct usb_pump *pump, const struct usb_entry *entry)
     return entry->row < CONTROLLER_MAX && pump->rows.row[entry->row].state == CONTROLLER_LOST;
 }
 
+static uint64_t retry_ns(const struct usb_entry *entry)
+{
+    const uint32_t doublings = entry->failures > 0u ? entry->failures - 1u : 0u;
+    const uint64_t wait_ns = RETRY_NS << doublings;
+    return wait_ns < RETRY_NS_MAX ? wait_ns : RETRY_NS_MAX;
+}
+
 static void say_trouble(struct usb_pump *pump, struct usb_entry *entry)
 {
     usb_pump_tell_trouble(pump, entry);
@@ -121,7 +133,7 @@ static void say_trouble(struct usb_pump *pump, struct usb_entry *entry)
                   (uint8_t)(is_denied                 ? CONTROLLER_DENIED
                             : was_here(pump, entry) ? CONTROLLER_LOST
                                                       : CONTROLLER_FREE));
-    entry->due_ns = usb_pump_now_ns(pump) + RETRY_NS;
+    entry->due_ns = usb_pump_now_ns(pump) + retry_ns(entry);
 }
 
 static void open_it(struct usb_pump *pump, struct usb_entry *entry)
@@ -136,6 +148,9 @@ static void open_it(struct usb_pump *pump, struct usb_entry *entry)
         return;
     }
     entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
+    entry->failures = (uint8_t)(entry->trouble != USB_BROKEN      ? 0u
+                                : entry->failures < FAILURES_MAX ? entry->failures + 1u
+                                                                 : FAILURES_MAX);
     if (handle) {
         entry->told_trouble = USB_FINE;
         seat_it(pump, entry, handle, seat, link);

@@ -40,7 +40,7 @@ struct usb_seats *usb_seats_start(const struct usb_seats_config *config, char wh
     pump->sysfs = one.sysfs;
     pump->tell = config->tell;
     pump->tell_self = config->tell_self;
-    usb_choice_load(&pump->choice, one.choices, why);
+    pump->is_unread = usb_choice_load(&pump->choice, one.choices, why) < 0;
     for (uint32_t i = 0; i < config->listed_count; i++) {
         usb_choice_wish(&pump->choice, &config->listed[i], 1, 0);
     }

@@ -31,7 +31,7 @@ struct usb_seats_config {
 
 /* Starts the thread. The one object of it is the file's own: a process has one USB. `why` gets one
  * line where there is no USB at all (the rest then answers HAL_ERR_NONE), or where a line of the
- * file cannot be used; else "". */
+ * file cannot be used, or the file not be read: then it is not written over; else "". */
 struct usb_seats *usb_seats_start(const struct usb_seats_config *config, char why[HAL_TEXT_SIZE]);
 
 /* Seat `index` < POI_MAX. Whoever sits there comes back to the same seat after it was pulled out:

@@ -7,8 +7,11 @@
 #define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ)    /* Nobody comes back: the round ends. */
 #define GAME_LOST_TICKS_OTHERS (10u * CORE_TICK_HZ) /* So long the others wait for one hand. */
 #define GAME_WAIT_TICKS_OTHERS (30u * CORE_TICK_HZ) /* So long in all of a round; ... */
-#define GAME_WAIT_TICKS_MAX (120u * CORE_TICK_HZ)   /* ... and so long while nobody is there: a plug
+#define GAME_WAIT_TICKS_MAX POI_WAIT_TICKS_MAX      /* ... and so long while nobody is there: a plug
                                                        that comes and goes ends a round too. */
+_Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
+                   GAME_WAIT_TICKS_OTHERS <= GAME_WAIT_TICKS_MAX,
+               "no wait outlasts the seat that is kept");
 
 struct core;
 

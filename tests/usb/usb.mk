@@ -1,6 +1,6 @@
 # usb.mk -- the USB transport over a bus of memory (tests/unit/usb_stand.h), and under the sanitizers.
 
-USB_TESTS := usb_seats usb_reports usb_unplug usb_crowd usb_ring usb_choice
+USB_TESTS := usb_seats usb_reports usb_unplug usb_crowd usb_ring usb_choice usb_wait
 USB_STAND := usb_stand usb_stand_lib usb_stand_open
 
 # libusb's functions come from the stand: what the program itself defines is linked before libraries.
@@ -10,7 +10,7 @@ $(patsubst %,$(BUILD)/tests/unit/test_%,$(USB_TESTS) usb_play board_usb): $(USB_
 # The same again with everything they call compiled for address + undefined behaviour, and for threads.
 USB_SAN := $(BUILD)/usb
 USB_SAN_SRC := $(wildcard drivers/usb_*.c) $(addprefix drivers/,hid_descriptor.c hid_globals.c hid_item.c \
-    hid_report.c poi_descriptor.c) platform/clock.c $(USB_STAND:%=tests/unit/%.c) tests/unit/panic.c
+    hid_report.c hid_map.c hid_map_known.c hid_offer.c hid_offer_map.c poi_descriptor.c) platform/clock.c $(USB_STAND:%=tests/unit/%.c) tests/unit/panic.c
 USB_SAN_BIN := $(foreach t,$(USB_TESTS),$(USB_SAN)/address/test_$(t) $(USB_SAN)/thread/test_$(t))
 USB_SAN_CFLAGS := -std=c17 -O1 -g $(WARN) -D_GNU_SOURCE -I. -fno-sanitize-recover=all
 USB_FLAGS = $(eval USB_FLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags libusb-1.0)))$(USB_FLAGS)
