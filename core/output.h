@@ -69,7 +69,7 @@ struct round_record {
     } player[POI_MAX];
 };
 
-/* What the operator orders of a controller. `id` rises by one with each order; 0: none yet. */
+/* What the operator orders of a controller. */
 enum desk_order_kind {
     DESK_NOTHING = 0,
     DESK_CHOOSE,     /* Take it from whoever has it; it is a poi from now on. */
@@ -81,10 +81,12 @@ enum desk_order_kind {
 };
 
 struct desk_order {
-    uint32_t id;
     uint8_t kind; /* enum desk_order_kind */
     uint8_t row;  /* < CONTROLLER_MAX, as in desk_input. */
 };
+
+#define DESK_ORDER_MAX 8u /* More than a hand gives in the longest frame (PACE_TICKS_MAX), so that
+                             the oldest is told before its place is taken. */
 
 struct output {
     uint32_t sound_count; /* <= OUTPUT_SOUND_MAX; further sounds of the frame are not heard. */
@@ -94,7 +96,8 @@ struct output {
     uint8_t coin_lockout;   /* Level: coins fall through to the return. */
     uint32_t coins_counted; /* Since the start: the meter in the cabinet gets a pulse for each. */
     uint32_t tickets;       /* Since the start: the dispenser gets a pulse for each. */
-    struct desk_order order; /* The newest. */
+    uint32_t order_count;   /* Since the start; order n, from 0, lies at n % DESK_ORDER_MAX. */
+    struct desk_order orders[DESK_ORDER_MAX];
     struct round_record record; /* The newest; stays until the next, for a store that is busy. */
     struct edit_record edit;    /* Likewise; what the store did not take by then is this run's. */
 };

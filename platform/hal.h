@@ -125,6 +125,8 @@ enum hal_switch {
     HAL_SWITCH_COUNT,
 };
 
+/* A call that fails has done nothing of it: it is made again next frame when the answer was BUSY,
+ * in a second when it was a fault, and not at all when it was NONE. */
 struct hal_switches_ops {
     int (*set)(void *self, enum hal_switch which, int active);
     /* `count` more pulses, which the driver makes one after the other, in its own time. */

@@ -46,7 +46,7 @@ static void open_menu(struct core *core, const struct input *input)
         .desk = input->desk,
         .upright = input->upright != 0,
         .presses = 1, /* Who holds a poi down takes nothing. */
-        .order_id = menu->order_id,
+        .order_count = menu->order_count,
         .take_tick = core->tick,
         .act_tick = core->tick,
     };
@@ -315,7 +315,7 @@ uint64_t menu_hash(uint64_t hash, const struct menu *menu)
                                menu->file_first,
                                menu->has_hand,  menu->hand,       menu->presses,
                                menu->points,    menu->held,       menu->test_coins,
-                               menu->coin_tick, menu->order_id,   menu->ask_tick,
+                               menu->coin_tick, menu->order_count,   menu->ask_tick,
                                menu->take_tick, menu->act_tick };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

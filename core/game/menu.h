@@ -24,8 +24,7 @@
 
 #define MENU_TAG_MAX 12u /* Eight in a page's body, and four at its foot. */
 #define MENU_ASK_TICKS (5u * CORE_TICK_HZ)    /* So long a second TEST ends the round. */
-#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two takes within it are one hand's. Nor could
-                                                 more than one order be told in a frame. */
+#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two takes within it are one hand's. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Left open and forgotten: the stall opens again. */
 #define MENU_COUNT_MAX 9999u                  /* A counter of the lines' page stops there. */
 
@@ -58,8 +57,8 @@ struct menu {
     struct desk_input desk;       /* As the last input said. */
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Since it was opened. */
     uint32_t held;
-    uint32_t test_coins, coin_tick;
-    uint32_t order_id;
+    uint32_t test_coins, coin_tick; /* Those that fell on the lines' page. */
+    uint32_t order_count;
     uint32_t ask_tick;  /* When TEST was pressed in a round; 0: it was not. */
     uint32_t take_tick; /* When a tag was taken last, ... */
     uint32_t act_tick;  /* ... and when anybody last did anything. */

@@ -10,8 +10,9 @@
 static void order(struct core *core, struct output *output, enum desk_order_kind kind)
 {
     struct menu *menu = &core->game.menu;
-    menu->order_id++;
-    output->order = (struct desk_order){ menu->order_id, (uint8_t)kind, menu->row };
+    output->orders[menu->order_count % DESK_ORDER_MAX] =
+        (struct desk_order){ (uint8_t)kind, menu->row };
+    output->order_count = ++menu->order_count;
 }
 
 /* ---- The top -------------------------------------------------------------------------------- */

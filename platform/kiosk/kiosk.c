@@ -216,46 +216,27 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-static void set_switch(struct kiosk *kiosk, const struct hal *hal, enum hal_switch which,
-                       uint8_t active)
-{
-    const uint32_t bit = 1u << which;
-    if (!(kiosk->switched & bit) != !active) {
-        const int result = hal->switches.ops->set(hal->switches.self, which, active != 0);
-        kiosk->faults.switches += (uint32_t)hal_is_fault(result);
-        kiosk->switched ^= bit;
-    }
-}
-
-/* Asks for as many pulses as `wanted` has grown by. */
-static void pulse_switch(struct kiosk *kiosk, const struct hal *hal, enum hal_switch which,
-                         uint32_t wanted, uint32_t *asked)
-{
-    if (wanted != *asked) {
-        const int result = hal->switches.ops->pulse(hal->switches.self, which, wanted - *asked);
-        kiosk->faults.switches += (uint32_t)hal_is_fault(result);
-        *asked = wanted;
-    }
-}
-
 static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 {
-    const struct output *output = &kiosk->output;
-    set_switch(kiosk, hal, HAL_START_LAMP, output->start_lamp);
-    set_switch(kiosk, hal, HAL_COIN_LOCKOUT, output->coin_lockout);
-    if (kiosk->config.source.next) {
-        return; /* A replay's coins were metered when they fell. */
+    const uint64_t now_ns = clock_ns(hal->clock);
+    kiosk->faults.switches +=
+        switches_set(&kiosk->switches, &hal->switches, &kiosk->output, now_ns);
+    if (!kiosk->config.source.next) { /* A replay's coins were metered when they fell. */
+        kiosk->faults.switches +=
+            switches_pulse(&kiosk->switches, &hal->switches, &kiosk->output, now_ns);
     }
-    pulse_switch(kiosk, hal, HAL_COIN_COUNTER, output->coins_counted, &kiosk->coins_metered);
-    pulse_switch(kiosk, hal, HAL_TICKET, output->tickets, &kiosk->tickets_given);
 }
 
-static void present_order(struct kiosk *kiosk, const struct hal *hal)
+_Static_assert(PACE_TICKS_MAX / MENU_TAKE_TICKS + 2u <= DESK_ORDER_MAX,
+               "a take in the first tick, one after each pause, and the menu that closes itself");
+
+/* All of the frame's, in the order in which they were given. */
+static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 {
-    const struct desk_order *order = &kiosk->output.order;
-    if (!kiosk->config.source.next && order->id != kiosk->ordered_id) {
-        hal->controllers.ops->order(hal->controllers.self, order);
-        kiosk->ordered_id = order->id;
+    const struct output *output = &kiosk->output;
+    while (!kiosk->config.source.next && kiosk->told_orders != output->order_count) {
+        const uint32_t place = kiosk->told_orders++ % DESK_ORDER_MAX;
+        hal->controllers.ops->order(hal->controllers.self, &output->orders[place]);
     }
 }
 
@@ -317,7 +298,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
     if (tick_count > 0) {
         present_sounds(kiosk, hal);
         present_switches(kiosk, hal);
-        present_order(kiosk, hal);
+        present_orders(kiosk, hal);
         present_forces(kiosk, hal);
         present_record(kiosk, hal);
         present_edit(kiosk, hal);

@@ -13,6 +13,7 @@
 #include "platform/kiosk/hands.h"
 #include "platform/kiosk/pace.h"
 #include "platform/kiosk/shades.h"
+#include "platform/kiosk/switches.h"
 #include "platform/kiosk/timing.h"
 
 /* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
@@ -67,9 +68,8 @@ struct kiosk {
     uint64_t save_retry_ns;
     uint64_t audio_retry_ns; /* When a sound card that went is looked for again; 0: none went. */
     uint32_t refused_seen; /* Of the store's failed writes, those already among the faults. */
-    uint32_t switched;         /* Levels as last set, a bit (1 << enum hal_switch) each. */
-    uint32_t coins_metered, tickets_given; /* Pulses asked for so far. */
-    uint32_t ordered_id;       /* Newest order that the controllers got. */
+    struct switches switches;
+    uint32_t told_orders;      /* Of output.order_count, those that the controllers got. */
     uint8_t end;           /* enum kiosk_end */
 
     uint64_t frames;

@@ -109,7 +109,7 @@ static const struct field menu_fields[] = {
     FIELD(menu, points),     FIELD(menu, tag),        FIELD(menu, desk),
     FIELD(menu, pressed_count),
     FIELD(menu, held),       FIELD(menu, test_coins), FIELD(menu, coin_tick),
-    FIELD(menu, order_id),   FIELD(menu, ask_tick),   FIELD(menu, take_tick),
+    FIELD(menu, order_count),   FIELD(menu, ask_tick),   FIELD(menu, take_tick),
     FIELD(menu, act_tick),   FIELD(menu, x),          FIELD(menu, y),
     FIELD(menu, rest),
 };

@@ -77,8 +77,7 @@ static struct desk_input frame(void)
 
 static int order(enum desk_order_kind kind, uint8_t row)
 {
-    static uint32_t id;
-    const struct desk_order wanted = { .id = ++id, .kind = (uint8_t)kind, .row = row };
+    const struct desk_order wanted = { .kind = (uint8_t)kind, .row = row };
     const struct hal_controllers device = hid_desk_device(&desk);
     return device.ops->order(device.self, &wanted);
 }

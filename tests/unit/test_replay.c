@@ -492,7 +492,7 @@ static void test_a_visit_to_the_operators_menu_is_found_true(void **state)
     }
     assert_int_equal(recorder_end(&recorder), 0);
     const uint64_t hash = core_hash(&core);
-    assert_true(menu_ticks > CORE_TICK_HZ && output.order.id > 0 && output.coins_counted > 0);
+    assert_true(menu_ticks > CORE_TICK_HZ && output.order_count > 0 && output.coins_counted > 0);
     replay_all();
     assert_int_equal(replayer.damaged, 0);
     assert_int_equal(replayer.difference.found, 0);

@@ -1,0 +1,58 @@
+/* switches.c -- what differs is asked for: again next frame when the driver is busy, in a second
+ * when it failed. A switch that this cabinet has not is as good as switched. */
+#include "platform/kiosk/switches.h"
+
+#define RETRY_NS 1000000000ull
+
+/* Whether the driver is done with what it was asked for. */
+static int is_settled(struct switches *switches, enum hal_switch which, int result,
+                      uint64_t now_ns)
+{
+    if (hal_is_fault(result)) {
+        switches->retry_ns[which] = now_ns + RETRY_NS;
+    }
+    return result >= 0 || result == HAL_ERR_NONE;
+}
+
+static uint32_t set(struct switches *switches, const struct hal_switches *device,
+                    enum hal_switch which, uint8_t active, uint64_t now_ns)
+{
+    const uint32_t bit = 1u << which;
+    if (!(switches->active & bit) == !active || now_ns < switches->retry_ns[which]) {
+        return 0;
+    }
+    const int result = device->ops->set(device->self, which, active != 0);
+    if (is_settled(switches, which, result, now_ns)) {
+        switches->active ^= bit;
+    }
+    return (uint32_t)hal_is_fault(result);
+}
+
+/* As many as `wanted` has grown by. */
+static uint32_t pulse(struct switches *switches, const struct hal_switches *device,
+                      enum hal_switch which, uint32_t wanted, uint64_t now_ns)
+{
+    const uint32_t count = wanted - switches->given[which];
+    if (count == 0 || now_ns < switches->retry_ns[which]) {
+        return 0;
+    }
+    const int result = device->ops->pulse(device->self, which, count);
+    if (is_settled(switches, which, result, now_ns)) {
+        switches->given[which] = wanted;
+    }
+    return (uint32_t)hal_is_fault(result);
+}
+
+uint32_t switches_set(struct switches *switches, const struct hal_switches *device,
+                      const struct output *output, uint64_t now_ns)
+{
+    return set(switches, device, HAL_START_LAMP, output->start_lamp, now_ns) +
+           set(switches, device, HAL_COIN_LOCKOUT, output->coin_lockout, now_ns);
+}
+
+uint32_t switches_pulse(struct switches *switches, const struct hal_switches *device,
+                        const struct output *output, uint64_t now_ns)
+{
+    return pulse(switches, device, HAL_COIN_COUNTER, output->coins_counted, now_ns) +
+           pulse(switches, device, HAL_TICKET, output->tickets, now_ns);
+}

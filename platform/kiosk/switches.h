@@ -1,0 +1,26 @@
+/* switches.h -- lamps, the coin lock, the meter and tickets: what the core wants of them, brought
+ * to a driver that may refuse. Nothing is taken for done before the driver took it. */
+#ifndef KINGYO_PLATFORM_KIOSK_SWITCHES_H
+#define KINGYO_PLATFORM_KIOSK_SWITCHES_H
+
+#include <stdint.h>
+
+#include "core/output.h"
+#include "platform/hal.h"
+
+struct switches {
+    uint32_t active;                     /* Levels as the driver took them last, a bit
+                                            (1 << enum hal_switch) each. */
+    uint32_t given[HAL_SWITCH_COUNT];    /* Pulses that it took, since the start. */
+    uint64_t retry_ns[HAL_SWITCH_COUNT]; /* When one that failed is asked again. */
+};
+
+/* The lamp and the coin lock, once a frame. Returns how many faults it met. */
+uint32_t switches_set(struct switches *switches, const struct hal_switches *device,
+                      const struct output *output, uint64_t now_ns);
+
+/* The same of the meter and of tickets: a pulse for each that was counted since. */
+uint32_t switches_pulse(struct switches *switches, const struct hal_switches *device,
+                        const struct output *output, uint64_t now_ns);
+
+#endif
