@@ -218,7 +218,7 @@ struct scene_menu {
     struct desk_input desk;
     uint32_t held;           /* enum input_button */
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Since the menu was opened; */
-    uint32_t test_coins;     /* coins too: they are no money. */
+    uint32_t test_coins;     /* coins too, of the lines' page. */
     float coin_s;            /* Since the last of them fell. */
 };
 

@@ -38,6 +38,15 @@ static void take_service(struct core *core, struct output *output)
     }
 }
 
+static void note_coins(struct core *core, uint32_t count, struct output *output)
+{
+    if (menu_tries_lines(core)) {
+        core->game.credit.metered += count; /* A test, but it is in the box. */
+    } else if (count > 0) {
+        take_coins(core, count, output);
+    }
+}
+
 /* Whether somebody could play: a seat with a controller that is there, or the bot's. */
 static int has_poi(const struct core *core, const struct input *input)
 {
@@ -77,11 +86,9 @@ static uint8_t warnings(const struct core *core, const struct input *input)
 void credit_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct credit *credit = &core->game.credit;
+    note_coins(core, input->coin_count, output);
     if (core->game.phase != PHASE_MENU) {
         note_tilt(core, input, output);
-        if (input->coin_count > 0) {
-            take_coins(core, input->coin_count, output);
-        }
         if (input->pressed & INPUT_SERVICE) {
             take_service(core, output);
         }
@@ -92,13 +99,16 @@ void credit_tick(struct core *core, const struct input *input, struct output *ou
     credit->warnings = warnings(core, input);
 }
 
-/* In the menu the operator drops coins to see them counted. */
+/* In the menu the slot is open on one page alone: where the operator drops coins to see them
+ * counted. A guest would not know that nothing is sold just then. */
 static int sends_coins_back(const struct core *core)
 {
     const struct credit *credit = &core->game.credit;
-    return core->game.phase != PHASE_MENU &&
-           (core->config.credit_coins == 0 || credit->credits >= CREDIT_MAX ||
-            credit->warnings != 0);
+    if (core->game.phase == PHASE_MENU) {
+        return !menu_tries_lines(core);
+    }
+    return core->config.credit_coins == 0 || credit->credits >= CREDIT_MAX ||
+           credit->warnings != 0;
 }
 
 void credit_show_outputs(const struct core *core, struct output *output)

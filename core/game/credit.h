@@ -47,8 +47,9 @@ struct credit {
 
 struct core;
 
-/* What coins, SERVICE, TILT and DOOR say, before the phase's own tick; in the operator's menu it
- * takes neither coins nor SERVICE. */
+/* What coins, SERVICE, TILT and DOOR say, before the phase's own tick. In the operator's menu TILT
+ * and SERVICE mean nothing here. A coin that falls there all the same is money, but on the page
+ * that tries the lines, where it is only metered. */
 void credit_tick(struct core *core, const struct input *input, struct output *output);
 
 /* What of it is wanted of the world: lockout, meter, tickets. After the phase's tick. */

@@ -229,11 +229,11 @@ static void count_presses(struct menu *menu, uint32_t pressed)
     }
 }
 
-/* A coin is a test of the mechanism here: no credit comes of it, and the meter stands. */
+/* Of the lines' page; on the others coins are money (credit.c). */
 static void count_coins(struct core *core, uint32_t count, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    if (count > 0) {
+    if (count > 0 && menu_tries_lines(core)) {
         const uint32_t room = MENU_COUNT_MAX - menu->test_coins;
         menu->test_coins += count < room ? count : room;
         menu->coin_tick = core->tick;
@@ -276,10 +276,14 @@ void menu_tick(struct core *core, const struct input *input, struct output *outp
     }
 }
 
+int menu_tries_lines(const struct core *core)
+{
+    return core->game.phase == PHASE_MENU && core->game.menu.page == MENU_LINES;
+}
+
 int menu_lights_start(const struct core *core)
 {
-    const struct menu *menu = &core->game.menu;
-    return menu->page == MENU_LINES && (menu->held & INPUT_START) != 0;
+    return menu_tries_lines(core) && (core->game.menu.held & INPUT_START) != 0;
 }
 
 /* ---- What is seen of it --------------------------------------------------------------------- */

@@ -5,10 +5,11 @@
  * it is and takes by a dip: that of any seat, and the one that moved last. The last tag of each
  * page leads back.
  *
- * While it is open nothing is played and no coin is money. TEST in a round only asks: it lies where
- * a cleaner's elbow reaches it, and somebody stands there who has paid. Pressed again it ends the
- * round, without a result, since a round that was cut short is neither a score nor a record; what
- * it cost comes back.
+ * While it is open nothing is played and coins are sent back, but on the page that tries the lines:
+ * there a coin is a test, which the meter counts and nobody is given a credit for. TEST in a round
+ * only asks: it lies where a cleaner's elbow reaches it, and somebody stands there who has paid.
+ * Pressed again it ends the round, without a result, since a round that was cut short is neither a
+ * score nor a record; what it cost comes back.
  *
  * To add a page: a name in enum menu_page, a row in menu_pages.c with what its tags do, and its
  * words and picture in platform/render/ui_menu.c. */
@@ -74,6 +75,9 @@ void menu_tick(struct core *core, const struct input *input, struct output *outp
 
 /* Whether a second TEST would end the round now. */
 int menu_is_asking(const struct core *core);
+
+/* Whether the lines are looked at: the slot is open, and a coin is a test of it. */
+int menu_tries_lines(const struct core *core);
 
 /* While the lines are looked at, the start button's lamp is lit by its button. */
 int menu_lights_start(const struct core *core);

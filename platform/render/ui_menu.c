@@ -200,26 +200,15 @@ static void keys(const struct menu_view *view)
                 menu_text(view, watches ? TEXT_MENU_WATCH_KEYS : TEXT_MENU_KEYS));
 }
 
-/* On any page but the one that counts them: a coin that falls in here buys nothing. */
-static void test_coins(const struct menu_view *view)
+/* A coin that fell in here all the same, but as a test: somebody's credit. */
+static void credits(const struct menu_view *view, const struct scene *scene)
 {
-    const float u = view->frame.unit;
     const int upright = view->menu->upright;
     const struct ui_box room =
         menu_place(view, upright ? (struct overlay_box){ 127.0f, 152.0f, 600.0f, 44.0f }
                                  : (struct overlay_box){ 960.0f, 44.0f, 300.0f, 44.0f });
-    char words[TEXT_LINE_MAX];
-    text_number(words, sizeof words, menu_text(view, TEXT_TEST_COINS), view->menu->test_coins);
-    const struct ui_ribbon ribbon = { .x = room.x + 0.5f * room.width,
-                                      .y = room.y + 0.5f * room.height,
-                                      .size_px = 22.0f * u,
-                                      .font = FONT_BODY,
-                                      .fill = 0x5a3a20e0u,
-                                      .line = UI_GOLD,
-                                      .ink = MENU_CREAM,
-                                      .room_px = room.width };
-    if (view->menu->test_coins > 0 && view->menu->page != MENU_LINES) {
-        ui_ribbon(&view->frame, &ribbon, words);
+    if (scene->credit.coin_s < scene->phase_s && view->menu->page != MENU_LINES) {
+        ui_credits(&view->frame, scene, room.x + 0.5f * room.width, room.y + 0.5f * room.height);
     }
 }
 
@@ -257,7 +246,7 @@ void ui_menu(const struct ui_frame *frame, const struct scene *scene)
         sheets[view.menu->page].draw(&view);
     }
     keys(&view);
-    test_coins(&view);
+    credits(&view, scene);
     hand(&view);
     frame->batch->opacity = 1.0f;
 }

@@ -67,7 +67,7 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
                 digits);
 }
 
-/* What the lines are, how often they failed, and that a coin in here is no money. */
+/* What the lines are, how often they failed, and that a coin in here is a test. */
 static void notes(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

@@ -420,21 +420,73 @@ static void test_files_are_shown_from_the_first_whenever_they_are_looked_at(void
 
 /* ---- Buttons and coins ---------------------------------------------------------------------- */
 
-static void test_a_coin_in_the_menu_is_a_test_and_no_money(void **state)
+static void drop(uint32_t coins)
+{
+    input.coin_count = coins;
+    step();
+    input.coin_count = 0;
+}
+
+static void test_a_coin_on_the_lines_page_is_a_test_and_only_metered(void **state)
 {
     (void)state;
     core.config.credit_coins = 1;
     static struct scene scene;
+    go_to_lines();
+    assert_int_equal(output.coin_lockout, 0); /* Else none would reach the mechanism. */
     for (uint32_t i = 0; i < 5; i++) {
-        input.coin_count = 1;
-        step();
+        drop(1);
     }
-    input.coin_count = 0;
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
     assert_int_equal(core.game.credit.coins + core.game.credit.credits, 0);
-    assert_int_equal(output.coins_counted, 0);
-    assert_int_equal(output.coin_lockout, 0); /* Else none would reach the mechanism. */
+    assert_int_equal(output.coins_counted, 5); /* They are in the box. */
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_TOP);
+    assert_int_equal(output.coin_lockout, 1);
+}
+
+/* A guest does not know what a menu is. */
+static void test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_money(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    core.config.credit_coins = 2;
+    for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
+        if (page == MENU_LINES) {
+            continue;
+        }
+        const uint32_t before = output.coins_counted;
+        core.game.credit.credits = 0;
+        menu_turn(&core, (enum menu_page)page);
+        step();
+        assert_int_equal(output.coin_lockout, 1);
+        drop(1);
+        drop(1);
+        core_scene(&core, &scene);
+        assert_int_equal(core.game.credit.credits, 1);
+        assert_int_equal(output.coins_counted, before + 2u);
+        assert_int_equal(scene.menu.test_coins, 0);
+        assert_true(scene.credit.coin_s < 0.1f);
+    }
+}
+
+/* Each coin is a test or money, and the meter counts both, whatever page is turned in its tick. */
+static void test_no_coin_is_twice_or_never_where_a_page_is_turned(void **state)
+{
+    (void)state;
+    core.config.credit_coins = 1;
+    for (uint32_t i = 1; i <= 60u; i++) {
+        menu_turn(&core, i % 20u < 10u ? MENU_TOP : MENU_LINES);
+        if (i % 10u == 0) { /* From LINES back to the top, and from the top to LINES. */
+            core.game.menu.tag[MENU_TOP] = TOP_LINES;
+            input.pressed = INPUT_TEST;
+        }
+        drop(1);
+        assert_int_equal(output.coins_counted, i);
+        assert_int_equal(core.game.credit.credits + menu()->test_coins, i);
+    }
+    assert_true(menu()->test_coins > 0 && core.game.credit.credits > 0);
 }
 
 static void test_lines_are_watched_and_only_test_leads_back(void **state)
@@ -690,7 +742,9 @@ int main(void)
         IN_MENU(test_who_kept_what_cannot_be_written_is_told_wherever_he_is),
         IN_MENU(test_what_failed_can_be_tried_again_or_left),
         IN_MENU(test_a_menu_that_is_forgotten_ends_what_was_being_learned),
-        IN_MENU(test_a_coin_in_the_menu_is_a_test_and_no_money),
+        IN_MENU(test_a_coin_on_the_lines_page_is_a_test_and_only_metered),
+        IN_MENU(test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_money),
+        IN_MENU(test_no_coin_is_twice_or_never_where_a_page_is_turned),
         IN_MENU(test_lines_are_watched_and_only_test_leads_back),
         IN_MENU(test_the_start_buttons_lamp_follows_it_while_lines_are_watched),
         IN_MENU(test_counters_stop_where_their_digits_end),

@@ -294,31 +294,44 @@ static void drop(uint32_t coins)
     frames(2);
 }
 
-static void test_the_slot_opens_when_somebody_could_play_and_the_meter_counts_money_alone(
-    void **state)
+static void go_back(void)
+{
+    point_at(menu_sheet_of(shown()->page)->tag_count - 1u);
+    push(INPUT_TEST);
+}
+
+static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_box(void **state)
 {
     (void)state;
     assert_int_equal(rig.lockout, 1); /* There is no poi: what would a coin buy? */
-    open_the_row();
+    push(INPUT_TEST);
+    assert_int_equal(rig.lockout, 1); /* Nothing is sold in the menu. */
+    point_at(TOP_LINES);
+    push(INPUT_TEST);
     assert_int_equal(rig.lockout, 0); /* The operator tries the mechanism. */
     drop(7);
     assert_int_equal(shown()->test_coins, 7);
-    assert_int_equal(rig.coin_pulses, 0);
+    assert_int_equal(rig.coin_pulses, 7);
+    assert_int_equal(rig.display.scene.credit.credits + rig.display.scene.credit.coins, 0);
+    go_back();
+    assert_int_equal(rig.lockout, 1);
+    go_back();
+    open_the_row();
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
+    drop(1); /* It was on its way as the slot closed. */
     for (uint32_t i = 0; i < 3; i++) {
-        point_at(menu_sheet_of(shown()->page)->tag_count - 1u);
-        push(INPUT_TEST);
+        go_back();
     }
     assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
     assert_int_equal(rig.lockout, 0);
-    drop(3);
-    assert_int_equal(rig.coin_pulses, 3);
+    drop(2);
+    assert_int_equal(rig.coin_pulses, 10);
     assert_int_equal(rig.display.scene.credit.credits, 1);
     assert_int_equal(rig.display.scene.credit.coins, 1);
     frames(30);
-    assert_int_equal(rig.coin_pulses, 3);
+    assert_int_equal(rig.coin_pulses, 10);
 }
 
 #define IN_CABINET(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
@@ -331,8 +344,7 @@ int main(void)
         IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),
         IN_CABINET(test_what_was_not_kept_is_forgotten),
         IN_CABINET(test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_goes_on),
-        IN_CABINET(
-            test_the_slot_opens_when_somebody_could_play_and_the_meter_counts_money_alone),
+        IN_CABINET(test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_box),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

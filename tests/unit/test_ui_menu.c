@@ -39,6 +39,7 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
                                  .row = 1, .held = 0x155u, .test_coins = 9999,
                                  .coin_s = 0.1f, .has_hand = 1, .presses = 1,
                                  .x = 400.0f, .y = 300.0f };
+    scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         menu->desk.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
         memset(scene.devices.controller[i], 'W', SCENE_NAME_SIZE - 1u);
