@@ -57,7 +57,8 @@ fresh() { # A new machine; no gadget, no settings.
 
 script() { # ARGUMENTS: what it says goes to "$work/words".
     # shellcheck disable=SC2016
-    COMMANDS=$work/commands CONFIGFS=$work/config SYSFS=$work/sys KINGYO_POI_GADGET_CONF=$work/conf \
+    COMMANDS=$work/commands CONFIGFS=$work/config SYSFS=$work/sys MACHINE_ID=$work/machine-id \
+        KINGYO_POI_GADGET_CONF=$work/conf \
         $shell -c '. "$COMMANDS"; . "$0"' "$gadget_script" "$@" >"$work/words" 2>&1
 }
 
@@ -138,6 +139,23 @@ reads_settings() {
         holds strings/0x409/serialnumber eight && holds strings/0x409/product 'Red poi'
 }
 
+hides() { # A board without a serial number of its own.
+    local id=0123456789abcdef0123456789abcdef first
+    fresh
+    rm "$work/sys/firmware/devicetree/base/serial-number"
+    echo $id >"$work/machine-id"
+    # shellcheck disable=SC2086
+    script start $ids "$poi" || return 1
+    first=$(cat "$g/strings/0x409/serialnumber")
+    echo "serial number '$first'"
+    [[ $first =~ ^[0-9a-f]{16}$ ]] && ! grep -rq "${id:0:8}" "$g" || return 1
+    fresh
+    rm "$work/sys/firmware/devicetree/base/serial-number"
+    echo "${id//0/f}" >"$work/machine-id"
+    # shellcheck disable=SC2086
+    script start $ids "$poi" && [ "$(cat "$g/strings/0x409/serialnumber")" != "$first" ]
+}
+
 half_way() { # A kernel that does not take the descriptor: what was made is taken away again.
     fresh
     printf '#!/bin/sh\nexit 74\n' >"$work/bad-poi"
@@ -162,6 +180,7 @@ for shell in "${shells[@]}"; do
     check "$shell: taken away in an order that configfs takes" stops
     check "$shell: only one at a time" starts_once
     check "$shell: settings come from a file and from the command line" reads_settings
+    check "$shell: a machine-id is not given away, and tells machines apart" hides
     fresh
     check "$shell: no ids, no poi" refuses 2 'USB ids of its own' start "$poi"
     check "$shell: nor with one of them" refuses 2 'USB ids of its own' start VENDOR=0x1209 "$poi"
