@@ -213,6 +213,18 @@ same_bytes() {
 }
 check 'the README lists the bytes that the program gives' same_bytes
 
+# Its lines of how to install, into a folder that stands for /.
+installs() (
+    local lines
+    lines=$(sed -nE 's/^ +sudo (install .*)/\1/p' board/poi-gadget/README.md | sed "s# build/# $build/#")
+    mkdir -p "$work/root/usr/local/sbin" "$work/root/etc/systemd/system"
+    echo "$lines"
+    [ "$(wc -l <<<"$lines")" = 3 ] && bash -euc "$(sed -E "s# /(usr|etc)/# $work/root/\1/#g" <<<"$lines")" &&
+        "$work/root/usr/local/sbin/kingyo-poi" descriptor >/dev/null && cd "$work/root" &&
+        ls usr/local/sbin/kingyo-poi-gadget etc/kingyo-poi/{poi,gadget}.conf etc/systemd/system/kingyo-poi.service
+)
+check 'what the README says installs it' installs
+
 # Its table of fields against what kingyoctl's reader makes of the bytes.
 readme_fields() { # bit offset, bits, usage, logical and physical ends
     awk -F'|' '/^\| 1 \| [0-9]+ \|/ { for (i = 3; i <= 9; i++) gsub(/[ `]/, "", $i)
