@@ -51,7 +51,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
 {
     memset(kiosk, 0, sizeof *kiosk);
     kiosk->config = *config;
-    kiosk->switched = 1u << HAL_COIN_LOCKOUT; /* As it begins. */
+    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* As it begins. */
     const enum core_error error = core_init(&kiosk->core, &config->core);
     if (error != CORE_OK) {
         return error;
