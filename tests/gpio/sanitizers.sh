@@ -25,5 +25,5 @@ try test_gpio_reader address,undefined tests/unit/test_gpio_reader.c "${drivers[
 try test_coin_rain address,undefined tests/unit/test_coin_rain.c tests/gpio/coin_rain.c "${drivers[@]}"
 if [ "$gpiod" != 0 ]; then
     try test_gpio_backend address,undefined "${ldflags[@]}" tests/gpio/{test_gpio_backend,fake_board,"fake_gpiod$gpiod"}.c \
-        drivers/{"gpio_lines$gpiod","gpio_chips$gpiod",gpio_dev,gpio_wires}.c
+        drivers/{"gpio_lines$gpiod","gpio_chips$gpiod",gpio_backend,gpio_dev,gpio_wires}.c
 fi
