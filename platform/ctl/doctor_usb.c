@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "drivers/usb_choice_file.h"
+#include "platform/ctl/doctor_rules.h"
 #include "platform/ctl/hid_nodes.h"
 
 static const char *map_words(const struct usb_interface *interface)
@@ -40,16 +41,16 @@ static struct doctor_finding *say(struct doctor *doctor, const struct usb_device
 static void say_denied(struct doctor *doctor, const struct usb_device *device, bool plays,
                        int error, const char *node)
 {
-    char rule[DOCTOR_TEXT];
+    char rule[DOCTOR_TEXT], both[2u * DOCTOR_TEXT];
     struct doctor_finding *finding = say(doctor, device, plays ? DOCTOR_WRONG : DOCTOR_LOOK);
-    snprintf(rule, sizeof rule,
-             "put into /etc/udev/rules.d/71-kingyo-local.rules and replug it: SUBSYSTEM==\"usb\", "
-             "ATTR{idVendor}==\"%04x\", ATTR{idProduct}==\"%04x\", GROUP=\"kingyo\", "
-             "MODE=\"0660\", ATTR{power/control}=\"on\"",
-             device->identity.vendor, device->identity.product);
+    doctor_rules_todo(rule, sizeof rule, device->identity.vendor, device->identity.product);
+    snprintf(both, sizeof both,
+             "%s; %s must be in group kingyo, which board/sysusers/kingyo.conf makes: "
+             "sudo usermod -aG kingyo %s",
+             rule, doctor->user.name, doctor->user.name);
     doctor_state(finding, "could play, but %s may not open it: %s: %s", doctor->user.name, node,
                  strerror(error));
-    doctor_todo_access(doctor, finding, node, rule);
+    doctor_todo_access(doctor, finding, node, both);
 }
 
 /* A kernel driver gives way by itself (libusb's auto-detach); another program does not. */
@@ -80,10 +81,11 @@ static void say_ready(struct doctor *doctor, const struct usb_device *device,
     doctor_state(finding, "%s (%s)%s", words[interface->verdict], map_words(interface),
                  device->sleeps ? ", but may fall asleep in mid-round" : "");
     if (device->sleeps) {
-        doctor_todo(finding,
-                    "sudo cp board/udev/*.rules /etc/udev/rules.d/ and replug it, or for now: "
-                    "echo on | sudo tee " USB_DEVICES "/%s/power/control",
-                    device->port);
+        char rule[DOCTOR_TEXT];
+        doctor_rules_todo(rule, sizeof rule, device->identity.vendor, device->identity.product);
+        doctor_todo(finding, "%s, or for now: echo on | sudo tee " USB_DEVICES
+                             "/%s/power/control",
+                    rule, device->port);
     } else if (interface->verdict == USB_FREE) {
         doctor_todo(finding, "choose it in the operator's menu, or start with --usb %04x:%04x",
                     device->identity.vendor, device->identity.product);
@@ -124,6 +126,30 @@ static void say_device(struct doctor *doctor, const struct usb_device *device,
     }
 }
 
+static bool is_named(const struct usb_key *key, const struct hid_identity *identity)
+{
+    return key->vendor == identity->vendor && key->product == identity->product &&
+           (!key->serial[0] || strcmp(key->serial, identity->serial) == 0);
+}
+
+/* What was named is asked for: that it is not there is told like a line that is not. */
+static void say_missing(struct doctor *doctor, const struct hid_identity *there, uint32_t count)
+{
+    for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
+        struct usb_key key;
+        bool is_there = usb_key_read(&key, doctor->options.usb[i]) != 0;
+        for (uint32_t j = 0; j < count; j++) {
+            is_there |= is_named(&key, &there[j]);
+        }
+        if (!is_there) {
+            struct doctor_finding *missing =
+                doctor_find(doctor, "usb", DOCTOR_WRONG, "%s", doctor->options.usb[i]);
+            doctor_state(missing, "was asked for, and is not plugged in");
+            doctor_todo(missing, "plug it in, or see whether its ids are right: lsusb");
+        }
+    }
+}
+
 /* What is wished: by name on the command line or in the file, by choice in the menu. */
 static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
 {
@@ -154,6 +180,7 @@ static int by_name(const void *left, const void *right)
 void doctor_usb(struct doctor *doctor)
 {
     static char ports[DOCTOR_FINDINGS_MAX][USB_PORT_SIZE];
+    static struct hid_identity there[DOCTOR_FINDINGS_MAX];
     char path[OPTIONS_PATH_MAX + 64u];
     struct usb_choice choice;
     uint32_t count = 0, shown = 0;
@@ -175,11 +202,13 @@ void doctor_usb(struct doctor *doctor)
         struct usb_interface best;
         memcpy(device.port, ports[i], USB_PORT_SIZE);
         doctor_read_usb(doctor, &choice, &device, &best);
+        there[i] = device.identity;
         if (device.class != USB_CLASS_HUB) {
             say_device(doctor, &device, &best);
             shown++;
         }
     }
+    say_missing(doctor, there, count);
     if (shown == 0) {
         struct doctor_finding *none = doctor_find(doctor, "usb", DOCTOR_LOOK, "controllers");
         doctor_state(none, folder ? "nothing is plugged in" : "this machine has no USB");

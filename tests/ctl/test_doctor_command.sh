@@ -69,9 +69,9 @@ interface 1-2 0 ff 5d 01 xpad
 device 1-3 00 0781 5567 5 'Cruzer'
 interface 1-3 0 08 06 50 usb-storage
 check 'a controller that may not be opened is one to look at' finds look usb '054c:0ce6 DualSense.*port 1-1.1' \
-    'nobody may not open it: /dev/bus/usb/001/002: Permission denied' 'put into .*ATTR\{idProduct\}=="0ce6", GROUP="kingyo", MODE="0660"'
+    'nobody may not open it: /dev/bus/usb/001/002: Permission denied' 'sudo cp board/udev/.*rules /etc/udev/rules.d/ and replug it; nobody must be in group kingyo.*usermod -aG kingyo nobody'
 with=(--usb 054c:0ce6)
-check 'and wrong where it is to play' finds wrong usb 054c:0ce6 'nobody may not open it' 'put into'
+check 'and wrong where it is to play' finds wrong usb 054c:0ce6 'nobody may not open it' 'sudo cp'
 chmod 666 "$root/dev/bus/usb/001/002"
 check 'one that may fall asleep is one to look at' finds look usb 054c:0ce6 \
     'plays \(a controller we know\), but may fall asleep' 'sudo cp board/udev/.*echo on . sudo tee /sys/bus/usb/devices/1-1.1/power/control'
@@ -95,11 +95,28 @@ check 'without a driver it is free' finds fine usb 054c:0ce6 'plays'
 mv "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001" "$work/hid"
 check 'one whose descriptor nobody has read yet says so' finds fine usb 054c:0ce6 'is asked as soon as the kiosk starts \(it says how once'
 mv "$work/hid" "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001"
+with=(--usb dead:beef)
+check 'one that was asked for and is not there is wrong' finds wrong usb dead:beef 'is not plugged in' 'plug it in'
 with=(--usb 046d:c31c)
 check 'a keyboard is never claimed, whoever names it' finds fine usb 046d:c31c 'a keyboard is never claimed'
 with=()
 check "an Xbox pad plays through its driver" finds fine usb 045e:028e 'plays as a pad, through SDL'
 check 'a memory stick is no controller' finds fine usb 0781:5567 'is no controller; driver usb-storage'
+device 1-4 00 256c 006e 7 Tablet auto
+interface 1-4 0 03 00 00 usbhid $good/137-dg-huion-h610-if0.hid
+own_rule='put into .*71-kingyo-local.rules.*ATTR\{idProduct\}=="006e", GROUP="kingyo", MODE="0660", ATTR\{power/control\}="on"'
+check 'one that our rules do not list needs a line of its own' finds look usb 256c:006e 'may not open it' "$own_rule; nobody must be"
+chmod 666 "$root/dev/bus/usb/001/007"
+check 'also to stay awake' finds look usb 256c:006e 'may fall asleep' "$own_rule, or for now: echo on"
+rm -r "$root"/sys/bus/usb/devices/1-4*
+listed() { # Every id of the rules, and no other, is sent to them.
+    sed -nE 's/^ATTRS\{idVendor\}=="(.*)", ATTRS\{idProduct\}=="(.*)", GOTO.*/\1 \2/p' board/udev/70-kingyo.rules |
+        while read -r vendor products; do for product in ${products//|/ }; do echo "$vendor $product"; done; done |
+        sort >"$work/rules"
+    grep -oE '\{ 0x[0-9a-f]{4}, 0x[0-9a-f]{4} \}' platform/ctl/doctor_rules.c | sed -E 's/[^ ]*0x|[{},]//g; s/^ +//; s/ +$//' |
+        tr -s ' ' | sort | diff - "$work/rules"
+}
+check 'doctor knows what our rules list' listed
 no_hub() { doctor; ! grep -q Hub "$work/out"; }
 check 'hubs are left out' no_hub
 put sys/class/hidraw/hidraw0/device/uevent 'HID_ID=0005:0000054C:00000CE6
