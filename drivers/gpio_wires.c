@@ -207,12 +207,31 @@ static bool reads_timing(struct word word, enum gpio_role role, struct gpio_wire
            reads_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
 }
 
+/* What is wrong with a word that is none. */
+static bool refuse_word(struct word word, enum gpio_role role, char why[HAL_TEXT_SIZE])
+{
+    const char *name = roles[role].name, *at = word.at;
+    const int length = (int)(word.length < 30 ? word.length : 30);
+    if (role == GPIO_COIN && takes_off(&word, "window=")) {
+        return refuse(why, "%s: '%.*s': a window is a shortest pulse and a longer one, of 1us to "
+                           "10s: window=15ms-250ms", name, length, at);
+    }
+    if (gpio_role_is_input(role) && takes_off(&word, "debounce=")) {
+        return refuse(why, "%s: '%.*s': a time of 1us to 10s is wanted: debounce=5ms", name,
+                      length, at);
+    }
+    return refuse(why, "%s: '%.*s' is none of low high up down float as-is%s", name, length, at,
+                  role == GPIO_COIN          ? " debounce=3ms window=15ms-250ms"
+                  : gpio_role_is_input(role) ? " debounce=5ms"
+                                             : " pulse=100ms/100ms");
+}
+
 bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE])
 {
     struct word rest = { text, strlen(text) };
     if (!memchr(text, '=', rest.length)) {
-        return refuse(why, "'%.60s': ROLE=LINE is wanted, as in start=BTN_START", text);
+        return refuse(why, "ROLE=LINE is wanted, as in start=BTN_START");
     }
     const struct word name = split(&rest, '=');
     const enum gpio_role role = gpio_role_find(name.at, name.length);
@@ -232,11 +251,7 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
     while (rest.length > 0) {
         const struct word word = split(&rest, ',');
         if (!reads_level_or_bias(word, &wire, &has_bias) && !reads_timing(word, role, &wire)) {
-            return refuse(why, "%s: '%.*s' is none of low high up down float as-is%s",
-                          roles[role].name, (int)(word.length < 30 ? word.length : 30), word.at,
-                          role == GPIO_COIN          ? " debounce=3ms window=15ms-250ms"
-                          : gpio_role_is_input(role) ? " debounce=5ms"
-                                                     : " pulse=100ms/100ms");
+            return refuse_word(word, role, why);
         }
     }
     if (!has_bias) { /* Undriven, an input is not pressed, and the lock is locked. */

@@ -169,14 +169,21 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
         return -errno;
     }
     errno = 0;
+    unsigned wrong_count = 0;
     for (unsigned number = 1; fgets(line, sizeof line, file); number++) {
         const char *expects = "";
         const char *wrong = read_line(options, line, &expects, bound);
-        if (wrong && warn) {
+        wrong_count += wrong != NULL;
+        if (wrong && warn && wrong_count <= OPTIONS_WARNINGS_MAX) {
             snprintf(text, sizeof text, "%.200s:%u: %s%s%s", path, number, wrong,
                      expects[0] ? "; expected " : "", expects);
             warn(text);
         }
+    }
+    if (wrong_count > OPTIONS_WARNINGS_MAX && warn) {
+        snprintf(text, sizeof text, "%.200s: and %u more; is this a configuration file at all?",
+                 path, wrong_count - OPTIONS_WARNINGS_MAX);
+        warn(text);
     }
     if (option_too_many_fish(options, bound)) {
         snprintf(text, sizeof text, "%.200s: fish: %s", path, bound);

@@ -11,6 +11,7 @@
 
 #define OPTIONS_PATH_MAX 1024u
 #define OPTIONS_ERROR_MAX 256u
+#define OPTIONS_WARNINGS_MAX 20u /* Of one file; the others are only counted. */
 #define OPTIONS_DEMO_S 20u
 #define OPTIONS_DEMO_S_MIN 5u
 #define OPTIONS_DEMO_S_MAX 600u

@@ -96,16 +96,16 @@ static void test_what_is_wrong_is_said_and_changes_nothing(void **state)
         { "start=12345678901234567890123456789012", "start: a line's name" },
         { "start=A,lo", "'lo' is none of" },
         { "start=A,,low", "'' is none of" },
-        { "start=A,debounce=5", "'debounce=5' is none of" },
-        { "start=A,debounce=0ms", "'debounce=0ms' is none of" },
-        { "start=A,debounce=11s", "'debounce=11s' is none of" },
-        { "start=A,debounce=4294967297us", "is none of" },
+        { "start=A,debounce=5", "'debounce=5': a time of 1us" },
+        { "start=A,debounce=0ms", "'debounce=0ms': a time of 1us" },
+        { "start=A,debounce=11s", "'debounce=11s': a time of 1us" },
+        { "start=A,debounce=4294967297us", "a time of 1us to 10s is" },
         { "start=A,window=20ms-90ms", "'window=20ms-90ms' is none of" },
         { "start=A,pulse=1ms/1ms", "'pulse=1ms/1ms' is none of" },
         { "ticket=A,debounce=1ms", "'debounce=1ms' is none of" },
-        { "coin=A,window=90ms-20ms", "'window=90ms-20ms' is none of" },
-        { "coin=A,window=20ms-20ms", "'window=20ms-20ms' is none of" },
-        { "coin=A,window=20ms", "'window=20ms' is none of" },
+        { "coin=A,window=90ms-20ms", "'window=90ms-20ms': a window is" },
+        { "coin=A,window=20ms-20ms", "'window=20ms-20ms': a window is" },
+        { "coin=A,window=20ms", "'window=20ms': a window is" },
     };
     struct gpio_wire wires[GPIO_ROLE_COUNT], before[GPIO_ROLE_COUNT];
     memset(wires, 7, sizeof wires);

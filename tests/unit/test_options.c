@@ -292,10 +292,12 @@ static void test_a_path_longer_than_any_is_refused(void **state)
 /* ---- The file ------------------------------------------------------------------------------- */
 
 static char warnings[8][512];
+static char last_warning[512];
 static int warning_count;
 
 static void keep_warning(const char *line)
 {
+    snprintf(last_warning, sizeof last_warning, "%s", line);
     if (warning_count < 8) {
         snprintf(warnings[warning_count], sizeof warnings[0], "%s", line);
     }
@@ -330,6 +332,18 @@ static void test_a_configuration_file_sets_the_same_things(void **state)
     assert_int_equal(options.modes, 1u << MODE_CHAMPIONSHIP);
     assert_int_equal(options.grade, 4);
     assert_int_equal(options.players, 2);
+}
+
+static void test_a_file_that_is_none_is_not_told_line_by_line(void **state)
+{
+    (void)state;
+    char text[OPTIONS_WARNINGS_MAX * 4u + 16u] = "";
+    for (uint32_t i = 0; i < OPTIONS_WARNINGS_MAX + 3u; i++) {
+        strcat(text, "no\n");
+    }
+    assert_int_equal(read_text(text), 0);
+    assert_int_equal(warning_count, OPTIONS_WARNINGS_MAX + 1u);
+    assert_non_null(strstr(last_warning, ": and 3 more"));
 }
 
 /* A stall opens although a wire of its file is wrong, and with those that are right. */
@@ -429,6 +443,7 @@ int main(void)
         cmocka_unit_test(test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts),
         cmocka_unit_test(test_a_file_names_the_tank_and_not_more_fish_than_it_holds),
         cmocka_unit_test(test_a_file_may_not_start_a_demonstration),
+        cmocka_unit_test(test_a_file_that_is_none_is_not_told_line_by_line),
         cmocka_unit_test(test_a_file_that_cannot_be_read_is_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
