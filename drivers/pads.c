@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drivers/usb_sysfs.h"
+
 #define EVENT_BATCH 64
 
 _Static_assert(PAD_SOUTH == 1u << SDL_CONTROLLER_BUTTON_A, "");
@@ -91,14 +93,26 @@ static void begin_motion(struct pad *pad)
     }
 }
 
-static int is_barred(const struct pads *pads, uint16_t vendor, uint16_t product)
+int pads_are_barred(const struct pads *pads, uint16_t vendor, uint16_t product,
+                    const char *serial)
 {
     for (uint32_t i = 0; i < pads->bar_count; i++) {
-        if (pads->bar[i].vendor == vendor && pads->bar[i].product == product) {
+        const struct pad_bar *bar = &pads->bar[i];
+        if (bar->vendor == vendor && bar->product == product &&
+            (!bar->serial[0] || !serial[0] || !strcmp(bar->serial, serial))) {
             return 1;
         }
     }
     return 0;
+}
+
+/* What is known of one that is not opened yet. */
+static void look_at(int32_t device_index, struct pad *out)
+{
+    const char *node = SDL_JoystickPathForIndex(device_index);
+    out->vendor = SDL_JoystickGetDeviceVendor(device_index);
+    out->product = SDL_JoystickGetDeviceProduct(device_index);
+    usb_sysfs_node_serial("/sys", node ? node : "", out->usb_serial);
 }
 
 /* A fifth pad finds no place, and is asked again when it is plugged in again. */
@@ -106,10 +120,13 @@ static void plug_in(struct pads *pads, int32_t device_index)
 {
     char guid[PAD_GUID_SIZE];
     char serial[sizeof pads->pad[0].serial] = "";
+    struct pad seen = { 0 };
     if (!SDL_IsGameController(device_index) ||
-        is_barred(pads, SDL_JoystickGetDeviceVendor(device_index),
-                  SDL_JoystickGetDeviceProduct(device_index)) ||
         pad_of(pads, SDL_JoystickGetDeviceInstanceID(device_index))) {
+        return;
+    }
+    look_at(device_index, &seen);
+    if (pads_are_barred(pads, seen.vendor, seen.product, seen.usb_serial)) {
         return;
     }
     SDL_GameController *controller = SDL_GameControllerOpen(device_index);
@@ -127,6 +144,9 @@ static void plug_in(struct pads *pads, int32_t device_index)
     }
     memcpy(pad->guid, guid, sizeof guid);
     memcpy(pad->serial, serial, sizeof serial);
+    memcpy(pad->usb_serial, seen.usb_serial, sizeof seen.usb_serial);
+    pad->vendor = seen.vendor;
+    pad->product = seen.product;
     pad->controller = controller;
     pad->instance = SDL_JoystickInstanceID(joystick);
     begin_pad(pad);
@@ -248,6 +268,9 @@ static void hint_at_bars(const struct pads *pads)
     char list[PADS_BAR_MAX * sizeof "0x0000/0x0000,"] = "";
     for (uint32_t i = 0; i < pads->bar_count; i++) {
         const size_t length = strlen(list);
+        if (pads->bar[i].serial[0]) {
+            continue;
+        }
         snprintf(list + length, sizeof list - length, "0x%04x/0x%04x,", pads->bar[i].vendor,
                  pads->bar[i].product);
     }
@@ -264,10 +287,10 @@ void pads_bar(struct pads *pads, const struct pad_bar *bar, uint32_t count)
     pads->bar_count = kept;
     hint_at_bars(pads);
     for (uint32_t i = 0; i < PADS_MAX; i++) {
-        SDL_GameController *controller = pads->pad[i].controller;
-        if (controller && is_barred(pads, SDL_GameControllerGetVendor(controller),
-                                    SDL_GameControllerGetProduct(controller))) {
-            pull_out(pads, pads->pad[i].instance);
+        const struct pad *pad = &pads->pad[i];
+        if (pad->controller &&
+            pads_are_barred(pads, pad->vendor, pad->product, pad->usb_serial)) {
+            pull_out(pads, pad->instance);
         }
     }
 }
@@ -275,6 +298,7 @@ void pads_bar(struct pads *pads, const struct pad_bar *bar, uint32_t count)
 int pads_open(struct pads *pads, const char *database)
 {
     SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+    hint_at_bars(pads);
     if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0) {
         snprintf(pads->text, sizeof pads->text, "no pads: SDL: %.100s", SDL_GetError());
         return HAL_ERR_NONE;

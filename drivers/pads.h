@@ -8,11 +8,12 @@
 #ifndef KINGYO_DRIVERS_PADS_H
 #define KINGYO_DRIVERS_PADS_H
 
+#include "drivers/hid_port.h"
 #include "drivers/pad_track.h"
 #include "platform/hal.h"
 
 #define PADS_MAX POI_MAX
-#define PADS_BAR_MAX 16u /* Eight that are named, and eight that the operator chose. */
+#define PADS_BAR_MAX 40u /* The 32 that USB lets name, and eight that play there unnamed. */
 #define PAD_GUID_SIZE 33u
 
 struct _SDL_GameController;
@@ -23,6 +24,8 @@ struct pad {
     int32_t instance;                       /* Of SDL, of this plugging in. */
     char guid[PAD_GUID_SIZE];               /* Who it was last: SDL's model number ... */
     char serial[32];                        /* ... and its own, "" where it says none. */
+    uint16_t vendor, product;               /* On USB, ... */
+    char usb_serial[HID_TEXT_SIZE];         /* ... as the kernel has read it; "": not known. */
     uint8_t was_here;
     struct pad_report now;
     struct pad_track track;
@@ -32,9 +35,10 @@ struct pad {
     char text[HAL_TEXT_SIZE];
 };
 
-/* A USB device that is another driver's, by its ids: SDL's own hint knows no more of it. */
+/* A USB device that is another driver's: the one with that serial number, or all of its kind. */
 struct pad_bar {
     uint16_t vendor, product;
+    char serial[HID_TEXT_SIZE]; /* "": all. */
 };
 
 struct pads {
@@ -50,10 +54,16 @@ struct pads {
 
 void pads_init(struct pads *pads, struct hal_clock clock, const struct view *view);
 
-/* From now on these, and no others, are another driver's: SDL does not even open them, and one that
- * is a pad of ours is let go. Before pads_open() for those that are plugged in already. At most
- * PADS_BAR_MAX are heeded. Asked again with the same it does nothing. */
+/* From now on these, and no others, are another driver's: they are not opened, and one that is a
+ * pad of ours is let go. Where all of a kind are meant SDL does not even look at them (its hint knows
+ * no serial numbers). Before pads_open() for those that are plugged in already. At most
+ * PADS_BAR_MAX are heeded; bytes behind a serial number's end are 0. Asked again with the same it
+ * does nothing. */
 void pads_bar(struct pads *pads, const struct pad_bar *bar, uint32_t count);
+
+/* Whether such a pad is another driver's. One whose number is not known may be the one that is. */
+int pads_are_barred(const struct pads *pads, uint16_t vendor, uint16_t product,
+                    const char *serial);
 
 /* Begins SDL's controllers. `database`: a file of further mappings; null, or not there: none.
  * HAL_ERR_NONE, and pads->text says why: there will be no pads. */

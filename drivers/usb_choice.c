@@ -129,6 +129,17 @@ int usb_choice_line(const struct usb_choice *choice, uint32_t index,
     return 0;
 }
 
+uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_WISH_MAX])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        if (choice->wish[i].plays) {
+            out[count++] = choice->wish[i].key;
+        }
+    }
+    return count;
+}
+
 /* The wish that speaks of it most exactly; null: nobody named it. */
 static const struct usb_wish *find_wish(const struct usb_choice *choice,
                                         const struct hid_identity *identity)

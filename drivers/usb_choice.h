@@ -47,6 +47,9 @@ struct usb_choice {
 /* In place of an older wish for the same key. When full, the oldest is forgotten. */
 void usb_choice_wish(struct usb_choice *choice, const struct usb_key *key, int plays, int kept);
 
+/* The keys that play; how many. */
+uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_WISH_MAX]);
+
 /* The file of choices: a line "plays KEY" or "rests KEY" each, '#' begins a comment line. Reads one
  * line: 0, or -1 and one sentence in `error`. */
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE]);

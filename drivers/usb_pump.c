@@ -212,6 +212,8 @@ static void init(struct usb_pump *pump)
     }
     pump->fds_changed = pump->rows_changed = 1;
     atomic_store(&pump->stop, 0);
+    usb_pump_tell(pump); /* Who is named is known from the first moment on: others look at it. */
+    pump->rows_changed = 1;
 }
 
 /* Signals are the main thread's. */

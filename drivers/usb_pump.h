@@ -103,7 +103,7 @@ uint64_t usb_pump_due_ns(const struct usb_pump *pump);
 /* Says once what is in an entry's way. */
 void usb_pump_tell_trouble(struct usb_pump *pump, struct usb_entry *entry);
 
-/* Posts the rows, if they are others than before. */
+/* Posts the rows, and who was named, if they are others than before. */
 void usb_pump_tell(struct usb_pump *pump);
 
 #endif

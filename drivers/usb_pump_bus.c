@@ -249,5 +249,6 @@ void usb_pump_tell(struct usb_pump *pump)
             write_trouble(&pump->entry[i], pump->rows.text);
         }
     }
+    pump->rows.wanted_count = usb_choice_wanted(&pump->choice, pump->rows.wanted);
     usb_roster_post(&pump->roster, &pump->rows);
 }

@@ -37,6 +37,13 @@ static const struct usb_rows *newest(struct usb_roster *roster)
     return &roster->rows[roster->mail.reading];
 }
 
+uint32_t usb_roster_wanted(struct usb_roster *roster, struct usb_key out[USB_WISH_MAX])
+{
+    const struct usb_rows *rows = newest(roster);
+    memcpy(out, rows->wanted, rows->wanted_count * sizeof out[0]);
+    return rows->wanted_count;
+}
+
 static void roster_rows(void *self, struct hid_row out[CONTROLLER_MAX])
 {
     memcpy(out, newest(self)->row, sizeof newest(self)->row);

@@ -35,6 +35,7 @@ void usb_roster_post(struct usb_roster *roster, const struct usb_rows *rows);
 int usb_roster_order(struct usb_roster *roster, struct usb_order *out);
 
 /* The frame loop's side. */
+uint32_t usb_roster_wanted(struct usb_roster *roster, struct usb_key out[USB_WISH_MAX]);
 struct hid_roster usb_roster_face(struct usb_roster *roster);
 
 #endif

@@ -5,10 +5,13 @@
 #include <stdint.h>
 
 #include "drivers/hid_roster.h"
+#include "drivers/usb_choice.h"
 
 struct usb_rows {
     struct hid_row row[CONTROLLER_MAX];
     char text[HAL_TEXT_SIZE]; /* What hid_roster_ops.describe() says. */
+    uint32_t wanted_count;    /* Who was named to play, whether it is here or not. */
+    struct usb_key wanted[USB_WISH_MAX];
 };
 
 void usb_rows_init(struct usb_rows *rows);

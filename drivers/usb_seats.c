@@ -25,6 +25,7 @@ static void be_dead(struct usb_seats *seats, const char *why)
         seats->pump.seat[i].is_never = 1;
     }
     snprintf(rows->text, sizeof rows->text, "%s", why);
+    rows->wanted_count = 0; /* Whoever else can play them may. */
     usb_roster_post(&seats->pump.roster, rows);
 }
 
@@ -59,6 +60,11 @@ struct hid_port usb_seats_port(struct usb_seats *seats, uint32_t index)
 struct hid_roster usb_seats_roster(struct usb_seats *seats)
 {
     return usb_roster_face(&seats->pump.roster);
+}
+
+uint32_t usb_seats_wanted(struct usb_seats *seats, struct usb_key out[USB_WISH_MAX])
+{
+    return usb_roster_wanted(&seats->pump.roster, out);
 }
 
 void usb_seats_stop(struct usb_seats *seats)

@@ -40,6 +40,10 @@ struct hid_port usb_seats_port(struct usb_seats *seats, uint32_t index);
 
 struct hid_roster usb_seats_roster(struct usb_seats *seats);
 
+/* Whom somebody named to play, in the file or by --usb, plugged in or not: from the start on, so
+ * that nobody else takes them first. How many; none where there is no USB. */
+uint32_t usb_seats_wanted(struct usb_seats *seats, struct usb_key out[USB_WISH_MAX]);
+
 /* Cancels, waits, closes, gives kernel drivers back, ends the thread. */
 void usb_seats_stop(struct usb_seats *seats);
 

@@ -3,7 +3,9 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -81,6 +83,40 @@ void usb_sysfs_text(const char *root, const char *port, const char *name,
     const uint32_t size = read_file(path, out, HID_TEXT_SIZE - 1u);
     out[size] = '\0';
     usb_clean_text(out);
+}
+
+/* Cuts the last name off a path; 0: there is none left. */
+static int climb(char *path)
+{
+    char *slash = strrchr(path, '/');
+    if (!slash || slash == path) {
+        return 0;
+    }
+    *slash = '\0';
+    return 1;
+}
+
+/* A node's folder lies below that of its device, which is the first that has an idVendor. */
+void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE])
+{
+    char link[PATH_SIZE], folder[PATH_MAX], path[PATH_MAX + 16u];
+    const char *slash = strrchr(node, '/');
+    const char *name = slash ? slash + 1 : node;
+    const char *class = strncmp(name, "hidraw", 6u) == 0 ? "hidraw" : "input";
+    out[0] = '\0';
+    snprintf(link, sizeof link, "%s/class/%s/%.64s", root, class, name);
+    if (!name[0] || !realpath(link, folder)) {
+        return;
+    }
+    while (climb(folder)) {
+        snprintf(path, sizeof path, "%s/idVendor", folder);
+        if (access(path, F_OK) == 0) {
+            snprintf(path, sizeof path, "%s/serial", folder);
+            out[read_file(path, out, HID_TEXT_SIZE - 1u)] = '\0';
+            usb_clean_text(out);
+            return;
+        }
+    }
 }
 
 /* The HID driver's folder under an interface is called BUS:VENDOR:PRODUCT.NUMBER, bus 3 being

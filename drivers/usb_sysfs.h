@@ -18,6 +18,10 @@ void usb_sysfs_text(const char *root, const char *port, const char *name,
 uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t configuration,
                               uint8_t interface_number, uint8_t out[HID_DESCRIPTOR_MAX]);
 
+/* The serial number of the USB device behind "/dev/input/event5" or "/dev/hidraw3"; "" where it has
+ * none, or is not on USB. */
+void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE]);
+
 /* In place: text from a device as we keep it, without what could break a line or a terminal. */
 void usb_clean_text(char text[HID_TEXT_SIZE]);
 

@@ -56,7 +56,7 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
 static void bar_pads(void)
 {
     struct pad_bar bar[PADS_BAR_MAX] = { 0 };
-    pads_bar(&devices.pads, bar, usb_bars(bar, PADS_BAR_MAX));
+    pads_bar(&devices.pads, bar, usb_bars(bar));
 }
 
 /* The operator chooses controllers while the stall is open: that is looked at once a frame. */

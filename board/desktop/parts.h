@@ -23,7 +23,7 @@ void usb_add_seats(struct seats *seats);
 void usb_add_buttons(struct buttons_join *join);
 
 /* What USB has or will have, which no other driver may touch. Returns how many. */
-uint32_t usb_bars(struct pad_bar *out, uint32_t max);
+uint32_t usb_bars(struct pad_bar out[PADS_BAR_MAX]);
 
 /* Gives kernel drivers back, ends the thread. */
 void usb_close(void);

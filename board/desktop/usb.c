@@ -126,22 +126,33 @@ void usb_add_buttons(struct buttons_join *join)
     }
 }
 
-/* What is named, and what plays by now. */
-uint32_t usb_bars(struct pad_bar *out, uint32_t max)
+static void bar(struct pad_bar *out, uint16_t vendor, uint16_t product, const char *serial)
 {
-    struct hid_row rows[CONTROLLER_MAX] = { 0 };
+    *out = (struct pad_bar){ .vendor = vendor, .product = product };
+    snprintf(out->serial, sizeof out->serial, "%s", serial);
+}
+
+_Static_assert(PADS_BAR_MAX >= USB_WISH_MAX + CONTROLLER_MAX, "every one of both finds room");
+
+/* Who is named, from before SDL looks; and who plays by now, or may come back. */
+uint32_t usb_bars(struct pad_bar out[PADS_BAR_MAX])
+{
+    struct usb_key wanted[USB_WISH_MAX];
+    struct hid_row rows[CONTROLLER_MAX];
     uint32_t count = 0;
-    for (uint32_t i = 0; i < devices.listed_count && count < max; i++) {
-        out[count++] = (struct pad_bar){ devices.listed[i].vendor, devices.listed[i].product };
+    if (!devices.usb) {
+        return 0;
     }
-    if (devices.usb) {
-        const struct hid_roster roster = usb_seats_roster(devices.usb);
-        roster.ops->rows(roster.self, rows);
+    const struct hid_roster roster = usb_seats_roster(devices.usb);
+    const uint32_t wanted_count = usb_seats_wanted(devices.usb, wanted);
+    roster.ops->rows(roster.self, rows);
+    for (uint32_t i = 0; i < wanted_count; i++) {
+        bar(&out[count++], wanted[i].vendor, wanted[i].product, wanted[i].serial);
     }
-    for (uint32_t i = 0; i < CONTROLLER_MAX && count < max; i++) {
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         const struct hid_identity *who = &rows[i].identity;
         if (rows[i].state == CONTROLLER_PLAYS || rows[i].state == CONTROLLER_LOST) {
-            out[count++] = (struct pad_bar){ who->vendor, who->product };
+            bar(&out[count++], who->vendor, who->product, who->serial);
         }
     }
     return count;

@@ -9,6 +9,8 @@
 
 #include <cmocka.h>
 
+#include <SDL.h>
+
 #include "core/game/hand.h"
 #include "core/game/pause.h"
 #include "core/tank/preset.h"
@@ -32,9 +34,8 @@ static const struct kiosk_config config = {
     .core = { .seed = 3, .fish_count = 20, .credit_coins = 1 },
 };
 
-static int open_stall(void **state)
+static int open_stall_at(const char *folder)
 {
-    (void)state;
     stand_begin(NULL);
     setenv("SDL_VIDEODRIVER", "offscreen", 1);
     const struct board_options options = {
@@ -42,11 +43,18 @@ static int open_stall(void **state)
         .width = 320,
         .height = 240,
         .mute = 1,
+        .data_dir = folder,
         .view = tank_preset(TANK_PRESET_FESTIVAL)->view,
     };
     board_open(&stall.hal, &options);
     stall.is_in = 0;
     return kiosk_init(&stall.kiosk, &stall.hal, &config);
+}
+
+static int open_stall(void **state)
+{
+    (void)state;
+    return open_stall_at(NULL);
 }
 
 static int close_stall(void **state)
@@ -227,6 +235,34 @@ static void test_lost_for_good_the_seat_is_the_mouses_in_the_next_game(void **st
     until(mouse_sits);
 }
 
+static void hint_is(const char *text)
+{
+    assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), text);
+}
+
+/* From the moment that SDL first looks, and as long as nobody takes the choice back; whom a serial
+ * number names is no reason to shut out the others of its kind. */
+static void test_what_was_chosen_yesterday_is_barred_from_sdl_from_the_start(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/kingyo-board-XXXXXX", command[64], path[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/usb.txt", folder);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs("plays 054c:09cc\nplays 0e6f:0180:A1\nrests 057e:2009\n", file);
+    fclose(file);
+    assert_int_equal(open_stall_at(folder), CORE_OK);
+    hint_is("0x054c/0x09cc,");
+    for (uint32_t i = 0; i < 20; i++) {
+        frame();
+        hint_is("0x054c/0x09cc,");
+    }
+    close_stall(NULL);
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    assert_int_equal(system(command), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -241,6 +277,7 @@ int main(void)
                                         open_stall, close_stall),
         cmocka_unit_test_setup_teardown(
             test_lost_for_good_the_seat_is_the_mouses_in_the_next_game, open_stall, close_stall),
+        cmocka_unit_test(test_what_was_chosen_yesterday_is_barred_from_sdl_from_the_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

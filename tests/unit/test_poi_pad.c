@@ -221,7 +221,7 @@ static void test_a_fifth_pad_finds_no_place(void **state)
 static void test_a_device_that_another_driver_holds_is_left_alone(void **state)
 {
     (void)state;
-    static const struct pad_bar bars[] = { { 0x046d, 0xc216 }, { 0x1209, 7 } };
+    static const struct pad_bar bars[] = { { 0x046d, 0xc216, "" }, { 0x1209, 7, "" } };
     pads_bar(&pads, bars, 2);
     assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES),
                         "0x046d/0xc216,0x1209/0x0007,");
@@ -234,11 +234,26 @@ static void test_a_device_that_another_driver_holds_is_left_alone(void **state)
     assert_false(pads_is_there(&pads.pad[1]));
 }
 
+/* Two of a kind, one chosen by its number: the other is SDL's, and so its hint must not name the
+ * kind. Whose number nobody knows may be the one. */
+static void test_one_of_a_kind_is_barred_by_its_serial_number(void **state)
+{
+    (void)state;
+    static const struct pad_bar bars[] = { { 0x054c, 0x09cc, "A1" }, { 0x046d, 0xc216, "" } };
+    pads_bar(&pads, bars, 2);
+    assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), "0x046d/0xc216,");
+    assert_true(pads_are_barred(&pads, 0x054c, 0x09cc, "A1"));
+    assert_false(pads_are_barred(&pads, 0x054c, 0x09cc, "A2"));
+    assert_true(pads_are_barred(&pads, 0x054c, 0x09cc, ""));
+    assert_true(pads_are_barred(&pads, 0x046d, 0xc216, "A2"));
+    assert_false(pads_are_barred(&pads, 0x046d, 0x09cc, "A1"));
+}
+
 /* The operator chose it to be a HID poi: SDL lets go of it at once. */
 static void test_a_pad_that_is_barred_while_it_plays_is_gone(void **state)
 {
     (void)state;
-    static const struct pad_bar bar = { 0x1209, 8 };
+    static const struct pad_bar bar = { 0x1209, 8, "" };
     const struct hal_poi poi = pads_poi(&pads, 0);
     struct poi_sample sample;
     attach(8);
@@ -323,6 +338,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_a_fifth_pad_finds_no_place, begin, end),
         cmocka_unit_test_setup_teardown(test_a_device_that_another_driver_holds_is_left_alone,
                                         begin, end),
+        cmocka_unit_test_setup_teardown(test_one_of_a_kind_is_barred_by_its_serial_number, begin,
+                                        end),
         cmocka_unit_test_setup_teardown(test_a_pad_that_is_barred_while_it_plays_is_gone, begin,
                                         end),
         cmocka_unit_test_setup_teardown(

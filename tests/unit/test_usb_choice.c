@@ -453,6 +453,36 @@ static void test_texts_cannot_break_a_line_or_a_terminal(void **state)
     }
 }
 
+/* ---- Nodes ---------------------------------------------------------------------------------- */
+
+/* A pad's node lies deep under its device; two hubs up there is another one with a number. */
+static void test_the_number_of_the_device_behind_a_node_is_found(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/kingyo-nodes-XXXXXX", command[640], serial[HID_TEXT_SIZE] = "x";
+    assert_non_null(mkdtemp(folder));
+    snprintf(command, sizeof command,
+             "cd %s && mkdir -p d/usb1/1-2/1-2:1.3/0003.7/input/input9/event5 class/input "
+             "d/usb1/1-2/1-2:1.3/hidraw/hidraw3 class/hidraw d/i8042/event0 && "
+             "touch d/usb1/idVendor && echo hub > d/usb1/serial && "
+             "echo 054c > d/usb1/1-2/idVendor && echo A1 > d/usb1/1-2/serial && "
+             "ln -s ../../d/usb1/1-2/1-2:1.3/0003.7/input/input9/event5 class/input/event5 && "
+             "ln -s ../../d/usb1/1-2/1-2:1.3/hidraw/hidraw3 class/hidraw/hidraw3 && "
+             "ln -s ../../d/i8042/event0 class/input/event0",
+             folder);
+    assert_int_equal(system(command), 0);
+    usb_sysfs_node_serial(folder, "/dev/input/event5", serial);
+    assert_string_equal(serial, "A1");
+    usb_sysfs_node_serial(folder, "/dev/input/event0", serial);
+    assert_string_equal(serial, "");
+    usb_sysfs_node_serial(folder, "/dev/hidraw3", serial);
+    assert_string_equal(serial, "A1");
+    usb_sysfs_node_serial(folder, "", serial);
+    assert_string_equal(serial, "");
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    assert_int_equal(system(command), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -475,6 +505,7 @@ int main(void)
         cmocka_unit_test(test_the_file_says_what_was_wished_and_is_whole_or_as_before),
         cmocka_unit_test(test_bad_lines_are_counted_and_named),
         cmocka_unit_test(test_texts_cannot_break_a_line_or_a_terminal),
+        cmocka_unit_test(test_the_number_of_the_device_behind_a_node_is_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
