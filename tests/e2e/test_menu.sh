@@ -7,8 +7,8 @@
 recording=$work/menu.kgr mind=$work/mind
 : >"$mind"
 attract=0 round=2 menu=8         # enum scene_phase
-top=0 files=5                    # enum menu_page
-top_files=2 top_leave=3 files_back=1 # Their tags.
+top=0 lines=4 files=5            # enum menu_page
+top_lines=1 top_files=2 top_leave=3 files_back=1 # Their tags.
 
 knows() { # NAME: what the recording's last second says of it; 0 before there is any.
     awk -v name="$1" '$1 == name { value = $2 } END { print value + 0 }' "$mind"
@@ -52,7 +52,6 @@ shows() { # CONDITION WxH+X+Y: within 30 s
 wood='r > 110 && r > b + 40' night='r < 40 && b < 70' green='g > r + 40' red='r > 120 && g < 70 && b < 70'
 tank=400x200+400+250          # The middle of the water; in the menu, under the tags.
 tags='60x16+250+366 60x16+560+366 60x16+870+366' # Bare wood between each tag's name and its words.
-ribbon=60x4+1090+48           # Above the words "Test coins".
 plate=8x12+562+484            # Left of the word "Credits".
 start=12x12+318+607           # The long start ribbon; the call for coins is shorter.
 store=8x20+1085+126 refused=8x20+1085+221 # The first two slips of the files' page.
@@ -85,15 +84,19 @@ for tag in $tags; do
 done
 [ $hung -eq 0 ] && shows "$night" 300x40+480+520
 ok $? 'three wooden tags hang before a tank that lies in the dark'
-shows '!(r > b + 20)' $ribbon
-ok $? 'no coin is spoken of'
-tap 5 coins && becomes test_coins 1
-ok $? 'a coin in the menu is a test of the slot' "$mind"
-[ "$(knows fallen)" -eq 0 ] && [ "$(knows credits)" -eq 0 ] && [ "$(knows metered)" -eq 0 ]
-ok $? 'and no credit, nor a part of one, nor metered' "$mind"
-shows 'r > b + 20' $ribbon
-ok $? 'a ribbon says that it fell'
 picture top
+
+point_at $top_lines && tap F2 test && becomes page $lines
+ok $? 'SERVICE points at the lines, TEST takes them' "$mind"
+tap 5 coins && becomes test_coins 1
+ok $? 'a coin there is a test of the slot' "$mind"
+[ "$(knows fallen)" -eq 0 ] && [ "$(knows credits)" -eq 0 ] && [ "$(knows metered)" -eq 1 ]
+ok $? 'which is metered, and no credit nor a part of one' "$mind"
+picture lines
+tap F2 test && becomes page $top
+ok $? 'TEST leads back' "$mind"
+tap 5 coins && becomes fallen 1 && [ "$(knows test_coins)" -eq 1 ] && [ "$(knows metered)" -eq 2 ]
+ok $? 'on any other page one that falls is money' "$mind"
 
 point_at $top_files && tap F2 test && becomes page $files
 ok $? 'SERVICE points at the files, TEST takes them' "$mind"
@@ -110,7 +113,7 @@ shows 'b > r + 40 && b > 120' $tank
 ok $? 'the tank lies in the light again'
 
 # ---- Coins --------------------------------------------------------------------------------------
-tap 5 coins && becomes fallen 1 && [ "$(knows credits)" -eq 0 ]
+[ "$(knows fallen)" -eq 1 ] && [ "$(knows credits)" -eq 0 ]
 ok $? 'of two coins the first is half a credit' "$mind"
 tap space start && sleep 2 && becomes phase $attract && [ "$(knows taken)" -eq 0 ]
 ok $? 'for which START begins nothing' "$mind"
@@ -118,8 +121,8 @@ shows "!($green)" $plate && shows "!($red)" $start
 ok $? 'and the plate of credits is dark'
 tap 5 coins && becomes credits 1 && [ "$(knows fallen)" -eq 0 ]
 ok $? 'the second makes it whole' "$mind"
-[ "$(knows metered)" -eq 2 ]
-ok $? 'both are metered, the test in the menu is not' "$mind"
+[ "$(knows metered)" -eq 3 ]
+ok $? 'both are metered, as the test was' "$mind"
 shows "$green" $plate && shows "$red" $start
 ok $? 'the plate is lit, and START is called for'
 picture paid
