@@ -216,14 +216,13 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+/* A replay's coins were metered when they fell, and those that fall now would be nobody's: the slot
+ * stays closed, as it begins. */
 static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 {
-    const uint64_t now_ns = clock_ns(hal->clock);
-    kiosk->faults.switches +=
-        switches_set(&kiosk->switches, &hal->switches, &kiosk->output, now_ns);
-    if (!kiosk->config.source.next) { /* A replay's coins were metered when they fell. */
-        kiosk->faults.switches +=
-            switches_pulse(&kiosk->switches, &hal->switches, &kiosk->output, now_ns);
+    if (!kiosk->config.source.next) {
+        kiosk->faults.switches += switches_put(&kiosk->switches, &hal->switches, &kiosk->output,
+                                               clock_ns(hal->clock));
     }
 }
 

@@ -43,16 +43,11 @@ static uint32_t pulse(struct switches *switches, const struct hal_switches *devi
     return (uint32_t)hal_is_fault(result);
 }
 
-uint32_t switches_set(struct switches *switches, const struct hal_switches *device,
+uint32_t switches_put(struct switches *switches, const struct hal_switches *device,
                       const struct output *output, uint64_t now_ns)
 {
     return set(switches, device, HAL_START_LAMP, output->start_lamp, now_ns) +
-           set(switches, device, HAL_COIN_LOCKOUT, output->coin_lockout, now_ns);
-}
-
-uint32_t switches_pulse(struct switches *switches, const struct hal_switches *device,
-                        const struct output *output, uint64_t now_ns)
-{
-    return pulse(switches, device, HAL_COIN_COUNTER, output->coins_counted, now_ns) +
+           set(switches, device, HAL_COIN_LOCKOUT, output->coin_lockout, now_ns) +
+           pulse(switches, device, HAL_COIN_COUNTER, output->coins_counted, now_ns) +
            pulse(switches, device, HAL_TICKET, output->tickets, now_ns);
 }

@@ -15,12 +15,9 @@ struct switches {
     uint64_t retry_ns[HAL_SWITCH_COUNT]; /* When one that failed is asked again. */
 };
 
-/* The lamp and the coin lock, once a frame. Returns how many faults it met. */
-uint32_t switches_set(struct switches *switches, const struct hal_switches *device,
+/* Once a frame: the levels of the lamp and the coin lock, and a pulse of the meter and of the
+ * ticket dispenser for each that was counted since. Returns how many faults it met. */
+uint32_t switches_put(struct switches *switches, const struct hal_switches *device,
                       const struct output *output, uint64_t now_ns);
-
-/* The same of the meter and of tickets: a pulse for each that was counted since. */
-uint32_t switches_pulse(struct switches *switches, const struct hal_switches *device,
-                        const struct output *output, uint64_t now_ns);
 
 #endif

@@ -331,6 +331,25 @@ static void test_a_cabinet_without_a_switch_is_asked_once_and_never_again(void *
     assert_int_equal(rig.kiosk.faults.switches, 0);
 }
 
+static int next_of_a_replay(void *self, struct input *out)
+{
+    (void)self;
+    *out = (struct input){ .coin_count = 1, .poi[0].link = POI_LINK_LIVE };
+    return 1;
+}
+
+/* Its coins fell long ago, and its core hears of none that falls now. */
+static void test_a_replay_opens_no_slot_and_steps_no_meter(void **state)
+{
+    (void)state;
+    rig.kiosk.config.source = (struct kiosk_source){ .next = next_of_a_replay };
+    frames(20); /* Fewer coins than fill the plate. */
+    assert_true(rig.kiosk.output.coins_counted > 0);
+    assert_int_equal(rig.kiosk.output.coin_lockout, 0);
+    assert_int_equal(rig.level[HAL_COIN_LOCKOUT], 1);
+    assert_int_equal(rig.pulses[HAL_COIN_COUNTER], 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -345,6 +364,7 @@ int main(void)
         cmocka_unit_test_setup(test_what_no_longer_is_to_be_switched_is_not, set_up),
         cmocka_unit_test_setup(test_a_cabinet_without_a_switch_is_asked_once_and_never_again,
                                set_up),
+        cmocka_unit_test_setup(test_a_replay_opens_no_slot_and_steps_no_meter, set_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
