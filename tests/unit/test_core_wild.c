@@ -143,6 +143,8 @@ static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
 static void stir(struct input *input)
 {
     input->pressed = draw(200) == 0 ? draw(INPUT_BUTTON_ALL + 1u) : 0;
+    /* Who opened the operator's menu so often would hardly play. */
+    input->pressed &= draw(16) == 0 ? ~0u : ~(uint32_t)INPUT_TEST;
     input->held = draw(INPUT_BUTTON_ALL + 1u);
     input->coin_count = draw(3);
     input->record_saved_id = draw(50) == 0 ? draw(4) : input->record_saved_id;
