@@ -128,6 +128,19 @@ uint32_t hid_map_worth(const struct hid_identity *identity,
     }
 }
 
+const char *hid_map_why_none(const struct hid_descriptor *of)
+{
+    const int has_x = hid_offer_find(of, 0, -1, 0, USAGE_X).group != NULL;
+    const int has_y = hid_offer_find(of, 0, -1, 0, USAGE_Y).group != NULL;
+    if (hid_map_has_keyboard(of)) {
+        return "it has the keys of a keyboard, which is left alone";
+    }
+    return !has_x && !has_y ? "no axis of it is called X or Y; it may be learned in the menu"
+           : !has_x || !has_y
+               ? "it has an X or an Y, and not both"
+               : "its X and Y are no pair of axes with a button beside them; it may be learned";
+}
+
 /* ---- Soundness ------------------------------------------------------------------------------ */
 
 static int is_axis_role(uint8_t role)

@@ -105,6 +105,9 @@ int hid_map_has_keyboard(const struct hid_descriptor *descriptor);
 void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
                     const struct hid_descriptor *descriptor);
 
+/* Why hid_map_choose() finds none for it: part of a sentence; static. */
+const char *hid_map_why_none(const struct hid_descriptor *descriptor);
+
 /* How well a hand is led by the map that hid_map_choose() finds, to compare interfaces of a device;
  * 0: it finds none. */
 uint32_t hid_map_worth(const struct hid_identity *identity,

@@ -70,7 +70,8 @@ static enum exit_code map(const char *path, const char *ids)
     who.product = key.product;
     hid_map_choose(&chosen, &who, &descriptor);
     if (chosen.source == HID_MAP_NONE || hid_map_write(&chosen, text) != 0) {
-        fprintf(stderr, "kingyoctl hid: %s: cannot be a poi as it is\n", path);
+        fprintf(stderr, "kingyoctl hid: %s: cannot be a poi as it is: %s\n", path,
+                hid_map_why_none(&descriptor));
         return EXIT_NOT_SO;
     }
     puts(text);

@@ -50,6 +50,19 @@ enum exit_code hid_tell_io(const char *path)
     return EXIT_IO;
 }
 
+/* The first letter of a text that makes it no hex; `size`: it is no text. */
+static size_t first_odd_letter(const uint8_t *bytes, size_t size)
+{
+    size_t odd = size;
+    for (size_t i = size; i-- > 0;) {
+        if (!isprint(bytes[i]) && !isspace(bytes[i])) {
+            return size;
+        }
+        odd = hex_digit(bytes[i]) < 0 && !isspace(bytes[i]) ? i : odd;
+    }
+    return odd;
+}
+
 enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
                              const char *path)
 {
@@ -59,11 +72,21 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
         return EXIT_BAD_DATA;
     }
     const size_t byte_count = count >= 0 ? (size_t)count : size;
+    if (byte_count == 0) {
+        fprintf(stderr, "kingyoctl hid: %s: byte 0: empty\n", path);
+        return EXIT_BAD_DATA;
+    }
     const enum hid_error error = hid_descriptor_read(out, bytes, byte_count);
     if (error || out->group_count == 0) {
-        fprintf(stderr, "kingyoctl hid: %s: byte %zu: %s\n", path,
+        const size_t letter = count >= 0 ? size : first_odd_letter(bytes, size);
+        fprintf(stderr, "kingyoctl hid: %s: byte %zu: %s", path,
                 error ? out->error_offset : byte_count,
                 error ? hid_error_text(error) : "no input field that is used for anything");
+        if (letter < size) {
+            fprintf(stderr, " (read as binary, for its letter %zu, '%c', is no hex)", letter + 1u,
+                    bytes[letter]);
+        }
+        fputc('\n', stderr);
         return EXIT_BAD_DATA;
     }
     return EXIT_OK;

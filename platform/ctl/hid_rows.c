@@ -111,9 +111,9 @@ static enum exit_code refuse(const char *path, unsigned row, const char *what)
     return EXIT_BAD_DATA;
 }
 
-/* Rows of other ids are no concern of ours. */
+/* Rows of other ids are no concern of ours; our own are counted. */
 static enum exit_code decode_row(const struct hid_descriptor *descriptor, const char *id,
-                                 char *line, const char *path, unsigned row)
+                                 char *line, const char *path, unsigned row, unsigned *count)
 {
     line[strcspn(line, "\r\n")] = '\0';
     char *rest = line;
@@ -125,6 +125,7 @@ static enum exit_code decode_row(const struct hid_descriptor *descriptor, const 
         return EXIT_OK;
     }
     const size_t length = hex ? strlen(hex) : 0;
+    ++*count;
     const long size = hex && length <= 2u * REPORT_SIZE_MAX ? hid_from_hex((uint8_t *)hex, length)
                                                             : HID_NOT_HEX;
     if (size < 0) {
@@ -140,11 +141,19 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
 {
     static char line[LINE_SIZE];
     enum exit_code code = EXIT_OK;
+    unsigned count = 0;
     puts(HID_VALUE_HEADER);
     for (unsigned row = 1; code == EXIT_OK && fgets(line, sizeof line, file); row++) {
         code = strchr(line, '\n') || feof(file)
-                   ? decode_row(descriptor, id, line, path, row)
+                   ? decode_row(descriptor, id, line, path, row, &count)
                    : refuse(path, row, "longer than 65534 bytes, or no text");
     }
-    return code == EXIT_OK && ferror(file) ? hid_tell_io(path) : code;
+    if (code == EXIT_OK && ferror(file)) {
+        return hid_tell_io(path);
+    }
+    if (code == EXIT_OK && count == 0) { /* A renamed descriptor looks like a silent device. */
+        fprintf(stderr, "kingyoctl hid: %s: no report of id '%s', the descriptor's file name\n",
+                path, id);
+    }
+    return code;
 }

@@ -20,7 +20,8 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
                      struct hid_report report, const char *tail);
 
 /* The header line, and the values of those reports in `file` that belong to `id`. Its rows are id,
- * number, report in hex and whatever else, below a header line. EXIT_OK, EXIT_BAD_DATA or EXIT_IO,
+ * number, report in hex and whatever else, below a header line; that none belongs is a line of
+ * warning. EXIT_OK, EXIT_BAD_DATA or EXIT_IO,
  * told with `path` and the line. */
 enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const char *id, FILE *file,
                                const char *path);

@@ -39,7 +39,9 @@ printf 050 >"$work/half.hid"
 head -c 70000 /dev/zero >"$work/long.hid"
 check 'what declares no field is bad data' refuses 65 'short.hid: byte 2: no input field' describe "$work/short.hid"
 check 'half a byte of hex is bad data' refuses 65 'half.hid: hex text in which' describe "$work/half.hid"
-check 'an empty file is bad data' refuses 65 'empty.hid: byte 0: ' describe "$work/empty.hid"
+check 'an empty file is bad data' refuses 65 'empty.hid: byte 0: empty' describe "$work/empty.hid"
+echo '05 01 09 zz' >"$work/typo.hid"
+check 'a typo in hex is told' refuses 65 "letter 10, 'z', is no hex" describe "$work/typo.hid"
 check 'so is one longer than a descriptor can be' refuses 65 'longer than 65535' describe "$work/long.hid"
 check 'a file that is not there is an I/O error' refuses 74 'No such file' describe "$work/none.hid"
 check 'a folder is one' refuses 74 'Is a directory' describe "$work"
@@ -71,6 +73,8 @@ check 'a report that is a byte too short is none' rows "$work/cut.tsv" 0
 check 'one that is longer is read as far as declared' rows "$work/over.tsv" "$values"
 check 'another device'\''s reports are not looked at' rows "$work/other.tsv" 0
 check 'an id that nobody declared has no rows' rows "$work/unknown.tsv" 0
+warns() { "$ctl" hid decode "$descriptor" "$work/other.tsv" 2>&1 >/dev/null | grep -q "other.tsv: no report of id '"; }
+check 'and it is said which id was looked for' warns
 check 'an empty file has none' rows "$work/empty.hid" 0
 check 'what is no hex is bad data, with its line' refuses 65 'bad.tsv: line 2: the third column' decode "$descriptor" "$work/bad.tsv"
 check 'so is a row without a report' refuses 65 'missing.tsv: line 2: ' decode "$descriptor" "$work/missing.tsv"
