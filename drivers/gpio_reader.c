@@ -2,45 +2,24 @@
 #include "drivers/gpio_reader.h"
 
 #include <signal.h>
-#include <stdio.h>
 #include <string.h>
 #include <time.h>
 
+#include "drivers/gpio_reader_lines.h"
 #include "drivers/gpio_wires.h"
 
 #define NS_PER_MS 1000000u
-#define RETRY_NS 1000000000u /* A chip that comes back is had within a second. */
 #define WATCH_NS 100000000u  /* Levels are read this often even where no edge comes. */
 #define STOP_STEPS_MAX 200u  /* Of 10 ms: ten pulses of the slowest meters. */
 #define STOP_STEP_NS 10000000
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
 
-static uint64_t now_ns(const struct gpio_reader *reader)
-{
-    return reader->clock.ops->now_ns(reader->clock.self);
-}
-
-static uint32_t bit_of(enum gpio_role role)
-{
-    return 1u << role;
-}
-
 static uint32_t wired_bits(const struct gpio_reader *reader)
 {
     uint32_t bits = 0;
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
-        bits |= reader->wires[role].wired ? bit_of(role) : 0u;
-    }
-    return bits;
-}
-
-/* Outputs that are active until somebody says otherwise. */
-static uint32_t begin_bits(void)
-{
-    uint32_t bits = 0;
-    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
-        bits |= gpio_role_begins_active(role) ? bit_of(role) : 0u;
+        bits |= reader->wires[role].wired ? gpio_role_bit(role) : 0u;
     }
     return bits;
 }
@@ -53,10 +32,11 @@ static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct de
         coin_mech_turn(&reader->coin, turn.time_ns, turn.active);
         return;
     }
-    reader->levels = turn.active ? reader->levels | bit_of(role) : reader->levels & ~bit_of(role);
+    reader->levels = turn.active ? reader->levels | gpio_role_bit(role)
+                                 : reader->levels & ~gpio_role_bit(role);
     atomic_store(&reader->held, reader->levels); /* Before the press: who sees that sees this. */
     if (turn.active) {
-        atomic_fetch_or(&reader->pressed, bit_of(role));
+        atomic_fetch_or(&reader->pressed, gpio_role_bit(role));
     }
 }
 
@@ -82,100 +62,6 @@ static void publish(struct gpio_reader *reader)
     coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
 }
 
-/* ---- Lines that come and go ----------------------------------------------------------------- */
-
-static void begin_input(struct gpio_reader *reader, enum gpio_role role)
-{
-    const struct gpio_wire *wire = &reader->wires[role];
-    const struct gpio_lines *lines = &reader->lines;
-    const bool active = lines->ops->level(lines->self, role) == 1;
-    const uint64_t now = now_ns(reader);
-    const uint32_t period_us =
-        lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
-    reader->inputs[role] = gpio_input_begin(period_us * 1000ull, active, now);
-    if (role == GPIO_COIN) {
-        reader->coin = coin_mech_begin(wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull,
-                                       active, now);
-    } else if (active) { /* Held, but nobody saw it pressed. */
-        reader->levels |= bit_of(role);
-    }
-}
-
-/* A coin that had left its sensor when the line went has fallen, if its end did not stand yet. */
-static void lose_coin(struct gpio_reader *reader)
-{
-    const struct debounce *debounce = &reader->inputs[GPIO_COIN].debounce;
-    if (debounce->stable && !debounce->raw) {
-        coin_mech_turn(&reader->coin, debounce->since_ns, false);
-    }
-    coin_mech_lose(&reader->coin);
-}
-
-static void lose_line(struct gpio_reader *reader, enum gpio_role role)
-{
-    reader->had &= ~bit_of(role);
-    reader->levels &= ~bit_of(role);
-    if (role == GPIO_COIN) {
-        lose_coin(reader);
-    }
-}
-
-/* Lets go of what went with its chip: one loss, one fault. */
-static void lose_lines(struct gpio_reader *reader)
-{
-    const uint32_t before = reader->had;
-    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
-        if (before & bit_of(role) &&
-            reader->lines.ops->level(reader->lines.self, role) == HAL_ERR_GONE) {
-            lose_line(reader, role);
-        }
-    }
-    if (reader->had != before) {
-        reader->total.lost_chips++;
-        atomic_fetch_add(&reader->faults, 1);
-        atomic_store(&reader->held, reader->levels);
-    }
-}
-
-static uint32_t count_bits(uint32_t bits)
-{
-    return (uint32_t)__builtin_popcount(bits);
-}
-
-/* One line of what there is, and of the first thing that is missing. */
-static void say(struct gpio_reader *reader, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
-{
-    const char *missing = "";
-    for (uint32_t i = 0; i < GPIO_ROLE_COUNT && !missing[0]; i++) {
-        missing = why[i];
-    }
-    pthread_mutex_lock(&reader->mutex);
-    memcpy(reader->why, why, sizeof reader->why);
-    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%s%.100s",
-             reader->lines.ops->describe(reader->lines.self), count_bits(reader->had),
-             gpio_wires_count(reader->wires), missing[0] ? "; " : "", missing);
-    pthread_mutex_unlock(&reader->mutex);
-}
-
-/* Asks for what is missing. */
-static int ask(struct gpio_reader *reader)
-{
-    char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE] = { { 0 } };
-    const int result = reader->lines.ops->open(reader->lines.self, reader->wires, why);
-    const uint32_t fresh = result > 0 ? (uint32_t)result & ~reader->had : 0u;
-    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
-        if (fresh & bit_of(role) && gpio_role_is_input(role)) {
-            begin_input(reader, role);
-        }
-    }
-    reader->had |= fresh;
-    reader->lit = (reader->lit & ~fresh) | (fresh & begin_bits());
-    reader->retry_ns = now_ns(reader) + RETRY_NS;
-    atomic_store(&reader->held, reader->levels);
-    say(reader, why);
-    return result;
-}
-
 /* ---- One round ------------------------------------------------------------------------------ */
 
 static void earlier(uint64_t *due_ns, uint64_t other_ns)
@@ -196,13 +82,13 @@ static uint64_t input_due_ns(const struct gpio_reader *reader, enum gpio_role ro
 static void take_edges(struct gpio_reader *reader, struct gpio_edge *edges, uint32_t count,
                        uint32_t *touched)
 {
-    const uint64_t now = now_ns(reader);
+    const uint64_t now = gpio_reader_now_ns(reader);
     for (uint32_t i = 0; i < count; i++) {
         const enum gpio_role role = edges[i].role;
         struct debounce_turn turn;
         edges[i].taken_ns = now;
-        if (gpio_role_is_input(role) && reader->had & bit_of(role)) {
-            *touched |= bit_of(role);
+        if (gpio_role_is_input(role) && reader->had & gpio_role_bit(role)) {
+            *touched |= gpio_role_bit(role);
             if (gpio_input_edge(&reader->inputs[role], &edges[i], &turn)) {
                 take_turn(reader, role, turn);
             }
@@ -215,9 +101,9 @@ static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
 {
     const struct gpio_lines *lines = &reader->lines;
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
-        const uint64_t now = now_ns(reader);
-        if (!(reader->had & bit_of(role)) ||
-            (!(touched & bit_of(role)) && now < input_due_ns(reader, role))) {
+        const uint64_t now = gpio_reader_now_ns(reader);
+        if (!(reader->had & gpio_role_bit(role)) ||
+            (!(touched & gpio_role_bit(role)) && now < input_due_ns(reader, role))) {
             continue;
         }
         const int level = lines->ops->level(lines->self, role);
@@ -226,7 +112,7 @@ static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
             reader->coin_look_ns = now + GPIO_COIN_LOOK_NS;
         }
         if (level == HAL_ERR_GONE) {
-            lose_lines(reader);
+            gpio_reader_lose_lines(reader);
         }
         if (level >= 0 && gpio_input_level(&reader->inputs[role], now, level != 0, &turn)) {
             take_turn(reader, role, turn);
@@ -239,13 +125,13 @@ static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
 
 static void drive_output(struct gpio_reader *reader, enum gpio_role role)
 {
-    const uint32_t bit = bit_of(role);
+    const uint32_t bit = gpio_role_bit(role);
     struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
     pulse_train_add(train, atomic_exchange(&reader->pulses[role - GPIO_INPUT_COUNT], 0));
     if (!(reader->had & bit)) {
         return; /* Its pulses wait for it. */
     }
-    const bool pulses = pulse_train_at(train, now_ns(reader));
+    const bool pulses = pulse_train_at(train, gpio_reader_now_ns(reader));
     const bool active = pulses || (atomic_load(&reader->wanted) & bit) != 0;
     if (active == ((reader->lit & bit) != 0)) {
         return;
@@ -254,7 +140,7 @@ static void drive_output(struct gpio_reader *reader, enum gpio_role role)
     if (result == HAL_OK) {
         reader->lit ^= bit;
     } else if (result == HAL_ERR_GONE) {
-        lose_lines(reader);
+        gpio_reader_lose_lines(reader);
     }
 }
 
@@ -264,17 +150,17 @@ static void drive_outputs(struct gpio_reader *reader)
     for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
         const struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
         drive_output(reader, role);
-        owed += reader->had & bit_of(role) ? train->left + train->on : 0u;
+        owed += reader->had & gpio_role_bit(role) ? train->left + train->on : 0u;
     }
     atomic_store(&reader->owed, owed);
 }
 
 static uint32_t wait_ms(const struct gpio_reader *reader)
 {
-    const uint64_t now = now_ns(reader);
+    const uint64_t now = gpio_reader_now_ns(reader);
     uint64_t due_ns = now + GPIO_WAIT_MS_MAX * (uint64_t)NS_PER_MS;
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
-        if (!(reader->had & bit_of(role))) {
+        if (!(reader->had & gpio_role_bit(role))) {
             continue;
         }
         earlier(&due_ns, gpio_role_is_input(role)
@@ -288,20 +174,20 @@ void gpio_reader_step(struct gpio_reader *reader)
 {
     struct gpio_edge edges[GPIO_EDGES_MAX];
     uint32_t touched = 0;
-    if (reader->had != wired_bits(reader) && now_ns(reader) >= reader->retry_ns) {
-        ask(reader);
+    if (reader->had != wired_bits(reader) && gpio_reader_now_ns(reader) >= reader->retry_ns) {
+        gpio_reader_ask(reader);
     }
     const int count = reader->lines.ops->wait(reader->lines.self, edges, GPIO_EDGES_MAX,
                                               wait_ms(reader));
     if (count == HAL_ERR_GONE) {
-        lose_lines(reader);
+        gpio_reader_lose_lines(reader);
         publish(reader); /* What was counted of lines that may be asked for anew. */
-        ask(reader);
+        gpio_reader_ask(reader);
     }
     take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u, &touched);
     if (count < (int)GPIO_EDGES_MAX) { /* Else more edges come before anything may settle. */
-        if (now_ns(reader) >= reader->watch_ns) {
-            reader->watch_ns = now_ns(reader) + WATCH_NS;
+        if (gpio_reader_now_ns(reader) >= reader->watch_ns) {
+            reader->watch_ns = gpio_reader_now_ns(reader) + WATCH_NS;
             touched = ~0u;
         }
         settle_inputs(reader, touched);
@@ -318,7 +204,7 @@ int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
     memset(reader, 0, sizeof *reader);
     reader->lines = lines;
     reader->clock = clock;
-    atomic_store(&reader->wanted, begin_bits());
+    atomic_store(&reader->wanted, gpio_reader_begin_bits());
     pthread_mutex_init(&reader->mutex, NULL);
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         reader->wires[role] = gpio_wire_filled(&wires[role], role);
@@ -329,14 +215,14 @@ int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
             };
         }
     }
-    return ask(reader);
+    return gpio_reader_ask(reader);
 }
 
 void gpio_reader_close(struct gpio_reader *reader)
 {
     const struct gpio_lines *lines = &reader->lines;
     for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
-        if (reader->had & bit_of(role)) {
+        if (reader->had & gpio_role_bit(role)) {
             lines->ops->set(lines->self, role, gpio_role_begins_active(role));
         }
     }

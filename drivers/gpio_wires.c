@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drivers/gpio_word.h"
+
 #define COIN_DEBOUNCE_US 3000u  /* Contacts of coin switches jump for 1 to 3 ms. */
 #define COIN_MIN_US 15000u      /* 25 ms -20 %, and 5 ms of jumping at its ends. */
 #define COIN_MAX_US 250000u     /* 200 ms +20 %. */
@@ -66,86 +68,9 @@ enum gpio_role gpio_role_find(const char *name, size_t length)
     return GPIO_ROLE_COUNT;
 }
 
-/* ---- Words ---------------------------------------------------------------------------------- */
-
-/* A piece of the text: its bytes are the caller's. */
-struct word {
-    const char *at;
-    size_t length;
-};
-
-static bool is_word(struct word word, const char *text)
-{
-    return word.length == strlen(text) && memcmp(word.at, text, word.length) == 0;
-}
-
-/* Whether `word` begins with `prefix`, which is then taken off. */
-static bool takes_off(struct word *word, const char *prefix)
-{
-    const size_t length = strlen(prefix);
-    if (word->length < length || memcmp(word->at, prefix, length) != 0) {
-        return false;
-    }
-    *word = (struct word){ word->at + length, word->length - length };
-    return true;
-}
-
-/* The part of `rest` before `mark`, and `rest` behind it; all of it where there is no mark. */
-static struct word split(struct word *rest, char mark)
-{
-    const char *at = rest->length ? memchr(rest->at, mark, rest->length) : NULL;
-    const size_t length = at ? (size_t)(at - rest->at) : rest->length;
-    const size_t taken = at ? length + 1u : length;
-    const struct word first = { rest->at, length };
-    *rest = (struct word){ rest->at + taken, rest->length - taken };
-    return first;
-}
-
-/* Digits up to `max`, taken off the front. */
-static bool takes_number(struct word *word, uint32_t max, uint32_t *out)
-{
-    uint64_t value = 0;
-    size_t i = 0;
-    while (i < word->length && isdigit((unsigned char)word->at[i])) {
-        value = value * 10u + (uint64_t)(word->at[i] - '0');
-        if (value > max) {
-            return false;
-        }
-        i++;
-    }
-    *word = (struct word){ word->at + i, word->length - i };
-    *out = (uint32_t)value;
-    return i > 0;
-}
-
-static bool reads_time(struct word word, uint32_t *out_us)
-{
-    static const struct {
-        const char *unit;
-        uint32_t us;
-    } units[] = { { "us", 1 }, { "ms", 1000 }, { "s", 1000000 } };
-    uint32_t number;
-    if (!takes_number(&word, GPIO_TIME_US_MAX, &number)) {
-        return false;
-    }
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (is_word(word, units[i].unit)) {
-            *out_us = number * units[i].us;
-            return number >= 1 && number <= GPIO_TIME_US_MAX / units[i].us;
-        }
-    }
-    return false;
-}
-
-static bool reads_times(struct word word, char mark, uint32_t *first_us, uint32_t *second_us)
-{
-    const struct word first = split(&word, mark);
-    return reads_time(first, first_us) && reads_time(word, second_us);
-}
-
 /* ---- A wire --------------------------------------------------------------------------------- */
 
-static bool copies_name(struct word word, char out[GPIO_TEXT_SIZE])
+static bool copies_name(struct gpio_word word, char out[GPIO_TEXT_SIZE])
 {
     if (word.length == 0 || word.length >= GPIO_TEXT_SIZE) {
         return false;
@@ -156,21 +81,21 @@ static bool copies_name(struct word word, char out[GPIO_TEXT_SIZE])
 }
 
 /* NAME, or CHIP:OFFSET where digits alone stand behind the last colon. */
-static bool reads_line(struct word word, struct gpio_wire *wire)
+static bool reads_line(struct gpio_word word, struct gpio_wire *wire)
 {
     const char *colon = word.length ? memrchr(word.at, ':', word.length) : NULL;
     if (colon) {
         const size_t length = (size_t)(colon - word.at);
-        struct word digits = { colon + 1, word.length - length - 1u };
-        if (takes_number(&digits, UINT16_MAX, &wire->offset) && digits.length == 0) {
-            return copies_name((struct word){ word.at, length }, wire->chip);
+        struct gpio_word digits = { colon + 1, word.length - length - 1u };
+        if (gpio_word_takes_number(&digits, UINT16_MAX, &wire->offset) && digits.length == 0) {
+            return copies_name((struct gpio_word){ word.at, length }, wire->chip);
         }
         wire->offset = 0;
     }
     return copies_name(word, wire->name);
 }
 
-static bool reads_level_or_bias(struct word word, struct gpio_wire *wire, bool *has_bias)
+static bool reads_level_or_bias(struct gpio_word word, struct gpio_wire *wire, bool *has_bias)
 {
     static const char *const biases[] = {
         [GPIO_BIAS_AS_IS] = "as-is",
@@ -178,12 +103,12 @@ static bool reads_level_or_bias(struct word word, struct gpio_wire *wire, bool *
         [GPIO_BIAS_DOWN] = "down",
         [GPIO_BIAS_OFF] = "float",
     };
-    if (is_word(word, "low") || is_word(word, "high")) {
-        wire->active_low = is_word(word, "low");
+    if (gpio_word_is(word, "low") || gpio_word_is(word, "high")) {
+        wire->active_low = gpio_word_is(word, "low");
         return true;
     }
     for (uint8_t i = 0; i < sizeof biases / sizeof biases[0]; i++) {
-        if (is_word(word, biases[i])) {
+        if (gpio_word_is(word, biases[i])) {
             wire->bias = i;
             *has_bias = true;
             return true;
@@ -193,18 +118,18 @@ static bool reads_level_or_bias(struct word word, struct gpio_wire *wire, bool *
 }
 
 /* Each time is a word of the roles that have it, and of no other. */
-static bool reads_timing(struct word word, enum gpio_role role, struct gpio_wire *wire)
+static bool reads_timing(struct gpio_word word, enum gpio_role role, struct gpio_wire *wire)
 {
-    if (takes_off(&word, "debounce=")) {
-        return gpio_role_is_input(role) && reads_time(word, &wire->debounce_us);
+    if (gpio_word_takes_off(&word, "debounce=")) {
+        return gpio_role_is_input(role) && gpio_word_reads_time(word, &wire->debounce_us);
     }
-    if (takes_off(&word, "window=")) {
+    if (gpio_word_takes_off(&word, "window=")) {
         return role == GPIO_COIN &&
-               reads_times(word, '-', &wire->pulse_min_us, &wire->pulse_max_us) &&
+               gpio_word_reads_times(word, '-', &wire->pulse_min_us, &wire->pulse_max_us) &&
                wire->pulse_min_us < wire->pulse_max_us;
     }
-    return takes_off(&word, "pulse=") && !gpio_role_is_input(role) &&
-           reads_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
+    return gpio_word_takes_off(&word, "pulse=") && !gpio_role_is_input(role) &&
+           gpio_word_reads_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
 }
 
 /* What is wrong with a word that is none. */
@@ -229,11 +154,11 @@ static bool refuse_word(struct word word, enum gpio_role role, char why[HAL_TEXT
 bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE])
 {
-    struct word rest = { text, strlen(text) };
+    struct gpio_word rest = { text, strlen(text) };
     if (!memchr(text, '=', rest.length)) {
         return refuse(why, "ROLE=LINE is wanted, as in start=BTN_START");
     }
-    const struct word name = split(&rest, '=');
+    const struct gpio_word name = gpio_word_split(&rest, '=');
     const enum gpio_role role = gpio_role_find(name.at, name.length);
     if (role == GPIO_ROLE_COUNT) {
         return refuse(why, "'%.*s' is no role: start left right ok test service tilt coin door "
@@ -243,13 +168,13 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
     const bool rests = gpio_role_is_input(role) || gpio_role_begins_active(role);
     struct gpio_wire wire = { .wired = 1, .active_low = rests };
     bool has_bias = !rests;
-    const struct word line = split(&rest, ',');
+    const struct gpio_word line = gpio_word_split(&rest, ',');
     if (!reads_line(line, &wire)) {
         return refuse(why, "%s: a line's name or CHIP:OFFSET is wanted, of 1 to %u letters",
                       roles[role].name, GPIO_TEXT_SIZE - 1u);
     }
     while (rest.length > 0) {
-        const struct word word = split(&rest, ',');
+        const struct gpio_word word = gpio_word_split(&rest, ',');
         if (!reads_level_or_bias(word, &wire, &has_bias) && !reads_timing(word, role, &wire)) {
             return refuse_word(word, role, why);
         }

@@ -7,7 +7,7 @@ DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
 # A target takes from this archive what it calls, and is counted by that alone.
 DEVICE_SRC := $(wildcard drivers/hid_*.c drivers/pointer_*.c drivers/pose_*.c drivers/poi_[dr]*.c drivers/fly_*.c \
     drivers/dip.c drivers/pad_hand.c drivers/pad_tilt.c drivers/pad_track.c drivers/touch_fingers.c \
-    drivers/gpio_wires.c drivers/gpio_input.c drivers/coin_mech.c drivers/debounce.c \
+    drivers/gpio_wires.c drivers/gpio_word.c drivers/gpio_input.c drivers/coin_mech.c drivers/debounce.c \
     drivers/usb_choice.c) $(patsubst %,platform/ctl/hid_%.c,file rows live names) \
     $(patsubst %,board/poi-gadget/%.c,pose_line pose_glide pose_tape poi_config draw_wires attitude steady \
     board_pose sensor_twin feel_mix) core/view.c core/base/fmath.c core/base/vec.c core/base/rng.c

@@ -37,6 +37,6 @@ if [ -n "$missing" ]; then
     exit 1
 fi
 $cc "${cflags[@]}" -isystem "$home" "${ldflags[@]}" -fsanitize=address,undefined -o "$home/test_gpio_backend" \
-    tests/gpio/{test_gpio_backend,fake_board,fake_gpiod2}.c drivers/{gpio_lines2,gpio_chips2,gpio_backend,gpio_dev,gpio_wires}.c -lcmocka
+    tests/gpio/{test_gpio_backend,fake_board,fake_gpiod2}.c drivers/{gpio_lines2,gpio_chips2,gpio_backend,gpio_dev,gpio_wires,gpio_word}.c -lcmocka
 CMOCKA_MESSAGE_OUTPUT=TAP "$home/test_gpio_backend" >"$home/test.log" 2>&1 || { cat "$home/test.log" >&2; exit 1; }
 echo "gpiod2: gpio_lines2.c compiles with libgpiod $version, which has all it asks for; $(grep -c '^ok' "$home/test.log") tests passed"

@@ -8,7 +8,7 @@ read -ra ldflags <<<"${LDFLAGS:-}"
 cc=${CC:-gcc}
 gpiod=${GPIOD:-0}
 mkdir -p "$home"
-drivers=(drivers/{buttons_gpio,coin_mech,debounce,gpio_input,gpio_lines_sim,gpio_reader,gpio_wires,pulse_train}.c)
+drivers=(drivers/{buttons_gpio,coin_mech,debounce,gpio_input,gpio_lines_sim,gpio_reader,gpio_reader_lines,gpio_sim_kernel,gpio_wires,gpio_word,pulse_train}.c)
 
 try() { # NAME SANITIZERS SOURCES...
     local name=$1 sanitizers=$2
@@ -25,5 +25,5 @@ try test_gpio_reader address,undefined tests/unit/test_gpio_reader.c "${drivers[
 try test_coin_rain address,undefined tests/unit/test_coin_rain.c tests/gpio/coin_rain.c "${drivers[@]}"
 if [ "$gpiod" != 0 ]; then
     try test_gpio_backend address,undefined "${ldflags[@]}" tests/gpio/{test_gpio_backend,fake_board,"fake_gpiod$gpiod"}.c \
-        drivers/{"gpio_lines$gpiod","gpio_chips$gpiod",gpio_backend,gpio_dev,gpio_wires}.c
+        drivers/{"gpio_lines$gpiod","gpio_chips$gpiod",gpio_backend,gpio_dev,gpio_wires,gpio_word}.c
 fi

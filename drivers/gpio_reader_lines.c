@@ -1,0 +1,108 @@
+/* gpio_reader_lines.c -- asks, begins, loses, and says what there is. */
+#include "drivers/gpio_reader_lines.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/gpio_wires.h"
+
+#define RETRY_NS 1000000000u /* A chip that comes back is had within a second. */
+
+uint32_t gpio_reader_begin_bits(void)
+{
+    uint32_t bits = 0;
+    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
+        bits |= gpio_role_begins_active(role) ? gpio_role_bit(role) : 0u;
+    }
+    return bits;
+}
+
+static void begin_input(struct gpio_reader *reader, enum gpio_role role)
+{
+    const struct gpio_wire *wire = &reader->wires[role];
+    const struct gpio_lines *lines = &reader->lines;
+    const bool active = lines->ops->level(lines->self, role) == 1;
+    const uint64_t now = gpio_reader_now_ns(reader);
+    const uint32_t period_us =
+        lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
+    reader->inputs[role] = gpio_input_begin(period_us * 1000ull, active, now);
+    if (role == GPIO_COIN) {
+        reader->coin = coin_mech_begin(wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull,
+                                       active, now);
+    } else if (active) { /* Held, but nobody saw it pressed. */
+        reader->levels |= gpio_role_bit(role);
+    }
+}
+
+/* A coin that had left its sensor when the line went has fallen, if its end did not stand yet. */
+static void lose_coin(struct gpio_reader *reader)
+{
+    const struct debounce *debounce = &reader->inputs[GPIO_COIN].debounce;
+    if (debounce->stable && !debounce->raw) {
+        coin_mech_turn(&reader->coin, debounce->since_ns, false);
+    }
+    coin_mech_lose(&reader->coin);
+}
+
+static void lose_line(struct gpio_reader *reader, enum gpio_role role)
+{
+    reader->had &= ~gpio_role_bit(role);
+    reader->levels &= ~gpio_role_bit(role);
+    if (role == GPIO_COIN) {
+        lose_coin(reader);
+    }
+}
+
+void gpio_reader_lose_lines(struct gpio_reader *reader)
+{
+    const uint32_t before = reader->had;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (before & gpio_role_bit(role) &&
+            reader->lines.ops->level(reader->lines.self, role) == HAL_ERR_GONE) {
+            lose_line(reader, role);
+        }
+    }
+    if (reader->had != before) {
+        reader->total.lost_chips++;
+        atomic_fetch_add(&reader->faults, 1);
+        atomic_store(&reader->held, reader->levels);
+    }
+}
+
+static uint32_t count_bits(uint32_t bits)
+{
+    return (uint32_t)__builtin_popcount(bits);
+}
+
+/* One line of what there is, and of the first thing that is missing. */
+static void say(struct gpio_reader *reader, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
+{
+    const char *missing = "";
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT && !missing[0]; i++) {
+        missing = why[i];
+    }
+    pthread_mutex_lock(&reader->mutex);
+    memcpy(reader->why, why, sizeof reader->why);
+    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%s%.100s",
+             reader->lines.ops->describe(reader->lines.self), count_bits(reader->had),
+             gpio_wires_count(reader->wires), missing[0] ? "; " : "", missing);
+    pthread_mutex_unlock(&reader->mutex);
+}
+
+int gpio_reader_ask(struct gpio_reader *reader)
+{
+    char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE] = { { 0 } };
+    const int result = reader->lines.ops->open(reader->lines.self, reader->wires, why);
+    const uint32_t fresh = result > 0 ? (uint32_t)result & ~reader->had : 0u;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (fresh & gpio_role_bit(role) && gpio_role_is_input(role)) {
+            begin_input(reader, role);
+        }
+    }
+    reader->had |= fresh;
+    reader->lit = (reader->lit & ~fresh) | (fresh & gpio_reader_begin_bits());
+    reader->retry_ns = gpio_reader_now_ns(reader) + RETRY_NS;
+    atomic_store(&reader->held, reader->levels);
+    say(reader, why);
+    return result;
+}
