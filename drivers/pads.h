@@ -55,8 +55,8 @@ struct pads {
 void pads_init(struct pads *pads, struct hal_clock clock, const struct view *view);
 
 /* From now on these, and no others, are another driver's: they are not opened, and one that is a
- * pad of ours is let go. Where all of a kind are meant SDL does not even look at them (its hint knows
- * no serial numbers). Before pads_open() for those that are plugged in already. At most
+ * pad of ours is let go. Where all of a kind are meant SDL does not even look at them: its hint
+ * knows no serial numbers. Before pads_open() for those that are plugged in already. At most
  * PADS_BAR_MAX are heeded; bytes behind a serial number's end are 0. Asked again with the same it
  * does nothing. */
 void pads_bar(struct pads *pads, const struct pad_bar *bar, uint32_t count);

@@ -86,6 +86,10 @@ void bus_note_call(const char *name); /* From whichever thread it came. */
 void bus_note_talk(const char *name); /* A call that talks to a device, and so waits. */
 void bus_ring(int fd);
 
+/* All that is due is called back, with the lock given up meanwhile: so does libusb while it waits,
+ * for events as for the end of a request. */
+void bus_call_back(void);
+
 /* The transfer will come back, now or so much later. */
 void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms);
 

@@ -158,20 +158,25 @@ static void call_back(const struct done *done)
     bus_unlock();
 }
 
-int libusb_handle_events_timeout_completed(libusb_context *context, struct timeval *timeout,
-                                           int *completed)
+void bus_call_back(void)
 {
-    (void)context, (void)timeout, (void)completed;
     struct done done;
-    bus_lock();
-    bus_note_call("libusb_handle_events from a strange thread");
-    quieten();
     uint32_t most = bus.done_count;
     while (most-- > 0 && next_done(&done)) {
         bus_unlock();
         call_back(&done);
         bus_lock();
     }
+}
+
+int libusb_handle_events_timeout_completed(libusb_context *context, struct timeval *timeout,
+                                           int *completed)
+{
+    (void)context, (void)timeout, (void)completed;
+    bus_lock();
+    bus_note_call("libusb_handle_events from a strange thread");
+    quieten();
+    bus_call_back();
     const int has_more = bus.done_count > 0; /* What is late, or came meanwhile. */
     if (has_more) {
         bus_ring(bus.context.fd);

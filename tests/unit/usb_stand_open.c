@@ -153,6 +153,7 @@ int libusb_control_transfer(libusb_device_handle *handle, uint8_t type, uint8_t 
     (void)timeout;
     bus_lock();
     bus_note_talk("libusb_control_transfer from a strange thread");
+    bus_call_back();
     struct libusb_device *device = handle->device;
     int result = LIBUSB_ERROR_PIPE;
     if (!(handle->claimed & 1u << index)) {
@@ -177,6 +178,7 @@ int libusb_get_string_descriptor_ascii(libusb_device_handle *handle, uint8_t ind
 {
     bus_lock();
     bus_note_talk("libusb_get_string_descriptor_ascii from a strange thread");
+    bus_call_back();
     const struct stand_kind *kind = handle->device->kind;
     const char *text = index == 2 ? kind->serial : kind->name;
     const int length = snprintf((char *)data, (size_t)size, "%s", text ? text : "");
