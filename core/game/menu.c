@@ -1,15 +1,12 @@
 /* menu.c -- one tick of the operator's menu: buttons, the hand, and what is taken. */
 #include "core/game/menu.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/keeper.h"
 #include "core/game/menu_pages.h"
 #include "core/game/phases.h"
-
-#define NEVER_S 1e6f /* Eleven days. */
 
 static uint16_t offers(const struct menu *menu)
 {
@@ -284,53 +281,4 @@ int menu_tries_lines(const struct core *core)
 int menu_lights_start(const struct core *core)
 {
     return menu_tries_lines(core) && (core->game.menu.held & INPUT_START) != 0;
-}
-
-/* ---- What is seen of it --------------------------------------------------------------------- */
-
-void menu_show(const struct core *core, struct scene_menu *out)
-{
-    const struct menu *menu = &core->game.menu;
-    *out = (struct scene_menu){ 0 };
-    if (core->game.phase != PHASE_MENU) {
-        return;
-    }
-    out->page = menu->page;
-    out->tag = menu->tag[menu->page];
-    out->tags = offers(menu);
-    out->row = menu->row;
-    out->file_first = menu->file_first < menu->desk.file_count ? menu->file_first : 0;
-    out->upright = menu->upright;
-    out->has_hand = menu->has_hand;
-    out->presses = menu->presses;
-    out->x = menu->x;
-    out->y = menu->y;
-    out->desk = menu->desk;
-    out->held = menu->held;
-    memcpy(out->pressed_count, menu->pressed_count, sizeof out->pressed_count);
-    out->test_coins = menu->test_coins;
-    out->coin_s = menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S
-                                       : NEVER_S;
-}
-
-uint64_t menu_hash(uint64_t hash, const struct menu *menu)
-{
-    const uint32_t words[] = { menu->page,      menu->row,        menu->upright,
-                               menu->file_first,
-                               menu->has_hand,  menu->hand,       menu->presses,
-                               menu->points,    menu->held,       menu->test_coins,
-                               menu->coin_tick, menu->order_count,   menu->ask_tick,
-                               menu->take_tick, menu->act_tick };
-    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = hash_u32(hash, words[i]);
-    }
-    hash = hash_bytes(hash, menu->tag, sizeof menu->tag);
-    hash = hash_bytes(hash, (const uint8_t *)&menu->desk, sizeof menu->desk);
-    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
-        hash = hash_u32(hash, menu->pressed_count[i]);
-    }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = hash_float(hash_float(hash, menu->rest[i].x), menu->rest[i].y);
-    }
-    return hash_float(hash_float(hash, menu->x), menu->y);
 }
