@@ -133,15 +133,15 @@ static bool reads_timing(struct gpio_word word, enum gpio_role role, struct gpio
 }
 
 /* What is wrong with a word that is none. */
-static bool refuse_word(struct word word, enum gpio_role role, char why[HAL_TEXT_SIZE])
+static bool refuse_word(struct gpio_word word, enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     const char *name = roles[role].name, *at = word.at;
     const int length = (int)(word.length < 30 ? word.length : 30);
-    if (role == GPIO_COIN && takes_off(&word, "window=")) {
+    if (role == GPIO_COIN && gpio_word_takes_off(&word, "window=")) {
         return refuse(why, "%s: '%.*s': a window is a shortest pulse and a longer one, of 1us to "
                            "10s: window=15ms-250ms", name, length, at);
     }
-    if (gpio_role_is_input(role) && takes_off(&word, "debounce=")) {
+    if (gpio_role_is_input(role) && gpio_word_takes_off(&word, "debounce=")) {
         return refuse(why, "%s: '%.*s': a time of 1us to 10s is wanted: debounce=5ms", name,
                       length, at);
     }
