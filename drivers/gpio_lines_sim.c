@@ -30,7 +30,8 @@ static bool has_edges(const struct gpio_lines_sim *sim)
 
 /* ---- The device ----------------------------------------------------------------------------- */
 
-static void ask(struct gpio_lines_sim *sim, enum gpio_role role, char why[HAL_TEXT_SIZE])
+static void ask(struct gpio_lines_sim *sim, const struct gpio_wire *wire, enum gpio_role role,
+                char why[HAL_TEXT_SIZE])
 {
     if (sim->chip_is_away) {
         snprintf(why, HAL_TEXT_SIZE, "%u: the chip is away", role);
@@ -39,6 +40,7 @@ static void ask(struct gpio_lines_sim *sim, enum gpio_role role, char why[HAL_TE
     } else {
         sim->held |= 1u << role;
         sim->outputs[role] = gpio_role_begins_active(role);
+        sim->rests[role] = (wire->bias == GPIO_BIAS_UP) != (wire->active_low != 0);
     }
     if (gpio_role_is_input(role)) {
         sim->lines[role].last = sim->lines[role].level;
@@ -53,7 +55,7 @@ static int sim_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         why[role][0] = '\0';
         if (wires[role].wired && !(sim->held & 1u << role)) {
-            ask(sim, role, why[role]);
+            ask(sim, &wires[role], role, why[role]);
         }
     }
     return sim->chip_is_away ? HAL_ERR_NONE : (int)sim->held;
@@ -168,6 +170,7 @@ static int sim_list(void *self, void (*tell)(void *context, const struct gpio_li
 static void sim_close(void *self)
 {
     struct gpio_lines_sim *sim = self;
+    memcpy(sim->outputs, sim->rests, sizeof sim->outputs); /* Inputs, as most chips make of them. */
     sim->held = 0;
 }
 

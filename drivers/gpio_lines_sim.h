@@ -68,7 +68,8 @@ struct gpio_lines_sim {
         struct { uint64_t time_ns; uint32_t number; uint8_t active; } queue[GPIO_SIM_QUEUE_MAX];
     } lines[GPIO_INPUT_COUNT];
     uint32_t dropped;                 /* Edges that found no place, of all lines. */
-    uint8_t outputs[GPIO_ROLE_COUNT]; /* Levels. */
+    uint8_t outputs[GPIO_ROLE_COUNT]; /* Levels, after active_low. */
+    uint8_t rests[GPIO_ROLE_COUNT];   /* Of what nobody drives: their bias, or low. */
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* The newest, a ring ... */
     uint32_t set_count;               /* ... of all that were. */
 };

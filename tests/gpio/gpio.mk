@@ -3,7 +3,7 @@
 BENCH_COINS := $(BUILD)/tests/gpio/bench_coins
 COINS ?= 1000000
 
-## bench-coins: COINS (1,000,000) simulated coins with bounce at random frame loads: none lost, none doubled; build/bench_coins.tsv
+## bench-coins: COINS (1,000,000, half by each libgpiod) with bounce and sparks at random frame loads: none lost, none doubled; build/bench_coins.tsv
 bench-coins:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_COINS)
 	@$(BENCH_COINS) $(COINS) $(BUILD)/bench_coins.tsv

@@ -506,6 +506,23 @@ static void test_a_cabinet_that_closes_locks_coins_out(void **state)
     assert_int_equal(stand.sim.outputs[GPIO_COIN_LOCKOUT], 1);
 }
 
+static void test_the_lines_of_a_kiosk_that_is_killed_rest_locked(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = { LEVEL(9000, GPIO_START, 1) };
+    static struct stand stand;
+    PLAY(&stand, events);
+    const struct hal_switches switches = buttons_gpio_switches(&stand.gpio);
+    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0);
+    run_until(&stand, 100);
+    assert_int_equal(stand.sim.outputs[GPIO_COIN_LOCKOUT], 0);
+    const struct gpio_lines lines = gpio_lines_sim_device(&stand.sim);
+    lines.ops->close(lines.self); /* As the kernel does it: nobody has a last word. */
+    assert_int_equal(stand.sim.outputs[GPIO_COIN_LOCKOUT], 1);
+    assert_int_equal(stand.sim.outputs[GPIO_START_LAMP], 0);
+    end(&stand);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -528,6 +545,7 @@ int main(void)
         cmocka_unit_test(test_lamps_follow_and_what_is_not_wired_says_so),
         cmocka_unit_test(test_coins_are_locked_out_until_somebody_lets_them_in),
         cmocka_unit_test(test_a_cabinet_that_closes_locks_coins_out),
+        cmocka_unit_test(test_the_lines_of_a_kiosk_that_is_killed_rest_locked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
