@@ -14,6 +14,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -55,6 +56,7 @@ static int open_socket(void)
         perror("keeper: socket");
         exit(74);
     }
+    chmod(address.sun_path, 0666); /* Whoever the command is. */
     setenv("NOTIFY_SOCKET", address.sun_path, 1);
     return fd;
 }

@@ -8,7 +8,7 @@
 release=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
 
 if [ "$release/$(dpkg --print-architecture)" = "$suite/$arch" ]; then
-    make -s -C "$top" BUILD="$BUILD" "$BUILD/tests/vm/keeper" >&2
+    make -s -C "$top" BUILD="$BUILD" vm-guest >&2
     (cd "$top" && cd "$BUILD" && pwd)
     exit 0
 fi
@@ -18,7 +18,7 @@ mkdir -p "$builder/src"
 (cd "$top" && git ls-files -co --exclude-standard -z | tar --null -cT -) | tar -x -C "$builder/src"
 chroot "$builder" env PATH=/usr/local/bin:/usr/bin PKG_CONFIG_LIBDIR="/usr/lib/$tuple/pkgconfig:/usr/share/pkgconfig" \
     make -s -j"$(nproc)" -C /src CC="${cross}gcc" BUILD_CC=gcc BUILD=build \
-    build/kingyo build/kingyoctl build/kingyo-poi build/tests/vm/keeper >"$cache/programs.log" 2>&1 || {
+    vm-guest >"$cache/programs.log" 2>&1 || {
     tail -20 "$cache/programs.log" >&2
     exit 1
 }

@@ -2,7 +2,7 @@
 # ready.sh GUEST -- whether this machine can run the guest. Exit code 1, and why not in one line, if not.
 set -u
 case ${1:-bookworm} in arm64) machine=aarch64 ;; *) machine=x86_64 ;; esac
-for tool in "qemu-system-$machine" mmdebstrap mksquashfs cpio zstd depmod convert; do
+for tool in "qemu-system-$machine" mmdebstrap mksquashfs systemd-sysusers cpio zstd depmod convert; do
     if ! command -v "$tool" >/dev/null; then
         echo "test-vm: skipped: $tool is not installed; board/setup.sh vm installs what is needed" >&2
         exit 1

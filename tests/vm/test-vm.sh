@@ -33,11 +33,23 @@ passes() { # ID WORDS -- COMMAND...
     if "$@"; then judge ok "$id" "$said"; else judge bad "$id" "$said"; fi
 }
 
+# The guest's users and groups, with ours as systemd-sysusers makes them.
+make_users() { # FOLDER
+    mkdir -p "$1"/{etc,usr/lib/sysusers.d}
+    unsquashfs -cat "$cache/root.sqfs" etc/passwd >"$1/etc/passwd"
+    unsquashfs -cat "$cache/root.sqfs" etc/group >"$1/etc/group"
+    cp "$top/board/sysusers/kingyo.conf" "$1/usr/lib/sysusers.d/"
+    systemd-sysusers --root="$1" kingyo.conf
+}
+
 make_share() {
     rm -rf "$run" "$shots"
     mkdir -p "$share"/{bin,out,shots} "$shots"
     cp -r "$here/guest" "$top/board/udev" "$share/"
-    cp "$programs"/{kingyo,kingyoctl,kingyo-poi} "$programs/tests/vm/keeper" "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
+    cp "$programs"/{kingyo,kingyoctl,kingyo-poi} "$programs"/tests/vm/{keeper,as,panel,lag} \
+        "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
+    make_users "$share"
+    chmod 777 "$share/out"
     echo "${VM_PARTS:-play hang}" >"$share/parts"
     echo "$patience_s" >"$share/patience"
     [ ! -d "$cache/mesa" ] || cp -r "$cache/mesa" "$share/mesa"

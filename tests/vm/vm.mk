@@ -1,6 +1,9 @@
 # vm.mk -- the kiosk before Debian's real kernels, in a machine made of software.
 
 VM_BIN := $(BUILD)/tests/vm/hand $(BUILD)/tests/vm/look
+# What the guest runs beside the kiosk. The static ones need nothing of it.
+VM_STATIC := $(BUILD)/tests/vm/keeper $(BUILD)/tests/vm/as $(BUILD)/tests/vm/panel
+VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
 
 ## test-vm: the kiosk on Debian's own kernel under qemu: USB poi, GPIO, screen, watchdog; GUEST=bookworm, trixie or arm64
 test-vm:
@@ -8,13 +11,16 @@ test-vm:
 	$(MAKE) --no-print-directory -j$(JOBS) build $(BUILD)/kingyo-poi $(VM_BIN) && \
 	BUILD=$(BUILD) GUEST=$(GUEST) tests/vm/test-vm.sh
 
-$(VM_BIN): %: %.o $(BUILD)/tests/vm/twin.o $(BUILD)/platform/panic.o $(BUILD)/shell.a $(BUILD)/core.a
-	$(call step,LINK,$@)
-	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+vm-guest: $(BUILD)/kingyo $(BUILD)/kingyoctl $(BUILD)/kingyo-poi $(VM_GUEST)
 
-$(BUILD)/tests/vm/keeper: $(BUILD)/tests/vm/keeper.o
+$(VM_BIN): $(BUILD)/tests/vm/twin.o
+$(VM_BIN) $(BUILD)/tests/vm/lag: %: %.o $(BUILD)/platform/panic.o $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $(filter %.o,$^) $(filter %.a,$^) $(HOST_LIBS)
+
+$(VM_STATIC): %: %.o
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -static -o $@ $^
 
 GUEST ?= bookworm
-.PHONY: test-vm
+.PHONY: test-vm vm-guest

@@ -33,3 +33,20 @@ now_ms() { # Since the boot; the file says hundredths of a second.
     read -r up rest </proc/uptime
     echo "${up%.*}${up#*.}0"
 }
+
+# Whether a process is the user kingyo, in the groups that board/sysusers gives him and in no other.
+is_kingyo() { # PID
+    local id groups
+    id=$(sed -n 's/^kingyo:[^:]*:\([0-9]*:[0-9]*\):.*/\1/p' /etc/passwd)
+    groups=$(sed -n "s/^[^:]*:[^:]*:\([0-9]*\):.*\bkingyo\b.*/\1/p" /etc/group)
+    groups=$(echo $groups ${id#*:} | tr ' ' '\n' | sort -nu | tr '\n' ' ')
+    [ "$(sed -n 's/^Uid:\t//p' "/proc/$1/status" | tr '\t' '\n' | sort -u)" = "${id%:*}" ] &&
+        [ "$(sed -n 's/^Groups:\t//p' "/proc/$1/status" | tr ' ' '\n' | sed '/^$/d' |
+            sort -nu | tr '\n' ' ')" = "$groups" ]
+}
+
+groups_of() { # PID: by name
+    for group in $(sed -n 's/^Groups:\t//p' "/proc/$1/status"); do
+        sed -n "s/^\([^:]*\):[^:]*:$group:.*/\1/p" /etc/group
+    done | tr '\n' ' '
+}

@@ -14,7 +14,21 @@ poi_make() {
     await 10 test -e /dev/hidraw0
     found $started gadget "$(lsusb 2>/dev/null | grep -i $poi_ids | cut -d: -f2-)"
     await 10 test -e /dev/hidg0
+    udevadm settle --timeout=10
+    poi_is_timed
     poi_hold
+}
+
+# A report's way to its tick where no picture is drawn, at the rate that our poi has by itself.
+poi_is_timed() {
+    kingyo-poi run --simulate --device /dev/hidg0 2>/host/out/simulated.log &
+    simulated=$!
+    as kingyo lag $poi_ids 10 >/host/out/lag 2>&1
+    found $? lag "$(tail -n 1 /host/out/lag)"
+    kill -TERM $simulated
+    wait $simulated
+    await 10 test -e /dev/hidraw0
+    udevadm settle --timeout=10
 }
 
 # Whoever holds the poi: at rest before the tank, until the machine outside sends a way.
@@ -50,12 +64,12 @@ poi_is_given() {
 # Before the kiosk takes it: its node says what it is, its reports are rows, the doctor knows it and the lines.
 poi_is_watched() {
     await 10 test -e /dev/hidraw0
-    kingyoctl hid watch >/host/out/watched 2>&1
+    as kingyo kingyoctl hid watch >/host/out/watched 2>&1
     grep -q "^/dev/hidraw0.${poi_ids}.USB.hid-generic.ok" /host/out/watched &&
-        kingyoctl hid watch /dev/hidraw0 --seconds 2 >>/host/out/watched 2>&1 &&
+        as kingyo kingyoctl hid watch /dev/hidraw0 --seconds 2 >>/host/out/watched 2>&1 &&
         [ "$(grep -c 0001:0030 /host/out/watched)" -ge 20 ]
     found $? watch "$(grep -c 0001:0030 /host/out/watched) reports in 2 s, from $(grep -m 1 -o '/dev/hidraw0.*' /host/out/watched | tr '\t' ' ')"
-    kingyoctl doctor --usb $poi_ids --line start=START --data /tmp/data >/host/out/doctor 2>&1
+    as kingyo kingyoctl doctor --usb $poi_ids --line start=START --data /tmp/data >/host/out/doctor 2>&1
     grep -q "usb .*$poi_ids .*: plays (our own poi)" /host/out/doctor &&
         grep -q 'line .*start on START: on cabinet, line 0, free' /host/out/doctor
     found $? doctor "$(tail -n 1 /host/out/doctor)"
@@ -74,6 +88,9 @@ poi_stop() {
     kill $feeder
     kill -TERM $poi
     wait $poi
+    ended=$?
+    felt=$(sed -n 's/.*; felt \([0-9]*\), 0 refused$/\1/p' /host/out/poi.log | tail -n 1)
+    [ $ended -eq 0 ] && [ "${felt:-0}" -gt 0 ]
     found $? haptics "$(tail -n 1 /host/out/poi.log)"
     $poi_gadget stop >>/host/out/poi.log 2>&1
 }

@@ -1,0 +1,130 @@
+/* lag.c -- how long a report of a USB poi waits for its tick, where neither picture nor core is in
+ * the way.
+ *
+ * lag VVVV:PPPP SECONDS. The kiosk's own way of a report, 60 frames a second: libusb's thread, its
+ * ring, the decoder, the hand with its owed ticks and the pose of each. A machine in software takes
+ * ten milliseconds for a tick of the core and half a second for a picture; with them the figure
+ * would tell of those alone. Prints the figures in one line.
+ * Exit code 0: half of what our poi sends by itself was used, and half of it within a frame and a
+ * half; 1: it was not, or there was no such poi. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/tank/preset.h"
+#include "drivers/null.h"
+#include "drivers/poi_hid.h"
+#include "drivers/usb_seats.h"
+#include "platform/clock.h"
+#include "platform/kiosk/hands.h"
+#include "platform/kiosk/pace.h"
+
+#define FRAME_NS 16666667u
+#define FIND_NS 10000000000u /* A device of a slow machine has taken its seat by then. */
+#define REPORTS_MIN 125u     /* A second. */
+#define MEDIAN_MAX_NS (FRAME_NS + FRAME_NS / 2u)
+
+static struct poi_hid poi[POI_MAX];
+static struct poi_hand hand;
+static struct pace pace;
+static struct timing waits;
+
+static void tell(void *self, const char *line)
+{
+    (void)self;
+    fprintf(stderr, "lag: %s\n", line);
+}
+
+static struct usb_seats *start(struct hal *hal, const struct usb_key *key)
+{
+    char why[HAL_TEXT_SIZE];
+    const struct usb_seats_config config = {
+        .clock = hal->clock, .listed = key, .listed_count = 1, .tell = tell,
+    };
+    struct usb_seats *usb = usb_seats_start(&config, why);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        poi_hid_init(&poi[i], usb_seats_port(usb, i), hal->clock, (struct hid_mapper){ 0 },
+                     &tank_preset(TANK_PRESET_FESTIVAL)->view);
+        hal->poi[i] = poi_hid_device(&poi[i]);
+    }
+    if (why[0]) {
+        tell(NULL, why);
+    }
+    return usb;
+}
+
+/* The kiosk asks a seat that nobody sits at no more: so it begins when somebody does. */
+static int is_found(const struct hal *hal)
+{
+    const uint64_t end_ns = hal->clock.ops->now_ns(hal->clock.self) + FIND_NS;
+    uint64_t now_ns;
+    while (!poi[0].plays && (now_ns = hal->clock.ops->now_ns(hal->clock.self)) < end_ns) {
+        hal->poi[0].ops->open(hal->poi[0].self);
+        clock_sleep_until(now_ns + FRAME_NS);
+    }
+    return poi[0].plays;
+}
+
+/* As kiosk_frame() does it, in its order. */
+static void frame(const struct hal *hal)
+{
+    struct poi_input input;
+    const uint64_t now_ns = hal->clock.ops->now_ns(hal->clock.self);
+    const uint32_t due = pace_ticks_due(&pace, now_ns);
+    poi_hand_sample(&hand, &hal->poi[0], now_ns);
+    if (due == 0) {
+        return;
+    }
+    poi_hand_time(&hand, hal->clock.ops->now_ns(hal->clock.self), &waits);
+    for (uint32_t i = 0; i < due; i++) {
+        poi_hand_at(&hand, i, due, now_ns, &input);
+    }
+    poi_hand_end(&hand);
+}
+
+/* A frame that comes too late is not made up for. Returns how many there were. */
+static uint32_t play(const struct hal *hal, uint64_t long_ns)
+{
+    const uint64_t begin_ns = hal->clock.ops->now_ns(hal->clock.self);
+    uint64_t next_ns = begin_ns, now_ns = begin_ns;
+    uint32_t frames = 0;
+    poi_hand_open(&hand, &hal->poi[0], begin_ns);
+    for (; now_ns < begin_ns + long_ns; frames++) {
+        frame(hal);
+        now_ns = hal->clock.ops->now_ns(hal->clock.self);
+        next_ns = next_ns + FRAME_NS > now_ns ? next_ns + FRAME_NS : now_ns;
+        clock_sleep_until(next_ns);
+    }
+    return frames;
+}
+
+static int judge(uint32_t frames, uint64_t seconds)
+{
+    const uint64_t median_ns = timing_quantile_ns(&waits, 0.5);
+    printf("median %.1f ms, p99 %.1f ms, longest %.1f ms; "
+           "%llu reports and %llu frames a second\n",
+           (double)median_ns * 1e-6, (double)timing_quantile_ns(&waits, 0.99) * 1e-6,
+           (double)waits.max_ns * 1e-6, (unsigned long long)(waits.count / seconds),
+           (unsigned long long)(frames / seconds));
+    return waits.count >= REPORTS_MIN * seconds && median_ns <= MEDIAN_MAX_NS;
+}
+
+int main(int argc, char **argv)
+{
+    struct usb_key key;
+    struct hal hal = null_hal();
+    const uint64_t seconds = argc == 3 ? strtoull(argv[2], NULL, 10) : 0;
+    int passed = 0;
+    if (seconds == 0 || usb_key_read(&key, argv[1]) != 0) {
+        fprintf(stderr, "usage: lag VVVV:PPPP SECONDS\n");
+        return 2;
+    }
+    hal.clock = clock_device();
+    struct usb_seats *usb = start(&hal, &key);
+    if (is_found(&hal)) {
+        passed = judge(play(&hal, seconds * 1000000000u), seconds);
+    } else {
+        fprintf(stderr, "lag: no poi %s that plays\n", argv[1]);
+    }
+    usb_seats_stop(usb);
+    return !passed;
+}

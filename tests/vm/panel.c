@@ -1,0 +1,144 @@
+/* panel.c -- fingers, coins and eyes before a cabinet of gpio-sim, more punctual than a shell's.
+ *
+ *     panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]
+ *         WIRE is the folder of a line that is pulled low COUNT times. A machine in software stands
+ *         still now and then, so what a pulse really lasted is measured, and with a window only
+ *         those inside it count towards COUNT. At the end "COUNT pulses of A to B ms, S shorter,
+ *         L longer" on standard output.
+ *     panel count WIRE FILE
+ *         Writes to FILE how often the line's value rose, until a signal comes. A pulse of a meter
+ *         lasts 100 ms, and is looked for ten times in that. */
+#include <fcntl.h>
+#include <sched.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define PATH_SIZE 256
+#define LOOK_MS 10.0
+#define PULSES_MAX 100000u /* Of a machine that never makes one as wide as it should be. */
+
+struct pulses {
+    double width_ms, rest_ms, min_ms, max_ms;
+    uint32_t count, shorter, longer;
+    double narrowest_ms, widest_ms; /* Of those that count. */
+};
+
+static double now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+static void wait_ms(double ms)
+{
+    const struct timespec time = { (time_t)(ms / 1e3), (long)((ms - 1e3 * (int)(ms / 1e3)) * 1e6) };
+    clock_nanosleep(CLOCK_MONOTONIC, 0, &time, NULL);
+}
+
+static void pull(const char *path, const char *word)
+{
+    const int fd = open(path, O_WRONLY | O_CLOEXEC);
+    if (fd < 0 || write(fd, word, strlen(word)) != (ssize_t)strlen(word)) {
+        perror(path);
+        exit(74);
+    }
+    close(fd);
+}
+
+static void note(struct pulses *pulses, double width_ms)
+{
+    if (width_ms < pulses->min_ms) {
+        pulses->shorter++;
+    } else if (width_ms > pulses->max_ms) {
+        pulses->longer++;
+    } else {
+        const double least = pulses->narrowest_ms, most = pulses->widest_ms;
+        pulses->narrowest_ms = pulses->count == 0 || width_ms < least ? width_ms : least;
+        pulses->widest_ms = width_ms > most ? width_ms : most;
+        pulses->count++;
+    }
+}
+
+static void pulse(struct pulses *pulses, const char *wire, uint32_t count)
+{
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/pull", wire);
+    for (uint32_t i = 0; pulses->count < count && i < PULSES_MAX; i++) {
+        const double begin_ms = now_ms();
+        pull(path, "pull-down");
+        wait_ms(pulses->width_ms);
+        pull(path, "pull-up");
+        note(pulses, now_ms() - begin_ms);
+        wait_ms(pulses->rest_ms);
+    }
+    printf("%u pulses of %.0f to %.0f ms, %u shorter, %u longer\n", pulses->count,
+           pulses->narrowest_ms, pulses->widest_ms, pulses->shorter, pulses->longer);
+}
+
+/* A line whose chip is away is low. */
+static int is_high(const char *path)
+{
+    char value = '0';
+    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd >= 0) {
+        value = read(fd, &value, 1) == 1 ? value : '0';
+        close(fd);
+    }
+    return value == '1';
+}
+
+/* Under another name first: who reads it finds it whole. */
+static void tell(const char *path, uint32_t count)
+{
+    char part[PATH_SIZE];
+    snprintf(part, sizeof part, "%s.new", path);
+    FILE *file = fopen(part, "w");
+    if (!file || fprintf(file, "%u\n", count) < 0 || fclose(file) != 0 ||
+        rename(part, path) != 0) {
+        perror(path);
+        exit(74);
+    }
+}
+
+__attribute__((noreturn))
+static void count_rises(const char *wire, const char *out)
+{
+    char path[PATH_SIZE];
+    uint32_t count = 0;
+    int was_high = 1;
+    snprintf(path, sizeof path, "%s/value", wire);
+    for (tell(out, 0);; wait_ms(LOOK_MS)) {
+        const int high = is_high(path);
+        if (high && !was_high) {
+            tell(out, ++count);
+        }
+        was_high = high;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct sched_param hand = { .sched_priority = 10 }; /* Interrupts' threads have 50. */
+    sched_setscheduler(0, SCHED_FIFO, &hand);
+    if (argc == 4 && strcmp(argv[1], "count") == 0) {
+        count_rises(argv[2], argv[3]);
+    }
+    if ((argc != 6 && argc != 8) || strcmp(argv[1], "pulse") != 0) {
+        fprintf(stderr, "usage: panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]\n"
+                        "       panel count WIRE FILE\n");
+        return 2;
+    }
+    struct pulses pulses = {
+        .width_ms = strtod(argv[3], NULL),
+        .rest_ms = strtod(argv[4], NULL),
+        .min_ms = argc == 8 ? strtod(argv[6], NULL) : 0.0,
+        .max_ms = argc == 8 ? strtod(argv[7], NULL) : 1e9,
+    };
+    pulse(&pulses, argv[2], (uint32_t)strtoul(argv[5], NULL, 10));
+    return 0;
+}
