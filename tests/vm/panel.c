@@ -7,9 +7,12 @@
  *         L longer" on standard output.
  *     panel count WIRE FILE
  *         Writes to FILE how often the line's value rose, until a signal comes. A pulse of a meter
- *         lasts 100 ms, and is looked for ten times in that. */
+ *         lasts 100 ms, and is looked for ten times in that, from each processor: whoever drives
+ *         the line runs on one of them, and so that one does not stand still then. */
 #include <fcntl.h>
+#include <pthread.h>
 #include <sched.h>
+#include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -105,19 +108,46 @@ static void tell(const char *path, uint32_t count)
     }
 }
 
+/* What all eyes have seen of a line so far. */
+static struct {
+    char path[PATH_SIZE];
+    _Atomic int was_high;
+    _Atomic uint32_t rises;
+} seen = { .was_high = 1 };
+
+static void *look(void *self)
+{
+    const long processor = (long)self;
+    cpu_set_t only;
+    CPU_ZERO(&only);
+    CPU_SET((size_t)processor, &only);
+    sched_setaffinity(0, sizeof only, &only);
+    for (;; wait_ms(LOOK_MS)) {
+        const int high = is_high(seen.path);
+        if (!atomic_exchange(&seen.was_high, high) && high) {
+            atomic_fetch_add(&seen.rises, 1);
+        }
+    }
+    return NULL;
+}
+
 __attribute__((noreturn))
 static void count_rises(const char *wire, const char *out)
 {
-    char path[PATH_SIZE];
-    uint32_t count = 0;
-    int was_high = 1;
-    snprintf(path, sizeof path, "%s/value", wire);
-    for (tell(out, 0);; wait_ms(LOOK_MS)) {
-        const int high = is_high(path);
-        if (high && !was_high) {
-            tell(out, ++count);
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    snprintf(seen.path, sizeof seen.path, "%s/value", wire);
+    for (long i = 0; i < processors; i++) {
+        pthread_t eye;
+        if (pthread_create(&eye, NULL, look, (void *)i) != 0) {
+            fputs("panel: no thread to look with\n", stderr);
+            exit(74);
         }
-        was_high = high;
+    }
+    for (uint32_t told = UINT32_MAX;; wait_ms(10.0 * LOOK_MS)) {
+        const uint32_t rises = atomic_load(&seen.rises);
+        if (rises != told) {
+            tell(out, told = rises);
+        }
     }
 }
 

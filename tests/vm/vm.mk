@@ -20,7 +20,7 @@ $(VM_BIN) $(BUILD)/tests/vm/lag: %: %.o $(BUILD)/platform/panic.o $(BUILD)/shell
 
 $(VM_STATIC): %: %.o
 	$(call step,LINK,$@)
-	$(Q)$(CC) $(OPT) -g -static -o $@ $^
+	$(Q)$(CC) $(OPT) -g -static -o $@ $^ -lpthread
 
 GUEST ?= bookworm
 .PHONY: test-vm vm-guest

@@ -64,6 +64,7 @@ is_dark() { # NAME
 meter_begin() {
     panel count "$(wire METER)" /run/meter &
     meter=$!
+    await 5 test -e /run/meter
 }
 
 has_metered() { # COUNT
