@@ -43,7 +43,8 @@ guest_start() { # LIMIT_S
     exec {qmp_in}<>"$run/qmp.in"
     cat "$run/qmp.out" >"$run/qmp.log" &
     qmp_reader=$!
-    timeout --signal=KILL "$1" "qemu-system-$machine" "${words[@]}" >"$run/qemu.log" 2>&1 &
+    # Whatever becomes of this shell, its machine ends with it.
+    setpriv --pdeathsig TERM timeout --signal=KILL "$1" "qemu-system-$machine" "${words[@]}" >"$run/qemu.log" 2>&1 &
     qemu_pid=$!
     qmp qmp_capabilities
 }

@@ -1,7 +1,15 @@
 #!/bin/bash
-# ready.sh GUEST -- whether this machine can run the guest. Exit code 1, and why not in one line, if not.
+# ready.sh GUEST -- whether this machine can run the guest. Exit code 1, and why not in one line, if not;
+# 2: there is no such guest.
 set -u
-case ${1:-bookworm} in arm64) machine=aarch64 ;; *) machine=x86_64 ;; esac
+case ${1:-bookworm} in
+    bookworm | trixie) machine=x86_64 ;;
+    arm64) machine=aarch64 ;;
+    *)
+        echo "test-vm: GUEST is bookworm, trixie or arm64, not '$1'" >&2
+        exit 2
+        ;;
+esac
 for tool in "qemu-system-$machine" mmdebstrap mksquashfs systemd-sysusers cpio zstd depmod convert; do
     if ! command -v "$tool" >/dev/null; then
         echo "test-vm: skipped: $tool is not installed; board/setup.sh vm installs what is needed" >&2

@@ -21,6 +21,8 @@ leave() {
     done
 }
 trap leave EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
 
 judge() { # ok|bad ID WORDS
     [ "${verdict[$2]-ok}" = ok ] || return 0 # Once bad is bad.
