@@ -1,12 +1,14 @@
 /* as.c -- runs a command as another user, in the groups that /etc/group gives him and in no other.
  *
- * as USER COMMAND [WORD...]. What systemd does for a unit with User=; the guest has none. Exit code
- * 126: he could not become that user, 127: there is no such command, else the command's. */
+ * as USER COMMAND [WORD...]. What systemd does for a unit with User= and LimitRTPRIO=1 (the USB
+ * thread's, drivers/README.md); the guest has none. Exit code 126: he could not become that user,
+ * 127: there is no such command, else the command's. */
 #include <grp.h>
 #include <pwd.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #define GROUPS_MAX 32
@@ -52,6 +54,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "as: no user %s\n", argv[1]);
         return 126;
     }
+    const struct rlimit first = { .rlim_cur = 1, .rlim_max = 1 };
+    setrlimit(RLIMIT_RTPRIO, &first);
     setenv("HOME", user->pw_dir, 1);
     setenv("USER", user->pw_name, 1);
     if (setgroups((size_t)find_groups(user, groups), groups) != 0 || setgid(user->pw_gid) != 0 ||
