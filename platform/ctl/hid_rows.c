@@ -111,9 +111,16 @@ static enum exit_code refuse(const char *path, unsigned row, const char *what)
     return EXIT_BAD_DATA;
 }
 
-/* Rows of other ids are no concern of ours; our own are counted. */
-static enum exit_code decode_row(const struct hid_descriptor *descriptor, const char *id,
-                                 char *line, const char *path, unsigned row, unsigned *count)
+/* The rows of a file of reports that were for us. */
+struct decoded {
+    const struct hid_descriptor *descriptor;
+    const char *id, *path;
+    uint32_t reports, whole; /* Of this id, and of those the ones as long as declared. */
+};
+
+/* Rows of other ids are no concern of ours. The header comes with the first of ours: before what
+ * cannot be read there is nothing. */
+static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
 {
     line[strcspn(line, "\r\n")] = '\0';
     char *rest = line;
@@ -121,18 +128,38 @@ static enum exit_code decode_row(const struct hid_descriptor *descriptor, const 
     const char *seq = strsep(&rest, "\t");
     char *hex = strsep(&rest, "\t");
     const int is_header = row == 1 && strcmp(row_id, "id") == 0;
-    if (is_header || strcmp(row_id, id) != 0) {
+    if (is_header || strcmp(row_id, of->id) != 0) {
         return EXIT_OK;
     }
     const size_t length = hex ? strlen(hex) : 0;
-    ++*count;
     const long size = hex && length <= 2u * REPORT_SIZE_MAX ? hid_from_hex((uint8_t *)hex, length)
                                                             : HID_NOT_HEX;
     if (size < 0) {
-        return refuse(path, row, "the third column is not a report in hex");
+        return refuse(of->path, row, "the third column is not a report in hex");
     }
-    hid_rows_values(descriptor, id, seq, (struct hid_report){ (const uint8_t *)hex, (size_t)size },
-                    "\n");
+    const struct hid_report report = { (const uint8_t *)hex, (size_t)size };
+    if (of->reports++ == 0) {
+        puts(HID_VALUE_HEADER);
+    }
+    of->whole += hid_report_is_whole(of->descriptor, report) != 0;
+    hid_rows_values(of->descriptor, of->id, seq, report, "\n");
+    return EXIT_OK;
+}
+
+/* Ids are matched by the name of a file: what does not match is most likely a name. */
+static enum exit_code judge(const struct decoded *of)
+{
+    if (of->reports == 0) {
+        puts(HID_VALUE_HEADER);
+        fprintf(stderr, "kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
+                        "name\n", of->path, of->id);
+        return EXIT_NOT_SO;
+    }
+    if (of->whole == 0) {
+        fprintf(stderr, "kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
+                        "declares\n", of->path, of->id, of->reports);
+        return EXIT_NOT_SO;
+    }
     return EXIT_OK;
 }
 
@@ -140,20 +167,15 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
                                const char *path)
 {
     static char line[LINE_SIZE];
+    struct decoded of = { .descriptor = descriptor, .id = id, .path = path };
     enum exit_code code = EXIT_OK;
-    unsigned count = 0;
-    puts(HID_VALUE_HEADER);
     for (unsigned row = 1; code == EXIT_OK && fgets(line, sizeof line, file); row++) {
         code = strchr(line, '\n') || feof(file)
-                   ? decode_row(descriptor, id, line, path, row, &count)
+                   ? decode_row(&of, line, row)
                    : refuse(path, row, "longer than 65534 bytes, or no text");
     }
     if (code == EXIT_OK && ferror(file)) {
         return hid_tell_io(path);
     }
-    if (code == EXIT_OK && count == 0) { /* A renamed descriptor looks like a silent device. */
-        fprintf(stderr, "kingyoctl hid: %s: no report of id '%s', the descriptor's file name\n",
-                path, id);
-    }
-    return code;
+    return code == EXIT_OK ? judge(&of) : code;
 }

@@ -53,8 +53,15 @@ check 'a full disk is an I/O error' full
 # ---- Reports
 rows() { # FILE COUNT: so many rows of values
     "$ctl" hid decode "$descriptor" "$1" >"$work/decoded" || return 1
+    has_rows "$2"
+}
+has_rows() {
     [ "$(head -1 "$work/decoded")" = "$(head -1 $good/values.tsv)" ] &&
-        [ $(($(wc -l <"$work/decoded") - 1)) -eq "$2" ]
+        [ $(($(wc -l <"$work/decoded") - 1)) -eq "$1" ]
+}
+# FILE PATTERN: nothing in it fits, which is one line and exit 1, never a device that seems to send nothing
+none() {
+    refuses 1 "$2" decode "$descriptor" "$1" && mv "$work/out" "$work/decoded" && has_rows 0
 }
 whole=$(awk -F'\t' -v id=$joypad '$1 == id && $7 == "ok" { print $3; exit }' $good/reports.tsv)
 values=$(awk -F'\t' -v id=$joypad '$1 == id && $2 == 0' $good/values.tsv | wc -l)
@@ -69,13 +76,14 @@ printf "$head$joypad\t0\txyz\n" >"$work/bad.tsv"
 printf "$head$joypad\t0\n" >"$work/missing.tsv"
 check "a report's values are rows" rows "$work/one.tsv" "$values"
 check 'also without a newline at the end' rows "$work/unended.tsv" "$values"
-check 'a report that is a byte too short is none' rows "$work/cut.tsv" 0
+check 'a report that is a byte too short is none' none "$work/cut.tsv" "cut.tsv: reports of id '$joypad': 1, none as long"
 check 'one that is longer is read as far as declared' rows "$work/over.tsv" "$values"
-check 'another device'\''s reports are not looked at' rows "$work/other.tsv" 0
-check 'an id that nobody declared has no rows' rows "$work/unknown.tsv" 0
-warns() { "$ctl" hid decode "$descriptor" "$work/other.tsv" 2>&1 >/dev/null | grep -q "other.tsv: no report of id '"; }
-check 'and it is said which id was looked for' warns
-check 'an empty file has none' rows "$work/empty.hid" 0
+check 'another device'\''s reports are not looked at' none "$work/other.tsv" "other.tsv: no report of id '$joypad'"
+check 'an id that nobody declared has no rows' none "$work/unknown.tsv" 'none as long'
+check 'an empty file has none' none "$work/empty.hid" 'no report of id'
+check 'so has a descriptor that is taken for reports' none "$descriptor" 'no report of id'
+headless() { refuses 65 . decode "$descriptor" "$work/bad.tsv" && [ ! -s "$work/out" ]; }
+check 'no header stands before what cannot be read' headless
 check 'what is no hex is bad data, with its line' refuses 65 'bad.tsv: line 2: the third column' decode "$descriptor" "$work/bad.tsv"
 check 'so is a row without a report' refuses 65 'missing.tsv: line 2: ' decode "$descriptor" "$work/missing.tsv"
 

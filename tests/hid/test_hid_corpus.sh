@@ -35,7 +35,11 @@ agree() { # WANTED GOT
 same_order() { # WANTED GOT: order too
     diff <(tail -n +2 "$1" | grep -v "$(printf '\t')wide") "$2"
 }
-decode() { "$ctl" hid decode "$1" "$good/reports.tsv"; }
+decode() { # Of some devices there is a descriptor and no report, and exit 1 says so.
+    "$ctl" hid decode "$1" "$good/reports.tsv"
+    local got=$?
+    [ $got -eq "$(awk -F'\t' -v id="$(basename "$1" .hid)" '$1 == id && $7 != "short_linux_drops" { found = 1 } END { print !found }' $good/reports.tsv)" ]
+}
 
 check 'every real descriptor is read' gather "$work/fields" $good/fields.tsv "$ctl" hid describe
 check 'every report of it is decoded' gather "$work/values" $good/values.tsv decode
