@@ -112,7 +112,8 @@ const struct ctl_command ctl_hid = {
         "A descriptor is hex text, or binary if the file holds anything else. Reports are rows\n"
         "of id, number and hex (report id first, if the device has them) under a header line;\n"
         "those are shown whose id is the descriptor's file name without its extension, and\n"
-        "that are as long as declared; exit 1: there is none. `cat /dev/hidraw3 >file` records what watch can read.\n"
+        "that are as long as declared; exit 1: none is.\n"
+        "`cat /dev/hidraw3 >file` records what watch can read.\n"
         "Rows of watch have one more column, milliseconds since it began.\n",
     .run = run,
 };

@@ -20,9 +20,9 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
                      struct hid_report report, const char *tail);
 
 /* The header line, and the values of those reports in `file` that belong to `id`. Its rows are id,
- * number, report in hex and whatever else, below a header line. EXIT_OK; EXIT_NOT_SO where no report
- * is of this id or as long as declared; EXIT_BAD_DATA or EXIT_IO; all but the first told with `path`,
- * and the line if it is one. */
+ * number, report in hex and whatever else, below a header line. EXIT_OK; EXIT_NOT_SO where no
+ * report is of this id, or none as long as declared; EXIT_BAD_DATA or EXIT_IO. What is not OK is
+ * told with `path`, and with the line if it is one. */
 enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const char *id, FILE *file,
                                const char *path);
 
