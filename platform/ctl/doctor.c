@@ -7,6 +7,7 @@
 #include <pwd.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "platform/ctl/ctl.h"
@@ -24,6 +25,14 @@ struct doctor_words {
 
 /* ---- Who the kiosk is ----------------------------------------------------------------------- */
 
+/* Where the kiosk keeps its things by default is a matter of whose it is. */
+static void take_home(struct doctor_user *user, const char *home)
+{
+    if (home && home[0] == '/' && home[1]) {
+        snprintf(user->data, sizeof user->data, "%.900s/.local/share/kingyo", home);
+    }
+}
+
 static enum exit_code take_user(struct doctor_user *user, const char *wanted)
 {
     const struct passwd *entry = wanted ? getpwnam(wanted) : getpwuid(geteuid());
@@ -34,6 +43,12 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
         return EXIT_BAD_DATA;
     }
     user->id = entry ? entry->pw_uid : geteuid();
+    user->data[0] = '\0';
+    if (!wanted || user->id == geteuid()) {
+        folder_default_data(user->data);
+    } else {
+        take_home(user, entry->pw_dir);
+    }
     snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
     if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
         count = DOCTOR_GROUPS_MAX; /* Of more groups the first are looked at. */
@@ -81,7 +96,7 @@ static enum exit_code read_options(int argc, const char *const *argv)
     }
     const enum exit_code code = doctor.options.config[0] ? read_config(argc, argv) : EXIT_OK;
     if (code == EXIT_OK && !doctor.options.data[0]) {
-        folder_default_data(doctor.options.data);
+        memcpy(doctor.options.data, doctor.user.data, sizeof doctor.user.data);
     }
     return code;
 }
@@ -113,6 +128,22 @@ static enum exit_code take_words(struct doctor_words *words, int argc, const cha
 
 /* ---- The round ------------------------------------------------------------------------------ */
 
+/* A root that is mistyped must not look like a machine without anything. */
+static enum exit_code take_root(const char *root)
+{
+    struct stat about;
+    const int failed = !root                    ? 0
+                       : stat(root, &about)     ? errno
+                       : S_ISDIR(about.st_mode) ? 0
+                                                : ENOTDIR;
+    if (failed) {
+        fprintf(stderr, "kingyoctl doctor: --root %s: %s\n", root, strerror(failed));
+        return EXIT_IO;
+    }
+    doctor.root = root ? root : "";
+    return EXIT_OK;
+}
+
 static void look(void)
 {
     doctor_usb(&doctor);
@@ -126,16 +157,16 @@ static void look(void)
 
 static enum exit_code run(int argc, const char *const *argv)
 {
-    struct doctor_words words = { .root = "" };
+    struct doctor_words words = { .root = NULL };
     const char *rest[WORDS_MAX];
     int rest_count;
     enum exit_code code = take_words(&words, argc, argv, rest, &rest_count);
+    code = code == EXIT_OK ? take_root(words.root) : code;
     code = code == EXIT_OK ? take_user(&doctor.user, words.user) : code;
     code = code == EXIT_OK ? read_options(rest_count, rest) : code;
     if (code != EXIT_OK) {
         return code;
     }
-    doctor.root = words.root;
     look();
     (words.as_json ? doctor_report_json : doctor_report_text)(&doctor);
     if (fflush(stdout)) {
@@ -152,8 +183,9 @@ const struct ctl_command ctl_doctor = {
              "Looks at controllers, GPIO lines, permissions, drivers, display, sound, data\n"
              "folder and database, and touches nothing. Each finding is a line: fine, look (it\n"
              "works, but look at it) or WRONG, with what to do below it.\n\n"
-             "  --user NAME     for whom: the kiosk's user (kingyo) may do less than you\n"
-             "  --root FOLDER   looks at the /sys, /dev and /proc in FOLDER\n"
+             "  --user NAME     for whom: the kiosk's user (kingyo) may do less than you, and has\n"
+             "                  a data folder of its own\n"
+             "  --root FOLDER   looks at the /sys, /dev, /proc and data folder in FOLDER\n"
              "  --json          for programs: {findings: [{part, level, what, state, todo}],\n"
              "                  more, fine, look, wrong}\n\n"
              "Options of the kiosk count as they would for it: --config FILE, --data FOLDER,\n"

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <sys/types.h>
 
+#include "platform/folder.h"
 #include "platform/kiosk/options.h"
 
 #define DOCTOR_FINDINGS_MAX 256u /* A machine with more is told that there is more. */
@@ -32,6 +33,7 @@ struct doctor_finding {
 struct doctor_user {
     char name[64];
     uid_t id;
+    char data[FOLDER_PATH_MAX]; /* Where his kiosk keeps its things unless told; "": nowhere. */
     uint32_t group_count;
     gid_t groups[DOCTOR_GROUPS_MAX];
 };

@@ -107,29 +107,53 @@ static void say_hand(struct doctor *doctor, const struct usb_device *device,
     }
 }
 
+static bool is_named(const struct usb_key *key, const struct hid_identity *identity)
+{
+    return key->vendor == identity->vendor && key->product == identity->product &&
+           (!key->serial[0] || strcmp(key->serial, identity->serial) == 0);
+}
+
+static bool is_asked_for(const struct doctor *doctor, const struct hid_identity *identity)
+{
+    struct usb_key key;
+    for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
+        if (usb_key_read(&key, doctor->options.usb[i]) == 0 && is_named(&key, identity)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Who asked for what never plays should hear it. */
+static void say_no_hand(struct doctor *doctor, const struct usb_device *device, const char *why)
+{
+    const bool is_asked = is_asked_for(doctor, &device->identity);
+    struct doctor_finding *finding = say(doctor, device, is_asked ? DOCTOR_LOOK : DOCTOR_FINE);
+    doctor_state(finding, "%s%s", is_asked ? "was asked for, but " : "", why);
+}
+
 static void say_device(struct doctor *doctor, const struct usb_device *device,
                        const struct usb_interface *interface)
 {
     const uint8_t kind = interface->subject.kind;
+    if (device->identity.vendor == 0 && device->identity.product == 0) {
+        doctor_state(doctor_find(doctor, "usb", DOCTOR_LOOK, "port %s", device->port),
+                     "says nothing of itself: it is being pulled out, or does not answer");
+        return;
+    }
     if (interface->class == USB_CLASS_HID && interface->verdict >= USB_FREE &&
         kind != USB_KIND_NOTHING) {
         say_hand(doctor, device, interface);
     } else if (strcmp(interface->driver, "xpad") == 0) {
         doctor_state(say(doctor, device, DOCTOR_FINE), "plays as a pad, through SDL");
     } else if (interface->class == USB_CLASS_HID) {
-        doctor_state(say(doctor, device, DOCTOR_FINE),
-                     kind == USB_KIND_NOTHING ? "sends nothing: no controller"
-                                              : "has keys: a keyboard is never claimed");
+        say_no_hand(doctor, device,
+                    kind == USB_KIND_NOTHING ? "sends nothing: no controller"
+                                             : "has keys: a keyboard is never claimed");
     } else {
         doctor_state(say(doctor, device, DOCTOR_FINE), "is no controller%s%s",
                      interface->driver[0] ? "; driver " : "", interface->driver);
     }
-}
-
-static bool is_named(const struct usb_key *key, const struct hid_identity *identity)
-{
-    return key->vendor == identity->vendor && key->product == identity->product &&
-           (!key->serial[0] || strcmp(key->serial, identity->serial) == 0);
 }
 
 /* What was named is asked for: that it is not there is told like a line that is not. */

@@ -98,7 +98,7 @@ mv "$work/hid" "$root/sys/bus/usb/devices/1-1.1:1.3/0003:0000:0000.0001"
 with=(--usb dead:beef)
 check 'one that was asked for and is not there is wrong' finds wrong usb dead:beef 'is not plugged in' 'plug it in'
 with=(--usb 046d:c31c)
-check 'a keyboard is never claimed, whoever names it' finds fine usb 046d:c31c 'a keyboard is never claimed'
+check 'a keyboard is never claimed, whoever names it, who hears so' finds look usb 046d:c31c 'was asked for, but .*a keyboard is never claimed'
 with=()
 check "an Xbox pad plays through its driver" finds fine usb 045e:028e 'plays as a pad, through SDL'
 check 'a memory stick is no controller' finds fine usb 0781:5567 'is no controller; driver usb-storage'
@@ -117,6 +117,9 @@ listed() { # Every id of the rules, and no other, is sent to them.
         tr -s ' ' | sort | diff - "$work/rules"
 }
 check 'doctor knows what our rules list' listed
+ln -s "$root/gone" "$root/sys/bus/usb/devices/1-7"
+check 'a port of which nothing can be read is one to look at' finds look usb 'port 1-7' 'says nothing of itself'
+rm "$root/sys/bus/usb/devices/1-7"
 no_hub() { doctor; ! grep -q Hub "$work/out"; }
 check 'hubs are left out' no_hub
 put sys/class/hidraw/hidraw0/device/uevent 'HID_ID=0005:0000054C:00000CE6
@@ -207,6 +210,16 @@ check 'an option that nobody knows is wrong usage' refuses 2 --colour
 check 'a value that is missing too' refuses 2 --root
 check 'a wire that is none too' refuses 2 --line nonsense
 check 'a user that is not there is bad data' refuses 65 --user nobody-of-this-name
+check 'a root that is not there is an I/O error' refuses 74 --root "$work/none"
+check 'so is one that is a file' refuses 74 --root "$work/kingyo.conf"
+home_of() { # USER: the store is in his home, not in that of who asks
+    local home
+    home=$(getent passwd "$1" | cut -d: -f6)
+    HOME=/somebody/else "$ctl" doctor --root "$root" --user "$1" >"$work/out"
+    grep -E ' store ' "$work/out"
+    grep -qF "$root$home/.local/share/kingyo: " "$work/out" && ! grep -q somebody/else "$work/out"
+}
+check 'whose kiosk it is has a data folder of his own' home_of daemon
 check 'a configuration that is not there is an I/O error' refuses 74 --config "$work/none.conf"
 helps() { "$ctl" doctor --help | grep -q -- '--root FOLDER'; }
 check 'help says what there is' helps
