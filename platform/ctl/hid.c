@@ -80,6 +80,11 @@ static enum exit_code map(const char *path, const char *ids)
 
 static enum exit_code run(int argc, const char *const *argv)
 {
+    const int has_option = argc >= 2 && argv[1][0] == '-' && argv[1][1];
+    if (has_option && strcmp(argv[0], "watch") != 0) {
+        return ctl_usage(name, "%s: there is no option '%s'; a file of that name is ./%s", argv[0],
+                         argv[1], argv[1]);
+    }
     if (argc == 2 && strcmp(argv[0], "describe") == 0) {
         return describe(argv[1]);
     }

@@ -24,6 +24,16 @@ static int is_hex_text(const uint8_t *bytes, size_t size)
     return 1;
 }
 
+/* The place of the first digit of hex text that stands alone; `size`: none does. */
+static size_t lone_digit(const uint8_t *text, size_t size)
+{
+    size_t high = size;
+    for (size_t i = 0; i < size && (high == size || hex_digit(text[i]) >= 0); i++) {
+        high = hex_digit(text[i]) < 0 || high < size ? size : i;
+    }
+    return high;
+}
+
 long hid_from_hex(uint8_t *bytes, size_t size)
 {
     long count = 0;
@@ -66,9 +76,11 @@ static size_t first_odd_letter(const uint8_t *bytes, size_t size)
 enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
                              const char *path)
 {
+    const size_t lone = lone_digit(bytes, size); /* Before bytes take the place of letters. */
     const long count = hid_from_hex(bytes, size);
     if (count == HID_HALF_HEX) {
-        fprintf(stderr, "kingyoctl hid: %s: hex text in which a byte has one digit\n", path);
+        fprintf(stderr, "kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu\n",
+                path, lone + 1u);
         return EXIT_BAD_DATA;
     }
     const size_t byte_count = count >= 0 ? (size_t)count : size;

@@ -38,7 +38,9 @@ printf 050 >"$work/half.hid"
 : >"$work/empty.hid"
 head -c 70000 /dev/zero >"$work/long.hid"
 check 'what declares no field is bad data' refuses 65 'short.hid: byte 2: no input field' describe "$work/short.hid"
-check 'half a byte of hex is bad data' refuses 65 'half.hid: hex text in which' describe "$work/half.hid"
+check 'half a byte of hex is bad data' refuses 65 'half.hid: hex text in which a byte has one digit: letter 3$' describe "$work/half.hid"
+printf '05 01 9 02' >"$work/lone.hid"
+check 'and it is said where, also in its midst' refuses 65 'one digit: letter 7$' describe "$work/lone.hid"
 check 'an empty file is bad data' refuses 65 'empty.hid: byte 0: empty' describe "$work/empty.hid"
 echo '05 01 09 zz' >"$work/typo.hid"
 check 'a typo in hex is told' refuses 65 "letter 10, 'z', is no hex" describe "$work/typo.hid"
@@ -142,7 +144,7 @@ else
 fi
 
 # ---- Words
-for words in '' 'describe' 'describe a b' 'decode a' 'decode a b c' 'walk' 'watch a b' 'watch --seconds 5' \
+for words in '' 'describe' 'describe --frob' 'map --frob' 'describe a b' 'decode a' 'decode a b c' 'walk' 'watch a b' 'watch --seconds 5' \
     'watch a --seconds 0' 'watch a --seconds' 'watch a --descriptor' 'watch a --colour red'; do
     # shellcheck disable=SC2086
     check "'hid $words' is wrong usage" refuses 2 . $words
