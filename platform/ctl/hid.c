@@ -118,7 +118,7 @@ const struct ctl_command ctl_hid = {
         "of id, number and hex (report id first, if the device has them) under a header line;\n"
         "those are shown whose id is the descriptor's file name without its extension, and\n"
         "that are as long as declared; exit 1: none is.\n"
-        "`cat /dev/hidraw3 >file` records what watch can read.\n"
+        "`cat /dev/hidraw3 >file` records what watch can read; it shows all of that at once.\n"
         "Rows of watch have one more column, milliseconds since it began.\n",
     .run = run,
 };

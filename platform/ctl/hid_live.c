@@ -226,7 +226,8 @@ size_t hid_live_picture(const struct hid_live *live, uint32_t width, uint32_t he
     text[0] = '\0';
     put(&page, "%s", live->title);
     end_line(&page);
-    put(&page, "%u reports, %u in the last second", live->report_count, live->per_second);
+    put(&page, "%u report%s, %u in the last second", live->report_count,
+        live->report_count == 1 ? "" : "s", live->per_second);
     if (live->refused_count > 0) {
         put(&page, ", %u too short or unknown", live->refused_count);
     }

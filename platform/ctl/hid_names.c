@@ -5,6 +5,7 @@
 
 #define PAGE_KEYBOARD 0x07u
 #define PAGE_BUTTON 0x09u
+#define PAGE_VENDOR 0xff00u /* And all above: HID Usage Tables 1.5 section 3. */
 
 static const struct {
     hid_usage usage;
@@ -83,7 +84,8 @@ const char *hid_usage_name(hid_usage usage, char out[HID_NAME_SIZE])
     } else if (page == PAGE_KEYBOARD) {
         snprintf(out, HID_NAME_SIZE, "key %02x", id);
     } else {
-        snprintf(out, HID_NAME_SIZE, "%04x:%04x", page, id);
+        snprintf(out, HID_NAME_SIZE, "%s%04x:%04x", page >= PAGE_VENDOR ? "vendor's " : "", page,
+                 id);
     }
     return out;
 }

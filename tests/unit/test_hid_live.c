@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "platform/ctl/hid_live.h"
+#include "platform/ctl/hid_names.h"
 #include "platform/ctl/hid_nodes.h"
 
 #define SECOND 1000000000ull
@@ -104,6 +105,14 @@ static void test_a_hat_at_rest_says_nothing(void **state)
     assert_non_null(strstr(picture(80, 24), "8  nothing\n"));
 }
 
+static void test_a_usage_of_a_maker_s_own_is_called_so(void **state)
+{
+    (void)state;
+    char name[HID_NAME_SIZE];
+    assert_string_equal(hid_usage_name(0xff4b0001, name), "vendor's ff4b:0001");
+    assert_string_equal(hid_usage_name(0x00840001, name), "0084:0001");
+}
+
 static void test_what_is_short_or_of_no_known_id_is_counted_and_changes_nothing(void **state)
 {
     (void)state;
@@ -111,7 +120,7 @@ static void test_what_is_short_or_of_no_known_id_is_counted_and_changes_nothing(
     SEND(SECOND, 9, 1, 1, 1);
     SEND(SECOND, 1, 0x01, 2, 2);
     assert_int_equal(live.refused_count, 2);
-    assert_non_null(strstr(picture(80, 24), "1 reports, 0 in the last second, 2 too short "));
+    assert_non_null(strstr(picture(80, 24), "1 report, 0 in the last second, 2 too short "));
     assert_non_null(strstr(text, "button 5: button 1\n"));
 }
 
@@ -247,6 +256,7 @@ int main(void)
         cmocka_unit_test_setup(
             test_a_bar_shows_where_a_value_lies_and_gapes_where_it_is_beyond, begin),
         cmocka_unit_test_setup(test_a_hat_at_rest_says_nothing, begin),
+        cmocka_unit_test(test_a_usage_of_a_maker_s_own_is_called_so),
         cmocka_unit_test_setup(
             test_what_is_short_or_of_no_known_id_is_counted_and_changes_nothing, begin),
         cmocka_unit_test_setup(test_reports_of_the_last_second_are_counted_and_forgotten, begin),
