@@ -36,7 +36,10 @@ static hid_usage whole_usage(const struct reader *reader, const struct hid_item 
 static enum hid_error add_range(struct reader *reader, hid_usage first, hid_usage last)
 {
     struct hid_descriptor *out = reader->out;
-    if (first > last || first >> 16 != last >> 16) {
+    if (first >> 16 != last >> 16) {
+        return HID_ERR_USAGE_PAGES;
+    }
+    if (first > last) {
         return HID_ERR_USAGE_RANGE;
     }
     if (out->range_count == HID_RANGE_MAX) {
@@ -175,7 +178,7 @@ static enum hid_error do_main(struct reader *reader, const struct hid_item *item
     }
     switch (item->tag) {
     case MAIN_INPUT:
-        return reader->has_usage_min ? HID_ERR_USAGE_RANGE : add_input(reader, item->data);
+        return reader->has_usage_min ? HID_ERR_USAGE_ALONE : add_input(reader, item->data);
     case MAIN_COLLECTION:
         return open_collection(reader, item->data);
     case MAIN_END_COLLECTION:
@@ -270,8 +273,9 @@ const char *hid_error_text(enum hid_error error)
         [HID_ERR_GROUPS] = "more than 512 Input items",
         [HID_ERR_RANGES] = "more than 2048 usages",
         [HID_ERR_FIELDS] = "more than 65536 fields",
-        [HID_ERR_USAGE_RANGE] =
-            "a usage range that ends before it begins, on another page or never",
+        [HID_ERR_USAGE_RANGE] = "a usage range that ends before it begins",
+        [HID_ERR_USAGE_PAGES] = "a usage range from one page to another",
+        [HID_ERR_USAGE_ALONE] = "a usage range that begins and never ends",
         [HID_ERR_DELIMITER] = "delimiters that are nested, or not in pairs",
     };
     return (unsigned)error < HID_ERR_COUNT ? texts[error] : "unknown error";

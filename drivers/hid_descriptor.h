@@ -62,7 +62,9 @@ enum hid_error {
     HID_ERR_GROUPS,          /* More than HID_GROUP_MAX Input items. */
     HID_ERR_RANGES,          /* More than HID_RANGE_MAX usages. */
     HID_ERR_FIELDS,          /* More than HID_FIELD_MAX fields. */
-    HID_ERR_USAGE_RANGE,     /* Usage Minimum above Usage Maximum, on two pages, or alone. */
+    HID_ERR_USAGE_RANGE,     /* Usage Minimum above Usage Maximum ... */
+    HID_ERR_USAGE_PAGES,     /* ... or on another page than it ... */
+    HID_ERR_USAGE_ALONE,     /* ... or without one. */
     HID_ERR_DELIMITER,       /* Delimiters nested, or not in pairs before the main item. */
     HID_ERR_COUNT,
 };
