@@ -234,8 +234,9 @@ enum scene_file_state { FILE_UNKNOWN = 0, FILE_USED, FILE_REFUSED, FILE_STATE_CO
 struct scene_devices {
     char controller[CONTROLLER_MAX][SCENE_NAME_SIZE];
     char controllers[SCENE_LINE_SIZE]; /* What looks for them, or what is missing for that. */
-    char buttons[SCENE_LINE_SIZE];     /* The same of buttons. */
+    char lines[SCENE_LINE_SIZE];       /* The cabinet's lines, and which of them are missing. */
     uint32_t button_faults;            /* Since the start. */
+    uint32_t buttons_missing;          /* Whose line is not there: enum input_button, then COIN. */
     struct scene_file {                /* From menu.file_first on. */
         uint8_t state;                 /* enum scene_file_state */
         char name[SCENE_FILE_SIZE];

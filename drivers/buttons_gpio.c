@@ -23,11 +23,13 @@ static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
     struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
     const uint32_t pressed = atomic_exchange(&reader->pressed, 0); /* The level comes after it. */
+    const uint32_t missing = atomic_load(&reader->missing);
     *out = (struct button_sample){
         .pressed = buttons_of(pressed),
         .held = buttons_of(atomic_load(&reader->held)),
         .coin_count = atomic_exchange(&reader->coins, 0),
         .faults = atomic_exchange(&reader->faults, 0),
+        .missing = buttons_of(missing) | (missing & 1u << GPIO_COIN ? HAL_MISSING_COIN : 0u),
     };
     return HAL_OK;
 }

@@ -22,6 +22,7 @@ static void add(struct button_sample *sum, const struct button_sample *part)
     sum->pressed |= part->pressed;
     sum->coin_count += part->coin_count;
     sum->faults += part->faults;
+    sum->missing |= part->missing;
     sum->quit |= part->quit;
     sum->full_screen |= part->full_screen;
 }

@@ -15,15 +15,6 @@
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
 
-static uint32_t wired_bits(const struct gpio_reader *reader)
-{
-    uint32_t bits = 0;
-    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
-        bits |= reader->wires[role].wired ? gpio_role_bit(role) : 0u;
-    }
-    return bits;
-}
-
 /* ---- What was seen -------------------------------------------------------------------------- */
 
 static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct debounce_turn turn)
@@ -174,7 +165,7 @@ void gpio_reader_step(struct gpio_reader *reader)
 {
     struct gpio_edge edges[GPIO_EDGES_MAX];
     uint32_t touched = 0;
-    if (reader->had != wired_bits(reader) && gpio_reader_now_ns(reader) >= reader->retry_ns) {
+    if (gpio_reader_missing_bits(reader) != 0 && gpio_reader_now_ns(reader) >= reader->retry_ns) {
         gpio_reader_ask(reader);
     }
     const int count = reader->lines.ops->wait(reader->lines.self, edges, GPIO_EDGES_MAX,
@@ -215,7 +206,11 @@ int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
             };
         }
     }
-    return gpio_reader_ask(reader);
+    const int result = gpio_reader_ask(reader);
+    for (uint32_t bits = gpio_reader_missing_bits(reader); bits != 0; bits &= bits - 1u) {
+        atomic_fetch_add(&reader->faults, 1);
+    }
+    return result;
 }
 
 void gpio_reader_close(struct gpio_reader *reader)

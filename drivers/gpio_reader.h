@@ -44,6 +44,7 @@ struct gpio_reader {
     /* Between the threads. */
     _Atomic uint32_t held, pressed;          /* Bits of input roles; COIN is never among them. */
     _Atomic uint32_t coins, faults;          /* Since they were last taken. */
+    _Atomic uint32_t missing;                /* Lines wired and not held, a bit each role. */
     _Atomic uint32_t wanted;                 /* Outputs that are to be active. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT]; /* Asked for since the reader last looked. */
     _Atomic uint32_t owed;                   /* Pulses that have not ended, of all outputs. */

@@ -17,6 +17,15 @@ uint32_t gpio_reader_begin_bits(void)
     return bits;
 }
 
+uint32_t gpio_reader_missing_bits(const struct gpio_reader *reader)
+{
+    uint32_t bits = 0;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        bits |= reader->wires[role].wired ? gpio_role_bit(role) : 0u;
+    }
+    return bits & ~reader->had;
+}
+
 static void begin_input(struct gpio_reader *reader, enum gpio_role role)
 {
     const struct gpio_wire *wire = &reader->wires[role];
@@ -66,6 +75,7 @@ void gpio_reader_lose_lines(struct gpio_reader *reader)
         reader->total.lost_chips++;
         atomic_fetch_add(&reader->faults, 1);
         atomic_store(&reader->held, reader->levels);
+        atomic_store(&reader->missing, gpio_reader_missing_bits(reader));
     }
 }
 
@@ -74,18 +84,38 @@ static uint32_t count_bits(uint32_t bits)
     return (uint32_t)__builtin_popcount(bits);
 }
 
-/* One line of what there is, and of the first thing that is missing. */
+/* "; no start, coin (BTN_START: there is no GPIO chip in /dev)": each line that is missing, and why
+ * the first of them is. */
+static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
+                        char out[HAL_TEXT_SIZE])
+{
+    const char *first = "";
+    size_t length = 0;
+    out[0] = 0;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (missing & gpio_role_bit(role)) {
+            first = length == 0 ? why[role] : first;
+            snprintf(out + length, HAL_TEXT_SIZE - length, "%s%s", length ? ", " : "; no ",
+                     gpio_role_name(role));
+            length = strlen(out);
+        }
+    }
+    const size_t room = HAL_TEXT_SIZE - length;
+    if (first[0] && snprintf(out + length, room, " (%s)", first) >= (int)room) {
+        out[HAL_TEXT_SIZE - 2u] = ')'; /* Cut short. */
+    }
+}
+
+/* One line of what there is, and of what is missing. */
 static void say(struct gpio_reader *reader, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
 {
-    const char *missing = "";
-    for (uint32_t i = 0; i < GPIO_ROLE_COUNT && !missing[0]; i++) {
-        missing = why[i];
-    }
+    char missing[HAL_TEXT_SIZE];
+    say_missing(gpio_reader_missing_bits(reader), why, missing);
     pthread_mutex_lock(&reader->mutex);
     memcpy(reader->why, why, sizeof reader->why);
-    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%s%.100s",
+    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%.110s",
              reader->lines.ops->describe(reader->lines.self), count_bits(reader->had),
-             gpio_wires_count(reader->wires), missing[0] ? "; " : "", missing);
+             gpio_wires_count(reader->wires), missing);
     pthread_mutex_unlock(&reader->mutex);
 }
 
@@ -103,6 +133,7 @@ int gpio_reader_ask(struct gpio_reader *reader)
     reader->lit = (reader->lit & ~fresh) | (fresh & gpio_reader_begin_bits());
     reader->retry_ns = gpio_reader_now_ns(reader) + RETRY_NS;
     atomic_store(&reader->held, reader->levels);
+    atomic_store(&reader->missing, gpio_reader_missing_bits(reader));
     say(reader, why);
     return result;
 }

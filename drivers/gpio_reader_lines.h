@@ -17,6 +17,9 @@ static inline uint32_t gpio_role_bit(enum gpio_role role)
 /* Outputs that are active until somebody says otherwise. */
 uint32_t gpio_reader_begin_bits(void);
 
+/* Lines that are wired and not held. */
+uint32_t gpio_reader_missing_bits(const struct gpio_reader *reader);
+
 /* Asks for what is missing. Answers as gpio_lines_ops.open. */
 int gpio_reader_ask(struct gpio_reader *reader);
 

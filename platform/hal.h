@@ -94,11 +94,14 @@ struct hal_shade_ops {
 };
 
 /* Levels now, and the edges since the last poll, debounced: a 20 ms coin pulse is not lost. */
+#define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT)
 struct button_sample {
     uint32_t held, pressed;   /* enum input_button */
     uint32_t coin_count;
     uint32_t faults;          /* Since the last poll: coins that stick, edges that were lost, lines
-                                 that went. */
+                                 that went, or that were not there at the start. */
+    uint32_t missing;         /* Of what is wired, that whose line is not there: enum input_button,
+                                 and HAL_MISSING_COIN. */
     uint8_t quit;             /* A desktop's quit key; a cabinet has none. */
     uint8_t full_screen;      /* A desktop's full-screen key was pressed. */
 };

@@ -20,8 +20,8 @@ static void name_devices(struct scene_devices *devices, const struct hal *hal)
     }
     copy_line(devices->controllers, sizeof devices->controllers,
               controllers->ops->describe(controllers->self));
-    copy_line(devices->buttons, sizeof devices->buttons,
-              hal->buttons.ops->describe(hal->buttons.self));
+    copy_line(devices->lines, sizeof devices->lines,
+              hal->switches.ops->describe(hal->switches.self));
 }
 
 /* The store is asked now: a card may fill up in mid-evening. */
@@ -50,11 +50,12 @@ uint8_t dressing_file_count(const struct file_notes *notes)
 }
 
 void dressing_put(struct scene *scene, const struct hal *hal, const struct file_notes *notes,
-                  uint32_t button_faults)
+                  uint32_t button_faults, uint32_t buttons_missing)
 {
     if (scene->phase == PHASE_MENU) {
         name_devices(&scene->devices, hal);
         name_files(scene, hal, notes);
         scene->devices.button_faults = button_faults;
+        scene->devices.buttons_missing = buttons_missing;
     }
 }

@@ -10,6 +10,6 @@ uint8_t dressing_file_count(const struct file_notes *notes);
 
 /* Fills scene->devices while the operator's menu is shown; else leaves it as it is. */
 void dressing_put(struct scene *scene, const struct hal *hal, const struct file_notes *notes,
-                  uint32_t button_faults);
+                  uint32_t button_faults, uint32_t buttons_missing);
 
 #endif

@@ -73,6 +73,7 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     kiosk->input.pressed |= buttons.pressed & (uint32_t)INPUT_BUTTON_ALL;
     kiosk->input.coin_count += buttons.coin_count;
     kiosk->faults.buttons += buttons.faults;
+    kiosk->buttons_missing = buttons.missing;
     if (buttons.full_screen) {
         hal->display.ops->toggle_full_screen(hal->display.self);
     }
@@ -343,7 +344,8 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     }
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
-    dressing_put(&kiosk->scene, hal, kiosk->config.notes, kiosk->faults.buttons);
+    dressing_put(&kiosk->scene, hal, kiosk->config.notes, kiosk->faults.buttons,
+                 kiosk->buttons_missing);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
     show_hands(kiosk, hal);
     present(kiosk, hal, tick_count);

@@ -74,6 +74,7 @@ struct kiosk {
 
     uint64_t frames;
     struct kiosk_faults faults;
+    uint32_t buttons_missing; /* As the last button_sample said. */
     struct timing frame_time; /* Begin to begin, on the stopwatch. */
     struct timing work_time;  /* Begin to end of kiosk_frame. */
     struct timing report_wait; /* From a poi's report to the tick that uses it. */

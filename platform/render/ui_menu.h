@@ -35,6 +35,10 @@ struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fil
 /* The same with a brush in Japanese, and as on a stall's board else. */
 struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill);
 
+/* How many bytes of `words` fill a line of `room_px`: up to its last gap, or to its last whole
+ * character where there is none. At least one character. */
+size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);
+
 /* What each page shows beside its tags' names. */
 void menu_rows(const struct menu_view *view);
 void menu_one_controller(const struct menu_view *view);

@@ -33,9 +33,7 @@ static const struct state_look looks[FILE_STATE_COUNT] = {
 
 /* ---- Words ---------------------------------------------------------------------------------- */
 
-/* How many bytes of `words` fill a line of `room_px`: up to its last gap, or to its last whole
- * character where there is none. At least one character. */
-static size_t fill_line(const struct ui_text *style, const char *words, float room_px)
+size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px)
 {
     const char *at = words, *fits = words, *gap = NULL;
     float width_em = 0.0f;
@@ -60,7 +58,7 @@ static void wrap(const struct menu_view *view, const struct ui_box *box, const c
     char line[SCENE_LINE_SIZE];
     for (uint32_t i = 0; i < places->line_count && *words; i++) {
         const int is_last = i + 1u == places->line_count;
-        const size_t size = is_last ? strlen(words) : fill_line(&style, words, box->width);
+        const size_t size = is_last ? strlen(words) : menu_fill_line(&style, words, box->width);
         struct ui_text fitted = style;
         fitted.fit_px = box->width;
         snprintf(line, sizeof line, "%.*s", (int)size, words);

@@ -1,9 +1,12 @@
 /* ui_menu_lines.c -- a lamp for each button, lit while it is held, and what fell. */
 #include <stdio.h>
+#include <string.h>
 
 #include "platform/render/ui_menu.h"
 
 #define CLINK_S 0.5f
+#define MISSING_PAINT 0xb3261effu
+#define STATE_ROWS 2u /* That the lines' state is broken over. */
 
 static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
@@ -44,6 +47,19 @@ static void lamp(const struct menu_view *view, float x, float y, float radius, f
                                  .shape = { 0, 0, radius, 3.0f * u } });
 }
 
+/* Where a lamp would be, a red slip: the line is wired, and not there. */
+static void not_there(const struct menu_view *view, struct ui_box box)
+{
+    const float u = view->frame.unit;
+    const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
+                                                    .fill = MISSING_PAINT, .line = 0xffe7b0a0u,
+                                                    .shape = { 0, 0, 8.0f * u, 1.5f * u } });
+    ui_words_in(&view->frame,
+                (struct ui_box){ box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height },
+                &style, menu_text(view, TEXT_LINE_MISSING));
+}
+
 /* Lamp, name and count, one under the other; on an upright screen the lamp is beside them. */
 static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
 {
@@ -56,9 +72,18 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     char digits[12];
     snprintf(digits, sizeof digits, "%u", count);
     ui_wooden_tag(&view->frame, box, 0);
-    lamp(view, box.x + (upright ? 74.0f * u : 0.5f * box.width),
-         box.y + (upright ? 0.5f * box.height : 46.0f * u), (upright ? 36.0f : 29.0f) * u, lit);
-    const float left = box.x + (upright ? 130.0f : 10.0f) * u;
+    const int is_missing = (view->devices->buttons_missing >> index & 1u) != 0;
+    if (is_missing) {
+        not_there(view, upright ? (struct ui_box){ box.x + 12.0f * u, box.y + 54.0f * u,
+                                                   134.0f * u, 42.0f * u }
+                                : (struct ui_box){ box.x + 24.0f * u, box.y + 26.0f * u,
+                                                   box.width - 48.0f * u, 42.0f * u });
+    } else {
+        lamp(view, box.x + (upright ? 74.0f * u : 0.5f * box.width),
+             box.y + (upright ? 0.5f * box.height : 46.0f * u), (upright ? 36.0f : 29.0f) * u,
+             lit);
+    }
+    const float left = box.x + (upright ? (is_missing ? 152.0f : 130.0f) : 10.0f) * u;
     const float width = box.x + box.width - 12.0f * u - left;
     const float top = box.y + (upright ? 22.0f : 80.0f) * u;
     ui_words_in(&view->frame, (struct ui_box){ left, top, width, 48.0f * u }, &name,
@@ -67,22 +92,41 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
                 digits);
 }
 
-/* What the lines are, how often they failed, and that a coin in here is a test. */
+/* What holds the lines and what is missing, in rows that are read as well as the rest. The last
+ * one shrinks to what there is room for. */
+static void state_of_lines(const struct menu_view *view, float x, float y, float width)
+{
+    const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
+    const struct ui_text style = menu_style(view, 22.0f, paint);
+    const char *words = view->devices->lines;
+    char row[SCENE_LINE_SIZE];
+    for (uint32_t i = 0; i < STATE_ROWS && *words; i++) {
+        const size_t size = i + 1u == STATE_ROWS
+                                ? strlen(words)
+                                : menu_fill_line(&style, words, width * view->frame.unit);
+        snprintf(row, sizeof row, "%.*s", (int)size, words);
+        ui_words_in(&view->frame,
+                    menu_place(view, (struct overlay_box){ x, y + 28.0f * (float)i, width, 28.0f }),
+                    &style, row);
+        words += size;
+    }
+}
+
+/* The lines' state first; then that a coin in here is a test, and how often anything failed. */
 static void notes(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct ui_text warm = menu_style(view, 24.0f, 0xf0c089ffu);
-    const struct ui_text cool = menu_style(view, 22.0f, 0xc9d2eeffu);
-    const float x = upright ? 27.0f : 60.0f, y = upright ? 1120.0f : 526.0f;
+    const float x = upright ? 27.0f : 60.0f, y = upright ? 1100.0f : 517.0f;
     const float width = overlay_size(upright).x - 2.0f * x;
     char faults[TEXT_LINE_MAX], words[TEXT_LINE_MAX + 64u];
     text_number(faults, sizeof faults, menu_text(view, TEXT_LINE_FAULTS),
                 view->devices->button_faults);
     snprintf(words, sizeof words, "%s      %s", menu_text(view, TEXT_TEST_COINS_WORDS), faults);
-    ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y, width, 34.0f }), &warm,
-                words);
-    ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y + 36.0f, width, 30.0f }),
-                &cool, view->devices->buttons);
+    state_of_lines(view, x, y, width);
+    ui_words_in(&view->frame,
+                menu_place(view, (struct overlay_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
+                &warm, words);
 }
 
 void menu_lines(const struct menu_view *view)

@@ -72,9 +72,10 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
         }
     }
     snprintf(devices->controllers, SCENE_LINE_SIZE, "libusb 1.0.26: 5 controllers");
-    snprintf(devices->buttons, SCENE_LINE_SIZE,
-             "GPIO lines of gpiochip0 (libgpiod 1.6.3): START, LEFT, RIGHT, OK, TEST, COIN");
+    snprintf(devices->lines, SCENE_LINE_SIZE,
+             "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by 'another')");
     devices->button_faults = 2;
+    devices->buttons_missing = INPUT_START | 1u << INPUT_BUTTON_COUNT;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
         const uint32_t row = file_first + i;
         devices->file[i] = row == 0 ? (struct scene_file){ FILE_USED, "",

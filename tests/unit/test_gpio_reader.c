@@ -37,6 +37,7 @@ static void poll(struct stand *stand)
     stand->sum.held = sample.held;
     stand->sum.coin_count += sample.coin_count;
     stand->sum.faults += sample.faults;
+    stand->sum.missing = sample.missing;
     stand->presses += (sample.pressed & INPUT_START) != 0;
 }
 
@@ -362,6 +363,22 @@ static void test_a_chip_that_goes_is_one_fault_and_is_found_again(void **state)
     end(&stand);
 }
 
+static void test_each_line_that_is_missing_is_named_and_is_a_fault(void **state)
+{
+    (void)state;
+    static struct stand stand;
+    plug_in(&stand, NULL, 0);
+    stand.sim.held_by_others = 1u << GPIO_START | 1u << GPIO_COIN | 1u << GPIO_START_LAMP;
+    begin(&stand);
+    const struct hal_buttons buttons = buttons_gpio_device(&stand.gpio);
+    assert_non_null(strstr(buttons.ops->describe(buttons.self),
+                           "7 of 10 lines; no start, coin, start-lamp ("));
+    run_until(&stand, 500);
+    assert_int_equal(stand.sum.missing, INPUT_START | HAL_MISSING_COIN);
+    assert_int_equal(stand.sum.faults, 3);
+    end(&stand);
+}
+
 static void test_a_line_that_another_holds_is_told_and_had_when_it_is_let_go(void **state)
 {
     (void)state;
@@ -376,16 +393,20 @@ static void test_a_line_that_another_holds_is_told_and_had_when_it_is_let_go(voi
     begin(&stand);
     const struct hal_buttons buttons = buttons_gpio_device(&stand.gpio);
     assert_string_equal(buttons.ops->describe(buttons.self),
-                        "lines of memory: 9 of 10 lines; 7 is held by 'another'");
+                        "lines of memory: 9 of 10 lines; no coin (7 is held by 'another')");
     buttons_gpio_why(&stand.gpio, GPIO_COIN, why);
     assert_string_equal(why, "7 is held by 'another'");
     buttons_gpio_why(&stand.gpio, GPIO_START, why);
     assert_string_equal(why, "");
     run_until(&stand, 500);
     assert_int_equal(stand.sum.coin_count, 0);
+    assert_int_equal(stand.sum.missing, HAL_MISSING_COIN);
+    assert_int_equal(stand.sum.faults, 1); /* However often it is asked for again. */
     stand.sim.held_by_others = 0;
     run_until(&stand, 3000);
     assert_int_equal(stand.sum.coin_count, 1);
+    assert_int_equal(stand.sum.missing, 0);
+    assert_int_equal(stand.sum.faults, 1);
     assert_string_equal(buttons.ops->describe(buttons.self), "lines of memory: 10 of 10 lines");
     end(&stand);
 }
@@ -539,6 +560,7 @@ int main(void)
         cmocka_unit_test(test_edges_that_the_queue_dropped_are_faults_and_the_level_is_right),
         cmocka_unit_test(test_nothing_settles_while_edges_are_still_to_be_taken),
         cmocka_unit_test(test_a_chip_that_goes_is_one_fault_and_is_found_again),
+        cmocka_unit_test(test_each_line_that_is_missing_is_named_and_is_a_fault),
         cmocka_unit_test(test_a_line_that_another_holds_is_told_and_had_when_it_is_let_go),
         cmocka_unit_test(test_meters_and_dispensers_get_their_pulses_side_by_side),
         cmocka_unit_test(test_pulses_that_are_owed_wait_for_a_chip_that_is_away),

@@ -162,11 +162,11 @@ static void open_the_row(void)
 static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state)
 {
     (void)state;
-    assert_string_equal(rig.display.scene.devices.buttons, "");
+    assert_string_equal(rig.display.scene.devices.lines, "");
     open_the_row();
     assert_non_null(strstr(rig.display.scene.devices.controller[ROW], "Flight Stick"));
     assert_string_equal(rig.display.scene.devices.controller[0], "");
-    assert_string_equal(rig.display.scene.devices.buttons, "two buttons and a slot");
+    assert_string_equal(rig.display.scene.devices.lines, "two buttons and a slot");
     assert_int_equal(shown()->desk.state[ROW], CONTROLLER_FREE);
 }
 

@@ -47,7 +47,7 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
         menu->pressed_count[i] = MENU_COUNT_MAX;
     }
-    memset(scene.devices.buttons, 'm', SCENE_LINE_SIZE - 1u);
+    memset(scene.devices.lines, 'm', SCENE_LINE_SIZE - 1u);
     memset(scene.devices.controllers, 'm', SCENE_LINE_SIZE - 1u);
     scene.devices.button_faults = 4294967295u;
     menu->desk.file_count = UINT8_MAX;
@@ -254,6 +254,55 @@ static void test_a_lamp_is_lit_for_each_button_that_is_held(void **state)
     assert_int_equal(lit_lamps(), INPUT_BUTTON_COUNT + 1u);
 }
 
+static uint32_t count_fill(uint8_t red, uint8_t green)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct ui_vertex *v = &batch.vertices[i * 4u];
+        count += batch.kinds[i] == UI_PANEL && v->fill[0] == red && v->fill[1] == green;
+    }
+    return count;
+}
+
+static void test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i <= INPUT_BUTTON_COUNT; i++) {
+        for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+            set_page(MENU_LINES, 1u, language, i & 1u);
+            lay_out(i & 1u ? 4 : 0);
+            assert_int_equal(count_fill(0xb3, 0x26), 0);
+            const uint32_t lamps = lit_lamps() + count_fill(0x3a, 0x2a);
+            scene.devices.buttons_missing = 1u << i;
+            lay_out(i & 1u ? 4 : 0);
+            assert_int_equal(count_fill(0xb3, 0x26), 1);
+            assert_int_equal(lit_lamps() + count_fill(0x3a, 0x2a), lamps - 1u);
+        }
+    }
+}
+
+static void test_the_state_of_the_lines_is_read_whole_from_a_metre(void **state)
+{
+    (void)state;
+    for (int upright = 0; upright < 2; upright++) {
+        const float unit = upright ? 1080.0f / 854.0f : 1.0f;
+        set_page(MENU_LINES, 1u, LANGUAGE_EN, upright);
+        scene.devices.lines[0] = 0;
+        lay_out(upright ? 4 : 0);
+        const uint32_t without = count_kind(UI_GLYPH);
+        snprintf(scene.devices.lines, SCENE_LINE_SIZE,
+                 "libgpiod 1.6.3: 0 of 3 lines; no start, coin, start-lamp (BTN_START: there is no "
+                 "GPIO chip in /dev)");
+        lay_out(upright ? 4 : 0);
+        assert_int_equal(count_kind(UI_GLYPH), without + 78u); /* Spaces are no quads. */
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 21.0f * unit) {
+                fail_msg("letter %u is %.1f units", i, (double)(glyph_em_px(&batch, i) / unit));
+            }
+        }
+    }
+}
+
 static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
 {
     (void)state;
@@ -282,6 +331,8 @@ int main(void)
         cmocka_unit_test(test_the_longest_reason_is_read_whole_however_the_screen_stands),
         cmocka_unit_test(test_a_slip_is_drawn_for_each_row_that_there_is),
         cmocka_unit_test(test_a_lamp_is_lit_for_each_button_that_is_held),
+        cmocka_unit_test(test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp),
+        cmocka_unit_test(test_the_state_of_the_lines_is_read_whole_from_a_metre),
         cmocka_unit_test(test_in_a_round_the_question_is_read_over_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
