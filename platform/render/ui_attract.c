@@ -14,15 +14,18 @@ static void best_tag(const struct ui_frame *frame, const struct scene *scene, fl
     ui_ribbon(frame, &tag, words);
 }
 
-static void key_lines(const struct ui_frame *frame)
+/* Where there is no poi, no mouse leads one. */
+static void key_lines(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
     const struct ui_text text = { .font = FONT_BODY, .size_px = 17.0f * u, .align = 0.5f,
                                   .outline_em = 0.05f, .soft_em = 0.12f, .fill = 0xe9dcc6ffu,
                                   .line = 0x0a0814d0u, .fit_px = frame->width - 32.0f * u };
     const float x = 0.5f * frame->width;
-    ui_text(frame->batch, &text, x, frame->height - 41.0f * u,
-            text_words(frame->language, TEXT_MOUSE));
+    if (!ui_lacks_poi(scene)) {
+        ui_text(frame->batch, &text, x, frame->height - 41.0f * u,
+                text_words(frame->language, TEXT_MOUSE));
+    }
     ui_text(frame->batch, &text, x, frame->height - 15.0f * u,
             text_words(frame->language, TEXT_KEYS));
 }
@@ -34,7 +37,7 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     best_tag(frame, scene, frame->height - 174.0f * u);
     ui_credits(frame, scene, 0.5f * frame->width, frame->height - 230.0f * u);
     ui_start_ribbon(frame, scene, frame->height - 108.0f * u, TEXT_START);
-    key_lines(frame);
+    key_lines(frame, scene);
 }
 
 /* What is about to be played, and with which paper. */

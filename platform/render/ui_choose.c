@@ -118,7 +118,9 @@ static void foot(const struct ui_frame *frame, const struct scene *scene)
     const struct ui_ribbon keys = { .x = x, .y = frame->height - 58.0f * u, .size_px = 29.0f * u,
                                     .font = FONT_BODY, .fill = 0xc8341ff2u, .line = UI_GOLD,
                                     .ink = 0xfff8eaffu, .room_px = room };
-    ui_ribbon(frame, &keys, text_words(frame->language, TEXT_CHOOSE_KEYS));
+    ui_ribbon(frame, &keys,
+              text_words(frame->language,
+                         ui_lacks_poi(scene) ? TEXT_START_NO_POI : TEXT_CHOOSE_KEYS));
 }
 
 void ui_choose(const struct ui_frame *frame, const struct scene *scene,

@@ -30,6 +30,11 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
     ui_ribbon(frame, &plate, words);
 }
 
+int ui_lacks_poi(const struct scene *scene)
+{
+    return (scene->credit.warnings & WARN_NO_POI) != 0;
+}
+
 float ui_asking(const struct scene *scene)
 {
     return scene->credit.unpaid ? 1.0f - ui_smooth(0.0f, ASK_S, scene->credit.asked_s) : 0.0f;

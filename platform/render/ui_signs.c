@@ -105,6 +105,9 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
                                  128.0f * u };
     char coins[TEXT_LINE_MAX];
     ui_coin_words(scene, coins, sizeof coins);
+    const enum text_key asks = ui_lacks_poi(scene) ? TEXT_START_NO_POI : key;
+    const int is_coin = scene->credit.unpaid && !ui_lacks_poi(scene);
+    const char *const words = is_coin ? coins : text_words(frame->language, asks);
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
                                  .fill = ui_fade(0xff7a30b0u,
@@ -114,8 +117,7 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
                                       .font = FONT_STALL, .fill = 0xc8341ff2u, .line = UI_GOLD,
                                       .ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse),
                                       .room_px = frame->width - 32.0f * u };
-    ui_ribbon(frame, &ribbon,
-              scene->credit.unpaid ? coins : text_words(frame->language, key));
+    ui_ribbon(frame, &ribbon, words);
 }
 
 void ui_best_words(const struct scene *scene, char *out, size_t out_size)

@@ -26,12 +26,16 @@ const char *ui_mode_name(uint8_t language, uint8_t mode);
 void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory);
 
-/* The glowing call to play, centred at height `y`; or, where nobody has paid, for coins. */
+/* The glowing call to play, centred at height `y`; or, where nobody has paid, for coins,
+ * and where there is no poi, for one. */
 void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
                      enum text_key key);
 
 /* How many rounds are paid for, centred at (x, y); nothing where the play is free. */
 void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y);
+
+/* Nobody could play: no seat has a controller. */
+int ui_lacks_poi(const struct scene *scene);
 
 /* How many coins a round still costs. */
 void ui_coin_words(const struct scene *scene, char *out, size_t out_size);

@@ -218,7 +218,7 @@ static void test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_pla
     (void)state;
     uint32_t before = 0;
     for (uint32_t warned = 0; warned < 4u; warned++) {
-        set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
+        set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_START, 6.0f);
         scene.credit.warnings = (uint8_t)((1u << warned) - 1u);
         lay_out(sizes[0]);
         assert_true(glyph_quads() > before);
@@ -230,6 +230,29 @@ static void test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_pla
     scene.credit.price = 1;
     lay_out(sizes[0]);
     assert_true(glyph_quads() > free_play + 6u); /* "Credits 0" */
+}
+
+static void test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse(void **state)
+{
+    (void)state;
+    for (uint8_t unpaid = 0; unpaid < 2u; unpaid++) {
+        set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
+        scene.credit.unpaid = unpaid;
+        scene.credit.warnings = WARN_DOOR; /* A pill, too: 22 letters. */
+        lay_out(sizes[0]);
+        const uint32_t with = glyph_quads();
+        scene.credit.warnings = WARN_NO_POI; /* 17 letters. */
+        lay_out(sizes[0]);
+        assert_true(glyph_quads() + 40u < with); /* The mouse's line has more. */
+    }
+    static struct ui_vertex paid[sizeof batch.vertices / sizeof *batch.vertices];
+    lay_out(sizes[0]);
+    const uint32_t quads = batch.quad_count;
+    memcpy(paid, batch.vertices, sizeof paid);
+    scene.credit.unpaid = 0; /* Whoever paid or not: the slot is locked, no coin is asked for. */
+    lay_out(sizes[0]);
+    assert_int_equal(batch.quad_count, quads);
+    assert_memory_equal(batch.vertices, paid, 4u * quads * sizeof *paid);
 }
 
 /* Neither figure, nor praise, nor place, nor seal: the card is the same whatever was caught. */
@@ -696,6 +719,7 @@ int main(void)
         cmocka_unit_test(test_every_count_of_fish_fits),
         cmocka_unit_test(test_what_is_paid_and_what_is_wrong_fits_in_every_phase),
         cmocka_unit_test(test_a_round_that_was_given_back_is_told_without_a_count),
+        cmocka_unit_test(test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse),
         cmocka_unit_test(
             test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play),
         cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
