@@ -321,6 +321,32 @@ static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
     assert_true(count_kind(UI_GLYPH) > without + 15u);
 }
 
+/* The plate of what colours on the paper mean is 256 units wide, and 18 from the right edge. */
+static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT; k++) {
+        const uint32_t size = k % SIZE_COUNT;
+        const float width = sizes[size].width;
+        const float unit = fminf(sizes[size].height / 720.0f, width / 860.0f);
+        const float left = width - 274.0f * unit, y = 0.215f * sizes[size].height;
+        memset(&scene, 0, sizeof scene);
+        scene.phase = PHASE_ROUND;
+        scene.phase_s = 20.0f;
+        scene.language = (uint8_t)(k / SIZE_COUNT);
+        scene.asks_menu = 1;
+        lay_out(size);
+        for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
+            const struct ui_vertex *v = &batch.vertices[i];
+            if (batch.kinds[i / 4u] == UI_GLYPH && fabsf(v->y - y) < 20.0f * unit &&
+                v->x > left) {
+                fail_msg("language %d on %gx%g: a letter at %.1f of %.1f", scene.language,
+                         (double)width, (double)sizes[size].height, (double)v->x, (double)left);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -333,6 +359,7 @@ int main(void)
         cmocka_unit_test(test_a_lamp_is_lit_for_each_button_that_is_held),
         cmocka_unit_test(test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp),
         cmocka_unit_test(test_the_state_of_the_lines_is_read_whole_from_a_metre),
+        cmocka_unit_test(test_the_question_lies_beside_what_hangs_in_a_practice_round),
         cmocka_unit_test(test_in_a_round_the_question_is_read_over_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
