@@ -122,11 +122,18 @@ static void notes(const struct menu_view *view)
     char faults[TEXT_LINE_MAX], words[TEXT_LINE_MAX + 64u];
     text_number(faults, sizeof faults, menu_text(view, TEXT_LINE_FAULTS),
                 view->devices->button_faults);
-    snprintf(words, sizeof words, "%s      %s", menu_text(view, TEXT_TEST_COINS_WORDS), faults);
+    snprintf(words, sizeof words, "%s%s%s", menu_text(view, TEXT_TEST_COINS_WORDS),
+             upright ? "" : "      ", upright ? "" : faults);
     state_of_lines(view, x, y, width);
     ui_words_in(&view->frame,
                 menu_place(view, (struct overlay_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
                 &warm, words);
+    if (upright) { /* One row is too narrow for both. */
+        ui_words_in(&view->frame,
+                    menu_place(view, (struct overlay_box){ x, y + 28.0f * STATE_ROWS + 32.0f, width,
+                                                           32.0f }),
+                    &warm, faults);
+    }
 }
 
 void menu_lines(const struct menu_view *view)
