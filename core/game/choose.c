@@ -118,6 +118,7 @@ void choose_begin(struct core *core, struct output *output)
     struct game *game = &core->game;
     if (!credit_can_play(core)) {
         credit_ask(core);
+        output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
         return;
     }
     if (mode_count(keeper_modes(&core->config)) == 1u) {

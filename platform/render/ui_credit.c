@@ -1,5 +1,7 @@
 /* ui_credit.c -- what was paid, what is still to pay, and what is wrong with the cabinet. */
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "core/game/credit.h"
 #include "platform/render/ui_signs.h"
@@ -7,16 +9,25 @@
 #define CLINK_S 0.5f /* The plate swells so long when a coin falls, */
 #define ASK_S 1.2f   /* and the call for one when somebody wants to play in vain. */
 
+/* What hangs at the sides of a round, in units: ui_round.c's legend is the widest and lowest. */
+#define PLATES_WIDTH 284.0f
+#define PLATES_REACH 240.0f
+
 void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const struct scene_credit *credit = &scene->credit;
     const float u = frame->unit;
     const float clink = 1.0f - ui_smooth(0.0f, CLINK_S, credit->coin_s);
-    char words[TEXT_LINE_MAX];
+    char words[TEXT_LINE_MAX + 32u];
     if (credit->price == 0) {
         return;
     }
-    text_number(words, sizeof words, text_words(frame->language, TEXT_CREDITS), credit->credits);
+    text_number(words, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
+    if (credit->coins > 0 && credit->coins < credit->price) { /* Begun: whoever comes next sees. */
+        const size_t length = strlen(words);
+        snprintf(words + length, sizeof words - length, "  +  %u/%u", credit->coins,
+                 credit->price);
+    }
     const struct ui_ribbon plate = {
         .x = x,
         .y = y,
@@ -47,12 +58,12 @@ void ui_coin_words(const struct scene *scene, char *out, size_t out_size)
     text_number(out, out_size, text_words(scene->language, TEXT_COIN), missing);
 }
 
-static void warning(const struct ui_frame *frame, float y, enum text_key key)
+static void warning(const struct ui_frame *frame, float y, float room_px, enum text_key key)
 {
     const float u = frame->unit;
     const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y, .size_px = 27.0f * u,
                                       .font = FONT_BODY, .fill = 0xb8301ee8u, .line = UI_GOLD,
-                                      .ink = 0xfff8eaffu, .room_px = frame->width - 32.0f * u };
+                                      .ink = 0xfff8eaffu, .room_px = room_px };
     ui_ribbon(frame, &ribbon, text_words(frame->language, key));
 }
 
@@ -63,8 +74,10 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
     uint32_t shown = scene->credit.warnings;
     /* Below what hangs there: the curtain, or the plates of a round. */
     float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
+    const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
+    const float room_px = frame->width - 2.0f * beside * frame->unit;
     if (scene->asks_menu) {
-        warning(frame, y, TEXT_MENU_ASK);
+        warning(frame, y, room_px, TEXT_MENU_ASK);
         y += 58.0f * frame->unit;
     }
     if (in_round) {
@@ -72,7 +85,7 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
     }
     for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         if (shown >> i & 1u) {
-            warning(frame, y, keys[i]);
+            warning(frame, y, room_px, keys[i]);
             y += 58.0f * frame->unit;
         }
     }

@@ -63,6 +63,7 @@ static void test_who_wants_to_play_in_vain_is_seen(void **state)
     press(INPUT_START);
     core_scene(&core, &scene);
     assert_true(scene.credit.asked_s < 0.1f);
+    assert_int_equal(sounds[SOUND_FOUL], 1); /* Heard, too. */
     assert_true(scene.credit.unpaid);
 }
 

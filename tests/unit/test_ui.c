@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "core/game/credit.h"
 #include "glyphs.h"
 #include "platform/render/ui_screens.h"
 
@@ -238,10 +239,11 @@ static void test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse(void
     for (uint8_t unpaid = 0; unpaid < 2u; unpaid++) {
         set_scene(PHASE_ATTRACT, LANGUAGE_EN, HINT_START, 6.0f);
         scene.credit.unpaid = unpaid;
-        scene.credit.warnings = WARN_DOOR; /* A pill, too: 22 letters. */
+        scene.credit.asked_s = 1e6f;
+        scene.credit.warnings = WARN_DOOR;
         lay_out(sizes[0]);
         const uint32_t with = glyph_quads();
-        scene.credit.warnings = WARN_NO_POI; /* 17 letters. */
+        scene.credit.warnings = WARN_NO_POI;
         lay_out(sizes[0]);
         assert_true(glyph_quads() + 40u < with); /* The mouse's line has more. */
     }
@@ -253,6 +255,23 @@ static void test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse(void
     lay_out(sizes[0]);
     assert_int_equal(batch.quad_count, quads);
     assert_memory_equal(batch.vertices, paid, 4u * quads * sizeof *paid);
+}
+
+static void test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole(void **state)
+{
+    (void)state;
+    for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+        set_scene(PHASE_ATTRACT, language, HINT_START, 6.0f);
+        scene.credit = (struct scene_credit){ .price = 3, .credits = 1, .coin_s = 6.0f };
+        lay_out(sizes[0]);
+        const uint32_t whole = glyph_quads();
+        scene.credit.coins = 2;
+        lay_out(sizes[0]);
+        assert_int_equal(glyph_quads(), whole + 4u); /* "+ 2/3" */
+        scene.credit.coins = 3; /* They wait: there are as many credits as there may be. */
+        lay_out(sizes[0]);
+        assert_int_equal(glyph_quads(), whole);
+    }
 }
 
 /* Neither figure, nor praise, nor place, nor seal: the card is the same whatever was caught. */
@@ -720,6 +739,8 @@ int main(void)
         cmocka_unit_test(test_what_is_paid_and_what_is_wrong_fits_in_every_phase),
         cmocka_unit_test(test_a_round_that_was_given_back_is_told_without_a_count),
         cmocka_unit_test(test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse),
+        cmocka_unit_test(
+            test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole),
         cmocka_unit_test(
             test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play),
         cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
