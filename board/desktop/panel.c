@@ -72,9 +72,9 @@ void panel_open(struct hal *hal, const struct board_options *options)
     devices.join = (struct buttons_join){ 0 };
     devices.keyboard = (struct buttons_keyboard){ 0 };
     buttons_join_add(&devices.join, buttons_keyboard_device(&devices.keyboard));
-    open_lines(hal, options);
     usb_add_buttons(&devices.join);
     hands_add_buttons(&devices.join);
+    open_lines(hal, options); /* Last: its words are of what is missing, theirs of what to press. */
     hal->buttons = buttons_join_device(&devices.join);
 }
 
