@@ -31,10 +31,21 @@ static const struct scene_file files[] = {
 };
 #define FILE_COUNT (sizeof files / sizeof files[0])
 
+static const char *const names[MENU_PAGE_COUNT] = { "top", "controllers", "controller", "learn",
+                                                    "lines", "files" };
+
+int shot_menu_knows(const char *page, uint8_t step)
+{
+    for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
+        if (strcmp(names[i], page) == 0) {
+            return step < (i == MENU_LEARN ? (uint32_t)LEARN_STEP_COUNT : CONTROLLER_MAX);
+        }
+    }
+    return 0;
+}
+
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright)
 {
-    static const char *const names[MENU_PAGE_COUNT] = { "top", "controllers", "controller",
-                                                        "learn", "lines", "files" };
     struct output output = { 0 };
     struct input input = { .pressed = INPUT_TEST, .upright = upright != 0 };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {

@@ -4,7 +4,10 @@
 
 #include "core/core.h"
 
-/* Opens it on `page` (top, controllers, controller, learn, lines or files; others: top). `step` is
+/* Whether there is such a page, and such a step of it. */
+int shot_menu_knows(const char *page, uint8_t step);
+
+/* Opens it on `page` (top, controllers, controller, learn, lines or files). `step` is
  * enum learn_step while it learns, how often MORE was taken among the files, and the row of the
  * controller elsewhere. */
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright);
