@@ -134,10 +134,27 @@ static void take(struct core *core, struct output *output)
     menu_sheet_of(menu->page)->take(core, menu->tag[menu->page], output);
 }
 
+static int is_way_back(const struct input *input)
+{
+    return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
+}
+
+static void go_back(struct core *core, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    menu->tag[menu->page] = (uint8_t)(menu_sheet_of(menu->page)->tag_count - 1u);
+    CORE_ASSERT(offers(menu) >> menu->tag[menu->page] & 1u);
+    take(core, output);
+}
+
 static void heed_buttons(struct core *core, const struct input *input, struct output *output)
 {
     struct menu *menu = &core->game.menu;
     const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
+    if (is_way_back(input)) {
+        go_back(core, output);
+        return;
+    }
     const uint32_t pressed =
         input->pressed & (menu_sheet_of(menu->page)->watches ? inside : (uint32_t)INPUT_BUTTON_ALL);
     if (pressed & (INPUT_SERVICE | INPUT_RIGHT)) {
@@ -248,7 +265,7 @@ static void watch(struct core *core, const struct input *input, struct output *o
     menu->desk = input->desk;
     menu->upright = input->upright != 0;
     menu->held = input->held;
-    count_presses(menu, input->pressed);
+    count_presses(menu, is_way_back(input) ? 0u : input->pressed);
     count_coins(core, input->coin_count, output);
     if (input->pressed != 0 || input->coin_count > 0 || has_changed) {
         menu->act_tick = core->tick;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/game/menu_pages.h"
 #include "platform/kiosk/dressing.h"
 
 #define RETRY_NS 1000000000ull /* A lost card, a failed save: once a second is often enough. */
@@ -77,7 +78,9 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     if (buttons.full_screen) {
         hal->display.ops->toggle_full_screen(hal->display.self);
     }
-    if (buttons.quit) {
+    if (buttons.quit && kiosk->core.game.phase == PHASE_MENU) {
+        kiosk->input.pressed |= MENU_WAY_BACK;
+    } else if (buttons.quit) {
         kiosk->end = KIOSK_QUIT;
     }
 }

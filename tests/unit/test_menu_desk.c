@@ -157,6 +157,26 @@ static void open_the_row(void)
     assert_int_equal(shown()->page, MENU_CONTROLLER);
 }
 
+/* ---- The quit key --------------------------------------------------------------------------- */
+
+static void test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest(void **state)
+{
+    (void)state;
+    static const uint8_t pages[] = { MENU_CONTROLLERS, MENU_TOP };
+    open_the_row();
+    for (uint32_t i = 0; i < 2u; i++) {
+        rig.buttons.quit = 1;
+        push(0);
+        assert_int_equal(shown()->page, pages[i]);
+    }
+    assert_int_equal(shown()->pressed_count[1], 0); /* LEFT was not. */
+    rig.buttons.quit = 1;
+    push(0);
+    assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
+    rig.buttons.quit = 1;
+    assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_QUIT);
+}
+
 /* ---- Names ---------------------------------------------------------------------------------- */
 
 static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state)
@@ -340,6 +360,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_CABINET(test_controllers_and_lines_have_names_in_the_menu_alone),
+        IN_CABINET(test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest),
         IN_CABINET(test_what_is_chosen_plays_and_what_is_released_does_not),
         IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),
         IN_CABINET(test_what_was_not_kept_is_forgotten),
