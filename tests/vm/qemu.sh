@@ -49,16 +49,33 @@ guest_start() { # LIMIT_S
     qmp qmp_capabilities
 }
 
-guest_shot() { # NAME, of build/vm/GUEST/shots/NAME.png
-    local file=$cache/shots/$1.png
-    qmp screendump "\"filename\":\"$file\",\"format\":\"png\"" && : >"$share/shots/$1.done"
+MIDDLE_DARK=350 MIDDLE_LIGHT=430 # Seen: 241 under "Hold on", 512 to 528 without.
+
+# How light the middle of a picture is, in thousandths: across it lies the message of a round that waits.
+middle() { # FILE
+    convert "$1" -crop 100%x20%+0+88 +repage -resize '1x1!' -colorspace Gray -format '%[fx:int(1000*mean)]' info: 2>/dev/null || echo 0
+}
+
+# A guest draws a picture in a second or more, and shows it a picture later: what is asked for is waited for.
+guest_shot() { # NAME [dark|light], of build/vm/GUEST/shots/NAME.png
+    local file=$cache/shots/$1.png try
+    for ((try = 0; try < 40; try++)); do
+        qmp screendump "\"filename\":\"$file\",\"format\":\"png\"" || return 0
+        case ${2-} in
+            dark) [ "$(middle "$file")" -lt "$MIDDLE_DARK" ] && break ;;
+            light) [ "$(middle "$file")" -gt "$MIDDLE_LIGHT" ] && break ;;
+            *) break ;;
+        esac
+        sleep 0.5
+    done
+    : >"$share/shots/$1.done"
 }
 
 guest_listen() { # Until the guest is off: pictures when asked, each line to heard(), if there is one.
     local line
     while read -r line; do
         set -- $line
-        [ "${2-}" = shot ] && guest_shot "$3"
+        [ "${2-}" = shot ] && guest_shot "$3" "${4-}"
         heard "$line"
     done < <(tail -n +1 -s 0.05 -f --pid="$qemu_pid" "$share/out/talk")
     qemu_status=0

@@ -94,9 +94,11 @@ judge_pictures() {
     read -ra it < <(picture attract) || true
     passes picture "${it[0]-0} colours, ${it[1]-0} / 1000 blue, ${it[2]-0} / 1000 red" -- shows_tank "${it[@]}"
     if [ -f "$shots/paused.png" ] && [ -f "$shots/resumed.png" ]; then
-        local differ
-        differ=$(compare -metric AE -fuzz 15% "$shots/paused.png" "$shots/resumed.png" null: 2>&1 || true)
-        passes paused "$differ pixels are others than in the round that goes on" -- [ "${differ%%.*}" -gt 1500 ]
+        local dark light
+        dark=$(middle "$shots/paused.png")
+        light=$(middle "$shots/resumed.png")
+        passes paused "the middle is as light as $dark of 1000, and $light when the round goes on" \
+            -- [ "$dark" -lt "$MIDDLE_DARK" -a "$light" -gt "$MIDDLE_LIGHT" ]
     fi
 }
 

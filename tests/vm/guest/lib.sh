@@ -13,10 +13,10 @@ found() { # STATUS ID WORDS: what was to be seen was (STATUS 0), or was not
     if [ "$1" -eq 0 ]; then say "ok $2 ${3-}"; else say "bad $2 ${3-}"; fi
 }
 
-shot() { # NAME: /host/shots/NAME.png is what the screen shows now
+shot() { # NAME [dark|light]: /host/shots/NAME.png is what the screen shows now, or once its middle is so
     rm -f "/host/shots/$1.png"
-    say "shot $1"
-    await 30 test -e "/host/shots/$1.done"
+    say "shot $*"
+    await 60 test -e "/host/shots/$1.done"
 }
 
 await() { # SECONDS COMMAND...: 0 as soon as COMMAND says so, 1 when the time is up

@@ -102,7 +102,7 @@ await 30 reads paused -eq 1
 found $? unplug "the clock stands, as seen from outside $(($(now_ms) - began)) ms after"
 await 10 is_dark LOCKOUT
 found $? lockout 'without a poi coins are sent back'
-shot paused
+shot paused dark
 sleep 1
 poi_plug
 plugged=$(now_ms)
@@ -112,7 +112,7 @@ await 30 reads paused -eq 0
 found $? replug "out for $((plugged - began)) ms; the kiosk had it again $((taken - plugged)) ms after the plug"
 reads is_round -eq 1 && reads rounds -eq "${round:-x}" && reads credits -eq "${credits:-x}"
 found $? credit "round $(read_count rounds) of before goes on, $(read_count credits) credits as before"
-shot resumed
+shot resumed light
 
 # The door, and a shove: both send coins back, and are told.
 await 20 is_lit LOCKOUT
