@@ -33,8 +33,9 @@ void menu_close(struct core *core, struct output *output);
 /* Where a tag is on the canvas; empty when it is not offered. */
 struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag);
 
-/* No hand presses these three in one tick: a desktop's way back, by its quit key. The page's last tag
- * is taken, whatever is pointed at, and no press is counted. */
-#define MENU_WAY_BACK ((uint32_t)(INPUT_LEFT | INPUT_RIGHT | INPUT_OK))
+/* No hand presses these four in one tick: a desktop's way back, by its quit key. The page's
+ * last tag is taken, whatever is pointed at, and no press is counted. TEST is among them since
+ * nothing else leads away from the page that tries the buttons. */
+#define MENU_WAY_BACK ((uint32_t)(INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST))
 
 #endif
