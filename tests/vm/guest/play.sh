@@ -131,12 +131,16 @@ found $? door "door $(read_count door), tilt $(read_count tilt)"
 before=$(read_count coins)
 pulses=$(coins 200)
 await 20 reads coins -ge $((before + 200))
-panel pulse "$(wire COIN)" 5 300 1 0 14 >/dev/null
+# A guest that stands still while the line is up makes a true coin of the short one: panel saw it.
+case $(panel pulse "$(wire COIN)" 5 300 1 0 14) in
+    *' 1 longer'*) due=201 ;;
+    *) due=200 ;;
+esac
 panel pulse "$(wire COIN)" 400 300 1 251 5000 >/dev/null
 sleep 2
 counted=$(($(read_count coins) - before))
-[ $counted -eq 200 ]
-found $? coins "$counted of $pulses"
+[ $counted -eq $due ]
+found $? coins "$counted, $due due: $pulses"
 await 90 has_metered "$(read_count coins)"
 found $? meter "$(cat /run/meter) pulses for $(read_count coins) coins"
 
