@@ -159,6 +159,9 @@ ok $? 'F2 once more ends it: the menu is open, and the credit is back' "$mind"
 
 # ---- The end ------------------------------------------------------------------------------------
 xdotool key Escape
+becomes phase $attract
+ok $? 'Escape in the menu goes back to the stall' "$mind"
+xdotool key Escape
 end_of_kiosk 30
 ok "$code" 'Escape ends the kiosk with code 0' "$work/err"
 grep -q 'species/bad.kfish: magic' "$work/err" && one_line "$work/err"
