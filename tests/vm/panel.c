@@ -111,9 +111,26 @@ static void tell(const char *path, uint32_t count)
 /* What all eyes have seen of a line so far. */
 static struct {
     char path[PATH_SIZE];
-    _Atomic int was_high;
+    pthread_mutex_t lock;
+    double looked_ms; /* When the look began that was believed last. */
+    int was_high;
     _Atomic uint32_t rises;
-} seen = { .was_high = 1 };
+} seen = { .lock = PTHREAD_MUTEX_INITIALIZER, .was_high = 1 };
+
+/* An eye whose processor stood still tells of a level that is long over: what began before another's
+ * newer look is not believed, or the end of a pulse would be seen, and then the pulse once more. */
+static void believe(double looked_ms, int high)
+{
+    pthread_mutex_lock(&seen.lock);
+    if (looked_ms >= seen.looked_ms) {
+        if (high && !seen.was_high) {
+            atomic_fetch_add(&seen.rises, 1);
+        }
+        seen.was_high = high;
+        seen.looked_ms = looked_ms;
+    }
+    pthread_mutex_unlock(&seen.lock);
+}
 
 static void *look(void *self)
 {
@@ -123,10 +140,8 @@ static void *look(void *self)
     CPU_SET((size_t)processor, &only);
     sched_setaffinity(0, sizeof only, &only);
     for (;; wait_ms(LOOK_MS)) {
-        const int high = is_high(seen.path);
-        if (!atomic_exchange(&seen.was_high, high) && high) {
-            atomic_fetch_add(&seen.rises, 1);
-        }
+        const double looked_ms = now_ms();
+        believe(looked_ms, is_high(seen.path));
     }
     return NULL;
 }
