@@ -117,8 +117,8 @@ static struct {
     _Atomic uint32_t rises;
 } seen = { .lock = PTHREAD_MUTEX_INITIALIZER, .was_high = 1 };
 
-/* An eye whose processor stood still tells of a level that is long over: what began before another's
- * newer look is not believed, or the end of a pulse would be seen, and then the pulse once more. */
+/* An eye whose processor stood still tells of a level that is long over: what began before
+ * another's newer look is not believed, or a pulse's end would be seen, and then the pulse again. */
 static void believe(double looked_ms, int high)
 {
     pthread_mutex_lock(&seen.lock);
