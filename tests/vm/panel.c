@@ -118,7 +118,7 @@ static struct {
 } seen = { .lock = PTHREAD_MUTEX_INITIALIZER, .was_high = 1 };
 
 /* An eye whose processor stood still tells of a level that is long over: what began before
- * another's newer look is not believed, or a pulse would be seen to end, and then to be there again. */
+ * another's newer look is not believed, or a pulse would end and then be there again. */
 static void believe(double looked_ms, int high)
 {
     pthread_mutex_lock(&seen.lock);
