@@ -33,6 +33,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     }
     memset(core, 0, sizeof *core);
     core->config = *config;
+    settings_mend(&core->config.memory.settings);
     game_init(&core->game, config);
     keeper_open(core);
     if (keeper_modes(config) == 1u << CHOICE_LAB && config->credit_coins == 0) {
@@ -251,12 +252,22 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     hash = hash_u32(hash, config->players);
     hash = hash_u32(hash, config->credit_coins);
     hash = hash_u32(hash, config->ticket_fish);
+    hash = hash_u32(hash, config->memory.ledger.last_id);
+    hash = hash_u32(hash, config->memory.ledger.boots);
+    hash = purse_hash(hash, &config->memory.ledger.purse);
+    hash = audits_hash(hash, &config->memory.audits);
+    hash = ranking_hash(hash, &config->memory.ranking);
+    for (uint32_t i = 0; i < SETTING_COUNT; i++) {
+        hash = hash_u32(hash, (uint32_t)config->memory.settings.value[i]);
+    }
     return lab_book_hash(hash, &config->book);
 }
 
 uint64_t core_hash(const struct core *core)
 {
     uint64_t hash = config_hash(core_hash_quick(core), &core->config);
+    hash = audits_hash(hash, &core->game.audits);
+    hash = ranking_hash(hash, &core->game.ranking);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = poi_hash(hash, &core->poi[i]);
         hash = bowl_hash(hash, &core->bowl[i]);

@@ -11,6 +11,7 @@
 #include "core/game/credit.h"
 #include "core/game/game.h"
 #include "core/input.h"
+#include "core/memory.h"
 #include "core/output.h"
 #include "core/poi/bowl.h"
 #include "core/poi/poi.h"
@@ -41,6 +42,8 @@ struct core_config {
                             are none. */
     uint8_t lanes;       /* 4 or, on x86-64 with AVX2, 8 floats at once; 0: 4. Changes no result, so
                             neither hashes nor recordings know of it. */
+    struct memory memory; /* What outlived the last power cut; its settings overrule nothing here:
+                             see settings_apply(). */
     struct lab_book book; /* Makers' species and saved graphs, as the data folder has them. */
 };
 

@@ -111,7 +111,12 @@ struct input {
     uint32_t held;            /* enum input_button levels. */
     uint32_t pressed;         /* Edges; each press is in exactly one tick's input. */
     uint32_t coin_count;      /* Coins since the last tick, each in exactly one tick's input. */
-    uint32_t record_saved_id; /* Newest output.record id known to be on disk; 0 is none. */
+    uint32_t record_saved_id; /* Newest ledger entry (core/ledger.h) known to be on disk. */
+    uint8_t store_well;       /* Level: the store keeps entries, and its last try went well. */
+    uint16_t day;             /* Since 2000-01-01, local; 0: the clock was never set. A hint. */
+    uint16_t minute;          /* Of that day, 0 .. 1439. */
+    uint32_t dropped_ticks;   /* Since the start; */
+    uint32_t device_faults;   /* likewise. */
     uint32_t edit_saved_id;   /* The same of output.edit. */
     uint8_t edit_refused;     /* 1: the store keeps no edit, or its last try to failed. */
     uint8_t upright;          /* The screen stands: narrower than OVERLAY_UPRIGHT_ASPECT. */

@@ -8,6 +8,7 @@
 
 #include "core/edit.h"
 #include "core/input.h"
+#include "core/ledger.h"
 
 #define OUTPUT_SOUND_MAX 16u /* A frame's worth; more in one frame could not be told apart. */
 
@@ -49,26 +50,6 @@ struct poi_force {
 #define POI_TORQUE_N_M_MAX 4.0f  /* That at the end of a handle of 13 cm, and half as much again. */
 #define POI_DRAG_N_FULL 2.0f     /* Broadside at 0.8 m/s: what paper bears at most. */
 
-/* What the operator's store keeps of a finished round. `id` rises by one with each record. */
-struct round_record {
-    uint32_t id; /* 0: nothing to save. */
-    uint32_t seed;
-    uint32_t start_tick, end_tick;
-    uint32_t caught;  /* Of all players together. */
-    uint8_t by_bot;   /* A demonstration is not a score. */
-    uint8_t mode;     /* enum game_mode */
-    uint8_t grade;    /* Of the paper, 4 .. 7. */
-    uint8_t players;  /* Who took part, a bit each. */
-    struct player_record {
-        uint32_t caught;
-        uint32_t scoops;        /* Times the ring went in. */
-        uint32_t hole_area_mm2; /* Of the paper that it held at the end. */
-        uint32_t torn_tick;     /* When its first paper could hold nothing more; 0: it lasted. */
-        uint32_t sheets;        /* Papers that it got: 1 where nobody renews them. */
-        uint8_t fouls;
-    } player[POI_MAX];
-};
-
 /* What the operator orders of a controller. */
 enum desk_order_kind {
     DESK_NOTHING = 0,
@@ -98,7 +79,9 @@ struct output {
     uint32_t tickets;       /* Since the start: the dispenser gets a pulse for each. */
     uint32_t order_count;   /* Since the start; order n, from 0, lies at n % DESK_ORDER_MAX. */
     struct desk_order orders[DESK_ORDER_MAX];
-    struct round_record record; /* The newest; stays until the next, for a store that is busy. */
+    uint32_t entry_id;      /* The newest entry's; entry n lies at n % LEDGER_RING. */
+    struct ledger_entry entries[LEDGER_RING];
+    struct round_record record; /* The newest finished round, for who only looks on. */
     struct edit_record edit;    /* Likewise; what the store did not take by then is this run's. */
 };
 

@@ -118,7 +118,6 @@ static void drive_output(struct gpio_reader *reader, enum gpio_role role)
 {
     const uint32_t bit = gpio_role_bit(role);
     struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
-    pulse_train_add(train, atomic_exchange(&reader->pulses[role - GPIO_INPUT_COUNT], 0));
     if (!(reader->had & bit)) {
         return; /* Its pulses wait for it. */
     }
@@ -135,15 +134,22 @@ static void drive_output(struct gpio_reader *reader, enum gpio_role role)
     }
 }
 
+/* What is taken is owed before it is no longer asked for: whoever looks at both, what is asked for
+ * first, misses none. */
 static void drive_outputs(struct gpio_reader *reader)
 {
-    uint32_t owed = 0;
+    uint32_t owed = 0, taken[GPIO_OUTPUT_COUNT];
     for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
-        const struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
+        struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
+        taken[role - GPIO_INPUT_COUNT] = atomic_load(&reader->pulses[role - GPIO_INPUT_COUNT]);
+        pulse_train_add(train, taken[role - GPIO_INPUT_COUNT]);
         drive_output(reader, role);
         owed += reader->had & gpio_role_bit(role) ? train->left + train->on : 0u;
     }
     atomic_store(&reader->owed, owed);
+    for (uint32_t i = 0; i < GPIO_OUTPUT_COUNT; i++) {
+        atomic_fetch_sub(&reader->pulses[i], taken[i]);
+    }
 }
 
 static uint32_t wait_ms(const struct gpio_reader *reader)
@@ -248,11 +254,11 @@ int gpio_reader_start(struct gpio_reader *reader)
 
 static bool owes(struct gpio_reader *reader)
 {
-    uint32_t owed = atomic_load(&reader->owed);
+    uint32_t asked = 0;
     for (uint32_t i = 0; i < GPIO_OUTPUT_COUNT; i++) {
-        owed |= atomic_load(&reader->pulses[i]);
+        asked |= atomic_load(&reader->pulses[i]);
     }
-    return owed > 0;
+    return asked > 0 || atomic_load(&reader->owed) > 0;
 }
 
 void gpio_reader_stop(struct gpio_reader *reader)

@@ -213,19 +213,41 @@ struct hal_audio null_audio(const char *line)
     return (struct hal_audio){ .ops = &ops, .self = line_self(line) };
 }
 
-static int null_best_today(void *self, uint32_t out[MODE_COUNT])
+static int null_remember(void *self, struct memory *out)
 {
     (void)self;
-    for (uint32_t i = 0; i < MODE_COUNT; i++) {
-        out[i] = 0;
-    }
+    (void)out;
     return HAL_ERR_NONE;
 }
 
-static int null_save(void *self, const struct round_record *record)
+static int null_keep(void *self, const struct ledger_entry *entry)
 {
     (void)self;
-    (void)record;
+    (void)entry;
+    return HAL_ERR_NONE;
+}
+
+static int null_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
+{
+    (void)self;
+    (void)round_id;
+    (void)bytes;
+    (void)size;
+    return HAL_ERR_NONE;
+}
+
+static int null_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+{
+    (void)self;
+    (void)round_id;
+    (void)bytes;
+    (void)size;
+    return HAL_ERR_NONE;
+}
+
+static int null_replay_fetched(void *self)
+{
+    (void)self;
     return HAL_ERR_NONE;
 }
 
@@ -259,8 +281,12 @@ struct hal_storage null_storage(const char *line)
 {
     static const struct hal_storage_ops ops = {
         .open = null_open,
-        .best_today = null_best_today,
-        .save = null_save,
+        .remember = null_remember,
+        .keep = null_keep,
+        .keep_replay = null_keep_replay,
+        .replay_kept_id = null_none,
+        .fetch_replay = null_fetch_replay,
+        .replay_fetched = null_replay_fetched,
         .saved_id = null_none,
         .keep_edit = null_keep_edit,
         .kept_edit_id = null_none,

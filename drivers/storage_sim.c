@@ -9,14 +9,38 @@ static int storage_sim_open(void *self)
     return HAL_OK;
 }
 
-static int storage_sim_best_today(void *self, uint32_t out[MODE_COUNT])
+static int storage_sim_remember(void *self, struct memory *out)
 {
     const struct storage_sim *sim = self;
-    memcpy(out, sim->best_today, sizeof sim->best_today);
+    *out = sim->memory;
     return HAL_OK;
 }
 
-static int storage_sim_save(void *self, const struct round_record *record)
+static int storage_sim_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
+{
+    (void)self, (void)round_id, (void)bytes, (void)size;
+    return HAL_ERR_NONE;
+}
+
+static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+{
+    (void)self, (void)round_id, (void)bytes, (void)size;
+    return HAL_ERR_NONE;
+}
+
+static uint32_t storage_sim_replay_kept_id(void *self)
+{
+    (void)self;
+    return 0;
+}
+
+static int storage_sim_replay_fetched(void *self)
+{
+    (void)self;
+    return HAL_ERR_NONE;
+}
+
+static int storage_sim_keep(void *self, const struct ledger_entry *entry)
 {
     struct storage_sim *sim = self;
     if (sim->busy_left > 0) {
@@ -29,7 +53,10 @@ static int storage_sim_save(void *self, const struct round_record *record)
         sim->refused_count++;
         return HAL_ERR_IO;
     }
-    sim->record = *record;
+    sim->entry = *entry;
+    if (entry->kind == LEDGER_ROUND) {
+        sim->record = entry->round;
+    }
     sim->accepted_count++;
     sim->polls_since = 0;
     return HAL_OK;
@@ -38,7 +65,7 @@ static int storage_sim_save(void *self, const struct round_record *record)
 static uint32_t storage_sim_saved_id(void *self)
 {
     struct storage_sim *sim = self;
-    return sim->polls_since++ >= sim->delay_polls ? sim->record.id : 0;
+    return sim->polls_since++ >= sim->delay_polls ? sim->entry.id : 0;
 }
 
 /* As busy and as broken as for rounds. */
@@ -97,8 +124,12 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
 {
     static const struct hal_storage_ops ops = {
         .open = storage_sim_open,
-        .best_today = storage_sim_best_today,
-        .save = storage_sim_save,
+        .remember = storage_sim_remember,
+        .keep = storage_sim_keep,
+        .keep_replay = storage_sim_keep_replay,
+        .replay_kept_id = storage_sim_replay_kept_id,
+        .fetch_replay = storage_sim_fetch_replay,
+        .replay_fetched = storage_sim_replay_fetched,
         .saved_id = storage_sim_saved_id,
         .keep_edit = storage_sim_keep_edit,
         .kept_edit_id = storage_sim_kept_edit_id,

@@ -5,7 +5,8 @@
 #include "platform/hal.h"
 
 struct storage_sim {
-    struct round_record record; /* As last accepted. */
+    struct ledger_entry entry;  /* As last accepted, */
+    struct round_record record; /* and the last round's. */
     struct edit_record edit;    /* As last accepted. */
     uint32_t accepted_count;
     uint32_t refused_count;
@@ -15,7 +16,7 @@ struct storage_sim {
     uint32_t fail_left;         /* Then this many HAL_ERR_IO. */
     uint32_t delay_polls;       /* Calls of saved_id until an accepted record is on disk. */
     uint32_t polls_since;
-    uint32_t best_today[MODE_COUNT];
+    struct memory memory;       /* What earlier evenings left. */
 };
 
 struct hal_storage storage_sim_device(struct storage_sim *sim);

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "core/input.h"
+#include "core/memory.h"
 #include "core/output.h"
 #include "core/scene.h"
 
@@ -157,9 +158,20 @@ struct hal_audio_ops {
 
 struct hal_storage_ops {
     int (*open)(void *self);
-    int (*best_today)(void *self, uint32_t out[MODE_COUNT]);   /* Of persons; at start. */
-    int (*save)(void *self, const struct round_record *record); /* Copies; BUSY: next frame. */
-    uint32_t (*saved_id)(void *self);                          /* Newest id known to be on disk. */
+    /* At start: what earlier evenings left. A store that is not there leaves `out` as it is. */
+    int (*remember)(void *self, struct memory *out);
+    /* The next entry, by their ids and without a gap. Copies; BUSY: next frame. */
+    int (*keep)(void *self, const struct ledger_entry *entry);
+    uint32_t (*saved_id)(void *self); /* Newest entry known to be on disk; never goes back. */
+    /* The replay of the round whose entry is `round_id`, known to be worth one. `bytes` are lent
+     * until replay_kept_id() is that id, or a later keep_replay() is taken. BUSY: one is being
+     * written. */
+    int (*keep_replay)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
+    uint32_t (*replay_kept_id)(void *self); /* Newest that was written, or given up. */
+    /* Asks for the replay of a round; `bytes`, `size` of them, are lent until replay_fetched() is
+     * no longer BUSY: the replay's size, or HAL_ERR_NONE where there is none. */
+    int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size);
+    int (*replay_fetched)(void *self);
     int (*keep_edit)(void *self, const struct edit_record *edit); /* As save(). */
     uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
     int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */

@@ -204,20 +204,23 @@ static int storage_open(void *self)
     return storage->has_file ? HAL_OK : HAL_ERR_IO;
 }
 
-static int storage_best_today(void *self, uint32_t out[MODE_COUNT])
+static int storage_remember(void *self, struct memory *out)
 {
     const struct storage *storage = self;
     if (!storage->has_file) {
         return HAL_ERR_NONE;
     }
-    memcpy(out, storage->best_today, sizeof storage->best_today);
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        out->ranking.row[mode][RANK_DAY][0].caught = storage->best_today[mode];
+    }
     return HAL_OK;
 }
 
-static int storage_save(void *self, const struct round_record *record)
+static int storage_keep(void *self, const struct ledger_entry *entry)
 {
     struct storage *storage = self;
-    if (!storage->has_file) {
+    const struct round_record *record = &entry->round;
+    if (!storage->has_file || entry->kind != LEDGER_ROUND) {
         return HAL_ERR_NONE;
     }
     if (record->id <= storage->accepted_id) {
@@ -239,6 +242,30 @@ static uint32_t storage_saved_id(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->saved_id);
+}
+
+static int storage_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
+{
+    (void)self, (void)round_id, (void)bytes, (void)size;
+    return HAL_ERR_NONE;
+}
+
+static uint32_t storage_replay_kept_id(void *self)
+{
+    (void)self;
+    return 0;
+}
+
+static int storage_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+{
+    (void)self, (void)round_id, (void)bytes, (void)size;
+    return HAL_ERR_NONE;
+}
+
+static int storage_replay_fetched(void *self)
+{
+    (void)self;
+    return HAL_ERR_NONE;
 }
 
 static int storage_keep_edit(void *self, const struct edit_record *edit)
@@ -365,8 +392,12 @@ struct hal_storage storage_device(struct storage *storage)
 {
     static const struct hal_storage_ops ops = {
         .open = storage_open,
-        .best_today = storage_best_today,
-        .save = storage_save,
+        .remember = storage_remember,
+        .keep = storage_keep,
+        .keep_replay = storage_keep_replay,
+        .replay_kept_id = storage_replay_kept_id,
+        .fetch_replay = storage_fetch_replay,
+        .replay_fetched = storage_replay_fetched,
         .saved_id = storage_saved_id,
         .keep_edit = storage_keep_edit,
         .kept_edit_id = storage_kept_edit_id,

@@ -63,6 +63,9 @@ void game_init(struct game *game, const struct core_config *config)
     game->mode = keeper_first_mode(config);
     game->round_s = keeper_round_s(config, game->mode);
     memcpy(game->best_today, config->best_today, sizeof game->best_today);
+    ledger_init(&game->ledger, config);
+    game->audits = config->memory.audits;
+    game->ranking = config->memory.ranking;
     hints_init(&game->hints);
     lab_init(&game->lab, config);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -89,9 +92,7 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
     if (input->pressed & INPUT_LANGUAGE) {
         game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
     }
-    if (input->record_saved_id > game->record_id) {
-        game->record_id = input->record_saved_id; /* The store remembers earlier days. */
-    }
+    ledger_tick(core, input);
     hand_read(core, input);
     hand_links(core, input);
     credit_tick(core, input, output);
@@ -163,7 +164,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
                                game->call,       game->call_tick,  game->phase_tick,
                                game->round_tick, game->point_tick, game->lost_ticks,
                                game->gone_tick,  game->round_s,    game->round_count,
-                               game->record_id,  game->waited_ticks };
+                               game->waited_ticks };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }
@@ -184,6 +185,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = hash_u32(hash, game->rest_ticks[i]);
         hash = bot_hash(hash, &game->bot[i]);
     }
+    hash = ledger_hash(hash, &game->ledger);
     hash = credit_hash(hash, &game->credit);
     hash = menu_hash(hash, &game->menu);
     hash = album_hash(hash, &game->album);

@@ -10,14 +10,17 @@
 #include <stdint.h>
 
 #include "core/game/album.h"
+#include "core/game/audits.h"
 #include "core/game/bot.h"
 #include "core/game/credit.h"
 #include "core/game/hints.h"
 #include "core/game/keeper.h"
 #include "core/game/lab.h"
+#include "core/game/ledger.h"
 #include "core/game/menu.h"
 #include "core/game/pause.h"
 #include "core/game/player.h"
+#include "core/game/ranking.h"
 #include "core/game/rules.h"
 #include "core/game/score.h"
 #include "core/game/trust.h"
@@ -61,7 +64,9 @@ struct game {
     uint32_t round_s;     /* Of this round. */
     uint32_t round_count; /* Rounds begun; seeds the next poi's paper. */
     uint32_t best_today[MODE_COUNT];
-    uint32_t record_id;
+    struct ledger ledger;
+    struct audits audits;
+    struct ranking ranking;
     struct player player[POI_MAX];
     uint8_t holder[POI_MAX];         /* enum poi_link: who held the poi in the last tick. */
     uint32_t grip_tick[POI_MAX];     /* When that holder took it. */

@@ -74,7 +74,9 @@ void score_keep(struct core *core, struct output *output)
             game->best_today[game->mode] = game->player[i].caught;
         }
     }
-    game->record_id++;
-    output->record = game_record(core);
-    output->record.id = game->record_id;
+    struct ledger_entry entry = { .kind = LEDGER_ROUND, .round = game_record(core) };
+    entry.round.id = game->ledger.last_id + 1u;
+    if (ledger_write(core, &entry, output) != 0) {
+        output->record = entry.round;
+    }
 }

@@ -53,6 +53,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     memset(kiosk, 0, sizeof *kiosk);
     kiosk->config = *config;
     kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* As it begins. */
+    kiosk->accepted_id = kiosk->output.entry_id = config->core.memory.ledger.last_id;
     const enum core_error error = core_init(&kiosk->core, &config->core);
     if (error != CORE_OK) {
         return error;
@@ -121,6 +122,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
     kiosk->input.edit_saved_id = hal->storage.ops->kept_edit_id(hal->storage.self);
     kiosk->input.edit_refused = hal->storage.ops->refuses_edits(hal->storage.self) != 0;
+    kiosk->input.store_well = hal->storage.ops->is_well(hal->storage.self) != 0;
     count_refused_writes(kiosk, &hal->storage);
 }
 
@@ -266,19 +268,23 @@ static int is_settled(struct kiosk *kiosk, int result, uint64_t now_ns)
     return 0;
 }
 
-/* Offers the newest record until the store takes it: busy, next frame; failed, in a second. A store
- * that is not there never will. A replay's rounds were saved when they were played. */
-static void present_record(struct kiosk *kiosk, const struct hal *hal)
+/* Offers the ledger's entries, the oldest first, until the store takes them: busy, next frame;
+ * failed, in a second. A store that is not there never will. A replay's were kept when they were
+ * played. */
+static void present_entries(struct kiosk *kiosk, const struct hal *hal)
 {
-    const struct round_record *record = &kiosk->output.record;
-    if (kiosk->config.source.next || record->id == kiosk->accepted_id ||
-        record->id == kiosk->input.record_saved_id) {
-        return;
-    }
+    const struct output *output = &kiosk->output;
     const uint64_t now_ns = clock_ns(hal->clock);
-    if (now_ns >= kiosk->save_retry_ns &&
-        is_settled(kiosk, hal->storage.ops->save(hal->storage.self, record), now_ns)) {
-        kiosk->accepted_id = record->id;
+    while (!kiosk->config.source.next && kiosk->accepted_id != output->entry_id &&
+           now_ns >= kiosk->save_retry_ns) {
+        const uint32_t behind = output->entry_id - kiosk->accepted_id;
+        kiosk->accepted_id += behind > LEDGER_RING ? behind - LEDGER_RING : 0u;
+        const uint32_t place = (kiosk->accepted_id + 1u) % LEDGER_RING;
+        const int result = hal->storage.ops->keep(hal->storage.self, &output->entries[place]);
+        if (!is_settled(kiosk, result, now_ns)) {
+            return;
+        }
+        kiosk->accepted_id++;
     }
 }
 
@@ -303,7 +309,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
         present_switches(kiosk, hal);
         present_orders(kiosk, hal);
         present_forces(kiosk, hal);
-        present_record(kiosk, hal);
+        present_entries(kiosk, hal);
         present_edit(kiosk, hal);
     }
     const int result = hal->display.ops->present(hal->display.self, &kiosk->scene);
@@ -316,7 +322,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
 {
     const int is_replay = kiosk->config.source.next != NULL;
-    const uint32_t waiting = is_replay ? 0 : kiosk->output.record.id - kiosk->accepted_id;
+    const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->accepted_id;
     const uint32_t unwritten = hal->storage.ops->close(hal->storage.self);
     count_refused_writes(kiosk, &hal->storage);
     return unwritten + waiting;

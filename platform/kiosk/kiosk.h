@@ -63,7 +63,7 @@ struct kiosk {
     struct shade_hand shades[SHADE_MAX];
     uint64_t sampled_ns;   /* When the devices were last asked. */
     struct view view;      /* Of the tank, as the pois' devices were told last. */
-    uint32_t accepted_id;  /* Newest record that the store took, or will never take. */
+    uint32_t accepted_id;  /* Newest ledger entry that the store took, or will never take. */
     uint32_t accepted_edit_id; /* The same of graphs. */
     uint64_t save_retry_ns;
     uint64_t audio_retry_ns; /* When a sound card that went is looked for again; 0: none went. */

@@ -34,7 +34,7 @@ static const struct field config_fields[] = {
     FIELD(core_config, language), FIELD(core_config, round_s), FIELD(core_config, best_today),
     FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
     FIELD(core_config, credit_coins), FIELD(core_config, ticket_fish),
-    SKIP(core_config, lanes),     SKIP(core_config, book),
+    SKIP(core_config, lanes),     SKIP(core_config, memory), SKIP(core_config, book),
 };
 
 static const struct field book_fields[] = {
@@ -92,7 +92,8 @@ static const struct field game_fields[] = {
     FIELD(game, round_tick),  FIELD(game, point_tick), FIELD(game, lost_ticks),
     FIELD(game, waited_ticks),
     FIELD(game, gone_tick),   FIELD(game, round_s),    FIELD(game, round_count),
-    FIELD(game, best_today),  FIELD(game, record_id),  SKIP(game, player),
+    FIELD(game, best_today),  SKIP(game, ledger),      SKIP(game, audits),
+    SKIP(game, ranking),      SKIP(game, player),
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
@@ -112,6 +113,34 @@ static const struct field menu_fields[] = {
     FIELD(menu, order_count),   FIELD(menu, ask_tick),   FIELD(menu, take_tick),
     FIELD(menu, act_tick),   FIELD(menu, x),          FIELD(menu, y),
     FIELD(menu, rest),
+};
+
+static const struct field memory_fields[] = {
+    SKIP(memory, ledger), FIELD(memory, settings), FIELD(memory, audits), SKIP(memory, ranking),
+};
+
+static const struct field ledger_start_fields[] = {
+    FIELD(ledger_start, last_id), FIELD(ledger_start, boots), SKIP(ledger_start, purse),
+};
+
+static const struct field purse_fields[] = {
+    FIELD(purse, units),   FIELD(purse, bonus_units), FIELD(purse, paid),
+    FIELD(purse, service), FIELD(purse, untold),      FIELD(purse, open),
+};
+
+static const struct field ledger_fields[] = {
+    FIELD(ledger, last_id), FIELD(ledger, saved_id), FIELD(ledger, boot), FIELD(ledger, unkept),
+    FIELD(ledger, day),     FIELD(ledger, minute),   FIELD(ledger, is_well),
+    SKIP(ledger, purse),
+};
+
+static const struct field ranking_fields[] = {
+    FIELD(ranking, boot), FIELD(ranking, day), SKIP(ranking, row),
+};
+
+static const struct field rank_row_fields[] = {
+    FIELD(rank_row, caught), FIELD(rank_row, round_id), FIELD(rank_row, day),
+    FIELD(rank_row, seat),   FIELD(rank_row, name),
 };
 
 static const struct field credit_fields[] = {
@@ -341,6 +370,14 @@ static const struct table tables[] = {
     TABLE(graph, graph_fields, &core.game.lab.edit.graph),
     TABLE(graph, graph_fields, &core.game.lab.edits[0].graph),
     TABLE(menu, menu_fields, &core.game.menu),
+    TABLE(memory, memory_fields, &core.config.memory),
+    TABLE(ledger_start, ledger_start_fields, &core.config.memory.ledger),
+    TABLE(purse, purse_fields, &core.config.memory.ledger.purse),
+    TABLE(ledger, ledger_fields, &core.game.ledger),
+    TABLE(purse, purse_fields, &core.game.ledger.purse),
+    TABLE(ranking, ranking_fields, &core.game.ranking),
+    TABLE(rank_row, rank_row_fields, &core.game.ranking.row[2][2][9]),
+    TABLE(rank_row, rank_row_fields, &core.config.memory.ranking.row[0][0][0]),
     TABLE(credit, credit_fields, &core.game.credit),
     TABLE(album, album_fields, &core.game.album),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[0]),

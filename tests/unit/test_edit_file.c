@@ -275,10 +275,10 @@ static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
     assert_int_equal(mkdir(path, 0755), 0); /* A folder where the file should be. */
     const struct hal_storage device = storage_device(&storage);
     const struct edit_record record = drawn();
-    const struct round_record round = { .id = 1 };
+    const struct ledger_entry round = { .id = 1, .kind = LEDGER_ROUND, .round = { .id = 1 } };
     assert_int_equal(device.ops->refuses_edits(device.self), 1);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
-    assert_int_equal(device.ops->save(device.self, &round), HAL_ERR_NONE);
+    assert_int_equal(device.ops->keep(device.self, &round), HAL_ERR_NONE);
     assert_int_equal(device.ops->refuses_edits(device.self), 0);
     assert_int_equal(device.ops->keep_edit(device.self, &record), HAL_OK);
     for (uint32_t i = 0; i < 500 && device.ops->kept_edit_id(device.self) != record.id; i++) {

@@ -46,6 +46,9 @@ static void test_a_round_leaves_a_record_with_the_next_id(void **state)
 static void test_record_ids_go_on_from_what_the_store_has(void **state)
 {
     (void)state;
+    struct core_config config = core.config;
+    config.memory.ledger.last_id = 41;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
     input.record_saved_id = 41;
     play_into_result();
     assert_int_equal(output.record.id, 42);
@@ -154,7 +157,7 @@ static void test_a_round_that_nobody_played_ends_without_a_record(void **state)
     steps(4);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(output.record.id, 0);
-    assert_int_equal(core.game.record_id, 0);
+    assert_int_equal(core.game.ledger.last_id, 0);
 }
 
 static void test_a_round_that_was_left_after_a_while_keeps_its_record(void **state)

@@ -62,7 +62,8 @@ static int save(struct stall *stall, uint32_t id, uint32_t caught, uint8_t by_bo
     const struct round_record record = { .id = id,          .seed = 7,        .start_tick = 120,
                                          .end_tick = 7320, .caught = caught, .by_bot = by_bot,
                                          .players = 1,      .player = { { .caught = caught } } };
-    return stall->device.ops->save(stall->device.self, &record);
+    const struct ledger_entry entry = { .id = id, .kind = LEDGER_ROUND, .round = record };
+    return stall->device.ops->keep(stall->device.self, &entry);
 }
 
 static uint32_t saved_id(struct stall *stall)
@@ -130,23 +131,23 @@ static void test_a_saved_round_is_on_disk_with_every_field(void **state)
 static void test_the_best_of_today_is_a_persons(void **state)
 {
     struct stall *stall = *state;
-    uint32_t best[MODE_COUNT] = { 99 };
+    static struct memory memory;
     assert_int_equal(open_store(stall), HAL_OK);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_OK);
-    assert_int_equal(best[MODE_FESTIVAL], 0);
+    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 0);
     save(stall, 1, 3, 0);
     save(stall, 2, 4, 0);
     save(stall, 3, 40, 1); /* a bot's */
     wait_until_saved(stall, 3);
     reopen(stall);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_OK);
-    assert_int_equal(best[MODE_FESTIVAL], 4);
+    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
 }
 
 static void test_yesterdays_rounds_are_not_todays_best(void **state)
 {
     struct stall *stall = *state;
-    uint32_t best[MODE_COUNT] = { 99 };
+    static struct memory memory;
     assert_int_equal(open_store(stall), HAL_OK);
     save(stall, 1, 8, 0);
     wait_until_saved(stall, 1);
@@ -156,8 +157,8 @@ static void test_yesterdays_rounds_are_not_todays_best(void **state)
     assert_int_equal(sqlite3_exec(db, "UPDATE rounds SET ended_at = ended_at - 86400", 0, 0, 0), 0);
     sqlite3_close(db);
     reopen(stall);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_OK);
-    assert_int_equal(best[MODE_FESTIVAL], 0);
+    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 0);
 }
 
 static void test_a_round_asked_for_every_frame_is_kept_once(void **state)
@@ -273,9 +274,9 @@ static void test_a_folder_that_cannot_be_written_is_one_line(void **state)
     assert_int_equal(open_store(stall), HAL_ERR_IO);
     assert_non_null(strstr(text(stall), "/proc"));
     assert_null(strchr(text(stall), '\n'));
-    uint32_t best[MODE_COUNT];
+    static struct memory memory;
     assert_int_equal(save(stall, 1, 1, 0), HAL_ERR_NONE);
-    assert_int_equal(stall->device.ops->best_today(stall->device.self, best), HAL_ERR_NONE);
+    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_ERR_NONE);
     assert_int_equal(saved_id(stall), 0);
 }
 

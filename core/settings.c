@@ -1,0 +1,96 @@
+/* settings.c -- the table, and how the core is told. */
+#include "core/settings.h"
+
+#include "core/base/panic.h"
+#include "core/core.h"
+
+#define MICRO 10000000 /* 10 m, or ten times a whole: calibration counts in millionths. */
+
+#define CALIBRATION(seat, name)                                                                    \
+    { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
+/* As core/game/calibrate.h says; all 0: the controller is believed as it is. */
+#define SEAT(seat)                                                                                 \
+    CALIBRATION(seat, "xx"), CALIBRATION(seat, "xz"), CALIBRATION(seat, "x0"),                     \
+        CALIBRATION(seat, "zx"), CALIBRATION(seat, "zz"), CALIBRATION(seat, "z0"),                 \
+        CALIBRATION(seat, "y0"), CALIBRATION(seat, "pitch"), CALIBRATION(seat, "roll")
+
+static const struct setting table[SETTING_COUNT] = {
+    [SET_PLAY] = { "play", GROUP_MONEY, KIND_CHOICE, 0, PLAY_KIND_COUNT - 1, 1, PLAY_FREE },
+    [SET_PRICE] = { "price", GROUP_MONEY, KIND_NUMBER, 1, 20, 1, 1 },
+    [SET_COIN_1] = { "coin-1", GROUP_MONEY, KIND_NUMBER, 1, 20, 1, 1 },
+    [SET_COIN_2] = { "coin-2", GROUP_MONEY, KIND_NUMBER, 1, 20, 1, 1 },
+    [SET_COIN_3] = { "coin-3", GROUP_MONEY, KIND_NUMBER, 1, 20, 1, 5 },
+    [SET_BONUS_UNITS] = { "bonus-units", GROUP_MONEY, KIND_NUMBER, 0, 100, 1, 0 },
+    [SET_BONUS_CREDITS] = { "bonus-credits", GROUP_MONEY, KIND_NUMBER, 1, 5, 1, 1 },
+    [SET_CREDIT_MAX] = { "credit-max", GROUP_MONEY, KIND_NUMBER, 1, 99, 1, 99 },
+    [SET_CREDIT_EXPIRY_MIN] = { "credit-expiry", GROUP_MONEY, KIND_NUMBER, 0, 240, 5, 0 },
+    [SET_TICKET_FISH] = { "ticket-fish", GROUP_MONEY, KIND_NUMBER, 0, 20, 1, 0 },
+    [SET_MODES] = { "modes", GROUP_GAME, KIND_BITS, 1, (1 << CHOICE_COUNT) - 1, 1,
+                    (1 << CHOICE_COUNT) - 1 },
+    [SET_GRADE] = { "grade", GROUP_GAME, KIND_CHOICE, 0, 7, 1, 0 },
+    [SET_ROUND_S] = { "round", GROUP_GAME, KIND_NUMBER, 0, 600, 10, 0 },
+    [SET_FISH] = { "fish", GROUP_GAME, KIND_NUMBER, 0, 2048, 1, 0 },
+    [SET_PLAYERS] = { "players", GROUP_GAME, KIND_NUMBER, 1, (int32_t)POI_MAX, 1, 1 },
+    [SET_LANGUAGE] = { "language", GROUP_GAME, KIND_CHOICE, 0, LANGUAGE_COUNT - 1, 1,
+                       LANGUAGE_JA },
+    [SET_VOLUME] = { "volume", GROUP_SOUND, KIND_NUMBER, 0, 100, 5, 80 },
+    [SET_ATTRACT_SOUND] = { "attract-sound", GROUP_SOUND, KIND_NUMBER, 0, 10, 1, 1 },
+    [SET_ROTATION] = { "rotation", GROUP_PICTURE, KIND_CHOICE, 0, 3, 1, 0 },
+    [SET_OVERSCAN_X] = { "overscan-x", GROUP_PICTURE, KIND_NUMBER, 0, 100, 5, 0 },
+    [SET_OVERSCAN_Y] = { "overscan-y", GROUP_PICTURE, KIND_NUMBER, 0, 100, 5, 0 },
+    [SET_BRIGHTNESS] = { "brightness", GROUP_PICTURE, KIND_NUMBER, 20, 100, 5, 100 },
+    [SET_DIM] = { "dim", GROUP_PICTURE, KIND_NUMBER, 10, 100, 10, 50 },
+    [SET_DIM_AFTER_MIN] = { "dim-after", GROUP_PICTURE, KIND_NUMBER, 0, 240, 5, 15 },
+    [SET_NIGHT_FROM_MIN] = { "night-from", GROUP_PICTURE, KIND_MINUTE, 0, 1425, 15, 0 },
+    [SET_NIGHT_TO_MIN] = { "night-to", GROUP_PICTURE, KIND_MINUTE, 0, 1425, 15, 0 },
+    [SET_PIN] = { "pin", GROUP_OPERATOR, KIND_NUMBER, 0, 9999, 1, 0 },
+    [SET_CALIBRATION] = SEAT(1), SEAT(2), SEAT(3), SEAT(4),
+};
+
+const struct setting *setting_of(uint32_t id)
+{
+    CORE_ASSERT(id < SETTING_COUNT);
+    return &table[id];
+}
+
+/* Of grades there are none between the mode's own and the strongest. */
+static int is_grade(int32_t value)
+{
+    return value == 0 || (value >= (int32_t)SHEET_GRADE_MIN && value <= (int32_t)SHEET_GRADE_MAX);
+}
+
+int setting_allows(uint32_t id, int32_t value)
+{
+    const struct setting *setting = setting_of(id);
+    return value >= setting->min && value <= setting->max &&
+           (value - setting->min) % setting->step == 0 && (id != SET_GRADE || is_grade(value));
+}
+
+void settings_reset(struct settings *settings)
+{
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        settings->value[id] = table[id].standard;
+    }
+}
+
+void settings_mend(struct settings *settings)
+{
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        if (!setting_allows(id, settings->value[id])) {
+            settings->value[id] = table[id].standard;
+        }
+    }
+}
+
+void settings_apply(const struct settings *settings, struct core_config *config)
+{
+    const int32_t *value = settings->value;
+    config->credit_coins = value[SET_PLAY] == PLAY_PAID ? (uint8_t)value[SET_PRICE] : 0u;
+    config->ticket_fish = (uint8_t)value[SET_TICKET_FISH];
+    config->modes = (uint8_t)value[SET_MODES];
+    config->grade = (uint8_t)value[SET_GRADE];
+    config->round_s = (uint32_t)value[SET_ROUND_S];
+    config->fish_count = (uint32_t)value[SET_FISH];
+    config->players = (uint8_t)value[SET_PLAYERS];
+    config->language = (uint8_t)value[SET_LANGUAGE];
+}
