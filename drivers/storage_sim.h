@@ -2,6 +2,7 @@
 #ifndef KINGYO_DRIVERS_STORAGE_SIM_H
 #define KINGYO_DRIVERS_STORAGE_SIM_H
 
+#include "core/memory.h"
 #include "platform/hal.h"
 
 struct storage_sim {

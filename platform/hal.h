@@ -11,7 +11,6 @@
 #include <stdint.h>
 
 #include "core/input.h"
-#include "core/memory.h"
 #include "core/output.h"
 #include "core/scene.h"
 
@@ -155,6 +154,8 @@ struct hal_audio_ops {
     const char *(*describe)(void *self);
     void (*close)(void *self);
 };
+
+struct memory; /* core/memory.h */
 
 struct hal_storage_ops {
     int (*open)(void *self);

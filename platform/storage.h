@@ -16,6 +16,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "core/memory.h"
 #include "platform/hal.h"
 #include "platform/score_file.h"
 
