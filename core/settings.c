@@ -33,6 +33,7 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_PLAYERS] = { "players", GROUP_GAME, KIND_NUMBER, 1, (int32_t)POI_MAX, 1, 1 },
     [SET_LANGUAGE] = { "language", GROUP_GAME, KIND_CHOICE, 0, LANGUAGE_COUNT - 1, 1,
                        LANGUAGE_JA },
+    [SET_NAMES] = { "names", GROUP_GAME, KIND_CHOICE, 0, 1, 1, 1 },
     [SET_VOLUME] = { "volume", GROUP_SOUND, KIND_NUMBER, 0, 100, 5, 80 },
     [SET_ATTRACT_SOUND] = { "attract-sound", GROUP_SOUND, KIND_NUMBER, 0, 10, 1, 1 },
     [SET_ROTATION] = { "rotation", GROUP_PICTURE, KIND_CHOICE, 0, 3, 1, 0 },

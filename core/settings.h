@@ -30,6 +30,7 @@ enum setting_id {
     SET_FISH,           /* 0: the tank's own. */
     SET_PLAYERS,
     SET_LANGUAGE,
+    SET_NAMES,          /* 1: whoever is ranked is asked for a name. */
     /* Sound. */
     SET_VOLUME,         /* Per cent. */
     SET_ATTRACT_SOUND,  /* Every n-th loop of attract is heard; 0: none. */

@@ -24,7 +24,7 @@
 #define FONT_STEP 16u             /* Value per atlas pixel: reaches 10 px out and 6 px in. */
 #define FONT_MAX 8u
 #define TEXT_LANGUAGES 2u         /* As LANGUAGE_COUNT of core/scene.h, in its order. */
-#define TEXT_KEYS_MAX 256u
+#define TEXT_KEYS_MAX 1024u
 
 /* Ends the bake with one line on standard error and exit code 65 (bad input data). */
 _Noreturn void bake_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));

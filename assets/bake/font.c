@@ -11,7 +11,7 @@
 
 #define GLYPHS_MAX 2048u
 #define FONT_PADDING 10 /* Atlas pixels around a glyph: as far as FONT_EDGE / FONT_STEP reaches. */
-#define KEY_PATTERNS_MAX 48u
+#define KEY_PATTERNS_MAX 192u
 
 struct glyph {
     uint32_t code;
@@ -130,18 +130,30 @@ static int add_glyph(struct face *face, uint32_t code)
     return 1;
 }
 
+static void add_range(struct face *face, uint32_t first, uint32_t last)
+{
+    for (uint32_t code = first; code <= last; code++) {
+        if (!add_glyph(face, code)) {
+            bake_fail("font %s (%s) lacks U+%04X of its set `%s`", face->name, face->path,
+                      (unsigned)code, face->base);
+        }
+    }
+}
+
+/* `names`: whatever a guest may be called (core/game/name_board.h). */
 static void add_base(struct face *face)
 {
-    const int all = strcmp(face->base, "ascii") == 0;
+    const int names = strcmp(face->base, "names") == 0;
+    const int all = names || strcmp(face->base, "ascii") == 0;
     if (!all && strcmp(face->base, "digits") != 0) {
-        bake_fail("font %s: the glyph set is `ascii` or `digits`, not `%s`", face->name,
+        bake_fail("font %s: the glyph set is `ascii`, `names` or `digits`, not `%s`", face->name,
                   face->base);
     }
-    for (uint32_t code = all ? 0x20 : '0'; code <= (all ? 0x7eu : '9'); code++) {
-        if (!add_glyph(face, code)) {
-            bake_fail("font %s (%s) lacks the ASCII character `%c`", face->name, face->path,
-                      (char)code);
-        }
+    add_range(face, all ? 0x20 : '0', all ? 0x7e : '9');
+    if (names) {
+        add_range(face, 0x3041, 0x3093); /* Hiragana, */
+        add_range(face, 0x30a1, 0x30f4); /* katakana, */
+        add_range(face, 0x30fb, 0x30fc); /* and the two signs between them. */
     }
 }
 
