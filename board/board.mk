@@ -18,3 +18,4 @@ JOBS ?= $(shell nproc)
 .PHONY: run setup
 
 -include board/poi-gadget/poi-gadget.mk
+-include board/install.mk
