@@ -33,6 +33,8 @@ enum input_button {
 };
 #define INPUT_BUTTON_COUNT 9u
 
+#define COIN_LINE_COUNT 3u /* Acceptors say small, middle and large coins on a line each. */
+
 #define CONTROLLER_MAX 8u /* Four that play, and four that lie ready. */
 
 /* A USB controller that is plugged in, as the operator's menu may deal with it. What it is called
@@ -110,7 +112,8 @@ struct shade_input {
 struct input {
     uint32_t held;            /* enum input_button levels. */
     uint32_t pressed;         /* Edges; each press is in exactly one tick's input. */
-    uint32_t coin_count;      /* Coins since the last tick, each in exactly one tick's input. */
+    uint32_t coin_count[COIN_LINE_COUNT]; /* Pulses of each coin line since the last tick, each in
+                                             exactly one tick's input. */
     uint32_t record_saved_id; /* Newest ledger entry (core/ledger.h) known to be on disk. */
     uint8_t store_well;       /* Level: the store keeps entries, and its last try went well. */
     uint16_t day;             /* Since 2000-01-01, local; 0: the clock was never set. A hint. */
@@ -124,5 +127,16 @@ struct input {
     struct poi_input poi[POI_MAX];
     struct shade_input shade[SHADE_MAX];
 };
+
+/* Of all lines together, which stops at UINT32_MAX. */
+static inline uint32_t coin_pulses(const struct input *input)
+{
+    uint32_t sum = 0;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        const uint32_t room = UINT32_MAX - sum;
+        sum += input->coin_count[line] < room ? input->coin_count[line] : room;
+    }
+    return sum;
+}
 
 #endif

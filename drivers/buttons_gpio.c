@@ -7,7 +7,8 @@
 static const uint32_t button_of[GPIO_INPUT_COUNT] = {
     [GPIO_START] = INPUT_START,     [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
     [GPIO_OK] = INPUT_OK,           [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,
-    [GPIO_TILT] = INPUT_TILT,       [GPIO_COIN] = 0,          [GPIO_DOOR] = INPUT_DOOR,
+    [GPIO_TILT] = INPUT_TILT,       [GPIO_COIN] = 0,          [GPIO_COIN2] = 0,
+    [GPIO_COIN3] = 0,               [GPIO_DOOR] = INPUT_DOOR,
 };
 
 static uint32_t buttons_of(uint32_t roles)
@@ -27,10 +28,13 @@ static int buttons_gpio_poll(void *self, struct button_sample *out)
     *out = (struct button_sample){
         .pressed = buttons_of(pressed),
         .held = buttons_of(atomic_load(&reader->held)),
-        .coin_count = atomic_exchange(&reader->coins, 0),
         .faults = atomic_exchange(&reader->faults, 0),
-        .missing = buttons_of(missing) | (missing & 1u << GPIO_COIN ? HAL_MISSING_COIN : 0u),
+        .missing = buttons_of(missing),
     };
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        out->coin_count[line] = atomic_exchange(&reader->coins[line], 0);
+        out->missing |= missing & 1u << (GPIO_COIN + line) ? HAL_MISSING_COIN << line : 0u;
+    }
     return HAL_OK;
 }
 

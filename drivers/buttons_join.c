@@ -20,7 +20,9 @@ static void add(struct button_sample *sum, const struct button_sample *part)
 {
     sum->held |= part->held;
     sum->pressed |= part->pressed;
-    sum->coin_count += part->coin_count;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        sum->coin_count[line] += part->coin_count[line];
+    }
     sum->faults += part->faults;
     sum->missing |= part->missing;
     sum->quit |= part->quit;

@@ -8,7 +8,8 @@
 struct key {
     SDL_Keycode code;
     uint32_t button; /* enum input_button, or 0 for what only a desktop has: */
-    uint8_t coin, quit, full_screen;
+    uint8_t coin; /* Of line coin - 1; 0: it is none. */
+    uint8_t quit, full_screen;
 };
 
 static const struct key keys[] = {
@@ -24,6 +25,8 @@ static const struct key keys[] = {
     { .code = SDLK_F3, .button = INPUT_SERVICE },
     { .code = SDLK_F4, .button = INPUT_TILT },
     { .code = SDLK_5, .coin = 1 }, /* As in every arcade's emulator. */
+    { .code = SDLK_6, .coin = 2 },
+    { .code = SDLK_7, .coin = 3 },
     { .code = SDLK_F11, .full_screen = 1 },
     { .code = SDLK_ESCAPE, .quit = 1 },
     { .code = SDLK_q, .quit = 1 },
@@ -52,7 +55,9 @@ static void take_event(struct buttons_keyboard *keyboard, const SDL_Event *event
     } else if (!event->key.repeat) {
         keyboard->held |= key->button;
         out->pressed |= key->button;
-        out->coin_count += key->coin;
+        if (key->coin > 0) {
+            out->coin_count[key->coin - 1u]++;
+        }
         out->quit |= key->quit;
         out->full_screen |= key->full_screen;
     }
@@ -77,7 +82,7 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
 static const char *buttons_keyboard_describe(void *self)
 {
     (void)self;
-    return "keyboard: Space starts, arrows choose, 5 is a coin, F2 the operator's menu, F3 a "
+    return "keyboard: Space starts, arrows choose, 5 6 7 are coins, F2 the operator's menu, F3 a "
            "service credit, L language, F11 full screen, Esc quits";
 }
 

@@ -9,7 +9,9 @@ static int buttons_sim_poll(void *self, struct button_sample *out)
     while (sim->next < sim->event_count && sim->events[sim->next].time_ns <= now_ns) {
         const struct button_event *event = &sim->events[sim->next++];
         out->pressed |= event->pressed;
-        out->coin_count += event->coin_count;
+        for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+            out->coin_count[line] += event->coin_count[line];
+        }
         out->quit |= event->quit;
         out->full_screen |= event->full_screen;
         sim->held = (sim->held | event->pressed) & ~event->released;

@@ -9,7 +9,7 @@ struct button_event {
     uint64_t time_ns;
     uint32_t pressed;    /* enum input_button bits that go down ... */
     uint32_t released;   /* ... and bits that come up. */
-    uint32_t coin_count;
+    uint32_t coin_count[COIN_LINE_COUNT];
     uint8_t quit, full_screen;
 };
 

@@ -22,7 +22,9 @@ enum gpio_role {
     GPIO_TEST,
     GPIO_SERVICE,
     GPIO_TILT,
-    GPIO_COIN,
+    GPIO_COIN, /* COIN_LINE_COUNT of them. */
+    GPIO_COIN2,
+    GPIO_COIN3,
     GPIO_DOOR,
     GPIO_INPUT_COUNT,
     GPIO_START_LAMP = GPIO_INPUT_COUNT, /* From here on outputs, in enum hal_switch's order. */
@@ -36,6 +38,13 @@ static inline bool gpio_role_is_input(enum gpio_role role)
 {
     return role < GPIO_INPUT_COUNT;
 }
+
+static inline bool gpio_role_is_coin(enum gpio_role role)
+{
+    return role >= GPIO_COIN && role <= GPIO_COIN3;
+}
+
+_Static_assert(GPIO_COIN3 - GPIO_COIN + 1u == COIN_LINE_COUNT, "a role each coin line");
 
 /* Coins are locked out while nobody lets them in: before the first word, and after the last. All
  * other outputs begin inactive. */
@@ -62,7 +71,7 @@ struct gpio_wire {
     uint8_t active_low;
     uint8_t bias;              /* enum gpio_bias */
     uint32_t debounce_us;      /* Inputs. */
-    uint32_t pulse_min_us;     /* COIN: how long a coin's pulse lasts. */
+    uint32_t pulse_min_us;     /* Coins: how long a pulse lasts. */
     uint32_t pulse_max_us;
     uint32_t pulse_on_us;      /* Outputs: a pulse, and the rest behind it. */
     uint32_t pulse_off_us;

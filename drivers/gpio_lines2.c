@@ -67,7 +67,7 @@ static void release(enum gpio_role role)
  * emulated machine it made some of 15 ms and some of 75. Edges as they came are dated exactly. */
 static bool kernel_may_debounce(enum gpio_role role)
 {
-    return role != GPIO_COIN && role != GPIO_TILT;
+    return !gpio_role_is_coin(role) && role != GPIO_TILT;
 }
 
 static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *wire,

@@ -19,8 +19,8 @@ _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the
 
 static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct debounce_turn turn)
 {
-    if (role == GPIO_COIN) {
-        coin_mech_turn(&reader->coin, turn.time_ns, turn.active);
+    if (gpio_role_is_coin(role)) {
+        coin_mech_turn(&reader->coin[role - GPIO_COIN], turn.time_ns, turn.active);
         return;
     }
     reader->levels = turn.active ? reader->levels | gpio_role_bit(role)
@@ -31,10 +31,22 @@ static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct de
     }
 }
 
+static void publish_coins(struct gpio_reader *reader, uint32_t line)
+{
+    struct coin_mech *coin = &reader->coin[line];
+    struct gpio_total *total = &reader->total;
+    atomic_fetch_add(&reader->coins[line], coin->coins);
+    atomic_fetch_add(&reader->faults, coin_mech_faults(coin));
+    total->coins[line] += coin->coins;
+    total->too_short += coin->too_short;
+    total->stuck += coin->stuck;
+    total->cut += coin->cut;
+    coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
+}
+
 /* Moves what was counted since the last time to where the frame loop finds it. */
 static void publish(struct gpio_reader *reader)
 {
-    struct coin_mech *coin = &reader->coin;
     struct gpio_total *total = &reader->total;
     uint32_t lost = 0, doubtful = 0;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
@@ -42,15 +54,12 @@ static void publish(struct gpio_reader *reader)
         doubtful += reader->inputs[i].doubtful;
         reader->inputs[i].lost = reader->inputs[i].doubtful = 0;
     }
-    atomic_fetch_add(&reader->coins, coin->coins);
-    atomic_fetch_add(&reader->faults, coin_mech_faults(coin) + lost + doubtful);
-    total->coins += coin->coins;
-    total->too_short += coin->too_short;
-    total->stuck += coin->stuck;
-    total->cut += coin->cut;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        publish_coins(reader, line);
+    }
+    atomic_fetch_add(&reader->faults, lost + doubtful);
     total->doubtful += doubtful;
     total->lost_edges += lost;
-    coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
 }
 
 /* ---- One round ------------------------------------------------------------------------------ */
@@ -63,9 +72,10 @@ static void earlier(uint64_t *due_ns, uint64_t other_ns)
 static uint64_t input_due_ns(const struct gpio_reader *reader, enum gpio_role role)
 {
     uint64_t due_ns = gpio_input_due_ns(&reader->inputs[role]);
-    if (role == GPIO_COIN) {
-        due_ns = due_ns == UINT64_MAX ? coin_mech_due_ns(&reader->coin) : due_ns;
-        earlier(&due_ns, reader->coin_look_ns);
+    if (gpio_role_is_coin(role)) {
+        const uint32_t line = role - GPIO_COIN;
+        due_ns = due_ns == UINT64_MAX ? coin_mech_due_ns(&reader->coin[line]) : due_ns;
+        earlier(&due_ns, reader->coin_look_ns[line]);
     }
     return due_ns;
 }
@@ -99,8 +109,8 @@ static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
         }
         const int level = lines->ops->level(lines->self, role);
         struct debounce_turn turn;
-        if (role == GPIO_COIN) {
-            reader->coin_look_ns = now + GPIO_COIN_LOOK_NS;
+        if (gpio_role_is_coin(role)) {
+            reader->coin_look_ns[role - GPIO_COIN] = now + GPIO_COIN_LOOK_NS;
         }
         if (level == HAL_ERR_GONE) {
             gpio_reader_lose_lines(reader);
@@ -108,8 +118,9 @@ static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
         if (level >= 0 && gpio_input_level(&reader->inputs[role], now, level != 0, &turn)) {
             take_turn(reader, role, turn);
         }
-        if (level >= 0 && role == GPIO_COIN) {
-            coin_mech_settle(&reader->coin, gpio_input_known_ns(&reader->inputs[role], now));
+        if (level >= 0 && gpio_role_is_coin(role)) {
+            coin_mech_settle(&reader->coin[role - GPIO_COIN],
+                             gpio_input_known_ns(&reader->inputs[role], now));
         }
     }
 }

@@ -15,11 +15,12 @@
 
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
 #define GPIO_WAIT_MS_MAX 20u /* How late a lamp may be, and a level that no edge told of. */
-#define GPIO_COIN_LOOK_NS 5000000u /* COIN's level is read this often: thrice in its least pulse. */
+#define GPIO_COIN_LOOK_NS 5000000u /* A coin line's level is read so often: thrice in a pulse. */
 
 /* What was counted since the lines were asked for first. */
 struct gpio_total {
-    uint32_t coins, too_short, stuck, cut; /* As coin_mech's. */
+    uint32_t coins[COIN_LINE_COUNT];
+    uint32_t too_short, stuck, cut; /* As coin_mech's, of all coin lines. */
     uint32_t doubtful;                     /* Two sparks, or a coin that nobody saw. */
     uint32_t lost_edges, lost_chips;
 };
@@ -34,16 +35,17 @@ struct gpio_reader {
     uint32_t lit;                            /* Outputs that were last set active. */
     uint64_t retry_ns;                       /* When what is missing is asked for again. */
     uint64_t watch_ns;                       /* When every level is read again, */
-    uint64_t coin_look_ns;                   /* and COIN's. */
+    uint64_t coin_look_ns[COIN_LINE_COUNT];  /* and a coin line's. */
     struct gpio_input inputs[GPIO_INPUT_COUNT];
-    struct coin_mech coin;
+    struct coin_mech coin[COIN_LINE_COUNT];
     struct pulse_train trains[GPIO_OUTPUT_COUNT];
     uint32_t levels;                         /* Debounced, a bit each role. */
     struct gpio_total total;                 /* For whoever steps. */
 
     /* Between the threads. */
-    _Atomic uint32_t held, pressed;          /* Bits of input roles; COIN is never among them. */
-    _Atomic uint32_t coins, faults;          /* Since they were last taken. */
+    _Atomic uint32_t held, pressed;          /* Bits of input roles; coins are never among them. */
+    _Atomic uint32_t coins[COIN_LINE_COUNT]; /* Since they were last taken, */
+    _Atomic uint32_t faults;                 /* likewise. */
     _Atomic uint32_t missing;                /* Lines wired and not held, a bit each role. */
     _Atomic uint32_t wanted;                 /* Outputs that are to be active. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT]; /* Asked for since the reader last looked. */

@@ -35,30 +35,31 @@ static void begin_input(struct gpio_reader *reader, enum gpio_role role)
     const uint32_t period_us =
         lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
     reader->inputs[role] = gpio_input_begin(period_us * 1000ull, active, now);
-    if (role == GPIO_COIN) {
-        reader->coin = coin_mech_begin(wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull,
-                                       active, now);
+    if (gpio_role_is_coin(role)) {
+        reader->coin[role - GPIO_COIN] = coin_mech_begin(
+            wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull, active, now);
     } else if (active) { /* Held, but nobody saw it pressed. */
         reader->levels |= gpio_role_bit(role);
     }
 }
 
 /* A coin that had left its sensor when the line went has fallen, if its end did not stand yet. */
-static void lose_coin(struct gpio_reader *reader)
+static void lose_coin(struct gpio_reader *reader, enum gpio_role role)
 {
-    const struct debounce *debounce = &reader->inputs[GPIO_COIN].debounce;
+    const struct debounce *debounce = &reader->inputs[role].debounce;
+    struct coin_mech *coin = &reader->coin[role - GPIO_COIN];
     if (debounce->stable && !debounce->raw) {
-        coin_mech_turn(&reader->coin, debounce->since_ns, false);
+        coin_mech_turn(coin, debounce->since_ns, false);
     }
-    coin_mech_lose(&reader->coin);
+    coin_mech_lose(coin);
 }
 
 static void lose_line(struct gpio_reader *reader, enum gpio_role role)
 {
     reader->had &= ~gpio_role_bit(role);
     reader->levels &= ~gpio_role_bit(role);
-    if (role == GPIO_COIN) {
-        lose_coin(reader);
+    if (gpio_role_is_coin(role)) {
+        lose_coin(reader, role);
     }
 }
 

@@ -27,6 +27,8 @@ static const struct {
     [GPIO_SERVICE] = { "service", 20000 },
     [GPIO_TILT] = { "tilt", 2000 },       /* A pendulum touches its ring for a few milliseconds. */
     [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
+    [GPIO_COIN2] = { "coin2", COIN_DEBOUNCE_US },
+    [GPIO_COIN3] = { "coin3", COIN_DEBOUNCE_US },
     [GPIO_DOOR] = { "door", 50000 },      /* It rattles. */
     [GPIO_START_LAMP] = { "start-lamp", 0 },
     [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
@@ -124,7 +126,7 @@ static bool reads_timing(struct gpio_word word, enum gpio_role role, struct gpio
         return gpio_role_is_input(role) && gpio_word_reads_time(word, &wire->debounce_us);
     }
     if (gpio_word_takes_off(&word, "window=")) {
-        return role == GPIO_COIN &&
+        return gpio_role_is_coin(role) &&
                gpio_word_reads_times(word, '-', &wire->pulse_min_us, &wire->pulse_max_us) &&
                wire->pulse_min_us < wire->pulse_max_us;
     }
@@ -137,7 +139,7 @@ static bool refuse_word(struct gpio_word word, enum gpio_role role, char why[HAL
 {
     const char *name = roles[role].name, *at = word.at;
     const int length = (int)(word.length < 30 ? word.length : 30);
-    if (role == GPIO_COIN && gpio_word_takes_off(&word, "window=")) {
+    if (gpio_role_is_coin(role) && gpio_word_takes_off(&word, "window=")) {
         return refuse(why, "%s: '%.*s': a window is a shortest pulse and a longer one, of 1us to "
                            "10s: window=15ms-250ms", name, length, at);
     }
@@ -146,7 +148,7 @@ static bool refuse_word(struct gpio_word word, enum gpio_role role, char why[HAL
                       length, at);
     }
     return refuse(why, "%s: '%.*s' is none of low high up down float as-is%s", name, length, at,
-                  role == GPIO_COIN          ? " debounce=3ms window=15ms-250ms"
+                  gpio_role_is_coin(role)    ? " debounce=3ms window=15ms-250ms"
                   : gpio_role_is_input(role) ? " debounce=5ms"
                                              : " pulse=100ms/100ms");
 }
@@ -161,8 +163,8 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
     const struct gpio_word name = gpio_word_split(&rest, '=');
     const enum gpio_role role = gpio_role_find(name.at, name.length);
     if (role == GPIO_ROLE_COUNT) {
-        return refuse(why, "'%.*s' is no role: start left right ok test service tilt coin door "
-                           "start-lamp coin-lockout ticket coin-counter",
+        return refuse(why, "'%.*s' is no role: start left right ok test service tilt coin coin2 "
+                           "coin3 door start-lamp coin-lockout ticket coin-counter",
                       (int)(name.length < 20 ? name.length : 20), name.at);
     }
     const bool rests = gpio_role_is_input(role) || gpio_role_begins_active(role);
@@ -198,7 +200,7 @@ struct gpio_wire gpio_wire_filled(const struct gpio_wire *wire, enum gpio_role r
 {
     struct gpio_wire filled = *wire;
     fill(&filled.debounce_us, roles[role].debounce_us);
-    if (role == GPIO_COIN) {
+    if (gpio_role_is_coin(role)) {
         fill(&filled.pulse_min_us, COIN_MIN_US);
         fill(&filled.pulse_max_us, COIN_MAX_US);
     } else if (!gpio_role_is_input(role)) {

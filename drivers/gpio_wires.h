@@ -2,8 +2,9 @@
  *
  *     ROLE=LINE[,WORD...]
  *
- * ROLE: start left right ok test service tilt coin door, start-lamp coin-lockout ticket
- * coin-counter. LINE: the line's name, or CHIP:OFFSET with the chip's label. WORDs:
+ * ROLE: start left right ok test service tilt coin coin2 coin3 door, start-lamp
+ * coin-lockout ticket coin-counter. LINE: the line's name, or CHIP:OFFSET with the chip's label.
+ * WORDs:
  *     low, high         the level that means pressed, lit or locked: low for inputs and for
  *                       coin-lockout, high for the other outputs
  *     up, down, float   the bias; inputs that are low when pressed have up, those that are high

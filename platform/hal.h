@@ -94,10 +94,10 @@ struct hal_shade_ops {
 };
 
 /* Levels now, and the edges since the last poll, debounced: a 20 ms coin pulse is not lost. */
-#define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT)
+#define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT) /* The first coin line; the others follow. */
 struct button_sample {
     uint32_t held, pressed;   /* enum input_button */
-    uint32_t coin_count;
+    uint32_t coin_count[COIN_LINE_COUNT];
     uint32_t faults;          /* Since the last poll: coins that stick, edges that were lost, lines
                                  that went, or that were not there at the start. */
     uint32_t missing;         /* Of what is wired, that whose line is not there: enum input_button,

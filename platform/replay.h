@@ -44,11 +44,11 @@
 
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
 
-/* One tick at most: mask, buttons, edges, coins, two saved ids, levels, a mask of the desk and the
+/* One tick at most: mask, buttons, edges, coins of each line, two saved ids, levels, a mask of the desk and the
  * desk, a mask of hands, each poi with a mask, a link, six floats and an age, each shade with a
  * mask, its presence and three floats, and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
-    (1u + 5u * 4u + 1u + 2u + REPLAY_DESK_BYTES + 1u +                                             \
+    (1u + 7u * 4u + 1u + 2u + REPLAY_DESK_BYTES + 1u +                                             \
      POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 

@@ -1,6 +1,6 @@
 /* replay_codec.c -- one input as the bytes that differ from the input before.
  *
- * First a mask: which of held, pressed, coin_count, record_saved_id, edit_saved_id, of levels, of
+ * First a mask: which of held, pressed, coins, record_saved_id, edit_saved_id, of levels, of
  * the operator's desk and of what hands hold follow. Then those in this order: the numbers as u32;
  * the levels as a byte (the screen stands, the store keeps no edits); of the desk, a u16 mask of
  * its bytes (each controller's state, then step, row and progress of learning, then how many files
@@ -205,7 +205,7 @@ size_t replay_encode_input(const struct input *before, const struct input *input
 {
     const int held = input->held != before->held;
     const int pressed = input->pressed != 0;
-    const int coins = input->coin_count != 0;
+    const int coins = (input->coin_count[0] | input->coin_count[1] | input->coin_count[2]) != 0;
     const int saved = input->record_saved_id != before->record_saved_id;
     const int edited = input->edit_saved_id != before->edit_saved_id;
     const int levels = levels_of(input) != levels_of(before);
@@ -215,7 +215,9 @@ size_t replay_encode_input(const struct input *before, const struct input *input
     size_t size = 1;
     size += put_if(held, input->held, out + size);
     size += put_if(pressed, input->pressed, out + size);
-    size += put_if(coins, input->coin_count, out + size);
+    for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
+        size += put_if(coins, input->coin_count[i], out + size);
+    }
     size += put_if(saved, input->record_saved_id, out + size);
     size += put_if(edited, input->edit_saved_id, out + size);
     if (levels) {
@@ -357,7 +359,9 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
         next.held = take_u32(&left);
     }
     next.pressed = mask & HAS_PRESSED ? take_u32(&left) : 0;
-    next.coin_count = mask & HAS_COINS ? take_u32(&left) : 0;
+    for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
+        next.coin_count[i] = mask & HAS_COINS ? take_u32(&left) : 0;
+    }
     if (mask & HAS_SAVED_ID) {
         next.record_saved_id = take_u32(&left);
     }

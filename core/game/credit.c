@@ -86,7 +86,7 @@ static uint8_t warnings(const struct core *core, const struct input *input)
 void credit_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct credit *credit = &core->game.credit;
-    note_coins(core, input->coin_count, output);
+    note_coins(core, input->coin_count[0], output);
     if (core->game.phase != PHASE_MENU) {
         note_tilt(core, input, output);
         if (input->pressed & INPUT_SERVICE) {

@@ -266,8 +266,8 @@ static void watch(struct core *core, const struct input *input, struct output *o
     menu->upright = input->upright != 0;
     menu->held = input->held;
     count_presses(menu, is_way_back(input) ? 0u : input->pressed);
-    count_coins(core, input->coin_count, output);
-    if (input->pressed != 0 || input->coin_count > 0 || has_changed) {
+    count_coins(core, coin_pulses(input), output);
+    if (input->pressed != 0 || coin_pulses(input) > 0 || has_changed) {
         menu->act_tick = core->tick;
     }
     if (is_unkept) { /* Who said "keep" is told, wherever he went since. */

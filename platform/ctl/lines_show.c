@@ -70,6 +70,16 @@ static void show_button(const struct lines_show *show, FILE *out, enum gpio_role
     }
 }
 
+static void show_coin(const struct lines_show *show, FILE *out, uint32_t line)
+{
+    const uint32_t coins = show->reader->total.coins[line];
+    if (coins != show->total.coins[line]) {
+        begin_row(show, out, gpio_role_name(GPIO_COIN + line));
+        fprintf(out, "coin %u, its pulse %.1f ms\n", coins,
+                (double)show->reader->coin[line].width_ns * 1e-6);
+    }
+}
+
 static void show_count(const struct lines_show *show, FILE *out, const char *what,
                        uint32_t before, uint32_t now)
 {
@@ -82,11 +92,8 @@ static void show_count(const struct lines_show *show, FILE *out, const char *wha
 static void show_coins(const struct lines_show *show, FILE *out)
 {
     const struct gpio_total *now = &show->reader->total, *before = &show->total;
-    const struct coin_mech *coin = &show->reader->coin;
-    if (now->coins != before->coins) {
-        begin_row(show, out, gpio_role_name(GPIO_COIN));
-        fprintf(out, "coin %u, its pulse %.1f ms\n", now->coins,
-                (double)coin->width_ns * 1e-6);
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        show_coin(show, out, line);
     }
     show_count(show, out, "too short for a coin", before->too_short, now->too_short);
     show_count(show, out, "a coin sticks", before->stuck, now->stuck);

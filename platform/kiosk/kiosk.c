@@ -73,7 +73,9 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     hal->buttons.ops->poll(hal->buttons.self, &buttons);
     kiosk->input.held = buttons.held & (uint32_t)INPUT_BUTTON_ALL;
     kiosk->input.pressed |= buttons.pressed & (uint32_t)INPUT_BUTTON_ALL;
-    kiosk->input.coin_count += buttons.coin_count;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        kiosk->input.coin_count[line] += buttons.coin_count[line];
+    }
     kiosk->faults.buttons += buttons.faults;
     kiosk->buttons_missing = buttons.missing;
     if (buttons.full_screen) {
@@ -182,7 +184,7 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
             tap->tick(tap->self, &kiosk->input, &kiosk->core);
         }
         kiosk->input.pressed = 0; /* One press, one tick. */
-        kiosk->input.coin_count = 0;
+        memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
         done++;
     }
     if (done > 0) {

@@ -48,7 +48,7 @@ static void hold_hand(uint64_t time_ns)
     const struct shade_input fan = hid_hand_fan(&hand, time_ns);
     HOLD(!fan.present || (f_is_finite(fan.x_m) && f_is_finite(fan.z_m)));
     hid_hand_buttons(&hand, &buttons);
-    HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0 && buttons.coin_count == 0);
+    HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0 && buttons.coin_count[0] == 0);
     hid_hand_buttons(&hand, &again);
     HOLD(again.pressed == 0 && again.held == buttons.held); /* An edge is told once. */
 }

@@ -124,7 +124,7 @@ static void look(struct cabinet *cabinet)
     struct rain_result *result = &cabinet->result;
     struct button_sample sample;
     buttons.ops->poll(buttons.self, &sample);
-    result->counted += sample.coin_count;
+    result->counted += sample.coin_count[0];
     result->faults += sample.faults;
     result->looks++;
     result->early += result->counted > cabinet->rain.coins;

@@ -64,12 +64,12 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     input.desk.learn_progress = 150;
     input.pressed = menu->page == MENU_LINES ? INPUT_LEFT | INPUT_OK : 0;
     input.held = INPUT_LEFT | INPUT_DOOR;
-    input.coin_count = menu->page == MENU_LINES || menu->page == MENU_TOP ? 3 : 0;
+    input.coin_count[0] = menu->page == MENU_LINES || menu->page == MENU_TOP ? 3 : 0;
     input.poi[0].link = POI_LINK_LIVE;
     input.poi[0].has_wrist = 1;
     input.poi[0].target.position_m = v3(0.12f, 0.06f, 0.10f);
     core_tick(core, &input, &output);
-    input.pressed = input.coin_count = 0;
+    input.pressed = input.coin_count[0] = 0;
     for (uint32_t i = 0; i < CORE_TICK_HZ / 4u; i++) {
         core_tick(core, &input, &output);
     }

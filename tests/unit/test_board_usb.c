@@ -132,7 +132,7 @@ static void until(int (*holds)(void))
 
 static void begin_round(void)
 {
-    stall.kiosk.input.coin_count = 2;
+    stall.kiosk.input.coin_count[0] = 2;
     frame();
     stall.kiosk.input.pressed = INPUT_START;
     until(is_in_round);

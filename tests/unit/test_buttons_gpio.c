@@ -82,7 +82,7 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
         assert_int_equal(buttons.ops->poll(buttons.self, &sample), HAL_OK);
         switches.ops->set(switches.self, HAL_START_LAMP, polls % 2u == 0);
         assert_true(strlen(buttons.ops->describe(buttons.self)) > 0);
-        coins += sample.coin_count;
+        coins += sample.coin_count[0];
         faults += sample.faults;
         polls++;
         nap(polls % 7u ? 500000 : 5000000);
@@ -91,7 +91,7 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
     struct button_sample last;
     buttons.ops->poll(buttons.self, &last);
     buttons_gpio_stop(&gpio);
-    assert_int_equal(coins + last.coin_count, COINS);
+    assert_int_equal(coins + last.coin_count[0], COINS);
     assert_int_equal(faults + last.faults, CYCLES); /* One loss, one fault. */
 }
 

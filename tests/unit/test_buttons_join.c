@@ -49,10 +49,10 @@ static void test_what_any_panel_says_the_joint_one_says(void **state)
     struct buttons_join join = { 0 };
     struct button_sample sum;
     struct panel keys = {
-        .says = { .held = INPUT_START, .pressed = INPUT_START, .quit = 1, .coin_count = 1 },
+        .says = { .held = INPUT_START, .pressed = INPUT_START, .quit = 1, .coin_count[0] = 1 },
     };
     struct panel lines = {
-        .says = { .held = INPUT_LEFT, .pressed = INPUT_OK, .coin_count = 2, .faults = 3,
+        .says = { .held = INPUT_LEFT, .pressed = INPUT_OK, .coin_count[0] = 2, .faults = 3,
                   .full_screen = 1 },
     };
     buttons_join_add(&join, device_of(&keys));
@@ -60,7 +60,7 @@ static void test_what_any_panel_says_the_joint_one_says(void **state)
     assert_int_equal(poll_join(&join, &sum), HAL_OK);
     assert_int_equal(sum.held, INPUT_START | INPUT_LEFT);
     assert_int_equal(sum.pressed, INPUT_START | INPUT_OK);
-    assert_int_equal(sum.coin_count, 3);
+    assert_int_equal(sum.coin_count[0], 3);
     assert_int_equal(sum.faults, 3);
     assert_int_equal(sum.quit, 1);
     assert_int_equal(sum.full_screen, 1);
@@ -143,7 +143,7 @@ static void test_one_too_many_is_refused_and_never_asked(void **state)
     (void)state;
     struct buttons_join join = { 0 };
     struct button_sample sum;
-    struct panel panel = { .says.coin_count = 1 };
+    struct panel panel = { .says.coin_count[0] = 1 };
     for (uint32_t i = 0; i < BUTTONS_JOIN_MAX; i++) {
         assert_int_equal(buttons_join_add(&join, device_of(&panel)), 0);
     }

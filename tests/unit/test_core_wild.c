@@ -146,7 +146,7 @@ static void stir(struct input *input)
     /* Who opened the operator's menu so often would hardly play. */
     input->pressed &= draw(16) == 0 ? ~0u : ~(uint32_t)INPUT_TEST;
     input->held = draw(INPUT_BUTTON_ALL + 1u);
-    input->coin_count = draw(3);
+    input->coin_count[0] = draw(3);
     input->record_saved_id = draw(50) == 0 ? draw(4) : input->record_saved_id;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         stir_hand(&input->poi[i], &hands[i]);

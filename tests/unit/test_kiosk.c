@@ -143,7 +143,7 @@ static uint32_t coins_seen(void)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < rig.seen_count; i++) {
-        count += rig.seen[i].coin_count;
+        count += rig.seen[i].coin_count[0];
     }
     return count;
 }
@@ -164,8 +164,8 @@ static void test_a_press_is_seen_by_exactly_one_tick(void **state)
 static void test_a_press_in_a_frame_without_ticks_waits_for_one(void **state)
 {
     static const struct button_event events[] = {
-        { .time_ns = 1018 * MS, .pressed = INPUT_START, .coin_count = 2 },
-        { .time_ns = 1019 * MS, .released = INPUT_START, .coin_count = 1 },
+        { .time_ns = 1018 * MS, .pressed = INPUT_START, .coin_count[0] = 2 },
+        { .time_ns = 1019 * MS, .released = INPUT_START, .coin_count[0] = 1 },
     };
     (void)state;
     script(events, 2);
@@ -186,7 +186,7 @@ static void test_no_coin_is_lost_or_doubled_at_any_frame_load(void **state)
     static struct button_event events[500];
     (void)state;
     for (uint32_t i = 0; i < 500; i++) {
-        events[i] = (struct button_event){ .time_ns = (1000 + 7 * i) * MS, .coin_count = 1 };
+        events[i] = (struct button_event){ .time_ns = (1000 + 7 * i) * MS, .coin_count[0] = 1 };
     }
     script(events, 500);
     for (uint32_t i = 0; i < 400; i++) {

@@ -247,7 +247,7 @@ static void test_a_hand_that_shakes_over_a_tag_loses_no_order(void **state)
 
 static void drop(uint32_t coins)
 {
-    rig.buttons.coin_count = coins;
+    rig.buttons.coin_count[0] = coins;
     frames(1);
 }
 
@@ -334,7 +334,7 @@ static void test_a_cabinet_without_a_switch_is_asked_once_and_never_again(void *
 static int next_of_a_replay(void *self, struct input *out)
 {
     (void)self;
-    *out = (struct input){ .coin_count = 1, .poi[0].link = POI_LINK_LIVE };
+    *out = (struct input){ .coin_count[0] = 1, .poi[0].link = POI_LINK_LIVE };
     return 1;
 }
 

@@ -422,9 +422,9 @@ static void test_files_are_shown_from_the_first_whenever_they_are_looked_at(void
 
 static void drop(uint32_t coins)
 {
-    input.coin_count = coins;
+    input.coin_count[0] = coins;
     step();
-    input.coin_count = 0;
+    input.coin_count[0] = 0;
 }
 
 static void test_a_coin_on_the_lines_page_is_a_test_and_only_metered(void **state)
@@ -528,7 +528,7 @@ static void test_counters_stop_where_their_digits_end(void **state)
         press(INPUT_DOOR);
     }
     assert_int_equal(menu()->pressed_count[8], MENU_COUNT_MAX);
-    input.coin_count = UINT32_MAX;
+    input.coin_count[0] = UINT32_MAX;
     step();
     assert_int_equal(menu()->test_coins, MENU_COUNT_MAX);
     step();

@@ -310,7 +310,7 @@ static void test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_g
 
 static void drop(uint32_t coins)
 {
-    rig.buttons.coin_count = coins;
+    rig.buttons.coin_count[0] = coins;
     frames(2);
 }
 

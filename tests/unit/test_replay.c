@@ -48,7 +48,7 @@ static struct input input_of(uint32_t tick)
     const struct rng_key key = { 1, tick, 0, RNG_TEST };
     struct input input = { .held = (tick / 7u) & INPUT_BUTTON_ALL, .record_saved_id = tick / 50u };
     input.pressed = tick % 11u == 0 ? INPUT_START : 0;
-    input.coin_count = tick % 13u == 0 ? 2 : 0;
+    input.coin_count[0] = tick % 13u == 0 ? 2 : 0;
     for (uint32_t i = 0; i < 2; i++) {
         input.poi[i].link = (uint8_t)((tick / 40u + i) % 4u);
         input.poi[i].has_wrist = (tick / 60u) % 2u;
@@ -128,7 +128,7 @@ static void test_every_input_comes_back_to_the_bit(void **state)
         assert_int_equal(reader.digest, tick * 3u);
         assert_int_equal(input.held, expected.held);
         assert_int_equal(input.pressed, expected.pressed);
-        assert_int_equal(input.coin_count, expected.coin_count);
+        assert_int_equal(input.coin_count[0], expected.coin_count[0]);
         assert_int_equal(input.record_saved_id, expected.record_saved_id);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             assert_int_equal(input.poi[i].link, expected.poi[i].link);
@@ -477,7 +477,7 @@ static void test_a_visit_to_the_operators_menu_is_found_true(void **state)
     const struct kiosk_tap tap = recorder_tap(&recorder);
     uint32_t menu_ticks = 0;
     for (uint32_t tick = 0; tick < 6u * CORE_TICK_HZ; tick++) {
-        input.coin_count = tick % 50u == 7u;
+        input.coin_count[0] = tick % 50u == 7u;
         input.pressed = tick % 30u == 29u ? presses[tick / 30u % 12u] : 0u;
         input.held = tick / 100u % 2u ? INPUT_DOOR : 0u;
         input.desk.state[0] = CONTROLLER_FREE;

@@ -26,7 +26,7 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input before = { 0 };
-    struct input all = { .held = 1, .pressed = 2, .coin_count = 3, .record_saved_id = 4,
+    struct input all = { .held = 1, .pressed = 2, .coin_count[0] = 3, .record_saved_id = 4,
                          .edit_saved_id = 5, .edit_refused = 1, .upright = 1 };
     memset(&all.desk, 1, sizeof all.desk);
     for (uint32_t i = 0; i < POI_MAX; i++) {

@@ -68,7 +68,7 @@ static const struct game *game(void)
 
 static void pay(uint32_t coins)
 {
-    rig.kiosk.input.coin_count += coins;
+    rig.kiosk.input.coin_count[0] += coins;
     reports(4);
 }
 

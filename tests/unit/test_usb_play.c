@@ -146,7 +146,7 @@ static int set_up(void **state)
     bench_start_with(&stall.bench, stall_clock(), NULL, 0);
     stall.hal = null_hal();
     stall.hal.clock = stall_clock();
-    stall.event[0] = (struct button_event){ .coin_count = COINS };
+    stall.event[0] = (struct button_event){ .coin_count[0] = COINS };
     stall.buttons = (struct buttons_sim){ .clock = stall_clock(), .events = stall.event,
                                           .event_count = 1 };
     stall.hal.buttons = buttons_sim_device(&stall.buttons);

@@ -101,7 +101,7 @@ static struct input wait_on_copy(uint32_t lead, struct output *ignored)
 {
     struct input input = twin.input;
     copy = twin.core;
-    input.pressed = input.coin_count = 0;
+    input.pressed = input.coin_count[0] = 0;
     input.poi[0].age_ticks = 0;
     for (uint32_t i = 0; i < lead; i++) {
         twin_tick(&copy, &input, ignored);

@@ -22,7 +22,7 @@ static void count_link(struct twin *twin)
 
 static void count(struct twin *twin)
 {
-    twin->coins += twin->input.coin_count;
+    twin->coins += coin_pulses(&twin->input);
     for (uint32_t i = 0; i < sizeof twin->presses / sizeof twin->presses[0]; i++) {
         twin->presses[i] += twin->input.pressed >> i & 1u;
     }
