@@ -26,12 +26,15 @@ endif
 step = $(if $(say),$(say) '$(1)' '$(2)',@:)
 
 WARN := -Wall -Wextra -Wconversion -Wshadow -Werror -Wmissing-prototypes -Wstrict-prototypes -Wvla
-BASE_CFLAGS := -std=c17 $(OPT) -g $(WARN) -ffp-contract=off -I. -I$(BUILD)/generated
+BASE_CFLAGS := -std=c17 $(OPT) -g $(WARN) -ffp-contract=off -I. -I$(BUILD)/generated \
+    -ffile-prefix-map=$(CURDIR)=.
 DEP_FLAGS = -MMD -MP
 CORE_CFLAGS := $(BASE_CFLAGS) -ffreestanding -fno-math-errno -fno-stack-protector -fstack-usage \
     -Wno-psabi
-HOST_CFLAGS = $(BASE_CFLAGS) -D_GNU_SOURCE $(LIB_CFLAGS) -DKINGYO_BOARD=\"$(BOARD)\"
-HOST_LIBS = $(LIB_LIBS) -lm -lpthread
+# What the programs around the core are hardened with; the core calls nothing that this could check.
+HARDEN_CFLAGS = $(if $(filter -O0,$(OPT)),,-D_FORTIFY_SOURCE=2) -fstack-protector-strong
+HOST_CFLAGS = $(BASE_CFLAGS) $(HARDEN_CFLAGS) -D_GNU_SOURCE $(LIB_CFLAGS) -DKINGYO_BOARD=\"$(BOARD)\"
+HOST_LIBS = $(LIB_LIBS) -lm -lpthread -Wl,-z,now
 TEST_CFLAGS = $(HOST_CFLAGS)
 
 # Asked for once, and only when something is compiled, so that `make help` and the set-up work on a

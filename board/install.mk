@@ -11,4 +11,8 @@ install: build
 uninstall:
 	@DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' BUILD='$(BUILD)' board/install.sh uninstall
 
-.PHONY: install uninstall
+## deb: Debian packages, kingyo and kingyo-kiosk, into build/deb/
+deb: build
+	@BUILD='$(BUILD)' board/deb/deb.sh
+
+.PHONY: install uninstall deb

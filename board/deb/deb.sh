@@ -1,0 +1,72 @@
+#!/bin/bash
+# deb.sh -- makes the Debian packages of what board/files.txt lists, into $BUILD/deb/, and names them.
+#
+# By dpkg-deb alone: the same tree and SOURCE_DATE_EPOCH (else the newest commit's time) give the same
+# bytes, whoever builds and whenever. Needs dpkg-dev; not root. Exits 74 when something cannot be made.
+set -eu
+cd "$(dirname "$0")/../.."
+BUILD=${BUILD:-build}
+out=$BUILD/deb
+version=$(sed -nE 's/^#define KINGYO_VERSION "([0-9][0-9A-Za-z.~+]*)".*/\1/p' core/core.h)
+architecture=$(dpkg --print-architecture)
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y core/core.h)}
+export SOURCE_DATE_EPOCH
+[ -n "$version" ] || { echo 'deb: core/core.h names no version' >&2; exit 74; }
+umask 022
+rm -rf "$out"
+mkdir -p "$out"
+trap 'rm -rf "$out"/root-* "$out/debian"' EXIT
+
+# Which packages the programs' libraries are in.
+libraries() { # ROOT
+    mkdir -p "$out/debian"
+    printf 'Source: kingyo\n\nPackage: kingyo\nArchitecture: any\n' >"$out/debian/control"
+    (cd "$out" && dpkg-shlibdeps -O root-kingyo/usr/bin/kingyo root-kingyo/usr/bin/kingyoctl 2>shlibdeps.log) |
+        sed -n 's/^shlibs:Depends=//p'
+}
+
+documents() { # PACKAGE ROOT
+    local folder=$2/usr/share/doc/$1 date
+    date=$(LC_ALL=C date -u -R -d "@$SOURCE_DATE_EPOCH")
+    mkdir -p "$folder"
+    install -m 644 board/deb/copyright "$folder/copyright"
+    printf 'kingyo (%s) unstable; urgency=medium\n\n  * %s\n\n -- %s  %s\n' "$version" \
+        'What changed is told by the commits of the project.' \
+        'The Kingyo authors <kingyo@example.org>' "$date" | gzip -9n >"$folder/changelog.gz"
+    if [ -d "$2/usr/share/man" ]; then
+        find "$2/usr/share/man" -type f -exec gzip -9n {} +
+    fi
+}
+
+control() { # PACKAGE ROOT: its DEBIAN folder.
+    local size script to
+    mkdir -p "$2/DEBIAN"
+    # In KiB as Debian counts them: a file's rounded up, a folder as one; not the disk's own.
+    size=$(find "$2" -path "$2/DEBIAN" -prune -o -printf '%y %s\n' |
+        awk '{ sum += $1 == "f" ? int(($2 + 1023) / 1024) : 1 } END { print sum }')
+    sed -e "s/@VERSION@/$version/; s/@ARCHITECTURE@/$architecture/; s/@SIZE@/$size/" \
+        -e "s/@LIBRARIES@/$([ "$1" = kingyo ] && libraries "$2")/" "board/deb/$1.control" >"$2/DEBIAN/control"
+    (cd "$2" && find . -path ./DEBIAN -prune -o -type f -printf '%P\n' | LC_ALL=C sort | xargs md5sum) \
+        >"$2/DEBIAN/md5sums"
+    (cd "$2" && find etc -type f 2>/dev/null | LC_ALL=C sort | sed 's#^#/#') >"$2/DEBIAN/conffiles"
+    [ -s "$2/DEBIAN/conffiles" ] || rm "$2/DEBIAN/conffiles"
+    for script in postinst prerm postrm; do
+        to=$2/DEBIAN/$script
+        [ -e "board/deb/$1.$script" ] && install -m 755 "board/deb/$1.$script" "$to"
+    done
+    return 0
+}
+
+for package in kingyo kingyo-kiosk; do
+    root=$out/root-$package
+    PACKAGES=$package DESTDIR=$root PREFIX=/usr BUILD=$BUILD board/install.sh install
+    if [ -d "$root/usr/bin" ]; then
+        strip --strip-unneeded --remove-section=.comment --remove-section=.note "$root"/usr/bin/*
+    fi
+    documents $package "$root"
+    control $package "$root"
+    file=$out/${package}_${version}_$(sed -n 's/^Architecture: //p' "$root/DEBIAN/control").deb
+    find "$root" -exec touch -h -d "@$SOURCE_DATE_EPOCH" {} +
+    dpkg-deb --root-owner-group -Zxz --build "$root" "$file" >"$out/build.log"
+    echo "$file"
+done
