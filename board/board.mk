@@ -19,3 +19,4 @@ JOBS ?= $(shell nproc)
 
 -include board/poi-gadget/poi-gadget.mk
 -include board/install.mk
+-include board/image/image.mk

@@ -1,0 +1,43 @@
+#!/bin/bash
+# boot.sh BOARD -- what starts the machine, in $IMAGE: the kernel, its first files, and the partition with both.
+# shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
+
+release=$(cat "$kernel_root/release")
+# The root is a partition that cannot be written, nobody may type a line for the kernel, and a crash is over in 5 s.
+words="quiet loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
+
+make_initrd() {
+    local image=$IMAGE/initrd
+    rm -rf "$image"
+    mkdir -p "$image/bin"
+    cp "$kernel_root/bin/busybox" "$image/bin/busybox"
+    install "$here/initramfs" "$image/init"
+    echo "$boot_modules" >"$image/boot_modules"
+    install_modules "$image" "$boot_modules"
+    find "$image" -exec touch -h -d "@$made_s" {} +
+    (cd "$image" && find . | sort | cpio -o -H newc --quiet --reproducible -R 0:0) | zstd -q -f -9 -o "$IMAGE/initrd.zst"
+    rm -rf "$image"
+}
+
+# For UEFI: systemd's boot loader, which shows no menu and takes no words.
+make_boot() {
+    local fat=$IMAGE/boot.fat
+    rm -f "$fat"
+    truncate -s "${boot_size}M" "$fat"
+    mkfs.vfat -F 32 -n KINGYO "$fat" >/dev/null
+    printf 'timeout 0\neditor no\ndefault kingyo.conf\n' >"$IMAGE/loader.conf"
+    printf 'title Kingyo\nlinux /kingyo/linux\ninitrd /kingyo/initrd\noptions %s\n' "$words" >"$IMAGE/entry.conf"
+    mmd -i "$fat" ::/EFI ::/EFI/BOOT ::/loader ::/loader/entries ::/kingyo
+    mcopy -i "$fat" "$kernel_root/usr/lib/systemd/boot/efi/systemd-bootx64.efi" ::/EFI/BOOT/BOOTX64.EFI
+    mcopy -i "$fat" "$IMAGE/loader.conf" ::/loader/loader.conf
+    mcopy -i "$fat" "$IMAGE/entry.conf" ::/loader/entries/kingyo.conf
+    mcopy -i "$fat" "$kernel_root/boot/vmlinuz-$release" ::/kingyo/linux
+    mcopy -i "$fat" "$IMAGE/initrd.zst" ::/kingyo/initrd
+    rm "$IMAGE/loader.conf" "$IMAGE/entry.conf"
+}
+
+step "the kernel: $release"
+make_initrd
+make_boot
+echo "$words" >"$IMAGE/kernel_words"

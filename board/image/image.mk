@@ -1,0 +1,14 @@
+# image.mk -- a disk with the stall on it: power on, and it plays.
+
+IMAGE := $(BUILD)/image/$(BOARD)
+
+## image: a bootable Debian disk with the stall on it; BOARD=vm: for a virtual machine with UEFI
+image:
+	@board/setup.sh vm
+	@test -f board/$(BOARD)/image.conf || { \
+	    echo 'image: no board/$(BOARD)/image.conf; BOARD is one of:' \
+	    $(patsubst board/%/image.conf,%,$(wildcard board/*/image.conf)) >&2; exit 2; }
+	+@$(MAKE) --no-print-directory BOARD=desktop -j$(JOBS) build
+	@BUILD=$(BUILD) IMAGE=$(IMAGE) board/image/image.sh $(BOARD)
+
+.PHONY: image

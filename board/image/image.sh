@@ -1,0 +1,112 @@
+#!/bin/bash
+# image.sh BOARD -- makes the disk of board/BOARD/image.conf: $IMAGE/kingyo.img, with the kiosk of $BUILD on it.
+#
+# Four partitions' worth of work, one script each: Debian's packages (root.sh), the kernel and what starts it
+# (boot.sh), then here the stall itself and the disk. Nothing of this machine goes onto it but what make built.
+# Exit code 1: something is missing or failed, in one line; 2: wrong usage.
+# shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
+
+install_kiosk() { # FOLDER: as its Debian package would
+    DESTDIR=$1 PREFIX=/usr BUILD=$BUILD "$top/board/install.sh" install
+    systemd-sysusers --root="$1" >/dev/null
+}
+
+owner() { # FOLDER: of the stall's files there, as USER:GROUP
+    sed -n 's/^kingyo:[^:]*:\([0-9]*:[0-9]*\):.*/\1/p' "$1/etc/passwd"
+}
+
+# What a cabinet has beside the stall: who mounts what, what keys do, which services there are.
+settle() { # FOLDER
+    local root=$1 unit
+    cp -r "$here/root/." "$root/"
+    echo kingyo >"$root/etc/hostname"
+    : >"$root/etc/machine-id" # Another one at each start: nothing is kept that would need it.
+    printf 'PRETTY_NAME="Kingyo %s on %s"\nID=kingyo\nID_LIKE=debian\nVERSION_ID="%s"\n' \
+        "$version" "$board" "$version" >"$root/etc/os-release.new"
+    mv "$root/etc/os-release.new" "$root/etc/os-release"
+    for unit in kingyo.service kingyo-data.service; do
+        mkdir -p "$root/etc/systemd/system/multi-user.target.wants"
+        ln -sf "/usr/lib/systemd/system/$unit" "$root/etc/systemd/system/multi-user.target.wants/$unit"
+    done
+    # Nobody logs in: no prompts on any console, nobody has a password, no network to come from.
+    for unit in getty.target getty@.service serial-getty@.service autovt@.service console-getty.service \
+        container-getty@.service debug-shell.service emergency.service rescue.service \
+        ctrl-alt-del.target systemd-logind.service systemd-networkd.service systemd-networkd.socket \
+        systemd-timesyncd.service systemd-ask-password-console.path systemd-ask-password-wall.path \
+        proc-sys-fs-binfmt_misc.automount systemd-binfmt.service systemd-update-utmp.service \
+        systemd-update-utmp-runlevel.service systemd-machine-id-commit.service apt-daily.timer apt-daily-upgrade.timer dpkg-db-backup.timer fstrim.timer e2scrub_all.timer e2scrub_reap.service; do
+        ln -sf /dev/null "$root/etc/systemd/system/$unit"
+    done
+    sed -i 's/^\([^:]*\):[^:]*:/\1:!:/' "$root/etc/shadow"
+    ln -sf multi-user.target "$root/usr/lib/systemd/system/default.target"
+    install -d "$root/var/tmp" "$root/var/cache" "$root/var/lib/systemd"
+    # Where there is no data partition the stall finds its own folder there, which it cannot write.
+    install -d -m 750 "$root/var/lib/kingyo"
+    chown "$(owner "$root")" "$root/var/lib/kingyo"
+    install_modules "$root" "$boot_modules $modules"
+}
+
+# Tools to install software are of no use where nothing can be written.
+strip_root() { # FOLDER
+    local root=$1
+    rm -rf "$root"/usr/share/{doc,man,info,locale,lintian,initramfs-tools,bash-completion,bug} \
+        "$root"/var/lib/{apt,dpkg/info} "$root"/var/cache/* "$root"/var/log/* "$root"/boot/* \
+        "$root"/etc/{apt,cron.daily,init.d,rc?.d,rcS.d} "$root"/{vmlinuz,initrd.img}*
+    # A program that makes whoever runs it root is of no use to anybody here.
+    find "$root" -xdev -perm /6000 -type f -exec chmod ug-s {} +
+}
+
+make_root() {
+    local root=$IMAGE/root
+    rm -rf --one-file-system "$root"
+    mkdir -p "$root"
+    tar -x --numeric-owner -C "$root" -f "$cache/root.tar"
+    install_kiosk "$root"
+    settle "$root"
+    strip_root "$root"
+    mksquashfs "$root" "$IMAGE/root.sqfs" -comp "$squeeze" -noappend -no-progress -quiet -mkfs-time "$made_s" -all-time "$made_s" >/dev/null
+    kiosk_owner=$(owner "$root")
+    rm -rf --one-file-system "$root"
+}
+
+# Empty, and the stall's from the first start on.
+make_data() {
+    rm -f "$IMAGE/data.ext4"
+    truncate -s "${data_size}M" "$IMAGE/data.ext4"
+    mkfs.ext4 -q -F -L kingyo-data -m 0 -E "root_owner=$kiosk_owner,lazy_itable_init=0,lazy_journal_init=0" "$IMAGE/data.ext4"
+}
+
+make_disk() {
+    local disk=$IMAGE/kingyo.img.new root_size at=1
+    root_size=$((($(stat -c %s "$IMAGE/root.sqfs") + 1048575) / 1048576))
+    rm -f "$disk"
+    truncate -s $((boot_size + root_size + data_size + 2))M "$disk"
+    sfdisk -q "$disk" <<END
+label: gpt
+start=${at}M, size=${boot_size}M, type=uefi, name=kingyo-boot
+start=$((at + boot_size))M, size=${root_size}M, type=linux, name=kingyo-root, attrs=60
+start=$((at + boot_size + root_size))M, size=${data_size}M, type=linux, name=kingyo-data
+END
+    put "$IMAGE/boot.fat" $at
+    put "$IMAGE/root.sqfs" $((at + boot_size))
+    put "$IMAGE/data.ext4" $((at + boot_size + root_size))
+    mv "$disk" "$IMAGE/kingyo.img"
+    rm -f "$IMAGE/boot.fat" "$IMAGE/data.ext4"
+}
+
+put() { # FILE MIB
+    dd if="$1" of="$disk" bs=1M seek="$2" conv=notrunc,sparse status=none
+}
+
+needs
+mkdir -p "$IMAGE"
+"$here/root.sh" "$board"
+"$here/boot.sh" "$board"
+step "the stall, onto a root that cannot be written"
+make_root
+make_data
+step "the disk"
+make_disk
+printf '%s/kingyo.img: %d MiB, of which root %d; %s s\n' "$IMAGE" "$(($(stat -c %s "$IMAGE/kingyo.img") >> 20))" \
+    "$(($(stat -c %s "$IMAGE/root.sqfs") >> 20))" "$SECONDS"

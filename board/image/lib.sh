@@ -1,0 +1,76 @@
+# lib.sh -- what the scripts of this folder share. Source it with BOARD as the first word; it wants BUILD and IMAGE.
+#
+# What is fetched lies in $cache, by the release, and is fetched anew after a week; what is made lies in $IMAGE.
+# shellcheck shell=bash disable=SC2034,SC1091,SC1090,SC2154  # who sources it uses what it sets
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+top=$(cd "$here/../.." && pwd)
+board=${1:?usage: BOARD} BUILD=${BUILD:-build}
+IMAGE=${IMAGE:-$BUILD/image/$board}
+. "$top/board/$board/image.conf"
+version=$(sed -n 's/.*define KINGYO_VERSION "\(.*\)".*/\1/p' "$top/core/core.h")
+mkdir -p "$IMAGE" "$BUILD/image/$suite-$arch"
+IMAGE=$(cd "$IMAGE" && pwd) cache=$(cd "$BUILD/image/$suite-$arch" && pwd)
+kernel_root=$cache/kernel
+days_max=7 # So old may be what was fetched: a mirror forgets it after that.
+made_s=$(git -C "$top" log -1 --format=%ct 2>/dev/null || date +%s)
+
+step() { printf '[%4d s] image: %s\n' "$SECONDS" "$*"; }
+
+needs() {
+    local tool
+    if [ "$(id -u)" -ne 0 ]; then
+        echo 'image: a root file system is made by root; please run: sudo make image' >&2
+        exit 1
+    fi
+    for tool in mmdebstrap mksquashfs sfdisk mkfs.ext4 mkfs.vfat mcopy cpio zstd depmod systemd-sysusers; do
+        command -v "$tool" >/dev/null || {
+            echo "image: $tool is not installed; board/setup.sh vm installs what is needed" >&2
+            exit 1
+        }
+    done
+}
+
+# Whether FILE was made less than days_max ago, and of these words.
+is_fresh() { # FILE WORDS
+    [ -n "$(find "$1" -maxdepth 0 -mtime "-$days_max" 2>/dev/null)" ] && [ "$(cat "$1.of" 2>/dev/null)" = "$2" ]
+}
+
+# The addresses that this machine fetches Debian from, as lines for apt of the release.
+sources() {
+    local archive security
+    archive=$(mirror 0)
+    security=$(mirror 1)
+    if [ -z "$archive" ]; then
+        echo 'image: apt on this machine knows no Debian archive; run apt-get update first' >&2
+        return 1
+    fi
+    echo "deb $archive $suite main"
+    [ -z "$security" ] || echo "deb $security $suite-security main"
+}
+
+mirror() { # 0|1: the archive, or its security fixes
+    apt-get indextargets --format '$(REPO_URI) $(ORIGIN) $(LABEL)' 'Created-By: Packages' 2>/dev/null |
+        awk -v security="$1" '$2 == "Debian" && (($3 ~ /Security/) == security) { print $1; exit }'
+}
+
+# Copies modules of the kernel, and what they need, below FOLDER.
+install_modules() { # FOLDER MODULES
+    local release module file to
+    release=$(cat "$kernel_root/release")
+    mkdir -p "$1/usr/lib/modules/$release"
+    cp "$kernel_root/lib/modules/$release"/modules.{builtin,builtin.modinfo,order} "$1/usr/lib/modules/$release/"
+    for module in $2; do
+        modprobe -d "$kernel_root" -S "$release" --show-depends "$module" 2>/dev/null ||
+            echo "image: the kernel has no module $module" >&2
+    done | awk '$1 == "insmod" { print $2 }' | sort -u | while read -r file; do
+        to=$1/usr/lib/modules/$release/${file#"$kernel_root/lib/modules/$release/"}
+        mkdir -p "${to%/*}"
+        case $file in # Unpacked here: what busybox calls modprobe knows no xz.
+            *.xz) xz -dc "$file" >"${to%.xz}" ;;
+            *) cp "$file" "$to" ;;
+        esac
+    done
+    [ -e "$1/lib" ] || ln -s usr/lib "$1/lib"
+    depmod -b "$1" "$release"
+}

@@ -1,0 +1,38 @@
+#!/bin/bash
+# root.sh BOARD -- Debian's packages for the disk (packages.txt), set up, and its kernel unpacked; in $cache.
+# shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
+
+packages=$(awk '!/^#/ && NF { printf "%s%s", comma, $1; comma = "," }' "$here/packages.txt")
+made_of="$suite $arch $kernel $packages"
+is_fresh "$cache/root.tar" "$made_of" && exit 0
+step "Debian's packages: $suite, $arch"
+mapfile -t lines < <(sources)
+rm -rf "$cache/debs"
+mkdir -p "$cache/debs"
+# The kernel is fetched by the same apt, so that both are of one day, and unpacked beside the root: installed, it would
+# want a maker of initramfs' in there.
+export cache kernel
+mmdebstrap --quiet --mode=root --format=tar --variant=essential --architectures="$arch" --include="$packages" \
+    --aptopt='APT::Install-Recommends "false"' --dpkgopt='path-exclude=/usr/share/man/*' \
+    --dpkgopt='path-exclude=/usr/share/doc/*' --dpkgopt='path-exclude=/usr/share/locale/*' \
+    --customize-hook='cd "$cache/debs" && export APT_CONFIG="$MMDEBSTRAP_APT_CONFIG" &&
+        apt-get -qq download "$(apt-cache depends "$kernel" | sed -n "s/.*Depends: \(linux-image-[^ ]*\)$/\1/p" | head -1)" \
+            systemd-boot-efi busybox-static' \
+    "$suite" "$cache/root.tar.new" "${lines[@]}" >"$cache/root.log" 2>&1 || {
+    tail -5 "$cache/root.log" >&2
+    exit 1
+}
+rm -rf "$kernel_root"
+mkdir -p "$kernel_root"
+for deb in "$cache"/debs/*.deb; do
+    dpkg-deb --fsys-tarfile "$deb" | tar -x -C "$kernel_root"
+done
+# Modules lie in /lib or, from Debian 13 on, in /usr/lib.
+[ -d "$kernel_root/lib/modules" ] || { mkdir -p "$kernel_root/lib"; mv "$kernel_root/usr/lib/modules" "$kernel_root/lib/"; }
+release=$(basename "$kernel_root"/lib/modules/*)
+depmod -b "$kernel_root" "$release"
+echo "$release" >"$kernel_root/release"
+rm -rf "$cache/debs"
+mv "$cache/root.tar.new" "$cache/root.tar"
+echo "$made_of" >"$cache/root.tar.of"
