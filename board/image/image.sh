@@ -7,9 +7,16 @@
 # shellcheck disable=SC2154,SC1091,SC2115  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 
-install_kiosk() { # FOLDER: as its Debian package would
-    DESTDIR=$1 PREFIX=/usr BUILD=$BUILD "$top/board/install.sh" install
-    systemd-sysusers --root="$1" >/dev/null
+install_kiosk() { # FOLDER: the Debian packages of this tree, whose dependencies packages.txt must meet
+    local root=$1
+    mkdir "$root/debs"
+    "$top/board/deb/deb.sh" | (cd "$top" && xargs cp -t "$root/debs")
+    chroot "$root" env PATH=/usr/sbin:/usr/bin DEBIAN_FRONTEND=noninteractive \
+        sh -c 'dpkg --install /debs/*.deb' >"$IMAGE/dpkg.log" 2>&1 || {
+        tail -5 "$IMAGE/dpkg.log" >&2
+        return 1
+    }
+    rm -r "$root/debs"
 }
 
 owner() { # FOLDER: of the stall's files there, as USER:GROUP
@@ -25,7 +32,7 @@ settle() { # FOLDER
     printf 'PRETTY_NAME="Kingyo %s on %s"\nID=kingyo\nID_LIKE=debian\nVERSION_ID="%s"\n' \
         "$version" "$board" "$version" >"$root/etc/os-release.new"
     mv "$root/etc/os-release.new" "$root/etc/os-release"
-    for unit in kingyo.service kingyo-data.service; do
+    for unit in kingyo-data.service; do
         mkdir -p "$root/etc/systemd/system/multi-user.target.wants"
         ln -sf "/usr/lib/systemd/system/$unit" "$root/etc/systemd/system/multi-user.target.wants/$unit"
     done
