@@ -79,7 +79,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/thesis/thesis.mk
 -include tests/paper/paper.mk
 -include tests/fuzz/fuzz.mk
--include tests/vm/vm.mk tests/fuzz/devices.mk
+-include tests/vm/vm.mk tests/fuzz/devices.mk tests/power/power.mk
 
 ## help: this list
 help:

@@ -19,7 +19,7 @@ E2E := $(E2E_BIN) $(BUILD)/tests/vm/look
 # Whole-machine tests run alone, after those that only compute (tests/run.sh).
 TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh \
     tests/soak/test_*.sh tests/ctl/test_*.sh tests/fuzz/test_*.sh \
-    tests/hid/test_*.sh tests/board/test_*.sh)
+    tests/hid/test_*.sh tests/board/test_*.sh tests/power/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(GPIO_TEST) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 
@@ -31,7 +31,7 @@ test:
 
 ## tests: builds what `make test` runs, without running it
 tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
-    $(BUILD)/tests/bench/technique
+    $(BUILD)/tests/bench/technique $(BUILD)/tests/power/power
 
 ## check: what a change must pass before it is kept: boundaries, tests, sizes
 check: boundaries

@@ -1,0 +1,183 @@
+/* books.c -- adds up by itself, and compares. */
+#include "tests/power/books.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "tests/power/hour.h"
+
+void books_open(struct books *books)
+{
+    memset(books, 0, sizeof *books);
+    settings_reset(&books->settings);
+}
+
+void books_add(struct books *books, const struct ledger_entry *entry)
+{
+    books->coins += entry->kind == LEDGER_COINS ? entry->count : 0u;
+    books->services += entry->kind == LEDGER_SERVICE;
+    books->refunds += entry->kind == LEDGER_REFUND;
+    if (entry->kind == LEDGER_ROUND) {
+        books->rounds++;
+        books->caught += entry->round.caught;
+    }
+    if (entry->kind == LEDGER_SETTING) {
+        books->settings.value[entry->detail | entry->count << 8] = entry->value;
+    }
+    books->purse = entry->purse;
+    audits_note(&books->audits, entry);
+    ranking_note(&books->ranking, entry);
+}
+
+/* ---- The file ------------------------------------------------------------------------------- */
+
+static int64_t ask(sqlite3 *db, const char *query, int *code)
+{
+    sqlite3_stmt *statement = NULL;
+    int64_t answer = -1;
+    if (*code == SQLITE_OK) {
+        *code = sqlite3_prepare_v2(db, query, -1, &statement, NULL);
+    }
+    if (*code == SQLITE_OK && sqlite3_step(statement) == SQLITE_ROW) {
+        answer = sqlite3_column_int64(statement, 0);
+    }
+    sqlite3_finalize(statement);
+    return answer;
+}
+
+static void read_integrity(sqlite3 *db, char out[64], int *code)
+{
+    sqlite3_stmt *statement = NULL;
+    snprintf(out, 64, "no answer");
+    if (*code == SQLITE_OK) {
+        *code = sqlite3_prepare_v2(db, "PRAGMA integrity_check", -1, &statement, NULL);
+    }
+    if (*code == SQLITE_OK && sqlite3_step(statement) == SQLITE_ROW) {
+        snprintf(out, 64, "%s", (const char *)sqlite3_column_text(statement, 0));
+    }
+    sqlite3_finalize(statement);
+}
+
+static int is_replay_of(uint32_t round_id, const void *bytes, size_t size)
+{
+    static uint8_t whole[HOUR_REPLAY_MAX];
+    const size_t length = hour_replay(round_id, whole);
+    return length == size && memcmp(whole, bytes, size) == 0;
+}
+
+static void read_replays(sqlite3 *db, uint32_t replay_id, struct books_file *out, int *code)
+{
+    sqlite3_stmt *statement = NULL;
+    if (*code == SQLITE_OK) {
+        *code = sqlite3_prepare_v2(db, "SELECT round, bytes FROM replays", -1, &statement, NULL);
+    }
+    while (*code == SQLITE_OK && sqlite3_step(statement) == SQLITE_ROW) {
+        const uint32_t id = (uint32_t)sqlite3_column_int64(statement, 0);
+        const void *bytes = sqlite3_column_blob(statement, 1);
+        out->replays++;
+        out->has_replay |= id == replay_id;
+        out->bad_replays += !is_replay_of(id, bytes, (size_t)sqlite3_column_bytes(statement, 1));
+    }
+    sqlite3_finalize(statement);
+}
+
+int books_read(const char *path, uint32_t replay_id, struct books_file *out)
+{
+    sqlite3 *db = NULL;
+    memset(out, 0, sizeof *out);
+    int code = sqlite3_open_v2(path, &db, SQLITE_OPEN_READWRITE, NULL);
+    read_integrity(db, out->integrity, &code);
+    out->rounds = ask(db, "SELECT count(*) FROM rounds", &code);
+    out->caught = ask(db, "SELECT coalesce(sum(caught), 0) FROM rounds", &code);
+    out->doubled = ask(db, "SELECT count(*) - count(DISTINCT id) FROM rounds", &code);
+    read_replays(db, replay_id, out, &code);
+    sqlite3_close(db);
+    return code;
+}
+
+/* ---- Comparing ------------------------------------------------------------------------------ */
+
+static int differs(char why[BOOKS_WHY_SIZE], const char *what, int64_t is, int64_t should)
+{
+    if (is == should) {
+        return 0;
+    }
+    snprintf(why, BOOKS_WHY_SIZE, "%s: %lld, and %lld were told", what, (long long)is,
+             (long long)should);
+    return 1;
+}
+
+static int purse_differs(char why[BOOKS_WHY_SIZE], const struct purse *is,
+                         const struct purse *should)
+{
+    return differs(why, "credits that were paid", is->paid, should->paid) ||
+           differs(why, "credits by SERVICE", is->service, should->service) ||
+           differs(why, "units", is->units, should->units) ||
+           differs(why, "units towards the bonus", is->bonus_units, should->bonus_units) ||
+           differs(why, "untold units", is->untold, should->untold) ||
+           differs(why, "the open round", is->open, should->open);
+}
+
+static int sums_differ(char why[BOOKS_WHY_SIZE], const struct books *books,
+                       const struct audits *audits)
+{
+    char name[AUDIT_NAME_SIZE];
+    const uint32_t *count = audits->count;
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        audit_name(id, name);
+        if (differs(why, name, count[id], books->audits.count[id])) {
+            return 1;
+        }
+    }
+    return differs(why, "coins", count[AUDIT_COINS_1], books->coins) ||
+           differs(why, "services", count[AUDIT_CREDITS_SERVICE], books->services) ||
+           differs(why, "refunds", count[AUDIT_REFUNDS], books->refunds) ||
+           differs(why, "fish", count[AUDIT_CAUGHT], books->caught);
+}
+
+static int settings_differ(char why[BOOKS_WHY_SIZE], const struct settings *is,
+                           const struct settings *should)
+{
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        if (differs(why, setting_of(id)->name, is->value[id], should->value[id])) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int ranking_differs(char why[BOOKS_WHY_SIZE], const struct ranking *is,
+                           const struct ranking *should)
+{
+    if (ranking_hash(0, is) == ranking_hash(0, should)) {
+        return 0;
+    }
+    snprintf(why, BOOKS_WHY_SIZE, "the ranking is another one");
+    return 1;
+}
+
+static int file_differs(char why[BOOKS_WHY_SIZE], const struct books_file *is,
+                        const struct books *should)
+{
+    if (strcmp(is->integrity, "ok") != 0) {
+        snprintf(why, BOOKS_WHY_SIZE, "integrity: %.60s", is->integrity);
+        return 1;
+    }
+    return differs(why, "rounds", is->rounds, should->rounds) ||
+           differs(why, "fish in rounds", is->caught, should->caught) ||
+           differs(why, "rounds that are there twice", is->doubled, 0) ||
+           differs(why, "replays that are not their round's", is->bad_replays, 0);
+}
+
+int books_agree(const struct books *books, const struct memory *memory,
+                const struct books_file *file, char why[BOOKS_WHY_SIZE])
+{
+    const int differ = purse_differs(why, &memory->ledger.purse, &books->purse) ||
+                       sums_differ(why, books, &memory->audits) ||
+                       settings_differ(why, &memory->settings, &books->settings) ||
+                       ranking_differs(why, &memory->ranking, &books->ranking) ||
+                       file_differs(why, file, books);
+    return differ ? -1 : 0;
+}

@@ -1,0 +1,200 @@
+/* hour.c -- the crowd in front of the stall. */
+#include "tests/power/hour.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/fmath.h"
+#include "core/base/rng.h"
+#include "core/game/score.h"
+#include "tests/power/tape.h"
+
+#define ROUND_S 20u /* Short ones, so that there are many. */
+#define TICKS_A_FRAME 2u
+
+enum { DRAW_COIN = 1, DRAW_COINS, DRAW_SERVICE, DRAW_START, DRAW_FISH, DRAW_VOLUME, DRAW_RESET };
+
+int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
+{
+    memset(hour, 0, sizeof *hour);
+    hour->seed = seed;
+    struct core_config config = { .seed = seed };
+    store.ops->remember(store.self, &config.memory);
+    settings_reset(&config.memory.settings);
+    config.memory.settings.value[SET_PLAY] = PLAY_PAID;
+    config.memory.settings.value[SET_PRICE] = 2;
+    config.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
+    config.memory.settings.value[SET_ROUND_S] = (int32_t)ROUND_S;
+    config.memory.settings.value[SET_FISH] = 1; /* Swimming is not what is tried here. */
+    settings_apply(&config.memory.settings, &config);
+    hour->kept_id = hour->acked_id = config.memory.ledger.last_id;
+    hour->output.entry_id = hour->kept_id;
+    return core_init(&hour->core, &config) == CORE_OK ? 0 : -1;
+}
+
+static uint32_t draw(const struct hour *hour, uint32_t what)
+{
+    return rng_u32((struct rng_key){ hour->seed, hour->core.tick, what, RNG_TEST });
+}
+
+/* Once in so many seconds. */
+static int happens(const struct hour *hour, uint32_t what, uint32_t seconds)
+{
+    return draw(hour, what) % (seconds * CORE_TICK_HZ) == 0;
+}
+
+/* A hand that circles over the water, so that somebody is there. */
+static void lead_hand(struct hour *hour)
+{
+    const float turn = 0.01f * (float)(hour->core.tick % 6283u);
+    hour->input.poi[0] = (struct poi_input){
+        .link = POI_LINK_LIVE,
+        .has_wrist = 1,
+        .target.position_m = v3(0.15f * f_cos(turn), 0.06f, 0.1f * f_sin(turn)),
+    };
+}
+
+static void live(struct hour *hour)
+{
+    struct input *input = &hour->input;
+    input->pressed = input->coin_count = 0;
+    input->day = (uint16_t)(9800u + hour->core.tick / (900u * CORE_TICK_HZ)); /* Four days. */
+    input->minute = (uint16_t)(hour->core.tick / CORE_TICK_HZ % 1440u);
+    if (happens(hour, DRAW_COIN, 9) && !hour->output.coin_lockout) {
+        input->coin_count = 1u + draw(hour, DRAW_COINS) % 3u;
+        hour->coins += input->coin_count;
+    }
+    if (happens(hour, DRAW_SERVICE, 120)) {
+        input->pressed |= INPUT_SERVICE;
+        hour->services++;
+    }
+    if (happens(hour, DRAW_START, 2)) {
+        input->pressed |= INPUT_START;
+    }
+    lead_hand(hour);
+}
+
+static void land_fish(struct hour *hour)
+{
+    if (hour->core.game.phase == PHASE_ROUND && happens(hour, DRAW_FISH, 4)) {
+        const struct catch_result caught[POI_MAX] = { { .landed = 1, .bowled = 1 } };
+        game_score(&hour->core, caught, &hour->output);
+    }
+}
+
+/* What the menu and the name's board write: here without their pages. */
+static void turn_volume(struct hour *hour)
+{
+    const int32_t value = 5 * (int32_t)(draw(hour, DRAW_VOLUME) / 7919u % 21u);
+    const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = SET_VOLUME,
+                                        .value = value };
+    if (ledger_write(&hour->core, &entry, &hour->output) != 0) {
+        hour->core.config.memory.settings.value[SET_VOLUME] = value;
+    }
+}
+
+static void give_name(struct hour *hour)
+{
+    static const char *const names[] = { "きんぎょ", "KINGYO", "たろう", "HANA" };
+    struct ledger_entry entry = { .kind = LEDGER_NAME, .detail = 0, .count = hour->named_id };
+    snprintf(entry.name, sizeof entry.name, "%s", names[hour->named_id % 4u]);
+    ledger_write(&hour->core, &entry, &hour->output);
+}
+
+static void keep_books(struct hour *hour)
+{
+    const uint32_t round_id = hour->output.record.id;
+    if (happens(hour, DRAW_VOLUME, 100)) {
+        turn_volume(hour);
+    }
+    if (happens(hour, DRAW_RESET, 600)) {
+        const struct ledger_entry entry = { .kind = LEDGER_RESET, .detail = AUDIT_GROUP_MACHINE };
+        ledger_write(&hour->core, &entry, &hour->output);
+    }
+    if (round_id != hour->named_id) {
+        hour->named_id = round_id;
+        give_name(hour);
+    }
+}
+
+/* ---- The store ------------------------------------------------------------------------------ */
+
+size_t hour_replay(uint32_t round_id, uint8_t out[HOUR_REPLAY_MAX])
+{
+    const size_t size = 1000u + round_id * 379u % (HOUR_REPLAY_MAX - 1000u);
+    for (size_t i = 0; i < size; i++) {
+        out[i] = (uint8_t)(round_id * 31u + i * i * 7u + i / 251u);
+    }
+    return size;
+}
+
+static void note(struct hour *hour, const struct ledger_entry *entry)
+{
+    if (entry->id >= HOUR_ENTRIES_MAX) {
+        fprintf(stderr, "power: more than %u entries in an hour\n", HOUR_ENTRIES_MAX);
+        abort();
+    }
+    hour->entries[entry->id] = *entry;
+    hour->rounds += entry->kind == LEDGER_ROUND;
+    if (entry->kind == LEDGER_ROUND && !entry->round.unscored &&
+        ranking_place(&hour->core.game.ranking, entry->round.mode, RANK_DAY, entry->id, 0) <
+            RANK_ROWS) {
+        hour->replay_id = entry->id;
+    }
+}
+
+static void hand_over(struct hour *hour, struct hal_storage store)
+{
+    while (hour->kept_id != hour->output.entry_id) {
+        const struct ledger_entry *entry =
+            &hour->output.entries[(hour->kept_id + 1u) % LEDGER_RING];
+        tape_mark(TAPE_KEPT, entry->id);
+        if (store.ops->keep(store.self, entry) != HAL_OK) {
+            return;
+        }
+        note(hour, entry);
+        hour->kept_id++;
+    }
+}
+
+static void hand_over_replay(struct hour *hour, struct hal_storage store)
+{
+    static uint32_t taken;
+    if (hour->replay_id != 0 && hour->replay_id != taken) {
+        const size_t size = hour_replay(hour->replay_id, hour->replay);
+        if (store.ops->keep_replay(store.self, hour->replay_id, hour->replay, size) == HAL_OK) {
+            taken = hour->replay_id;
+        }
+    }
+}
+
+static void ask(struct hour *hour, struct hal_storage store)
+{
+    const uint32_t saved_id = store.ops->saved_id(store.self);
+    if (saved_id > hour->acked_id) {
+        hour->acked_id = saved_id;
+        tape_mark(TAPE_ACKED, saved_id);
+    }
+    const uint32_t replay_id = store.ops->replay_kept_id(store.self);
+    if (replay_id != hour->replay_acked_id) {
+        hour->replay_acked_id = replay_id;
+        tape_mark(TAPE_REPLAY_ACKED, replay_id);
+    }
+    hour->input.record_saved_id = hour->acked_id;
+    hour->input.store_well = store.ops->is_well(store.self) != 0;
+}
+
+void hour_frame(struct hour *hour, struct hal_storage store)
+{
+    ask(hour, store);
+    hour->output.sound_count = 0;
+    for (uint32_t i = 0; i < TICKS_A_FRAME; i++) {
+        live(hour);
+        core_tick(&hour->core, &hour->input, &hour->output);
+        land_fish(hour);
+        keep_books(hour);
+    }
+    hand_over(hour, store);
+    hand_over_replay(hour, store);
+}

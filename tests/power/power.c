@@ -1,0 +1,230 @@
+/* power.c -- pulls the plug at every write and sync of a busy hour, and looks at what is left.
+ *
+ *   power [--cuts N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
+ *
+ * The hour is played once, with the real core and the real store, and its file operations are
+ * written down (tape.h). Then the power goes after each of them, in as many ways as N cuts allow
+ * (disk.h); the store is opened on what is left, and must remember the sum of all entries up to
+ * some one that was handed over, none older than it had promised (books.h). One opening in
+ * forty is itself cut at each of its file operations. Exit 1 when anything is not so.
+ * With --deaf no sync reaches the disk, so that the losses which this must find are there. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "platform/number.h"
+#include "platform/panic.h"
+#include "platform/storage.h"
+#include "tests/power/cutter.h"
+#include "tests/power/hour.h"
+#include "tests/power/tape.h"
+
+#define FRAMES_AN_HOUR (3600u * 60u)
+#define SYNC_US 200u /* At the pace of this hour, some tenths of a second: a slow card. */
+#define JOBS_MAX 16u
+#define PATH_SIZE 300u
+
+struct plan {
+    uint32_t cuts, seed, frames, jobs, deaf;
+    char folder[200];
+};
+
+static struct hour hour;
+static struct tape tape;
+static struct books *books; /* [id] */
+static struct storage store;
+
+/* ---- The hour ------------------------------------------------------------------------------- */
+
+static int play(const struct plan *plan, const char *folder)
+{
+    tape_begin(&tape, folder, NULL, 0);
+    tape_sync_us(SYNC_US);
+    store = (struct storage){ .dir = folder };
+    const struct hal_storage device = storage_device(&store);
+    if (device.ops->open(device.self) != HAL_OK || hour_open(&hour, plan->seed, device) != 0) {
+        fprintf(stderr, "power: %s\n", device.ops->describe(device.self));
+        return -1;
+    }
+    for (uint32_t i = 0; i < plan->frames; i++) {
+        hour_frame(&hour, device);
+    }
+    const uint32_t unwritten = device.ops->close(device.self);
+    tape_end();
+    if (unwritten > 0) {
+        fprintf(stderr, "power: %u entries were not written at the end\n", unwritten);
+    }
+    return unwritten > 0 ? -1 : 0;
+}
+
+static int add_up(void)
+{
+    books = calloc(hour.kept_id + 1u, sizeof *books);
+    if (!books) {
+        return -1;
+    }
+    books_open(&books[0]);
+    for (uint32_t id = 1; id <= hour.kept_id; id++) {
+        books[id] = books[id - 1u];
+        books_add(&books[id], &hour.entries[id]);
+    }
+    return 0;
+}
+
+/* When all that the tape tells is applied, the same files must be there as really are: else it
+ * missed something, and what follows would prove nothing. */
+static int tape_is_whole(const char *folder, const char *copy)
+{
+    struct disk disk, is, should;
+    static char names[DISK_NAMES_MAX][TAPE_NAME_SIZE], others[DISK_NAMES_MAX][TAPE_NAME_SIZE];
+    disk_open(&disk, &tape);
+    for (size_t op = 0; op < tape.count; op++) {
+        disk_step(&disk, op);
+    }
+    disk_cut(&disk, DISK_ALL, 0, copy);
+    disk_open(&is, &tape);
+    disk_open(&should, &tape);
+    const uint32_t count = disk_put_folder(&is, copy, names);
+    int whole = disk_put_folder(&should, folder, others) == count;
+    for (uint32_t i = 0; i < count && whole; i++) {
+        char a[PATH_SIZE], b[PATH_SIZE];
+        size_t a_size = 0, b_size = 0;
+        snprintf(a, sizeof a, "%s/%s", copy, names[i]);
+        snprintf(b, sizeof b, "%s/%s", folder, names[i]);
+        uint8_t *left = disk_read(a, &a_size), *right = disk_read(b, &b_size);
+        whole = left && right && a_size == b_size && memcmp(left, right, a_size) == 0;
+        free(left);
+        free(right);
+    }
+    disk_close(&disk);
+    disk_close(&is);
+    disk_close(&should);
+    return whole;
+}
+
+/* ---- Words ---------------------------------------------------------------------------------- */
+
+static void tell_hour(const struct plan *plan)
+{
+    uint32_t writes = 0, syncs = 0, points = 0;
+    for (size_t i = 0; i < tape.count; i++) {
+        writes += tape.ops[i].kind == TAPE_WRITE;
+        syncs += tape.ops[i].kind == TAPE_SYNC || tape.ops[i].kind == TAPE_SYNC_FOLDER;
+        points += (uint32_t)cutter_is_point(&tape.ops[i]);
+    }
+    printf("power: %u minutes of a festival: %u coins, %u SERVICE, %u rounds, %u entries\n",
+           plan->frames / 3600u, hour.coins, hour.services, hour.rounds, hour.kept_id);
+    printf("       %u file operations, of them %u writes (%.1f MB) and %u syncs\n", points, writes,
+           (double)tape.used / 1e6, syncs);
+}
+
+static int tell(const struct tally *sum, double seconds)
+{
+    static const char *const luck[DISK_LUCK_COUNT] = {
+        "all there", "nothing there", "last write torn", "half of the sectors",
+        "one sector in eight", "seven in eight", "half, and dirt",
+    };
+    printf("  of what was not synced      cuts\n");
+    for (uint32_t i = 0; i < DISK_LUCK_COUNT; i++) {
+        printf("    %-22s %7llu\n", luck[i], (unsigned long long)sum->by_luck[i]);
+    }
+    printf("    %-22s %7llu\n", "in the opening after", (unsigned long long)sum->second_cuts);
+    printf("  %llu cuts in %.0f s: %llu lost, %llu never handed over, %llu with other sums, "
+           "%llu unopenable; in %llu more was kept than promised\n",
+           (unsigned long long)(sum->cuts + sum->second_cuts), seconds,
+           (unsigned long long)sum->lost, (unsigned long long)sum->ghosts,
+           (unsigned long long)sum->differing, (unsigned long long)sum->unopenable,
+           (unsigned long long)sum->ahead);
+    if (sum->first[0]) {
+        printf("  the first: %s\n", sum->first);
+    }
+    return sum->lost || sum->ghosts || sum->differing || sum->unopenable || sum->cuts == 0;
+}
+
+static int read_plan(struct plan *plan, int argc, char **argv)
+{
+    *plan = (struct plan){ .cuts = 50000, .seed = 1, .frames = FRAMES_AN_HOUR,
+                           .jobs = (uint32_t)sysconf(_SC_NPROCESSORS_ONLN),
+                           .folder = "/dev/shm" };
+    int good = 1;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        uint32_t *out = strcmp(argv[i], "--cuts") == 0     ? &plan->cuts
+                        : strcmp(argv[i], "--seed") == 0   ? &plan->seed
+                        : strcmp(argv[i], "--frames") == 0 ? &plan->frames
+                        : strcmp(argv[i], "--jobs") == 0   ? &plan->jobs
+                        : strcmp(argv[i], "--deaf") == 0   ? &plan->deaf
+                                                           : NULL;
+        if (strcmp(argv[i], "--folder") == 0) {
+            snprintf(plan->folder, sizeof plan->folder, "%s", argv[i + 1]);
+        } else {
+            good &= out && number_parse(argv[i + 1], 1, UINT32_MAX / 2u, out);
+        }
+    }
+    plan->jobs = plan->jobs > JOBS_MAX ? JOBS_MAX : plan->jobs;
+    return good && argc % 2 == 1 ? 0 : -1;
+}
+
+static int run(struct plan *plan)
+{
+    char folder[PATH_SIZE], copy[PATH_SIZE];
+    const time_t begin = time(NULL);
+    snprintf(folder, sizeof folder, "%.180s/kingyo-power-XXXXXX", plan->folder);
+    if (!mkdtemp(folder)) {
+        fprintf(stderr, "power: %s: cannot make a folder there\n", plan->folder);
+        return 74;
+    }
+    snprintf(plan->folder, sizeof plan->folder, "%.190s", folder);
+    snprintf(copy, sizeof copy, "%.280s/copy", plan->folder);
+    snprintf(folder, sizeof folder, "%.280s/hour", plan->folder);
+    mkdir(folder, 0755);
+    mkdir(copy, 0755);
+    if (play(plan, folder) != 0 || add_up() != 0) {
+        return 1;
+    }
+    tell_hour(plan);
+    if (!tape_is_whole(folder, copy)) {
+        fprintf(stderr, "power: the tape does not tell all that happened to the files\n");
+        return 1;
+    }
+    uint32_t points = 0;
+    for (size_t i = 0; i < tape.count; i++) {
+        points += (uint32_t)cutter_is_point(&tape.ops[i]);
+    }
+    struct tally sum = { 0 };
+    const struct cutter cutter = { &tape, books, plan->folder, (plan->cuts + points - 1u) / points,
+                                   plan->seed, plan->jobs };
+    if (cutter_run(&cutter, &sum) != 0) {
+        fprintf(stderr, "power: a worker died\n");
+        return 1;
+    }
+    return tell(&sum, difftime(time(NULL), begin));
+}
+
+static void remove_folder(const char *folder)
+{
+    char command[PATH_SIZE + 16];
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    if (strstr(folder, "/kingyo-power-") && system(command) != 0) {
+        fprintf(stderr, "power: %s: cannot be removed\n", folder);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct plan plan;
+    if (read_plan(&plan, argc, argv) != 0) {
+        fprintf(stderr, "usage: power [--cuts N] [--seed N] [--frames N] [--folder DIR] "
+                        "[--jobs N] [--deaf 1]\n");
+        return 2;
+    }
+    panic_prepare(NULL, NULL);
+    if (plan.deaf) {
+        tape_be_deaf();
+    }
+    const int code = run(&plan);
+    remove_folder(plan.folder);
+    return code;
+}

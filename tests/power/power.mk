@@ -1,0 +1,16 @@
+# power.mk -- the plug is pulled, at every write.
+
+POWER := $(BUILD)/tests/power/power
+CUTS ?= 50000
+
+## test-power: pulls the plug at every write and sync of a busy festival hour, CUTS (50,000) times in all: nothing promised is lost or doubled
+test-power:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(POWER)
+	@$(POWER) --cuts $(CUTS)
+
+$(POWER): $(addprefix $(BUILD)/tests/power/,power.o cutter.o tape.o disk.o disk_cut.o hour.o books.o) \
+    $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: test-power

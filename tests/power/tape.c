@@ -1,0 +1,315 @@
+/* tape.c -- libc's file functions, with a pencil.
+ *
+ * Defined in the program, they come before libc's for the libraries it is linked with. They call
+ * the kernel themselves. */
+#include "tests/power/tape.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#define FD_MAX 256
+#define NAMES_MAX 64u
+
+static pthread_mutex_t pencil = PTHREAD_MUTEX_INITIALIZER;
+static struct tape *running;
+static char watched[256];
+static size_t watched_size;
+static uint32_t sync_us;
+static int is_deaf;
+static uint32_t file_of_fd[FD_MAX]; /* 0: not one of ours. */
+static uint8_t is_folder[FD_MAX];
+static struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[NAMES_MAX];
+
+/* ---- The tape ------------------------------------------------------------------------------- */
+
+static void need(const void *got)
+{
+    if (!got) {
+        static const char words[] = "power: no memory\n";
+        syscall(SYS_write, 2, words, sizeof words - 1);
+        abort();
+    }
+}
+
+static struct tape_op *add(enum tape_kind kind, uint32_t file)
+{
+    if (running->count == running->room) {
+        running->room = running->room ? 2 * running->room : 4096;
+        running->ops = realloc(running->ops, running->room * sizeof *running->ops);
+        need(running->ops);
+    }
+    struct tape_op *op = &running->ops[running->count++];
+    *op = (struct tape_op){ .kind = (uint8_t)kind, .file = file };
+    return op;
+}
+
+static size_t add_bytes(const void *bytes, size_t size)
+{
+    while (running->used + size > running->bytes_room) {
+        running->bytes_room = running->bytes_room ? 2 * running->bytes_room : 1u << 20;
+        running->bytes = realloc(running->bytes, running->bytes_room);
+        need(running->bytes);
+    }
+    memcpy(running->bytes + running->used, bytes, size);
+    running->used += size;
+    return running->used - size;
+}
+
+/* ---- Names ---------------------------------------------------------------------------------- */
+
+/* What a path is called in the watched folder; null elsewhere. */
+static const char *own_name(const char *path)
+{
+    if (!running || strncmp(path, watched, watched_size) != 0 || path[watched_size] != '/') {
+        return NULL;
+    }
+    const char *name = path + watched_size + 1;
+    return *name && !strchr(name, '/') && !strstr(name, "-shm") ? name : NULL;
+}
+
+static uint32_t *find(const char *name)
+{
+    for (uint32_t i = 0; i < NAMES_MAX; i++) {
+        if (names[i].file && strcmp(names[i].name, name) == 0) {
+            return &names[i].file;
+        }
+    }
+    return NULL;
+}
+
+static void enter(const char *name, uint32_t file)
+{
+    uint32_t *there = find(name);
+    for (uint32_t i = 0; !there && i < NAMES_MAX; i++) {
+        if (!names[i].file) {
+            snprintf(names[i].name, TAPE_NAME_SIZE, "%s", name);
+            there = &names[i].file;
+        }
+    }
+    need(there);
+    *there = file;
+}
+
+static uint32_t note_file(const char *name, int is_new)
+{
+    uint32_t *there = find(name);
+    if (there && !is_new) {
+        return *there;
+    }
+    struct tape_op *op = add(TAPE_CREATE, ++running->files);
+    snprintf(op->name, TAPE_NAME_SIZE, "%s", name);
+    enter(name, running->files);
+    return running->files;
+}
+
+void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_NAME_SIZE],
+                uint32_t first_count)
+{
+    memset(names, 0, sizeof names);
+    memset(file_of_fd, 0, sizeof file_of_fd);
+    memset(is_folder, 0, sizeof is_folder);
+    tape->count = tape->used = 0;
+    tape->files = first_count;
+    snprintf(watched, sizeof watched, "%s", folder);
+    watched_size = strlen(watched);
+    for (uint32_t i = 0; i < first_count; i++) {
+        enter(first[i], i + 1u);
+    }
+    running = tape;
+}
+
+void tape_mark(enum tape_kind kind, uint32_t id)
+{
+    pthread_mutex_lock(&pencil);
+    add(kind, 0)->offset = id;
+    pthread_mutex_unlock(&pencil);
+}
+
+void tape_end(void)
+{
+    pthread_mutex_lock(&pencil);
+    running = NULL;
+    pthread_mutex_unlock(&pencil);
+}
+
+void tape_free(struct tape *tape)
+{
+    free(tape->ops);
+    free(tape->bytes);
+    *tape = (struct tape){ 0 };
+}
+
+void tape_sync_us(uint32_t us)
+{
+    sync_us = us;
+}
+
+/* ---- libc ----------------------------------------------------------------------------------- */
+
+static uint32_t file_of(int fd)
+{
+    return running && fd >= 0 && fd < FD_MAX ? file_of_fd[fd] : 0;
+}
+
+static int open_file(const char *path, int flags, mode_t mode)
+{
+    struct stat before;
+    pthread_mutex_lock(&pencil);
+    const char *name = own_name(path);
+    const int was_there = syscall(SYS_newfstatat, AT_FDCWD, path, &before, 0) == 0;
+    const int fd = (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
+    if (running && fd >= 0 && fd < FD_MAX) {
+        const int writes = (flags & (O_RDWR | O_WRONLY)) != 0;
+        file_of_fd[fd] = name && writes ? note_file(name, !was_there) : 0;
+        is_folder[fd] = strcmp(path, watched) == 0;
+        if (file_of_fd[fd] && was_there && flags & O_TRUNC) {
+            add(TAPE_TRUNCATE, file_of_fd[fd]);
+        }
+    }
+    pthread_mutex_unlock(&pencil);
+    return fd;
+}
+
+#define OPEN_AS(name)                                                                              \
+    int name(const char *path, int flags, ...);                                                    \
+    int name(const char *path, int flags, ...)                                                     \
+    {                                                                                              \
+        va_list rest;                                                                              \
+        va_start(rest, flags);                                                                     \
+        const mode_t mode = flags & O_CREAT ? va_arg(rest, mode_t) : 0;                            \
+        va_end(rest);                                                                              \
+        return open_file(path, flags, mode);                                                       \
+    }
+#pragma GCC diagnostic ignored "-Wredundant-decls"
+OPEN_AS(open)
+OPEN_AS(open64)
+
+static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
+{
+    const uint32_t file = file_of(fd);
+    if (file && done > 0) {
+        const size_t at = add_bytes(bytes, (size_t)done);
+        struct tape_op *op = add(TAPE_WRITE, file);
+        op->size = (uint32_t)done;
+        op->offset = offset;
+        op->at = at;
+    }
+}
+
+static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
+{
+    pthread_mutex_lock(&pencil);
+    const ssize_t done = syscall(SYS_pwrite64, fd, bytes, size, offset);
+    note_write(fd, bytes, done, (uint64_t)offset);
+    pthread_mutex_unlock(&pencil);
+    return done;
+}
+
+ssize_t pwrite(int fd, const void *bytes, size_t size, off_t offset)
+{
+    return write_at(fd, bytes, size, offset);
+}
+
+ssize_t pwrite64(int fd, const void *bytes, size_t size, off64_t offset)
+{
+    return write_at(fd, bytes, size, offset);
+}
+
+ssize_t write(int fd, const void *bytes, size_t size)
+{
+    if (!file_of(fd)) {
+        return syscall(SYS_write, fd, bytes, size);
+    }
+    pthread_mutex_lock(&pencil);
+    const off_t offset = syscall(SYS_lseek, fd, 0, SEEK_CUR);
+    const ssize_t done = syscall(SYS_write, fd, bytes, size);
+    note_write(fd, bytes, done, (uint64_t)offset);
+    pthread_mutex_unlock(&pencil);
+    return done;
+}
+
+static int cut_file(int fd, off_t size)
+{
+    pthread_mutex_lock(&pencil);
+    const int result = (int)syscall(SYS_ftruncate, fd, size);
+    if (file_of(fd) && result == 0) {
+        add(TAPE_TRUNCATE, file_of(fd))->offset = (uint64_t)size;
+    }
+    pthread_mutex_unlock(&pencil);
+    return result;
+}
+
+int ftruncate(int fd, off_t size)
+{
+    return cut_file(fd, size);
+}
+
+int ftruncate64(int fd, off64_t size)
+{
+    return cut_file(fd, size);
+}
+
+void tape_be_deaf(void)
+{
+    is_deaf = 1;
+}
+
+static int note_sync(int fd)
+{
+    if (running && !is_deaf && fd >= 0 && fd < FD_MAX && (file_of_fd[fd] || is_folder[fd])) {
+        const struct timespec time = { .tv_nsec = 1000L * sync_us };
+        nanosleep(&time, NULL);
+        pthread_mutex_lock(&pencil);
+        add(is_folder[fd] ? TAPE_SYNC_FOLDER : TAPE_SYNC, file_of_fd[fd]);
+        pthread_mutex_unlock(&pencil);
+    }
+    return 0;
+}
+
+int fsync(int fd)
+{
+    return note_sync(fd);
+}
+
+int fdatasync(int fd)
+{
+    return note_sync(fd);
+}
+
+int unlink(const char *path)
+{
+    pthread_mutex_lock(&pencil);
+    const char *name = own_name(path);
+    const int result = (int)syscall(SYS_unlinkat, AT_FDCWD, path, 0);
+    if (name && result == 0) {
+        snprintf(add(TAPE_UNLINK, 0)->name, TAPE_NAME_SIZE, "%s", name);
+        *find(name) = 0;
+    }
+    pthread_mutex_unlock(&pencil);
+    return result;
+}
+
+int rename(const char *from, const char *to)
+{
+    pthread_mutex_lock(&pencil);
+    const char *old = own_name(from), *new = own_name(to);
+    const int result = (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);
+    if (old && new && result == 0) {
+        struct tape_op *op = add(TAPE_RENAME, *find(old));
+        snprintf(op->name, TAPE_NAME_SIZE, "%s", old);
+        snprintf(op->to, TAPE_NAME_SIZE, "%s", new);
+        enter(new, op->file);
+        *find(old) = 0;
+    }
+    pthread_mutex_unlock(&pencil);
+    return result;
+}

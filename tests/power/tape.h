@@ -1,0 +1,58 @@
+/* tape.h -- writes down what a program does to one folder: each write, cut, sync, new name.
+ *
+ * The test program defines libc's own file functions (tape.c), so that SQLite's default file system
+ * layer and our code both go through them; they do what was asked, and note it. Syncs are only
+ * noted. Between them lie marks: what the frame loop handed over, and what it was told is safe. */
+#ifndef KINGYO_TESTS_POWER_TAPE_H
+#define KINGYO_TESTS_POWER_TAPE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define TAPE_NAME_SIZE 64u
+
+enum tape_kind {
+    TAPE_CREATE,      /* `name` is a new, empty file. */
+    TAPE_WRITE,       /* `size` bytes from `at` into `file` at `offset`. */
+    TAPE_TRUNCATE,    /* `file` is `offset` bytes long. */
+    TAPE_SYNC,        /* Of `file`. */
+    TAPE_SYNC_FOLDER, /* Its names. */
+    TAPE_RENAME,      /* `name` is called `to`. */
+    TAPE_UNLINK,      /* `name` goes. */
+    TAPE_KEPT,        /* The ledger's entry `offset` was handed over. */
+    TAPE_ACKED,       /* The frame loop was told that it is safe. */
+    TAPE_REPLAY_ACKED, /* The same of the replay of round `offset`. */
+    TAPE_KIND_COUNT,
+};
+
+struct tape_op {
+    uint8_t kind;    /* enum tape_kind */
+    uint32_t file;   /* From 1, in the order of their making. */
+    uint32_t size;
+    uint64_t offset;
+    size_t at;       /* In the tape's bytes. */
+    char name[TAPE_NAME_SIZE], to[TAPE_NAME_SIZE];
+};
+
+struct tape {
+    struct tape_op *ops;
+    uint8_t *bytes;
+    size_t count, room, used, bytes_room;
+    uint32_t files;
+};
+
+/* From now on what happens in `folder` is noted on `tape`, which is zero or was ended. Files that
+ * are there already are numbered first, in the order of `first`. One tape at a time. */
+void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_NAME_SIZE],
+                uint32_t first_count);
+void tape_mark(enum tape_kind kind, uint32_t id);
+void tape_end(void);
+void tape_free(struct tape *tape);
+
+/* While a tape runs, each sync takes so long: a card. 0 at first. */
+void tape_sync_us(uint32_t us);
+
+/* From now on syncs are not noted: a card that lies, or a store that never asks. */
+void tape_be_deaf(void);
+
+#endif

@@ -1,0 +1,21 @@
+#!/bin/bash
+# test_power.sh -- the plug is pulled some thousand times; and a card whose syncs are lies is found out.
+# Speaks TAP; a line that begins with "# figure:" is shown by run.sh.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../ctl/lib.sh"
+power=$build/tests/power/power
+
+nothing_is_lost() {
+    "$power" --cuts 3000 --frames 14400 --seed 7
+}
+
+a_liar_is_found() {
+    "$power" --cuts 600 --frames 7200 --seed 7 --deaf 1
+    [ $? = 1 ] || return 1
+    "$power" --cuts 600 --frames 7200 --seed 7 --deaf 1 | grep -qE 'cuts in .* [1-9][0-9]* lost'
+}
+
+check 'nothing that was promised is lost, and nothing is doubled, wherever the power goes' nothing_is_lost
+sed -n 's/^  \([0-9]* cuts in .*\)/# figure: \1/p' "$work/said"
+check 'a card that only says that it has synced is found out' a_liar_is_found
+echo "1..$count"
