@@ -58,12 +58,13 @@ static void lead_hand(struct hour *hour)
 static void live(struct hour *hour)
 {
     struct input *input = &hour->input;
-    input->pressed = input->coin_count = 0;
+    input->pressed = 0;
+    memset(input->coin_count, 0, sizeof input->coin_count);
     input->day = (uint16_t)(9800u + hour->core.tick / (900u * CORE_TICK_HZ)); /* Four days. */
     input->minute = (uint16_t)(hour->core.tick / CORE_TICK_HZ % 1440u);
     if (happens(hour, DRAW_COIN, 9) && !hour->output.coin_lockout) {
-        input->coin_count = 1u + draw(hour, DRAW_COINS) % 3u;
-        hour->coins += input->coin_count;
+        input->coin_count[0] = 1u + draw(hour, DRAW_COINS) % 3u;
+        hour->coins += input->coin_count[0];
     }
     if (happens(hour, DRAW_SERVICE, 120)) {
         input->pressed |= INPUT_SERVICE;
