@@ -46,7 +46,8 @@ LIB_CFLAGS = $(eval LIB_CFLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config
 LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS)
 
 CORE_SRC := $(wildcard core/*.c core/*/*.c)
-PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c platform/species/*.c)
+PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c platform/species/*.c \
+    platform/store/*.c)
 KIOSK_SRC := $(wildcard platform/kiosk/*.c)
 CTL_SRC := $(wildcard platform/ctl/*.c)
 GPIOD_SRC := $(wildcard drivers/gpio_lines[0-9].c drivers/gpio_chips[0-9].c)

@@ -159,9 +159,10 @@ struct memory; /* core/memory.h */
 
 struct hal_storage_ops {
     int (*open)(void *self);
-    /* At start: what earlier evenings left. A store that is not there leaves `out` as it is. */
+    /* At start: what earlier evenings left, with ledger.boots of this start. A setting that the
+     * menu never turned, and all else where there is no store, is left as `out` has it. */
     int (*remember)(void *self, struct memory *out);
-    /* The next entry, by their ids and without a gap. Copies; BUSY: next frame. */
+    /* The next entry, by rising ids. Copies; BUSY: next frame. */
     int (*keep)(void *self, const struct ledger_entry *entry);
     uint32_t (*saved_id)(void *self); /* Newest entry known to be on disk; never goes back. */
     /* The replay of the round whose entry is `round_id`, known to be worth one. `bytes` are lent
@@ -173,13 +174,13 @@ struct hal_storage_ops {
      * no longer BUSY: the replay's size, or HAL_ERR_NONE where there is none. */
     int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size);
     int (*replay_fetched)(void *self);
-    int (*keep_edit)(void *self, const struct edit_record *edit); /* As save(). */
+    int (*keep_edit)(void *self, const struct edit_record *edit); /* As keep(). */
     uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
     int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */
     uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
-    int (*is_well)(void *self); /* 1: rounds and edits are kept, and the last writes went well. */
+    int (*is_well)(void *self); /* 1: entries and edits are kept, and the last writes went well. */
     const char *(*describe)(void *self);
-    /* Writes what save() and keep_edit() took, which may wait a few seconds; returns how many of
+    /* Writes what keep() and keep_edit() took, which may wait a few seconds; returns how many of
      * them it could not. */
     uint32_t (*close)(void *self);
 };

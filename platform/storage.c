@@ -1,66 +1,22 @@
-/* storage.c -- finished rounds go to SQLite behind a bounded queue. */
+/* storage.c -- the store as the frame loop sees it: everything here comes back at once. */
 #include "platform/storage.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
 #include <sqlite3.h>
 
-#include "platform/edit_file.h"
 #include "platform/folder.h"
-
-#define RETRY_S 1           /* Between two tries at a card that refused. */
-#define SET_ASIDE_MAX 1000u /* Damaged files that may lie beside the good one. */
+#include "platform/storage_parts.h"
 
 static void say(struct storage *storage, const char *what, const char *why, const char *advice)
 {
     snprintf(storage->text, sizeof storage->text, "%.68s: %.44s; %.40s", what, why, advice);
 }
 
-/* ---- opening ------------------------------------------------------------------------------ */
-
-/* Opens the file and reads what it knows of today, before the thread has it. */
-static int open_file(struct storage *storage)
-{
-    int code = score_file_open(&storage->file, storage->path);
-    if (code == SQLITE_OK) {
-        code = score_file_best_today(&storage->file, storage->best_today);
-        if (code != SQLITE_OK) {
-            score_file_close(&storage->file);
-        }
-    }
-    return code;
-}
-
-/* A journal belongs to its file: left behind, it would be played into the fresh one. */
-static void set_journal_aside(const struct storage *storage)
-{
-    char from[sizeof storage->path + 16], to[sizeof storage->set_aside + 16];
-    snprintf(from, sizeof from, "%s-journal", storage->path);
-    snprintf(to, sizeof to, "%s-journal", storage->set_aside);
-    rename(from, to);
-}
-
-/* Renames the damaged file to the first free kingyo.db.damaged-N. */
-static bool set_aside(struct storage *storage)
-{
-    for (unsigned n = 1; n <= SET_ASIDE_MAX; n++) {
-        snprintf(storage->set_aside, sizeof storage->set_aside, "%s.damaged-%u", storage->path, n);
-        if (access(storage->set_aside, F_OK) != 0) {
-            if (rename(storage->path, storage->set_aside) == 0) {
-                set_journal_aside(storage);
-                return true;
-            }
-            break;
-        }
-    }
-    storage->set_aside[0] = '\0';
-    return false;
-}
+/* ---- Opening -------------------------------------------------------------------------------- */
 
 static bool folder_is_there(struct storage *storage)
 {
@@ -73,86 +29,6 @@ static bool folder_is_there(struct storage *storage)
     return error == 0;
 }
 
-/* ---- the thread --------------------------------------------------------------------------- */
-
-/* Writes what is queued, oldest first, and stops at the first refusal. */
-static void drain(struct storage *storage)
-{
-    unsigned written = atomic_load(&storage->written);
-    while (storage->has_file && written != atomic_load(&storage->pushed)) {
-        const struct storage_slot *slot = &storage->queue[written % STORAGE_QUEUE_MAX];
-        const int code = score_file_write(&storage->file, &slot->record, slot->ended_s);
-        atomic_store(&storage->error, code);
-        if (code != SQLITE_OK) {
-            atomic_fetch_add(&storage->refused, 1);
-            return;
-        }
-        atomic_store(&storage->saved_id, slot->record.id);
-        atomic_store(&storage->written, ++written);
-    }
-}
-
-/* The same for graphs, which need no database. */
-static void drain_edits(struct storage *storage)
-{
-    unsigned written = atomic_load(&storage->edits_written);
-    while (written != atomic_load(&storage->edits_pushed)) {
-        const struct edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
-        const int error = edit_file_keep(storage->dir, edit);
-        atomic_store(&storage->edit_error, -error);
-        if (error != 0) {
-            atomic_fetch_add(&storage->refused, 1);
-            return;
-        }
-        atomic_store(&storage->kept_edit_id, edit->id);
-        atomic_store(&storage->edits_written, ++written);
-    }
-}
-
-static uint32_t unwritten_edits(const struct storage *storage)
-{
-    return atomic_load(&storage->edits_pushed) - atomic_load(&storage->edits_written);
-}
-
-static void wait_for_work(struct storage *storage)
-{
-    if (atomic_load(&storage->written) == atomic_load(&storage->pushed) &&
-        unwritten_edits(storage) == 0) {
-        while (sem_wait(&storage->wake) != 0 && errno == EINTR) {
-        }
-        return;
-    }
-    struct timespec until;
-    clock_gettime(CLOCK_REALTIME, &until); /* What sem_timedwait measures by. */
-    until.tv_sec += RETRY_S;
-    sem_timedwait(&storage->wake, &until);
-}
-
-static void *writer(void *context)
-{
-    struct storage *storage = context;
-    while (!atomic_load(&storage->stop)) {
-        wait_for_work(storage);
-        drain(storage);
-        drain_edits(storage);
-    }
-    return NULL;
-}
-
-/* The thread takes no signals: those that end the kiosk are the main thread's to see. */
-static bool start_writer(struct storage *storage)
-{
-    sigset_t all, before;
-    sigfillset(&all);
-    sem_init(&storage->wake, 0, 0);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    storage->running = pthread_create(&storage->thread, NULL, writer, storage) == 0;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return storage->running;
-}
-
-/* ---- the device --------------------------------------------------------------------------- */
-
 /* Whether the path of the file is known; when not, `text` says why. */
 static bool find_file(struct storage *storage)
 {
@@ -163,17 +39,44 @@ static bool find_file(struct storage *storage)
     const int length =
         snprintf(storage->path, sizeof storage->path, "%s/" STORAGE_FILE, storage->dir);
     if (length < 0 || (size_t)length >= sizeof storage->path) {
+        storage->path[0] = '\0';
         say(storage, "no store", "the folder's path is too long", "name a shorter one");
         return false;
     }
-    return folder_is_there(storage);
+    return storage->vfs || folder_is_there(storage);
 }
 
 static void say_no_file(struct storage *storage, const char *why)
 {
     char what[HAL_TEXT_SIZE / 2];
     snprintf(what, sizeof what, "no store: %.56s", storage->path);
-    say(storage, what, why, "rounds are not kept");
+    say(storage, what, why, "nothing is kept");
+}
+
+/* The thread takes no signals: those that end the kiosk are the main thread's to see. */
+static bool start_thread(struct storage *storage)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    storage->has_thread = pthread_create(&storage->thread, NULL, storage_thread, storage) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return storage->has_thread;
+}
+
+/* What the core goes on from, before the thread has the file. */
+static void note_start(struct storage *storage)
+{
+    struct ledger_entry newest;
+    storage->start = storage->file.content;
+    storage->accepted_id = storage->start.memory.ledger.last_id;
+    atomic_store(&storage->saved_id, storage->accepted_id);
+    if (ledger_file_entry(&storage->file, storage->accepted_id, &newest) == SQLITE_OK) {
+        storage->saved_boot = newest.boot;
+        storage->saved_tick = newest.tick;
+    }
+    storage->prunes = true;
+    atomic_store(&storage->has_file, true);
 }
 
 /* Graphs are texts in the same folder: the thread runs for them without a database, too. */
@@ -181,58 +84,59 @@ static int storage_open(void *self)
 {
     struct storage *storage = self;
     if (storage->running) {
-        return storage->has_file ? HAL_OK : HAL_ERR_IO;
+        return atomic_load(&storage->has_file) ? HAL_OK : HAL_ERR_IO;
     }
     if (!find_file(storage)) {
         return storage->dir ? HAL_ERR_IO : HAL_ERR_NONE;
     }
     sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
-    int code = open_file(storage);
-    if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && set_aside(storage)) {
-        code = open_file(storage);
+    const int code = storage_open_file(storage);
+    atomic_store(&storage->error, storage->file.is_read_only ? SQLITE_READONLY : code);
+    if (code == SQLITE_OK) {
+        note_start(storage);
+    } else {
+        say_no_file(storage, ledger_file_error(code));
     }
-    storage->has_file = code == SQLITE_OK;
-    if (!start_writer(storage)) {
+    sem_init(&storage->wake, 0, 0);
+    storage->running = true;
+    if (!storage->by_hand && !start_thread(storage)) {
         say_no_file(storage, "no thread to be had");
-        storage->has_file = false;
-    } else if (!storage->has_file) {
-        say_no_file(storage, score_file_error(code));
+        ledger_file_close(&storage->file);
+        atomic_store(&storage->has_file, false);
+        storage->running = false;
+        return HAL_ERR_IO;
     }
-    if (!storage->has_file) {
-        score_file_close(&storage->file);
-    }
-    return storage->has_file ? HAL_OK : HAL_ERR_IO;
+    return code == SQLITE_OK ? HAL_OK : HAL_ERR_IO;
 }
 
 static int storage_remember(void *self, struct memory *out)
 {
     const struct storage *storage = self;
-    if (!storage->has_file) {
+    if (!storage->running || !storage->start.has_read) {
         return HAL_ERR_NONE;
     }
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        out->ranking.row[mode][RANK_DAY][0].caught = storage->best_today[mode];
-    }
+    ledger_content_remember(&storage->start, out);
+    out->ledger.boots++; /* This start; it is on disk with the first entry that says so. */
     return HAL_OK;
 }
+
+/* ---- Entries and graphs --------------------------------------------------------------------- */
 
 static int storage_keep(void *self, const struct ledger_entry *entry)
 {
     struct storage *storage = self;
-    const struct round_record *record = &entry->round;
-    if (!storage->has_file || entry->kind != LEDGER_ROUND) {
+    if (!atomic_load(&storage->has_file)) {
         return HAL_ERR_NONE;
     }
-    if (record->id <= storage->accepted_id) {
+    if (entry->id <= storage->accepted_id) {
         return HAL_OK;
     }
-    const unsigned pushed = atomic_load(&storage->pushed);
-    if (pushed - atomic_load(&storage->written) == STORAGE_QUEUE_MAX) {
+    if (storage_unwritten(storage) == STORAGE_QUEUE_MAX) {
         return HAL_ERR_BUSY;
     }
-    storage->queue[pushed % STORAGE_QUEUE_MAX] =
-        (struct storage_slot){ .record = *record, .ended_s = time(NULL) };
-    storage->accepted_id = record->id;
+    const unsigned pushed = atomic_load(&storage->pushed);
+    storage->queue[pushed % STORAGE_QUEUE_MAX] = *entry;
+    storage->accepted_id = entry->id;
     atomic_store(&storage->pushed, pushed + 1);
     sem_post(&storage->wake);
     return HAL_OK;
@@ -242,30 +146,6 @@ static uint32_t storage_saved_id(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->saved_id);
-}
-
-static int storage_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
-{
-    (void)self, (void)round_id, (void)bytes, (void)size;
-    return HAL_ERR_NONE;
-}
-
-static uint32_t storage_replay_kept_id(void *self)
-{
-    (void)self;
-    return 0;
-}
-
-static int storage_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
-{
-    (void)self, (void)round_id, (void)bytes, (void)size;
-    return HAL_ERR_NONE;
-}
-
-static int storage_replay_fetched(void *self)
-{
-    (void)self;
-    return HAL_ERR_NONE;
 }
 
 static int storage_keep_edit(void *self, const struct edit_record *edit)
@@ -278,7 +158,7 @@ static int storage_keep_edit(void *self, const struct edit_record *edit)
         return HAL_OK;
     }
     const unsigned pushed = atomic_load(&storage->edits_pushed);
-    if (unwritten_edits(storage) == STORAGE_EDITS_MAX) {
+    if (storage_unwritten_edits(storage) == STORAGE_EDITS_MAX) {
         return HAL_ERR_BUSY;
     }
     storage->edits[pushed % STORAGE_EDITS_MAX] = *edit;
@@ -301,10 +181,61 @@ static int storage_refuses_edits(void *self)
     return !storage->running || atomic_load(&storage->edit_error) != 0;
 }
 
+/* ---- Replays -------------------------------------------------------------------------------- */
+
+static int storage_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
+{
+    struct storage *storage = self;
+    if (!atomic_load(&storage->has_file)) {
+        return HAL_ERR_NONE;
+    }
+    if (atomic_load(&storage->put.state) != STORAGE_REPLAY_IDLE) {
+        return HAL_ERR_BUSY;
+    }
+    storage->put.round_id = round_id;
+    storage->put.bytes = bytes;
+    storage->put.size = size;
+    atomic_store(&storage->put.state, STORAGE_REPLAY_WAITS);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+static uint32_t storage_replay_kept_id(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->put_id);
+}
+
+static int storage_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+{
+    struct storage *storage = self;
+    if (!atomic_load(&storage->has_file)) {
+        return HAL_ERR_NONE;
+    }
+    if (atomic_load(&storage->get.state) != STORAGE_REPLAY_IDLE) {
+        return HAL_ERR_BUSY;
+    }
+    storage->get.round_id = round_id;
+    storage->get.room = bytes;
+    storage->get.size = size;
+    atomic_store(&storage->get.state, STORAGE_REPLAY_WAITS);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+static int storage_replay_fetched(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->get.state) != STORAGE_REPLAY_IDLE ? HAL_ERR_BUSY
+                                                                   : atomic_load(&storage->got);
+}
+
+/* ---- How it is ------------------------------------------------------------------------------ */
+
 static int storage_is_well(void *self)
 {
     struct storage *storage = self;
-    return storage->has_file && atomic_load(&storage->error) == SQLITE_OK &&
+    return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
            !storage_refuses_edits(storage);
 }
 
@@ -314,16 +245,11 @@ static uint32_t storage_refused_count(void *self)
     return atomic_load(&storage->refused);
 }
 
-static uint32_t unwritten_count(const struct storage *storage)
-{
-    return atomic_load(&storage->pushed) - atomic_load(&storage->written);
-}
-
 static void say_refused(struct storage *storage, int error, const char *advice)
 {
     char what[HAL_TEXT_SIZE / 2];
-    snprintf(what, sizeof what, "store: %u rounds not written", unwritten_count(storage));
-    say(storage, what, score_file_error(error), advice);
+    snprintf(what, sizeof what, "store: %u entries not written", storage_unwritten(storage));
+    say(storage, what, ledger_file_error(error), advice);
 }
 
 static const char *advice_for(int error)
@@ -334,6 +260,10 @@ static const char *advice_for(int error)
         return "another program holds it; it is retried";
     case SQLITE_FULL:
         return "free some space; it is retried";
+    case SQLITE_READONLY:
+        return "the card is read-only; it is retried";
+    case LEDGER_FILE_ANOTHERS:
+        return "restart to use this one";
     default:
         return "it is retried each second";
     }
@@ -342,23 +272,37 @@ static const char *advice_for(int error)
 static const char *storage_describe(void *self)
 {
     struct storage *storage = self;
-    if (!storage->has_file) {
-        return storage->text[0] ? storage->text : "no store: not opened";
-    }
     const int error = atomic_load(&storage->error);
     const int edit_error = atomic_load(&storage->edit_error);
+    const unsigned aside = atomic_load(&storage->aside);
+    if (!atomic_load(&storage->has_file)) {
+        return storage->text[0] ? storage->text : "no store: not opened";
+    }
     if (error != SQLITE_OK) {
         say_refused(storage, error, advice_for(error));
     } else if (edit_error != 0) {
         say(storage, "store: a graph was not written", strerror(edit_error), "it is retried");
-    } else if (storage->set_aside[0]) {
-        const char *name = strrchr(storage->set_aside, '/') + 1;
+    } else if (aside > 0) {
         snprintf(storage->text, sizeof storage->text,
-                 "%.80s (a fresh one: the old was damaged and is now %.30s)", storage->path, name);
+                 "%.80s (a fresh one: the old was damaged and is now " STORAGE_FILE ".damaged-%u)",
+                 storage->path, aside);
     } else {
         snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
     }
     return storage->text;
+}
+
+/* ---- Closing -------------------------------------------------------------------------------- */
+
+static void stop_thread(struct storage *storage)
+{
+    if (storage->has_thread) {
+        atomic_store(&storage->stop, true);
+        sem_post(&storage->wake);
+        pthread_join(storage->thread, NULL);
+        storage->has_thread = false;
+        atomic_store(&storage->stop, false);
+    }
 }
 
 static uint32_t storage_close(void *self)
@@ -367,12 +311,9 @@ static uint32_t storage_close(void *self)
     if (!storage->running) {
         return 0;
     }
-    atomic_store(&storage->stop, true);
-    sem_post(&storage->wake);
-    pthread_join(storage->thread, NULL);
-    drain(storage); /* What came while the thread was leaving, and one last try for the rest. */
-    drain_edits(storage);
-    const uint32_t lost = unwritten_count(storage), lost_edits = unwritten_edits(storage);
+    stop_thread(storage);
+    storage_work(storage); /* What came while it was leaving, and one last try for the rest. */
+    const uint32_t lost = storage_unwritten(storage), lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {
         say_refused(storage, atomic_load(&storage->error), "they are lost");
     } else if (lost_edits > 0) {
@@ -380,11 +321,9 @@ static uint32_t storage_close(void *self)
             strerror(atomic_load(&storage->edit_error)), "it is lost");
     }
     sem_destroy(&storage->wake);
-    if (storage->has_file) {
-        score_file_close(&storage->file);
-    }
-    storage->running = storage->has_file = false;
-    atomic_store(&storage->stop, false);
+    ledger_file_close(&storage->file);
+    storage->running = false;
+    atomic_store(&storage->has_file, false);
     return lost + lost_edits;
 }
 

@@ -11,7 +11,6 @@
 
 #include "drivers/hid_book_text.h"
 #include "platform/ctl/doctor.h"
-#include "platform/score_file.h"
 #include "platform/storage.h"
 
 #define ROOM_MIB 64u /* A round is 200 bytes: rounds for years, and room for a recording. */
@@ -83,7 +82,7 @@ static void judge(struct doctor_finding *finding, sqlite3 *database)
                              "old rounds matter");
     } else {
         doctor_state(finding, "whole, %s rounds, version %s of %d", rounds, version,
-                     SCORE_FILE_VERSION);
+                     LEDGER_FILE_VERSION);
     }
 }
 

@@ -175,6 +175,7 @@ static enum exit_code begin(struct session *session)
     for (uint32_t i = 0; i < options_players(options); i++) {
         config.bot[i] = options->poi == BOARD_POI_BOT;
     }
+    settings_reset(&config.core.memory.settings);
     storage->ops->remember(storage->self, &config.core.memory);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         config.core.best_today[mode] = config.core.memory.ranking.row[mode][RANK_DAY][0].caught;

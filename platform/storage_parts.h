@@ -1,0 +1,17 @@
+/* storage_parts.h -- what the pieces of the store have of each other, and nobody else. */
+#ifndef KINGYO_PLATFORM_STORAGE_PARTS_H
+#define KINGYO_PLATFORM_STORAGE_PARTS_H
+
+#include "platform/storage.h"
+
+/* storage_open.c: opens storage->path; a damaged file is set aside first. SQLite's code. */
+int storage_open_file(struct storage *storage);
+
+/* storage_thread.c: until storage->stop. */
+void *storage_thread(void *storage);
+
+/* How many of each wait. */
+uint32_t storage_unwritten(const struct storage *storage);
+uint32_t storage_unwritten_edits(const struct storage *storage);
+
+#endif

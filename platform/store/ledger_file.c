@@ -1,0 +1,205 @@
+/* ledger_file.c -- the file itself: opened, checked, written in transactions. */
+#include "platform/store/ledger_file.h"
+
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/ledger_parts.h"
+#include "platform/store/sql.h"
+
+#define BUSY_MS 2000 /* Another program (kingyoctl, a backup) may hold the file this long. */
+
+/* A rollback journal, not WAL: no extra file has to survive for the last entry to count. EXTRA also
+ * syncs the folder after the journal is gone, so that a power cut cannot bring the journal back and
+ * undo an entry that was said to be written. The cache is what a transaction needs, in KiB. */
+static const char settings[] = "PRAGMA journal_mode = DELETE;"
+                               "PRAGMA synchronous = EXTRA;"
+                               "PRAGMA cache_size = -1024;";
+
+int ledger_statement(struct ledger_file *file, enum ledger_statement which, sqlite3_stmt **out)
+{
+    int code = SQLITE_OK;
+    if (!file->statement[which]) {
+        code = sqlite3_prepare_v3(file->db, ledger_statement_text(which), -1,
+                                  SQLITE_PREPARE_PERSISTENT, &file->statement[which], NULL);
+    }
+    *out = file->statement[which];
+    return code;
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+/* SQLITE_OK, or why the file cannot be used. SQLite finds most damage only when asked to look. */
+static int check(struct ledger_file *file)
+{
+    sqlite3_stmt *check = NULL;
+    int code = sqlite3_prepare_v2(file->db, "PRAGMA quick_check(1)", -1, &check, NULL);
+    if (code == SQLITE_OK) {
+        code = sqlite3_step(check);
+        if (code == SQLITE_ROW) {
+            const unsigned char *verdict = sqlite3_column_text(check, 0);
+            const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
+            code = good ? SQLITE_OK : SQLITE_CORRUPT;
+        }
+    }
+    sqlite3_finalize(check);
+    return code;
+}
+
+static int read_version(struct ledger_file *file, int64_t *version)
+{
+    *version = 0;
+    return sql_number(file->db, "PRAGMA user_version", version);
+}
+
+/* Within one transaction, so that of two programs that open an old file one finds it done. */
+static int bring_up_to_date(struct ledger_file *file)
+{
+    int64_t version;
+    int code = sql_run(file->db, "BEGIN IMMEDIATE");
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = read_version(file, &version);
+    if (code == SQLITE_OK && version < LEDGER_FILE_VERSION) {
+        code = ledger_schema_raise(file, (int)version);
+    }
+    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return code;
+}
+
+static int raise_version(struct ledger_file *file, int64_t version)
+{
+    if (version > LEDGER_FILE_VERSION) {
+        return LEDGER_FILE_NEWER;
+    }
+    if (version == LEDGER_FILE_VERSION) {
+        return SQLITE_OK;
+    }
+    return file->is_read_only ? SQLITE_READONLY : bring_up_to_date(file);
+}
+
+/* Whoever opened the connection; what is damaged or newer was not changed by then. */
+static int begin(struct ledger_file *file)
+{
+    int64_t version = 0;
+    sqlite3_extended_result_codes(file->db, 0);
+    sqlite3_busy_timeout(file->db, BUSY_MS);
+    file->is_read_only = sqlite3_db_readonly(file->db, "main") == 1;
+    int code = check(file);
+    code = code == SQLITE_OK ? read_version(file, &version) : code;
+    code = code == SQLITE_OK && version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : code;
+    if (code == SQLITE_OK && !file->is_read_only) {
+        code = sql_run(file->db, settings);
+    }
+    code = code == SQLITE_OK ? raise_version(file, version) : code;
+    return code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code;
+}
+
+int ledger_file_open(struct ledger_file *file, const char *path, const char *vfs)
+{
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+    *file = (struct ledger_file){ 0 };
+    int code = sqlite3_open_v2(path, &file->db, flags, vfs);
+    code = code == SQLITE_OK ? begin(file) : code;
+    if (code != SQLITE_OK) {
+        ledger_file_close(file);
+    }
+    return code;
+}
+
+int ledger_file_look(struct ledger_file *file, const char *path)
+{
+    int64_t version = 0;
+    *file = (struct ledger_file){ .is_read_only = true };
+    int code = sqlite3_open_v2(path, &file->db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
+    if (code == SQLITE_OK) {
+        sqlite3_busy_timeout(file->db, BUSY_MS);
+        code = read_version(file, &version);
+    }
+    if (code == SQLITE_OK && version != LEDGER_FILE_VERSION) {
+        code = version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : SQLITE_SCHEMA;
+    }
+    code = code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code;
+    if (code != SQLITE_OK) {
+        ledger_file_close(file);
+    }
+    return code;
+}
+
+void ledger_file_close(struct ledger_file *file)
+{
+    for (uint32_t i = 0; i < LEDGER_STATEMENT_COUNT; i++) {
+        sqlite3_finalize(file->statement[i]);
+    }
+    sqlite3_close(file->db);
+    *file = (struct ledger_file){ 0 };
+}
+
+/* ---- Writing -------------------------------------------------------------------------------- */
+
+static int put_entries(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count,
+                       struct ledger_content *after)
+{
+    int code = SQLITE_OK;
+    for (uint32_t i = 0; code == SQLITE_OK && i < count; i++) {
+        if (entries[i].id > after->memory.ledger.last_id) {
+            code = ledger_rows_put(file, &entries[i]);
+            ledger_sums_note(after, &entries[i]);
+        }
+    }
+    return code == SQLITE_OK ? ledger_sums_put(file, &file->content, after) : code;
+}
+
+/* What could not be written may all the same be there, when it was the last sync that failed. */
+static int undo(struct ledger_file *file, int code)
+{
+    sql_run(file->db, "ROLLBACK");
+    struct ledger_content found;
+    if (ledger_sums_read(file, &found) == SQLITE_OK) {
+        file->content = found;
+    }
+    return code;
+}
+
+int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count)
+{
+    struct ledger_content after = file->content;
+    int code = sql_run(file->db, "BEGIN IMMEDIATE");
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = put_entries(file, entries, count, &after);
+    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        return undo(file, code);
+    }
+    file->content = after;
+    return SQLITE_OK;
+}
+
+/* ---- The rest ------------------------------------------------------------------------------- */
+
+void ledger_content_remember(const struct ledger_content *content, struct memory *out)
+{
+    const struct memory *memory = &content->memory;
+    out->ledger = memory->ledger;
+    out->audits = memory->audits;
+    out->ranking = memory->ranking;
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        if (content->has_setting[id]) {
+            out->settings.value[id] = memory->settings.value[id];
+        }
+    }
+}
+
+const char *ledger_file_error(int code)
+{
+    return code == LEDGER_FILE_NEWER      ? "a later Kingyo wrote it"
+           : code == LEDGER_FILE_ANOTHERS ? "not the card that it began with"
+                                          : sqlite3_errstr(code);
+}

@@ -1,0 +1,71 @@
+/* ledger_replays.c -- the replays of ranked rounds, and what is not kept for ever. */
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/ledger_parts.h"
+#include "platform/store/sql.h"
+
+
+/* Entries go many at a time, so that most of their transactions have nothing else to write. */
+static const char prune[] =
+    "BEGIN IMMEDIATE;"
+    "DELETE FROM replays WHERE round NOT IN (SELECT round FROM ranking WHERE caught > 0);"
+    "DELETE FROM entries WHERE id + 32768 <= (SELECT max(id) FROM entries) AND"
+    " (SELECT max(id) - min(id) FROM entries) >= 32768 + 256;"
+    "DELETE FROM round_players WHERE round <="
+    " (SELECT entry FROM rounds ORDER BY entry DESC LIMIT 1 OFFSET 65536)"
+    " AND round NOT IN (SELECT round FROM ranking);"
+    "DELETE FROM rounds WHERE entry <="
+    " (SELECT entry FROM rounds ORDER BY entry DESC LIMIT 1 OFFSET 65536)"
+    " AND entry NOT IN (SELECT round FROM ranking);"
+    "COMMIT";
+
+_Static_assert(LEDGER_FILE_ENTRIES == 32768u && LEDGER_FILE_ROUNDS == 65536u, "as prune says");
+
+int ledger_file_prune(struct ledger_file *file)
+{
+    const int code = sql_run(file->db, prune);
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return code;
+}
+
+int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
+                           size_t size)
+{
+    const int64_t round = round_id;
+    sqlite3_stmt *put = NULL;
+    int code = ledger_statement(file, PUT_REPLAY, &put);
+    if (code == SQLITE_OK) {
+        sqlite3_bind_blob64(put, 2, bytes, size, SQLITE_STATIC);
+        code = sql_put(put, &round, 1);
+        sqlite3_clear_bindings(put);
+    }
+    return code;
+}
+
+int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *bytes, size_t size,
+                           size_t *size_out)
+{
+    sqlite3_stmt *get = NULL;
+    int code = ledger_statement(file, GET_REPLAY, &get);
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    sqlite3_bind_int64(get, 1, round_id);
+    code = sqlite3_step(get);
+    if (code == SQLITE_ROW) {
+        const void *blob = sqlite3_column_blob(get, 0);
+        *size_out = (size_t)sqlite3_column_bytes(get, 0);
+        code = *size_out > size ? SQLITE_TOOBIG : blob ? SQLITE_OK : SQLITE_NOMEM;
+        if (code == SQLITE_OK) {
+            memcpy(bytes, blob, *size_out);
+        }
+    } else if (code == SQLITE_DONE) {
+        code = SQLITE_NOTFOUND;
+    }
+    sqlite3_reset(get);
+    return code;
+}

@@ -1,0 +1,265 @@
+/* ledger_rows.c -- one entry of the ledger, to rows and back. */
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "core/base/hash.h"
+#include "platform/store/ledger_parts.h"
+#include "platform/store/sql.h"
+
+/* Who adds a field adds its column (ledger_schema.c), here, and in entry_sum(). */
+_Static_assert(sizeof(struct purse) == 24, "a field of the purse is not kept");
+_Static_assert(sizeof(struct health) == 12, "a field of the health is not kept");
+_Static_assert(sizeof(struct player_record) == 24, "a field of the player's record is not kept");
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))
+
+/* ---- The sum -------------------------------------------------------------------------------- */
+
+static uint64_t hash_words(uint64_t hash, const uint32_t *words, int count)
+{
+    for (int i = 0; i < count; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    return hash;
+}
+
+static uint64_t round_sum(uint64_t sum, const struct round_record *round)
+{
+    const uint32_t words[] = { round->seed,  round->start_tick, round->end_tick, round->caught,
+                               round->by_bot, round->mode,      round->grade,    round->players,
+                               round->unscored };
+    sum = hash_words(sum, words, COUNT(words));
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player_record *player = &round->player[i];
+        const uint32_t own[] = { player->caught,    player->scoops, player->hole_area_mm2,
+                                 player->torn_tick, player->sheets, player->fouls };
+        sum = round->players >> i & 1u ? hash_words(sum, own, COUNT(own)) : sum;
+    }
+    return sum;
+}
+
+/* SQLite notices a torn page, not a flipped bit. */
+static int64_t entry_sum(const struct ledger_entry *entry)
+{
+    const struct purse *purse = &entry->purse;
+    const struct health *health = &entry->health;
+    const uint32_t words[] = {
+        entry->id,            entry->boot,           entry->tick,          entry->day,
+        entry->minute,        entry->kind,           entry->detail,        entry->count,
+        (uint32_t)entry->value, purse->units,        purse->bonus_units,   purse->paid,
+        purse->service,       purse->untold,         purse->open,          health->up_s,
+        health->dropped_ticks, health->device_faults,
+    };
+    const uint64_t sum = hash_words(HASH_START, words, COUNT(words));
+    return (int64_t)(entry->kind == LEDGER_ROUND ? round_sum(sum, &entry->round) : sum);
+}
+
+/* ---- Out ------------------------------------------------------------------------------------ */
+
+static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
+{
+    const struct purse *purse = &entry->purse;
+    const struct health *health = &entry->health;
+    const int64_t values[] = {
+        entry->id,        entry->boot,          entry->tick,
+        entry->day,       entry->minute,        entry->kind,
+        entry->detail,    entry->count,         entry->value,
+        purse->units,     purse->bonus_units,   purse->paid,
+        purse->service,   purse->untold,        purse->open,
+        health->up_s,     health->dropped_ticks, health->device_faults,
+        entry_sum(entry),
+    };
+    sqlite3_stmt *put = NULL;
+    const int code = ledger_statement(file, PUT_ENTRY, &put);
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    const int name_size = (int)strnlen(entry->name, sizeof entry->name);
+    sqlite3_bind_text(put, COUNT(values) + 1, entry->name, name_size, SQLITE_STATIC);
+    return sql_put(put, values, COUNT(values));
+}
+
+static int put_round(struct ledger_file *file, const struct ledger_entry *entry)
+{
+    const struct round_record *round = &entry->round;
+    const int64_t values[] = { entry->id,         entry->boot,     entry->day,    entry->minute,
+                               round->seed,       round->start_tick, round->end_tick,
+                               round->caught,     round->by_bot,   round->mode,   round->grade,
+                               round->players,    round->unscored };
+    sqlite3_stmt *put = NULL;
+    const int code = ledger_statement(file, PUT_ROUND, &put);
+    return code == SQLITE_OK ? sql_put(put, values, COUNT(values)) : code;
+}
+
+static int put_players(struct ledger_file *file, const struct ledger_entry *entry)
+{
+    sqlite3_stmt *put = NULL;
+    int code = ledger_statement(file, PUT_PLAYER, &put);
+    for (uint32_t i = 0; code == SQLITE_OK && i < POI_MAX; i++) {
+        const struct player_record *player = &entry->round.player[i];
+        const int64_t values[] = { entry->id,
+                                   i,
+                                   player->caught,
+                                   player->scoops,
+                                   player->hole_area_mm2,
+                                   player->torn_tick,
+                                   player->sheets,
+                                   player->fouls };
+        if (entry->round.players >> i & 1u) {
+            code = sql_put(put, values, COUNT(values));
+        }
+    }
+    return code;
+}
+
+/* An empty name takes back those that were given before, in the list itself as well. */
+static int put_name(struct ledger_file *file, const struct ledger_entry *entry)
+{
+    const int64_t whose[] = { entry->count, entry->detail, LEDGER_NAME };
+    sqlite3_stmt *put = NULL, *forget = NULL;
+    int code = ledger_statement(file, PUT_NAME, &put);
+    if (code == SQLITE_OK) {
+        const int size = (int)strnlen(entry->name, sizeof entry->name);
+        sqlite3_bind_text(put, 3, entry->name, size, SQLITE_STATIC);
+        code = sql_put(put, whose, 2);
+    }
+    if (code == SQLITE_OK && !entry->name[0]) {
+        code = ledger_statement(file, FORGET_NAME, &forget);
+        code = code == SQLITE_OK ? sql_put(forget, whose, 3) : code;
+    }
+    return code;
+}
+
+int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry)
+{
+    int code = put_entry(file, entry);
+    if (code == SQLITE_OK && entry->kind == LEDGER_ROUND) {
+        code = put_round(file, entry);
+        code = code == SQLITE_OK ? put_players(file, entry) : code;
+    } else if (code == SQLITE_OK && entry->kind == LEDGER_NAME) {
+        code = put_name(file, entry);
+    }
+    return code;
+}
+
+/* ---- In ------------------------------------------------------------------------------------- */
+
+static uint32_t word(sqlite3_stmt *row, int column)
+{
+    return sql_uint(row, column, UINT32_MAX);
+}
+
+static uint8_t byte(sqlite3_stmt *row, int column)
+{
+    return (uint8_t)sql_uint(row, column, UINT8_MAX);
+}
+
+static struct ledger_entry entry_of(sqlite3_stmt *row)
+{
+    struct ledger_entry entry = {
+        .id = word(row, 0),
+        .boot = word(row, 1),
+        .tick = word(row, 2),
+        .day = (uint16_t)sql_uint(row, 3, UINT16_MAX),
+        .minute = (uint16_t)sql_uint(row, 4, UINT16_MAX),
+        .kind = byte(row, 5),
+        .detail = byte(row, 6),
+        .count = word(row, 7),
+        .value = (int32_t)sqlite3_column_int64(row, 8),
+        .purse = { word(row, 9), word(row, 10), word(row, 11), word(row, 12), word(row, 13),
+                   byte(row, 14) },
+        .health = { word(row, 15), word(row, 16), word(row, 17) },
+    };
+    sql_text(row, 18, entry.name, sizeof entry.name);
+    return entry;
+}
+
+static int read_players(struct ledger_file *file, uint32_t id, struct round_record *round)
+{
+    sqlite3_stmt *row = NULL;
+    int code = sqlite3_prepare_v2(file->db,
+                                  "SELECT seat, caught, scoops, hole_area_mm2, torn_tick, sheets,"
+                                  " fouls FROM round_players WHERE round = ?",
+                                  -1, &row, NULL);
+    sqlite3_bind_int64(row, 1, id);
+    while ((code == SQLITE_OK || code == SQLITE_ROW) &&
+           (code = sqlite3_step(row)) == SQLITE_ROW) {
+        const uint32_t seat = word(row, 0);
+        if (seat < POI_MAX) {
+            round->player[seat] = (struct player_record){
+                word(row, 1), word(row, 2), word(row, 3), word(row, 4), word(row, 5), byte(row, 6),
+            };
+        }
+    }
+    return sql_end(row, code);
+}
+
+static int read_round(struct ledger_file *file, uint32_t id, struct round_record *round)
+{
+    sqlite3_stmt *row = NULL;
+    int code = sqlite3_prepare_v2(file->db,
+                                  "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade,"
+                                  " players, unscored FROM rounds WHERE entry = ?",
+                                  -1, &row, NULL);
+    sqlite3_bind_int64(row, 1, id);
+    code = code == SQLITE_OK ? sqlite3_step(row) : code;
+    if (code == SQLITE_ROW) {
+        *round = (struct round_record){
+            .id = id,
+            .seed = word(row, 0),
+            .start_tick = word(row, 1),
+            .end_tick = word(row, 2),
+            .caught = word(row, 3),
+            .by_bot = byte(row, 4),
+            .mode = byte(row, 5),
+            .grade = byte(row, 6),
+            .players = byte(row, 7),
+            .unscored = byte(row, 8),
+        };
+        code = SQLITE_DONE;
+    }
+    return sql_end(row, code);
+}
+
+#define ENTRY_COLUMNS                                                                              \
+    "SELECT id, boot, tick, day, minute, kind, detail, count, value, units, bonus_units, paid,"    \
+    " service, untold, open, up_s, dropped_ticks, device_faults, name, sum FROM entries "
+
+static int read_entry(struct ledger_file *file, sqlite3_stmt *row, struct ledger_entry *out)
+{
+    *out = entry_of(row);
+    const int64_t sum = sqlite3_column_int64(row, 19);
+    int code = SQLITE_OK;
+    if (out->kind == LEDGER_ROUND) {
+        code = read_round(file, out->id, &out->round);
+        code = code == SQLITE_OK ? read_players(file, out->id, &out->round) : code;
+    }
+    return code == SQLITE_OK && entry_sum(out) != sum ? SQLITE_CORRUPT : code;
+}
+
+static int find_entry(struct ledger_file *file, const char *text, uint32_t id,
+                      struct ledger_entry *out)
+{
+    sqlite3_stmt *row = NULL;
+    int code = sqlite3_prepare_v2(file->db, text, -1, &row, NULL);
+    sqlite3_bind_int64(row, 1, id);
+    code = code == SQLITE_OK ? sqlite3_step(row) : code;
+    if (code == SQLITE_ROW) {
+        code = read_entry(file, row, out);
+    } else if (code == SQLITE_DONE) {
+        code = SQLITE_NOTFOUND;
+    }
+    sqlite3_finalize(row);
+    return code;
+}
+
+int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out)
+{
+    return find_entry(file, ENTRY_COLUMNS "WHERE id >= ?1 ORDER BY id DESC LIMIT 1", 0, out);
+}
+
+int ledger_file_entry(struct ledger_file *file, uint32_t id, struct ledger_entry *out)
+{
+    return find_entry(file, ENTRY_COLUMNS "WHERE id = ?1", id, out);
+}

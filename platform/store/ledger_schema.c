@@ -1,0 +1,220 @@
+/* ledger_schema.c -- the tables, their statements, and how a file of an old version becomes one of
+ * this. */
+#include <stddef.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/day.h"
+#include "platform/store/ledger_parts.h"
+#include "platform/store/sql.h"
+
+/* ---- The versions --------------------------------------------------------------------------- */
+
+/* What the first version made. */
+static const char version_1[] = "CREATE TABLE IF NOT EXISTS rounds ("
+                                " number INTEGER PRIMARY KEY," /* Over all runs of the kiosk. */
+                                " id INTEGER NOT NULL,"        /* Within one run. */
+                                " seed INTEGER NOT NULL,"
+                                " start_tick INTEGER NOT NULL,"
+                                " end_tick INTEGER NOT NULL,"
+                                " caught INTEGER NOT NULL," /* Of all players together. */
+                                " by_bot INTEGER NOT NULL,"
+                                " ended_at INTEGER NOT NULL);"; /* Unix time, seconds. */
+
+/* There was one mode, the festival with paper No. 6, and one player; how often it scooped and what
+ * became of its paper was not kept. */
+static const char version_2[] =
+    "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* enum game_mode */
+    "ALTER TABLE rounds ADD COLUMN grade INTEGER NOT NULL DEFAULT 6;"
+    "ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1;" /* How many. */
+    "CREATE TABLE round_players ("
+    " round INTEGER NOT NULL REFERENCES rounds (number) ON DELETE CASCADE,"
+    " player INTEGER NOT NULL," /* From 0. */
+    " caught INTEGER NOT NULL,"
+    " scoops INTEGER,"        /* Null: not known. */
+    " hole_area_mm2 INTEGER," /* Null: not known. */
+    " torn_tick INTEGER,"     /* Null: the paper lasted, or it is not known. */
+    " fouls INTEGER NOT NULL,"
+    " PRIMARY KEY (round, player)) WITHOUT ROWID;"
+    "INSERT INTO round_players (round, player, caught, fouls)"
+    " SELECT number, 0, caught, 0 FROM rounds;";
+
+/* The ledger. Columns are named as in core/ledger.h, and a zero takes no byte. */
+static const char version_3[] =
+    "CREATE TABLE entries ("
+    " id INTEGER PRIMARY KEY, boot INTEGER NOT NULL, tick INTEGER NOT NULL,"
+    " day INTEGER NOT NULL, minute INTEGER NOT NULL, kind INTEGER NOT NULL,"
+    " detail INTEGER NOT NULL, count INTEGER NOT NULL, value INTEGER NOT NULL,"
+    " units INTEGER NOT NULL, bonus_units INTEGER NOT NULL, paid INTEGER NOT NULL,"
+    " service INTEGER NOT NULL, untold INTEGER NOT NULL, open INTEGER NOT NULL,"
+    " up_s INTEGER NOT NULL, dropped_ticks INTEGER NOT NULL, device_faults INTEGER NOT NULL,"
+    " name TEXT NOT NULL,"
+    " sum INTEGER NOT NULL);" /* Of all but the name, which may be taken back. */
+    "CREATE TABLE rounds ("
+    " entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,"
+    " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
+    " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
+    " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
+    " players INTEGER NOT NULL," /* A bit each. */
+    " unscored INTEGER NOT NULL);"
+    "CREATE TABLE round_players ("
+    " round INTEGER NOT NULL, seat INTEGER NOT NULL, caught INTEGER NOT NULL,"
+    " scoops INTEGER, hole_area_mm2 INTEGER, torn_tick INTEGER, sheets INTEGER," /* Null: unknown */
+    " fouls INTEGER NOT NULL, name TEXT NOT NULL DEFAULT '',"
+    " PRIMARY KEY (round, seat)) WITHOUT ROWID;"
+    "CREATE TABLE settings (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID;"
+    "CREATE TABLE audits (name TEXT PRIMARY KEY, count INTEGER NOT NULL) WITHOUT ROWID;"
+    "CREATE TABLE ranking ("
+    " mode INTEGER NOT NULL, period INTEGER NOT NULL, place INTEGER NOT NULL,"
+    " caught INTEGER NOT NULL, round INTEGER NOT NULL, day INTEGER NOT NULL,"
+    " seat INTEGER NOT NULL, name TEXT NOT NULL,"
+    " PRIMARY KEY (mode, period, place)) WITHOUT ROWID;"
+    "CREATE TABLE state (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID;"
+    "CREATE TABLE replays (round INTEGER PRIMARY KEY, bytes BLOB NOT NULL);"
+    "PRAGMA user_version = 3;";
+
+static const char set_old_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;"
+                                    "ALTER TABLE round_players RENAME TO old_round_players;";
+
+/* What an old file did not know is unknown in the new one, too. `entry` counts as the rounds were
+ * read: by their numbers. */
+static const char forget_unknown[] =
+    "UPDATE round_players SET sheets = NULL;"
+    "UPDATE round_players SET scoops = NULL, hole_area_mm2 = NULL, torn_tick = NULL"
+    " WHERE (round, seat) IN (SELECT place, player FROM old_round_players JOIN"
+    "  (SELECT number, row_number() OVER (ORDER BY number) AS place FROM old_rounds)"
+    "  ON number = round WHERE scoops IS NULL);"
+    "DROP TABLE old_round_players;"
+    "DROP TABLE old_rounds;";
+
+/* ---- The statements ------------------------------------------------------------------------- */
+
+static const char *const texts[LEDGER_STATEMENT_COUNT] = {
+    [PUT_ENTRY] = "INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12,"
+                  " ?13, ?14, ?15, ?16, ?17, ?18, ?20, ?19)",
+    [PUT_ROUND] = "INSERT INTO rounds VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+    [PUT_PLAYER] = "INSERT INTO round_players (round, seat, caught, scoops, hole_area_mm2,"
+                   " torn_tick, sheets, fouls) VALUES (?, ?, ?, ?, ?, nullif(?, 0), ?, ?)",
+    [PUT_NAME] = "UPDATE round_players SET name = ?3 WHERE round = ?1 AND seat = ?2",
+    [FORGET_NAME] = "UPDATE entries SET name = '' WHERE kind = ?3 AND count = ?1 AND detail = ?2",
+    [PUT_SETTING] = "INSERT INTO settings (value, name) VALUES (?1, ?2)"
+                    " ON CONFLICT (name) DO UPDATE SET value = ?1",
+    [FORGET_SETTINGS] = "DELETE FROM settings",
+    [PUT_AUDIT] = "INSERT INTO audits (count, name) VALUES (?1, ?2)"
+                  " ON CONFLICT (name) DO UPDATE SET count = ?1",
+    [PUT_RANK] = "INSERT OR REPLACE INTO ranking VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+    [PUT_STATE] = "INSERT INTO state (value, name) VALUES (?1, ?2)"
+                  " ON CONFLICT (name) DO UPDATE SET value = ?1",
+    [PUT_REPLAY] = "INSERT OR REPLACE INTO replays (round, bytes) VALUES (?1, ?2)",
+    [GET_REPLAY] = "SELECT bytes FROM replays WHERE round = ?1",
+};
+
+const char *ledger_statement_text(enum ledger_statement which)
+{
+    return texts[which];
+}
+
+/* ---- From 2 to 3 ---------------------------------------------------------------------------- */
+
+static const char select_old[] =
+    "SELECT number, seed, start_tick, end_tick, caught, by_bot, ended_at, mode, grade"
+    " FROM old_rounds ORDER BY number";
+static const char select_old_players[] =
+    "SELECT player, caught, coalesce(scoops, 0), coalesce(hole_area_mm2, 0),"
+    " coalesce(torn_tick, 0), fouls FROM old_round_players WHERE round = ?1";
+
+static int read_old_players(sqlite3_stmt *players, int64_t number, struct round_record *round)
+{
+    int code;
+    sqlite3_bind_int64(players, 1, number);
+    while ((code = sqlite3_step(players)) == SQLITE_ROW) {
+        const uint32_t seat = sql_uint(players, 0, UINT32_MAX);
+        if (seat < POI_MAX) {
+            round->players |= (uint8_t)(1u << seat);
+            round->player[seat] = (struct player_record){
+                .caught = sql_uint(players, 1, UINT32_MAX),
+                .scoops = sql_uint(players, 2, UINT32_MAX),
+                .hole_area_mm2 = sql_uint(players, 3, UINT32_MAX),
+                .torn_tick = sql_uint(players, 4, UINT32_MAX),
+                .fouls = (uint8_t)sql_uint(players, 5, UINT8_MAX),
+            };
+        }
+    }
+    sqlite3_reset(players);
+    return code == SQLITE_DONE ? SQLITE_OK : code;
+}
+
+/* A mode that is not known keeps no score that could be ranked. */
+static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
+{
+    const struct day_minute ended = day_minute_of(sqlite3_column_int64(old, 6));
+    const uint32_t mode = sql_uint(old, 7, UINT8_MAX);
+    return (struct ledger_entry){
+        .id = id,
+        .day = ended.day,
+        .minute = ended.minute,
+        .kind = LEDGER_ROUND,
+        .round = {
+            .id = id,
+            .seed = sql_uint(old, 1, UINT32_MAX),
+            .start_tick = sql_uint(old, 2, UINT32_MAX),
+            .end_tick = sql_uint(old, 3, UINT32_MAX),
+            .caught = sql_uint(old, 4, UINT32_MAX),
+            .by_bot = (uint8_t)sql_uint(old, 5, 1),
+            .mode = (uint8_t)(mode < MODE_COUNT ? mode : MODE_PRACTICE),
+            .grade = (uint8_t)sql_uint(old, 8, UINT8_MAX),
+            .unscored = mode >= MODE_PRACTICE,
+        },
+    };
+}
+
+/* Each old round becomes an entry, as if this kiosk had written it: what all of them add up to
+ * comes about by the same functions. */
+static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt *players)
+{
+    struct ledger_content *content = &file->content;
+    int code;
+    uint32_t id = 0;
+    while ((code = sqlite3_step(old)) == SQLITE_ROW) {
+        struct ledger_entry entry = old_entry(old, ++id);
+        code = read_old_players(players, sqlite3_column_int64(old, 0), &entry.round);
+        code = code == SQLITE_OK ? ledger_rows_put(file, &entry) : code;
+        if (code != SQLITE_OK) {
+            return code;
+        }
+        ledger_sums_note(content, &entry);
+    }
+    const struct ledger_content nothing = { 0 };
+    return code == SQLITE_DONE ? ledger_sums_put(file, &nothing, content) : code;
+}
+
+static int carry_all_over(struct ledger_file *file)
+{
+    sqlite3_stmt *old = NULL, *players = NULL;
+    int code = sqlite3_prepare_v2(file->db, select_old, -1, &old, NULL);
+    code = code == SQLITE_OK
+               ? sqlite3_prepare_v2(file->db, select_old_players, -1, &players, NULL)
+               : code;
+    code = code == SQLITE_OK ? carry_over(file, old, players) : code;
+    sqlite3_finalize(players);
+    sqlite3_finalize(old);
+    return code;
+}
+
+int ledger_schema_raise(struct ledger_file *file, int version)
+{
+    int64_t has_rounds = 0;
+    int code = sql_number(file->db, "SELECT count(*) FROM sqlite_schema WHERE name = 'rounds'",
+                          &has_rounds);
+    if (code != SQLITE_OK || !has_rounds) {
+        return code != SQLITE_OK ? code : sql_run(file->db, version_3);
+    }
+    if (version < 2) {
+        code = sql_run(file->db, version_1);
+        code = code == SQLITE_OK ? sql_run(file->db, version_2) : code;
+    }
+    code = code == SQLITE_OK ? sql_run(file->db, set_old_aside) : code;
+    code = code == SQLITE_OK ? sql_run(file->db, version_3) : code;
+    code = code == SQLITE_OK ? carry_all_over(file) : code;
+    return code == SQLITE_OK ? sql_run(file->db, forget_unknown) : code;
+}
