@@ -33,9 +33,11 @@ static inline int hal_is_fault(int result)
  * "mouse (SDL x11)", "no sound: SDL found no audio device; plug one in or set SDL_AUDIODRIVER". */
 #define HAL_TEXT_SIZE 160u
 
-/* Monotonic, any epoch. */
 struct hal_clock_ops {
-    uint64_t (*now_ns)(void *self);
+    uint64_t (*now_ns)(void *self); /* Monotonic, any epoch. */
+    /* What the wall says, as input.day and input.minute: both 0 while it was plainly never set.
+     * Null in a clock that only measures. */
+    void (*civil)(void *self, uint16_t *day, uint16_t *minute);
 };
 
 /* Pixels of the newest presented frame, top row first. */

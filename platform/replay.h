@@ -1,12 +1,12 @@
 /* replay.h -- a play on disk: the inputs, and what the core made of them.
  *
- * All numbers are little-endian. A file is one header, a book where the growth lab has one, then
- * chunks of at most one second, then one end mark, and nothing after it:
+ * All numbers are little-endian. A file is one header, the start, a book where the growth lab has
+ * one, then chunks of at most one second, then one end mark, and nothing after it:
  *
  *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
- *            zero-filled), core_config as 13 u32 (seed, preset, fish_count, language, round_s,
- *            modes, grade, players, credit_coins, ticket_fish, best_today of each mode), u32 book
- *            size, u64 sum of the 88 bytes before it
+ *            zero-filled), u32 ticks to a digest, u32 start size, u32 book size, u64 sum of the 44
+ *            bytes before it
+ *   start    as many bytes (replay_start.h), u64 sum
  *   book     as many bytes (replay_book.h), u64 sum; nothing where the size is 0
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u32 fouls, u16 modes played, u16 players, u64 core_hash after the last tick,
@@ -14,7 +14,8 @@
  *   end      "ENDS", u32 tick count, u32 rounds begun, u32 fish caught, u32 fouls, u16 modes
  *            played, u16 players, u64 core_hash, u64 sum
  *   payload  a tick after the other: the input as what changed since the one before
- *            (replay_codec.c), then the low 32 bits of core_hash_quick after the tick
+ *            (replay_codec.c); then, after each so many ticks as the header says, the low 32 bits
+ *            of core_hash_quick
  *
  * A sum is FNV-1a over the bytes before it in its part, started from the sum of the part before,
  * so that no part can be altered, swapped or left out unseen. The end mark is written with each
@@ -32,10 +33,11 @@
 #include "core/core.h"
 #include "core/input.h"
 #include "platform/replay_book.h"
+#include "platform/replay_start.h"
 
-#define REPLAY_VERSION 5u /* 1 knew no shadows, 2 no modes, 3 no growth lab, 4 neither credits nor
-                             the operator's desk: all are refused. */
-#define REPLAY_HEADER_SIZE 96u
+#define REPLAY_VERSION 6u /* 1 knew no shadows, 2 no modes, 3 no growth lab, 4 neither credits nor
+                             the operator's desk, 5 no ledger: all are refused. */
+#define REPLAY_HEADER_SIZE 52u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
 #define REPLAY_SUM_SIZE 8u
@@ -44,17 +46,22 @@
 
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
 
-/* One tick at most: mask, buttons, edges, coins of each line, two saved ids, levels, a mask of the desk and the
- * desk, a mask of hands, each poi with a mask, a link, six floats and an age, each shade with a
+/* What the machine says: a mask, two saved ids, levels, day and minute, dropped ticks, faults. */
+#define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 2u * 4u)
+
+/* One tick at most: mask, buttons, edges, coins of each line, the machine, a mask of the desk and
+ * the desk, a mask of hands, each poi with a mask, a link, six floats and an age, each shade with a
  * mask, its presence and three floats, and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
-    (1u + 7u * 4u + 1u + 2u + REPLAY_DESK_BYTES + 1u +                                             \
+    (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES + 1u +       \
      POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
-/* The largest chunk, or the header with the largest book; with an end mark behind. */
+/* The largest chunk, or the header with the largest start and book; with an end mark behind. */
+#define REPLAY_HEADER_MAX                                                                          \
+    (REPLAY_HEADER_SIZE + REPLAY_START_MAX + REPLAY_BOOK_MAX + 2u * REPLAY_SUM_SIZE)
 #define REPLAY_BUFFER_SIZE                                                                         \
-    (REPLAY_HEADER_SIZE + REPLAY_BOOK_MAX + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE)
+    (REPLAY_HEADER_MAX + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE)
 
 /* What the header says. */
 struct replay_header {
@@ -91,32 +98,50 @@ int replay_totals_agree(const struct replay_totals *a, const struct replay_total
 /* ---- Writer (replay_writer.c) ---- */
 
 struct replay_writer {
-    int fd;                  /* -1: not open, or given up. */
+    int fd;                  /* -1: none. */
+    uint8_t *memory;         /* Written to in place of a file, `memory_size` bytes; else null. */
+    size_t memory_size;
     int error;               /* errno of what made it give up, or 0. */
     uint64_t offset;         /* Of the end mark. */
     uint64_t sum;            /* Of the last whole chunk. */
     struct input last;
     struct replay_totals totals, saved; /* Of the ticks so far; of those on disk. */
+    uint32_t digest_ticks;
     uint32_t chunk_ticks;
     size_t payload_size;
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
 
-/* Begins a file at `path`; one that is there must be empty, else -EEXIST. `first_hash` is
- * core_hash of the fresh core. 0, or a negative errno and nothing is open. */
+/* Begins a file at `path`, with a digest of each tick; one that is there must be empty, else
+ * -EEXIST. `first_hash` is core_hash of the fresh core. 0, or a negative errno and nothing is
+ * open. */
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash);
 
-/* Adds a tick; with the last of a second, writes. `hash` is asked for only when
- * replay_wants_hash(). A write that fails leaves the file whole as it was and stops the
- * recording: `error` says why. */
+/* The same in the caller's memory, which outlives the recording, with a digest each second. -ENOSPC
+ * when not even its head has room; memory that is full later ends the recording as a full disk
+ * does. */
+int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
+                     const struct core_config *config, uint64_t first_hash);
+
+/* Whether ticks are still taken. */
+int replay_is_open(const struct replay_writer *writer);
+
+/* Adds a tick; with the last of a second, writes. `digest` is asked for only when
+ * replay_wants_digest(), `totals->hash` only when replay_wants_hash(). A write that fails leaves
+ * the file whole as it was and stops the recording: `error` says why. */
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals);
+int replay_wants_digest(const struct replay_writer *writer);
 int replay_wants_hash(const struct replay_writer *writer);
 
 /* Writes what is left of the last second. `hash` is core_hash now. 0 or the negative errno that the
  * recording ended with. */
 int replay_finish(struct replay_writer *writer, uint64_t hash);
+
+/* A recording in memory as if it had ended with the newest tick, while it goes on. `hash` is
+ * core_hash now. Returns its size in `out`, or 0 when it is not open or `size` is too small. */
+size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size);
 
 /* ---- Reader (replay_reader.c) ---- */
 
@@ -131,13 +156,17 @@ struct replay_problem {
 };
 
 struct replay_reader {
-    int fd;
+    int fd;                  /* -1: none. */
+    const uint8_t *memory;   /* Read in place of a file, `memory_size` bytes; else null. */
+    size_t memory_size;
     uint64_t offset;         /* Of the next part. */
     uint64_t sum;
     struct replay_header header;
     struct replay_totals totals; /* Said by the chunk that is being read, or by the end. */
     struct input input;
-    uint32_t digest;         /* Of the tick that replay_next gave last. */
+    uint32_t digest_ticks;
+    uint8_t has_digest;      /* The tick that replay_next gave last has one: ... */
+    uint32_t digest;
     uint32_t tick;           /* How many replay_next gave. */
     uint32_t chunk_left;     /* Ticks of the chunk still to give. */
     size_t payload_size, payload_used;
@@ -149,14 +178,19 @@ struct replay_reader {
 /* 0, or -1 with `problem` filled and nothing open. */
 int replay_open(struct replay_reader *reader, const char *path);
 
-/* The next tick: 1 with `input` and `digest` filled, 0 at the end mark, -1 with `problem`
- * filled. When chunk_left is 0 after a tick, `totals` hold for the core after that tick. */
+/* The same of a recording in the caller's memory, which outlives the reading. */
+int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t size);
+
+/* The next tick: 1 with `input` filled, and `digest` where it has one, 0 at the end mark, -1 with
+ * `problem` filled. When chunk_left is 0 after a tick, `totals` hold for the core after it. */
 int replay_next(struct replay_reader *reader, struct input *input);
 
 void replay_close(struct replay_reader *reader);
 
-/* Reads a whole file and checks every byte. 0 with `totals` of all, or -1 with `reader->problem`.
- * `reader` is closed afterwards; its header remains. */
+/* Reads a whole file, or what is left of the recording that is open, and checks every byte. 0 with
+ * `totals` of all, or -1 with `reader->problem`. `reader` is closed afterwards; its header
+ * remains. */
 int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals);
+int replay_scan_on(struct replay_reader *reader, struct replay_totals *totals);
 
 #endif

@@ -1,50 +1,11 @@
-/* replay_book.c -- one walk over the fields, for both ways. */
+/* replay_book.c -- one walk over the book, for both ways. */
 #include "platform/replay_book.h"
 
 #include <string.h>
 
-#include "platform/replay.h"
+#include "platform/replay_walk.h"
 
-struct walk {
-    uint8_t *out;       /* Written to, or null: ... */
-    const uint8_t *in;  /* ... read from. */
-    size_t size, at;
-    int bad;
-};
-
-static void walk_bytes(struct walk *walk, void *bytes, size_t count)
-{
-    if (walk->at + count > walk->size) {
-        walk->bad = 1;
-        return;
-    }
-    if (walk->out != NULL) {
-        memcpy(walk->out + walk->at, bytes, count);
-    } else {
-        memcpy(bytes, walk->in + walk->at, count);
-    }
-    walk->at += count;
-}
-
-static void walk_u32(struct walk *walk, uint32_t *value)
-{
-    uint8_t bytes[4];
-    replay_put_u32(bytes, *value);
-    walk_bytes(walk, bytes, sizeof bytes);
-    *value = replay_get_u32(bytes);
-}
-
-static void walk_floats(struct walk *walk, float *values, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        uint32_t bits;
-        memcpy(&bits, &values[i], sizeof bits);
-        walk_u32(walk, &bits);
-        memcpy(&values[i], &bits, sizeof bits);
-    }
-}
-
-static void walk_graph(struct walk *walk, struct graph *graph)
+static void walk_graph(struct replay_walk *walk, struct graph *graph)
 {
     walk_bytes(walk, &graph->knot_count, 1);
     walk_bytes(walk, &graph->line, 1);
@@ -55,7 +16,7 @@ static void walk_graph(struct walk *walk, struct graph *graph)
     }
 }
 
-static void walk_scale(struct walk *walk, struct scale_knot knots[GRAPH_KNOT_MAX])
+static void walk_scale(struct replay_walk *walk, struct scale_knot knots[GRAPH_KNOT_MAX])
 {
     for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
         walk_floats(walk, &knots[i].progress, 1);
@@ -63,7 +24,7 @@ static void walk_scale(struct walk *walk, struct scale_knot knots[GRAPH_KNOT_MAX
     }
 }
 
-static void walk_growth(struct walk *walk, struct growth *growth)
+static void walk_growth(struct replay_walk *walk, struct growth *growth)
 {
     walk_floats(walk, &growth->length_inf_m, 1);
     walk_floats(walk, &growth->k_per_year, 1);
@@ -76,7 +37,7 @@ static void walk_growth(struct walk *walk, struct growth *growth)
     }
 }
 
-static void walk_card(struct walk *walk, struct species_card *card)
+static void walk_card(struct replay_walk *walk, struct species_card *card)
 {
     walk_bytes(walk, card->id, sizeof card->id);
     walk_bytes(walk, &card->key_count, 1);
@@ -98,7 +59,7 @@ static void walk_card(struct walk *walk, struct species_card *card)
     }
 }
 
-static void walk_edit(struct walk *walk, struct lab_edit *edit)
+static void walk_edit(struct replay_walk *walk, struct lab_edit *edit)
 {
     walk_bytes(walk, &edit->template, 1);
     walk_bytes(walk, &edit->scale_knot_count, 1);
@@ -106,7 +67,7 @@ static void walk_edit(struct walk *walk, struct lab_edit *edit)
     walk_scale(walk, edit->scale_knots);
 }
 
-static void walk_book(struct walk *walk, struct lab_book *book)
+static void walk_book(struct replay_walk *walk, struct lab_book *book)
 {
     walk_bytes(walk, &book->card_count, 1);
     walk_bytes(walk, &book->refused, 1);
@@ -124,7 +85,7 @@ static void walk_book(struct walk *walk, struct lab_book *book)
 size_t replay_book_encode(const struct lab_book *book, uint8_t out[REPLAY_BOOK_MAX])
 {
     struct lab_book copy = *book; /* The walk may write; into this. */
-    struct walk walk = { .out = out, .size = REPLAY_BOOK_MAX };
+    struct replay_walk walk = { .out = out, .size = REPLAY_BOOK_MAX };
     uint32_t edits = 0;
     for (uint32_t i = 0; i < SPECIES_MAX; i++) {
         edits += book->has_edit[i] != 0;
@@ -138,7 +99,7 @@ size_t replay_book_encode(const struct lab_book *book, uint8_t out[REPLAY_BOOK_M
 
 int replay_book_decode(struct lab_book *book, const uint8_t *bytes, size_t size)
 {
-    struct walk walk = { .in = bytes, .size = size };
+    struct replay_walk walk = { .in = bytes, .size = size };
     *book = (struct lab_book){ 0 };
     walk_book(&walk, book);
     if (walk.bad || walk.at != size || !lab_book_is_good(book)) {

@@ -1,8 +1,10 @@
 /* replay_codec.c -- one input as the bytes that differ from the input before.
  *
- * First a mask: which of held, pressed, coins, record_saved_id, edit_saved_id, of levels, of
- * the operator's desk and of what hands hold follow. Then those in this order: the numbers as u32;
- * the levels as a byte (the screen stands, the store keeps no edits); of the desk, a u16 mask of
+ * First a mask: which of held, pressed, coins, of what the machine says, of the operator's
+ * desk and of what hands hold follow. Then those in this order: the numbers as u32; of the machine,
+ * a mask of the saved ids (u32 each), levels (a byte: the screen stands, the store keeps no edits,
+ * the store is well), day and minute (u16 each), dropped ticks and faults (u32 each), and those of
+ * them that changed; of the desk, a u16 mask of
  * its bytes (each controller's state, then step, row and progress of learning, then how many files
  * there are) and those that changed; of what hands hold, a mask of pois (low half) and shades (high
  * half), and of each of these a mask of its own, one byte (a poi's link, wrist and trembling, a
@@ -16,17 +18,28 @@ enum {
     HAS_HELD = 1u << 0,
     HAS_PRESSED = 1u << 1, /* Edges and coins are not differences: absent means none. */
     HAS_COINS = 1u << 2,
-    HAS_SAVED_ID = 1u << 3,
+    HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
-    HAS_EDIT_ID = 1u << 5,
-    HAS_LEVELS = 1u << 6,
-    HAS_DESK = 1u << 7,
+    HAS_DESK = 1u << 5,
+    HAS_ALL = 63u,
+};
+
+enum {
+    MACHINE_SAVED_ID = 1u << 0,
+    MACHINE_EDIT_ID = 1u << 1,
+    MACHINE_LEVELS = 1u << 2,
+    MACHINE_DAY = 1u << 3,
+    MACHINE_MINUTE = 1u << 4,
+    MACHINE_DROPPED = 1u << 5,
+    MACHINE_FAULTS = 1u << 6,
+    MACHINE_ALL = 127u,
 };
 
 enum {
     LEVEL_UPRIGHT = 1u << 0,
     LEVEL_REFUSED = 1u << 1,
-    LEVEL_ALL = 3u,
+    LEVEL_WELL = 1u << 2,
+    LEVEL_ALL = 7u,
 };
 
 enum {
@@ -102,6 +115,13 @@ static size_t put_if(int wanted, uint32_t value, uint8_t *out)
     return 4;
 }
 
+static size_t put_u16(uint16_t value, uint8_t *out)
+{
+    out[0] = (uint8_t)value;
+    out[1] = (uint8_t)(value >> 8);
+    return 2;
+}
+
 static struct held poi_held(const struct poi_input *poi)
 {
     const uint32_t byte = poi->link | (poi->has_wrist ? (uint32_t)LINK_WRIST : 0u) |
@@ -138,8 +158,7 @@ static size_t encode_held(const struct held *before, const struct held *held, ui
     }
     if (held->age != before->age) {
         mask |= POI_HAS_AGE;
-        out[size++] = (uint8_t)held->age;
-        out[size++] = (uint8_t)(held->age >> 8);
+        size += put_u16(held->age, out + size);
     }
     out[0] = mask;
     return mask ? size : 0;
@@ -169,7 +188,44 @@ static size_t encode_hands(const struct input *before, const struct input *input
 static uint8_t levels_of(const struct input *input)
 {
     return (uint8_t)((input->upright ? LEVEL_UPRIGHT : 0u) |
-                     (input->edit_refused ? LEVEL_REFUSED : 0u));
+                     (input->edit_refused ? LEVEL_REFUSED : 0u) |
+                     (input->store_well ? LEVEL_WELL : 0u));
+}
+
+static uint32_t machine_mask(const struct input *before, const struct input *input)
+{
+    const int saved = input->record_saved_id != before->record_saved_id;
+    const int edited = input->edit_saved_id != before->edit_saved_id;
+    const int levels = levels_of(input) != levels_of(before);
+    const int dropped = input->dropped_ticks != before->dropped_ticks;
+    const int faults = input->device_faults != before->device_faults;
+    return (saved ? MACHINE_SAVED_ID : 0u) | (edited ? MACHINE_EDIT_ID : 0u) |
+           (levels ? MACHINE_LEVELS : 0u) |
+           (input->day != before->day ? MACHINE_DAY : 0u) |
+           (input->minute != before->minute ? MACHINE_MINUTE : 0u) |
+           (dropped ? MACHINE_DROPPED : 0u) | (faults ? MACHINE_FAULTS : 0u);
+}
+
+/* 0 bytes when nothing changed. */
+static size_t encode_machine(const struct input *before, const struct input *input, uint8_t *out)
+{
+    const uint32_t mask = machine_mask(before, input);
+    size_t size = 1;
+    out[0] = (uint8_t)mask;
+    size += put_if((mask & MACHINE_SAVED_ID) != 0, input->record_saved_id, out + size);
+    size += put_if((mask & MACHINE_EDIT_ID) != 0, input->edit_saved_id, out + size);
+    if (mask & MACHINE_LEVELS) {
+        out[size++] = levels_of(input);
+    }
+    if (mask & MACHINE_DAY) {
+        size += put_u16(input->day, out + size);
+    }
+    if (mask & MACHINE_MINUTE) {
+        size += put_u16(input->minute, out + size);
+    }
+    size += put_if((mask & MACHINE_DROPPED) != 0, input->dropped_ticks, out + size);
+    size += put_if((mask & MACHINE_FAULTS) != 0, input->device_faults, out + size);
+    return mask ? size : 0;
 }
 
 static void list_desk(const struct desk_input *desk, uint8_t out[DESK_BYTES])
@@ -196,8 +252,7 @@ static size_t encode_desk(const struct desk_input *before, const struct desk_inp
             out[size++] = new[i];
         }
     }
-    out[0] = (uint8_t)mask;
-    out[1] = (uint8_t)(mask >> 8);
+    put_u16((uint16_t)mask, out);
     return mask ? size : 0;
 }
 
@@ -205,28 +260,23 @@ size_t replay_encode_input(const struct input *before, const struct input *input
 {
     const int held = input->held != before->held;
     const int pressed = input->pressed != 0;
-    const int coins = (input->coin_count[0] | input->coin_count[1] | input->coin_count[2]) != 0;
-    const int saved = input->record_saved_id != before->record_saved_id;
-    const int edited = input->edit_saved_id != before->edit_saved_id;
-    const int levels = levels_of(input) != levels_of(before);
-    const uint32_t mask = (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) |
-                          (coins ? HAS_COINS : 0u) | (saved ? HAS_SAVED_ID : 0u) |
-                          (edited ? HAS_EDIT_ID : 0u) | (levels ? HAS_LEVELS : 0u);
+    const int coins = coin_pulses(input) != 0;
+    const uint32_t mask =
+        (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) | (coins ? HAS_COINS : 0u);
     size_t size = 1;
     size += put_if(held, input->held, out + size);
     size += put_if(pressed, input->pressed, out + size);
     for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
         size += put_if(coins, input->coin_count[i], out + size);
     }
-    size += put_if(saved, input->record_saved_id, out + size);
-    size += put_if(edited, input->edit_saved_id, out + size);
-    if (levels) {
-        out[size++] = levels_of(input);
-    }
+    const size_t machine_size = encode_machine(before, input, out + size);
+    size += machine_size;
     const size_t desk_size = encode_desk(&before->desk, &input->desk, out + size);
-    const size_t hands_size = encode_hands(before, input, out + size + desk_size);
-    out[0] = (uint8_t)(mask | (desk_size > 0 ? HAS_DESK : 0u) | (hands_size > 0 ? HAS_HANDS : 0u));
-    return size + desk_size + hands_size;
+    size += desk_size;
+    const size_t hands_size = encode_hands(before, input, out + size);
+    out[0] = (uint8_t)(mask | (machine_size > 0 ? HAS_MACHINE : 0u) |
+                       (desk_size > 0 ? HAS_DESK : 0u) | (hands_size > 0 ? HAS_HANDS : 0u));
+    return size + hands_size;
 }
 
 /* ---- Decoding ---- */
@@ -330,6 +380,35 @@ static void decode_levels(struct input *input, struct bytes_left *left)
     left->bad |= levels > LEVEL_ALL || levels == levels_of(input);
     input->upright = (levels & LEVEL_UPRIGHT) != 0;
     input->edit_refused = (levels & LEVEL_REFUSED) != 0;
+    input->store_well = (levels & LEVEL_WELL) != 0;
+}
+
+static void decode_machine(struct input *input, struct bytes_left *left)
+{
+    const uint8_t mask = take_u8(left);
+    left->bad |= mask == 0 || mask > MACHINE_ALL;
+    if (mask & MACHINE_SAVED_ID) {
+        input->record_saved_id = take_u32(left);
+    }
+    if (mask & MACHINE_EDIT_ID) {
+        input->edit_saved_id = take_u32(left);
+    }
+    if (mask & MACHINE_LEVELS) {
+        decode_levels(input, left);
+    }
+    if (mask & MACHINE_DAY) {
+        input->day = take_u16(left);
+    }
+    if (mask & MACHINE_MINUTE) {
+        input->minute = take_u16(left);
+        left->bad |= input->minute >= 24u * 60u;
+    }
+    if (mask & MACHINE_DROPPED) {
+        input->dropped_ticks = take_u32(left);
+    }
+    if (mask & MACHINE_FAULTS) {
+        input->device_faults = take_u32(left);
+    }
 }
 
 static void decode_desk(struct desk_input *desk, struct bytes_left *left)
@@ -362,14 +441,8 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
     for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
         next.coin_count[i] = mask & HAS_COINS ? take_u32(&left) : 0;
     }
-    if (mask & HAS_SAVED_ID) {
-        next.record_saved_id = take_u32(&left);
-    }
-    if (mask & HAS_EDIT_ID) {
-        next.edit_saved_id = take_u32(&left);
-    }
-    if (mask & HAS_LEVELS) {
-        decode_levels(&next, &left);
+    if (mask & HAS_MACHINE) {
+        decode_machine(&next, &left);
     }
     if (mask & HAS_DESK) {
         decode_desk(&next.desk, &left);
@@ -377,7 +450,7 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
     if (mask & HAS_HANDS) {
         decode_hands(&next, &left);
     }
-    left.bad |= (next.held | next.pressed) > INPUT_BUTTON_ALL;
+    left.bad |= mask > HAS_ALL || (next.held | next.pressed) > INPUT_BUTTON_ALL;
     if (left.bad) {
         return 0;
     }

@@ -12,7 +12,7 @@
 #include "core/base/hash.h"
 #include "platform/replay_format.h"
 
-#define TICK_SIZE_MIN 5u /* A mask that says 'as before', and the digest. */
+#define TICK_SIZE_MIN 1u /* A mask that says 'as before'. */
 
 /* Fills `problem`, closes the file, returns -1. */
 __attribute__((format(printf, 4, 5)))
@@ -27,6 +27,19 @@ static int refuse(struct replay_reader *reader, int is_io, uint64_t offset, cons
     return -1;
 }
 
+/* As pread() of what is open. */
+static ssize_t read_some(const struct replay_reader *reader, uint8_t *out, size_t size,
+                         uint64_t offset)
+{
+    if (reader->memory == NULL) {
+        return pread(reader->fd, out, size, (off_t)offset);
+    }
+    const size_t left = offset < reader->memory_size ? reader->memory_size - (size_t)offset : 0;
+    const size_t count = size < left ? size : left;
+    memcpy(out, reader->memory + (count > 0 ? offset : 0), count);
+    return (ssize_t)count;
+}
+
 /* Reads exactly `size` bytes at the reader's offset plus `ahead`. */
 static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, uint64_t ahead,
                       const char *what)
@@ -34,7 +47,7 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
     const uint64_t begin = reader->offset + ahead;
     size_t done = 0;
     while (done < size) {
-        const ssize_t got = pread(reader->fd, out + done, size - done, (off_t)(begin + done));
+        const ssize_t got = read_some(reader, out + done, size - done, begin + done);
         if (got < 0 && errno == EINTR) {
             continue;
         }
@@ -67,40 +80,57 @@ static int is_program_name(const uint8_t *bytes)
     return zeros > 0 && length + zeros == REPLAY_PROGRAM_SIZE;
 }
 
+/* A part with its sum behind it, into the reader's bytes. */
+static int read_part_of_header(struct replay_reader *reader, size_t size, const char *what)
+{
+    if (read_bytes(reader, reader->bytes, size + REPLAY_SUM_SIZE, 0, what)) {
+        return -1;
+    }
+    reader->sum = hash_bytes(reader->sum, reader->bytes, size);
+    if (reader->sum != replay_get_u64(reader->bytes + size)) {
+        return refuse(reader, 0, reader->offset, "%s was altered", what);
+    }
+    return 0;
+}
+
+static int read_start(struct replay_reader *reader, size_t size)
+{
+    if (read_part_of_header(reader, size, "its start")) {
+        return -1;
+    }
+    if (!replay_start_decode(&reader->header.config, reader->bytes, size)) {
+        return refuse(reader, 0, reader->offset, "the start says what this program never writes");
+    }
+    reader->offset += size + REPLAY_SUM_SIZE;
+    return 0;
+}
+
 /* The species that this program knows must be those that the book speaks of. */
 static int read_book(struct replay_reader *reader, size_t size)
 {
-    uint8_t *bytes = reader->bytes;
     if (size == 0) {
         return 0;
     }
-    if (size > REPLAY_BOOK_MAX) {
-        return refuse(reader, 0, HEADER_BOOK, "the header says what this program never writes");
-    }
-    if (read_bytes(reader, bytes, size + REPLAY_SUM_SIZE, 0, "its book of species")) {
+    if (read_part_of_header(reader, size, "its book of species")) {
         return -1;
     }
-    reader->sum = hash_bytes(reader->sum, bytes, size);
-    if (reader->sum != replay_get_u64(bytes + size)) {
-        return refuse(reader, 0, reader->offset, "the book of species was altered");
-    }
-    if (!replay_book_decode(&reader->header.config.book, bytes, size)) {
+    if (!replay_book_decode(&reader->header.config.book, reader->bytes, size)) {
         return refuse(reader, 0, reader->offset, "its species are not this program's");
     }
     reader->offset += size + REPLAY_SUM_SIZE;
     return 0;
 }
 
-/* Those that are bytes in core_config. */
-static int are_small_fields(const uint8_t *config)
+/* What every recorder of this version writes. */
+static int is_possible(const uint8_t *header)
 {
-    static const uint8_t offsets[] = { 4, 12, 20, 24, 28, 32, 36 };
-    for (size_t i = 0; i < sizeof offsets; i++) {
-        if (replay_get_u32(config + offsets[i]) > UINT8_MAX) {
-            return 0;
-        }
-    }
-    return 1;
+    const uint32_t digest_ticks = replay_get_u32(header + HEADER_DIGEST_TICKS);
+    return replay_get_u32(header + HEADER_VERSION) >> 16 == REPLAY_HEADER_SIZE &&
+           replay_get_u32(header + HEADER_TICK_HZ) == CORE_TICK_HZ &&
+           is_program_name(header + HEADER_PROGRAM) && digest_ticks >= 1 &&
+           digest_ticks <= REPLAY_CHUNK_TICKS &&
+           replay_get_u32(header + HEADER_START) <= REPLAY_START_MAX &&
+           replay_get_u32(header + HEADER_BOOK) <= REPLAY_BOOK_MAX;
 }
 
 static int read_header(struct replay_reader *reader)
@@ -121,32 +151,17 @@ static int read_header(struct replay_reader *reader)
     if (reader->sum != replay_get_u64(bytes + HEADER_SUM)) {
         return refuse(reader, 0, HEADER_SUM, "the header was altered");
     }
-    if (replay_get_u32(bytes + HEADER_VERSION) >> 16 != REPLAY_HEADER_SIZE ||
-        replay_get_u32(bytes + HEADER_TICK_HZ) != CORE_TICK_HZ ||
-        !is_program_name(bytes + HEADER_PROGRAM) ||
-        !are_small_fields(bytes + HEADER_CONFIG)) {
-        return refuse(reader, 0, HEADER_SIZE_FIELD, "the header says what this program "
-                                                    "never writes");
+    if (!is_possible(bytes)) {
+        return refuse(reader, 0, HEADER_SIZE_FIELD,
+                      "the header says what this program never writes");
     }
-    const uint8_t *config = bytes + HEADER_CONFIG;
-    reader->header.config = (struct core_config){
-        .seed = replay_get_u32(config),
-        .preset = (uint8_t)replay_get_u32(config + 4),
-        .fish_count = replay_get_u32(config + 8),
-        .language = (uint8_t)replay_get_u32(config + 12),
-        .round_s = replay_get_u32(config + 16),
-        .modes = (uint8_t)replay_get_u32(config + 20),
-        .grade = (uint8_t)replay_get_u32(config + 24),
-        .players = (uint8_t)replay_get_u32(config + 28),
-        .credit_coins = (uint8_t)replay_get_u32(config + 32),
-        .ticket_fish = (uint8_t)replay_get_u32(config + 36),
-    };
-    for (uint32_t i = 0; i < MODE_COUNT; i++) {
-        reader->header.config.best_today[i] = replay_get_u32(config + 40 + 4 * i);
-    }
+    const uint32_t book_size = replay_get_u32(bytes + HEADER_BOOK);
+    reader->digest_ticks = replay_get_u32(bytes + HEADER_DIGEST_TICKS);
     memcpy(reader->header.program, bytes + HEADER_PROGRAM, REPLAY_PROGRAM_SIZE);
     reader->offset = REPLAY_HEADER_SIZE;
-    return read_book(reader, replay_get_u32(bytes + HEADER_BOOK));
+    return read_start(reader, replay_get_u32(bytes + HEADER_START))
+               ? -1
+               : read_book(reader, book_size);
 }
 
 int replay_open(struct replay_reader *reader, const char *path)
@@ -168,6 +183,15 @@ int replay_open(struct replay_reader *reader, const char *path)
     if (status.st_size == 0) {
         return refuse(reader, 0, 0, "the file is empty");
     }
+    return read_header(reader);
+}
+
+int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t size)
+{
+    memset(reader, 0, sizeof *reader);
+    reader->fd = -1;
+    reader->memory = memory;
+    reader->memory_size = size;
     return read_header(reader);
 }
 
@@ -196,7 +220,7 @@ static int read_end(struct replay_reader *reader)
                                                  "last second");
     }
     const uint64_t size = reader->offset + REPLAY_END_SIZE;
-    if (pread(reader->fd, &beyond, 1, (off_t)size) != 0) {
+    if (read_some(reader, &beyond, 1, size) != 0) {
         return refuse(reader, 0, size, "there is more after the end mark");
     }
     reader->totals = totals;
@@ -266,7 +290,7 @@ static int read_part(struct replay_reader *reader)
 
 int replay_next(struct replay_reader *reader, struct input *input)
 {
-    if (reader->fd < 0) {
+    if (reader->fd < 0 && reader->memory == NULL) {
         return -1;
     }
     if (reader->chunk_left == 0 && !reader->ended && read_part(reader)) {
@@ -278,12 +302,16 @@ int replay_next(struct replay_reader *reader, struct input *input)
     const uint8_t *payload = reader->bytes + REPLAY_CHUNK_HEAD_SIZE;
     const size_t left = reader->payload_size - reader->payload_used;
     const size_t used = replay_decode_input(&reader->input, payload + reader->payload_used, left);
+    const size_t digest_size = (reader->tick + 1u) % reader->digest_ticks == 0 ? 4 : 0;
     const uint64_t at = reader->offset + REPLAY_CHUNK_HEAD_SIZE + reader->payload_used;
-    if (used == 0 || left - used < 4) {
+    if (used == 0 || left - used < digest_size) {
         return refuse(reader, 0, at, "tick %u says what no recorder writes", reader->tick);
     }
-    reader->digest = replay_get_u32(payload + reader->payload_used + used);
-    reader->payload_used += used + 4;
+    reader->has_digest = digest_size > 0;
+    if (reader->has_digest) {
+        reader->digest = replay_get_u32(payload + reader->payload_used + used);
+    }
+    reader->payload_used += used + digest_size;
     reader->tick++;
     reader->chunk_left--;
     if (reader->chunk_left == 0) {
@@ -303,15 +331,13 @@ void replay_close(struct replay_reader *reader)
         close(reader->fd);
     }
     reader->fd = -1;
+    reader->memory = NULL;
 }
 
-int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals)
+int replay_scan_on(struct replay_reader *reader, struct replay_totals *totals)
 {
     struct input input;
     int more;
-    if (replay_open(reader, path)) {
-        return -1;
-    }
     do {
         more = replay_next(reader, &input);
     } while (more == 1);
@@ -320,4 +346,9 @@ int replay_scan(struct replay_reader *reader, const char *path, struct replay_to
         replay_close(reader);
     }
     return more;
+}
+
+int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals)
+{
+    return replay_open(reader, path) ? -1 : replay_scan_on(reader, totals);
 }

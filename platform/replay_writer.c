@@ -11,7 +11,7 @@
 #include "core/base/panic.h"
 #include "platform/replay_format.h"
 
-static int write_at(int fd, const uint8_t *bytes, size_t size, uint64_t offset)
+static int write_file(int fd, const uint8_t *bytes, size_t size, uint64_t offset)
 {
     size_t done = 0;
     while (done < size) {
@@ -24,6 +24,19 @@ static int write_at(int fd, const uint8_t *bytes, size_t size, uint64_t offset)
         }
         done += (size_t)written;
     }
+    return 0;
+}
+
+static int write_at(const struct replay_writer *writer, const uint8_t *bytes, size_t size,
+                    uint64_t offset)
+{
+    if (writer->memory == NULL) {
+        return write_file(writer->fd, bytes, size, offset);
+    }
+    if (offset + size > writer->memory_size) {
+        return -ENOSPC;
+    }
+    memcpy(writer->memory + offset, bytes, size);
     return 0;
 }
 
@@ -44,42 +57,51 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
 
-/* Header and book. `*size` is theirs; returns the sum that the first chunk goes on from. */
-static uint64_t put_header(uint8_t *out, const struct core_config *config, size_t *size)
+/* Its sum goes behind a part that is there at all. Returns the size with it. */
+static size_t seal(uint8_t *part, size_t size, uint64_t *sum)
 {
-    const uint32_t fields[] = { config->seed,     config->preset,  config->fish_count,
-                                config->language, config->round_s, config->modes,
-                                config->grade,    config->players, config->credit_coins,
-                                config->ticket_fish, config->best_today[0],
-                                config->best_today[1], config->best_today[2] };
-    _Static_assert(MODE_COUNT == 3, "the header has a field for each mode's best");
+    if (size == 0) {
+        return 0;
+    }
+    *sum = hash_bytes(*sum, part, size);
+    replay_put_u64(part + size, *sum);
+    return size + REPLAY_SUM_SIZE;
+}
+
+/* Header, start and book into the writer's bytes. Returns their size; the first chunk goes on from
+ * the writer's sum. */
+static size_t put_header(struct replay_writer *writer, const struct core_config *config)
+{
+    uint8_t *out = writer->bytes;
     memset(out, 0, REPLAY_HEADER_SIZE);
     memcpy(out, REPLAY_MAGIC, 8);
     replay_put_u32(out + HEADER_VERSION, REPLAY_VERSION | REPLAY_HEADER_SIZE << 16);
     replay_put_u32(out + HEADER_TICK_HZ, CORE_TICK_HZ);
     memcpy(out + HEADER_PROGRAM, KINGYO_VERSION, sizeof KINGYO_VERSION);
-    for (size_t i = 0; i < sizeof fields / sizeof fields[0]; i++) {
-        replay_put_u32(out + HEADER_CONFIG + 4 * i, fields[i]);
-    }
-    uint8_t *book = out + REPLAY_HEADER_SIZE;
+    replay_put_u32(out + HEADER_DIGEST_TICKS, writer->digest_ticks);
+
+    uint8_t *start = out + REPLAY_HEADER_SIZE;
+    const size_t start_size = replay_start_encode(config, start);
+    uint8_t *book = start + start_size + REPLAY_SUM_SIZE;
     const size_t book_size = replay_book_encode(&config->book, book);
+    replay_put_u32(out + HEADER_START, (uint32_t)start_size);
     replay_put_u32(out + HEADER_BOOK, (uint32_t)book_size);
-    uint64_t sum = hash_bytes(HASH_START, out, HEADER_SUM);
-    replay_put_u64(out + HEADER_SUM, sum);
-    *size = REPLAY_HEADER_SIZE;
-    if (book_size > 0) {
-        sum = hash_bytes(sum, book, book_size);
-        replay_put_u64(book + book_size, sum);
-        *size += book_size + REPLAY_SUM_SIZE;
-    }
-    return sum;
+
+    writer->sum = HASH_START;
+    size_t size = seal(out, HEADER_SUM, &writer->sum);
+    size += seal(start, start_size, &writer->sum);
+    return size + seal(book, book_size, &writer->sum);
 }
+_Static_assert(HEADER_SUM + REPLAY_SUM_SIZE == REPLAY_HEADER_SIZE, "the start follows the sum");
 _Static_assert(sizeof KINGYO_VERSION <= REPLAY_PROGRAM_SIZE, "the version must fit the header");
 
 static void give_up(struct replay_writer *writer, int error)
 {
-    close(writer->fd);
+    if (writer->fd >= 0) {
+        close(writer->fd);
+    }
     writer->fd = -1;
+    writer->memory = NULL;
     writer->error = -error;
 }
 
@@ -100,66 +122,92 @@ static int open_empty(const char *path)
     return fd;
 }
 
-int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
-                  uint64_t first_hash)
+int replay_is_open(const struct replay_writer *writer)
 {
-    uint8_t *bytes = writer->bytes;
-    memset(writer, 0, sizeof *writer);
-    writer->fd = open_empty(path);
-    if (writer->fd < 0) {
-        return writer->fd;
-    }
+    return writer->fd >= 0 || writer->memory != NULL;
+}
+
+/* `writer` knows where to write and how often a digest is due. */
+static int begin(struct replay_writer *writer, const struct core_config *config,
+                 uint64_t first_hash)
+{
     writer->totals.hash = first_hash;
     writer->saved = writer->totals;
-    size_t size;
-    writer->sum = put_header(bytes, config, &size);
+    const size_t size = put_header(writer, config);
     writer->offset = size;
-    put_end(bytes + size, &writer->totals, writer->sum);
-    const int error = write_at(writer->fd, bytes, size + REPLAY_END_SIZE, 0);
+    put_end(writer->bytes + size, &writer->totals, writer->sum);
+    const int error = write_at(writer, writer->bytes, size + REPLAY_END_SIZE, 0);
     if (error) {
         give_up(writer, error);
     }
     return error;
 }
 
-/* The old end mark goes back to its old place, which costs no new space on a full disk. */
+int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
+                  uint64_t first_hash)
+{
+    memset(writer, 0, sizeof *writer);
+    writer->digest_ticks = 1;
+    writer->fd = open_empty(path);
+    return writer->fd < 0 ? writer->fd : begin(writer, config, first_hash);
+}
+
+int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
+                     const struct core_config *config, uint64_t first_hash)
+{
+    memset(writer, 0, sizeof *writer);
+    writer->digest_ticks = REPLAY_CHUNK_TICKS;
+    writer->fd = -1;
+    writer->memory = memory;
+    writer->memory_size = size;
+    return begin(writer, config, first_hash);
+}
+
+/* The old end mark goes back to its old place, which costs no new space on a full disk. What does
+ * not fit into memory was not begun. */
 static void restore(struct replay_writer *writer)
 {
     uint8_t end[REPLAY_END_SIZE];
     put_end(end, &writer->saved, writer->sum);
-    int error = write_at(writer->fd, end, sizeof end, writer->offset);
-    if (error == 0 && ftruncate(writer->fd, (off_t)(writer->offset + sizeof end)) != 0) {
+    int error = write_at(writer, end, sizeof end, writer->offset);
+    if (error == 0 && writer->fd >= 0 &&
+        ftruncate(writer->fd, (off_t)(writer->offset + sizeof end)) != 0) {
         error = -errno;
     }
     (void)error; /* The recording has already failed; this was the best that could be done. */
 }
 
+/* The begun chunk, in `chunk` with its payload already behind its head, and an end mark behind.
+ * Returns the chunk's size; `*sum` becomes its sum. */
+static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
+                          const struct replay_totals *totals, uint64_t *sum)
+{
+    memcpy(chunk, REPLAY_CHUNK_TAG, 4);
+    replay_put_u32(chunk + CHUNK_PAYLOAD_SIZE, (uint32_t)payload_size);
+    replay_put_u32(chunk + CHUNK_FIRST_TICK, totals->ticks - ticks);
+    replay_put_u32(chunk + CHUNK_TICK_COUNT, ticks);
+    replay_put_u32(chunk + CHUNK_ROUNDS, totals->rounds);
+    replay_put_u32(chunk + CHUNK_CAUGHT, totals->caught);
+    replay_put_u32(chunk + CHUNK_FOULS, totals->fouls);
+    replay_put_u32(chunk + CHUNK_WHO, who_played(totals));
+    replay_put_u64(chunk + CHUNK_HASH, totals->hash);
+    const size_t size = seal(chunk, REPLAY_CHUNK_HEAD_SIZE + payload_size, sum);
+    put_end(chunk + size, totals, *sum);
+    return size;
+}
+
 static void write_chunk(struct replay_writer *writer)
 {
-    uint8_t *head = writer->bytes;
-    memcpy(head, REPLAY_CHUNK_TAG, 4);
-    replay_put_u32(head + CHUNK_PAYLOAD_SIZE, (uint32_t)writer->payload_size);
-    replay_put_u32(head + CHUNK_FIRST_TICK, writer->totals.ticks - writer->chunk_ticks);
-    replay_put_u32(head + CHUNK_TICK_COUNT, writer->chunk_ticks);
-    replay_put_u32(head + CHUNK_ROUNDS, writer->totals.rounds);
-    replay_put_u32(head + CHUNK_CAUGHT, writer->totals.caught);
-    replay_put_u32(head + CHUNK_FOULS, writer->totals.fouls);
-    replay_put_u32(head + CHUNK_WHO, who_played(&writer->totals));
-    replay_put_u64(head + CHUNK_HASH, writer->totals.hash);
-
-    const size_t summed = REPLAY_CHUNK_HEAD_SIZE + writer->payload_size;
-    const uint64_t sum = hash_bytes(writer->sum, head, summed);
-    const size_t chunk_size = summed + REPLAY_SUM_SIZE;
-    replay_put_u64(head + summed, sum);
-    put_end(head + chunk_size, &writer->totals, sum);
-
-    const int error = write_at(writer->fd, head, chunk_size + REPLAY_END_SIZE, writer->offset);
+    uint64_t sum = writer->sum;
+    const size_t size = close_chunk(writer->bytes, writer->payload_size, writer->chunk_ticks,
+                                    &writer->totals, &sum);
+    const int error = write_at(writer, writer->bytes, size + REPLAY_END_SIZE, writer->offset);
     if (error) {
         restore(writer);
         give_up(writer, error);
         return;
     }
-    writer->offset += chunk_size;
+    writer->offset += size;
     writer->sum = sum;
     writer->saved = writer->totals;
     writer->chunk_ticks = 0;
@@ -168,20 +216,28 @@ static void write_chunk(struct replay_writer *writer)
 
 int replay_wants_hash(const struct replay_writer *writer)
 {
-    return writer->fd >= 0 && writer->chunk_ticks + 1 == REPLAY_CHUNK_TICKS;
+    return replay_is_open(writer) && writer->chunk_ticks + 1 == REPLAY_CHUNK_TICKS;
+}
+
+int replay_wants_digest(const struct replay_writer *writer)
+{
+    return replay_is_open(writer) && (writer->totals.ticks + 1u) % writer->digest_ticks == 0;
 }
 
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals)
 {
-    if (writer->fd < 0) {
+    if (!replay_is_open(writer)) {
         return;
     }
     CORE_ASSERT(totals->ticks == writer->totals.ticks + 1);
     uint8_t *out = writer->bytes + REPLAY_CHUNK_HEAD_SIZE + writer->payload_size;
-    const size_t size = replay_encode_input(&writer->last, input, out);
-    replay_put_u32(out + size, digest);
-    writer->payload_size += size + 4;
+    size_t size = replay_encode_input(&writer->last, input, out);
+    if (replay_wants_digest(writer)) {
+        replay_put_u32(out + size, digest);
+        size += 4;
+    }
+    writer->payload_size += size;
     writer->chunk_ticks++;
     writer->last = *input;
     writer->totals = *totals;
@@ -192,7 +248,7 @@ void replay_add(struct replay_writer *writer, const struct input *input, uint32_
 
 int replay_finish(struct replay_writer *writer, uint64_t hash)
 {
-    if (writer->fd >= 0 && writer->chunk_ticks > 0) {
+    if (replay_is_open(writer) && writer->chunk_ticks > 0) {
         writer->totals.hash = hash;
         write_chunk(writer);
     }
@@ -201,5 +257,27 @@ int replay_finish(struct replay_writer *writer, uint64_t hash)
         writer->fd = -1;
         writer->error = error;
     }
+    writer->memory = NULL;
     return -writer->error;
+}
+
+size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size)
+{
+    struct replay_totals totals = writer->totals;
+    uint64_t sum = writer->sum;
+    const size_t begun =
+        writer->chunk_ticks > 0 ? REPLAY_CHUNK_HEAD_SIZE + writer->payload_size : 0;
+    const size_t whole = (size_t)writer->offset + REPLAY_END_SIZE;
+    if (writer->memory == NULL ||
+        size < whole + (begun > 0 ? begun + REPLAY_SUM_SIZE : 0)) {
+        return 0;
+    }
+    memcpy(out, writer->memory, whole);
+    if (begun == 0) {
+        return whole;
+    }
+    totals.hash = hash;
+    uint8_t *chunk = out + writer->offset;
+    memcpy(chunk, writer->bytes, begun);
+    return whole + close_chunk(chunk, writer->payload_size, writer->chunk_ticks, &totals, &sum);
 }

@@ -13,6 +13,13 @@ static uint64_t clock_ns(struct hal_clock clock)
     return clock.ops ? clock.ops->now_ns(clock.self) : 0;
 }
 
+static void read_wall(struct kiosk *kiosk, const struct hal *hal)
+{
+    if (hal->clock.ops->civil) {
+        hal->clock.ops->civil(hal->clock.self, &kiosk->input.day, &kiosk->input.minute);
+    }
+}
+
 /* Whoever points at the picture is told when it is another one. */
 static void show_hands(struct kiosk *kiosk, const struct hal *hal)
 {
@@ -58,6 +65,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     if (error != CORE_OK) {
         return error;
     }
+    read_wall(kiosk, hal); /* The C library reads the time zone once, here: it allocates. */
     hal->seats.ops->arrange(hal->seats.self, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         open_seat(kiosk, hal, i, clock_ns(hal->clock));
@@ -124,6 +132,7 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     kiosk->input.record_saved_id = hal->storage.ops->saved_id(hal->storage.self);
     kiosk->input.edit_saved_id = hal->storage.ops->kept_edit_id(hal->storage.self);
     kiosk->input.edit_refused = hal->storage.ops->refuses_edits(hal->storage.self) != 0;
+    read_wall(kiosk, hal);
     kiosk->input.store_well = hal->storage.ops->is_well(hal->storage.self) != 0;
     count_refused_writes(kiosk, &hal->storage);
 }

@@ -52,7 +52,9 @@ static void recorder_tick(void *self, const struct input *input, const struct co
     if (replay_wants_hash(&recorder->writer)) {
         recorder->totals.hash = core_hash(core);
     }
-    replay_add(&recorder->writer, input, (uint32_t)core_hash_quick(core), &recorder->totals);
+    const int wants_digest = replay_wants_digest(&recorder->writer);
+    replay_add(&recorder->writer, input, wants_digest ? (uint32_t)core_hash_quick(core) : 0,
+               &recorder->totals);
 }
 
 struct kiosk_tap recorder_tap(struct recorder *recorder)
@@ -62,7 +64,7 @@ struct kiosk_tap recorder_tap(struct recorder *recorder)
 
 int recorder_end(struct recorder *recorder)
 {
-    const int is_open = recorder->writer.fd >= 0; /* Else there is not even a core, perhaps. */
+    const int is_open = replay_is_open(&recorder->writer); /* Else perhaps there is no core. */
     return replay_finish(&recorder->writer, is_open ? core_hash(recorder->core) : 0);
 }
 

@@ -262,6 +262,12 @@ static void test_anything_behind_the_end_mark_is_refused(void **state)
     assert_int_equal(reader.problem.offset, size);
 }
 
+/* Where the first second stands: behind the header, and the start with its sum. */
+static size_t first_second(const uint8_t *bytes)
+{
+    return REPLAY_HEADER_SIZE + replay_get_u32(bytes + HEADER_START) + REPLAY_SUM_SIZE;
+}
+
 static void test_seconds_that_change_places_are_refused(void **state)
 {
     (void)state;
@@ -270,7 +276,7 @@ static void test_seconds_that_change_places_are_refused(void **state)
     struct replay_totals totals;
     write_ticks(2 * CORE_TICK_HZ);
     const size_t size = read_file(bytes);
-    const size_t first = REPLAY_HEADER_SIZE;
+    const size_t first = first_second(bytes);
     const size_t first_size =
         REPLAY_CHUNK_HEAD_SIZE + replay_get_u32(bytes + first + 4) + REPLAY_SUM_SIZE;
     const size_t second_size = size - REPLAY_END_SIZE - first - first_size;
@@ -332,12 +338,14 @@ static void test_another_version_is_named(void **state)
 static void test_a_huge_file_of_nothing_is_refused_at_its_first_second(void **state)
 {
     (void)state;
+    static uint8_t bytes[FILE_MAX];
     struct replay_totals totals;
     write_ticks(3);
-    assert_int_equal(truncate(path, REPLAY_HEADER_SIZE), 0);
+    read_file(bytes);
+    assert_int_equal(truncate(path, (off_t)first_second(bytes)), 0);
     assert_int_equal(truncate(path, (off_t)1 << 40), 0); /* Sparse: 1 TB of zeros. */
     assert_int_equal(scan(&totals), -1);
-    assert_int_equal(reader.problem.offset, REPLAY_HEADER_SIZE);
+    assert_int_equal(reader.problem.offset, first_second(bytes));
     assert_int_equal(truncate(path, 0), 0);
 }
 
@@ -387,6 +395,101 @@ static void test_a_path_that_cannot_be_written_is_told(void **state)
     assert_int_equal(replay_create(&writer, "/nowhere/at/all", &config, 0), -ENOENT);
     assert_int_equal(replay_create(&writer, "/tmp", &config, 0), -EISDIR);
     assert_int_equal(replay_create(&writer, "/dev/full", &config, 0), -ENOSPC);
+}
+
+/* ---- In memory ------------------------------------------------------------------------------ */
+
+static uint8_t memory[FILE_MAX], copied[FILE_MAX];
+
+static struct replay_totals totals_of(uint32_t ticks)
+{
+    return (struct replay_totals){ .ticks = ticks, .caught = ticks / 50u, .hash = 500u + ticks };
+}
+
+/* `count` ticks into `size` bytes of memory. */
+static void write_memory(uint32_t count, size_t size)
+{
+    assert_int_equal(replay_create_in(&writer, memory, size, &config, 99), 0);
+    for (uint32_t tick = 0; tick < count; tick++) {
+        const struct input input = input_of(tick);
+        const struct replay_totals totals = totals_of(tick + 1u);
+        assert_true(replay_wants_digest(&writer) == (tick % CORE_TICK_HZ == CORE_TICK_HZ - 1u));
+        replay_add(&writer, &input, tick, &totals);
+    }
+}
+
+static void test_a_copy_is_a_whole_recording_and_the_recording_goes_on(void **state)
+{
+    static const uint32_t counts[] = { 0, 1, 119, 120, 121, 500 };
+    (void)state;
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        write_memory(counts[i], sizeof memory);
+        const uint64_t hash = counts[i] > 0 ? 500u + counts[i] : 99u;
+        const size_t size = replay_copy(&writer, hash, copied, sizeof copied);
+        struct replay_totals totals;
+        assert_int_equal(replay_open_in(&reader, copied, size), 0);
+        assert_int_equal(replay_scan_on(&reader, &totals), 0);
+        assert_int_equal(totals.ticks, counts[i]);
+        assert_true(totals.hash == hash);
+        assert_int_equal(replay_copy(&writer, hash, copied, size - 1u), 0);
+        assert_int_equal(replay_copy(&writer, hash, copied, size), size);
+
+        const struct input input = input_of(counts[i]);
+        const struct replay_totals more = totals_of(counts[i] + 1u);
+        replay_add(&writer, &input, 1, &more);
+        const size_t longer = replay_copy(&writer, more.hash, copied, sizeof copied);
+        assert_int_equal(replay_open_in(&reader, copied, longer), 0);
+        assert_int_equal(replay_scan_on(&reader, &totals), 0);
+        assert_int_equal(totals.ticks, counts[i] + 1u);
+    }
+}
+
+static void test_memory_that_is_full_ends_the_recording_and_leaves_it_whole(void **state)
+{
+    (void)state;
+    struct replay_totals totals;
+    write_memory(500, sizeof memory);
+    const size_t whole = (size_t)writer.offset + REPLAY_END_SIZE; /* Of four seconds. */
+    write_memory(500, whole);
+    assert_true(replay_is_open(&writer));
+    write_memory(500, whole - 1u);
+    assert_false(replay_is_open(&writer));
+    assert_int_equal(writer.error, ENOSPC);
+    assert_int_equal(writer.saved.ticks, 3u * CORE_TICK_HZ);
+    assert_int_equal(replay_copy(&writer, 0, copied, sizeof copied), 0);
+    assert_int_equal(replay_open_in(&reader, memory, (size_t)writer.offset + REPLAY_END_SIZE), 0);
+    assert_int_equal(replay_scan_on(&reader, &totals), 0);
+    assert_int_equal(totals.ticks, 3u * CORE_TICK_HZ);
+    assert_int_equal(replay_create_in(&writer, memory, 60, &config, 99), -ENOSPC);
+    assert_false(replay_is_open(&writer));
+}
+
+static void test_a_digest_each_second_comes_back(void **state)
+{
+    (void)state;
+    write_memory(250, sizeof memory);
+    const size_t size = replay_copy(&writer, 1, copied, sizeof copied);
+    assert_int_equal(replay_open_in(&reader, copied, size), 0);
+    for (uint32_t tick = 0; tick < 250; tick++) {
+        struct input input;
+        assert_int_equal(replay_next(&reader, &input), 1);
+        assert_int_equal(reader.has_digest, tick % CORE_TICK_HZ == CORE_TICK_HZ - 1u);
+        assert_true(!reader.has_digest || reader.digest == tick);
+        assert_int_equal(input.held, input_of(tick).held);
+    }
+}
+
+static void test_memory_that_ends_early_is_refused(void **state)
+{
+    (void)state;
+    struct replay_totals totals;
+    write_memory(130, sizeof memory);
+    const size_t size = replay_copy(&writer, 1, copied, sizeof copied);
+    for (size_t cut = 0; cut < size; cut++) {
+        assert_true(replay_open_in(&reader, copied, cut) != 0 ||
+                    replay_scan_on(&reader, &totals) != 0);
+        assert_int_equal(reader.problem.is_io, 0);
+    }
 }
 
 /* ---- The core's own recordings -------------------------------------------------------------- */
@@ -601,6 +704,10 @@ int main(void)
         cmocka_unit_test(test_a_full_disk_stops_the_recording_and_leaves_it_whole),
         cmocka_unit_test(test_a_recording_is_never_replaced),
         cmocka_unit_test(test_a_path_that_cannot_be_written_is_told),
+        cmocka_unit_test(test_a_copy_is_a_whole_recording_and_the_recording_goes_on),
+        cmocka_unit_test(test_memory_that_is_full_ends_the_recording_and_leaves_it_whole),
+        cmocka_unit_test(test_a_digest_each_second_comes_back),
+        cmocka_unit_test(test_memory_that_ends_early_is_refused),
         cmocka_unit_test(test_a_true_recording_is_found_true),
         cmocka_unit_test(test_a_visit_to_the_operators_menu_is_found_true),
         cmocka_unit_test(test_a_recording_knows_who_played_what),

@@ -27,7 +27,8 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input before = { 0 };
     struct input all = { .held = 1, .pressed = 2, .coin_count[0] = 3, .record_saved_id = 4,
-                         .edit_saved_id = 5, .edit_refused = 1, .upright = 1 };
+                         .edit_saved_id = 5, .edit_refused = 1, .upright = 1, .day = 6,
+                         .minute = 7, .dropped_ticks = 8, .device_faults = 9 };
     memset(&all.desk, 1, sizeof all.desk);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         all.poi[i] = (struct poi_input){
@@ -83,22 +84,22 @@ static void test_a_shade_that_no_recorder_writes_is_refused(void **state)
     assert_int_equal(input.shade[0].present, 1);
 }
 
-static void test_a_screen_that_turns_costs_one_byte_and_turns_back(void **state)
+static void test_a_screen_that_turns_costs_two_bytes_and_turns_back(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input lies = { .edit_saved_id = 2 }, stands = { .edit_saved_id = 2, .upright = 1 };
     struct input decoded = lies;
-    assert_int_equal(replay_encode_input(&lies, &stands, bytes), 2);
-    assert_int_equal(replay_decode_input(&decoded, bytes, 2), 2);
+    assert_int_equal(replay_encode_input(&lies, &stands, bytes), 3);
+    assert_int_equal(replay_decode_input(&decoded, bytes, 3), 3);
     assert_int_equal(decoded.upright, 1);
     assert_int_equal(decoded.edit_saved_id, 2);
-    assert_int_equal(replay_encode_input(&stands, &lies, bytes), 2);
-    assert_int_equal(replay_decode_input(&decoded, bytes, 2), 2);
+    assert_int_equal(replay_encode_input(&stands, &lies, bytes), 3);
+    assert_int_equal(replay_decode_input(&decoded, bytes, 3), 3);
     assert_int_equal(decoded.upright, 0);
 }
 
-static void test_a_store_that_keeps_no_graph_costs_one_byte_and_comes_back(void **state)
+static void test_a_store_that_keeps_no_graph_costs_two_bytes_and_comes_back(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
@@ -106,21 +107,62 @@ static void test_a_store_that_keeps_no_graph_costs_one_byte_and_comes_back(void 
     struct input decoded = keeps;
     for (uint32_t i = 0; i < 2; i++) {
         const struct input *from = i == 0 ? &keeps : &refuses, *to = i == 0 ? &refuses : &keeps;
-        assert_int_equal(replay_encode_input(from, to, bytes), 2);
-        assert_int_equal(replay_decode_input(&decoded, bytes, 2), 2);
+        assert_int_equal(replay_encode_input(from, to, bytes), 3);
+        assert_int_equal(replay_decode_input(&decoded, bytes, 3), 3);
         assert_int_equal(decoded.edit_refused, to->edit_refused);
         assert_int_equal(decoded.upright, 1);
     }
 }
 
-static void test_levels_that_no_recorder_writes_are_refused(void **state)
+static void test_a_machine_that_no_recorder_writes_is_refused(void **state)
 {
     (void)state;
-    enum { LEVELS = 1 << 6 };
-    const uint8_t unknown[2] = { LEVELS, 4 }, unchanged[2] = { LEVELS, 0 };
+    enum { MACHINE = 1 << 3, BEYOND = 1 << 6, LEVELS = 1 << 2, MINUTE = 1 << 4, NO_SUCH = 1 << 7 };
+    const uint8_t refused[][4] = {
+        { MACHINE, 0, 0, 0 },           /* It changed, but nothing of it. */
+        { MACHINE, NO_SUCH, 1, 0 },     /* No such number, */
+        { BEYOND, 1, 0, 0 },            /* no such part, */
+        { MACHINE, LEVELS, 8, 0 },      /* no such level, */
+        { MACHINE, LEVELS, 0, 0 },      /* levels that did not change, */
+        { MACHINE, MINUTE, 0xa0, 5 },   /* and no such minute: 1440. */
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        struct input input = { 0 };
+        assert_int_equal(replay_decode_input(&input, refused[i], 4), 0);
+    }
+    const uint8_t good[4] = { MACHINE, MINUTE, 0x9f, 5 };
     struct input input = { 0 };
-    assert_int_equal(replay_decode_input(&input, unknown, 2), 0);
-    assert_int_equal(replay_decode_input(&input, unchanged, 2), 0);
+    assert_int_equal(replay_decode_input(&input, good, 4), 4);
+    assert_int_equal(input.minute, 1439);
+}
+
+static void test_what_the_machine_says_comes_back(void **state)
+{
+    (void)state;
+    uint8_t bytes[REPLAY_TICK_SIZE_MAX];
+    const struct input all = { .record_saved_id = 0x01020304, .edit_saved_id = 0xfffffffeu,
+                               .edit_refused = 1, .store_well = 1, .upright = 1, .day = 9821,
+                               .minute = 1439, .dropped_ticks = 70000, .device_faults = 80000 };
+    for (uint32_t i = 0; i < 2; i++) {
+        const struct input none = { 0 };
+        const struct input *from = i == 0 ? &none : &all, *to = i == 0 ? &all : &none;
+        struct input decoded = *from;
+        const size_t size = replay_encode_input(from, to, bytes);
+        assert_int_equal(size, 1u + REPLAY_MACHINE_BYTES);
+        for (size_t cut = 0; cut < size; cut++) {
+            assert_int_equal(replay_decode_input(&decoded, bytes, cut), 0);
+        }
+        assert_int_equal(replay_decode_input(&decoded, bytes, size), size);
+        assert_int_equal(decoded.record_saved_id, to->record_saved_id);
+        assert_int_equal(decoded.edit_saved_id, to->edit_saved_id);
+        assert_int_equal(decoded.edit_refused, to->edit_refused);
+        assert_int_equal(decoded.store_well, to->store_well);
+        assert_int_equal(decoded.upright, to->upright);
+        assert_int_equal(decoded.day, to->day);
+        assert_int_equal(decoded.minute, to->minute);
+        assert_int_equal(decoded.dropped_ticks, to->dropped_ticks);
+        assert_int_equal(decoded.device_faults, to->device_faults);
+    }
 }
 
 static void test_a_controller_that_comes_costs_three_bytes_beside_the_mask(void **state)
@@ -143,7 +185,7 @@ static void test_a_controller_that_comes_costs_three_bytes_beside_the_mask(void 
 static void test_a_desk_that_no_recorder_writes_is_refused(void **state)
 {
     (void)state;
-    enum { DESK = 1 << 7, STEP = 1, ROW = 2, BEYOND = 16 };
+    enum { DESK = 1 << 5, STEP = 1, ROW = 2, BEYOND = 16 };
     const uint8_t refused[][4] = {
         { DESK, 0, 0, 0 },                      /* The desk changed, but nothing of it. */
         { DESK, 1, 0, CONTROLLER_STATE_COUNT }, /* No such state, */
@@ -234,9 +276,10 @@ int main(void)
         cmocka_unit_test(test_the_largest_difference_fits_the_bound),
         cmocka_unit_test(test_a_fan_that_glides_costs_seven_bytes_a_tick),
         cmocka_unit_test(test_a_shade_that_no_recorder_writes_is_refused),
-        cmocka_unit_test(test_a_screen_that_turns_costs_one_byte_and_turns_back),
-        cmocka_unit_test(test_a_store_that_keeps_no_graph_costs_one_byte_and_comes_back),
-        cmocka_unit_test(test_levels_that_no_recorder_writes_are_refused),
+        cmocka_unit_test(test_a_screen_that_turns_costs_two_bytes_and_turns_back),
+        cmocka_unit_test(test_a_store_that_keeps_no_graph_costs_two_bytes_and_comes_back),
+        cmocka_unit_test(test_a_machine_that_no_recorder_writes_is_refused),
+        cmocka_unit_test(test_what_the_machine_says_comes_back),
         cmocka_unit_test(test_a_controller_that_comes_costs_three_bytes_beside_the_mask),
         cmocka_unit_test(test_a_desk_that_no_recorder_writes_is_refused),
         cmocka_unit_test(test_any_bits_of_a_hand_come_back),

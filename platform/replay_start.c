@@ -1,0 +1,177 @@
+/* replay_start.c -- one walk over the fields, for both ways, and a packing of the zeros among them.
+ *
+ * Packed, a byte n < 128 stands before n + 1 bytes as they are, and n >= 128 for n - 126 zeros. */
+#include "platform/replay_start.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "platform/replay_walk.h"
+
+#define PLAIN_MAX 128u
+#define ZEROS_MIN 2u
+#define ZEROS_MAX 129u
+
+/* What the walk meets in all; packing adds a byte to each PLAIN_MAX at worst. */
+#define FIELDS_MAX (REPLAY_START_MAX / 2u)
+_Static_assert(sizeof(struct memory) + 256u <= FIELDS_MAX, "the fields are no more than they hold");
+
+/* ---- The fields ----------------------------------------------------------------------------- */
+
+static void walk_purse(struct replay_walk *walk, struct purse *purse)
+{
+    walk_u32(walk, &purse->units);
+    walk_u32(walk, &purse->bonus_units);
+    walk_u32(walk, &purse->paid);
+    walk_u32(walk, &purse->service);
+    walk_u32(walk, &purse->untold);
+    walk_u8(walk, &purse->open);
+}
+_Static_assert(sizeof(struct purse) == 24, "the walk knows all of a purse");
+
+static void walk_ledger(struct replay_walk *walk, struct ledger_start *ledger)
+{
+    walk_u32(walk, &ledger->last_id);
+    walk_u32(walk, &ledger->boots);
+    walk_purse(walk, &ledger->purse);
+}
+_Static_assert(sizeof(struct ledger_start) == 32, "the walk knows all of it");
+
+/* As what is not the standard. */
+static void walk_settings(struct replay_walk *walk, struct settings *settings)
+{
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const uint32_t standard = (uint32_t)setting_of(id)->standard;
+        uint32_t away = (uint32_t)settings->value[id] - standard;
+        walk_u32(walk, &away);
+        settings->value[id] = (int32_t)(away + standard);
+    }
+}
+
+static void walk_row(struct replay_walk *walk, struct rank_row *row)
+{
+    walk_u32(walk, &row->caught);
+    walk_u32(walk, &row->round_id);
+    walk_u16(walk, &row->day);
+    walk_u8(walk, &row->seat);
+    walk_bytes(walk, row->name, sizeof row->name);
+    walk->bad |= row->seat >= POI_MAX || row->name[sizeof row->name - 1u] != '\0';
+}
+_Static_assert(sizeof(struct rank_row) == 44, "the walk knows all of a row");
+
+static void walk_ranking(struct replay_walk *walk, struct ranking *ranking)
+{
+    walk_u32(walk, &ranking->boot);
+    walk_u16(walk, &ranking->day);
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+            walk_row(walk, &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS]);
+        }
+    }
+}
+
+static void walk_memory(struct replay_walk *walk, struct memory *memory)
+{
+    walk_ledger(walk, &memory->ledger);
+    walk_settings(walk, &memory->settings);
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        walk_u32(walk, &memory->audits.count[id]);
+    }
+    walk_ranking(walk, &memory->ranking);
+}
+
+static void walk_config(struct replay_walk *walk, struct core_config *config)
+{
+    walk_u32(walk, &config->seed);
+    walk_u8(walk, &config->preset);
+    walk_u32(walk, &config->fish_count);
+    walk_u8(walk, &config->language);
+    walk_u32(walk, &config->round_s);
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        walk_u32(walk, &config->best_today[mode]);
+    }
+    walk_u8(walk, &config->modes);
+    walk_u8(walk, &config->grade);
+    walk_u8(walk, &config->players);
+    walk_u8(walk, &config->credit_coins);
+    walk_u8(walk, &config->ticket_fish);
+    walk_memory(walk, &config->memory);
+}
+
+/* ---- Packing -------------------------------------------------------------------------------- */
+
+static size_t run_of_zeros(const uint8_t *bytes, size_t size)
+{
+    size_t count = 0;
+    while (count < size && count < ZEROS_MAX && bytes[count] == 0) {
+        count++;
+    }
+    return count;
+}
+
+/* Up to where zeros are worth a byte of their own. */
+static size_t run_of_others(const uint8_t *bytes, size_t size)
+{
+    size_t count = 0;
+    while (count < size && count < PLAIN_MAX &&
+           run_of_zeros(bytes + count, size - count) < ZEROS_MIN) {
+        count++;
+    }
+    return count;
+}
+
+static size_t pack(const uint8_t *bytes, size_t size, uint8_t *out)
+{
+    size_t at = 0, used = 0;
+    while (at < size) {
+        const size_t zeros = run_of_zeros(bytes + at, size - at);
+        const size_t others = zeros < ZEROS_MIN ? run_of_others(bytes + at, size - at) : 0;
+        out[used++] = (uint8_t)(others > 0 ? others - 1u : zeros - ZEROS_MIN + PLAIN_MAX);
+        memcpy(out + used, bytes + at, others);
+        used += others;
+        at += others > 0 ? others : zeros;
+    }
+    return used;
+}
+
+/* Returns how many bytes it came to, or 0 when they are more than `max`, or end in a run. */
+static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max)
+{
+    size_t at = 0, count = 0;
+    while (at < size) {
+        const uint8_t head = bytes[at++];
+        const int is_plain = head < PLAIN_MAX;
+        const size_t run = is_plain ? head + 1u : head - PLAIN_MAX + ZEROS_MIN;
+        if (count + run > max || (is_plain && at + run > size)) {
+            return 0;
+        }
+        if (is_plain) {
+            memcpy(out + count, bytes + at, run);
+            at += run;
+        } else {
+            memset(out + count, 0, run);
+        }
+        count += run;
+    }
+    return count;
+}
+
+/* ---- Both ways ------------------------------------------------------------------------------ */
+
+size_t replay_start_encode(const struct core_config *config, uint8_t out[REPLAY_START_MAX])
+{
+    struct core_config copy = *config; /* The walk may write; into this. */
+    uint8_t fields[FIELDS_MAX];
+    struct replay_walk walk = { .out = fields, .size = sizeof fields };
+    walk_config(&walk, &copy);
+    CORE_ASSERT(!walk.bad);
+    return pack(fields, walk.at, out);
+}
+
+int replay_start_decode(struct core_config *config, const uint8_t *bytes, size_t size)
+{
+    uint8_t fields[FIELDS_MAX];
+    struct replay_walk walk = { .in = fields, .size = unpack(bytes, size, fields, FIELDS_MAX) };
+    walk_config(&walk, config);
+    return !walk.bad && walk.at == walk.size;
+}

@@ -1,0 +1,132 @@
+/* test_replay_start.c -- a recording carries what its core began with: to the bit, in few bytes,
+ * and nothing that no recorder writes. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "platform/replay_start.h"
+
+static struct core core;
+static struct core_config config, back;
+static uint8_t bytes[REPLAY_START_MAX];
+
+static uint32_t draw(uint32_t at, uint32_t what)
+{
+    return rng_u32((struct rng_key){ 11, at, what, RNG_TEST });
+}
+
+/* Any bytes that a struct of numbers may hold. */
+static void scatter(void *at, size_t size, uint32_t what)
+{
+    uint8_t *to = at;
+    for (size_t i = 0; i < size; i++) {
+        to[i] = (uint8_t)draw((uint32_t)i, what);
+    }
+}
+
+static void fill_ranking(struct ranking *ranking)
+{
+    scatter(ranking, sizeof *ranking, 1);
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+            struct rank_row *row = &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS];
+            row->seat %= POI_MAX;
+            row->name[LEDGER_NAME_SIZE - 1u] = '\0';
+        }
+    }
+}
+
+/* The fullest stall there is. */
+static void fill(void)
+{
+    config = (struct core_config){ .seed = 0x89abcdef,
+                                   .preset = TANK_PRESET_THESIS,
+                                   .fish_count = 33,
+                                   .language = LANGUAGE_EN,
+                                   .round_s = 599,
+                                   .best_today = { 1, 70000, 3 },
+                                   .modes = 5,
+                                   .grade = 5,
+                                   .players = 3,
+                                   .credit_coins = 7,
+                                   .ticket_fish = 9 };
+    scatter(&config.memory.ledger, sizeof config.memory.ledger, 2);
+    scatter(&config.memory.audits, sizeof config.memory.audits, 3);
+    fill_ranking(&config.memory.ranking);
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const struct setting *setting = setting_of(id);
+        config.memory.settings.value[id] = draw(id, 4) % 2u ? setting->min : setting->max;
+    }
+}
+
+/* The hash covers each member of each struct (test_core_hash.c): so does this. */
+static void test_the_fullest_memory_comes_back_to_the_bit(void **state)
+{
+    (void)state;
+    fill();
+    const size_t size = replay_start_encode(&config, bytes);
+    assert_in_range(size, 4000, REPLAY_START_MAX / 2u);
+    memset(&back, 0, sizeof back);
+    assert_int_equal(replay_start_decode(&back, bytes, size), 1);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    const uint64_t hash = core_hash(&core);
+    assert_int_equal(core_init(&core, &back), CORE_OK);
+    assert_true(core_hash(&core) == hash);
+}
+
+static void test_a_stall_that_remembers_nothing_costs_few_bytes(void **state)
+{
+    (void)state;
+    const struct core_config fresh = { .seed = 7, .fish_count = 12 };
+    assert_int_equal(core_init(&core, &fresh), CORE_OK); /* Its settings are at their standard. */
+    const size_t size = replay_start_encode(&core.config, bytes);
+    assert_in_range(size, 10, 80);
+    assert_int_equal(replay_start_decode(&back, bytes, size), 1);
+    assert_memory_equal(&back.memory, &core.config.memory, sizeof back.memory);
+}
+
+static void test_cut_anywhere_or_with_more_behind_it_is_refused(void **state)
+{
+    (void)state;
+    fill();
+    const size_t size = replay_start_encode(&config, bytes);
+    for (size_t cut = 0; cut < size; cut++) {
+        assert_int_equal(replay_start_decode(&back, bytes, cut), 0);
+    }
+    bytes[size] = 128; /* Two zeros more. */
+    assert_int_equal(replay_start_decode(&back, bytes, size + 1u), 0);
+}
+
+static void test_what_no_recorder_writes_is_refused(void **state)
+{
+    (void)state;
+    fill();
+    config.memory.ranking.row[1][2][9].seat = POI_MAX - 1u;
+    size_t size = replay_start_encode(&config, bytes);
+    assert_int_equal(replay_start_decode(&back, bytes, size), 1);
+    memset(bytes, 0xff, sizeof bytes); /* 129 zeros each: far more than there are fields. */
+    assert_int_equal(replay_start_decode(&back, bytes, sizeof bytes), 0);
+    memset(bytes, 0x41, sizeof bytes); /* A name that does not end. */
+    for (size_t i = 0; i < sizeof bytes; i += 129) {
+        bytes[i] = 127;
+    }
+    for (size = 0; size < sizeof bytes; size++) {
+        assert_int_equal(replay_start_decode(&back, bytes, size), 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_fullest_memory_comes_back_to_the_bit),
+        cmocka_unit_test(test_a_stall_that_remembers_nothing_costs_few_bytes),
+        cmocka_unit_test(test_cut_anywhere_or_with_more_behind_it_is_refused),
+        cmocka_unit_test(test_what_no_recorder_writes_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
