@@ -268,6 +268,7 @@ uint64_t core_hash(const struct core *core)
     uint64_t hash = config_hash(core_hash_quick(core), &core->config);
     hash = audits_hash(hash, &core->game.audits);
     hash = ranking_hash(hash, &core->game.ranking);
+    hash = adjust_hash(hash, &core->game.adjust);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = poi_hash(hash, &core->poi[i]);
         hash = bowl_hash(hash, &core->bowl[i]);

@@ -8,6 +8,7 @@
 
 #include "core/input.h"
 #include "core/morph/species.h"
+#include "core/settings.h"
 #include "core/view.h"
 #include "core/base/vec.h"
 
@@ -220,6 +221,11 @@ struct scene_menu {
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Since the menu was opened; */
     uint32_t test_coins;     /* coins too, of the lines' page. */
     float coin_s;            /* Since the last of them fell. */
+    uint8_t chosen;          /* The row of settings that the foot's tags are about. */
+    uint8_t turns_down;      /* A take turns its value down, not up. */
+    uint8_t is_saved;        /* All that was turned is on disk. */
+    uint32_t fish_max;       /* As many as the stall's tank has room for. */
+    struct settings settings;
 };
 
 #define SCENE_NAME_SIZE 48u

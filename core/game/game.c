@@ -66,6 +66,7 @@ void game_init(struct game *game, const struct core_config *config)
     ledger_init(&game->ledger, config);
     game->audits = config->memory.audits;
     game->ranking = config->memory.ranking;
+    adjust_init(&game->adjust, config);
     hints_init(&game->hints);
     lab_init(&game->lab, config);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -99,6 +100,7 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
     if (!menu_opens(core, input, output)) {
         tick_phase(core, input, output);
     }
+    adjust_tick(core, output);
     hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
     hand_tick_all(core, input, targets, live);
     hints_tick(&game->hints, core);

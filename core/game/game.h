@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "core/game/adjust.h"
 #include "core/game/album.h"
 #include "core/game/audits.h"
 #include "core/game/bot.h"
@@ -67,6 +68,7 @@ struct game {
     struct ledger ledger;
     struct audits audits;
     struct ranking ranking;
+    struct adjust adjust;
     struct player player[POI_MAX];
     uint8_t holder[POI_MAX];         /* enum poi_link: who held the poi in the last tick. */
     uint32_t grip_tick[POI_MAX];     /* When that holder took it. */

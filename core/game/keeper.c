@@ -59,6 +59,23 @@ static uint32_t player_count(const struct core_config *config)
     return config->players ? config->players : 1u;
 }
 
+static uint32_t fish_count(const struct core_config *config, uint8_t preset)
+{
+    const int is_own = preset == config->preset && config->fish_count != 0;
+    return is_own ? config->fish_count : tank_preset(preset)->fish_count;
+}
+
+/* The operator's menu may have asked for other fish, or other seats, than there are. */
+static int is_set_up(const struct core *core, uint8_t preset)
+{
+    int is_so = preset == core->tank.preset &&
+                core->tank.fish_count == fish_count(&core->config, preset);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        is_so = is_so && core->bowl[i].present == (i < player_count(&core->config));
+    }
+    return is_so;
+}
+
 static void place_all(struct core *core, const struct tank_preset *preset)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -71,6 +88,7 @@ static void place_all(struct core *core, const struct tank_preset *preset)
         core->game.hand[i] = rest_place(core, i);
         core->game.holder[i] = POI_LINK_ABSENT; /* Whoever holds it takes it over anew. */
         hand_forget_way(&core->game, i);
+        core->bowl[i] = (struct bowl){ 0 };
         if (i < player_count(&core->config)) {
             bowl_init(&core->bowl[i], preset->bowl_m[i]);
         }
@@ -79,9 +97,8 @@ static void place_all(struct core *core, const struct tank_preset *preset)
 
 static void open_tank(struct core *core, uint8_t preset, uint32_t seed)
 {
-    const int is_own = preset == core->config.preset && core->config.fish_count != 0;
     struct tank_config config = tank_config_of(preset);
-    config.fish_count = is_own ? core->config.fish_count : tank_preset(preset)->fish_count;
+    config.fish_count = fish_count(&core->config, preset);
     config.seed = seed;
     config.bowls = (uint8_t)player_count(&core->config);
     config.lanes = core->config.lanes;
@@ -100,7 +117,7 @@ void keeper_open(struct core *core)
 
 void keeper_set_up(struct core *core, uint8_t preset)
 {
-    if (preset == core->tank.preset) {
+    if (is_set_up(core, preset)) {
         return;
     }
     const struct rng_key key = { core->config.seed, core->game.round_count, preset,

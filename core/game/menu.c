@@ -5,13 +5,8 @@
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/keeper.h"
-#include "core/game/menu_pages.h"
+#include "core/game/menu_parts.h"
 #include "core/game/phases.h"
-
-static uint16_t offers(const struct menu *menu)
-{
-    return menu_sheet_of(menu->page)->offers(menu);
-}
 
 /* What the shell says of controllers is in range: another driver's bug is not ours to draw. */
 static void check(const struct desk_input *desk)
@@ -87,7 +82,7 @@ static uint8_t first_tag(uint16_t offered)
 /* What was pointed at may be gone: a controller was unplugged, a step was learned. */
 static void point_at_something(struct menu *menu)
 {
-    const uint16_t offered = offers(menu);
+    const uint16_t offered = menu_offers(menu);
     uint8_t *tag = &menu->tag[menu->page];
     *tag = offered >> *tag & 1u ? *tag : first_tag(offered);
 }
@@ -97,8 +92,8 @@ void menu_turn(struct core *core, enum menu_page page)
     struct menu *menu = &core->game.menu;
     menu->page = (uint8_t)page;
     menu->points = 0;
-    if (page == MENU_CONTROLLER || page == MENU_LEARN) {
-        menu->tag[page] = 0; /* Another controller: what was done to the last one is no matter. */
+    if (menu_sheet_of(menu->page)->enter) {
+        menu_sheet_of(menu->page)->enter(core);
     }
     point_at_something(menu);
 }
@@ -114,8 +109,8 @@ static void point_at(struct menu *menu, uint32_t tag, struct output *output)
 /* The next that is offered, forward or back, and round. */
 static void point_on(struct menu *menu, int forward, struct output *output)
 {
-    const uint32_t count = menu_sheet_of(menu->page)->tag_count;
-    const uint16_t offered = offers(menu);
+    const uint32_t count = menu_tag_count(menu->page);
+    const uint16_t offered = menu_offers(menu);
     uint32_t tag = menu->tag[menu->page];
     do {
         tag = (tag + (forward ? 1u : count - 1u)) % count;
@@ -131,7 +126,7 @@ static void take(struct core *core, struct output *output)
     }
     menu->take_tick = core->tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
-    menu_sheet_of(menu->page)->take(core, menu->tag[menu->page], output);
+    menu_take(core, output);
 }
 
 static int is_way_back(const struct input *input)
@@ -142,8 +137,8 @@ static int is_way_back(const struct input *input)
 static void go_back(struct core *core, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    menu->tag[menu->page] = (uint8_t)(menu_sheet_of(menu->page)->tag_count - 1u);
-    CORE_ASSERT(offers(menu) >> menu->tag[menu->page] & 1u);
+    menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
+    CORE_ASSERT(menu_offers(menu) >> menu->tag[menu->page] & 1u);
     take(core, output);
 }
 
@@ -179,8 +174,8 @@ static int is_learning(const struct menu *menu)
 /* From 1; 0: none. */
 static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
 {
-    const uint16_t offered = offers(menu);
-    for (uint32_t tag = 0; tag < menu_sheet_of(menu->page)->tag_count; tag++) {
+    const uint16_t offered = menu_offers(menu);
+    for (uint32_t tag = 0; tag < menu_tag_count(menu->page); tag++) {
         if (overlay_is_inside(menu_box(menu->upright, menu->page, offered, tag), 0.0f, at)) {
             return (uint8_t)(tag + 1u);
         }
@@ -277,12 +272,22 @@ static void watch(struct core *core, const struct input *input, struct output *o
     point_at_something(menu);
 }
 
+/* What takes is still pressed: a button, or the poi under water over the tag. */
+static int is_taking(const struct menu *menu)
+{
+    return (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
+           (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
+}
+
 void menu_tick(struct core *core, const struct input *input, struct output *output)
 {
     watch(core, input, output);
     heed_buttons(core, input, output);
     if (core->game.phase == PHASE_MENU) {
         follow_hand(core, input, output);
+    }
+    if (core->game.phase == PHASE_MENU) {
+        menu_settings_tick(core, is_taking(&core->game.menu), output);
     }
     if (core->game.phase == PHASE_MENU &&
         core->tick - core->game.menu.act_tick >= MENU_IDLE_TICKS) {

@@ -11,8 +11,9 @@
  * Pressed again it ends the round, without a result, since a round that was cut short is neither a
  * score nor a record; what it cost comes back.
  *
- * To add a page: a name in enum menu_page, a row in menu_pages.c with what its tags do, and its
- * words and picture in platform/render/ui_menu.c. */
+ * To add a page: a name in enum menu_page, a row in menu_pages.c that says which page it belongs to
+ * and what its tags do, and a row of words in platform/render/ui_menu_words.c. A page that only
+ * shows tags for others, or settings of a group, needs no code at all. */
 #ifndef KINGYO_CORE_GAME_MENU_H
 #define KINGYO_CORE_GAME_MENU_H
 
@@ -23,32 +24,47 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define MENU_TAG_MAX 12u /* Eight in a page's body, and four at its foot. */
+#define MENU_TAG_MAX 16u /* Of a page: twelve in its body, and four at its foot. */
 #define MENU_ASK_TICKS (5u * CORE_TICK_HZ)    /* So long a second TEST ends the round. */
 #define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two takes within it are one hand's. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Left open and forgotten: the stall opens again. */
 #define MENU_COUNT_MAX 9999u                  /* A counter of the lines' page stops there. */
 
+/* Pages of one parent hang there in this order. */
 enum menu_page {
     MENU_TOP = 0,
-    MENU_CONTROLLERS, /* All that are plugged in, ... */
+    MENU_DEVICES,     /* Leads to what is plugged in and wired: */
+    MENU_CONTROLLERS, /* all that are plugged in, ... */
     MENU_CONTROLLER,  /* ... one of them, ... */
-    MENU_LEARN,       /* ... and what it says when it is moved. */
-    MENU_LINES,       /* Buttons and coins. */
-    MENU_FILES,       /* What was found in the data folder, and what was not fit for use. */
+    MENU_LEARN,       /* ... and what it says when it is moved; */
+    MENU_LINES,       /* buttons and coins. */
+    MENU_MONEY,       /* Settings, a group each. */
+    MENU_GAME,
+    MENU_MODES,       /* Which of them are offered. */
+    MENU_SOUND,
+    MENU_PICTURE,
+    MENU_UPKEEP,      /* Leads to what is seldom needed: */
+    MENU_FILES,       /* what was found in the data folder, and what was not fit for use. */
     MENU_PAGE_COUNT,
 };
 
-/* The tags of each page. */
-enum { TOP_CONTROLLERS = 0, TOP_LINES, TOP_FILES, TOP_LEAVE, TOP_TAGS };
+/* The tags of pages that have code of their own. */
 enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* Behind one for each controller. */
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
 enum { FILES_MORE = 0, FILES_BACK, FILES_TAGS };
 
+/* The feet of pages of settings, behind one for each setting and for each page of theirs. */
+enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };
+
 struct menu {
     uint8_t page;    /* enum menu_page */
+    uint8_t chosen;  /* On a page of settings: the row that its foot's tags are about. */
+    uint8_t turns_down; /* There a take turns a value down, not up. */
+    uint8_t turning; /* Since it was taken TEST, or the poi, has not come up: it turns on. */
+    uint8_t turn_count; /* How often it turned on, .. 255, and ... */
+    uint32_t turn_tick; /* ... when it was turned last. */
     uint8_t row;     /* Of the controller that is dealt with. */
     uint8_t upright; /* As the last input said. */
     uint8_t file_first; /* The first row that the files' page shows. */

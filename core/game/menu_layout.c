@@ -10,21 +10,22 @@ struct measures {
     uint32_t hung_max;                 /* Tags side by side. */
     float hung_width, hung_height, hung_gap, hung_drop; /* `drop`: for the next row's pole. */
     float row_height, row_pitch;
+    float settings_height;             /* Of the body, so much is the settings'; then words. */
     float foot_y, foot_width, foot_height, foot_gap;
 };
 
 static const struct measures wide = {
     .body = { 130.0f, 124.0f, 1020.0f, 464.0f },
-    .hung_max = 4, .hung_width = 282.0f, .hung_height = 190.0f, .hung_gap = 26.0f,
-    .hung_drop = 66.0f,
-    .row_height = 52.0f, .row_pitch = 58.0f,
+    .hung_max = 4, .hung_width = 282.0f, .hung_height = 172.0f, .hung_gap = 26.0f,
+    .hung_drop = 60.0f,
+    .row_height = 52.0f, .row_pitch = 58.0f, .settings_height = 428.0f,
     .foot_y = 610.0f, .foot_width = 250.0f, .foot_height = 66.0f, .foot_gap = 24.0f,
 };
 static const struct measures upright_measures = {
     .body = { 27.0f, 200.0f, 800.0f, 1040.0f },
-    .hung_max = 2, .hung_width = 372.0f, .hung_height = 214.0f, .hung_gap = 30.0f,
-    .hung_drop = 76.0f,
-    .row_height = 112.0f, .row_pitch = 128.0f,
+    .hung_max = 2, .hung_width = 372.0f, .hung_height = 200.0f, .hung_gap = 30.0f,
+    .hung_drop = 72.0f,
+    .row_height = 112.0f, .row_pitch = 128.0f, .settings_height = 912.0f,
     .foot_y = 1262.0f, .foot_width = 250.0f, .foot_height = 86.0f, .foot_gap = 20.0f,
 };
 
@@ -72,22 +73,41 @@ static struct overlay_box foot_box(const struct measures *m, int upright, uint32
     };
 }
 
+static struct overlay_box row_box(const struct measures *m, uint32_t nth)
+{
+    return (struct overlay_box){ m->body.x, m->body.y + (float)nth * m->row_pitch, m->body.width,
+                                 m->row_height };
+}
+
+/* As high as so many leave room for, and no higher than others. */
+static struct overlay_box setting_box(const struct measures *m, uint32_t nth, uint32_t count)
+{
+    const float pitch = f_min(m->row_pitch, m->settings_height / (float)count);
+    return (struct overlay_box){ m->body.x, m->body.y + (float)nth * pitch, m->body.width,
+                                 pitch * m->row_height / m->row_pitch };
+}
+
 struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag)
 {
     const struct menu_sheet *sheet = menu_sheet_of(page);
     const struct measures *m = upright ? &upright_measures : &wide;
-    CORE_ASSERT(tag < sheet->tag_count);
+    CORE_ASSERT(tag < menu_tag_count(page));
     if (!(offered >> tag & 1u)) {
         return (struct overlay_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
-    if (tag >= sheet->body_count) {
-        return foot_box(m, upright, count_offered(offered, sheet->body_count, tag),
-                        count_offered(offered, sheet->body_count, sheet->tag_count));
+    const uint32_t body_count = menu_body_count(page);
+    if (tag >= body_count) {
+        return foot_box(m, upright, count_offered(offered, body_count, tag),
+                        count_offered(offered, body_count, menu_tag_count(page)));
     }
-    if (sheet->body == BODY_HUNG) {
-        return hung_box(m, count_offered(offered, 0, tag),
-                        count_offered(offered, 0, sheet->body_count));
+    switch (sheet->body) {
+    case BODY_HUNG:
+    case BODY_PAGES:
+        return hung_box(m, count_offered(offered, 0, tag), count_offered(offered, 0, body_count));
+    case BODY_SETTINGS:
+    case BODY_BITS:
+        return setting_box(m, tag, body_count);
+    default:
+        return row_box(m, tag);
     }
-    return (struct overlay_box){ m->body.x, m->body.y + (float)tag * m->row_pitch, m->body.width,
-                                 m->row_height };
 }

@@ -1,188 +1,40 @@
-/* menu_pages.c -- which pages there are, and what their tags do. */
+/* menu_pages.c -- which pages there are, where each hangs, and what its tags do. */
 #include "core/game/menu_pages.h"
 
 #include "core/base/panic.h"
 #include "core/core.h"
+#include "core/game/menu_parts.h"
 #include "core/game/phases.h"
 
-#define TAG(tag) ((uint16_t)(1u << (tag)))
-
-static void order(struct core *core, struct output *output, enum desk_order_kind kind)
-{
-    struct menu *menu = &core->game.menu;
-    output->orders[menu->order_count % DESK_ORDER_MAX] =
-        (struct desk_order){ (uint8_t)kind, menu->row };
-    output->order_count = ++menu->order_count;
-}
-
-/* ---- The top -------------------------------------------------------------------------------- */
-
-static uint16_t top_offers(const struct menu *menu)
-{
-    (void)menu;
-    return TAG(TOP_CONTROLLERS) | TAG(TOP_LINES) | TAG(TOP_FILES) | TAG(TOP_LEAVE);
-}
-
-static void take_top(struct core *core, uint32_t tag, struct output *output)
-{
-    switch (tag) {
-    case TOP_CONTROLLERS:
-        menu_turn(core, MENU_CONTROLLERS);
-        break;
-    case TOP_LINES:
-        menu_turn(core, MENU_LINES);
-        break;
-    case TOP_FILES:
-        core->game.menu.file_first = 0;
-        menu_turn(core, MENU_FILES);
-        break;
-    default:
-        menu_close(core, output);
-        break;
-    }
-}
-
-/* ---- Controllers ---------------------------------------------------------------------------- */
-
-static uint16_t rows_offers(const struct menu *menu)
-{
-    uint16_t offers = TAG(ROWS_BACK);
-    for (uint32_t row = 0; row < CONTROLLER_MAX; row++) {
-        offers |= menu->desk.state[row] != CONTROLLER_NONE ? TAG(row) : 0;
-    }
-    return offers;
-}
-
-static void take_rows(struct core *core, uint32_t tag, struct output *output)
-{
-    (void)output;
-    if (tag == ROWS_BACK) {
-        menu_turn(core, MENU_TOP);
-        return;
-    }
-    core->game.menu.row = (uint8_t)tag;
-    menu_turn(core, MENU_CONTROLLER);
-}
-
-static uint16_t row_offers(const struct menu *menu)
-{
-    static const uint16_t by_state[CONTROLLER_STATE_COUNT] = {
-        [CONTROLLER_FREE] = TAG(ROW_CHOOSE) | TAG(ROW_LEARN),
-        [CONTROLLER_PLAYS] = TAG(ROW_RELEASE) | TAG(ROW_LEARN),
-        [CONTROLLER_LOST] = TAG(ROW_RELEASE), /* Away, it can be learned as little as led. */
-        [CONTROLLER_DENIED] = TAG(ROW_CHOOSE) | TAG(ROW_RELEASE), /* Perhaps we may by now. */
-    };
-    return by_state[menu->desk.state[menu->row]] | TAG(ROW_BACK);
-}
-
-static void take_row(struct core *core, uint32_t tag, struct output *output)
-{
-    switch (tag) {
-    case ROW_CHOOSE:
-        order(core, output, DESK_CHOOSE);
-        break;
-    case ROW_RELEASE:
-        order(core, output, DESK_RELEASE);
-        break;
-    case ROW_LEARN:
-        order(core, output, DESK_LEARN);
-        menu_turn(core, MENU_LEARN);
-        break;
-    default:
-        menu_turn(core, MENU_CONTROLLERS);
-        break;
-    }
-}
-
-/* ---- Learning ------------------------------------------------------------------------------- */
-
-static uint16_t learn_offers(const struct menu *menu)
-{
-    switch (menu->desk.learn_step) {
-    case LEARN_NONE:
-        return TAG(LEARNS_END); /* Nobody has begun yet, or the controller is away. */
-    case LEARN_TRY:
-    case LEARN_UNKEPT: /* The card may be in by now. */
-        return TAG(LEARNS_KEEP) | TAG(LEARNS_AGAIN) | TAG(LEARNS_END);
-    case LEARN_FAILED:
-        return TAG(LEARNS_AGAIN) | TAG(LEARNS_END);
-    default:
-        return TAG(LEARNS_NEXT) | TAG(LEARNS_END);
-    }
-}
-
-static void take_learn(struct core *core, uint32_t tag, struct output *output)
-{
-    switch (tag) {
-    case LEARNS_NEXT:
-        order(core, output, DESK_LEARN_NEXT);
-        break;
-    case LEARNS_KEEP:
-        order(core, output, DESK_LEARN_KEEP);
-        menu_turn(core, MENU_CONTROLLERS);
-        break;
-    case LEARNS_AGAIN:
-        order(core, output, DESK_LEARN);
-        break;
-    default:
-        order(core, output, DESK_LEARN_END);
-        menu_turn(core, MENU_CONTROLLER);
-        break;
-    }
-}
-
-/* ---- Buttons and coins ---------------------------------------------------------------------- */
-
-static uint16_t lines_offers(const struct menu *menu)
-{
-    (void)menu;
-    return TAG(LINES_BACK);
-}
-
-static void take_lines(struct core *core, uint32_t tag, struct output *output)
-{
-    (void)tag;
-    (void)output;
-    menu_turn(core, MENU_TOP);
-}
-
-/* ---- Files ---------------------------------------------------------------------------------- */
-
-#define FILES_SHOWN 5u
-
-uint32_t menu_files_shown(int upright)
-{
-    return upright ? SCENE_FILE_MAX : FILES_SHOWN;
-}
-
-static uint16_t files_offers(const struct menu *menu)
-{
-    const int is_long = menu->desk.file_count > menu_files_shown(menu->upright);
-    return (uint16_t)((is_long ? TAG(FILES_MORE) : 0u) | TAG(FILES_BACK));
-}
-
-/* Behind the last row comes the first again. */
-static void take_files(struct core *core, uint32_t tag, struct output *output)
-{
-    struct menu *menu = &core->game.menu;
-    (void)output;
-    if (tag == FILES_BACK) {
-        menu_turn(core, MENU_TOP);
-        return;
-    }
-    const uint32_t next = menu->file_first + menu_files_shown(menu->upright);
-    menu->file_first = (uint8_t)(next < menu->desk.file_count ? next : 0u);
-}
-
-/* ---- The table ------------------------------------------------------------------------------ */
+#define PAGES(parent_page) { .parent = (parent_page), .body = BODY_PAGES, .foot_count = 1 }
+#define SETTINGS(group)                                                                            \
+    { .parent = MENU_TOP, .body = BODY_SETTINGS, .foot_count = SETTINGS_FEET, .about = (group),    \
+      .enter = menu_settings_enter, .take = menu_settings_take }
 
 static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
-    [MENU_TOP] = { BODY_HUNG, TOP_LEAVE, TOP_TAGS, 0, top_offers, take_top },
-    [MENU_CONTROLLERS] = { BODY_ROWS, ROWS_BACK, ROWS_TAGS, 0, rows_offers, take_rows },
-    [MENU_CONTROLLER] = { BODY_HUNG, ROW_BACK, ROW_TAGS, 0, row_offers, take_row },
-    [MENU_LEARN] = { BODY_FREE, 0, LEARNS_TAGS, 0, learn_offers, take_learn },
-    [MENU_LINES] = { BODY_FREE, 0, LINES_TAGS, 1, lines_offers, take_lines },
-    [MENU_FILES] = { BODY_FREE, 0, FILES_TAGS, 0, files_offers, take_files },
+    [MENU_TOP] = PAGES(MENU_PAGE_COUNT),
+    [MENU_DEVICES] = PAGES(MENU_TOP),
+    [MENU_CONTROLLERS] = { .parent = MENU_DEVICES, .body = BODY_ROWS,
+                           .body_count = CONTROLLER_MAX, .foot_count = 1,
+                           .offers = menu_rows_offers, .take = menu_rows_take },
+    [MENU_CONTROLLER] = { .parent = MENU_CONTROLLERS, .body = BODY_HUNG, .body_count = ROW_BACK,
+                          .foot_count = 1, .offers = menu_row_offers, .enter = menu_enter_anew,
+                          .take = menu_row_take },
+    [MENU_LEARN] = { .parent = MENU_CONTROLLER, .body = BODY_FREE, .foot_count = LEARNS_TAGS,
+                     .offers = menu_learn_offers, .enter = menu_enter_anew,
+                     .take = menu_learn_take, .leave = menu_learn_leave },
+    [MENU_LINES] = { .parent = MENU_DEVICES, .body = BODY_FREE, .foot_count = LINES_TAGS,
+                     .watches = 1 },
+    [MENU_MONEY] = SETTINGS(GROUP_MONEY),
+    [MENU_GAME] = SETTINGS(GROUP_GAME),
+    [MENU_MODES] = { .parent = MENU_GAME, .body = BODY_BITS, .foot_count = 1, .about = SET_MODES,
+                     .take = menu_bits_take },
+    [MENU_SOUND] = SETTINGS(GROUP_SOUND),
+    [MENU_PICTURE] = SETTINGS(GROUP_PICTURE),
+    [MENU_UPKEEP] = PAGES(MENU_TOP),
+    [MENU_FILES] = { .parent = MENU_UPKEEP, .body = BODY_FREE, .foot_count = FILES_TAGS,
+                     .offers = menu_files_offers, .enter = menu_files_enter,
+                     .take = menu_files_take },
 };
 _Static_assert(ROWS_TAGS <= MENU_TAG_MAX, "each tag has its bit");
 
@@ -192,10 +44,161 @@ const struct menu_sheet *menu_sheet_of(uint8_t page)
     return &sheets[page];
 }
 
+/* ---- What a body holds ---------------------------------------------------------------------- */
+
+/* The `nth` whose parent this is; MENU_PAGE_COUNT: there are not so many, and `*count` are. Those
+ * that rows of another kind lead to hang nowhere. */
+static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
+{
+    *count = 0;
+    for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
+        if (sheets[page].parent == parent && (*count)++ == nth) {
+            return page;
+        }
+    }
+    return MENU_PAGE_COUNT;
+}
+
+static uint32_t child_count(uint8_t parent)
+{
+    uint32_t count;
+    nth_child(parent, MENU_PAGE_COUNT, &count);
+    return count;
+}
+
+/* One that is a set of bits has a page of its own. */
+static uint32_t nth_setting(uint8_t group, uint32_t nth, uint32_t *count)
+{
+    *count = 0;
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const struct setting *setting = setting_of(id);
+        if (setting->group == group && setting->kind != KIND_BITS && (*count)++ == nth) {
+            return id;
+        }
+    }
+    return SETTING_COUNT;
+}
+
+static uint32_t setting_count(uint8_t group)
+{
+    uint32_t count;
+    nth_setting(group, SETTING_COUNT, &count);
+    return count;
+}
+
+static uint32_t bit_count(uint32_t id)
+{
+    uint32_t count = 0;
+    while (setting_of(id)->max >> count) {
+        count++;
+    }
+    return count;
+}
+
+uint32_t menu_body_count(uint8_t page)
+{
+    const struct menu_sheet *sheet = menu_sheet_of(page);
+    switch (sheet->body) {
+    case BODY_PAGES:
+        return child_count(page);
+    case BODY_SETTINGS:
+        return setting_count(sheet->about) + child_count(page);
+    case BODY_BITS:
+        return bit_count(sheet->about);
+    default:
+        return sheet->body_count;
+    }
+}
+
+uint32_t menu_tag_count(uint8_t page)
+{
+    const uint32_t count = menu_body_count(page) + menu_sheet_of(page)->foot_count;
+    CORE_ASSERT(count <= MENU_TAG_MAX);
+    return count;
+}
+
+uint8_t menu_page_at(uint8_t page, uint32_t tag)
+{
+    const struct menu_sheet *sheet = menu_sheet_of(page);
+    const uint32_t first = sheet->body == BODY_SETTINGS ? setting_count(sheet->about) : 0u;
+    uint32_t count;
+    if ((sheet->body != BODY_PAGES && sheet->body != BODY_SETTINGS) || tag < first) {
+        return MENU_PAGE_COUNT;
+    }
+    return nth_child(page, tag - first, &count);
+}
+
+uint32_t menu_tag_of(uint8_t page)
+{
+    const uint8_t parent = menu_sheet_of(page)->parent;
+    uint32_t tag = 0;
+    while (parent < MENU_PAGE_COUNT && tag < MENU_TAG_MAX && menu_page_at(parent, tag) != page) {
+        tag++;
+    }
+    return parent < MENU_PAGE_COUNT ? tag : MENU_TAG_MAX;
+}
+
+uint32_t menu_setting_at(uint8_t page, uint32_t tag)
+{
+    const struct menu_sheet *sheet = menu_sheet_of(page);
+    const uint8_t leads = menu_page_at(page, tag);
+    uint32_t count;
+    if (leads < MENU_PAGE_COUNT && sheets[leads].body == BODY_BITS) {
+        return sheets[leads].about;
+    }
+    return sheet->body == BODY_SETTINGS ? nth_setting(sheet->about, tag, &count) : SETTING_COUNT;
+}
+
+uint16_t menu_offers(const struct menu *menu)
+{
+    const struct menu_sheet *sheet = menu_sheet_of(menu->page);
+    return sheet->offers ? sheet->offers(menu)
+                         : (uint16_t)((1u << menu_tag_count(menu->page)) - 1u);
+}
+
+/* ---- What a take does ----------------------------------------------------------------------- */
+
+void menu_order(struct core *core, struct output *output, enum desk_order_kind kind)
+{
+    struct menu *menu = &core->game.menu;
+    output->orders[menu->order_count % DESK_ORDER_MAX] =
+        (struct desk_order){ (uint8_t)kind, menu->row };
+    output->order_count = ++menu->order_count;
+}
+
+static void go_back(struct core *core, struct output *output)
+{
+    const struct menu_sheet *sheet = menu_sheet_of(core->game.menu.page);
+    if (sheet->parent == MENU_PAGE_COUNT) {
+        menu_close(core, output);
+        return;
+    }
+    if (sheet->leave) {
+        sheet->leave(core, output);
+    }
+    menu_turn(core, (enum menu_page)sheet->parent);
+}
+
+void menu_take(struct core *core, struct output *output)
+{
+    const struct menu *menu = &core->game.menu;
+    const uint32_t tag = menu->tag[menu->page];
+    const uint8_t page = menu_page_at(menu->page, tag);
+    if (tag + 1u == menu_tag_count(menu->page)) {
+        go_back(core, output);
+    } else if (page < MENU_PAGE_COUNT) {
+        menu_turn(core, (enum menu_page)page);
+    } else {
+        CORE_ASSERT(menu_sheet_of(menu->page)->take);
+        menu_sheet_of(menu->page)->take(core, tag, output);
+    }
+}
+
 void menu_close(struct core *core, struct output *output)
 {
-    if (core->game.menu.page == MENU_LEARN) {
-        order(core, output, DESK_LEARN_END);
+    const struct menu_sheet *sheet = menu_sheet_of(core->game.menu.page);
+    if (sheet->leave) {
+        sheet->leave(core, output);
     }
     attract_begin(core);
 }

@@ -15,7 +15,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     }
     out->page = menu->page;
     out->tag = menu->tag[menu->page];
-    out->tags = menu_sheet_of(menu->page)->offers(menu);
+    out->tags = menu_offers(menu);
     out->row = menu->row;
     out->file_first = menu->file_first < menu->desk.file_count ? menu->file_first : 0;
     out->upright = menu->upright;
@@ -27,6 +27,11 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->held = menu->held;
     memcpy(out->pressed_count, menu->pressed_count, sizeof out->pressed_count);
     out->test_coins = menu->test_coins;
+    out->chosen = menu->chosen;
+    out->turns_down = menu->turns_down;
+    out->is_saved = (uint8_t)adjust_is_saved(core);
+    out->fish_max = (uint32_t)adjust_max(core, SET_FISH);
+    out->settings = core->config.memory.settings;
     out->coin_s = menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S
                                        : NEVER_S;
 }
@@ -34,7 +39,8 @@ void menu_show(const struct core *core, struct scene_menu *out)
 uint64_t menu_hash(uint64_t hash, const struct menu *menu)
 {
     const uint32_t words[] = { menu->page,      menu->row,        menu->upright,
-                               menu->file_first,
+                               menu->file_first, menu->chosen,    menu->turns_down,
+                               menu->turning,   menu->turn_count, menu->turn_tick,
                                menu->has_hand,  menu->hand,       menu->presses,
                                menu->points,    menu->held,       menu->test_coins,
                                menu->coin_tick, menu->order_count,   menu->ask_tick,

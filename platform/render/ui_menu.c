@@ -3,54 +3,6 @@
 
 #include <math.h>
 
-/* What a page is called, what its tags are called, and what else it shows. */
-struct sheet_words {
-    enum text_key title;
-    enum text_key names[MENU_TAG_MAX]; /* Of the tags at the foot and of those that hang. */
-    enum text_key lines[MENU_TAG_MAX]; /* Under the name of one that hangs. */
-    void (*draw)(const struct menu_view *view);
-};
-
-static const struct sheet_words sheets[MENU_PAGE_COUNT] = {
-    [MENU_TOP] = {
-        .title = TEXT_MENU,
-        .names = { [TOP_CONTROLLERS] = TEXT_MENU_CONTROLLERS, [TOP_LINES] = TEXT_MENU_LINES,
-                   [TOP_FILES] = TEXT_MENU_FILES, [TOP_LEAVE] = TEXT_MENU_LEAVE },
-        .lines = { [TOP_CONTROLLERS] = TEXT_MENU_CONTROLLERS_WORDS,
-                   [TOP_LINES] = TEXT_MENU_LINES_WORDS,
-                   [TOP_FILES] = TEXT_MENU_FILES_WORDS },
-    },
-    [MENU_CONTROLLERS] = {
-        .title = TEXT_MENU_CONTROLLERS,
-        .names = { [ROWS_BACK] = TEXT_MENU_BACK },
-        .draw = menu_rows,
-    },
-    [MENU_CONTROLLER] = {
-        .title = TEXT_MENU_CONTROLLERS,
-        .names = { [ROW_CHOOSE] = TEXT_ROW_CHOOSE, [ROW_RELEASE] = TEXT_ROW_RELEASE,
-                   [ROW_LEARN] = TEXT_ROW_LEARN, [ROW_BACK] = TEXT_MENU_BACK },
-        .lines = { [ROW_CHOOSE] = TEXT_ROW_CHOOSE_WORDS, [ROW_RELEASE] = TEXT_ROW_RELEASE_WORDS,
-                   [ROW_LEARN] = TEXT_ROW_LEARN_WORDS },
-        .draw = menu_one_controller,
-    },
-    [MENU_LEARN] = {
-        .title = TEXT_ROW_LEARN,
-        .names = { [LEARNS_NEXT] = TEXT_LEARNS_NEXT, [LEARNS_KEEP] = TEXT_LEARNS_KEEP,
-                   [LEARNS_AGAIN] = TEXT_LEARNS_AGAIN, [LEARNS_END] = TEXT_LEARNS_END },
-        .draw = menu_learning,
-    },
-    [MENU_LINES] = {
-        .title = TEXT_MENU_LINES,
-        .names = { [LINES_BACK] = TEXT_MENU_BACK },
-        .draw = menu_lines,
-    },
-    [MENU_FILES] = {
-        .title = TEXT_MENU_FILES,
-        .names = { [FILES_MORE] = TEXT_FILES_MORE, [FILES_BACK] = TEXT_MENU_BACK },
-        .draw = menu_files,
-    },
-};
-
 /* ---- Shared --------------------------------------------------------------------------------- */
 
 struct ui_box menu_place(const struct menu_view *view, struct overlay_box box)
@@ -89,10 +41,10 @@ struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fil
 
 /* ---- Tags ----------------------------------------------------------------------------------- */
 
-/* It sinks a little under the hand that presses it. */
-static struct ui_box tag_board(const struct menu_view *view, uint32_t tag, struct ui_box box)
+struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
 {
     const int is_pointed = view->menu->tag == tag;
+    struct ui_box box = menu_tag_place(view, tag);
     if (is_pointed && view->menu->has_hand && view->menu->presses) {
         box.y += 3.0f * view->frame.unit;
     }
@@ -100,42 +52,59 @@ static struct ui_box tag_board(const struct menu_view *view, uint32_t tag, struc
     return box;
 }
 
+/* Of a page it is that page's. */
+static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key *name,
+                      enum text_key *line)
+{
+    const uint8_t page = menu_page_at(view->menu->page, tag);
+    const struct menu_words *words = menu_words_of(view->menu->page);
+    *name = page < MENU_PAGE_COUNT ? menu_words_of(page)->title : words->names[tag];
+    *line = page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
+}
+
 static void hung_tag(const struct menu_view *view, uint32_t tag)
 {
-    const struct sheet_words *sheet = &sheets[view->menu->page];
+    enum text_key name_key, line_key;
     const float u = view->frame.unit;
     const struct ui_text name = menu_brush(view, 88.0f, MENU_INK);
     const struct ui_text line = menu_style(view, 24.0f, MENU_INK_SOFT);
     struct ui_box box = menu_tag_place(view, tag);
+    name_hung(view, tag, &name_key, &line_key);
     ui_cords(&view->frame, box, box.y - 40.0f * u);
-    box = tag_board(view, tag, box);
+    box = menu_tag_board(view, tag);
     const float x = box.x + 14.0f * u, width = box.width - 28.0f * u;
     ui_words_in(&view->frame, (struct ui_box){ x, box.y, width, 0.62f * box.height }, &name,
-                menu_text(view, sheet->names[tag]));
+                menu_text(view, name_key));
     ui_words_in(&view->frame,
                 (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height }, &line,
-                menu_text(view, sheet->lines[tag]));
+                menu_text(view, line_key));
 }
 
-static void foot_tag(const struct menu_view *view, uint32_t tag)
+static enum text_key foot_name(const struct menu_view *view, uint32_t foot)
+{
+    const enum text_key key = menu_words_of(view->menu->page)->foot[foot];
+    return key == TEXT_FOOT_UP && view->menu->turns_down ? TEXT_FOOT_DOWN : key;
+}
+
+static void foot_tag(const struct menu_view *view, uint32_t tag, uint32_t foot)
 {
     const float u = view->frame.unit;
-    const struct ui_box box = tag_board(view, tag, menu_tag_place(view, tag));
+    const struct ui_box box = menu_tag_board(view, tag);
     const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = MENU_INK };
     ui_words_in(&view->frame,
                 (struct ui_box){ box.x + 12.0f * u, box.y, box.width - 24.0f * u, box.height },
-                &name, menu_text(view, sheets[view->menu->page].names[tag]));
+                &name, menu_text(view, foot_name(view, foot)));
 }
 
 /* A pole over each row of hung tags: those whose neighbour to the left is not in their row. */
-static void poles(const struct menu_view *view, const struct menu_sheet *sheet)
+static void poles(const struct menu_view *view, uint32_t body_count)
 {
     const float u = view->frame.unit;
     float row_y = -1.0f, from = 0.0f, to = 0.0f;
-    for (uint32_t tag = 0; tag <= sheet->body_count; tag++) {
-        const int is_tag = tag < sheet->body_count && (view->menu->tags >> tag & 1u);
+    for (uint32_t tag = 0; tag <= body_count; tag++) {
+        const int is_tag = tag < body_count && (view->menu->tags >> tag & 1u);
         const struct ui_box box = is_tag ? menu_tag_place(view, tag) : (struct ui_box){ 0 };
-        const int is_last = tag == sheet->body_count;
+        const int is_last = tag == body_count;
         if (row_y >= 0.0f && (is_last || (is_tag && box.y > row_y))) {
             ui_pole(&view->frame, 0.5f * (from + to), row_y - 40.0f * u, to - from + 60.0f * u);
         }
@@ -149,17 +118,19 @@ static void poles(const struct menu_view *view, const struct menu_sheet *sheet)
 
 static void tags(const struct menu_view *view)
 {
-    const struct menu_sheet *sheet = menu_sheet_of(view->menu->page);
-    if (sheet->body == BODY_HUNG) {
-        poles(view, sheet);
+    const uint8_t page = view->menu->page, body = menu_sheet_of(page)->body;
+    const int is_hung = body == BODY_HUNG || body == BODY_PAGES;
+    const uint32_t body_count = menu_body_count(page);
+    if (is_hung) {
+        poles(view, body_count);
     }
-    for (uint32_t tag = 0; tag < sheet->tag_count; tag++) {
+    for (uint32_t tag = is_hung ? 0u : body_count; tag < menu_tag_count(page); tag++) {
         if (!(view->menu->tags >> tag & 1u)) {
             continue;
         }
-        if (tag >= sheet->body_count) {
-            foot_tag(view, tag);
-        } else if (sheet->body == BODY_HUNG) {
+        if (tag >= body_count) {
+            foot_tag(view, tag, tag - body_count);
+        } else {
             hung_tag(view, tag);
         }
     }
@@ -185,19 +156,21 @@ static void title(const struct menu_view *view)
     style.outline_em = 0.03f;
     style.soft_em = 0.1f;
     style.line = 0x0a0c24e0u;
-    ui_words_in(&view->frame, box, &style, menu_text(view, sheets[view->menu->page].title));
+    ui_words_in(&view->frame, box, &style, menu_text(view, menu_words_of(view->menu->page)->title));
 }
 
 static void keys(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
-    const int watches = menu_sheet_of(view->menu->page)->watches;
+    const struct menu_sheet *sheet = menu_sheet_of(view->menu->page);
+    const enum text_key key = sheet->watches                 ? TEXT_MENU_WATCH_KEYS
+                              : sheet->body == BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
+                                                             : TEXT_MENU_KEYS;
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     ui_words_in(&view->frame,
                 menu_place(view, upright ? (struct overlay_box){ 27.0f, 1366.0f, 800.0f, 34.0f }
                                          : (struct overlay_box){ 60.0f, 684.0f, 1160.0f, 32.0f }),
-                &style,
-                menu_text(view, watches ? TEXT_MENU_WATCH_KEYS : TEXT_MENU_KEYS));
+                &style, menu_text(view, key));
 }
 
 /* A coin that fell in here all the same, but as a test: somebody's credit. */
@@ -235,6 +208,19 @@ static struct menu_view open_view(const struct ui_frame *frame, const struct sce
     return view;
 }
 
+static void body(const struct menu_view *view)
+{
+    const uint8_t kind = menu_sheet_of(view->menu->page)->body;
+    if (kind == BODY_SETTINGS) {
+        menu_settings(view);
+    } else if (kind == BODY_BITS) {
+        menu_bits(view);
+    }
+    if (menu_words_of(view->menu->page)->draw) {
+        menu_words_of(view->menu->page)->draw(view);
+    }
+}
+
 void ui_menu(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct menu_view view = open_view(frame, scene);
@@ -242,9 +228,7 @@ void ui_menu(const struct ui_frame *frame, const struct scene *scene)
     veil(&view);
     title(&view);
     tags(&view);
-    if (sheets[view.menu->page].draw != NULL) {
-        sheets[view.menu->page].draw(&view);
-    }
+    body(&view);
     keys(&view);
     credits(&view, scene);
     hand(&view);

@@ -19,11 +19,37 @@ struct menu_view {
     float x, y;            /* The canvas' corner on the screen. */
 };
 
+/* What a page is called, what its tags are called, and what else it shows. */
+struct menu_words {
+    enum text_key title, about;             /* On its tag at its parent: its name, and a line. */
+    enum text_key foot[4];                  /* Of the tags at its foot, in their order. */
+    enum text_key names[8], lines[8];       /* Of those that hang and lead to no page. */
+    void (*draw)(const struct menu_view *view); /* Null: nothing but its body. */
+};
+const struct menu_words *menu_words_of(uint8_t page);
+
+#define SETTING_CHOICES_MAX 4u
+
+/* What a setting is called, and its values. A key of 0 is none: nothing here is the title. */
+struct setting_words {
+    enum text_key name, help;
+    enum text_key unit, zero; /* "{} min"; and what 0 means. */
+    enum text_key choices[SETTING_CHOICES_MAX];
+};
+const struct setting_words *menu_setting_words_of(uint32_t id);
+
+/* "5 min", "never", "18:30": what a value of a setting is. */
+void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, char *out,
+                      size_t out_size);
+
 /* A box of the canvas on the screen. */
 struct ui_box menu_place(const struct menu_view *view, struct overlay_box box);
 
 /* A tag's own place; empty when it is not offered. */
 struct ui_box menu_tag_place(const struct menu_view *view, uint32_t tag);
+
+/* Draws a tag's bare board, and says where: it sinks a little under the hand that presses it. */
+struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag);
 
 /* The words of a key in the screen's language. */
 const char *menu_text(const struct menu_view *view, enum text_key key);
@@ -40,6 +66,8 @@ struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fil
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);
 
 /* What each page shows beside its tags' names. */
+void menu_settings(const struct menu_view *view);
+void menu_bits(const struct menu_view *view);
 void menu_rows(const struct menu_view *view);
 void menu_one_controller(const struct menu_view *view);
 void menu_learning(const struct menu_view *view);

@@ -96,7 +96,7 @@ static uint32_t species_named(const char *name)
     exit(2);
 }
 
-enum kind { KIND_FLAG, KIND_BYTE, KIND_NUMBER, KIND_FLOAT, KIND_TEXT };
+enum kind { OPTION_FLAG, OPTION_BYTE, OPTION_NUMBER, OPTION_FLOAT, OPTION_TEXT };
 
 /* An option that sets one member as it stands. */
 static const struct plain_option {
@@ -105,52 +105,52 @@ static const struct plain_option {
     size_t offset;
     float unit; /* Of a float. */
 } plain_options[] = {
-    { "--start", KIND_FLAG, offsetof(struct options, start), 0.0f },
-    { "--compare", KIND_FLAG, offsetof(struct options, compare), 0.0f },
-    { "--path", KIND_FLAG, offsetof(struct options, path), 0.0f },
-    { "--size-layer", KIND_FLAG, offsetof(struct options, size_layer), 0.0f },
-    { "--progress", KIND_FLOAT, offsetof(struct options, progress), 1.0f },
-    { "--album", KIND_BYTE, offsetof(struct options, album), 0.0f },
-    { "--menu", KIND_TEXT, offsetof(struct options, menu), 0.0f },
-    { "--step", KIND_BYTE, offsetof(struct options, step), 0.0f },
-    { "--coins", KIND_BYTE, offsetof(struct options, coins), 0.0f },
-    { "--en", KIND_FLAG, offsetof(struct options, english), 0.0f },
-    { "--passes", KIND_FLAG, offsetof(struct options, passes), 0.0f },
-    { "--paper", KIND_FLAG, offsetof(struct options, paper), 0.0f },
-    { "--stress", KIND_FLAG, offsetof(struct options, stress), 0.0f },
-    { "--careless", KIND_FLAG, offsetof(struct options, careless), 0.0f },
-    { "--plain", KIND_FLAG, offsetof(struct options, plain), 0.0f },
-    { "--players", KIND_BYTE, offsetof(struct options, players), 0.0f },
-    { "--samples", KIND_NUMBER, offsetof(struct options, samples), 0.0f },
-    { "--fish", KIND_NUMBER, offsetof(struct options, fish), 0.0f },
-    { "--seed", KIND_NUMBER, offsetof(struct options, seed), 0.0f },
-    { "--water", KIND_FLOAT, offsetof(struct options, water_m), 0.001f },
-    { "--tilt", KIND_FLOAT, offsetof(struct options, tilt_rad), F_DEG },
-    { "--heel", KIND_FLOAT, offsetof(struct options, heel_rad), F_DEG },
-    { "--follow", KIND_FLOAT, offsetof(struct options, follow_m), 1.0f },
-    { "--stamina", KIND_FLOAT, offsetof(struct options, stamina), 1.0f },
-    { "--oxygen", KIND_FLOAT, offsetof(struct options, oxygen_mg_l), 1.0f },
-    { "--seconds", KIND_FLOAT, offsetof(struct options, seconds), 1.0f },
-    { "--scale", KIND_FLOAT, offsetof(struct options, scale), 1.0f },
-    { "-o", KIND_TEXT, offsetof(struct options, out), 0.0f },
+    { "--start", OPTION_FLAG, offsetof(struct options, start), 0.0f },
+    { "--compare", OPTION_FLAG, offsetof(struct options, compare), 0.0f },
+    { "--path", OPTION_FLAG, offsetof(struct options, path), 0.0f },
+    { "--size-layer", OPTION_FLAG, offsetof(struct options, size_layer), 0.0f },
+    { "--progress", OPTION_FLOAT, offsetof(struct options, progress), 1.0f },
+    { "--album", OPTION_BYTE, offsetof(struct options, album), 0.0f },
+    { "--menu", OPTION_TEXT, offsetof(struct options, menu), 0.0f },
+    { "--step", OPTION_BYTE, offsetof(struct options, step), 0.0f },
+    { "--coins", OPTION_BYTE, offsetof(struct options, coins), 0.0f },
+    { "--en", OPTION_FLAG, offsetof(struct options, english), 0.0f },
+    { "--passes", OPTION_FLAG, offsetof(struct options, passes), 0.0f },
+    { "--paper", OPTION_FLAG, offsetof(struct options, paper), 0.0f },
+    { "--stress", OPTION_FLAG, offsetof(struct options, stress), 0.0f },
+    { "--careless", OPTION_FLAG, offsetof(struct options, careless), 0.0f },
+    { "--plain", OPTION_FLAG, offsetof(struct options, plain), 0.0f },
+    { "--players", OPTION_BYTE, offsetof(struct options, players), 0.0f },
+    { "--samples", OPTION_NUMBER, offsetof(struct options, samples), 0.0f },
+    { "--fish", OPTION_NUMBER, offsetof(struct options, fish), 0.0f },
+    { "--seed", OPTION_NUMBER, offsetof(struct options, seed), 0.0f },
+    { "--water", OPTION_FLOAT, offsetof(struct options, water_m), 0.001f },
+    { "--tilt", OPTION_FLOAT, offsetof(struct options, tilt_rad), F_DEG },
+    { "--heel", OPTION_FLOAT, offsetof(struct options, heel_rad), F_DEG },
+    { "--follow", OPTION_FLOAT, offsetof(struct options, follow_m), 1.0f },
+    { "--stamina", OPTION_FLOAT, offsetof(struct options, stamina), 1.0f },
+    { "--oxygen", OPTION_FLOAT, offsetof(struct options, oxygen_mg_l), 1.0f },
+    { "--seconds", OPTION_FLOAT, offsetof(struct options, seconds), 1.0f },
+    { "--scale", OPTION_FLOAT, offsetof(struct options, scale), 1.0f },
+    { "-o", OPTION_TEXT, offsetof(struct options, out), 0.0f },
 };
 
 static void set_member(void *member, const struct plain_option *option, const char *value)
 {
     switch (option->kind) {
-    case KIND_FLAG:
+    case OPTION_FLAG:
         *(uint8_t *)member = 1;
         break;
-    case KIND_BYTE:
+    case OPTION_BYTE:
         *(uint8_t *)member = (uint8_t)strtoul(value, NULL, 10);
         break;
-    case KIND_NUMBER:
+    case OPTION_NUMBER:
         *(uint32_t *)member = (uint32_t)strtoul(value, NULL, 10);
         break;
-    case KIND_FLOAT:
+    case OPTION_FLOAT:
         *(float *)member = option->unit * strtof(value, NULL);
         break;
-    case KIND_TEXT:
+    case OPTION_TEXT:
         *(const char **)member = value;
         break;
     }

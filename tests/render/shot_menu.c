@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/game/menu_pages.h"
+
 static const struct {
     uint8_t state;
     const char *name;
@@ -31,17 +33,36 @@ static const struct scene_file files[] = {
 };
 #define FILE_COUNT (sizeof files / sizeof files[0])
 
-static const char *const names[MENU_PAGE_COUNT] = { "top", "controllers", "controller", "learn",
-                                                    "lines", "files" };
+static const char *const names[MENU_PAGE_COUNT] = {
+    [MENU_TOP] = "top",         [MENU_DEVICES] = "devices",
+    [MENU_CONTROLLERS] = "controllers", [MENU_CONTROLLER] = "controller",
+    [MENU_LEARN] = "learn",     [MENU_LINES] = "lines",
+    [MENU_MONEY] = "money",     [MENU_GAME] = "game",
+    [MENU_MODES] = "modes",     [MENU_SOUND] = "sound",
+    [MENU_PICTURE] = "picture", [MENU_UPKEEP] = "upkeep",
+    [MENU_FILES] = "files",
+};
 
 int shot_menu_knows(const char *page, uint8_t step)
 {
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
-        if (strcmp(names[i], page) == 0) {
+        if (names[i] && strcmp(names[i], page) == 0) {
             return step < (i == MENU_LEARN ? (uint32_t)LEARN_STEP_COUNT : CONTROLLER_MAX);
         }
     }
     return 0;
+}
+
+/* Those that are not as they came. */
+static void adjust_some(struct core *core)
+{
+    adjust_set(core, SET_PLAY, PLAY_PAID);
+    adjust_set(core, SET_PRICE, 2);
+    adjust_set(core, SET_BONUS_UNITS, 5);
+    adjust_set(core, SET_MODES, 1 << MODE_FESTIVAL | 1 << MODE_PRACTICE | 1 << CHOICE_LAB);
+    adjust_set(core, SET_ROUND_S, 90);
+    adjust_set(core, SET_VOLUME, 65);
+    adjust_set(core, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright)
@@ -55,8 +76,14 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     core_tick(core, &input, &output);
     struct menu *menu = &core->game.menu;
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
-        menu->page = strcmp(names[i], page) == 0 ? i : menu->page;
+        if (names[i] && strcmp(names[i], page) == 0) {
+            menu_turn(core, (enum menu_page)i);
+        }
     }
+    if (menu_sheet_of(menu->page)->body == BODY_SETTINGS) {
+        menu->tag[menu->page] = (uint8_t)(step % menu_body_count(menu->page));
+    }
+    adjust_some(core);
     const uint32_t first = step * menu_files_shown(upright);
     menu->file_first = (uint8_t)(first < input.desk.file_count ? first : 0u);
     menu->row = menu->page == MENU_CONTROLLER && step < CONTROLLER_MAX ? step : 0;

@@ -93,7 +93,7 @@ static const struct field game_fields[] = {
     FIELD(game, waited_ticks),
     FIELD(game, gone_tick),   FIELD(game, round_s),    FIELD(game, round_count),
     FIELD(game, best_today),  SKIP(game, ledger),      SKIP(game, audits),
-    SKIP(game, ranking),      SKIP(game, player),
+    SKIP(game, ranking),      SKIP(game, adjust),      SKIP(game, player),
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
@@ -104,15 +104,17 @@ static const struct field game_fields[] = {
 };
 
 static const struct field menu_fields[] = {
-    FIELD(menu, page),       FIELD(menu, row),        FIELD(menu, upright),
-    FIELD(menu, file_first),
-    FIELD(menu, has_hand),   FIELD(menu, hand),       FIELD(menu, presses),
-    FIELD(menu, points),     FIELD(menu, tag),        FIELD(menu, desk),
-    FIELD(menu, pressed_count),
-    FIELD(menu, held),       FIELD(menu, test_coins), FIELD(menu, coin_tick),
-    FIELD(menu, order_count),   FIELD(menu, ask_tick),   FIELD(menu, take_tick),
-    FIELD(menu, act_tick),   FIELD(menu, x),          FIELD(menu, y),
-    FIELD(menu, rest),
+    FIELD(menu, page), FIELD(menu, chosen), FIELD(menu, turns_down), FIELD(menu, turning),
+    FIELD(menu, turn_count), FIELD(menu, turn_tick), FIELD(menu, row), FIELD(menu, upright),
+    FIELD(menu, file_first), FIELD(menu, has_hand), FIELD(menu, hand), FIELD(menu, presses),
+    FIELD(menu, points), FIELD(menu, tag), FIELD(menu, desk), FIELD(menu, pressed_count),
+    FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, order_count),
+    FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, x),
+    FIELD(menu, y), FIELD(menu, rest),
+};
+
+static const struct field adjust_fields[] = {
+    FIELD(adjust, told), FIELD(adjust, turn_tick), FIELD(adjust, entry_id),
 };
 
 static const struct field memory_fields[] = {
@@ -370,6 +372,7 @@ static const struct table tables[] = {
     TABLE(graph, graph_fields, &core.game.lab.edit.graph),
     TABLE(graph, graph_fields, &core.game.lab.edits[0].graph),
     TABLE(menu, menu_fields, &core.game.menu),
+    TABLE(adjust, adjust_fields, &core.game.adjust),
     TABLE(memory, memory_fields, &core.config.memory),
     TABLE(ledger_start, ledger_start_fields, &core.config.memory.ledger),
     TABLE(purse, purse_fields, &core.config.memory.ledger.purse),

@@ -173,15 +173,23 @@ static void push(uint32_t button)
     }
 }
 
+/* The page's tag, by SERVICE and TEST. */
+static void take(uint8_t page)
+{
+    for (uint32_t i = 0; rig.display.scene.menu.tag != menu_tag_of(page) && i < MENU_TAG_MAX; i++) {
+        push(INPUT_SERVICE);
+    }
+    push(INPUT_TEST);
+}
+
 /* Opens the stall, the menu and in it the files. */
 static const struct scene_file *look(void)
 {
     struct kiosk_config config = { .core = { .seed = 5, .fish_count = 8, .round_s = 10 } };
     assert_int_equal(session_begin(&rig.session, &config), EXIT_OK);
     push(INPUT_TEST);
-    push(INPUT_SERVICE);
-    push(INPUT_SERVICE);
-    push(INPUT_TEST);
+    take(MENU_UPKEEP);
+    take(MENU_FILES);
     assert_int_equal(rig.display.scene.menu.page, MENU_FILES);
     return rig.display.scene.devices.file;
 }

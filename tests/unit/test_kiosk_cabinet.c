@@ -180,7 +180,7 @@ static vec3 over_tag(uint32_t tag, float y_m)
     const struct menu *menu = &rig.kiosk.core.game.menu;
     const struct overlay_point canvas = overlay_size(menu->upright);
     const struct overlay_box box =
-        menu_box(menu->upright, menu->page, menu_sheet_of(menu->page)->offers(menu), tag);
+        menu_box(menu->upright, menu->page, menu_offers(menu), tag);
     const vec3 size_m = rig.kiosk.core.tank.size_m;
     return v3(size_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f), y_m,
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
@@ -190,9 +190,9 @@ static vec3 over_tag(uint32_t tag, float y_m)
  * over `tag`. */
 static void open_the_row(uint32_t tag)
 {
-    push(INPUT_TEST);
-    push(INPUT_TEST);
-    push(INPUT_TEST);
+    for (uint32_t i = 0; i < 4u; i++) { /* The menu, and the first tag of each page. */
+        push(INPUT_TEST);
+    }
     assert_int_equal(rig.kiosk.scene.menu.page, MENU_CONTROLLER);
     rest_at(over_tag(tag, 0.06f));
     frames(10);

@@ -150,6 +150,9 @@ static void open_the_row(void)
 {
     push(INPUT_TEST);
     assert_int_equal(rig.display.scene.phase, PHASE_MENU);
+    point_at(menu_tag_of(MENU_DEVICES));
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_CONTROLLERS));
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLERS);
     point_at(ROW);
@@ -162,9 +165,9 @@ static void open_the_row(void)
 static void test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest(void **state)
 {
     (void)state;
-    static const uint8_t pages[] = { MENU_CONTROLLERS, MENU_TOP };
+    static const uint8_t pages[] = { MENU_CONTROLLERS, MENU_DEVICES, MENU_TOP };
     open_the_row();
-    for (uint32_t i = 0; i < 2u; i++) {
+    for (uint32_t i = 0; i < sizeof pages; i++) {
         rig.buttons.quit = 1;
         push(0);
         assert_int_equal(shown()->page, pages[i]);
@@ -316,7 +319,7 @@ static void drop(uint32_t coins)
 
 static void go_back(void)
 {
-    point_at(menu_sheet_of(shown()->page)->tag_count - 1u);
+    point_at(menu_tag_count(shown()->page) - 1u);
     push(INPUT_TEST);
 }
 
@@ -326,7 +329,9 @@ static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_
     assert_int_equal(rig.lockout, 1); /* There is no poi: what would a coin buy? */
     push(INPUT_TEST);
     assert_int_equal(rig.lockout, 1); /* Nothing is sold in the menu. */
-    point_at(TOP_LINES);
+    point_at(menu_tag_of(MENU_DEVICES));
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_LINES));
     push(INPUT_TEST);
     assert_int_equal(rig.lockout, 0); /* The operator tries the mechanism. */
     drop(7);
@@ -336,12 +341,13 @@ static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_
     go_back();
     assert_int_equal(rig.lockout, 1);
     go_back();
+    go_back();
     open_the_row();
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
     drop(1); /* It was on its way as the slot closed. */
-    for (uint32_t i = 0; i < 3; i++) {
+    for (uint32_t i = 0; i < 4; i++) {
         go_back();
     }
     assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);

@@ -39,6 +39,8 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
                                  .row = 1, .held = 0x155u, .test_coins = 9999,
                                  .coin_s = 0.1f, .has_hand = 1, .presses = 1,
                                  .x = 400.0f, .y = 300.0f };
+    settings_reset(&menu->settings);
+    menu->fish_max = 2048u;
     scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         menu->desk.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
@@ -93,7 +95,7 @@ static void test_nothing_leaves_the_screen_on_any_page(void **state)
     for (uint32_t k = 0; k < SIZE_COUNT * MENU_PAGE_COUNT * LANGUAGE_COUNT; k++) {
         const uint32_t size = k % SIZE_COUNT;
         const uint8_t page = (uint8_t)(k / SIZE_COUNT % MENU_PAGE_COUNT);
-        const uint32_t all = (1u << menu_sheet_of(page)->tag_count) - 1u;
+        const uint32_t all = (1u << menu_tag_count(page)) - 1u;
         const uint32_t last = (all + 1u) / 2u;
         for (uint8_t step = 0; step < LEARN_STEP_COUNT; step++) {
             for (uint32_t bare = 0; bare < 2u; bare++) {
@@ -115,7 +117,7 @@ static void test_every_word_is_read_from_a_metre(void **state)
     (void)state;
     for (uint32_t k = 0; k < MENU_PAGE_COUNT * LANGUAGE_COUNT * LEARN_STEP_COUNT; k++) {
         const uint8_t page = (uint8_t)(k % MENU_PAGE_COUNT);
-        const uint32_t all = (1u << menu_sheet_of(page)->tag_count) - 1u;
+        const uint32_t all = (1u << menu_tag_count(page)) - 1u;
         set_page(page, (uint16_t)all, (uint8_t)(k / MENU_PAGE_COUNT % LANGUAGE_COUNT), 0);
         scene.menu.desk.learn_step = (uint8_t)(k / (MENU_PAGE_COUNT * LANGUAGE_COUNT));
         memset(&scene.devices, 0, sizeof scene.devices);

@@ -1,0 +1,89 @@
+/* menu_controllers.c -- choosing those that play, and learning one that nobody knows. */
+#include "core/core.h"
+#include "core/game/menu_parts.h"
+
+/* ---- All of them ---------------------------------------------------------------------------- */
+
+uint16_t menu_rows_offers(const struct menu *menu)
+{
+    uint16_t offers = MENU_TAG(ROWS_BACK);
+    for (uint32_t row = 0; row < CONTROLLER_MAX; row++) {
+        offers |= menu->desk.state[row] != CONTROLLER_NONE ? MENU_TAG(row) : 0;
+    }
+    return offers;
+}
+
+void menu_rows_take(struct core *core, uint32_t tag, struct output *output)
+{
+    (void)output;
+    core->game.menu.row = (uint8_t)tag;
+    menu_turn(core, MENU_CONTROLLER);
+}
+
+/* ---- One of them ---------------------------------------------------------------------------- */
+
+/* Another controller: what was done to the last one is no matter. */
+void menu_enter_anew(struct core *core)
+{
+    core->game.menu.tag[core->game.menu.page] = 0;
+}
+
+uint16_t menu_row_offers(const struct menu *menu)
+{
+    static const uint16_t by_state[CONTROLLER_STATE_COUNT] = {
+        [CONTROLLER_FREE] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_LEARN),
+        [CONTROLLER_PLAYS] = MENU_TAG(ROW_RELEASE) | MENU_TAG(ROW_LEARN),
+        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* Away, it can be learned as little as led. */
+        [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE), /* Perhaps we may by
+                                                                               now. */
+    };
+    return by_state[menu->desk.state[menu->row]] | MENU_TAG(ROW_BACK);
+}
+
+void menu_row_take(struct core *core, uint32_t tag, struct output *output)
+{
+    if (tag == ROW_LEARN) {
+        menu_order(core, output, DESK_LEARN);
+        menu_turn(core, MENU_LEARN);
+        return;
+    }
+    menu_order(core, output, tag == ROW_CHOOSE ? DESK_CHOOSE : DESK_RELEASE);
+}
+
+/* ---- Learning it ---------------------------------------------------------------------------- */
+
+uint16_t menu_learn_offers(const struct menu *menu)
+{
+    switch (menu->desk.learn_step) {
+    case LEARN_NONE:
+        return MENU_TAG(LEARNS_END); /* Nobody has begun yet, or the controller is away. */
+    case LEARN_TRY:
+    case LEARN_UNKEPT: /* The card may be in by now. */
+        return MENU_TAG(LEARNS_KEEP) | MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
+    case LEARN_FAILED:
+        return MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
+    default:
+        return MENU_TAG(LEARNS_NEXT) | MENU_TAG(LEARNS_END);
+    }
+}
+
+void menu_learn_take(struct core *core, uint32_t tag, struct output *output)
+{
+    switch (tag) {
+    case LEARNS_NEXT:
+        menu_order(core, output, DESK_LEARN_NEXT);
+        break;
+    case LEARNS_KEEP:
+        menu_order(core, output, DESK_LEARN_KEEP);
+        menu_turn(core, MENU_CONTROLLERS);
+        break;
+    default:
+        menu_order(core, output, DESK_LEARN);
+        break;
+    }
+}
+
+void menu_learn_leave(struct core *core, struct output *output)
+{
+    menu_order(core, output, DESK_LEARN_END);
+}

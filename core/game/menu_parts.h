@@ -1,0 +1,35 @@
+/* menu_parts.h -- what pages with code of their own do. Within the menu only. */
+#ifndef KINGYO_CORE_GAME_MENU_PARTS_H
+#define KINGYO_CORE_GAME_MENU_PARTS_H
+
+#include "core/game/menu_pages.h"
+
+#define MENU_TAG(tag) ((uint16_t)(1u << (tag)))
+
+/* Tells the shell what to do, about the controller that is dealt with. */
+void menu_order(struct core *core, struct output *output, enum desk_order_kind kind);
+
+/* menu_controllers.c */
+uint16_t menu_rows_offers(const struct menu *menu);
+void menu_rows_take(struct core *core, uint32_t tag, struct output *output);
+uint16_t menu_row_offers(const struct menu *menu);
+void menu_row_take(struct core *core, uint32_t tag, struct output *output);
+uint16_t menu_learn_offers(const struct menu *menu);
+void menu_learn_take(struct core *core, uint32_t tag, struct output *output);
+void menu_learn_leave(struct core *core, struct output *output);
+void menu_enter_anew(struct core *core); /* The first tag is pointed at. */
+
+/* menu_files.c */
+uint16_t menu_files_offers(const struct menu *menu);
+void menu_files_enter(struct core *core);
+void menu_files_take(struct core *core, uint32_t tag, struct output *output);
+
+/* menu_settings.c */
+void menu_settings_enter(struct core *core);
+void menu_settings_take(struct core *core, uint32_t tag, struct output *output);
+void menu_bits_take(struct core *core, uint32_t tag, struct output *output);
+
+/* Which row is pointed at, and whether a value turns on since what took it is still pressed. */
+void menu_settings_tick(struct core *core, int is_pressed, struct output *output);
+
+#endif

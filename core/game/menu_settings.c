@@ -1,0 +1,93 @@
+/* menu_settings.c -- pages of settings: TEST turns the value that is pointed at, and turns on while
+ * it is held. */
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/menu_parts.h"
+
+/* Held so long it turns on, and then so often: eight values a second. */
+#define HOLD_TICKS (CORE_TICK_HZ / 2u)
+#define AGAIN_TICKS (CORE_TICK_HZ / 8u)
+
+/* Through a long range it hurries: by ten steps from the second second on, by a hundred from the
+ * fifth. */
+#define HURRY_COUNT 12u
+#define RUSH_COUNT 36u
+#define HURRY_STEPS_MIN 40
+#define RUSH_STEPS_MIN 400
+
+static int is_settings(const struct menu *menu)
+{
+    return menu_sheet_of(menu->page)->body == BODY_SETTINGS;
+}
+
+void menu_settings_enter(struct core *core)
+{
+    struct menu *menu = &core->game.menu;
+    menu->chosen = 0;
+    menu->turns_down = menu->turning = 0;
+    menu->tag[menu->page] = 0;
+}
+
+static uint32_t stride(const struct core *core, uint32_t id)
+{
+    const struct menu *menu = &core->game.menu;
+    const struct setting *setting = setting_of(id);
+    const int32_t steps = (adjust_max(core, id) - setting->min) / setting->step;
+    return menu->turn_count >= RUSH_COUNT && steps >= RUSH_STEPS_MIN     ? 100u
+           : menu->turn_count >= HURRY_COUNT && steps >= HURRY_STEPS_MIN ? 10u
+                                                                         : 1u;
+}
+
+/* It stops at the end of its range: whoever wants the other one presses again. */
+static void turn(struct core *core, uint32_t id)
+{
+    struct menu *menu = &core->game.menu;
+    const int is_at_end = adjust_turn(core, id, menu->turns_down, stride(core, id));
+    menu->turn_tick = core->tick;
+    menu->turning = !is_at_end;
+}
+
+void menu_settings_take(struct core *core, uint32_t tag, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    const uint32_t body_count = menu_body_count(menu->page);
+    const uint32_t chosen = menu_setting_at(menu->page, menu->chosen);
+    (void)output;
+    if (tag < body_count) {
+        menu->turn_count = 0;
+        turn(core, menu_setting_at(menu->page, tag));
+    } else if (tag == body_count + SETTINGS_DIRECTION) {
+        menu->turns_down = !menu->turns_down;
+    } else if (chosen < SETTING_COUNT) {
+        adjust_set(core, chosen, setting_of(chosen)->standard);
+    }
+}
+
+/* The last one that is left cannot be taken away. */
+void menu_bits_take(struct core *core, uint32_t tag, struct output *output)
+{
+    const uint32_t id = menu_sheet_of(core->game.menu.page)->about;
+    const int32_t value = core->config.memory.settings.value[id] ^ (1 << tag);
+    (void)output;
+    if (setting_allows(id, value)) {
+        adjust_set(core, id, value);
+    }
+}
+
+void menu_settings_tick(struct core *core, int is_pressed, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    const uint8_t tag = menu->tag[menu->page];
+    if (!is_settings(menu)) {
+        menu->turning = 0;
+        return;
+    }
+    const uint32_t wait = menu->turn_count == 0 ? HOLD_TICKS : AGAIN_TICKS;
+    menu->turning = menu->turning && is_pressed && tag == menu->chosen;
+    if (menu->turning && core->tick - menu->turn_tick >= wait) {
+        menu->turn_count = (uint8_t)(menu->turn_count + (menu->turn_count < UINT8_MAX));
+        turn(core, menu_setting_at(menu->page, tag));
+        output_sound(output, SOUND_TICK, 0.4f, 0.0f);
+    }
+    menu->chosen = tag < menu_body_count(menu->page) ? tag : menu->chosen;
+}

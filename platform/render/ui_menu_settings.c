@@ -1,0 +1,247 @@
+/* ui_menu_settings.c -- a board for each setting: its name, its range, its standard, its value. */
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/render/ui_menu.h"
+
+#define CHANGED_PAINT 0xc23a22ffu
+
+/* Where the parts of a board are, in canvas units from its left and right edge. */
+struct places {
+    float name_size, value_size, range_size;
+    float inset, name_width, value_width;
+    float range_x, range_width;
+    int two_lines; /* The range is under the name. */
+    struct overlay_box help, saved;
+    uint32_t help_lines;
+};
+
+static const struct places wide = {
+    .name_size = 28.0f, .value_size = 30.0f, .range_size = 22.0f,
+    .inset = 22.0f, .name_width = 330.0f, .value_width = 236.0f,
+    .range_x = 366.0f, .range_width = 350.0f,
+    .help = { 60.0f, 556.0f, 1160.0f, 44.0f }, .help_lines = 1,
+    .saved = { 24.0f, 48.0f, 280.0f, 40.0f },
+};
+static const struct places upright_places = {
+    .name_size = 30.0f, .value_size = 34.0f, .range_size = 22.0f,
+    .inset = 22.0f, .name_width = 480.0f, .value_width = 236.0f,
+    .range_x = 22.0f, .range_width = 480.0f, .two_lines = 1,
+    .help = { 27.0f, 1126.0f, 800.0f, 100.0f }, .help_lines = 3,
+    .saved = { 27.0f, 152.0f, 300.0f, 40.0f },
+};
+
+/* ---- Values in words ------------------------------------------------------------------------ */
+
+/* "Festival, Practice": the names of those bits that are set. */
+static void name_bits(const struct menu_view *view, const struct setting_words *words,
+                      int32_t value, char *out, size_t out_size)
+{
+    size_t length = 0;
+    out[0] = 0;
+    for (uint32_t i = 0; i < SETTING_CHOICES_MAX && value >> i && length < out_size; i++) {
+        if (value >> i & 1) {
+            length += (size_t)snprintf(out + length, out_size - length, "%s%s",
+                                       length > 0 ? " " : "", menu_text(view, words->choices[i]));
+        }
+    }
+}
+
+void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, char *out,
+                      size_t out_size)
+{
+    const struct setting_words *words = menu_setting_words_of(id);
+    switch (setting_of(id)->kind) {
+    case KIND_CHOICE:
+        if (words->choices[0]) {
+            snprintf(out, out_size, "%s", menu_text(view, words->choices[value]));
+            return;
+        }
+        break;
+    case KIND_BITS:
+        name_bits(view, words, value, out, out_size);
+        return;
+    case KIND_MINUTE:
+        snprintf(out, out_size, "%02d:%02d", (int)value / 60, (int)value % 60);
+        return;
+    default:
+        break;
+    }
+    const int is_zero = value == 0 && words->zero;
+    text_number(out, out_size, menu_text(view, is_zero ? words->zero : words->unit),
+                (uint32_t)value);
+}
+
+static int32_t max_of(const struct menu_view *view, uint32_t id)
+{
+    return id == SET_FISH ? (int32_t)view->menu->fish_max : setting_of(id)->max;
+}
+
+/* "1 - 20", and of choices how many there are. */
+static void range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
+{
+    const struct setting *setting = setting_of(id);
+    char standard[TEXT_LINE_MAX / 2u], range[48];
+    if (setting->kind == KIND_MINUTE) {
+        snprintf(range, sizeof range, "00:00 - %02d:%02d", (int)setting->max / 60,
+                 (int)setting->max % 60);
+    } else if (setting->kind == KIND_BITS) {
+        range[0] = 0;
+    } else {
+        snprintf(range, sizeof range, "%d - %d", (int)setting->min, (int)max_of(view, id));
+    }
+    if (setting->kind == KIND_CHOICE && menu_setting_words_of(id)->choices[0]) {
+        snprintf(range, sizeof range, "%d / %d", (int)view->menu->settings.value[id] + 1,
+                 (int)setting->max + 1);
+    }
+    menu_value_words(view, id, setting->standard, standard, sizeof standard);
+    snprintf(out, out_size, "%s%s%s %s", range, range[0] ? "    " : "",
+             menu_text(view, TEXT_SET_STANDARD), standard);
+}
+
+/* ---- Boards --------------------------------------------------------------------------------- */
+
+/* Words that begin, or end, at `x`, in the middle of `y`, and shrink to their room. */
+static void words_at(const struct menu_view *view, float x, float y, float room, float align,
+                     const struct ui_text *style, const char *words)
+{
+    struct ui_text fitted = *style;
+    fitted.fit_px = room;
+    fitted.size_px = ui_text_size(&fitted, words);
+    fitted.align = align;
+    ui_text(view->frame.batch, &fitted, x, ui_text_middle(&fitted, y), words);
+}
+
+static struct ui_text sized(const struct menu_view *view, const struct ui_box *box, float size,
+                            uint32_t fill)
+{
+    const float room = 0.74f * box->height / view->frame.unit;
+    return menu_style(view, size < room ? size : room, fill);
+}
+
+/* The keeper's seal, in vermilion: it is not as it came. */
+static void seal(const struct menu_view *view, float x, float y)
+{
+    const float radius = 8.0f * view->frame.unit;
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                 .kind = UI_PANEL, .fill = CHANGED_PAINT,
+                                 .shape = { 0, 0, 3.0f * view->frame.unit } });
+}
+
+static void setting_board(const struct menu_view *view, const struct places *places,
+                          struct ui_box box, uint32_t id)
+{
+    const float u = view->frame.unit;
+    const int32_t value = view->menu->settings.value[id];
+    const int is_changed = value != setting_of(id)->standard;
+    const float middle = box.y + 0.47f * box.height;
+    const float name_y = places->two_lines ? box.y + 0.30f * box.height : middle;
+    const float range_y = places->two_lines ? box.y + 0.70f * box.height : middle;
+    const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
+    const struct ui_text range = sized(view, &box, places->range_size, MENU_INK_SOFT);
+    const struct ui_text number =
+        sized(view, &box, places->value_size, is_changed ? CHANGED_PAINT : MENU_INK);
+    const float right = box.x + box.width - places->inset * u;
+    char words[TEXT_LINE_MAX];
+    words_at(view, box.x + places->inset * u, name_y, places->name_width * u, 0.0f, &name,
+             menu_text(view, menu_setting_words_of(id)->name));
+    range_words(view, id, words, sizeof words);
+    words_at(view, box.x + places->range_x * u, range_y, places->range_width * u, 0.0f, &range,
+             words);
+    menu_value_words(view, id, value, words, sizeof words);
+    words_at(view, right, middle, places->value_width * u, 1.0f, &number, words);
+    if (is_changed) {
+        seal(view, right - (places->value_width + 20.0f) * u, middle);
+    }
+}
+
+/* A board that leads to a page without a value of its own. */
+static void page_board(const struct menu_view *view, const struct places *places,
+                       struct ui_box box, uint8_t page)
+{
+    const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
+    ui_words_in(&view->frame, box, &name, menu_text(view, menu_words_of(page)->title));
+}
+
+/* Over the foot: what the setting that is pointed at means. */
+static void help(const struct menu_view *view, const struct places *places, const char *words)
+{
+    const struct ui_text style = menu_style(view, 25.0f, MENU_CREAM);
+    const struct ui_box box = menu_place(view, places->help);
+    const float pitch = box.height / (float)places->help_lines;
+    char line[TEXT_LINE_MAX];
+    for (uint32_t i = 0; i < places->help_lines && *words; i++) {
+        const int is_last = i + 1u == places->help_lines;
+        const size_t size = is_last ? strlen(words) : menu_fill_line(&style, words, box.width);
+        snprintf(line, sizeof line, "%.*s", (int)size, words);
+        ui_words_in(&view->frame,
+                    (struct ui_box){ box.x, box.y + (float)i * pitch, box.width, pitch }, &style,
+                    line);
+        words += size;
+    }
+}
+
+static void saved(const struct menu_view *view, const struct places *places)
+{
+    const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
+    const int is_saved = view->menu->is_saved;
+    ui_words_in(&view->frame, menu_place(view, places->saved), &style,
+                menu_text(view, is_saved ? TEXT_SET_SAVED : TEXT_SET_SAVING));
+}
+
+static void board(const struct menu_view *view, const struct places *places, uint32_t tag)
+{
+    const struct ui_box box = menu_tag_board(view, tag);
+    const uint32_t id = menu_setting_at(view->menu->page, tag);
+    if (id < SETTING_COUNT) {
+        setting_board(view, places, box, id);
+    } else {
+        page_board(view, places, box, menu_page_at(view->menu->page, tag));
+    }
+}
+
+void menu_settings(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    const struct places *places = menu->upright ? &upright_places : &wide;
+    const uint32_t body_count = menu_body_count(menu->page);
+    if (menu->tag < body_count) { /* First, so that its light falls behind its neighbours. */
+        board(view, places, menu->tag);
+    }
+    for (uint32_t tag = 0; tag < body_count; tag++) {
+        if (tag != menu->tag) {
+            board(view, places, tag);
+        }
+    }
+    const uint32_t chosen = menu_setting_at(menu->page, menu->chosen);
+    const uint8_t page = menu_page_at(menu->page, menu->chosen);
+    if (chosen < SETTING_COUNT) {
+        help(view, places, menu_text(view, menu_setting_words_of(chosen)->help));
+    } else if (page < MENU_PAGE_COUNT) {
+        help(view, places, menu_text(view, menu_words_of(page)->about));
+    }
+    saved(view, places);
+}
+
+void menu_bits(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    const struct places *places = menu->upright ? &upright_places : &wide;
+    const uint32_t id = menu_sheet_of(menu->page)->about;
+    const struct setting_words *words = menu_setting_words_of(id);
+    for (uint32_t bit = 0; bit < menu_body_count(menu->page); bit++) {
+        const struct ui_box box = menu_tag_board(view, bit);
+        const float u = view->frame.unit, middle = box.y + 0.47f * box.height;
+        const int is_on = (menu->settings.value[id] >> bit & 1) != 0;
+        const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
+        const struct ui_text state =
+            sized(view, &box, places->value_size, is_on ? 0x17754effu : MENU_INK_SOFT);
+        words_at(view, box.x + places->inset * u, middle, places->name_width * u, 0.0f, &name,
+                 menu_text(view, words->choices[bit]));
+        words_at(view, box.x + box.width - places->inset * u, middle, places->value_width * u,
+                 1.0f, &state, menu_text(view, is_on ? TEXT_BIT_ON : TEXT_BIT_OFF));
+    }
+    help(view, places, menu_text(view, words->help));
+    saved(view, places);
+}
