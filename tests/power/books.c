@@ -91,7 +91,7 @@ int books_read(const char *path, uint32_t replay_id, struct books_file *out)
     read_integrity(db, out->integrity, &code);
     out->rounds = ask(db, "SELECT count(*) FROM rounds", &code);
     out->caught = ask(db, "SELECT coalesce(sum(caught), 0) FROM rounds", &code);
-    out->doubled = ask(db, "SELECT count(*) - count(DISTINCT id) FROM rounds", &code);
+    out->doubled = ask(db, "SELECT count(*) - count(DISTINCT entry) FROM rounds", &code);
     read_replays(db, replay_id, out, &code);
     sqlite3_close(db);
     return code;

@@ -44,7 +44,7 @@ static int wake(const char *folder, struct memory *memory, char why[BOOKS_WHY_SI
         result = device.ops->remember(device.self, memory);
     }
     snprintf(why, BOOKS_WHY_SIZE, "%s", device.ops->describe(device.self));
-    const int is_fresh = store.set_aside[0] != '\0';
+    const int is_fresh = atomic_load(&store.aside) != 0;
     device.ops->close(device.self);
     return result == HAL_OK && !is_fresh ? 0 : -1;
 }
