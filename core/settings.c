@@ -83,6 +83,13 @@ void settings_mend(struct settings *settings)
     }
 }
 
+/* A card that was in a greater tank's stall, or a file that was written for one. */
+static uint32_t fish_that_fit(uint32_t wanted, const struct core_config *config)
+{
+    const uint32_t most = tank_preset_fish_max(tank_preset(config->preset), 1.0f);
+    return wanted < most ? wanted : most;
+}
+
 void settings_apply(const struct settings *settings, struct core_config *config)
 {
     const int32_t *value = settings->value;
@@ -91,7 +98,7 @@ void settings_apply(const struct settings *settings, struct core_config *config)
     config->modes = (uint8_t)value[SET_MODES];
     config->grade = (uint8_t)value[SET_GRADE];
     config->round_s = (uint32_t)value[SET_ROUND_S];
-    config->fish_count = (uint32_t)value[SET_FISH];
+    config->fish_count = fish_that_fit((uint32_t)value[SET_FISH], config);
     config->players = (uint8_t)value[SET_PLAYERS];
     config->language = (uint8_t)value[SET_LANGUAGE];
 }

@@ -101,7 +101,8 @@ void settings_mend(struct settings *settings);
 
 struct core_config;
 
-/* Writes what they ask of the stall into the config's own fields. */
+/* Writes what they ask of the stall into the config's own fields; of the fish as many as its
+ * preset's tank holds. */
 void settings_apply(const struct settings *settings, struct core_config *config);
 
 #endif

@@ -12,6 +12,7 @@
 
 #include "platform/ctl/ctl.h"
 #include "platform/folder.h"
+#include "platform/kiosk/config_file.h"
 
 #define WORDS_MAX 160 /* Every wire and controller that the kiosk takes, and more. */
 
@@ -64,7 +65,8 @@ static void warn(const char *line)
     struct doctor_finding *finding =
         doctor_find(&doctor, "config", DOCTOR_WRONG, "%s", doctor.options.config);
     doctor_state(finding, "%s", line);
-    doctor_todo(finding, "mend that line: the kiosk passes it over");
+    doctor_todo(finding, "mend that line: the kiosk passes it over; 'kingyoctl config defaults' "
+                         "lists the keys");
 }
 
 /* As main() does: the file first, and the words win over it. */
@@ -88,12 +90,23 @@ static enum exit_code read_config(int argc, const char *const *argv)
     return EXIT_OK;
 }
 
+/* The machine's own file counts when none is named, as for the kiosk. */
+static void take_default_config(void)
+{
+    char path[OPTIONS_PATH_MAX];
+    snprintf(path, sizeof path, "%.900s" CONFIG_FILE_DEFAULT, doctor.root);
+    if (!doctor.options.config[0] && access(path, F_OK) == 0) {
+        memcpy(doctor.options.config, path, sizeof path);
+    }
+}
+
 static enum exit_code read_options(int argc, const char *const *argv)
 {
     char error[OPTIONS_ERROR_MAX];
     if (options_parse(&doctor.options, argc, argv, error)) {
         return ctl_usage(name, "%s", error);
     }
+    take_default_config();
     const enum exit_code code = doctor.options.config[0] ? read_config(argc, argv) : EXIT_OK;
     if (code == EXIT_OK && !doctor.options.data[0]) {
         memcpy(doctor.options.data, doctor.user.data, sizeof doctor.user.data);

@@ -7,7 +7,8 @@
 
 static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_paper, &ctl_play,
                                                       &ctl_morph, &ctl_replay, &ctl_hid,
-                                                      &ctl_lines, &ctl_doctor };
+                                                      &ctl_lines, &ctl_doctor,
+                                                      &ctl_config };
 
 static void print_help(void)
 {

@@ -49,18 +49,24 @@ static void wire(struct demo *demo)
 static enum exit_code begin(struct demo *demo)
 {
     const struct options *options = &demo->session->options;
-    const uint32_t round_s =
-        options->demo_s > AFTER_ROUND_S ? options->demo_s - AFTER_ROUND_S : 0;
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : DEMO_SEED,
-            .round_s = round_s > ROUND_S_MIN ? round_s : ROUND_S_MIN,
+            .preset = options->tank,
         },
         .stopwatch = clock_device(),
     };
-    options_stall(options, 1u << MODE_FESTIVAL, &config.core);
-    config.core.credit_coins = 0; /* The bot has no money. */
-    for (uint32_t i = 0; i < options_players(options); i++) {
+    struct settings *settings = &config.core.memory.settings;
+    options_first(options, settings);
+    options_last(options, settings);
+    settings->value[SET_PLAY] = PLAY_FREE; /* The bot has no money. */
+    if (!options_ask(options, SET_MODES)) {
+        settings->value[SET_MODES] = 1 << MODE_FESTIVAL;
+    }
+    const uint32_t round_s = options->demo_s > AFTER_ROUND_S ? options->demo_s - AFTER_ROUND_S : 0;
+    settings_apply(settings, &config.core);
+    config.core.round_s = round_s > ROUND_S_MIN ? round_s : ROUND_S_MIN;
+    for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = 1;
     }
     demo->whole_replay = options->replay[0] && !options->demo;

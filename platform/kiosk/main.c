@@ -3,8 +3,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "platform/board.h"
+#include "platform/kiosk/config_file.h"
 #include "platform/kiosk/demo.h"
 #include "platform/kiosk/options.h"
 #include "platform/kiosk/play.h"
@@ -55,29 +57,50 @@ static uint8_t machine_language(void)
     return LANGUAGE_EN;
 }
 
+/* Which file to read: the one that is named, or the machine's own where there is one. A
+ * demonstration is the same everywhere. */
+static const char *config_of(const struct options *options)
+{
+    static char named[OPTIONS_PATH_MAX];
+    if (options->config[0]) {
+        memcpy(named, options->config, sizeof named);
+        return named;
+    }
+    return !options->demo && access(CONFIG_FILE_DEFAULT, F_OK) == 0 ? CONFIG_FILE_DEFAULT : NULL;
+}
+
+/* Only one that was asked for must be readable: the stall opens without its machine's own. */
+static enum exit_code read_config(struct options *options, const char *path)
+{
+    char line[OPTIONS_PATH_MAX + 64];
+    const int is_named = options->config[0] != '\0';
+    *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
+    const int failed = options_read_config(options, path, warn_of_config);
+    if (failed) {
+        snprintf(line, sizeof line, "%s: cannot read: %s", path, strerror(-failed));
+        (is_named ? warn : warn_of_config)(line);
+    }
+    return failed && is_named ? EXIT_IO : EXIT_OK;
+}
+
 /* The command line names the configuration file, which is read first, and then wins over it. */
 static enum exit_code read_options(struct options *options, int argc, char **argv)
 {
     char error[OPTIONS_ERROR_MAX];
     const char *const *words = (const char *const *)argv;
     *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
-    if (options_parse(options, argc, words, error)) {
+    int failed = options_parse(options, argc, words, error);
+    const char *config = failed || options->help || options->version ? NULL : config_of(options);
+    if (config) {
+        const enum exit_code code = read_config(options, config);
+        if (code != EXIT_OK) {
+            return code;
+        }
+        failed = options_parse(options, argc, words, error);
+    }
+    if (failed) {
         warn(error);
         return EXIT_USAGE;
-    }
-    if (options->config[0]) {
-        char path[OPTIONS_PATH_MAX];
-        memcpy(path, options->config, sizeof path);
-        *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
-        const int failed = options_read_config(options, path, warn_of_config);
-        if (failed) {
-            fprintf(stderr, "kingyo: %s: cannot read: %s\n", path, strerror(-failed));
-            return EXIT_IO;
-        }
-        if (options_parse(options, argc, words, error)) {
-            warn(error);
-            return EXIT_USAGE;
-        }
     }
     return EXIT_OK;
 }
@@ -115,14 +138,14 @@ static enum exit_code run(struct session *session)
         fflush(stdout);
         return demo_run(session);
     }
-    const uint8_t spoken = options->language;
-    options->language = options->has_language ? spoken : machine_language();
+    options->machine.is_set[SET_LANGUAGE] = 1;
+    options->machine.value[SET_LANGUAGE] = machine_language();
     if (!play_open(session)) {
         const struct hal_display *display = &session->hal.display;
         printf("No screen: %s. The bot plays, and pictures are written.\n",
                display->ops->describe(display->self));
         fflush(stdout);
-        options->language = spoken;
+        options->machine.is_set[SET_LANGUAGE] = 0;
         return demo_run(session);
     }
     return play_run(session);

@@ -4,15 +4,40 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/game/credit.h"
 #include "core/game/rules.h"
-#include "core/poi/sheet.h"
 #include "core/scene.h"
 #include "core/tank/tank.h"
 #include "platform/board.h"
 #include "platform/number.h"
+#include "platform/setting_text.h"
 
 /* ---- Values --------------------------------------------------------------------------------- */
+
+static struct asked *asked(struct options *options)
+{
+    return options->is_file ? &options->file : &options->words;
+}
+
+static int ask(struct options *options, uint32_t id, int32_t value)
+{
+    asked(options)->value[id] = value;
+    asked(options)->is_set[id] = 1;
+    return 1;
+}
+
+/* As its row of the settings reads it. */
+static int ask_text(struct options *options, uint32_t id, const char *text)
+{
+    int32_t value;
+    return setting_parse(id, text, &value) && ask(options, id, value);
+}
+
+static int ask_number(struct options *options, uint32_t id, const char *text, uint32_t least,
+                      uint32_t most)
+{
+    uint32_t number;
+    return number_parse(text, least, most, &number) && ask(options, id, (int32_t)number);
+}
 
 static int copy_path(char out[OPTIONS_PATH_MAX], const char *text)
 {
@@ -92,13 +117,6 @@ static int set_line(struct options *options, const char *value)
     return 1;
 }
 
-static int set_language(struct options *options, const char *value)
-{
-    static const char *const names[] = { "ja", "en" };
-    options->has_language = 1;
-    return find_name(names, LANGUAGE_COUNT, value, &options->language);
-}
-
 static int set_seed(struct options *options, const char *value)
 {
     options->has_seed = 1;
@@ -121,59 +139,65 @@ static uint32_t fish_max(uint8_t tank)
     return tank_preset_fish_max(tank_preset(tank), 1.0f);
 }
 
+static int set_language(struct options *options, const char *value)
+{
+    return ask_text(options, SET_LANGUAGE, value);
+}
+
 /* Whether its tank holds them is asked when the tank is known: too_many_fish(). */
 static int set_fish(struct options *options, const char *value)
 {
-    return number_parse(value, 1, TANK_FISH_MAX, &options->fish_count);
+    return ask_number(options, SET_FISH, value, 1, TANK_FISH_MAX);
 }
 
 /* One mode, the growth lab, or all of them to choose from. */
 static int set_mode(struct options *options, const char *value)
 {
-    uint8_t mode;
-    const char *names[CHOICE_COUNT] = { [CHOICE_LAB] = "lab" };
-    for (mode = 0; mode < MODE_COUNT; mode++) {
-        names[mode] = rules_of(mode)->name;
-    }
     if (strcmp(value, "choose") == 0) {
-        options->modes = OPTIONS_MODES_ALL;
-        return 1;
+        return ask(options, SET_MODES, OPTIONS_MODES_ALL);
     }
-    if (!find_name(names, CHOICE_COUNT, value, &mode)) {
-        return 0;
-    }
-    options->modes = (uint8_t)(1u << mode);
-    return 1;
-}
-
-static int set_small(const char *value, uint32_t least, uint32_t most, uint8_t *out)
-{
-    uint32_t number;
-    if (!number_parse(value, least, most, &number)) {
-        return 0;
-    }
-    *out = (uint8_t)number;
-    return 1;
+    return !strchr(value, ',') && ask_text(options, SET_MODES, value);
 }
 
 static int set_grade(struct options *options, const char *value)
 {
-    return set_small(value, SHEET_GRADE_MIN, SHEET_GRADE_MAX, &options->grade);
+    return strcmp(value, "own") != 0 && ask_text(options, SET_GRADE, value);
 }
 
 static int set_players(struct options *options, const char *value)
 {
-    return set_small(value, 1, POI_MAX, &options->players);
+    return ask_text(options, SET_PLAYERS, value);
 }
 
 static int set_coins(struct options *options, const char *value)
 {
-    return set_small(value, 0, CREDIT_COINS_MAX, &options->coins);
+    uint32_t coins;
+    if (!number_parse(value, 0, (uint32_t)setting_of(SET_PRICE)->max, &coins)) {
+        return 0;
+    }
+    return coins == 0 ? ask(options, SET_PLAY, PLAY_FREE)
+                      : ask(options, SET_PLAY, PLAY_PAID) &&
+                            ask(options, SET_PRICE, (int32_t)coins);
 }
 
 static int set_tickets(struct options *options, const char *value)
 {
-    return set_small(value, 0, CREDIT_TICKET_FISH_MAX, &options->tickets);
+    return ask_text(options, SET_TICKET_FISH, value);
+}
+
+/* NAME=VALUE of any setting: its place, and the value behind '='. SETTING_COUNT: no such. */
+static uint32_t split_setting(const char *text, const char **value)
+{
+    const size_t length = strcspn(text, "=");
+    *value = text[length] ? text + length + 1 : NULL;
+    return *value ? setting_find(text, length) : SETTING_COUNT;
+}
+
+static int set_setting(struct options *options, const char *text)
+{
+    const char *value;
+    const uint32_t id = split_setting(text, &value);
+    return id < SETTING_COUNT && ask_text(options, id, value);
 }
 
 static int set_record(struct options *options, const char *value)
@@ -219,40 +243,42 @@ static int set_version(struct options *options, const char *value)
 
 static const struct option table[] = {
     { "demo", "[SECONDS]", "let the bot play off screen and write pictures (20 s)",
-      "5 to 600 seconds", set_demo, 1 },
+      "5 to 600 seconds", set_demo, NULL },
     { "window", "WxH", "play in a window of that size; else full screen",
-      "WIDTHxHEIGHT from 320x240 to 8192x8192", set_window, 0 },
+      "WIDTHxHEIGHT from 320x240 to 8192x8192", set_window, "picture" },
     { "poi", "KIND", "who holds the poi: auto, usb, pad, mouse, touch; or bot, who holds all",
-      "auto, usb, pad, mouse, touch or bot", set_poi, 0 },
+      "auto, usb, pad, mouse, touch or bot", set_poi, "devices" },
     { "usb", "ID", "a USB controller that may be a poi; again for each",
-      "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most", set_usb, 0 },
+      "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most", set_usb, "devices" },
     { "line", "ROLE=LINE", "a GPIO line and its role; 'kingyoctl lines' has more; again for each",
-      "ROLE=LINE[,WORD...]; 32 at most", set_line, 0 },
+      "ROLE=LINE[,WORD...]; 32 at most", set_line, "devices" },
     { "mode", "NAME", "festival, championship, practice, lab (fish grow), or choose: START asks",
-      "festival, championship, practice, lab or choose", set_mode, 0 },
+      "festival, championship, practice, lab or choose", set_mode, "" },
     { "grade", "N", "paper from 4, strong, to 7, weak (6; a championship has 5)", "4 to 7",
-      set_grade, 0 },
+      set_grade, "" },
     { "players", "N", "bowls at the tank; who has no controller leaves one empty", "1 to 4",
-      set_players, 0 },
+      set_players, "" },
     { "coins", "N", "coins that a round costs; 0, as it is else: free play", "0 to 20", set_coins,
-      0 },
+      "" },
     { "tickets", "N", "a ticket for each N fish that a player catches; 0: none", "0 to 20",
-      set_tickets, 0 },
+      set_tickets, "" },
     { "record", "FILE", "write the play to FILE, a new one, to be shown again", "a path",
-      set_record, 0 },
-    { "replay", "FILE", "show a recorded play and check it", "a path", set_replay, 1 },
+      set_record, "files" },
+    { "replay", "FILE", "show a recorded play and check it", "a path", set_replay, NULL },
     { "shots", "DIR", "where pictures go (demo: out/demo; else one each 5 s)", "a path",
-      set_shots, 0 },
-    { "data", "DIR", "where scores are kept (~/.local/share/kingyo)", "a path", set_data, 0 },
-    { "config", "FILE", "read 'option = value' lines first; options here win", "a path",
-      set_config, 1 },
-    { "lang", "ja|en", "language of the stall", "ja or en", set_language, 0 },
+      set_shots, "files" },
+    { "data", "DIR", "where scores are kept (~/.local/share/kingyo)", "a path", set_data, "files" },
+    { "set", "KEY=VALUE", "a setting of kingyo.conf, for this run alone; again for each",
+      "KEY=VALUE; 'kingyoctl config defaults' lists them", set_setting, NULL },
+    { "config", "FILE", "settings, devices (/etc/kingyo/kingyo.conf); options here win", "a path",
+      set_config, NULL },
+    { "lang", "ja|en", "language of the stall", "ja or en", set_language, "" },
     { "tank", "NAME", "festival (the stall), thesis (2013) or official (championship)",
-      "festival, thesis or official", set_tank, 0 },
-    { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed, 0 },
-    { "fish", "N", "how many fish; the tanks hold", "1 to", set_fish, 0 },
-    { "help", NULL, "this text", NULL, set_help, 1 },
-    { "version", NULL, "the version", NULL, set_version, 1 },
+      "festival, thesis or official", set_tank, "game" },
+    { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed, "game" },
+    { "fish", "N", "how many fish; the tanks hold", "1 to", set_fish, "" },
+    { "help", NULL, "this text", NULL, set_help, NULL },
+    { "version", NULL, "the version", NULL, set_version, NULL },
 };
 
 const struct option *option_find(const char *name, size_t length)
@@ -276,11 +302,29 @@ const char *option_says(const struct option *option, const char *text, char out[
     return out;
 }
 
+/* Of a setting that is known, and a value that is not right. */
+static const char *object_to_setting(const char *text, char out[OPTION_TEXT_MAX])
+{
+    const char *value;
+    char range[SETTING_RANGE_MAX];
+    int32_t read;
+    const uint32_t id = split_setting(text, &value);
+    if (id == SETTING_COUNT || setting_parse(id, value, &read)) {
+        return NULL;
+    }
+    setting_range(id, range);
+    snprintf(out, OPTION_TEXT_MAX, "expected %s", range);
+    return out;
+}
+
 const char *option_objects(const struct option *option, const char *value,
                            char out[OPTION_TEXT_MAX])
 {
     char line[1][BOARD_LINE_SIZE];
     char why[HAL_TEXT_SIZE];
+    if (option->set == set_setting) {
+        return object_to_setting(value, out);
+    }
     if (option->set != set_line || read_wire(value, line, why) == 0) {
         return NULL;
     }
@@ -301,12 +345,13 @@ int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]
 
 int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])
 {
+    const struct asked *by = options->is_file ? &options->file : &options->words;
     const uint32_t most = fish_max(options->tank);
-    if (options->fish_count <= most) {
+    if (!by->is_set[SET_FISH] || by->value[SET_FISH] <= (int32_t)most) {
         return 0;
     }
-    snprintf(says, OPTION_TEXT_MAX, "%u is too many; the %s tank holds 1 to %u",
-             options->fish_count, tank_preset(options->tank)->name, most);
+    snprintf(says, OPTION_TEXT_MAX, "%d is too many; the %s tank holds 1 to %u",
+             by->value[SET_FISH], tank_preset(options->tank)->name, most);
     return 1;
 }
 

@@ -14,7 +14,9 @@ struct option {
     const char *help;
     const char *expects;   /* What a right value is. option_says() may add to it. */
     int (*set)(struct options *options, const char *value); /* 1, or 0: not a right value. */
-    uint8_t only_command_line;
+    /* The section of the configuration file that it stands in; "" for one that a setting has taken
+     * the place of, and that old files have before their first section; null: for no file. */
+    const char *section;
 };
 
 /* The option at a place of the table, in the order of --help; null beyond its end. */
@@ -34,7 +36,8 @@ const char *option_objects(const struct option *option, const char *value,
 /* Whether two wires are on one line; then `says` which. */
 int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
 
-/* Whether the tank is too small for them; then `says` holds a line without its beginning. */
+/* Whether the tank is too small for the fish that the file (`is_file`) or the command line asks
+ * for; then `says` holds a line without its beginning. */
 int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
 
 #endif

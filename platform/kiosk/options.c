@@ -2,7 +2,6 @@
 #include "platform/kiosk/options.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -93,110 +92,6 @@ int options_parse(struct options *options, int argc, const char *const *argv,
     return 0;
 }
 
-/* ---- Configuration file --------------------------------------------------------------------- */
-
-/* `text` without the white space around it; cut in place. */
-static char *trim(char *text)
-{
-    while (isspace((unsigned char)*text)) {
-        text++;
-    }
-    size_t length = strlen(text);
-    while (length > 0 && isspace((unsigned char)text[length - 1])) {
-        text[--length] = '\0';
-    }
-    return text;
-}
-
-/* A '#' inside a word is part of it: a path may hold one. */
-static void cut_comment(char *line)
-{
-    for (char *hash = strchr(line, '#'); hash; hash = strchr(hash + 1, '#')) {
-        if (hash == line || isspace((unsigned char)hash[-1])) {
-            *hash = '\0';
-            return;
-        }
-    }
-}
-
-/* Null when the line is fine, else what is wrong with it. `*expects` may say more. */
-static const char *read_line(struct options *options, char *line, const char **expects,
-                             char bound[OPTION_TEXT_MAX])
-{
-    cut_comment(line);
-    char *key = trim(line);
-    if (*key == '\0') {
-        return NULL;
-    }
-    char *equals = strchr(key, '=');
-    if (!equals) {
-        *expects = "key = value";
-        return "no '='";
-    }
-    *equals = '\0';
-    key = trim(key);
-    const struct option *option = option_find(key, strlen(key));
-    if (!option || option->only_command_line) {
-        *expects = "one of window, poi, usb, line, mode, grade, players, coins, tickets, record, "
-                   "shots, data, lang, tank, seed, fish";
-        return "unknown key";
-    }
-    struct options tried = *options;
-    const char *value = trim(equals + 1);
-    const char *objection = option_objects(option, value, bound);
-    if (objection) {
-        return objection;
-    }
-    *expects = option_says(option, option->expects, bound);
-    if (!option->set(&tried, value)) {
-        return "wrong value";
-    }
-    if (option_wires_clash(&tried, bound)) {
-        *expects = "";
-        return bound;
-    }
-    *options = tried;
-    return NULL;
-}
-
-int options_read_config(struct options *options, const char *path, void (*warn)(const char *line))
-{
-    char line[OPTIONS_PATH_MAX + 64];
-    char text[OPTIONS_ERROR_MAX + 256];
-    char bound[OPTION_TEXT_MAX];
-    FILE *file = fopen(path, "r");
-    if (!file) {
-        return -errno;
-    }
-    errno = 0;
-    unsigned wrong_count = 0;
-    for (unsigned number = 1; fgets(line, sizeof line, file); number++) {
-        const char *expects = "";
-        const char *wrong = read_line(options, line, &expects, bound);
-        wrong_count += wrong != NULL;
-        if (wrong && warn && wrong_count <= OPTIONS_WARNINGS_MAX) {
-            snprintf(text, sizeof text, "%.200s:%u: %s%s%s", path, number, wrong,
-                     expects[0] ? "; expected " : "", expects);
-            warn(text);
-        }
-    }
-    if (wrong_count > OPTIONS_WARNINGS_MAX && warn) {
-        snprintf(text, sizeof text, "%.200s: and %u more; is this a configuration file at all?",
-                 path, wrong_count - OPTIONS_WARNINGS_MAX);
-        warn(text);
-    }
-    if (option_too_many_fish(options, bound)) {
-        snprintf(text, sizeof text, "%.200s: fish: %s", path, bound);
-        options->fish_count = 0;
-        if (warn) {
-            warn(text);
-        }
-    }
-    const int error = ferror(file) ? (errno ? -errno : -EIO) : 0; /* A folder. */
-    fclose(file);
-    return error;
-}
-
 /* ---- Help ----------------------------------------------------------------------------------- */
 
 void options_print_help(void)
@@ -229,19 +124,28 @@ void options_print_help(void)
 
 /* ---- What it means -------------------------------------------------------------------------- */
 
-void options_stall(const struct options *options, uint8_t modes, struct core_config *core)
+static void put_asked(const struct asked *asked, struct settings *settings)
 {
-    core->preset = options->tank;
-    core->fish_count = options->fish_count;
-    core->language = options->language;
-    core->modes = options->modes ? options->modes : modes;
-    core->grade = options->grade;
-    core->players = options->players;
-    core->credit_coins = options->coins;
-    core->ticket_fish = options->tickets;
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        if (asked->is_set[id]) {
+            settings->value[id] = asked->value[id];
+        }
+    }
 }
 
-uint32_t options_players(const struct options *options)
+void options_first(const struct options *options, struct settings *settings)
 {
-    return options->players ? options->players : 1u;
+    settings_reset(settings);
+    put_asked(&options->machine, settings);
+    put_asked(&options->file, settings);
+}
+
+void options_last(const struct options *options, struct settings *settings)
+{
+    put_asked(&options->words, settings);
+}
+
+int options_ask(const struct options *options, uint32_t id)
+{
+    return options->file.is_set[id] || options->words.is_set[id];
 }

@@ -1,5 +1,5 @@
-/* options.h -- what the command line and the configuration file ask of `kingyo`. Pure but for the
- * file. */
+/* options.h -- what the command line asks of `kingyo`; config_file.h reads the same from a file.
+ * Pure. */
 #ifndef KINGYO_PLATFORM_KIOSK_OPTIONS_H
 #define KINGYO_PLATFORM_KIOSK_OPTIONS_H
 
@@ -7,15 +7,15 @@
 #include <stdint.h>
 
 #include "core/core.h"
+#include "core/settings.h"
 #include "platform/board.h"
 
 #define OPTIONS_PATH_MAX 1024u
 #define OPTIONS_ERROR_MAX 256u
-#define OPTIONS_WARNINGS_MAX 20u /* Of one file; the others are only counted. */
 #define OPTIONS_DEMO_S 20u
 #define OPTIONS_DEMO_S_MIN 5u
 #define OPTIONS_DEMO_S_MAX 600u
-#define OPTIONS_MODES_ALL ((1u << CHOICE_COUNT) - 1u)
+#define OPTIONS_MODES_ALL ((1 << CHOICE_COUNT) - 1)
 
 /* The exit codes of both programs. */
 enum exit_code {
@@ -26,21 +26,25 @@ enum exit_code {
     EXIT_IO = 74,       /* ... and EX_IOERR. */
 };
 
+/* Settings that somebody asked for. */
+struct asked {
+    int32_t value[SETTING_COUNT];
+    uint8_t is_set[SETTING_COUNT];
+};
+
 struct options {
     uint8_t help, version;
     uint8_t demo;                  /* Play to files, off screen ... */
     uint32_t demo_s;               /* ... for so long. */
     uint32_t width, height;        /* Of the window; 0: full screen. */
     uint8_t poi;                   /* enum board_poi */
-    uint8_t has_language, language; /* enum language */
     uint8_t has_seed;
     uint32_t seed;
     uint8_t tank;                  /* enum tank_preset_id */
-    uint32_t fish_count;           /* 0: the tank's own. */
-    uint8_t modes;                 /* As core_config's; 0: nobody said. */
-    uint8_t grade;                 /* As core_config's. */
-    uint8_t players;               /* As core_config's. */
-    uint8_t coins, tickets;        /* As core_config's credit_coins and ticket_fish. */
+    uint8_t is_file;               /* What is set now comes from the file. */
+    struct asked machine;          /* What the machine's locale asks for, ... */
+    struct asked file;             /* ... the configuration file, */
+    struct asked words;            /* ... and the command line. */
     uint8_t usb_count, line_count;
     char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
     char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* "ROLE=LINE[,WORD...]" */
@@ -56,20 +60,15 @@ struct options {
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* Reads "key = value" lines: the keys are the options' names, '#' at the
- * beginning of a line or after white space begins a comment. A line that
- * cannot be used is told through `warn` (may be null) and skipped: a typing mistake must not
- * keep a stall closed; nor must more fish than the tank holds. 0, or a negative errno when the
- * file cannot be read. */
-int options_read_config(struct options *options, const char *path,
-                        void (*warn)(const char *line));
+/* What a stall begins with before the operator's menu has its say: each setting at its standard, by
+ * the machine's locale, or by the configuration file. */
+void options_first(const struct options *options, struct settings *settings);
 
-/* Writes what they ask of the stall into `core`: tank, fish, language, modes (`modes` where nobody
- * said), paper and players. The rest of it stays. */
-void options_stall(const struct options *options, uint8_t modes, struct core_config *core);
+/* What the command line asks for, over all that `settings` holds. */
+void options_last(const struct options *options, struct settings *settings);
 
-/* How many bowls there will be, 1 .. POI_MAX. */
-uint32_t options_players(const struct options *options);
+/* Whether the file or the command line asks for this setting. */
+int options_ask(const struct options *options, uint32_t id);
 
 /* What --help prints. */
 void options_print_help(void);

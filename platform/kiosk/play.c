@@ -168,15 +168,18 @@ static enum exit_code begin(struct session *session)
     struct kiosk_config config = {
         .core = {
             .seed = options->has_seed ? options->seed : (uint32_t)time(NULL),
+            .preset = options->tank,
         },
         .stopwatch = clock_device(),
     };
-    options_stall(options, OPTIONS_MODES_ALL, &config.core);
-    for (uint32_t i = 0; i < options_players(options); i++) {
+    struct settings *settings = &config.core.memory.settings;
+    options_first(options, settings);
+    storage->ops->remember(storage->self, &config.core.memory);
+    options_last(options, settings);
+    settings_apply(settings, &config.core);
+    for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = options->poi == BOARD_POI_BOT;
     }
-    settings_reset(&config.core.memory.settings);
-    storage->ops->remember(storage->self, &config.core.memory);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         config.core.best_today[mode] = config.core.memory.ranking.row[mode][RANK_DAY][0].caught;
     }

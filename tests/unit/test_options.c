@@ -1,13 +1,10 @@
 /* test_options.c -- what may be asked of `kingyo`, and what is said when it is asked wrongly. */
-#include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -28,6 +25,12 @@ static int parse(int argc, const char *const *argv)
     return options_parse(&options, argc, argv, error);
 }
 
+static int32_t asked(uint32_t id)
+{
+    assert_int_equal(options.words.is_set[id], 1);
+    return options.words.value[id];
+}
+
 static void test_every_option_is_understood(void **state)
 {
     static const char *const argv[] = {
@@ -46,13 +49,13 @@ static void test_every_option_is_understood(void **state)
     assert_string_equal(options.shots, "pics");
     assert_string_equal(options.data, "scores");
     assert_string_equal(options.config, "c.conf");
-    assert_int_equal(options.language, LANGUAGE_EN);
+    assert_int_equal(asked(SET_LANGUAGE), LANGUAGE_EN);
     assert_int_equal(options.seed, 255);
     assert_int_equal(options.has_seed, 1);
-    assert_int_equal(options.fish_count, 50);
-    assert_int_equal(options.modes, 1u << MODE_CHAMPIONSHIP);
-    assert_int_equal(options.grade, 4);
-    assert_int_equal(options.players, 3);
+    assert_int_equal(asked(SET_FISH), 50);
+    assert_int_equal(asked(SET_MODES), 1 << MODE_CHAMPIONSHIP);
+    assert_int_equal(asked(SET_GRADE), 4);
+    assert_int_equal(asked(SET_PLAYERS), 3);
     assert_int_equal(options.demo, 1);
     assert_int_equal(options.demo_s, 30);
 }
@@ -124,7 +127,7 @@ static void test_demo_needs_no_seconds(void **state)
     assert_int_equal(options.demo_s, OPTIONS_DEMO_S);
     assert_int_equal(parse(COUNT(middle), middle), 0);
     assert_int_equal(options.demo_s, OPTIONS_DEMO_S);
-    assert_int_equal(options.has_language, 1);
+    assert_int_equal(asked(SET_LANGUAGE), LANGUAGE_JA);
 }
 
 static const char *const wrong[][4] = {
@@ -195,7 +198,7 @@ static void check_most(const char *tank, uint8_t preset)
     const unsigned max = tank_preset_fish_max(tank_preset(preset), 1.0f);
     snprintf(count, sizeof count, "%u", max);
     assert_int_equal(parse(COUNT(fish_first), fish_first), 0);
-    assert_int_equal(options.fish_count, max);
+    assert_int_equal(asked(SET_FISH), max);
     assert_int_equal(options.tank, preset);
     assert_int_equal(parse(COUNT(tank_first), tank_first), 0);
     memcpy(most, count, sizeof most);
@@ -231,44 +234,111 @@ static void test_a_mode_is_one_of_three_or_asked_for(void **state)
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         const char *const argv[] = { "kingyo", "--mode", modes[mode] };
         assert_int_equal(parse(COUNT(argv), argv), 0);
-        assert_int_equal(options.modes, 1u << mode);
+        assert_int_equal(asked(SET_MODES), 1 << mode);
     }
     const char *const argv[] = { "kingyo", "--mode=choose" };
     assert_int_equal(parse(COUNT(argv), argv), 0);
-    assert_int_equal(options.modes, OPTIONS_MODES_ALL);
+    assert_int_equal(asked(SET_MODES), OPTIONS_MODES_ALL);
+}
+
+static struct settings settings;
+
+/* With what the operator's menu has saved, if anything. */
+static void settle(uint32_t saved_id, int32_t saved)
+{
+    options_first(&options, &settings);
+    if (saved_id < SETTING_COUNT) {
+        settings.value[saved_id] = saved;
+    }
+    options_last(&options, &settings);
 }
 
 static void test_what_is_asked_reaches_the_stall(void **state)
 {
-    static const char *const none[] = { "kingyo" };
     static const char *const all[] = { "kingyo", "--mode", "practice", "--grade", "7", "--players",
-                                       "4", "--tank", "thesis", "--fish", "50", "--lang", "en",
-                                       "--coins", "3", "--tickets", "10" };
-    struct core_config core = { .seed = 9, .round_s = 30, .best_today = { 4 } };
+                                       "4", "--fish", "50", "--lang", "en", "--coins", "3",
+                                       "--tickets", "10", "--set", "volume=35" };
+    struct core_config core = { .preset = TANK_PRESET_THESIS };
     (void)state;
-    assert_int_equal(parse(COUNT(none), none), 0);
-    options_stall(&options, OPTIONS_MODES_ALL, &core);
-    assert_int_equal(core.modes, OPTIONS_MODES_ALL); /* Of the screen; the demo says otherwise. */
-    assert_int_equal(core.grade, 0);
-    assert_int_equal(core.credit_coins, 0);
-    assert_int_equal(core.ticket_fish, 0);
-    assert_int_equal(core.players, 0);
-    assert_int_equal(options_players(&options), 1);
-    assert_int_equal(core.preset, TANK_PRESET_FESTIVAL);
     assert_int_equal(parse(COUNT(all), all), 0);
-    options_stall(&options, OPTIONS_MODES_ALL, &core);
+    settle(SETTING_COUNT, 0);
+    settings_apply(&settings, &core);
     assert_int_equal(core.modes, 1u << MODE_PRACTICE);
     assert_int_equal(core.grade, 7);
     assert_int_equal(core.players, 4);
-    assert_int_equal(options_players(&options), 4);
-    assert_int_equal(core.preset, TANK_PRESET_THESIS);
     assert_int_equal(core.fish_count, 50);
     assert_int_equal(core.credit_coins, 3);
     assert_int_equal(core.ticket_fish, 10);
     assert_int_equal(core.language, LANGUAGE_EN);
-    assert_int_equal(core.seed, 9);
-    assert_int_equal(core.round_s, 30);
-    assert_int_equal(core.best_today[0], 4);
+    assert_int_equal(settings.value[SET_VOLUME], 35);
+}
+
+static void test_nothing_asked_is_every_standard(void **state)
+{
+    static const char *const none[] = { "kingyo" };
+    (void)state;
+    assert_int_equal(parse(COUNT(none), none), 0);
+    settle(SETTING_COUNT, 0);
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        assert_int_equal(settings.value[id], setting_of(id)->standard);
+        assert_int_equal(options_ask(&options, id), 0);
+    }
+}
+
+static void test_no_coins_is_free_play_whatever_the_menu_said(void **state)
+{
+    static const char *const argv[] = { "kingyo", "--coins", "0" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    settle(SET_PLAY, PLAY_PAID);
+    assert_int_equal(settings.value[SET_PLAY], PLAY_FREE);
+}
+
+/* Standard, locale, file, menu, command line: each later one wins. */
+static void test_each_later_voice_wins(void **state)
+{
+    static const char *const none[] = { "kingyo" };
+    static const char *const said[] = { "kingyo", "--set", "language=ja" };
+    (void)state;
+    assert_int_equal(parse(COUNT(none), none), 0);
+    options.machine.is_set[SET_LANGUAGE] = 1;
+    options.machine.value[SET_LANGUAGE] = LANGUAGE_EN;
+    settle(SETTING_COUNT, 0);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_EN);
+    options.file.is_set[SET_LANGUAGE] = 1;
+    options.file.value[SET_LANGUAGE] = LANGUAGE_JA;
+    settle(SETTING_COUNT, 0);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_JA);
+    settle(SET_LANGUAGE, LANGUAGE_EN);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_EN);
+    assert_int_equal(parse(COUNT(said), said), 0);
+    settle(SET_LANGUAGE, LANGUAGE_EN);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_JA);
+}
+
+static void test_a_setting_that_is_wrong_is_told_with_its_range(void **state)
+{
+    static const char *const price[] = { "kingyo", "--set", "price=21" };
+    static const char *const none[] = { "kingyo", "--set", "colour=red" };
+    static const char *const bare[] = { "kingyo", "--set", "price" };
+    static const char *const secret[] = { "kingyo", "--set", "seat1-xx=5" };
+    (void)state;
+    assert_int_equal(parse(COUNT(price), price), -1);
+    assert_non_null(strstr(error, "--set: 'price=21': expected 1 to 20"));
+    assert_int_equal(parse(COUNT(none), none), -1);
+    assert_non_null(strstr(error, "kingyoctl config defaults"));
+    assert_int_equal(parse(COUNT(bare), bare), -1);
+    assert_int_equal(parse(COUNT(secret), secret), -1);
+}
+
+static void test_a_stall_never_has_more_fish_than_its_tank_holds(void **state)
+{
+    struct core_config core = { .preset = TANK_PRESET_FESTIVAL };
+    (void)state;
+    settings_reset(&settings);
+    settings.value[SET_FISH] = setting_of(SET_FISH)->max;
+    settings_apply(&settings, &core);
+    assert_int_equal(core.fish_count, tank_preset_fish_max(tank_preset(core.preset), 1.0f));
 }
 
 static void test_recording_a_replay_is_refused(void **state)
@@ -289,135 +359,12 @@ static void test_a_path_longer_than_any_is_refused(void **state)
     assert_int_equal(parse(COUNT(argv), argv), 0);
 }
 
-/* ---- The file ------------------------------------------------------------------------------- */
-
-static char warnings[8][512];
-static char last_warning[512];
-static int warning_count;
-
-static void keep_warning(const char *line)
-{
-    snprintf(last_warning, sizeof last_warning, "%s", line);
-    if (warning_count < 8) {
-        snprintf(warnings[warning_count], sizeof warnings[0], "%s", line);
-    }
-    warning_count++;
-}
-
-static int read_text(const char *text)
-{
-    char path[] = "/tmp/kingyo-conf-XXXXXX";
-    const int fd = mkstemp(path);
-    assert_true(fd >= 0);
-    assert_int_equal(write(fd, text, strlen(text)), strlen(text));
-    close(fd);
-    memset(&options, 0, sizeof options);
-    warning_count = 0;
-    const int result = options_read_config(&options, path, keep_warning);
-    unlink(path);
-    return result;
-}
-
-static void test_a_configuration_file_sets_the_same_things(void **state)
-{
-    (void)state;
-    assert_int_equal(read_text("# the stall at the station\n\n lang = en   # for visitors\n"
-                               "window=1920x1080\nfish = 400\n"
-                               "mode = championship\ngrade = 4\nplayers = 2"),
-                     0);
-    assert_int_equal(warning_count, 0);
-    assert_int_equal(options.language, LANGUAGE_EN);
-    assert_int_equal(options.width, 1920);
-    assert_int_equal(options.fish_count, 400);
-    assert_int_equal(options.modes, 1u << MODE_CHAMPIONSHIP);
-    assert_int_equal(options.grade, 4);
-    assert_int_equal(options.players, 2);
-}
-
-static void test_a_file_that_is_none_is_not_told_line_by_line(void **state)
-{
-    (void)state;
-    char text[OPTIONS_WARNINGS_MAX * 4u + 16u] = "";
-    for (uint32_t i = 0; i < OPTIONS_WARNINGS_MAX + 3u; i++) {
-        strcat(text, "no\n");
-    }
-    assert_int_equal(read_text(text), 0);
-    assert_int_equal(warning_count, OPTIONS_WARNINGS_MAX + 1u);
-    assert_non_null(strstr(last_warning, ": and 3 more"));
-}
-
-/* A stall opens although a wire of its file is wrong, and with those that are right. */
-static void test_a_file_wires_lines_and_says_which_it_cannot(void **state)
-{
-    (void)state;
-    assert_int_equal(read_text("usb = 057e:2009\nline = start=BTN_START\nline = jump=X\n"
-                               "line = left=BTN_START\nline = coin=chip:4,low # the slot\n"),
-                     0);
-    assert_int_equal(options.usb_count, 1);
-    assert_int_equal(options.line_count, 2);
-    assert_string_equal(options.line[1], "coin=chip:4,low");
-    assert_int_equal(warning_count, 2);
-    assert_non_null(strstr(warnings[0], ":3: "));
-    assert_null(strstr(warnings[0], "expected"));
-    assert_non_null(strstr(warnings[1], ":4: start and left are both on BTN_START"));
-}
-
 static void test_a_number_is_decimal_whatever_it_begins_with(void **state)
 {
     static const char *const argv[] = { "kingyo", "--seed", "010" };
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
     assert_int_equal(options.seed, 10);
-}
-
-static void test_a_path_may_hold_what_begins_a_comment(void **state)
-{
-    (void)state;
-    assert_int_equal(read_text("data = /srv/stall#1 # the first\n#shots = pics\n"), 0);
-    assert_int_equal(warning_count, 0);
-    assert_string_equal(options.data, "/srv/stall#1");
-    assert_string_equal(options.shots, "");
-}
-
-static void test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts(void **state)
-{
-    (void)state;
-    assert_int_equal(read_text("colour = red\nfish = many\nlang\nwindow = 1x1\nseed = 9\n"), 0);
-    assert_int_equal(warning_count, 4);
-    assert_non_null(strstr(warnings[0], ":1: unknown key"));
-    assert_non_null(strstr(warnings[1], ":2: wrong value; expected 1 to 6"));
-    assert_non_null(strstr(warnings[2], ":3: no '='"));
-    assert_int_equal(options.fish_count, 0);
-    assert_int_equal(options.width, 0);
-    assert_int_equal(options.seed, 9);
-}
-
-static void test_a_file_names_the_tank_and_not_more_fish_than_it_holds(void **state)
-{
-    (void)state;
-    assert_int_equal(read_text("fish = 1000\ntank = official\n"), 0);
-    assert_int_equal(warning_count, 0);
-    assert_int_equal(options.tank, TANK_PRESET_OFFICIAL);
-    assert_int_equal(options.fish_count, 1000);
-    assert_int_equal(read_text("fish = 1000\n"), 0);
-    assert_int_equal(warning_count, 1);
-    assert_non_null(strstr(warnings[0], "1000 is too many; the festival tank holds 1 to "));
-    assert_int_equal(options.fish_count, 0); /* The stall opens with its own. */
-}
-
-static void test_a_file_may_not_start_a_demonstration(void **state)
-{
-    (void)state;
-    assert_int_equal(read_text("demo = 20\nhelp =\nconfig = other\nreplay = x\n"), 0);
-    assert_int_equal(warning_count, 4);
-    assert_int_equal(options.demo, 0);
-}
-
-static void test_a_file_that_cannot_be_read_is_an_error(void **state)
-{
-    (void)state;
-    assert_int_equal(options_read_config(&options, "/nowhere/at/all", NULL), -ENOENT);
-    assert_int_equal(options_read_config(&options, "/tmp", NULL), -EISDIR);
 }
 
 int main(void)
@@ -428,23 +375,20 @@ int main(void)
         cmocka_unit_test(test_controllers_and_lines_are_named_one_after_the_other),
         cmocka_unit_test(test_no_more_controllers_or_lines_than_there_is_room_for),
         cmocka_unit_test(test_a_wrong_wire_is_told_with_what_is_wrong_about_it),
-        cmocka_unit_test(test_a_file_wires_lines_and_says_which_it_cannot),
         cmocka_unit_test(test_demo_needs_no_seconds),
         cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
         cmocka_unit_test(test_as_many_fish_as_the_tank_holds_and_not_one_more),
         cmocka_unit_test(test_the_stall_opens_the_festival_tank_and_no_unknown_one),
         cmocka_unit_test(test_a_mode_is_one_of_three_or_asked_for),
         cmocka_unit_test(test_what_is_asked_reaches_the_stall),
+        cmocka_unit_test(test_nothing_asked_is_every_standard),
+        cmocka_unit_test(test_no_coins_is_free_play_whatever_the_menu_said),
+        cmocka_unit_test(test_each_later_voice_wins),
+        cmocka_unit_test(test_a_setting_that_is_wrong_is_told_with_its_range),
+        cmocka_unit_test(test_a_stall_never_has_more_fish_than_its_tank_holds),
         cmocka_unit_test(test_recording_a_replay_is_refused),
         cmocka_unit_test(test_a_path_longer_than_any_is_refused),
-        cmocka_unit_test(test_a_configuration_file_sets_the_same_things),
         cmocka_unit_test(test_a_number_is_decimal_whatever_it_begins_with),
-        cmocka_unit_test(test_a_path_may_hold_what_begins_a_comment),
-        cmocka_unit_test(test_a_typing_mistake_is_told_with_its_line_and_the_rest_counts),
-        cmocka_unit_test(test_a_file_names_the_tank_and_not_more_fish_than_it_holds),
-        cmocka_unit_test(test_a_file_may_not_start_a_demonstration),
-        cmocka_unit_test(test_a_file_that_is_none_is_not_told_line_by_line),
-        cmocka_unit_test(test_a_file_that_cannot_be_read_is_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

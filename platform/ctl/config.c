@@ -1,0 +1,66 @@
+/* config.c -- `kingyoctl config`: reads kingyo.conf as the stall does, prints one to begin with. */
+#include "platform/kiosk/config_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/ctl.h"
+
+static const char name[] = "config";
+static uint32_t warning_count;
+
+static void warn(const char *line)
+{
+    fprintf(stderr, "%s\n", line); /* FILE:LINE: what, as editors and compilers know it. */
+    warning_count++;
+}
+
+static enum exit_code check(const char *path)
+{
+    static struct options options; /* Paths and wires: not for the stack. */
+    options = (struct options){ 0 };
+    warning_count = 0;
+    const int failed = options_read_config(&options, path, warn);
+    if (failed) {
+        fprintf(stderr, "kingyoctl config: %s: %s\n", path, strerror(-failed));
+        return EXIT_IO;
+    }
+    if (warning_count > 0) {
+        return EXIT_NOT_SO;
+    }
+    printf("%s: every line is used\n", path);
+    return EXIT_OK;
+}
+
+static enum exit_code print_defaults(void)
+{
+    config_file_print_defaults(stdout);
+    if (fflush(stdout)) {
+        fprintf(stderr, "kingyoctl config: standard output: %s\n", strerror(errno));
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    if (argc >= 1 && argc <= 2 && strcmp(argv[0], "check") == 0) {
+        return check(argc == 2 ? argv[1] : CONFIG_FILE_DEFAULT);
+    }
+    if (argc == 1 && strcmp(argv[0], "defaults") == 0) {
+        return print_defaults();
+    }
+    return ctl_usage(name, "check [FILE] or defaults is wanted; --help says more");
+}
+
+const struct ctl_command ctl_config = {
+    .name = name,
+    .summary = "the configuration file: what is wrong with it, and one to begin with",
+    .usage = "  kingyoctl config check [FILE]   reads FILE (" CONFIG_FILE_DEFAULT ") as the stall\n"
+             "                                  does; a line FILE:LINE: what for each that it\n"
+             "                                  passes over, with the range; exit code 1 then\n"
+             "  kingyoctl config defaults       every key with what it is for, its range and its\n"
+             "                                  standard, all in comments\n",
+    .run = run,
+};

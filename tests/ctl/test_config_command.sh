@@ -1,0 +1,56 @@
+#!/bin/bash
+# test_config_command.sh -- kingyoctl config, and what `kingyo` makes of a file. Speaks TAP.
+set -u
+build=$(realpath "${BUILD:-build}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+check() { # TITLE COMMAND...
+    local title=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$work/said"
+    fi
+}
+config() { "$build/kingyoctl" config "$@" >"$work/out" 2>"$work/err"; }
+ends() { # CODE PATTERN ARGUMENTS...: the pattern is looked for in both outputs.
+    local code=$1 pattern=$2 status
+    shift 2
+    config "$@"
+    status=$?
+    cat "$work/out" "$work/err"
+    [ $status -eq "$code" ] && grep -qE -- "$pattern" "$work/out" "$work/err"
+}
+defaults() { config defaults && cp "$work/out" "$work/defaults.conf" && [ ! -s "$work/err" ]; }
+check 'it prints a file to begin with' defaults
+check 'which is sound' ends 0 'defaults.conf: every line is used$' check "$work/defaults.conf"
+changed() { # One key, its comment taken off, as the file itself says.
+    sed 's/^#price = 1$/price = 3/' "$work/defaults.conf" >"$work/mine.conf"
+    ! cmp -s "$work/mine.conf" "$work/defaults.conf" && ends 0 'every line is used' check "$work/mine.conf"
+}
+check 'a key is changed by its line alone' changed
+printf '[money]\nprice = 30\n[sound]\ncolour = red\nprice = 2\n[sond]\n' >"$work/wrong.conf"
+check 'a value beyond its range is told with it' ends 1 'wrong.conf:2: price: wrong value .30.; expected 1 to 20$' check "$work/wrong.conf"
+check 'an unknown key with its line' ends 1 'wrong.conf:4: unknown key .colour.' check "$work/wrong.conf"
+check 'a key in another section' ends 1 'wrong.conf:5: .price. belongs to \[money\]' check "$work/wrong.conf"
+four() { config check "$work/wrong.conf"; [ "$(wc -l <"$work/err")" -eq 4 ] && [ ! -s "$work/out" ]; }
+check 'each has one line' four
+check 'a file that is not there' ends 74 'none.conf: No such file' check "$work/none.conf"
+check 'no word is wrong usage' ends 2 'check .* or defaults is wanted'
+check 'so is a third one' ends 2 'is wanted' check a b
+full() { "$build/kingyoctl" config defaults >/dev/full 2>"$work/err"; [ $? -eq 74 ] && grep -q 'No space' "$work/err"; }
+check 'a full disk is told' full
+
+# ---- The stall itself
+opens() { # It opens whatever the file says, tells each line, and takes what is right.
+    printf '[game]\nlanguage = fr\nfish = 20\ntank = festival\nwhat = ever\n' >"$work/stall.conf"
+    "$build/kingyo" --config "$work/stall.conf" --demo 5 --window 320x240 --shots "$work/shots" \
+        >"$work/stall.out" 2>"$work/stall.err" || { cat "$work/stall.err"; return 1; }
+    cat "$work/stall.out" "$work/stall.err"
+    grep -q 'stall.conf:2: language: wrong value .fr.; expected ja or en' "$work/stall.err" &&
+        grep -q 'stall.conf:5: unknown key' "$work/stall.err" && grep -q ' 20 fish' "$work/stall.out"
+}
+check 'a stall opens with a wrong file, and says what is wrong' opens
+echo "1..$count"
