@@ -74,8 +74,20 @@ void settings_reset(struct settings *settings)
     }
 }
 
+static int were_never_set(const struct settings *settings)
+{
+    int32_t any = 0;
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        any |= settings->value[id];
+    }
+    return any == 0;
+}
+
 void settings_mend(struct settings *settings)
 {
+    if (were_never_set(settings)) {
+        settings_reset(settings);
+    }
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         if (!setting_allows(id, settings->value[id])) {
             settings->value[id] = table[id].standard;

@@ -96,7 +96,8 @@ int setting_allows(uint32_t id, int32_t value);
 /* Every setting at its standard. */
 void settings_reset(struct settings *settings);
 
-/* Every one that has a value which it may not have, at its standard. */
+/* Every one that has a value which it may not have, at its standard; and all of them where all are
+ * 0, since those were never set: there is no price of 0. */
 void settings_mend(struct settings *settings);
 
 struct core_config;

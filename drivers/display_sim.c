@@ -38,6 +38,12 @@ static int display_sim_present(void *self, const struct scene *scene)
     return HAL_OK;
 }
 
+static void display_sim_place(void *self, const struct showing *showing)
+{
+    struct display_sim *sim = self;
+    sim->showing = *showing;
+}
+
 static int display_sim_toggle(void *self)
 {
     struct display_sim *sim = self;
@@ -78,6 +84,7 @@ struct hal_display display_sim_device(struct display_sim *sim)
         .open = display_sim_open,
         .poll = display_sim_poll,
         .present = display_sim_present,
+        .place = display_sim_place,
         .toggle_full_screen = display_sim_toggle,
         .capture = display_sim_capture,
         .close = display_sim_close,

@@ -7,7 +7,8 @@
 #include "platform/hal.h"
 
 struct display_sim {
-    struct scene scene;         /* As last presented. */
+    struct scene scene;         /* As last presented, ... */
+    struct showing showing;     /* ... and how it lay on the screen. */
     uint32_t present_count;
     uint32_t full_screen_count; /* Times it was toggled. */
     uint32_t gone_at;           /* From this present on it is gone; 0: it stays. */

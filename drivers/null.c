@@ -44,12 +44,19 @@ static int null_capture(void *self, struct hal_image *image)
     return HAL_ERR_NONE;
 }
 
+static void null_place(void *self, const struct showing *showing)
+{
+    (void)self;
+    (void)showing;
+}
+
 struct hal_display null_display(const char *line)
 {
     static const struct hal_display_ops ops = {
         .open = null_open,
         .poll = null_display_poll,
         .present = null_present,
+        .place = null_place,
         .toggle_full_screen = null_open,
         .capture = null_capture,
         .close = null_close,
@@ -66,10 +73,11 @@ static int null_poi_poll(void *self, struct poi_sample *out, uint32_t max)
     return HAL_ERR_NONE;
 }
 
-static void null_look(void *self, const struct view *view)
+static void null_look(void *self, const struct view *view, const struct showing *showing)
 {
     (void)self;
     (void)view;
+    (void)showing;
 }
 
 static int null_feel(void *self, const struct poi_force *force)

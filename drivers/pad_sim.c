@@ -107,9 +107,10 @@ static int pad_sim_feel(void *self, const struct poi_force *force)
     return sim->gone ? HAL_ERR_GONE : HAL_OK;
 }
 
-static void pad_sim_look(void *self, const struct view *view)
+static void pad_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct pad_sim *sim = self;
+    (void)showing; /* It points at the water, not at the screen. */
     pad_hand_look(&sim->track.hand, view);
 }
 

@@ -176,9 +176,10 @@ static int poi_hid_feel(void *self, const struct poi_force *force)
     return result;
 }
 
-static void poi_hid_look(void *self, const struct view *view)
+static void poi_hid_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct poi_hid *poi = self;
+    (void)showing; /* It points at the water, not at the screen. */
     poi->view = *view;
     hid_hand_look(&poi->hand, view);
 }

@@ -166,8 +166,9 @@ static void take_event(struct poi_mouse *mouse, const SDL_Event *event)
 /* What the pointer says goes to both hands; each heeds what is its own. */
 static int tell_hands(struct poi_mouse *mouse)
 {
-    pointer_fan_report(&mouse->fan, &mouse->report);
-    return pointer_poi_report(&mouse->pointer, &mouse->report);
+    const struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->showing);
+    pointer_fan_report(&mouse->fan, &seen);
+    return pointer_poi_report(&mouse->pointer, &seen);
 }
 
 /* The key has no place in the queue among the mouse's events: it counts from the poll after. */
@@ -229,10 +230,11 @@ static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-static void poi_mouse_look(void *self, const struct view *view)
+static void poi_mouse_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct poi_mouse *mouse = self;
     mouse->pointer.view = mouse->fan.view = *view;
+    mouse->showing = *showing;
 }
 
 static int poi_mouse_feel(void *self, const struct poi_force *force)

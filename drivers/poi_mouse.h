@@ -29,6 +29,7 @@ struct poi_mouse {
     struct touch_fingers fingers;
     uint64_t used_ns;             /* When it last said what only a hand says; 0: never. */
     float crept_px;               /* Moved since then. */
+    struct showing showing;       /* As told last; zero: it fills the window. */
     struct pointer_report report; /* The pointer as last known; wheel apart. */
     uint64_t last_poll_ns;
     char text[HAL_TEXT_SIZE];

@@ -62,9 +62,10 @@ static int pad_feel(void *self, const struct poi_force *force)
     return failed ? (int)HAL_ERR_IO : (int)HAL_OK;
 }
 
-static void pad_look(void *self, const struct view *view)
+static void pad_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct pad *pad = self;
+    (void)showing; /* It points at the water, not at the screen. */
     pad->pads->view = *view;
     pad_hand_look(&pad->track.hand, view);
 }

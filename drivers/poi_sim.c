@@ -106,9 +106,10 @@ static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-static void poi_sim_look(void *self, const struct view *view)
+static void poi_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct poi_sim *sim = self;
+    (void)showing; /* It points at the water, not at the screen. */
     sim->pointer.view = sim->fan.view = *view;
 }
 

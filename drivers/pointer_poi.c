@@ -67,6 +67,20 @@ int pointer_report_is_usable(const struct pointer_report *report)
            f_is_finite(report->wheel_notches) && report->width_px > 0 && report->height_px > 0;
 }
 
+struct pointer_report pointer_report_on(const struct pointer_report *report,
+                                        const struct showing *showing)
+{
+    struct pointer_report on = *report;
+    if (pointer_report_is_usable(report)) {
+        const struct placing placing =
+            placing_of(showing, (float)report->width_px, (float)report->height_px);
+        placing_look_back(&placing, &on.x_px, &on.y_px);
+        on.width_px = (uint32_t)placing.width;
+        on.height_px = (uint32_t)placing.height;
+    }
+    return on;
+}
+
 /* The share of the way back that is still to go: smooth at both ends. */
 static float lag_left(const struct pointer_poi *pointer)
 {

@@ -64,6 +64,11 @@ void pointer_poi_init(struct pointer_poi *pointer, const struct view *view);
 /* Whether every number of it is one, and the window is not empty. */
 int pointer_report_is_usable(const struct pointer_report *report);
 
+/* The same report as it is on the picture, however that lies in the window. One that is not usable
+ * is returned as it is. */
+struct pointer_report pointer_report_on(const struct pointer_report *report,
+                                        const struct showing *showing);
+
 /* Takes one report. One that is older than the last counts as now; one with a non-finite number or
  * an empty window is refused: 0, and nothing changes. */
 int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report);

@@ -233,7 +233,7 @@ static int seat_open(void *self)
     }
     const int result = source->poi.ops->open(source->poi.self);
     if (result == HAL_OK && seat->seats->has_view) {
-        source->poi.ops->look(source->poi.self, &seat->seats->view);
+        source->poi.ops->look(source->poi.self, &seat->seats->view, &seat->seats->showing);
     }
     return result;
 }
@@ -250,14 +250,15 @@ static int seat_feel(void *self, const struct poi_force *force)
     return source ? source->poi.ops->feel(source->poi.self, force) : (int)HAL_ERR_NONE;
 }
 
-static void seat_look(void *self, const struct view *view)
+static void seat_look(void *self, const struct view *view, const struct showing *showing)
 {
     const struct seat *seat = self;
     const struct seat_source *source = source_of(seat);
     seat->seats->view = *view;
+    seat->seats->showing = *showing;
     seat->seats->has_view = 1;
     if (source) {
-        source->poi.ops->look(source->poi.self, view);
+        source->poi.ops->look(source->poi.self, view, showing);
     }
 }
 

@@ -36,7 +36,8 @@ struct seats {
     uint32_t source_count;
     uint32_t there;           /* Sources that were there when they were last asked, a bit each; */
     uint32_t idle;            /* and those of them that are open without a seat. */
-    struct view view;         /* As told last; who sits down is told it. */
+    struct view view;         /* As told last, and how that lies on the screen; */
+    struct showing showing;   /* who sits down is told both. */
     uint8_t has_view;
     const char *empty_line;   /* What the first seat says while nobody sits there. */
     struct seat {

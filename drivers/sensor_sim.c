@@ -153,9 +153,10 @@ static int sensor_sim_feel(void *self, const struct poi_force *force)
     return fails_at(sim, SENSOR_GONE, sim_now_ns(sim)) ? HAL_ERR_GONE : HAL_OK;
 }
 
-static void sensor_sim_look(void *self, const struct view *view)
+static void sensor_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct sensor_sim *sim = self;
+    (void)showing; /* It points at the water, not at the screen. */
     sim->view = *view;
 }
 

@@ -120,9 +120,10 @@ static int touch_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-static void touch_sim_look(void *self, const struct view *view)
+static void touch_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct touch_sim *sim = self;
+    (void)showing; /* It points at the water, not at the screen. */
     sim->pointer.view = *view;
 }
 

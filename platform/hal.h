@@ -13,6 +13,7 @@
 #include "core/input.h"
 #include "core/output.h"
 #include "core/scene.h"
+#include "platform/placing.h"
 
 enum hal_error {
     HAL_OK = 0,
@@ -58,6 +59,8 @@ struct hal_display_ops {
     int (*open)(void *self);
     int (*poll)(void *self, struct display_events *out);
     int (*present)(void *self, const struct scene *scene);
+    /* How the picture lies on the screen from the next one on. Copied. */
+    void (*place)(void *self, const struct showing *showing);
     int (*toggle_full_screen)(void *self);
     /* Copies the picture last presented. HAL_ERR_IO: there is none, or `image` is too small for it:
      * its width and height then say what it needs. */
@@ -82,8 +85,9 @@ struct hal_poi_ops {
     int (*poll)(void *self, struct poi_sample *out, uint32_t max);
     /* The reaction on the hand: once a frame, the hardest blow of its ticks; see output_feel(). */
     int (*feel)(void *self, const struct poi_force *force);
-    /* How the tank is looked at from now on: who points at a picture needs it. Copied. */
-    void (*look)(void *self, const struct view *view);
+    /* How the tank is looked at from now on, and how that lies on the screen: who points at a
+     * picture needs it. Copied. */
+    void (*look)(void *self, const struct view *view, const struct showing *showing);
     const char *(*describe)(void *self);
 };
 

@@ -12,6 +12,7 @@ layout(std140) uniform Frame {
     vec4 shadow;     // xy: world x, z to the shadow map's -1 .. 1; zw: drift, m per m of height.
     vec4 bend;       // xy: screen fraction per unit of surface slope, in x and in z;
                      // zw: how many of the shades are fans', and how many there are.
+    vec4 placed;     // Columns of what turns the picture as it lies on the screen.
     vec4 shades[8];  // Middle x, z, radius and darkness: fans first, then dry pois.
 };
 

@@ -5,6 +5,8 @@ layout(location = 9) in vec2 paint_at; // On the sheets of paint.
 uniform mat3 axes;      // The body's axes to screen right, screen up and toward the viewer.
 uniform vec3 place;     // The middle of the body, px from the top left; z: px a length.
 uniform vec2 screen_px;
+uniform mat2 turn;  // How the picture lies on the screen.
+uniform vec2 move;
 uniform vec3 swim;      // Phase, amplitude, and how it swims (enum species_motion).
 
 out vec3 normal;        // To the viewer: right, up, toward.
@@ -79,5 +81,6 @@ void main()
     skin = vec4(surface.xy, part, 0.0);
     vec3 seen = axes * p;
     vec2 px = vec2(place.x + place.z * seen.x, place.y - place.z * seen.y);
-    gl_Position = vec4(px / screen_px * vec2(2.0, -2.0) + vec2(-1.0, 1.0), -0.2 * seen.z, 1.0);
+    gl_Position = vec4(turn * (px / screen_px * vec2(2.0, -2.0) + vec2(-1.0, 1.0)) + move,
+                      -0.2 * seen.z, 1.0);
 }

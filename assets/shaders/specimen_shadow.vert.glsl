@@ -1,6 +1,8 @@
 // The soft shadow under a specimen: a lens, lower than any belly.
 uniform vec3 place; // As the specimen's own.
 uniform vec2 screen_px;
+uniform mat2 turn;  // How the picture lies on the screen.
+uniform vec2 move;
 uniform vec3 look;  // How dark; how much of its length is seen.
 out vec2 lens;
 
@@ -9,5 +11,6 @@ void main()
     lens = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
     vec2 half_ = vec2(0.12 + 0.50 * look.y, 0.065);
     vec2 px = place.xy + place.z * (lens * half_ + vec2(0.0, 0.34));
-    gl_Position = vec4(px / screen_px * vec2(2.0, -2.0) + vec2(-1.0, 1.0), 0.0, 1.0);
+    gl_Position = vec4(turn * (px / screen_px * vec2(2.0, -2.0) + vec2(-1.0, 1.0)) + move,
+                      0.0, 1.0);
 }

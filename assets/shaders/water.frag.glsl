@@ -12,7 +12,8 @@ void main()
 {
     vec4 slopes_here = texture(slopes, world.xz / tank.xz * 0.5 + 0.5);
     vec2 slope = slopes_here.rg;
-    vec2 at = gl_FragCoord.xy * screen.xy + slopes_here.ba * bend.xy; // Bounded: see basin_pass.c.
+    vec2 bends = mat2(placed) * (slopes_here.ba * bend.xy); // Bounded: see basin_pass.c.
+    vec2 at = gl_FragCoord.xy * screen.xy + bends;
     vec4 swims = texture(life, at);
     vec3 below = texture(ground, at).rgb * (1.0 - swims.a) + swims.rgb;
 

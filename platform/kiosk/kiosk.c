@@ -20,15 +20,22 @@ static void read_wall(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Whoever points at the picture is told when it is another one. */
+/* The display, and whoever points at the picture, are told when it is another one. */
 static void show_hands(struct kiosk *kiosk, const struct hal *hal)
 {
-    if (memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
+    const struct showing showing =
+        lighting_step(&kiosk->lighting, &kiosk->core.config.memory.settings, &kiosk->input,
+                      kiosk->core.game.phase == PHASE_ATTRACT, clock_ns(hal->clock));
+    const int is_other = memcmp(&kiosk->showing, &showing, sizeof showing) != 0;
+    if (!is_other &&
+        memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
         return;
     }
     kiosk->view = kiosk->scene.view;
+    kiosk->showing = showing;
+    hal->display.ops->place(hal->display.self, &showing);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        hal->poi[i].ops->look(hal->poi[i].self, &kiosk->view);
+        hal->poi[i].ops->look(hal->poi[i].self, &kiosk->view, &showing);
     }
 }
 
@@ -362,6 +369,7 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     if (tick_due > 0) {
         time_reports(kiosk, hal);
     }
+    lighting_notice(&kiosk->lighting, &kiosk->input, kiosk->core.game.phase == PHASE_ATTRACT);
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
     dressing_put(&kiosk->scene, hal, kiosk->config.notes, kiosk->faults.buttons,

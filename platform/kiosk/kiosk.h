@@ -11,6 +11,7 @@
 #include "platform/hal.h"
 #include "platform/kiosk/file_notes.h"
 #include "platform/kiosk/hands.h"
+#include "platform/kiosk/lighting.h"
 #include "platform/kiosk/pace.h"
 #include "platform/kiosk/shades.h"
 #include "platform/kiosk/switches.h"
@@ -62,7 +63,9 @@ struct kiosk {
     struct poi_hand hands[POI_MAX];
     struct shade_hand shades[SHADE_MAX];
     uint64_t sampled_ns;   /* When the devices were last asked. */
-    struct view view;      /* Of the tank, as the pois' devices were told last. */
+    struct lighting lighting;
+    struct view view;      /* Of the tank, ... */
+    struct showing showing; /* ... and on the screen, as display and pois were told last. */
     uint32_t accepted_id;  /* Newest ledger entry that the store took, or will never take. */
     uint32_t accepted_edit_id; /* The same of graphs. */
     uint64_t save_retry_ns;

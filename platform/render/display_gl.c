@@ -117,6 +117,9 @@ static int create_context(struct display_gl *display)
     if (renderer_open(&display->renderer, &wanted) != HAL_OK) {
         return fail(display, "renderer", renderer_error(&display->renderer));
     }
+    if (display->is_placed) {
+        renderer_place(&display->renderer, &display->showing);
+    }
     return HAL_OK;
 }
 
@@ -158,8 +161,8 @@ static int display_poll(void *self, struct display_events *out)
             out->quit = 1;
         }
     }
-    const struct renderer_config *const drawn = &display->renderer.config;
-    out->upright = (float)drawn->width < OVERLAY_UPRIGHT_ASPECT * (float)drawn->height;
+    const struct placing *const drawn = &display->renderer.placing;
+    out->upright = drawn->width < OVERLAY_UPRIGHT_ASPECT * drawn->height;
     out->lost = display->lost; /* Pumping may have been what noticed. */
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
@@ -202,6 +205,16 @@ static int display_present(void *self, const struct scene *scene)
         lose(display);
     }
     return display->lost ? HAL_ERR_GONE : HAL_OK;
+}
+
+static void display_place(void *self, const struct showing *showing)
+{
+    struct display_gl *const display = self;
+    display->showing = *showing;
+    display->is_placed = true;
+    if (display->context && !display->lost) {
+        renderer_place(&display->renderer, showing);
+    }
 }
 
 static int display_toggle_full_screen(void *self)
@@ -248,6 +261,7 @@ struct hal_display display_gl_device(struct display_gl *display)
         .open = display_open,
         .poll = display_poll,
         .present = display_present,
+        .place = display_place,
         .toggle_full_screen = display_toggle_full_screen,
         .capture = display_capture,
         .close = display_close,

@@ -30,7 +30,8 @@ struct display_gl {
     SDL_GLContext context;
     struct renderer renderer;
     struct scene shown; /* What capture() draws again: the back buffer is gone after a swap. */
-    bool has_shown, full_screen;
+    struct showing showing; /* How it lies on the screen; also on the next one. */
+    bool has_shown, full_screen, is_placed;
     bool lost; /* The connection to the screen broke; nothing may touch it again. */
     void (*on_lost)(void *context);
     void *on_lost_context;

@@ -84,17 +84,36 @@ void frame_close(struct frame *frame)
     glDeleteBuffers(1, &frame->buffer);
 }
 
-static void set_camera(struct frame *frame, const struct view *view, float aspect, float height)
+/* From the picture's clip space to the screen's: every pass is drawn where it will be seen. */
+static void turn(float out[16], const struct placing *placing)
 {
+    float turned[4], move[2];
+    memset(out, 0, 16 * sizeof *out);
+    placing_clip(placing, turned, move);
+    set(out, turned[0], turned[1], 0.0f, 0.0f);
+    set(out + 4, turned[2], turned[3], 0.0f, 0.0f);
+    out[10] = 1.0f;
+    set(out + 12, move[0], move[1], 0.0f, 1.0f);
+}
+
+static void set_camera(struct frame *frame, const struct view *view, const struct placing *placing)
+{
+    const float aspect = placing->width / placing->height;
     float rotation[16];
     float projection[16];
+    float seen[16];
+    float placed[16];
     const struct basis axes = view_basis(view);
     const float tan_y = view_half_height_tan(view, aspect);
     look(rotation, &axes, view->eye_m);
     project(projection, tan_y, aspect);
-    multiply(frame->block.view_projection, projection, rotation);
+    multiply(seen, projection, rotation);
+    turn(placed, placing);
+    multiply(frame->block.view_projection, placed, seen);
+    memcpy(frame->block.placed, (float[4]){ placed[0], placed[1], placed[4], placed[5] },
+           sizeof frame->block.placed);
     frame->view.eye_m = view->eye_m;
-    frame->view.focal_px = 0.5f * height / tan_y;
+    frame->view.focal_px = 0.5f * placing->height / tan_y;
 }
 
 /* How far the picture below moves on the screen when the surface tilts: one metre at the target,
@@ -131,21 +150,21 @@ static void set_shades(struct frame_block *block, const struct scene *scene)
     block->bend[3] = (float)count;
 }
 
-void frame_begin(struct frame *frame, const struct scene *scene, uint32_t width, uint32_t height)
+void frame_begin(struct frame *frame, const struct scene *scene, const struct placing *placing)
 {
     struct frame_block *const block = &frame->block;
-    const float aspect = (float)width / (float)height;
+    const float aspect = placing->width / placing->height;
     const float seconds = (float)(scene->tick % SECONDS_WRAP_TICKS) * CORE_TICK_S;
     const float layers = seconds * CAUSTIC_LAYERS_HZ;
     const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
     const vec3 size = scene->tank_size_m;
-    set_camera(frame, &scene->view, aspect, (float)height);
+    set_camera(frame, &scene->view, placing);
     set_bend(frame, scene, aspect);
     set_shades(block, scene);
     set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z, seconds);
     set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z, scene->wall_height_m - size.y);
-    set(block->screen, 1.0f / (float)width, 1.0f / (float)height, ABSORPTION_OVER_DEPTH / size.y,
-        layers - loops * (float)ASSET_CAUSTICS_FRAMES);
+    set(block->screen, 1.0f / placing->screen_width, 1.0f / placing->screen_height,
+        ABSORPTION_OVER_DEPTH / size.y, layers - loops * (float)ASSET_CAUSTICS_FRAMES);
     set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
         SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
     glBindBuffer(GL_UNIFORM_BUFFER, frame->buffer);

@@ -17,9 +17,10 @@ struct frame_block {
     float screen[4];
     float shadow[4];
     float bend[4];
+    float placed[4];
     float shades[FRAME_SHADE_MAX][4];
 };
-_Static_assert(sizeof(struct frame_block) == 272, "the block has the layout of common.glsl");
+_Static_assert(sizeof(struct frame_block) == 288, "the block has the layout of common.glsl");
 
 /* What C code needs of the camera besides the block. */
 struct frame_view {
@@ -36,8 +37,8 @@ struct frame {
 void frame_open(struct frame *frame);
 void frame_close(struct frame *frame);
 
-/* Computes the block for `scene` on a screen of `width` x `height` > 0 pixels and uploads it. */
-void frame_begin(struct frame *frame, const struct scene *scene, uint32_t width, uint32_t height);
+/* Computes the block for `scene`, placed so on the screen, and uploads it. */
+void frame_begin(struct frame *frame, const struct scene *scene, const struct placing *placing);
 
 /* A body's pose as a column-major matrix: `scale` metres per unit along each of its axes. */
 void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale);

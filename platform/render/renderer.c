@@ -90,6 +90,7 @@ static void open_passes(struct renderer *renderer)
     fan_pass_open(status, &renderer->fan);
     air_pass_open(status, &renderer->air);
     drip_pass_open(status, &renderer->drip);
+    edge_pass_open(status, &renderer->edge);
     char why[HAL_TEXT_SIZE] = "";
     if (!ui_init(&renderer->ui, why, sizeof why)) {
         gl_fail(status, "words: %s", why);
@@ -102,6 +103,7 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     GLint samples_max = 1;
     memset(renderer, 0, sizeof *renderer);
     renderer->config = *config;
+    renderer_place(renderer, &(struct showing){ .light = 1.0f });
     glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
     renderer->samples_max = (uint32_t)samples_max;
     name_context(renderer);
@@ -114,6 +116,7 @@ void renderer_close(struct renderer *renderer)
 {
     close_targets(renderer);
     ui_close(&renderer->ui);
+    edge_pass_close(&renderer->edge);
     drip_pass_close(&renderer->drip);
     air_pass_close(&renderer->air);
     fan_pass_close(&renderer->fan);
@@ -127,6 +130,13 @@ void renderer_close(struct renderer *renderer)
     frame_close(&renderer->frame);
 }
 
+void renderer_place(struct renderer *renderer, const struct showing *showing)
+{
+    renderer->showing = *showing;
+    renderer->placing = placing_of(showing, (float)renderer->config.width,
+                                   (float)renderer->config.height);
+}
+
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
 {
     if (width == renderer->config.width && height == renderer->config.height) {
@@ -134,6 +144,7 @@ int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
     }
     renderer->config.width = width;
     renderer->config.height = height;
+    renderer_place(renderer, &renderer->showing);
     close_targets(renderer);
     open_targets(renderer);
     return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
@@ -160,7 +171,7 @@ static void reset_state(void)
 
 static void prepare(struct renderer *renderer, const struct scene *scene)
 {
-    frame_begin(&renderer->frame, scene, renderer->config.width, renderer->config.height);
+    frame_begin(&renderer->frame, scene, &renderer->placing);
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
@@ -330,8 +341,7 @@ static void draw_ui(struct renderer *renderer, const struct scene *scene)
     if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {
         specimen_pass_work(&renderer->specimens, true);
     }
-    ui_draw(&renderer->ui, &renderer->specimens, scene, (float)renderer->config.width,
-            (float)renderer->config.height);
+    ui_draw(&renderer->ui, &renderer->specimens, scene, &renderer->placing);
 }
 
 /* Lab and album cover the tank. Their specimens get what samples there are. */
@@ -346,6 +356,10 @@ static void draw_page(struct renderer *renderer, const struct scene *scene)
 void renderer_draw(struct renderer *renderer, const struct scene *scene)
 {
     reset_state();
+    if (renderer->placing.light <= 0.0f) {
+        edge_pass_night();
+        return;
+    }
     if (scene->phase == PHASE_LAB || scene->phase == PHASE_ALBUM) {
         draw_page(renderer, scene);
     } else {
@@ -353,6 +367,7 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene)
         finish_screen(renderer);
         draw_ui(renderer, scene);
     }
+    edge_pass_draw(&renderer->edge, &renderer->placing);
     step_done(renderer, STEP_UI);
 }
 

@@ -11,6 +11,7 @@
 #include "platform/render/basin_pass.h"
 #include "platform/render/bowl_pass.h"
 #include "platform/render/drip_pass.h"
+#include "platform/render/edge_pass.h"
 #include "platform/render/fan_pass.h"
 #include "platform/render/fish_pass.h"
 #include "platform/render/frame_block.h"
@@ -45,6 +46,8 @@ enum render_step {
 struct renderer {
     struct gl_status status;
     struct renderer_config config; /* Its size follows the window. */
+    struct showing showing;
+    struct placing placing;        /* Of the picture, on a screen of that size. */
     struct quality quality;
     uint32_t samples_max;
     char gl_name[HAL_TEXT_SIZE / 2];
@@ -58,6 +61,7 @@ struct renderer {
     struct fan_pass fan;
     struct air_pass air;
     struct drip_pass drip;
+    struct edge_pass edge;
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life;
@@ -74,6 +78,9 @@ void renderer_close(struct renderer *renderer);
 
 /* Follows the window; free when nothing changed. HAL_ERR_GONE when the new targets fail. */
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
+
+/* How the picture lies on the screen from now on; at first it fills it. Copied. */
+void renderer_place(struct renderer *renderer, const struct showing *showing);
 
 /* Draws into the default framebuffer and leaves the swap to the caller. */
 void renderer_draw(struct renderer *renderer, const struct scene *scene);

@@ -15,6 +15,15 @@
 #define REST_NS 3000000u /* And while something else is. */
 #define CLEAR_MIN 0.02f  /* Through less nothing is seen. */
 
+static struct specimen_screen screen_of(GLuint program)
+{
+    return (struct specimen_screen){
+        .size = glGetUniformLocation(program, "screen_px"),
+        .turn = glGetUniformLocation(program, "turn"),
+        .move = glGetUniformLocation(program, "move"),
+    };
+}
+
 static struct specimen_program program(struct gl_status *status, const char *name,
                                        const char *defines)
 {
@@ -25,7 +34,7 @@ static struct specimen_program program(struct gl_status *status, const char *nam
         .reach = glGetUniformLocation(made, "reach"),
         .axes = glGetUniformLocation(made, "axes"),
         .place = glGetUniformLocation(made, "place"),
-        .screen = glGetUniformLocation(made, "screen_px"),
+        .screen = screen_of(made),
         .swim = glGetUniformLocation(made, "swim"),
         .look = glGetUniformLocation(made, "look"),
         .tint = glGetUniformLocation(made, "tint"),
@@ -46,7 +55,7 @@ void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
     pass->shadow.name = gl_program(status, "specimen's shadow", "", shader_specimen_shadow_vert,
                                    shader_specimen_shadow_frag, "");
     pass->shadow.place = glGetUniformLocation(pass->shadow.name, "place");
-    pass->shadow.screen = glGetUniformLocation(pass->shadow.name, "screen_px");
+    pass->shadow.screen = screen_of(pass->shadow.name);
     pass->shadow.look = glGetUniformLocation(pass->shadow.name, "look");
     pass->pose_buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof pass->texels);
     glGenVertexArrays(1, &pass->no_attributes);
@@ -219,9 +228,18 @@ static void colour_of(float out[4], uint32_t rgba)
 struct told {
     float sheets[3];
     float look[4];
-    float screen_px[2];
+    const struct placing *placing;
     struct skin_lines lines[SKIN_LINES];
 };
+
+static void send_screen(const struct specimen_screen *screen, const struct placing *placing)
+{
+    float turn[4], move[2];
+    placing_clip(placing, turn, move);
+    glUniform2f(screen->size, placing->width, placing->height);
+    glUniformMatrix2fv(screen->turn, 1, GL_FALSE, turn);
+    glUniform2fv(screen->move, 1, move);
+}
 
 static void send(const struct specimen_program *program, const struct specimen *specimen,
                  const struct specimen_slot *slot, const struct told *told)
@@ -235,7 +253,7 @@ static void send(const struct specimen_program *program, const struct specimen *
     glUseProgram(program->name);
     glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
     glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
-    glUniform2fv(program->screen, 1, told->screen_px);
+    send_screen(&program->screen, told->placing);
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
     glUniform4fv(program->look, 1, told->look);
     glUniform4fv(program->tint, 1, tint);
@@ -250,11 +268,11 @@ static void send(const struct specimen_program *program, const struct specimen *
 }
 
 static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
-                        const float screen_px[2])
+                        const struct placing *placing)
 {
     glUseProgram(pass->shadow.name);
     glUniform3f(pass->shadow.place, specimen->x_px, specimen->y_px, specimen->length_px);
-    glUniform2fv(pass->shadow.screen, 1, screen_px);
+    send_screen(&pass->shadow.screen, placing);
     glUniform3f(pass->shadow.look, specimen->shadow * (1.0f - specimen->fade),
                 f_abs(f_cos(specimen->yaw_rad)), 0.0f);
     glBindVertexArray(pass->no_attributes);
@@ -262,11 +280,14 @@ static void draw_shadow(const struct specimen_pass *pass, const struct specimen 
 }
 
 /* The depth of what was drawn there before is of no use: each specimen is on a page of its own. */
-static void clear_depth(const struct specimen *specimen, float reach_lengths, float height_px)
+static void clear_depth(const struct specimen *specimen, float reach_lengths,
+                        const struct placing *p)
 {
     const float reach = (reach_lengths + SWAY_LENGTHS) * specimen->length_px;
+    const float x = p->x + p->xx * specimen->x_px + p->xy * specimen->y_px;
+    const float y = p->y + p->yx * specimen->x_px + p->yy * specimen->y_px;
     glEnable(GL_SCISSOR_TEST);
-    glScissor((GLint)(specimen->x_px - reach), (GLint)(height_px - specimen->y_px - reach),
+    glScissor((GLint)(x - reach), (GLint)(p->screen_height - y - reach),
               (GLsizei)(2.0f * reach), (GLsizei)(2.0f * reach));
     glClear(GL_DEPTH_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
@@ -321,14 +342,14 @@ static void send_pose(struct specimen_pass *pass, uint32_t anchor_count)
 }
 
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
-                        float width_px, float height_px)
+                        const struct placing *placing)
 {
     CORE_ASSERT(specimen->length_px > 0.0f);
     struct specimen_slot *const slot = slot_of(pass, specimen);
     const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
     const struct species_mesh *const mesh = &slot->species->lod[lod];
     struct told told = { .look = { 1.0f - specimen->fade, skin_scales(slot->worn) },
-                         .screen_px = { width_px, height_px } };
+                         .placing = placing };
     morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
     skin_show(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px, told.sheets);
     skin_lines(slot->worn, pass->pose.weight[0], told.lines);
@@ -337,12 +358,12 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (specimen->shadow > 0.0f) {
-        draw_shadow(pass, specimen, told.screen_px);
+        draw_shadow(pass, specimen, placing);
     }
     told.look[2] = skin_clearness(slot->worn, pass->pose.weight[0]);
     send(&pass->body, specimen, slot, &told);
     send(&pass->fin, specimen, slot, &told);
-    clear_depth(specimen, mesh->reach, height_px);
+    clear_depth(specimen, mesh->reach, placing);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->worn->paints);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->worn->shines);
     gl_bind_texture(2, GL_TEXTURE_2D_ARRAY, pass->patterns);

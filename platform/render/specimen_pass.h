@@ -16,9 +16,15 @@
 #define SPECIMEN_OTHERS 2u /* The lab's rival, and a species that is not built in. */
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
+/* How the picture lies on the screen, as its shaders are told. */
+struct specimen_screen {
+    GLint size, turn, move;
+};
+
 struct specimen_program {
     GLuint name;
-    GLint reach, axes, place, screen, swim, look, tint, sheets, worn;
+    struct specimen_screen screen;
+    GLint reach, axes, place, swim, look, tint, sheets, worn;
     GLint line_place, line_shape, line_colour;
 };
 
@@ -56,10 +62,10 @@ void specimen_pass_work(struct specimen_pass *pass, bool ahead);
 /* Paints all of a species now, for who keeps a single picture. */
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen);
 
-/* Draws one into the bound framebuffer, which has depth and is `width_px` x `height_px`, over what
- * is there. Clears depth around it. Leaves blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test
- * and culling off, vertex array 0, scissor off. */
+/* Draws one into the bound framebuffer, which has depth and is the screen of `placing`, over
+ * what is there. Clears depth around it. Leaves blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth
+ * test and culling off, vertex array 0, scissor off. */
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
-                        float width_px, float height_px);
+                        const struct placing *placing);
 
 #endif

@@ -40,6 +40,8 @@ static void make_programs(struct ui *ui, struct gl_status *status)
         ui->programs[i] = make_program(status, vertex, ui_fragment_sources[i]);
         ui->to_clip[i] =
             ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
+        ui->turn[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "turn") : -1;
+        ui->move[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "move") : -1;
     }
     glDeleteShader(vertex);
 }
@@ -110,9 +112,9 @@ int ui_init(struct ui *ui, char *why, size_t why_size)
     return 1;
 }
 
-static void set_state(const struct ui *ui, float width_px, float height_px)
+static void set_state(const struct ui *ui, const struct placing *placing)
 {
-    glViewport(0, 0, (GLsizei)width_px, (GLsizei)height_px);
+    glViewport(0, 0, (GLsizei)placing->screen_width, (GLsizei)placing->screen_height);
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE);
@@ -128,35 +130,39 @@ static void set_state(const struct ui *ui, float width_px, float height_px)
 }
 
 /* The quads from `first` up to `limit` that share a kind, in one call. Returns the next quad. */
-static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit, float width_px,
-                         float height_px)
+static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
+                         const struct placing *placing)
 {
     const uint8_t kind = ui->batch.kinds[first];
+    float turn[4], move[2];
     uint32_t end = first + 1u;
     while (end < limit && ui->batch.kinds[end] == kind) {
         end++;
     }
     glUseProgram(ui->programs[kind]);
-    glUniform2f(ui->to_clip[kind], 2.0f / width_px, -2.0f / height_px);
+    placing_clip(placing, turn, move);
+    glUniform2f(ui->to_clip[kind], 2.0f / placing->width, -2.0f / placing->height);
+    glUniformMatrix2fv(ui->turn[kind], 1, GL_FALSE, turn);
+    glUniform2fv(ui->move[kind], 1, move);
     glDrawElements(GL_TRIANGLES, (GLsizei)((end - first) * INDICES_PER_QUAD), GL_UNSIGNED_SHORT,
                    (const void *)(first * INDICES_PER_QUAD * sizeof(uint16_t)));
     return end;
 }
 
-static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit, float width_px,
-                       float height_px)
+static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
+                       const struct placing *placing)
 {
     if (first < limit) {
-        set_state(ui, width_px, height_px);
+        set_state(ui, placing);
     }
     while (first < limit) {
-        first = draw_run(ui, first, limit, width_px, height_px);
+        first = draw_run(ui, first, limit, placing);
     }
 }
 
-void ui_show(struct ui *ui, struct specimen_pass *specimens, float width_px, float height_px)
+void ui_show(struct ui *ui, struct specimen_pass *specimens, const struct placing *placing)
 {
-    set_state(ui, width_px, height_px);
+    set_state(ui, placing);
     /* A fresh store each frame, so that the driver need not wait for the last frame's drawing. */
     glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0,
@@ -164,19 +170,19 @@ void ui_show(struct ui *ui, struct specimen_pass *specimens, float width_px, flo
                     ui->batch.vertices);
     uint32_t quad = 0;
     for (uint32_t i = 0; i < ui->batch.specimen_count && specimens != NULL; i++) {
-        draw_quads(ui, quad, ui->batch.specimen_quad[i], width_px, height_px);
+        draw_quads(ui, quad, ui->batch.specimen_quad[i], placing);
         quad = ui->batch.specimen_quad[i];
-        specimen_pass_draw(specimens, &ui->batch.specimens[i], width_px, height_px);
+        specimen_pass_draw(specimens, &ui->batch.specimens[i], placing);
     }
-    draw_quads(ui, quad, ui->batch.quad_count, width_px, height_px);
+    draw_quads(ui, quad, ui->batch.quad_count, placing);
     glBindVertexArray(0);
 }
 
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
-             float width_px, float height_px)
+             const struct placing *placing)
 {
-    ui_screens(&ui->batch, &ui->memory, scene, width_px, height_px);
-    ui_show(ui, specimens, width_px, height_px);
+    ui_screens(&ui->batch, &ui->memory, scene, placing->width, placing->height);
+    ui_show(ui, specimens, placing);
 }
 
 void ui_close(struct ui *ui)

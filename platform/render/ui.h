@@ -23,7 +23,8 @@ struct ui {
     struct ui_batch batch;
     struct ui_memory memory;
     uint32_t programs[UI_KIND_COUNT]; /* OpenGL names, from here on. */
-    int32_t to_clip[UI_KIND_COUNT];   /* Where each program takes the screen's size. */
+    int32_t to_clip[UI_KIND_COUNT];   /* Where each program takes the picture's size, ... */
+    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* ... and how it lies on the screen. */
     uint32_t vertex_array, vertex_buffer, index_buffer;
     uint32_t font_texture, paper_texture;
 };
@@ -31,17 +32,17 @@ struct ui {
 /* Compiles the shaders and uploads font and paper. Returns 1, or 0 with one line in `why`. */
 int ui_init(struct ui *ui, char *why, size_t why_size);
 
-/* Draws over what is in the bound framebuffer, into (0, 0, width_px, height_px); both > 0.
+/* Draws over what is in the bound framebuffer, which is the screen of `placing`.
  * `specimens` draws the batch's specimens, between its quads; null: they are left out, and the
  * framebuffer needs no depth. Needs no state but the bound framebuffer. Leaves behind: the viewport
- * on that rectangle, blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off,
+ * on the screen, blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off,
  * depth writes on (as OpenGL starts), scissor off, one of its programs current, vertex array 0,
  * textures on units 0 and 1. */
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
-             float width_px, float height_px);
+             const struct placing *placing);
 
 /* The same with what is in the batch already. */
-void ui_show(struct ui *ui, struct specimen_pass *specimens, float width_px, float height_px);
+void ui_show(struct ui *ui, struct specimen_pass *specimens, const struct placing *placing);
 
 /* Frees the OpenGL objects; the same context must be current. */
 void ui_close(struct ui *ui);

@@ -13,11 +13,13 @@ const char *const ui_vertex_source =
     "layout(location = 3) in vec4 fill;\n"
     "layout(location = 4) in vec4 line;\n"
     "uniform vec2 to_clip;\n" /* 2 / width, -2 / height */
+    "uniform mat2 turn;\n"    /* How the picture lies on the screen. */
+    "uniform vec2 move;\n"
     "out highp vec2 at;\n"
     "flat out highp vec4 s;\n"
     "flat out mediump vec4 inner, outer;\n"
     "void main() {\n"
-    "    gl_Position = vec4(position * to_clip + vec2(-1.0, 1.0), 0.0, 1.0);\n"
+    "    gl_Position = vec4(turn * (position * to_clip + vec2(-1.0, 1.0)) + move, 0.0, 1.0);\n"
     "    at = uv;\n"
     "    s = shape;\n"
     "    inner = fill;\n"

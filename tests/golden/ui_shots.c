@@ -214,12 +214,13 @@ static int write_picture(const char *path, int width, int height)
 static void say_cost(struct ui *ui, const struct scene *scene, const char *name, int width,
                      int height)
 {
+    const struct placing placing = placing_whole((float)width, (float)height);
     /* Once unmeasured: drivers finish shaders at their first use. */
-    ui_draw(ui, &specimens, scene, (float)width, (float)height);
+    ui_draw(ui, &specimens, scene, &placing);
     glFinish();
     const clock_t start = clock(); /* Processor time: all threads of a software renderer. */
     for (int i = 0; i < COST_DRAWS; i++) {
-        ui_draw(ui, &specimens, scene, (float)width, (float)height);
+        ui_draw(ui, &specimens, scene, &placing);
     }
     glFinish();
     const double used_s = (double)(clock() - start) / CLOCKS_PER_SEC;
@@ -239,6 +240,7 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     static struct scene scene;
     char path[512];
     const int width = canvas->width, height = canvas->height;
+    const struct placing placing = placing_whole((float)width, (float)height);
     fill_scene(&scene, shot, language);
     ui->memory = (struct ui_memory){ .hint = shot->hint, .best_before = 12, .hint_tick = 800 };
     memcpy(ui->memory.caught, scene.caught, sizeof scene.caught);
@@ -248,7 +250,7 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     }
     draw_backdrop(canvas->backdrop, canvas->back_width, canvas->back_height, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
-    ui_draw(ui, &specimens, &scene, (float)width, (float)height);
+    ui_draw(ui, &specimens, &scene, &placing);
     snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", out, shot->name,
              language == 0 ? "ja" : "en", width, height);
     if (!write_picture(path, width, height)) {

@@ -10,7 +10,8 @@ $(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/tests/render/s
 # --stress, --water MM, --tilt DEGREES, --owner N; --heel DEGREES tilts the bowls; --careless plays
 # with a hand that wets half the paper and pushes it; --lab SPECIES --progress P is the growth lab, with
 # --compare, --path, --size-layer; --album N --progress P the album with N fish;
-# --menu PAGE --step N a page of the operator's menu; --coins N what a round costs.
+# --menu PAGE --step N a page of the operator's menu; --coins N what a round costs;
+# --rotation QUARTERS, --inset and --shift THOUSANDTHS, --light PERCENT lay the picture on the screen.
 ## shot: a picture of the stall in out/shot.png; ARGS="--mode championship --players 4 --start --seconds 40 --passes -o FILE"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out

@@ -33,6 +33,8 @@ struct options {
     uint8_t album;                          /* (or so many fish in the album) */
     const char *menu;                       /* (or a page of the operator's menu, at a step) */
     uint8_t step, coins;                    /* What a round costs. */
+    uint8_t rotation;                       /* How the picture lies on the screen, ... */
+    float inset, light, shift;              /* ... as struct showing has it. */
     uint32_t species;
     float progress;                         /* ... this species, so far in its life. */
 
@@ -114,6 +116,10 @@ static const struct plain_option {
     { "--menu", OPTION_TEXT, offsetof(struct options, menu), 0.0f },
     { "--step", OPTION_BYTE, offsetof(struct options, step), 0.0f },
     { "--coins", OPTION_BYTE, offsetof(struct options, coins), 0.0f },
+    { "--rotation", OPTION_BYTE, offsetof(struct options, rotation), 0.0f },
+    { "--inset", OPTION_FLOAT, offsetof(struct options, inset), 0.001f },
+    { "--light", OPTION_FLOAT, offsetof(struct options, light), 0.01f },
+    { "--shift", OPTION_FLOAT, offsetof(struct options, shift), 0.001f },
     { "--en", OPTION_FLAG, offsetof(struct options, english), 0.0f },
     { "--passes", OPTION_FLAG, offsetof(struct options, passes), 0.0f },
     { "--paper", OPTION_FLAG, offsetof(struct options, paper), 0.0f },
@@ -194,7 +200,7 @@ static void read_named(struct options *o, const char *name, const char *value)
 static struct options parse(int argc, char **argv)
 {
     struct options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png",
-                         .stamina = -1.0f, .oxygen_mg_l = -1.0f };
+                         .light = 1.0f, .stamina = -1.0f, .oxygen_mg_l = -1.0f };
     for (int i = 1; i < argc; i++) {
         const char *const value = i + 1 < argc ? argv[i + 1] : "";
         read_plain(&o, argv[i], value);
@@ -252,7 +258,9 @@ static struct poi_input careless_hand(float time_s)
 
 static uint8_t is_upright(const struct options *options)
 {
-    return (float)options->width < OVERLAY_UPRIGHT_ASPECT * (float)options->height;
+    const float width = (float)options->width, height = (float)options->height;
+    return options->rotation & 1u ? height < OVERLAY_UPRIGHT_ASPECT * width
+                                  : width < OVERLAY_UPRIGHT_ASPECT * height;
 }
 
 static void open_lab(const struct options *options, struct output *output)
@@ -450,6 +458,11 @@ int main(int argc, char **argv)
         fprintf(stderr, "%s\n", device.ops->describe(device.self));
         return 1;
     }
+    const struct showing showing = { .rotation = options.rotation,
+                                     .inset_x = options.inset, .inset_y = options.inset,
+                                     .shift_x = options.shift, .shift_y = options.shift,
+                                     .light = options.light };
+    device.ops->place(device.self, &showing);
     printf("%s (opened in %.0f ms)\n", device.ops->describe(device.self), now_ms() - before);
     for (uint32_t i = 0; i < (options.lab || options.album > 0 ? SKIN_FRAMES : 1u); i++) {
         device.ops->present(device.self, &scene);

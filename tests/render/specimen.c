@@ -174,10 +174,11 @@ static void label(const struct options *o, const struct species *species,
 /* Processor time of all threads, the driver's too: a software renderer's work is in them. */
 static void say_cost(const float sheet[2], uint32_t fish_count)
 {
+    const struct placing placing = placing_whole(sheet[0], sheet[1]);
     const clock_t start = clock();
     for (uint32_t i = 0; i < COST_DRAWS; i++) {
         for (uint32_t k = 0; k < ui.batch.specimen_count; k++) {
-            specimen_pass_draw(&pass, &ui.batch.specimens[k], sheet[0], sheet[1]);
+            specimen_pass_draw(&pass, &ui.batch.specimens[k], &placing);
         }
         glFinish();
     }
@@ -221,7 +222,8 @@ static void show(const struct options *o, const struct species *species, uint32_
         label(o, species, &fish, ((float)i + 0.5f) * (float)o->width,
               ((float)row + 0.955f) * (float)o->height);
     }
-    ui_show(&ui, &pass, sheet[0], sheet[1]);
+    const struct placing placing = placing_whole(sheet[0], sheet[1]);
+    ui_show(&ui, &pass, &placing);
     if (o->time) {
         say_cost(sheet, ui.batch.specimen_count);
     }

@@ -162,7 +162,8 @@ static void fill_water(void)
 static void draw_side(struct renderer *renderer)
 {
     const GLuint caustics = renderer->light.caustics.texture;
-    frame_begin(&renderer->frame, &scene, fine_width, fine_height);
+    const struct placing placing = placing_whole((float)fine_width, (float)fine_height);
+    frame_begin(&renderer->frame, &scene, &placing);
     fish_pass_prepare(&renderer->fish, &scene, &renderer->frame.view, &renderer->quality);
     light_pass_caustics(&renderer->light, &renderer->textures);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -409,6 +409,113 @@ static void test_the_picture_follows_the_size_of_the_window(void **state)
     assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
 }
 
+#define SIDE HEIGHT /* Of a square screen: SDL's offscreen surface keeps its first size. */
+
+/* A point of a square picture, where it is after that many quarter turns clockwise. */
+static uint32_t turned_at(uint32_t rotation, uint32_t x, uint32_t y)
+{
+    for (uint32_t i = 0; i < rotation; i++) {
+        const uint32_t left = x;
+        x = SIDE - 1u - y;
+        y = left;
+    }
+    return (y * SIDE + x) * 3u;
+}
+
+static void square(uint8_t rgb[PIXELS_SIZE], uint32_t rotation)
+{
+    struct hal_image image = { .rgb = rgb, .size = PIXELS_SIZE };
+    device.ops->place(device.self, &(struct showing){ .rotation = rotation, .light = 1.0f });
+    for (uint32_t i = 0; i < 20u; i++) { /* Until the album's paint is fine. */
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    }
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+    assert_int_equal(image.width, SIDE);
+}
+
+/* The whole of what there is: tank, words, a fish on the album's page. */
+static void show_turned(uint8_t phase, uint32_t rotation)
+{
+    uint64_t sum = 0;
+    scene.phase = phase;
+    square(pixels[0], 0);
+    square(pixels[1], rotation);
+    for (uint32_t i = 0; i < SIDE * SIDE * 3u; i++) {
+        const uint32_t at = i / 3u;
+        const int32_t a = pixels[0][i];
+        const int32_t b = pixels[1][turned_at(rotation, at % SIDE, at / SIDE) + i % 3u];
+        sum += (uint64_t)(a > b ? a - b : b - a);
+    }
+    const float mean = (float)sum / (float)(SIDE * SIDE * 3u);
+    print_message("phase %u, %u quarters: mean difference %.2f of 255\n", phase, rotation,
+                  (double)mean);
+    assert_true(mean < 1.5f);
+}
+
+static void test_a_turned_picture_is_the_same_picture_turned(void **state)
+{
+    (void)state;
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_ALBUM };
+    core.tank.fish[0].gait = GAIT_BOWL;
+    core.tank.fish[0].holder = 0;
+    album_clear(&core.game.album);
+    album_note(&core, 0, 1);
+    core.game.phase = PHASE_ALBUM;
+    core_scene(&core, &scene);
+    scene.phase_s = 5.0f;
+    memset(scene.slope[RIPPLE_Z / 2], 100, sizeof scene.slope[0]); /* Waves bend the floor. */
+    SDL_SetWindowSize(display.window, (int)SIDE, (int)SIDE);
+    for (uint32_t i = 0; i < 3u * sizeof phases; i++) {
+        show_turned(phases[i / 3u], 1u + i % 3u);
+    }
+}
+
+static void test_a_screen_is_upright_as_its_picture_is(void **state)
+{
+    (void)state;
+    struct display_events events;
+    for (uint32_t rotation = 0; rotation < 4; rotation++) {
+        device.ops->place(device.self, &(struct showing){ .rotation = rotation, .light = 1.0f });
+        assert_int_equal(device.ops->poll(device.self, &events), HAL_OK);
+        assert_int_equal(events.upright, rotation & 1u);
+    }
+}
+
+static void test_beside_the_picture_the_screen_is_black(void **state)
+{
+    (void)state;
+    const struct showing inset = { .inset_x = 0.1f, .inset_y = 0.2f, .light = 1.0f };
+    device.ops->place(device.self, &inset);
+    picture(pixels[0]);
+    uint32_t lit = 0;
+    for (uint32_t y = 0; y < HEIGHT; y++) {
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            const uint8_t *pixel = pixels[0] + (y * WIDTH + x) * 3u;
+            const int is_inside = x >= 32u && x < WIDTH - 32u && y >= 36u && y < HEIGHT - 36u;
+            lit += is_inside && pixel[0] + pixel[1] + pixel[2] > 0;
+            assert_true(is_inside || pixel[0] + pixel[1] + pixel[2] == 0);
+        }
+    }
+    assert_true(lit > 256u * 108u * 9u / 10u);
+}
+
+static void test_half_the_light_is_half_of_each_colour_and_none_is_black(void **state)
+{
+    (void)state;
+    device.ops->place(device.self, &(struct showing){ .light = 1.0f });
+    picture(pixels[0]);
+    device.ops->place(device.self, &(struct showing){ .light = 0.5f });
+    picture(pixels[1]);
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        assert_in_range(pixels[1][i] + 2 - pixels[0][i] / 2, 0, 4);
+    }
+    device.ops->place(device.self, &(struct showing){ .light = 0.0f });
+    picture(pixels[1]);
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        assert_int_equal(pixels[1][i], 0);
+    }
+}
+
 static void test_it_takes_every_pixel_of_a_dense_screen(void **state)
 {
     (void)state;
@@ -473,6 +580,10 @@ int main(void)
         WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),
         WITH_DISPLAY(test_it_takes_quit_and_leaves_other_devices_their_events),
         WITH_DISPLAY(test_the_picture_follows_the_size_of_the_window),
+        WITH_DISPLAY(test_a_turned_picture_is_the_same_picture_turned),
+        WITH_DISPLAY(test_a_screen_is_upright_as_its_picture_is),
+        WITH_DISPLAY(test_beside_the_picture_the_screen_is_black),
+        WITH_DISPLAY(test_half_the_light_is_half_of_each_colour_and_none_is_black),
         WITH_DISPLAY(test_it_takes_every_pixel_of_a_dense_screen),
         WITH_DISPLAY(test_a_minimised_window_is_asked_again_and_no_fault),
         WITH_DISPLAY(test_a_broken_display_is_lost_once_and_can_be_opened_again),

@@ -62,10 +62,11 @@ static int feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void look(void *self, const struct view *view)
+static void look(void *self, const struct view *view, const struct showing *showing)
 {
     (void)self;
     (void)view;
+    (void)showing;
 }
 
 static const char *describe(void *self)

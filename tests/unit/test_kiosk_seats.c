@@ -73,10 +73,11 @@ static int hand_feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void hand_look(void *self, const struct view *view)
+static void hand_look(void *self, const struct view *view, const struct showing *showing)
 {
     (void)self;
     (void)view;
+    (void)showing;
 }
 
 static const char *hand_describe(void *self)

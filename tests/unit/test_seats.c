@@ -115,10 +115,11 @@ static int source_feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void source_look(void *self, const struct view *view)
+static void source_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct source *source = self;
     (void)view;
+    (void)showing;
     source->looked++;
 }
 
@@ -293,7 +294,8 @@ static void test_who_sits_down_is_told_the_view(void **state)
 {
     (void)state;
     const struct hal_poi poi = seats_poi(&seats, 0);
-    poi.ops->look(poi.self, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    poi.ops->look(poi.self, &tank_preset(TANK_PRESET_FESTIVAL)->view,
+                  &(struct showing){ .light = 1.0f });
     arrange(1);
     assert_int_equal(mouse.looked, 0);
     poi.ops->open(poi.self);

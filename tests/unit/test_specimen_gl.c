@@ -24,12 +24,14 @@ static struct textures textures;
 static struct gl_target target;
 static struct straight_memory memory;
 static struct species changed;
+static struct placing whole;
 static uint8_t pictures[2][SIZE];
 
 static int open_pass(void **state)
 {
     (void)state;
     open_gl_context("specimen");
+    whole = placing_whole((float)WIDTH, (float)HEIGHT);
     textures_open(&status, &textures);
     specimen_pass_open(&status, &pass, &textures);
     gl_target_open(&status, "sheet", &target,
@@ -65,7 +67,7 @@ static void picture(uint8_t out[SIZE], const struct specimen *fish, float grey)
     glClearColor(grey, grey, grey, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     specimen_pass_finish(&pass, fish);
-    specimen_pass_draw(&pass, fish, (float)WIDTH, (float)HEIGHT);
+    specimen_pass_draw(&pass, fish, &whole);
     glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, out);
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
@@ -184,7 +186,7 @@ static void test_whatever_depth_was_there_a_specimen_is_drawn_over_it(void **sta
     glClearDepthf(0.0f); /* Nearer than anything. */
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearDepthf(1.0f);
-    specimen_pass_draw(&pass, &fish, (float)WIDTH, (float)HEIGHT);
+    specimen_pass_draw(&pass, &fish, &whole);
     glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, pictures[1]);
     assert_memory_equal(pictures[0], pictures[1], SIZE);
 }
@@ -293,7 +295,7 @@ static void open_anew(void)
 static void draw_only(const struct specimen *fish)
 {
     gl_target_bind(&target);
-    specimen_pass_draw(&pass, fish, (float)WIDTH, (float)HEIGHT);
+    specimen_pass_draw(&pass, fish, &whole);
 }
 
 /* Thumbnails of all keys and one large fish in between, as the lab's page has them. */

@@ -1,0 +1,64 @@
+/* edge_pass.c -- see edge_pass.h. */
+#include "platform/render/edge_pass.h"
+
+#include "shaders.h"
+
+void edge_pass_open(struct gl_status *status, struct edge_pass *pass)
+{
+    pass->program = gl_program(status, "dark", "", shader_fill_vert, shader_dark_frag, "");
+    pass->dark = glGetUniformLocation(pass->program, "dark");
+    glGenVertexArrays(1, &pass->no_attributes);
+}
+
+void edge_pass_close(struct edge_pass *pass)
+{
+    glDeleteProgram(pass->program);
+    glDeleteVertexArrays(1, &pass->no_attributes);
+}
+
+/* From (left, bottom) up to (right, top), in OpenGL's own way: rows from below. */
+static void blacken(GLint left, GLint bottom, GLint right, GLint top)
+{
+    if (right > left && top > bottom) {
+        glScissor(left, bottom, right - left, top - bottom);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+}
+
+/* Four strips; one that is empty costs nothing. */
+static void margins(const struct placing *placing)
+{
+    const struct placing_part part = placing_part_of(placing);
+    const GLint width = (GLint)placing->screen_width, height = (GLint)placing->screen_height;
+    const GLint left = (GLint)part.left, right = (GLint)part.right;
+    const GLint top = height - (GLint)part.top, bottom = height - (GLint)part.bottom;
+    glEnable(GL_SCISSOR_TEST);
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    blacken(0, top, width, height);
+    blacken(0, 0, width, bottom);
+    blacken(0, 0, left, height);
+    blacken(right, 0, width, height);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void edge_pass_draw(const struct edge_pass *pass, const struct placing *placing)
+{
+    if (placing->light < 1.0f) {
+        glViewport(0, 0, (GLsizei)placing->screen_width, (GLsizei)placing->screen_height);
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glUseProgram(pass->program);
+        glUniform1f(pass->dark, 1.0f - placing->light);
+        glBindVertexArray(pass->no_attributes);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glBindVertexArray(0);
+    }
+    margins(placing);
+}
+
+void edge_pass_night(void)
+{
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
