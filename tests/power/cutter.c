@@ -49,6 +49,18 @@ static int wake(const char *folder, struct memory *memory, char why[BOOKS_WHY_SI
     return result == HAL_OK && !is_fresh ? 0 : -1;
 }
 
+/* Who fell out of the ranking needs no replay any more. */
+static int is_ranked(const struct ranking *ranking, uint32_t round_id)
+{
+    for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
+        if (ranking_place(ranking, MODE_FESTIVAL, (enum rank_period)period, round_id, 0) <
+            RANK_ROWS) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static void look(const struct cutter *cutter, struct tally *tally, const char *folder,
                  const struct promise *promise, const char *where)
 {
@@ -72,6 +84,9 @@ static void look(const struct cutter *cutter, struct tally *tally, const char *f
         complain(tally, &tally->unopenable, where, "another program cannot read it");
     } else if (books_agree(&cutter->books[last], &memory, &file, why) != 0) {
         complain(tally, &tally->differing, where, why);
+    } else if (promise->replay != 0 && !file.has_replay &&
+               is_ranked(&memory.ranking, promise->replay)) {
+        complain(tally, &tally->replays_lost, where, "a replay that was promised is not there");
     }
 }
 

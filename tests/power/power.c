@@ -133,15 +133,16 @@ static int tell(const struct tally *sum, double seconds)
     }
     printf("    %-22s %7llu\n", "in the opening after", (unsigned long long)sum->second_cuts);
     printf("  %llu cuts in %.0f s: %llu lost, %llu never handed over, %llu with other sums, "
-           "%llu unopenable; in %llu more was kept than promised\n",
+           "%llu unopenable, %llu replays lost; in %llu more was kept than promised\n",
            (unsigned long long)(sum->cuts + sum->second_cuts), seconds,
            (unsigned long long)sum->lost, (unsigned long long)sum->ghosts,
            (unsigned long long)sum->differing, (unsigned long long)sum->unopenable,
-           (unsigned long long)sum->ahead);
+           (unsigned long long)sum->replays_lost, (unsigned long long)sum->ahead);
     if (sum->first[0]) {
         printf("  the first: %s\n", sum->first);
     }
-    return sum->lost || sum->ghosts || sum->differing || sum->unopenable || sum->cuts == 0;
+    return sum->lost || sum->ghosts || sum->differing || sum->unopenable ||
+           sum->replays_lost || sum->cuts == 0;
 }
 
 static int read_plan(struct plan *plan, int argc, char **argv)
