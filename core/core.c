@@ -244,9 +244,6 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     hash = hash_u32(hash, config->fish_count);
     hash = hash_u32(hash, config->language);
     hash = hash_u32(hash, config->round_s);
-    for (uint32_t i = 0; i < MODE_COUNT; i++) {
-        hash = hash_u32(hash, config->best_today[i]);
-    }
     hash = hash_u32(hash, config->modes);
     hash = hash_u32(hash, config->grade);
     hash = hash_u32(hash, config->players);

@@ -31,7 +31,6 @@ struct core_config {
     uint32_t fish_count; /* 0: the preset's own; else 1 .. tank_preset_fish_max(). */
     uint8_t language;    /* enum language */
     uint32_t round_s;    /* 0: the mode's own; else 10 .. 600. */
-    uint32_t best_today[MODE_COUNT]; /* What the store remembers; shown, and beaten. */
     uint8_t modes;       /* Offered, a bit (1 << enum game_mode, or CHOICE_LAB) each; 0: only the
                             festival. Of one there is nothing to choose. */
     uint8_t grade;       /* Of the paper, 4 .. 7, in a mode whose rules leave it open or that is the

@@ -1,6 +1,7 @@
 /* scene.c -- the picture, rebuilt from the state: nothing here is remembered. */
 #include "core/base/mem.h"
 #include "core/core.h"
+#include "core/game/board.h"
 #include "core/game/hand.h"
 #include "core/game/rules.h"
 #include "core/morph/morph.h"
@@ -112,6 +113,9 @@ static void show_players(const struct core *core, struct scene *scene)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &core->game.player[i];
         const int in_round = core->game.phase == PHASE_ROUND;
+        const struct board_place place =
+            board_best_place(&core->game.ranking, core->game.mode, core->game.name.round_id,
+                             (uint8_t)i);
         scene->caught[i] = player->caught;
         scene->player[i] = (struct scene_player){
             .plays = player->plays,
@@ -120,6 +124,8 @@ static void show_players(const struct core *core, struct scene *scene)
             .foul = player->foul,
             .foul_s = (float)(core->tick - player->foul_tick) * CORE_TICK_S,
             .out = player->out,
+            .place = place.place,
+            .period = place.period,
         };
     }
 }
@@ -140,7 +146,7 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->hint = game->hints.shown;
     scene->phase_s = (float)(core->tick - game->phase_tick) * CORE_TICK_S;
     scene->seconds_left = game_seconds_left(game, core->tick);
-    scene->best_today = game->best_today[game->mode];
+    scene->best_today = game->ranking.row[game->mode][RANK_DAY][0].caught;
     scene->by_bot = game->bot_played;
     scene->mode = game->mode;
     scene->choice = game->lab_chosen ? CHOICE_LAB : game->mode;
@@ -160,6 +166,8 @@ static void show_game(const struct core *core, struct scene *scene)
         lab_show(core, &scene->lab);
     }
     album_show(core, &scene->album);
+    name_show(core, &scene->name);
+    board_show(core, &scene->board);
 }
 
 void core_scene(const struct core *core, struct scene *scene)

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "core/input.h"
+#include "core/ledger.h"
 #include "core/morph/species.h"
 #include "core/settings.h"
 #include "core/view.h"
@@ -95,6 +96,8 @@ enum scene_phase {
     PHASE_LAB = 6,      /* The growth lab. */
     PHASE_ALBUM = 7,    /* What was caught grows up. */
     PHASE_MENU = 8,     /* The operator's menu. */
+    PHASE_NAME = 9,     /* Who is ranked writes a name. */
+    PHASE_BOARD = 10,   /* The ranking, with that name. */
 };
 
 enum game_mode {
@@ -195,6 +198,37 @@ struct scene_album {
     } fish[ALBUM_FISH_MAX];
 };
 
+#define SCENE_NAME_LETTERS 8u /* As NAME_LETTERS_MAX. */
+
+/* Somebody writes a name (core/game/name.h), while it is PHASE_NAME; `waits` always. */
+struct scene_name {
+    uint8_t waits;           /* Who is to be asked for one, a bit a seat. */
+    uint8_t seat;
+    uint8_t alphabet;        /* enum name_alphabet */
+    uint8_t key;             /* That is pointed at: a cell, or enum name_key. */
+    uint8_t upright, has_hand, presses;
+    uint8_t was_refused;     /* Another name is asked for. */
+    uint8_t letter_count;
+    uint16_t letter[SCENE_NAME_LETTERS];
+    float x, y;              /* The hand, on the canvas (core/game/overlay.h). */
+};
+
+#define SCENE_BOARD_ROWS 10u /* As RANK_ROWS. */
+
+/* The ranking, in PHASE_BOARD, and by turns in attract. */
+struct scene_board {
+    uint8_t shown;
+    uint8_t mode;            /* enum game_mode */
+    uint8_t period;          /* enum rank_period */
+    float shown_s, left_s;   /* Since it came, and until it goes. */
+    struct scene_row {
+        uint32_t caught;     /* 0: nobody yet. */
+        uint8_t seat;
+        uint8_t is_new;      /* Of the round that was just played. */
+        char name[LEDGER_NAME_SIZE]; /* UTF-8; "": none was given. */
+    } row[SCENE_BOARD_ROWS];
+};
+
 /* What was paid. */
 struct scene_credit {
     uint8_t price;           /* Coins a credit; 0: free play. */
@@ -291,6 +325,8 @@ struct scene {
         uint8_t foul;        /* enum foul: the latest ... */
         float foul_s;        /* ... and how long ago. */
         uint8_t out;         /* Its round is over: by fouls or for want of paper. */
+        uint8_t place;       /* In RESULT: the best in the ranking, from 1; 0: none ... */
+        uint8_t period;      /* ... and of which enum rank_period. */
     } player[POI_MAX];
 
     struct scene_credit credit;
@@ -299,6 +335,8 @@ struct scene {
     struct scene_devices devices;
     struct scene_lab lab;
     struct scene_album album;
+    struct scene_name name;
+    struct scene_board board;
 };
 
 #endif

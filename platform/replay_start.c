@@ -63,6 +63,8 @@ static void walk_ranking(struct replay_walk *walk, struct ranking *ranking)
 {
     walk_u32(walk, &ranking->boot);
     walk_u16(walk, &ranking->day);
+    walk_u16(walk, &ranking->week);
+    walk_u32(walk, &ranking->week_boot);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
             walk_row(walk, &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS]);
@@ -87,9 +89,6 @@ static void walk_config(struct replay_walk *walk, struct core_config *config)
     walk_u32(walk, &config->fish_count);
     walk_u8(walk, &config->language);
     walk_u32(walk, &config->round_s);
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        walk_u32(walk, &config->best_today[mode]);
-    }
     walk_u8(walk, &config->modes);
     walk_u8(walk, &config->grade);
     walk_u8(walk, &config->players);

@@ -4,6 +4,7 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/core.h"
+#include "core/game/board.h"
 #include "core/game/hand.h"
 #include "core/game/phases.h"
 
@@ -49,6 +50,12 @@ static void tick_phase(struct core *core, const struct input *input, struct outp
     case PHASE_ALBUM:
         album_tick(core, input, output);
         break;
+    case PHASE_NAME:
+        name_tick(core, input, output);
+        break;
+    case PHASE_BOARD:
+        board_tick(core, input, output);
+        break;
     default:
         result_tick(core, input, output);
         break;
@@ -62,7 +69,6 @@ void game_init(struct game *game, const struct core_config *config)
     game->language = config->language;
     game->mode = keeper_first_mode(config);
     game->round_s = keeper_round_s(config, game->mode);
-    memcpy(game->best_today, config->best_today, sizeof game->best_today);
     ledger_init(&game->ledger, config);
     game->audits = config->memory.audits;
     game->ranking = config->memory.ranking;
@@ -97,8 +103,11 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
     hand_read(core, input);
     hand_links(core, input);
     credit_tick(core, input, output);
+    const uint8_t phase = game->phase;
     if (!menu_opens(core, input, output)) {
         tick_phase(core, input, output);
+    } else if (phase == PHASE_NAME) {
+        name_keep(core, output);
     }
     adjust_tick(core, output);
     hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
@@ -143,6 +152,8 @@ float game_seconds_left(const struct game *game, uint32_t tick)
     case PHASE_ROUND:
         total = game->round_s * CORE_TICK_HZ;
         break;
+    case PHASE_NAME:
+        return name_seconds_left(&game->name, tick);
     default:
         break;
     }
@@ -170,9 +181,6 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }
-    for (uint32_t i = 0; i < MODE_COUNT; i++) {
-        hash = hash_u32(hash, game->best_today[i]);
-    }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = player_hash(hash, &game->player[i]);
         hash = hash_u32(hash, game->holder[i]);
@@ -189,6 +197,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
     }
     hash = ledger_hash(hash, &game->ledger);
     hash = credit_hash(hash, &game->credit);
+    hash = name_hash(hash, &game->name);
     hash = menu_hash(hash, &game->menu);
     hash = album_hash(hash, &game->album);
     hash = lab_hash_quick(hash, &game->lab);

@@ -1,5 +1,5 @@
-/* game.h -- what the stall does: attract, choose, ready, round, result, album; the growth lab; who
- * plays, and how well.
+/* game.h -- what the stall does: attract, choose, ready, round, result, name, board, album; the
+ * growth lab; who plays, and how well.
  *
  * Phases are files of their own (phases.h), so are the umpire (fouls.h), the keeper's calls
  * (calls.h), waiting for lost hands (pause.h), tanks and paper (keeper.h) and counting (score.h).
@@ -19,6 +19,7 @@
 #include "core/game/lab.h"
 #include "core/game/ledger.h"
 #include "core/game/menu.h"
+#include "core/game/name.h"
 #include "core/game/pause.h"
 #include "core/game/player.h"
 #include "core/game/ranking.h"
@@ -64,11 +65,11 @@ struct game {
                             In attract: since when the bot's paper is gone or its bowl full. */
     uint32_t round_s;     /* Of this round. */
     uint32_t round_count; /* Rounds begun; seeds the next poi's paper. */
-    uint32_t best_today[MODE_COUNT];
     struct ledger ledger;
     struct audits audits;
     struct ranking ranking;
     struct adjust adjust;
+    struct name name;
     struct player player[POI_MAX];
     uint8_t holder[POI_MAX];         /* enum poi_link: who held the poi in the last tick. */
     uint32_t grip_tick[POI_MAX];     /* When that holder took it. */
@@ -111,7 +112,7 @@ int game_may_scoop(const struct core *core, uint32_t index);
 int game_pumps(const struct game *game, uint32_t tick);
 
 /* Seconds of the round that are left; in READY, until it begins; in CHOOSE, until the stall waits
- * no longer; else 0. */
+ * no longer, likewise in NAME; else 0. */
 float game_seconds_left(const struct game *game, uint32_t tick);
 
 uint64_t game_hash(uint64_t hash, const struct game *game);

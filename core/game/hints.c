@@ -207,7 +207,10 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
         return HINT_CHOOSE;
     case PHASE_LAB:
     case PHASE_ALBUM:
+    case PHASE_NAME:
         return HINT_NONE; /* They say themselves what to do. */
+    case PHASE_BOARD:
+        return want_to_play(core);
     case PHASE_MENU:
         return HINT_NONE;
     case PHASE_RESULT:

@@ -1,5 +1,5 @@
 /* phases.h -- attract, choose, ready, round, result, album: how each begins, and what a tick of it
- * does.
+ * does. name.h and board.h, between result and album, say so themselves.
  *
  * Within core/game only: game.c asks for the phase's tick, and a phase begins the next one. What
  * is begun in a tick has its first own tick in the next. */

@@ -5,10 +5,12 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
+#define WEEK_DAYS 7u
+
 /* A week begins on Monday; 2000-01-01, day 0, was a Saturday. */
-static uint32_t week_of(uint16_t day)
+static uint16_t week_of(uint16_t day)
 {
-    return (day + 5u) / 7u;
+    return (uint16_t)((day + 5u) / WEEK_DAYS);
 }
 
 static void clear(struct ranking *ranking, enum rank_period period)
@@ -18,19 +20,55 @@ static void clear(struct ranking *ranking, enum rank_period period)
     }
 }
 
-/* A clock that goes back changes nothing. */
-static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
+static void begin_week(struct ranking *ranking, const struct ledger_entry *entry, uint16_t week)
 {
-    const int is_unknown = entry->day == 0 || ranking->day == 0;
-    const int other_boot = is_unknown && entry->boot != ranking->boot;
-    if (other_boot || entry->day > ranking->day) {
+    clear(ranking, RANK_WEEK);
+    ranking->week = week;
+    ranking->week_boot = entry->boot;
+}
+
+/* Without a clock the kiosk's starts are what there is to count, and only a round is worth a
+ * new day: the clock of a board without a battery may be set a minute after the start. */
+static void turn_by_boots(struct ranking *ranking, const struct ledger_entry *entry)
+{
+    if (entry->kind != LEDGER_ROUND || entry->boot == ranking->boot) {
+        return;
+    }
+    clear(ranking, RANK_DAY);
+    ranking->day = 0;
+    ranking->boot = entry->boot;
+    if (entry->boot - ranking->week_boot >= WEEK_DAYS) {
+        begin_week(ranking, entry, 0);
+    }
+}
+
+/* A day back is a clock that is set about midnight; further back, or ahead, it is another day, or
+ * one wild date would hold the board for years. What was played in this start before the clock was
+ * set belongs to the day that it then says. */
+static void turn_by_clock(struct ranking *ranking, const struct ledger_entry *entry)
+{
+    const int is_first = ranking->day == 0 && entry->boot == ranking->boot;
+    const int is_same = entry->day == ranking->day || entry->day + 1u == ranking->day;
+    const uint16_t week = week_of(is_same ? ranking->day : entry->day);
+    if (!is_same && !is_first) {
         clear(ranking, RANK_DAY);
     }
-    if (other_boot || week_of(entry->day) > week_of(ranking->day)) {
-        clear(ranking, RANK_WEEK);
+    if (ranking->week == 0 && entry->boot - ranking->week_boot < WEEK_DAYS) {
+        ranking->week = week; /* It began without a clock. */
+    } else if (week != ranking->week) {
+        begin_week(ranking, entry, week);
     }
+    ranking->day = is_same ? ranking->day : entry->day;
     ranking->boot = entry->boot;
-    ranking->day = entry->day > ranking->day ? entry->day : ranking->day;
+}
+
+static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
+{
+    if (entry->day == 0) {
+        turn_by_boots(ranking, entry);
+    } else {
+        turn_by_clock(ranking, entry);
+    }
 }
 
 static void insert(struct rank_row rows[RANK_ROWS], const struct rank_row *row)
@@ -106,7 +144,10 @@ uint32_t ranking_place(const struct ranking *ranking, uint8_t mode, enum rank_pe
 
 uint64_t ranking_hash(uint64_t hash, const struct ranking *ranking)
 {
-    hash = hash_u32(hash_u32(hash, ranking->boot), ranking->day);
+    const uint32_t words[] = { ranking->boot, ranking->day, ranking->week, ranking->week_boot };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
             const struct rank_row *row = &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS];

@@ -1,8 +1,11 @@
 /* ranking.h -- the best of each mode: today, this week, ever.
  *
  * Like the audits it is nothing but what the ledger's entries make of it, added one by one by the
- * same function in the core and in the store. Without a clock (entries whose day is 0) a day lasts
- * as long as the kiosk runs, and a week likewise: the first entry of another boot begins both. */
+ * same function in the core and in the store.
+ *
+ * Dates are a hint. A day lasts until an entry's clock says another one, and a day back is none
+ * (it was set about midnight). Without a clock (entries whose day is 0) a day lasts as long as the
+ * kiosk runs: the first round of another start begins one, and the seventh such start a week. */
 #ifndef KINGYO_CORE_GAME_RANKING_H
 #define KINGYO_CORE_GAME_RANKING_H
 
@@ -24,8 +27,10 @@ struct rank_row {
 };
 
 struct ranking {
-    uint32_t boot; /* Of the newest entry that was noted. */
-    uint16_t day;
+    uint32_t boot;      /* In which its day was last played, or told by the clock. */
+    uint16_t day;       /* 0: it began without a clock. */
+    uint16_t week;      /* Since 1999-12-27; 0: likewise. */
+    uint32_t week_boot; /* In which its week began. */
     struct rank_row row[MODE_COUNT][RANK_PERIOD_COUNT][RANK_ROWS];
 };
 

@@ -12,6 +12,7 @@ void result_begin(struct core *core, struct output *output)
     }
     core->game.credit.is_paid = 0;
     phase_enter(core, PHASE_RESULT);
+    name_note_round(core, 0);
     if (!core->game.credit.came_back) {
         score_keep(core, output);
         credit_hand_out_tickets(core);
@@ -24,10 +25,15 @@ void result_tick(struct core *core, const struct input *input, struct output *ou
 {
     const uint32_t elapsed = core->tick - core->game.phase_tick;
     const int dipped = phase_dipped(core, input) < POI_MAX;
-    if (((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
-        (dipped && elapsed >= GAME_AGAIN_DIP_TICKS)) {
+    const int goes_on = ((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
+                        (dipped && elapsed >= GAME_AGAIN_DIP_TICKS);
+    const int is_read = elapsed >= GAME_RESULT_TICKS;
+    if ((goes_on || is_read) && name_begin(core, output)) {
+        return;
+    }
+    if (goes_on) {
         choose_begin(core, output);
-    } else if (elapsed >= GAME_RESULT_TICKS && !album_begin(core)) {
+    } else if (is_read && !album_begin(core)) {
         attract_begin(core);
     }
 }

@@ -69,14 +69,11 @@ void score_keep(struct core *core, struct output *output)
     if (!game->played || !rules_of(game->mode)->keeps_score) {
         return;
     }
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (!game->bot_played && game->player[i].caught > game->best_today[game->mode]) {
-            game->best_today[game->mode] = game->player[i].caught;
-        }
-    }
     struct ledger_entry entry = { .kind = LEDGER_ROUND, .round = game_record(core) };
     entry.round.id = game->ledger.last_id + 1u;
-    if (ledger_write(core, &entry, output) != 0) {
+    const uint32_t id = ledger_write(core, &entry, output);
+    if (id != 0) {
         output->record = entry.round;
     }
+    name_note_round(core, id);
 }

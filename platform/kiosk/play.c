@@ -180,9 +180,6 @@ static enum exit_code begin(struct session *session)
     for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = options->poi == BOARD_POI_BOT;
     }
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        config.core.best_today[mode] = config.core.memory.ranking.row[mode][RANK_DAY][0].caught;
-    }
     return session_begin(session, &config);
 }
 

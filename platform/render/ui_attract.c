@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "platform/render/ui_board.h"
 #include "platform/render/ui_signs.h"
 
 static void best_tag(const struct ui_frame *frame, const struct scene *scene, float y)
@@ -32,10 +33,16 @@ static void key_lines(const struct ui_frame *frame, const struct scene *scene)
 
 void ui_attract(const struct ui_frame *frame, const struct scene *scene)
 {
-    const float u = frame->unit;
-    ui_noren(frame, 1.0f - ui_smooth(0.0f, 0.8f, scene->phase_s));
-    best_tag(frame, scene, frame->height - 174.0f * u);
-    ui_credits(frame, scene, 0.5f * frame->width, frame->height - 230.0f * u);
+    const float u = frame->unit, board = ui_board_in(&scene->board);
+    const float risen = fmaxf(1.0f - ui_smooth(0.0f, 0.8f, scene->phase_s), board);
+    ui_noren(frame, risen);
+    if (board > 0.0f) { /* The curtain makes room for it, and what is paid moves aside. */
+        ui_board(frame, &scene->board, 16.0f * u, frame->height - 160.0f * u);
+        ui_credits(frame, scene, 128.0f * u, 62.0f * u);
+    } else {
+        best_tag(frame, scene, frame->height - 174.0f * u);
+        ui_credits(frame, scene, 0.5f * frame->width, frame->height - 230.0f * u);
+    }
     ui_start_ribbon(frame, scene, frame->height - 108.0f * u, TEXT_START);
     key_lines(frame, scene);
 }

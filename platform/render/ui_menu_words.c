@@ -61,6 +61,7 @@ static const struct setting_words settings[SET_CALIBRATION] = {
     [SET_PLAYERS] = { TEXT_SET_PLAYERS, TEXT_HELP_PLAYERS, .unit = TEXT_VAL_PLAYERS },
     [SET_LANGUAGE] = { TEXT_SET_LANGUAGE, TEXT_HELP_LANGUAGE,
                        .choices = { TEXT_OPT_JA, TEXT_OPT_EN } },
+    [SET_NAMES] = { TEXT_SET_NAMES, TEXT_HELP_NAMES, .choices = { TEXT_OPT_NO, TEXT_OPT_YES } },
     [SET_VOLUME] = { TEXT_SET_VOLUME, TEXT_HELP_VOLUME, .unit = TEXT_VAL_PER_CENT },
     [SET_ATTRACT_SOUND] = { TEXT_SET_ATTRACT_SOUND, TEXT_HELP_ATTRACT_SOUND,
                             .unit = TEXT_VAL_LOOP, .zero = TEXT_VAL_SILENT },

@@ -2,6 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/game/ranking.h"
+#include "platform/render/ui_board.h"
 #include "platform/render/ui_signs.h"
 
 #define GRADES 6u
@@ -34,13 +36,13 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
     return &grades[grade];
 }
 
-/* The seal that a proud stallkeeper stamps on a record. */
-static void seal(const struct ui_frame *frame, float x, float y, float in)
+/* The seal that a proud stallkeeper stamps on whoever is ranked. */
+static void seal(const struct ui_frame *frame, float x, float y, float in, const char *words)
 {
     const float u = frame->unit;
-    const char *words = text_words(frame->language, TEXT_NEW_BEST);
     const struct ui_text text = { .font = FONT_STALL, .size_px = 27.0f * u * (2.0f - in),
-                                  .align = 0.5f, .fill = 0xfff1ddffu };
+                                  .align = 0.5f, .fill = 0xfff1ddffu,
+                                  .fit_px = 216.0f * u * (2.0f - in) };
     const float width = ui_text_width(&text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
     frame->batch->opacity = in;
     ui_shape(frame->batch,
@@ -229,29 +231,40 @@ static void ranking(const struct ui_frame *frame, const struct scene *scene, str
     }
 }
 
-static uint32_t most_caught(const struct scene *scene)
+/* The one who stands highest; POI_MAX: nobody is ranked. */
+static uint32_t proudest(const struct scene *scene)
 {
-    uint32_t most = 0;
+    uint32_t best = POI_MAX;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        most = scene->player[i].plays && scene->caught[i] > most ? scene->caught[i] : most;
+        const uint8_t place = scene->player[i].place;
+        if (place != 0 && (best == POI_MAX || place < scene->player[best].place)) {
+            best = i;
+        }
     }
-    return most;
+    return best;
 }
 
-/* A seal for who beat the day's best. */
-static void seal_of(const struct ui_frame *frame, const struct scene *scene,
-                    const struct ui_memory *memory, struct ui_box box)
+/* "Best of the day!", or "No. 3 this week". */
+static void place_words(const struct scene *scene, uint32_t player, char *out, size_t out_size)
+{
+    const struct scene_player *of = &scene->player[player];
+    const enum text_key key =
+        of->place == 1 && of->period == RANK_DAY ? TEXT_NEW_BEST : ui_place_key(of->period);
+    text_number(out, out_size, text_words(scene->language, key), of->place);
+}
+
+static void seal_of(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit, stamped = ui_smooth(1.6f, 1.8f, scene->phase_s);
-    const int record = rules_of(scene->mode)->keeps_score && !scene->by_bot &&
-                       most_caught(scene) > memory->best_before;
-    if (stamped > 0.0f && record) {
-        seal(frame, box.x + box.width - 130.0f * u, box.y - 8.0f * u, stamped);
+    const uint32_t player = proudest(scene);
+    char words[TEXT_LINE_MAX];
+    if (stamped > 0.0f && player < POI_MAX) {
+        place_words(scene, player, words, sizeof words);
+        seal(frame, box.x + box.width - 130.0f * u, box.y - 8.0f * u, stamped, words);
     }
 }
 
-static void counted(const struct ui_frame *frame, const struct scene *scene,
-                    const struct ui_memory *memory, struct ui_box box)
+static void counted(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     if (ui_player_count(scene) > 1u) {
         ranking(frame, scene, box);
@@ -259,7 +272,7 @@ static void counted(const struct ui_frame *frame, const struct scene *scene,
         one_players_result(frame, scene, box);
     }
     last_line(frame, scene, box);
-    seal_of(frame, scene, memory, box);
+    seal_of(frame, scene, box);
 }
 
 /* The call "time!" is seen before the card covers it. */
@@ -272,7 +285,9 @@ static float after_call(const struct scene *scene)
 static void result_foot(const struct ui_frame *frame, const struct scene *scene,
                         const struct ui_memory *memory)
 {
-    if (scene->hint == HINT_START) {
+    if (scene->hint == HINT_START && scene->name.waits != 0) {
+        ui_start_ribbon(frame, scene, frame->height - 58.0f * frame->unit, TEXT_NAME_CALL);
+    } else if (scene->hint == HINT_START) {
         ui_start_ribbon(frame, scene, frame->height - 58.0f * frame->unit, TEXT_AGAIN);
     } else {
         ui_hint_ribbon(frame, scene, memory);
@@ -298,7 +313,7 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     if (scene->credit.came_back) {
         given_back(frame, box);
     } else {
-        counted(frame, scene, memory, box);
+        counted(frame, scene, box);
     }
     result_foot(frame, scene, memory);
 }

@@ -22,9 +22,6 @@ static void remember(struct ui_memory *memory, const struct scene *scene)
         memory->pointed = scene->choice;
         memory->pointed_tick = scene->tick;
     }
-    if (scene->phase != PHASE_RESULT) {
-        memory->best_before = scene->best_today;
-    }
 }
 
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
@@ -58,6 +55,12 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         break;
     case PHASE_ALBUM:
         ui_album(&frame, scene);
+        break;
+    case PHASE_NAME:
+        ui_name(&frame, scene);
+        break;
+    case PHASE_BOARD:
+        ui_ranking(&frame, scene);
         break;
     case PHASE_ATTRACT:
         ui_attract(&frame, scene);

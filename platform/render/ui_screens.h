@@ -16,7 +16,6 @@ struct ui_memory {
     uint32_t caught[POI_MAX];
     uint32_t pointed_tick;       /* When another mode was last pointed at ... */
     uint8_t pointed, pointed_before; /* ... and which two those were. */
-    uint32_t best_before;        /* The mode's best of the day as the round began. */
     uint8_t hint;
     const struct shelf *shelf; /* Makers' species, behind the built-in ones; null: none. */
     struct ui_bench bench;     /* The growth lab's. */

@@ -82,6 +82,8 @@ void ui_umpire(const struct ui_frame *frame, const struct scene *scene);
 void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory);
 void ui_album(const struct ui_frame *frame, const struct scene *scene);
 void ui_menu(const struct ui_frame *frame, const struct scene *scene);
+void ui_name(const struct ui_frame *frame, const struct scene *scene);
+void ui_ranking(const struct ui_frame *frame, const struct scene *scene);
 void ui_attract(const struct ui_frame *frame, const struct scene *scene);
 void ui_choose(const struct ui_frame *frame, const struct scene *scene,
                const struct ui_memory *memory);

@@ -11,7 +11,7 @@
  * read_ranks(). */
 _Static_assert(sizeof(struct rank_row) == 12 + LEDGER_NAME_SIZE, "a field of a rank is not kept");
 _Static_assert(sizeof(struct ranking) ==
-                   8 + sizeof(struct rank_row) * MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS,
+                   12 + sizeof(struct rank_row) * MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS,
                "a field of the ranking is not kept");
 
 #define RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
@@ -138,6 +138,12 @@ static int put_ranks(struct ledger_file *file, const struct ranking *before,
     if (code == SQLITE_OK && after->day != before->day) {
         code = put_named(file, PUT_STATE, "ranking-day", after->day);
     }
+    if (code == SQLITE_OK && after->week != before->week) {
+        code = put_named(file, PUT_STATE, "ranking-week", after->week);
+    }
+    if (code == SQLITE_OK && after->week_boot != before->week_boot) {
+        code = put_named(file, PUT_STATE, "ranking-week-boot", after->week_boot);
+    }
     return code;
 }
 
@@ -215,6 +221,10 @@ static void take_state(struct ledger_content *content, sqlite3_stmt *row)
         content->memory.ranking.boot = sql_uint(row, 1, UINT32_MAX);
     } else if (strcmp(name, "ranking-day") == 0) {
         content->memory.ranking.day = (uint16_t)sql_uint(row, 1, UINT16_MAX);
+    } else if (strcmp(name, "ranking-week") == 0) {
+        content->memory.ranking.week = (uint16_t)sql_uint(row, 1, UINT16_MAX);
+    } else if (strcmp(name, "ranking-week-boot") == 0) {
+        content->memory.ranking.week_boot = sql_uint(row, 1, UINT32_MAX);
     }
 }
 

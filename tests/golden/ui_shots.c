@@ -74,7 +74,45 @@ static const struct shot shots[] = {
       FOUL_WALL, 0, 0, 0 },
     { "ranking", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 21, 46, 0.4f, 4, MODE_CHAMPIONSHIP, 0,
       FOUL_WALL, 0, 0, 0 },
+    { "board", PHASE_BOARD, HINT_START, 4.0f, 0.0f, 13, 13, 0.4f, 2, 0, 0, 0, 0, 0, 0 },
+    { "wall", PHASE_ATTRACT, HINT_START, 26.0f, 0.0f, 0, 47, 0.9f, 1, MODE_CHAMPIONSHIP, 0, 0, 0, 0,
+      0 },
+    { "name", PHASE_NAME, HINT_NONE, 4.0f, 12.0f, 13, 13, 0.4f, 2, 0, 0, 0, 0, 0, 0 },
+    { "latin", PHASE_NAME, HINT_NONE, 4.0f, 40.0f, 13, 13, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
 };
+
+/* A board with a gap in it, and the name that is just being written. */
+static void fill_ranking(struct scene *scene, const struct shot *shot)
+{
+    static const char *const names[SCENE_BOARD_ROWS] = { "きんぎょ", "KINGYO", "", "たろうとはなこ",
+                                                         "マリー", "A-1", "さくら", "Bob", "ゆ", "" };
+    const uint32_t rows = shot->phase == PHASE_BOARD ? 3u : 10u;
+    scene->board = (struct scene_board){ .shown = shot->phase == PHASE_BOARD ||
+                                                  strcmp(shot->name, "wall") == 0,
+                                         .mode = shot->mode, .shown_s = 3.0f, .left_s = 5.0f };
+    scene->board.period = shot->phase == PHASE_BOARD ? 0 : 2;
+    for (uint32_t i = 0; i < rows; i++) {
+        scene->board.row[i].caught = shot->best - i;
+        scene->board.row[i].is_new = shot->phase == PHASE_BOARD && i == 1;
+        snprintf(scene->board.row[i].name, sizeof scene->board.row[i].name, "%s", names[i]);
+    }
+}
+
+static void fill_name(struct scene *scene, const struct shot *shot, int upright)
+{
+    static const uint16_t letters[SCENE_NAME_LETTERS] = u"きんぎょ";
+    scene->player[0].place = 2;
+    scene->player[0].period = 1;
+    scene->name = (struct scene_name){ .waits = 1, .key = 23, .letter_count = 4,
+                                       .upright = (uint8_t)upright, .has_hand = 1, .x = 420.0f,
+                                       .y = 400.0f };
+    memcpy(scene->name.letter, letters, sizeof letters);
+    if (strcmp(shot->name, "latin") == 0) {
+        scene->name.alphabet = 2;
+        scene->name.was_refused = 1;
+        scene->name.letter_count = 0;
+    }
+}
 
 static const int sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 720, 1280 }, { 640, 360 } };
 
@@ -242,7 +280,11 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     const int width = canvas->width, height = canvas->height;
     const struct placing placing = placing_whole((float)width, (float)height);
     fill_scene(&scene, shot, language);
-    ui->memory = (struct ui_memory){ .hint = shot->hint, .best_before = 12, .hint_tick = 800 };
+    if (shot->phase == PHASE_NAME) {
+        fill_name(&scene, shot, height > width);
+    }
+    fill_ranking(&scene, shot);
+    ui->memory = (struct ui_memory){ .hint = shot->hint, .hint_tick = 800 };
     memcpy(ui->memory.caught, scene.caught, sizeof scene.caught);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
     if (language == 0) {

@@ -76,7 +76,8 @@ static inline int setup(void **state)
 {
     (void)state;
     const struct core_config config = {
-        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .best_today = { 2 }
+        .seed = 7, .fish_count = 12, .round_s = ROUND_S,
+        .memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught = 2,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);

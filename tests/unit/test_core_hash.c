@@ -31,7 +31,7 @@ static const struct field core_fields[] = {
 
 static const struct field config_fields[] = {
     FIELD(core_config, seed),     FIELD(core_config, preset),  FIELD(core_config, fish_count),
-    FIELD(core_config, language), FIELD(core_config, round_s), FIELD(core_config, best_today),
+    FIELD(core_config, language), FIELD(core_config, round_s),
     FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
     FIELD(core_config, credit_coins), FIELD(core_config, ticket_fish),
     SKIP(core_config, lanes),     SKIP(core_config, memory), SKIP(core_config, book),
@@ -92,8 +92,9 @@ static const struct field game_fields[] = {
     FIELD(game, round_tick),  FIELD(game, point_tick), FIELD(game, lost_ticks),
     FIELD(game, waited_ticks),
     FIELD(game, gone_tick),   FIELD(game, round_s),    FIELD(game, round_count),
-    FIELD(game, best_today),  SKIP(game, ledger),      SKIP(game, audits),
-    SKIP(game, ranking),      SKIP(game, adjust),      SKIP(game, player),
+    SKIP(game, ledger),       SKIP(game, audits),
+    SKIP(game, ranking),      SKIP(game, adjust),      SKIP(game, name),
+    SKIP(game, player),
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
     FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
@@ -137,7 +138,18 @@ static const struct field ledger_fields[] = {
 };
 
 static const struct field ranking_fields[] = {
-    FIELD(ranking, boot), FIELD(ranking, day), SKIP(ranking, row),
+    FIELD(ranking, boot), FIELD(ranking, day), FIELD(ranking, week),
+    FIELD(ranking, week_boot), SKIP(ranking, row),
+};
+
+static const struct field name_fields[] = {
+    FIELD(name, round_id), FIELD(name, ranked),       FIELD(name, waits),
+    FIELD(name, seat),     FIELD(name, alphabet),     FIELD(name, key),
+    FIELD(name, points),   FIELD(name, upright),      FIELD(name, has_hand),
+    FIELD(name, presses),  FIELD(name, refusals),     FIELD(name, letter_count),
+    FIELD(name, letter),   FIELD(name, seat_tick),    FIELD(name, act_tick),
+    FIELD(name, held_ticks), FIELD(name, x),          FIELD(name, y),
+    FIELD(name, rest_x),   FIELD(name, rest_y),
 };
 
 static const struct field rank_row_fields[] = {
@@ -379,6 +391,7 @@ static const struct table tables[] = {
     TABLE(ledger, ledger_fields, &core.game.ledger),
     TABLE(purse, purse_fields, &core.game.ledger.purse),
     TABLE(ranking, ranking_fields, &core.game.ranking),
+    TABLE(name, name_fields, &core.game.name),
     TABLE(rank_row, rank_row_fields, &core.game.ranking.row[2][2][9]),
     TABLE(rank_row, rank_row_fields, &core.config.memory.ranking.row[0][0][0]),
     TABLE(credit, credit_fields, &core.game.credit),

@@ -156,7 +156,7 @@ static void test_nothing_that_is_done_there_is_a_score(void **state)
     assert_int_equal(output.record.id, 0);
     assert_int_equal(core.game.round_count, rounds);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        assert_int_equal(core.game.best_today[mode], 0);
+        assert_int_equal(core.game.ranking.row[mode][RANK_DAY][0].caught, 0);
     }
 }
 

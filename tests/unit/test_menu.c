@@ -119,7 +119,7 @@ static void test_a_second_test_ends_the_round_without_a_result_and_pays_it_back(
     assert_int_equal(core.game.credit.credits, 2);
     assert_int_equal(core.game.credit.refunds, 1);
     assert_int_equal(output.record.id, 0);
-    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 2);
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_the_question_of_one_round_is_not_asked_in_the_next(void **state)

@@ -182,7 +182,7 @@ static void test_the_best_is_one_persons_not_all_together(void **state)
     drop_into_bowl(1, 2);
     wait_for_phase(PHASE_RESULT, (ROUND_S + 4u) * CORE_TICK_HZ);
     assert_int_equal(output.record.caught, 3);
-    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 2);
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_in_attract_only_the_stalls_own_bot_is_there(void **state)

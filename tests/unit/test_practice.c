@@ -85,7 +85,7 @@ static void test_nothing_is_kept_of_it(void **state)
     core.game.player[0].caught = 50;
     wait_for_phase(PHASE_RESULT, (ROUND_S + 4u) * CORE_TICK_HZ);
     assert_int_equal(output.record.id, 0);
-    assert_int_equal(core.game.best_today[MODE_PRACTICE], 0);
+    assert_int_equal(core.game.ranking.row[MODE_PRACTICE][RANK_DAY][0].caught, 0);
     assert_int_equal(game_record(&core).caught, 50); /* Who asks can know. */
 }
 

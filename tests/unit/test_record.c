@@ -34,13 +34,14 @@ static void test_a_round_leaves_a_record_with_the_next_id(void **state)
     assert_int_equal(output.record.seed, 7);
     assert_int_equal(output.record.caught, 4);
     assert_int_equal(output.record.by_bot, 0);
-    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 4);
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
     steps(GAME_AGAIN_TICKS);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
     assert_int_equal(output.record.id, 2);
     assert_int_equal(output.record.caught, 0);
-    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 4); /* a worse round takes nothing away */
+    /* A worse round takes nothing away. */
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
 }
 
 static void test_record_ids_go_on_from_what_the_store_has(void **state)
@@ -64,7 +65,7 @@ static void test_a_bots_round_is_marked_and_is_no_best(void **state)
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(output.record.by_bot, 1);
     assert_int_equal(output.record.caught, 9);
-    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 2);
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_the_best_of_the_day_is_a_round_that_beats_it(void **state)
@@ -73,7 +74,7 @@ static void test_the_best_of_the_day_is_a_round_that_beats_it(void **state)
     play_into_round();
     land(2);
     steps(ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(core.game.best_today[MODE_FESTIVAL], 2);
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(void **state)

@@ -49,7 +49,6 @@ static void fill(void)
                                    .fish_count = 33,
                                    .language = LANGUAGE_EN,
                                    .round_s = 599,
-                                   .best_today = { 1, 70000, 3 },
                                    .modes = 5,
                                    .grade = 5,
                                    .players = 3,

@@ -16,7 +16,11 @@ static struct scene scene;
 static int setup(void **state)
 {
     (void)state;
-    const struct core_config config = { .seed = 11, .best_today = { 8 }, .language = LANGUAGE_EN };
+    const struct core_config config = {
+        .seed = 11,
+        .memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught = 8,
+        .language = LANGUAGE_EN,
+    };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&scene, 0xa5, sizeof scene); /* what was there before must not matter */
     return 0;

@@ -53,7 +53,7 @@ static const struct member core_parts[] = {
     MEMBER(core, game.phase_tick),
     MEMBER(core, game.point_tick),
     MEMBER(core, game.round_s),
-    MEMBER(core, game.best_today),
+    MEMBER(core, game.ranking),
     MEMBER(core, game.hints.shown),
     MEMBER(core, tank.preset),
     MEMBER(core, tank.size_m),

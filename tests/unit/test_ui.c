@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "core/game/credit.h"
+#include "core/game/ranking.h"
 #include "glyphs.h"
 #include "platform/render/ui_screens.h"
 
@@ -393,47 +394,30 @@ static uint32_t seals(void)
     return count;
 }
 
-static void test_only_more_than_the_days_best_earns_the_seal(void **state)
+static void test_whoever_is_ranked_earns_the_seal(void **state)
 {
     (void)state;
-    for (uint32_t caught = 11; caught <= 13; caught++) {
-        memory = (struct ui_memory){ 0 };
-        set_scene(PHASE_ROUND, LANGUAGE_EN, HINT_NONE, 59.0f);
-        scene.best_today = 12;
-        lay_out(sizes[0]);
-        set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_NONE, 4.0f);
-        set_match(MODE_FESTIVAL, 1, 0);
-        scene.caught[0] = caught;
-        scene.best_today = caught > 12 ? caught : 12;
-        lay_out(sizes[0]);
-        assert_int_equal(seals(), caught > 12 ? 2 : 1); /* The card is one. */
+    for (uint8_t place = 0; place <= 10; place++) {
+        for (uint8_t period = 0; period < RANK_PERIOD_COUNT; period++) {
+            set_scene(PHASE_RESULT, LANGUAGE_EN, HINT_NONE, 4.0f);
+            set_match(MODE_FESTIVAL, 1, 0);
+            scene.player[0].place = place;
+            scene.player[0].period = period;
+            lay_out(sizes[0]);
+            assert_int_equal(seals(), place > 0 ? 2 : 1); /* The card is one. */
+        }
     }
 }
 
-static void test_practice_earns_no_seal(void **state)
+static void test_the_one_of_several_who_is_ranked_earns_the_seal(void **state)
 {
     (void)state;
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        memory = (struct ui_memory){ .best_before = 5 };
-        set_scene(PHASE_RESULT, LANGUAGE_JA, HINT_NONE, 4.0f);
-        set_match(mode, 1, 0);
-        scene.caught[0] = 9;
-        lay_out(sizes[0]);
-        assert_int_equal(seals(), mode == MODE_PRACTICE ? 1 : 2);
-    }
-}
-
-static void test_whoever_of_several_beats_the_day_earns_the_seal(void **state)
-{
-    (void)state;
-    memory = (struct ui_memory){ .best_before = 5 };
     set_scene(PHASE_RESULT, LANGUAGE_JA, HINT_NONE, 4.0f);
     set_match(MODE_FESTIVAL, 2, 0);
-    scene.caught[0] = 2;
-    scene.caught[1] = 6;
+    scene.player[1].place = 3;
     lay_out(sizes[0]);
     assert_int_equal(seals(), 2);
-    scene.caught[1] = 5;
+    scene.player[1].place = 0;
     lay_out(sizes[0]);
     assert_int_equal(seals(), 1);
 }
@@ -627,7 +611,8 @@ static void test_no_words_lie_on_others_on_any_screen_at_rest(void **state)
             scene.caught[i] = 107u - i; /* The record. */
             scene.player[i].foul_s = 60.0f;
         }
-        memory = (struct ui_memory){ .best_before = 46 };
+        scene.player[0].place = 1;
+        memory = (struct ui_memory){ 0 };
         lay_out(size);
         check_no_line_on_another(size);
     }
@@ -747,9 +732,8 @@ int main(void)
         cmocka_unit_test(test_what_a_player_must_read_is_readable_from_two_metres),
         cmocka_unit_test(test_no_hint_means_no_ribbon),
         cmocka_unit_test(test_a_new_hint_fades_in),
-        cmocka_unit_test(test_only_more_than_the_days_best_earns_the_seal),
-        cmocka_unit_test(test_practice_earns_no_seal),
-        cmocka_unit_test(test_whoever_of_several_beats_the_day_earns_the_seal),
+        cmocka_unit_test(test_whoever_is_ranked_earns_the_seal),
+            cmocka_unit_test(test_the_one_of_several_who_is_ranked_earns_the_seal),
         cmocka_unit_test(
             test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher),
         cmocka_unit_test(test_as_one_tag_rises_the_last_one_sinks),

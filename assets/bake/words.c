@@ -1,0 +1,90 @@
+/* words.c -- the list of refused names as a table of the core.
+ *
+ *   bake_words assets/words/refused.txt OUT.c
+ *
+ * A line is `word` or `=word`; `#` starts a comment line. Each word is folded as names are. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/game/name_filter.h"
+#include "core/game/name_fold.h"
+
+#define EXIT_USAGE 2
+#define EXIT_BAD_DATA 65
+#define EXIT_IO 74
+#define LINE_SIZE 256
+
+static void fail(const char *path, unsigned line, const char *what)
+{
+    fprintf(stderr, "%s:%u: %s\n", path, line, what);
+    exit(EXIT_BAD_DATA);
+}
+
+static void write_word(FILE *out, const char *word, const char *path, unsigned line)
+{
+    uint16_t letters[NAME_FOLD_MAX];
+    const int is_whole = word[0] == '=';
+    const uint32_t count = name_fold(word + is_whole, NAME_ENDS_KEPT, letters);
+    if (count == 0 || count > REFUSED_LETTERS_MAX) {
+        fail(path, line, "a word has 1 to 16 letters, of kana or the Latin alphabet");
+    }
+    if (count < 3 && !is_whole) {
+        fail(path, line, "a word of one or two letters is in too many names: write =word");
+    }
+    fprintf(out, "    { %d, %u, { ", is_whole, count);
+    for (uint32_t i = 0; i < count; i++) {
+        fprintf(out, "0x%04x%s", letters[i], i + 1 < count ? ", " : " } },\n");
+    }
+}
+
+static uint32_t write_words(FILE *in, FILE *out, const char *path)
+{
+    char text[LINE_SIZE];
+    uint32_t count = 0;
+    for (unsigned line = 1; fgets(text, sizeof text, in) != NULL; line++) {
+        if (strchr(text, '\n') == NULL && !feof(in)) {
+            fail(path, line, "this line is too long");
+        }
+        text[strcspn(text, "\n")] = 0;
+        if (text[0] != 0 && text[0] != '#') {
+            write_word(out, text, path, line);
+            count++;
+        }
+    }
+    return count;
+}
+
+static FILE *open_or_fail(const char *path, const char *mode)
+{
+    FILE *file = fopen(path, mode);
+    if (file == NULL) {
+        fprintf(stderr, "bake_words: %s: %s\n", path, strerror(errno));
+        exit(EXIT_IO);
+    }
+    return file;
+}
+
+int main(int count, char **arguments)
+{
+    if (count != 3) {
+        fputs("usage: bake_words refused.txt OUT.c\n", stderr);
+        return EXIT_USAGE;
+    }
+    FILE *in = open_or_fail(arguments[1], "r"), *out = open_or_fail(arguments[2], "w");
+    fputs("/* refused_words.c -- written by assets/bake/words.c from assets/words/refused.txt. */\n"
+          "#include \"core/game/name_filter.h\"\n\nconst struct refused_word refused_words[] = {\n",
+          out);
+    const uint32_t words = write_words(in, out, arguments[1]);
+    fprintf(out, "};\nconst uint32_t refused_word_count = %uu;\n", words);
+    fclose(in);
+    if (words == 0) {
+        fail(arguments[1], 1, "there is no word in it");
+    }
+    if (ferror(out) || fclose(out) != 0) {
+        fprintf(stderr, "bake_words: %s: cannot be written\n", arguments[2]);
+        return EXIT_IO;
+    }
+    return 0;
+}

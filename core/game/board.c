@@ -1,0 +1,128 @@
+/* board.c -- which board hangs there, and what is on it. */
+#include "core/game/board.h"
+
+#include "core/base/mem.h"
+#include "core/core.h"
+#include "core/game/keeper.h"
+#include "core/game/phases.h"
+#include "core/game/rules.h"
+
+_Static_assert(SCENE_BOARD_ROWS == RANK_ROWS, "every row can be shown");
+
+struct board_place board_best_place(const struct ranking *ranking, uint8_t mode, uint32_t round_id,
+                                    uint8_t seat)
+{
+    struct board_place best = { 0, 0 };
+    for (uint8_t period = 0; period < RANK_PERIOD_COUNT && round_id != 0; period++) {
+        const uint32_t place =
+            ranking_place(ranking, mode, (enum rank_period)period, round_id, seat) + 1u;
+        if (place <= RANK_ROWS && (best.place == 0 || place <= best.place)) {
+            best = (struct board_place){ period, (uint8_t)place };
+        }
+    }
+    return best;
+}
+
+/* ---- Which ---------------------------------------------------------------------------------- */
+
+struct pick {
+    uint8_t shown, mode, period;
+    uint32_t ticks; /* Since it came. */
+};
+
+static int is_empty(const struct core *core, uint8_t mode, uint32_t period)
+{
+    return core->game.ranking.row[mode][period][0].caught == 0;
+}
+
+static int is_offered(const struct core *core, uint8_t mode)
+{
+    return (keeper_modes(&core->config) >> mode & 1u) && rules_of(mode)->keeps_score;
+}
+
+/* The `turn`th, round and round, of those that somebody is on. */
+static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ticks)
+{
+    uint8_t hung[MODE_COUNT * RANK_PERIOD_COUNT];
+    uint32_t count = 0;
+    for (uint8_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT; i++) {
+        const uint8_t mode = i / RANK_PERIOD_COUNT, period = i % RANK_PERIOD_COUNT;
+        if (is_offered(core, mode) && !is_empty(core, mode, period)) {
+            hung[count++] = i;
+        }
+    }
+    if (count == 0) {
+        return (struct pick){ 0 };
+    }
+    const uint8_t nth = hung[turn % count];
+    return (struct pick){ 1, nth / RANK_PERIOD_COUNT, nth % RANK_PERIOD_COUNT, ticks };
+}
+
+/* The tank first, then a board: whoever comes by sees goldfish. */
+static struct pick in_attract(const struct core *core)
+{
+    const uint32_t elapsed = core->tick - core->game.phase_tick;
+    const uint32_t within = elapsed % BOARD_EVERY_TICKS;
+    if (within < BOARD_EVERY_TICKS - BOARD_TICKS) {
+        return (struct pick){ 0 };
+    }
+    return nth_board(core, elapsed / BOARD_EVERY_TICKS, within + BOARD_TICKS - BOARD_EVERY_TICKS);
+}
+
+/* The proudest place of that round. */
+static struct pick after_round(const struct core *core)
+{
+    const struct game *game = &core->game;
+    struct board_place best = { 0, 0 };
+    for (uint8_t seat = 0; seat < POI_MAX; seat++) {
+        const struct board_place place =
+            board_best_place(&game->ranking, game->mode, game->name.round_id, seat);
+        if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
+            best = place;
+        }
+    }
+    return (struct pick){ best.place != 0, game->mode, best.period, core->tick - game->phase_tick };
+}
+
+/* ---- The phase ------------------------------------------------------------------------------ */
+
+void board_begin(struct core *core)
+{
+    phase_enter(core, PHASE_BOARD);
+}
+
+void board_tick(struct core *core, const struct input *input, struct output *output)
+{
+    const int dipped = phase_dipped(core, input) < POI_MAX;
+    const int is_read = core->tick - core->game.phase_tick >= BOARD_TICKS;
+    if (dipped || (input->pressed & INPUT_START)) {
+        choose_begin(core, output);
+    } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(core)) {
+        attract_begin(core);
+    }
+}
+
+/* ---- The picture ---------------------------------------------------------------------------- */
+
+void board_show(const struct core *core, struct scene_board *out)
+{
+    const struct game *game = &core->game;
+    const struct pick pick = game->phase == PHASE_BOARD     ? after_round(core)
+                             : game->phase == PHASE_ATTRACT ? in_attract(core)
+                                                            : (struct pick){ 0 };
+    *out = (struct scene_board){ .shown = pick.shown };
+    if (!pick.shown) {
+        return;
+    }
+    out->mode = pick.mode;
+    out->period = pick.period;
+    out->shown_s = (float)pick.ticks * CORE_TICK_S;
+    out->left_s = pick.ticks < BOARD_TICKS ? (float)(BOARD_TICKS - pick.ticks) * CORE_TICK_S : 0.0f;
+    for (uint32_t i = 0; i < RANK_ROWS; i++) {
+        const struct rank_row *row = &game->ranking.row[pick.mode][pick.period][i];
+        out->row[i].caught = row->caught;
+        out->row[i].is_new = game->phase == PHASE_BOARD && row->round_id == game->name.round_id;
+        out->row[i].seat = row->seat;
+        memcpy(out->row[i].name, row->name, sizeof out->row[i].name);
+    }
+}
