@@ -18,6 +18,7 @@ static int audio_sim_play(void *self, const struct sound_event *event)
         return HAL_ERR_IO;
     }
     sim->played[event->sound]++;
+    sim->gain = event->gain;
     return HAL_OK;
 }
 

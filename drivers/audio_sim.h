@@ -6,6 +6,7 @@
 
 struct audio_sim {
     uint32_t played[SOUND_COUNT];
+    float gain;          /* Of the last one. */
     uint8_t fails;       /* Set: every play answers HAL_ERR_IO. */
     uint8_t gone;        /* Set: every play answers HAL_ERR_GONE, and no open finds a card. */
     uint32_t open_count;

@@ -4,8 +4,11 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include <SDL.h>
+
+#include "platform/clock.h"
 
 /* On SDL's audio thread. */
 static void render(void *context, Uint8 *bytes, int size)
@@ -40,11 +43,44 @@ static void quiet_alsa(void)
     }
 }
 
+static uint64_t now_ns(void)
+{
+    const struct hal_clock clock = clock_device();
+    return clock.ops->now_ns(clock.self);
+}
+
+/* When a card last came or went; 0: there never was one. */
+static uint64_t cards_changed_ns(const struct audio *audio)
+{
+    struct stat folder;
+    if (stat(audio->cards ? audio->cards : "/dev/snd", &folder)) {
+        return 0;
+    }
+    return (uint64_t)folder.st_mtim.tv_sec * 1000000000u + (uint64_t)folder.st_mtim.tv_nsec;
+}
+
+/* Whether to look for a card, after it was looked for in vain: each second would be a frame's third
+ * each second. */
+static bool is_worth_a_look(struct audio *audio)
+{
+    const uint64_t now = now_ns(), changed = cards_changed_ns(audio);
+    const bool is_due = now - audio->tried_ns >= AUDIO_TRY_S * 1000000000ull;
+    if (audio->tried_ns > 0 && !is_due && changed == audio->cards_ns) {
+        return false;
+    }
+    audio->tried_ns = now;
+    audio->cards_ns = changed;
+    return true;
+}
+
 static int audio_open(void *self)
 {
     struct audio *audio = self;
     if (audio->device) {
         return HAL_OK;
+    }
+    if (!is_worth_a_look(audio)) {
+        return HAL_ERR_NONE;
     }
     const SDL_AudioSpec wanted = {
         .freq = (int)SYNTH_RATE_HZ,
@@ -64,6 +100,7 @@ static int audio_open(void *self)
             snprintf(audio->text, sizeof audio->text, "sound through SDL %s",
                      SDL_GetCurrentAudioDriver());
             SDL_PauseAudioDevice(audio->device, 0);
+            audio->tried_ns = 0; /* If it goes, it is looked for at once. */
             return HAL_OK;
         }
         SDL_QuitSubSystem(SDL_INIT_AUDIO);

@@ -73,6 +73,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
         return error;
     }
     read_wall(kiosk, hal); /* The C library reads the time zone once, here: it allocates. */
+    voice_open(&kiosk->voice, &hal->audio, clock_ns(hal->clock));
     hal->seats.ops->arrange(hal->seats.self, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         open_seat(kiosk, hal, i, clock_ns(hal->clock));
@@ -215,29 +216,12 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     return done;
 }
 
-/* Whether there may be a card to play on: one that went is looked for once a second. */
-static int find_sound(struct kiosk *kiosk, const struct hal_audio *audio, uint64_t now_ns)
-{
-    if (kiosk->audio_retry_ns > 0 && now_ns >= kiosk->audio_retry_ns) {
-        kiosk->audio_retry_ns = audio->ops->open(audio->self) == HAL_OK ? 0 : now_ns + RETRY_NS;
-    }
-    return kiosk->audio_retry_ns == 0;
-}
-
 static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
 {
-    const uint64_t now_ns = clock_ns(hal->clock);
-    if (!find_sound(kiosk, &hal->audio, now_ns)) {
-        return;
-    }
-    for (uint32_t i = 0; i < kiosk->output.sound_count; i++) {
-        const int result = hal->audio.ops->play(hal->audio.self, &kiosk->output.sounds[i]);
-        kiosk->faults.audio += (uint32_t)hal_is_fault(result);
-        if (result == HAL_ERR_GONE) {
-            kiosk->audio_retry_ns = now_ns + RETRY_NS;
-            return; /* One loss, one fault: the sounds of this moment go with the card. */
-        }
-    }
+    kiosk->faults.audio += voice_put(&kiosk->voice, &hal->audio, &kiosk->output,
+                                     &kiosk->core.config.memory.settings,
+                                     kiosk->core.game.phase == PHASE_ATTRACT,
+                                     clock_ns(hal->clock));
 }
 
 /* A replay's coins were metered when they fell, and those that fall now would be nobody's: the slot

@@ -16,6 +16,7 @@
 #include "platform/kiosk/shades.h"
 #include "platform/kiosk/switches.h"
 #include "platform/kiosk/timing.h"
+#include "platform/kiosk/voice.h"
 
 /* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
  * Must not change either. */
@@ -69,7 +70,7 @@ struct kiosk {
     uint32_t accepted_id;  /* Newest ledger entry that the store took, or will never take. */
     uint32_t accepted_edit_id; /* The same of graphs. */
     uint64_t save_retry_ns;
-    uint64_t audio_retry_ns; /* When a sound card that went is looked for again; 0: none went. */
+    struct voice voice;
     uint32_t refused_seen; /* Of the store's failed writes, those already among the faults. */
     struct switches switches;
     uint32_t told_orders;      /* Of output.order_count, those that the controllers got. */

@@ -93,6 +93,41 @@ static void test_no_device_is_said_in_one_line(void **state)
     assert_int_equal(device.ops->play(device.self, &event), HAL_ERR_NONE);
 }
 
+/* SDL finds no driver of that name: what open() says then it says without asking SDL, too. */
+static void test_a_card_that_comes_later_is_found_and_not_asked_for_in_vain(void **state)
+{
+    (void)state;
+    char cards[] = "/tmp/kingyo-cards-XXXXXX", card[64];
+    assert_non_null(mkdtemp(cards));
+    audio.cards = cards;
+    setenv("SDL_AUDIODRIVER", "nonesuch", 1);
+    const struct hal_audio device = audio_device(&audio);
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_NONE);
+    setenv("SDL_AUDIODRIVER", "dummy", 1); /* There is one now, but nothing has told of it. */
+    for (uint32_t i = 0; i < 1000; i++) {
+        assert_int_equal(device.ops->open(device.self), HAL_ERR_NONE);
+    }
+    SDL_Delay(20); /* A file system's clock ticks in steps of up to 10 ms. */
+    snprintf(card, sizeof card, "%s/pcmC0D0p", cards);
+    fclose(fopen(card, "w"));
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    unlink(card);
+    rmdir(cards);
+}
+
+static void test_a_sound_server_that_starts_later_is_found_within_ten_seconds(void **state)
+{
+    (void)state;
+    audio.cards = "/nonexistent";
+    setenv("SDL_AUDIODRIVER", "nonesuch", 1);
+    const struct hal_audio device = audio_device(&audio);
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_NONE);
+    setenv("SDL_AUDIODRIVER", "dummy", 1);
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_NONE);
+    audio.tried_ns -= AUDIO_TRY_S * 1000000000ull; /* As if so long had passed. */
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+}
+
 static void test_a_card_that_asks_for_nothing_never_holds_a_frame(void **state)
 {
     (void)state;
@@ -116,6 +151,8 @@ int main(void)
         WITH_AUDIO(test_a_sound_reaches_the_device),
         WITH_AUDIO(test_no_sound_is_silence),
         WITH_AUDIO(test_no_device_is_said_in_one_line),
+        WITH_AUDIO(test_a_card_that_comes_later_is_found_and_not_asked_for_in_vain),
+        WITH_AUDIO(test_a_sound_server_that_starts_later_is_found_within_ten_seconds),
         WITH_AUDIO(test_a_card_that_asks_for_nothing_never_holds_a_frame),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
