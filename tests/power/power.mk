@@ -14,3 +14,16 @@ $(POWER): $(addprefix $(BUILD)/tests/power/,power.o cutter.o tape.o disk.o disk_
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
 .PHONY: test-power
+
+CARD := $(BUILD)/tests/power/card
+
+## bench-card: the frame loop while its card is slow, full or read-only: the longest frame, ticks dropped, the slot
+bench-card:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(CARD)
+	@$(CARD)
+
+$(CARD): $(addprefix $(BUILD)/tests/power/,card.o tape.o) $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: bench-card

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,8 +24,9 @@ static pthread_mutex_t pencil = PTHREAD_MUTEX_INITIALIZER;
 static struct tape *running;
 static char watched[256];
 static size_t watched_size;
-static uint32_t sync_us;
+static atomic_uint sync_us;
 static int is_deaf;
+static atomic_int refusal;
 static uint32_t file_of_fd[FD_MAX]; /* 0: not one of ours. */
 static uint8_t is_folder[FD_MAX];
 static struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[NAMES_MAX];
@@ -150,7 +152,7 @@ void tape_free(struct tape *tape)
 
 void tape_sync_us(uint32_t us)
 {
-    sync_us = us;
+    atomic_store(&sync_us, us);
 }
 
 /* ---- libc ----------------------------------------------------------------------------------- */
@@ -205,8 +207,18 @@ static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
     }
 }
 
+static int is_refused(int fd)
+{
+    const int error = file_of(fd) ? atomic_load(&refusal) : 0;
+    errno = error ? error : errno;
+    return error != 0;
+}
+
 static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
 {
+    if (is_refused(fd)) {
+        return -1;
+    }
     pthread_mutex_lock(&pencil);
     const ssize_t done = syscall(SYS_pwrite64, fd, bytes, size, offset);
     note_write(fd, bytes, done, (uint64_t)offset);
@@ -228,6 +240,9 @@ ssize_t write(int fd, const void *bytes, size_t size)
 {
     if (!file_of(fd)) {
         return syscall(SYS_write, fd, bytes, size);
+    }
+    if (is_refused(fd)) {
+        return -1;
     }
     pthread_mutex_lock(&pencil);
     const off_t offset = syscall(SYS_lseek, fd, 0, SEEK_CUR);
@@ -258,6 +273,11 @@ int ftruncate64(int fd, off64_t size)
     return cut_file(fd, size);
 }
 
+void tape_refuse(int error)
+{
+    atomic_store(&refusal, error);
+}
+
 void tape_be_deaf(void)
 {
     is_deaf = 1;
@@ -266,7 +286,7 @@ void tape_be_deaf(void)
 static int note_sync(int fd)
 {
     if (running && !is_deaf && fd >= 0 && fd < FD_MAX && (file_of_fd[fd] || is_folder[fd])) {
-        const struct timespec time = { .tv_nsec = 1000L * sync_us };
+        const struct timespec time = { .tv_nsec = 1000L * atomic_load(&sync_us) };
         nanosleep(&time, NULL);
         pthread_mutex_lock(&pencil);
         add(is_folder[fd] ? TAPE_SYNC_FOLDER : TAPE_SYNC, file_of_fd[fd]);
