@@ -17,7 +17,7 @@ struct ctl_command {
 };
 
 extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper, ctl_morph,
-    ctl_lines, ctl_doctor, ctl_config;
+    ctl_lines, ctl_doctor, ctl_config, ctl_status;
 
 /* One line on standard error, "kingyoctl COMMAND: ...", and EXIT_USAGE. */
 __attribute__((format(printf, 2, 3)))

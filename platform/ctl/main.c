@@ -8,7 +8,7 @@
 static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_paper, &ctl_play,
                                                       &ctl_morph, &ctl_replay, &ctl_hid,
                                                       &ctl_lines, &ctl_doctor,
-                                                      &ctl_config };
+                                                      &ctl_config, &ctl_status };
 
 static void print_help(void)
 {

@@ -207,6 +207,7 @@ static enum kiosk_end run(struct session *session)
         const uint64_t begin_ns = clock.ops->now_ns(clock.self);
         end = kiosk_frame(&session->kiosk, &session->hal);
         shoot_if_due(session, &shots);
+        status_tell(&session->status, &session->kiosk, &session->hal, begin_ns);
         const uint64_t end_ns = clock.ops->now_ns(clock.self);
         const uint64_t rest_ns = pace_rest_ns(&rest, end_ns - begin_ns);
         if (rest_ns > 0) {
@@ -230,7 +231,10 @@ enum exit_code play_run(struct session *session)
     tell_seats(&session->kiosk);
     session_tell_shelf(session);
     fflush(stdout);
-    code = end_play(session, run(session));
+    status_begin(&session->status, getenv("RUNTIME_DIRECTORY"));
+    const enum kiosk_end end = run(session);
+    status_end(&session->status);
+    code = end_play(session, end);
     board_close(&session->hal);
     return code;
 }

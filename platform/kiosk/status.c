@@ -1,0 +1,275 @@
+/* status.c -- the report's text, and the thread that writes it. */
+#include "platform/kiosk/status.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#define NS_PER_MS 1000000ull
+
+/* ---- Text ----------------------------------------------------------------------------------- */
+
+struct text_out {
+    char *out;
+    size_t used;
+};
+
+__attribute__((format(printf, 2, 3)))
+static void put(struct text_out *text, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int length =
+        vsnprintf(text->out + text->used, STATUS_TEXT_MAX - text->used, format, arguments);
+    va_end(arguments);
+    text->used += (size_t)length;
+    assert(text->used < STATUS_TEXT_MAX);
+}
+
+/* A driver's words may hold a device's own name: anything at all. What is not sound UTF-8 is left
+ * to the reader, who has seen worse; quotes and control characters would break the file. */
+static void put_string(struct text_out *text, const char *words)
+{
+    put(text, "\"");
+    for (const char *c = words; *c; c++) {
+        if (*c == '"' || *c == '\\') {
+            put(text, "\\%c", *c);
+        } else if ((unsigned char)*c < 0x20 || *c == 0x7F) {
+            put(text, "\\u%04x", (unsigned)(unsigned char)*c);
+        } else {
+            put(text, "%c", *c);
+        }
+    }
+    put(text, "\"");
+}
+
+static const char *phase_name(uint8_t phase)
+{
+    static const char *const names[] = {
+        [PHASE_ATTRACT] = "attract", [PHASE_READY] = "ready",   [PHASE_ROUND] = "round",
+        [PHASE_RESULT] = "result",   [PHASE_CHOOSE] = "choose", [PHASE_LAB] = "lab",
+        [PHASE_ALBUM] = "album",     [PHASE_MENU] = "menu",
+    };
+    const int is_known = phase < sizeof names / sizeof names[0] && names[phase];
+    return is_known ? names[phase] : "other";
+}
+
+static const char *boolean(int is_so)
+{
+    return is_so ? "true" : "false";
+}
+
+static void put_stall(struct text_out *text, const struct status_report *report)
+{
+    const struct purse *purse = &report->purse;
+    put(text, "  \"version\": \"" KINGYO_VERSION "\",\n  \"pid\": %u,\n  \"written_ms\": %llu,\n"
+              "  \"up_s\": %u,\n  \"boot\": %u,\n  \"phase\": \"%s\",\n  \"players\": %u,\n",
+        report->pid, (unsigned long long)report->written_ms, report->up_s, report->boot,
+        phase_name(report->phase), report->players);
+    put(text, "  \"credits\": {\"paid\": %u, \"service\": %u, \"units\": %u, \"untold\": %u, "
+              "\"round_open\": %s},\n",
+        purse->paid, purse->service, purse->units, purse->untold,
+        boolean(purse->open != OPEN_NONE));
+    put(text, "  \"store\": {\"well\": %s, \"entry_id\": %u, \"saved_id\": %u, \"waiting\": %u},\n",
+        boolean(report->store_well), report->entry_id, report->saved_id,
+        report->entry_id - report->saved_id);
+}
+
+static void put_figures(struct text_out *text, const struct status_report *report)
+{
+    const struct kiosk_faults *faults = &report->faults;
+    put(text, "  \"frames\": {\"count\": %llu, \"median_ms\": %.1f, \"p99_ms\": %.1f},\n"
+              "  \"ticks\": {\"count\": %u, \"dropped\": %llu},\n",
+        (unsigned long long)report->frames, (double)report->frame_median_ns * 1e-6,
+        (double)report->frame_p99_ns * 1e-6, report->ticks,
+        (unsigned long long)report->dropped_ticks);
+    put(text, "  \"faults\": {\"poi\": %u, \"fan\": %u, \"display\": %u, \"sound\": %u, "
+              "\"store\": %u, \"buttons\": %u, \"switches\": %u, \"buttons_missing\": %u},\n",
+        faults->poi, faults->shade, faults->display, faults->audio, faults->storage,
+        faults->buttons, faults->switches, (unsigned)__builtin_popcount(report->buttons_missing));
+}
+
+size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])
+{
+    struct text_out text = { .out = out };
+    put(&text, "{\n");
+    put_stall(&text, report);
+    put_figures(&text, report);
+    put(&text, "  \"devices\": [");
+    for (uint32_t i = 0; i < report->device_count; i++) {
+        put(&text, "%s\n    {\"part\": \"%s\", \"text\": ", i ? "," : "", report->device[i].part);
+        put_string(&text, report->device[i].text);
+        put(&text, "}");
+    }
+    put(&text, "\n  ]\n}\n");
+    return text.used;
+}
+
+/* ---- What there is to say ------------------------------------------------------------------- */
+
+static void take_device(struct status_report *report, const char *part, const char *text)
+{
+    assert(report->device_count < STATUS_DEVICES_MAX);
+    if (text && text[0]) {
+        report->device[report->device_count].part = part;
+        snprintf(report->device[report->device_count++].text, HAL_TEXT_SIZE, "%s", text);
+    }
+}
+
+static void take_devices(struct status_report *report, const struct hal *hal)
+{
+    report->device_count = 0;
+    take_device(report, "display", hal->display.ops->describe(hal->display.self));
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        take_device(report, "poi", hal->poi[i].ops->describe(hal->poi[i].self));
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        take_device(report, "fan", hal->shade[i].ops->describe(hal->shade[i].self));
+    }
+    take_device(report, "buttons", hal->buttons.ops->describe(hal->buttons.self));
+    take_device(report, "switches", hal->switches.ops->describe(hal->switches.self));
+    take_device(report, "usb", hal->controllers.ops->describe(hal->controllers.self));
+    take_device(report, "sound", hal->audio.ops->describe(hal->audio.self));
+    take_device(report, "store", hal->storage.ops->describe(hal->storage.self));
+    take_device(report, "watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
+}
+
+void status_take(struct status_report *report, const struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct core *core = &kiosk->core;
+    report->up_s = core->tick / CORE_TICK_HZ;
+    report->boot = core->config.memory.ledger.boots;
+    report->phase = core->game.phase;
+    report->players = core->config.players;
+    report->purse = core->game.ledger.purse;
+    report->entry_id = kiosk->output.entry_id;
+    report->saved_id = kiosk->input.record_saved_id;
+    report->store_well = kiosk->input.store_well;
+    report->frames = kiosk->frames;
+    report->dropped_ticks = kiosk->pace.dropped;
+    report->ticks = core->tick;
+    report->frame_median_ns = timing_quantile_ns(&kiosk->frame_time, 0.5);
+    report->frame_p99_ns = timing_quantile_ns(&kiosk->frame_time, 0.99);
+    report->faults = kiosk->faults;
+    report->buttons_missing = kiosk->buttons_missing;
+    take_devices(report, hal);
+}
+
+/* ---- The file ------------------------------------------------------------------------------- */
+
+static int write_all(int fd, const char *text, size_t size)
+{
+    while (size > 0) {
+        const ssize_t written = write(fd, text, size);
+        if (written < 0) {
+            return -errno;
+        }
+        text += written;
+        size -= (size_t)written;
+    }
+    return 0;
+}
+
+/* 0 or a negative errno. Readable by everybody, whatever the service's umask; in memory, so that
+ * nothing is synchronised. */
+static int write_file(const struct status *status, size_t size)
+{
+    const int fd = open(status->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (fd < 0) {
+        return -errno;
+    }
+    int error = fchmod(fd, 0644) ? -errno : write_all(fd, status->text, size);
+    error = close(fd) && !error ? -errno : error;
+    return error ? error : rename(status->part, status->path) ? -errno : 0;
+}
+
+static uint64_t since_power_on_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return (uint64_t)now.tv_sec * 1000u + (uint64_t)now.tv_nsec / NS_PER_MS;
+}
+
+static void write_report(struct status *status, struct status_report *report)
+{
+    report->written_ms = since_power_on_ms();
+    report->pid = (uint32_t)getpid();
+    const int error = write_file(status, status_format(report, status->text));
+    if (error && atomic_fetch_add(&status->failed, 1) == 0) {
+        fprintf(stderr, "kingyo: %s: cannot write: %s\n", status->path, strerror(-error));
+    }
+}
+
+static void *run(void *self)
+{
+    struct status *status = self;
+    struct status_report report; /* Its own copy: the frame loop goes on to the next. */
+    pthread_setname_np(pthread_self(), "status");
+    pthread_mutex_lock(&status->mutex);
+    while (!status->stop) {
+        if (!status->is_fresh) {
+            pthread_cond_wait(&status->changed, &status->mutex);
+            continue;
+        }
+        report = status->report;
+        status->is_fresh = 0;
+        pthread_mutex_unlock(&status->mutex);
+        write_report(status, &report);
+        pthread_mutex_lock(&status->mutex);
+    }
+    pthread_mutex_unlock(&status->mutex);
+    return NULL;
+}
+
+/* ---- The frame loop's side ------------------------------------------------------------------ */
+
+void status_begin(struct status *status, const char *folder)
+{
+    memset(status, 0, sizeof *status);
+    if (!folder || folder[0] != '/' || strlen(folder) + sizeof STATUS_FILE + 8u > PATH_MAX) {
+        return;
+    }
+    snprintf(status->path, sizeof status->path, "%.*s/" STATUS_FILE, PATH_MAX - 32, folder);
+    snprintf(status->part, sizeof status->part, "%.*s/." STATUS_FILE, PATH_MAX - 32, folder);
+    pthread_mutex_init(&status->mutex, NULL);
+    pthread_cond_init(&status->changed, NULL);
+    status->runs = pthread_create(&status->thread, NULL, run, status) == 0;
+}
+
+void status_tell(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
+                 uint64_t now_ns)
+{
+    if (!status->runs || now_ns < status->next_ns) {
+        return;
+    }
+    status->next_ns = now_ns + STATUS_PERIOD_NS;
+    status_take(&status->draft, kiosk, hal);
+    if (pthread_mutex_trylock(&status->mutex) == 0) {
+        status->report = status->draft;
+        status->is_fresh = 1;
+        pthread_cond_signal(&status->changed);
+        pthread_mutex_unlock(&status->mutex);
+    }
+}
+
+void status_end(struct status *status)
+{
+    if (!status->runs) {
+        return;
+    }
+    pthread_mutex_lock(&status->mutex);
+    status->stop = 1;
+    pthread_cond_signal(&status->changed);
+    pthread_mutex_unlock(&status->mutex);
+    pthread_join(status->thread, NULL);
+    pthread_mutex_destroy(&status->mutex);
+    pthread_cond_destroy(&status->changed);
+    unlink(status->path);
+    status->runs = 0;
+}

@@ -1,0 +1,59 @@
+#!/bin/bash
+# test_status_command.sh -- kingyoctl status: reads the file, and says whether the stall is well. Speaks TAP.
+set -u
+build=$(realpath "${BUILD:-build}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+count=0
+check() { # TITLE COMMAND...
+    local title=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
+        echo "not ok $count - $title"
+        sed 's/^/# /' "$work/said"
+    fi
+}
+file=$work/status.json
+writes() { # AGE_S WELL: as the service does.
+    local now
+    now=$(awk -v age="$1" '{ printf "%.0f", ($1 - age) * 1000 }' /proc/uptime)
+    cat >"$file" <<JSON
+{ "version": "0.1.0", "pid": 7, "written_ms": $now, "up_s": 7384, "boot": 12, "phase": "attract", "players": 2,
+  "credits": {"paid": 3, "service": 1, "units": 2, "untold": 0, "round_open": false},
+  "store": {"well": $2, "entry_id": 120, "saved_id": 118, "waiting": 2},
+  "frames": {"count": 443040, "median_ms": 16.7, "p99_ms": 17.1}, "ticks": {"count": 886080, "dropped": 4},
+  "faults": {"poi": 2, "fan": 0, "display": 0, "sound": 1, "store": 0, "buttons": 0, "switches": 0, "buttons_missing": 0},
+  "devices": [{"part": "display", "text": "OpenGL ES 3.1 V3D, 1920x1080"}, {"part": "sound", "text": "none"}] }
+JSON
+}
+status() { "$build/kingyoctl" status --file "$file" "$@" >"$work/out" 2>"$work/err"; }
+ends() { # CODE PATTERN ARGUMENTS...
+    local code=$1 pattern=$2 got
+    shift 2
+    status "$@"
+    got=$?
+    cat "$work/out" "$work/err"
+    [ $got -eq "$code" ] && grep -qE -- "$pattern" "$work/out" "$work/err"
+}
+writes 1 true
+check 'a stall that runs is told' ends 0 '^kingyo 0.1.0, start 12, open for 2 h 03 min: attract$'
+check 'with its credits' ends 0 '^  credits   3 paid, 1 of service, 2 units towards the next$'
+check 'its ledger' ends 0 '^  ledger    well; 120 entries, 2 not on disk yet$'
+check 'its frames' ends 0 '^  frames    443040, median 16.7 ms, p99 17.1 ms; 4 ticks dropped$'
+check 'those faults that there were' ends 0 '^  faults    poi 2, sound 1$'
+check 'and its devices' ends 0 '^  display   OpenGL ES 3.1 V3D, 1920x1080$'
+as_it_is() { status --json && cmp "$file" "$work/out"; }
+check '--json prints it as it is' as_it_is
+writes 60 true
+check 'one that stood still for a minute is not well' ends 1 'has said nothing for 6[0-9]\.[0-9] s'
+writes 1 false
+check 'nor is one that cannot keep what it earns' ends 1 'is not kept now'
+echo 'something else' >"$file"
+check 'another file is bad data' ends 65 'is no stall.s status'
+echo '{"version": "0.1.0"}' >"$file"
+check 'so is other JSON' ends 65 'is no stall.s status'
+rm "$file"
+check 'none at all is an I/O error that says why' ends 74 'no stall runs as a service here'
+check 'a word too many is wrong usage' ends 2 'is not understood' now
+echo "1..$count"

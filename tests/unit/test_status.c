@@ -1,0 +1,248 @@
+/* test_status.c -- the status file: what is in it, that it is whole, that no frame waits for it. */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "drivers/null.h"
+#include "platform/kiosk/status.h"
+
+static struct status status;
+static struct kiosk kiosk;
+static char folder[] = "/tmp/kingyo-status-XXXXXX";
+static char path[64];
+
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(folder + sizeof folder - 7, "XXXXXX");
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/status.json", folder);
+    memset(&kiosk, 0, sizeof kiosk);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    unlink(path);
+    return rmdir(folder);
+}
+
+static void read_text(char text[STATUS_TEXT_MAX])
+{
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    text[fread(text, 1, STATUS_TEXT_MAX - 1u, file)] = '\0';
+    fclose(file);
+}
+
+/* What SQLite's reader finds in it; fails where it is no JSON. */
+static void check_json(const char *text, const char *where, const char *wanted)
+{
+    sqlite3 *database;
+    sqlite3_stmt *statement;
+    assert_int_equal(sqlite3_open(":memory:", &database), SQLITE_OK);
+    assert_int_equal(sqlite3_prepare_v2(database, "SELECT json_valid(?1), json_extract(?1, ?2)", -1,
+                                        &statement, NULL), SQLITE_OK);
+    sqlite3_bind_text(statement, 1, text, -1, SQLITE_STATIC);
+    sqlite3_bind_text(statement, 2, where, -1, SQLITE_STATIC);
+    assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
+    assert_int_equal(sqlite3_column_int(statement, 0), 1);
+    assert_non_null(sqlite3_column_text(statement, 1));
+    assert_string_equal((const char *)sqlite3_column_text(statement, 1), wanted);
+    sqlite3_finalize(statement);
+    sqlite3_close(database);
+}
+
+static void test_every_figure_is_in_it(void **state)
+{
+    static char text[STATUS_TEXT_MAX];
+    static const struct { const char *where, *wanted; } rows[] = {
+        { "$.version", KINGYO_VERSION },
+        { "$.pid", "1234" },
+        { "$.written_ms", "5000000000" },
+        { "$.up_s", "60" },
+        { "$.boot", "7" },
+        { "$.phase", "round" },
+        { "$.players", "2" },
+        { "$.credits.paid", "3" },
+        { "$.credits.service", "4" },
+        { "$.credits.units", "1" },
+        { "$.credits.untold", "2" },
+        { "$.credits.round_open", "1" },
+        { "$.store.well", "1" },
+        { "$.store.entry_id", "90" },
+        { "$.store.saved_id", "88" },
+        { "$.store.waiting", "2" },
+        { "$.frames.count", "600" },
+        { "$.frames.median_ms", "16.7" },
+        { "$.frames.p99_ms", "18.0" },
+        { "$.ticks.dropped", "9" },
+        { "$.ticks.count", "7200" },
+        { "$.faults.poi", "1" },
+        { "$.faults.fan", "2" },
+        { "$.faults.display", "3" },
+        { "$.faults.sound", "4" },
+        { "$.faults.store", "5" },
+        { "$.faults.buttons", "6" },
+        { "$.faults.switches", "7" },
+        { "$.faults.buttons_missing", "2" },
+        { "$.devices[0].part", "poi" },
+        { "$.devices[0].text", "mouse" },
+    };
+    struct status_report report = {
+        .written_ms = 5000000000ull, .pid = 1234, .up_s = 60, .boot = 7, .phase = PHASE_ROUND,
+        .players = 2,
+        .purse = { .paid = 3, .service = 4, .units = 1, .untold = 2, .open = OPEN_PAID },
+        .entry_id = 90, .saved_id = 88, .store_well = 1, .frames = 600, .dropped_ticks = 9,
+        .ticks = 7200, .frame_median_ns = 16700000, .frame_p99_ns = 18000000,
+        .faults = { .poi = 1, .shade = 2, .display = 3, .audio = 4, .storage = 5, .buttons = 6,
+                    .switches = 7 },
+        .buttons_missing = 5, .device_count = 1, .device = { { "poi", "mouse" } },
+    };
+    (void)state;
+    const size_t size = status_format(&report, text);
+    assert_int_equal(size, strlen(text));
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        check_json(text, rows[i].where, rows[i].wanted);
+    }
+}
+
+static void test_a_devices_name_cannot_break_it(void **state)
+{
+    static char text[STATUS_TEXT_MAX];
+    struct status_report report = { .device_count = 1, .device = { { "usb", "" } } };
+    (void)state;
+    snprintf(report.device[0].text, HAL_TEXT_SIZE, "%s", "a\"b\\c\n\x01\x7F 金魚");
+    status_format(&report, text);
+    check_json(text, "$.devices[0].text", "a\"b\\c\n\x01\x7F 金魚");
+}
+
+static void test_the_longest_report_fits(void **state)
+{
+    static char text[STATUS_TEXT_MAX];
+    static struct status_report report;
+    (void)state;
+    memset(&report, 0xFF, sizeof report);
+    report.device_count = STATUS_DEVICES_MAX;
+    for (uint32_t i = 0; i < STATUS_DEVICES_MAX; i++) {
+        report.device[i].part = "switches";
+        memset(report.device[i].text, 1, HAL_TEXT_SIZE - 1u); /* Six characters each. */
+        report.device[i].text[HAL_TEXT_SIZE - 1u] = '\0';
+    }
+    assert_in_range(status_format(&report, text), STATUS_DEVICES_MAX * HAL_TEXT_SIZE,
+                    STATUS_TEXT_MAX - 1u);
+    check_json(text, "$.phase", "other");
+}
+
+/* Until the file is there, 5 s at most. */
+static int waits_for_file(void)
+{
+    const struct timespec rest = { .tv_nsec = 1000000 };
+    for (int i = 0; i < 5000 && access(path, F_OK) != 0; i++) {
+        nanosleep(&rest, NULL);
+    }
+    return access(path, F_OK) == 0;
+}
+
+static void test_a_running_stall_has_a_file_and_a_closed_one_has_none(void **state)
+{
+    static char text[STATUS_TEXT_MAX];
+    const struct hal hal = null_hal();
+    struct stat about;
+    (void)state;
+    kiosk.frames = 5;
+    const mode_t mask = umask(0077);
+    status_begin(&status, folder);
+    status_tell(&status, &kiosk, &hal, 0);
+    assert_true(waits_for_file());
+    umask(mask);
+    read_text(text);
+    check_json(text, "$.frames.count", "5");
+    assert_int_equal(stat(path, &about), 0);
+    assert_int_equal(about.st_mode & 0777, 0644); /* For everybody to read. */
+    status_end(&status);
+    assert_int_equal(access(path, F_OK), -1);
+}
+
+static void test_it_is_told_once_a_second(void **state)
+{
+    const struct hal hal = null_hal();
+    (void)state;
+    status_begin(&status, folder);
+    status_tell(&status, &kiosk, &hal, 5);
+    assert_true(waits_for_file());
+    assert_int_equal(unlink(path), 0);
+    status_tell(&status, &kiosk, &hal, 5 + STATUS_PERIOD_NS - 1u);
+    assert_int_equal(status.is_fresh, 0);
+    assert_int_equal(access(path, F_OK), -1);
+    status_tell(&status, &kiosk, &hal, 5 + STATUS_PERIOD_NS);
+    assert_true(waits_for_file());
+    status_end(&status);
+}
+
+static void test_no_frame_waits_while_it_is_written(void **state)
+{
+    const struct hal hal = null_hal();
+    (void)state;
+    status_begin(&status, folder);
+    pthread_mutex_lock(&status.mutex); /* As the thread holds it. */
+    status_tell(&status, &kiosk, &hal, 0);
+    assert_int_equal(status.is_fresh, 0); /* Left out; and here we are. */
+    pthread_mutex_unlock(&status.mutex);
+    status_end(&status);
+}
+
+static void test_without_a_folder_nothing_happens(void **state)
+{
+    const struct hal hal = null_hal();
+    static const char *const none[] = { NULL, "", "run/kingyo" };
+    (void)state;
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+        status_begin(&status, none[i]);
+        assert_int_equal(status.runs, 0);
+        status_tell(&status, &kiosk, &hal, 0);
+        status_end(&status);
+    }
+}
+
+static void test_a_folder_that_went_is_counted_and_survived(void **state)
+{
+    const struct hal hal = null_hal();
+    (void)state;
+    status_begin(&status, "/tmp/kingyo-no-such-folder");
+    status_tell(&status, &kiosk, &hal, 0);
+    const struct timespec rest = { .tv_nsec = 1000000 };
+    for (int i = 0; i < 5000 && atomic_load(&status.failed) == 0; i++) {
+        nanosleep(&rest, NULL);
+    }
+    status_end(&status);
+    assert_int_equal(atomic_load(&status.failed), 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_figure_is_in_it),
+        cmocka_unit_test(test_a_devices_name_cannot_break_it),
+        cmocka_unit_test(test_the_longest_report_fits),
+        cmocka_unit_test_setup_teardown(
+            test_a_running_stall_has_a_file_and_a_closed_one_has_none, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_it_is_told_once_a_second, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_no_frame_waits_while_it_is_written, set_up, tear_down),
+        cmocka_unit_test(test_without_a_folder_nothing_happens),
+        cmocka_unit_test(test_a_folder_that_went_is_counted_and_survived),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
