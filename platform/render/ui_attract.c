@@ -35,7 +35,9 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit, board = ui_board_in(&scene->board);
     const float risen = fmaxf(1.0f - ui_smooth(0.0f, 0.8f, scene->phase_s), board);
-    ui_noren(frame, risen);
+    if (risen < 1.0f) {
+        ui_noren(frame, risen);
+    }
     if (board > 0.0f) { /* The curtain makes room for it, and what is paid moves aside. */
         ui_board(frame, &scene->board, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, scene, 128.0f * u, 62.0f * u);

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "core/game/credit.h"
+#include "core/game/name_board.h"
 #include "core/game/ranking.h"
 #include "glyphs.h"
 #include "platform/render/ui_screens.h"
@@ -98,7 +99,8 @@ static void lay_out(struct size size)
 /* The curtain is outside while it is raised or lowered; lights may spill over the edge. */
 static int may_leave(uint32_t quad, const struct bounds *bounds)
 {
-    const int curtain = (scene.phase == PHASE_READY || scene.phase_s < 1.0f) && bounds->top < 0.0f;
+    const int curtain = (scene.phase == PHASE_READY || scene.phase_s < 1.0f || scene.board.shown) &&
+                        bounds->top < 0.0f;
     return batch.kinds[quad] == UI_GLOW || curtain;
 }
 
@@ -618,6 +620,74 @@ static void test_no_words_lie_on_others_on_any_screen_at_rest(void **state)
     }
 }
 
+/* The longest name, the largest catch, and a place in every row. */
+static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_s)
+{
+    scene.board = (struct scene_board){ .shown = 1, .mode = MODE_CHAMPIONSHIP, .period = period,
+                                        .shown_s = shown_s, .left_s = left_s };
+    for (uint32_t i = 0; i < rows; i++) {
+        struct scene_row *row = &scene.board.row[i];
+        row->caught = 9999;
+        row->seat = (uint8_t)(i % POI_MAX);
+        row->is_new = i % 2u == 0;
+        memcpy(row->name, "ゑゑゑゑゑゑゑゑゑゑ", 30);
+    }
+}
+
+static void test_no_board_leaves_the_screen(void **state)
+{
+    (void)state;
+    static const float moments_s[] = { 0.0f, 0.1f, 0.4f, 0.9f, 4.0f, 8.7f, 9.0f };
+    for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * RANK_PERIOD_COUNT * 7u * 3u; k++) {
+        uint32_t rest = (uint32_t)(k / SIZE_COUNT);
+        const uint8_t language = (uint8_t)(rest % LANGUAGE_COUNT);
+        rest /= LANGUAGE_COUNT;
+        const uint8_t period = (uint8_t)(rest % RANK_PERIOD_COUNT);
+        rest /= RANK_PERIOD_COUNT;
+        const float moment_s = moments_s[rest % 7u];
+        set_scene(rest / 7u == 0 ? PHASE_BOARD : PHASE_ATTRACT, language, HINT_START, 20.0f);
+        scene.credit = (struct scene_credit){ .price = 3, .credits = 99, .coins = 1 };
+        hang_board(period, rest / 7u == 1u ? 1u : SCENE_BOARD_ROWS, moment_s, 9.0f - moment_s);
+        memory = (struct ui_memory){ 0 };
+        lay_out(sizes[k % SIZE_COUNT]);
+        if (moment_s > 0.2f && moment_s < 8.7f) { /* The curtain is under way before and after. */
+            check_inside(sizes[k % SIZE_COUNT]);
+        }
+        assert_int_equal(batch.dropped_count, 0);
+    }
+}
+
+static void set_name(uint8_t alphabet, uint8_t key, uint8_t letter_count, int upright)
+{
+    scene.player[0].place = 10;
+    scene.player[0].period = RANK_EVER;
+    scene.name = (struct scene_name){ .alphabet = alphabet, .key = key, .has_hand = 1,
+                                      .letter_count = letter_count, .x = 60.0f, .y = 60.0f,
+                                      .was_refused = letter_count == 3u,
+                                      .upright = (uint8_t)upright, .presses = key % 2u };
+    for (uint32_t i = 0; i < letter_count; i++) {
+        scene.name.letter[i] = 0x3091;
+    }
+}
+
+static void test_writing_a_name_leaves_no_screen(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * ALPHABET_COUNT * NAME_KEY_COUNT; k++) {
+        const struct size size = sizes[k % SIZE_COUNT];
+        uint32_t rest = (uint32_t)(k / SIZE_COUNT);
+        set_scene(PHASE_NAME, (uint8_t)(rest % LANGUAGE_COUNT), HINT_NONE, 4.0f);
+        rest /= LANGUAGE_COUNT;
+        scene.seconds_left = (float)(rest % 60u);
+        set_name((uint8_t)(rest % ALPHABET_COUNT), (uint8_t)(rest / ALPHABET_COUNT),
+                 (uint8_t)(rest % (NAME_LETTERS_MAX + 1u)),
+                 size.width / size.height < OVERLAY_UPRIGHT_ASPECT);
+        memory = (struct ui_memory){ 0 };
+        lay_out(size);
+        check_inside(size);
+    }
+}
+
 static uint32_t vermilion_lamps(void)
 {
     uint32_t count = 0;
@@ -732,6 +802,8 @@ int main(void)
         cmocka_unit_test(test_what_a_player_must_read_is_readable_from_two_metres),
         cmocka_unit_test(test_no_hint_means_no_ribbon),
         cmocka_unit_test(test_a_new_hint_fades_in),
+        cmocka_unit_test(test_no_board_leaves_the_screen),
+        cmocka_unit_test(test_writing_a_name_leaves_no_screen),
         cmocka_unit_test(test_whoever_is_ranked_earns_the_seal),
             cmocka_unit_test(test_the_one_of_several_who_is_ranked_earns_the_seal),
         cmocka_unit_test(
