@@ -101,7 +101,7 @@ static int storage_open(void *self)
     storage->running = true;
     if (!storage->by_hand && !start_thread(storage)) {
         say_no_file(storage, "no thread to be had");
-        ledger_file_close(&storage->file);
+        storage_close_file(storage);
         atomic_store(&storage->has_file, false);
         storage->running = false;
         return HAL_ERR_IO;
@@ -284,8 +284,9 @@ static const char *storage_describe(void *self)
         say(storage, "store: a graph was not written", strerror(edit_error), "it is retried");
     } else if (aside > 0) {
         snprintf(storage->text, sizeof storage->text,
-                 "%.80s (a fresh one: the old was damaged and is now " STORAGE_FILE ".damaged-%u)",
-                 storage->path, aside);
+                 STORAGE_FILE " was damaged and is now " STORAGE_FILE STORAGE_ASIDE_SUFFIX
+                              "%u: %u entries from the backup, %u from itself",
+                 aside, storage->from_backup, storage->salvaged);
     } else {
         snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
     }
@@ -312,6 +313,8 @@ static uint32_t storage_close(void *self)
         return 0;
     }
     stop_thread(storage);
+    storage->backup_due_s = INT64_MAX; /* Whoever pulls the plug now has the last one. */
+    ledger_backup_drop(&storage->backup);
     storage_work(storage); /* What came while it was leaving, and one last try for the rest. */
     const uint32_t lost = storage_unwritten(storage), lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {
@@ -321,7 +324,7 @@ static uint32_t storage_close(void *self)
             strerror(atomic_load(&storage->edit_error)), "it is lost");
     }
     sem_destroy(&storage->wake);
-    ledger_file_close(&storage->file);
+    storage_close_file(storage);
     storage->running = false;
     atomic_store(&storage->has_file, false);
     return lost + lost_edits;

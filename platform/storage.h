@@ -7,8 +7,12 @@
  * names the newest. A card that is slow, full, busy, read-only or away is tried again each second
  * while the slots fill; when they are full, keep() says HAL_ERR_BUSY and the core's entries wait in
  * its output. Each try that fails is counted. close() tries once more and says how many entries are
- * lost for good. A damaged file is set aside under a new name, never repaired in place and never
- * deleted; a fresh one begins. */
+ * lost for good.
+ *
+ * At the start and each hour the file is copied to a backup beside it, which is checked before it
+ * takes the place of the last. A damaged file is set aside under a new name, never repaired in
+ * place and never deleted; the backup takes its place, with all entries that the damaged file still
+ * has beyond it. */
 #ifndef KINGYO_PLATFORM_STORAGE_H
 #define KINGYO_PLATFORM_STORAGE_H
 
@@ -20,9 +24,13 @@
 
 #include "core/memory.h"
 #include "platform/hal.h"
-#include "platform/store/ledger_file.h"
+#include "platform/store/ledger_backup.h"
 
 #define STORAGE_FILE "kingyo.db"
+#define STORAGE_BACKUP_SUFFIX ".backup"
+#define STORAGE_NEW_SUFFIX ".new"       /* What takes a damaged file's place, until it does. */
+#define STORAGE_ASIDE_SUFFIX ".damaged-" /* And a number. */
+#define STORAGE_BACKUP_S 3600 /* From one backup to the next. */
 #define STORAGE_PATH_SIZE 512u
 /* What the core may have unwritten, twice: it never waits for a slot where a card answers. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
@@ -61,6 +69,8 @@ struct storage {
     atomic_bool stop;
     atomic_bool has_file; /* The database was opened: entries are taken. */
     atomic_uint aside;    /* The damaged file's number; 0: none was set aside. */
+    uint32_t from_backup; /* Then: the newest entry of the backup, ... */
+    uint32_t salvaged;    /* ... and how many more the damaged file still had. */
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
     atomic_int edit_error; /* errno of the last graph that was refused; 0: the last went well. */
     atomic_uint refused;  /* Writes that failed, retries among them. */
@@ -78,6 +88,8 @@ struct storage {
     atomic_uint saved_id;
     uint32_t saved_boot, saved_tick; /* Of that entry; the thread's. */
     bool prunes;                     /* Something may have fallen out; the thread's. */
+    struct ledger_backup backup;     /* Under way; the thread's. */
+    int64_t backup_due_s;            /* On the monotonic clock. */
 
     struct storage_replay put, get;
     uint32_t put_tries;

@@ -1,4 +1,9 @@
-/* storage_open.c -- from a path to a file that can be written. */
+/* storage_open.c -- from a path to a file that can be written, whatever has happened to it.
+ *
+ * A damaged file is never lost sight of and never repaired in place. What takes its place, the last
+ * good backup and all that the damaged one still says beyond that, is made under a name of its own.
+ * Only when that is whole and on disk is the damaged one renamed, and then the new one. A power cut
+ * anywhere leaves files from which the next start does the same again, or the rest of it. */
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -6,51 +11,148 @@
 #include <sqlite3.h>
 
 #include "platform/storage_parts.h"
+#include "platform/store/ledger_backup.h"
 
-#define SET_ASIDE_MAX 1000u /* Damaged files that may lie beside the good one. */
-#define ASIDE_SIZE (STORAGE_PATH_SIZE + 48u)
+#define ASIDE_MAX 1000u /* Damaged files that may lie beside the good one. */
 
-static void name_aside(const struct storage *storage, unsigned number, const char *suffix,
-                       char out[ASIDE_SIZE])
+static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
+#define SUFFIX_COUNT (sizeof suffixes / sizeof suffixes[0])
+
+static void beside(const struct storage *storage, const char *suffix, const char *more,
+                   char out[LEDGER_PATH_SIZE])
 {
-    snprintf(out, ASIDE_SIZE, "%s.damaged-%u%s", storage->path, number, suffix);
+    snprintf(out, LEDGER_PATH_SIZE, "%.520s%.40s%.20s", storage->path, suffix, more);
 }
 
-/* A journal belongs to its file: left behind, it would be played into the fresh one. It goes first,
- * so that a power cut in between leaves a file that is still found damaged. */
-static void set_journal_aside(const struct storage *storage, unsigned number)
+static bool is_there(const char *path)
 {
-    char from[ASIDE_SIZE], to[ASIDE_SIZE];
-    snprintf(from, sizeof from, "%s-journal", storage->path);
-    name_aside(storage, number, "-journal", to);
-    rename(from, to);
+    return access(path, F_OK) == 0;
 }
 
-/* Renames the damaged file to the first free kingyo.db.damaged-N. */
-static bool set_aside(struct storage *storage)
+void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
 {
-    char to[ASIDE_SIZE];
-    unsigned number = 1;
-    name_aside(storage, number, "", to);
-    while (number < SET_ASIDE_MAX && access(to, F_OK) == 0) {
-        name_aside(storage, ++number, "", to);
+    beside(storage, STORAGE_BACKUP_SUFFIX, "", out);
+}
+
+/* The first free number; 0 when all are taken. */
+static unsigned free_number(const struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE], suffix[40];
+    for (unsigned number = 1; number <= ASIDE_MAX; number++) {
+        snprintf(suffix, sizeof suffix, STORAGE_ASIDE_SUFFIX "%u", number);
+        beside(storage, suffix, "", path);
+        if (!is_there(path)) {
+            return number;
+        }
     }
-    if (access(to, F_OK) == 0) {
+    return 0;
+}
+
+/* Renames the file, and then what belongs to it: left behind, a journal would be played into the
+ * fresh one. */
+static bool set_aside(struct storage *storage, unsigned number)
+{
+    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
+    snprintf(suffix, sizeof suffix, STORAGE_ASIDE_SUFFIX "%u", number);
+    beside(storage, suffix, "", to);
+    if (is_there(storage->path) && rename(storage->path, to) != 0) {
         return false;
     }
-    set_journal_aside(storage, number);
-    if (rename(storage->path, to) != 0) {
+    for (size_t i = 0; i < SUFFIX_COUNT; i++) {
+        beside(storage, suffixes[i], "", from);
+        beside(storage, suffix, suffixes[i], to);
+        rename(from, to);
+    }
+    return true;
+}
+
+/* ---- What takes a file's place -------------------------------------------------------------- */
+
+static void remove_new(const struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE];
+    beside(storage, STORAGE_NEW_SUFFIX, "", path);
+    unlink(path);
+    for (size_t i = 0; i < SUFFIX_COUNT; i++) {
+        beside(storage, STORAGE_NEW_SUFFIX, suffixes[i], path);
+        unlink(path);
+    }
+}
+
+/* Makes the new file: what the backup has, or an empty one; then what the old one still says. */
+static int make_new(struct storage *storage)
+{
+    struct ledger_file file;
+    char backup[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    remove_new(storage);
+    if (is_there(backup) && ledger_file_look(&file, backup) == SQLITE_OK) {
+        if (ledger_check(file.db) == SQLITE_OK) {
+            ledger_backup_make(&file, fresh);
+        }
+        ledger_file_close(&file);
+    }
+    const int code = ledger_file_open(&file, fresh, NULL);
+    if (code == SQLITE_OK) {
+        storage->from_backup = file.content.memory.ledger.last_id;
+        storage->salvaged = is_there(storage->path) ? ledger_salvage(storage->path, &file) : 0;
+        ledger_file_close(&file);
+    }
+    return code;
+}
+
+/* The last step, and all that is left to do where the power went before it. */
+static bool put_new(struct storage *storage)
+{
+    char fresh[LEDGER_PATH_SIZE];
+    beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    return rename(fresh, storage->path) == 0 && ledger_sync_folder(storage->path) == 0;
+}
+
+static bool replace(struct storage *storage)
+{
+    const unsigned number = free_number(storage);
+    if (number == 0 || make_new(storage) != SQLITE_OK) {
+        return false;
+    }
+    if (!set_aside(storage, number) || ledger_sync_folder(storage->path) != 0 ||
+        !put_new(storage)) {
         return false;
     }
     atomic_store(&storage->aside, number);
     return true;
 }
 
+/* Where there is no file: perhaps one is half replaced, or it was lost and there is a backup. */
+static void look_for_new(struct storage *storage)
+{
+    char backup[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    if (is_there(storage->path)) {
+        remove_new(storage);
+        return;
+    }
+    if (!is_there(fresh) && (!is_there(backup) || make_new(storage) != SQLITE_OK)) {
+        return;
+    }
+    const unsigned number = free_number(storage);
+    if (number > 0 && set_aside(storage, number)) {
+        put_new(storage);
+    }
+}
+
+/* A file system of the caller's own has only the one file. */
 int storage_open_file(struct storage *storage)
 {
-    int code = ledger_file_open(&storage->file, storage->path, storage->vfs);
-    if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && !storage->vfs && set_aside(storage)) {
-        code = ledger_file_open(&storage->file, storage->path, storage->vfs);
+    if (storage->vfs) {
+        return ledger_file_open(&storage->file, storage->path, storage->vfs);
+    }
+    look_for_new(storage);
+    int code = ledger_file_open(&storage->file, storage->path, NULL);
+    if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && replace(storage)) {
+        code = ledger_file_open(&storage->file, storage->path, NULL);
     }
     return code;
 }

@@ -4,10 +4,13 @@
 
 #include "platform/storage.h"
 
-/* storage_open.c: opens storage->path; a damaged file is set aside first. SQLite's code. */
+/* storage_open.c: opens storage->path; a damaged file is replaced first. SQLite's code. */
 int storage_open_file(struct storage *storage);
+void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
 
-/* storage_thread.c: until storage->stop. */
+/* storage_thread.c: the file, and a backup of it that is under way. */
+void storage_close_file(struct storage *storage);
+/* Until storage->stop. */
 void *storage_thread(void *storage);
 
 /* How many of each wait. */

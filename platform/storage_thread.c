@@ -1,5 +1,5 @@
 /* storage_thread.c -- what the store does while frames go on. */
-#include <errno.h>
+#include <semaphore.h>
 #include <time.h>
 
 #include <sqlite3.h>
@@ -17,6 +17,12 @@ uint32_t storage_unwritten(const struct storage *storage)
 uint32_t storage_unwritten_edits(const struct storage *storage)
 {
     return atomic_load(&storage->edits_pushed) - atomic_load(&storage->edits_written);
+}
+
+void storage_close_file(struct storage *storage)
+{
+    ledger_backup_drop(&storage->backup);
+    ledger_file_close(&storage->file);
 }
 
 static void note_result(struct storage *storage, int code)
@@ -62,13 +68,13 @@ static bool has_card(struct storage *storage)
     if (storage->file.db && !storage->file.is_read_only) {
         return true;
     }
-    ledger_file_close(&storage->file);
+    storage_close_file(storage);
     if (!storage->path[0]) {
         return false;
     }
     int code = storage_open_file(storage);
     if (code == SQLITE_OK && is_anothers(storage)) {
-        ledger_file_close(&storage->file);
+        storage_close_file(storage);
         code = LEDGER_FILE_ANOTHERS;
     }
     if (code == SQLITE_OK) {
@@ -100,7 +106,7 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     note_result(storage, code);
     if (code != SQLITE_OK) {
         if (needs_reopening(code)) {
-            ledger_file_close(&storage->file);
+            storage_close_file(storage);
         }
         return 0;
     }
@@ -123,6 +129,44 @@ static void drain(struct storage *storage)
     }
     if (storage->prunes && storage->file.db && written == pushed) {
         storage->prunes = ledger_file_prune(&storage->file) != SQLITE_OK;
+    }
+}
+
+/* ---- The backup ----------------------------------------------------------------------------- */
+
+static int64_t now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec;
+}
+
+static bool may_back_up(const struct storage *storage)
+{
+    return storage->file.db && !storage->file.is_read_only && !storage->vfs &&
+           atomic_load(&storage->error) == SQLITE_OK;
+}
+
+/* A piece at a time, and only while no entry waits; one that fails is made again in an hour. */
+static void back_up(struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE];
+    int code = SQLITE_OK;
+    if (!may_back_up(storage)) {
+        ledger_backup_drop(&storage->backup);
+        return;
+    }
+    if (!storage->backup.copy && now_s() >= storage->backup_due_s) {
+        storage->backup_due_s = now_s() + STORAGE_BACKUP_S;
+        storage_backup_path(storage, path);
+        code = ledger_backup_begin(&storage->backup, &storage->file, path);
+    }
+    while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
+           !atomic_load(&storage->stop)) {
+        code = ledger_backup_step(&storage->backup);
+    }
+    if (code != SQLITE_OK && code != SQLITE_DONE && code != SQLITE_BUSY) {
+        atomic_fetch_add(&storage->refused, 1);
     }
 }
 
@@ -211,26 +255,25 @@ void storage_work(struct storage *storage)
     put_replay(storage);
     get_replay(storage);
     drain_edits(storage);
+    back_up(storage);
 }
 
 static bool has_work(const struct storage *storage)
 {
     return storage_unwritten(storage) > 0 || storage_unwritten_edits(storage) > 0 ||
            (storage->path[0] && !storage->file.db) || storage->file.is_read_only ||
-           atomic_load(&storage->put.state) == STORAGE_REPLAY_WAITS;
+           atomic_load(&storage->put.state) == STORAGE_REPLAY_WAITS || storage->backup.copy;
 }
 
+/* Until something comes, or a card that refused may be asked again, or a backup is due. */
 static void wait_for_work(struct storage *storage)
 {
-    if (!has_work(storage)) {
-        while (sem_wait(&storage->wake) != 0 && errno == EINTR) {
-        }
-        return;
-    }
+    const int64_t due_s = storage->backup_due_s - now_s();
+    const int64_t idle_s = due_s > RETRY_S ? due_s : RETRY_S;
     struct timespec until;
-    clock_gettime(CLOCK_REALTIME, &until); /* What sem_timedwait measures by. */
-    until.tv_sec += RETRY_S;
-    sem_timedwait(&storage->wake, &until);
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_sec += has_work(storage) ? RETRY_S : idle_s;
+    sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until);
 }
 
 void *storage_thread(void *context)

@@ -71,6 +71,9 @@ int ledger_file_open(struct ledger_file *file, const char *path, const char *vfs
 /* The same for who only looks: changes nothing. An old version is SQLITE_SCHEMA. */
 int ledger_file_look(struct ledger_file *file, const char *path);
 
+/* Looks through a whole database: SQLITE_OK, or why it cannot be used. */
+int ledger_check(struct sqlite3 *db);
+
 /* Writes entries, by rising ids; those that the file has already are passed over. All of them or,
  * after an error, none: `content` is then read again, since a failed commit may have come
  * through. */

@@ -280,25 +280,189 @@ static void test_a_file_that_is_no_database_is_set_aside(void **state)
     wait_until_saved(stall, 1);
 }
 
-static void test_damage_inside_the_file_is_found_and_set_aside(void **state)
+/* ---- Damage and the backup ------------------------------------------------------------------- */
+
+static void open_by_hand(struct stall *stall)
 {
-    struct stall *stall = *state;
-    assert_int_equal(open_store(stall), HAL_OK);
-    for (uint32_t id = 1; id <= 8; id++) {
-        save(stall, id, id, 0);
-    }
-    wait_until_saved(stall, 8);
     stall->device.ops->close(stall->device.self);
+    memset(&stall->storage, 0, sizeof stall->storage);
+    stall->storage.dir = stall->dir;
+    stall->storage.by_hand = 1;
+    assert_int_equal(open_store(stall), HAL_OK);
+}
+
+/* Rounds `first` .. `last`; each has caught as many fish as its id. */
+static void work_rounds(struct stall *stall, uint32_t first, uint32_t last)
+{
+    for (uint32_t id = first; id <= last; id++) {
+        assert_int_equal(save(stall, id, id, 0), HAL_OK);
+    }
+    storage_work(&stall->storage);
+    assert_int_equal(saved_id(stall), last);
+}
+
+/* Four rounds that the backup has, and four that came later. */
+static void fill_and_close(struct stall *stall)
+{
+    open_by_hand(stall);
+    work_rounds(stall, 1, 4);
+    work_rounds(stall, 5, 8);
+    stall->device.ops->close(stall->device.self);
+}
+
+static void spoil(const struct stall *stall, long offset)
+{
     FILE *file = fopen(stall->file, "r+b");
     assert_non_null(file);
-    fseek(file, 4096, SEEK_SET); /* The first page of the table. */
+    assert_int_equal(fseek(file, offset, SEEK_SET), 0);
     for (int i = 0; i < 64; i++) {
         fputc(0xff, file);
     }
     fclose(file);
-    reopen(stall);
+}
+
+static struct memory *remember(struct stall *stall)
+{
+    static struct memory memory;
+    memset(&memory, 0, sizeof memory);
+    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_OK);
+    return &memory;
+}
+
+static void path_beside(const struct stall *stall, const char *suffix, char out[160])
+{
+    snprintf(out, 160, "%s%s", stall->file, suffix);
+}
+
+static void test_of_a_damaged_file_nothing_is_lost_that_can_be_read(void **state)
+{
+    struct stall *stall = *state;
+    char aside[160];
+    fill_and_close(stall);
+    spoil(stall, 4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'audits'") -
+                          1));
+    open_by_hand(stall);
     assert_non_null(strstr(text(stall), "damaged-1"));
-    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 0);
+    assert_non_null(strstr(text(stall), "4 entries from the backup, 4 from itself"));
+    assert_int_equal(remember(stall)->ledger.last_id, 8);
+    assert_int_equal(remember(stall)->audits.count[AUDIT_CAUGHT], 36);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 8);
+    path_beside(stall, ".damaged-1", aside);
+    assert_int_equal(access(aside, F_OK), 0);
+    work_rounds(stall, 9, 9);
+}
+
+static void test_a_file_that_cannot_be_read_at_all_gives_way_to_its_backup(void **state)
+{
+    struct stall *stall = *state;
+    fill_and_close(stall);
+    spoil(stall, 0);
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "4 entries from the backup, 0 from itself"));
+    assert_int_equal(remember(stall)->ledger.last_id, 4);
+    work_rounds(stall, 5, 6);
+}
+
+static void test_without_a_backup_a_fresh_file_begins(void **state)
+{
+    struct stall *stall = *state;
+    char backup[160];
+    fill_and_close(stall);
+    path_beside(stall, STORAGE_BACKUP_SUFFIX, backup);
+    assert_int_equal(unlink(backup), 0);
+    spoil(stall, 0);
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "0 entries from the backup, 0 from itself"));
+    assert_int_equal(remember(stall)->ledger.last_id, 0);
+}
+
+static void test_a_damaged_backup_is_not_believed(void **state)
+{
+    struct stall *stall = *state;
+    char backup[160];
+    fill_and_close(stall);
+    path_beside(stall, STORAGE_BACKUP_SUFFIX, backup);
+    write_file(backup, "no database, whatever it says", 29);
+    spoil(stall, 4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'ranking'") -
+                          1));
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "0 entries from the backup, 8 from itself"));
+    assert_int_equal(remember(stall)->ledger.last_id, 8);
+}
+
+static void test_a_file_that_is_away_comes_back_from_its_backup(void **state)
+{
+    struct stall *stall = *state;
+    fill_and_close(stall);
+    assert_int_equal(unlink(stall->file), 0);
+    open_by_hand(stall);
+    assert_int_equal(remember(stall)->ledger.last_id, 4);
+}
+
+static void test_a_replacement_that_was_cut_off_is_ended(void **state)
+{
+    struct stall *stall = *state;
+    char fresh[160], log[160], aside[160];
+    fill_and_close(stall);
+    path_beside(stall, STORAGE_NEW_SUFFIX, fresh);
+    path_beside(stall, "-wal", log);
+    assert_int_equal(rename(stall->file, fresh), 0); /* The old is aside, the new not yet there, */
+    write_file(log, "of the damaged one", 18);       /* and the old one's log is still here. */
+    open_by_hand(stall);
+    assert_int_equal(remember(stall)->ledger.last_id, 8);
+    path_beside(stall, ".damaged-1-wal", aside);
+    assert_int_equal(access(aside, F_OK), 0);
+    assert_int_equal(access(fresh, F_OK), -1);
+}
+
+static void test_a_replacement_that_was_not_ready_is_forgotten(void **state)
+{
+    struct stall *stall = *state;
+    char fresh[160];
+    fill_and_close(stall);
+    path_beside(stall, STORAGE_NEW_SUFFIX, fresh);
+    write_file(fresh, "half", 4);
+    open_by_hand(stall);
+    assert_int_equal(remember(stall)->ledger.last_id, 8);
+    assert_int_equal(access(fresh, F_OK), -1);
+}
+
+static void test_damage_while_the_kiosk_runs_is_answered_in_the_same_way(void **state)
+{
+    struct stall *stall = *state;
+    open_by_hand(stall);
+    work_rounds(stall, 1, 4);
+    work_rounds(stall, 5, 8);
+    sqlite3_wal_checkpoint_v2(stall->storage.file.db, NULL, SQLITE_CHECKPOINT_TRUNCATE, NULL, NULL);
+    sqlite3_db_release_memory(stall->storage.file.db);
+    spoil(stall, 4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'audits'") -
+                          1));
+    save(stall, 9, 9, 0);
+    for (int i = 0; i < 3; i++) {
+        storage_work(&stall->storage);
+    }
+    assert_int_equal(saved_id(stall), 9);
+    assert_non_null(strstr(text(stall), "damaged-1"));
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 9);
+}
+
+static void test_a_store_without_memory_says_so_and_goes_on_when_it_has_some(void **state)
+{
+    struct stall *stall = *state;
+    open_by_hand(stall);
+    work_rounds(stall, 1, 1);
+    sqlite3_db_release_memory(stall->storage.file.db);
+    sqlite3_hard_heap_limit64(sqlite3_memory_used() + 512);
+    assert_int_equal(save(stall, 2, 2, 0), HAL_OK);
+    storage_work(&stall->storage);
+    assert_int_equal(saved_id(stall), 1);
+    assert_int_equal(stall->device.ops->is_well(stall->device.self), 0);
+    assert_non_null(strstr(text(stall), "out of memory"));
+    sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
+    storage_work(&stall->storage);
+    assert_int_equal(saved_id(stall), 2);
+    assert_int_equal(stall->device.ops->is_well(stall->device.self), 1);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 2);
 }
 
 static void test_a_second_damaged_file_does_not_replace_the_first(void **state)
@@ -355,7 +519,15 @@ int main(void)
         IN_A_FOLDER(test_a_folder_that_cannot_be_written_is_one_line),
         IN_A_FOLDER(test_no_folder_at_all_is_said),
         IN_A_FOLDER(test_a_file_that_is_no_database_is_set_aside),
-        IN_A_FOLDER(test_damage_inside_the_file_is_found_and_set_aside),
+        IN_A_FOLDER(test_of_a_damaged_file_nothing_is_lost_that_can_be_read),
+        IN_A_FOLDER(test_a_file_that_cannot_be_read_at_all_gives_way_to_its_backup),
+        IN_A_FOLDER(test_without_a_backup_a_fresh_file_begins),
+        IN_A_FOLDER(test_a_damaged_backup_is_not_believed),
+        IN_A_FOLDER(test_a_file_that_is_away_comes_back_from_its_backup),
+        IN_A_FOLDER(test_a_replacement_that_was_cut_off_is_ended),
+        IN_A_FOLDER(test_a_replacement_that_was_not_ready_is_forgotten),
+        IN_A_FOLDER(test_damage_while_the_kiosk_runs_is_answered_in_the_same_way),
+        IN_A_FOLDER(test_a_store_without_memory_says_so_and_goes_on_when_it_has_some),
         IN_A_FOLDER(test_a_second_damaged_file_does_not_replace_the_first),
         IN_A_FOLDER(test_a_file_of_a_later_kingyo_is_one_line_and_left_alone),
         IN_A_FOLDER(test_sqlite_has_a_hard_limit_on_memory),

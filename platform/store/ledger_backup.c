@@ -1,0 +1,154 @@
+/* ledger_backup.c -- SQLite's own way to copy, with a check and a rename behind it. */
+#include "platform/store/ledger_backup.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/ledger_parts.h"
+#include "platform/store/sql.h"
+
+#define PAGES_A_STEP 64
+#define BATCH 64u /* Salvaged entries in one transaction. */
+
+static void name_part(const struct ledger_backup *backup, char out[LEDGER_PATH_SIZE])
+{
+    snprintf(out, LEDGER_PATH_SIZE, "%.580s" LEDGER_PART_SUFFIX, backup->path);
+}
+
+int ledger_sync_folder(const char *path)
+{
+    char folder[LEDGER_PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s", path);
+    char *slash = strrchr(folder, '/');
+    snprintf(slash ? slash + (slash == folder) : folder, 2, "%s", slash ? "" : ".");
+    const int handle = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int result = handle < 0 ? -1 : fsync(handle);
+    if (handle >= 0) {
+        close(handle);
+    }
+    return result;
+}
+
+/* ---- Copying -------------------------------------------------------------------------------- */
+
+void ledger_backup_drop(struct ledger_backup *backup)
+{
+    char part[LEDGER_PATH_SIZE];
+    name_part(backup, part);
+    sqlite3_backup_finish(backup->copy);
+    sqlite3_close(backup->to);
+    if (backup->path[0]) {
+        unlink(part);
+    }
+    *backup = (struct ledger_backup){ 0 };
+}
+
+int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path)
+{
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+    char part[LEDGER_PATH_SIZE], journal[LEDGER_PATH_SIZE];
+    *backup = (struct ledger_backup){ 0 };
+    snprintf(backup->path, sizeof backup->path, "%s", path);
+    name_part(backup, part);
+    snprintf(journal, sizeof journal, "%.580s-journal", part);
+    unlink(journal);
+    unlink(part);
+    int code = sqlite3_open_v2(part, &backup->to, flags, NULL);
+    code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA cache_size = -256") : code;
+    if (code == SQLITE_OK) {
+        backup->copy = sqlite3_backup_init(backup->to, "main", from->db, "main");
+        code = backup->copy ? SQLITE_OK : sqlite3_errcode(backup->to);
+    }
+    if (code != SQLITE_OK) {
+        ledger_backup_drop(backup);
+    }
+    return code;
+}
+
+/* The copy stands alone: no other file beside it is needed to read it. It is looked through by the
+ * same eyes as the file itself, for what is damaged is no backup. */
+static int end_copy(struct ledger_backup *backup)
+{
+    char part[LEDGER_PATH_SIZE];
+    name_part(backup, part);
+    int code = sqlite3_backup_finish(backup->copy);
+    backup->copy = NULL;
+    code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA journal_mode = DELETE") : code;
+    code = code == SQLITE_OK ? ledger_check(backup->to) : code;
+    if (code == SQLITE_OK) {
+        sqlite3_close(backup->to);
+        backup->to = NULL;
+        code = rename(part, backup->path) == 0 && ledger_sync_folder(backup->path) == 0
+                   ? SQLITE_DONE
+                   : SQLITE_IOERR;
+    }
+    return code;
+}
+
+int ledger_backup_step(struct ledger_backup *backup)
+{
+    int code = sqlite3_backup_step(backup->copy, PAGES_A_STEP);
+    if (code == SQLITE_OK || code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+        return code == SQLITE_OK ? SQLITE_OK : SQLITE_BUSY;
+    }
+    code = code == SQLITE_DONE ? end_copy(backup) : code;
+    ledger_backup_drop(backup);
+    return code;
+}
+
+int ledger_backup_make(struct ledger_file *from, const char *path)
+{
+    struct ledger_backup backup;
+    int code = ledger_backup_begin(&backup, from, path);
+    while (code == SQLITE_OK) {
+        code = ledger_backup_step(&backup);
+    }
+    if (code == SQLITE_BUSY) {
+        ledger_backup_drop(&backup);
+    }
+    return code == SQLITE_DONE ? SQLITE_OK : code;
+}
+
+/* ---- What a damaged file still says --------------------------------------------------------- */
+
+/* How many were written; fewer than `max` when the rest cannot be believed. */
+static uint32_t salvage_batch(struct ledger_file *from, sqlite3_stmt *ids, struct ledger_file *to,
+                              uint32_t max)
+{
+    struct ledger_entry entries[BATCH];
+    uint32_t count = 0;
+    while (count < max && sqlite3_step(ids) == SQLITE_ROW) {
+        const uint32_t id = sql_uint(ids, 0, UINT32_MAX);
+        if (ledger_file_entry(from, id, &entries[count]) != SQLITE_OK) {
+            break;
+        }
+        count++;
+    }
+    return count > 0 && ledger_file_write(to, entries, count) == SQLITE_OK ? count : 0;
+}
+
+uint32_t ledger_salvage(const char *path, struct ledger_file *to)
+{
+    struct ledger_file from = { .is_read_only = true };
+    sqlite3_stmt *ids = NULL;
+    uint32_t total = 0, count = BATCH;
+    int64_t version = 0;
+    int code = sqlite3_open_v2(path, &from.db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
+    code = code == SQLITE_OK ? sql_number(from.db, "PRAGMA user_version", &version) : code;
+    if (code == SQLITE_OK && version == LEDGER_FILE_VERSION) {
+        code = sqlite3_prepare_v2(from.db, "SELECT id FROM entries WHERE id > ?1 ORDER BY id", -1,
+                                  &ids, NULL);
+        sqlite3_bind_int64(ids, 1, to->content.memory.ledger.last_id);
+    }
+    while (code == SQLITE_OK && ids && count == BATCH) {
+        count = salvage_batch(&from, ids, to, BATCH);
+        total += count;
+    }
+    sqlite3_finalize(ids);
+    ledger_file_close(&from);
+    return total;
+}

@@ -1,0 +1,44 @@
+/* ledger_backup.h -- a copy of the ledger's file, made piece by piece while the file is written to,
+ * and what a damaged file still says.
+ *
+ * A copy grows under a name of its own, is checked, and takes the place of the one before by a
+ * rename: there is always a whole one. */
+#ifndef KINGYO_PLATFORM_STORE_LEDGER_BACKUP_H
+#define KINGYO_PLATFORM_STORE_LEDGER_BACKUP_H
+
+#include "platform/store/ledger_file.h"
+
+#define LEDGER_PATH_SIZE 600u
+#define LEDGER_PART_SUFFIX "-part"
+
+struct sqlite3_backup;
+
+/* The caller owns it; zero is idle. */
+struct ledger_backup {
+    struct sqlite3 *to;
+    struct sqlite3_backup *copy;
+    char path[LEDGER_PATH_SIZE];
+};
+
+/* Begins a copy of an open file to `path`. On an error it is idle. */
+int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path);
+
+/* Copies 256 KiB more. SQLITE_OK: there is more to do; SQLITE_DONE: `path` is the new copy, on
+ * disk. Else it is given up, and what was at `path` is still there. BUSY: not now. */
+int ledger_backup_step(struct ledger_backup *backup);
+
+/* Gives it up. */
+void ledger_backup_drop(struct ledger_backup *backup);
+
+/* All of it at once. */
+int ledger_backup_make(struct ledger_file *from, const char *path);
+
+/* Reads from the file at `path`, which may be damaged anywhere, all entries beyond those of `to`
+ * that are as they were written, and writes them to `to`, up to the first that is not. Returns how
+ * many. */
+uint32_t ledger_salvage(const char *path, struct ledger_file *to);
+
+/* Makes a rename, a new name or a removed one in this file's folder durable. 0 or -1. */
+int ledger_sync_folder(const char *path);
+
+#endif
