@@ -1,6 +1,7 @@
 /* session.c -- recording, replay and pictures around the frame loop. */
 #include "platform/kiosk/session.h"
 
+#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,7 @@
 #include "platform/edit_file.h"
 #include "platform/folder.h"
 #include "platform/png.h"
+#include "platform/storage.h"
 
 enum exit_code session_check(struct session *session)
 {
@@ -68,6 +70,25 @@ static void note_species(struct session *session)
     }
 }
 
+/* Databases that were found damaged lie there until somebody has looked at them. */
+static void note_damaged(struct session *session)
+{
+    static const char start[] = STORAGE_FILE STORAGE_ASIDE_SUFFIX;
+    DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
+    const struct dirent *entry;
+    while (folder && (entry = readdir(folder))) {
+        const char *end = entry->d_name + strlen(entry->d_name);
+        if (strncmp(entry->d_name, start, sizeof start - 1u) == 0 &&
+            end[-1] >= '0' && end[-1] <= '9') { /* Not its journals. */
+            file_notes_add(&session->notes, FILE_REFUSED, entry->d_name,
+                           "damaged, and set aside: the backup took its place");
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+}
+
 static void note_graphs(struct session *session, const struct lab_book *book)
 {
     char name[sizeof EDIT_FOLDER + SPECIES_NAME_SIZE + sizeof EDIT_SUFFIX];
@@ -97,6 +118,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     config->core.lanes = cpu_lanes();
     shelf_fill(&session->shelf, session->options.data);
     note_species(session);
+    note_damaged(session);
     config->notes = &session->notes;
     if (!replay[0]) {
         fill_book(&session->shelf, &config->core.book);

@@ -13,10 +13,10 @@
 
 #define BUSY_MS 2000 /* Another program (kingyoctl, a backup) may hold the file this long. */
 
-/* A write-ahead log: of the modes that lose nothing in `make test-power` (it, and a rollback journal
- * at EXTRA), it syncs once a transaction, which is a quarter as often, and writes half as much. It
- * is folded into the file each 128 pages, so that no transaction meets more than half a MiB of
- * that. The cache is what a transaction needs, in KiB. */
+/* A write-ahead log: of the modes that lose nothing in `make test-power` (it, and a rollback
+ * journal at EXTRA), it syncs once a transaction, which is a quarter as often, and writes half as
+ * much. It is folded into the file each 128 pages, so that no transaction meets more than half a
+ * MiB of that. The cache is what a transaction needs, in KiB. */
 static const char settings[] = "PRAGMA journal_mode = WAL;"
                                "PRAGMA synchronous = FULL;"
                                "PRAGMA wal_autocheckpoint = 128;"

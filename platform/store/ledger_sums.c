@@ -157,7 +157,7 @@ int ledger_sums_put(struct ledger_file *file, const struct ledger_content *befor
                              : code;
 }
 
-/* ---- In: what has no place in this version stays in the file, unread -------------------------- */
+/* ---- In: what has no place in this version stays in the file, unread ------------------------- */
 
 typedef void take_row(struct ledger_content *content, sqlite3_stmt *row);
 
