@@ -18,6 +18,24 @@
 
 #define FAN_REACH_M 1.0f
 
+/* All but the configuration, made of it. Where there is nothing but the growth lab, the evening
+ * begins in it. */
+static void open_stall(struct core *core)
+{
+    memset(&core->game, 0, sizeof core->game);
+    memset(core->poi, 0, sizeof core->poi);
+    memset(core->bowl, 0, sizeof core->bowl);
+    memset(&core->tank, 0, sizeof core->tank);
+    core->tick = core->config.chapter.tick;
+    game_init(&core->game, &core->config);
+    keeper_open(core);
+    if (keeper_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
+        core->config.chapter.tick == 0) {
+        struct output unheard = { 0 };
+        lab_begin(core, &unheard);
+    }
+}
+
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
@@ -34,12 +52,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     memset(core, 0, sizeof *core);
     core->config = *config;
     settings_mend(&core->config.memory.settings);
-    game_init(&core->game, config);
-    keeper_open(core);
-    if (keeper_modes(config) == 1u << CHOICE_LAB && config->credit_coins == 0) {
-        struct output unheard = { 0 };
-        lab_begin(core, &unheard);
-    }
+    open_stall(core);
     return CORE_OK;
 }
 
@@ -224,6 +237,15 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
     tick_catch(core, live, caught, output);
     game_score(core, caught, output);
     core->tick++;
+    if (chapter_is_over(core)) {
+        chapter_turn(core);
+        open_stall(core);
+    }
+}
+
+int core_is_fresh(const struct core *core)
+{
+    return core->tick == core->config.chapter.tick;
 }
 
 uint64_t core_hash_quick(const struct core *core)
@@ -257,6 +279,7 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     for (uint32_t i = 0; i < SETTING_COUNT; i++) {
         hash = hash_u32(hash, (uint32_t)config->memory.settings.value[i]);
     }
+    hash = chapter_hash(hash, &config->chapter);
     return lab_book_hash(hash, &config->book);
 }
 

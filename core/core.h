@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "core/game/chapter.h"
 #include "core/game/credit.h"
 #include "core/game/game.h"
 #include "core/input.h"
@@ -43,6 +44,7 @@ struct core_config {
                             neither hashes nor recordings know of it. */
     struct memory memory; /* What outlived the last power cut; its settings overrule nothing here:
                              see settings_apply(). */
+    struct chapter chapter; /* Goes on from the one before; zero: the kiosk begins. */
     struct lab_book book; /* Makers' species and saved graphs, as the data folder has them. */
 };
 
@@ -69,6 +71,9 @@ enum core_error core_init(struct core *core, const struct core_config *config);
 
 /* Advances one tick, in this order and no other: game -> poi -> water -> fish -> catch -> score. */
 void core_tick(struct core *core, const struct input *input, struct output *output);
+
+/* Whether a chapter begins here: core_init() of `core->config` makes this very state. */
+int core_is_fresh(const struct core *core);
 
 /* Rebuilds the whole picture; reads the state, never changes it. */
 void core_scene(const struct core *core, struct scene *scene);

@@ -145,6 +145,7 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->language = game->language;
     scene->hint = game->hints.shown;
     scene->phase_s = (float)(core->tick - game->phase_tick) * CORE_TICK_S;
+    scene->veil = chapter_veil(core);
     scene->seconds_left = game_seconds_left(game, core->tick);
     scene->best_today = game->ranking.row[game->mode][RANK_DAY][0].caught;
     scene->by_bot = game->bot_played;

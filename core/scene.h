@@ -302,6 +302,7 @@ struct scene {
     uint8_t language;        /* enum language */
     uint8_t hint;            /* enum scene_hint */
     float phase_s;           /* Since the phase began. */
+    float veil;              /* [0, 1]: how dark the tank is, under whatever is written over it. */
     float seconds_left;      /* Of the round; in READY, until it begins; else 0. */
     uint32_t caught[POI_MAX];
     uint32_t best_today;     /* In this mode. */

@@ -14,7 +14,8 @@
 
 /* What the walk meets in all; packing adds a byte to each PLAIN_MAX at worst. */
 #define FIELDS_MAX (REPLAY_START_MAX / 2u)
-_Static_assert(sizeof(struct memory) + 256u <= FIELDS_MAX, "the fields are no more than they hold");
+_Static_assert(sizeof(struct memory) + sizeof(struct chapter) + 256u <= FIELDS_MAX,
+               "the fields are no more than they hold");
 
 /* ---- The fields ----------------------------------------------------------------------------- */
 
@@ -82,6 +83,20 @@ static void walk_memory(struct replay_walk *walk, struct memory *memory)
     walk_ranking(walk, &memory->ranking);
 }
 
+/* Ledger, credit and knobs as they lie in memory: integers alone, which lie alike on every board
+ * that this runs on. */
+static void walk_chapter(struct replay_walk *walk, struct chapter *chapter)
+{
+    walk_u32(walk, &chapter->tick);
+    walk_u32(walk, &chapter->order_count);
+    walk_u32(walk, &chapter->edit_save_id);
+    walk_u32(walk, &chapter->edit_saved_id);
+    walk_bytes(walk, &chapter->ledger, sizeof chapter->ledger);
+    walk_bytes(walk, &chapter->credit, sizeof chapter->credit);
+    walk_bytes(walk, &chapter->adjust, sizeof chapter->adjust);
+}
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes of a board are those of a file");
+
 static void walk_config(struct replay_walk *walk, struct core_config *config)
 {
     walk_u32(walk, &config->seed);
@@ -95,6 +110,7 @@ static void walk_config(struct replay_walk *walk, struct core_config *config)
     walk_u8(walk, &config->credit_coins);
     walk_u8(walk, &config->ticket_fish);
     walk_memory(walk, &config->memory);
+    walk_chapter(walk, &config->chapter);
 }
 
 /* ---- Packing -------------------------------------------------------------------------------- */

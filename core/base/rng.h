@@ -59,6 +59,7 @@ enum rng_purpose {
     RNG_FISH_KICK,        /* The turn of one. */
     RNG_CONTACT_LOT,      /* Which pairs a full list keeps. */
     RNG_TANK_SEED,        /* Of a tank that a mode opens. */
+    RNG_CHAPTER,          /* The seed of the next. */
 };
 
 #endif

@@ -15,6 +15,8 @@ void attract_begin(struct core *core)
     phase_enter(core, PHASE_ATTRACT);
     keeper_pour_back(core);
     keeper_set_up(core, core->config.preset);
+    core->game.turn_tick = 0;
+    chapter_ask(core);
 }
 
 void attract_tick(struct core *core, const struct input *input, struct output *output)
@@ -26,6 +28,9 @@ void attract_tick(struct core *core, const struct input *input, struct output *o
     if (game->phase != PHASE_ATTRACT) {
         hints_init(&game->hints); /* A new player. */
         return;
+    }
+    if (core->tick - game->phase_tick >= CHAPTER_TICKS_MAX) {
+        chapter_ask(core);
     }
     const int is_full = core->bowl[0].fish_count >= BOWL_MAX;
     const int is_free = core->poi[0].immersed <= 0.0f && core->poi[0].rider_count == 0;

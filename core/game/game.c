@@ -66,6 +66,7 @@ void game_init(struct game *game, const struct core_config *config)
 {
     memset(game, 0, sizeof *game);
     game->phase = PHASE_ATTRACT;
+    game->phase_tick = config->chapter.tick;
     game->language = config->language;
     game->mode = keeper_first_mode(config);
     game->round_s = keeper_round_s(config, game->mode);
@@ -79,6 +80,7 @@ void game_init(struct game *game, const struct core_config *config)
         game->live_y_m[i] = -1.0f;
         bot_init(&game->bot[i], &technique_expert, config->seed + i);
     }
+    chapter_go_on(game, &config->chapter);
 }
 
 /* Where START would be heard as a beginning. */
@@ -177,7 +179,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
                                game->call,       game->call_tick,  game->phase_tick,
                                game->round_tick, game->point_tick, game->lost_ticks,
                                game->gone_tick,  game->round_s,    game->round_count,
-                               game->waited_ticks };
+                               game->waited_ticks, game->turn_tick };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

@@ -16,7 +16,7 @@ void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
 {
     const struct game *game = &core->game;
     totals->ticks++;
-    totals->rounds = game->round_count;
+    totals->rounds += risen(&tally->rounds, game->round_count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         totals->caught += risen(&tally->caught[i], game->player[i].caught);
         totals->fouls += risen(&tally->fouls[i], game->player[i].fouls);

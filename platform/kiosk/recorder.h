@@ -8,9 +8,9 @@
 #include "platform/kiosk/kiosk.h"
 #include "platform/replay.h"
 
-/* Catches and fouls after the last tick, to see them rise. */
+/* Rounds, catches and fouls after the last tick, to see them rise. */
 struct recorder_tally {
-    uint32_t caught[POI_MAX], fouls[POI_MAX];
+    uint32_t rounds, caught[POI_MAX], fouls[POI_MAX];
 };
 
 struct recorder {

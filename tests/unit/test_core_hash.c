@@ -34,7 +34,8 @@ static const struct field config_fields[] = {
     FIELD(core_config, language), FIELD(core_config, round_s),
     FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
     FIELD(core_config, credit_coins), FIELD(core_config, ticket_fish),
-    SKIP(core_config, lanes),     SKIP(core_config, memory), SKIP(core_config, book),
+    SKIP(core_config, lanes),     SKIP(core_config, memory), SKIP(core_config, chapter),
+    SKIP(core_config, book),
 };
 
 static const struct field book_fields[] = {
@@ -91,7 +92,8 @@ static const struct field game_fields[] = {
     FIELD(game, call),        FIELD(game, call_tick),  FIELD(game, phase_tick),
     FIELD(game, round_tick),  FIELD(game, point_tick), FIELD(game, lost_ticks),
     FIELD(game, waited_ticks),
-    FIELD(game, gone_tick),   FIELD(game, round_s),    FIELD(game, round_count),
+    FIELD(game, gone_tick),   FIELD(game, turn_tick),  FIELD(game, round_s),
+    FIELD(game, round_count),
     SKIP(game, ledger),       SKIP(game, audits),
     SKIP(game, ranking),      SKIP(game, adjust),      SKIP(game, name),
     SKIP(game, player),
@@ -124,6 +126,12 @@ static const struct field memory_fields[] = {
 
 static const struct field ledger_start_fields[] = {
     FIELD(ledger_start, last_id), FIELD(ledger_start, boots), SKIP(ledger_start, purse),
+};
+
+static const struct field chapter_fields[] = {
+    FIELD(chapter, tick),          FIELD(chapter, order_count), FIELD(chapter, edit_save_id),
+    FIELD(chapter, edit_saved_id), SKIP(chapter, ledger),       SKIP(chapter, credit),
+    SKIP(chapter, adjust),
 };
 
 static const struct field purse_fields[] = {
@@ -388,6 +396,10 @@ static const struct table tables[] = {
     TABLE(memory, memory_fields, &core.config.memory),
     TABLE(ledger_start, ledger_start_fields, &core.config.memory.ledger),
     TABLE(purse, purse_fields, &core.config.memory.ledger.purse),
+    TABLE(chapter, chapter_fields, &core.config.chapter),
+    TABLE(ledger, ledger_fields, &core.config.chapter.ledger),
+    TABLE(credit, credit_fields, &core.config.chapter.credit),
+    TABLE(purse, purse_fields, &core.config.chapter.ledger.purse),
     TABLE(ledger, ledger_fields, &core.game.ledger),
     TABLE(purse, purse_fields, &core.game.ledger.purse),
     TABLE(ranking, ranking_fields, &core.game.ranking),

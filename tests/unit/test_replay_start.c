@@ -57,6 +57,7 @@ static void fill(void)
     scatter(&config.memory.ledger, sizeof config.memory.ledger, 2);
     scatter(&config.memory.audits, sizeof config.memory.audits, 3);
     fill_ranking(&config.memory.ranking);
+    scatter(&config.chapter, sizeof config.chapter, 5);
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         const struct setting *setting = setting_of(id);
         config.memory.settings.value[id] = draw(id, 4) % 2u ? setting->min : setting->max;
