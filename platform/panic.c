@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "core/base/panic.h"
+#include "platform/say.h"
 
 static void (*wish)(void *self);
 static void *wish_self;
@@ -17,7 +18,7 @@ void panic_prepare(void (*last_wish)(void *self), void *self)
 
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
-    fprintf(stderr, "kingyo: panic: %s:%d: not so: %s\n", file, line, condition);
+    say(SAY_CRITICAL, "panic: %s:%d: not so: %s", file, line, condition);
     if (wish) {
         void (*const last_wish)(void *self) = wish;
         wish = NULL; /* A panic in here must not come back. */

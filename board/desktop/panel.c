@@ -7,6 +7,7 @@
 #include "drivers/buttons_keyboard.h"
 #include "drivers/gpio_wires.h"
 #include "drivers/null.h"
+#include "platform/say.h"
 
 static struct {
     struct buttons_join join;
@@ -42,7 +43,7 @@ static void tell_missing(const struct gpio_wire wires[GPIO_ROLE_COUNT])
         if (wires[role].wired) {
             buttons_gpio_why(&devices.gpio, (enum gpio_role)role, why);
             if (why[0]) {
-                fprintf(stderr, "kingyo: line %s: %s\n", gpio_role_name((enum gpio_role)role), why);
+                say(SAY_WARNING, "line %s: %s", gpio_role_name((enum gpio_role)role), why);
             }
         }
     }

@@ -6,6 +6,7 @@
 #include "drivers/hid_desk.h"
 #include "drivers/poi_hid.h"
 #include "drivers/usb_seats.h"
+#include "platform/say.h"
 
 #define PATH_SIZE 1100u /* A data folder and a name in it. */
 
@@ -39,7 +40,7 @@ int board_reads_usb(const char *text)
 static void complain(void *self, const char *line)
 {
     (void)self;
-    fprintf(stderr, "kingyo: %s\n", line);
+    say(SAY_WARNING, "%s", line);
 }
 
 /* Before there are threads: what these say of files is for the operator's screen, too. */

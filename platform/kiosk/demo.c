@@ -11,6 +11,7 @@
 #include "platform/clock.h"
 #include "platform/kiosk/contact_sheet.h"
 #include "platform/png.h"
+#include "platform/say.h"
 
 #define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
 #define NS_PER_S 1000000000ull
@@ -81,7 +82,7 @@ static int plan_sheet(struct demo *demo, const struct hal_image *image)
 {
     demo->sheet.rgb = malloc(contact_sheet_plan(&demo->sheet, image->width, image->height));
     if (!demo->sheet.rgb) {
-        fprintf(stderr, "kingyo: no memory for the contact sheet\n");
+        say(SAY_ERROR, "no memory for the contact sheet");
         return -1;
     }
     contact_sheet_clear(&demo->sheet);
@@ -118,7 +119,7 @@ static void write_sheet(struct demo *demo)
             ? png_write(path, demo->sheet.rgb, demo->sheet.width, demo->sheet.height)
             : 0;
     if (error) {
-        fprintf(stderr, "kingyo: %s: cannot write: %s\n", path, strerror(-error));
+        say(SAY_ERROR, "%s: cannot write: %s", path, strerror(-error));
         demo->failed = 1;
     }
     free(demo->sheet.rgb);
@@ -240,7 +241,7 @@ enum exit_code demo_run(struct session *session)
     session_tell_shelf(session);
     const enum kiosk_end end = run(&demo);
     if (demo.shots == 0) {
-        fputs("kingyo: no picture could be made here\n", stderr);
+        say(SAY_ERROR, "no picture could be made here");
     }
     write_sheet(&demo);
     print_summary(&demo);

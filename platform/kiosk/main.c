@@ -12,6 +12,7 @@
 #include "platform/kiosk/play.h"
 #include "platform/kiosk/session.h"
 #include "platform/panic.h"
+#include "platform/say.h"
 
 static volatile sig_atomic_t stop;
 static struct session evening; /* Megabytes: not for the stack. */
@@ -33,7 +34,7 @@ static void catch_signals(void)
 
 static void warn(const char *line)
 {
-    fprintf(stderr, "kingyo: %s\n", line);
+    say(SAY_WARNING, "%s", line);
 }
 
 /* A line of the configuration that was passed over: the operator's menu shows it, too. */
@@ -153,6 +154,7 @@ static enum exit_code run(struct session *session)
 
 int main(int argc, char **argv)
 {
+    say_prepare();
     evening.stop = &stop;
     evening.recorder.writer.fd = -1;
     enum exit_code code = read_options(&evening.options, argc, argv);

@@ -11,6 +11,7 @@
 #include "platform/board.h"
 #include "platform/clock.h"
 #include "platform/folder.h"
+#include "platform/say.h"
 
 #define SHOT_TICKS (5u * CORE_TICK_HZ)
 
@@ -86,9 +87,9 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     const uint32_t sum = faults->poi + faults->shade + faults->display + faults->audio +
                          faults->storage + faults->buttons + faults->switches;
     if (end == KIOSK_DISPLAY_LOST) {
-        fprintf(stderr, "kingyo: the display was lost after %u s: %s\n",
-                kiosk->core.tick / CORE_TICK_HZ,
-                session->hal.display.ops->describe(session->hal.display.self));
+        say(SAY_ERROR, "the display was lost after %u s: %s",
+            kiosk->core.tick / CORE_TICK_HZ,
+            session->hal.display.ops->describe(session->hal.display.self));
     }
     printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
            (unsigned long long)kiosk->frames,
@@ -99,8 +100,8 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     tell_reports(kiosk);
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
-        fprintf(stderr, "kingyo: %u rounds or graphs could not be written (%s)\n", lost,
-                storage->ops->describe(storage->self));
+        say(SAY_ERROR, "%u rounds or graphs could not be written (%s)", lost,
+            storage->ops->describe(storage->self));
     }
     return lost > 0 ? EXIT_IO : EXIT_OK;
 }

@@ -10,6 +10,7 @@
 #include "platform/edit_file.h"
 #include "platform/folder.h"
 #include "platform/png.h"
+#include "platform/say.h"
 #include "platform/storage.h"
 
 enum exit_code session_check(struct session *session)
@@ -33,7 +34,7 @@ static void warn(void *context, const char *line)
 {
     struct session *session = context;
     const size_t folder = strlen(session->options.data) + 1u;
-    fprintf(stderr, "kingyo: %s\n", line);
+    say(SAY_WARNING, "%s", line);
     session_note_refused(session, line);
     shelf_note_graph(&session->shelf, line + (folder < strlen(line) ? folder : 0u));
 }
@@ -127,14 +128,14 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
         note_graphs(session, &config->core.book);
     }
     if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
-        fprintf(stderr, "kingyo: %s: this program has no such stall (preset, fish or time)\n",
-                replay[0] ? replay : "options");
+        say(SAY_ERROR, "%s: this program has no such stall (preset, fish or time)",
+            replay[0] ? replay : "options");
         return replay[0] ? EXIT_BAD_DATA : EXIT_USAGE;
     }
     const int error =
         record[0] ? recorder_begin(&session->recorder, record, &session->kiosk.core) : 0;
     if (error) {
-        fprintf(stderr, "kingyo: %s: cannot record: %s\n", record, strerror(-error));
+        say(SAY_ERROR, "%s: cannot record: %s", record, strerror(-error));
         return EXIT_IO;
     }
     return EXIT_OK;
@@ -150,12 +151,12 @@ void session_tell_shelf(const struct session *session)
             printf("  %-9s %s: %s\n", "species", line->file,
                    shelf->slots[line->slot].species.card.id);
         } else {
-            fprintf(stderr, "kingyo: %s/" SHELF_FOLDER "/%s: %s\n", data, line->file, line->why);
+            say(SAY_WARNING, "%s/" SHELF_FOLDER "/%s: %s", data, line->file, line->why);
         }
     }
     if (shelf->unread_count > 0) {
-        fprintf(stderr, "kingyo: %s/" SHELF_FOLDER ": %u more files, and no room for them\n", data,
-                shelf->unread_count);
+        say(SAY_WARNING, "%s/" SHELF_FOLDER ": %u more files, and no room for them", data,
+            shelf->unread_count);
     }
 }
 
@@ -165,8 +166,8 @@ static enum exit_code end_recording(struct session *session)
     const int error = recorder_end(&session->recorder);
     const struct replay_totals *saved = &session->recorder.writer.saved;
     if (error) {
-        fprintf(stderr, "kingyo: %s: recording stopped after %u s: %s\n", path,
-                saved->ticks / CORE_TICK_HZ, strerror(-error));
+        say(SAY_ERROR, "%s: recording stopped after %u s: %s", path,
+            saved->ticks / CORE_TICK_HZ, strerror(-error));
         return EXIT_IO;
     }
     printf("recorded %.1f s to %s\n", (double)saved->ticks / CORE_TICK_HZ, path);
@@ -182,9 +183,9 @@ static enum exit_code end_replay(struct session *session)
         return replayer_tell_problem("kingyo", path, &replayer->reader.problem);
     }
     if (replayer->difference.found) {
-        fprintf(stderr, "kingyo: %s: this play is not the recorded one from tick %u on; "
-                        "'kingyoctl replay verify' says more\n",
-                path, replayer->difference.tick);
+        say(SAY_ERROR, "%s: this play is not the recorded one from tick %u on; "
+                       "'kingyoctl replay verify' says more",
+            path, replayer->difference.tick);
         return EXIT_NOT_SO;
     }
     printf("replayed %u of %u ticks (%.1f s) of %s, each as recorded\n", replayer->totals.ticks,
@@ -207,7 +208,7 @@ enum exit_code session_make_folder(const char *path)
 {
     const int error = folder_make(path);
     if (error) {
-        fprintf(stderr, "kingyo: %s: cannot write there: %s\n", path, strerror(-error));
+        say(SAY_ERROR, "%s: cannot write there: %s", path, strerror(-error));
         return EXIT_IO;
     }
     return EXIT_OK;
@@ -220,7 +221,7 @@ enum exit_code session_make_room(struct session *session, uint32_t width, uint32
     session->rgb = malloc(session->rgb_size);
     if (!session->rgb) {
         session->rgb_size = 0;
-        fprintf(stderr, "kingyo: no memory for pictures of %ux%u\n", width, height);
+        say(SAY_ERROR, "no memory for pictures of %ux%u", width, height);
         return EXIT_NOT_SO;
     }
     return EXIT_OK;
@@ -249,12 +250,12 @@ static int capture_with_room(struct session *session, struct hal_image *image)
 int session_shot(struct session *session, const char *path, struct hal_image *image)
 {
     if (capture_with_room(session, image) != HAL_OK) {
-        fprintf(stderr, "kingyo: the display gives no picture\n");
+        say(SAY_ERROR, "the display gives no picture");
         return -1;
     }
     const int error = path ? png_write(path, image->rgb, image->width, image->height) : 0;
     if (error) {
-        fprintf(stderr, "kingyo: %s: cannot write: %s\n", path, strerror(-error));
+        say(SAY_ERROR, "%s: cannot write: %s", path, strerror(-error));
     }
     return error ? -1 : 0;
 }

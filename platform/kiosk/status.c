@@ -1,5 +1,6 @@
 /* status.c -- the report's text, and the thread that writes it. */
 #include "platform/kiosk/status.h"
+#include "platform/say.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -202,7 +203,7 @@ static void write_report(struct status *status, struct status_report *report)
     report->pid = (uint32_t)getpid();
     const int error = write_file(status, status_format(report, status->text));
     if (error && atomic_fetch_add(&status->failed, 1) == 0) {
-        fprintf(stderr, "kingyo: %s: cannot write: %s\n", status->path, strerror(-error));
+        say(SAY_ERROR, "%s: cannot write: %s", status->path, strerror(-error));
     }
 }
 

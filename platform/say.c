@@ -1,0 +1,42 @@
+/* say.c -- priorities for a journal; one call to the system a line, so that threads do not mix. */
+#include "platform/say.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static int has_journal; /* Set once, before there are threads. */
+
+int say_is_journal(const char *journal, int fd)
+{
+    char here[64];
+    struct stat about;
+    if (!journal || fstat(fd, &about) != 0) {
+        return 0;
+    }
+    snprintf(here, sizeof here, "%llu:%llu", (unsigned long long)about.st_dev,
+             (unsigned long long)about.st_ino);
+    return strcmp(here, journal) == 0;
+}
+
+void say_prepare(void)
+{
+    has_journal = say_is_journal(getenv("JOURNAL_STREAM"), fileno(stderr));
+}
+
+void say(enum say_level level, const char *format, ...)
+{
+    char line[SAY_LINE_MAX], words[SAY_LINE_MAX - 32u];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    if (has_journal) {
+        snprintf(line, sizeof line, "<%d>kingyo: %s\n", (int)level, words);
+    } else {
+        snprintf(line, sizeof line, "kingyo: %s\n", words);
+    }
+    fputs(line, stderr);
+}
