@@ -59,6 +59,7 @@ enum desk_order_kind {
     DESK_LEARN_NEXT, /* Whoever holds it says that he did as he was told. */
     DESK_LEARN_KEEP, /* Keep what was learned for this vendor:product:serial. */
     DESK_LEARN_END,  /* Forget it, and give back who was not chosen before. */
+    DESK_RESTART,    /* Of no controller: the kiosk ends and begins anew. */
 };
 
 struct desk_order {

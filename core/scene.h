@@ -241,6 +241,8 @@ struct scene_credit {
                                 vain; a day or more: never. */
 };
 
+#define SCENE_AUDIT_MAX 96u /* As many as core/game/audits.h counts, and room for more. */
+
 /* The operator's menu (core/game/menu.h), while the phase is PHASE_MENU. */
 struct scene_menu {
     uint8_t page;            /* enum menu_page */
@@ -260,6 +262,12 @@ struct scene_menu {
     uint8_t is_saved;        /* All that was turned is on disk. */
     uint32_t fish_max;       /* As many as the stall's tank has room for. */
     struct settings settings;
+    uint8_t from;            /* The page of the books that asks whether to reset. */
+    uint8_t pin_count;       /* Digits typed, ... */
+    uint16_t pin;            /* ... which are shown where a new one is chosen. */
+    float pin_wait_s;        /* Until one may be typed again. */
+    uint32_t boot, last_id, saved_id; /* Of the ledger. */
+    uint32_t audit[SCENE_AUDIT_MAX];  /* enum audit_id */
 };
 
 #define SCENE_NAME_SIZE 48u
@@ -269,12 +277,32 @@ struct scene_menu {
 
 enum scene_file_state { FILE_UNKNOWN = 0, FILE_USED, FILE_REFUSED, FILE_STATE_COUNT };
 
+/* What tells of itself on the page about this machine. */
+enum scene_about {
+    ABOUT_DISPLAY = 0,
+    ABOUT_SOUND,
+    ABOUT_STORE,
+    ABOUT_CONTROLLERS,
+    ABOUT_BUTTONS,
+    ABOUT_SWITCHES,
+    ABOUT_WATCHDOG,
+    ABOUT_COUNT,
+};
+
 /* What devices are called, which is no concern of the core: the shell fills it while the operator's
  * menu is shown, and core_scene() leaves it as it is. UTF-8, each "" where there is nothing. */
 struct scene_devices {
     char controller[CONTROLLER_MAX][SCENE_NAME_SIZE];
     char controllers[SCENE_LINE_SIZE]; /* What looks for them, or what is missing for that. */
     char lines[SCENE_LINE_SIZE];       /* The cabinet's lines, and which of them are missing. */
+    char about[ABOUT_COUNT][SCENE_LINE_SIZE]; /* What each says that it is, or lacks. */
+    struct scene_axes {                /* What a seat's controller says, as it says it. */
+        uint8_t link;                  /* enum poi_link */
+        vec3 position_m;
+        struct angles angles;
+        uint32_t report_count;         /* In the last whole second; */
+        float gap_ms;                  /* the longest time between two of them. */
+    } axes[POI_MAX];
     uint32_t button_faults;            /* Since the start. */
     uint32_t buttons_missing;          /* Whose line is not there: enum input_button, then COIN. */
     struct scene_file {                /* From menu.file_first on. */

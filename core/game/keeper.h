@@ -30,8 +30,9 @@ uint32_t keeper_round_s(const struct core_config *config, uint8_t mode);
 void keeper_open(struct core *core);
 
 /* Sees to it that the tank of this preset is open, with the fish and the seats that are asked for:
- * when another one is, its fish are taken out and this one is set up anew, with its own fish, empty bowls, and each hand drawing its poi over from
- * its place on the rim. Draws on the seed and on how many rounds there were. */
+ * when another one is, its fish are taken out and this one is set up anew, with its own fish, empty
+ * bowls, and each hand drawing its poi over from its place on the rim. Draws on the seed and on how
+ * many rounds there were. */
 void keeper_set_up(struct core *core, uint8_t preset);
 
 /* A new poi in the same place; fish that lay on the old one fall through where it was. Its grade is

@@ -39,6 +39,8 @@ static void open_menu(struct core *core, const struct input *input)
         .upright = input->upright != 0,
         .presses = 1, /* Who holds a poi down takes nothing. */
         .order_count = menu->order_count,
+        .pin_wrong = menu->pin_wrong, /* Who leaves and comes back waits none the less. */
+        .pin_tick = menu->pin_tick,
         .take_tick = core->tick,
         .act_tick = core->tick,
     };
@@ -50,7 +52,7 @@ static void open_menu(struct core *core, const struct input *input)
     }
     keeper_pour_back(core);
     phase_enter(core, PHASE_MENU);
-    menu_turn(core, MENU_TOP);
+    menu_turn(core, core->config.memory.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
 }
 
 int menu_opens(struct core *core, const struct input *input, struct output *output)
@@ -265,7 +267,7 @@ static void watch(struct core *core, const struct input *input, struct output *o
     if (input->pressed != 0 || coin_pulses(input) > 0 || has_changed) {
         menu->act_tick = core->tick;
     }
-    if (is_unkept) { /* Who said "keep" is told, wherever he went since. */
+    if (is_unkept && menu->page != MENU_PIN) { /* Who said "keep" is told. */
         menu->row = input->desk.learn_row;
         menu_turn(core, MENU_LEARN);
     }
@@ -279,6 +281,11 @@ static int is_taking(const struct menu *menu)
            (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
 }
 
+static uint32_t idle_ticks_max(const struct menu *menu)
+{
+    return menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
+}
+
 void menu_tick(struct core *core, const struct input *input, struct output *output)
 {
     watch(core, input, output);
@@ -290,7 +297,7 @@ void menu_tick(struct core *core, const struct input *input, struct output *outp
         menu_settings_tick(core, is_taking(&core->game.menu), output);
     }
     if (core->game.phase == PHASE_MENU &&
-        core->tick - core->game.menu.act_tick >= MENU_IDLE_TICKS) {
+        core->tick - core->game.menu.act_tick >= idle_ticks_max(&core->game.menu)) {
         menu_close(core, output);
     }
 }

@@ -28,6 +28,8 @@
 #define MENU_ASK_TICKS (5u * CORE_TICK_HZ)    /* So long a second TEST ends the round. */
 #define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two takes within it are one hand's. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Left open and forgotten: the stall opens again. */
+#define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ) /* The same of who does not know the PIN. */
+#define MENU_PIN_DIGITS 4u
 #define MENU_COUNT_MAX 9999u                  /* A counter of the lines' page stops there. */
 
 /* Pages of one parent hang there in this order. */
@@ -37,14 +39,26 @@ enum menu_page {
     MENU_CONTROLLERS, /* all that are plugged in, ... */
     MENU_CONTROLLER,  /* ... one of them, ... */
     MENU_LEARN,       /* ... and what it says when it is moved; */
-    MENU_LINES,       /* buttons and coins. */
+    MENU_LINES,       /* buttons and coins; */
+    MENU_AXES,        /* where each poi says that it is, and how often. */
     MENU_MONEY,       /* Settings, a group each. */
     MENU_GAME,
     MENU_MODES,       /* Which of them are offered. */
     MENU_SOUND,
     MENU_PICTURE,
+    MENU_BOOKS,       /* Leads to the audits: */
+    MENU_EARNINGS,
+    MENU_PLAYS,
+    MENU_HOURS,
+    MENU_MACHINE,
+    MENU_RESET,       /* a group of them is set to zero. */
     MENU_UPKEEP,      /* Leads to what is seldom needed: */
-    MENU_FILES,       /* what was found in the data folder, and what was not fit for use. */
+    MENU_FILES,       /* what was found in the data folder, and what was not fit for use; */
+    MENU_ABOUT,       /* versions and devices; */
+    MENU_NEW_PIN,
+    MENU_RESTART,
+    MENU_FACTORY,     /* everything as on the first day. */
+    MENU_PIN,         /* Asked for before all others, where one is set. */
     MENU_PAGE_COUNT,
 };
 
@@ -54,6 +68,9 @@ enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
 enum { FILES_MORE = 0, FILES_BACK, FILES_TAGS };
+enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
+enum { SURE_YES = 0, SURE_BACK, SURE_TAGS }; /* Of what is asked twice; it points at the second. */
+enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS }; /* Behind a key for each digit: 1, 2 .. 9, 0. */
 
 /* The feet of pages of settings, behind one for each setting and for each page of theirs. */
 enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };
@@ -63,6 +80,9 @@ struct menu {
     uint8_t chosen;  /* On a page of settings: the row that its foot's tags are about. */
     uint8_t turns_down; /* There a take turns a value down, not up. */
     uint8_t turning; /* Since it was taken TEST, or the poi, has not come up: it turns on. */
+    uint8_t from;    /* The page that asked whether to reset. */
+    uint8_t pin_count, pin_wrong; /* Digits typed so far; PINs in a row that were none. */
+    uint16_t pin;    /* Those digits. */
     uint8_t turn_count; /* How often it turned on, .. 255, and ... */
     uint32_t turn_tick; /* ... when it was turned last. */
     uint8_t row;     /* Of the controller that is dealt with. */
@@ -76,6 +96,7 @@ struct menu {
     uint32_t held;
     uint32_t test_coins, coin_tick; /* Those that fell on the lines' page. */
     uint32_t order_count;
+    uint32_t pin_tick;  /* When the last wrong PIN was typed. */
     uint32_t ask_tick;  /* When TEST was pressed in a round; 0: it was not. */
     uint32_t take_tick; /* When a tag was taken last, ... */
     uint32_t act_tick;  /* ... and when anybody last did anything. */
@@ -97,6 +118,10 @@ int menu_tries_lines(const struct core *core);
 
 /* While the lines are looked at, the start button's lamp is lit by its button. */
 int menu_lights_start(const struct core *core);
+
+/* After a wrong PIN none is taken for so long: 5 s, and twice as long after each further one, up to
+ * 160 s. 0: one is. */
+uint32_t menu_pin_wait_ticks(const struct core *core);
 
 /* Rows of the files' page that are seen at once, with the words of each in full. */
 uint32_t menu_files_shown(int upright);

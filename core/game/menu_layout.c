@@ -11,6 +11,8 @@ struct measures {
     float hung_width, hung_height, hung_gap, hung_drop; /* `drop`: for the next row's pole. */
     float row_height, row_pitch;
     float settings_height;             /* Of the body, so much is the settings'; then words. */
+    uint32_t key_columns;
+    float key_top, key_width, key_height, key_gap;
     float foot_y, foot_width, foot_height, foot_gap;
 };
 
@@ -19,6 +21,8 @@ static const struct measures wide = {
     .hung_max = 4, .hung_width = 282.0f, .hung_height = 172.0f, .hung_gap = 26.0f,
     .hung_drop = 60.0f,
     .row_height = 52.0f, .row_pitch = 58.0f, .settings_height = 428.0f,
+    .key_columns = 5, .key_top = 262.0f, .key_width = 150.0f, .key_height = 130.0f,
+    .key_gap = 26.0f,
     .foot_y = 610.0f, .foot_width = 250.0f, .foot_height = 66.0f, .foot_gap = 24.0f,
 };
 static const struct measures upright_measures = {
@@ -26,6 +30,8 @@ static const struct measures upright_measures = {
     .hung_max = 2, .hung_width = 372.0f, .hung_height = 200.0f, .hung_gap = 30.0f,
     .hung_drop = 72.0f,
     .row_height = 112.0f, .row_pitch = 128.0f, .settings_height = 912.0f,
+    .key_columns = 3, .key_top = 420.0f, .key_width = 210.0f, .key_height = 160.0f,
+    .key_gap = 36.0f,
     .foot_y = 1262.0f, .foot_width = 250.0f, .foot_height = 86.0f, .foot_gap = 20.0f,
 };
 
@@ -73,6 +79,21 @@ static struct overlay_box foot_box(const struct measures *m, int upright, uint32
     };
 }
 
+/* The last row may be shorter, and is centred. */
+static struct overlay_box key_box(const struct measures *m, uint32_t nth, uint32_t count)
+{
+    const uint32_t row = nth / m->key_columns, column = nth % m->key_columns;
+    const uint32_t left = count - row * m->key_columns;
+    const float in_row = (float)(left < m->key_columns ? left : m->key_columns);
+    const float width = in_row * m->key_width + (in_row - 1.0f) * m->key_gap;
+    return (struct overlay_box){
+        m->body.x + 0.5f * (m->body.width - width) + (float)column * (m->key_width + m->key_gap),
+        m->key_top + (float)row * (m->key_height + m->key_gap),
+        m->key_width,
+        m->key_height,
+    };
+}
+
 static struct overlay_box row_box(const struct measures *m, uint32_t nth)
 {
     return (struct overlay_box){ m->body.x, m->body.y + (float)nth * m->row_pitch, m->body.width,
@@ -107,6 +128,8 @@ struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_
     case BODY_SETTINGS:
     case BODY_BITS:
         return setting_box(m, tag, body_count);
+    case BODY_KEYS:
+        return key_box(m, tag, body_count);
     default:
         return row_box(m, tag);
     }

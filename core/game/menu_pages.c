@@ -7,6 +7,15 @@
 #include "core/game/phases.h"
 
 #define PAGES(parent_page) { .parent = (parent_page), .body = BODY_PAGES, .foot_count = 1 }
+#define BOOK(group)                                                                                \
+    { .parent = MENU_BOOKS, .body = BODY_FREE, .foot_count = BOOK_TAGS, .about = (group),          \
+      .enter = menu_sure_enter, .take = menu_book_take }
+#define SURE(parent_page, take_it)                                                                 \
+    { .parent = (parent_page), .body = BODY_FREE, .foot_count = SURE_TAGS,                         \
+      .enter = menu_sure_enter, .take = (take_it) }
+#define KEYS(parent_page, take_it)                                                                 \
+    { .parent = (parent_page), .body = BODY_KEYS, .body_count = PIN_ERASE,                         \
+      .foot_count = PIN_TAGS - PIN_ERASE, .enter = menu_pin_enter, .take = (take_it) }
 #define SETTINGS(group)                                                                            \
     { .parent = MENU_TOP, .body = BODY_SETTINGS, .foot_count = SETTINGS_FEET, .about = (group),    \
       .enter = menu_settings_enter, .take = menu_settings_take }
@@ -25,18 +34,32 @@ static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
                      .take = menu_learn_take, .leave = menu_learn_leave },
     [MENU_LINES] = { .parent = MENU_DEVICES, .body = BODY_FREE, .foot_count = LINES_TAGS,
                      .watches = 1 },
+    [MENU_AXES] = { .parent = MENU_DEVICES, .body = BODY_FREE, .foot_count = 1 },
     [MENU_MONEY] = SETTINGS(GROUP_MONEY),
     [MENU_GAME] = SETTINGS(GROUP_GAME),
     [MENU_MODES] = { .parent = MENU_GAME, .body = BODY_BITS, .foot_count = 1, .about = SET_MODES,
                      .take = menu_bits_take },
     [MENU_SOUND] = SETTINGS(GROUP_SOUND),
     [MENU_PICTURE] = SETTINGS(GROUP_PICTURE),
+    [MENU_BOOKS] = PAGES(MENU_TOP),
+    [MENU_EARNINGS] = BOOK(AUDIT_GROUP_MONEY),
+    [MENU_PLAYS] = BOOK(AUDIT_GROUP_PLAY),
+    [MENU_HOURS] = BOOK(AUDIT_GROUP_PLAY),
+    [MENU_MACHINE] = BOOK(AUDIT_GROUP_MACHINE),
+    [MENU_RESET] = { .parent = MENU_EARNINGS, .body = BODY_FREE, .foot_count = SURE_TAGS,
+                     .returns = 1, .enter = menu_sure_enter, .take = menu_reset_take },
     [MENU_UPKEEP] = PAGES(MENU_TOP),
     [MENU_FILES] = { .parent = MENU_UPKEEP, .body = BODY_FREE, .foot_count = FILES_TAGS,
                      .offers = menu_files_offers, .enter = menu_files_enter,
                      .take = menu_files_take },
+    [MENU_ABOUT] = { .parent = MENU_UPKEEP, .body = BODY_FREE, .foot_count = 1 },
+    [MENU_NEW_PIN] = KEYS(MENU_UPKEEP, menu_new_pin_take),
+    [MENU_RESTART] = SURE(MENU_UPKEEP, menu_restart_take),
+    [MENU_FACTORY] = SURE(MENU_UPKEEP, menu_factory_take),
+    [MENU_PIN] = KEYS(MENU_PAGE_COUNT, menu_pin_take),
 };
-_Static_assert(ROWS_TAGS <= MENU_TAG_MAX, "each tag has its bit");
+_Static_assert(ROWS_TAGS <= MENU_TAG_MAX && PIN_TAGS <= MENU_TAG_MAX, "each tag has its bit");
+_Static_assert(MENU_PAGE_COUNT <= 32u, "tests keep a bit for each page that they have seen");
 
 const struct menu_sheet *menu_sheet_of(uint8_t page)
 {
@@ -176,7 +199,7 @@ static void go_back(struct core *core, struct output *output)
     if (sheet->leave) {
         sheet->leave(core, output);
     }
-    menu_turn(core, (enum menu_page)sheet->parent);
+    menu_turn(core, (enum menu_page)(sheet->returns ? core->game.menu.from : sheet->parent));
 }
 
 void menu_take(struct core *core, struct output *output)

@@ -14,6 +14,7 @@ enum menu_body {
     BODY_PAGES,    /* One hangs for each page whose parent this is. */
     BODY_SETTINGS, /* A row for each setting of a group; then one for each page of this one. */
     BODY_BITS,     /* A row for each bit of one setting. */
+    BODY_KEYS,     /* Small tags with a digit each. */
 };
 
 struct menu_sheet {
@@ -22,7 +23,9 @@ struct menu_sheet {
     uint8_t body_count; /* So many tags are in it, <= 12, where the kind of body does not say. */
     uint8_t foot_count; /* The others, 1 .. 4. */
     uint8_t watches;    /* START, OK, LEFT and RIGHT are shown here, not heeded. */
-    uint8_t about;      /* enum setting_group of BODY_SETTINGS, enum setting_id of BODY_BITS. */
+    uint8_t about;      /* enum setting_group of BODY_SETTINGS, enum setting_id of BODY_BITS; enum
+                           audit_group of a page of the books. */
+    uint8_t returns;    /* Back is to where it was turned to from, not to the parent. */
     uint16_t (*offers)(const struct menu *menu); /* A bit for each tag; null: all. */
     void (*enter)(struct core *core);            /* It is turned to. May be null. */
     void (*take)(struct core *core, uint32_t tag, struct output *output); /* Any but the last. */

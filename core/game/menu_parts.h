@@ -24,6 +24,20 @@ uint16_t menu_files_offers(const struct menu *menu);
 void menu_files_enter(struct core *core);
 void menu_files_take(struct core *core, uint32_t tag, struct output *output);
 
+/* menu_books.c */
+void menu_book_take(struct core *core, uint32_t tag, struct output *output);
+void menu_reset_take(struct core *core, uint32_t tag, struct output *output);
+
+/* menu_upkeep.c */
+void menu_sure_enter(struct core *core); /* Back is pointed at: nothing is done in haste. */
+void menu_restart_take(struct core *core, uint32_t tag, struct output *output);
+void menu_factory_take(struct core *core, uint32_t tag, struct output *output);
+
+/* menu_pin.c */
+void menu_pin_enter(struct core *core);
+void menu_pin_take(struct core *core, uint32_t tag, struct output *output);
+void menu_new_pin_take(struct core *core, uint32_t tag, struct output *output);
+
 /* menu_settings.c */
 void menu_settings_enter(struct core *core);
 void menu_settings_take(struct core *core, uint32_t tag, struct output *output);

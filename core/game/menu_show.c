@@ -4,6 +4,8 @@
 #include "core/core.h"
 #include "core/game/menu_pages.h"
 
+_Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
+
 #define NEVER_S 1e6f /* Eleven days. */
 
 void menu_show(const struct core *core, struct scene_menu *out)
@@ -31,6 +33,15 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->turns_down = menu->turns_down;
     out->is_saved = (uint8_t)adjust_is_saved(core);
     out->fish_max = (uint32_t)adjust_max(core, SET_FISH);
+    out->from = menu->from;
+    out->pin_count = menu->pin_count;
+    out->pin_wait_s = (float)menu_pin_wait_ticks(core) * CORE_TICK_S;
+    /* What is typed to get in is nobody's to read over a shoulder. */
+    out->pin = menu->page == MENU_NEW_PIN ? menu->pin : 0;
+    memcpy(out->audit, core->game.audits.count, sizeof core->game.audits.count);
+    out->boot = core->game.ledger.boot;
+    out->last_id = core->game.ledger.last_id;
+    out->saved_id = core->game.ledger.saved_id;
     out->settings = core->config.memory.settings;
     out->coin_s = menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S
                                        : NEVER_S;
@@ -41,6 +52,8 @@ uint64_t menu_hash(uint64_t hash, const struct menu *menu)
     const uint32_t words[] = { menu->page,      menu->row,        menu->upright,
                                menu->file_first, menu->chosen,    menu->turns_down,
                                menu->turning,   menu->turn_count, menu->turn_tick,
+                               menu->from,      menu->pin_count,  menu->pin_wrong,
+                               menu->pin,       menu->pin_tick,
                                menu->has_hand,  menu->hand,       menu->presses,
                                menu->points,    menu->held,       menu->test_coins,
                                menu->coin_tick, menu->order_count,   menu->ask_tick,

@@ -49,13 +49,46 @@ uint8_t dressing_file_count(const struct file_notes *notes)
     return (uint8_t)(1u + (notes ? file_notes_rows(notes) : 0u));
 }
 
-void dressing_put(struct scene *scene, const struct hal *hal, const struct file_notes *notes,
-                  uint32_t button_faults, uint32_t buttons_missing)
+/* Each device says in a line what it is, or what is missing. */
+static void tell_about(struct scene_devices *devices, const struct hal *hal)
 {
-    if (scene->phase == PHASE_MENU) {
-        name_devices(&scene->devices, hal);
-        name_files(scene, hal, notes);
-        scene->devices.button_faults = button_faults;
-        scene->devices.buttons_missing = buttons_missing;
+    const char *const lines[ABOUT_COUNT] = {
+        [ABOUT_DISPLAY] = hal->display.ops->describe(hal->display.self),
+        [ABOUT_SOUND] = hal->audio.ops->describe(hal->audio.self),
+        [ABOUT_STORE] = hal->storage.ops->describe(hal->storage.self),
+        [ABOUT_CONTROLLERS] = hal->controllers.ops->describe(hal->controllers.self),
+        [ABOUT_BUTTONS] = hal->buttons.ops->describe(hal->buttons.self),
+        [ABOUT_SWITCHES] = hal->switches.ops->describe(hal->switches.self),
+        [ABOUT_WATCHDOG] = hal->watchdog.ops->describe(hal->watchdog.self),
+    };
+    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
+        copy_line(devices->about[i], sizeof devices->about[i], lines[i]);
     }
+}
+
+static struct scene_axes axes_of(const struct poi_input *says, const struct poi_hand *hand)
+{
+    return (struct scene_axes){
+        .link = says->link,
+        .position_m = says->target.position_m,
+        .angles = says->target.angles,
+        .report_count = hand->pace.shown_count,
+        .gap_ms = (float)hand->pace.shown_gap_ns * 1e-6f,
+    };
+}
+
+void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing)
+{
+    struct scene_devices *devices = &scene->devices;
+    if (scene->phase != PHASE_MENU) {
+        return;
+    }
+    name_devices(devices, hal);
+    name_files(scene, hal, dressing->notes);
+    tell_about(devices, hal);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        devices->axes[i] = axes_of(&dressing->input->poi[i], &dressing->hands[i]);
+    }
+    devices->button_faults = dressing->button_faults;
+    devices->buttons_missing = dressing->buttons_missing;
 }

@@ -4,12 +4,20 @@
 
 #include "platform/hal.h"
 #include "platform/kiosk/file_notes.h"
+#include "platform/kiosk/hands.h"
 
 /* Rows of the files' page: the store's, then the notes'. `notes` may be null. */
 uint8_t dressing_file_count(const struct file_notes *notes);
 
+/* What the frame loop knows of devices beside what they say themselves. */
+struct dressing {
+    const struct file_notes *notes; /* May be null. */
+    const struct input *input;      /* The last tick's. */
+    const struct poi_hand *hands;   /* POI_MAX of them. */
+    uint32_t button_faults, buttons_missing;
+};
+
 /* Fills scene->devices while the operator's menu is shown; else leaves it as it is. */
-void dressing_put(struct scene *scene, const struct hal *hal, const struct file_notes *notes,
-                  uint32_t button_faults, uint32_t buttons_missing);
+void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing);
 
 #endif

@@ -40,12 +40,40 @@ static void lose(struct poi_hand *hand, uint64_t now_ns)
     resample_reset(&hand->path);
 }
 
+/* Reports of a pointer at rest are made up, and count as none. */
+static void count_report(struct report_pace *pace, uint64_t time_ns)
+{
+    const uint64_t gap_ns = pace->last_ns > 0 && time_ns > pace->last_ns ? time_ns - pace->last_ns
+                                                                         : 0u;
+    pace->gap_ns = gap_ns > pace->gap_ns ? gap_ns : pace->gap_ns;
+    pace->last_ns = time_ns;
+    pace->count++;
+}
+
+/* A silence that still lasts is a gap, too. */
+static void turn_second(struct report_pace *pace, uint64_t now_ns)
+{
+    if (now_ns - pace->begin_ns < NS_PER_S) {
+        return;
+    }
+    const uint64_t silent_ns = pace->last_ns > 0 && now_ns > pace->last_ns
+                                   ? now_ns - pace->last_ns
+                                   : 0u;
+    pace->shown_count = pace->count;
+    pace->shown_gap_ns = silent_ns > pace->gap_ns ? silent_ns : pace->gap_ns;
+    pace->begin_ns = now_ns;
+    pace->gap_ns = pace->count = 0;
+}
+
 static uint32_t take(struct poi_hand *hand, const struct poi_sample *sample)
 {
     hand->has_wrist = sample->has_wrist;
     hand->trembles = sample->trembles;
     hand->newest_ns = sample->time_ns;
     hand->was_seen = 1;
+    if (sample->was_stamped) {
+        count_report(&hand->pace, sample->time_ns);
+    }
     if (sample->was_stamped && hand->waiting_count < HAL_POI_SAMPLES_MAX) {
         hand->waiting_ns[hand->waiting_count++] = sample->time_ns;
     }
@@ -56,6 +84,7 @@ uint32_t poi_hand_sample(struct poi_hand *hand, const struct hal_poi *device, ui
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     uint32_t faults = 0;
+    turn_second(&hand->pace, now_ns);
     if (hand->link == POI_LINK_LOST) {
         faults += look_for(hand, device, now_ns);
     }

@@ -12,8 +12,19 @@
 #include "platform/kiosk/resample.h"
 #include "platform/kiosk/timing.h"
 
+/* How often a controller reports: counted over a second, shown for the next one. */
+struct report_pace {
+    uint64_t begin_ns;        /* Of the second that is counted. */
+    uint64_t last_ns;         /* When the last report arrived; 0: none ever did. */
+    uint64_t gap_ns;          /* The longest between two, in this second, ... */
+    uint32_t count;
+    uint32_t shown_count;     /* ... and in the last whole one. */
+    uint64_t shown_gap_ns;
+};
+
 /* One player's controller. */
 struct poi_hand {
+    struct report_pace pace;
     struct resampler path;
     uint64_t retry_ns;  /* When a lost one is looked for again. */
     uint64_t newest_ns; /* When its newest reading arrived. */

@@ -6,6 +6,7 @@
 #include "core/game/menu_pages.h"
 #include "platform/kiosk/dressing.h"
 
+#define RESTART_WAIT_NS 5000000000ull /* A card that takes longer than this for an entry is full. */
 #define RETRY_NS 1000000000ull /* A lost card, a failed save: once a second is often enough. */
 
 static uint64_t clock_ns(struct hal_clock clock)
@@ -242,8 +243,21 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct output *output = &kiosk->output;
     while (!kiosk->config.source.next && kiosk->told_orders != output->order_count) {
-        const uint32_t place = kiosk->told_orders++ % DESK_ORDER_MAX;
-        hal->controllers.ops->order(hal->controllers.self, &output->orders[place]);
+        const struct desk_order *order = &output->orders[kiosk->told_orders++ % DESK_ORDER_MAX];
+        if (order->kind == DESK_RESTART) {
+            kiosk->restart_ns = clock_ns(hal->clock) + RESTART_WAIT_NS;
+        } else {
+            hal->controllers.ops->order(hal->controllers.self, order);
+        }
+    }
+}
+
+/* The operator wants a restart: once the store has every entry, or will not take them. */
+static void end_for_restart(struct kiosk *kiosk, const struct hal *hal)
+{
+    const int is_kept = kiosk->accepted_id == kiosk->output.entry_id;
+    if (kiosk->restart_ns > 0 && (is_kept || clock_ns(hal->clock) >= kiosk->restart_ns)) {
+        kiosk->end = KIOSK_RESTART;
     }
 }
 
@@ -313,6 +327,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
         present_forces(kiosk, hal);
         present_entries(kiosk, hal);
         present_edit(kiosk, hal);
+        end_for_restart(kiosk, hal);
     }
     const int result = hal->display.ops->present(hal->display.self, &kiosk->scene);
     kiosk->faults.display += (uint32_t)hal_is_fault(result);
@@ -356,8 +371,12 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     lighting_notice(&kiosk->lighting, &kiosk->input, kiosk->core.game.phase == PHASE_ATTRACT);
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
-    dressing_put(&kiosk->scene, hal, kiosk->config.notes, kiosk->faults.buttons,
-                 kiosk->buttons_missing);
+    const struct dressing dressing = { .notes = kiosk->config.notes,
+                                       .input = &kiosk->input,
+                                       .hands = kiosk->hands,
+                                       .button_faults = kiosk->faults.buttons,
+                                       .buttons_missing = kiosk->buttons_missing };
+    dressing_put(&kiosk->scene, hal, &dressing);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
     show_hands(kiosk, hal);
     present(kiosk, hal, tick_count);

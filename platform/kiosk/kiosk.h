@@ -46,6 +46,7 @@ enum kiosk_end {
     KIOSK_QUIT,         /* A quit key, a closed window, the session's end. */
     KIOSK_DISPLAY_LOST, /* Nothing can be shown any more. */
     KIOSK_SOURCE_END,   /* The replay is over. */
+    KIOSK_RESTART,      /* The operator wants it to begin anew. */
 };
 
 /* What went wrong and was survived, since the start. */
@@ -73,6 +74,8 @@ struct kiosk {
     struct voice voice;
     uint32_t refused_seen; /* Of the store's failed writes, those already among the faults. */
     struct switches switches;
+    uint64_t restart_ns;       /* When a restart waits no longer for the store; 0: none is asked
+                                  for. */
     uint32_t told_orders;      /* Of output.order_count, those that the controllers got. */
     uint8_t end;           /* enum kiosk_end */
 

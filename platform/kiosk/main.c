@@ -152,6 +152,18 @@ static enum exit_code run(struct session *session)
     return play_run(session);
 }
 
+/* The same program with the same options; where the package was renewed meanwhile, the new one. */
+static void begin_anew(const struct session *session, char **argv)
+{
+    if (session->options.record[0]) {
+        warn("a restart would write over the recording: start it again by hand");
+        return;
+    }
+    execvp(argv[0], argv);
+    execv("/proc/self/exe", argv);
+    warn("cannot restart: start it again by hand");
+}
+
 int main(int argc, char **argv)
 {
     say_prepare();
@@ -177,6 +189,9 @@ int main(int argc, char **argv)
     }
     if (code == EXIT_OK) {
         code = run(&evening);
+    }
+    if (evening.kiosk.end == KIOSK_RESTART) {
+        begin_anew(&evening, argv);
     }
     return (int)code;
 }

@@ -39,6 +39,16 @@ struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fil
                              .fill = fill };
 }
 
+void menu_words_at(const struct menu_view *view, float x, float y, float room, float align,
+                   const struct ui_text *style, const char *words)
+{
+    struct ui_text fitted = *style;
+    fitted.fit_px = room;
+    fitted.size_px = ui_text_size(&fitted, words);
+    fitted.align = align;
+    ui_text(view->frame.batch, &fitted, x, ui_text_middle(&fitted, y), words);
+}
+
 /* ---- Tags ----------------------------------------------------------------------------------- */
 
 struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
@@ -199,7 +209,8 @@ static void hand(const struct menu_view *view)
 static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct overlay_point canvas = overlay_size(scene->menu.upright);
-    struct menu_view view = { .frame = *frame, .menu = &scene->menu, .devices = &scene->devices };
+    struct menu_view view = { .frame = *frame, .scene = scene, .menu = &scene->menu,
+                              .devices = &scene->devices };
     view.frame.unit = scene->menu.upright
                           ? frame->width / canvas.x
                           : fminf(frame->width / canvas.x, frame->height / canvas.y);

@@ -14,7 +14,8 @@
 
 struct menu_view {
     struct ui_frame frame; /* `unit` is one of the canvas. */
-    const struct scene_menu *menu;
+    const struct scene *scene;
+    const struct scene_menu *menu; /* The scene's. */
     const struct scene_devices *devices;
     float x, y;            /* The canvas' corner on the screen. */
 };
@@ -61,6 +62,11 @@ struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fil
 /* The same with a brush in Japanese, and as on a stall's board else. */
 struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill);
 
+/* Words that begin (align 0), are in the middle (0.5) or end (1) at `x`, in the middle of `y`, and
+ * shrink to `room`; all in pixels. */
+void menu_words_at(const struct menu_view *view, float x, float y, float room, float align,
+                   const struct ui_text *style, const char *words);
+
 /* How many bytes of `words` fill a line of `room_px`: up to its last gap, or to its last whole
  * character where there is none. At least one character. */
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);
@@ -73,5 +79,13 @@ void menu_one_controller(const struct menu_view *view);
 void menu_learning(const struct menu_view *view);
 void menu_lines(const struct menu_view *view);
 void menu_files(const struct menu_view *view);
+void menu_axes(const struct menu_view *view);
+void menu_earnings(const struct menu_view *view);
+void menu_plays(const struct menu_view *view);
+void menu_hours(const struct menu_view *view);
+void menu_machine(const struct menu_view *view);
+void menu_sure(const struct menu_view *view);
+void menu_about(const struct menu_view *view);
+void menu_pin(const struct menu_view *view);
 
 #endif

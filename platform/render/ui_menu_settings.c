@@ -33,18 +33,13 @@ static const struct places upright_places = {
 
 /* ---- Values in words ------------------------------------------------------------------------ */
 
-/* "Festival, Practice": the names of those bits that are set. */
-static void name_bits(const struct menu_view *view, const struct setting_words *words,
-                      int32_t value, char *out, size_t out_size)
+static int count_bits(int32_t value)
 {
-    size_t length = 0;
-    out[0] = 0;
-    for (uint32_t i = 0; i < SETTING_CHOICES_MAX && value >> i && length < out_size; i++) {
-        if (value >> i & 1) {
-            length += (size_t)snprintf(out + length, out_size - length, "%s%s",
-                                       length > 0 ? " " : "", menu_text(view, words->choices[i]));
-        }
+    int count = 0;
+    for (; value > 0; value >>= 1) {
+        count += value & 1;
     }
+    return count;
 }
 
 void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, char *out,
@@ -59,7 +54,7 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
         }
         break;
     case KIND_BITS:
-        name_bits(view, words, value, out, out_size);
+        snprintf(out, out_size, "%d / %d", count_bits(value), count_bits(setting_of(id)->max));
         return;
     case KIND_MINUTE:
         snprintf(out, out_size, "%02d:%02d", (int)value / 60, (int)value % 60);
@@ -101,17 +96,6 @@ static void range_words(const struct menu_view *view, uint32_t id, char *out, si
 
 /* ---- Boards --------------------------------------------------------------------------------- */
 
-/* Words that begin, or end, at `x`, in the middle of `y`, and shrink to their room. */
-static void words_at(const struct menu_view *view, float x, float y, float room, float align,
-                     const struct ui_text *style, const char *words)
-{
-    struct ui_text fitted = *style;
-    fitted.fit_px = room;
-    fitted.size_px = ui_text_size(&fitted, words);
-    fitted.align = align;
-    ui_text(view->frame.batch, &fitted, x, ui_text_middle(&fitted, y), words);
-}
-
 static struct ui_text sized(const struct menu_view *view, const struct ui_box *box, float size,
                             uint32_t fill)
 {
@@ -144,13 +128,13 @@ static void setting_board(const struct menu_view *view, const struct places *pla
         sized(view, &box, places->value_size, is_changed ? CHANGED_PAINT : MENU_INK);
     const float right = box.x + box.width - places->inset * u;
     char words[TEXT_LINE_MAX];
-    words_at(view, box.x + places->inset * u, name_y, places->name_width * u, 0.0f, &name,
+    menu_words_at(view, box.x + places->inset * u, name_y, places->name_width * u, 0.0f, &name,
              menu_text(view, menu_setting_words_of(id)->name));
     range_words(view, id, words, sizeof words);
-    words_at(view, box.x + places->range_x * u, range_y, places->range_width * u, 0.0f, &range,
+    menu_words_at(view, box.x + places->range_x * u, range_y, places->range_width * u, 0.0f, &range,
              words);
     menu_value_words(view, id, value, words, sizeof words);
-    words_at(view, right, middle, places->value_width * u, 1.0f, &number, words);
+    menu_words_at(view, right, middle, places->value_width * u, 1.0f, &number, words);
     if (is_changed) {
         seal(view, right - (places->value_width + 20.0f) * u, middle);
     }
@@ -192,6 +176,9 @@ static void saved(const struct menu_view *view, const struct places *places)
 
 static void board(const struct menu_view *view, const struct places *places, uint32_t tag)
 {
+    if (!(view->menu->tags >> tag & 1u)) {
+        return;
+    }
     const struct ui_box box = menu_tag_board(view, tag);
     const uint32_t id = menu_setting_at(view->menu->page, tag);
     if (id < SETTING_COUNT) {
@@ -231,15 +218,18 @@ void menu_bits(const struct menu_view *view)
     const uint32_t id = menu_sheet_of(menu->page)->about;
     const struct setting_words *words = menu_setting_words_of(id);
     for (uint32_t bit = 0; bit < menu_body_count(menu->page); bit++) {
+        if (!(menu->tags >> bit & 1u)) {
+            continue;
+        }
         const struct ui_box box = menu_tag_board(view, bit);
         const float u = view->frame.unit, middle = box.y + 0.47f * box.height;
         const int is_on = (menu->settings.value[id] >> bit & 1) != 0;
         const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
         const struct ui_text state =
             sized(view, &box, places->value_size, is_on ? 0x17754effu : MENU_INK_SOFT);
-        words_at(view, box.x + places->inset * u, middle, places->name_width * u, 0.0f, &name,
+        menu_words_at(view, box.x + places->inset * u, middle, places->name_width * u, 0.0f, &name,
                  menu_text(view, words->choices[bit]));
-        words_at(view, box.x + box.width - places->inset * u, middle, places->value_width * u,
+        menu_words_at(view, box.x + box.width - places->inset * u, middle, places->value_width * u,
                  1.0f, &state, menu_text(view, is_on ? TEXT_BIT_ON : TEXT_BIT_OFF));
     }
     help(view, places, menu_text(view, words->help));

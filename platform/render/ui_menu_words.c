@@ -2,6 +2,9 @@
 #include "platform/render/ui_menu.h"
 
 #define BACK TEXT_MENU_BACK
+#define RESETS { TEXT_FOOT_RESET, BACK }
+#define SURE { TEXT_FOOT_SURE, BACK }
+#define KEYS { TEXT_FOOT_ERASE, BACK }
 #define TURNS { TEXT_FOOT_UP, TEXT_FOOT_STANDARD, BACK }
 
 static const struct menu_words pages[MENU_PAGE_COUNT] = {
@@ -29,9 +32,31 @@ static const struct menu_words pages[MENU_PAGE_COUNT] = {
     [MENU_MODES] = { .title = TEXT_PAGE_MODES, .about = TEXT_ABOUT_MODES, .foot = { BACK } },
     [MENU_SOUND] = { .title = TEXT_PAGE_SOUND, .about = TEXT_ABOUT_SOUND, .foot = TURNS },
     [MENU_PICTURE] = { .title = TEXT_PAGE_PICTURE, .about = TEXT_ABOUT_PICTURE, .foot = TURNS },
+    [MENU_AXES] = { .title = TEXT_PAGE_AXES, .about = TEXT_ABOUT_AXES, .foot = { BACK },
+                    .draw = menu_axes },
+    [MENU_BOOKS] = { .title = TEXT_PAGE_BOOKS, .about = TEXT_ABOUT_BOOKS, .foot = { BACK } },
+    [MENU_EARNINGS] = { .title = TEXT_PAGE_EARNINGS, .about = TEXT_ABOUT_EARNINGS, .foot = RESETS,
+                        .draw = menu_earnings },
+    [MENU_PLAYS] = { .title = TEXT_PAGE_PLAYS, .about = TEXT_ABOUT_PLAYS, .foot = RESETS,
+                     .draw = menu_plays },
+    [MENU_HOURS] = { .title = TEXT_PAGE_HOURS, .about = TEXT_ABOUT_HOURS, .foot = RESETS,
+                     .draw = menu_hours },
+    [MENU_MACHINE] = { .title = TEXT_PAGE_MACHINE, .about = TEXT_ABOUT_MACHINE, .foot = RESETS,
+                       .draw = menu_machine },
+    [MENU_RESET] = { .title = TEXT_PAGE_RESET, .foot = SURE, .draw = menu_sure },
     [MENU_UPKEEP] = { .title = TEXT_PAGE_UPKEEP, .about = TEXT_ABOUT_UPKEEP, .foot = { BACK } },
     [MENU_FILES] = { .title = TEXT_PAGE_FILES, .about = TEXT_ABOUT_FILES,
                      .foot = { TEXT_FILES_MORE, BACK }, .draw = menu_files },
+    [MENU_ABOUT] = { .title = TEXT_PAGE_ABOUT, .about = TEXT_ABOUT_ABOUT, .foot = { BACK },
+                     .draw = menu_about },
+    [MENU_NEW_PIN] = { .title = TEXT_PAGE_PIN, .about = TEXT_ABOUT_PIN, .foot = KEYS,
+                       .draw = menu_pin },
+    [MENU_RESTART] = { .title = TEXT_PAGE_RESTART, .about = TEXT_ABOUT_RESTART, .foot = SURE,
+                       .draw = menu_sure },
+    [MENU_FACTORY] = { .title = TEXT_PAGE_FACTORY, .about = TEXT_ABOUT_FACTORY, .foot = SURE,
+                       .draw = menu_sure },
+    [MENU_PIN] = { .title = TEXT_PAGE_PIN, .foot = { TEXT_FOOT_ERASE, TEXT_MENU_LEAVE },
+                   .draw = menu_pin },
 };
 
 static const struct setting_words settings[SET_CALIBRATION] = {

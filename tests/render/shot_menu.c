@@ -40,7 +40,13 @@ static const char *const names[MENU_PAGE_COUNT] = {
     [MENU_MONEY] = "money",     [MENU_GAME] = "game",
     [MENU_MODES] = "modes",     [MENU_SOUND] = "sound",
     [MENU_PICTURE] = "picture", [MENU_UPKEEP] = "upkeep",
-    [MENU_FILES] = "files",
+    [MENU_FILES] = "files",     [MENU_AXES] = "axes",
+    [MENU_BOOKS] = "books",     [MENU_EARNINGS] = "earnings",
+    [MENU_PLAYS] = "plays",     [MENU_HOURS] = "hours",
+    [MENU_MACHINE] = "machine", [MENU_RESET] = "reset",
+    [MENU_ABOUT] = "about",     [MENU_NEW_PIN] = "newpin",
+    [MENU_RESTART] = "restart", [MENU_FACTORY] = "factory",
+    [MENU_PIN] = "pin",
 };
 
 int shot_menu_knows(const char *page, uint8_t step)
@@ -65,6 +71,25 @@ static void adjust_some(struct core *core)
     adjust_set(core, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
+/* Those of a summer. */
+static void keep_books(struct core *core)
+{
+    uint32_t *count = core->game.audits.count;
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        count[id] = 17u + id * id * 31u % 4999u;
+    }
+    for (uint32_t hour = 0; hour < 24u; hour++) { /* Open from ten to ten, full in the evening. */
+        count[AUDIT_HOUR + hour] = hour < 10u || hour > 21u ? 0u : (hour - 9u) * (23u - hour) * 9u;
+    }
+    count[AUDIT_CAUGHT] = 31877;
+    count[AUDIT_PLAYERS] = 8211;
+    count[AUDIT_PAPERS_TORN] = 7090;
+    count[AUDIT_PAPER_LIFE_S] = 180250;
+    count[AUDIT_UP_S] = 3600u * 871u;
+    count[AUDIT_UP_S_MAX] = 3600u * 14u;
+    count[AUDIT_COINS_1] = 1234567;
+}
+
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright)
 {
     struct output output = { 0 };
@@ -84,6 +109,10 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
         menu->tag[menu->page] = (uint8_t)(step % menu_body_count(menu->page));
     }
     adjust_some(core);
+    keep_books(core);
+    menu->from = MENU_EARNINGS;
+    menu->pin = 407;
+    menu->pin_count = menu->page == MENU_PIN || menu->page == MENU_NEW_PIN ? 3 : 0;
     const uint32_t first = step * menu_files_shown(upright);
     menu->file_first = (uint8_t)(first < input.desk.file_count ? first : 0u);
     menu->row = menu->page == MENU_CONTROLLER && step < CONTROLLER_MAX ? step : 0;
@@ -112,6 +141,24 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     snprintf(devices->controllers, SCENE_LINE_SIZE, "libusb 1.0.26: 5 controllers");
     snprintf(devices->lines, SCENE_LINE_SIZE,
              "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by 'another')");
+    static const char *const about[ABOUT_COUNT] = {
+        [ABOUT_DISPLAY] = "1920x1080 (SDL kmsdrm), OpenGL ES 3.1 Mesa 23.2.1, V3D 7.1",
+        [ABOUT_SOUND] = "SDL alsa, 48000 Hz, 512 frames",
+        [ABOUT_STORE] = "/var/lib/kingyo/kingyo.db, SQLite 3.40.1",
+        [ABOUT_CONTROLLERS] = "libusb 1.0.26: 5 controllers",
+        [ABOUT_BUTTONS] = "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by "
+                          "'another')",
+        [ABOUT_SWITCHES] = "start lamp, lockout, meter",
+        [ABOUT_WATCHDOG] = "systemd, every 5 s",
+    };
+    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
+        snprintf(devices->about[i], SCENE_LINE_SIZE, "%s", about[i]);
+    }
+    devices->axes[0] = (struct scene_axes){ POI_LINK_LIVE, { 0.21f, 0.06f, -0.13f },
+                                            { 0.6f, -0.3f, 0.1f }, 1000, 2.4f };
+    devices->axes[1] = (struct scene_axes){ POI_LINK_LIVE, { -0.55f, 0.11f, 0.22f },
+                                            { -2.1f, 0.9f, -0.4f }, 125, 214.0f };
+    devices->axes[2].link = POI_LINK_LOST;
     devices->button_faults = 2;
     devices->buttons_missing = INPUT_START | 1u << INPUT_BUTTON_COUNT;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {

@@ -108,12 +108,13 @@ static const struct field game_fields[] = {
 
 static const struct field menu_fields[] = {
     FIELD(menu, page), FIELD(menu, chosen), FIELD(menu, turns_down), FIELD(menu, turning),
+    FIELD(menu, from), FIELD(menu, pin_count), FIELD(menu, pin_wrong), FIELD(menu, pin),
     FIELD(menu, turn_count), FIELD(menu, turn_tick), FIELD(menu, row), FIELD(menu, upright),
     FIELD(menu, file_first), FIELD(menu, has_hand), FIELD(menu, hand), FIELD(menu, presses),
     FIELD(menu, points), FIELD(menu, tag), FIELD(menu, desk), FIELD(menu, pressed_count),
     FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, order_count),
-    FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, x),
-    FIELD(menu, y), FIELD(menu, rest),
+    FIELD(menu, pin_tick), FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick),
+    FIELD(menu, x), FIELD(menu, y), FIELD(menu, rest),
 };
 
 static const struct field adjust_fields[] = {

@@ -185,13 +185,15 @@ static void test_service_gives_no_credit_in_the_menu(void **state)
 /* Into each page that hangs somewhere, by TEST and SERVICE alone, and back by its last tag. */
 static void test_two_buttons_lead_into_every_page_and_back(void **state)
 {
-    uint32_t seen = 1u << MENU_TOP | 1u << MENU_CONTROLLER | 1u << MENU_LEARN;
+    uint32_t seen = 1u << MENU_TOP | 1u << MENU_CONTROLLER | 1u << MENU_LEARN; /* Each has its */
+    seen |= 1u << MENU_RESET | 1u << MENU_PIN;                                 /* own tests. */
     for (uint8_t page = 1; page < MENU_PAGE_COUNT; page++) {
         uint8_t way[4];
         uint32_t depth = 0;
         setup_open(state);
-        for (uint8_t at = page; at != MENU_TOP; at = menu_sheet_of(at)->parent) {
+        for (uint8_t at = page; at != MENU_TOP && at < MENU_PAGE_COUNT;) {
             way[depth++] = at;
+            at = menu_sheet_of(at)->parent;
         }
         for (uint32_t i = depth; i > 0 && menu_tag_of(way[i - 1u]) < MENU_TAG_MAX; i--) {
             go_to(way[i - 1u]);

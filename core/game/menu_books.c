@@ -1,0 +1,37 @@
+/* menu_books.c -- setting a group of the audits to zero, which is an entry of the ledger itself. */
+#include "core/core.h"
+#include "core/game/menu_parts.h"
+
+void menu_book_take(struct core *core, uint32_t tag, struct output *output)
+{
+    (void)tag;
+    (void)output;
+    core->game.menu.from = core->game.menu.page;
+    menu_turn(core, MENU_RESET);
+}
+
+/* Of all the group's counters: whoever compares books sees how much was taken off. */
+static int32_t sum_of(const struct audits *audits, enum audit_group group)
+{
+    uint32_t sum = 0;
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        const uint32_t count = audit_group_of(id) == group ? audits->count[id] : 0u;
+        sum = (uint32_t)INT32_MAX - sum < count ? (uint32_t)INT32_MAX : sum + count;
+    }
+    return (int32_t)sum;
+}
+
+/* Where the ledger has no room just now the question stays. */
+void menu_reset_take(struct core *core, uint32_t tag, struct output *output)
+{
+    const uint8_t from = core->game.menu.from, group = menu_sheet_of(from)->about;
+    const struct ledger_entry entry = {
+        .kind = LEDGER_RESET,
+        .detail = group,
+        .value = sum_of(&core->game.audits, (enum audit_group)group),
+    };
+    (void)tag;
+    if (ledger_write(core, &entry, output) != 0) {
+        menu_turn(core, (enum menu_page)from);
+    }
+}
