@@ -15,3 +15,16 @@ $(SOAK_BIN): $(BUILD)/tests/soak/soak.o $(SOAK_OBJ) $(BUILD)/tests/unit/panic.o 
 tests: $(SOAK_BIN)
 
 .PHONY: soak
+
+WEEK_BIN := $(BUILD)/tests/soak/week
+
+## soak-week: a week of a festival, simulated (half an hour; HOURS=n for less): nothing grows in memory, no coin is lost
+soak-week:
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(WEEK_BIN)
+	@$(WEEK_BIN) $(or $(HOURS),168)
+
+$(WEEK_BIN): $(BUILD)/tests/soak/week.o $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+.PHONY: soak-week

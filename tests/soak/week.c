@@ -1,0 +1,291 @@
+/* week.c -- a week of a festival on the real frame loop, core and store: nothing may grow in memory.
+ *
+ *   week [HOURS]
+ *
+ * Time is simulated, HOURS (168) of it without a pause: from 10 to 21 o'clock a crowd drops coins,
+ * plays and is ranked, at night nobody is there. The tank has one fish, and fish come into the bowl
+ * by order: swimming is not what is tried. A line each six hours: what our program and SQLite have
+ * in use, what the system gave it, how large the store is. Exit 1 when the memory in use grew
+ * between the end of the first quarter and the end, when a tick was dropped, or when a coin is not
+ * in the store. */
+#include <malloc.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "core/base/rng.h"
+#include "core/game/score.h"
+#include "drivers/clock_sim.h"
+#include "drivers/null.h"
+#include "platform/kiosk/kiosk.h"
+#include "platform/number.h"
+#include "platform/panic.h"
+#include "platform/storage.h"
+
+#define HOURS 168u
+#define FRAMES_PER_HOUR (3600u * 60u)
+#define SIXTY_FRAMES_NS 1000000000ull
+#define LINE_HOURS 6u
+#define OPEN_HOUR 10u
+#define CLOSE_HOUR 21u
+#define GROWTH_MAX (64 * 1024) /* Bytes: what a cache of SQLite's may take more at a time. */
+
+static struct kiosk kiosk;
+static struct storage store;
+static struct hal hal;
+static struct clock_sim clock_of_week;
+static uint32_t coins;
+
+/* ---- The crowd ------------------------------------------------------------------------------ */
+
+static uint32_t hour_of_day(void)
+{
+    return (uint32_t)(clock_of_week.now_ns / SIXTY_FRAMES_NS / 3600u) % 24u;
+}
+
+static int is_open(void)
+{
+    return hour_of_day() >= OPEN_HOUR && hour_of_day() < CLOSE_HOUR;
+}
+
+static int happens(uint32_t what, uint32_t seconds)
+{
+    const struct rng_key key = { 11, (uint32_t)kiosk.frames, what, RNG_TEST };
+    return is_open() && rng_u32(key) % (seconds * 60u) == 0;
+}
+
+static int crowd_poll(void *self, struct button_sample *out)
+{
+    (void)self;
+    *out = (struct button_sample){ 0 };
+    if (happens(1, 8) && !kiosk.output.coin_lockout) {
+        out->coin_count[0] = 1;
+        coins++;
+    }
+    out->pressed = (happens(2, 3) ? (uint32_t)INPUT_START : 0u) |
+                   (happens(3, 600) ? (uint32_t)INPUT_SERVICE : 0u) |
+                   (happens(4, 7200) ? (uint32_t)INPUT_TEST : 0u);
+    return HAL_OK;
+}
+
+static const char *crowd_describe(void *self)
+{
+    (void)self;
+    return "a crowd";
+}
+
+static int hand_open(void *self)
+{
+    (void)self;
+    return HAL_OK;
+}
+
+/* A hand that circles over the water while the stall is open. */
+static int hand_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    (void)self;
+    const float turn = (float)(kiosk.frames % 628u) * 0.01f;
+    if (max == 0 || !is_open()) {
+        return 0;
+    }
+    *out = (struct poi_sample){
+        .time_ns = clock_of_week.now_ns,
+        .was_stamped = 1,
+        .has_wrist = 1,
+        .target.position_m = v3(0.15f * f_cos(turn), 0.06f, 0.1f * f_sin(turn)),
+    };
+    return 1;
+}
+
+static int hand_feel(void *self, const struct poi_force *force)
+{
+    (void)self;
+    (void)force;
+    return HAL_OK;
+}
+
+static void hand_look(void *self, const struct view *view, const struct showing *showing)
+{
+    (void)self;
+    (void)view;
+    (void)showing;
+}
+
+static struct hal crowd(const char *folder)
+{
+    static const struct hal_buttons_ops buttons = { .poll = crowd_poll,
+                                                    .describe = crowd_describe };
+    static const struct hal_poi_ops hand = { .open = hand_open, .poll = hand_poll,
+                                             .feel = hand_feel, .look = hand_look,
+                                             .describe = crowd_describe };
+    struct hal all = null_hal();
+    store = (struct storage){ .dir = folder };
+    all.clock = clock_sim_device(&clock_of_week);
+    all.storage = storage_device(&store);
+    all.buttons = (struct hal_buttons){ .ops = &buttons };
+    all.poi[0] = (struct hal_poi){ .ops = &hand };
+    return all;
+}
+
+static void land_fish(void)
+{
+    if (kiosk.core.game.phase == PHASE_ROUND && happens(5, 4)) {
+        const struct catch_result caught[POI_MAX] = { { .landed = 1, .bowled = 1 } };
+        game_score(&kiosk.core, caught, &kiosk.output);
+    }
+}
+
+/* ---- Memory --------------------------------------------------------------------------------- */
+
+struct sample {
+    size_t ours, sqlites, resident, file;
+};
+
+static size_t file_size(const char *name)
+{
+    char path[600];
+    struct stat about;
+    snprintf(path, sizeof path, "%s/%s", store.dir, name);
+    return stat(path, &about) == 0 ? (size_t)about.st_size : 0;
+}
+
+static size_t resident_size(void)
+{
+    unsigned long pages = 0, resident = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (!file || fscanf(file, "%lu %lu", &pages, &resident) != 2) {
+        resident = 0;
+    }
+    if (file) {
+        fclose(file);
+    }
+    return resident * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+static struct sample look(void)
+{
+    return (struct sample){
+        .ours = mallinfo2().uordblks,
+        .sqlites = (size_t)sqlite3_memory_used(),
+        .resident = resident_size(),
+        .file = file_size(STORAGE_FILE),
+    };
+}
+
+static void tell(uint32_t hour, const struct sample *sample)
+{
+    const struct audits *audits = &kiosk.core.game.audits;
+    const uint32_t *count = audits->count;
+    printf("  %4u h %7u %7u %7u %9.1f %9.1f %9.1f %9.1f %8llu\n", hour, count[AUDIT_COINS_1],
+           count[AUDIT_PLAYS_PAID] + count[AUDIT_PLAYS_SERVICE],
+           kiosk.core.game.ledger.last_id, (double)sample->ours / 1024.0,
+           (double)sample->sqlites / 1024.0, (double)sample->resident / 1048576.0,
+           (double)sample->file / 1024.0, (unsigned long long)kiosk.pace.dropped);
+    fflush(stdout);
+}
+
+/* ---- The week ------------------------------------------------------------------------------- */
+
+/* The store's thread writes in real time, the crowd plays some hundred times as fast: where it is
+ * behind, the stall waits for it as it would for a second. */
+static void wait_for_store(void)
+{
+    const struct ledger *ledger = &kiosk.core.game.ledger;
+    while (ledger->last_id - hal.storage.ops->saved_id(hal.storage.self) > LEDGER_RING / 2u) {
+        nanosleep(&(struct timespec){ .tv_nsec = 100000 }, NULL);
+    }
+}
+
+static void pass_hour(void)
+{
+    for (uint32_t i = 0; i < FRAMES_PER_HOUR; i++) {
+        clock_of_week.now_ns += SIXTY_FRAMES_NS / 60u;
+        kiosk_frame(&kiosk, &hal);
+        land_fish();
+        wait_for_store();
+    }
+}
+
+static int open_week(const char *folder)
+{
+    struct kiosk_config config = { .core = { .seed = 3 } };
+    clock_of_week.now_ns = SIXTY_FRAMES_NS * 3600u * (OPEN_HOUR - 1u);
+    hal = crowd(folder);
+    if (hal.storage.ops->open(hal.storage.self) != HAL_OK) {
+        fprintf(stderr, "week: %s\n", hal.storage.ops->describe(hal.storage.self));
+        return -1;
+    }
+    settings_reset(&config.core.memory.settings);
+    config.core.memory.settings.value[SET_PLAY] = PLAY_PAID;
+    config.core.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
+    config.core.memory.settings.value[SET_ROUND_S] = 60;
+    config.core.memory.settings.value[SET_FISH] = 1;
+    settings_apply(&config.core.memory.settings, &config.core);
+    return kiosk_init(&kiosk, &hal, &config) == CORE_OK ? 0 : -1;
+}
+
+static int holds_all(const char *folder)
+{
+    static struct memory memory;
+    store = (struct storage){ .dir = folder };
+    const struct hal_storage device = storage_device(&store);
+    if (device.ops->open(device.self) != HAL_OK) {
+        return 0;
+    }
+    device.ops->remember(device.self, &memory);
+    device.ops->close(device.self);
+    printf("  %u coins fell, %u are in the store\n", coins, memory.audits.count[AUDIT_COINS_1]);
+    return coins > 0 && memory.audits.count[AUDIT_COINS_1] == coins;
+}
+
+static int run(const char *folder, uint32_t hours)
+{
+    struct sample first = { 0 }, last = { 0 };
+    if (open_week(folder) != 0) {
+        return 1;
+    }
+    printf("week: %u hours; in use by our program and its libraries, SQLite's of that, resident, "
+           "the store's file\n  %6s %7s %7s %7s %9s %9s %9s %9s %8s\n",
+           hours, "", "coins", "rounds", "entries", "KiB", "KiB", "MiB", "KiB", "dropped");
+    for (uint32_t hour = 1; hour <= hours; hour++) {
+        pass_hour();
+        last = look();
+        if (hour == (hours + 3u) / 4u) {
+            first = last;
+        }
+        if (hour % LINE_HOURS == 0 || hour == hours) {
+            tell(hour, &last);
+        }
+    }
+    const int grew = last.ours > first.ours + GROWTH_MAX;
+    const uint64_t dropped = kiosk.pace.dropped;
+    const uint32_t unwritten = kiosk_close_store(&kiosk, &hal);
+    const int holds = holds_all(folder);
+    printf("  memory in use %s: %+.1f KiB since hour %u; %llu ticks dropped, %u unwritten\n",
+           grew ? "grew" : "did not grow", ((double)last.ours - (double)first.ours) / 1024.0,
+           (hours + 3u) / 4u, (unsigned long long)dropped, unwritten);
+    return grew || dropped > 0 || unwritten > 0 || !holds;
+}
+
+int main(int argc, char **argv)
+{
+    uint32_t hours = HOURS;
+    char folder[] = "/tmp/kingyo-week-XXXXXX", command[64];
+    if (argc > 2 || (argc == 2 && !number_parse(argv[1], 4, 1000, &hours))) {
+        fprintf(stderr, "usage: week [HOURS, 4 to 1000]\n");
+        return 2;
+    }
+    if (!mkdtemp(folder)) {
+        fprintf(stderr, "week: cannot make a folder in /tmp\n");
+        return 74;
+    }
+    panic_prepare(NULL, NULL);
+    const int code = run(folder, hours);
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command) != 0 || code != 0;
+}
