@@ -4,8 +4,10 @@
 static int display_sim_open(void *self)
 {
     struct display_sim *sim = self;
-    sim->opened = 1;
-    return HAL_OK;
+    sim->open_count++;
+    sim->opened = !sim->away;
+    sim->needs_open = sim->away;
+    return sim->away ? HAL_ERR_GONE : HAL_OK;
 }
 
 static int display_sim_is_gone(const struct display_sim *sim)
@@ -21,13 +23,14 @@ static int display_sim_poll(void *self, struct display_events *out)
         .lost = display_sim_is_gone(sim) ? 1 : 0,
     };
     sim->quit = 0;
-    return HAL_OK;
+    sim->needs_open |= sim->away;
+    return sim->needs_open ? HAL_ERR_GONE : HAL_OK;
 }
 
 static int display_sim_present(void *self, const struct scene *scene)
 {
     struct display_sim *sim = self;
-    if (display_sim_is_gone(sim)) {
+    if (display_sim_is_gone(sim) || sim->needs_open) {
         return HAL_ERR_GONE;
     }
     sim->present_count++;

@@ -11,7 +11,10 @@ struct display_sim {
     struct showing showing;     /* ... and how it lay on the screen. */
     uint32_t present_count;
     uint32_t full_screen_count; /* Times it was toggled. */
-    uint32_t gone_at;           /* From this present on it is gone; 0: it stays. */
+    uint32_t gone_at;           /* From this present on it is gone for good; 0: it stays. */
+    uint8_t away;               /* Set: it is pulled out, and no open finds it. */
+    uint8_t needs_open;         /* It was away. */
+    uint32_t open_count;
     uint32_t fail_at;           /* This one present fails with HAL_ERR_IO; 0: none. */
     uint8_t quit;               /* The next poll reports that the window was closed. */
     uint8_t opened;

@@ -30,6 +30,8 @@ struct board_options {
     const char (*line)[BOARD_LINE_SIZE];
     uint8_t off_screen;        /* Render without a screen, for pictures. */
     uint8_t full_screen;
+    uint8_t waits_for_screen;  /* One that is not there at the start may come later: the display
+                                  answers HAL_ERR_GONE until then. */
     uint32_t width, height;    /* Window or picture size in pixels; 0 is the board's own. */
     uint8_t mute;
     const char *data_dir;      /* Where the store lives; null keeps nothing. */

@@ -51,13 +51,13 @@ struct hal_image {
 /* What the windowing system said since the last poll. */
 struct display_events {
     uint8_t quit;        /* The window was closed, or the session ends. */
-    uint8_t lost;        /* The display is gone; nothing can be shown any more. */
+    uint8_t lost;        /* Level: it went for good; nothing can be shown any more. */
     uint8_t upright;     /* Level: it is narrower than OVERLAY_UPRIGHT_ASPECT of its height. */
 };
 
 struct hal_display_ops {
-    int (*open)(void *self);
-    int (*poll)(void *self, struct display_events *out);
+    int (*open)(void *self);  /* Also reopens after HAL_ERR_GONE: the one call that may take long. */
+    int (*poll)(void *self, struct display_events *out); /* When it fails, nothing is known. */
     int (*present)(void *self, const struct scene *scene);
     /* How the picture lies on the screen from the next one on. Copied. */
     void (*place)(void *self, const struct showing *showing);

@@ -47,13 +47,13 @@ void screen_open(struct hal *hal, const struct board_options *options)
     };
     display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
     hal->display = display_gl_device(display);
-    if (hal->display.ops->open(display) != HAL_OK) {
+    SDL_InitSubSystem(SDL_INIT_EVENTS); /* Its queue outlives a display that goes and comes. */
+    ignore_foreign_events();
+    if (hal->display.ops->open(display) != HAL_OK && !options->waits_for_screen) {
         snprintf(devices.text, sizeof devices.text, "%.*s",
                  (int)sizeof devices.text - 1, hal->display.ops->describe(display));
         hal->display = null_display(devices.text);
-        return;
     }
-    ignore_foreign_events();
 }
 
 /* A kernel without a graphics card has no /dev/dri/card*: then SDL need not be asked, which

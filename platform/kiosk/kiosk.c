@@ -119,8 +119,9 @@ static void count_refused_writes(struct kiosk *kiosk, const struct hal_storage *
 static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
 {
     struct display_events events = { 0 };
-    hal->display.ops->poll(hal->display.self, &events);
-    kiosk->input.upright = events.upright;
+    if (hal->display.ops->poll(hal->display.self, &events) == HAL_OK) {
+        kiosk->input.upright = events.upright;
+    }
     if (events.quit) {
         kiosk->end = KIOSK_QUIT;
     }
@@ -316,6 +317,26 @@ static void present_edit(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+/* Without a picture the game goes on, and the store with it: a display that went, or that never
+ * was there, is looked for once a second. */
+static void present_picture(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct hal_display *display = &hal->display;
+    const uint64_t now_ns = clock_ns(hal->clock);
+    if (kiosk->display_retry_ns > 0 && now_ns >= kiosk->display_retry_ns) {
+        const int is_back = display->ops->open(display->self) == HAL_OK;
+        kiosk->display_retry_ns = is_back ? 0 : clock_ns(hal->clock) + RETRY_NS;
+    }
+    if (kiosk->display_retry_ns > 0) {
+        return;
+    }
+    const int result = display->ops->present(display->self, &kiosk->scene);
+    kiosk->faults.display += (uint32_t)hal_is_fault(result);
+    if (result == HAL_ERR_GONE) {
+        kiosk->display_retry_ns = now_ns + RETRY_NS;
+    }
+}
+
 /* The only writes to devices. The picture comes last: it may wait for the screen, and a sound
  * should not wait with it. */
 static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
@@ -329,11 +350,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
         present_edit(kiosk, hal);
         end_for_restart(kiosk, hal);
     }
-    const int result = hal->display.ops->present(hal->display.self, &kiosk->scene);
-    kiosk->faults.display += (uint32_t)hal_is_fault(result);
-    if (result == HAL_ERR_GONE) {
-        kiosk->end = KIOSK_DISPLAY_LOST;
-    }
+    present_picture(kiosk, hal);
 }
 
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)

@@ -65,6 +65,7 @@ struct kiosk {
     struct poi_hand hands[POI_MAX];
     struct shade_hand shades[SHADE_MAX];
     uint64_t sampled_ns;   /* When the devices were last asked. */
+    uint64_t display_retry_ns; /* When a display that went is looked for again; 0: none did. */
     struct lighting lighting;
     struct view view;      /* Of the tank, ... */
     struct showing showing; /* ... and on the screen, as display and pois were told last. */

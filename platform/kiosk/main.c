@@ -134,7 +134,7 @@ static enum exit_code run(struct session *session)
     if (options->demo) {
         return demo_run(session);
     }
-    if (!board_has_screen(why, sizeof why)) {
+    if (!play_waits_for_screen() && !board_has_screen(why, sizeof why)) {
         printf("No screen: %s. The bot plays, and pictures are written.\n", why);
         fflush(stdout);
         return demo_run(session);

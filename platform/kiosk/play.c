@@ -128,6 +128,12 @@ static void on_display_lost(void *self)
     _exit((int)code);
 }
 
+int play_waits_for_screen(void)
+{
+    const char *socket = getenv("NOTIFY_SOCKET");
+    return socket && socket[0];
+}
+
 int play_open(struct session *session)
 {
     struct options *options = &session->options;
@@ -143,6 +149,7 @@ int play_open(struct session *session)
         .line_count = options->line_count,
         .line = (const char (*)[BOARD_LINE_SIZE])options->line,
         .full_screen = options->width == 0,
+        .waits_for_screen = play_waits_for_screen() != 0,
         .width = options->width,
         .height = options->height,
         .data_dir = options->data[0] ? options->data : NULL,
@@ -198,15 +205,29 @@ static void shoot_if_due(struct session *session, uint32_t *shots)
     }
 }
 
+/* That the picture went, and that it came back: once each. */
+static void tell_picture(const struct session *session, int *was_away)
+{
+    const struct hal_display *display = &session->hal.display;
+    const int is_away = session->kiosk.display_retry_ns > 0;
+    if (is_away != *was_away) {
+        fprintf(stderr, "kingyo: %s%s\n", is_away ? "the stall goes on without a picture: " : "",
+                display->ops->describe(display->self));
+        *was_away = is_away;
+    }
+}
+
 static enum kiosk_end run(struct session *session)
 {
     const struct hal_clock clock = clock_device();
     enum kiosk_end end = KIOSK_RUNS;
     struct pace_rest rest = { 0 };
     uint32_t shots = 0;
+    int was_away = 0;
     while (end == KIOSK_RUNS && !*session->stop) {
         const uint64_t begin_ns = clock.ops->now_ns(clock.self);
         end = kiosk_frame(&session->kiosk, &session->hal);
+        tell_picture(session, &was_away);
         shoot_if_due(session, &shots);
         status_tell(&session->status, &session->kiosk, &session->hal, begin_ns);
         const uint64_t end_ns = clock.ops->now_ns(clock.self);

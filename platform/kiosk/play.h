@@ -4,7 +4,11 @@
 
 #include "platform/kiosk/session.h"
 
-/* Whether session->hal, opened by play_open, has a display at all. */
+/* Whether the stall opens without a screen, and shows itself when there is one: where a service
+ * manager started it ($NOTIFY_SOCKET), nobody stands there to read that there is none. */
+int play_waits_for_screen(void);
+
+/* Opens the board. Whether session->hal has a display at all, or waits for one. */
 int play_open(struct session *session);
 
 /* Runs frames until the end. Returns an exit code; what failed was told. */

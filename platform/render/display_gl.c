@@ -3,23 +3,16 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "core/game/lab_layout.h"
+#include "platform/clock.h"
 #include "platform/render/x11_guard.h"
 
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
-
-static void lose(struct display_gl *display)
-{
-    if (display->lost) {
-        return;
-    }
-    display->lost = true;
-    if (display->on_lost) {
-        display->on_lost(display->on_lost_context);
-    }
-}
+#define LOOK_NS 1000000000ull /* Plugs are looked at once a second: 40 microseconds. */
+#define LOOKS 2u
 
 static int fail(struct display_gl *display, const char *what, const char *why)
 {
@@ -31,17 +24,22 @@ static void on_broken(void *context)
 {
     struct display_gl *const display = context;
     fail(display, "screen", "the connection to the X server broke");
-    lose(display);
+    display->lost = true;
+    if (!display->broken && display->on_lost) {
+        display->broken = true;
+        display->on_lost(display->on_lost_context);
+    }
+    display->broken = true;
 }
 
 /* A second open(), after HAL_ERR_GONE, starts from nothing again. */
 static void release(struct display_gl *display)
 {
-    if (display->context && !display->lost) {
+    if (display->context && !display->broken) {
         renderer_close(&display->renderer);
         SDL_GL_DeleteContext(display->context);
     }
-    if (display->window && !display->lost) {
+    if (display->window && !display->broken) {
         SDL_DestroyWindow(display->window);
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
     }
@@ -57,6 +55,29 @@ static int shows_nothing(const struct display_gl *display)
     const char *driver = SDL_GetCurrentVideoDriver();
     return !display->config.off_screen && !SDL_getenv("SDL_VIDEODRIVER") && driver &&
            (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
+}
+
+static const char *sockets_of(const struct display_gl *display)
+{
+    return display->config.sockets ? display->config.sockets : "/sys/class/drm";
+}
+
+static uint64_t now_ns(void)
+{
+    const struct hal_clock clock = clock_device();
+    return clock.ops->now_ns(clock.self);
+}
+
+/* Bare of a window system a card without a screen need not be tried: it would take SDL a while to
+ * find out. */
+static int has_nothing_plugged(struct display_gl *display)
+{
+    const char *driver = SDL_getenv("SDL_VIDEODRIVER");
+    display->is_bare = !display->config.off_screen && driver && strcasecmp(driver, "kmsdrm") == 0;
+    display->plugged = connectors_read(sockets_of(display));
+    display->looked_ns = now_ns();
+    display->changed_looks = 0;
+    return display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0;
 }
 
 static int create_window(struct display_gl *display)
@@ -127,7 +148,11 @@ static int display_open(void *self)
 {
     struct display_gl *const display = self;
     release(display);
-    display->lost = false;
+    display->lost = display->broken = false;
+    if (has_nothing_plugged(display)) {
+        display->lost = true;
+        return fail(display, "screen", "none is plugged in; it is looked for each second");
+    }
     int error = create_window(display);
     if (error == HAL_OK) {
         x11_guard(display->window, on_broken, display);
@@ -135,10 +160,32 @@ static int display_open(void *self)
     }
     if (error != HAL_OK) {
         release(display);
+        display->lost = true;
         return error;
     }
+    const char *driver = SDL_GetCurrentVideoDriver();
+    display->is_bare = driver && strcasecmp(driver, "kmsdrm") == 0;
     renderer_describe(&display->renderer, display->text, sizeof display->text);
     return HAL_OK;
+}
+
+/* A plug wobbles while it is pushed in: what is different must stay so for LOOKS seconds. Then the
+ * picture is closed here, so that no frame waits for a screen that is not there. */
+static void watch_plugs(struct display_gl *display)
+{
+    const uint64_t now = now_ns();
+    if (!display->is_bare || now - display->looked_ns < LOOK_NS) {
+        return;
+    }
+    display->looked_ns = now;
+    const struct connectors plugged = connectors_read(sockets_of(display));
+    const bool is_other = plugged.count > 0 && plugged.which != display->plugged.which;
+    display->changed_looks = (uint8_t)(is_other ? display->changed_looks + 1u : 0u);
+    if (display->changed_looks >= LOOKS) {
+        release(display);
+        fail(display, "screen", plugged.connected ? "another was plugged in" : "it was pulled out");
+        display->lost = true;
+    }
 }
 
 /* Takes SDL's window and quit events out of the queue; the rest is for the drivers of other
@@ -147,8 +194,11 @@ static int display_poll(void *self, struct display_events *out)
 {
     struct display_gl *const display = self;
     *out = (struct display_events){ 0 };
+    if (!display->lost && display->window) {
+        watch_plugs(display);
+    }
     if (display->lost || !display->window) {
-        out->lost = 1;
+        out->lost = display->broken;
         return HAL_ERR_GONE;
     }
     SDL_PumpEvents();
@@ -163,7 +213,7 @@ static int display_poll(void *self, struct display_events *out)
     }
     const struct placing *const drawn = &display->renderer.placing;
     out->upright = drawn->width < OVERLAY_UPRIGHT_ASPECT * drawn->height;
-    out->lost = display->lost; /* Pumping may have been what noticed. */
+    out->lost = display->broken; /* Pumping may have been what noticed. */
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
 
@@ -202,7 +252,7 @@ static int display_present(void *self, const struct scene *scene)
     SDL_GL_SwapWindow(display->window);
     if (!display->lost && !renderer_is_alive(&display->renderer)) {
         fail(display, "frame", renderer_error(&display->renderer));
-        lose(display);
+        display->lost = true;
     }
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }

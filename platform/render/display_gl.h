@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "platform/hal.h"
+#include "platform/render/connectors.h"
 #include "platform/render/renderer.h"
 
 /* Zero is a sensible value of every field. */
@@ -22,6 +23,7 @@ struct display_gl_config {
     float scene_scale; /* [0.25, 2]; 0: by renderer (quality.h). */
     uint32_t samples;  /* Multisampling; 0: by renderer. */
     const struct shelf *shelf; /* As renderer_config's. */
+    const char *sockets; /* Where the kernel tells of screens; 0: /sys/class/drm. */
 };
 
 struct display_gl {
@@ -32,7 +34,12 @@ struct display_gl {
     struct scene shown; /* What capture() draws again: the back buffer is gone after a swap. */
     struct showing showing; /* How it lies on the screen; also on the next one. */
     bool has_shown, full_screen, is_placed;
-    bool lost; /* The connection to the screen broke; nothing may touch it again. */
+    bool lost;   /* It shows nothing any more; open() begins anew. */
+    bool broken; /* The connection to an X server broke; nothing may touch it again. */
+    bool is_bare; /* No window system: SDL draws on the card itself. */
+    struct connectors plugged; /* As they were when it was opened, ... */
+    uint64_t looked_ns;        /* ... and when they were looked at last. */
+    uint8_t changed_looks;     /* Looks in a row at which they were others. */
     void (*on_lost)(void *context);
     void *on_lost_context;
     char text[HAL_TEXT_SIZE];
@@ -40,7 +47,10 @@ struct display_gl {
 
 struct hal_display display_gl_device(struct display_gl *display);
 
-/* Calls `hook` at the moment when an X11 connection breaks, from inside whichever SDL or OpenGL
+/* A screen that is pulled out of the card, or of which the driver has reset, is HAL_ERR_GONE, and
+ * found again by open(). An X server that goes is the end.
+ *
+ * Calls `hook` at the moment when an X11 connection breaks, from inside whichever SDL or OpenGL
  * call noticed. Without our handler Xlib would end the process there. The next poll() says `lost`
  * too. */
 void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context);

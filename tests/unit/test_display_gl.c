@@ -3,7 +3,10 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include <cmocka.h>
 
@@ -533,36 +536,123 @@ static void test_a_minimised_window_is_asked_again_and_no_fault(void **state)
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
-static uint32_t lost_calls;
+static uint32_t ends;
 
-static void count_lost(void *context)
+static void count_end(void *context)
 {
     (void)context;
-    lost_calls++;
+    ends++;
 }
 
-static void test_a_broken_display_is_lost_once_and_can_be_opened_again(void **state)
+static void test_a_driver_that_resets_is_gone_and_opened_again_as_it_was(void **state)
 {
     (void)state;
     struct display_events events;
-    lost_calls = 0;
-    display_gl_on_lost(&display, count_lost, NULL);
+    ends = 0;
+    display_gl_on_lost(&display, count_end, NULL);
+    device.ops->place(device.self, &(struct showing){ .rotation = 2, .light = 1.0f });
     picture(pixels[0]);
     gl_fail(&display.renderer.status, "as if the driver had reset");
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
     assert_int_equal(device.ops->poll(device.self, &events), HAL_ERR_GONE);
-    assert_int_equal(events.lost, 1);
-    assert_int_equal(lost_calls, 1);
+    assert_int_equal(events.lost, 0); /* Not for good. */
+    assert_int_equal(ends, 0);
     assert_non_null(strstr(device.ops->describe(device.self), "as if the driver had reset"));
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     picture(pixels[1]);
     assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
+/* A socket of a card that is made of files. */
+static void plug(const char *folder, const char *socket, const char *status)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, socket);
+    mkdir(path, 0700);
+    snprintf(path, sizeof path, "%s/%s/status", folder, socket);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(status, file);
+    fclose(file);
+}
+
+static void unmake(const char *folder)
+{
+    char command[128];
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    assert_int_equal(system(command), 0);
+}
+
+static void test_only_sockets_with_a_screen_count(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/kingyo-drm-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(connectors_read("/nonexistent").count, 0);
+    plug(folder, "renderD128", "connected\n");
+    plug(folder, "card1", "connected\n");
+    plug(folder, "card1-Writeback-1", "unknown\n");
+    plug(folder, "card1-HDMI-A-1", "disconnected\n");
+    plug(folder, "card1-HDMI-A-2", "connected\n");
+    const struct connectors one = connectors_read(folder);
+    assert_int_equal(one.count, 2);
+    assert_int_equal(one.connected, 1);
+    plug(folder, "card1-HDMI-A-1", "connected\n");
+    plug(folder, "card1-HDMI-A-2", "disconnected\n");
+    const struct connectors other = connectors_read(folder);
+    assert_int_equal(other.connected, 1);
+    assert_true(one.which != other.which);
+    unmake(folder);
+}
+
+/* Polls as if a second had passed since it looked. */
+static int look(struct display_events *events)
+{
+    display.looked_ns -= 2000000000ull;
+    return device.ops->poll(device.self, events);
+}
+
+/* As on a card without a window system; what draws is off screen all the same. */
+static void test_a_screen_that_is_pulled_out_is_gone_until_it_is_back(void **state)
+{
+    (void)state;
+    struct display_events events;
+    char folder[] = "/tmp/kingyo-drm-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    plug(folder, "card0-HDMI-A-1", "connected\n");
+    display.config.sockets = folder;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    display.is_bare = true;
+    picture(pixels[0]);
+    assert_int_equal(look(&events), HAL_OK);
+    plug(folder, "card0-HDMI-A-1", "disconnected\n");
+    assert_int_equal(look(&events), HAL_OK); /* It may have wobbled. */
+    plug(folder, "card0-HDMI-A-1", "connected\n");
+    assert_int_equal(look(&events), HAL_OK);
+    plug(folder, "card0-HDMI-A-1", "disconnected\n");
+    assert_int_equal(look(&events), HAL_OK);
+    assert_int_equal(look(&events), HAL_ERR_GONE);
+    assert_int_equal(events.lost, 0);
+    assert_non_null(strstr(device.ops->describe(device.self), "pulled out"));
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
+    setenv("SDL_VIDEODRIVER", "kmsdrm", 1);
+    display.config.off_screen = false;
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_GONE); /* SDL is not even asked. */
+    assert_non_null(strstr(device.ops->describe(device.self), "none is plugged in"));
+    unsetenv("SDL_VIDEODRIVER");
+    display.config.off_screen = true;
+    plug(folder, "card0-HDMI-A-1", "connected\n");
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    unmake(folder);
+}
+
+#define WITH_DISPLAY(test) cmocka_unit_test_setup_teardown(test, open_display, close_display)
+
 int main(void)
 {
-#define WITH_DISPLAY(test) cmocka_unit_test_setup_teardown(test, open_display, close_display)
     const struct CMUnitTest tests[] = {
         WITH_DISPLAY(test_it_says_what_draws_and_how_finely),
         WITH_DISPLAY(test_the_same_scene_is_the_same_picture),
@@ -586,7 +676,9 @@ int main(void)
         WITH_DISPLAY(test_half_the_light_is_half_of_each_colour_and_none_is_black),
         WITH_DISPLAY(test_it_takes_every_pixel_of_a_dense_screen),
         WITH_DISPLAY(test_a_minimised_window_is_asked_again_and_no_fault),
-        WITH_DISPLAY(test_a_broken_display_is_lost_once_and_can_be_opened_again),
+        WITH_DISPLAY(test_a_driver_that_resets_is_gone_and_opened_again_as_it_was),
+        cmocka_unit_test(test_only_sockets_with_a_screen_count),
+        WITH_DISPLAY(test_a_screen_that_is_pulled_out_is_gone_until_it_is_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

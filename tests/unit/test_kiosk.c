@@ -323,12 +323,51 @@ static void test_a_poi_given_to_the_bot_is_the_bots(void **state)
 
 /* ---- What is shown, heard and kept ---------------------------------------------------------- */
 
-static void test_a_display_that_vanishes_ends_the_loop(void **state)
+static void test_a_display_that_is_gone_for_good_ends_the_loop(void **state)
 {
     (void)state;
     rig.display.gone_at = 3;
     frames(3);
     assert_int_equal(frame_after(FRAME_NS), KIOSK_DISPLAY_LOST);
+}
+
+static void test_a_display_that_is_pulled_out_comes_back_and_the_game_goes_on(void **state)
+{
+    (void)state;
+    frames(10);
+    rig.display.away = 1;
+    const uint32_t tick = rig.kiosk.core.tick, shown = rig.display.present_count;
+    rig.kicks = 0;
+    frames(300);
+    assert_int_equal(rig.kiosk.core.tick, tick + 600u);
+    assert_int_equal(rig.kicks, 300);
+    assert_int_equal(rig.display.present_count, shown);
+    assert_int_equal(rig.kiosk.faults.display, 1);  /* One loss, one fault. */
+    assert_in_range(rig.display.open_count, 4, 5);  /* Looked for once a second. */
+    rig.display.away = 0;
+    frames(62);
+    assert_true(rig.display.present_count > shown);
+    assert_int_equal(rig.display.scene.tick, rig.kiosk.scene.tick);
+}
+
+static void test_a_monitor_that_is_off_at_the_start_may_come_later(void **state)
+{
+    (void)state;
+    rig.display.away = rig.display.needs_open = 1;
+    frames(120);
+    assert_int_equal(rig.kiosk.core.tick, 240);
+    rig.display.away = 0;
+    frames(62);
+    assert_true(rig.display.present_count > 0);
+}
+
+static void test_while_the_display_is_away_its_picture_stands_as_it_stood(void **state)
+{
+    (void)state;
+    rig.kiosk.input.upright = 1;
+    rig.display.away = 1;
+    frames(3);
+    assert_int_equal(rig.kiosk.input.upright, 1);
 }
 
 static void test_one_picture_that_fails_is_a_fault_and_no_more(void **state)
@@ -523,7 +562,10 @@ int main(void)
         TEST(test_silence_holds_the_poi_and_loses_nothing),
         TEST(test_a_stall_without_any_poi_has_none),
         TEST(test_a_poi_given_to_the_bot_is_the_bots),
-        TEST(test_a_display_that_vanishes_ends_the_loop),
+        TEST(test_a_display_that_is_gone_for_good_ends_the_loop),
+        TEST(test_a_display_that_is_pulled_out_comes_back_and_the_game_goes_on),
+        TEST(test_a_monitor_that_is_off_at_the_start_may_come_later),
+        TEST(test_while_the_display_is_away_its_picture_stands_as_it_stood),
         TEST(test_one_picture_that_fails_is_a_fault_and_no_more),
         TEST(test_a_closed_window_quits),
         TEST(test_a_round_is_heard_and_its_record_is_kept_once),
