@@ -57,6 +57,8 @@ depends() { dpkg-deb -f "$work"/build/deb/kingyo_*.deb Depends | grep libc6 | gr
 check 'the libraries that the programs are linked with are asked for' depends
 same_version() { [ "$(dpkg-deb -f "$1" Version)" = "$("$build/kingyo" --version | cut -d' ' -f2)" ]; }
 check 'its version is the program'\''s' same_version "$work"/build/deb/kingyo_*.deb
+conffile() { grep -qx /etc/kingyo/kingyo.conf "$work/scripts-kingyo/conffiles"; }
+check 'the configuration is the operator'\''s: dpkg asks before it writes over it' conffile
 no_takings() { ! find "$work/kingyo" "$work/kingyo-kiosk" -path '*/var/*' | grep .; }
 check 'no package owns the data folder' no_takings
 again() { # An hour later by every clock, under another umask, in another folder.

@@ -51,6 +51,36 @@ elsewhere() {
 }
 check 'another prefix is the service'\''s, too' elsewhere
 
+# ---- The manual
+for page in man6/kingyo.6 man1/kingyoctl.1 man5/kingyo.conf.5; do
+    # shellcheck disable=SC2317
+    formats() { man --warnings -E UTF-8 -l -Tutf8 -Z "$root/usr/share/man/$page" 2>&1 >"$work/formatted" | grep . && return 1; [ -s "$work/formatted" ]; }
+    if command -v man >"$work/which"; then check "$page: man has nothing to complain of" formats; else
+        skip "$page: man has nothing to complain of" 'no man'
+    fi
+    # What it refers to may not be installed here; the section's order is a matter of taste.
+    # shellcheck disable=SC2317
+    lints() { mandoc -Tlint -W style "$root/usr/share/man/$page" | grep -v 'referenced manual not found' | grep . && return 1; return 0; }
+    if command -v mandoc >"$work/which"; then check "$page: mandoc finds nothing, not even of style" lints; else
+        skip "$page: mandoc finds nothing, not even of style" 'no mandoc'
+    fi
+done
+complete() { # Each key of the file, each option of the kiosk, each command.
+    local word
+    for word in $("$build/kingyoctl" config defaults | sed -nE 's/^#([a-z0-9-]+) =.*/\1/p'); do
+        grep -qx ".It Ic $word" "$root/usr/share/man/man5/kingyo.conf.5" || { echo "no $word"; return 1; }
+    done
+    for word in $("$build/kingyo" --help | sed -nE 's/^  --([a-z]+).*/\1/p'); do
+        grep -qE "^\.It Fl -$word( |$)" "$root/usr/share/man/man6/kingyo.6" || { echo "no --$word"; return 1; }
+    done
+    for word in $("$build/kingyoctl" --help | sed -nE 's/^  ([a-z]+) .*/\1/p'); do
+        grep -qx ".Ss kingyoctl $word" "$root/usr/share/man/man1/kingyoctl.1" || { echo "no $word"; return 1; }
+    done
+}
+check 'every key, option and command has its place in them' complete
+has_range() { grep -A3 -x '.It Ic price' "$root/usr/share/man/man5/kingyo.conf.5" | grep -x 'Expects 1 to 20.'; }
+check 'a key with its range' has_range
+
 # ---- The service
 has() { grep -qxF "$1" "$unit" || { echo "no line '$1'"; return 1; }; }
 for line in Type=notify WatchdogSec=10s Restart=always StartLimitIntervalSec=0 User=kingyo LimitRTPRIO=1; do
@@ -104,4 +134,10 @@ keeps() {
 }
 check 'an uninstall takes every file and leaves the takings' keeps
 check 'a second one is no mistake' installer uninstall
+conf_stays() {
+    installer install && [ -e "$root/etc/kingyo/kingyo.conf" ] && echo 'price = 2' >"$root/etc/kingyo/kingyo.conf" &&
+        installer install && grep -qx 'price = 2' "$root/etc/kingyo/kingyo.conf" &&
+        installer uninstall && grep -qx 'price = 2' "$root/etc/kingyo/kingyo.conf"
+}
+check 'what the operator wrote outlives both' conf_stays
 echo "1..$count"

@@ -1,0 +1,83 @@
+#!/bin/bash
+# fill.sh PAGE.in -- writes the manual page to standard output: its text, and in place of the lines
+# @OPTIONS@, @COMMANDS@ and @SETTINGS@ what the programs of $BUILD say of themselves. So page and program
+# cannot differ. Exits 74 when a program does not answer.
+set -eu -o pipefail
+build=${BUILD:-build}
+
+# Words for mdoc(7): a sentence a line, 76 columns at most, nothing that looks like a macro.
+words='
+function escape(text) {
+    gsub(/\\/, "\\e", text)
+    return text ~ /^[.\x27]/ ? "\\&" text : text
+}
+function fill(text,    count, word, i, line) {
+    count = split(text, word, " ")
+    for (i = 1; i <= count; i++) {
+        if (line != "" && (length(line) + length(word[i]) > 75 || line ~ /[.!?]$/)) {
+            print escape(line)
+            line = ""
+        }
+        line = line == "" ? word[i] : line " " word[i]
+    }
+    if (line != "") print escape(line)
+}'
+
+options() { # As kingyo --help lists them: "  --name VALUE   what it does".
+    "$build/kingyo" --help | awk "$words"'
+        /^  --/ {
+            text = $0
+            sub(/^  --[a-z]+ */, "", text)
+            name = substr($1, 3)
+            value = ""
+            if (text ~ /^[^ ]+  / || text ~ /^(\[[A-Z]+\]|[A-Z][A-Za-z]*(=[A-Z]+)?|[a-z]+\|[a-z]+) /) {
+                value = text
+                sub(/ .*/, "", value)
+                sub(/^[^ ]+ +/, "", text)
+            }
+            if (value ~ /^\[/) { gsub(/[][]/, "", value); value = "Op Ar " value }
+            else if (value != "") value = "Ar " value
+            print ".It Fl -" name (value == "" ? "" : " " value)
+            fill(toupper(substr(text, 1, 1)) substr(text, 2) ".")
+        }'
+}
+
+commands() { # What each says of itself.
+    local name text
+    "$build/kingyoctl" --help | sed -nE 's/^  ([a-z]+) .*/\1/p' | while read -r name; do
+        # Not all at once: "subcommand --help" is answered by those that have some.
+        text=$("$build/kingyoctl" "$name" --help)
+        echo ".Ss kingyoctl $name"
+        sed -n '1s/^[^:]*: *//p' <<<"$text" | awk "$words"'{ fill(toupper(substr($0, 1, 1)) substr($0, 2) ".") }'
+        printf '.Bd -literal\n'
+        tail -n +3 <<<"$text" | awk "$words"'{ print $0 == "" ? "" : escape($0) }'
+        printf '.Ed\n'
+    done
+}
+
+settings() { # As kingyoctl config defaults has them: help, range, and the standard.
+    "$build/kingyoctl" config defaults | awk "$words"'
+        /^\[/ { if (open) print ".El"; open = 1; print ".Ss Section " substr($0, 2, length($0) - 2); print ".Bl -tag -width Ds"; next }
+        !open { next }
+        /^# Expects / { range = substr($0, 3); next }
+        /^# / { help = substr($0, 3); next }
+        /^#[a-z]/ {
+            key = substr($1, 2)
+            standard = $0
+            sub(/^#[^=]*= ?/, "", standard)
+            print ".It Ic " key
+            fill(help)
+            fill(range)
+            if (standard != "") fill("Standard: " standard ".")
+        }
+        END { if (open) print ".El" }'
+}
+
+while IFS= read -r line; do
+    case $line in
+    @OPTIONS@) options ;;
+    @COMMANDS@) commands ;;
+    @SETTINGS@) settings ;;
+    *) printf '%s\n' "$line" ;;
+    esac || exit 74
+done <"$1"
