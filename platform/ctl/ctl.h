@@ -17,7 +17,8 @@ struct ctl_command {
 };
 
 extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper, ctl_morph,
-    ctl_lines, ctl_doctor, ctl_config, ctl_status;
+    ctl_lines, ctl_doctor, ctl_config, ctl_status, ctl_scores, ctl_audits,
+    ctl_backup;
 
 /* One line on standard error, "kingyoctl COMMAND: ...", and EXIT_USAGE. */
 __attribute__((format(printf, 2, 3)))

@@ -45,6 +45,7 @@ enum ledger_statement {
     PUT_STATE,
     PUT_REPLAY,
     GET_REPLAY,
+    HAS_REPLAY,
     LEDGER_STATEMENT_COUNT,
 };
 
@@ -94,6 +95,9 @@ int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const vo
  * than `size`. */
 int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *bytes, size_t size,
                            size_t *size_out);
+
+/* Whether there is one; 0, too, where the file cannot be read. */
+int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id);
 
 /* Drops replays of rounds that are not in the ranking any more, and entries and rounds beyond their
  * numbers. Does little when there is little to do: call it when nothing else is. */

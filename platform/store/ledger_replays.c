@@ -69,3 +69,15 @@ int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *by
     sqlite3_reset(get);
     return code;
 }
+
+int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id)
+{
+    sqlite3_stmt *has = NULL;
+    if (ledger_statement(file, HAS_REPLAY, &has) != SQLITE_OK) {
+        return 0;
+    }
+    sqlite3_bind_int64(has, 1, round_id);
+    const int code = sqlite3_step(has);
+    sqlite3_reset(has);
+    return code == SQLITE_ROW;
+}

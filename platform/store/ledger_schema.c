@@ -107,6 +107,7 @@ static const char *const texts[LEDGER_STATEMENT_COUNT] = {
                   " ON CONFLICT (name) DO UPDATE SET value = ?1",
     [PUT_REPLAY] = "INSERT OR REPLACE INTO replays (round, bytes) VALUES (?1, ?2)",
     [GET_REPLAY] = "SELECT bytes FROM replays WHERE round = ?1",
+    [HAS_REPLAY] = "SELECT 1 FROM replays WHERE round = ?1",
 };
 
 const char *ledger_statement_text(enum ledger_statement which)

@@ -1,0 +1,83 @@
+/* books.c -- finds and opens the ledger's file for who only reads. */
+#include "platform/ctl/books.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <sqlite3.h>
+
+#include "platform/storage.h"
+
+static const char service_folder[] = "/var/lib/kingyo";
+
+int books_take(struct books_words *words, int argc, const char *const *argv, int *at)
+{
+    if (strcmp(argv[*at], "--json") == 0) {
+        words->as_json = 1;
+        return 1;
+    }
+    if (strcmp(argv[*at], "--data") == 0 && *at + 1 < argc) {
+        words->data = argv[++*at];
+        return 1;
+    }
+    return 0;
+}
+
+static int is_there(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0;
+}
+
+static void find(const struct books_words *words, char path[BOOKS_PATH_SIZE])
+{
+    char own[FOLDER_PATH_MAX];
+    const char *folder = words->data ? words->data : service_folder;
+    snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, folder);
+    folder_default_data(own);
+    if (!words->data && !is_there(path) && own[0]) {
+        snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, own);
+    }
+}
+
+static enum exit_code tell(const char *command, const char *path, int code)
+{
+    const char *why = code == SQLITE_SCHEMA    ? "an earlier Kingyo wrote it: start the stall once"
+                      : code == SQLITE_NOTADB  ? "is no database"
+                      : code == SQLITE_CORRUPT ? "is damaged: the stall replaces it when it starts"
+                                               : ledger_file_error(code);
+    fprintf(stderr, "kingyoctl %s: %s: %s\n", command, path, why);
+    return code == SQLITE_SCHEMA || code == SQLITE_NOTADB || code == SQLITE_CORRUPT ||
+                   code == LEDGER_FILE_NEWER
+               ? EXIT_BAD_DATA
+               : EXIT_IO;
+}
+
+enum exit_code books_open(const char *command, const struct books_words *words,
+                          struct ledger_file *out)
+{
+    char path[BOOKS_PATH_SIZE];
+    find(words, path);
+    if (!is_there(path)) {
+        fprintf(stderr, "kingyoctl %s: %s: is not there; --data says where else\n", command, path);
+        return EXIT_IO;
+    }
+    const int code = ledger_file_look(out, path);
+    return code == SQLITE_OK ? EXIT_OK : tell(command, path, code);
+}
+
+void books_print_json(const char *text)
+{
+    putchar('"');
+    for (const char *c = text; *c; c++) {
+        if (*c == '"' || *c == '\\') {
+            printf("\\%c", *c);
+        } else if ((unsigned char)*c < 0x20u) {
+            printf("\\u%04x", (unsigned)*c);
+        } else {
+            putchar(*c);
+        }
+    }
+    putchar('"');
+}

@@ -1,0 +1,31 @@
+/* books.h -- what the commands that read the ledger's file share: where it lies, and why not. */
+#ifndef KINGYO_PLATFORM_CTL_BOOKS_H
+#define KINGYO_PLATFORM_CTL_BOOKS_H
+
+#include "platform/ctl/ctl.h"
+#include "platform/folder.h"
+#include "platform/store/ledger_file.h"
+
+#define BOOKS_PATH_SIZE (FOLDER_PATH_MAX + 32u)
+
+struct books_words {
+    const char *data;    /* A folder; null: the service's, else the caller's own. */
+    uint8_t as_json;
+};
+
+#define BOOKS_USAGE                                                                                \
+    "  --data DIR   where the stall keeps it: else /var/lib/kingyo, else your own data folder\n"   \
+    "  --json       for programs\n"
+
+/* Takes the word at argv[*at], and its value, when it is one of BOOKS_USAGE; 0: it is not. */
+int books_take(struct books_words *words, int argc, const char *const *argv, int *at);
+
+/* Opens the file for reading; it may be a stall's that runs. Tells, as `command`, what is wrong:
+ * EXIT_IO where there is none, EXIT_BAD_DATA where it is none that we can read. */
+enum exit_code books_open(const char *command, const struct books_words *words,
+                          struct ledger_file *out);
+
+/* In quotes, escaped. */
+void books_print_json(const char *text);
+
+#endif
