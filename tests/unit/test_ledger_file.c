@@ -417,6 +417,27 @@ static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **st
     assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 9 + 5);
 }
 
+static void test_a_file_of_this_version_is_read_as_it_is(void **state)
+{
+    (void)state;
+    struct ledger_entry round;
+    size_t size = 0;
+    char replay[8] = "";
+    take("version-3.db");
+    open_file();
+    const struct memory *memory = &file.content.memory;
+    assert_int_equal(memory->ledger.last_id, 9);
+    assert_int_equal(memory->ledger.boots, 2);
+    assert_int_equal(memory->ledger.purse.paid, 2);
+    assert_int_equal(memory->settings.value[SET_VOLUME], 35);
+    assert_int_equal(memory->audits.count[AUDIT_CAUGHT], 7);
+    assert_string_equal(memory->ranking.row[MODE_FESTIVAL][RANK_WEEK][0].name, "きんぎょ");
+    assert_int_equal(ledger_file_entry(&file, 6, &round), SQLITE_OK);
+    assert_int_equal(round.round.player[1].torn_tick, 7000);
+    assert_int_equal(ledger_file_get_replay(&file, 6, replay, sizeof replay, &size), SQLITE_OK);
+    assert_string_equal(replay, "replay");
+}
+
 static void test_a_file_is_brought_up_to_date_once(void **state)
 {
     (void)state;
@@ -487,6 +508,7 @@ int main(void)
         TEST(test_old_entries_go_and_the_newest_stay),
         TEST(test_a_file_of_the_first_version_keeps_its_rounds),
         TEST(test_a_file_of_the_second_version_keeps_rounds_and_players),
+        TEST(test_a_file_of_this_version_is_read_as_it_is),
         TEST(test_a_file_is_brought_up_to_date_once),
         TEST(test_what_cannot_be_brought_up_to_date_stays_as_it_was),
         TEST(test_a_file_of_a_later_version_is_left_alone),

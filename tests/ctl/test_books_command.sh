@@ -1,0 +1,65 @@
+#!/bin/bash
+# test_books_command.sh -- kingyoctl scores, audits and backup: what the stall keeps, told. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/lib.sh"
+old=tests/unit/store
+data=$work/data
+mkdir "$data"
+cp $old/version-3.db "$data/kingyo.db"
+
+says() { # PATTERN WORDS...
+    local pattern=$1
+    shift
+    "$ctl" "$@" --data "$data" | tee "$work/out"
+    grep -qE -- "$pattern" "$work/out"
+}
+ends() { # CODE PATTERN WORDS...
+    local code=$1 pattern=$2 got
+    shift 2
+    "$ctl" "$@" >"$work/out" 2>&1
+    got=$?
+    cat "$work/out"
+    [ $got -eq "$code" ] && grep -qE -- "$pattern" "$work/out"
+}
+query() { # EXPRESSION WORDS...: of the JSON, which SQLite reads as ?1.
+    local expression=$1
+    shift
+    "$ctl" "$@" --data "$data" --json >"$work/json" && cat "$work/json"
+    [ "$(sqlite3 :memory: "select ${expression//\?1/cast(readfile('$work/json') as text)}")" = 1 ]
+}
+is_copy() {
+    "$ctl" backup "$work/copy.db" --data "$data" && ls "$work/copy.db"* | grep -qx "$work/copy.db" &&
+        [ "$(sqlite3 "$work/copy.db" 'pragma integrity_check; select count(*) from entries')" = $'ok\n9' ]
+}
+leaves_no_half_copy() {
+    ends 65 'damaged' backup "$work/none.db" --data "$work/broken" && ! ls "$work"/none.db* 2>/dev/null
+}
+
+check 'the best are listed with day, round, name and replay' \
+    says '^ +1 +5 fish +2026-11-21 +round 6 +seat 1 +replay +きんぎょ$' scores --mode festival --period ever
+check 'a board can be asked for by mode and period' query \
+    "json_array_length(?1) = 2 and json_extract(?1, '\$[0].name') = 'きんぎょ' and json_extract(?1, '\$[1].seat') = 2" \
+    scores --period week
+check 'a board where nobody stands is empty' query "json_array_length(?1) = 0" scores --mode championship
+check 'the books are a table' says '^  caught +7$' audits
+check 'the table has what is in the machine' says '^9 entries, start 2; in the machine: 2 credits paid, 1 of serv' audits
+check 'the books are one object' query \
+    "json_extract(?1, '\$.audits.caught') = 7 and json_extract(?1, '\$.entries') = 9" audits
+check 'a backup is a whole file of its own' is_copy
+check 'a backup may take the place of an older one' is_copy
+mkdir "$work/of-copy" && mv "$work/copy.db" "$work/of-copy/kingyo.db"
+check 'a backup can be read like the file' ends 0 'きんぎょ' scores --data "$work/of-copy"
+check 'a backup never goes onto the file itself' ends 2 'own file' backup "$data/kingyo.db" --data "$data"
+check 'a place that cannot be written is told' ends 74 'cannot be written' backup /proc/none --data "$data"
+check 'no file at all is told' ends 74 'is not there' scores --data "$work/nowhere"
+mkdir "$work/old" "$work/broken"
+cp $old/version-2.db "$work/old/kingyo.db"
+check 'a file of an earlier version is not changed by who only looks' ends 65 'start the stall once' audits \
+    --data "$work/old"
+check 'it is as it was' cmp $old/version-2.db "$work/old/kingyo.db"
+cp $old/version-3.db "$work/broken/kingyo.db"
+printf 'x%.0s' {1..4000} | dd of="$work/broken/kingyo.db" bs=1 seek=4096 conv=notrunc status=none
+check 'of a damaged file no backup is made' leaves_no_half_copy
+check 'an unknown word is told' ends 2 "'--nonesuch' is not understood" audits --nonesuch
+check 'a mode that there is not is told' ends 2 'festival, championship or practice' scores --mode tuna
+echo "1..$count"
