@@ -21,14 +21,14 @@ ends() { # CODE PATTERN WORDS...
     cat "$work/out"
     [ $got -eq "$code" ] && grep -qE -- "$pattern" "$work/out"
 }
-query() { # EXPRESSION WORDS...: of the JSON, which SQLite reads as ?1.
+query() { # EXPRESSION WORDS...: of the JSON, which is j.
     local expression=$1
     shift
     "$ctl" "$@" --data "$data" --json >"$work/json" && cat "$work/json"
-    [ "$(sqlite3 :memory: "select ${expression//\?1/cast(readfile('$work/json') as text)}")" = 1 ]
+    [ "$(sqlite3 :memory: "with file (j) as (select cast(readfile('$work/json') as text)) select $expression from file")" = 1 ]
 }
 is_copy() {
-    "$ctl" backup "$work/copy.db" --data "$data" && ls "$work/copy.db"* | grep -qx "$work/copy.db" &&
+    "$ctl" backup "$work/copy.db" --data "$data" && [ "$(echo "$work/copy.db"*)" = "$work/copy.db" ] &&
         [ "$(sqlite3 "$work/copy.db" 'pragma integrity_check; select count(*) from entries')" = $'ok\n9' ]
 }
 leaves_no_half_copy() {
@@ -38,13 +38,13 @@ leaves_no_half_copy() {
 check 'the best are listed with day, round, name and replay' \
     says '^ +1 +5 fish +2026-11-21 +round 6 +seat 1 +replay +きんぎょ$' scores --mode festival --period ever
 check 'a board can be asked for by mode and period' query \
-    "json_array_length(?1) = 2 and json_extract(?1, '\$[0].name') = 'きんぎょ' and json_extract(?1, '\$[1].seat') = 2" \
+    "json_array_length(j) = 2 and json_extract(j, '\$[0].name') = 'きんぎょ' and json_extract(j, '\$[1].seat') = 2" \
     scores --period week
-check 'a board where nobody stands is empty' query "json_array_length(?1) = 0" scores --mode championship
+check 'a board where nobody stands is empty' query "json_array_length(j) = 0" scores --mode championship
 check 'the books are a table' says '^  caught +7$' audits
 check 'the table has what is in the machine' says '^9 entries, start 2; in the machine: 2 credits paid, 1 of serv' audits
 check 'the books are one object' query \
-    "json_extract(?1, '\$.audits.caught') = 7 and json_extract(?1, '\$.entries') = 9" audits
+    "json_extract(j, '\$.audits.caught') = 7 and json_extract(j, '\$.entries') = 9" audits
 check 'a backup is a whole file of its own' is_copy
 check 'a backup may take the place of an older one' is_copy
 mkdir "$work/of-copy" && mv "$work/copy.db" "$work/of-copy/kingyo.db"
