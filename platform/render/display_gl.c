@@ -144,6 +144,43 @@ static int create_context(struct display_gl *display)
     return HAL_OK;
 }
 
+/* Pictures for files are the same on every machine, and what was asked for is kept. */
+static void begin_to_govern(struct display_gl *display)
+{
+    const struct display_gl_config *const config = &display->config;
+    SDL_DisplayMode mode = { 0 };
+    display->is_governed =
+        !config->off_screen && config->scene_scale <= 0.0f && config->samples == 0;
+    if (display->is_governed) {
+        SDL_GetCurrentDisplayMode(SDL_GetWindowDisplayIndex(display->window), &mode);
+        governor_begin(&display->governor, mode.refresh_rate > 0 ? (uint32_t)mode.refresh_rate : 0);
+        thermal_start(&display->thermal);
+    }
+}
+
+/* After each frame: late ones, and a hot machine, are answered by a coarser picture. */
+static int govern(struct display_gl *display, const struct scene *scene)
+{
+    const uint32_t looks = atomic_load(&display->thermal.looks);
+    if (!display->is_governed || display->renderer.placing.light <= 0.0f) {
+        return HAL_OK; /* The night draws nothing, and says nothing of what drawing costs. */
+    }
+    if (looks != display->heat_looks) {
+        display->heat_looks = looks;
+        governor_heat(&display->governor, atomic_load(&display->thermal.margin_mdeg));
+    }
+    const bool may_refine = scene->phase == PHASE_ATTRACT || scene->phase == PHASE_MENU;
+    const uint32_t step = governor_frame(&display->governor, now_ns(), may_refine);
+    if (step == display->renderer.step) {
+        return HAL_OK;
+    }
+    if (renderer_lower(&display->renderer, step) != HAL_OK) {
+        return fail(display, "quality", renderer_error(&display->renderer));
+    }
+    renderer_describe(&display->renderer, display->text, sizeof display->text);
+    return HAL_OK;
+}
+
 static int display_open(void *self)
 {
     struct display_gl *const display = self;
@@ -166,6 +203,7 @@ static int display_open(void *self)
     const char *driver = SDL_GetCurrentVideoDriver();
     display->is_bare = driver && strcasecmp(driver, "kmsdrm") == 0;
     renderer_describe(&display->renderer, display->text, sizeof display->text);
+    begin_to_govern(display);
     return HAL_OK;
 }
 
@@ -254,6 +292,9 @@ static int display_present(void *self, const struct scene *scene)
         fail(display, "frame", renderer_error(&display->renderer));
         display->lost = true;
     }
+    if (!display->lost && govern(display, scene) != HAL_OK) {
+        display->lost = true;
+    }
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
 
@@ -296,7 +337,9 @@ static int display_capture(void *self, struct hal_image *image)
 
 static void display_close(void *self)
 {
-    release(self);
+    struct display_gl *const display = self;
+    thermal_stop(&display->thermal);
+    release(display);
 }
 
 static const char *display_describe(void *self)

@@ -12,7 +12,9 @@
 
 #include "platform/hal.h"
 #include "platform/render/connectors.h"
+#include "platform/render/governor.h"
 #include "platform/render/renderer.h"
+#include "platform/thermal.h"
 
 /* Zero is a sensible value of every field. */
 struct display_gl_config {
@@ -42,6 +44,10 @@ struct display_gl {
     uint8_t changed_looks;     /* Looks in a row at which they were others. */
     void (*on_lost)(void *context);
     void *on_lost_context;
+    struct governor governor;
+    struct thermal thermal;
+    uint32_t heat_looks; /* Of the thermal thread's, those that the governor heard of. */
+    bool is_governed;    /* The picture's quality is ours to choose. */
     char text[HAL_TEXT_SIZE];
 };
 

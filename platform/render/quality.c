@@ -71,3 +71,17 @@ struct quality quality_choose(const struct quality_wish *wish)
     }
     return quality;
 }
+
+struct quality quality_lower(const struct quality *best, uint32_t step)
+{
+    static const float share[QUALITY_STEP_MAX + 1u] = { 1.0f, 0.85f, 0.70f, 0.55f, 0.42f };
+    struct quality quality = *best;
+    const float of_best = share[step < QUALITY_STEP_MAX ? step : QUALITY_STEP_MAX];
+    if (step > 0) {
+        quality.samples = 1; /* The dearest first, and the least missed. */
+        quality.scene_scale = f_max(of_best * best->scene_scale, 0.25f);
+        quality.floor_scale = f_max(of_best * best->floor_scale, 0.2f);
+        quality.lod_near_px = best->lod_near_px / of_best;
+    }
+    return quality;
+}

@@ -40,7 +40,7 @@ static void open_targets(struct renderer *renderer)
 {
     const uint32_t width = renderer->config.width;
     const uint32_t height = renderer->config.height;
-    renderer->quality = quality_choose(&(struct quality_wish){
+    const struct quality best = quality_choose(&(struct quality_wish){
         .renderer = gl_string(GL_RENDERER),
         .width = width,
         .height = height,
@@ -48,6 +48,7 @@ static void open_targets(struct renderer *renderer)
         .samples = renderer->config.samples,
         .samples_max = renderer->samples_max,
     });
+    renderer->quality = quality_lower(&best, renderer->step);
     const struct quality *const quality = &renderer->quality;
     gl_target_open(&renderer->status, "ground", &renderer->ground,
                    &(struct gl_target_desc){ .internal_format = GL_RGBA8,
@@ -145,6 +146,17 @@ int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
     renderer->config.width = width;
     renderer->config.height = height;
     renderer_place(renderer, &renderer->showing);
+    close_targets(renderer);
+    open_targets(renderer);
+    return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
+}
+
+int renderer_lower(struct renderer *renderer, uint32_t step)
+{
+    if (step == renderer->step) {
+        return HAL_OK;
+    }
+    renderer->step = step;
     close_targets(renderer);
     open_targets(renderer);
     return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;

@@ -83,6 +83,26 @@ static void test_a_wish_is_taken_within_what_the_context_offers(void **state)
     assert_int_equal(quality_choose(&fine).samples, 1);
 }
 
+static void test_each_step_is_cheaper_than_the_one_before(void **state)
+{
+    (void)state;
+    const struct quality_wish desktop = wish("AMD Radeon RX 6600 (radeonsi, navi23)", 1920, 1080);
+    const struct quality best = quality_choose(&desktop);
+    struct quality before = quality_lower(&best, 0);
+    assert_float_equal(before.scene_scale, best.scene_scale, 0.0f);
+    assert_int_equal(before.samples, best.samples);
+    for (uint32_t step = 1; step <= QUALITY_STEP_MAX; step++) {
+        const struct quality lower = quality_lower(&best, step);
+        assert_int_equal(lower.samples, 1);
+        assert_true(lower.scene_scale < before.scene_scale);
+        assert_true(lower.floor_scale < before.floor_scale);
+        assert_true(lower.lod_near_px > before.lod_near_px);
+        before = lower;
+    }
+    const struct quality past = quality_lower(&best, QUALITY_STEP_MAX + 1u);
+    assert_float_equal(past.scene_scale, before.scene_scale, 0.0f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -90,6 +110,7 @@ int main(void)
         cmocka_unit_test(test_a_desktop_gpu_draws_every_pixel_four_times),
         cmocka_unit_test(test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser),
         cmocka_unit_test(test_every_software_renderer_is_known_as_one),
+        cmocka_unit_test(test_each_step_is_cheaper_than_the_one_before),
         cmocka_unit_test(test_a_wish_is_taken_within_what_the_context_offers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

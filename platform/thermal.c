@@ -1,0 +1,131 @@
+/* thermal.c -- see thermal.h. */
+#include "platform/thermal.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define PATH_SIZE 512
+#define TRIP_MAX 12u         /* As many as the kernel's zones have at most. */
+#define SANE_MIN_MDEG 0      /* A sensor that says less, or more, is none. */
+#define SANE_MAX_MDEG 150000
+
+/* ---- The kernel's files --------------------------------------------------------------------- */
+
+/* The first line of a zone's file; "" when there is none. */
+static void read_line(char *line, int line_size, const char *root, const char *zone,
+                      const char *name)
+{
+    char path[PATH_SIZE];
+    const int length = snprintf(path, sizeof path, "%s/%s/%s", root, zone, name);
+    FILE *const file = length > 0 && length < PATH_SIZE ? fopen(path, "re") : NULL;
+    line[0] = '\0';
+    if (file && !fgets(line, line_size, file)) {
+        line[0] = '\0';
+    }
+    if (file) {
+        fclose(file);
+    }
+    line[strcspn(line, "\n")] = '\0';
+}
+
+/* 1 with a temperature that can be one. */
+static int read_mdeg(const char *root, const char *zone, const char *name, int32_t *out)
+{
+    char line[32], *end;
+    read_line(line, sizeof line, root, zone, name);
+    const long value = strtol(line, &end, 10);
+    *out = (int32_t)value;
+    return end != line && *end == '\0' && value > SANE_MIN_MDEG && value < SANE_MAX_MDEG;
+}
+
+/* The lowest heat from which the kernel would slow the machine down. */
+static int32_t limit_of(const char *root, const char *zone)
+{
+    int32_t limit = SANE_MAX_MDEG;
+    for (uint32_t trip = 0; trip < TRIP_MAX; trip++) {
+        char name[32], kind[32];
+        int32_t at_mdeg;
+        snprintf(name, sizeof name, "trip_point_%u_type", trip);
+        read_line(kind, sizeof kind, root, zone, name);
+        snprintf(name, sizeof name, "trip_point_%u_temp", trip);
+        if (strcmp(kind, "passive") == 0 && read_mdeg(root, zone, name, &at_mdeg) &&
+            at_mdeg < limit) {
+            limit = at_mdeg;
+        }
+    }
+    return limit < SANE_MAX_MDEG ? limit : THERMAL_LIMIT_MDEG;
+}
+
+int32_t thermal_read(const char *root)
+{
+    int32_t least = THERMAL_UNKNOWN_MDEG, now_mdeg;
+    DIR *const folder = opendir(root);
+    if (!folder) {
+        return least;
+    }
+    for (const struct dirent *entry; (entry = readdir(folder)) != NULL;) {
+        if (strncmp(entry->d_name, "thermal_zone", strlen("thermal_zone")) == 0 &&
+            read_mdeg(root, entry->d_name, "temp", &now_mdeg)) {
+            const int32_t margin = limit_of(root, entry->d_name) - now_mdeg;
+            least = margin < least ? margin : least;
+        }
+    }
+    closedir(folder);
+    return least;
+}
+
+/* ---- The thread ----------------------------------------------------------------------------- */
+
+static void wait_a_while(struct thermal *thermal)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_sec += THERMAL_LOOK_S;
+    pthread_cond_timedwait(&thermal->bell, &thermal->lock, &until);
+}
+
+static void *look(void *self)
+{
+    struct thermal *thermal = self;
+    const char *root = thermal->root ? thermal->root : "/sys/class/thermal";
+    pthread_mutex_lock(&thermal->lock);
+    while (!thermal->ends) {
+        pthread_mutex_unlock(&thermal->lock);
+        atomic_store(&thermal->margin_mdeg, thermal_read(root));
+        atomic_fetch_add(&thermal->looks, 1u);
+        pthread_mutex_lock(&thermal->lock);
+        if (!thermal->ends) {
+            wait_a_while(thermal);
+        }
+    }
+    pthread_mutex_unlock(&thermal->lock);
+    return NULL;
+}
+
+void thermal_start(struct thermal *thermal)
+{
+    if (thermal->runs) {
+        return;
+    }
+    thermal->ends = false;
+    atomic_store(&thermal->margin_mdeg, THERMAL_UNKNOWN_MDEG);
+    pthread_mutex_init(&thermal->lock, NULL);
+    pthread_cond_init(&thermal->bell, NULL);
+    thermal->runs = pthread_create(&thermal->thread, NULL, look, thermal) == 0;
+}
+
+void thermal_stop(struct thermal *thermal)
+{
+    if (!thermal->runs) {
+        return;
+    }
+    pthread_mutex_lock(&thermal->lock);
+    thermal->ends = true;
+    pthread_cond_signal(&thermal->bell);
+    pthread_mutex_unlock(&thermal->lock);
+    pthread_join(thermal->thread, NULL);
+    thermal->runs = false;
+}

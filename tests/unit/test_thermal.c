@@ -1,0 +1,116 @@
+/* test_thermal.c -- how hot a machine made of files is. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "platform/thermal.h"
+
+static char root[64];
+
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(root, "/tmp/kingyo-heat-XXXXXX");
+    return mkdtemp(root) == NULL;
+}
+
+static int tear_down(void **state)
+{
+    char command[128];
+    (void)state;
+    snprintf(command, sizeof command, "rm -r %s", root);
+    return system(command);
+}
+
+static void zone(uint32_t index, const char *name, const char *words)
+{
+    char path[192];
+    snprintf(path, sizeof path, "%s/thermal_zone%u", root, index);
+    mkdir(path, 0700);
+    snprintf(path, sizeof path, "%s/thermal_zone%u/%s", root, index, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(words, file);
+    fclose(file);
+}
+
+static void test_a_board_slows_down_at_eighty_degrees(void **state)
+{
+    (void)state;
+    zone(0, "temp", "61234\n");
+    zone(0, "trip_point_0_type", "critical\n");
+    zone(0, "trip_point_0_temp", "110000\n");
+    assert_int_equal(thermal_read(root), 80000 - 61234);
+}
+
+static void test_a_zone_that_says_where_it_slows_down_is_believed(void **state)
+{
+    (void)state;
+    zone(0, "temp", "70000\n");
+    zone(0, "trip_point_0_type", "passive\n");
+    zone(0, "trip_point_0_temp", "95000\n");
+    zone(0, "trip_point_1_type", "passive\n");
+    zone(0, "trip_point_1_temp", "85000\n");
+    zone(0, "trip_point_2_type", "active\n"); /* A fan. */
+    zone(0, "trip_point_2_temp", "50000\n");
+    assert_int_equal(thermal_read(root), 15000);
+}
+
+static void test_the_hottest_zone_counts(void **state)
+{
+    (void)state;
+    zone(0, "temp", "40000\n");
+    zone(1, "temp", "82500\n");
+    zone(2, "temp", "60000\n");
+    assert_int_equal(thermal_read(root), -2500);
+}
+
+static void test_sensors_that_talk_nonsense_are_none(void **state)
+{
+    (void)state;
+    assert_int_equal(thermal_read("/nonexistent"), THERMAL_UNKNOWN_MDEG);
+    assert_int_equal(thermal_read(root), THERMAL_UNKNOWN_MDEG);
+    static const char *const words[] = { "", "-274000\n", "0\n", "4294967295\n", "warm\n", "45C\n" };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        zone(0, "temp", words[i]);
+        assert_int_equal(thermal_read(root), THERMAL_UNKNOWN_MDEG);
+    }
+}
+
+static void test_the_thread_looks_and_ends_at_once(void **state)
+{
+    (void)state;
+    static struct thermal thermal;
+    zone(0, "temp", "30000\n");
+    thermal.root = root;
+    thermal_start(&thermal);
+    for (uint32_t i = 0; i < 500 && atomic_load(&thermal.looks) == 0; i++) {
+        usleep(10000);
+    }
+    assert_int_equal(atomic_load(&thermal.margin_mdeg), 50000);
+    thermal_stop(&thermal); /* It would wait five seconds else, and the test with it. */
+    thermal_stop(&thermal);
+    assert_false(thermal.runs);
+}
+
+#define TEST(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_board_slows_down_at_eighty_degrees),
+        TEST(test_a_zone_that_says_where_it_slows_down_is_believed),
+        TEST(test_the_hottest_zone_counts),
+        TEST(test_sensors_that_talk_nonsense_are_none),
+        TEST(test_the_thread_looks_and_ends_at_once),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
