@@ -60,11 +60,13 @@ enum desk_order_kind {
     DESK_LEARN_KEEP, /* Keep what was learned for this vendor:product:serial. */
     DESK_LEARN_END,  /* Forget it, and give back who was not chosen before. */
     DESK_RESTART,    /* Of no controller: the kiosk ends and begins anew. */
+    DESK_REPLAY,     /* No controller's: show the replay of the round `round_id`. */
 };
 
 struct desk_order {
     uint8_t kind; /* enum desk_order_kind */
     uint8_t row;  /* < CONTROLLER_MAX, as in desk_input. */
+    uint32_t round_id; /* Of DESK_REPLAY: its entry in the ledger. */
 };
 
 #define DESK_ORDER_MAX 8u /* More than a hand gives in the longest frame (PACE_TICKS_MAX), so that

@@ -215,7 +215,7 @@ struct scene_name {
 
 #define SCENE_BOARD_ROWS 10u /* As RANK_ROWS. */
 
-/* The ranking, in PHASE_BOARD, and by turns in attract. */
+/* The ranking, in PHASE_BOARD, by turns in attract, and on its pages of the operator's menu. */
 struct scene_board {
     uint8_t shown;
     uint8_t mode;            /* enum game_mode */
@@ -249,6 +249,7 @@ struct scene_menu {
     uint8_t tag;             /* That is pointed at. */
     uint16_t tags;           /* Of the page's, those that are offered; a bit each. */
     uint8_t row;             /* Of the controller that is dealt with. */
+    uint8_t score;           /* The row of the ranking that is dealt with. */
     uint8_t file_first;      /* The first row shown of desk.file_count; 0 when there is none. */
     uint8_t upright, has_hand, presses;
     float x, y;              /* The hand, on the canvas (core/game/overlay.h). */

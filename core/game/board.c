@@ -84,6 +84,29 @@ static struct pick after_round(const struct core *core)
     return (struct pick){ best.place != 0, game->mode, best.period, core->tick - game->phase_tick };
 }
 
+/* The one that the operator turned to. */
+static struct pick in_menu(const struct core *core)
+{
+    const struct menu *menu = &core->game.menu;
+    const int shown = menu->page == MENU_RANKING || menu->page == MENU_SCORE;
+    return (struct pick){ (uint8_t)shown, menu->board / RANK_PERIOD_COUNT,
+                          menu->board % RANK_PERIOD_COUNT, 0 };
+}
+
+static struct pick shown(const struct core *core)
+{
+    switch (core->game.phase) {
+    case PHASE_BOARD:
+        return after_round(core);
+    case PHASE_ATTRACT:
+        return in_attract(core);
+    case PHASE_MENU:
+        return in_menu(core);
+    default:
+        return (struct pick){ 0 };
+    }
+}
+
 /* ---- The phase ------------------------------------------------------------------------------ */
 
 void board_begin(struct core *core)
@@ -107,9 +130,7 @@ void board_tick(struct core *core, const struct input *input, struct output *out
 void board_show(const struct core *core, struct scene_board *out)
 {
     const struct game *game = &core->game;
-    const struct pick pick = game->phase == PHASE_BOARD     ? after_round(core)
-                             : game->phase == PHASE_ATTRACT ? in_attract(core)
-                                                            : (struct pick){ 0 };
+    const struct pick pick = shown(core);
     *out = (struct scene_board){ .shown = pick.shown };
     if (!pick.shown) {
         return;

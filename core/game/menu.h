@@ -52,6 +52,8 @@ enum menu_page {
     MENU_HOURS,
     MENU_MACHINE,
     MENU_RESET,       /* a group of them is set to zero. */
+    MENU_RANKING,     /* The best of a mode, today, this week or ever, ... */
+    MENU_SCORE,       /* ... and one of them: its replay, and a name that must go. */
     MENU_UPKEEP,      /* Leads to what is seldom needed: */
     MENU_FILES,       /* what was found in the data folder, and what was not fit for use; */
     MENU_ABOUT,       /* versions and devices; */
@@ -67,6 +69,8 @@ enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* Behind one for each controlle
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
+enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* Behind one a row. */
+enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_SURE, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_BACK, FILES_TAGS };
 enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
 enum { SURE_YES = 0, SURE_BACK, SURE_TAGS }; /* Of what is asked twice; it points at the second. */
@@ -88,6 +92,10 @@ struct menu {
     uint8_t row;     /* Of the controller that is dealt with. */
     uint8_t upright; /* As the last input said. */
     uint8_t file_first; /* The first row that the files' page shows. */
+    uint8_t board;   /* Of the ranking: its mode * RANK_PERIOD_COUNT + its period; ... */
+    uint8_t score;   /* ... the row that is dealt with, ... */
+    uint8_t score_is_named, score_asks; /* ... whether it has a name, and that is to go; ... */
+    uint16_t scores; /* ... and those that somebody is in, a bit each. */
     uint8_t has_hand, hand, presses;
     uint8_t points;  /* The tag under the hand, from 1; 0: none. */
     uint8_t tag[MENU_PAGE_COUNT]; /* Which is pointed at on each page. */

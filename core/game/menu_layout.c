@@ -94,16 +94,11 @@ static struct overlay_box key_box(const struct measures *m, uint32_t nth, uint32
     };
 }
 
-static struct overlay_box row_box(const struct measures *m, uint32_t nth)
-{
-    return (struct overlay_box){ m->body.x, m->body.y + (float)nth * m->row_pitch, m->body.width,
-                                 m->row_height };
-}
-
 /* As high as so many leave room for, and no higher than others. */
-static struct overlay_box setting_box(const struct measures *m, uint32_t nth, uint32_t count)
+static struct overlay_box row_box(const struct measures *m, float height, uint32_t nth,
+                                  uint32_t count)
 {
-    const float pitch = f_min(m->row_pitch, m->settings_height / (float)count);
+    const float pitch = f_min(m->row_pitch, height / (float)count);
     return (struct overlay_box){ m->body.x, m->body.y + (float)nth * pitch, m->body.width,
                                  pitch * m->row_height / m->row_pitch };
 }
@@ -127,10 +122,10 @@ struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_
         return hung_box(m, count_offered(offered, 0, tag), count_offered(offered, 0, body_count));
     case BODY_SETTINGS:
     case BODY_BITS:
-        return setting_box(m, tag, body_count);
+        return row_box(m, m->settings_height, tag, body_count);
     case BODY_KEYS:
         return key_box(m, tag, body_count);
     default:
-        return row_box(m, tag);
+        return row_box(m, m->body.height, tag, body_count);
     }
 }

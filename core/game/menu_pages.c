@@ -48,6 +48,12 @@ static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
     [MENU_MACHINE] = BOOK(AUDIT_GROUP_MACHINE),
     [MENU_RESET] = { .parent = MENU_EARNINGS, .body = BODY_FREE, .foot_count = SURE_TAGS,
                      .returns = 1, .enter = menu_sure_enter, .take = menu_reset_take },
+    [MENU_RANKING] = { .parent = MENU_BOOKS, .body = BODY_ROWS, .body_count = RANKING_NEXT,
+                       .foot_count = 2, .offers = menu_ranking_offers,
+                       .enter = menu_ranking_enter, .take = menu_ranking_take },
+    [MENU_SCORE] = { .parent = MENU_RANKING, .body = BODY_HUNG, .body_count = SCORE_BACK,
+                     .foot_count = 1, .offers = menu_score_offers, .enter = menu_score_enter,
+                     .take = menu_score_take },
     [MENU_UPKEEP] = PAGES(MENU_TOP),
     [MENU_FILES] = { .parent = MENU_UPKEEP, .body = BODY_FREE, .foot_count = FILES_TAGS,
                      .offers = menu_files_offers, .enter = menu_files_enter,
@@ -58,7 +64,8 @@ static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
     [MENU_FACTORY] = SURE(MENU_UPKEEP, menu_factory_take),
     [MENU_PIN] = KEYS(MENU_PAGE_COUNT, menu_pin_take),
 };
-_Static_assert(ROWS_TAGS <= MENU_TAG_MAX && PIN_TAGS <= MENU_TAG_MAX, "each tag has its bit");
+_Static_assert(ROWS_TAGS <= MENU_TAG_MAX && PIN_TAGS <= MENU_TAG_MAX && RANKING_TAGS <= MENU_TAG_MAX,
+               "each tag has its bit");
 _Static_assert(MENU_PAGE_COUNT <= 32u, "tests keep a bit for each page that they have seen");
 
 const struct menu_sheet *menu_sheet_of(uint8_t page)
@@ -185,7 +192,7 @@ void menu_order(struct core *core, struct output *output, enum desk_order_kind k
 {
     struct menu *menu = &core->game.menu;
     output->orders[menu->order_count % DESK_ORDER_MAX] =
-        (struct desk_order){ (uint8_t)kind, menu->row };
+        (struct desk_order){ .kind = (uint8_t)kind, .row = menu->row };
     output->order_count = ++menu->order_count;
 }
 

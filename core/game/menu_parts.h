@@ -38,6 +38,14 @@ void menu_pin_enter(struct core *core);
 void menu_pin_take(struct core *core, uint32_t tag, struct output *output);
 void menu_new_pin_take(struct core *core, uint32_t tag, struct output *output);
 
+/* menu_ranking.c */
+uint16_t menu_ranking_offers(const struct menu *menu);
+void menu_ranking_enter(struct core *core);
+void menu_ranking_take(struct core *core, uint32_t tag, struct output *output);
+uint16_t menu_score_offers(const struct menu *menu);
+void menu_score_enter(struct core *core);
+void menu_score_take(struct core *core, uint32_t tag, struct output *output);
+
 /* menu_settings.c */
 void menu_settings_enter(struct core *core);
 void menu_settings_take(struct core *core, uint32_t tag, struct output *output);

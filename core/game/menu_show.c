@@ -20,6 +20,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->tags = menu_offers(menu);
     out->row = menu->row;
     out->file_first = menu->file_first < menu->desk.file_count ? menu->file_first : 0;
+    out->score = menu->score;
     out->upright = menu->upright;
     out->has_hand = menu->has_hand;
     out->presses = menu->presses;
@@ -50,7 +51,9 @@ void menu_show(const struct core *core, struct scene_menu *out)
 uint64_t menu_hash(uint64_t hash, const struct menu *menu)
 {
     const uint32_t words[] = { menu->page,      menu->row,        menu->upright,
-                               menu->file_first, menu->chosen,    menu->turns_down,
+                               menu->file_first, menu->board,     menu->score,
+                               menu->score_is_named, menu->score_asks, menu->scores,
+                               menu->chosen,    menu->turns_down,
                                menu->turning,   menu->turn_count, menu->turn_tick,
                                menu->from,      menu->pin_count,  menu->pin_wrong,
                                menu->pin,       menu->pin_tick,

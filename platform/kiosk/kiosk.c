@@ -247,6 +247,8 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
         const struct desk_order *order = &output->orders[kiosk->told_orders++ % DESK_ORDER_MAX];
         if (order->kind == DESK_RESTART) {
             kiosk->restart_ns = clock_ns(hal->clock) + RESTART_WAIT_NS;
+        } else if (order->kind == DESK_REPLAY) {
+            kiosk->wanted_replay_id = order->round_id;
         } else {
             hal->controllers.ops->order(hal->controllers.self, order);
         }

@@ -77,7 +77,8 @@ struct kiosk {
     struct switches switches;
     uint64_t restart_ns;       /* When a restart waits no longer for the store; 0: none is asked
                                   for. */
-    uint32_t told_orders;      /* Of output.order_count, those that the controllers got. */
+    uint32_t told_orders;      /* Of output.order_count, those that were told. */
+    uint32_t wanted_replay_id; /* The operator wants to see this round; 0: none. */
     uint8_t end;           /* enum kiosk_end */
 
     uint64_t frames;

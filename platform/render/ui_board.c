@@ -17,7 +17,7 @@ enum text_key ui_place_key(uint8_t period)
     return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
 }
 
-static enum text_key title_of(uint8_t period)
+enum text_key ui_board_key(uint8_t period)
 {
     static const enum text_key keys[RANK_PERIOD_COUNT] = { TEXT_BOARD_DAY, TEXT_BOARD_WEEK,
                                                            TEXT_BOARD_EVER };
@@ -70,7 +70,7 @@ static void heading(const struct ui_frame *frame, const struct scene_board *boar
     ui_text(frame->batch, &mode, band.x + 20.0f * u, ui_text_middle(&mode, y),
             ui_mode_name(frame->language, board->mode));
     ui_text(frame->batch, &title, band.x + band.width - 20.0f * u, ui_text_middle(&title, y),
-            text_words(frame->language, title_of(board->period)));
+            text_words(frame->language, ui_board_key(board->period)));
 }
 
 /* Gold, silver, bronze; then plain. */

@@ -11,7 +11,8 @@ float ui_board_in(const struct scene_board *board);
 void ui_board(const struct ui_frame *frame, const struct scene_board *board, float top,
               float bottom);
 
-/* "Today's no. {}", for a period of the ranking (enum rank_period). */
+/* "Today's best", and "No. {} today", for a period of the ranking (enum rank_period). */
+enum text_key ui_board_key(uint8_t period);
 enum text_key ui_place_key(uint8_t period);
 
 #endif

@@ -87,5 +87,7 @@ void menu_machine(const struct menu_view *view);
 void menu_sure(const struct menu_view *view);
 void menu_about(const struct menu_view *view);
 void menu_pin(const struct menu_view *view);
+void menu_ranking(const struct menu_view *view);
+void menu_score(const struct menu_view *view);
 
 #endif

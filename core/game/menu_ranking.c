@@ -1,0 +1,113 @@
+/* menu_ranking.c -- the pages of the ranking: looking through it, seeing a score again, and taking
+ * down a name. */
+#include "core/core.h"
+#include "core/game/menu_parts.h"
+
+/* Boards in order: of each mode the day's, the week's and the one that is never wiped. */
+#define BOARD_COUNT (MODE_COUNT * RANK_PERIOD_COUNT)
+
+static struct rank_row *rows_of(struct core *core)
+{
+    const uint8_t board = core->game.menu.board;
+    return core->game.ranking.row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
+}
+
+static struct rank_row *score(struct core *core)
+{
+    return &rows_of(core)[core->game.menu.score];
+}
+
+/* ---- All ------------------------------------------------------------------------------------ */
+
+static void note_rows(struct core *core)
+{
+    struct menu *menu = &core->game.menu;
+    menu->scores = 0;
+    for (uint32_t i = 0; i < RANK_ROWS; i++) {
+        menu->scores |= rows_of(core)[i].caught > 0 ? MENU_TAG(i) : 0u;
+    }
+}
+
+uint16_t menu_ranking_offers(const struct menu *menu)
+{
+    return (uint16_t)(menu->scores | MENU_TAG(RANKING_NEXT) | MENU_TAG(RANKING_BACK));
+}
+
+void menu_ranking_enter(struct core *core)
+{
+    note_rows(core);
+}
+
+/* Practice keeps no score: there is nothing of it to turn to. */
+static void next_board(struct core *core)
+{
+    struct menu *menu = &core->game.menu;
+    do {
+        menu->board = (uint8_t)((menu->board + 1u) % BOARD_COUNT);
+    } while (!rules_of(menu->board / RANK_PERIOD_COUNT)->keeps_score);
+    note_rows(core);
+}
+
+/* The day may have ended since its rows were looked at. */
+void menu_ranking_take(struct core *core, uint32_t tag, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    (void)output;
+    if (tag == RANKING_NEXT) {
+        next_board(core);
+        return;
+    }
+    menu->score = (uint8_t)tag;
+    note_rows(core);
+    if (score(core)->caught > 0) {
+        menu_turn(core, MENU_SCORE);
+    }
+}
+
+/* ---- One ------------------------------------------------------------------------------------ */
+
+uint16_t menu_score_offers(const struct menu *menu)
+{
+    const uint16_t unname = menu->score_asks ? MENU_TAG(SCORE_SURE) : MENU_TAG(SCORE_UNNAME);
+    return (uint16_t)(MENU_TAG(SCORE_REPLAY) | (menu->score_is_named ? unname : 0u) |
+                      MENU_TAG(SCORE_BACK));
+}
+
+void menu_score_enter(struct core *core)
+{
+    struct menu *menu = &core->game.menu;
+    menu->score_is_named = score(core)->name[0] != 0;
+    menu->score_asks = 0;
+}
+
+static void show_again(struct core *core, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    output->orders[menu->order_count % DESK_ORDER_MAX] =
+        (struct desk_order){ .kind = DESK_REPLAY, .round_id = score(core)->round_id };
+    output->order_count = ++menu->order_count;
+}
+
+/* Its fish stay: they were caught. A ledger that has no room is asked again by hand. */
+static void unname(struct core *core, struct output *output)
+{
+    const struct rank_row *row = score(core);
+    const struct ledger_entry entry = {
+        .kind = LEDGER_NAME, .detail = row->seat, .count = row->round_id
+    };
+    ledger_write(core, &entry, output);
+    menu_score_enter(core);
+}
+
+void menu_score_take(struct core *core, uint32_t tag, struct output *output)
+{
+    if (score(core)->caught == 0) {
+        menu_turn(core, MENU_RANKING);
+    } else if (tag == SCORE_REPLAY) {
+        show_again(core, output);
+    } else if (tag == SCORE_UNNAME) {
+        core->game.menu.score_asks = 1;
+    } else {
+        unname(core, output);
+    }
+}
