@@ -7,6 +7,7 @@
 
 #include "core/game/lab_layout.h"
 #include "platform/clock.h"
+#include "platform/render/drm_card.h"
 #include "platform/render/x11_guard.h"
 
 #define WINDOW_WIDTH 1280
@@ -92,6 +93,7 @@ static int create_window(struct display_gl *display)
     if (config->off_screen) {
         SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
     }
+    drm_card_prefer();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         return fail(display, "SDL video does not start", SDL_GetError());
     }
