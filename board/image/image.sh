@@ -32,10 +32,7 @@ settle() { # FOLDER
     printf 'PRETTY_NAME="Kingyo %s on %s"\nID=kingyo\nID_LIKE=debian\nVERSION_ID="%s"\n' \
         "$version" "$board" "$version" >"$root/etc/os-release.new"
     mv "$root/etc/os-release.new" "$root/etc/os-release"
-    for unit in kingyo-data.service; do
-        mkdir -p "$root/etc/systemd/system/multi-user.target.wants"
-        ln -sf "/usr/lib/systemd/system/$unit" "$root/etc/systemd/system/multi-user.target.wants/$unit"
-    done
+    ln -s /usr/lib/systemd/system/kingyo-data.service "$root/etc/systemd/system/multi-user.target.wants/"
     # Nobody logs in: no prompts on any console, nobody has a password, no network to come from.
     for unit in getty.target getty@.service serial-getty@.service autovt@.service console-getty.service \
         container-getty@.service debug-shell.service emergency.service rescue.service \

@@ -15,16 +15,6 @@ mkdir -p "$image"/{bin,proc,sys,dev,new,lower,upper,lib/modules/"$release"}
 cp "$cache/busybox" "$image/bin/busybox"
 install "$here/guest/initramfs" "$image/init"
 cp "$kernel/lib/modules/$release"/modules.builtin{,.modinfo} "$kernel/lib/modules/$release/modules.order" "$image/lib/modules/$release/"
-for module in $modules; do
-    modprobe -d "$kernel" -S "$release" --show-depends "$module" 2>/dev/null || true
-done | awk '$1 == "insmod" { print $2 }' | sort -u | while read -r file; do
-    to=$image/${file#"$kernel"/}
-    mkdir -p "${to%/*}"
-    case $file in # Unpacked here: what busybox calls modprobe knows no xz.
-        *.xz) xz -dc "$file" >"${to%.xz}" ;;
-        *) cp "$file" "$to" ;;
-    esac
-done
-depmod -b "$image" "$release"
+copy_modules "$kernel" "$release" "$image" "$modules"
 (cd "$image" && find . | cpio -o -H newc --quiet) | zstd -q -f -3 -o "$cache/initrd.zst"
 rm -rf "$image"

@@ -101,3 +101,19 @@ settle_root() { # FOLDER
         render:x:105: input:x:106: dialout:x:20: audio:x:29: lp:x:7: cdrom:x:24: tape:x:26: \
         sgx:x:107: kvm:x:108: plugdev:x:46: kingyo:x:990: >"$1/etc/group"
 }
+
+# Copies modules, and what they need, from a kernel's files to another root, and lists them there.
+copy_modules() { # FROM RELEASE TO MODULES
+    local module file to
+    for module in $4; do
+        modprobe -d "$1" -S "$2" --show-depends "$module" 2>/dev/null || true
+    done | awk '$1 == "insmod" { print $2 }' | sort -u | while read -r file; do
+        to=$3/${file#"$1"/}
+        mkdir -p "${to%/*}"
+        case $file in # Unpacked here: what busybox calls modprobe knows no xz.
+            *.xz) xz -dc "$file" >"${to%.xz}" ;;
+            *) cp "$file" "$to" ;;
+        esac
+    done
+    depmod -b "$3" "$2"
+}

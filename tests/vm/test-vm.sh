@@ -8,10 +8,9 @@ export GUEST=${GUEST:-bookworm} BUILD=${BUILD:-build}
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 . "$(dirname "$0")/qemu.sh"
+. "$(dirname "$0")/judge.sh"
 width=320 height=240
 limit_s=${VM_SECONDS:-420} patience_s=${VM_PATIENCE:-120}
-shots=$cache/shots
-declare -A verdict words
 look_pid='' hand_pid='' hanging=0
 
 leave() {
@@ -23,17 +22,6 @@ leave() {
 trap leave EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM HUP
-
-judge() { # ok|bad ID WORDS
-    [ "${verdict[$2]-ok}" = ok ] || return 0 # Once bad is bad.
-    verdict[$2]=$1 words[$2]=${*:3}
-}
-
-passes() { # ID WORDS -- COMMAND...
-    local id=$1 said=$2
-    shift 3
-    if "$@"; then judge ok "$id" "$said"; else judge bad "$id" "$said"; fi
-}
 
 # The guest's users and groups, with ours as systemd-sysusers makes them.
 make_users() { # FOLDER
@@ -76,23 +64,8 @@ heard() { # A line of the guest's (guest/lib.sh).
     [ "${2-}" = '#' ] || printf '       %s\n' "$*"
 }
 
-# A picture's colours, and the share of its pixels, in thousandths, that are the tank's blue and fish's red.
-picture() { # NAME
-    convert "$shots/$1.png" -depth 8 rgb:- 2>/dev/null | od -An -v -tu1 -w3 | awk '
-        { seen[$1 "," $2 "," $3] = 1 }
-        $3 > 110 && $3 > $1 + 40 { blue++ }
-        $1 > 140 && $2 < 130 && $3 < 110 && $1 > $2 + 40 { red++ }
-        END { for (colour in seen) colours++; print colours + 0, int(1000 * blue / (NR ? NR : 1)), int(1000 * red / (NR ? NR : 1)) }'
-}
-
-shows_tank() { # COLOURS BLUE RED
-    [ $# -eq 3 ] && [ "$1" -gt 800 ] && [ "$2" -gt 100 ] && [ "$3" -ge 3 ]
-}
-
 judge_pictures() {
-    local it
-    read -ra it < <(picture attract) || true
-    passes picture "${it[0]-0} colours, ${it[1]-0} / 1000 blue, ${it[2]-0} / 1000 red" -- shows_tank "${it[@]}"
+    judge_tank attract
     if [ -f "$shots/paused.png" ] && [ -f "$shots/resumed.png" ]; then
         local dark light
         dark=$(middle "$shots/paused.png")
@@ -104,10 +77,6 @@ judge_pictures() {
 
 seen() { # NAME: what look.c saw of it last
     sed -n "s/^$1 //p" "$share/seen" 2>/dev/null || true
-}
-
-first() { # PATTERN FILES...: the first line of them that has it; none is no mistake
-    grep -hE "$1" "${@:2}" 2>/dev/null | head -1 || true
 }
 
 # What the kernel warned of, but for one thing: 6.12 takes the interrupts of a chip that goes away from
@@ -136,24 +105,7 @@ judge_watchdog() { # QEMU says when a watchdog bites, and why it ended.
     passes watchdog "hanging: $hanging, bitten: $bit" -- [ "$hanging$bit" = 1yes ]
 }
 
-table() { # The verdict: a line each, and the count of both.
-    local id text passed=0 failed=0
-    printf '\n%s: %s, %d s\n' "$GUEST" "$(cat "$cache/kernel/release")" "$SECONDS"
-    while read -r id text; do
-        case ${verdict[$id]-} in
-            ok) passed=$((passed + 1)); printf '  pass  %-10s %s: %s\n' "$id" "$text" "${words[$id]}" ;;
-            bad) failed=$((failed + 1)); printf '  FAIL  %-10s %s: %s\n' "$id" "$text" "${words[$id]}" ;;
-            *) failed=$((failed + 1)); printf '  FAIL  %-10s %s: not reached\n' "$id" "$text" ;;
-        esac
-    done < <(grep -v '^#' "$here/checks.txt")
-    printf '%d passed, %d failed; pictures in %s\n' "$passed" "$failed" "${shots#"$top"/}"
-    [ "$failed" -eq 0 ]
-}
-
-"$here/builder.sh"
-"$here/root.sh"
-"$here/kernel.sh"
-"$here/initrd.sh"
+"$here/prepare.sh"
 programs=$("$here/programs.sh")
 make_share
 step "boot ${GUEST}"
@@ -170,5 +122,5 @@ look_pid=''
 judge_pictures
 judge_logs
 judge_watchdog
-table | tee "$cache/table.txt"
+table "$here/checks.txt" "$GUEST: $(cat "$cache/kernel/release")" | tee "$cache/table.txt"
 exit "${PIPESTATUS[0]}"

@@ -1,8 +1,9 @@
 # vm.mk -- the kiosk before Debian's real kernels, in a machine made of software.
 
-VM_BIN := $(BUILD)/tests/vm/hand $(BUILD)/tests/vm/look
+VM_BIN := $(BUILD)/tests/vm/hand $(BUILD)/tests/vm/look $(BUILD)/tests/vm/image/witness
 # What the guest runs beside the kiosk. The static ones need nothing of it.
-VM_STATIC := $(BUILD)/tests/vm/keeper $(BUILD)/tests/vm/as $(BUILD)/tests/vm/panel
+VM_STATIC := $(BUILD)/tests/vm/keeper $(BUILD)/tests/vm/as $(BUILD)/tests/vm/panel \
+    $(BUILD)/tests/vm/image/hold
 VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
 
 ## test-vm: the kiosk on Debian's own kernel under qemu: USB poi, GPIO, screen, watchdog; GUEST=bookworm, trixie or arm64
@@ -11,6 +12,28 @@ test-vm:
 	$(MAKE) --no-print-directory -j$(JOBS) build $(BUILD)/kingyo-poi $(VM_BIN) && \
 	BUILD=$(BUILD) GUEST=$(GUEST) tests/vm/test-vm.sh
 
+## test-image: the disk of make image BOARD=vm, as it ships: a round, kill -9, a hang, strangers; PARTS='round ends'
+test-image:
+	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
+	$(MAKE) --no-print-directory BOARD=vm image && \
+	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) && \
+	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
+	BUILD=$(BUILD) tests/vm/image/test-image.sh
+
+## test-firmware: that disk under UEFI firmware alone: how long until the tank shows, also with its data wiped
+test-firmware:
+	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
+	$(MAKE) --no-print-directory BOARD=vm image && BUILD=$(BUILD) tests/vm/image/test-firmware.sh
+
+## test-kills: pulls the plug of that machine KILLS=50 times while coins fall, and looks at what it still knows
+test-kills: KILLS ?= 50
+test-kills:
+	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
+	$(MAKE) --no-print-directory BOARD=vm image && \
+	$(MAKE) --no-print-directory -j$(JOBS) vm-guest $(VM_BIN) $(BUILD)/tests/vm/image/cut && \
+	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
+	BUILD=$(BUILD) KILLS=$(KILLS) tests/vm/image/kills.sh
+
 vm-guest: $(BUILD)/kingyo $(BUILD)/kingyoctl $(BUILD)/kingyo-poi $(VM_GUEST)
 
 $(VM_BIN): $(BUILD)/tests/vm/twin.o
@@ -18,9 +41,9 @@ $(VM_BIN) $(BUILD)/tests/vm/lag: %: %.o $(BUILD)/platform/panic.o $(BUILD)/shell
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $(filter %.o,$^) $(filter %.a,$^) $(HOST_LIBS)
 
-$(VM_STATIC): %: %.o
+$(VM_STATIC) $(BUILD)/tests/vm/image/cut: %: %.o
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -static -o $@ $^ -lpthread
 
 GUEST ?= bookworm
-.PHONY: test-vm vm-guest
+.PHONY: test-vm test-image test-firmware test-kills vm-guest

@@ -74,19 +74,19 @@ has_metered() { # COUNT
 # Before the kiosk has the lines: a coin, a pulse too short for one, and one that sticks. 1: they were
 # not told apart; 2: this machine stood still, and the pulses were others.
 jam_once() {
-    as kingyo kingyoctl lines watch coin=COIN --seconds 8 >/host/out/lines 2>&1 &
+    as kingyo kingyoctl lines watch coin=COIN --seconds 8 >$host/out/lines 2>&1 &
     watch=$!
     await 5 is_held COIN
     sleep 0.5
-    coins 1 >/host/out/pulses
-    panel pulse "$(wire COIN)" 5 300 1 3 14 >>/host/out/pulses
-    panel pulse "$(wire COIN)" 400 300 1 251 5000 >>/host/out/pulses
+    coins 1 >$host/out/pulses
+    panel pulse "$(wire COIN)" 5 300 1 3 14 >>$host/out/pulses
+    panel pulse "$(wire COIN)" 400 300 1 251 5000 >>$host/out/pulses
     wait $watch
-    [ "$(grep -c ' 0 shorter, 0 longer' /host/out/pulses)" -eq 3 ] || return 2
+    [ "$(grep -c ' 0 shorter, 0 longer' $host/out/pulses)" -eq 3 ] || return 2
     for row in 'coin 1, its pulse' 'too short for a coin: 1' 'a coin sticks: 1'; do
-        grep -q "coin.$row" /host/out/lines || return 1
+        grep -q "coin.$row" $host/out/lines || return 1
     done
-    ! grep -qE 'coin 2|: 2 so far|lost|sparks|mid-pulse' /host/out/lines
+    ! grep -qE 'coin 2|: 2 so far|lost|sparks|mid-pulse' $host/out/lines
 }
 
 jam() {
@@ -96,5 +96,5 @@ jam() {
         jam_once
         status=$?
     done
-    found $status jams "$(grep -h 'coin' /host/out/lines | cut -f 3 | tr '\n' ';') try $tries"
+    found $status jams "$(grep -h 'coin' $host/out/lines | cut -f 3 | tr '\n' ';') try $tries"
 }

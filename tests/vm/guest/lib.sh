@@ -1,9 +1,9 @@
-# lib.sh -- how the guest talks to the machine outside: lines in /host/out/talk, pictures on demand.
+# lib.sh -- how the guest talks to the machine outside: lines in out/talk of the folder they share, pictures on demand.
 #
 # "ok ID words", "bad ID words": one finding (checks.txt says which there are). "shot NAME": a picture,
 # please. Anything else is for people.
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
-talk=/host/out/talk
+talk=$host/out/talk # Who sources this has said where the shared folder is.
 
 say() { # WORDS
     echo "$(now_ms) $*" >>$talk
@@ -13,10 +13,10 @@ found() { # STATUS ID WORDS: what was to be seen was (STATUS 0), or was not
     if [ "$1" -eq 0 ]; then say "ok $2 ${3-}"; else say "bad $2 ${3-}"; fi
 }
 
-shot() { # NAME [dark|light]: /host/shots/NAME.png is what the screen shows now, or once its middle is so
-    rm -f "/host/shots/$1.png"
+shot() { # NAME [dark|light]: $host/shots/NAME.png is what the screen shows now, or once its middle is so
+    rm -f "$host/shots/$1.png"
     say "shot $*"
-    await 60 test -e "/host/shots/$1.done"
+    await 60 test -e "$host/shots/$1.done"
 }
 
 await() { # SECONDS COMMAND...: 0 as soon as COMMAND says so, 1 when the time is up

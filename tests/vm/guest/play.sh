@@ -1,11 +1,11 @@
 # play.sh -- an evening: coins, START, a fish by the USB poi, cables pulled and put back, the end.
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
-. /host/guest/cabinet.sh
-. /host/guest/poi.sh
-play=/host/out/play.kgr
+. $host/guest/cabinet.sh
+. $host/guest/poi.sh
+play=$host/out/play.kgr
 
 kiosk_start() { # LOG SECONDS of the watchdog, OPTIONS...
-    log=/host/out/$1
+    log=$host/out/$1
     patience=$2
     shift 2
     wired=''
@@ -24,7 +24,7 @@ tell_logs() {
 }
 
 read_count() { # NAME: what the machine outside says of the recording (look.c), a moment ago
-    sed -n "s/^$1 //p" /host/seen 2>/dev/null
+    sed -n "s/^$1 //p" $host/seen 2>/dev/null
 }
 
 reads() { # NAME OPERATOR NUMBER
@@ -50,7 +50,7 @@ poi_is_given
 jam
 meter_begin
 kiosk_start kingyo 120 --mode festival --grade 4 --coins 2 --fish 40 --seed 3 --record $play
-found $? screen "$(sed -n 's/.*display *//p' /host/out/kingyo.out | head -1), first picture $(now_ms) ms after power on"
+found $? screen "$(sed -n 's/.*display *//p' $host/out/kingyo.out | head -1), first picture $(now_ms) ms after power on"
 tell_logs
 is_kingyo "$(pidof kingyo)"
 found $? user "kingyo, in $(groups_of "$(pidof kingyo)")"
@@ -58,7 +58,7 @@ await 20 is_held START && await 20 is_held COIN
 found $? lines "$(gpioinfo | grep -c kingyo) lines held by name"
 await 30 reads ticks -gt 240
 shot attract
-cp -r /tmp/mesa /host/out/ # The next guest's first picture comes the sooner.
+cp -r /tmp/mesa $host/out/ # The next guest's first picture comes the sooner.
 
 # Coins, then START. Two coins are a credit, the credit is a round. The lamp of START blinks for it.
 await 20 is_lit LOCKOUT
@@ -77,12 +77,12 @@ found $? start "$(read_count start) press, round $(read_count rounds), $(read_co
 # The hand outside thinks of a way to a fish and sends it; here it goes to the gadget. A round lasts a
 # minute at most, so there may be another one meanwhile.
 say 'hand'
-end=$(($(now_ms) + 1000 * $(cat /host/patience)))
-until [ -e /host/hand-done ] || [ "$(now_ms)" -gt $end ]; do
+end=$(($(now_ms) + 1000 * $(cat $host/patience)))
+until [ -e $host/hand-done ] || [ "$(now_ms)" -gt $end ]; do
     sleep 2
     play_on
 done
-found "$(cat /host/hand-done 2>/dev/null || echo 1)" fish "$(tail -n 1 /host/hand.log)"
+found "$(cat $host/hand-done 2>/dev/null || echo 1)" fish "$(tail -n 1 $host/hand.log)"
 shot caught
 
 # The cable, in mid-round.
@@ -167,4 +167,4 @@ found $? lockout 'open where one can play; shut without a poi, with an open door
 kill $meter
 tell_logs
 poi_stop
-dmesg >/host/out/dmesg
+dmesg >$host/out/dmesg

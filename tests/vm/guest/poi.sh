@@ -1,7 +1,7 @@
 # poi.sh -- our own poi on a cable that never leaves the machine: dummy_hcd is both its ends.
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # init sources all of them
 poi_ids=1209:0001
-poi_gadget="sh /host/bin/kingyo-poi-gadget"
+poi_gadget="sh $host/bin/kingyo-poi-gadget"
 
 poi_make() {
     modprobe usbhid
@@ -9,7 +9,7 @@ poi_make() {
     modprobe dummy_hcd
     modprobe libcomposite
     modprobe usb_f_hid
-    $poi_gadget start VENDOR=0x1209 PRODUCT=0x0001 SERIAL=KINGYO-VM >>/host/out/poi.log 2>&1
+    $poi_gadget start VENDOR=0x1209 PRODUCT=0x0001 SERIAL=KINGYO-VM ${poi_udc:+UDC=$poi_udc} >>$host/out/poi.log 2>&1
     started=$?
     await 10 test -e /dev/hidraw0
     found $started gadget "$(lsusb 2>/dev/null | grep -i $poi_ids | cut -d: -f2-)"
@@ -21,10 +21,10 @@ poi_make() {
 
 # A report's way to its tick where no picture is drawn, at the rate that our poi has by itself.
 poi_is_timed() {
-    kingyo-poi run --simulate --device /dev/hidg0 2>/host/out/simulated.log &
+    kingyo-poi run --simulate --device /dev/hidg0 2>$host/out/simulated.log &
     simulated=$!
-    as kingyo lag $poi_ids 10 >/host/out/lag 2>&1
-    found $? lag "$(tail -n 1 /host/out/lag)"
+    as kingyo lag $poi_ids 10 >$host/out/lag 2>&1
+    found $? lag "$(tail -n 1 $host/out/lag)"
     kill -TERM $simulated
     wait $simulated
     await 10 test -e /dev/hidraw0
@@ -35,14 +35,14 @@ poi_is_timed() {
 poi_hold() {
     rm -f /tmp/way
     mkfifo /tmp/way
-    kingyo-poi run --script --rate 120 --device /dev/hidg0 </tmp/way 2>>/host/out/poi.log &
+    kingyo-poi run --script --rate 120 --device /dev/hidg0 </tmp/way 2>>$host/out/poi.log &
     poi=$!
     (
         echo '0 140 400 0 17 0'
         while :; do
-            if [ -e /host/plan ]; then
-                cat /host/plan
-                rm /host/plan
+            if [ -e $host/plan ]; then
+                cat $host/plan
+                rm $host/plan
             fi
             sleep 0.03
         done
@@ -64,19 +64,19 @@ poi_is_given() {
 # Before the kiosk takes it: its node says what it is, its reports are rows, the doctor knows it and the lines.
 poi_is_watched() {
     await 10 test -e /dev/hidraw0
-    as kingyo kingyoctl hid watch >/host/out/watched 2>&1
-    grep -q "^/dev/hidraw0.${poi_ids}.USB.hid-generic.ok" /host/out/watched &&
-        as kingyo kingyoctl hid watch /dev/hidraw0 --seconds 2 >>/host/out/watched 2>&1 &&
-        [ "$(grep -c 0001:0030 /host/out/watched)" -ge 20 ]
-    found $? watch "$(grep -c 0001:0030 /host/out/watched) reports in 2 s, from $(grep -m 1 -o '/dev/hidraw0.*' /host/out/watched | tr '\t' ' ')"
-    as kingyo kingyoctl doctor --usb $poi_ids --line start=START --data /tmp/data >/host/out/doctor 2>&1
-    grep -q "usb .*$poi_ids .*: plays (our own poi)" /host/out/doctor &&
-        grep -q 'line .*start on START: on cabinet, line 0, free' /host/out/doctor
-    found $? doctor "$(tail -n 1 /host/out/doctor)"
+    as kingyo kingyoctl hid watch >$host/out/watched 2>&1
+    grep -q "^/dev/hidraw0.${poi_ids}.USB.hid-generic.ok" $host/out/watched &&
+        as kingyo kingyoctl hid watch /dev/hidraw0 --seconds 2 >>$host/out/watched 2>&1 &&
+        [ "$(grep -c 0001:0030 $host/out/watched)" -ge 20 ]
+    found $? watch "$(grep -c 0001:0030 $host/out/watched) reports in 2 s, from $(grep -m 1 -o '/dev/hidraw0.*' $host/out/watched | tr '\t' ' ')"
+    as kingyo kingyoctl doctor --usb $poi_ids --line start=START --data /tmp/data >$host/out/doctor 2>&1
+    grep -q "usb .*$poi_ids .*: plays (our own poi)" $host/out/doctor &&
+        grep -q 'line .*start on START: on cabinet, line 0, free' $host/out/doctor
+    found $? doctor "$(tail -n 1 $host/out/doctor)"
 }
 
-poi_unplug() { $poi_gadget detach >>/host/out/poi.log 2>&1; }
-poi_plug() { $poi_gadget attach >>/host/out/poi.log 2>&1; }
+poi_unplug() { $poi_gadget detach >>$host/out/poi.log 2>&1; }
+poi_plug() { $poi_gadget attach ${poi_udc:+UDC=$poi_udc} >>$host/out/poi.log 2>&1; }
 
 # Whether the kiosk has it: through libusb, in place of the kernel's own driver.
 poi_is_taken() {
@@ -89,8 +89,8 @@ poi_stop() {
     kill -TERM $poi
     wait $poi
     ended=$?
-    felt=$(sed -n 's/.*; felt \([0-9]*\), 0 refused$/\1/p' /host/out/poi.log | tail -n 1)
+    felt=$(sed -n 's/.*; felt \([0-9]*\), 0 refused$/\1/p' $host/out/poi.log | tail -n 1)
     [ $ended -eq 0 ] && [ "${felt:-0}" -gt 0 ]
-    found $? haptics "$(tail -n 1 /host/out/poi.log)"
-    $poi_gadget stop >>/host/out/poi.log 2>&1
+    found $? haptics "$(tail -n 1 $host/out/poi.log)"
+    $poi_gadget stop >>$host/out/poi.log 2>&1
 }

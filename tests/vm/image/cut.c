@@ -1,0 +1,156 @@
+/* cut.c -- what is on a disk after its power was cut: all that was flushed, and of the rest what luck
+ * had written.
+ *
+ * cut LOG DISK SEED. LOG is what QEMU's blklogwrites wrote of a machine that was killed: each write
+ * and each flush in their order (the kernel's dm-log-writes format). DISK is the disk as it was when
+ * that machine was switched on, and becomes what it is when it is switched on again. A write that a
+ * flush came after, or that was to be on the medium at once (FUA), is there. Of each other one by
+ * itself it is drawn whether it is there (so they are re-ordered), or only some of its sectors of
+ * 512 bytes (so it is torn). Prints one line of how many of each. Exit code 74: no such file, or not
+ * what QEMU writes. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define SECTOR 512u
+#define MAGIC 0x6a736677736872ull
+#define WRITES_MAX (1u << 20) /* Of one machine's minute; a busy stall makes some hundred a second. */
+
+enum { FLUSH = 1, FUA = 2, DISCARD = 4, MARK = 8 };
+
+struct super { /* Little-endian, as the machines that this runs on. */
+    uint64_t magic, version, entries;
+    uint32_t sector_size;
+} __attribute__((packed));
+
+struct entry {
+    uint64_t sector, sectors, flags, mark_size;
+};
+
+struct write {
+    uint64_t at, to, size; /* Bytes: in the log, on the disk. */
+    uint8_t is_zero, is_safe;
+};
+
+struct tally {
+    unsigned safe, kept, torn, lost, flushes;
+};
+
+static struct write writes[WRITES_MAX];
+static uint32_t write_count;
+static uint64_t luck;
+
+__attribute__((noreturn))
+static void fail(const char *path, const char *why)
+{
+    fprintf(stderr, "cut: %s: %s\n", path, why);
+    exit(74);
+}
+
+/* Steele, Lea, Flood: SplitMix64. */
+static uint64_t draw(void)
+{
+    uint64_t x = luck += 0x9e3779b97f4a7c15ull;
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ull;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebull;
+    return x ^ x >> 31;
+}
+
+/* What was written before it is there. */
+static void flush(struct tally *tally)
+{
+    static uint32_t flushed; /* Of the writes, so many. */
+    while (flushed < write_count) {
+        writes[flushed++].is_safe = 1;
+    }
+    tally->flushes++;
+}
+
+/* All entries up to the first that is none: the log's own count is only written now and then. */
+static void read_log(const char *path, int log, struct tally *tally)
+{
+    struct super super;
+    struct entry entry;
+    if (pread(log, &super, sizeof super, 0) != (ssize_t)sizeof super || super.magic != MAGIC ||
+        super.sector_size < SECTOR) {
+        fail(path, "no log of blklogwrites");
+    }
+    const uint64_t unit = super.sector_size;
+    for (uint64_t at = unit; pread(log, &entry, sizeof entry, (off_t)at) == (ssize_t)sizeof entry;) {
+        if (entry.sectors == 0 && entry.flags == 0) {
+            break;
+        }
+        if (entry.flags & FLUSH) {
+            flush(tally);
+        }
+        const uint64_t size = entry.sectors * unit;
+        if (size > 0 && write_count == WRITES_MAX) {
+            fail(path, "too many writes");
+        }
+        if (size > 0) {
+            writes[write_count++] = (struct write){
+                .at = at + unit,
+                .to = entry.sector * unit,
+                .size = size,
+                .is_zero = (entry.flags & DISCARD) != 0,
+                .is_safe = (entry.flags & FUA) != 0,
+            };
+        }
+        at += unit + (entry.flags & DISCARD ? 0 : size);
+    }
+}
+
+/* `share`: of its sectors, in 256ths, those that are written. */
+static void put(int log, int disk, const struct write *write, unsigned share)
+{
+    uint8_t bytes[SECTOR] = { 0 };
+    for (uint64_t done = 0; done < write->size; done += SECTOR) {
+        if ((draw() & 255u) >= share) {
+            continue;
+        }
+        if (!write->is_zero &&
+            pread(log, bytes, SECTOR, (off_t)(write->at + done)) != (ssize_t)SECTOR) {
+            return; /* The log's own last write, which the kill tore. */
+        }
+        if (pwrite(disk, bytes, SECTOR, (off_t)(write->to + done)) != (ssize_t)SECTOR) {
+            fail("disk", strerror(errno));
+        }
+    }
+}
+
+static void apply(int log, int disk, struct tally *tally)
+{
+    for (uint32_t i = 0; i < write_count; i++) {
+        const unsigned fate = writes[i].is_safe ? 0 : 1 + (unsigned)(draw() % 3);
+        tally->safe += fate == 0;
+        tally->kept += fate == 1;
+        tally->torn += fate == 2;
+        tally->lost += fate == 3;
+        if (fate < 3) {
+            put(log, disk, &writes[i], fate == 2 ? 128u : 256u);
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct tally tally = { 0 };
+    if (argc != 4) {
+        fprintf(stderr, "usage: cut LOG DISK SEED\n");
+        return 2;
+    }
+    const int log = open(argv[1], O_RDONLY | O_CLOEXEC), disk = open(argv[2], O_RDWR | O_CLOEXEC);
+    if (log < 0 || disk < 0) {
+        fail(argv[log < 0 ? 1 : 2], strerror(errno));
+    }
+    luck = strtoull(argv[3], NULL, 10);
+    read_log(argv[1], log, &tally);
+    apply(log, disk, &tally);
+    printf("%u writes flushed by %u flushes; of the others %u there, %u torn, %u lost\n", tally.safe,
+           tally.flushes, tally.kept, tally.torn, tally.lost);
+    return close(disk) == 0 ? 0 : 74;
+}

@@ -1,0 +1,78 @@
+# disk.sh -- a machine whose disk is that of `make image BOARD=vm`. Source it with BUILD and a name of one's own, whose
+# folder BUILD/vm/NAME has the logs (run/) and the pictures (shots/).
+#
+# Nothing on the disk is for tests: what they bring comes in a second archive of first files, whose program runs before
+# the disk's own (guest/rdinit), and through a shared folder.
+# shellcheck shell=bash disable=SC2154,SC1091,SC2034,SC2054  # who sources it uses them; commas are QEMU's
+GUEST=bookworm
+. "$(dirname "${BASH_SOURCE[0]}")/../lib.sh"
+modules_cache=$cache
+shaders=$modules_cache/image-mesa # Compiled by whoever was here before.
+cache=$BUILD/vm/${1:?a name}
+mkdir -p "$cache"
+cache=$(cd "$cache" && pwd)
+image=$(cd "$BUILD/image/vm" && pwd)
+. "$here/qemu.sh"
+. "$here/judge.sh"
+width=160 height=120 # So small a picture is drawn several times a second, mostly.
+disk=$run/disk.img
+test_modules='virtio_pci virtio_blk squashfs 9p 9pnet_virtio configfs gpio-sim dummy_hcd libcomposite usb_f_hid usb_f_mass_storage
+    usb_f_ecm usb_f_acm'
+
+# Two cables that never leave the machine: our poi's and a stranger's.
+make_test_initrd() {
+    local folder=$cache/initrd release
+    release=$(cat "$modules_cache/kernel/release")
+    rm -rf "$folder"
+    mkdir -p "$folder"/{bin,usr/lib/modules/"$release"}
+    ln -s usr/lib "$folder/lib"
+    cp "$modules_cache/busybox" "$folder/bin/busybox"
+    install "$here/image/guest/rdinit" "$folder/rdinit"
+    echo "$test_modules" >"$folder/test_modules"
+    echo 'dummy_hcd num=2 is_high_speed=1' >"$folder/test_options"
+    cp "$modules_cache/kernel/lib/modules/$release"/modules.{builtin,builtin.modinfo,order} "$folder/lib/modules/$release/"
+    copy_modules "$modules_cache/kernel" "$release" "$folder" "$test_modules"
+    {
+        zstd -dc "$image/initrd.zst"
+        (cd "$folder" && find . | cpio -o -H newc --quiet)
+    } | zstd -q -f -3 -o "$cache/initrd.zst"
+    rm -rf "$folder"
+}
+
+make_share() { # SCRIPT of guest/ that the guest runs
+    rm -rf "$run" "$shots"
+    mkdir -p "$share"/{bin,guest,out,shots,units} "$shots"
+    cp -r "$here/image/guest/units/." "$share/units/"
+    cp "$here"/guest/{lib,cabinet,poi}.sh "$here"/image/guest/*.sh "$share/guest/"
+    printf '[game]\nround = 10\n' >"$share/kingyo.conf"
+    echo "$1" >"$share/script"
+    chmod 777 "$share/out"
+    cp "$BUILD/kingyo-poi" "$BUILD"/tests/vm/{panel,as,image/hold} "$top/board/poi-gadget/kingyo-poi-gadget" "$share/bin/"
+    cp "$modules_cache/busybox" "$share/bin/busybox"
+    for tool in pidof killall; do ln -s busybox "$share/bin/$tool"; done
+    [ ! -d "$shaders" ] || cp -r "$shaders" "$share/mesa"
+}
+
+keep_shaders() { # What this machine compiled, the next one need not.
+    [ ! -d "$share/out/mesa" ] || { rm -rf "$shaders"; mv "$share/out/mesa" "$shaders"; }
+}
+
+# As it came from the recipe.
+fresh_disk() {
+    cp --sparse=always "$image/kingyo.img" "$disk"
+}
+
+disk_words() { # Overridden by who cuts its power.
+    echo "-drive"
+    echo "file=$disk,format=raw,if=virtio"
+}
+
+qemu_words() { # The machine: 2 processors and 1 GiB, as tests/vm/qemu.sh has it.
+    printf '%s\n' -nodefaults -no-user-config -display none -smp 2 -m 1024 -machine q35 \
+        -cpu qemu64,+ssse3,+sse4.1,+sse4.2,+popcnt -kernel "$modules_cache/kernel/image" -initrd "$cache/initrd.zst" \
+        -append "$(cat "$image/kernel_words") rdinit=/rdinit loglevel=4 mitigations=off" \
+        -fsdev "local,id=host,path=$share,security_model=none" -device virtio-9p-pci,fsdev=host,mount_tag=host \
+        -device "virtio-gpu-pci,xres=$width,yres=$height,edid=off" -device i6300esb -action watchdog=reset -no-reboot \
+        -serial "file:$run/console" -qmp "pipe:$run/qmp" -accel tcg,thread=multi,tb-size=512
+    disk_words
+}

@@ -1,0 +1,53 @@
+# stall.sh -- a day of the stall as its operator has it: power on, a round, a crash, a hang, strangers, power off.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091,SC1090  # it sources what it uses
+. /run/host/guest/common.sh
+
+# The stall is open again after it ended: how long that took, from WHEN_MS on. 0: never.
+opens_again() { # STARTS WHEN_MS SECONDS
+    await "$3" restarted "$1" && await "$3" is_open && echo $(($(opened_ms) - $2)) || echo 0
+}
+
+restarted() { # STARTS: more often than that
+    [ "$(asked NRestarts)" -gt "$1" ]
+}
+
+writable() { # Mount points that can be written and are a disk's
+    awk '$4 ~ /^rw/ && $1 ~ "^/dev/" { printf "%s ", $2 }' /proc/mounts
+}
+
+refuses_writes() { # Also to who is root and says that it is to be written.
+    mount -o remount,rw / 2>/dev/null
+    for folder in / /etc /usr/bin /var/lib /root /home /opt /boot; do
+        ! touch "$folder/mark" 2>/dev/null || return 1
+    done
+}
+
+part() { # NAME
+    say "part $1"
+    . "$host/guest/$1.sh"
+}
+
+say "booted $(uname -rm), systemd $(systemctl --version | sed -n '1s/systemd \([0-9]*\).*/\1/p')"
+await 300 is_open
+found $? opens "$(opened_ms) ms after power on, of which systemd took $(($(asked InactiveExitTimestampMonotonic) / 1000)) to start it"
+follow
+shot attract
+keep_shaders
+refuses_writes && [ "$(writable)" = '/var/lib/kingyo ' ]
+found $? readonly "what can be written of the disk: $(writable)"
+await 20 grep -q '^kept' /run/kingyo-data
+found $? data "$(cat /run/kingyo-data)"
+systemd-analyze security --no-pager kingyo.service >$host/out/security 2>&1
+exposure=$(sed -n 's/.*Overall exposure level for kingyo.service: \([0-9.]*\).*/\1/p' $host/out/security)
+[ -n "$exposure" ] && awk "BEGIN { exit !($exposure <= 1.5) }"
+found $? exposure "$exposure"
+is_kingyo "$(asked MainPID)"
+found $? user "kingyo, in $(groups_of "$(asked MainPID)")"
+for name in $(cat $host/parts); do
+    part "$name"
+done
+journalctl -b --no-pager -o short-monotonic >$host/out/journal
+dmesg >$host/out/dmesg
+keep_shaders
+say 'end'
+systemctl poweroff

@@ -1,0 +1,135 @@
+# strangers.sh -- what somebody with a keyboard, or with a device of his own making, can do: nothing. A line each.
+# shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources it
+usb_gadget=/sys/kernel/config/usb_gadget/stranger
+
+# The stall as it was: the same process, the same console, no coin and no press that was not ours, as many disks and nets.
+unmoved() {
+    [ "$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block /sys/class/net | tr '\n' ' ')" = "$before" ] &&
+        reads coins -eq "$coins_before" && reads test -eq "$tests_before" && reads start -eq "$presses_before"
+}
+
+remember() {
+    before="$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block /sys/class/net | tr '\n' ' ')"
+    coins_before=$(read_count coins)
+    tests_before=$(read_count test)
+    presses_before=$(read_count start)
+}
+
+# Somebody plugs in a device that the other end of the second cable makes.
+stranger_begin() { # VENDOR PRODUCT
+    mkdir -p $usb_gadget/configs/c.1/strings/0x409 $usb_gadget/strings/0x409
+    echo "$1" >$usb_gadget/idVendor
+    echo "$2" >$usb_gadget/idProduct
+    echo stranger >$usb_gadget/strings/0x409/product
+}
+
+stranger_has() { # FUNCTION
+    mkdir -p "$usb_gadget/functions/$1"
+    ln -s "$usb_gadget/functions/$1" "$usb_gadget/configs/c.1/"
+}
+
+stranger_in() {
+    echo dummy_udc.1 >$usb_gadget/UDC
+    udevadm settle --timeout=10
+    sleep 2
+}
+
+stranger_out() {
+    echo '' >$usb_gadget/UDC 2>/dev/null
+    for function in "$usb_gadget"/configs/c.1/*.*; do
+        [ ! -L "$function" ] || rm "$function"
+    done
+    rmdir "$usb_gadget"/functions/* "$usb_gadget"/configs/c.1/strings/0x409 "$usb_gadget"/configs/c.1 \
+        "$usb_gadget"/strings/0x409 $usb_gadget 2>/dev/null
+}
+
+hid() { # PROTOCOL SUBCLASS LENGTH; the report's description comes on standard input
+    mkdir -p $usb_gadget/functions/hid.stranger
+    cat >$usb_gadget/functions/hid.stranger/report_desc
+    echo "$1" >$usb_gadget/functions/hid.stranger/protocol
+    echo "$2" >$usb_gadget/functions/hid.stranger/subclass
+    echo "$3" >$usb_gadget/functions/hid.stranger/report_length
+    stranger_has hid.stranger
+}
+
+keyboard_words() { # The description of HID 1.11, appendix B.1.
+    printf '\005\001\011\006\241\001\005\007\031\340\051\347\025\000\045\001\165\001\225\010\201\002\225\001\165\010\201\003'
+    printf '\225\006\165\010\025\000\045\145\005\007\031\000\051\145\201\000\300'
+}
+
+# Types 5 (a coin at a desk), F2 (the operator's menu) and Escape (the end) on the device's other end.
+stranger_types() { # DEVICE
+    for key in 042 073 051; do
+        printf '\000\000\'$key'\000\000\000\000\000' >"$1" &
+        sleep 0.3
+        printf '\000\000\000\000\000\000\000\000' >"$1" &
+        sleep 0.3
+    done
+    kill $! 2>/dev/null
+}
+
+hidg_of_stranger() {
+    for node in /dev/hidg*; do
+        [ "$node" != /dev/hidg0 ] && echo "$node"
+    done
+}
+
+tried() { # ID WORDS
+    sleep 2 # What it did is in the recording by now.
+    unmoved
+    found $? "$1" "$2"
+}
+
+rm -f $host/keys-done
+remember
+say 'keys' # The machine outside types, on a keyboard that was there from the start.
+await 60 test -e $host/keys-done
+tried keys "$(cat $host/keys-done)"
+
+for kind in 1:1 0:0; do # As a boot keyboard, and as one that says it is none.
+    stranger_begin 0x046d 0xc31c
+    keyboard_words | hid "${kind%:*}" "${kind#*:}" 8
+    stranger_in
+    stranger_types "$(hidg_of_stranger)"
+    tried usb-keys "a keyboard with protocol ${kind%:*}: 5, F2, Esc"
+    stranger_out
+done
+
+stranger_begin 0x0781 0x5581
+dd if=/dev/zero of=/run/stick bs=1M count=4 2>/dev/null
+mkdir -p $usb_gadget/functions/mass_storage.0
+echo /run/stick >$usb_gadget/functions/mass_storage.0/lun.0/file
+stranger_has mass_storage.0
+stranger_in
+tried usb-disk "block devices: $(ls /sys/block | tr '\n' ' ')"
+stranger_out
+
+for function in ecm.usb0 acm.0; do
+    stranger_begin 0x0525 0xa4a2
+    stranger_has $function
+    nets=$(ls /sys/class/net | wc -l)
+    ttys=$(ls /dev/ttyACM* 2>/dev/null | wc -l)
+    before="$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block /sys/class/net | tr '\n' ' ')" # Its own end is a net, too.
+    stranger_in
+    tried usb-net "${function%.*}: nets and terminals as before"
+    stranger_out
+done
+remember
+
+# Descriptions that no honest device has: noise, one that never ends its collections, a field of 2^32 bits, 4 KiB of both.
+for words in noise endless huge long; do
+    stranger_begin 0x1209 0x0001 # It says that it is a poi of ours, so the stall itself reads it.
+    case $words in
+        noise) dd if=/dev/urandom bs=64 count=1 2>/dev/null ;;
+        endless) for _ in 1 2 3 4 5 6 7 8 9; do printf '\005\001\011\060\241\001\241\002\241\000'; done ;;
+        huge) printf '\005\001\011\004\241\001\011\060\026\000\200\046\377\177\165\377\227\377\377\377\377\201\002\300' ;;
+        long) dd if=/dev/urandom bs=4000 count=1 2>/dev/null ;;
+    esac | hid 0 0 64
+    stranger_in
+    head -c 64 /dev/urandom >"$(hidg_of_stranger)" 2>/dev/null &
+    sleep 1
+    kill $! 2>/dev/null
+    tried usb-lies "$words"
+    stranger_out
+done
+found 0 usb-lies 'noise, endless collections, a field of 2^32 bits, 4,000 bytes: the stall plays on'

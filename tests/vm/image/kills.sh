@@ -1,0 +1,102 @@
+#!/bin/bash
+# kills.sh -- pulls the plug of the machine KILLS times, at random moments while coins fall and rounds run, and looks at
+# what the stall still knows when it is switched on again.
+#
+# The machine is QEMU, which is killed; its disk loses what was not flushed, in any order and by halves (cut.c). What the
+# stall had been told is safe is computed from its recording, which lies outside (witness.c). SEED=N chooses the
+# moments, and what is lost. Exit code 0: nothing that was acknowledged was ever lost or doubled, and each start opened.
+# shellcheck disable=SC2154,SC1091,SC2034  # what it sources sets and uses them
+export BUILD=${BUILD:-build}
+. "$(dirname "$0")/disk.sh" image-kills
+kills=${KILLS:-50} seed=${SEED:-1} limit_s=${VM_SECONDS:-600}
+load_s_max=${LOAD_SECONDS:-20}
+base=$cache/base.img log=$cache/writes.log
+loading=0 fallen=0 recording='' kill=0 boot=0
+acknowledged_all=0 coins_all=0 failures=0
+RANDOM=$seed
+
+leave() {
+    [ ! -s "$run/pid" ] || kill -KILL "$(cat "$run/pid")" 2>/dev/null || true
+    guest_stop
+}
+trap leave EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
+
+disk_words() {
+    printf '%s\n' -pidfile "$run/pid" \
+        -blockdev "driver=blklogwrites,node-name=disk,file.driver=file,file.filename=$disk,log.driver=file,log.filename=$log" \
+        -device virtio-blk-pci,drive=disk,write-cache=on
+}
+
+bad() { # WORDS
+    failures=$((failures + 1))
+    printf '       FAIL %s\n' "$*"
+}
+
+heard() {
+    set -- $1
+    case ${2-} in
+        recording) recording=$3 ;;
+        load) loading=1 pull_plug_later & ;;
+        coin) fallen=$3 ;;
+        bad) bad "start $start: ${*:3}" ;;
+    esac
+}
+
+pull_plug_later() {
+    sleep "$(awk "BEGIN { print $load_s_max * $RANDOM / 32768 }")"
+    kill -KILL "$(cat "$run/pid")"
+}
+
+ask() { # SQL, of what the newest start found on its disk
+    sqlite3 "$share/out/kept/kingyo.db" "$1"
+}
+
+# What was found on the disk against what the stall before had said. Both know entries by their ids.
+compare() { # WITNESS FALLEN
+    local acknowledged newest found_to count paid coins doubled
+    [ -s "$share/out/kept/kingyo.db" ] || { bad "kill $kill: there is no store"; return; }
+    grep -q '^kept' "$share/out/kept/data" || bad "kill $kill: $(cat "$share/out/kept/data")"
+    [ "$(ask 'PRAGMA integrity_check')" = ok ] || bad "kill $kill: the store is damaged: $(ask 'PRAGMA integrity_check' | head -1)"
+    read -r _ _ acknowledged newest _ < <(grep '^end' "$1")
+    read -r found_to count < <(ask 'SELECT coalesce(max(id), 0), count(*) FROM entries' | tr '|' ' ')
+    [ "$found_to" -ge "$acknowledged" ] || bad "kill $kill: entry $acknowledged was acknowledged; the disk has $found_to"
+    [ "$count" -eq "$found_to" ] || bad "kill $kill: $count entries up to $found_to"
+    # Each that both know is the same; what the recording's last second did not tell is on the disk alone.
+    ask "SELECT id, boot, tick, kind, detail, count, value, units, bonus_units, paid, service, untold, open FROM entries" |
+        tr '|' ' ' | sed 's/^/entry /' | sort >"$cache/disk.txt"
+    grep '^entry' "$1" | awk -v to="$found_to" '$2 <= to' | sort >"$cache/told.txt"
+    doubled=$(comm -13 "$cache/disk.txt" "$cache/told.txt" | head -1)
+    [ -z "$doubled" ] || bad "kill $kill: the disk has another: $doubled"
+    coins=$(ask "SELECT coalesce(sum(count), 0) FROM entries WHERE kind = 2 AND boot = $boot")
+    [ "$coins" -le "$2" ] || bad "kill $kill: $coins coins of $2 that fell"
+    acknowledged_all=$((acknowledged_all + $(awk -v to="$acknowledged" '/^entry/ && $2 <= to' "$1" | wc -l)))
+    coins_all=$((coins_all + coins))
+    printf '       %s acknowledged up to %d, on the disk up to %d of %d; %d of %d coins\n' "kill $kill:" "$acknowledged" "$found_to" \
+        "$newest" "$coins" "$2"
+}
+
+start_once() {
+    make_share load
+    cp --sparse=always "$base" "$disk"
+    : >"$log"
+    loading=0 fallen=0 recording=''
+    guest_start "$limit_s" || true
+    guest_listen
+}
+
+make_test_initrd
+cp --sparse=always "$image/kingyo.img" "$base"
+for ((start = 1; start <= kills + 1; start++)); do
+    before=$fallen kill=$((start - 1))
+    start_once
+    keep_shaders
+    [ "$loading" = 1 ] || bad "start $start: it never opened"
+    [ "$kill" -eq 0 ] || compare "$cache/witness.txt" "$before"
+    "$BUILD/tests/vm/image/witness" "$share/out/$recording" >"$cache/witness.txt" || bad "start $start: no witness"
+    boot=$(awk '/^start/ { print $3 }' "$cache/witness.txt")
+    "$BUILD/tests/vm/image/cut" "$log" "$base" "$((seed * 1000 + start))"
+done
+printf 'kills: %d, %d entries acknowledged, %d coins; %d failures, %d s\n' "$kills" "$acknowledged_all" "$coins_all" "$failures" "$SECONDS"
+[ "$failures" -eq 0 ]

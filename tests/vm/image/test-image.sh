@@ -1,0 +1,77 @@
+#!/bin/bash
+# test-image.sh -- boots the disk of `make image BOARD=vm` as it ships, drives the stall on it from outside, judges.
+#
+# PARTS ("round ends strangers") says what is tried. Logs and pictures lie in BUILD/vm/image. Exit code 0 when
+# every line of checks.txt passed, else 1.
+# shellcheck disable=SC2154,SC1091,SC2034  # what it sources sets and uses them
+export BUILD=${BUILD:-build}
+. "$(dirname "$0")/disk.sh" image
+limit_s=${VM_SECONDS:-900}
+look_pid=''
+
+leave() {
+    guest_stop
+    [ -z "$look_pid" ] || kill "$look_pid" 2>/dev/null || true
+}
+trap leave EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
+
+follow() { # RECORDING
+    [ -z "$look_pid" ] || kill "$look_pid" 2>/dev/null || true
+    "$BUILD/tests/vm/look" "$share/out/$1" "$share/seen" &
+    look_pid=$!
+}
+
+# What a stranger types: a coin and the menu of a desk, the end, another console, the machine's end, a reset.
+type_keys() {
+    local keys
+    for keys in 5 f2 esc alt-f2 ctrl-alt-f3 ctrl-alt-delete alt-sysrq-b alt-sysrq-k; do
+        keyboard "$keys"
+        sleep 0.3
+    done
+    for _ in 1 2 3 4 5 6 7 8; do # systemd resets at seven in two seconds where it may.
+        keyboard ctrl-alt-delete
+    done
+    echo '5, F2, Esc, Alt-F2, Ctrl-Alt-F3, Ctrl-Alt-Del (8 times), Alt-SysRq-b and -k' >"$share/keys-done"
+}
+
+keyboard() { # KEYS, joined by a dash
+    local key words=''
+    for key in ${1//-/ }; do
+        words+="${words:+,}{\"type\":\"qcode\",\"data\":\"$key\"}"
+    done
+    qmp send-key "\"keys\":[$words]"
+}
+
+heard() { # A line of the guest's (tests/vm/guest/lib.sh).
+    set -- $1
+    case ${2-} in
+        ok | bad) judge "${@:2}" ;;
+        recording) follow "$3" ;;
+        keys) type_keys ;;
+    esac
+    printf '       %s\n' "$*"
+}
+
+judge_logs() {
+    local line files=("$run/console" "$share/out/dmesg" "$share/out/journal")
+    line=$(first 'BUG:|Oops|segfault|general protection|Kernel panic|hung task|cut here' "${files[@]}")
+    [ -n "$line" ] || line=$(first 'kingyo\[.*(panic|assert|anitizer)' "$share/out/journal")
+    passes crash "${line:-$(wc -l <"$share/out/journal" 2>/dev/null) lines of the journal}" -- [ -z "$line" -a -s "$share/out/journal" ]
+    passes off "qemu ended with $qemu_status" -- [ "$qemu_status" -eq 0 ]
+}
+
+make_test_initrd
+make_share stall
+echo "${PARTS-round ends strangers}" >"$share/parts"
+fresh_disk
+step 'boot the disk'
+guest_start "$limit_s"
+guest_listen
+step "the machine is off (qemu ended with $qemu_status)"
+keep_shaders
+judge_tank attract
+judge_logs
+table "$here/image/checks.txt" "the disk of make image BOARD=vm" | tee "$cache/table.txt"
+exit "${PIPESTATUS[0]}"

@@ -1,0 +1,70 @@
+/* witness.c -- what a stall that lost its power had been told is safe, by the recording it wrote.
+ *
+ * witness RECORDING prints, of the core that is ticked once more from the recording (twin.h):
+ *     start LAST_ID BOOT UNITS PAID SERVICE OPEN   what it remembered when it began
+ *     entry ID BOOT TICK KIND DETAIL COUNT VALUE UNITS BONUS PAID SERVICE UNTOLD OPEN
+ *     end TICKS ACKNOWLEDGED_ID NEWEST_ID COINS
+ * A recording is written once a second: what was acknowledged in the last one is not known here.
+ * Exit code 0; 65: it is not this core's play. */
+#include <stdio.h>
+
+#include "tests/vm/twin.h"
+
+static struct replay_reader reader;
+static struct core core;
+static struct output output; /* All three: megabytes, not for the stack. */
+
+static void tell_purse(const struct purse *purse)
+{
+    printf(" %u %u %u %u %u %u\n", purse->units, purse->bonus_units, purse->paid, purse->service,
+           purse->untold, purse->open);
+}
+
+static void tell_entries(uint32_t from_id)
+{
+    for (uint32_t id = from_id + 1; id <= output.entry_id; id++) {
+        const struct ledger_entry *entry = &output.entries[id % LEDGER_RING];
+        printf("entry %u %u %u %u %u %u %d", entry->id, entry->boot, entry->tick, entry->kind,
+               entry->detail, entry->count, entry->value);
+        tell_purse(&entry->purse);
+    }
+}
+
+static uint32_t sum_of_coins(const struct input *input)
+{
+    uint32_t sum = 0;
+    for (uint32_t i = 0; i < COIN_LINE_COUNT; i++) {
+        sum += input->coin_count[i];
+    }
+    return sum;
+}
+
+int main(int argc, char **argv)
+{
+    struct input input = { 0 };
+    uint32_t coins = 0;
+    if (argc != 2) {
+        fprintf(stderr, "usage: witness RECORDING\n");
+        return 2;
+    }
+    if (replay_open(&reader, argv[1]) || core_init(&core, &reader.header.config) != CORE_OK) {
+        fprintf(stderr, "witness: %s: %s\n", argv[1], reader.problem.text);
+        return 65;
+    }
+    const struct ledger_start *start = &reader.header.config.memory.ledger;
+    printf("start %u %u", start->last_id, start->boots);
+    tell_purse(&start->purse);
+    output.entry_id = start->last_id;
+    while (replay_next(&reader, &input) == 1) {
+        const uint32_t before = output.entry_id;
+        twin_tick(&core, &input, &output);
+        if (reader.has_digest && (uint32_t)core_hash_quick(&core) != reader.digest) {
+            fprintf(stderr, "witness: tick %u is not the kiosk's\n", reader.tick);
+            return 65;
+        }
+        tell_entries(before);
+        coins += sum_of_coins(&input);
+    }
+    printf("end %u %u %u %u\n", reader.tick, core.game.ledger.saved_id, output.entry_id, coins);
+    return 0;
+}
