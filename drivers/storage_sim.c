@@ -18,26 +18,49 @@ static int storage_sim_remember(void *self, struct memory *out)
 
 static int storage_sim_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
 {
-    (void)self, (void)round_id, (void)bytes, (void)size;
-    return HAL_ERR_NONE;
+    struct storage_sim *sim = self;
+    if (sim->replay == NULL) {
+        return HAL_ERR_NONE;
+    }
+    if (size > sim->replay_room) {
+        return HAL_ERR_IO;
+    }
+    memcpy(sim->replay, bytes, size);
+    sim->replay_id = round_id;
+    sim->replay_size = size;
+    return HAL_OK;
 }
 
-static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+static int is_replay_done(struct storage_sim *sim)
 {
-    (void)self, (void)round_id, (void)bytes, (void)size;
-    return HAL_ERR_NONE;
+    sim->replay_polls_left -= sim->replay_polls_left > 0;
+    return sim->replay_polls_left == 0;
 }
 
 static uint32_t storage_sim_replay_kept_id(void *self)
 {
-    (void)self;
-    return 0;
+    struct storage_sim *sim = self;
+    return is_replay_done(sim) ? sim->replay_id : 0;
+}
+
+static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+{
+    struct storage_sim *sim = self;
+    if (sim->replay == NULL) {
+        return HAL_ERR_NONE;
+    }
+    sim->replay_asked_id = round_id;
+    if (round_id == sim->replay_id && size >= sim->replay_size) {
+        memcpy(bytes, sim->replay, sim->replay_size);
+    }
+    return HAL_OK;
 }
 
 static int storage_sim_replay_fetched(void *self)
 {
-    (void)self;
-    return HAL_ERR_NONE;
+    struct storage_sim *sim = self;
+    const int is_there = sim->replay_id != 0 && sim->replay_asked_id == sim->replay_id;
+    return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_NONE;
 }
 
 static int storage_sim_keep(void *self, const struct ledger_entry *entry)

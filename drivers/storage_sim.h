@@ -17,6 +17,12 @@ struct storage_sim {
     uint32_t fail_left;         /* Then this many HAL_ERR_IO. */
     uint32_t delay_polls;       /* Calls of saved_id until an accepted record is on disk. */
     uint32_t polls_since;
+    uint8_t *replay;            /* The caller's room for one replay; null: none is kept. */
+    size_t replay_room;
+    uint32_t replay_id;         /* Of the round whose replay lies there; 0: none. */
+    size_t replay_size;
+    uint32_t replay_polls_left; /* Calls of replay_kept_id, or replay_fetched, until it is done. */
+    uint32_t replay_asked_id;   /* As fetch_replay() was last asked for. */
     struct memory memory;       /* What earlier evenings left. */
 };
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/game/menu_pages.h"
+#include "platform/kiosk/chapters.h"
 #include "platform/kiosk/dressing.h"
 
 #define RESTART_WAIT_NS 5000000000ull /* A card that takes longer than this for an entry is full. */
@@ -78,6 +79,9 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     hal->seats.ops->arrange(hal->seats.self, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         open_seat(kiosk, hal, i, clock_ns(hal->clock));
+    }
+    if (config->chapters) {
+        chapters_begin(config->chapters, &kiosk->core);
     }
     core_scene(&kiosk->core, &kiosk->scene);
     show_hands(kiosk, hal);
@@ -201,6 +205,9 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
         }
         if (tap->tick) {
             tap->tick(tap->self, &kiosk->input, &kiosk->core);
+        }
+        if (kiosk->config.chapters) {
+            chapters_tick(kiosk->config.chapters, &kiosk->input, &kiosk->core, &kiosk->output);
         }
         kiosk->input.pressed = 0; /* One press, one tick. */
         memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
@@ -339,6 +346,14 @@ static void present_picture(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+/* A score's replay, once the score is on disk. */
+static void present_replay(struct kiosk *kiosk, const struct hal *hal)
+{
+    if (kiosk->config.chapters) {
+        kiosk->faults.storage += (uint32_t)chapters_offer(kiosk->config.chapters, &hal->storage);
+    }
+}
+
 /* The only writes to devices. The picture comes last: it may wait for the screen, and a sound
  * should not wait with it. */
 static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
@@ -349,6 +364,7 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
         present_orders(kiosk, hal);
         present_forces(kiosk, hal);
         present_entries(kiosk, hal);
+        present_replay(kiosk, hal);
         present_edit(kiosk, hal);
         end_for_restart(kiosk, hal);
     }

@@ -18,6 +18,8 @@
 #include "platform/kiosk/timing.h"
 #include "platform/kiosk/voice.h"
 
+struct chapters;
+
 /* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
  * Must not change either. */
 struct kiosk_tap {
@@ -37,6 +39,7 @@ struct kiosk_config {
     uint8_t bot[POI_MAX];       /* These are the core's bot's, whatever device there is. */
     struct hal_clock stopwatch; /* Real time, for the figures only; never reaches the core. */
     const struct file_notes *notes; /* For the operator's menu; outlives the kiosk. Null: none. */
+    struct chapters *chapters;  /* For the replays of scores; outlives the kiosk. Null: none. */
     struct kiosk_tap tap;       /* Null function: none. */
     struct kiosk_source source; /* Null function: the devices play. */
 };

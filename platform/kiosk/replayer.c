@@ -16,6 +16,17 @@ int replayer_begin(struct replayer *replayer, const char *path, struct core_conf
     return 0;
 }
 
+int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t size,
+                      struct core_config *config)
+{
+    memset(replayer, 0, sizeof *replayer);
+    if (replay_open_in(&replayer->reader, bytes, size)) {
+        return -1;
+    }
+    *config = replayer->reader.header.config;
+    return 0;
+}
+
 static int replayer_next(void *self, struct input *out)
 {
     struct replayer *replayer = self;

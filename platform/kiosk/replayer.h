@@ -26,6 +26,10 @@ struct replayer {
 /* Opens a recording; `config` gets what its core began with. 0, or -1 with reader.problem. */
 int replayer_begin(struct replayer *replayer, const char *path, struct core_config *config);
 
+/* The same of one in the caller's memory, which outlives the play. */
+int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t size,
+                      struct core_config *config);
+
 /* In place of the devices, and after each tick. */
 struct kiosk_source replayer_source(struct replayer *replayer);
 struct kiosk_tap replayer_tap(struct replayer *replayer);

@@ -122,6 +122,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     note_damaged(session);
     config->notes = &session->notes;
     if (!replay[0]) {
+        config->chapters = &session->chapters;
         fill_book(&session->shelf, &config->core.book);
         edit_file_fill(session->options.data, &config->core.book,
                        (struct edit_warn){ warn, session });

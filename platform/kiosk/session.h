@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include "platform/hal.h"
+#include "platform/kiosk/chapters.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/kiosk/options.h"
 #include "platform/kiosk/recorder.h"
@@ -18,6 +19,7 @@ struct session {
     struct kiosk kiosk;
     struct recorder recorder;
     struct replayer replayer;
+    struct chapters chapters;            /* For the replays of scores. */
     struct shelf shelf;                  /* Makers' species, read as the kiosk begins. */
     struct file_notes notes;             /* What became of these, and of all other files. */
     struct replay_totals replayed;       /* What session_check found in the file to replay. */

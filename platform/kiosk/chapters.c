@@ -1,0 +1,97 @@
+/* chapters.c -- a recording that begins anew with each chapter. */
+#include "platform/kiosk/chapters.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+
+void chapters_begin(struct chapters *chapters, const struct core *core)
+{
+    CORE_ASSERT(core_is_fresh(core));
+    memset(&chapters->totals, 0, sizeof chapters->totals);
+    memset(&chapters->tally, 0, sizeof chapters->tally);
+    chapters->totals.hash = core_hash(core);
+    chapters->seen_id = core->game.ledger.last_id;
+    replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &core->config,
+                     chapters->totals.hash);
+}
+
+static void add_tick(struct chapters *chapters, const struct input *input, const struct core *core)
+{
+    struct replay_writer *writer = &chapters->writer;
+    uint32_t digest = 0;
+    recorder_count(&chapters->totals, &chapters->tally, core);
+    if (replay_wants_hash(writer)) {
+        chapters->totals.hash = core_hash(core);
+    }
+    if (replay_wants_digest(writer)) {
+        digest = (uint32_t)core_hash_quick(core);
+    }
+    replay_add(writer, input, digest, &chapters->totals);
+}
+
+static int is_ranked(const struct core *core, const struct ledger_entry *entry)
+{
+    const struct round_record *round = &entry->round;
+    uint32_t place = RANK_ROWS;
+    if (entry->kind != LEDGER_ROUND || round->by_bot || round->unscored) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < RANK_PERIOD_COUNT * POI_MAX && place == RANK_ROWS; i++) {
+        place = ranking_place(&core->game.ranking, round->mode, (enum rank_period)(i / POI_MAX),
+                              entry->id, (uint8_t)(i % POI_MAX));
+    }
+    return place < RANK_ROWS;
+}
+
+static void keep_round(struct chapters *chapters, uint32_t round_id, const struct core *core)
+{
+    if (chapters->round_id != 0) {
+        chapters->missed++;
+        return;
+    }
+    chapters->replay_size = replay_copy(&chapters->writer, core_hash(core), chapters->replay,
+                                        sizeof chapters->replay);
+    chapters->round_id = chapters->replay_size > 0 ? round_id : 0;
+    chapters->missed += chapters->replay_size == 0;
+}
+
+void chapters_tick(struct chapters *chapters, const struct input *input, const struct core *core,
+                   const struct output *output)
+{
+    if (core_is_fresh(core)) { /* What this tick did is in its configuration. */
+        chapters_begin(chapters, core);
+        return;
+    }
+    add_tick(chapters, input, core);
+    while (chapters->seen_id != core->game.ledger.last_id) {
+        const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
+        if (entry->id == chapters->seen_id && is_ranked(core, entry)) {
+            keep_round(chapters, entry->id, core);
+        }
+    }
+}
+
+/* The store drops replays of rounds that it does not know yet. */
+int chapters_offer(struct chapters *chapters, const struct hal_storage *storage)
+{
+    const struct hal_storage_ops *ops = storage->ops;
+    if (chapters->round_id == 0 || ops->saved_id(storage->self) < chapters->round_id) {
+        return 0;
+    }
+    if (chapters->is_lent) {
+        const int is_done = ops->replay_kept_id(storage->self) == chapters->round_id;
+        chapters->round_id = is_done ? 0 : chapters->round_id;
+        chapters->is_lent = !is_done;
+        return 0;
+    }
+    const int result = ops->keep_replay(storage->self, chapters->round_id, chapters->replay,
+                                        chapters->replay_size);
+    if (result == HAL_OK) {
+        chapters->is_lent = 1;
+    } else if (result != HAL_ERR_BUSY) {
+        chapters->round_id = 0;
+        chapters->missed += (uint32_t)hal_is_fault(result);
+    }
+    return hal_is_fault(result);
+}

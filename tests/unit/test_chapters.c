@@ -1,0 +1,200 @@
+/* test_chapters.c -- each score that is ranked has its replay, the replay is that of its round, and
+ * the judge believes nothing else. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "drivers/storage_sim.h"
+#include "platform/cpu.h"
+#include "platform/kiosk/chapters.h"
+#include "platform/kiosk/judge.h"
+
+static struct core core, bots;
+static struct output output, unheard;
+static struct input input;
+static struct chapters chapters;
+static struct judge judge;
+static struct storage_sim sim;
+static struct hal_storage storage;
+static uint8_t room[CHAPTERS_SIZE];
+static int hand_is_away;
+
+/* A bot plays in a tank of its own; a controller does in ours what its hand did there: a person's
+ * play as far as this kiosk can see. */
+static void tick(uint32_t pressed)
+{
+    struct input by_bot = { .pressed = pressed, .poi[0].link = POI_LINK_BOT };
+    unheard.sound_count = output.sound_count = 0;
+    core_tick(&bots, &by_bot, &unheard);
+    input.pressed = pressed;
+    input.store_well = 1;
+    input.record_saved_id = storage.ops->saved_id(storage.self);
+    input.poi[0] = (struct poi_input){ .link = POI_LINK_LIVE, .has_wrist = 1,
+                                       .target = bots.game.hand[0] };
+    input.poi[0].link = hand_is_away ? POI_LINK_ABSENT : POI_LINK_LIVE;
+    const uint32_t before = output.entry_id;
+    core_tick(&core, &input, &output);
+    for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
+        storage.ops->keep(storage.self, &output.entries[id % LEDGER_RING]);
+    }
+    chapters_tick(&chapters, &input, &core, &output);
+    chapters_offer(&chapters, &storage);
+}
+
+static void ticks(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        tick(0);
+    }
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    struct core_config config = { .seed = 11, .round_s = 20, .lanes = cpu_lanes() };
+    settings_reset(&config.memory.settings);
+    memset(&sim, 0, sizeof sim);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    memset(&chapters.totals, 0, sizeof chapters.totals);
+    chapters.round_id = chapters.missed = chapters.is_lent = 0;
+    sim.replay = room;
+    sim.replay_room = sizeof room;
+    storage = storage_sim_device(&sim);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(core_init(&bots, &config), CORE_OK);
+    chapters_begin(&chapters, &core);
+    return 0;
+}
+
+/* From attract to the end of a round. Returns the entry of the round. */
+static uint32_t play(void)
+{
+    const uint32_t before = sim.record.id;
+    ticks(2u * CORE_TICK_HZ);
+    tick(INPUT_START);
+    for (uint32_t i = 0; i < 90u * CORE_TICK_HZ && sim.record.id == before; i++) {
+        tick(0);
+    }
+    assert_true(sim.record.id != before && sim.record.caught > 0 && !sim.record.by_bot);
+    ticks(2);
+    return sim.record.id;
+}
+
+/* Nobody stands there, until attract begins anew; the bot's own tank is this one from then on. */
+static void rest(void)
+{
+    hand_is_away = 1;
+    for (uint32_t i = 0; i < 240u * CORE_TICK_HZ && !core_is_fresh(&core); i++) {
+        tick(0);
+    }
+    assert_true(core_is_fresh(&core));
+    hand_is_away = 0;
+    bots = core;
+}
+
+static enum verdict judged(const uint8_t *bytes, size_t size, uint32_t round_id)
+{
+    if (judge_begin(&judge, bytes, size) == 0) {
+        while (judge_tick(&judge)) {
+        }
+    }
+    return judge_say(&judge, &core.game.ranking, round_id);
+}
+
+static void test_a_ranked_round_has_its_replay_and_is_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, round_id);
+    assert_int_equal(chapters.missed, 0);
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    assert_int_equal(judge.round.round.caught, sim.record.caught);
+    assert_int_equal(judged(room, sim.replay_size, round_id + 1u), VERDICT_OTHER);
+}
+
+static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    struct rank_row *row = &core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
+    assert_int_equal(row->round_id, round_id);
+    row->caught++;
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_OTHER);
+    row->caught--;
+    row->seat = 1;
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_OTHER);
+    row->seat = 0;
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_OTHER);
+}
+
+static void test_a_replay_that_was_altered_is_damaged(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    for (size_t at = 7; at < sim.replay_size; at += sim.replay_size / 20u) {
+        room[at] ^= 1u;
+        assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_DAMAGED);
+        room[at] ^= 1u;
+    }
+    assert_int_equal(judged(room, sim.replay_size - 1u, round_id), VERDICT_DAMAGED);
+    assert_int_equal(judged(room, 0, round_id), VERDICT_DAMAGED);
+}
+
+static void test_the_next_chapters_round_needs_nothing_of_the_first(void **state)
+{
+    (void)state;
+    play();
+    rest();
+    assert_int_equal(chapters.totals.ticks, 0);
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, round_id);
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    assert_in_range(judge.said.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
+}
+
+static void test_a_replay_waits_until_its_score_is_on_disk(void **state)
+{
+    (void)state;
+    sim.delay_polls = 1000;
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, 0);
+    ticks(1100);
+    assert_int_equal(sim.replay_id, round_id);
+}
+
+static void test_a_store_without_replays_loses_nothing_else(void **state)
+{
+    (void)state;
+    sim.replay = NULL;
+    play();
+    assert_int_equal(chapters.round_id, 0);
+    assert_int_equal(chapters.missed, 0);
+    sim.replay = room;
+    sim.replay_room = 100; /* No replay is so small: the card is full. */
+    rest();
+    play();
+    assert_int_equal(chapters.round_id, 0);
+    assert_int_equal(chapters.missed, 1);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup(name, set_up)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_ranked_round_has_its_replay_and_is_genuine),
+        TEST(test_a_score_that_was_written_by_hand_is_not_genuine),
+        TEST(test_a_replay_that_was_altered_is_damaged),
+        TEST(test_the_next_chapters_round_needs_nothing_of_the_first),
+        TEST(test_a_replay_waits_until_its_score_is_on_disk),
+        TEST(test_a_store_without_replays_loses_nothing_else),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
