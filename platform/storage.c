@@ -232,11 +232,19 @@ static int storage_replay_fetched(void *self)
 
 /* ---- How it is ------------------------------------------------------------------------------ */
 
+/* How long the card has not answered; 0 while that is nothing to tell. */
+static int64_t stuck_ms(const struct storage *storage)
+{
+    const int64_t since_ms = atomic_load(&storage->busy_since_ms);
+    const int64_t busy_ms = since_ms > 0 ? storage_now_ms() - since_ms : 0;
+    return busy_ms >= STORAGE_STUCK_MS ? busy_ms : 0;
+}
+
 static int storage_is_well(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
-           !storage_refuses_edits(storage);
+           stuck_ms(storage) == 0 && !storage_refuses_edits(storage);
 }
 
 static uint32_t storage_refused_count(void *self)
@@ -276,9 +284,17 @@ static const char *storage_describe(void *self)
     const int edit_error = atomic_load(&storage->edit_error);
     const unsigned aside = atomic_load(&storage->aside);
     if (!atomic_load(&storage->has_file)) {
+        if (error == LEDGER_FILE_ANOTHERS) {
+            say(storage, "no store", "the card is there now, and not empty",
+                "restart, to go on from it");
+        }
         return storage->text[0] ? storage->text : "no store: not opened";
     }
-    if (error != SQLITE_OK) {
+    if (stuck_ms(storage) > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 "store: the card has not answered for %u s; %u entries wait",
+                 (unsigned)(stuck_ms(storage) / 1000), storage_unwritten(storage));
+    } else if (error != SQLITE_OK) {
         say_refused(storage, error, advice_for(error));
     } else if (edit_error != 0) {
         say(storage, "store: a graph was not written", strerror(edit_error), "it is retried");

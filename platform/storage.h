@@ -30,6 +30,8 @@
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_NEW_SUFFIX ".new"       /* What takes a damaged file's place, until it does. */
 #define STORAGE_ASIDE_SUFFIX ".damaged-" /* And a number. */
+#define STORAGE_STUCK_MS 3000 /* A card that writes for so long is not well: the best ones' worst
+                                 pause to tidy up is a second. */
 #define STORAGE_BACKUP_S 3600 /* From one backup to the next. */
 #define STORAGE_PATH_SIZE 512u
 /* What the core may have unwritten, twice: it never waits for a slot where a card answers. */
@@ -74,6 +76,7 @@ struct storage {
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
     atomic_int edit_error; /* errno of the last graph that was refused; 0: the last went well. */
     atomic_uint refused;  /* Writes that failed, retries among them. */
+    atomic_llong busy_since_ms; /* Of the write that is under way, monotonic; 0: none is. */
 
     /* One writer (the frame loop) and one reader (the thread): indexes only grow. */
     struct ledger_entry queue[STORAGE_QUEUE_MAX];

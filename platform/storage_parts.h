@@ -13,6 +13,8 @@ void storage_close_file(struct storage *storage);
 /* Until storage->stop. */
 void *storage_thread(void *storage);
 
+int64_t storage_now_ms(void); /* Monotonic, never 0. */
+
 /* How many of each wait. */
 uint32_t storage_unwritten(const struct storage *storage);
 uint32_t storage_unwritten_edits(const struct storage *storage);

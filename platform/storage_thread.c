@@ -25,6 +25,13 @@ void storage_close_file(struct storage *storage)
     ledger_file_close(&storage->file);
 }
 
+int64_t storage_now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
+}
+
 static void note_result(struct storage *storage, int code)
 {
     atomic_store(&storage->error, code);
@@ -102,7 +109,9 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     const unsigned beside = STORAGE_QUEUE_MAX - first;
     const unsigned count = waiting < beside ? waiting : beside;
     const struct ledger_entry *entries = &storage->queue[first];
+    atomic_store(&storage->busy_since_ms, storage_now_ms());
     const int code = ledger_file_write(&storage->file, entries, count);
+    atomic_store(&storage->busy_since_ms, 0);
     note_result(storage, code);
     if (code != SQLITE_OK) {
         if (needs_reopening(code)) {
@@ -136,9 +145,7 @@ static void drain(struct storage *storage)
 
 static int64_t now_s(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return now.tv_sec;
+    return storage_now_ms() / 1000;
 }
 
 static bool may_back_up(const struct storage *storage)

@@ -69,6 +69,9 @@ $(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/ctl.a $(BUILD)/shell.
 # The judge of the technique bench (tests/bench/technique.c) is a part of the bench alone.
 $(BUILD)/tests/unit/test_statistics: $(BUILD)/tests/bench/statistics.o
 
+# A card with moods.
+$(BUILD)/tests/unit/test_storage_card: $(BUILD)/tests/power/tape.o
+
 # What allocates, as our objects ask for it; libraries' own asking is not turned aside.
 $(BUILD)/tests/unit/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
     -Wl,--wrap=strdup,--wrap=fopen

@@ -6,14 +6,16 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
+#include <time.h>
 
 #include <sqlite3.h>
 
 #include "drivers/hid_book_text.h"
 #include "platform/ctl/doctor.h"
 #include "platform/storage.h"
+#include "platform/store/sql.h"
 
-#define ROOM_MIB 64u /* A round is 200 bytes: rounds for years, and room for a recording. */
+#define ROOM_MIB 64u /* The database, twice, with a replay of each ranked round. */
 #define PATH_ROOM (OPTIONS_PATH_MAX + 400u)
 
 /* ---- The folder ----------------------------------------------------------------------------- */
@@ -52,37 +54,45 @@ static int look_at_folder(struct doctor *doctor, const char *path)
 
 /* ---- The database --------------------------------------------------------------------------- */
 
-/* The first column of the first row, as text; "" where there is none. */
-static int ask(sqlite3 *database, const char *sql, char *out, size_t size)
+#define BACKUP_OLD_H 48 /* The stall makes one at its start and each hour. */
+
+static int64_t count_of(struct ledger_file *file, const char *sql)
 {
-    sqlite3_stmt *statement = NULL;
-    int code = sqlite3_prepare_v2(database, sql, -1, &statement, NULL);
-    if (code == SQLITE_OK) {
-        code = sqlite3_step(statement);
-        const unsigned char *text = code == SQLITE_ROW ? sqlite3_column_text(statement, 0) : NULL;
-        snprintf(out, size, "%s", text ? (const char *)text : "");
-        code = code == SQLITE_ROW ? SQLITE_OK : code;
-    }
-    sqlite3_finalize(statement);
-    return code;
+    int64_t count = 0;
+    return sql_number(file->db, sql, &count) == SQLITE_OK ? count : 0;
 }
 
-static void judge(struct doctor_finding *finding, sqlite3 *database)
+static void say_whole(struct doctor_finding *finding, struct ledger_file *file)
 {
-    char verdict[DOCTOR_TEXT] = "", version[16] = "", rounds[24] = "";
-    int code = ask(database, "PRAGMA quick_check(1)", verdict, sizeof verdict);
-    code = code ? code : ask(database, "PRAGMA user_version", version, sizeof version);
-    code = code ? code : ask(database, "SELECT count(*) FROM rounds", rounds, sizeof rounds);
+    const struct ledger_start *ledger = &file->content.memory.ledger;
+    doctor_state(finding,
+                 "whole, version %d: %u entries of %u starts, %" PRId64 " rounds, %" PRId64
+                 " replays",
+                 LEDGER_FILE_VERSION, ledger->last_id, ledger->boots,
+                 count_of(file, "SELECT count(*) FROM rounds"),
+                 count_of(file, "SELECT count(*) FROM replays"));
+}
+
+static void say_why_not(struct doctor *doctor, struct doctor_finding *finding, int code,
+                        const char *path)
+{
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
         doctor_state(finding, "another program writes to it right now");
-    } else if (code || strcmp(verdict, "ok") != 0) {
+    } else if (code == SQLITE_SCHEMA) {
+        doctor_state(finding, "of an earlier version: brought up to date at the next start");
+    } else if (code == LEDGER_FILE_NEWER) {
         finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "damaged: %.200s", code ? sqlite3_errmsg(database) : verdict);
-        doctor_todo(finding, "the kiosk will set it aside and begin a new one; keep a copy if the "
-                             "old rounds matter");
+        doctor_state(finding, "a later Kingyo wrote it: this one keeps nothing");
+        doctor_todo(finding, "install that version again, or put a backup in the file's place");
+    } else if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "damaged: %.200s", ledger_file_error(code));
+        doctor_todo(finding, "restart the stall: it will set the file aside and go on from its "
+                             "backup, with what can still be read");
     } else {
-        doctor_state(finding, "whole, %s rounds, version %s of %d", rounds, version,
-                     LEDGER_FILE_VERSION);
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "cannot be opened: %.200s", ledger_file_error(code));
+        doctor_todo(finding, "sudo chown %s '%s'", doctor->user.name, path);
     }
 }
 
@@ -90,21 +100,61 @@ static void look_at_database(struct doctor *doctor, const char *folder)
 {
     char path[PATH_ROOM];
     struct stat about;
-    sqlite3 *database = NULL;
+    struct ledger_file file;
     snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE);
     struct doctor_finding *finding = doctor_find(doctor, "database", DOCTOR_FINE, "%s", path);
     if (stat(path, &about)) {
-        doctor_state(finding, "is not there yet: no round was kept");
+        doctor_state(finding, "is not there yet: nothing was kept");
         return;
     }
-    if (sqlite3_open_v2(path, &database, SQLITE_OPEN_READONLY, NULL) == SQLITE_OK) {
-        judge(finding, database);
+    int code = ledger_file_look(&file, path);
+    code = code == SQLITE_OK ? ledger_check(file.db) : code;
+    if (code == SQLITE_OK) {
+        say_whole(finding, &file);
     } else {
-        finding->level = DOCTOR_WRONG;
-        doctor_state(finding, "cannot be opened: %.200s", sqlite3_errmsg(database));
-        doctor_todo(finding, "sudo chown %s '%s'", doctor->user.name, path);
+        say_why_not(doctor, finding, code, path);
     }
-    sqlite3_close(database);
+    ledger_file_close(&file);
+}
+
+static void look_at_backup(struct doctor *doctor, const char *folder)
+{
+    char path[PATH_ROOM];
+    struct stat about;
+    snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE STORAGE_BACKUP_SUFFIX);
+    if (stat(path, &about)) {
+        return; /* A stall that never ran has none. */
+    }
+    const int64_t hours = ((int64_t)time(NULL) - about.st_mtime) / 3600;
+    struct doctor_finding *finding = doctor_find(
+        doctor, "backup", hours < BACKUP_OLD_H ? DOCTOR_FINE : DOCTOR_LOOK, "%s", path);
+    doctor_state(finding, "%" PRId64 " h old, %" PRId64 " KiB", hours,
+                 (int64_t)about.st_size / 1024);
+    if (hours >= BACKUP_OLD_H) {
+        doctor_todo(finding, "nothing, if the stall was closed so long; else make room on the card "
+                             "and look at its log");
+    }
+}
+
+/* What the stall could not read once lies there until somebody has looked at it. */
+static void look_at_damaged(struct doctor *doctor, const char *folder)
+{
+    static const char start[] = STORAGE_FILE STORAGE_ASIDE_SUFFIX;
+    DIR *list = opendir(folder);
+    const struct dirent *entry;
+    while (list && (entry = readdir(list))) {
+        if (strncmp(entry->d_name, start, sizeof start - 1u) == 0 &&
+            !strchr(entry->d_name + sizeof start - 1u, '-')) { /* Not its journals. */
+            struct doctor_finding *finding =
+                doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, entry->d_name);
+            doctor_state(finding, "was damaged, and set aside");
+            doctor_todo(finding, "compare the books (kingyoctl audits) with the meter; then remove "
+                                 "it. If there are several, replace the card");
+        }
+    }
+    if (list) {
+        closedir(list);
+    }
 }
 
 /* ---- Learned controllers -------------------------------------------------------------------- */
@@ -160,7 +210,7 @@ void doctor_store(struct doctor *doctor)
     char path[OPTIONS_PATH_MAX + 64u];
     if (!doctor->options.data[0]) {
         struct doctor_finding *none = doctor_find(doctor, "store", DOCTOR_WRONG, "data folder");
-        doctor_state(none, "nowhere: neither --data nor HOME is set, so no round is kept");
+        doctor_state(none, "nowhere: neither --data nor HOME is set, so nothing is kept");
         doctor_todo(none, "start the kiosk with --data FOLDER");
         return;
     }
@@ -168,6 +218,8 @@ void doctor_store(struct doctor *doctor)
     if (look_at_folder(doctor, path) == 0) {
         look_at_room(doctor, path);
         look_at_database(doctor, path);
+        look_at_backup(doctor, path);
+        look_at_damaged(doctor, path);
         look_at_pois(doctor, path);
     }
 }

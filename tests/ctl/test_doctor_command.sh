@@ -179,11 +179,18 @@ check 'a folder that may not be written is wrong' finds wrong store /data 'nobod
 chmod 777 "$root/data"
 check 'one that may is fine' finds fine store /data 'nobody may write there'
 check 'how much room there is, is said' finds '(fine|look)' store room '[0-9]+ MiB are free'
-check 'no database yet is fine' finds fine database kingyo.db 'no round was kept'
-sqlite3 "$root/data/kingyo.db" 'create table rounds (number integer); insert into rounds values (1), (2); pragma user_version = 2'
-check 'a database is looked through' finds fine database kingyo.db 'whole, 2 rounds, version 2 of'
+check 'no database yet is fine' finds fine database kingyo.db 'nothing was kept'
+cp tests/unit/store/version-3.db "$root/data/kingyo.db"
+check 'a database is looked through' finds fine database kingyo.db 'whole, version 3: 9 entries of 2 starts, 1 rounds'
+cp tests/unit/store/version-2.db "$root/data/kingyo.db"
+check 'an earlier one is brought up to date by the stall' finds fine database kingyo.db 'of an earlier version'
+touch "$root/data/kingyo.db.damaged-1" "$root/data/kingyo.db.damaged-1-wal"
+touch -d '3 days ago' "$root/data/kingyo.db.backup"
+check 'one that was set aside is to be looked at' finds look database kingyo.db.damaged-1 'set aside'
+check 'a backup has an age' finds look backup kingyo.db.backup '72 h old'
+rm "$root"/data/kingyo.db.*
 head -c 5000 /dev/urandom >"$root/data/kingyo.db"
-check 'a damaged one is wrong' finds wrong database kingyo.db damaged 'the kiosk will set it aside'
+check 'a damaged one is wrong' finds wrong database kingyo.db damaged 'restart the stall'
 rm "$root/data/kingyo.db"
 put data/pois/054c-0ce6-A.poi 'something else'
 check 'a learned controller that cannot be read is told with its line' finds look learned 054c-0ce6-A.poi 'line 1: ' 'remove it, and learn that controller again'

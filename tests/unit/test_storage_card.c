@@ -1,0 +1,268 @@
+/* test_storage_card.c -- a card that is slow, stuck, full, read-only, away or somebody else's: the
+ * store says so, takes what it can, and goes on with it when it can. The moods are made where the
+ * store's libraries call the kernel (tests/power/tape.h). */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "platform/storage.h"
+#include "tests/power/tape.h"
+
+static char dir[64], file[96];
+static struct tape tape;
+static struct storage storage;
+static struct hal_storage device;
+
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(dir, "/tmp/kingyo-card-XXXXXX");
+    if (!mkdtemp(dir)) {
+        return -1;
+    }
+    snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
+    tape_begin(&tape, dir, NULL, 0);
+    tape_sync_us(0);
+    tape_refuse(0);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    device = storage_device(&storage);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    char command[96];
+    tape_sync_us(0);
+    tape_refuse(0);
+    device.ops->close(device.self);
+    tape_end();
+    tape_free(&tape);
+    snprintf(command, sizeof command, "rm -rf %s", dir);
+    return system(command);
+}
+
+static int keep(uint32_t id)
+{
+    const struct ledger_entry coin = { .id = id, .boot = 1, .tick = 100 * id, .kind = LEDGER_COINS,
+                                       .count = 1, .value = 1, .purse = { .paid = id } };
+    return device.ops->keep(device.self, &coin);
+}
+
+static uint32_t saved_id(void)
+{
+    return device.ops->saved_id(device.self);
+}
+
+static int is_well(void)
+{
+    return device.ops->is_well(device.self);
+}
+
+static const char *text(void)
+{
+    return device.ops->describe(device.self);
+}
+
+static int64_t now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+}
+
+static void pause_ms(long ms)
+{
+    nanosleep(&(struct timespec){ ms / 1000, ms % 1000 * 1000000L }, NULL);
+}
+
+static void wait_until_saved(uint32_t id)
+{
+    for (int i = 0; i < 1000 && saved_id() < id; i++) {
+        pause_ms(10);
+    }
+    assert_int_equal(saved_id(), id);
+}
+
+static int count_entries(void)
+{
+    sqlite3 *db;
+    sqlite3_stmt *statement;
+    assert_int_equal(sqlite3_open_v2(file, &db, SQLITE_OPEN_READONLY, NULL), SQLITE_OK);
+    sqlite3_prepare_v2(db, "SELECT count(*) FROM entries", -1, &statement, NULL);
+    assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
+    const int count = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    sqlite3_close(db);
+    return count;
+}
+
+static void refuses_and_goes_on(int error, const char *words)
+{
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    keep(1);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+    assert_true(is_well());
+    tape_refuse(error);
+    for (uint32_t id = 2; id <= STORAGE_QUEUE_MAX + 1; id++) {
+        assert_int_equal(keep(id), HAL_OK);
+    }
+    assert_int_equal(keep(STORAGE_QUEUE_MAX + 2), HAL_ERR_BUSY);
+    for (int i = 0; i < 3; i++) {
+        storage_work(&storage);
+        assert_int_equal(saved_id(), 1);
+        assert_false(is_well());
+    }
+    assert_non_null(strstr(text(), words));
+    assert_int_equal(device.ops->refused_count(device.self), 3);
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), STORAGE_QUEUE_MAX + 1);
+    assert_true(is_well());
+    assert_int_equal(count_entries(), STORAGE_QUEUE_MAX + 1);
+}
+
+static void test_a_full_card_takes_what_waited_when_it_has_room_again(void **state)
+{
+    (void)state;
+    refuses_and_goes_on(ENOSPC, "free some space");
+}
+
+static void test_a_card_that_fails_takes_what_waited_when_it_works_again(void **state)
+{
+    (void)state;
+    refuses_and_goes_on(EIO, "64 entries not written: disk I/O error; it is retried each second");
+}
+
+static void test_a_card_that_turned_read_only_takes_what_waited_when_it_is_not(void **state)
+{
+    (void)state;
+    refuses_and_goes_on(EROFS, "64 entries not written");
+}
+
+static void test_no_frame_waits_for_a_slow_card(void **state)
+{
+    (void)state;
+    storage.by_hand = 0;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    pause_ms(300); /* The first backup. */
+    tape_sync_us(200000);
+    int64_t longest_ms = 0;
+    for (uint32_t id = 1; id <= 20; id++) {
+        const int64_t begin_ms = now_ms();
+        assert_int_equal(keep(id), HAL_OK);
+        saved_id();
+        is_well();
+        const int64_t took_ms = now_ms() - begin_ms;
+        longest_ms = took_ms > longest_ms ? took_ms : longest_ms;
+        pause_ms(10);
+    }
+    assert_true(longest_ms < 100); /* A sync alone is 200. */
+    wait_until_saved(20);
+    assert_true(is_well()); /* Slow is no fault. */
+}
+
+static void test_a_card_that_does_not_come_back_is_told(void **state)
+{
+    (void)state;
+    storage.by_hand = 0;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    pause_ms(300);
+    tape_sync_us(999999);
+    keep(1);
+    pause_ms(100);
+    assert_true(is_well());
+    atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS); /* As if that were longer ago. */
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "has not answered for 3 s; 1 entries wait"));
+    tape_sync_us(0);
+    wait_until_saved(1);
+    assert_true(is_well());
+}
+
+static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
+{
+    (void)state;
+    static struct memory memory;
+    assert_int_equal(mkdir(file, 0755), 0); /* Nothing that could be opened. */
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    assert_int_equal(device.ops->remember(device.self, &memory), HAL_ERR_NONE);
+    assert_int_equal(keep(1), HAL_ERR_NONE);
+    assert_false(is_well());
+    assert_int_equal(rmdir(file), 0);
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(keep(2), HAL_OK);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 2);
+}
+
+/* What it holds is no less than what this kiosk knows: it would be written over. */
+static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(void **state)
+{
+    (void)state;
+    static struct memory memory;
+    char command[256];
+    assert_int_equal(mkdir(file, 0755), 0);
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    assert_int_equal(rmdir(file), 0);
+    snprintf(command, sizeof command, "cp tests/unit/store/version-3.db %s", file);
+    assert_int_equal(system(command), 0);
+    storage_work(&storage);
+    assert_int_equal(keep(1), HAL_ERR_NONE);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "restart"));
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 9);
+}
+
+static void test_somebody_elses_card_is_not_written_on(void **state)
+{
+    (void)state;
+    char command[256];
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    keep(1);
+    storage_work(&storage);
+    tape_refuse(EIO);
+    keep(2);
+    storage_work(&storage); /* The card is pulled; another one is put in. */
+    snprintf(command, sizeof command, "rm %s*; cp tests/unit/store/version-3.db %s", file, file);
+    assert_int_equal(system(command), 0);
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "not the card that it began with"));
+    assert_int_equal(count_entries(), 9);
+    assert_int_equal(saved_id(), 1);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_full_card_takes_what_waited_when_it_has_room_again),
+        TEST(test_a_card_that_fails_takes_what_waited_when_it_works_again),
+        TEST(test_a_card_that_turned_read_only_takes_what_waited_when_it_is_not),
+        TEST(test_no_frame_waits_for_a_slow_card),
+        TEST(test_a_card_that_does_not_come_back_is_told),
+        TEST(test_a_card_that_comes_late_and_is_fresh_is_used),
+        TEST(test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart),
+        TEST(test_somebody_elses_card_is_not_written_on),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
