@@ -56,7 +56,8 @@ struct display_events {
 };
 
 struct hal_display_ops {
-    int (*open)(void *self);  /* Also reopens after HAL_ERR_GONE: the one call that may take long. */
+    /* Also reopens after HAL_ERR_GONE: the one call that may take long. */
+    int (*open)(void *self);
     int (*poll)(void *self, struct display_events *out); /* When it fails, nothing is known. */
     int (*present)(void *self, const struct scene *scene);
     /* How the picture lies on the screen from the next one on. Copied. */

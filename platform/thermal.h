@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #define THERMAL_LOOK_S 5u
-#define THERMAL_LIMIT_MDEG 80000    /* Where no zone says it: boards slow down from 80 degrees on. */
+#define THERMAL_LIMIT_MDEG 80000    /* Where no zone says it: boards slow down from there on. */
 #define THERMAL_UNKNOWN_MDEG 999000 /* Nobody measures: as cool as can be. */
 
 /* The margin of the hottest zone under `root`, a folder like /sys/class/thermal. */

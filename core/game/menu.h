@@ -46,6 +46,7 @@ enum menu_page {
     MENU_MODES,       /* Which of them are offered. */
     MENU_SOUND,
     MENU_PICTURE,
+    MENU_CARD,        /* A test card over all of the picture. */
     MENU_BOOKS,       /* Leads to the audits: */
     MENU_EARNINGS,
     MENU_PLAYS,

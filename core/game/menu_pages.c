@@ -41,6 +41,7 @@ static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
                      .take = menu_bits_take },
     [MENU_SOUND] = SETTINGS(GROUP_SOUND),
     [MENU_PICTURE] = SETTINGS(GROUP_PICTURE),
+    [MENU_CARD] = { .parent = MENU_PICTURE, .body = BODY_FREE, .foot_count = 1 },
     [MENU_BOOKS] = PAGES(MENU_TOP),
     [MENU_EARNINGS] = BOOK(AUDIT_GROUP_MONEY),
     [MENU_PLAYS] = BOOK(AUDIT_GROUP_PLAY),

@@ -13,8 +13,8 @@
 #define GOVERNOR_LOOK_S 2u        /* Frames of so long make one judgement. */
 #define GOVERNOR_PATIENCE_S 30u   /* On time for so long, a finer picture is tried; ... */
 #define GOVERNOR_PATIENCE_MAX_S 1920u /* ... each try that fails doubles it, up to half an hour. */
-#define GOVERNOR_HOT_MDEG 3000    /* So near to where it would slow itself down, a machine is hot, */
-#define GOVERNOR_COOL_MDEG 8000   /* and so far from it cool again. */
+#define GOVERNOR_HOT_MDEG 3000  /* So near to where it slows itself down a machine is hot, */
+#define GOVERNOR_COOL_MDEG 8000 /* and so far from it cool again. */
 
 struct governor {
     uint64_t turn_ns;     /* Of the screen: the best that a frame can be. */

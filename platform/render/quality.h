@@ -23,7 +23,7 @@ struct quality_wish {
 
 struct quality quality_choose(const struct quality_wish *wish);
 
-#define QUALITY_STEP_MAX 4u /* Then the scene has a sixth of its pixels; less is not worth seeing. */
+#define QUALITY_STEP_MAX 4u /* Then the scene has a sixth of its pixels: less is no picture. */
 
 /* `step` steps less than `best`, up to QUALITY_STEP_MAX; 0 is `best`. Words stay as sharp. */
 struct quality quality_lower(const struct quality *best, uint32_t step);

@@ -83,8 +83,8 @@ int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
 /* How the picture lies on the screen from now on; at first it fills it. Copied. */
 void renderer_place(struct renderer *renderer, const struct showing *showing);
 
-/* Draws so many steps of quality_lower() coarser from now on; free when nothing changed. HAL_ERR_GONE
- * when the new targets fail. */
+/* Draws so many steps of quality_lower() coarser from now on; free when nothing changed.
+ * HAL_ERR_GONE when the new targets fail. */
 int renderer_lower(struct renderer *renderer, uint32_t step);
 
 /* Draws into the default framebuffer and leaves the swap to the caller. */

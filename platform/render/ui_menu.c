@@ -232,16 +232,26 @@ static void body(const struct menu_view *view)
     }
 }
 
+static void page(const struct menu_view *view)
+{
+    veil(view);
+    title(view);
+    tags(view);
+    body(view);
+    keys(view);
+    credits(view, view->scene);
+}
+
 void ui_menu(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct menu_view view = open_view(frame, scene);
     frame->batch->opacity = ui_smooth(0.0f, 0.25f, scene->phase_s);
-    veil(&view);
-    title(&view);
-    tags(&view);
-    body(&view);
-    keys(&view);
-    credits(&view, scene);
+    if (menu_words_of(scene->menu.page)->is_whole) {
+        body(&view);
+        tags(&view);
+    } else {
+        page(&view);
+    }
     hand(&view);
     frame->batch->opacity = 1.0f;
 }

@@ -26,6 +26,7 @@ struct menu_words {
     enum text_key foot[4];                  /* Of the tags at its foot, in their order. */
     enum text_key names[8], lines[8];       /* Of those that hang and lead to no page. */
     void (*draw)(const struct menu_view *view); /* Null: nothing but its body. */
+    uint8_t is_whole; /* What it draws is all of the picture, with nothing but tags over it. */
 };
 const struct menu_words *menu_words_of(uint8_t page);
 
@@ -86,6 +87,7 @@ void menu_hours(const struct menu_view *view);
 void menu_machine(const struct menu_view *view);
 void menu_sure(const struct menu_view *view);
 void menu_about(const struct menu_view *view);
+void menu_card(const struct menu_view *view);
 void menu_pin(const struct menu_view *view);
 void menu_ranking(const struct menu_view *view);
 void menu_score(const struct menu_view *view);

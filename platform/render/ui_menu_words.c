@@ -32,6 +32,8 @@ static const struct menu_words pages[MENU_PAGE_COUNT] = {
     [MENU_MODES] = { .title = TEXT_PAGE_MODES, .about = TEXT_ABOUT_MODES, .foot = { BACK } },
     [MENU_SOUND] = { .title = TEXT_PAGE_SOUND, .about = TEXT_ABOUT_SOUND, .foot = TURNS },
     [MENU_PICTURE] = { .title = TEXT_PAGE_PICTURE, .about = TEXT_ABOUT_PICTURE, .foot = TURNS },
+    [MENU_CARD] = { .title = TEXT_PAGE_CARD, .about = TEXT_ABOUT_CARD, .foot = { BACK },
+                    .draw = menu_card, .is_whole = 1 },
     [MENU_AXES] = { .title = TEXT_PAGE_AXES, .about = TEXT_ABOUT_AXES, .foot = { BACK },
                     .draw = menu_axes },
     [MENU_BOOKS] = { .title = TEXT_PAGE_BOOKS, .about = TEXT_ABOUT_BOOKS, .foot = { BACK } },

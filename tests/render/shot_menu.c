@@ -39,7 +39,7 @@ static const char *const names[MENU_PAGE_COUNT] = {
     [MENU_LEARN] = "learn",     [MENU_LINES] = "lines",
     [MENU_MONEY] = "money",     [MENU_GAME] = "game",
     [MENU_MODES] = "modes",     [MENU_SOUND] = "sound",
-    [MENU_PICTURE] = "picture", [MENU_UPKEEP] = "upkeep",
+    [MENU_PICTURE] = "picture", [MENU_CARD] = "card", [MENU_UPKEEP] = "upkeep",
     [MENU_FILES] = "files",     [MENU_AXES] = "axes",
     [MENU_BOOKS] = "books",     [MENU_EARNINGS] = "earnings",
     [MENU_PLAYS] = "plays",     [MENU_HOURS] = "hours",

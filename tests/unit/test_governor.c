@@ -1,5 +1,5 @@
-/* test_governor.c -- a picture that comes late or makes the machine hot gets coarser, never the game
- * slower; and it settles. */
+/* test_governor.c -- a picture that comes late or makes the machine hot gets coarser, never the
+ * game slower; and it settles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -111,7 +111,8 @@ static void test_nothing_leaves_the_screen_on_any_page(void **state)
 }
 
 /* A 24 inch screen is 30 cm high: 2.4 % of it is a letter of 7 mm, 25 minutes of arc from a metre.
- * The lines that name devices shrink to their room, and are for who stands before it. */
+ * The lines that name devices shrink to their room, and are for who stands before it; the letters of
+ * the test card are looked at from near, and not read. */
 static void test_every_word_is_read_from_a_metre(void **state)
 {
     (void)state;
@@ -123,7 +124,7 @@ static void test_every_word_is_read_from_a_metre(void **state)
         memset(&scene.devices, 0, sizeof scene.devices);
         snprintf(scene.devices.controller[1], SCENE_NAME_SIZE, "054c:09cc Wireless Controller");
         lay_out(0);
-        for (uint32_t i = 0; i < batch.quad_count; i++) {
+        for (uint32_t i = 0; i < batch.quad_count && page != MENU_CARD; i++) {
             if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 0.024f * 720.0f) {
                 fail_msg("page %d step %d language %d: letter %u is %.1f px", page,
                          scene.menu.desk.learn_step, scene.language, i,

@@ -1,0 +1,156 @@
+/* ui_menu_card.c -- the test card: what a screen shows wrongly is seen on it at a glance.
+ *
+ * A white line along the picture's edge: an edge that is not seen is lost, which the overscan
+ * mends. A grid of squares and a circle: round on a screen of square pixels. Eight colours, eleven
+ * greys, and four that a screen which is set badly shows as black or as white. Letters in the
+ * middle and in the corners, down to a size that is only sharp where each pixel is one. Amber
+ * lines a twentieth in: what must be read is within. */
+#include "platform/render/ui_menu.h"
+
+#include <math.h>
+
+#define CARD_BLACK 0x000000ffu
+#define CARD_GREY 0x404040ffu
+#define CARD_WHITE 0xffffffffu
+#define CARD_AMBER 0xffa800ffu
+#define GRID_ROWS 9.0f  /* Squares from the top to the bottom; upright, from side to side. */
+#define SAFE 0.05f      /* Of each side. */
+#define COLOUR_COUNT 8u
+#define GREY_COUNT 11u
+#define SUBTLE_COUNT 4u
+
+static void fill(const struct menu_view *view, struct ui_box box, uint32_t colour)
+{
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
+}
+
+/* Whole pixels: on half ones a line is two that are half as bright. */
+static void line_across(const struct menu_view *view, float y, float from, float to, float px,
+                        uint32_t colour)
+{
+    fill(view, (struct ui_box){ floorf(from), floorf(y), floorf(to) - floorf(from), px }, colour);
+}
+
+static void line_down(const struct menu_view *view, float x, float from, float to, float px,
+                      uint32_t colour)
+{
+    fill(view, (struct ui_box){ floorf(x), floorf(from), px, floorf(to) - floorf(from) }, colour);
+}
+
+/* Its lines are inside of it. */
+static void outline(const struct menu_view *view, struct ui_box box, float px, uint32_t colour)
+{
+    const float right = box.x + box.width, bottom = box.y + box.height;
+    line_across(view, box.y, box.x, right, px, colour);
+    line_across(view, bottom - px, box.x, right, px, colour);
+    line_down(view, box.x, box.y, bottom, px, colour);
+    line_down(view, right - px, box.y, bottom, px, colour);
+}
+
+/* From the middle outward, so that it is the same on all sides. */
+static void grid(const struct menu_view *view, float side)
+{
+    const float width = view->frame.width, height = view->frame.height;
+    for (float from = 0.0f; from < 0.5f * width; from += side) {
+        line_down(view, 0.5f * width + from, 0.0f, height, 1.0f, CARD_GREY);
+        line_down(view, 0.5f * width - from, 0.0f, height, 1.0f, CARD_GREY);
+    }
+    for (float from = 0.0f; from < 0.5f * height; from += side) {
+        line_across(view, 0.5f * height + from, 0.0f, width, 1.0f, CARD_GREY);
+        line_across(view, 0.5f * height - from, 0.0f, width, 1.0f, CARD_GREY);
+    }
+}
+
+static void circle(const struct menu_view *view, float radius)
+{
+    const float x = 0.5f * view->frame.width, y = 0.5f * view->frame.height;
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                 .kind = UI_RING,
+                                 .shape = { radius - 1.0f, 3.0f, 1.0f },
+                                 .fill = CARD_WHITE });
+    line_across(view, y, x - radius, x + radius, 1.0f, CARD_WHITE);
+    line_down(view, x, y - radius, y + radius, 1.0f, CARD_WHITE);
+}
+
+static void colours(const struct menu_view *view, struct ui_box band)
+{
+    static const uint32_t bars[COLOUR_COUNT] = { 0xc0c0c0ffu, 0xc0c000ffu, 0x00c0c0ffu,
+                                                 0x00c000ffu, 0xc000c0ffu, 0xc00000ffu,
+                                                 0x0000c0ffu, 0x000000ffu };
+    const float width = band.width / (float)COLOUR_COUNT;
+    for (uint32_t i = 0; i < COLOUR_COUNT; i++) {
+        const float from = floorf(band.x + (float)i * width);
+        const float to = floorf(band.x + (float)(i + 1u) * width);
+        fill(view, (struct ui_box){ from, band.y, to - from, band.height }, bars[i]);
+    }
+}
+
+static uint32_t grey_of(uint32_t level)
+{
+    return level << 24 | level << 16 | level << 8 | 0xffu;
+}
+
+/* A step in ten from black to white. On the first, two that are hardly lighter; on the last, two
+ * that are hardly darker. */
+static void greys(const struct menu_view *view, struct ui_box band)
+{
+    static const uint32_t subtle[SUBTLE_COUNT] = { 5, 10, 245, 250 };
+    const float width = band.width / (float)GREY_COUNT;
+    for (uint32_t i = 0; i < GREY_COUNT; i++) {
+        const float from = floorf(band.x + (float)i * width);
+        const float to = floorf(band.x + (float)(i + 1u) * width);
+        fill(view, (struct ui_box){ from, band.y, to - from, band.height },
+             grey_of(255u * i / (GREY_COUNT - 1u)));
+    }
+    const float size = 0.25f * width;
+    for (uint32_t i = 0; i < SUBTLE_COUNT; i++) {
+        const float first = i < SUBTLE_COUNT / 2u ? band.x : band.x + band.width - width;
+        const float x = first + (i % 2u ? 0.60f : 0.15f) * width;
+        fill(view, (struct ui_box){ x, band.y + 0.5f * (band.height - size), size, size },
+             grey_of(subtle[i]));
+    }
+}
+
+/* Three sizes; the smallest is one of the screen's own pixels, not of the canvas. */
+static void letters(const struct menu_view *view, float x, float y)
+{
+    static const float sizes_px[] = { 28.0f, 18.0f, 11.0f };
+    for (uint32_t i = 0; i < sizeof sizes_px / sizeof sizes_px[0]; i++) {
+        const struct ui_text style = { .font = FONT_BODY, .size_px = sizes_px[i],
+                                       .fill = CARD_WHITE };
+        menu_words_at(view, x, y + ((float)i - 1.0f) * 28.0f, 200.0f, 0.5f, &style,
+                      "\xe9\x87\x91\xe9\xad\x9a 8BES");
+    }
+}
+
+static void all_letters(const struct menu_view *view)
+{
+    const float width = view->frame.width, height = view->frame.height;
+    const float x = SAFE * width + 90.0f, y = SAFE * height + 60.0f;
+    letters(view, x, y);
+    letters(view, width - x, y);
+    letters(view, x, height - y);
+    letters(view, width - x, height - y);
+}
+
+void menu_card(const struct menu_view *view)
+{
+    const float width = view->frame.width, height = view->frame.height;
+    const float least = fminf(width, height), side = floorf(least / GRID_ROWS);
+    const float left = 0.5f * width - 3.0f * side, middle = 0.5f * height;
+    const struct ui_box whole = { 0.0f, 0.0f, width, height };
+    fill(view, whole, CARD_BLACK);
+    grid(view, side);
+    circle(view, 4.0f * side);
+    colours(view, (struct ui_box){ left, middle - 2.5f * side, 6.0f * side, 1.5f * side });
+    greys(view, (struct ui_box){ left, middle + 1.0f * side, 6.0f * side, 1.5f * side });
+    letters(view, 0.5f * width, middle);
+    all_letters(view);
+    outline(view, (struct ui_box){ floorf(SAFE * width), floorf(SAFE * height),
+                                   floorf((1.0f - 2.0f * SAFE) * width),
+                                   floorf((1.0f - 2.0f * SAFE) * height) },
+            1.0f, CARD_AMBER);
+    outline(view, whole, 2.0f, CARD_WHITE);
+}
