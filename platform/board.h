@@ -15,6 +15,12 @@ enum board_poi {
     BOARD_POI_BOT,
 };
 
+enum board_keyboard {
+    BOARD_KEYBOARD_AUTO = 0, /* ON at a desk, OFF as a service: a stranger may plug one in. */
+    BOARD_KEYBOARD_ON,
+    BOARD_KEYBOARD_OFF,      /* No key is a button, a coin or a way out. */
+};
+
 #define BOARD_USB_MAX 8u     /* Controllers that are named: as many as the desk has rows. */
 #define BOARD_USB_SIZE 74u   /* "VVVV:PPPP:" and a serial number of 63 bytes. */
 #define BOARD_LINE_MAX 32u   /* Wires: every role once, and again to overrule the file's. */
@@ -28,6 +34,7 @@ struct board_options {
     const char (*usb)[BOARD_USB_SIZE];
     uint32_t line_count;       /* What is wired where; of one role the last counts. */
     const char (*line)[BOARD_LINE_SIZE];
+    uint8_t keyboard;          /* enum board_keyboard, but AUTO, which the caller decides. */
     uint8_t off_screen;        /* Render without a screen, for pictures. */
     uint8_t full_screen;
     uint8_t waits_for_screen;  /* One that is not there at the start may come later: the display

@@ -1,5 +1,6 @@
 /* panel.c -- every button there is, as one panel: a desktop's keys, whoever plays, since Esc must
- * quit; the cabinet's lines; and the buttons of controllers. */
+ * quit, but none of a stranger's keyboard on a cabinet; the lines; and controllers' buttons. */
+#include <SDL.h>
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
@@ -68,11 +69,28 @@ static void open_lines(struct hal *hal, const struct board_options *options)
     hal->switches = buttons_gpio_switches(&devices.gpio);
 }
 
+/* Where keys are no buttons, nobody would take them out of SDL's queue. */
+static void ignore_keys(void)
+{
+    static const Uint32 types[] = { SDL_KEYDOWN, SDL_KEYUP, SDL_TEXTINPUT, SDL_TEXTEDITING,
+                                    SDL_TEXTEDITING_EXT, SDL_KEYMAPCHANGED };
+    screen_ignore(types, sizeof types / sizeof types[0]);
+}
+
+static void add_keys(const struct board_options *options)
+{
+    if (options->keyboard == BOARD_KEYBOARD_OFF) {
+        ignore_keys();
+    } else {
+        devices.keyboard = (struct buttons_keyboard){ 0 };
+        buttons_join_add(&devices.join, buttons_keyboard_device(&devices.keyboard));
+    }
+}
+
 void panel_open(struct hal *hal, const struct board_options *options)
 {
     devices.join = (struct buttons_join){ 0 };
-    devices.keyboard = (struct buttons_keyboard){ 0 };
-    buttons_join_add(&devices.join, buttons_keyboard_device(&devices.keyboard));
+    add_keys(options);
     usb_add_buttons(&devices.join);
     hands_add_buttons(&devices.join);
     open_lines(hal, options); /* Last: its words are of what is missing, theirs of what to press. */

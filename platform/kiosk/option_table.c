@@ -85,6 +85,12 @@ static int set_poi(struct options *options, const char *value)
     return find_name(names, sizeof names / sizeof names[0], value, &options->poi);
 }
 
+static int set_keyboard(struct options *options, const char *value)
+{
+    static const char *const names[] = { "auto", "on", "off" };
+    return find_name(names, sizeof names / sizeof names[0], value, &options->keyboard);
+}
+
 static int set_usb(struct options *options, const char *value)
 {
     if (strlen(value) >= BOARD_USB_SIZE || options->usb_count == BOARD_USB_MAX ||
@@ -252,6 +258,8 @@ static const struct option table[] = {
       "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most", set_usb, "devices" },
     { "line", "ROLE=LINE", "a GPIO line and its role; 'kingyoctl lines' has more; again for each",
       "ROLE=LINE[,WORD...]; 32 at most", set_line, "devices" },
+    { "keyboard", "USE", "whether keys are buttons and coins: on, off; auto: not as a service",
+      "auto, on or off", set_keyboard, "devices" },
     { "mode", "NAME", "festival, championship, practice, lab (fish grow), or choose: START asks",
       "festival, championship, practice, lab or choose", set_mode, "" },
     { "grade", "N", "paper from 4, strong, to 7, weak (6; a championship has 5)", "4 to 7",
@@ -275,7 +283,8 @@ static const struct option table[] = {
     { "lang", "ja|en", "language of the stall", "ja or en", set_language, "" },
     { "tank", "NAME", "festival (the stall), thesis (2013) or official (championship)",
       "festival, thesis or official", set_tank, "game" },
-    { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed, "game" },
+    { "seed", "N", "of everything random; equal seeds swim alike", "0 to 4294967295", set_seed,
+      "game" },
     { "fish", "N", "how many fish; the tanks hold", "1 to", set_fish, "" },
     { "help", NULL, "this text", NULL, set_help, NULL },
     { "version", NULL, "the version", NULL, set_version, NULL },

@@ -45,6 +45,7 @@ struct options {
     struct asked machine;          /* What the machine's locale asks for, ... */
     struct asked file;             /* ... the configuration file, */
     struct asked words;            /* ... and the command line. */
+    uint8_t keyboard;              /* enum board_keyboard */
     uint8_t usb_count, line_count;
     char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
     char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* "ROLE=LINE[,WORD...]" */

@@ -134,6 +134,14 @@ int play_waits_for_screen(void)
     return socket && socket[0];
 }
 
+/* Keys are buttons and coins: at a desk, and where an operator says so; not in a cabinet, where
+ * anybody may find a socket. */
+static uint8_t keyboard_of(const struct options *options)
+{
+    const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
+    return options->keyboard == BOARD_KEYBOARD_AUTO ? automatic : options->keyboard;
+}
+
 int play_open(struct session *session)
 {
     struct options *options = &session->options;
@@ -144,6 +152,7 @@ int play_open(struct session *session)
     }
     const struct board_options board = {
         .poi = options->poi,
+        .keyboard = keyboard_of(options),
         .usb_count = options->usb_count,
         .usb = (const char (*)[BOARD_USB_SIZE])options->usb,
         .line_count = options->line_count,

@@ -14,12 +14,12 @@
 static struct hal hal;
 
 /* A window without a screen: SDL's own driver for that. */
-static int open_board(void **state)
+static int open_with(uint8_t keyboard)
 {
-    (void)state;
     setenv("SDL_VIDEODRIVER", "offscreen", 1);
     const struct board_options options = {
         .poi = BOARD_POI_BOT,
+        .keyboard = keyboard,
         .width = 320,
         .height = 240,
         .mute = 1,
@@ -28,6 +28,18 @@ static int open_board(void **state)
     struct display_events events;
     board_open(&hal, &options);
     return hal.display.ops->poll(hal.display.self, &events) == HAL_ERR_NONE;
+}
+
+static int open_board(void **state)
+{
+    (void)state;
+    return open_with(BOARD_KEYBOARD_ON);
+}
+
+static int open_cabinet(void **state)
+{
+    (void)state;
+    return open_with(BOARD_KEYBOARD_OFF);
 }
 
 static int close_board(void **state)
@@ -83,6 +95,25 @@ static void test_in_the_bots_stall_nobody_holds_a_fan(void **state)
     assert_int_equal(buttons.full_screen, 1);
 }
 
+/* Whoever plugs a keyboard into a cabinet has no coins of it, no menu and no way out. */
+static void test_in_a_cabinet_no_key_is_anything(void **state)
+{
+    static const SDL_Keycode keys[] = { SDLK_ESCAPE, SDLK_q, SDLK_SPACE, SDLK_5, SDLK_6, SDLK_7,
+                                        SDLK_F2, SDLK_F3, SDLK_F4, SDLK_F11, SDLK_l };
+    static const Uint32 types[] = { SDL_KEYDOWN, SDL_KEYUP, SDL_TEXTINPUT };
+    static const struct button_sample nothing;
+    struct button_sample buttons = { 0 };
+    (void)state;
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        push_key(keys[i]);
+    }
+    hal.buttons.ops->poll(hal.buttons.self, &buttons);
+    assert_memory_equal(&buttons, &nothing, sizeof nothing);
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+        assert_int_equal(SDL_EventState(types[i], SDL_QUERY), SDL_IGNORE); /* Fills no queue. */
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -90,5 +121,9 @@ int main(void)
         cmocka_unit_test(test_a_mouse_that_nobody_reads_cannot_fill_the_queue),
         cmocka_unit_test(test_in_the_bots_stall_nobody_holds_a_fan),
     };
-    return cmocka_run_group_tests(tests, open_board, close_board);
+    const struct CMUnitTest in_cabinet[] = {
+        cmocka_unit_test(test_in_a_cabinet_no_key_is_anything),
+    };
+    const int failed = cmocka_run_group_tests(tests, open_board, close_board);
+    return failed + cmocka_run_group_tests(in_cabinet, open_cabinet, close_board);
 }

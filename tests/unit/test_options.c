@@ -74,6 +74,19 @@ static void test_who_holds_the_poi_has_a_name(void **state)
     }
 }
 
+static void test_a_keyboard_counts_or_not_as_its_operator_says(void **state)
+{
+    static const char *const on[] = { "kingyo", "--keyboard", "on" };
+    static const char *const off[] = { "kingyo", "--keyboard=off" };
+    static const char *const perhaps[] = { "kingyo", "--keyboard", "perhaps" };
+    (void)state;
+    assert_int_equal(parse(COUNT(on), on), 0);
+    assert_int_equal(options.keyboard, BOARD_KEYBOARD_ON);
+    assert_int_equal(parse(COUNT(off), off), 0);
+    assert_int_equal(options.keyboard, BOARD_KEYBOARD_OFF);
+    assert_int_equal(parse(COUNT(perhaps), perhaps), -1);
+}
+
 static void test_controllers_and_lines_are_named_one_after_the_other(void **state)
 {
     static const char *const argv[] = {
@@ -372,6 +385,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_option_is_understood),
         cmocka_unit_test(test_who_holds_the_poi_has_a_name),
+        cmocka_unit_test(test_a_keyboard_counts_or_not_as_its_operator_says),
         cmocka_unit_test(test_controllers_and_lines_are_named_one_after_the_other),
         cmocka_unit_test(test_no_more_controllers_or_lines_than_there_is_room_for),
         cmocka_unit_test(test_a_wrong_wire_is_told_with_what_is_wrong_about_it),
