@@ -258,7 +258,7 @@ struct scene_menu {
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Since the menu was opened; */
     uint32_t test_coins;     /* coins too, of the lines' page. */
     float coin_s;            /* Since the last of them fell. */
-    uint8_t chosen;          /* The row of settings that the foot's tags are about. */
+    uint8_t chosen;          /* The row of settings that was turned last. */
     uint8_t turns_down;      /* A take turns its value down, not up. */
     uint8_t is_saved;        /* All that was turned is on disk. */
     uint32_t fish_max;       /* As many as the stall's tank has room for. */

@@ -134,5 +134,6 @@ uint64_t adjust_hash(uint64_t hash, const struct adjust *adjust)
     for (uint32_t i = 0; i < SETTING_COUNT; i++) {
         hash = hash_u32(hash, (uint32_t)adjust->told.value[i]);
     }
-    return hash_u32(hash_u32(hash, adjust->turn_tick), adjust->entry_id);
+    hash = hash_u32(hash_u32(hash, adjust->turn_tick), adjust->entry_id);
+    return hash_u32(hash_u32(hash, adjust->pin_wrong), adjust->pin_tick);
 }

@@ -39,8 +39,6 @@ static void open_menu(struct core *core, const struct input *input)
         .upright = input->upright != 0,
         .presses = 1, /* Who holds a poi down takes nothing. */
         .order_count = menu->order_count,
-        .pin_wrong = menu->pin_wrong, /* Who leaves and comes back waits none the less. */
-        .pin_tick = menu->pin_tick,
         .take_tick = core->tick,
         .act_tick = core->tick,
     };

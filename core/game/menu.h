@@ -82,12 +82,12 @@ enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET }
 
 struct menu {
     uint8_t page;    /* enum menu_page */
-    uint8_t chosen;  /* On a page of settings: the row that its foot's tags are about. */
+    uint8_t chosen;  /* On a page of settings: the row that was turned last; MENU_TAG_MAX: none. */
     uint8_t turns_down; /* There a take turns a value down, not up. */
     uint8_t turning; /* Since it was taken TEST, or the poi, has not come up: it turns on. */
     uint8_t from;    /* The page that asked whether to reset. */
-    uint8_t pin_count, pin_wrong; /* Digits typed so far; PINs in a row that were none. */
-    uint16_t pin;    /* Those digits. */
+    uint8_t pin_count; /* Digits of a PIN that were typed so far, ... */
+    uint16_t pin;    /* ... and those digits. */
     uint8_t turn_count; /* How often it turned on, .. 255, and ... */
     uint32_t turn_tick; /* ... when it was turned last. */
     uint8_t row;     /* Of the controller that is dealt with. */
@@ -105,7 +105,6 @@ struct menu {
     uint32_t held;
     uint32_t test_coins, coin_tick; /* Those that fell on the lines' page. */
     uint32_t order_count;
-    uint32_t pin_tick;  /* When the last wrong PIN was typed. */
     uint32_t ask_tick;  /* When TEST was pressed in a round; 0: it was not. */
     uint32_t take_tick; /* When a tag was taken last, ... */
     uint32_t act_tick;  /* ... and when anybody last did anything. */

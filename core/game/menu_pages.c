@@ -18,7 +18,8 @@
       .foot_count = PIN_TAGS - PIN_ERASE, .enter = menu_pin_enter, .take = (take_it) }
 #define SETTINGS(group)                                                                            \
     { .parent = MENU_TOP, .body = BODY_SETTINGS, .foot_count = SETTINGS_FEET, .about = (group),    \
-      .enter = menu_settings_enter, .take = menu_settings_take }
+      .offers = menu_settings_offers, .enter = menu_settings_enter,                                \
+      .take = menu_settings_take }
 
 static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
     [MENU_TOP] = PAGES(MENU_PAGE_COUNT),

@@ -47,11 +47,12 @@ void menu_score_enter(struct core *core);
 void menu_score_take(struct core *core, uint32_t tag, struct output *output);
 
 /* menu_settings.c */
+uint16_t menu_settings_offers(const struct menu *menu);
 void menu_settings_enter(struct core *core);
 void menu_settings_take(struct core *core, uint32_t tag, struct output *output);
 void menu_bits_take(struct core *core, uint32_t tag, struct output *output);
 
-/* Which row is pointed at, and whether a value turns on since what took it is still pressed. */
+/* Whether a value turns on, since what took it is still pressed. */
 void menu_settings_tick(struct core *core, int is_pressed, struct output *output);
 
 #endif

@@ -8,13 +8,13 @@
 
 uint32_t menu_pin_wait_ticks(const struct core *core)
 {
-    const struct menu *menu = &core->game.menu;
-    if (menu->pin_wrong == 0) {
+    const struct adjust *adjust = &core->game.adjust;
+    if (adjust->pin_wrong == 0) {
         return 0;
     }
-    const uint32_t doublings = menu->pin_wrong - 1u < DOUBLINGS_MAX ? menu->pin_wrong - 1u
-                                                                    : DOUBLINGS_MAX;
-    const uint32_t wait = WAIT_TICKS << doublings, gone = core->tick - menu->pin_tick;
+    const uint32_t doublings =
+        adjust->pin_wrong - 1u < DOUBLINGS_MAX ? adjust->pin_wrong - 1u : DOUBLINGS_MAX;
+    const uint32_t wait = WAIT_TICKS << doublings, gone = core->tick - adjust->pin_tick;
     return gone < wait ? wait - gone : 0u;
 }
 
@@ -42,18 +42,18 @@ static int type(struct core *core, uint32_t tag)
 
 void menu_pin_take(struct core *core, uint32_t tag, struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct adjust *adjust = &core->game.adjust;
     if (menu_pin_wait_ticks(core) > 0 || !type(core, tag)) {
         return;
     }
-    if (menu->pin == (uint32_t)core->config.memory.settings.value[SET_PIN]) {
-        menu->pin_wrong = 0;
+    if (core->game.menu.pin == core->config.memory.settings.value[SET_PIN]) {
+        adjust->pin_wrong = 0;
         menu_turn(core, MENU_TOP);
         return;
     }
     output_sound(output, SOUND_FOUL, 0.5f, 0.0f);
-    menu->pin_wrong = (uint8_t)(menu->pin_wrong + (menu->pin_wrong < UINT8_MAX));
-    menu->pin_tick = core->tick;
+    adjust->pin_wrong += adjust->pin_wrong < UINT8_MAX;
+    adjust->pin_tick = core->tick;
     menu_pin_enter(core);
 }
 

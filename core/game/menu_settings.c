@@ -23,7 +23,7 @@ static int is_settings(const struct menu *menu)
 void menu_settings_enter(struct core *core)
 {
     struct menu *menu = &core->game.menu;
-    menu->chosen = 0;
+    menu->chosen = MENU_TAG_MAX;
     menu->turns_down = menu->turning = 0;
     menu->tag[menu->page] = 0;
 }
@@ -47,19 +47,28 @@ static void turn(struct core *core, uint32_t id)
     menu->turning = !is_at_end;
 }
 
+/* Back to its standard goes what was turned last: SERVICE has passed other rows since. */
+uint16_t menu_settings_offers(const struct menu *menu)
+{
+    const uint32_t standard = menu_body_count(menu->page) + SETTINGS_STANDARD;
+    const uint32_t all = (1u << menu_tag_count(menu->page)) - 1u;
+    return (uint16_t)(menu->chosen < MENU_TAG_MAX ? all : all & ~(1u << standard));
+}
+
 void menu_settings_take(struct core *core, uint32_t tag, struct output *output)
 {
     struct menu *menu = &core->game.menu;
     const uint32_t body_count = menu_body_count(menu->page);
-    const uint32_t chosen = menu_setting_at(menu->page, menu->chosen);
     (void)output;
     if (tag < body_count) {
         menu->turn_count = 0;
+        menu->chosen = (uint8_t)tag;
         turn(core, menu_setting_at(menu->page, tag));
     } else if (tag == body_count + SETTINGS_DIRECTION) {
         menu->turns_down = !menu->turns_down;
-    } else if (chosen < SETTING_COUNT) {
-        adjust_set(core, chosen, setting_of(chosen)->standard);
+    } else {
+        const uint32_t id = menu_setting_at(menu->page, menu->chosen);
+        adjust_set(core, id, setting_of(id)->standard);
     }
 }
 
@@ -89,5 +98,4 @@ void menu_settings_tick(struct core *core, int is_pressed, struct output *output
         turn(core, menu_setting_at(menu->page, tag));
         output_sound(output, SOUND_TICK, 0.4f, 0.0f);
     }
-    menu->chosen = tag < menu_body_count(menu->page) ? tag : menu->chosen;
 }

@@ -188,6 +188,28 @@ static void board(const struct menu_view *view, const struct places *places, uin
     }
 }
 
+/* What the row means that is pointed at; of the foot, which value goes back to which standard. */
+static void tell_pointed(const struct menu_view *view, const struct places *places)
+{
+    const struct scene_menu *menu = view->menu;
+    const uint32_t body_count = menu_body_count(menu->page);
+    const int is_row = menu->tag < body_count;
+    const uint8_t row = is_row ? menu->tag : menu->chosen;
+    const uint32_t id = menu_setting_at(menu->page, row);
+    const uint8_t page = menu_page_at(menu->page, row);
+    char words[2u * TEXT_LINE_MAX], standard[TEXT_LINE_MAX / 2u];
+    if (is_row && id < SETTING_COUNT) {
+        help(view, places, menu_text(view, menu_setting_words_of(id)->help));
+    } else if (is_row && page < MENU_PAGE_COUNT) {
+        help(view, places, menu_text(view, menu_words_of(page)->about));
+    } else if (menu->tag == body_count + SETTINGS_STANDARD && id < SETTING_COUNT) {
+        menu_value_words(view, id, setting_of(id)->standard, standard, sizeof standard);
+        snprintf(words, sizeof words, "%s → %s", menu_text(view, menu_setting_words_of(id)->name),
+                 standard);
+        help(view, places, words);
+    }
+}
+
 void menu_settings(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
@@ -201,13 +223,7 @@ void menu_settings(const struct menu_view *view)
             board(view, places, tag);
         }
     }
-    const uint32_t chosen = menu_setting_at(menu->page, menu->chosen);
-    const uint8_t page = menu_page_at(menu->page, menu->chosen);
-    if (chosen < SETTING_COUNT) {
-        help(view, places, menu_text(view, menu_setting_words_of(chosen)->help));
-    } else if (page < MENU_PAGE_COUNT) {
-        help(view, places, menu_text(view, menu_words_of(page)->about));
-    }
+    tell_pointed(view, places);
     saved(view, places);
 }
 

@@ -108,19 +108,19 @@ static const struct field game_fields[] = {
 
 static const struct field menu_fields[] = {
     FIELD(menu, page), FIELD(menu, chosen), FIELD(menu, turns_down), FIELD(menu, turning),
-    FIELD(menu, from), FIELD(menu, pin_count), FIELD(menu, pin_wrong), FIELD(menu, pin),
-    FIELD(menu, turn_count), FIELD(menu, turn_tick), FIELD(menu, row), FIELD(menu, upright),
-    FIELD(menu, file_first), FIELD(menu, board), FIELD(menu, score),
-    FIELD(menu, score_is_named), FIELD(menu, score_asks), FIELD(menu, scores),
-    FIELD(menu, has_hand), FIELD(menu, hand), FIELD(menu, presses),
+    FIELD(menu, from), FIELD(menu, pin_count), FIELD(menu, pin), FIELD(menu, turn_count),
+    FIELD(menu, turn_tick), FIELD(menu, row), FIELD(menu, upright), FIELD(menu, file_first),
+    FIELD(menu, board), FIELD(menu, score), FIELD(menu, score_is_named), FIELD(menu, score_asks),
+    FIELD(menu, scores), FIELD(menu, has_hand), FIELD(menu, hand), FIELD(menu, presses),
     FIELD(menu, points), FIELD(menu, tag), FIELD(menu, desk), FIELD(menu, pressed_count),
     FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, order_count),
-    FIELD(menu, pin_tick), FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick),
-    FIELD(menu, x), FIELD(menu, y), FIELD(menu, rest),
+    FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, x),
+    FIELD(menu, y), FIELD(menu, rest),
 };
 
 static const struct field adjust_fields[] = {
-    FIELD(adjust, told), FIELD(adjust, turn_tick), FIELD(adjust, entry_id),
+    FIELD(adjust, told),      FIELD(adjust, turn_tick), FIELD(adjust, entry_id),
+    FIELD(adjust, pin_wrong), FIELD(adjust, pin_tick),
 };
 
 static const struct field memory_fields[] = {

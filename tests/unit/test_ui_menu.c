@@ -41,6 +41,22 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
                                  .x = 400.0f, .y = 300.0f };
     settings_reset(&menu->settings);
     menu->fish_max = 2048u;
+    menu->chosen = 0;
+    menu->from = MENU_HOURS;
+    menu->pin = 9999;
+    menu->pin_count = MENU_PIN_DIGITS;
+    menu->pin_wait_s = 160.0f;
+    menu->boot = menu->last_id = menu->saved_id = 4294967295u;
+    memset(menu->audit, 0xff, sizeof menu->audit);
+    memset(scene.devices.about, 'W', sizeof scene.devices.about);
+    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
+        scene.devices.about[i][SCENE_LINE_SIZE - 1u] = 0;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.devices.axes[i] = (struct scene_axes){ POI_LINK_LIVE, { -99.0f, 99.0f, NAN },
+                                                     { 1000.0f, -1000.0f, INFINITY }, 4294967295u,
+                                                     INFINITY };
+    }
     scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         menu->desk.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
