@@ -38,9 +38,9 @@ static void heading(const struct menu_view *view, const struct places *places, s
     const int is_one = places->name_width > 0.0f;
     const float room = box.width - 44.0f * u, x = box.x + 22.0f * u;
     const float y = box.y + (is_one ? 0.5f : 0.28f) * places->head * u;
-    menu_words_at(view, x, y, is_one ? 0.62f * room : room, 0.0f, &style, first);
+    menu_words_at(view, x, y, is_one ? 0.6f * room : room, 0.0f, &style, first);
     menu_words_at(view, is_one ? x + room : x, is_one ? y : box.y + 0.7f * places->head * u,
-                  is_one ? 0.36f * room : room, is_one ? 1.0f : 0.0f, &style, second);
+                  is_one ? 0.39f * room : room, is_one ? 1.0f : 0.0f, &style, second);
 }
 
 static void device(const struct menu_view *view, const struct places *places, struct ui_box box,

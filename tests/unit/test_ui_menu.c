@@ -46,8 +46,11 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     menu->pin = 9999;
     menu->pin_count = MENU_PIN_DIGITS;
     menu->pin_wait_s = 160.0f;
-    menu->boot = menu->last_id = menu->saved_id = 4294967295u;
-    memset(menu->audit, 0xff, sizeof menu->audit);
+    menu->boot = 9999u;
+    menu->last_id = menu->saved_id = 999999u;
+    for (uint32_t i = 0; i < SCENE_AUDIT_MAX; i++) {
+        menu->audit[i] = 99999u; /* Nine years of thirty plays a day. */
+    }
     memset(scene.devices.about, 'W', sizeof scene.devices.about);
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         scene.devices.about[i][SCENE_LINE_SIZE - 1u] = 0;
@@ -118,6 +121,7 @@ static void test_nothing_leaves_the_screen_on_any_page(void **state)
                 set_page(page, (uint16_t)(bare ? last : all),
                          (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
                 scene.menu.desk.learn_step = step;
+                memset(scene.menu.audit, 0xff, sizeof scene.menu.audit);
                 scene.tick += 37u * step; /* Another moment of what moves. */
                 lay_out(size);
                 expect_inside(size);
