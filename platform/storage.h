@@ -37,8 +37,9 @@
 /* What the core may have unwritten, twice: it never waits for a slot where a card answers. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
 #define STORAGE_EDITS_MAX 4u /* Nobody edits and saves another graph each quarter of a second. */
-#define STORAGE_REPLAY_TRIES 5u /* Seconds that a card which refuses a replay may hold its bytes. */
-/* All the memory that SQLite may ever have, in bytes; it needs about 1.2 MiB of it. */
+#define STORAGE_REPLAY_MS 10000 /* So long may a card that refuses a replay hold its bytes. */
+/* All the memory that SQLite may ever have, in bytes. The most that it needed was 2.2 MiB: 100,000
+ * entries, a backup, and replays of 150 KB each. */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
 
 /* A replay on its way to the card or from it: the frame loop sets the rest, then `state`; the
@@ -95,7 +96,7 @@ struct storage {
     int64_t backup_due_s;            /* On the monotonic clock. */
 
     struct storage_replay put, get;
-    uint32_t put_tries;
+    int64_t put_since_ms; /* When it was first refused; 0: it was not. */
     atomic_uint put_id;   /* The newest replay that was written, or given up. */
     atomic_int got;       /* As replay_fetched(). */
 };

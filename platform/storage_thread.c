@@ -196,9 +196,17 @@ static bool is_ranked(const struct storage *storage, uint32_t round_id)
 
 static void end_put(struct storage *storage)
 {
-    storage->put_tries = 0;
+    storage->put_since_ms = 0;
     atomic_store(&storage->put_id, storage->put.round_id);
     atomic_store(&storage->put.state, STORAGE_REPLAY_IDLE);
+}
+
+/* Whether a refusal was the last straw. */
+static bool gives_up(struct storage *storage)
+{
+    const int64_t now_ms = storage_now_ms();
+    storage->put_since_ms = storage->put_since_ms > 0 ? storage->put_since_ms : now_ms;
+    return now_ms - storage->put_since_ms >= STORAGE_REPLAY_MS;
 }
 
 /* Its round is written first; it is given up when the card goes on refusing. */
@@ -215,7 +223,7 @@ static void put_replay(struct storage *storage)
                    : SQLITE_OK;
         note_result(storage, code);
     }
-    if (code == SQLITE_OK || ++storage->put_tries == STORAGE_REPLAY_TRIES) {
+    if (code == SQLITE_OK || gives_up(storage)) {
         end_put(storage);
     }
 }

@@ -71,7 +71,7 @@ const struct ctl_command ctl_backup = {
     .name = name,
     .summary = "a copy of all that the stall keeps, while it runs",
     .usage = "  kingyoctl backup FILE [--data DIR] [--json]\n\n" BOOKS_USAGE
-             "\nFILE is checked before it gets its name. To go back to it: stop the stall, put it in\n"
-             "the place of kingyo.db, remove kingyo.db-wal and kingyo.db-shm, start the stall.\n",
+             "\nFILE is checked before it gets its name. To go back to it: stop the stall, remove\n"
+             "kingyo.db, kingyo.db-wal and kingyo.db-shm, put FILE there as kingyo.db, start it.\n",
     .run = run,
 };

@@ -251,6 +251,78 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     assert_int_equal(saved_id(), 1);
 }
 
+/* ---- Replays -------------------------------------------------------------------------------- */
+
+static const uint8_t replay[] = "all that the hand did";
+
+static void play_round(uint32_t id, uint32_t caught)
+{
+    const struct ledger_entry round = {
+        .id = id,
+        .boot = 1,
+        .kind = LEDGER_ROUND,
+        .round = { .id = id, .caught = caught, .players = 1, .player = { { .caught = caught } } },
+    };
+    assert_int_equal(device.ops->keep(device.self, &round), HAL_OK);
+}
+
+static int fetch(uint32_t round_id, uint8_t *bytes, size_t size)
+{
+    assert_int_equal(device.ops->fetch_replay(device.self, round_id, bytes, size), HAL_OK);
+    assert_int_equal(device.ops->replay_fetched(device.self), HAL_ERR_BUSY);
+    storage_work(&storage);
+    return device.ops->replay_fetched(device.self);
+}
+
+static void test_a_ranked_rounds_replay_is_kept_and_comes_back(void **state)
+{
+    (void)state;
+    uint8_t found[64];
+    device.ops->open(device.self);
+    play_round(1, 5); /* Written in the same go, before its replay. */
+    assert_int_equal(device.ops->keep_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    assert_int_equal(device.ops->keep_replay(device.self, 2, replay, sizeof replay), HAL_ERR_BUSY);
+    assert_int_equal(device.ops->replay_kept_id(device.self), 0);
+    storage_work(&storage);
+    assert_int_equal(device.ops->replay_kept_id(device.self), 1);
+    assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
+    assert_memory_equal(found, replay, sizeof replay);
+    assert_int_equal(fetch(1, found, 4), HAL_ERR_NONE);
+    assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_NONE);
+}
+
+static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
+{
+    (void)state;
+    uint8_t found[64];
+    device.ops->open(device.self);
+    for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) {
+        play_round(id, id <= RANK_ROWS ? 9 : 1);
+    }
+    device.ops->keep_replay(device.self, RANK_ROWS + 1, replay, sizeof replay);
+    storage_work(&storage);
+    assert_int_equal(device.ops->replay_kept_id(device.self), RANK_ROWS + 1);
+    assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_NONE);
+}
+
+static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
+{
+    (void)state;
+    device.ops->open(device.self);
+    play_round(1, 5);
+    storage_work(&storage);
+    tape_refuse(ENOSPC);
+    device.ops->keep_replay(device.self, 1, replay, sizeof replay);
+    storage_work(&storage);
+    storage_work(&storage);
+    assert_int_equal(device.ops->replay_kept_id(device.self), 0); /* Tried again, ... */
+    storage.put_since_ms -= STORAGE_REPLAY_MS;                    /* ... but not for ever. */
+    storage_work(&storage);
+    assert_int_equal(device.ops->replay_kept_id(device.self), 1);
+    tape_refuse(0);
+    assert_int_equal(device.ops->keep_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
@@ -263,6 +335,9 @@ int main(void)
         TEST(test_a_card_that_comes_late_and_is_fresh_is_used),
         TEST(test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart),
         TEST(test_somebody_elses_card_is_not_written_on),
+        TEST(test_a_ranked_rounds_replay_is_kept_and_comes_back),
+        TEST(test_a_round_that_is_not_ranked_keeps_no_replay),
+        TEST(test_a_replay_that_the_card_refuses_is_given_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
