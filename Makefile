@@ -133,6 +133,6 @@ generated:
 clean:
 	rm -rf build build-clang $(BUILD)
 
--include $(shell [ -d $(BUILD) ] && find $(BUILD) -path $(BUILD)/vm -prune -o -type f -name '*.d' -print)
+-include $(shell [ -d $(BUILD) ] && find $(BUILD) \( -path $(BUILD)/vm -o -path $(BUILD)/image \) -prune -o -type f -name '*.d' -print)
 
 .PHONY: help build clang generated clean

@@ -8,7 +8,7 @@ image:
 	@test -f board/$(BOARD)/image.conf || { \
 	    echo 'image: no board/$(BOARD)/image.conf; BOARD is one of:' \
 	    $(patsubst board/%/image.conf,%,$(wildcard board/*/image.conf)) >&2; exit 2; }
-	+@$(MAKE) --no-print-directory BOARD=desktop -j$(JOBS) build
+	+@$(MAKE) --no-print-directory BOARD=desktop -j$(JOBS) deb
 	@BUILD=$(BUILD) IMAGE=$(IMAGE) board/image/image.sh $(BOARD)
 
 .PHONY: image

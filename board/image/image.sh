@@ -10,7 +10,7 @@
 install_kiosk() { # FOLDER: the Debian packages of this tree, whose dependencies packages.txt must meet
     local root=$1
     mkdir "$root/debs"
-    "$top/board/deb/deb.sh" | (cd "$top" && xargs cp -t "$root/debs")
+    cp "$BUILD"/deb/*.deb "$root/debs/"
     chroot "$root" env PATH=/usr/sbin:/usr/bin DEBIAN_FRONTEND=noninteractive \
         sh -c 'dpkg --install /debs/*.deb' >"$IMAGE/dpkg.log" 2>&1 || {
         tail -5 "$IMAGE/dpkg.log" >&2
