@@ -12,8 +12,8 @@
 
 #include "core/input.h"
 #include "core/output.h"
+#include "core/placing.h"
 #include "core/scene.h"
-#include "platform/placing.h"
 
 enum hal_error {
     HAL_OK = 0,

@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 #include "core/input.h"
+#include "core/placing.h"
 #include "core/settings.h"
-#include "platform/placing.h"
 
 #define LIGHTING_NIGHT_IDLE_S 60u   /* At night whoever wakes the stall has so long to begin. */
 #define LIGHTING_STIR_M 0.03f       /* A hand that moved so far is somebody's; noise is less. */

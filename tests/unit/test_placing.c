@@ -6,8 +6,8 @@
 
 #include <cmocka.h>
 
+#include "core/placing.h"
 #include "drivers/pointer_poi.h"
-#include "platform/placing.h"
 
 #define WIDTH 1920.0f
 #define HEIGHT 1080.0f

@@ -1,10 +1,10 @@
 /* placing.h -- how the picture lies on the screen: turned, inset, moved a little, dimmed.
  *
- * The display draws through it, and whoever points at the picture looks back through it, so that
- * both agree to the pixel. Screen and picture are measured in pixels from their top left corners,
- * x to the right, y down. */
-#ifndef KINGYO_PLATFORM_PLACING_H
-#define KINGYO_PLATFORM_PLACING_H
+ * Like the camera (view.h) it is a contract of two sides that must agree: the display draws through
+ * it, and whoever points at the picture looks back through it. The core itself knows of no screen.
+ * Screen and picture are measured in pixels from their top left corners, x to the right, y down. */
+#ifndef KINGYO_CORE_PLACING_H
+#define KINGYO_CORE_PLACING_H
 
 #include <stdint.h>
 
