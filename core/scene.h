@@ -313,6 +313,17 @@ struct scene_devices {
     } file[SCENE_FILE_MAX];
 };
 
+/* A score is shown again, over whatever is: see platform/kiosk/encore.h. */
+enum scene_encore {
+    ENCORE_OFF = 0,
+    ENCORE_SEEKS,   /* It is fetched, and played fast up to its round. */
+    ENCORE_PLAYS,
+    ENCORE_GENUINE, /* It is over, and was true to the last bit. */
+    ENCORE_OTHER,   /* It is over, and was not. */
+    ENCORE_NONE,    /* This score has no replay. */
+    ENCORE_COUNT,
+};
+
 struct scene {
     uint32_t tick;
     struct view view;
@@ -367,6 +378,8 @@ struct scene {
     struct scene_album album;
     struct scene_name name;
     struct scene_board board;
+    uint8_t encore;          /* enum scene_encore; put there by the shell. */
+    float encore_progress;   /* [0, 1] of the way to its round. */
 };
 
 #endif

@@ -1,8 +1,8 @@
-/* chapters.h -- keeps the chapter that runs (core/game/chapter.h) in memory, and gives the store the
- * replay of each round that is ranked.
+/* chapters.h -- keeps the chapter that runs (core/game/chapter.h) in memory, and gives the store
+ * the replay of each round that is ranked.
  *
- * The caller owns `struct chapters` (6 MiB: static storage) and leaves it zero. A chapter that grows
- * beyond CHAPTERS_SIZE ends its recording: the rounds that follow in it are scores without a
+ * The caller owns `struct chapters` (6 MiB: static storage) and leaves it zero. A chapter that
+ * grows beyond CHAPTERS_SIZE ends its recording: the rounds that follow in it are scores without a
  * replay. One replay at a time goes to the store; while a slow card takes it, a second round that
  * is ranked is a score without one, too. Both are counted. */
 #ifndef KINGYO_PLATFORM_KIOSK_CHAPTERS_H

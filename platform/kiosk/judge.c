@@ -15,20 +15,38 @@ static int no_such_stall(struct judge *judge)
     return -1;
 }
 
+/* Reads all of what is open, to know how long it is and when its last round begins. */
+static int scan(struct judge *judge)
+{
+    struct replay_reader *reader = &judge->replayer.reader;
+    uint32_t rounds = 0;
+    int more;
+    judge->round_tick = 0;
+    while ((more = replay_next(reader, &judge->input)) == 1) {
+        if (reader->totals.rounds != rounds) {
+            rounds = reader->totals.rounds;
+            judge->round_tick = reader->tick;
+        }
+    }
+    judge->said = reader->totals;
+    replay_close(reader);
+    return more;
+}
+
 int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size)
 {
     struct core_config config;
     struct replay_reader *reader = &judge->replayer.reader;
-    judge->input = (struct input){ 0 };
     judge->round = (struct ledger_entry){ 0 };
     judge->is_damaged = 0;
     memset(&judge->output, 0, sizeof judge->output);
-    if (replay_open_in(reader, bytes, size) || replay_scan_on(reader, &judge->said) ||
+    if (replay_open_in(reader, bytes, size) || scan(judge) ||
         replayer_begin_in(&judge->replayer, bytes, size, &config)) {
         judge->is_damaged = 1;
         return -1;
     }
     config.lanes = cpu_lanes();
+    judge->input = (struct input){ 0 };
     if (core_init(&judge->core, &config) != CORE_OK) {
         return no_such_stall(judge);
     }
@@ -64,7 +82,7 @@ int judge_tick(struct judge *judge)
 
 int judge_is_at_round(const struct judge *judge)
 {
-    return judge->replayer.totals.rounds >= judge->said.rounds;
+    return judge->replayer.totals.ticks >= judge->round_tick;
 }
 
 /* 1: it says what was played; -1: it does not; 0: it is of another round. */

@@ -25,6 +25,7 @@ struct judge {
     struct input input;
     struct output output;
     struct replay_totals said;  /* Of the whole replay, by itself. */
+    uint32_t round_tick;        /* Its last round begins in the second from here. */
     struct ledger_entry round;  /* The newest that this play wrote; id 0: none yet. */
     uint32_t seen_id;
     uint8_t is_damaged;

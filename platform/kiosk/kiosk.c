@@ -6,6 +6,7 @@
 #include "core/game/menu_pages.h"
 #include "platform/kiosk/chapters.h"
 #include "platform/kiosk/dressing.h"
+#include "platform/kiosk/encore.h"
 
 #define RESTART_WAIT_NS 5000000000ull /* A card that takes longer than this for an entry is full. */
 #define RETRY_NS 1000000000ull /* A lost card, a failed save: once a second is often enough. */
@@ -164,11 +165,30 @@ static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
     }
 }
 
+static int is_encore_on(const struct kiosk *kiosk)
+{
+    return kiosk->config.encore && kiosk->config.encore->state != ENCORE_OFF;
+}
+
+/* While a score is shown again, hands and buttons are its audience's: the stall sees none but the
+ * coins, and what ends the show is not heard there. */
+static void lend_hands(struct kiosk *kiosk)
+{
+    if (is_encore_on(kiosk)) {
+        encore_heeds(kiosk->config.encore, kiosk->input.pressed, kiosk->input.poi);
+        kiosk->input.pressed = kiosk->input.held = 0;
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            kiosk->input.poi[i].link = POI_LINK_ABSENT;
+        }
+    }
+}
+
 /* 0 when there is no input to run the tick with. */
 static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     if (!kiosk->config.source.next) {
         pose_hands(kiosk, index, tick_count);
+        lend_hands(kiosk);
         return 1;
     }
     if (!kiosk->config.source.next(kiosk->config.source.self, &kiosk->input)) {
@@ -223,6 +243,21 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
         core_scene(&kiosk->core, &kiosk->scene);
     }
     return done;
+}
+
+/* A score is shown again in place of the stall. */
+static void show_encore(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
+{
+    struct encore *encore = kiosk->config.encore;
+    if (!encore) {
+        return;
+    }
+    if (kiosk->wanted_replay_id != 0) {
+        encore_ask(encore, kiosk->wanted_replay_id);
+        kiosk->wanted_replay_id = 0;
+    }
+    encore_frame(encore, hal, &kiosk->config.stopwatch, &kiosk->core.game.ranking, tick_count);
+    encore_show(encore, &kiosk->scene, &kiosk->output);
 }
 
 static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
@@ -411,6 +446,7 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
                                        .hands = kiosk->hands,
                                        .button_faults = kiosk->faults.buttons,
                                        .buttons_missing = kiosk->buttons_missing };
+    show_encore(kiosk, hal, tick_count);
     dressing_put(&kiosk->scene, hal, &dressing);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
     show_hands(kiosk, hal);

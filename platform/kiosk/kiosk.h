@@ -19,6 +19,7 @@
 #include "platform/kiosk/voice.h"
 
 struct chapters;
+struct encore;
 
 /* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
  * Must not change either. */
@@ -40,6 +41,7 @@ struct kiosk_config {
     struct hal_clock stopwatch; /* Real time, for the figures only; never reaches the core. */
     const struct file_notes *notes; /* For the operator's menu; outlives the kiosk. Null: none. */
     struct chapters *chapters;  /* For the replays of scores; outlives the kiosk. Null: none. */
+    struct encore *encore;      /* To show scores again; outlives the kiosk. Null: none can be. */
     struct kiosk_tap tap;       /* Null function: none. */
     struct kiosk_source source; /* Null function: the devices play. */
 };

@@ -123,6 +123,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     config->notes = &session->notes;
     if (!replay[0]) {
         config->chapters = &session->chapters;
+        config->encore = &session->encore;
         fill_book(&session->shelf, &config->core.book);
         edit_file_fill(session->options.data, &config->core.book,
                        (struct edit_warn){ warn, session });

@@ -6,6 +6,7 @@
 
 #include "platform/hal.h"
 #include "platform/kiosk/chapters.h"
+#include "platform/kiosk/encore.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/kiosk/options.h"
 #include "platform/kiosk/recorder.h"
@@ -19,6 +20,7 @@ struct session {
     struct kiosk kiosk;
     struct recorder recorder;
     struct replayer replayer;
+    struct encore encore;                /* To show scores again. */
     struct chapters chapters;            /* For the replays of scores. */
     struct shelf shelf;                  /* Makers' species, read as the kiosk begins. */
     struct file_notes notes;             /* What became of these, and of all other files. */

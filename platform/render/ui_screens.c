@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "platform/render/ui_encore.h"
 #include "platform/render/ui_signs.h"
 
 static void remember(struct ui_memory *memory, const struct scene *scene)
@@ -24,6 +25,46 @@ static void remember(struct ui_memory *memory, const struct scene *scene)
     }
 }
 
+static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
+                         const struct scene *scene)
+{
+    switch (scene->phase) {
+    case PHASE_READY:
+        ui_ready(frame, scene, memory);
+        break;
+    case PHASE_ROUND:
+        ui_round(frame, scene, memory);
+        break;
+    case PHASE_RESULT:
+        ui_result(frame, scene, memory);
+        break;
+    case PHASE_CHOOSE:
+        ui_choose(frame, scene, memory);
+        break;
+    case PHASE_LAB:
+        ui_lab(frame, scene, memory);
+        break;
+    case PHASE_ALBUM:
+        ui_album(frame, scene);
+        break;
+    case PHASE_NAME:
+        ui_name(frame, scene);
+        break;
+    case PHASE_BOARD:
+        ui_ranking(frame, scene);
+        break;
+    case PHASE_ATTRACT:
+        ui_attract(frame, scene);
+        break;
+    case PHASE_MENU:
+        ui_menu(frame, scene);
+        return; /* It says itself what is wrong. */
+    default: /* PHASE_WORDLESS */
+        return;
+    }
+    ui_warnings(frame, scene);
+}
+
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
                 float width_px, float height_px)
 {
@@ -37,39 +78,7 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
     };
     ui_batch_clear(batch);
     remember(memory, scene);
-    switch (scene->phase) {
-    case PHASE_READY:
-        ui_ready(&frame, scene, memory);
-        break;
-    case PHASE_ROUND:
-        ui_round(&frame, scene, memory);
-        break;
-    case PHASE_RESULT:
-        ui_result(&frame, scene, memory);
-        break;
-    case PHASE_CHOOSE:
-        ui_choose(&frame, scene, memory);
-        break;
-    case PHASE_LAB:
-        ui_lab(&frame, scene, memory);
-        break;
-    case PHASE_ALBUM:
-        ui_album(&frame, scene);
-        break;
-    case PHASE_NAME:
-        ui_name(&frame, scene);
-        break;
-    case PHASE_BOARD:
-        ui_ranking(&frame, scene);
-        break;
-    case PHASE_ATTRACT:
-        ui_attract(&frame, scene);
-        break;
-    case PHASE_MENU:
-        ui_menu(&frame, scene);
-        return; /* It says itself what is wrong. */
-    default: /* PHASE_WORDLESS */
-        return;
-    }
-    ui_warnings(&frame, scene);
+    ui_chapter_veil(&frame, scene);
+    phase_screen(&frame, memory, scene);
+    ui_encore(&frame, scene);
 }

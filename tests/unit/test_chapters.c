@@ -12,6 +12,7 @@
 #include "drivers/storage_sim.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/chapters.h"
+#include "platform/kiosk/encore.h"
 #include "platform/kiosk/judge.h"
 
 static struct core core, bots;
@@ -185,6 +186,90 @@ static void test_a_store_without_replays_loses_nothing_else(void **state)
     assert_int_equal(chapters.missed, 1);
 }
 
+/* ---- A score is shown again ----------------------------------------------------------------- */
+
+static struct encore encore;
+static struct scene scene;
+static const struct hal_clock no_stopwatch;
+
+static void frame(void)
+{
+    static struct hal hal;
+    hal.storage = storage;
+    encore_frame(&encore, &hal, &no_stopwatch, &core.game.ranking, 2);
+    core_scene(&core, &scene);
+    encore_show(&encore, &scene, &output);
+}
+
+/* Frames until it is something else; at most a minute and a half of them. */
+static uint32_t frames_while(uint8_t what)
+{
+    uint32_t count = 0;
+    while (encore.state == what && count < 5400u) {
+        frame();
+        count++;
+    }
+    return count;
+}
+
+static void test_a_score_is_shown_again_and_told_to_be_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    ticks(200);
+    sim.replay_polls_left = 30; /* The card takes half a second. */
+    encore_ask(&encore, round_id);
+    frame();
+    assert_int_equal(scene.encore, ENCORE_SEEKS);
+    assert_in_range(frames_while(ENCORE_SEEKS), 29, 40);
+    assert_int_equal(encore.state, ENCORE_PLAYS);
+    const uint32_t shown = frames_while(ENCORE_PLAYS);
+    assert_in_range(shown, 10u * 60u, 60u * 60u); /* In its own time. */
+    assert_int_equal(scene.encore, ENCORE_GENUINE);
+    assert_int_equal(scene.caught[0], sim.record.caught);
+    assert_int_equal(frames_while(ENCORE_GENUINE), ENCORE_END_TICKS / 2u);
+    assert_int_equal(scene.encore, ENCORE_OFF);
+}
+
+static void test_a_button_or_a_dip_ends_it(void **state)
+{
+    (void)state;
+    struct poi_input poi[POI_MAX] = { { .link = POI_LINK_LIVE, .target.position_m.y = -0.05f } };
+    const uint32_t round_id = play();
+    encore_ask(&encore, round_id);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(encore_heeds(&encore, 0, poi), 0); /* Down since it was asked for. */
+    poi[0].target.position_m.y = 0.05f;
+    assert_int_equal(encore_heeds(&encore, 0, poi), 0);
+    poi[0].target.position_m.y = -0.05f;
+    assert_int_equal(encore_heeds(&encore, 0, poi), 1);
+    assert_int_equal(encore.state, ENCORE_OFF);
+    encore_ask(&encore, round_id);
+    assert_int_equal(encore_heeds(&encore, INPUT_SERVICE, poi), 1);
+    frame();
+    assert_int_equal(scene.encore, ENCORE_OFF);
+}
+
+static void test_a_score_without_a_replay_says_so(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    encore_ask(&encore, round_id + 5u);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(scene.encore, ENCORE_NONE);
+    encore_end(&encore);
+    room[sim.replay_size / 2u] ^= 4u;
+    encore_ask(&encore, round_id);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(scene.encore, ENCORE_OTHER);
+    encore_end(&encore);
+    sim.replay = NULL;
+    encore_ask(&encore, round_id);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(scene.encore, ENCORE_NONE);
+    encore_end(&encore);
+}
+
 int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup(name, set_up)
@@ -195,6 +280,9 @@ int main(void)
         TEST(test_the_next_chapters_round_needs_nothing_of_the_first),
         TEST(test_a_replay_waits_until_its_score_is_on_disk),
         TEST(test_a_store_without_replays_loses_nothing_else),
+        TEST(test_a_score_is_shown_again_and_told_to_be_genuine),
+        TEST(test_a_button_or_a_dip_ends_it),
+        TEST(test_a_score_without_a_replay_says_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

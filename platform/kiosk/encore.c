@@ -1,0 +1,147 @@
+/* encore.c -- fetched, sought, played, judged. */
+#include "platform/kiosk/encore.h"
+
+#include <string.h>
+
+#include "core/game/game.h"
+
+void encore_ask(struct encore *encore, uint32_t round_id)
+{
+    if (encore->is_asked) {
+        return; /* The store still fills `bytes`. */
+    }
+    encore->state = ENCORE_SEEKS;
+    encore->has_play = 0;
+    encore->round_id = round_id;
+    encore->end_ticks = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        encore->hand_y_m[i] = GAME_DIP_Y_M; /* A hand that is down already has dipped before. */
+    }
+}
+
+void encore_end(struct encore *encore)
+{
+    encore->state = ENCORE_OFF;
+    encore->has_play = 0;
+}
+
+int encore_heeds(struct encore *encore, uint32_t pressed, const struct poi_input poi[POI_MAX])
+{
+    int dips = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (poi[i].link == POI_LINK_LIVE) {
+            const float y_m = poi[i].target.position_m.y;
+            dips |= y_m < GAME_DIP_Y_M && encore->hand_y_m[i] > GAME_DIP_Y_M;
+            encore->hand_y_m[i] = y_m;
+        }
+    }
+    if (pressed != 0 || dips) {
+        encore_end(encore);
+        return 1;
+    }
+    return 0;
+}
+
+static void conclude(struct encore *encore, const struct ranking *ranking)
+{
+    const enum verdict verdict = judge_say(&encore->judge, ranking, encore->round_id);
+    encore->state = verdict == VERDICT_GENUINE ? ENCORE_GENUINE : ENCORE_OTHER;
+}
+
+/* Asks the store, and begins the play when it has answered. */
+static void fetch(struct encore *encore, const struct hal_storage *storage,
+                  const struct ranking *ranking)
+{
+    if (!encore->is_asked) {
+        const int result = storage->ops->fetch_replay(storage->self, encore->round_id,
+                                                      encore->bytes, sizeof encore->bytes);
+        encore->is_asked = result == HAL_OK;
+        encore->state = result == HAL_OK || result == HAL_ERR_BUSY ? ENCORE_SEEKS : ENCORE_NONE;
+        return;
+    }
+    const int size = storage->ops->replay_fetched(storage->self);
+    if (size == HAL_ERR_BUSY) {
+        return;
+    }
+    encore->is_asked = 0;
+    if (encore->state == ENCORE_OFF) {
+        return; /* Nobody waits for it any more. */
+    }
+    if (size <= 0) {
+        encore->state = ENCORE_NONE;
+    } else if (judge_begin(&encore->judge, encore->bytes, (size_t)size)) {
+        conclude(encore, ranking);
+    } else {
+        encore->has_play = 1;
+    }
+}
+
+/* As many ticks as a frame has time for, without falling behind with the stall's own. */
+static void seek(struct encore *encore, const struct hal_clock *stopwatch,
+                 const struct ranking *ranking)
+{
+    const uint64_t begin_ns = stopwatch->ops ? stopwatch->ops->now_ns(stopwatch->self) : 0;
+    uint64_t spent_ns = 0;
+    for (uint32_t i = 0; i < ENCORE_SEEK_TICKS && spent_ns < ENCORE_SEEK_NS; i++) {
+        if (judge_is_at_round(&encore->judge)) {
+            encore->state = ENCORE_PLAYS;
+            return;
+        }
+        if (!judge_tick(&encore->judge)) {
+            conclude(encore, ranking);
+            return;
+        }
+        spent_ns = stopwatch->ops ? stopwatch->ops->now_ns(stopwatch->self) - begin_ns : 0;
+    }
+}
+
+static void play(struct encore *encore, const struct ranking *ranking, uint32_t tick_count)
+{
+    for (uint32_t i = 0; i < tick_count && encore->state == ENCORE_PLAYS; i++) {
+        if (!judge_tick(&encore->judge)) {
+            conclude(encore, ranking);
+        }
+    }
+}
+
+void encore_frame(struct encore *encore, const struct hal *hal, const struct hal_clock *stopwatch,
+                  const struct ranking *ranking, uint32_t tick_count)
+{
+    const int waits = encore->state == ENCORE_SEEKS && !encore->has_play;
+    if (waits || encore->is_asked) {
+        fetch(encore, &hal->storage, ranking);
+    } else if (encore->state == ENCORE_SEEKS) {
+        seek(encore, stopwatch, ranking);
+    } else if (encore->state == ENCORE_PLAYS) {
+        play(encore, ranking, tick_count);
+    } else if (encore->state != ENCORE_OFF) {
+        encore->end_ticks += tick_count;
+        if (encore->end_ticks >= ENCORE_END_TICKS) {
+            encore_end(encore);
+        }
+    }
+}
+
+void encore_show(const struct encore *encore, struct scene *scene, struct output *output)
+{
+    const struct judge *judge = &encore->judge;
+    scene->encore = encore->state;
+    scene->encore_progress = 0.0f;
+    if (encore->state == ENCORE_OFF) {
+        return;
+    }
+    output->sound_count = 0; /* The stall's own are for who plays there; nobody does. */
+    if (encore->state == ENCORE_SEEKS && encore->has_play) {
+        scene->encore_progress =
+            (float)judge->replayer.totals.ticks / (float)(judge->round_tick + 1u);
+    }
+    if (encore->state != ENCORE_SEEKS && encore->has_play) {
+        const uint8_t language = scene->language;
+        core_scene(&judge->core, scene);
+        scene->language = language; /* Who looks on is the operator. */
+    }
+    if (encore->state == ENCORE_PLAYS) {
+        output->sound_count = judge->output.sound_count;
+        memcpy(output->sounds, judge->output.sounds, sizeof output->sounds);
+    }
+}
