@@ -225,6 +225,8 @@ struct scene_board {
         uint32_t caught;     /* 0: nobody yet. */
         uint8_t seat;
         uint8_t is_new;      /* Of the round that was just played. */
+        uint8_t is_sealed;   /* Its replay is kept: the shell's word. */
+        uint32_t round_id;
         char name[LEDGER_NAME_SIZE]; /* UTF-8; "": none was given. */
     } row[SCENE_BOARD_ROWS];
 };

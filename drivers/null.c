@@ -259,6 +259,13 @@ static int null_replay_fetched(void *self)
     return HAL_ERR_NONE;
 }
 
+static int null_has_replay(void *self, uint32_t round_id)
+{
+    (void)self;
+    (void)round_id;
+    return 0;
+}
+
 static int null_keep_edit(void *self, const struct edit_record *edit)
 {
     (void)self;
@@ -295,6 +302,7 @@ struct hal_storage null_storage(const char *line)
         .replay_kept_id = null_none,
         .fetch_replay = null_fetch_replay,
         .replay_fetched = null_replay_fetched,
+        .has_replay = null_has_replay,
         .saved_id = null_none,
         .keep_edit = null_keep_edit,
         .kept_edit_id = null_none,

@@ -137,6 +137,13 @@ static uint32_t storage_sim_refused_count(void *self)
     return sim->write_refused_count;
 }
 
+static int storage_sim_has_replay(void *self, uint32_t round_id)
+{
+    (void)self;
+    (void)round_id;
+    return 0;
+}
+
 static uint32_t storage_sim_close(void *self)
 {
     (void)self;
@@ -153,6 +160,7 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
         .replay_kept_id = storage_sim_replay_kept_id,
         .fetch_replay = storage_sim_fetch_replay,
         .replay_fetched = storage_sim_replay_fetched,
+        .has_replay = storage_sim_has_replay,
         .saved_id = storage_sim_saved_id,
         .keep_edit = storage_sim_keep_edit,
         .kept_edit_id = storage_sim_kept_edit_id,

@@ -181,6 +181,7 @@ struct hal_storage_ops {
      * no longer BUSY: the replay's size, or HAL_ERR_NONE where there is none. */
     int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size);
     int (*replay_fetched)(void *self);
+    int (*has_replay)(void *self, uint32_t round_id); /* 1: a ranked round's is on disk. */
     int (*keep_edit)(void *self, const struct edit_record *edit); /* As keep(). */
     uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
     int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */

@@ -76,6 +76,7 @@ static void note_start(struct storage *storage)
         storage->saved_tick = newest.tick;
     }
     storage->prunes = true;
+    storage_note_seals(storage);
     atomic_store(&storage->has_file, true);
 }
 
@@ -230,6 +231,17 @@ static int storage_replay_fetched(void *self)
                                                                    : atomic_load(&storage->got);
 }
 
+static int storage_has_replay(void *self, uint32_t round_id)
+{
+    struct storage *storage = self;
+    for (uint32_t i = 0; i < STORAGE_RANKS && round_id != 0; i++) {
+        if (atomic_load_explicit(&storage->sealed[i], memory_order_relaxed) == round_id) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* ---- How it is ------------------------------------------------------------------------------ */
 
 /* How long the card has not answered; 0 while that is nothing to tell. */
@@ -356,6 +368,7 @@ struct hal_storage storage_device(struct storage *storage)
         .replay_kept_id = storage_replay_kept_id,
         .fetch_replay = storage_fetch_replay,
         .replay_fetched = storage_replay_fetched,
+        .has_replay = storage_has_replay,
         .saved_id = storage_saved_id,
         .keep_edit = storage_keep_edit,
         .kept_edit_id = storage_kept_edit_id,

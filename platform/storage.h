@@ -42,6 +42,8 @@
  * entries, a backup, and replays of 150 KB each. */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
 
+#define STORAGE_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
+
 /* A replay on its way to the card or from it: the frame loop sets the rest, then `state`; the
  * thread sets it back. */
 enum storage_replay_state { STORAGE_REPLAY_IDLE = 0, STORAGE_REPLAY_WAITS };
@@ -99,6 +101,7 @@ struct storage {
     int64_t put_since_ms; /* When it was first refused; 0: it was not. */
     atomic_uint put_id;   /* The newest replay that was written, or given up. */
     atomic_int got;       /* As replay_fetched(). */
+    atomic_uint sealed[STORAGE_RANKS]; /* Ranked rounds whose replay is on disk; 0: none. */
 };
 
 /* open() may wait for the disk, once, before the first frame; close() for about four seconds, when

@@ -15,6 +15,9 @@ void *storage_thread(void *storage);
 
 int64_t storage_now_ms(void); /* Monotonic, never 0. */
 
+/* Looks which of the ranked rounds have a replay; by whoever has the file. */
+void storage_note_seals(struct storage *storage);
+
 /* How many of each wait. */
 uint32_t storage_unwritten(const struct storage *storage);
 uint32_t storage_unwritten_edits(const struct storage *storage);

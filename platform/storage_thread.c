@@ -138,6 +138,7 @@ static void drain(struct storage *storage)
     }
     if (storage->prunes && storage->file.db && written == pushed) {
         storage->prunes = ledger_file_prune(&storage->file) != SQLITE_OK;
+        storage_note_seals(storage);
     }
 }
 
@@ -209,6 +210,16 @@ static bool gives_up(struct storage *storage)
     return now_ms - storage->put_since_ms >= STORAGE_REPLAY_MS;
 }
 
+void storage_note_seals(struct storage *storage)
+{
+    const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
+    for (uint32_t i = 0; i < STORAGE_RANKS; i++) {
+        const uint32_t id = rows[i].caught > 0 ? rows[i].round_id : 0u;
+        const int has = id != 0 && ledger_file_has_replay(&storage->file, id);
+        atomic_store_explicit(&storage->sealed[i], has ? id : 0u, memory_order_relaxed);
+    }
+}
+
 /* Its round is written first; it is given up when the card goes on refusing. */
 static void put_replay(struct storage *storage)
 {
@@ -222,6 +233,7 @@ static void put_replay(struct storage *storage)
                    ? ledger_file_put_replay(&storage->file, put->round_id, put->bytes, put->size)
                    : SQLITE_OK;
         note_result(storage, code);
+        storage_note_seals(storage);
     }
     if (code == SQLITE_OK || gives_up(storage)) {
         end_put(storage);

@@ -144,6 +144,7 @@ void board_show(const struct core *core, struct scene_board *out)
         out->row[i].caught = row->caught;
         out->row[i].is_new = game->phase == PHASE_BOARD && row->round_id == game->name.round_id;
         out->row[i].seat = row->seat;
+        out->row[i].round_id = row->round_id;
         memcpy(out->row[i].name, row->name, sizeof out->row[i].name);
     }
 }

@@ -74,8 +74,8 @@ struct measures {
 };
 
 static const struct measures wide = {
-    .x = 163.0f, .y = 214.0f, .width = 90.0f, .height = 72.0f, .pitch_x = 96.0f, .pitch_y = 78.0f,
-    .keys_x = 162.0f, .keys_y = 626.0f, .key_width = 224.0f, .key_height = 72.0f,
+    .x = 163.0f, .y = 200.0f, .width = 90.0f, .height = 70.0f, .pitch_x = 96.0f, .pitch_y = 76.0f,
+    .keys_x = 162.0f, .keys_y = 598.0f, .key_width = 224.0f, .key_height = 70.0f,
     .key_pitch = 244.0f,
 };
 static const struct measures upright_measures = {

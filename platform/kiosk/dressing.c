@@ -77,9 +77,18 @@ static struct scene_axes axes_of(const struct poi_input *says, const struct poi_
     };
 }
 
+static void seal_scores(struct scene_board *board, const struct hal_storage *store)
+{
+    for (uint32_t i = 0; i < SCENE_BOARD_ROWS && board->shown; i++) {
+        struct scene_row *row = &board->row[i];
+        row->is_sealed = row->caught > 0 && store->ops->has_replay(store->self, row->round_id);
+    }
+}
+
 void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing)
 {
     struct scene_devices *devices = &scene->devices;
+    seal_scores(&scene->board, &hal->storage);
     if (scene->phase != PHASE_MENU) {
         return;
     }

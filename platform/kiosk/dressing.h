@@ -17,7 +17,8 @@ struct dressing {
     uint32_t button_faults, buttons_missing;
 };
 
-/* Fills scene->devices while the operator's menu is shown; else leaves it as it is. */
+/* Seals the scores whose replay is kept. Fills scene->devices while the operator's menu is shown;
+ * else leaves them as they are. */
 void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing);
 
 #endif

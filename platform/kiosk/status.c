@@ -55,7 +55,8 @@ static const char *phase_name(uint8_t phase)
     static const char *const names[] = {
         [PHASE_ATTRACT] = "attract", [PHASE_READY] = "ready",   [PHASE_ROUND] = "round",
         [PHASE_RESULT] = "result",   [PHASE_CHOOSE] = "choose", [PHASE_LAB] = "lab",
-        [PHASE_ALBUM] = "album",     [PHASE_MENU] = "menu",
+        [PHASE_ALBUM] = "album",     [PHASE_MENU] = "menu",     [PHASE_NAME] = "name",
+        [PHASE_BOARD] = "board",
     };
     const int is_known = phase < sizeof names / sizeof names[0] && names[phase];
     return is_known ? names[phase] : "other";

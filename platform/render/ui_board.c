@@ -94,6 +94,18 @@ static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t 
     ui_text(frame->batch, &style, x, ui_text_middle(&style, y), number);
 }
 
+/* A vermilion seal, as under a deed: whoever doubts it may see the round again. */
+void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
+{
+    const float u = frame->unit;
+    const struct ui_text word = { .font = FONT_STALL, .size_px = 0.74f * size, .fill = 0xfff1ddffu };
+    const struct ui_box box = { x - 0.5f * size, y - 0.5f * size, size, size };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0xc92c1cffu,
+                                               .line = 0xfff1ddb0u,
+                                               .shape = { 0, 0, 5.0f * u, 1.5f * u } });
+    ui_words_in(frame, box, &word, text_words(frame->language, TEXT_BOARD_SEAL));
+}
+
 /* Who was just ranked stands on the colour of the ring that was held. */
 static void new_ground(const struct ui_frame *frame, const struct scene_row *row,
                        struct ui_box box)
@@ -132,6 +144,9 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
     const float digits_right = right - ui_text_width(&unit, words) - 8.0f * u;
     ui_text(frame->batch, &digits, digits_right, baseline, number);
     ui_fish_sign(frame, digits_right - 132.0f * u, y, 52.0f * u);
+    if (row->is_sealed) {
+        ui_genuine_seal(frame, digits_right - 192.0f * u, y, 30.0f * u);
+    }
 }
 
 void ui_board(const struct ui_frame *frame, const struct scene_board *board, float top,

@@ -46,6 +46,9 @@ static void score_words(const struct menu_view *view, uint32_t index, struct ui_
     ui_text(view->frame.batch, &unit, right, baseline, fish);
     ui_text(view->frame.batch, &count, right - ui_text_width(&unit, fish) - 10.0f * u, baseline,
             number);
+    if (row->is_sealed) {
+        ui_genuine_seal(&view->frame, box.x + box.width - 190.0f * u, y, 30.0f * u);
+    }
 }
 
 static void nobody(const struct menu_view *view)

@@ -132,8 +132,8 @@ static void line(const struct slate *slate)
 {
     const int upright = slate->name->upright;
     const float u = slate->frame.unit;
-    const float width = upright ? 88.0f : 78.0f, height = upright ? 110.0f : 84.0f;
-    const float pitch = upright ? 98.0f : 88.0f, y = upright ? 280.0f : 116.0f;
+    const float width = upright ? 88.0f : 78.0f, height = upright ? 110.0f : 78.0f;
+    const float pitch = upright ? 98.0f : 88.0f, y = upright ? 280.0f : 110.0f;
     const float row = pitch * (float)NAME_LETTERS_MAX - (pitch - width);
     const float left = 0.5f * (overlay_size(upright).x - row);
     for (uint32_t i = 0; i < NAME_LETTERS_MAX; i++) {
@@ -212,12 +212,11 @@ static void board(const struct slate *slate)
 static void keys(const struct slate *slate)
 {
     const int upright = slate->name->upright;
-    const struct ui_text style = { .font = FONT_BODY, .size_px = (upright ? 24.0f : 15.0f) *
-                                                                 slate->frame.unit,
+    const struct ui_text style = { .font = FONT_BODY, .size_px = 24.0f * slate->frame.unit,
                                    .fill = 0xc9d2eeffu };
     ui_words_in(&slate->frame,
                 place(slate, upright ? (struct overlay_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
-                                     : (struct overlay_box){ 160.0f, 699.0f, 960.0f, 20.0f }),
+                                     : (struct overlay_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
                 &style, text_words(slate->frame.language, TEXT_NAME_KEYS));
 }
 

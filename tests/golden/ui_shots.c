@@ -93,8 +93,20 @@ static void fill_ranking(struct scene *scene, const struct shot *shot)
     scene->board.period = shot->phase == PHASE_BOARD ? 0 : 2;
     for (uint32_t i = 0; i < rows; i++) {
         scene->board.row[i].caught = shot->best - i;
+        scene->board.row[i].is_sealed = i != 2u;
         scene->board.row[i].is_new = shot->phase == PHASE_BOARD && i == 1;
         snprintf(scene->board.row[i].name, sizeof scene->board.row[i].name, "%s", names[i]);
+    }
+}
+
+/* Two of the screens after a round are of somebody who is ranked. */
+static void fill_places(struct scene *scene, const struct shot *shot)
+{
+    const int is_first = strcmp(shot->name, "result") == 0;
+    if (is_first || strcmp(shot->name, "ranking") == 0) {
+        scene->player[0].place = is_first ? 1 : 3;
+        scene->player[0].period = is_first ? 0 : 2;
+        scene->name.waits = 1;
     }
 }
 
@@ -284,6 +296,7 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
         fill_name(&scene, shot, height > width);
     }
     fill_ranking(&scene, shot);
+    fill_places(&scene, shot);
     ui->memory = (struct ui_memory){ .hint = shot->hint, .hint_tick = 800 };
     memcpy(ui->memory.caught, scene.caught, sizeof scene.caught);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);

@@ -256,6 +256,7 @@ static void test_a_held_button_runs_on_and_a_tap_does_not(void **state)
     (void)state;
     play_alone(3);
     ask_for_name();
+    lead(0, 0, 0.04f);
     press(INPUT_RIGHT);
     steps(NAME_RUN_TICKS);
     assert_int_equal(core.game.name.key, 1);

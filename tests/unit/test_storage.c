@@ -506,6 +506,38 @@ static void test_sqlite_has_a_hard_limit_on_memory(void **state)
 
 #define IN_A_FOLDER(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
 
+static int has_replay(const struct stall *stall, uint32_t round_id)
+{
+    return stall->device.ops->has_replay(stall->device.self, round_id);
+}
+
+static void test_a_ranked_round_is_sealed_while_its_replay_is_kept(void **state)
+{
+    struct stall *stall = *state;
+    static const uint8_t bytes[64] = { 1, 2, 3 };
+    open_by_hand(stall);
+    assert_int_equal(save(stall, 1, 5, 0), HAL_OK);
+    storage_work(&stall->storage);
+    assert_false(has_replay(stall, 1));
+    assert_int_equal(stall->device.ops->keep_replay(stall->device.self, 1, bytes, sizeof bytes),
+                     HAL_OK);
+    assert_false(has_replay(stall, 1));
+    storage_work(&stall->storage);
+    assert_true(has_replay(stall, 1));
+    assert_false(has_replay(stall, 2));
+    assert_false(has_replay(stall, 0));
+    reopen(stall);
+    assert_true(has_replay(stall, 1));
+    for (uint32_t id = 2; id <= 1u + RANK_ROWS; id++) { /* Ten better ones: it falls out. */
+        assert_int_equal(save(stall, id, 9, 0), HAL_OK);
+    }
+    wait_until_saved(stall, 1u + RANK_ROWS);
+    stall->device.ops->close(stall->device.self);
+    open_by_hand(stall);
+    storage_work(&stall->storage);
+    assert_false(has_replay(stall, 1));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -531,6 +563,8 @@ int main(void)
         IN_A_FOLDER(test_a_second_damaged_file_does_not_replace_the_first),
         IN_A_FOLDER(test_a_file_of_a_later_kingyo_is_one_line_and_left_alone),
         IN_A_FOLDER(test_sqlite_has_a_hard_limit_on_memory),
+        cmocka_unit_test_setup_teardown(test_a_ranked_round_is_sealed_while_its_replay_is_kept,
+                                        set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -630,6 +630,7 @@ static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_
         row->caught = 9999;
         row->seat = (uint8_t)(i % POI_MAX);
         row->is_new = i % 2u == 0;
+        row->is_sealed = i % 3u == 0;
         memcpy(row->name, "ゑゑゑゑゑゑゑゑゑゑ", 30);
     }
 }
