@@ -43,7 +43,7 @@ static bool find_file(struct storage *storage)
         say(storage, "no store", "the folder's path is too long", "name a shorter one");
         return false;
     }
-    return storage->vfs || folder_is_there(storage);
+    return storage->how.vfs || folder_is_there(storage);
 }
 
 static void say_no_file(struct storage *storage, const char *why)

@@ -38,8 +38,8 @@
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
 #define STORAGE_EDITS_MAX 4u /* Nobody edits and saves another graph each quarter of a second. */
 #define STORAGE_REPLAY_MS 10000 /* So long may a card that refuses a replay hold its bytes. */
-/* All the memory that SQLite may ever have, in bytes. The most that it needed was 2.2 MiB: 100,000
- * entries, a backup, and replays of 150 KB each. */
+/* All the memory that SQLite may ever have, in bytes. The most that it needed was 4.2 MiB: 100,000
+ * entries, a backup, and a replay as long as they can be (CHAPTERS_SIZE) of each ranked round. */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
 
 #define STORAGE_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
@@ -59,7 +59,7 @@ struct storage_replay {
  * open. */
 struct storage {
     const char *dir;      /* Where the file lives; must outlive this. Null: nothing is kept. */
-    const char *vfs;      /* SQLite's name of a file system; null: the machine's. */
+    struct ledger_file_how how; /* Zero: as usual. With a vfs there is no backup. */
     uint8_t by_hand;      /* 1: no thread; storage_work() does what it would do. */
 
     struct ledger_file file; /* The thread's alone once it runs. */

@@ -146,13 +146,13 @@ static void look_for_new(struct storage *storage)
 /* A file system of the caller's own has only the one file. */
 int storage_open_file(struct storage *storage)
 {
-    if (storage->vfs) {
-        return ledger_file_open(&storage->file, storage->path, storage->vfs);
+    if (storage->how.vfs) {
+        return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     look_for_new(storage);
-    int code = ledger_file_open(&storage->file, storage->path, NULL);
+    int code = ledger_file_open(&storage->file, storage->path, &storage->how);
     if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && replace(storage)) {
-        code = ledger_file_open(&storage->file, storage->path, NULL);
+        code = ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     return code;
 }

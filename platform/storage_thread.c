@@ -151,7 +151,7 @@ static int64_t now_s(void)
 
 static bool may_back_up(const struct storage *storage)
 {
-    return storage->file.db && !storage->file.is_read_only && !storage->vfs &&
+    return storage->file.db && !storage->file.is_read_only && !storage->how.vfs &&
            atomic_load(&storage->error) == SQLITE_OK;
 }
 

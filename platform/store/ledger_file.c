@@ -17,10 +17,21 @@
  * journal at EXTRA), it syncs once a transaction, which is a quarter as often, and writes half as
  * much. It is folded into the file each 128 pages, so that no transaction meets more than half a
  * MiB of that. The cache is what a transaction needs, in KiB. */
-static const char settings[] = "PRAGMA journal_mode = WAL;"
-                               "PRAGMA synchronous = FULL;"
-                               "PRAGMA wal_autocheckpoint = 128;"
+#define JOURNAL "WAL FULL"
+static const char settings[] = "PRAGMA wal_autocheckpoint = 128;"
                                "PRAGMA cache_size = -1024;";
+
+static int set_up(sqlite3 *db, const struct ledger_file_how *how)
+{
+    char mode[16] = "", sync[16] = "", text[120];
+    const char *journal = how && how->journal ? how->journal : JOURNAL;
+    if (sscanf(journal, "%15s %15s", mode, sync) != 2) {
+        return SQLITE_MISUSE;
+    }
+    snprintf(text, sizeof text, "PRAGMA journal_mode = %s; PRAGMA synchronous = %s", mode, sync);
+    const int code = sql_run(db, text);
+    return code == SQLITE_OK ? sql_run(db, settings) : code;
+}
 
 int ledger_statement(struct ledger_file *file, enum ledger_statement which, sqlite3_stmt **out)
 {
@@ -89,7 +100,7 @@ static int raise_version(struct ledger_file *file, int64_t version)
 }
 
 /* Whoever opened the connection; what is damaged or newer was not changed by then. */
-static int begin(struct ledger_file *file)
+static int begin(struct ledger_file *file, const struct ledger_file_how *how)
 {
     int64_t version = 0;
     sqlite3_extended_result_codes(file->db, 0);
@@ -99,7 +110,7 @@ static int begin(struct ledger_file *file)
     code = code == SQLITE_OK ? read_version(file, &version) : code;
     code = code == SQLITE_OK && version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : code;
     if (code == SQLITE_OK && !file->is_read_only) {
-        code = sql_run(file->db, settings);
+        code = set_up(file->db, how);
     }
     code = code == SQLITE_OK ? raise_version(file, version) : code;
     return code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code;
@@ -130,16 +141,18 @@ static bool is_unwritable(int code)
     return code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 }
 
-int ledger_file_open(struct ledger_file *file, const char *path, const char *vfs)
+int ledger_file_open(struct ledger_file *file, const char *path,
+                     const struct ledger_file_how *how)
 {
+    const char *vfs = how ? how->vfs : NULL;
     const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
     *file = (struct ledger_file){ 0 };
     int code = sqlite3_open_v2(path, &file->db, flags, vfs);
-    code = code == SQLITE_OK ? begin(file) : code;
+    code = code == SQLITE_OK ? begin(file, how) : code;
     if (is_unwritable(code) && !vfs) {
         ledger_file_close(file);
         code = open_unwritable(file, path);
-        code = code == SQLITE_OK ? begin(file) : code;
+        code = code == SQLITE_OK ? begin(file, how) : code;
     }
     if (code != SQLITE_OK) {
         ledger_file_close(file);

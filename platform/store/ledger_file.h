@@ -64,10 +64,16 @@ struct ledger_file {
     bool is_read_only; /* The card is: it can be read, and every write fails. */
 };
 
+/* How it is opened, where that is not as usual. Both may be null. */
+struct ledger_file_how {
+    const char *vfs;     /* SQLite's name of a file system. */
+    const char *journal; /* "WAL FULL": its journal_mode and synchronous, to measure others by. */
+};
+
 /* Opens or makes the file, looks whether it is whole, brings it up to date and reads it. On an
- * error `file` is closed. SQLITE_CORRUPT and SQLITE_NOTADB: it is damaged. `vfs`: SQLite's name of
- * a file system; null: the machine's. */
-int ledger_file_open(struct ledger_file *file, const char *path, const char *vfs);
+ * error `file` is closed. SQLITE_CORRUPT and SQLITE_NOTADB: it is damaged. `how` may be null. */
+int ledger_file_open(struct ledger_file *file, const char *path,
+                     const struct ledger_file_how *how);
 
 /* The same for who only looks: changes nothing. An old version is SQLITE_SCHEMA. */
 int ledger_file_look(struct ledger_file *file, const char *path);

@@ -1,6 +1,7 @@
 /* power.c -- pulls the plug at every write and sync of a busy hour, and looks at what is left.
  *
  *   power [--cuts N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
+ *         [--journal "MODE SYNC"]
  *
  * The hour is played once, with the real core and the real store, and its file operations are
  * written down (tape.h). Then the power goes after each of them, in as many ways as N cuts allow
@@ -30,6 +31,7 @@
 struct plan {
     uint32_t cuts, seed, frames, jobs, deaf;
     char folder[200];
+    const char *journal; /* Null: the store's own. */
 };
 
 static struct hour hour;
@@ -43,7 +45,7 @@ static int play(const struct plan *plan, const char *folder)
 {
     tape_begin(&tape, folder, NULL, 0);
     tape_sync_us(SYNC_US);
-    store = (struct storage){ .dir = folder };
+    store = (struct storage){ .dir = folder, .how.journal = plan->journal };
     const struct hal_storage device = storage_device(&store);
     if (device.ops->open(device.self) != HAL_OK || hour_open(&hour, plan->seed, device) != 0) {
         fprintf(stderr, "power: %s\n", device.ops->describe(device.self));
@@ -158,7 +160,9 @@ static int read_plan(struct plan *plan, int argc, char **argv)
                         : strcmp(argv[i], "--jobs") == 0   ? &plan->jobs
                         : strcmp(argv[i], "--deaf") == 0   ? &plan->deaf
                                                            : NULL;
-        if (strcmp(argv[i], "--folder") == 0) {
+        if (strcmp(argv[i], "--journal") == 0) {
+            plan->journal = argv[i + 1];
+        } else if (strcmp(argv[i], "--folder") == 0) {
             snprintf(plan->folder, sizeof plan->folder, "%s", argv[i + 1]);
         } else {
             good &= out && number_parse(argv[i + 1], 1, UINT32_MAX / 2u, out);
@@ -218,7 +222,7 @@ int main(int argc, char **argv)
     struct plan plan;
     if (read_plan(&plan, argc, argv) != 0) {
         fprintf(stderr, "usage: power [--cuts N] [--seed N] [--frames N] [--folder DIR] "
-                        "[--jobs N] [--deaf 1]\n");
+                        "[--jobs N] [--deaf 1] [--journal \"MODE SYNC\"]\n");
         return 2;
     }
     panic_prepare(NULL, NULL);
