@@ -66,8 +66,8 @@ static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
     [MENU_FACTORY] = SURE(MENU_UPKEEP, menu_factory_take),
     [MENU_PIN] = KEYS(MENU_PAGE_COUNT, menu_pin_take),
 };
-_Static_assert(ROWS_TAGS <= MENU_TAG_MAX && PIN_TAGS <= MENU_TAG_MAX && RANKING_TAGS <= MENU_TAG_MAX,
-               "each tag has its bit");
+_Static_assert(ROWS_TAGS <= MENU_TAG_MAX && PIN_TAGS <= MENU_TAG_MAX, "each tag has its bit");
+_Static_assert(RANKING_TAGS <= MENU_TAG_MAX, "each tag has its bit");
 _Static_assert(MENU_PAGE_COUNT <= 32u, "tests keep a bit for each page that they have seen");
 
 const struct menu_sheet *menu_sheet_of(uint8_t page)

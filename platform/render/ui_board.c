@@ -98,7 +98,8 @@ static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t 
 void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
 {
     const float u = frame->unit;
-    const struct ui_text word = { .font = FONT_STALL, .size_px = 0.74f * size, .fill = 0xfff1ddffu };
+    const struct ui_text word = { .font = FONT_STALL, .size_px = 0.74f * size,
+                                  .fill = 0xfff1ddffu };
     const struct ui_box box = { x - 0.5f * size, y - 0.5f * size, size, size };
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0xc92c1cffu,
                                                .line = 0xfff1ddb0u,

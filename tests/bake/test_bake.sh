@@ -77,6 +77,24 @@ ok $? 'a place that cannot be written is named'
 [ $? -eq 2 ]
 ok $? 'an unknown asset is wrong usage'
 
+# The list of names that do not hang on the wall.
+refuses_words() { # LINE PATTERN TEXT
+    printf '# a list\nfuck\n%s\n' "$1" >"$work/refused.txt"
+    "$BUILD/bake_words" "$work/refused.txt" "$work/words.c" >/dev/null 2>"$work/said"
+    [ $? -eq 65 ] && [ "$(wc -l <"$work/said")" -eq 1 ] && grep -qE -- "$2" "$work/said"
+    ok $? "$3"
+}
+refuses_words '...' 'refused.txt:3: a word has 1 to 16 letters' 'a refused name without a letter is named'
+refuses_words 'abcdefghijklmnopq' 'refused.txt:3: a word has 1 to 16' 'one that is too long is named'
+refuses_words 'as' 'refused.txt:3: .*write =word' 'two letters are refused only as a whole name'
+refuses_words "$(printf 'x%.0s' {1..300})" 'refused.txt:3: this line is too long' 'a line that is too long is named'
+printf '# none\n' >"$work/refused.txt"
+"$BUILD/bake_words" "$work/refused.txt" "$work/words.c" >/dev/null 2>&1
+[ $? -eq 65 ]
+ok $? 'a list without a word is refused'
+"$BUILD/bake_words" assets/words/refused.txt "$work/words.c" && cmp -s "$work/words.c" "$BUILD/generated/refused_words.c"
+ok $? 'the list of refused names comes out the same'
+
 # Steps over the seams (last to first column, row and frame) are no larger than steps elsewhere.
 od -An -v -tu1 -w256 "$work/caustics" | awk '
     { seam_x += ($1 - $256) ^ 2; inner_x += ($128 - $129) ^ 2; frame = int((NR - 1) / 256); row = (NR - 1) % 256
