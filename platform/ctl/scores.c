@@ -4,6 +4,7 @@
 
 #include "core/game/rules.h"
 #include "platform/ctl/books.h"
+#include "platform/ctl/scores_judge.h"
 #include "platform/store/day.h"
 
 static const char name[] = "scores";
@@ -119,6 +120,9 @@ static enum exit_code run(int argc, const char *const *argv)
 {
     struct request request;
     struct ledger_file file;
+    if (argc > 0 && (strcmp(argv[0], "verify") == 0 || strcmp(argv[0], "replay") == 0)) {
+        return scores_judge(argc, argv);
+    }
     enum exit_code code = read_words(&request, argc, argv);
     code = code == EXIT_OK ? books_open(name, &request.books, &file) : code;
     if (code != EXIT_OK) {
@@ -138,7 +142,12 @@ static enum exit_code run(int argc, const char *const *argv)
 const struct ctl_command ctl_scores = {
     .name = name,
     .summary = "the best of each mode: today, this week, ever",
-    .usage = "  kingyoctl scores [--mode MODE] [--period PERIOD] [--data DIR] [--json]\n\n"
+    .usage = "  kingyoctl scores [--mode MODE] [--period PERIOD] [--data DIR] [--json]\n"
+             "  kingyoctl scores verify ROUND|--all [--data DIR] [--json]\n"
+             "                   plays their replays again: is it genuine? (exit 1: it is not)\n"
+             "  kingyoctl scores replay ROUND -o FILE [--data DIR]\n"
+             "                   takes a replay out, for 'kingyoctl replay' and 'kingyo --replay'\n"
+             "\n"
              "  --mode MODE      festival, championship or practice\n"
              "  --period PERIOD  day, week or ever\n" BOOKS_USAGE,
     .run = run,

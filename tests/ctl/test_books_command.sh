@@ -35,8 +35,29 @@ leaves_no_half_copy() {
     ends 65 'damaged' backup "$work/none.db" --data "$work/broken" && ! ls "$work"/none.db* 2>/dev/null
 }
 
+is_told_damaged() {
+    "$ctl" scores verify 6 --json --data "$data" >"$work/json"
+    [ $? -eq 1 ] && [ "$(sqlite3 :memory: "select json_extract(cast(readfile('$work/json') as text), '\$[0].verdict')")" = damaged ]
+}
+takes_out() {
+    "$ctl" scores replay 6 -o "$work/6.kgr" --data "$data" &&
+        [ "$(sqlite3 "$data/kingyo.db" 'select hex(bytes) from replays where round = 6')" = \
+            "$(od -An -v -tx1 "$work/6.kgr" | tr -d ' \n' | tr a-f A-F)" ]
+}
+
 check 'the best are listed with day, round, name and replay' \
     says '^ +1 +5 fish +2026-11-21 +round 6 +seat 1 +replay +きんぎょ$' scores --mode festival --period ever
+check 'a replay that is none is told, by round' ends 1 '^round 6: damaged: byte 6: ' scores verify 6 --data "$data"
+check 'all replays are looked at' ends 1 '^round 6: damaged' scores verify --all --data "$data"
+check 'verdicts are for programs, too' is_told_damaged
+check 'a replay is taken out as it is' takes_out
+check 'a round without a replay proves nothing' ends 1 '^round 5: no replay' scores verify 5 --data "$data"
+check 'nor is anything taken out of it' ends 1 'no replay' scores replay 5 -o "$work/none" --data "$data"
+check 'a file that cannot be written is told' ends 74 'cannot be written' scores replay 6 -o /proc/none --data "$data"
+check 'verify wants to know which' ends 2 'ROUND or --all' scores verify
+check 'not both' ends 2 'ROUND or --all' scores verify 6 --all
+check 'a word too many is told' ends 2 'not understood' scores verify 6 7
+check 'replay wants a file' ends 2 'ROUND and -o' scores replay 6
 check 'a board can be asked for by mode and period' query \
     "json_array_length(j) = 2 and json_extract(j, '\$[0].name') = 'きんぎょ' and json_extract(j, '\$[1].seat') = 2" \
     scores --period week

@@ -17,6 +17,7 @@
 #include "drivers/null.h"
 #include "drivers/poi_sim.h"
 #include "drivers/storage_sim.h"
+#include "platform/kiosk/encore.h"
 #include "platform/kiosk/kiosk.h"
 
 #define MS 1000000ull
@@ -545,9 +546,36 @@ static void test_a_config_out_of_range_is_refused(void **state)
 
 #define TEST(name) cmocka_unit_test_setup(name, set_up)
 
+/* ---- A score is shown again ----------------------------------------------------------------- */
+
+static void test_what_ends_a_replay_is_not_heard_in_the_stall(void **state)
+{
+    (void)state;
+    static struct encore encore;
+    static const struct button_event events[] = {
+        { .time_ns = 3000 * MS, .pressed = INPUT_START },
+    };
+    memset(&encore, 0, sizeof encore);
+    rig.kiosk.config.encore = &encore;
+    frames(2);
+    assert_int_equal(rig.display.scene.encore, ENCORE_OFF);
+    rig.kiosk.wanted_replay_id = 7;
+    frames(2);
+    assert_int_equal(rig.kiosk.wanted_replay_id, 0);
+    assert_int_equal(rig.display.scene.encore, ENCORE_NONE); /* This store keeps none. */
+    script(events, 1);
+    frames(2);
+    while (rig.clock.now_ns < 3100 * MS) {
+        frames(1);
+    }
+    assert_int_equal(rig.display.scene.encore, ENCORE_OFF);
+    assert_int_equal(rig.kiosk.core.game.phase, PHASE_ATTRACT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        TEST(test_what_ends_a_replay_is_not_heard_in_the_stall),
         TEST(test_a_frame_is_two_ticks_one_picture_and_one_kick),
         TEST(test_a_frame_without_ticks_shows_the_picture_and_feeds_no_watchdog),
         TEST(test_a_stall_is_dropped_and_counted),

@@ -1,0 +1,199 @@
+/* scores_judge.c -- the replays of ranked rounds, played again without a screen, or taken out. */
+#include "platform/ctl/scores_judge.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "platform/ctl/books.h"
+#include "platform/kiosk/chapters.h"
+#include "platform/kiosk/judge.h"
+#include "platform/number.h"
+#include "platform/out_file.h"
+
+#define ROUNDS_MAX (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
+
+static const char name[] = "scores";
+
+struct request {
+    struct books_words books;
+    uint32_t round_id; /* 0: all. */
+    const char *out;   /* Null: verify. */
+};
+
+static struct judge judge;
+static uint8_t bytes[CHAPTERS_SIZE];
+
+/* ---- The words ------------------------------------------------------------------------------ */
+
+static enum exit_code read_words(struct request *request, int argc, const char *const *argv)
+{
+    const int takes_out = strcmp(argv[0], "replay") == 0;
+    int is_all = 0;
+    *request = (struct request){ .round_id = 0 };
+    for (int i = 1; i < argc; i++) {
+        if (books_take(&request->books, argc, argv, &i)) {
+            continue;
+        }
+        if (!takes_out && strcmp(argv[i], "--all") == 0) {
+            is_all = 1;
+        } else if (takes_out && strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
+            request->out = argv[++i];
+        } else if (request->round_id != 0 ||
+                   !number_parse(argv[i], 1, UINT32_MAX, &request->round_id)) {
+            return ctl_usage(name, "%s: '%.60s' is not understood; --help says more", argv[0],
+                             argv[i]);
+        }
+    }
+    if (takes_out && (request->round_id == 0 || !request->out || request->books.as_json)) {
+        return ctl_usage(name, "replay wants a ROUND and -o FILE");
+    }
+    if (!takes_out && (request->round_id != 0) == is_all) {
+        return ctl_usage(name, "verify wants a ROUND or --all");
+    }
+    return EXIT_OK;
+}
+
+/* ---- Verify --------------------------------------------------------------------------------- */
+
+/* What became of one score. */
+struct finding {
+    uint32_t round_id;
+    int has_replay;
+    enum verdict verdict;
+    size_t size;
+    double play_s, took_s;
+};
+
+static double now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static struct finding look_into(struct ledger_file *file, uint32_t round_id)
+{
+    struct finding found = { .round_id = round_id, .verdict = VERDICT_DAMAGED };
+    const double begin_s = now_s();
+    found.has_replay =
+        ledger_file_get_replay(file, round_id, bytes, sizeof bytes, &found.size) == 0;
+    if (!found.has_replay) {
+        return found;
+    }
+    if (judge_begin(&judge, bytes, found.size) == 0) {
+        while (judge_tick(&judge)) {
+        }
+        found.play_s = (double)judge.replayer.totals.ticks / CORE_TICK_HZ;
+    }
+    found.verdict = judge_say(&judge, &file->content.memory.ranking, round_id);
+    found.took_s = now_s() - begin_s;
+    return found;
+}
+
+static void tell(const struct finding *found)
+{
+    const struct replay_problem *problem = &judge.replayer.reader.problem;
+    if (!found->has_replay) {
+        printf("round %u: no replay\n", found->round_id);
+    } else if (found->verdict == VERDICT_GENUINE) {
+        printf("round %u: genuine: %.1f s in %.0f kB, played again in %.1f s\n", found->round_id,
+               found->play_s, 1e-3 * (double)found->size, found->took_s);
+    } else if (found->verdict == VERDICT_DAMAGED) {
+        printf("round %u: damaged: byte %llu: %s\n", found->round_id,
+               (unsigned long long)problem->offset, problem->text);
+    } else if (judge.replayer.difference.found) {
+        printf("round %u: not genuine: another play from tick %u on\n", found->round_id,
+               judge.replayer.difference.tick);
+    } else {
+        printf("round %u: not genuine: its replay ends with another score\n", found->round_id);
+    }
+}
+
+static void tell_json(const struct finding *found, int is_first)
+{
+    static const char *const verdicts[VERDICT_COUNT] = { "genuine", "not-genuine", "damaged" };
+    printf("%s\n  {\"round\": %u, \"verdict\": \"%s\", \"seconds\": %.3f, \"bytes\": %zu, "
+           "\"took_s\": %.3f}",
+           is_first ? "" : ",", found->round_id,
+           found->has_replay ? verdicts[found->verdict] : "no-replay", found->play_s, found->size,
+           found->took_s);
+}
+
+/* Each round that somebody is ranked with, once. Returns how many. */
+static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_MAX])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < ROUNDS_MAX; i++) {
+        const uint32_t board = i / RANK_ROWS;
+        const struct rank_row *row =
+            &ranking->row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT][i % RANK_ROWS];
+        uint32_t k = 0;
+        while (k < count && out[k] != row->round_id) {
+            k++;
+        }
+        if (row->caught > 0 && k == count) {
+            out[count++] = row->round_id;
+        }
+    }
+    return count;
+}
+
+/* Of all, a score without a replay proves nothing, and is no lie; of one that was asked for, it is
+ * not so. */
+static enum exit_code verify(const struct request *request, struct ledger_file *file)
+{
+    uint32_t rounds[ROUNDS_MAX] = { request->round_id };
+    const int is_all = request->round_id == 0;
+    const uint32_t count = is_all ? list_rounds(&file->content.memory.ranking, rounds) : 1u;
+    uint32_t bad = 0;
+    fputs(request->books.as_json ? "[" : "", stdout);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct finding found = look_into(file, rounds[i]);
+        if (request->books.as_json) {
+            tell_json(&found, i == 0);
+        } else {
+            tell(&found);
+        }
+        bad += found.has_replay ? found.verdict != VERDICT_GENUINE : !is_all;
+    }
+    fputs(request->books.as_json ? "\n]\n" : "", stdout);
+    return bad > 0 ? EXIT_NOT_SO : EXIT_OK;
+}
+
+/* ---- Replay --------------------------------------------------------------------------------- */
+
+static enum exit_code take_out(const struct request *request, struct ledger_file *file)
+{
+    struct out_file out;
+    size_t size;
+    if (ledger_file_get_replay(file, request->round_id, bytes, sizeof bytes, &size) != 0) {
+        fprintf(stderr, "kingyoctl scores: round %u has no replay\n", request->round_id);
+        return EXIT_NOT_SO;
+    }
+    int error = out_open(&out, request->out);
+    if (error == 0) {
+        fwrite(bytes, 1, size, out.file);
+        error = out_close(&out);
+    }
+    if (error) {
+        fprintf(stderr, "kingyoctl scores: %s: cannot be written: %s\n", request->out,
+                strerror(-error));
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+enum exit_code scores_judge(int argc, const char *const *argv)
+{
+    struct request request;
+    struct ledger_file file;
+    enum exit_code code = read_words(&request, argc, argv);
+    code = code == EXIT_OK ? books_open(name, &request.books, &file) : code;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    code = (request.out ? take_out : verify)(&request, &file);
+    ledger_file_close(&file);
+    return code;
+}
