@@ -32,4 +32,9 @@ uninstall:
 deb: build $(MAN)
 	@BUILD='$(BUILD)' board/deb/deb.sh
 
-.PHONY: man install uninstall deb
+## test-deb: installs, upgrades, removes and purges the packages in a minimal root; needs root and a mirror
+test-deb: build $(MAN)
+	@board/setup.sh dev
+	@BUILD='$(BUILD)' tests/fresh/deb.sh $(RELEASE)
+
+.PHONY: test-deb man install uninstall deb

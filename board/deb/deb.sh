@@ -2,12 +2,13 @@
 # deb.sh -- makes the Debian packages of what board/files.txt lists, into $BUILD/deb/, and names them.
 #
 # By dpkg-deb alone: the same tree and SOURCE_DATE_EPOCH (else the newest commit's time) give the same
-# bytes, whoever builds and whenever. Needs dpkg-dev; not root. Exits 74 when something cannot be made.
+# bytes, whoever builds and whenever. VERSION= overrules the program's own, for a test of upgrades. Needs
+# dpkg-dev; not root. Exits 74 when something cannot be made.
 set -eu
 cd "$(dirname "$0")/../.."
 BUILD=${BUILD:-build}
 out=$BUILD/deb
-version=$(sed -nE 's/^#define KINGYO_VERSION "([0-9][0-9A-Za-z.~+]*)".*/\1/p' core/core.h)
+version=${VERSION:-$(sed -nE 's/^#define KINGYO_VERSION "([0-9][0-9A-Za-z.~+]*)".*/\1/p' core/core.h)}
 architecture=$(dpkg --print-architecture)
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y core/core.h)}
 export SOURCE_DATE_EPOCH
