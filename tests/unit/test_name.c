@@ -2,6 +2,7 @@
 #include "core/game/board.h"
 #include "core/game/name.h"
 #include "core/game/name_board.h"
+#include "core/game/name_filter.h"
 #include "game_stand.h"
 
 /* ---- The stand ------------------------------------------------------------------------------ */
@@ -402,6 +403,29 @@ static void test_a_round_that_found_no_room_in_the_ledger_is_not_named(void **st
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
+/* Whatever hands and buttons do, a name comes to an end, and what is written is whole letters that
+ * may hang on the wall. */
+static void test_any_hand_and_any_buttons_come_to_an_end(void **state)
+{
+    for (uint32_t seed = 1; seed <= 24; seed++) {
+        uint32_t bits = seed * 2654435761u;
+        setup_names(state);
+        play_alone(3);
+        steps(GAME_AGAIN_TICKS);
+        press(INPUT_START);
+        for (uint32_t i = 0; core.game.phase == PHASE_NAME; i++) {
+            bits = bits * 1664525u + 1013904223u;
+            input.pressed = bits >> 24 == 0 ? bits >> 8 & (INPUT_BUTTON_ALL & ~INPUT_TEST) : 0u;
+            input.held = bits >> 20 & (INPUT_LEFT | INPUT_RIGHT);
+            input.upright = bits >> 30 & 1u;
+            lead(0, (bits >> 10) % NAME_CELLS, (float)(bits >> 28) * 0.004f - 0.01f);
+            assert_true(i <= (1u + NAME_REFUSALS_MAX) * NAME_TICKS_MAX);
+            assert_true(core.game.name.letter_count <= NAME_LETTERS_MAX);
+        }
+        assert_false(name_is_refused(name_on_board(RANK_DAY, 0)));
+    }
+}
+
 /* ---- The board ------------------------------------------------------------------------------ */
 
 static struct scene scene;
@@ -482,6 +506,7 @@ int main(void)
         NAMED(test_who_never_comes_to_an_end_is_brought_to_one),
         NAMED(test_the_operators_key_keeps_what_stands_there),
         NAMED(test_a_round_that_found_no_room_in_the_ledger_is_not_named),
+        NAMED(test_any_hand_and_any_buttons_come_to_an_end),
         NAMED(test_the_board_shows_the_proudest_place_and_lights_the_round),
         NAMED(test_attract_shows_every_board_that_somebody_is_on_in_turn),
         NAMED(test_no_board_hangs_where_nobody_was_ever_ranked),
