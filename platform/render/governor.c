@@ -5,6 +5,7 @@
 
 #define NS_PER_S 1000000000ull
 #define STALL_NS (NS_PER_S / 4u)
+#define STALLS 3u /* In a row they are none: it is drawing that takes so long. */
 #define HZ 60u
 #define LATE_PERCENT 111u  /* Of a turn: one frame in nine comes a turn late. */
 #define HELD_S 60u         /* A finer step that was on time for so long is no try any more. */
@@ -55,7 +56,9 @@ static void judge(struct governor *governor, bool may_refine)
 uint32_t governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine)
 {
     const uint64_t frame_ns = now_ns - governor->last_ns;
-    const bool counts = governor->last_ns > 0 && frame_ns < STALL_NS;
+    governor->stalls = frame_ns < STALL_NS ? 0 : governor->stalls + 1u;
+    const bool is_drawing = governor->stalls == 0 || governor->stalls >= STALLS;
+    const bool counts = governor->last_ns > 0 && is_drawing;
     governor->last_ns = now_ns;
     if (counts) {
         governor->sum_ns += frame_ns;

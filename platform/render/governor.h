@@ -20,6 +20,7 @@ struct governor {
     uint64_t turn_ns;     /* Of the screen: the best that a frame can be. */
     uint64_t last_ns;     /* The frame before; 0: none. */
     uint64_t sum_ns, count; /* Of the frames that are looked at. */
+    uint32_t stalls;      /* Frames in a row that took too long to be drawing. */
     uint32_t timely_s;    /* On time in a row. */
     uint32_t patience_s;
     uint8_t step;         /* enough for frames to be on time ... */
@@ -31,7 +32,7 @@ struct governor {
 void governor_begin(struct governor *governor, uint32_t refresh_hz);
 
 /* After each frame; `may_refine` between two games. One that took longer than a quarter of a second
- * was a stall and says nothing of drawing. Returns the step of quality_lower() to draw with. */
+ * was a stall and says nothing of drawing, but the third in a row. Returns the step of quality_lower() to draw with. */
 uint32_t governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine);
 
 /* Every few seconds: how far the machine is from the heat at which it would slow itself down. */

@@ -75,6 +75,9 @@ static void test_no_machine_is_drawn_for_less_than_the_last_step(void **state)
     begin(200 * MS, 60);
     run(600, true);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
+    begin(900 * MS, 60); /* Each frame as long as a stall. */
+    run(60, true);
+    assert_int_equal(machine.step, QUALITY_STEP_MAX);
 }
 
 static void test_a_finer_picture_is_tried_between_games_and_ever_more_rarely(void **state)
