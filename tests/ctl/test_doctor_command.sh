@@ -205,6 +205,10 @@ rm "$root/data/usb.txt"
 check 'a good one is fine' finds fine config kingyo.conf 'every line is used'
 check 'and counts' finds fine usb 054c:0ce6 'plays \(a controller we know\)'
 with=()
+put etc/kingyo/kingyo.conf '[money]
+price = 30'
+check 'without one the machine'\''s own is read, as the kiosk reads it' finds wrong config etc/kingyo/kingyo.conf 'kingyo.conf:2: price: wrong value .30.; expected 1 to 20' 'mend that line'
+rm -r "$root/etc/kingyo"
 check 'with nothing wrong it exits 0' exits 0
 text_says() { doctor; tail -1 "$work/out" | grep -qE '^[0-9]+ fine, [0-9]+ to look at, 0 wrong$' && grep -qE '^look +gpio' "$work/out" && grep -qE '^ +-> sudo cp' "$work/out"; }
 check 'people get a line each and a sum' text_says
