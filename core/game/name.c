@@ -29,7 +29,9 @@ void name_note_round(struct core *core, uint32_t round_id)
     for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
         name->ranked |= (uint8_t)(is_ranked(core, round_id, seat) ? 1u << seat : 0u);
     }
-    name->waits = core->config.memory.settings.value[SET_NAMES] ? name->ranked : 0u;
+    const int is_kept = core->game.ledger.boot != 0;
+    const int is_wanted = core->config.memory.settings.value[SET_NAMES] != 0;
+    name->waits = is_kept && is_wanted ? name->ranked : 0u;
 }
 
 static uint8_t best_waiting(const struct core *core)

@@ -5,7 +5,7 @@
  * keeps what stands there; what stands there is written to the ledger. A name that does not belong
  * on the wall (name_filter.h) is asked for once more, then there is none.
  *
- * It is asked for only where the operator wants it: SET_NAMES. */
+ * It is asked for only where the operator wants it (SET_NAMES) and there is a store to keep it. */
 #ifndef KINGYO_CORE_GAME_NAME_H
 #define KINGYO_CORE_GAME_NAME_H
 

@@ -11,7 +11,7 @@ static int setup_names(void **state)
 {
     const struct core_config config = {
         .seed = 7, .fish_count = 12, .round_s = ROUND_S, .players = POI_MAX,
-        .memory.settings.value[SET_NAMES] = 1,
+        .memory.ledger.boots = 1,
     };
     setup(state);
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -134,9 +134,19 @@ static void test_nobody_is_asked_where_the_operator_does_not_want_it(void **stat
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
+static void test_where_nothing_is_kept_nobody_is_asked(void **state)
+{
+    (void)state;
+    core.game.ledger.boot = 0;
+    play_alone(3);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
 static void test_a_place_on_no_board_is_not_asked_for(void **state)
 {
     (void)state;
+    core.game.ranking.boot = core.game.ledger.boot; /* All of today. */
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         for (uint32_t i = 0; i < RANK_ROWS; i++) {
             core.game.ranking.row[MODE_FESTIVAL][period][i].caught = 5;
@@ -488,6 +498,7 @@ int main(void)
         NAMED(test_who_is_ranked_is_asked_when_the_result_was_read),
         NAMED(test_who_caught_nothing_is_not_asked),
         NAMED(test_nobody_is_asked_where_the_operator_does_not_want_it),
+        NAMED(test_where_nothing_is_kept_nobody_is_asked),
         NAMED(test_a_place_on_no_board_is_not_asked_for),
         NAMED(test_of_several_the_best_is_asked_first_and_everybody_once),
         NAMED(test_buttons_write_a_name_that_comes_to_every_board),
