@@ -7,8 +7,6 @@
 recording=$work/menu.kgr mind=$work/mind
 : >"$mind"
 attract=0 round=2 menu=8         # enum scene_phase
-top=0 lines=4 files=5            # enum menu_page
-top_lines=1 top_files=2 top_leave=3 files_back=1 # Their tags.
 
 knows() { # NAME: what the recording's last second says of it; 0 before there is any.
     awk -v name="$1" '$1 == name { value = $2 } END { print value + 0 }' "$mind"
@@ -27,12 +25,18 @@ tap() { # KEY COUNTER: presses it once, and waits until the kiosk has seen that.
     xdotool key "$1"
     becomes "$2" $((seen + 1))
 }
-point_at() { # TAG, by SERVICE alone
-    for _ in $(seq 12); do
-        [ "$(knows tag)" -eq "$1" ] && return 0
+point_to() { # NAME of a page, or "back": by SERVICE alone
+    for _ in $(seq 16); do
+        [ "$(knows tag)" -eq "$(knows "to_$1")" ] && return 0
         tap F3 service || return 1
     done
     return 1
+}
+go_to() { # PAGE...: one after the other
+    local page
+    for page; do
+        point_to "$page" && tap F2 test && becomes "on_$page" 1 || return 1
+    done
 }
 
 # The mean colour of a part of the screen, held against a condition in r, g and b of 0 .. 255.
@@ -51,7 +55,7 @@ shows() { # CONDITION WxH+X+Y: within 30 s
 }
 wood='r > 110 && r > b + 40' night='r < 40 && b < 70' green='g > r + 40' red='r > 120 && g < 70 && b < 70'
 tank=400x200+400+250          # The middle of the water; in the menu, under the tags.
-tags='60x16+250+366 60x16+560+366 60x16+870+366' # Bare wood between each tag's name and its words.
+tags='60x14+115+254 60x14+730+254 60x14+300+486' # Bare wood between a tag's name and its words.
 plate=8x12+562+484            # Left of the word "Credits".
 start=12x12+318+607           # The long start ribbon; the call for coins is shorter.
 store=8x20+1085+126 refused=8x20+1085+221 # The first two slips of the files' page.
@@ -76,38 +80,38 @@ shows 'b > r + 40 && b > 120' $tank && shows "!($green)" $plate
 ok $? 'the tank is blue, and the plate of credits is not lit'
 
 # ---- The menu -----------------------------------------------------------------------------------
-tap F2 test && becomes phase $menu && becomes page $top
+tap F2 test && becomes phase $menu && becomes on_top 1
 ok $? 'F2 opens the menu' "$mind"
 hung=0
 for tag in $tags; do
     shows "$wood" "$tag" || hung=1
 done
-[ $hung -eq 0 ] && shows "$night" 300x40+480+520
-ok $? 'three wooden tags hang before a tank that lies in the dark'
+[ $hung -eq 0 ] && shows "$night" 200x30+60+650
+ok $? 'wooden tags hang before a tank that lies in the dark'
 picture top
 
-point_at $top_lines && tap F2 test && becomes page $lines
+go_to devices lines
 ok $? 'SERVICE points at the lines, TEST takes them' "$mind"
 tap 5 coins && becomes test_coins 1
 ok $? 'a coin there is a test of the slot' "$mind"
 [ "$(knows fallen)" -eq 0 ] && [ "$(knows credits)" -eq 0 ] && [ "$(knows metered)" -eq 1 ]
 ok $? 'which is metered, and no credit nor a part of one' "$mind"
 picture lines
-tap F2 test && becomes page $top
+tap F2 test && becomes on_devices 1
 ok $? 'TEST leads back' "$mind"
 tap 5 coins && becomes fallen 1 && [ "$(knows test_coins)" -eq 1 ] && [ "$(knows metered)" -eq 2 ]
 ok $? 'on any other page one that falls is money' "$mind"
 
-point_at $top_files && tap F2 test && becomes page $files
+point_to back && tap F2 test && becomes on_top 1 && go_to upkeep files
 ok $? 'SERVICE points at the files, TEST takes them' "$mind"
 [ "$(knows files)" -eq 2 ]
 ok $? 'which are two: the store and what somebody put there' "$mind"
 shows "$green" $store && shows "$red" $refused
 ok $? 'the store is in use, and a species that is none was refused'
 picture files
-point_at $files_back && tap F2 test && becomes page $top
+point_to back && tap F2 test && becomes on_upkeep 1
 ok $? 'BACK leads back' "$mind"
-point_at $top_leave && tap F2 test && becomes phase $attract
+point_to back && tap F2 test && becomes on_top 1 && point_to back && tap F2 test && becomes phase $attract
 ok $? 'the last tag opens the stall' "$mind"
 shows 'b > r + 40 && b > 120' $tank
 ok $? 'the tank lies in the light again'

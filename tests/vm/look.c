@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <time.h>
 
+#include "core/game/menu_pages.h"
 #include "tests/vm/twin.h"
 
 #define LOOK_NS 100000000 /* A recording grows once a second. */
@@ -31,6 +32,12 @@ static void tell(FILE *file, const struct twin *twin)
     const struct menu *menu = &core->game.menu;
     fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", core->game.credit.coins,
             core->game.credit.refunds, core->game.credit.metered);
+    fprintf(file, "on_top %d\non_devices %d\non_lines %d\non_upkeep %d\non_files %d\n",
+            menu->page == MENU_TOP, menu->page == MENU_DEVICES, menu->page == MENU_LINES,
+            menu->page == MENU_UPKEEP, menu->page == MENU_FILES);
+    fprintf(file, "to_devices %u\nto_lines %u\nto_upkeep %u\nto_files %u\nto_back %u\n",
+            menu_tag_of(MENU_DEVICES), menu_tag_of(MENU_LINES), menu_tag_of(MENU_UPKEEP),
+            menu_tag_of(MENU_FILES), menu_tag_count(menu->page) - 1u);
     fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n",
             menu_is_asking(core), menu->page, menu->tag[menu->page], menu->test_coins,
             menu->desk.file_count);
