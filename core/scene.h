@@ -306,6 +306,12 @@ struct scene_devices {
         uint32_t report_count;         /* In the last whole second; */
         float gap_ms;                  /* the longest time between two of them. */
     } axes[POI_MAX];
+    uint32_t line_raw;                 /* Levels before they count: bits as buttons_missing's. */
+    struct scene_line {                /* By those bits, since the start: */
+        uint32_t edges;                /* changes of its level, bounces too, */
+        uint32_t faults;
+    } line[INPUT_BUTTON_COUNT + COIN_LINE_COUNT];
+    uint32_t coins[COIN_LINE_COUNT];   /* Pulses that were coins, since the start. */
     uint32_t button_faults;            /* Since the start. */
     uint32_t buttons_missing;          /* Whose line is not there: enum input_button, then COIN. */
     struct scene_file {                /* From menu.file_first on. */

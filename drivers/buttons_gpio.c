@@ -20,6 +20,33 @@ static uint32_t buttons_of(uint32_t roles)
     return buttons;
 }
 
+/* Which of HAL_LINE_COUNT a role is. */
+static uint32_t line_of(uint32_t role)
+{
+    uint32_t line = 0;
+    if (gpio_role_is_coin((enum gpio_role)role)) {
+        return INPUT_BUTTON_COUNT + role - GPIO_COIN;
+    }
+    while (button_of[role] >> line != 1u) {
+        line++;
+    }
+    return line;
+}
+
+/* Every line as it is, for the operator: before it is believed, and how often it changed. */
+static void sample_lines(struct gpio_reader *reader, struct button_sample *out)
+{
+    const uint32_t raw = atomic_load(&reader->raw);
+    for (uint32_t role = 0; role < GPIO_INPUT_COUNT; role++) {
+        const uint32_t line = line_of(role);
+        out->raw |= raw & 1u << role ? 1u << line : 0u;
+        out->line[line] = (struct line_sample){
+            .edges = atomic_exchange(&reader->edges[role], 0),
+            .faults = atomic_exchange(&reader->line_faults[role], 0),
+        };
+    }
+}
+
 static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
     struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
@@ -31,6 +58,7 @@ static int buttons_gpio_poll(void *self, struct button_sample *out)
         .faults = atomic_exchange(&reader->faults, 0),
         .missing = buttons_of(missing),
     };
+    sample_lines(reader, out);
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         out->coin_count[line] = atomic_exchange(&reader->coins[line], 0);
         out->missing |= missing & 1u << (GPIO_COIN + line) ? HAL_MISSING_COIN << line : 0u;

@@ -23,6 +23,11 @@ static void add(struct button_sample *sum, const struct button_sample *part)
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         sum->coin_count[line] += part->coin_count[line];
     }
+    sum->raw |= part->raw;
+    for (uint32_t line = 0; line < HAL_LINE_COUNT; line++) {
+        sum->line[line].edges += part->line[line].edges;
+        sum->line[line].faults += part->line[line].faults;
+    }
     sum->faults += part->faults;
     sum->missing |= part->missing;
     sum->quit |= part->quit;

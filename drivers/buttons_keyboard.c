@@ -75,7 +75,7 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
             take_event(keyboard, &events[i], out);
         }
     } while (taken == EVENT_BATCH);
-    out->held = keyboard->held;
+    out->held = out->raw = keyboard->held;
     return HAL_OK;
 }
 

@@ -37,6 +37,7 @@ static void publish_coins(struct gpio_reader *reader, uint32_t line)
     struct gpio_total *total = &reader->total;
     atomic_fetch_add(&reader->coins[line], coin->coins);
     atomic_fetch_add(&reader->faults, coin_mech_faults(coin));
+    atomic_fetch_add(&reader->line_faults[GPIO_COIN + line], coin_mech_faults(coin));
     total->coins[line] += coin->coins;
     total->too_short += coin->too_short;
     total->stuck += coin->stuck;
@@ -48,12 +49,16 @@ static void publish_coins(struct gpio_reader *reader, uint32_t line)
 static void publish(struct gpio_reader *reader)
 {
     struct gpio_total *total = &reader->total;
-    uint32_t lost = 0, doubtful = 0;
+    uint32_t lost = 0, doubtful = 0, raw = 0;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
-        lost += reader->inputs[i].lost;
-        doubtful += reader->inputs[i].doubtful;
-        reader->inputs[i].lost = reader->inputs[i].doubtful = 0;
+        struct gpio_input *input = &reader->inputs[i];
+        lost += input->lost;
+        doubtful += input->doubtful;
+        atomic_fetch_add(&reader->line_faults[i], input->lost + input->doubtful);
+        raw |= input->debounce.raw && (reader->had & gpio_role_bit(i)) ? gpio_role_bit(i) : 0u;
+        input->lost = input->doubtful = 0;
     }
+    atomic_store(&reader->raw, raw);
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         publish_coins(reader, line);
     }
@@ -90,6 +95,7 @@ static void take_edges(struct gpio_reader *reader, struct gpio_edge *edges, uint
         edges[i].taken_ns = now;
         if (gpio_role_is_input(role) && reader->had & gpio_role_bit(role)) {
             *touched |= gpio_role_bit(role);
+            atomic_fetch_add(&reader->edges[role], 1u);
             if (gpio_input_edge(&reader->inputs[role], &edges[i], &turn)) {
                 take_turn(reader, role, turn);
             }

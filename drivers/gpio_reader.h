@@ -46,6 +46,9 @@ struct gpio_reader {
     _Atomic uint32_t held, pressed;          /* Bits of input roles; coins are never among them. */
     _Atomic uint32_t coins[COIN_LINE_COUNT]; /* Since they were last taken, */
     _Atomic uint32_t faults;                 /* likewise. */
+    _Atomic uint32_t raw;                    /* Levels before they count, a bit each role; */
+    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* their changes, bounces too, */
+    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* and each line's faults: likewise. */
     _Atomic uint32_t missing;                /* Lines wired and not held, a bit each role. */
     _Atomic uint32_t wanted;                 /* Outputs that are to be active. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT]; /* Asked for since the reader last looked. */

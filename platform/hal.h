@@ -102,8 +102,14 @@ struct hal_shade_ops {
 
 /* Levels now, and the edges since the last poll, debounced: a 20 ms coin pulse is not lost. */
 #define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT) /* The first coin line; the others follow. */
+#define HAL_LINE_COUNT (INPUT_BUTTON_COUNT + COIN_LINE_COUNT)
 struct button_sample {
     uint32_t held, pressed;   /* enum input_button */
+    uint32_t raw;             /* Levels as they are before they count: the bits of `missing`. */
+    struct line_sample {      /* By those bits. Since the last poll: */
+        uint32_t edges;       /* every change of its level, bounces too, */
+        uint32_t faults;      /* and its part of `faults`. */
+    } line[HAL_LINE_COUNT];
     uint32_t coin_count[COIN_LINE_COUNT];
     uint32_t faults;          /* Since the last poll: coins that stick, edges that were lost, lines
                                  that went, or that were not there at the start. */

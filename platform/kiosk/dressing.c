@@ -85,6 +85,29 @@ static void seal_scores(struct scene_board *board, const struct hal_storage *sto
     }
 }
 
+void line_book_note(struct line_book *book, const struct button_sample *sample)
+{
+    book->raw = sample->raw;
+    book->missing = sample->missing;
+    for (uint32_t i = 0; i < HAL_LINE_COUNT; i++) {
+        book->line[i].edges += sample->line[i].edges;
+        book->line[i].faults += sample->line[i].faults;
+    }
+    for (uint32_t i = 0; i < COIN_LINE_COUNT; i++) {
+        book->coins[i] += sample->coin_count[i];
+    }
+}
+
+static void tell_lines(struct scene_devices *devices, const struct line_book *book)
+{
+    devices->line_raw = book->raw;
+    devices->buttons_missing = book->missing;
+    memcpy(devices->coins, book->coins, sizeof devices->coins);
+    for (uint32_t i = 0; i < HAL_LINE_COUNT; i++) {
+        devices->line[i] = (struct scene_line){ book->line[i].edges, book->line[i].faults };
+    }
+}
+
 void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing)
 {
     struct scene_devices *devices = &scene->devices;
@@ -99,5 +122,5 @@ void dressing_put(struct scene *scene, const struct hal *hal, const struct dress
         devices->axes[i] = axes_of(&dressing->input->poi[i], &dressing->hands[i]);
     }
     devices->button_faults = dressing->button_faults;
-    devices->buttons_missing = dressing->buttons_missing;
+    tell_lines(devices, dressing->lines);
 }

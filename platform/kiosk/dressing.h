@@ -9,12 +9,23 @@
 /* Rows of the files' page: the store's, then the notes'. `notes` may be null. */
 uint8_t dressing_file_count(const struct file_notes *notes);
 
+/* Every line of the buttons, and what came of it since the start. */
+struct line_book {
+    uint32_t raw, missing; /* As the last button_sample said. */
+    struct line_sample line[HAL_LINE_COUNT];
+    uint32_t coins[COIN_LINE_COUNT];
+};
+
+/* Adds what one sample says. */
+void line_book_note(struct line_book *book, const struct button_sample *sample);
+
 /* What the frame loop knows of devices beside what they say themselves. */
 struct dressing {
     const struct file_notes *notes; /* May be null. */
     const struct input *input;      /* The last tick's. */
     const struct poi_hand *hands;   /* POI_MAX of them. */
-    uint32_t button_faults, buttons_missing;
+    const struct line_book *lines;
+    uint32_t button_faults;
 };
 
 /* Seals the scores whose replay is kept. Fills scene->devices while the operator's menu is shown;

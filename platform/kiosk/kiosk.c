@@ -99,7 +99,7 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
         kiosk->input.coin_count[line] += buttons.coin_count[line];
     }
     kiosk->faults.buttons += buttons.faults;
-    kiosk->buttons_missing = buttons.missing;
+    line_book_note(&kiosk->lines, &buttons);
     if (buttons.full_screen) {
         hal->display.ops->toggle_full_screen(hal->display.self);
     }
@@ -444,8 +444,8 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     const struct dressing dressing = { .notes = kiosk->config.notes,
                                        .input = &kiosk->input,
                                        .hands = kiosk->hands,
-                                       .button_faults = kiosk->faults.buttons,
-                                       .buttons_missing = kiosk->buttons_missing };
+                                       .lines = &kiosk->lines,
+                                       .button_faults = kiosk->faults.buttons };
     show_encore(kiosk, hal, tick_count);
     dressing_put(&kiosk->scene, hal, &dressing);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;

@@ -9,6 +9,7 @@
 
 #include "core/core.h"
 #include "platform/hal.h"
+#include "platform/kiosk/dressing.h"
 #include "platform/kiosk/file_notes.h"
 #include "platform/kiosk/hands.h"
 #include "platform/kiosk/lighting.h"
@@ -88,7 +89,7 @@ struct kiosk {
 
     uint64_t frames;
     struct kiosk_faults faults;
-    uint32_t buttons_missing; /* As the last button_sample said. */
+    struct line_book lines;   /* Of the buttons and coins. */
     struct timing frame_time; /* Begin to begin, on the stopwatch. */
     struct timing work_time;  /* Begin to end of kiosk_frame. */
     struct timing report_wait; /* From a poi's report to the tick that uses it. */

@@ -159,7 +159,7 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
     report->frame_median_ns = timing_quantile_ns(&kiosk->frame_time, 0.5);
     report->frame_p99_ns = timing_quantile_ns(&kiosk->frame_time, 0.99);
     report->faults = kiosk->faults;
-    report->buttons_missing = kiosk->buttons_missing;
+    report->buttons_missing = kiosk->lines.missing;
     take_devices(report, hal);
 }
 

@@ -1,4 +1,5 @@
-/* ui_menu_lines.c -- a lamp for each button, lit while it is held, and what fell. */
+/* ui_menu_lines.c -- a lamp for each button, lit while it is held, and what fell; in the corner the
+ * bare line: its level, its changes and its faults. */
 #include <stdio.h>
 #include <string.h>
 
@@ -60,6 +61,45 @@ static void not_there(const struct menu_view *view, struct ui_box box)
                 &style, menu_text(view, TEXT_LINE_MISSING));
 }
 
+/* Of a coin's cell: all coin lines together. */
+static struct scene_line line_of(const struct menu_view *view, uint32_t index, int *is_raw)
+{
+    const struct scene_devices *devices = view->devices;
+    struct scene_line sum = devices->line[index];
+    uint32_t bits = 1u << index;
+    for (uint32_t i = 1; index == COIN && i < COIN_LINE_COUNT; i++) {
+        sum.edges += devices->line[COIN + i].edges;
+        sum.faults += devices->line[COIN + i].faults;
+        bits |= 1u << (COIN + i);
+    }
+    *is_raw = (devices->line_raw & bits) != 0;
+    return sum;
+}
+
+/* In the corner: the level before it counts, a square lamp, and how often it changed; in red how
+ * often it could not be believed. */
+static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
+{
+    const float u = view->frame.unit, size = 16.0f * u;
+    int is_raw;
+    const struct scene_line line = line_of(view, index, &is_raw);
+    const struct ui_text edges = menu_style(view, 22.0f, MENU_INK_SOFT);
+    const struct ui_text faults = menu_style(view, 22.0f, MISSING_PAINT);
+    const float y = box.y + box.height - 22.0f * u;
+    char digits[12];
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { box.x + 14.0f * u, y - 0.5f * size, size, size },
+                                 .kind = UI_PANEL, .fill = is_raw ? 0xffd070feu : 0x4a3630ffu,
+                                 .line = 0x2a160cffu, .shape = { 0, 0, 3.0f * u, 1.5f * u } });
+    snprintf(digits, sizeof digits, "%u", line.edges % 1000000u);
+    menu_words_at(view, box.x + 38.0f * u, y, 0.5f * box.width, 0.0f, &edges, digits);
+    if (line.faults > 0) {
+        snprintf(digits, sizeof digits, "%u", line.faults % 10000u);
+        menu_words_at(view, box.x + box.width - 14.0f * u, y, 0.3f * box.width, 1.0f, &faults,
+                      digits);
+    }
+}
+
 /* Lamp, name and count, one under the other; on an upright screen the lamp is beside them. */
 static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
 {
@@ -67,7 +107,7 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     const float u = view->frame.unit;
     const int upright = view->menu->upright;
     const struct ui_text name = menu_style(view, 27.0f, MENU_INK);
-    const struct ui_text number = { .font = FONT_STALL, .size_px = 40.0f * u,
+    const struct ui_text number = { .font = FONT_STALL, .size_px = 36.0f * u,
                                     .fill = MENU_INK_SOFT };
     char digits[12];
     snprintf(digits, sizeof digits, "%u", count);
@@ -85,11 +125,12 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     }
     const float left = box.x + (upright ? (is_missing ? 152.0f : 130.0f) : 10.0f) * u;
     const float width = box.x + box.width - 12.0f * u - left;
-    const float top = box.y + (upright ? 22.0f : 80.0f) * u;
-    ui_words_in(&view->frame, (struct ui_box){ left, top, width, 48.0f * u }, &name,
+    const float top = box.y + (upright ? 12.0f : 76.0f) * u;
+    ui_words_in(&view->frame, (struct ui_box){ left, top, width, 40.0f * u }, &name,
                 menu_text(view, names[index]));
-    ui_words_in(&view->frame, (struct ui_box){ left, top + 48.0f * u, width, 54.0f * u }, &number,
+    ui_words_in(&view->frame, (struct ui_box){ left, top + 40.0f * u, width, 46.0f * u }, &number,
                 digits);
+    raw_line(view, index, box);
 }
 
 /* What holds the lines and what is missing, in rows that are read as well as the rest. The last

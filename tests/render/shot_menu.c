@@ -173,6 +173,10 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     devices->axes[1] = (struct scene_axes){ POI_LINK_LIVE, { -0.55f, 0.11f, 0.22f },
                                             { -2.1f, 0.9f, -0.4f }, 125, 214.0f };
     devices->axes[2].link = POI_LINK_LOST;
+    devices->line_raw = INPUT_LEFT | INPUT_DOOR | INPUT_TILT;
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT + COIN_LINE_COUNT; i++) {
+        devices->line[i] = (struct scene_line){ 4u + i * i * 41u, i % 4u == 3u ? i : 0u };
+    }
     devices->button_faults = 2;
     devices->buttons_missing = INPUT_START | 1u << INPUT_BUTTON_COUNT;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {

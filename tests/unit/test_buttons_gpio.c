@@ -76,7 +76,7 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
     start((struct gpio_sim_script){ .next = next_of_day, .self = &day });
     const struct hal_buttons buttons = buttons_gpio_device(&gpio);
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
-    uint32_t coins = 0, faults = 0, polls = 0;
+    uint32_t coins = 0, faults = 0, polls = 0, coin_edges = 0, start_edges = 0;
     while (coins < COINS && polls < 20000u) { /* 10 s at least. */
         struct button_sample sample;
         assert_int_equal(buttons.ops->poll(buttons.self, &sample), HAL_OK);
@@ -84,6 +84,8 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
         assert_true(strlen(buttons.ops->describe(buttons.self)) > 0);
         coins += sample.coin_count[0];
         faults += sample.faults;
+        coin_edges += sample.line[INPUT_BUTTON_COUNT].edges;
+        start_edges += sample.line[0].edges;
         polls++;
         nap(polls % 7u ? 500000 : 5000000);
     }
@@ -93,6 +95,9 @@ static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state
     buttons_gpio_stop(&gpio);
     assert_int_equal(coins + last.coin_count[0], COINS);
     assert_int_equal(faults + last.faults, CYCLES); /* One loss, one fault. */
+    assert_int_equal(coin_edges + last.line[INPUT_BUTTON_COUNT].edges, 2u * COINS);
+    assert_int_equal(start_edges + last.line[0].edges, 2u * (COINS - CYCLES));
+    assert_int_equal(last.raw, 0);
 }
 
 static void test_pulses_that_are_owed_are_given_before_the_thread_ends(void **state)

@@ -71,6 +71,7 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     memset(scene.devices.lines, 'm', SCENE_LINE_SIZE - 1u);
     memset(scene.devices.controllers, 'm', SCENE_LINE_SIZE - 1u);
     scene.devices.button_faults = 4294967295u;
+    memset(scene.devices.line, 0xff, sizeof scene.devices.line);
     menu->desk.file_count = UINT8_MAX;
     menu->file_first = 160;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
