@@ -113,8 +113,8 @@ static const struct setting_words settings[SET_CALIBRATION] = {
     [SET_DIM] = { TEXT_SET_DIM, TEXT_HELP_DIM, .unit = TEXT_VAL_PER_CENT },
     [SET_DIM_AFTER_MIN] = { TEXT_SET_DIM_AFTER, TEXT_HELP_DIM_AFTER, .unit = TEXT_VAL_MINUTES,
                             .zero = TEXT_VAL_NEVER },
-    [SET_NIGHT_FROM_MIN] = { TEXT_SET_NIGHT_FROM, TEXT_HELP_NIGHT_FROM },
-    [SET_NIGHT_TO_MIN] = { TEXT_SET_NIGHT_TO, TEXT_HELP_NIGHT_TO },
+    [SET_NIGHT_FROM_MIN] = { TEXT_SET_NIGHT_FROM, TEXT_HELP_NIGHT_FROM, .choices = { 0 } },
+    [SET_NIGHT_TO_MIN] = { TEXT_SET_NIGHT_TO, TEXT_HELP_NIGHT_TO, .choices = { 0 } },
 };
 
 const struct menu_words *menu_words_of(uint8_t page)
