@@ -1,13 +1,14 @@
-/* cut.c -- what is on a disk after its power was cut: all that was flushed, and of the rest what luck
- * had written.
+/* cut.c -- what is on a disk after its power was cut: all that was flushed, and of the rest what
+ * luck had written.
  *
- * cut LOG DISK SEED. LOG is what QEMU's blklogwrites wrote of a machine that was killed: each write
- * and each flush in their order (the kernel's dm-log-writes format). DISK is the disk as it was when
- * that machine was switched on, and becomes what it is when it is switched on again. A write that a
- * flush came after, or that was to be on the medium at once (FUA), is there. Of each other one by
- * itself it is drawn whether it is there (so they are re-ordered), or only some of its sectors of
- * 512 bytes (so it is torn). Prints one line of how many of each. Exit code 74: no such file, or not
- * what QEMU writes. */
+ * cut LOG DISK SEED [lies]. LOG is what QEMU's blklogwrites wrote of a machine that was killed:
+ * each write and each flush in their order (the kernel's dm-log-writes format). DISK is the disk as
+ * it was when that machine was switched on, and becomes what it is when it is switched on again. A
+ * write that a flush came after, or that was to be on the medium at once (FUA), is there. Of each
+ * other one by itself it is drawn whether it is there (so they are re-ordered), or only some of its
+ * sectors of 512 bytes (so it is torn). A disk that lies does not keep what it flushed either: with
+ * one, the test that uses this must fail. Prints one line of how many of each. Exit code 74: no
+ * such file, or not what QEMU writes. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
@@ -18,7 +19,7 @@
 
 #define SECTOR 512u
 #define MAGIC 0x6a736677736872ull
-#define WRITES_MAX (1u << 20) /* Of one machine's minute; a busy stall makes some hundred a second. */
+#define WRITES_MAX (1u << 20) /* A busy stall makes some hundred a second: hours. */
 
 enum { FLUSH = 1, FUA = 2, DISCARD = 4, MARK = 8 };
 
@@ -43,6 +44,7 @@ struct tally {
 static struct write writes[WRITES_MAX];
 static uint32_t write_count;
 static uint64_t luck;
+static uint8_t disk_lies;
 
 __attribute__((noreturn))
 static void fail(const char *path, const char *why)
@@ -65,7 +67,7 @@ static void flush(struct tally *tally)
 {
     static uint32_t flushed; /* Of the writes, so many. */
     while (flushed < write_count) {
-        writes[flushed++].is_safe = 1;
+        writes[flushed++].is_safe = !disk_lies;
     }
     tally->flushes++;
 }
@@ -80,7 +82,8 @@ static void read_log(const char *path, int log, struct tally *tally)
         fail(path, "no log of blklogwrites");
     }
     const uint64_t unit = super.sector_size;
-    for (uint64_t at = unit; pread(log, &entry, sizeof entry, (off_t)at) == (ssize_t)sizeof entry;) {
+    uint64_t at = unit;
+    while (pread(log, &entry, sizeof entry, (off_t)at) == (ssize_t)sizeof entry) {
         if (entry.sectors == 0 && entry.flags == 0) {
             break;
         }
@@ -139,8 +142,9 @@ static void apply(int log, int disk, struct tally *tally)
 int main(int argc, char **argv)
 {
     struct tally tally = { 0 };
-    if (argc != 4) {
-        fprintf(stderr, "usage: cut LOG DISK SEED\n");
+    disk_lies = argc == 5 && strcmp(argv[4], "lies") == 0;
+    if (argc != 4 && !disk_lies) {
+        fprintf(stderr, "usage: cut LOG DISK SEED [lies]\n");
         return 2;
     }
     const int log = open(argv[1], O_RDONLY | O_CLOEXEC), disk = open(argv[2], O_RDWR | O_CLOEXEC);
@@ -150,7 +154,7 @@ int main(int argc, char **argv)
     luck = strtoull(argv[3], NULL, 10);
     read_log(argv[1], log, &tally);
     apply(log, disk, &tally);
-    printf("%u writes flushed by %u flushes; of the others %u there, %u torn, %u lost\n", tally.safe,
-           tally.flushes, tally.kept, tally.torn, tally.lost);
+    printf("%u writes flushed by %u flushes; of the others %u there, %u torn, %u lost\n",
+           tally.safe, tally.flushes, tally.kept, tally.torn, tally.lost);
     return close(disk) == 0 ? 0 : 74;
 }

@@ -4,12 +4,12 @@
 #
 # The machine is QEMU, which is killed; its disk loses what was not flushed, in any order and by halves (cut.c). What the
 # stall had been told is safe is computed from its recording, which lies outside (witness.c). SEED=N chooses the
-# moments, and what is lost. Exit code 0: nothing that was acknowledged was ever lost or doubled, and each start opened.
-# shellcheck disable=SC2154,SC1091,SC2034  # what it sources sets and uses them
+# moments, and what is lost; LIES=1 makes the disk keep nothing that it flushed, and then this must fail. Exit code 0: nothing that was acknowledged was ever lost or doubled, and each start opened.
+# shellcheck disable=SC2154,SC1091,SC2034,SC2086  # what it sources sets and uses them
 export BUILD=${BUILD:-build}
 . "$(dirname "$0")/disk.sh" image-kills
 kills=${KILLS:-50} seed=${SEED:-1} limit_s=${VM_SECONDS:-600}
-load_s_max=${LOAD_SECONDS:-20}
+load_s_max=${LOAD_SECONDS:-20} lies=${LIES:+lies}
 base=$cache/base.img log=$cache/writes.log
 loading=0 fallen=0 recording='' kill=0 boot=0
 acknowledged_all=0 coins_all=0 failures=0
@@ -38,7 +38,10 @@ heard() {
     set -- $1
     case ${2-} in
         recording) recording=$3 ;;
-        load) loading=1 pull_plug_later & ;;
+        load)
+            loading=1
+            pull_plug_later &
+            ;;
         coin) fallen=$3 ;;
         bad) bad "start $start: ${*:3}" ;;
     esac
@@ -96,7 +99,7 @@ for ((start = 1; start <= kills + 1; start++)); do
     [ "$kill" -eq 0 ] || compare "$cache/witness.txt" "$before"
     "$BUILD/tests/vm/image/witness" "$share/out/$recording" >"$cache/witness.txt" || bad "start $start: no witness"
     boot=$(awk '/^start/ { print $3 }' "$cache/witness.txt")
-    "$BUILD/tests/vm/image/cut" "$log" "$base" "$((seed * 1000 + start))"
+    "$BUILD/tests/vm/image/cut" "$log" "$base" "$((seed * 1000 + start))" $lies
 done
 printf 'kills: %d, %d entries acknowledged, %d coins; %d failures, %d s\n' "$kills" "$acknowledged_all" "$coins_all" "$failures" "$SECONDS"
 [ "$failures" -eq 0 ]

@@ -3,7 +3,7 @@
 . /run/host/guest/common.sh
 say "booted $(uname -rm)"
 poi_hold
-await 400 is_open || say 'bad open'
+await 900 is_open || say 'bad open'
 say "recording play-$(asked MainPID).kgr"
 await 100 is_lit LOCKOUT || say 'bad lockout'
 [ -d $host/mesa ] || keep_shaders
