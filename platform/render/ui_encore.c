@@ -1,9 +1,8 @@
-/* ui_encore.c -- a plate at the head of the picture: what is shown, and whether it is true. */
+/* ui_encore.c -- a ribbon over the picture: what is shown, and whether it is true. */
 #include "platform/render/ui_encore.h"
 
 #include "platform/render/text.h"
 
-#define PLATE_WIDTH 520.0f
 #define BAR_WIDTH 360.0f
 #define BAR_HEIGHT 8.0f
 
@@ -57,9 +56,9 @@ void ui_encore(const struct ui_frame *frame, const struct scene *scene)
     const int is_end = scene->encore != ENCORE_SEEKS && scene->encore != ENCORE_PLAYS;
     const struct ui_ribbon ribbon = {
         .x = 0.5f * frame->width,
-        .y = scene->encore == ENCORE_PLAYS ? frame->height - 116.0f * u : 0.5f * frame->height,
-        .size_px = (is_end ? 44.0f : 30.0f) * u,
-        .font = is_end ? FONT_STALL : FONT_BODY,
+        .y = scene->encore == ENCORE_SEEKS ? 0.5f * frame->height : frame->height - 120.0f * u,
+        .size_px = (is_end ? 40.0f : 30.0f) * u,
+        .font = FONT_BODY,
         .fill = paint.fill,
         .line = UI_GOLD,
         .ink = 0xfff8eaffu,

@@ -78,6 +78,11 @@ static const struct shot shots[] = {
     { "wall", PHASE_ATTRACT, HINT_START, 26.0f, 0.0f, 0, 47, 0.9f, 1, MODE_CHAMPIONSHIP, 0, 0, 0, 0,
       0 },
     { "name", PHASE_NAME, HINT_NONE, 4.0f, 12.0f, 13, 13, 0.4f, 2, 0, 0, 0, 0, 0, 0 },
+    { "dusk", PHASE_ATTRACT, HINT_START, 0.2f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
+    { "seeks", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
+    { "encore", PHASE_ROUND, HINT_TILT, 30.0f, 30.0f, 7, 12, 0.66f, 1, 0, 0, 0, 0, 0, 0 },
+    { "genuine", PHASE_RESULT, HINT_NONE, 6.2f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
+    { "doubted", PHASE_RESULT, HINT_NONE, 6.2f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
     { "latin", PHASE_NAME, HINT_NONE, 4.0f, 40.0f, 13, 13, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
 };
 
@@ -166,6 +171,17 @@ static void fill_cabinet(struct scene *scene, const char *name)
     }
 }
 
+static void fill_encore(struct scene *scene, const char *name)
+{
+    static const char *const names[ENCORE_COUNT] = { "", "seeks", "encore", "genuine", "doubted",
+                                                     "" };
+    for (uint8_t i = 0; i < ENCORE_COUNT; i++) {
+        scene->encore = strcmp(names[i], name) == 0 ? i : scene->encore;
+    }
+    scene->encore_progress = 0.4f;
+    scene->veil = strcmp(name, "dusk") == 0 ? 0.7f : 0.0f;
+}
+
 static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t language)
 {
     memset(scene, 0, sizeof *scene);
@@ -185,6 +201,7 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->grade = scene->offer[shot->mode].grade;
     scene->paused = shot->paused;
     fill_cabinet(scene, shot->name);
+    fill_encore(scene, shot->name);
     scene->call = shot->call;
     scene->call_s = 0.6f;
     for (uint8_t i = 0; i < shot->players; i++) {
