@@ -180,6 +180,26 @@ static void test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest(vo
     assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_QUIT);
 }
 
+static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order(void **state)
+{
+    (void)state;
+    enum kiosk_end end = KIOSK_RUNS;
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_UPKEEP));
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_RESTART));
+    push(INPUT_TEST);
+    push(INPUT_SERVICE); /* From "back" round to "yes". */
+    assert_int_equal(shown()->tag, SURE_YES);
+    rig.buttons.pressed = INPUT_TEST;
+    for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) { /* 6 s: a store may be slow. */
+        rig.clock.now_ns += FRAME_NS;
+        end = kiosk_frame(&rig.kiosk, &rig.hal);
+    }
+    assert_int_equal(end, KIOSK_RESTART);
+    assert_int_equal(rig.roster.choose_count + rig.roster.release_count, 0);
+}
+
 /* ---- Names ---------------------------------------------------------------------------------- */
 
 static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state)
@@ -366,6 +386,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_CABINET(test_controllers_and_lines_have_names_in_the_menu_alone),
+        IN_CABINET(
+            test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order),
         IN_CABINET(test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest),
         IN_CABINET(test_what_is_chosen_plays_and_what_is_released_does_not),
         IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),
