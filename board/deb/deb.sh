@@ -2,8 +2,8 @@
 # deb.sh -- makes the Debian packages of what board/files.txt lists, into $BUILD/deb/, and names them.
 #
 # By dpkg-deb alone: the same tree and SOURCE_DATE_EPOCH (else the newest commit's time) give the same
-# bytes, whoever builds and whenever. VERSION= overrules the program's own, for a test of upgrades. Needs
-# dpkg-dev; not root. Exits 74 when something cannot be made.
+# bytes, whoever builds and whenever. LEVEL=1 packs faster; VERSION= overrules the program's own, for a
+# test of upgrades. Needs dpkg-dev; not root. Exits 74 when something cannot be made.
 set -eu
 cd "$(dirname "$0")/../.."
 BUILD=${BUILD:-build}
@@ -68,6 +68,6 @@ for package in kingyo kingyo-kiosk; do
     control $package "$root"
     file=$out/${package}_${version}_$(sed -n 's/^Architecture: //p' "$root/DEBIAN/control").deb
     find "$root" -exec touch -h -d "@$SOURCE_DATE_EPOCH" {} +
-    dpkg-deb --root-owner-group -Zxz --build "$root" "$file" >"$out/build.log"
+    dpkg-deb --root-owner-group -Zxz "-z${LEVEL:-6}" --build "$root" "$file" >"$out/build.log"
     echo "$file"
 done
