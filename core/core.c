@@ -271,9 +271,7 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     hash = hash_u32(hash, config->players);
     hash = hash_u32(hash, config->credit_coins);
     hash = hash_u32(hash, config->ticket_fish);
-    hash = hash_u32(hash, config->memory.ledger.last_id);
-    hash = hash_u32(hash, config->memory.ledger.boots);
-    hash = purse_hash(hash, &config->memory.ledger.purse);
+    hash = ledger_start_hash(hash, &config->memory.ledger);
     hash = audits_hash(hash, &config->memory.audits);
     hash = ranking_hash(hash, &config->memory.ranking);
     for (uint32_t i = 0; i < SETTING_COUNT; i++) {

@@ -37,7 +37,7 @@ struct core_config {
     uint8_t grade;       /* Of the paper, 4 .. 7, in a mode whose rules leave it open or that is the
                             only one offered; 0: the mode's own, else 6. */
     uint8_t players;     /* Bowls at the tank, 1 .. POI_MAX; 0: 1. */
-    uint8_t credit_coins; /* Coins that a round costs, .. CREDIT_COINS_MAX; 0: free play. */
+    uint8_t credit_coins; /* Units that a round costs, .. CREDIT_COINS_MAX; 0: free play. */
     uint8_t ticket_fish; /* Fish that a player has a ticket for, .. CREDIT_TICKET_FISH_MAX; 0: there
                             are none. */
     uint8_t lanes;       /* 4 or, on x86-64 with AVX2, 8 floats at once; 0: 4. Changes no result, so

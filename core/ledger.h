@@ -16,23 +16,31 @@
 /* What is not on disk yet: more coins than fall while a card takes a second to sync, and the ends
  * of a round. When they are all taken, coins wait in the purse's `untold` and the slot closes. */
 #define LEDGER_RING 32u
+#define LEDGER_SPARE 4u /* Of them only for rounds that begin and end: what was begun can end. */
 #define LEDGER_NAME_SIZE 32u /* Ten kana of three bytes each, and a zero. */
 
 enum ledger_kind {
     LEDGER_NOTHING = 0,
-    LEDGER_BOOT,      /* The kiosk began; `count`: its boots so far. */
+    LEDGER_BOOT,      /* The kiosk began; `count`: its boots so far; `value`: units of coins that
+                         the last start had found no room to tell of. */
     LEDGER_COINS,     /* `count` pulses of coin line `detail` (0 ..), worth `value` units. */
     LEDGER_SERVICE,   /* A credit that nobody paid for. */
-    LEDGER_BEGIN,     /* A round began, for what purse.open says; `detail`: its mode. */
-    LEDGER_ROUND,     /* It is over: `round`. */
-    LEDGER_REFUND,    /* It will never be: its credit came back; `detail`: enum refund_cause. */
+    LEDGER_BEGIN,     /* A round began, for what purse.open says; `detail`: its mode, or CHOICE_LAB;
+                         `count`: the grade of its paper, of the lab 0. */
+    LEDGER_ROUND,     /* It is over: `round`; `value`: the tickets that it won. */
+    LEDGER_REFUND,    /* It will never be: `count` credits came back, 0 of a free one; `detail`:
+                         enum refund_cause; `value`: enum purse_open, as it was. */
     LEDGER_EXPIRED,   /* `count` credits lapsed, and the units towards the next. */
     LEDGER_TEST_COIN, /* `count` pulses in the operator's menu: metered, nobody's money. */
     LEDGER_SETTING,   /* Setting `detail` | `count` << 8 was turned to `value`. */
     LEDGER_RESET,     /* Audits of group `detail` were set to zero; `value`: what their sum was. */
     LEDGER_NAME,      /* Who played in seat `detail` of the round whose entry is `count`: `name`. */
-    LEDGER_HEALTH,    /* `round` is none; what the machine went through since the last: health. */
+    LEDGER_HEALTH,    /* What the machine went through since the last of its kind: `health`;
+                         `count`: shakes; `value`: seconds that it was up. */
     LEDGER_FACTORY,   /* Settings, purse and calibration as on the first day. */
+    LEDGER_CREDITS,   /* Units became `count` credits, `value` of them the bonus. */
+    LEDGER_LEFT,      /* What had begun is over and there is nothing to tell of it: the growth lab,
+                         or a round that nobody came to. */
     LEDGER_KIND_COUNT,
 };
 
@@ -61,9 +69,11 @@ struct purse {
     uint8_t open;         /* enum purse_open */
 };
 
+#define PURSE_MAX 1000000u /* Each of its counts stops there: no box holds so many coins. */
+
 /* What the machine went through since the entry of its kind before. */
 struct health {
-    uint32_t up_s;          /* Since it began. */
+    uint32_t up_s;          /* Since it began, whatever was told before. */
     uint32_t dropped_ticks;
     uint32_t device_faults;
 };

@@ -233,12 +233,15 @@ struct scene_board {
 
 /* What was paid. */
 struct scene_credit {
-    uint8_t price;           /* Coins a credit; 0: free play. */
+    uint8_t price;           /* Units a credit; 0: free play. */
+    uint8_t is_event;        /* ... which is an event. */
     uint8_t unpaid;          /* Nobody has paid, so nobody may play. */
     uint8_t warnings;        /* enum credit_warning */
     uint8_t came_back;       /* What the last round cost: nothing of that round was counted. */
-    uint32_t coins;          /* Towards the next credit. */
-    uint32_t credits;
+    uint8_t coin_units;      /* What a pulse of the first coin line is worth. */
+    uint32_t units;          /* Towards the next credit. */
+    uint32_t credits;        /* To be played; */
+    uint32_t coming;         /* and those that are not on disk yet. */
     float coin_s, asked_s;   /* Since the last coin fell, and since somebody wanted to play in
                                 vain; a day or more: never. */
 };

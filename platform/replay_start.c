@@ -93,6 +93,7 @@ static void walk_chapter(struct replay_walk *walk, struct chapter *chapter)
     walk_u32(walk, &chapter->edit_saved_id);
     walk_bytes(walk, &chapter->ledger, sizeof chapter->ledger);
     walk_bytes(walk, &chapter->credit, sizeof chapter->credit);
+    walk_bytes(walk, &chapter->upkeep, sizeof chapter->upkeep);
     walk_bytes(walk, &chapter->adjust, sizeof chapter->adjust);
 }
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes of a board are those of a file");

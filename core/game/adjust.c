@@ -99,7 +99,7 @@ static int tell(struct core *core, uint32_t id, struct output *output)
     if (value == adjust->told.value[id]) {
         return 1;
     }
-    if (!ledger_has_room(&core->game.ledger) && core->game.ledger.is_well) {
+    if (!ledger_may_write(&core->game.ledger, LEDGER_SETTING)) {
         return 0; /* Later: a setting is no entry that may be missed. */
     }
     const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu),

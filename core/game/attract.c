@@ -11,7 +11,6 @@ void attract_begin(struct core *core)
 {
     core->game.mode = keeper_first_mode(&core->config);
     core->game.gone_tick = 0;
-    core->game.credit.is_paid = 0; /* Whatever ended had its worth of it. */
     phase_enter(core, PHASE_ATTRACT);
     keeper_pour_back(core);
     keeper_set_up(core, core->config.preset);
@@ -22,7 +21,8 @@ void attract_begin(struct core *core)
 void attract_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct game *game = &core->game;
-    if ((input->pressed & INPUT_START) || phase_dipped(core, input) < POI_MAX) {
+    const int dipped = phase_dipped(core, input) < POI_MAX;
+    if ((input->pressed & INPUT_START) || dipped || credit_is_awaited(core)) {
         choose_begin(core, output);
     }
     if (game->phase != PHASE_ATTRACT) {

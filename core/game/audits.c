@@ -21,6 +21,8 @@ static const char *const names[AUDIT_PLAYS] = {
     [AUDIT_PLAYS_PAID] = "plays-paid",
     [AUDIT_PLAYS_SERVICE] = "plays-service",
     [AUDIT_PLAYS_FREE] = "plays-free",
+    [AUDIT_PLAYS_LAB] = "plays-lab",
+    [AUDIT_ROUNDS] = "rounds",
     [AUDIT_PLAYERS] = "players",
     [AUDIT_CAUGHT] = "caught",
     [AUDIT_PLAY_S] = "play-seconds",
@@ -89,24 +91,151 @@ static void add(struct audits *audits, uint32_t id, uint32_t count)
     *sum = UINT32_MAX - *sum < count ? UINT32_MAX : *sum + count;
 }
 
+/* ---- Money ---------------------------------------------------------------------------------- */
+
+static void note_coins(struct audits *audits, const struct ledger_entry *entry)
+{
+    if (entry->detail < COIN_LINE_COUNT) {
+        add(audits, AUDIT_COINS_1 + entry->detail, entry->count);
+    }
+    add(audits, AUDIT_UNITS, (uint32_t)entry->value);
+}
+
+static void note_refund(struct audits *audits, const struct ledger_entry *entry)
+{
+    add(audits, AUDIT_REFUNDS, entry->count);
+    add(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
+}
+
+/* ---- Play ----------------------------------------------------------------------------------- */
+
+/* Of day 0, 2000-01-01, a Saturday: Monday is 0. */
+static uint32_t weekday_of(uint16_t day)
+{
+    return (day + 5u) % 7u;
+}
+
+static void note_begin(struct audits *audits, const struct ledger_entry *entry)
+{
+    add(audits, entry->purse.open == OPEN_PAID      ? AUDIT_PLAYS_PAID
+                : entry->purse.open == OPEN_SERVICE ? AUDIT_PLAYS_SERVICE
+                                                    : AUDIT_PLAYS_FREE, 1);
+    const uint32_t grade = entry->count - SHEET_GRADE_MIN;
+    if (entry->detail < MODE_COUNT && grade < AUDIT_GRADES) {
+        add(audits, AUDIT_PLAYS + entry->detail * AUDIT_GRADES + grade, 1);
+    } else if (entry->detail == CHOICE_LAB) {
+        add(audits, AUDIT_PLAYS_LAB, 1);
+    }
+    if (entry->day != 0 && entry->minute < 24u * 60u) {
+        add(audits, AUDIT_HOUR + entry->minute / 60u, 1);
+        add(audits, AUDIT_WEEKDAY + weekday_of(entry->day), 1);
+    }
+}
+
+static uint32_t seconds(uint32_t ticks)
+{
+    return (ticks + CORE_TICK_HZ / 2u) / CORE_TICK_HZ;
+}
+
+/* Its paper's life is that of the first sheet: who plays for a score has no other. */
+static void note_player(struct audits *audits, const struct round_record *round, uint32_t seat)
+{
+    const struct player_record *player = &round->player[seat];
+    add(audits, AUDIT_PLAYERS, 1);
+    add(audits, AUDIT_PAPERS, player->sheets);
+    add(audits, AUDIT_FOULS, player->fouls);
+    if (player->torn_tick != 0) {
+        add(audits, AUDIT_PAPERS_TORN, 1);
+        add(audits, AUDIT_PAPER_LIFE_S, seconds(player->torn_tick - round->start_tick));
+    }
+}
+
 static void note_round(struct audits *audits, const struct ledger_entry *entry)
 {
     const struct round_record *round = &entry->round;
+    add(audits, AUDIT_TICKETS, (uint32_t)entry->value);
+    if (round->by_bot || round->unscored) {
+        return;
+    }
+    add(audits, AUDIT_ROUNDS, 1);
     add(audits, AUDIT_CAUGHT, round->caught);
-    add(audits, AUDIT_PLAY_S, (round->end_tick - round->start_tick) / CORE_TICK_HZ);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (round->players & 1u << i) {
-            add(audits, AUDIT_PLAYERS, 1);
-            add(audits, AUDIT_PAPERS, round->player[i].sheets);
-            add(audits, AUDIT_FOULS, round->player[i].fouls);
+    add(audits, AUDIT_PLAY_S, seconds(round->end_tick - round->start_tick));
+    for (uint32_t seat = 0; seat < POI_MAX; seat++) {
+        if (round->players & 1u << seat) {
+            note_player(audits, round, seat);
         }
     }
 }
 
+/* ---- The machine ---------------------------------------------------------------------------- */
+
+static void note_health(struct audits *audits, const struct ledger_entry *entry)
+{
+    uint32_t *longest = &audits->count[AUDIT_UP_S_MAX];
+    add(audits, AUDIT_TILTS, entry->count);
+    add(audits, AUDIT_UP_S, (uint32_t)entry->value);
+    add(audits, AUDIT_DROPPED_TICKS, entry->health.dropped_ticks);
+    add(audits, AUDIT_DEVICE_FAULTS, entry->health.device_faults);
+    *longest = *longest < entry->health.up_s ? entry->health.up_s : *longest;
+}
+
+/* Whoever sets books to zero is in the books. */
+static void note_reset(struct audits *audits, const struct ledger_entry *entry)
+{
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        if (id != AUDIT_RESETS && audit_group_of(id) == entry->detail) {
+            audits->count[id] = 0;
+        }
+    }
+    add(audits, AUDIT_RESETS, 1);
+}
+
+/* A name, a setting and what was left are no figures of these books. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry)
 {
-    if (entry->kind == LEDGER_ROUND) {
+    switch ((enum ledger_kind)entry->kind) {
+    case LEDGER_BOOT:
+        add(audits, AUDIT_BOOTS, 1);
+        add(audits, AUDIT_UNITS, (uint32_t)entry->value);
+        break;
+    case LEDGER_COINS:
+        note_coins(audits, entry);
+        break;
+    case LEDGER_CREDITS:
+        add(audits, AUDIT_CREDITS_PAID, entry->count);
+        add(audits, AUDIT_CREDITS_BONUS, (uint32_t)entry->value);
+        break;
+    case LEDGER_SERVICE:
+        add(audits, AUDIT_CREDITS_SERVICE, 1);
+        break;
+    case LEDGER_BEGIN:
+        note_begin(audits, entry);
+        break;
+    case LEDGER_ROUND:
         note_round(audits, entry);
+        break;
+    case LEDGER_REFUND:
+        note_refund(audits, entry);
+        break;
+    case LEDGER_EXPIRED:
+        add(audits, AUDIT_EXPIRED, entry->count);
+        break;
+    case LEDGER_TEST_COIN:
+        add(audits, AUDIT_TEST_COINS, entry->count);
+        break;
+    case LEDGER_RESET:
+        note_reset(audits, entry);
+        break;
+    case LEDGER_HEALTH:
+        note_health(audits, entry);
+        break;
+    case LEDGER_NOTHING:
+    case LEDGER_LEFT:
+    case LEDGER_SETTING:
+    case LEDGER_NAME:
+    case LEDGER_FACTORY:
+    case LEDGER_KIND_COUNT:
+        break;
     }
 }
 

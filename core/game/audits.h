@@ -32,15 +32,17 @@ enum audit_id {
     AUDIT_PLAYS_PAID,
     AUDIT_PLAYS_SERVICE,
     AUDIT_PLAYS_FREE,
-    AUDIT_PLAYERS,     /* Of all rounds together. */
+    AUDIT_PLAYS_LAB,   /* The growth lab, among these. */
+    AUDIT_ROUNDS,      /* Played to their end by people, and scored: what follows is of them. */
+    AUDIT_PLAYERS,
     AUDIT_CAUGHT,
     AUDIT_PLAY_S,      /* Seconds. */
     AUDIT_PAPERS,      /* Sheets that were handed out, ... */
     AUDIT_PAPERS_TORN, /* ... those that tore through, ... */
     AUDIT_PAPER_LIFE_S, /* ... and how long those lasted together. */
     AUDIT_FOULS,
-    AUDIT_PLAYS,       /* By mode and grade: mode * AUDIT_GRADES + grade - SHEET_GRADE_MIN. */
-    AUDIT_HOUR = AUDIT_PLAYS + MODE_COUNT * AUDIT_GRADES, /* Plays by hour, 24; */
+    AUDIT_PLAYS, /* Begun, by mode and grade: mode * AUDIT_GRADES + grade - SHEET_GRADE_MIN. */
+    AUDIT_HOUR = AUDIT_PLAYS + MODE_COUNT * AUDIT_GRADES, /* All that began, by hour, 24; */
     AUDIT_WEEKDAY = AUDIT_HOUR + 24,                      /* by weekday, Monday first, 7. */
     /* The machine: group 2. */
     AUDIT_BOOTS = AUDIT_WEEKDAY + 7,

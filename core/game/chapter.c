@@ -32,6 +32,7 @@ void chapter_turn(struct core *core)
         .edit_saved_id = game->lab.saved_id,
         .ledger = game->ledger,
         .credit = game->credit,
+        .upkeep = game->upkeep,
         .adjust = game->adjust,
     };
     config->memory.ledger.last_id = game->ledger.last_id;
@@ -52,6 +53,7 @@ void chapter_go_on(struct game *game, const struct chapter *chapter)
     game->lab.saved_id = chapter->edit_saved_id;
     game->ledger = chapter->ledger;
     game->credit = chapter->credit;
+    game->upkeep = chapter->upkeep;
     game->adjust = chapter->adjust;
 }
 
@@ -75,5 +77,6 @@ uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter)
     hash = hash_u32(hash, chapter->edit_saved_id);
     hash = ledger_hash(hash, &chapter->ledger);
     hash = credit_hash(hash, &chapter->credit);
+    hash = upkeep_hash(hash, &chapter->upkeep);
     return adjust_hash(hash, &chapter->adjust);
 }

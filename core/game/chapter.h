@@ -14,6 +14,7 @@
 #include "core/game/adjust.h"
 #include "core/game/credit.h"
 #include "core/game/ledger.h"
+#include "core/game/upkeep.h"
 #include "core/input.h"
 
 #define CHAPTER_TICKS_MAX (600u * CORE_TICK_HZ)  /* Of attract; a game that runs is not cut. */
@@ -25,6 +26,7 @@ struct chapter {
     uint32_t order_count, edit_save_id, edit_saved_id; /* As in struct menu and struct lab. */
     struct ledger ledger;
     struct credit credit;
+    struct upkeep upkeep;
     struct adjust adjust;
 };
 

@@ -105,7 +105,7 @@ static void take(struct core *core, struct output *output)
     struct game *game = &core->game;
     const int is_lab = game->lab_chosen || keeper_modes(&core->config) == 1u << CHOICE_LAB;
     game->lab_chosen = 0;
-    credit_take(core);
+    credit_take(core, is_lab ? CHOICE_LAB : game->mode, output);
     if (is_lab) {
         lab_begin(core, output);
     } else {
@@ -117,8 +117,7 @@ void choose_begin(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
     if (!credit_can_play(core)) {
-        credit_ask(core);
-        output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
+        credit_ask(core, output);
         return;
     }
     if (mode_count(keeper_modes(&core->config)) == 1u) {

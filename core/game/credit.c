@@ -1,49 +1,51 @@
-/* credit.c -- from coins to rounds. */
+/* credit.c -- from credits to rounds, and what keeps a coin from being taken. */
 #include "core/game/credit.h"
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/core.h"
+#include "core/game/coins.h"
 
 #define NEVER_S 1e6f /* Eleven days. */
 
-/* A coin may be the last of a credit, and one of many that fell in one tick: no loop. What finds no
- * room waits as coins. */
-static void change_coins(struct credit *credit, uint32_t price)
+uint32_t credit_price(const struct core *core)
 {
-    const uint32_t room = credit->credits < CREDIT_MAX ? CREDIT_MAX - credit->credits : 0u;
-    const uint32_t bought = credit->coins / price < room ? credit->coins / price : room;
-    credit->credits += bought;
-    credit->coins -= bought * price;
+    return core->config.credit_coins;
 }
 
-static void take_coins(struct core *core, uint32_t count, struct output *output)
+static uint32_t credits_max(const struct core *core)
 {
-    struct credit *credit = &core->game.credit;
-    credit->metered += count;
-    credit->coin_tick = core->tick;
-    if (core->config.credit_coins > 0) { /* Else the box has one more, and nobody owes for it. */
-        credit->coins += count;
-        output_sound(output, SOUND_COIN, 0.9f, 0.0f);
-    }
+    return (uint32_t)core->config.memory.settings.value[SET_CREDIT_MAX];
 }
+
+static uint32_t credits_of(const struct purse *purse)
+{
+    return purse->paid + purse->service;
+}
+
+static uint32_t sure_credits(const struct core *core)
+{
+    const struct ledger_credits sure = ledger_sure(&core->game.ledger);
+    return sure.paid + sure.service;
+}
+
+uint32_t credit_coming(const struct core *core)
+{
+    return credits_of(&core->game.ledger.purse) - sure_credits(core);
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
 
 static void take_service(struct core *core, struct output *output)
 {
-    struct credit *credit = &core->game.credit;
-    if (core->config.credit_coins > 0 && credit->credits < CREDIT_MAX) {
-        credit->credits++;
-        credit->services++;
+    struct game *game = &core->game;
+    const struct ledger_entry entry = { .kind = LEDGER_SERVICE };
+    if (credit_price(core) > 0 && credits_of(&game->ledger.purse) < credits_max(core) &&
+        ledger_may_write(&game->ledger, LEDGER_SERVICE)) {
+        game->ledger.purse.service++;
+        game->credit.act_tick = core->tick;
+        ledger_write(core, &entry, output);
         output_sound(output, SOUND_COIN, 0.5f, 0.0f);
-    }
-}
-
-static void note_coins(struct core *core, uint32_t count, struct output *output)
-{
-    if (menu_tries_lines(core)) {
-        core->game.credit.metered += count; /* A test, but it is in the box. */
-    } else if (count > 0) {
-        take_coins(core, count, output);
     }
 }
 
@@ -66,7 +68,7 @@ static void note_tilt(struct core *core, const struct input *input, struct outpu
         return;
     }
     if (!(credit->warnings & WARN_TILT)) {
-        credit->tilts++;
+        credit->shakes++;
         output_sound(output, SOUND_FOUL, 0.8f, 0.0f);
     }
     credit->tilt_tick = core->tick;
@@ -78,24 +80,42 @@ static uint8_t warnings(const struct core *core, const struct input *input)
     const int is_tilted =
         credit->tilt_tick != 0 && core->tick - credit->tilt_tick < CREDIT_TILT_TICKS;
     const int is_open = ((input->held | input->pressed) & INPUT_DOOR) != 0;
+    const int is_unsafe = credit_price(core) > 0 && !ledger_is_safe(&core->game.ledger);
     return (uint8_t)((is_tilted ? (uint32_t)WARN_TILT : 0u) |
                      (is_open ? (uint32_t)WARN_DOOR : 0u) |
+                     (is_unsafe ? (uint32_t)WARN_STORE : 0u) |
                      (has_poi(core, input) ? 0u : (uint32_t)WARN_NO_POI));
+}
+
+/* What was left before its end was told had its worth: the growth lab, or a round that nobody came
+ * to. */
+static void close_what_is_over(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    const int runs = game->phase == PHASE_READY || game->phase == PHASE_ROUND ||
+                     game->phase == PHASE_LAB;
+    if (game->ledger.purse.open != OPEN_NONE && !runs) {
+        const struct ledger_entry entry = { .kind = LEDGER_LEFT };
+        game->ledger.purse.open = OPEN_NONE;
+        ledger_write(core, &entry, output);
+    }
 }
 
 void credit_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct credit *credit = &core->game.credit;
-    note_coins(core, input->coin_count[0], output);
-    if (core->game.phase != PHASE_MENU) {
+    close_what_is_over(core, output);
+    if (core->game.phase == PHASE_MENU) {
+        coins_test(core, input, output);
+    } else {
+        coins_fall(core, input, output);
         note_tilt(core, input, output);
         if (input->pressed & INPUT_SERVICE) {
             take_service(core, output);
         }
     }
-    if (core->config.credit_coins > 0) {
-        change_coins(credit, core->config.credit_coins);
-    }
+    coins_settle(core, output);
+    coins_expire(core, output);
     credit->warnings = warnings(core, input);
 }
 
@@ -103,12 +123,12 @@ void credit_tick(struct core *core, const struct input *input, struct output *ou
  * counted. A guest would not know that nothing is sold just then. */
 static int sends_coins_back(const struct core *core)
 {
-    const struct credit *credit = &core->game.credit;
-    if (core->game.phase == PHASE_MENU) {
+    const struct game *game = &core->game;
+    if (game->phase == PHASE_MENU) {
         return !menu_tries_lines(core);
     }
-    return core->config.credit_coins == 0 || credit->credits >= CREDIT_MAX ||
-           credit->warnings != 0;
+    return credit_price(core) == 0 || game->credit.warnings != 0 ||
+           credits_of(&game->ledger.purse) >= credits_max(core);
 }
 
 void credit_show_outputs(const struct core *core, struct output *output)
@@ -118,46 +138,102 @@ void credit_show_outputs(const struct core *core, struct output *output)
     output->tickets = core->game.credit.tickets;
 }
 
+/* ---- Rounds --------------------------------------------------------------------------------- */
+
+/* Where nothing can be written at all nothing is sold: its end would not be told either. */
 int credit_can_play(const struct core *core)
 {
-    return core->config.credit_coins == 0 || core->game.credit.credits > 0;
+    return credit_price(core) == 0 ||
+           (sure_credits(core) > 0 && ledger_has_room(&core->game.ledger, LEDGER_COINS));
 }
 
-void credit_ask(struct core *core)
+void credit_ask(struct core *core, struct output *output)
 {
-    core->game.credit.asked_tick = core->tick;
+    struct credit *credit = &core->game.credit;
+    if (credit_coming(core) > 0) {
+        credit->await_tick = core->tick;
+        return;
+    }
+    credit->asked_tick = core->tick;
+    output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
 }
 
-void credit_take(struct core *core)
+int credit_is_awaited(const struct core *core)
+{
+    const uint32_t await_tick = core->game.credit.await_tick;
+    return await_tick != 0 && core->tick - await_tick < CREDIT_AWAIT_TICKS &&
+           credit_can_play(core);
+}
+
+/* What the operator gave is played first: whoever tries the machine leaves what was paid. */
+static enum purse_open pay(struct core *core)
+{
+    struct purse *purse = &core->game.ledger.purse;
+    if (credit_price(core) == 0) {
+        return OPEN_FREE;
+    }
+    purse->bonus_units = 0;
+    if (ledger_sure(&core->game.ledger).service > 0) {
+        purse->service--;
+        return OPEN_SERVICE;
+    }
+    purse->paid--;
+    return OPEN_PAID;
+}
+
+void credit_take(struct core *core, uint8_t what, struct output *output)
 {
     struct credit *credit = &core->game.credit;
     CORE_ASSERT(credit_can_play(core));
-    credit->is_paid = core->config.credit_coins > 0;
+    CORE_ASSERT(what < CHOICE_COUNT);
+    close_what_is_over(core, output);
+    const struct ledger_entry entry = {
+        .kind = LEDGER_BEGIN,
+        .detail = what,
+        .count = what < MODE_COUNT ? keeper_grade(&core->config, what) : 0u,
+    };
     credit->came_back = 0;
-    credit->credits -= credit->is_paid;
+    credit->await_tick = 0;
+    credit->act_tick = core->tick;
+    core->game.ledger.purse.open = (uint8_t)pay(core);
+    ledger_write(core, &entry, output);
 }
 
-/* There may be more than CREDIT_MAX now, by the one that was taken: it is a person's. */
-void credit_give_back(struct core *core)
+/* There may be more than SET_CREDIT_MAX now, by the one that was taken: it is a person's. */
+void credit_give_back(struct core *core, enum refund_cause cause, struct output *output)
 {
-    struct credit *credit = &core->game.credit;
-    credit->came_back = credit->is_paid;
-    credit->credits += credit->is_paid;
-    credit->refunds += credit->is_paid;
-    credit->is_paid = 0;
+    struct purse *purse = &core->game.ledger.purse;
+    const uint8_t open = purse->open;
+    const uint32_t count = open == OPEN_PAID || open == OPEN_SERVICE;
+    core->game.credit.came_back = (uint8_t)count;
+    if (open == OPEN_NONE || (open == OPEN_FREE && cause == REFUND_NO_POI)) {
+        return;
+    }
+    const struct ledger_entry entry = {
+        .kind = LEDGER_REFUND, .detail = (uint8_t)cause, .count = count, .value = open
+    };
+    purse->paid += open == OPEN_PAID;
+    purse->service += open == OPEN_SERVICE;
+    purse->open = OPEN_NONE;
+    ledger_write(core, &entry, output);
 }
 
-void credit_hand_out_tickets(struct core *core)
+uint32_t credit_hand_out_tickets(struct core *core)
 {
     const struct game *game = &core->game;
     const uint32_t price = core->config.ticket_fish;
+    uint32_t won = 0;
     if (price == 0 || game->bot_played || !rules_of(game->mode)->keeps_score) {
-        return;
+        return 0;
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->game.credit.tickets += game->player[i].plays ? game->player[i].caught / price : 0u;
+        won += game->player[i].plays ? game->player[i].caught / price : 0u;
     }
+    core->game.credit.tickets += won;
+    return won;
 }
+
+/* ---- What there is to see ------------------------------------------------------------------- */
 
 static float since_s(const struct core *core, uint32_t tick)
 {
@@ -167,13 +243,19 @@ static float since_s(const struct core *core, uint32_t tick)
 void credit_show(const struct core *core, struct scene_credit *out)
 {
     const struct credit *credit = &core->game.credit;
+    const struct purse *purse = &core->game.ledger.purse;
+    const uint32_t price = credit_price(core);
+    const int is_event = core->config.memory.settings.value[SET_PLAY] == PLAY_EVENT;
     *out = (struct scene_credit){
-        .price = core->config.credit_coins,
-        .unpaid = (uint8_t)!credit_can_play(core),
+        .price = (uint8_t)price,
+        .is_event = (uint8_t)(price == 0 && is_event),
+        .unpaid = (uint8_t)(!credit_can_play(core) && credit_coming(core) == 0),
         .warnings = credit->warnings,
         .came_back = credit->came_back,
-        .coins = credit->coins,
-        .credits = credit->credits,
+        .coin_units = (uint8_t)core->config.memory.settings.value[SET_COIN_1],
+        .units = purse->units,
+        .credits = sure_credits(core),
+        .coming = credit_coming(core),
         .coin_s = since_s(core, credit->coin_tick),
         .asked_s = since_s(core, credit->asked_tick),
     };
@@ -181,13 +263,16 @@ void credit_show(const struct core *core, struct scene_credit *out)
 
 uint64_t credit_hash(uint64_t hash, const struct credit *credit)
 {
-    const uint32_t words[] = { credit->is_paid,  credit->came_back, credit->warnings,
-                               credit->coins,    credit->credits,   credit->metered,
-                               credit->services, credit->refunds,   credit->tilts,
-                               credit->tickets,  credit->coin_tick, credit->tilt_tick,
-                               credit->asked_tick };
+    const uint32_t words[] = { credit->came_back,  credit->warnings,   credit->metered,
+                               credit->shakes,     credit->tickets,    credit->coin_tick,
+                               credit->tilt_tick,  credit->asked_tick, credit->await_tick,
+                               credit->act_tick };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
+    }
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        const struct untold *untold = &credit->untold[line];
+        hash = hash_u32(hash_u32(hash_u32(hash, untold->pulses), untold->units), untold->owed);
     }
     return hash;
 }

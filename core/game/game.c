@@ -102,6 +102,7 @@ void game_tick(struct core *core, const struct input *input, struct output *outp
         game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
     }
     ledger_tick(core, input);
+    upkeep_tick(core, input, output);
     hand_read(core, input);
     hand_links(core, input);
     credit_tick(core, input, output);
@@ -200,6 +201,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
     hash = ledger_hash(hash, &game->ledger);
     hash = credit_hash(hash, &game->credit);
     hash = name_hash(hash, &game->name);
+    hash = upkeep_hash(hash, &game->upkeep);
     hash = menu_hash(hash, &game->menu);
     hash = album_hash(hash, &game->album);
     hash = lab_hash_quick(hash, &game->lab);

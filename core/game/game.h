@@ -26,6 +26,7 @@
 #include "core/game/rules.h"
 #include "core/game/score.h"
 #include "core/game/trust.h"
+#include "core/game/upkeep.h"
 #include "core/input.h"
 #include "core/output.h"
 #include "core/poi/catch.h"
@@ -87,6 +88,7 @@ struct game {
     struct hints hints;
     struct bot bot[POI_MAX];
     struct credit credit;
+    struct upkeep upkeep;
     struct menu menu;
     struct album album;
     struct lab lab;

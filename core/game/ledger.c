@@ -12,33 +12,64 @@ void ledger_init(struct ledger *ledger, const struct core_config *config)
         .saved_id = start->last_id,
         .boot = start->boots,
         .purse = start->purse,
+        .kept = start->purse,
     };
 }
 
+static uint32_t waiting(const struct ledger *ledger)
+{
+    return ledger->last_id - ledger->saved_id;
+}
+
 /* What is on disk stays there: an older answer that comes late says nothing new. */
+static void note_saved(struct ledger *ledger, uint32_t saved_id)
+{
+    const uint32_t ahead = saved_id - ledger->saved_id;
+    if (ahead == 0 || ahead > waiting(ledger)) {
+        return;
+    }
+    ledger->saved_id = saved_id;
+    ledger->wait_ticks = 0;
+    if (waiting(ledger) < LEDGER_RING) {
+        ledger->kept = ledger->after[saved_id % LEDGER_RING];
+    }
+}
+
 void ledger_tick(struct core *core, const struct input *input)
 {
     struct ledger *ledger = &core->game.ledger;
-    const uint32_t ahead = input->record_saved_id - ledger->saved_id;
-    if (ahead <= ledger->last_id - ledger->saved_id) {
-        ledger->saved_id = input->record_saved_id;
-    }
+    note_saved(ledger, input->record_saved_id);
+    ledger->wait_ticks = ledger_is_settled(ledger) ? 0u
+                         : ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX
+                             ? ledger->wait_ticks + 1u
+                             : ledger->wait_ticks;
     ledger->is_well = input->store_well != 0;
     ledger->day = input->day;
     ledger->minute = input->minute;
 }
 
-int ledger_has_room(const struct ledger *ledger)
+static int is_of_a_round(uint8_t kind)
 {
-    return ledger->last_id - ledger->saved_id < LEDGER_RING;
+    return kind == LEDGER_BEGIN || kind == LEDGER_ROUND || kind == LEDGER_REFUND ||
+           kind == LEDGER_LEFT;
 }
 
-/* Where nothing is kept (a desktop without a store) the oldest entry gives way: nobody was told
- * that it is safe. */
+int ledger_has_room(const struct ledger *ledger, uint8_t kind)
+{
+    return waiting(ledger) < LEDGER_RING - (is_of_a_round(kind) ? 0u : LEDGER_SPARE);
+}
+
+/* A stall that never had a store keeps nothing and was never told that anything is safe: there the
+ * oldest entry gives way. */
+int ledger_may_write(const struct ledger *ledger, uint8_t kind)
+{
+    return ledger_has_room(ledger, kind) || (ledger->boot == 0 && !ledger->is_well);
+}
+
 uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct output *output)
 {
     struct ledger *ledger = &core->game.ledger;
-    if (!ledger_has_room(ledger) && ledger->is_well) {
+    if (!ledger_may_write(ledger, what->kind)) {
         ledger->unkept++;
         return 0;
     }
@@ -49,6 +80,7 @@ uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct
     entry.day = ledger->day;
     entry.minute = ledger->minute;
     entry.purse = ledger->purse;
+    ledger->after[entry.id % LEDGER_RING] = ledger->purse;
     output->entries[entry.id % LEDGER_RING] = entry;
     output->entry_id = entry.id;
     audits_note(&core->game.audits, &entry);
@@ -59,6 +91,40 @@ uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct
 int ledger_is_saved(const struct ledger *ledger, uint32_t id)
 {
     return id <= ledger->saved_id;
+}
+
+int ledger_is_settled(const struct ledger *ledger)
+{
+    return waiting(ledger) == 0 || ledger->boot == 0;
+}
+
+int ledger_is_safe(const struct ledger *ledger)
+{
+    return ledger->is_well && ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX &&
+           ledger_has_room(ledger, LEDGER_COINS);
+}
+
+/* What is left of `sure` when a count went from `before` to `after`. */
+static uint32_t less_spent(uint32_t sure, uint32_t before, uint32_t after)
+{
+    const uint32_t spent = before > after ? before - after : 0u;
+    return sure > spent ? sure - spent : 0u;
+}
+
+struct ledger_credits ledger_sure(const struct ledger *ledger)
+{
+    struct ledger_credits sure = { ledger->kept.paid, ledger->kept.service };
+    struct purse before = ledger->kept;
+    for (uint32_t i = 1; i <= waiting(ledger); i++) {
+        if (waiting(ledger) > LEDGER_RING) {
+            return (struct ledger_credits){ 0 }; /* Nobody keeps anything. */
+        }
+        const struct purse *after = &ledger->after[(ledger->saved_id + i) % LEDGER_RING];
+        sure.paid = less_spent(sure.paid, before.paid, after->paid);
+        sure.service = less_spent(sure.service, before.service, after->service);
+        before = *after;
+    }
+    return sure;
 }
 
 static uint64_t hash_words(uint64_t hash, const uint32_t *words, uint32_t count)
@@ -76,11 +142,20 @@ uint64_t purse_hash(uint64_t hash, const struct purse *purse)
     return hash_words(hash, words, sizeof words / sizeof words[0]);
 }
 
+uint64_t ledger_start_hash(uint64_t hash, const struct ledger_start *start)
+{
+    hash = hash_u32(hash_u32(hash, start->last_id), start->boots);
+    return purse_hash(hash, &start->purse);
+}
+
 uint64_t ledger_hash(uint64_t hash, const struct ledger *ledger)
 {
     const uint32_t words[] = { ledger->last_id, ledger->saved_id, ledger->boot,
-                               ledger->unkept,  ledger->day,      ledger->minute,
-                               ledger->is_well };
+                               ledger->unkept,  ledger->wait_ticks,
+                               ledger->day,     ledger->minute,   ledger->is_well };
     hash = hash_words(hash, words, sizeof words / sizeof words[0]);
-    return purse_hash(hash, &ledger->purse);
+    for (uint32_t i = 0; i < LEDGER_RING; i++) {
+        hash = purse_hash(hash, &ledger->after[i]);
+    }
+    return purse_hash(purse_hash(hash, &ledger->kept), &ledger->purse);
 }

@@ -31,7 +31,7 @@ int menu_is_asking(const struct core *core)
     return is_played(core) && ask_tick != 0 && core->tick - ask_tick < MENU_ASK_TICKS;
 }
 
-static void open_menu(struct core *core, const struct input *input)
+static void open_menu(struct core *core, const struct input *input, struct output *output)
 {
     struct menu *menu = &core->game.menu;
     *menu = (struct menu){
@@ -43,7 +43,8 @@ static void open_menu(struct core *core, const struct input *input)
         .act_tick = core->tick,
     };
     check(&input->desk);
-    credit_give_back(core);
+    credit_give_back(core, REFUND_OPERATOR, output);
+    upkeep_tell(core, input, output); /* What is looked at in there is of now. */
     core->game.paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         core->poi[i].rider_count = 0; /* They go back to the water. */
@@ -63,7 +64,7 @@ int menu_opens(struct core *core, const struct input *input, struct output *outp
         core->game.menu.ask_tick = core->tick;
         return 0;
     }
-    open_menu(core, input);
+    open_menu(core, input, output);
     return 1;
 }
 
@@ -238,11 +239,11 @@ static void count_presses(struct menu *menu, uint32_t pressed)
     }
 }
 
-/* Of the lines' page; on the others coins are money (credit.c). */
+/* In here a coin is a test, on whichever page it falls. */
 static void count_coins(struct core *core, uint32_t count, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    if (count > 0 && menu_tries_lines(core)) {
+    if (count > 0) {
         const uint32_t room = MENU_COUNT_MAX - menu->test_coins;
         menu->test_coins += count < room ? count : room;
         menu->coin_tick = core->tick;

@@ -10,12 +10,10 @@ void result_begin(struct core *core, struct output *output)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         core->poi[i].rider_count = 0; /* Too late: they go back to the water. */
     }
-    core->game.credit.is_paid = 0;
     phase_enter(core, PHASE_RESULT);
     name_note_round(core, 0);
     if (!core->game.credit.came_back) {
-        score_keep(core, output);
-        credit_hand_out_tickets(core);
+        score_keep(core, credit_hand_out_tickets(core), output);
     }
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
@@ -26,7 +24,7 @@ void result_tick(struct core *core, const struct input *input, struct output *ou
     const uint32_t elapsed = core->tick - core->game.phase_tick;
     const int dipped = phase_dipped(core, input) < POI_MAX;
     const int goes_on = ((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
-                        (dipped && elapsed >= GAME_AGAIN_DIP_TICKS);
+                        (dipped && elapsed >= GAME_AGAIN_DIP_TICKS) || credit_is_awaited(core);
     const int is_read = elapsed >= GAME_RESULT_TICKS;
     if ((goes_on || is_read) && name_begin(core, output)) {
         return;

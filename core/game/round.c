@@ -124,7 +124,7 @@ void round_tick(struct core *core, struct output *output)
     pause_tick(core);
     note_who_plays(core);
     if (pause_is_over(core)) {
-        credit_give_back(core);
+        credit_give_back(core, REFUND_NO_POI, output);
         result_begin(core, output);
         return;
     }

@@ -63,17 +63,22 @@ struct round_record game_record(const struct core *core)
     return record;
 }
 
-void score_keep(struct core *core, struct output *output)
+void score_keep(struct core *core, uint32_t tickets, struct output *output)
 {
     struct game *game = &core->game;
-    if (!game->played || !rules_of(game->mode)->keeps_score) {
+    const int is_scored = rules_of(game->mode)->keeps_score;
+    if (!game->played) {
         return;
     }
-    struct ledger_entry entry = { .kind = LEDGER_ROUND, .round = game_record(core) };
+    struct ledger_entry entry = { .kind = LEDGER_ROUND,
+                                  .value = (int32_t)tickets,
+                                  .round = game_record(core) };
     entry.round.id = game->ledger.last_id + 1u;
+    entry.round.unscored = (uint8_t)!is_scored;
+    game->ledger.purse.open = OPEN_NONE;
     const uint32_t id = ledger_write(core, &entry, output);
-    if (id != 0) {
+    if (id != 0 && is_scored) {
         output->record = entry.round;
     }
-    name_note_round(core, id);
+    name_note_round(core, is_scored ? id : 0u);
 }

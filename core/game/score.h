@@ -16,8 +16,9 @@ void game_score(struct core *core, const struct catch_result caught[POI_MAX],
 /* The round that runs, or was the last to run, in figures; `id` is 0. */
 struct round_record game_record(const struct core *core);
 
-/* At the end of a round that was not given back: its place in the ranking, and the record for the
- * store. A round that nobody played and one without a score leave none. */
-void score_keep(struct core *core, struct output *output);
+/* At the end of a round that was not given back: its LEDGER_ROUND, which closes the purse, and with
+ * it its place in the ranking. A round that nobody played leaves none, one without a score no
+ * record. */
+void score_keep(struct core *core, uint32_t tickets, struct output *output);
 
 #endif

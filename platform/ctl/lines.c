@@ -245,7 +245,8 @@ const struct ctl_command ctl_lines = {
         "\n"
         "ROLE: start left right ok test service tilt coin coin2 coin3 door, start-lamp\n"
         "coin-lockout ticket coin-counter. LINE: a line's name, or CHIP:OFFSET by the chip's\n"
-        "label; behind it, after commas: low high up down float as-is debounce=5ms window=15ms-250ms pulse=100ms/100ms.\n"
+        "label; behind it, after commas: low high up down float as-is debounce=5ms\n"
+        "window=15ms-250ms pulse=100ms/100ms.\n"
         "Exit code 74: a line could not be had. A line that the kiosk holds is the kiosk's: end\n"
         "it first.\n",
     .run = run,

@@ -119,6 +119,12 @@ static void count_refused_writes(struct kiosk *kiosk, const struct hal_storage *
     kiosk->refused_seen = refused;
 }
 
+uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
+{
+    return faults->poi + faults->shade + faults->display + faults->audio + faults->storage +
+           faults->buttons + faults->switches;
+}
+
 /* The only reads from devices. The display comes first: it pumps the queue that a desktop's
  * mouse and keyboard take their events from. */
 static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
@@ -150,6 +156,8 @@ static void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     read_wall(kiosk, hal);
     kiosk->input.store_well = hal->storage.ops->is_well(hal->storage.self) != 0;
     count_refused_writes(kiosk, &hal->storage);
+    kiosk->input.dropped_ticks = (uint32_t)kiosk->pace.dropped;
+    kiosk->input.device_faults = kiosk_fault_count(&kiosk->faults);
 }
 
 /* The part of the input that each tick has for itself: one pose a tick, none used twice. */

@@ -60,6 +60,9 @@ struct kiosk_faults {
     uint32_t poi, shade, display, audio, storage, buttons, switches;
 };
 
+/* Of all devices together. */
+uint32_t kiosk_fault_count(const struct kiosk_faults *faults);
+
 struct kiosk {
     struct kiosk_config config;
     struct core core;

@@ -82,10 +82,7 @@ static void tell_reports(const struct kiosk *kiosk)
 static enum exit_code tell_end(struct session *session, enum kiosk_end end)
 {
     struct kiosk *kiosk = &session->kiosk;
-    const struct kiosk_faults *faults = &kiosk->faults;
     const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
-    const uint32_t sum = faults->poi + faults->shade + faults->display + faults->audio +
-                         faults->storage + faults->buttons + faults->switches;
     if (end == KIOSK_DISPLAY_LOST) {
         say(SAY_ERROR, "the display was lost after %u s: %s",
             kiosk->core.tick / CORE_TICK_HZ,
@@ -95,7 +92,7 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
            (unsigned long long)kiosk->frames,
            (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
            (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
-           (unsigned long long)kiosk->pace.dropped, sum);
+           (unsigned long long)kiosk->pace.dropped, kiosk_fault_count(&kiosk->faults));
     tell_work(kiosk);
     tell_reports(kiosk);
     if (lost > 0) {

@@ -7,11 +7,59 @@
 #include "platform/render/ui_signs.h"
 
 #define CLINK_S 0.5f /* The plate swells so long when a coin falls, */
+#define COMING_WIDTH 84.0f /* In units: "+99" and a finger at each side. */
 #define ASK_S 1.2f   /* and the call for one when somebody wants to play in vain. */
 
 /* What hangs at the sides of a round, in units: ui_round.c's legend is the widest and lowest. */
 #define PLATES_WIDTH 284.0f
 #define PLATES_REACH 240.0f
+
+static void credit_words(const struct ui_frame *frame, const struct scene_credit *credit,
+                         char *out, size_t out_size)
+{
+    text_number(out, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
+    if (credit->units > 0 && credit->units < credit->price) { /* Begun: whoever comes next sees. */
+        const size_t length = strlen(out);
+        snprintf(out + length, out_size - length, "  +  %u/%u", credit->units, credit->price);
+    }
+}
+
+/* What may not be played yet is an outline beside the plate, from `left` on. */
+static void coming(const struct ui_frame *frame, const struct scene_credit *credit, float left,
+                   float y)
+{
+    const float u = frame->unit, room = frame->width - left - 8.0f * u;
+    char words[16];
+    if (credit->coming == 0 || room < COMING_WIDTH * u) {
+        return;
+    }
+    snprintf(words, sizeof words, "+%u", credit->coming);
+    const struct ui_ribbon outline = {
+        .x = left + 0.5f * COMING_WIDTH * u,
+        .y = y,
+        .size_px = 21.0f * u,
+        .font = FONT_STALL,
+        .line = ui_fade(UI_GOLD, 0.55f + 0.45f * ui_pulse(frame->time_s, 1.2f)),
+        .ink = ui_fade(0xfff8eaffu, 0.7f),
+        .room_px = COMING_WIDTH * u,
+    };
+    ui_ribbon(frame, &outline, words);
+}
+
+static void event_plate(const struct ui_frame *frame, float x, float y)
+{
+    const struct ui_ribbon plate = {
+        .x = x,
+        .y = y,
+        .size_px = 25.0f * frame->unit,
+        .font = FONT_STALL,
+        .fill = 0x8a2f6ee8u,
+        .line = UI_GOLD,
+        .ink = 0xfff8eaffu,
+        .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * frame->unit,
+    };
+    ui_ribbon(frame, &plate, text_words(frame->language, TEXT_EVENT));
+}
 
 void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
@@ -19,15 +67,13 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
     const float u = frame->unit;
     const float clink = 1.0f - ui_smooth(0.0f, CLINK_S, credit->coin_s);
     char words[TEXT_LINE_MAX + 32u];
+    if (credit->is_event) {
+        event_plate(frame, x, y);
+    }
     if (credit->price == 0) {
         return;
     }
-    text_number(words, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
-    if (credit->coins > 0 && credit->coins < credit->price) { /* Begun: whoever comes next sees. */
-        const size_t length = strlen(words);
-        snprintf(words + length, sizeof words - length, "  +  %u/%u", credit->coins,
-                 credit->price);
-    }
+    credit_words(frame, credit, words, sizeof words);
     const struct ui_ribbon plate = {
         .x = x,
         .y = y,
@@ -38,7 +84,8 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
         .ink = 0xfff8eaffu,
         .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * u,
     };
-    ui_ribbon(frame, &plate, words);
+    const float width = ui_ribbon(frame, &plate, words);
+    coming(frame, credit, x + 0.5f * width + 10.0f * u, y);
 }
 
 int ui_lacks_poi(const struct scene *scene)
@@ -54,8 +101,10 @@ float ui_asking(const struct scene *scene)
 void ui_coin_words(const struct scene *scene, char *out, size_t out_size)
 {
     const struct scene_credit *credit = &scene->credit;
-    const uint32_t missing = credit->price > credit->coins ? credit->price - credit->coins : 0u;
-    text_number(out, out_size, text_words(scene->language, TEXT_COIN), missing);
+    const uint32_t worth = credit->coin_units > 0 ? credit->coin_units : 1u;
+    const uint32_t missing = credit->price > credit->units ? credit->price - credit->units : 0u;
+    text_number(out, out_size, text_words(scene->language, TEXT_COIN),
+                (missing + worth - 1u) / worth);
 }
 
 static void warning(const struct ui_frame *frame, float y, float room_px, enum text_key key)
@@ -69,7 +118,8 @@ static void warning(const struct ui_frame *frame, float y, float room_px, enum t
 
 void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
 {
-    static const enum text_key keys[] = { TEXT_WARN_TILT, TEXT_WARN_DOOR, TEXT_WARN_NO_POI };
+    static const enum text_key keys[] = { TEXT_WARN_TILT, TEXT_WARN_DOOR, TEXT_WARN_NO_POI,
+                                          TEXT_WARN_STORE };
     const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
     uint32_t shown = scene->credit.warnings;
     /* Below what hangs there: the curtain, or the plates of a round. */

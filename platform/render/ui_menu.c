@@ -183,18 +183,6 @@ static void keys(const struct menu_view *view)
                 &style, menu_text(view, key));
 }
 
-/* A coin that fell in here all the same, but as a test: somebody's credit. */
-static void credits(const struct menu_view *view, const struct scene *scene)
-{
-    const int upright = view->menu->upright;
-    const struct ui_box room =
-        menu_place(view, upright ? (struct overlay_box){ 127.0f, 152.0f, 600.0f, 44.0f }
-                                 : (struct overlay_box){ 960.0f, 44.0f, 300.0f, 44.0f });
-    if (scene->credit.coin_s < scene->phase_s && view->menu->page != MENU_LINES) {
-        ui_credits(&view->frame, scene, room.x + 0.5f * room.width, room.y + 0.5f * room.height);
-    }
-}
-
 static void hand(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
@@ -239,7 +227,6 @@ static void page(const struct menu_view *view)
     tags(view);
     body(view);
     keys(view);
-    credits(view, view->scene);
 }
 
 void ui_menu(const struct ui_frame *frame, const struct scene *scene)

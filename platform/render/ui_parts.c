@@ -143,7 +143,7 @@ void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct u
             ui_text_middle(&fitted, box.y + 0.5f * box.height), words);
 }
 
-void ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words)
+float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words)
 {
     const float pad = 0.95f * ribbon->size_px, height = 1.95f * ribbon->size_px;
     const struct ui_text text = { .font = ribbon->font, .size_px = ribbon->size_px, .align = 0.5f,
@@ -160,4 +160,5 @@ void ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, con
     struct ui_text fitted = text;
     fitted.size_px = ui_text_size(&text, words);
     ui_text(frame->batch, &text, ribbon->x, ui_text_middle(&fitted, ribbon->y), words);
+    return width;
 }

@@ -43,13 +43,13 @@ void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed)
 void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
                  const char *words);
 
-/* A pill with one line of words in it, centred at (x, y). */
+/* A pill with one line of words in it, centred at (x, y); returns how wide it is. */
 struct ui_ribbon {
     float x, y, size_px;
     enum font_id font;
     uint32_t fill, line, ink;
     float room_px;          /* It never grows wider; the words shrink instead. */
 };
-void ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words);
+float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words);
 
 #endif

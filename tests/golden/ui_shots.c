@@ -156,7 +156,7 @@ static void fill_cabinet(struct scene *scene, const char *name)
         struct scene_credit credit;
         uint8_t asks_menu;
     } cabinets[] = {
-        { "coin", { .price = 3, .unpaid = 1, .coins = 1, .coin_s = 60.0f, .asked_s = 0.2f }, 0 },
+        { "coin", { .price = 3, .unpaid = 1, .units = 1, .coin_s = 60.0f, .asked_s = 0.2f }, 0 },
         { "paid", { .price = 3, .credits = 2, .coin_s = 0.1f, .asked_s = 60.0f }, 0 },
         { "warned", { .warnings = WARN_TILT | WARN_DOOR | WARN_NO_POI }, 0 },
         { "ask", { .price = 1 }, 1 },

@@ -14,6 +14,7 @@
 #include "core/base/hash.h"
 #include "core/core.h"
 #include "core/game/paper.h"
+#include "purse.h"
 
 #define ROUND_S 20u
 #define ABOVE_M 0.06f
@@ -29,7 +30,11 @@ static inline void clear_sounds(void)
     memset(sounds, 0, sizeof sounds);
 }
 
-/* One tick of the game alone; edges are in one tick only. */
+/* 1: a test says itself what its store has written. */
+static int store_is_late;
+
+/* One tick of the game alone; edges are in one tick only. Its store has written an entry before the
+ * next tick. */
 static inline void step(void)
 {
     struct poi_target targets[POI_MAX];
@@ -40,6 +45,10 @@ static inline void step(void)
     game_score(&core, caught, &output);
     core.tick++;
     input.pressed = 0;
+    if (!store_is_late) {
+        input.store_well = 1;
+        input.record_saved_id = output.entry_id;
+    }
     for (uint32_t i = 0; i < output.sound_count; i++) {
         sounds[output.sounds[i].sound]++;
     }

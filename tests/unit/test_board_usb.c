@@ -15,14 +15,17 @@
 #include "core/game/pause.h"
 #include "core/tank/preset.h"
 #include "drivers/null.h"
+#include "drivers/storage_sim.h"
 #include "platform/board.h"
 #include "platform/kiosk/kiosk.h"
+#include "purse.h"
 #include "tests/unit/usb_kinds.h"
 
 #define FRAME_US 8000
 #define FRAMES_MAX 1500u /* Twelve seconds: a machine that is busy with other tests. */
 
 static struct {
+    struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
     uint32_t poi;     /* On the stand; */
@@ -95,6 +98,7 @@ static void frame(void)
 {
     struct hal hal = stall.hal;
     hal.display = null_display("not drawn");
+    hal.storage = storage_sim_device(&stall.storage);
     if (stall.is_in) {
         say();
     }
@@ -181,7 +185,7 @@ static void test_its_hand_is_made_to_feel_the_water(void **state)
 /* The time is told: from the plug to the frame whose input has it again. */
 static void lose_and_find(enum stand_parting how)
 {
-    const uint32_t credits = stall.kiosk.core.game.credit.credits;
+    const uint32_t credits = purse_credits(&stall.kiosk.core);
     unplug(how);
     if (how == STAND_LATE) {
         stand_announce(stall.poi);
@@ -199,7 +203,7 @@ static void lose_and_find(enum stand_parting how)
     until(is_held);
     print_message("back in the input after %.1f ms\n", (double)back_ns * 1e-6);
     assert_true(is_in_round());
-    assert_int_equal(stall.kiosk.core.game.credit.credits, credits);
+    assert_int_equal(purse_credits(&stall.kiosk.core), credits);
 }
 
 static void test_pulled_out_in_mid_round_the_round_waits_and_goes_on(void **state)

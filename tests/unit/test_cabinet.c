@@ -12,6 +12,7 @@
 #include "drivers/gpio_wires.h"
 #include "drivers/null.h"
 #include "drivers/sensor_sim.h"
+#include "drivers/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
 
 #define MS 1000000ull
@@ -22,6 +23,7 @@ static struct rig {
     struct gpio_sim_events script;
     struct buttons_gpio gpio;
     struct sensor_sim sensor;
+    struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
 } rig;
@@ -54,6 +56,7 @@ static void open_stall(const struct gpio_sim_event *events, uint32_t count)
     rig.hal.switches = buttons_gpio_switches(&rig.gpio);
     sensor_sim_init(&rig.sensor, rig.hal.clock, 125);
     rig.hal.poi[0] = sensor_sim_device(&rig.sensor);
+    rig.hal.storage = storage_sim_device(&rig.storage);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), 0);
 }
 
@@ -101,7 +104,7 @@ static void test_two_coins_by_their_edges_buy_a_round_and_step_the_meter(void **
     run_until(1500);
     assert_int_equal(rig.kiosk.scene.phase, PHASE_ATTRACT);
     run_until(2300);
-    assert_int_equal(rig.kiosk.scene.credit.coins, 1);
+    assert_int_equal(rig.kiosk.scene.credit.units, 1);
     run_until(3000);
     assert_int_equal(rig.kiosk.scene.credit.credits, 1);
     assert_int_equal(meter_steps(), 2);
@@ -124,7 +127,7 @@ static void test_coins_that_fall_while_a_frame_takes_three_seconds_are_paid(void
     frame(3000 * MS);
     run_until(5000);
     assert_int_equal(rig.kiosk.scene.credit.credits, 3);
-    assert_int_equal(rig.kiosk.scene.credit.coins, 0);
+    assert_int_equal(rig.kiosk.scene.credit.units, 0);
     assert_int_equal(meter_steps(), 6);
     close_stall();
 }
@@ -143,7 +146,7 @@ static void test_a_chip_that_goes_costs_no_credit_and_its_lines_pay_again(void *
     OPEN(events);
     run_until(3500);
     assert_int_equal(rig.kiosk.scene.credit.credits, 1);
-    assert_int_equal(rig.kiosk.scene.credit.coins, 1);
+    assert_int_equal(rig.kiosk.scene.credit.units, 1);
     assert_int_equal(rig.kiosk.faults.buttons, 1);
     run_until(6500);
     assert_int_equal(rig.kiosk.scene.credit.credits, 2);

@@ -102,6 +102,7 @@ static const struct field game_fields[] = {
     FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
     FIELD(game, rest_ticks),
     SKIP(game, hints),        SKIP(game, bot),         SKIP(game, credit),
+    SKIP(game, upkeep),
     SKIP(game, menu),         SKIP(game, album),
     SKIP(game, lab),
 };
@@ -134,7 +135,7 @@ static const struct field ledger_start_fields[] = {
 static const struct field chapter_fields[] = {
     FIELD(chapter, tick),          FIELD(chapter, order_count), FIELD(chapter, edit_save_id),
     FIELD(chapter, edit_saved_id), SKIP(chapter, ledger),       SKIP(chapter, credit),
-    SKIP(chapter, adjust),
+    SKIP(chapter, upkeep),         SKIP(chapter, adjust),
 };
 
 static const struct field purse_fields[] = {
@@ -144,8 +145,8 @@ static const struct field purse_fields[] = {
 
 static const struct field ledger_fields[] = {
     FIELD(ledger, last_id), FIELD(ledger, saved_id), FIELD(ledger, boot), FIELD(ledger, unkept),
-    FIELD(ledger, day),     FIELD(ledger, minute),   FIELD(ledger, is_well),
-    SKIP(ledger, purse),
+    FIELD(ledger, wait_ticks), FIELD(ledger, day), FIELD(ledger, minute),
+    FIELD(ledger, is_well), SKIP(ledger, purse), SKIP(ledger, kept), SKIP(ledger, after),
 };
 
 static const struct field ranking_fields[] = {
@@ -169,11 +170,19 @@ static const struct field rank_row_fields[] = {
 };
 
 static const struct field credit_fields[] = {
-    FIELD(credit, is_paid),   FIELD(credit, came_back), FIELD(credit, warnings),
-    FIELD(credit, coins),     FIELD(credit, credits),   FIELD(credit, metered),
-    FIELD(credit, services),  FIELD(credit, refunds),   FIELD(credit, tilts),
-    FIELD(credit, tickets),   FIELD(credit, coin_tick), FIELD(credit, tilt_tick),
-    FIELD(credit, asked_tick),
+    FIELD(credit, came_back),  FIELD(credit, warnings),   SKIP(credit, untold),
+    FIELD(credit, metered),    FIELD(credit, shakes),     FIELD(credit, tickets),
+    FIELD(credit, coin_tick),  FIELD(credit, tilt_tick),  FIELD(credit, asked_tick),
+    FIELD(credit, await_tick), FIELD(credit, act_tick),
+};
+
+static const struct field untold_fields[] = {
+    FIELD(untold, pulses), FIELD(untold, units), FIELD(untold, owed),
+};
+
+static const struct field upkeep_fields[] = {
+    FIELD(upkeep, is_told),       FIELD(upkeep, told_tick),
+    FIELD(upkeep, dropped_ticks), FIELD(upkeep, device_faults), FIELD(upkeep, told_shakes),
 };
 
 static const struct field player_fields[] = {
@@ -404,12 +413,19 @@ static const struct table tables[] = {
     TABLE(credit, credit_fields, &core.config.chapter.credit),
     TABLE(purse, purse_fields, &core.config.chapter.ledger.purse),
     TABLE(ledger, ledger_fields, &core.game.ledger),
+    TABLE(purse, purse_fields, &core.game.ledger.kept),
+    TABLE(purse, purse_fields, &core.game.ledger.after[0]),
+    TABLE(purse, purse_fields, &core.game.ledger.after[LEDGER_RING - 1u]),
     TABLE(purse, purse_fields, &core.game.ledger.purse),
     TABLE(ranking, ranking_fields, &core.game.ranking),
     TABLE(name, name_fields, &core.game.name),
     TABLE(rank_row, rank_row_fields, &core.game.ranking.row[2][2][9]),
     TABLE(rank_row, rank_row_fields, &core.config.memory.ranking.row[0][0][0]),
     TABLE(credit, credit_fields, &core.game.credit),
+    TABLE(untold, untold_fields, &core.game.credit.untold[0]),
+    TABLE(untold, untold_fields, &core.game.credit.untold[COIN_LINE_COUNT - 1u]),
+    TABLE(upkeep, upkeep_fields, &core.game.upkeep),
+    TABLE(upkeep, upkeep_fields, &core.config.chapter.upkeep),
     TABLE(album, album_fields, &core.game.album),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[0]),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[ALBUM_FISH_MAX - 1u]),

@@ -147,7 +147,10 @@ static void stir(struct input *input)
     input->pressed &= draw(16) == 0 ? ~0u : ~(uint32_t)INPUT_TEST;
     input->held = draw(INPUT_BUTTON_ALL + 1u);
     input->coin_count[0] = draw(3);
-    input->record_saved_id = draw(50) == 0 ? draw(4) : input->record_saved_id;
+    input->store_well = draw(100) != 0;
+    input->record_saved_id = draw(50) == 0  ? draw(4) /* Whatever it says: it is no bug of ours. */
+                             : draw(4) == 0 ? output.entry_id
+                                            : input->record_saved_id;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         stir_hand(&input->poi[i], &hands[i]);
     }

@@ -3,6 +3,7 @@
 #include "game_stand.h"
 
 #define PRICE 3u
+#define CREDITS_MAX 99u /* SET_CREDIT_MAX's standard. */
 
 static int setup_paid(void **state)
 {
@@ -15,6 +16,7 @@ static int setup_paid(void **state)
     memset(&output, 0, sizeof output);
     clear_sounds();
     hold_at(ABOVE_M);
+    input.store_well = 1;
     step();
     return 0;
 }
@@ -26,9 +28,19 @@ static void drop(uint32_t coins)
     input.coin_count[0] = 0;
 }
 
-static const struct credit *credit(void)
+static const struct purse *purse(void)
 {
-    return &core.game.credit;
+    return &core.game.ledger.purse;
+}
+
+static uint32_t credits(void)
+{
+    return purse_credits(&core);
+}
+
+static uint32_t audit(enum audit_id id)
+{
+    return purse_audit(&core, id);
 }
 
 static void play_a_paid_round(void)
@@ -37,7 +49,7 @@ static void play_a_paid_round(void)
     press(INPUT_START);
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_int_equal(credit()->credits, 0);
+    assert_int_equal(credits(), 0);
 }
 
 /* ---- Coins ---------------------------------------------------------------------------------- */
@@ -72,13 +84,13 @@ static void test_coins_become_a_credit_when_the_last_one_falls(void **state)
     (void)state;
     for (uint32_t coins = 1; coins < PRICE; coins++) {
         drop(1);
-        assert_int_equal(credit()->coins, coins);
+        assert_int_equal(purse()->units, coins);
         press(INPUT_START);
         assert_int_equal(core.game.phase, PHASE_ATTRACT);
     }
     drop(1);
-    assert_int_equal(credit()->coins, 0);
-    assert_int_equal(credit()->credits, 1);
+    assert_int_equal(purse()->units, 0);
+    assert_int_equal(credits(), 1);
     assert_int_equal(output.coins_counted, PRICE);
     assert_int_equal(sounds[SOUND_COIN], PRICE);
 }
@@ -89,36 +101,38 @@ static void test_a_coin_that_falls_with_start_is_in_time(void **state)
     drop(PRICE - 1u);
     input.coin_count[0] = 1;
     press(INPUT_START);
+    input.coin_count[0] = 0;
+    step(); /* It is on disk. */
     assert_int_equal(core.game.phase, PHASE_READY);
-    assert_int_equal(credit()->credits, 0);
+    assert_int_equal(credits(), 0);
 }
 
 static void test_more_coins_than_a_round_costs_wait_for_the_next(void **state)
 {
     (void)state;
     drop(2u * PRICE + 1u);
-    assert_int_equal(credit()->credits, 2);
-    assert_int_equal(credit()->coins, 1);
+    assert_int_equal(credits(), 2);
+    assert_int_equal(purse()->units, 1);
     press(INPUT_START);
-    assert_int_equal(credit()->credits, 1);
+    assert_int_equal(credits(), 1);
     drop(PRICE - 1u); /* In the round. */
-    assert_int_equal(credit()->credits, 2);
+    assert_int_equal(credits(), 2);
 }
 
 static void test_a_full_plate_sends_coins_back_and_loses_none_that_falls(void **state)
 {
     (void)state;
     assert_int_equal(output.coin_lockout, 0);
-    drop(CREDIT_MAX * PRICE);
-    assert_int_equal(credit()->credits, CREDIT_MAX);
+    drop(CREDITS_MAX * PRICE);
+    assert_int_equal(credits(), CREDITS_MAX);
     assert_int_equal(output.coin_lockout, 1);
     drop(PRICE); /* It was on its way. */
-    assert_int_equal(credit()->credits, CREDIT_MAX);
-    assert_int_equal(credit()->coins, PRICE);
+    assert_int_equal(credits(), CREDITS_MAX);
+    assert_int_equal(purse()->units, PRICE);
     press(INPUT_START);
     step();
-    assert_int_equal(credit()->credits, CREDIT_MAX);
-    assert_int_equal(credit()->coins, 0);
+    assert_int_equal(credits(), CREDITS_MAX);
+    assert_int_equal(purse()->units, 0);
 }
 
 static void test_in_free_play_coins_are_sent_back_and_what_falls_is_metered(void **state)
@@ -130,7 +144,7 @@ static void test_in_free_play_coins_are_sent_back_and_what_falls_is_metered(void
     assert_int_equal(output.coin_lockout, 1);
     drop(2);
     assert_int_equal(output.coins_counted, 2);
-    assert_int_equal(credit()->credits, 0);
+    assert_int_equal(credits(), 0);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
 }
@@ -139,8 +153,8 @@ static void test_service_gives_one_that_no_coin_is_counted_for(void **state)
 {
     (void)state;
     press(INPUT_SERVICE);
-    assert_int_equal(credit()->credits, 1);
-    assert_int_equal(credit()->services, 1);
+    assert_int_equal(credits(), 1);
+    assert_int_equal(audit(AUDIT_CREDITS_SERVICE), 1);
     assert_int_equal(output.coins_counted, 0);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
@@ -151,8 +165,8 @@ static void test_service_in_free_play_gives_nothing(void **state)
     (void)state;
     setup(state);
     press(INPUT_SERVICE);
-    assert_int_equal(credit()->credits, 0);
-    assert_int_equal(credit()->services, 0);
+    assert_int_equal(credits(), 0);
+    assert_int_equal(audit(AUDIT_CREDITS_SERVICE), 0);
 }
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
@@ -163,8 +177,8 @@ static void test_a_round_takes_one_credit_and_keeps_it(void **state)
     play_a_paid_round();
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(credit()->credits, 0);
-    assert_int_equal(credit()->refunds, 0);
+    assert_int_equal(credits(), 0);
+    assert_int_equal(audit(AUDIT_REFUNDS), 0);
     steps(GAME_AGAIN_DIP_TICKS);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_RESULT); /* Nobody paid for another. */
@@ -180,10 +194,10 @@ static void test_who_looks_at_the_choice_and_leaves_has_paid_nothing(void **stat
     drop(PRICE);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_CHOOSE);
-    assert_int_equal(credit()->credits, 1);
+    assert_int_equal(credits(), 1);
     steps(GAME_CHOOSE_TICKS_MAX);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    assert_int_equal(credit()->credits, 1);
+    assert_int_equal(credits(), 1);
 }
 
 static void test_the_growth_lab_costs_a_credit_too(void **state)
@@ -195,7 +209,7 @@ static void test_the_growth_lab_costs_a_credit_too(void **state)
     drop(PRICE);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_LAB);
-    assert_int_equal(credit()->credits, 0);
+    assert_int_equal(credits(), 0);
 }
 
 static void test_a_stall_of_the_lab_alone_opens_it_for_nothing_only_when_it_is_free(void **state)
@@ -216,14 +230,14 @@ static void test_the_credit_comes_back_when_the_poi_is_lost_for_good(void **stat
     input.poi[0].link = POI_LINK_LOST;
     steps(GAME_LOST_TICKS_MAX);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_int_equal(credit()->credits, 0);
+    assert_int_equal(credits(), 0);
     steps(3);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(credit()->credits, 1);
-    assert_int_equal(credit()->refunds, 1);
+    assert_int_equal(credits(), 1);
+    assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(core.game.hints.shown, HINT_PAID_BACK);
     steps(GAME_RESULT_TICKS);
-    assert_int_equal(credit()->credits, 1); /* Once. */
+    assert_int_equal(credits(), 1); /* Once. */
 }
 
 static void test_a_poi_that_comes_back_brings_no_credit_with_it(void **state)
@@ -235,8 +249,8 @@ static void test_a_poi_that_comes_back_brings_no_credit_with_it(void **state)
     input.poi[0].link = POI_LINK_LIVE;
     steps(ROUND_S * CORE_TICK_HZ + CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(credit()->credits, 0);
-    assert_int_equal(credit()->refunds, 0);
+    assert_int_equal(credits(), 0);
+    assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
 static void test_a_free_round_has_nothing_to_give_back(void **state)
@@ -247,8 +261,8 @@ static void test_a_free_round_has_nothing_to_give_back(void **state)
     input.poi[0].link = POI_LINK_LOST;
     steps(GAME_LOST_TICKS_MAX + 3u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(credit()->credits, 0);
-    assert_int_equal(credit()->refunds, 0);
+    assert_int_equal(credits(), 0);
+    assert_int_equal(audit(AUDIT_REFUNDS), 0);
 }
 
 /* A plug that is pulled with a full bowl is worth neither prize nor place, however often. */
@@ -266,8 +280,8 @@ static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
         input.poi[0].link = POI_LINK_LOST;
         steps(GAME_LOST_TICKS_MAX + 3u);
         assert_int_equal(core.game.phase, PHASE_RESULT);
-        assert_int_equal(credit()->credits, 1);
-        assert_int_equal(credit()->refunds, times);
+        assert_int_equal(credits(), 1);
+        assert_int_equal(audit(AUDIT_REFUNDS), times);
         assert_int_equal(output.tickets, 0);
         assert_int_equal(output.record.id, 0);
         assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 0);
@@ -279,7 +293,7 @@ static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT); /* The next is played to its end. */
-    assert_int_equal(output.record.id, 1);
+    assert_int_equal(output.record.id, output.entry_id);
     core_scene(&core, &scene);
     assert_false(scene.credit.came_back);
 }
@@ -333,7 +347,7 @@ static void test_coins_are_sent_back_while_nobody_could_play(void **state)
     input.poi[0].link = POI_LINK_ABSENT;
     step();
     assert_int_equal(output.coin_lockout, 1);
-    assert_int_equal(credit()->warnings, WARN_NO_POI);
+    assert_int_equal(core.game.credit.warnings, WARN_NO_POI);
     input.poi[1].link = POI_LINK_LIVE; /* There is no second seat. */
     step();
     assert_int_equal(output.coin_lockout, 1);
@@ -348,14 +362,14 @@ static void test_an_open_door_warns_and_sends_coins_back_and_ends_no_round(void 
     play_a_paid_round();
     input.held = INPUT_DOOR;
     step();
-    assert_int_equal(credit()->warnings, WARN_DOOR);
+    assert_int_equal(core.game.credit.warnings, WARN_DOOR);
     assert_int_equal(output.coin_lockout, 1);
     steps(CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_int_equal(core.game.paused, 0);
     input.held = 0;
     step();
-    assert_int_equal(credit()->warnings, 0);
+    assert_int_equal(core.game.credit.warnings, 0);
 }
 
 static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
@@ -363,16 +377,16 @@ static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
     (void)state;
     press(INPUT_TILT); /* An edge shorter than a tick. */
     for (uint32_t i = 0; i < 3; i++) {
-        assert_int_equal(credit()->warnings, WARN_TILT);
+        assert_int_equal(core.game.credit.warnings, WARN_TILT);
         assert_int_equal(output.coin_lockout, 1);
         press(INPUT_TILT); /* It goes on shaking. */
     }
-    assert_int_equal(credit()->tilts, 1);
+    assert_int_equal(core.game.credit.shakes, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
     steps(CREDIT_TILT_TICKS);
-    assert_int_equal(credit()->warnings, 0);
+    assert_int_equal(core.game.credit.warnings, 0);
     press(INPUT_TILT);
-    assert_int_equal(credit()->tilts, 2);
+    assert_int_equal(core.game.credit.shakes, 2);
 }
 
 static void test_a_shake_loses_no_coin_that_fell(void **state)
@@ -380,7 +394,7 @@ static void test_a_shake_loses_no_coin_that_fell(void **state)
     (void)state;
     input.held = INPUT_TILT;
     drop(PRICE);
-    assert_int_equal(credit()->credits, 1);
+    assert_int_equal(credits(), 1);
 }
 
 static void test_prices_and_tickets_out_of_range_are_refused(void **state)
@@ -415,9 +429,9 @@ static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
     }
     assert_true(dropped > 100u && played > 3u && given > 3u);
     assert_int_equal(output.coins_counted, dropped);
-    assert_int_equal(credit()->services, given);
+    assert_int_equal(audit(AUDIT_CREDITS_SERVICE), given);
     assert_int_equal(dropped + PRICE * given,
-                     credit()->coins + PRICE * (credit()->credits + played - credit()->refunds));
+                     purse()->units + PRICE * (credits() + played - audit(AUDIT_REFUNDS)));
 }
 
 int main(void)

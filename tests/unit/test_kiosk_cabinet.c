@@ -12,6 +12,7 @@
 #include "core/game/menu_pages.h"
 #include "drivers/clock_sim.h"
 #include "drivers/null.h"
+#include "drivers/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
 
 #define MS 1000000ull
@@ -22,6 +23,7 @@
 
 static struct rig {
     struct clock_sim clock;
+    struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
     struct button_sample buttons; /* Of the next frame. */
@@ -147,6 +149,7 @@ static int set_up(void **state)
     rig.hal = null_hal();
     rig.hal.clock = clock_sim_device(&rig.clock);
     rig.hal.poi[0] = (struct hal_poi){ .ops = &poi };
+    rig.hal.storage = storage_sim_device(&rig.storage);
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
     rig.hal.controllers = (struct hal_controllers){ .ops = &desk };
     rig.hal.switches = (struct hal_switches){ .ops = &switches };
@@ -335,7 +338,10 @@ static void test_a_cabinet_without_a_switch_is_asked_once_and_never_again(void *
 static int next_of_a_replay(void *self, struct input *out)
 {
     (void)self;
-    *out = (struct input){ .coin_count[0] = 1, .poi[0].link = POI_LINK_LIVE };
+    *out = (struct input){ .coin_count[0] = 1,
+                           .store_well = 1,
+                           .record_saved_id = rig.kiosk.output.entry_id,
+                           .poi[0].link = POI_LINK_LIVE };
     return 1;
 }
 

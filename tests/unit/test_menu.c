@@ -109,15 +109,15 @@ static void test_a_second_test_ends_the_round_without_a_result_and_pays_it_back(
 {
     (void)state;
     core.config.credit_coins = 1;
-    core.game.credit.credits = 2;
+    core.game.ledger.purse.paid = core.game.ledger.kept.paid = 2;
     play_into_round();
     core.game.player[0].caught = 7;
-    assert_int_equal(core.game.credit.credits, 1);
+    assert_int_equal(purse_credits(&core), 1);
     press(INPUT_TEST);
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
-    assert_int_equal(core.game.credit.credits, 2);
-    assert_int_equal(core.game.credit.refunds, 1);
+    assert_int_equal(purse_credits(&core), 2);
+    assert_int_equal(purse_audit(&core, AUDIT_REFUNDS), 1);
     assert_int_equal(output.record.id, 0);
     assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
@@ -178,8 +178,8 @@ static void test_service_gives_no_credit_in_the_menu(void **state)
     (void)state;
     core.config.credit_coins = 1;
     push(INPUT_SERVICE);
-    assert_int_equal(core.game.credit.credits, 0);
-    assert_int_equal(core.game.credit.services, 0);
+    assert_int_equal(purse_credits(&core), 0);
+    assert_int_equal(purse_audit(&core, AUDIT_CREDITS_SERVICE), 0);
 }
 
 /* Into each page that hangs somewhere, by TEST and SERVICE alone, and back by its last tag. */
@@ -456,40 +456,36 @@ static void test_a_coin_on_the_lines_page_is_a_test_and_only_metered(void **stat
     }
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
-    assert_int_equal(core.game.credit.coins + core.game.credit.credits, 0);
+    assert_int_equal(core.game.ledger.purse.units + purse_credits(&core), 0);
     assert_int_equal(output.coins_counted, 5); /* They are in the box. */
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_DEVICES);
     assert_int_equal(output.coin_lockout, 1);
 }
 
-/* A guest does not know what a menu is. */
-static void test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_money(void **state)
+/* The slot is closed there; one that falls all the same is the operator's, who has the key. */
+static void test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_a_test(void **state)
 {
     (void)state;
-    static struct scene scene;
     core.config.credit_coins = 2;
     for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
         if (page == MENU_LINES) {
             continue;
         }
         const uint32_t before = output.coins_counted;
-        core.game.credit.credits = 0;
         menu_turn(&core, (enum menu_page)page);
         step();
         assert_int_equal(output.coin_lockout, 1);
         drop(1);
         drop(1);
-        core_scene(&core, &scene);
-        assert_int_equal(core.game.credit.credits, 1);
+        assert_int_equal(core.game.ledger.purse.units + purse_credits(&core), 0);
         assert_int_equal(output.coins_counted, before + 2u);
-        assert_int_equal(scene.menu.test_coins, 0);
-        assert_true(scene.credit.coin_s < 0.1f);
+        assert_int_equal(purse_audit(&core, AUDIT_TEST_COINS), output.coins_counted);
     }
 }
 
-/* Each coin is a test or money, and the meter counts both, whatever page is turned in its tick. */
-static void test_no_coin_is_twice_or_never_where_a_page_is_turned(void **state)
+/* The meter and the books count each coin once, whatever page is turned in its tick. */
+static void test_no_test_coin_is_twice_or_never_where_a_page_is_turned(void **state)
 {
     (void)state;
     core.config.credit_coins = 1;
@@ -501,9 +497,10 @@ static void test_no_coin_is_twice_or_never_where_a_page_is_turned(void **state)
         }
         drop(1);
         assert_int_equal(output.coins_counted, i);
-        assert_int_equal(core.game.credit.credits + menu()->test_coins, i);
+        assert_int_equal(menu()->test_coins, i);
+        assert_int_equal(purse_audit(&core, AUDIT_TEST_COINS), i);
     }
-    assert_true(menu()->test_coins > 0 && core.game.credit.credits > 0);
+    assert_int_equal(purse_credits(&core), 0);
 }
 
 static void test_lines_are_watched_and_only_test_leads_back(void **state)
@@ -557,7 +554,7 @@ static void test_a_shake_while_the_operator_works_is_no_shake(void **state)
 {
     (void)state;
     push(INPUT_TILT);
-    assert_int_equal(core.game.credit.tilts, 0);
+    assert_int_equal(core.game.credit.shakes, 0);
 }
 
 /* ---- The hand ------------------------------------------------------------------------------- */
@@ -762,8 +759,8 @@ int main(void)
         IN_MENU(test_what_failed_can_be_tried_again_or_left),
         IN_MENU(test_a_menu_that_is_forgotten_ends_what_was_being_learned),
         IN_MENU(test_a_coin_on_the_lines_page_is_a_test_and_only_metered),
-        IN_MENU(test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_money),
-        IN_MENU(test_no_coin_is_twice_or_never_where_a_page_is_turned),
+        IN_MENU(test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_a_test),
+        IN_MENU(test_no_test_coin_is_twice_or_never_where_a_page_is_turned),
         IN_MENU(test_lines_are_watched_and_only_test_leads_back),
         IN_MENU(test_the_start_buttons_lamp_follows_it_while_lines_are_watched),
         IN_MENU(test_counters_stop_where_their_digits_end),

@@ -53,6 +53,7 @@ static int setup_menu(void **state)
     settings_reset(&core.config.memory.settings);
     adjust_init(&core.game.adjust, &core.config);
     settings_apply(&core.config.memory.settings, &core.config);
+    store_is_late = 1;
     input.store_well = 1;
     push(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
@@ -267,7 +268,7 @@ static void test_what_is_turned_there_and_back_is_no_entry(void **state)
 
 static void fill_the_ring(void)
 {
-    while (ledger_has_room(&core.game.ledger)) {
+    while (ledger_has_room(&core.game.ledger, LEDGER_SETTING)) {
         ledger_write(&core, &(struct ledger_entry){ .kind = LEDGER_HEALTH }, &output);
     }
 }

@@ -205,7 +205,8 @@ static void test_what_is_paid_and_what_is_wrong_fits_in_every_phase(void **state
             .unpaid = count == 0,
             .warnings = (uint8_t)(k / (SIZE_COUNT * 24u) % 8u),
             .came_back = (uint8_t)(k / 5u % 2u),
-            .coins = k % 20u,
+            .units = k % 20u,
+            .coming = count / 2u,
             .credits = count,
             .coin_s = 0.1f * (float)(k % 7u),
             .asked_s = 0.1f * (float)(k % 13u),
@@ -268,10 +269,10 @@ static void test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_who
         scene.credit = (struct scene_credit){ .price = 3, .credits = 1, .coin_s = 6.0f };
         lay_out(sizes[0]);
         const uint32_t whole = glyph_quads();
-        scene.credit.coins = 2;
+        scene.credit.units = 2;
         lay_out(sizes[0]);
         assert_int_equal(glyph_quads(), whole + 4u); /* "+ 2/3" */
-        scene.credit.coins = 3; /* They wait: there are as many credits as there may be. */
+        scene.credit.units = 3; /* They wait: there are as many credits as there may be. */
         lay_out(sizes[0]);
         assert_int_equal(glyph_quads(), whole);
     }
@@ -647,7 +648,7 @@ static void test_no_board_leaves_the_screen(void **state)
         rest /= RANK_PERIOD_COUNT;
         const float moment_s = moments_s[rest % 7u];
         set_scene(rest / 7u == 0 ? PHASE_BOARD : PHASE_ATTRACT, language, HINT_START, 20.0f);
-        scene.credit = (struct scene_credit){ .price = 3, .credits = 99, .coins = 1 };
+        scene.credit = (struct scene_credit){ .price = 3, .credits = 99, .units = 1 };
         hang_board(period, rest / 7u == 1u ? 1u : SCENE_BOARD_ROWS, moment_s, 9.0f - moment_s);
         memory = (struct ui_memory){ 0 };
         lay_out(sizes[k % SIZE_COUNT]);

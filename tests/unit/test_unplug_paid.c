@@ -18,8 +18,10 @@
 #include "drivers/poi_descriptor.h"
 #include "drivers/poi_hid.h"
 #include "drivers/poi_report.h"
+#include "drivers/storage_sim.h"
 #include "hid_wire.h"
 #include "platform/kiosk/kiosk.h"
+#include "purse.h"
 
 #define REPORT_NS 8333333ull /* 120 a second, two a frame. */
 #define UNPLUGS 1000u
@@ -29,6 +31,7 @@ static struct rig {
     struct clock_sim clock;
     struct hid_wire wire;
     struct poi_hid poi;
+    struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
     uint32_t report_count;
@@ -85,6 +88,7 @@ static int set_up(void **state)
     poi_hid_init(&rig.poi, hid_port_sim_port(&rig.wire.port), rig.hal.clock,
                  (struct hid_mapper){ 0 }, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.hal.poi[0] = poi_hid_device(&rig.poi);
+    rig.hal.storage = storage_sim_device(&rig.storage);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     reports(60);
     pay(2u * PRICE); /* This round, and one that waits. */
@@ -94,7 +98,7 @@ static int set_up(void **state)
         assert_true(rig.kiosk.core.tick < 10u * CORE_TICK_HZ);
     }
     reports(60);
-    assert_int_equal(game()->credit.credits, 1);
+    assert_int_equal(purse_credits(&rig.kiosk.core), 1);
     assert_int_equal(game()->paused, 0);
     return 0;
 }
@@ -140,8 +144,8 @@ static void test_at_each_of_a_thousand_reports_the_round_waits_and_no_credit_is_
         assert_int_equal(game()->paused, 0);
         assert_true(left_s - game_seconds_left(game(), rig.kiosk.core.tick) < 0.1f);
         assert_int_equal(game()->player[0].caught, caught);
-        assert_int_equal(game()->credit.credits, 1);
-        assert_int_equal(game()->credit.refunds, 0);
+        assert_int_equal(purse_credits(&rig.kiosk.core), 1);
+        assert_int_equal(purse_audit(&rig.kiosk.core, AUDIT_REFUNDS), 0);
         slowest = waited > slowest ? waited : slowest;
         sum += waited;
         resumed++;
@@ -162,8 +166,8 @@ static void test_a_cable_that_stays_out_ends_the_round_and_pays_it_back(void **s
     pull_out();
     reports(GAME_LOST_TICKS_MAX + 2u * CORE_TICK_HZ);
     assert_true(game()->phase != PHASE_ROUND);
-    assert_int_equal(game()->credit.credits, 2);
-    assert_int_equal(game()->credit.refunds, 1);
+    assert_int_equal(purse_credits(&rig.kiosk.core), 2);
+    assert_int_equal(purse_audit(&rig.kiosk.core, AUDIT_REFUNDS), 1);
 }
 
 int main(void)

@@ -13,8 +13,10 @@
 #include "drivers/buttons_sim.h"
 #include "drivers/null.h"
 #include "drivers/poi_hid.h"
+#include "drivers/storage_sim.h"
 #include "drivers/usb_seats.h"
 #include "platform/kiosk/kiosk.h"
+#include "purse.h"
 #include "tests/unit/usb_kinds.h"
 
 #define UNPLUG_COUNT 1000u
@@ -28,6 +30,7 @@ static struct {
     struct button_event event[2];
     struct buttons_sim buttons;
     struct poi_hid poi;
+    struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
     uint32_t device;
@@ -154,6 +157,7 @@ static int set_up(void **state)
     poi_hid_init(&stall.poi, usb_seats_port(stall.bench.seats, 0), stall_clock(),
                  (struct hid_mapper){ NULL, NULL }, &view);
     stall.hal.poi[0] = poi_hid_device(&stall.poi);
+    stall.hal.storage = storage_sim_device(&stall.storage);
     return kiosk_init(&stall.kiosk, &stall.hal, &config);
 }
 
@@ -165,15 +169,20 @@ static int tear_down(void **state)
     return 0;
 }
 
-static const struct credit *credit(void)
+static uint32_t credits(void)
 {
-    return &stall.kiosk.core.game.credit;
+    return purse_credits(&stall.kiosk.core);
+}
+
+static uint32_t refunds(void)
+{
+    return purse_audit(&stall.kiosk.core, AUDIT_REFUNDS);
 }
 
 static void begin_round(void)
 {
     assert_true(frames_until(is_attract));
-    assert_true(credit()->credits > 0);
+    assert_true(credits() > 0);
     press_start();
     assert_true(frames_until(runs));
 }
@@ -185,32 +194,32 @@ static void test_a_thousand_unplugs_cost_no_credit(void **state)
     plug();
     frame();
     begin_round();
-    assert_int_equal(credit()->credits, COINS - 1u);
+    assert_int_equal(credits(), COINS - 1u);
     for (uint32_t i = 0; i < UNPLUG_COUNT; i++) {
-        const uint32_t credits = credit()->credits, refunds = credit()->refunds;
+        const uint32_t had = credits(), paid_before = refunds();
         for (uint32_t k = 0; k < i % 23u; k++) {
             say();
         }
         unplug(i);
         assert_true(frames_until(is_paused));
         plug();
-        for (uint32_t k = 0; k < FRAMES_MAX && !runs() && credit()->refunds == refunds; k++) {
+        for (uint32_t k = 0; k < FRAMES_MAX && !runs() && refunds() == paid_before; k++) {
             frame();
             usleep(20);
         }
-        if (credit()->refunds > refunds) { /* It was away for too long in all. */
-            assert_int_equal(credit()->credits, credits + 1u);
+        if (refunds() > paid_before) { /* It was away for too long in all. */
+            assert_int_equal(credits(), had + 1u);
             paid_back++;
             begin_round();
             continue;
         }
         assert_true(runs());
-        assert_int_equal(credit()->credits, credits);
+        assert_int_equal(credits(), had);
         resumed++;
     }
     assert_int_equal(resumed + paid_back, UNPLUG_COUNT);
     assert_true(resumed > UNPLUG_COUNT * 9u / 10u);
-    assert_int_equal(credit()->credits + 1u, COINS); /* And one is being played. */
+    assert_int_equal(credits() + 1u, COINS); /* And one is being played. */
     printf("# %u unplugs in a round: %u resumed, %u paid back, 0 credits lost\n", UNPLUG_COUNT,
            resumed, paid_back);
 }

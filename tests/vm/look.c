@@ -23,15 +23,16 @@ static void tell(FILE *file, const struct twin *twin)
     static const char *const buttons[] = { "start", "left", "right", "ok", "language",
                                            "test", "service", "tilt", "door" };
     const struct core *core = &twin->core;
+    const struct purse *purse = &core->game.ledger.purse;
     fprintf(file, "ticks %u\ndiffers_at %u\n", twin->ticks, twin->differs_at);
     for (unsigned i = 0; i < sizeof buttons / sizeof buttons[0]; i++) {
         fprintf(file, "%s %u\n", buttons[i], twin->presses[i]);
     }
-    fprintf(file, "coins %u\ncredits %u\ntaken %u\n", twin->coins, core->game.credit.credits,
+    fprintf(file, "coins %u\ncredits %u\ntaken %u\n", twin->coins, purse->paid + purse->service,
            core->game.round_count);
     const struct menu *menu = &core->game.menu;
-    fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", core->game.credit.coins,
-            core->game.credit.refunds, core->game.credit.metered);
+    fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", purse->units,
+            core->game.audits.count[AUDIT_REFUNDS], core->game.credit.metered);
     fprintf(file, "on_top %d\non_devices %d\non_lines %d\non_upkeep %d\non_files %d\n",
             menu->page == MENU_TOP, menu->page == MENU_DEVICES, menu->page == MENU_LINES,
             menu->page == MENU_UPKEEP, menu->page == MENU_FILES);

@@ -1,0 +1,75 @@
+/* upkeep.c -- boots, crashes, and hours. */
+#include "core/game/upkeep.h"
+
+#include "core/base/hash.h"
+#include "core/core.h"
+
+/* What fell while there was no room for an entry is in the purse that came after it. */
+static void fold_untold(struct purse *purse)
+{
+    purse->units += purse->untold;
+    purse->bonus_units += purse->untold;
+    purse->untold = 0;
+}
+
+static void tell_boot(struct core *core, struct output *output)
+{
+    struct ledger *ledger = &core->game.ledger;
+    const struct ledger_entry entry = { .kind = LEDGER_BOOT,
+                                        .count = ledger->boot,
+                                        .value = (int32_t)ledger->purse.untold };
+    fold_untold(&ledger->purse);
+    ledger_write(core, &entry, output);
+    if (ledger->purse.open != OPEN_NONE) {
+        credit_give_back(core, REFUND_RESTART, output);
+        core->game.credit.came_back = 0; /* Of another evening: nobody waits for that news. */
+    }
+}
+
+void upkeep_tell(struct core *core, const struct input *input, struct output *output)
+{
+    struct upkeep *upkeep = &core->game.upkeep;
+    const uint32_t shakes = core->game.credit.shakes;
+    const struct ledger_entry entry = {
+        .kind = LEDGER_HEALTH,
+        .count = shakes - upkeep->told_shakes,
+        .value = (int32_t)((core->tick - upkeep->told_tick) / CORE_TICK_HZ),
+        .health = {
+            .up_s = core->tick / CORE_TICK_HZ,
+            .dropped_ticks = input->dropped_ticks - upkeep->dropped_ticks,
+            .device_faults = input->device_faults - upkeep->device_faults,
+        },
+    };
+    if (ledger_write(core, &entry, output) != 0) {
+        upkeep->told_tick += (uint32_t)entry.value * CORE_TICK_HZ;
+        upkeep->dropped_ticks = input->dropped_ticks;
+        upkeep->device_faults = input->device_faults;
+        upkeep->told_shakes = shakes;
+    }
+}
+
+/* Where there is no room it is told as soon as there is some. */
+void upkeep_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct upkeep *upkeep = &core->game.upkeep;
+    if (!upkeep->is_told) {
+        upkeep->is_told = 1;
+        if (core->game.ledger.boot > 0) { /* Else nobody counts them. */
+            tell_boot(core, output);
+        }
+    }
+    if (core->tick - upkeep->told_tick >= UPKEEP_TICKS &&
+        ledger_may_write(&core->game.ledger, LEDGER_HEALTH)) {
+        upkeep_tell(core, input, output);
+    }
+}
+
+uint64_t upkeep_hash(uint64_t hash, const struct upkeep *upkeep)
+{
+    const uint32_t words[] = { upkeep->is_told, upkeep->told_tick, upkeep->dropped_ticks,
+                               upkeep->device_faults, upkeep->told_shakes };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    return hash;
+}

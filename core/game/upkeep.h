@@ -1,0 +1,34 @@
+/* upkeep.h -- what the machine says of itself: that it began, what that ended, and how it fares.
+ *
+ * The first entry of each start is LEDGER_BOOT. A round that was open then was cut off by a crash
+ * or the plug: its credit comes back. Every ten minutes, and whenever the operator opens the menu,
+ * a LEDGER_HEALTH tells how long the machine has been up and what went wrong meanwhile. */
+#ifndef KINGYO_CORE_GAME_UPKEEP_H
+#define KINGYO_CORE_GAME_UPKEEP_H
+
+#include <stdint.h>
+
+#include "core/input.h"
+#include "core/ledger.h"
+#include "core/output.h"
+
+#define UPKEEP_TICKS (600u * CORE_TICK_HZ) /* What a pulled plug takes from the books at most. */
+
+struct upkeep {
+    uint8_t is_told;       /* This start's LEDGER_BOOT is written. */
+    uint32_t told_tick;    /* When a LEDGER_HEALTH was written last, ... */
+    uint32_t dropped_ticks, device_faults; /* ... and what it found in the input. */
+    uint32_t told_shakes;
+};
+
+struct core;
+
+/* Once a tick, before anything else is written in it. */
+void upkeep_tick(struct core *core, const struct input *input, struct output *output);
+
+/* Tells now. */
+void upkeep_tell(struct core *core, const struct input *input, struct output *output);
+
+uint64_t upkeep_hash(uint64_t hash, const struct upkeep *upkeep);
+
+#endif
