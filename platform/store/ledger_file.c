@@ -15,8 +15,8 @@
 
 /* A write-ahead log: of the journals that lose nothing when the plug is pulled (`make
  * bench-journals`) it syncs least, a third as often as a rollback journal at EXTRA, and writes
- * least. It is folded into the file each 128 pages, so that no transaction meets more than half a MiB of
- * that. The cache is what a transaction needs, in KiB. */
+ * least. It is folded into the file each 128 pages, so that no transaction meets more than half a
+ * MiB of that. The cache is what a transaction needs, in KiB. */
 #define JOURNAL "WAL FULL"
 static const char settings[] = "PRAGMA wal_autocheckpoint = 128;"
                                "PRAGMA cache_size = -1024;";
