@@ -9,7 +9,7 @@
 export BUILD=${BUILD:-build}
 . "$(dirname "$0")/disk.sh" image-kills
 kills=${KILLS:-50} seed=${SEED:-1} limit_s=${VM_SECONDS:-600}
-load_s_max=${LOAD_SECONDS:-20} lies=${LIES:+lies}
+coins_max=${COINS:-40} lies=${LIES:+lies}
 base=$cache/base.img log=$cache/writes.log
 loading=0 fallen=0 recording='' kill=0 boot=0
 acknowledged_all=0 coins_all=0 failures=0
@@ -38,17 +38,17 @@ heard() {
     set -- $1
     case ${2-} in
         recording) recording=$3 ;;
-        load)
-            loading=1
-            pull_plug_later &
+        load) loading=1 ;;
+        coin)
+            fallen=$3
+            [ "$fallen" -ne "$pull_at" ] || pull_plug_soon &
             ;;
-        coin) fallen=$3 ;;
         bad) bad "start $start: ${*:3}" ;;
     esac
 }
 
-pull_plug_later() {
-    sleep "$(awk "BEGIN { print $load_s_max * $RANDOM / 32768 }")"
+pull_plug_soon() { # Within the second
+    sleep "$(awk "BEGIN { print $RANDOM / 32768 }")"
     kill -KILL "$(cat "$run/pid")"
 }
 
@@ -84,7 +84,7 @@ start_once() {
     make_share load
     cp --sparse=always "$base" "$disk"
     : >"$log"
-    loading=0 fallen=0 recording=''
+    loading=0 fallen=0 recording='' pull_at=$((5 + RANDOM % coins_max)) # A recording is a second late.
     guest_start "$limit_s" || true
     guest_listen
 }
@@ -102,4 +102,5 @@ for ((start = 1; start <= kills + 1; start++)); do
     "$BUILD/tests/vm/image/cut" "$log" "$base" "$((seed * 1000 + start))" $lies
 done
 printf 'kills: %d, %d entries acknowledged, %d coins; %d failures, %d s\n' "$kills" "$acknowledged_all" "$coins_all" "$failures" "$SECONDS"
+[ "$acknowledged_all" -gt 0 ] || { echo "kills: nothing was ever acknowledged, so nothing was seen"; exit 1; }
 [ "$failures" -eq 0 ]
