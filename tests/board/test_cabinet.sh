@@ -47,13 +47,15 @@ boot_file_agrees() { # BOARD
         [ "$(wc -l <"board/$1/cmdline.txt")" = 1 ]
 }
 
-# Every role of the cabinet has its line, and the tool that reads wiring takes each.
+# Every role of the cabinet has its line, and the stall reads each where it looks for it.
 lines_agree() {
-    local role line lines=()
-    while read -r role line; do
-        lines+=("$role=$line")
+    local line lines=()
+    "$ctl" config check "$cabinet/lines.conf" >"$work/lines" 2>&1 || { cat "$work/lines"; return 1; }
+    while read -r line; do
+        lines+=("$line")
+        line=${line#*=}
         grep -q "^${line%%,*} " "$work/page" || { echo "$line is not on the page"; return 1; }
-    done < <(sed -n 's/^\([a-z0-9-]*\) = \(.*\)/\1 \2/p' "$cabinet/lines.conf")
+    done < <(sed -n 's/^line = //p' "$cabinet/lines.conf")
     [ "${#lines[@]}" = 15 ] || return 1
     timeout 20 "$ctl" lines watch "${lines[@]}" --seconds 1 >"$work/lines" 2>&1
     ! grep -qE "is no (role|word)|same line" "$work/lines" || { cat "$work/lines"; return 1; }
