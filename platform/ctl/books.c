@@ -1,6 +1,7 @@
 /* books.c -- finds and opens the ledger's file for who only reads. */
 #include "platform/ctl/books.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -24,10 +25,11 @@ int books_take(struct books_words *words, int argc, const char *const *argv, int
     return 0;
 }
 
-static int is_there(const char *path)
+/* 0, or errno: the service's folder is shut to most users. */
+static int look_for(const char *path)
 {
     struct stat about;
-    return stat(path, &about) == 0;
+    return stat(path, &about) ? errno : 0;
 }
 
 static void find(const struct books_words *words, char path[BOOKS_PATH_SIZE])
@@ -36,7 +38,7 @@ static void find(const struct books_words *words, char path[BOOKS_PATH_SIZE])
     const char *folder = words->data ? words->data : service_folder;
     snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, folder);
     folder_default_data(own);
-    if (!words->data && !is_there(path) && own[0]) {
+    if (!words->data && look_for(path) == ENOENT && own[0]) {
         snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, own);
     }
 }
@@ -59,8 +61,12 @@ enum exit_code books_open(const char *command, const struct books_words *words,
 {
     char path[BOOKS_PATH_SIZE];
     find(words, path);
-    if (!is_there(path)) {
-        fprintf(stderr, "kingyoctl %s: %s: is not there; --data says where else\n", command, path);
+    const int error = look_for(path);
+    if (error) {
+        fprintf(stderr, "kingyoctl %s: %s: %s\n", command, path,
+                error == ENOENT   ? "is not there; --data says where else"
+                : error == EACCES ? "you may not look there: ask with sudo"
+                                  : strerror(error));
         return EXIT_IO;
     }
     const int code = ledger_file_look(out, path);

@@ -157,6 +157,9 @@ static enum exit_code verify(const struct request *request, struct ledger_file *
         }
         bad += found.has_replay ? found.verdict != VERDICT_GENUINE : !is_all;
     }
+    if (count == 0 && !request->books.as_json) {
+        puts("nobody has caught a fish yet");
+    }
     fputs(request->books.as_json ? "\n]\n" : "", stdout);
     return bad > 0 ? EXIT_NOT_SO : EXIT_OK;
 }

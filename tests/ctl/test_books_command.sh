@@ -34,6 +34,13 @@ is_copy() {
 leaves_no_half_copy() {
     ends 65 'damaged' backup "$work/none.db" --data "$work/broken" && ! ls "$work"/none.db* 2>/dev/null
 }
+# As another user, where we are root; else the folder is shut to ourselves.
+is_shut_to_others() {
+    local as=()
+    [ "$(id -u)" != 0 ] || as=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+    mkdir -m 000 "$work/shut" && "${as[@]}" "$ctl" scores --data "$work/shut" >"$work/out" 2>&1
+    [ $? -eq 74 ] && grep -q 'ask with sudo' "$work/out"
+}
 
 is_told_damaged() {
     "$ctl" scores verify 6 --json --data "$data" >"$work/json"
@@ -73,6 +80,11 @@ check 'a backup can be read like the file' ends 0 'きんぎょ' scores --data "
 check 'a backup never goes onto the file itself' ends 2 'own file' backup "$data/kingyo.db" --data "$data"
 check 'a place that cannot be written is told' ends 74 'cannot be written' backup /proc/none --data "$data"
 check 'no file at all is told' ends 74 'is not there' scores --data "$work/nowhere"
+check 'of a folder that is shut to you sudo is advised' is_shut_to_others
+mkdir "$work/empty" && sqlite3 "$data/kingyo.db" "vacuum into '$work/empty/kingyo.db'" &&
+    sqlite3 "$work/empty/kingyo.db" 'delete from ranking'
+check 'of nobody nothing is verified, and that is said' ends 0 'nobody has caught a fish yet' scores verify --all \
+    --data "$work/empty"
 mkdir "$work/old" "$work/broken"
 cp $old/version-2.db "$work/old/kingyo.db"
 check 'a file of an earlier version is not changed by who only looks' ends 65 'start the stall once' audits \

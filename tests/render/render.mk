@@ -38,7 +38,7 @@ specimen: $(BUILD)/tests/render/specimen
 
 PICTURE := out/pictures
 ## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
-pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture
+pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures
 
 # The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
 # play, so the moments move with the physics; look before you keep them.
@@ -91,4 +91,17 @@ menu-picture: $(BUILD)/tests/render/shot
 	@convert $(PICTURE)/learn.png $(PICTURE)/lines.png -resize 800x +append -quality 86 assets/pictures/menu.jpg
 	@echo 'assets/pictures/menu.jpg'
 
-.PHONY: menu-picture lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures
+# Of the operator's manual: two pages of the menu side by side.
+MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score books:earnings:hours \
+    lines:lines:axes upkeep:files:about
+
+## manual-pictures: those of board/MANUAL.md, in assets/pictures/; needs ImageMagick
+manual-pictures: $(BUILD)/tests/render/shot
+	@mkdir -p $(PICTURE)
+	@set -e; for row in $(MANUAL_PICTURES); do IFS=: read -r name left right <<<"$$row"; \
+	    for page in $$left $$right; do $< --menu $$page --en -o $(PICTURE)/$$page.png >/dev/null; done; \
+	    convert $(PICTURE)/$$left.png $(PICTURE)/$$right.png -resize 800x +append -quality 86 \
+	        assets/pictures/manual-$$name.jpg; \
+	    echo "assets/pictures/manual-$$name.jpg"; done
+
+.PHONY: manual-pictures menu-picture lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures
