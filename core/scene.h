@@ -268,6 +268,12 @@ struct scene_menu {
     uint8_t is_saved;        /* All that was turned is on disk. */
     uint32_t fish_max;       /* As many as the stall's tank has room for. */
     struct settings settings;
+    uint8_t seat;            /* Whose poi is calibrated, ... */
+    uint8_t calibrated;      /* ... which have a calibration, a bit each, ... */
+    uint8_t calibrate_step;  /* ... enum calibrate_step, ... */
+    uint8_t calibrate_fault; /* ... enum calibration_fault, ... */
+    float calibrate_progress; /* ... [0, 1] of being still, ... */
+    vec3 calibrated_m;       /* ... and where that poi is, set right. */
     uint8_t from;            /* The page of the books that asks whether to reset. */
     uint8_t pin_count;       /* Digits typed, ... */
     uint16_t pin;            /* ... which are shown where a new one is chosen. */

@@ -6,6 +6,7 @@
 #include "core/core.h"
 #include "core/game/board.h"
 #include "core/game/hand.h"
+#include "core/game/menu_calibrate.h"
 #include "core/game/phases.h"
 
 #define START_LAMP_TICKS (CORE_TICK_HZ / 2u)
@@ -94,10 +95,12 @@ static int start_lamp(const struct core *core)
            core->tick % CORE_TICK_HZ < START_LAMP_TICKS;
 }
 
-void game_tick(struct core *core, const struct input *input, struct output *output,
+void game_tick(struct core *core, const struct input *said, struct output *output,
                struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
 {
     struct game *game = &core->game;
+    const struct input own = hand_set_right(core, said), *input = &own;
+    calibrate_tick(core, said, output);
     if (input->pressed & INPUT_LANGUAGE) {
         game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/panic.h"
 #include "core/core.h"
+#include "core/game/calibrate.h"
 #include "core/game/drift.h"
 #include "core/game/rest.h"
 #include "core/poi/pose.h"
@@ -27,6 +28,15 @@ int hand_plays(const struct core *core, uint32_t index)
 int hand_is_lost(const struct core *core, uint32_t index)
 {
     return hand_plays(core, index) && core->poi[index].link == POI_LINK_LOST;
+}
+
+struct input hand_set_right(const struct core *core, const struct input *said)
+{
+    struct input own = *said;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        calibration_apply(&core->config.memory.settings, i, &own.poi[i]);
+    }
+    return own;
 }
 
 void hand_read(struct core *core, const struct input *input)

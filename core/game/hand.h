@@ -10,6 +10,9 @@ struct game;
 /* Whether a poi takes part: it has a bowl, and someone to hold it, lost or not. */
 int hand_plays(const struct core *core, uint32_t index);
 
+/* What the controllers said, as each seat's calibration sets it right; all else as it is. */
+struct input hand_set_right(const struct core *core, const struct input *said);
+
 /* Judges what each controller says (trust.h); once a tick, before all else. */
 void hand_read(struct core *core, const struct input *input);
 

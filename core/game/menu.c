@@ -165,9 +165,13 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
 
 /* ---- The hand ------------------------------------------------------------------------------- */
 
-/* A controller that is being learned is swung about: its way over the water means nothing yet. */
+/* A controller that is being learned or calibrated is swung about: its way over the water means
+ * nothing yet. */
 static int is_learning(const struct menu *menu)
 {
+    if (menu->page == MENU_CALIBRATION) {
+        return calibrate_runs(&menu->calibrate);
+    }
     return menu->page == MENU_LEARN && menu->desk.learn_step != LEARN_TRY &&
            menu->desk.learn_step != LEARN_FAILED && menu->desk.learn_step != LEARN_UNKEPT;
 }

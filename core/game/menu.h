@@ -19,6 +19,7 @@
 
 #include <stdint.h>
 
+#include "core/game/menu_calibrate.h"
 #include "core/game/overlay.h"
 #include "core/input.h"
 #include "core/output.h"
@@ -41,6 +42,7 @@ enum menu_page {
     MENU_LEARN,       /* ... and what it says when it is moved; */
     MENU_LINES,       /* buttons and coins; */
     MENU_AXES,        /* where each poi says that it is, and how often. */
+    MENU_CALIBRATION, /* What each says is set right: the tank's corners, water level, tilt. */
     MENU_MONEY,       /* Settings, a group each. */
     MENU_GAME,
     MENU_MODES,       /* Which of them are offered. */
@@ -70,6 +72,8 @@ enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* Behind one for each controlle
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
+enum { CALIBRATE_NEXT = 0, CALIBRATE_BEGIN, CALIBRATE_UNDO, CALIBRATE_NONE, CALIBRATE_BACK,
+       CALIBRATE_TAGS };
 enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* Behind one a row. */
 enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_SURE, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_BACK, FILES_TAGS };
@@ -109,6 +113,7 @@ struct menu {
     uint32_t take_tick; /* When a tag was taken last, ... */
     uint32_t act_tick;  /* ... and when anybody last did anything. */
     float x, y;         /* The hand, on the canvas; ... */
+    struct calibrate calibrate;
     struct overlay_point rest[POI_MAX]; /* ... and where each last moved on from. */
 };
 

@@ -7,6 +7,8 @@
 
 #include "core/game/menu.h"
 
+#define MENU_FOOT_MAX 5u
+
 enum menu_body {
     BODY_FREE = 0, /* The page shows something else there. */
     BODY_HUNG,     /* Large tags that hang side by side, eight at most. */
@@ -21,7 +23,7 @@ struct menu_sheet {
     uint8_t parent;     /* enum menu_page; MENU_PAGE_COUNT: back is out of the menu. */
     uint8_t body;       /* enum menu_body */
     uint8_t body_count; /* So many tags are in it, <= 12, where the kind of body does not say. */
-    uint8_t foot_count; /* The others, 1 .. 4. */
+    uint8_t foot_count; /* The others, 1 .. MENU_FOOT_MAX. */
     uint8_t watches;    /* START, OK, LEFT and RIGHT are shown here, not heeded. */
     uint8_t about;      /* enum setting_group of BODY_SETTINGS, enum setting_id of BODY_BITS; enum
                            audit_group of a page of the books. */

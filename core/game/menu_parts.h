@@ -19,6 +19,11 @@ void menu_learn_take(struct core *core, uint32_t tag, struct output *output);
 void menu_learn_leave(struct core *core, struct output *output);
 void menu_enter_anew(struct core *core); /* The first tag is pointed at. */
 
+/* menu_calibrate.c */
+uint16_t menu_calibrate_offers(const struct menu *menu);
+void menu_calibrate_enter(struct core *core);
+void menu_calibrate_take(struct core *core, uint32_t tag, struct output *output);
+
 /* menu_files.c */
 uint16_t menu_files_offers(const struct menu *menu);
 void menu_files_enter(struct core *core);

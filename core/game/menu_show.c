@@ -44,6 +44,12 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->last_id = core->game.ledger.last_id;
     out->saved_id = core->game.ledger.saved_id;
     out->settings = core->config.memory.settings;
+    out->seat = menu->calibrate.seat;
+    out->calibrate_step = menu->calibrate.step;
+    out->calibrate_fault = menu->calibrate.fault;
+    out->calibrated = menu->calibrate.is_set;
+    out->calibrate_progress = calibrate_progress(&menu->calibrate);
+    out->calibrated_m = core->game.trust[menu->calibrate.seat].newest.position_m;
     out->coin_s = menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S
                                        : NEVER_S;
 }
@@ -71,5 +77,6 @@ uint64_t menu_hash(uint64_t hash, const struct menu *menu)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = hash_float(hash_float(hash, menu->rest[i].x), menu->rest[i].y);
     }
+    hash = calibrate_hash(hash, &menu->calibrate);
     return hash_float(hash_float(hash, menu->x), menu->y);
 }

@@ -23,7 +23,7 @@ struct menu_view {
 /* What a page is called, what its tags are called, and what else it shows. */
 struct menu_words {
     enum text_key title, about;             /* On its tag at its parent: its name, and a line. */
-    enum text_key foot[4];                  /* Of the tags at its foot, in their order. */
+    enum text_key foot[MENU_FOOT_MAX];      /* Of the tags at its foot, in their order. */
     enum text_key names[8], lines[8];       /* Of those that hang and lead to no page. */
     void (*draw)(const struct menu_view *view); /* Null: nothing but its body. */
     uint8_t is_whole; /* What it draws is all of the picture, with nothing but tags over it. */
@@ -81,6 +81,7 @@ void menu_learning(const struct menu_view *view);
 void menu_lines(const struct menu_view *view);
 void menu_files(const struct menu_view *view);
 void menu_axes(const struct menu_view *view);
+void menu_calibration(const struct menu_view *view);
 void menu_earnings(const struct menu_view *view);
 void menu_plays(const struct menu_view *view);
 void menu_hours(const struct menu_view *view);

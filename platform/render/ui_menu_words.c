@@ -36,6 +36,12 @@ static const struct menu_words pages[MENU_PAGE_COUNT] = {
                     .draw = menu_card, .is_whole = 1 },
     [MENU_AXES] = { .title = TEXT_PAGE_AXES, .about = TEXT_ABOUT_AXES, .foot = { BACK },
                     .draw = menu_axes },
+    [MENU_CALIBRATION] = {
+        .title = TEXT_PAGE_CALIBRATION, .about = TEXT_ABOUT_CALIBRATION,
+        .foot = { TEXT_CALIBRATE_NEXT, TEXT_CALIBRATE_BEGIN, TEXT_CALIBRATE_UNDO,
+                  TEXT_CALIBRATE_NONE, BACK },
+        .draw = menu_calibration,
+    },
     [MENU_BOOKS] = { .title = TEXT_PAGE_BOOKS, .about = TEXT_ABOUT_BOOKS, .foot = { BACK } },
     [MENU_EARNINGS] = { .title = TEXT_PAGE_EARNINGS, .about = TEXT_ABOUT_EARNINGS, .foot = RESETS,
                         .draw = menu_earnings },

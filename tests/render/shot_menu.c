@@ -41,6 +41,7 @@ static const char *const names[MENU_PAGE_COUNT] = {
     [MENU_MODES] = "modes",     [MENU_SOUND] = "sound",
     [MENU_PICTURE] = "picture", [MENU_CARD] = "card", [MENU_UPKEEP] = "upkeep",
     [MENU_FILES] = "files",     [MENU_AXES] = "axes",
+    [MENU_CALIBRATION] = "calibration",
     [MENU_BOOKS] = "books",     [MENU_EARNINGS] = "earnings",
     [MENU_PLAYS] = "plays",     [MENU_HOURS] = "hours",
     [MENU_MACHINE] = "machine", [MENU_RESET] = "reset",
@@ -54,7 +55,9 @@ int shot_menu_knows(const char *page, uint8_t step)
 {
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
         if (names[i] && strcmp(names[i], page) == 0) {
-            return step < (i == MENU_LEARN ? (uint32_t)LEARN_STEP_COUNT : CONTROLLER_MAX);
+            return step < (i == MENU_LEARN         ? (uint32_t)LEARN_STEP_COUNT
+                           : i == MENU_CALIBRATION ? CALIBRATE_STEPS + CALIBRATION_FAULTS
+                                                   : CONTROLLER_MAX);
         }
     }
     return 0;
@@ -103,6 +106,15 @@ static void rank_some(struct ranking *ranking)
     }
 }
 
+/* Behind the steps: refused for each reason. */
+static void calibrate_some(struct calibrate *calibrate, uint8_t step)
+{
+    calibrate->step = step < CALIBRATE_STEPS ? step : (uint8_t)CALIBRATE_REFUSED;
+    calibrate->fault = step < CALIBRATE_STEPS ? (uint8_t)CALIBRATION_UNEVEN
+                                              : (uint8_t)(step - CALIBRATE_STEPS);
+    calibrate->has_before = 1;
+}
+
 void shot_menu_open(struct core *core, const char *page, uint8_t step, int upright)
 {
     struct output output = { 0 };
@@ -124,6 +136,10 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     }
     adjust_some(core);
     keep_books(core);
+    if (menu->page == MENU_CALIBRATION) {
+        calibrate_some(&menu->calibrate, step);
+        adjust_set(core, calibration_setting(0), step > CALIBRATE_WATER ? 1 : 0);
+    }
     menu->from = MENU_EARNINGS;
     menu->pin = 407;
     menu->pin_count = menu->page == MENU_PIN || menu->page == MENU_NEW_PIN ? 3 : 0;

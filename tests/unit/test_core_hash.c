@@ -116,7 +116,20 @@ static const struct field menu_fields[] = {
     FIELD(menu, points), FIELD(menu, tag), FIELD(menu, desk), FIELD(menu, pressed_count),
     FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, order_count),
     FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, x),
-    FIELD(menu, y), FIELD(menu, rest),
+    FIELD(menu, y), SKIP(menu, calibrate), FIELD(menu, rest),
+};
+
+static const struct field calibrate_fields[] = {
+    FIELD(calibrate, seat), FIELD(calibrate, step), FIELD(calibrate, fault),
+    FIELD(calibrate, present), FIELD(calibrate, is_set), FIELD(calibrate, has_before),
+    FIELD(calibrate, before), FIELD(calibrate, has_anchor), FIELD(calibrate, must_move),
+    FIELD(calibrate, still_ticks), FIELD(calibrate, anchor), FIELD(calibrate, sum),
+    SKIP(calibrate, said),
+};
+
+static const struct field calibration_said_fields[] = {
+    FIELD(calibration_said, corner_m), FIELD(calibration_said, water),
+    FIELD(calibration_said, has_wrist),
 };
 
 static const struct field adjust_fields[] = {
@@ -404,6 +417,8 @@ static const struct table tables[] = {
     TABLE(graph, graph_fields, &core.game.lab.edit.graph),
     TABLE(graph, graph_fields, &core.game.lab.edits[0].graph),
     TABLE(menu, menu_fields, &core.game.menu),
+    TABLE(calibrate, calibrate_fields, &core.game.menu.calibrate),
+    TABLE(calibration_said, calibration_said_fields, &core.game.menu.calibrate.said),
     TABLE(adjust, adjust_fields, &core.game.adjust),
     TABLE(memory, memory_fields, &core.config.memory),
     TABLE(ledger_start, ledger_start_fields, &core.config.memory.ledger),
