@@ -72,6 +72,7 @@ const struct ctl_command ctl_backup = {
     .summary = "a copy of all that the stall keeps, while it runs",
     .usage = "  kingyoctl backup FILE [--data DIR] [--json]\n\n" BOOKS_USAGE
              "\nFILE is checked before it gets its name. To go back to it: stop the stall, remove\n"
-             "kingyo.db, kingyo.db-wal and kingyo.db-shm, put FILE there as kingyo.db, start it.\n",
+             "kingyo.db, kingyo.db-wal and kingyo.db-shm, put FILE there as kingyo.db, give it\n"
+             "to the stall's user (chown kingyo:kingyo), start it.\n",
     .run = run,
 };

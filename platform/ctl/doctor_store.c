@@ -35,13 +35,25 @@ static void look_at_room(struct doctor *doctor, const char *path)
     }
 }
 
+/* Its mode says nothing of that. */
+static int is_read_only(const char *path)
+{
+    struct statvfs about;
+    return statvfs(path, &about) == 0 && (about.f_flag & ST_RDONLY) != 0;
+}
+
 /* 0: it is there, and the kiosk's own. */
 static int look_at_folder(struct doctor *doctor, const char *path)
 {
-    const int error = doctor_may_use(doctor, doctor->options.data);
+    const int error = is_read_only(path) ? EROFS : doctor_may_use(doctor, doctor->options.data);
     struct doctor_finding *finding = doctor_find(doctor, "store", DOCTOR_FINE, "%s", path);
     if (error == ENOENT) {
         doctor_state(finding, "is not there yet: the kiosk makes it at its first start");
+    } else if (error == EROFS) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "lies on what can only be read: nothing is kept, no coin is taken");
+        doctor_todo(finding, "look into /run/kingyo-data and 'findmnt %.300s'; a card that became "
+                             "so by itself is to be replaced", doctor->options.data);
     } else if (error) {
         finding->level = DOCTOR_WRONG;
         doctor_state(finding, "%s may not write there: %s", doctor->user.name, strerror(error));

@@ -93,6 +93,14 @@ end_of_kiosk 20
 ok $? 'a window that its user closes ends it in peace with code 0' "$work/err"
 verifies "$work/closed.kgr" 'and the recording verifies'
 
+# Its data folder cannot be had: a service that ended for that would be a dead stall.
+start_kiosk --data /proc/x
+ok $? 'the stall opens without a data folder' "$work/err"
+kill -TERM "$kiosk_pid"
+end_of_kiosk 20
+[ "$code" -eq 0 ] && grep -q 'store  *no store: /proc/x' "$work/out"
+ok $? 'and says so' "$work/out"
+
 # Ended by the system.
 start_kiosk --seed 11 --record "$work/ended.kgr"
 sleep 1
