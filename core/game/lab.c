@@ -114,8 +114,12 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
     if (input->pressed & INPUT_OK) {
         lab_use(core, LAB_NEXT, output);
     }
-    if ((input->pressed | input->held) & ~(uint32_t)INPUT_TEST) {
-        lab->act_tick = lab->stir_tick = core->tick;
+    const uint32_t guests = ~(uint32_t)INPUT_TEST;
+    if ((input->pressed | input->held) & guests) {
+        lab->stir_tick = core->tick;
+    }
+    if (input->pressed & guests) { /* One that is held for minutes is stuck. */
+        lab->act_tick = core->tick;
     }
 }
 

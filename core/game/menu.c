@@ -41,6 +41,7 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
         .order_count = menu->order_count,
         .take_tick = core->tick,
         .act_tick = core->tick,
+        .use_tick = core->tick,
     };
     check(&input->desk);
     credit_give_back(core, REFUND_OPERATOR, output);
@@ -125,7 +126,7 @@ static void take(struct core *core, struct output *output)
     if (core->tick - menu->take_tick < MENU_TAKE_TICKS) {
         return;
     }
-    menu->take_tick = core->tick;
+    menu->take_tick = menu->use_tick = core->tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
     menu_take(core, output);
 }
@@ -267,9 +268,9 @@ static void watch(struct core *core, const struct input *input, struct output *o
     menu->held = input->held;
     count_presses(menu, is_way_back(input) ? 0u : input->pressed);
     count_coins(core, coin_pulses(input), output);
-    if (input->pressed != 0 || coin_pulses(input) > 0 || has_changed) {
-        menu->act_tick = core->tick;
-    }
+    const int is_used = input->pressed != 0 || coin_pulses(input) > 0;
+    menu->use_tick = is_used ? core->tick : menu->use_tick;
+    menu->act_tick = is_used || has_changed ? core->tick : menu->act_tick;
     if (is_unkept && menu->page != MENU_PIN) { /* Who said "keep" is told. */
         menu->row = input->desk.learn_row;
         menu_turn(core, MENU_LEARN);
@@ -284,9 +285,13 @@ static int is_taking(const struct menu *menu)
            (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
 }
 
-static uint32_t idle_ticks_max(const struct menu *menu)
+/* Nobody moves any more; or something does, and nobody is there. */
+static int is_deserted(const struct core *core)
 {
-    return menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
+    const struct menu *menu = &core->game.menu;
+    const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
+    return core->tick - menu->act_tick >= span ||
+           core->tick - menu->use_tick >= MENU_SWING_SPANS * span;
 }
 
 void menu_tick(struct core *core, const struct input *input, struct output *output)
@@ -299,8 +304,7 @@ void menu_tick(struct core *core, const struct input *input, struct output *outp
     if (core->game.phase == PHASE_MENU) {
         menu_settings_tick(core, is_taking(&core->game.menu), output);
     }
-    if (core->game.phase == PHASE_MENU &&
-        core->tick - core->game.menu.act_tick >= idle_ticks_max(&core->game.menu)) {
+    if (core->game.phase == PHASE_MENU && is_deserted(core)) {
         menu_close(core, output);
     }
 }

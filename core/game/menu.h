@@ -30,6 +30,8 @@
 #define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two takes within it are one hand's. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Left open and forgotten: the stall opens again. */
 #define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ) /* The same of who does not know the PIN. */
+#define MENU_SWING_SPANS 3u /* So many of such spans without a press, a take or a coin end it, too:
+                               what moves all the while is a poi that swings on its cord. */
 #define MENU_PIN_DIGITS 4u
 #define MENU_COUNT_MAX 9999u                  /* A counter of the lines' page stops there. */
 
@@ -111,7 +113,8 @@ struct menu {
     uint32_t order_count;
     uint32_t ask_tick;  /* When TEST was pressed in a round; 0: it was not. */
     uint32_t take_tick; /* When a tag was taken last, ... */
-    uint32_t act_tick;  /* ... and when anybody last did anything. */
+    uint32_t act_tick;  /* ... when anybody last did anything, ... */
+    uint32_t use_tick;  /* ... and when it was more than to move a hand. */
     float x, y;         /* The hand, on the canvas; ... */
     struct calibrate calibrate;
     struct overlay_point rest[POI_MAX]; /* ... and where each last moved on from. */

@@ -65,7 +65,7 @@ uint64_t menu_hash(uint64_t hash, const struct menu *menu)
                                menu->has_hand,  menu->hand,       menu->presses,
                                menu->points,    menu->held,       menu->test_coins,
                                menu->coin_tick, menu->order_count,   menu->ask_tick,
-                               menu->take_tick, menu->act_tick };
+                               menu->take_tick, menu->act_tick, menu->use_tick };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

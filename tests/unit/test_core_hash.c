@@ -115,8 +115,8 @@ static const struct field menu_fields[] = {
     FIELD(menu, scores), FIELD(menu, has_hand), FIELD(menu, hand), FIELD(menu, presses),
     FIELD(menu, points), FIELD(menu, tag), FIELD(menu, desk), FIELD(menu, pressed_count),
     FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, order_count),
-    FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, x),
-    FIELD(menu, y), SKIP(menu, calibrate), FIELD(menu, rest),
+    FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, use_tick),
+    FIELD(menu, x), FIELD(menu, y), SKIP(menu, calibrate), FIELD(menu, rest),
 };
 
 static const struct field calibrate_fields[] = {
