@@ -4,7 +4,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
-#include <time.h>
 
 #include <cmocka.h>
 
@@ -298,43 +297,69 @@ static void draw_only(const struct specimen *fish)
     specimen_pass_draw(&pass, fish, &whole);
 }
 
-/* Thumbnails of all keys and one large fish in between, as the lab's page has them. */
-static float work_to_fine_ms(const struct species *species)
+static uint32_t bands_painted(void)
 {
-    clock_t used = 0;
-    struct specimen fish = fish_of(species, 0.37f), thumb = fish;
-    const struct skin *skin = NULL;
-    thumb.length_px = 20.0f;
-    for (uint32_t frame = 0; frame < 1000; frame++) {
-        const clock_t start = clock();
-        specimen_pass_work(&pass, true);
-        used += clock() - start;
-        draw_only(&fish);
-        for (uint32_t key = 0; key < species->card.key_count; key++) {
-            thumb.progress = (float)key / (float)(species->card.key_count - 1u);
-            draw_only(&thumb);
-        }
-        for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
-            skin = pass.slots[i].species == species ? &pass.slots[i].skin : skin;
-        }
-        if (skin_is_fine(skin)) {
-            return 1e3f * (float)used / (float)CLOCKS_PER_SEC;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        for (uint32_t sheet = 0; sheet < SKIN_SHEETS; sheet++) {
+            count += pass.slots[i].skin.bands_done[sheet];
         }
     }
-    return 1e9f;
+    return count;
 }
 
-/* One second of frames, 25 with 10 ms of work each, counted in processor time; the others' paint
- * waits meanwhile. */
-static void test_what_is_shown_is_painted_finely_first_and_within_a_second(void **state)
+static const struct skin *skin_of(const struct species *species)
+{
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        if (pass.slots[i].species == species) {
+            return &pass.slots[i].skin;
+        }
+    }
+    return NULL;
+}
+
+/* Thumbnails of all keys and one large fish in between, as the lab's page has them. */
+static void draw_page(const struct species *species)
+{
+    const struct specimen fish = fish_of(species, 0.37f);
+    struct specimen thumb = fish;
+    thumb.length_px = 20.0f;
+    draw_only(&fish);
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        thumb.progress = (float)key / (float)(species->card.key_count - 1u);
+        draw_only(&thumb);
+    }
+}
+
+/* How many bands of all skins are painted until the large fish is seen finely, but for the frame in
+ * which it comes to that: there may be time for others in it. */
+static uint32_t bands_to_fine(const struct species *species)
+{
+    draw_page(species);
+    const uint32_t begun = bands_painted();
+    uint32_t painted = begun;
+    for (uint32_t frame = 0; frame < 1000 && !skin_is_fine(skin_of(species)); frame++) {
+        painted = bands_painted();
+        specimen_pass_work(&pass, true);
+        draw_page(species);
+    }
+    assert_true(skin_is_fine(skin_of(species)));
+    return painted - begun;
+}
+
+/* Two sheets, however fast the machine is: the others' paint waits meanwhile. */
+static void test_what_is_shown_is_painted_finely_before_anything_else(void **state)
 {
     (void)state;
+    uint32_t most = 0;
     open_anew();
     for (uint32_t i = 0; i < species_table_count; i++) {
-        const float work_ms = work_to_fine_ms(species_table[i]);
-        print_message("%s: %.0f ms\n", species_table[i]->card.id, (double)work_ms);
-        assert_true(work_ms <= 250.0f);
+        const uint32_t bands = bands_to_fine(species_table[i]);
+        print_message("%s: %u bands\n", species_table[i]->card.id, bands);
+        assert_true(bands < 2u * SKIN_BANDS);
+        most = bands > most ? bands : most;
     }
+    assert_true(most > SKIN_BANDS / 2u);
 }
 
 static void test_when_there_is_time_all_built_in_species_are_painted_ahead(void **state)
@@ -468,7 +493,7 @@ int main(void)
         cmocka_unit_test(test_a_key_s_sheet_is_what_paint_at_says),
         cmocka_unit_test(test_a_finished_skin_wants_no_more_work),
         cmocka_unit_test(test_a_leaf_larva_s_muscles_are_sharp_lines),
-        cmocka_unit_test(test_what_is_shown_is_painted_finely_first_and_within_a_second),
+        cmocka_unit_test(test_what_is_shown_is_painted_finely_before_anything_else),
         cmocka_unit_test(test_when_there_is_time_all_built_in_species_are_painted_ahead),
         cmocka_unit_test(test_the_ordinary_morph_wears_the_skin_of_its_species),
         cmocka_unit_test(test_the_first_coarse_painting_has_no_squares),
