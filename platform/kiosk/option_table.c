@@ -275,7 +275,7 @@ static const struct option table[] = {
     { "replay", "FILE", "show a recorded play and check it", "a path", set_replay, NULL },
     { "shots", "DIR", "where pictures go (demo: out/demo; else one each 5 s)", "a path",
       set_shots, "files" },
-    { "data", "DIR", "where money, books and scores are kept (~/.local/share/kingyo)", "a path", set_data, "files" },
+    { "data", "DIR", "where all is kept (~/.local/share/kingyo)", "a path", set_data, "files" },
     { "set", "KEY=VALUE", "a setting of kingyo.conf, for this run alone; again for each",
       "KEY=VALUE; 'kingyoctl config defaults' lists them", set_setting, NULL },
     { "config", "FILE", "settings, devices (/etc/kingyo/kingyo.conf); options here win", "a path",

@@ -91,15 +91,16 @@ menu-picture: $(BUILD)/tests/render/shot
 	@convert $(PICTURE)/learn.png $(PICTURE)/lines.png -resize 800x +append -quality 86 assets/pictures/menu.jpg
 	@echo 'assets/pictures/menu.jpg'
 
-# Of the operator's manual: two pages of the menu side by side.
+# Of the operator's manual: two pages of the menu side by side, PAGE or PAGE@STEP.
 MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score books:earnings:hours \
-    lines:lines:axes upkeep:files:about
+    lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6
 
 ## manual-pictures: those of board/MANUAL.md, in assets/pictures/; needs ImageMagick
 manual-pictures: $(BUILD)/tests/render/shot
 	@mkdir -p $(PICTURE)
 	@set -e; for row in $(MANUAL_PICTURES); do IFS=: read -r name left right <<<"$$row"; \
-	    for page in $$left $$right; do $< --menu $$page --en -o $(PICTURE)/$$page.png >/dev/null; done; \
+	    for page in $$left $$right; do step=$${page#*@}; [ "$$step" != "$$page" ] || step=0; \
+	        $< --menu $${page%@*} --step $$step --en -o $(PICTURE)/$$page.png >/dev/null; done; \
 	    convert $(PICTURE)/$$left.png $(PICTURE)/$$right.png -resize 800x +append -quality 86 \
 	        assets/pictures/manual-$$name.jpg; \
 	    echo "assets/pictures/manual-$$name.jpg"; done
