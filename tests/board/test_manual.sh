@@ -1,0 +1,42 @@
+#!/bin/bash
+# test_manual.sh -- the operator's manual says what the stall says: its Japanese words are the menu's, its links lead
+# somewhere, its commands and files exist. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../ctl/lib.sh"
+export LC_ALL=C.UTF-8
+manual=board/MANUAL.md words=assets/text/ja.txt
+
+# [..] with kana or kanji in it; a way through the menu is one word after the other.
+japanese() { grep -oP '\[\K[^]\[]*[\x{3040}-\x{30ff}\x{4e00}-\x{9fff}][^]\[]*(?=\])' "$manual" | sed 's/ → /\n/g' | sort -u; }
+words_are_the_menus() {
+    local word
+    japanese >"$work/japanese"
+    [ "$(wc -l <"$work/japanese")" -gt 20 ] || return 1
+    while read -r word; do
+        sed -n 's/^[a-z0-9_]* = //p' "$words" | grep -qF -- "$word" || { echo "nobody is told $word"; return 1; }
+    done <"$work/japanese"
+}
+links_lead_somewhere() {
+    local to
+    grep -oE '\]\([^)]+\)' "$manual" | sed 's/^](//; s/)$//' | sort -u >"$work/links"
+    while read -r to; do
+        case $to in
+        \#*) sed -n 's/^## //p' "$manual" | tr 'A-Z ' 'a-z-' | tr -d , | grep -qx -- "${to#\#}" ;;
+        *) [ -e "board/$to" ] ;;
+        esac || { echo "$to leads nowhere"; return 1; }
+    done <"$work/links"
+}
+commands_exist() {
+    local name
+    grep -oE 'kingyoctl [a-z]+' "$manual" | sort -u >"$work/commands"
+    [ -s "$work/commands" ] && while read -r _ name; do
+        "$ctl" "$name" --help >/dev/null || { echo "kingyoctl has no $name"; return 1; }
+    done <"$work/commands"
+}
+pictures_are_small() { ! find assets/pictures -name 'manual-*' -size +200k | grep .; }
+
+check 'its Japanese words are those of the menu' words_are_the_menus
+check 'its links lead somewhere' links_lead_somewhere
+check 'its commands are the tool'\''s' commands_exist
+check 'its pictures are under 200 KB' pictures_are_small
+echo "1..$count"
