@@ -6,6 +6,7 @@
  * anywhere leaves files from which the next start does the same again, or the rest of it. */
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <sqlite3.h>
@@ -27,6 +28,12 @@ static void beside(const struct storage *storage, const char *suffix, const char
 static bool is_there(const char *path)
 {
     return access(path, F_OK) == 0;
+}
+
+static bool has_bytes(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 && about.st_size > 0;
 }
 
 void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
@@ -96,7 +103,7 @@ static int make_new(struct storage *storage)
     const int code = ledger_file_open(&file, fresh, NULL);
     if (code == SQLITE_OK) {
         storage->from_backup = file.content.memory.ledger.last_id;
-        storage->salvaged = is_there(storage->path) ? ledger_salvage(storage->path, &file) : 0;
+        storage->salvaged = has_bytes(storage->path) ? ledger_salvage(storage->path, &file) : 0;
         ledger_file_close(&file);
     }
     return code;
@@ -143,6 +150,46 @@ static void look_for_new(struct storage *storage)
     }
 }
 
+/* ---- A file that has lost what it had -------------------------------------------------------- */
+
+/* A file without a byte is what a power cut or a repaired card often leaves. SQLite takes it for a
+ * new one, and forgets its log; but where there are a log or a backup there was something. */
+static bool is_emptied(const struct storage *storage)
+{
+    char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    beside(storage, suffixes[0], "", log);
+    return is_there(storage->path) && !has_bytes(storage->path) &&
+           (has_bytes(backup) || has_bytes(log));
+}
+
+bool storage_is_behind_backup(struct storage *storage)
+{
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    struct ledger_file backup;
+    char path[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, path);
+    if (!is_there(path) || ledger_file_look(&backup, path) != SQLITE_OK) {
+        return false;
+    }
+    const bool is_behind = last_id < backup.content.memory.ledger.last_id &&
+                           ledger_check(backup.db) == SQLITE_OK;
+    ledger_file_close(&backup);
+    return is_behind;
+}
+
+static int open_whole(struct storage *storage)
+{
+    int code = is_emptied(storage)
+                   ? SQLITE_CORRUPT
+                   : ledger_file_open(&storage->file, storage->path, &storage->how);
+    if (code == SQLITE_OK && storage_is_behind_backup(storage)) {
+        ledger_file_close(&storage->file);
+        code = SQLITE_CORRUPT;
+    }
+    return code;
+}
+
 /* A file system of the caller's own has only the one file. */
 int storage_open_file(struct storage *storage)
 {
@@ -150,7 +197,7 @@ int storage_open_file(struct storage *storage)
         return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     look_for_new(storage);
-    int code = ledger_file_open(&storage->file, storage->path, &storage->how);
+    int code = open_whole(storage);
     if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && replace(storage)) {
         code = ledger_file_open(&storage->file, storage->path, &storage->how);
     }

@@ -7,6 +7,8 @@
 /* storage_open.c: opens storage->path; a damaged file is replaced first. SQLite's code. */
 int storage_open_file(struct storage *storage);
 void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
+/* Whether the backup has newer entries than the open file: then it is the file that lost some. */
+bool storage_is_behind_backup(struct storage *storage);
 
 /* storage_thread.c: the file, and a backup of it that is under way. */
 void storage_close_file(struct storage *storage);

@@ -167,7 +167,9 @@ static void back_up(struct storage *storage)
     if (!storage->backup.copy && now_s() >= storage->backup_due_s) {
         storage->backup_due_s = now_s() + STORAGE_BACKUP_S;
         storage_backup_path(storage, path);
-        code = ledger_backup_begin(&storage->backup, &storage->file, path);
+        code = storage_is_behind_backup(storage)
+                   ? SQLITE_CORRUPT /* What has more is not written over with what has less. */
+                   : ledger_backup_begin(&storage->backup, &storage->file, path);
     }
     while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
            !atomic_load(&storage->stop)) {

@@ -46,8 +46,18 @@ int ledger_statement(struct ledger_file *file, enum ledger_statement which, sqli
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
+/* Of a file that has no such excuse as a full card, these say that its tables are not ours any
+ * more: a flipped bit in their words is good SQL that fails. */
+static int as_damage(int code)
+{
+    return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||
+                   code == SQLITE_CONSTRAINT
+               ? SQLITE_CORRUPT
+               : code;
+}
+
 /* SQLite finds most damage only when asked to look. */
-int ledger_check(sqlite3 *db)
+static int check_pages(sqlite3 *db)
 {
     sqlite3_stmt *check = NULL;
     int code = sqlite3_prepare_v2(db, "PRAGMA quick_check(1)", -1, &check, NULL);
@@ -60,6 +70,28 @@ int ledger_check(sqlite3 *db)
         }
     }
     sqlite3_finalize(check);
+    return code;
+}
+
+int ledger_check(sqlite3 *db)
+{
+    int64_t version = 0;
+    int code = check_pages(db);
+    code = code == SQLITE_OK ? sql_number(db, "PRAGMA user_version", &version) : code;
+    if (code == SQLITE_OK && version == LEDGER_FILE_VERSION) {
+        code = ledger_schema_check(db);
+    }
+    return as_damage(code);
+}
+
+/* All at once, so that a file in which one of them would fail is found when it is opened. */
+static int prepare_all(struct ledger_file *file)
+{
+    sqlite3_stmt *statement;
+    int code = SQLITE_OK;
+    for (uint32_t i = 0; code == SQLITE_OK && i < LEDGER_STATEMENT_COUNT; i++) {
+        code = ledger_statement(file, (enum ledger_statement)i, &statement);
+    }
     return code;
 }
 
@@ -112,8 +144,12 @@ static int begin(struct ledger_file *file, const struct ledger_file_how *how)
     if (code == SQLITE_OK && !file->is_read_only) {
         code = set_up(file->db, how);
     }
-    code = code == SQLITE_OK ? raise_version(file, version) : code;
-    return code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code;
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = raise_version(file, version);
+    code = code == SQLITE_OK ? prepare_all(file) : code;
+    return as_damage(code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code);
 }
 
 /* A log can be read only where its index may be written. But the file of a kiosk that was closed

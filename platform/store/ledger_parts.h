@@ -15,6 +15,10 @@ const char *ledger_statement_text(enum ledger_statement which);
 /* Within the transaction that the caller began. */
 int ledger_schema_raise(struct ledger_file *file, int version);
 
+/* Whether each table of a file of this version is as it was made: SQLITE_CORRUPT, where a bit of
+ * its words has flipped. */
+int ledger_schema_check(struct sqlite3 *db);
+
 /* ledger_rows.c: one entry in and out, without what it adds up to. */
 int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry);
 int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out);

@@ -1,6 +1,7 @@
 /* ledger_schema.c -- the tables, their statements, and how a file of an old version becomes one of
  * this. */
 #include <stddef.h>
+#include <string.h>
 
 #include <sqlite3.h>
 
@@ -199,6 +200,24 @@ static int carry_all_over(struct ledger_file *file)
     code = code == SQLITE_OK ? carry_over(file, old, players) : code;
     sqlite3_finalize(players);
     sqlite3_finalize(old);
+    return code;
+}
+
+int ledger_schema_check(sqlite3 *db)
+{
+    sqlite3_stmt *find = NULL;
+    int code = sqlite3_prepare_v2(db, "SELECT 1 FROM sqlite_schema WHERE sql = ?1", -1, &find,
+                                  NULL);
+    const char *table = version_3, *end;
+    while (code == SQLITE_OK && strncmp(table, "CREATE TABLE", 12) == 0) {
+        end = strchr(table, ';');
+        sqlite3_bind_text(find, 1, table, (int)(end - table), SQLITE_STATIC);
+        code = sqlite3_step(find);
+        code = code == SQLITE_ROW ? SQLITE_OK : code == SQLITE_DONE ? SQLITE_CORRUPT : code;
+        sqlite3_reset(find);
+        table = end + 1;
+    }
+    sqlite3_finalize(find);
     return code;
 }
 

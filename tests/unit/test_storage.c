@@ -399,6 +399,106 @@ static void test_a_file_that_is_away_comes_back_from_its_backup(void **state)
     assert_int_equal(remember(stall)->ledger.last_id, 4);
 }
 
+static int last_id_of(const char *path)
+{
+    sqlite3 *db;
+    sqlite3_stmt *statement;
+    assert_int_equal(sqlite3_open_v2(path, &db, SQLITE_OPEN_READONLY, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_prepare_v2(db, "SELECT max(id) FROM entries", -1, &statement, NULL),
+                     SQLITE_OK);
+    assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
+    const int answer = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    sqlite3_close(db);
+    return answer;
+}
+
+/* The file has lost what it had, and the backup has it. */
+static void goes_on_from_the_backup(struct stall *stall)
+{
+    char backup[160], aside[160];
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "4 entries from the backup, 0 from itself"));
+    assert_int_equal(remember(stall)->ledger.last_id, 4);
+    path_beside(stall, ".damaged-1", aside);
+    assert_int_equal(access(aside, F_OK), 0);
+    storage_work(&stall->storage);
+    path_beside(stall, STORAGE_BACKUP_SUFFIX, backup);
+    assert_int_equal(last_id_of(backup), 4);
+}
+
+static void test_a_file_of_no_bytes_is_damage_where_there_is_a_backup(void **state)
+{
+    struct stall *stall = *state;
+    fill_and_close(stall);
+    assert_int_equal(truncate(stall->file, 0), 0);
+    goes_on_from_the_backup(stall);
+}
+
+static void test_a_file_with_less_than_its_backup_is_damage(void **state)
+{
+    struct stall *stall = *state;
+    fill_and_close(stall);
+    sqlite3 *db;
+    sqlite3_open(stall->file, &db);
+    assert_int_equal(sqlite3_exec(db, "DELETE FROM entries WHERE id > 3", 0, 0, 0), 0);
+    sqlite3_close(db);
+    goes_on_from_the_backup(stall);
+}
+
+static void test_a_log_without_its_file_is_set_aside(void **state)
+{
+    struct stall *stall = *state;
+    char log[160];
+    write_file(stall->file, "", 0);
+    path_beside(stall, "-wal", log);
+    write_file(log, "of a file that is no more", 25);
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "damaged-1"));
+    path_beside(stall, ".damaged-1-wal", log);
+    assert_int_equal(access(log, F_OK), 0);
+}
+
+static void test_a_backup_is_not_written_over_by_a_file_that_has_less(void **state)
+{
+    struct stall *stall = *state;
+    char backup[160];
+    fill_and_close(stall);
+    path_beside(stall, STORAGE_BACKUP_SUFFIX, backup);
+    open_by_hand(stall);
+    stall->storage.file.content.memory.ledger.last_id = 3; /* As if it had been swapped. */
+    storage_work(&stall->storage);
+    assert_int_equal(last_id_of(backup), 4);
+    assert_int_equal(stall->device.ops->refused_count(stall->device.self), 1);
+}
+
+/* Each is SQL as good as before. */
+static void test_tables_that_are_not_as_they_were_made_are_damage(void **state)
+{
+    struct stall *stall = *state;
+    static const char *const flips[] = {
+        "UPDATE sqlite_schema SET sql = replace(sql, 'bonus_units', 'bonus_ujits')",
+        "UPDATE sqlite_schema SET sql = replace(sql, 'count INTEGER', 'cou~t INTEGER')",
+        "UPDATE sqlite_schema SET sql = replace(sql, 'seat INTEGER', 'sdat INTEGER')",
+    };
+    for (size_t i = 0; i < sizeof flips / sizeof flips[0]; i++) {
+        char command[160];
+        sqlite3 *db;
+        snprintf(command, sizeof command, "rm -f %s*", stall->file);
+        stall->device.ops->close(stall->device.self);
+        assert_int_equal(system(command), 0);
+        fill_and_close(stall);
+        sqlite3_open(stall->file, &db);
+        sqlite3_exec(db, "PRAGMA writable_schema = ON", 0, 0, 0);
+        assert_int_equal(sqlite3_exec(db, flips[i], 0, 0, 0), 0);
+        sqlite3_close(db);
+        open_by_hand(stall);
+        assert_non_null(strstr(text(stall), "damaged-1"));
+        assert_true(remember(stall)->ledger.last_id >= 4);
+        work_rounds(stall, 9, 9);
+    }
+}
+
 static void test_a_replacement_that_was_cut_off_is_ended(void **state)
 {
     struct stall *stall = *state;
@@ -556,6 +656,11 @@ int main(void)
         IN_A_FOLDER(test_without_a_backup_a_fresh_file_begins),
         IN_A_FOLDER(test_a_damaged_backup_is_not_believed),
         IN_A_FOLDER(test_a_file_that_is_away_comes_back_from_its_backup),
+        IN_A_FOLDER(test_a_file_of_no_bytes_is_damage_where_there_is_a_backup),
+        IN_A_FOLDER(test_a_file_with_less_than_its_backup_is_damage),
+        IN_A_FOLDER(test_a_log_without_its_file_is_set_aside),
+        IN_A_FOLDER(test_a_backup_is_not_written_over_by_a_file_that_has_less),
+        IN_A_FOLDER(test_tables_that_are_not_as_they_were_made_are_damage),
         IN_A_FOLDER(test_a_replacement_that_was_cut_off_is_ended),
         IN_A_FOLDER(test_a_replacement_that_was_not_ready_is_forgotten),
         IN_A_FOLDER(test_damage_while_the_kiosk_runs_is_answered_in_the_same_way),
