@@ -248,6 +248,14 @@ struct scene_credit {
 
 #define SCENE_AUDIT_MAX 96u /* As many as core/game/audits.h counts, and room for more. */
 
+/* Of the page "ready for opening" (core/game/self_test.h). */
+struct scene_self_test {
+    uint8_t heard, moved;       /* What the operator said. */
+    uint8_t present, players;   /* Seats with a controller, a bit each; seats that play. */
+    uint8_t store, clock;       /* enum self_state */
+    uint8_t ways[POI_MAX], worst_age[POI_MAX];
+};
+
 /* The operator's menu (core/game/menu.h), while the phase is PHASE_MENU. */
 struct scene_menu {
     uint8_t page;            /* enum menu_page */
@@ -268,6 +276,7 @@ struct scene_menu {
     uint8_t is_saved;        /* All that was turned is on disk. */
     uint32_t fish_max;       /* As many as the stall's tank has room for. */
     struct settings settings;
+    struct scene_self_test self;
     uint8_t seat;            /* Whose poi is calibrated, ... */
     uint8_t calibrated;      /* ... which have a calibration, a bit each, ... */
     uint8_t calibrate_step;  /* ... enum calibrate_step, ... */
@@ -315,6 +324,8 @@ struct scene_devices {
         uint32_t report_count;         /* In the last whole second; */
         float gap_ms;                  /* the longest time between two of them. */
     } axes[POI_MAX];
+    uint32_t frames_a_second;          /* As the last of them came; 0: not known yet. */
+    uint32_t files_refused;            /* Files and lines of the configuration, at the start. */
     uint32_t line_raw;                 /* Levels before they count: bits as buttons_missing's. */
     struct scene_line {                /* By those bits, since the start: */
         uint32_t edges;                /* changes of its level, bounces too, */

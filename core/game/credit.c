@@ -125,7 +125,7 @@ static int sends_coins_back(const struct core *core)
 {
     const struct game *game = &core->game;
     if (game->phase == PHASE_MENU) {
-        return !menu_tries_lines(core);
+        return !menu_tries_lines(core) || self_test_shows(core);
     }
     return credit_price(core) == 0 || game->credit.warnings != 0 ||
            credits_of(&game->ledger.purse) >= credits_max(core);

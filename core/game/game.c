@@ -115,6 +115,7 @@ void game_tick(struct core *core, const struct input *said, struct output *outpu
     } else if (phase == PHASE_NAME) {
         name_keep(core, output);
     }
+    self_test_tick(core, said, output);
     adjust_tick(core, output);
     hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
     hand_tick_all(core, input, targets, live);

@@ -173,6 +173,9 @@ static int is_learning(const struct menu *menu)
     if (menu->page == MENU_CALIBRATION) {
         return calibrate_runs(&menu->calibrate);
     }
+    if (menu->page == MENU_SELF_TEST) {
+        return 1; /* It is tried there, and points at nothing. */
+    }
     return menu->page == MENU_LEARN && menu->desk.learn_step != LEARN_TRY &&
            menu->desk.learn_step != LEARN_FAILED && menu->desk.learn_step != LEARN_UNKEPT;
 }
@@ -311,10 +314,12 @@ void menu_tick(struct core *core, const struct input *input, struct output *outp
 
 int menu_tries_lines(const struct core *core)
 {
-    return core->game.phase == PHASE_MENU && core->game.menu.page == MENU_LINES;
+    const uint8_t page = core->game.menu.page;
+    return core->game.phase == PHASE_MENU && (page == MENU_LINES || page == MENU_SELF_TEST);
 }
 
 int menu_lights_start(const struct core *core)
 {
-    return menu_tries_lines(core) && (core->game.menu.held & INPUT_START) != 0;
+    return self_test_shows(core) ||
+           (menu_tries_lines(core) && (core->game.menu.held & INPUT_START) != 0);
 }

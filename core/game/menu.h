@@ -21,6 +21,7 @@
 
 #include "core/game/menu_calibrate.h"
 #include "core/game/overlay.h"
+#include "core/game/self_test.h"
 #include "core/input.h"
 #include "core/output.h"
 #include "core/scene.h"
@@ -59,6 +60,7 @@ enum menu_page {
     MENU_RESET,       /* a group of them is set to zero. */
     MENU_RANKING,     /* The best of a mode, today, this week or ever, ... */
     MENU_SCORE,       /* ... and one of them: its replay, and a name that must go. */
+    MENU_SELF_TEST,   /* Ready for opening? */
     MENU_UPKEEP,      /* Leads to what is seldom needed: */
     MENU_FILES,       /* what was found in the data folder, and what was not fit for use; */
     MENU_ABOUT,       /* versions and devices; */
@@ -76,6 +78,7 @@ enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
 enum { CALIBRATE_NEXT = 0, CALIBRATE_BEGIN, CALIBRATE_UNDO, CALIBRATE_NONE, CALIBRATE_BACK,
        CALIBRATE_TAGS };
+enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
 enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* Behind one a row. */
 enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_SURE, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_BACK, FILES_TAGS };
@@ -117,6 +120,7 @@ struct menu {
     uint32_t use_tick;  /* ... and when it was more than to move a hand. */
     float x, y;         /* The hand, on the canvas; ... */
     struct calibrate calibrate;
+    struct self_test self;
     struct overlay_point rest[POI_MAX]; /* ... and where each last moved on from. */
 };
 

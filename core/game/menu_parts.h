@@ -24,6 +24,11 @@ uint16_t menu_calibrate_offers(const struct menu *menu);
 void menu_calibrate_enter(struct core *core);
 void menu_calibrate_take(struct core *core, uint32_t tag, struct output *output);
 
+/* self_test.c */
+uint16_t menu_self_offers(const struct menu *menu);
+void menu_self_enter(struct core *core);
+void menu_self_take(struct core *core, uint32_t tag, struct output *output);
+
 /* menu_files.c */
 uint16_t menu_files_offers(const struct menu *menu);
 void menu_files_enter(struct core *core);

@@ -44,6 +44,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->last_id = core->game.ledger.last_id;
     out->saved_id = core->game.ledger.saved_id;
     out->settings = core->config.memory.settings;
+    self_test_show(core, &out->self);
     out->seat = menu->calibrate.seat;
     out->calibrate_step = menu->calibrate.step;
     out->calibrate_fault = menu->calibrate.fault;
@@ -77,6 +78,6 @@ uint64_t menu_hash(uint64_t hash, const struct menu *menu)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = hash_float(hash_float(hash, menu->rest[i].x), menu->rest[i].y);
     }
-    hash = calibrate_hash(hash, &menu->calibrate);
+    hash = self_test_hash(calibrate_hash(hash, &menu->calibrate), &menu->self);
     return hash_float(hash_float(hash, menu->x), menu->y);
 }

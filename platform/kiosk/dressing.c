@@ -108,6 +108,11 @@ static void tell_lines(struct scene_devices *devices, const struct line_book *bo
     }
 }
 
+static uint32_t frames_a_second(uint64_t frame_ns)
+{
+    return frame_ns > 0 ? (uint32_t)((1000000000ull + frame_ns / 2u) / frame_ns) : 0u;
+}
+
 void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing)
 {
     struct scene_devices *devices = &scene->devices;
@@ -122,5 +127,7 @@ void dressing_put(struct scene *scene, const struct hal *hal, const struct dress
         devices->axes[i] = axes_of(&dressing->input->poi[i], &dressing->hands[i]);
     }
     devices->button_faults = dressing->button_faults;
+    devices->files_refused = dressing->notes ? dressing->notes->refused_count : 0u;
+    devices->frames_a_second = frames_a_second(dressing->frame_ns);
     tell_lines(devices, dressing->lines);
 }

@@ -453,7 +453,8 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
                                        .input = &kiosk->input,
                                        .hands = kiosk->hands,
                                        .lines = &kiosk->lines,
-                                       .button_faults = kiosk->faults.buttons };
+                                       .button_faults = kiosk->faults.buttons,
+                                       .frame_ns = timing_quantile_ns(&kiosk->frame_time, 0.5) };
     show_encore(kiosk, hal, tick_count);
     dressing_put(&kiosk->scene, hal, &dressing);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;

@@ -173,7 +173,8 @@ static void keys(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct menu_sheet *sheet = menu_sheet_of(view->menu->page);
-    const enum text_key key = sheet->watches                 ? TEXT_MENU_WATCH_KEYS
+    const enum text_key key = view->menu->page == MENU_SELF_TEST ? TEXT_CHECK_KEYS
+                              : sheet->watches               ? TEXT_MENU_WATCH_KEYS
                               : sheet->body == BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
                                                              : TEXT_MENU_KEYS;
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);

@@ -81,6 +81,7 @@ void menu_learning(const struct menu_view *view);
 void menu_lines(const struct menu_view *view);
 void menu_files(const struct menu_view *view);
 void menu_axes(const struct menu_view *view);
+void menu_self_test(const struct menu_view *view);
 void menu_calibration(const struct menu_view *view);
 void menu_earnings(const struct menu_view *view);
 void menu_plays(const struct menu_view *view);

@@ -41,7 +41,7 @@ static const char *const names[MENU_PAGE_COUNT] = {
     [MENU_MODES] = "modes",     [MENU_SOUND] = "sound",
     [MENU_PICTURE] = "picture", [MENU_CARD] = "card", [MENU_UPKEEP] = "upkeep",
     [MENU_FILES] = "files",     [MENU_AXES] = "axes",
-    [MENU_CALIBRATION] = "calibration",
+    [MENU_CALIBRATION] = "calibration", [MENU_SELF_TEST] = "selftest",
     [MENU_BOOKS] = "books",     [MENU_EARNINGS] = "earnings",
     [MENU_PLAYS] = "plays",     [MENU_HOURS] = "hours",
     [MENU_MACHINE] = "machine", [MENU_RESET] = "reset",

@@ -116,7 +116,7 @@ static const struct field menu_fields[] = {
     FIELD(menu, points), FIELD(menu, tag), FIELD(menu, desk), FIELD(menu, pressed_count),
     FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, order_count),
     FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, use_tick),
-    FIELD(menu, x), FIELD(menu, y), SKIP(menu, calibrate), FIELD(menu, rest),
+    FIELD(menu, x), FIELD(menu, y), SKIP(menu, calibrate), SKIP(menu, self), FIELD(menu, rest),
 };
 
 static const struct field calibrate_fields[] = {
@@ -130,6 +130,12 @@ static const struct field calibrate_fields[] = {
 static const struct field calibration_said_fields[] = {
     FIELD(calibration_said, corner_m), FIELD(calibration_said, water),
     FIELD(calibration_said, has_wrist),
+};
+
+static const struct field self_test_fields[] = {
+    FIELD(self_test, heard), FIELD(self_test, moved), FIELD(self_test, present),
+    FIELD(self_test, ways), FIELD(self_test, worst_age), FIELD(self_test, first_m),
+    FIELD(self_test, knows_first), FIELD(self_test, begin_tick), FIELD(self_test, entry_id),
 };
 
 static const struct field adjust_fields[] = {
@@ -419,6 +425,7 @@ static const struct table tables[] = {
     TABLE(menu, menu_fields, &core.game.menu),
     TABLE(calibrate, calibrate_fields, &core.game.menu.calibrate),
     TABLE(calibration_said, calibration_said_fields, &core.game.menu.calibrate.said),
+    TABLE(self_test, self_test_fields, &core.game.menu.self),
     TABLE(adjust, adjust_fields, &core.game.adjust),
     TABLE(memory, memory_fields, &core.config.memory),
     TABLE(ledger_start, ledger_start_fields, &core.config.memory.ledger),

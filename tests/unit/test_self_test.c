@@ -1,0 +1,238 @@
+/* test_self_test.c -- ready for opening: nothing is good that was not tried, everything good is
+ * ready, and each thing that fails is named. */
+#include <string.h>
+
+#include "core/game/menu_pages.h"
+#include "game_stand.h"
+
+static struct scene scene;
+static uint8_t state_of[SELF_CHECKS];
+
+static const struct menu *menu(void)
+{
+    return &core.game.menu;
+}
+
+static void push(uint32_t button)
+{
+    press(button);
+    steps(MENU_TAKE_TICKS);
+}
+
+static void take(uint32_t tag)
+{
+    for (uint32_t i = 0; menu()->tag[menu()->page] != tag && i < MENU_TAG_MAX; i++) {
+        push(INPUT_SERVICE);
+    }
+    push(INPUT_TEST);
+}
+
+static int setup_page(void **state)
+{
+    setup(state);
+    store_is_late = 0;
+    settings_reset(&core.config.memory.settings);
+    adjust_init(&core.game.adjust, &core.config);
+    memset(&scene, 0, sizeof scene);
+    scene.devices.frames_a_second = 60;
+    input.store_well = 1;
+    input.day = 9000;
+    push(INPUT_TEST);
+    take(menu_tag_of(MENU_SELF_TEST));
+    assert_int_equal(menu()->page, MENU_SELF_TEST);
+    return 0;
+}
+
+static uint32_t judge(void)
+{
+    menu_show(&core, &scene.menu);
+    return self_test_judge(&scene, state_of);
+}
+
+/* All that a card and a pair of hands do. */
+static void save(void)
+{
+    input.record_saved_id = output.entry_id;
+    step();
+}
+
+static void wave(uint32_t seat)
+{
+    for (uint32_t i = 0; i < 8u; i++) {
+        const vec3 at_m = v3(i & 1u ? 0.05f : 0.0f, i & 2u ? 0.12f : 0.07f, i & 4u ? 0.05f : 0.0f);
+        input.poi[seat] = (struct poi_input){ .link = POI_LINK_LIVE, .has_wrist = 1,
+                                              .target.position_m = at_m };
+        step();
+    }
+}
+
+static void press_all(void)
+{
+    push(INPUT_START | INPUT_OK);
+    push(INPUT_LEFT);
+    push(INPUT_RIGHT);
+    push(INPUT_SERVICE);
+    take(SELF_YES);
+    take(SELF_YES);
+}
+
+static void drop_a_coin(void)
+{
+    input.coin_count[0] = 1;
+    step();
+    input.coin_count[0] = 0;
+}
+
+static void try_all(void)
+{
+    steps(2);
+    save();
+    wave(0);
+    press_all();
+    drop_a_coin();
+}
+
+static void test_it_is_ready_when_everything_was_tried(void **state)
+{
+    (void)state;
+    assert_true(judge() < SELF_CHECKS);
+    try_all();
+    assert_int_equal(judge(), SELF_CHECKS);
+    for (uint32_t i = 0; i < SELF_CHECKS; i++) {
+        assert_int_equal(state_of[i], SELF_GOOD);
+    }
+    assert_int_equal(core.game.ledger.purse.units + core.game.ledger.purse.paid, 0);
+}
+
+static void test_what_a_person_must_do_is_asked_until_it_is_done(void **state)
+{
+    (void)state;
+    steps(2);
+    save();
+    steps(30u * CORE_TICK_HZ);
+    judge();
+    static const uint8_t asks[] = { SELF_SOUND, SELF_LAMP, SELF_BUTTONS, SELF_COINS };
+    for (size_t i = 0; i < sizeof asks; i++) {
+        assert_int_equal(state_of[asks[i]], SELF_ASKS);
+    }
+    assert_int_equal(state_of[SELF_POIS], SELF_BAD); /* There is none. */
+    wave(0);
+    judge();
+    assert_int_equal(state_of[SELF_POIS], SELF_GOOD);
+}
+
+static void test_a_card_that_keeps_nothing_is_named_within_twenty_seconds(void **state)
+{
+    (void)state;
+    store_is_late = 1;
+    take(SELF_AGAIN);
+    steps(5u * CORE_TICK_HZ);
+    judge();
+    assert_int_equal(state_of[SELF_STORE], SELF_WAITS);
+    steps(6u * CORE_TICK_HZ);
+    wave(0);
+    press_all();
+    drop_a_coin();
+    assert_int_equal(judge(), SELF_STORE);
+    assert_int_equal(state_of[SELF_STORE], SELF_BAD);
+    save(); /* Late, but it came. */
+    assert_int_equal(judge(), SELF_CHECKS);
+}
+
+static void test_each_thing_that_fails_is_named(void **state)
+{
+    (void)state;
+    try_all();
+    input.day = 0;
+    step();
+    assert_int_equal(judge(), SELF_CLOCK);
+    input.day = 9000;
+    step();
+    scene.devices.frames_a_second = 12;
+    assert_int_equal(judge(), SELF_DISPLAY);
+    scene.devices.frames_a_second = 0;
+    assert_int_equal(judge(), SELF_DISPLAY);
+    assert_int_equal(state_of[SELF_DISPLAY], SELF_WAITS);
+    scene.devices.frames_a_second = 60;
+    scene.devices.files_refused = 1;
+    assert_int_equal(judge(), SELF_FILES);
+    scene.devices.files_refused = 0;
+    assert_int_equal(judge(), SELF_CHECKS);
+    steps(2u * CORE_TICK_HZ);
+    input.poi[0].age_ticks = 24; /* Five reports a second. */
+    step();
+    assert_int_equal(judge(), SELF_POIS);
+    assert_int_equal(state_of[SELF_POIS], SELF_BAD);
+}
+
+static void test_the_operator_says_what_he_heard_and_saw(void **state)
+{
+    (void)state;
+    clear_sounds();
+    steps(3u * CORE_TICK_HZ);
+    assert_in_range(sounds[SOUND_CALL], 2, 4);
+    assert_false(self_test_shows(&core)); /* One thing at a time. */
+    take(SELF_NO);
+    judge();
+    assert_int_equal(state_of[SELF_SOUND], SELF_BAD);
+    uint32_t lit = 0, shut = 0;
+    for (uint32_t i = 0; i < 2u * CORE_TICK_HZ; i++) {
+        step();
+        lit += output.start_lamp;
+        shut += output.coin_lockout;
+    }
+    assert_int_equal(lit, CORE_TICK_HZ);
+    assert_int_equal(shut, CORE_TICK_HZ);
+    take(SELF_NO);
+    judge();
+    assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
+    assert_false(menu_offers(menu()) >> SELF_YES & 1u);
+    step();
+    assert_int_equal(output.coin_lockout, 0); /* A coin may be tried. */
+    take(SELF_AGAIN);
+    judge();
+    assert_int_equal(state_of[SELF_SOUND], SELF_ASKS);
+}
+
+/* Without a line there is no button to press. */
+static void test_a_button_that_is_not_wired_is_not_asked_for(void **state)
+{
+    (void)state;
+    take(SELF_YES);
+    push(INPUT_SERVICE);
+    push(INPUT_START);
+    judge();
+    assert_int_equal(state_of[SELF_BUTTONS], SELF_ASKS);
+    scene.devices.buttons_missing = INPUT_LEFT | INPUT_RIGHT | INPUT_OK;
+    judge();
+    assert_int_equal(state_of[SELF_BUTTONS], SELF_GOOD);
+}
+
+/* What it writes changes nothing, whoever reads it. */
+static void test_the_entry_that_tries_the_store_says_what_was_so(void **state)
+{
+    (void)state;
+    const struct settings before = core.config.memory.settings;
+    steps(2);
+    const struct ledger_entry *entry = &output.entries[menu()->self.entry_id % LEDGER_RING];
+    assert_int_equal(entry->id, menu()->self.entry_id);
+    assert_int_equal(entry->kind, LEDGER_SETTING);
+    assert_int_equal(entry->detail, SET_VOLUME);
+    assert_int_equal(entry->value, before.value[SET_VOLUME]);
+    assert_memory_equal(&core.config.memory.settings, &before, sizeof before);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_it_is_ready_when_everything_was_tried, setup_page),
+        cmocka_unit_test_setup(test_what_a_person_must_do_is_asked_until_it_is_done, setup_page),
+        cmocka_unit_test_setup(test_a_card_that_keeps_nothing_is_named_within_twenty_seconds,
+                               setup_page),
+        cmocka_unit_test_setup(test_each_thing_that_fails_is_named, setup_page),
+        cmocka_unit_test_setup(test_the_operator_says_what_he_heard_and_saw, setup_page),
+        cmocka_unit_test_setup(test_a_button_that_is_not_wired_is_not_asked_for, setup_page),
+        cmocka_unit_test_setup(test_the_entry_that_tries_the_store_says_what_was_so, setup_page),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
