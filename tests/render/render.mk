@@ -93,7 +93,8 @@ menu-picture: $(BUILD)/tests/render/shot
 
 # Of the operator's manual: two pages of the menu side by side, PAGE or PAGE@STEP.
 MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score books:earnings:hours \
-    lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6
+    lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6 \
+    selftest:selftest:machine
 
 ## manual-pictures: those of board/MANUAL.md, in assets/pictures/; needs ImageMagick
 manual-pictures: $(BUILD)/tests/render/shot
