@@ -10,12 +10,14 @@ nothing_is_lost() {
 }
 
 a_liar_is_found() {
-    "$power" --cuts 1500 --frames 3600 --seed 7 --deaf 1
-    [ $? = 1 ]
+    "$power" --cuts 1500 --frames 3600 --seed 7 --deaf 1 >"$work/liar"
+    local code=$?
+    cat "$work/liar"
+    [ $code = 1 ]
 }
 
 check 'nothing that was promised is lost, and nothing is doubled, wherever the power goes' nothing_is_lost
 sed -n 's/^  \([0-9]* cuts in .*\)/# figure: \1/p' "$work/said"
 check 'a card that only says that it has synced is found out' a_liar_is_found
-check 'and what it cost is told' grep -qE ', [1-9][0-9]* (lost|unopenable)' "$work/said"
+check 'and what it cost is told' grep -qE '[:,] [1-9][0-9]* (lost|unopenable)' "$work/liar"
 echo "1..$count"
