@@ -10,7 +10,7 @@ UNIT_SHELL := $(UNIT_SHELL_SRC:%.c=$(BUILD)/%)
 UNIT_CORE := $(UNIT_CORE_SRC:%.c=$(BUILD)/%)
 UNIT := $(UNIT_CORE) $(UNIT_SHELL)
 
-E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close
+E2E_BIN := $(BUILD)/tests/e2e/hand $(BUILD)/tests/e2e/ask_to_close $(BUILD)/tests/e2e/manager
 # And the kiosk's own mind, by its recording.
 E2E := $(E2E_BIN) $(BUILD)/tests/vm/look
 
@@ -81,6 +81,7 @@ $(BUILD)/tests/unit/test_hid_source: TRAP := -Wl,--wrap=open,--wrap=ioctl,--wrap
 
 $(BUILD)/tests/e2e/hand: $(BUILD)/tests/e2e/hand.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
 $(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
+$(BUILD)/tests/e2e/manager: $(BUILD)/tests/e2e/manager.o
 $(E2E_BIN):
 	$(call step,LINK,$@)
 	$(Q)$(CC) -o $@ $^ -lXtst -lX11 -lm
