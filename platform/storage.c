@@ -313,8 +313,8 @@ static const char *storage_describe(void *self)
     } else if (aside > 0) {
         snprintf(storage->text, sizeof storage->text,
                  STORAGE_FILE " was damaged and is now " STORAGE_FILE STORAGE_ASIDE_SUFFIX
-                              "%u: %u entries from the backup, %u from itself",
-                 aside, storage->from_backup, storage->salvaged);
+                              "%u: %u entries from the backup, %u from itself, %u lost",
+                 aside, storage->from_backup, storage->salvaged.entries, storage->salvaged.lost);
     } else {
         snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
     }

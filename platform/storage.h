@@ -75,7 +75,7 @@ struct storage {
     atomic_bool has_file; /* The database was opened: entries are taken. */
     atomic_uint aside;    /* The damaged file's number; 0: none was set aside. */
     uint32_t from_backup; /* Then: the newest entry of the backup, ... */
-    uint32_t salvaged;    /* ... and how many more the damaged file still had. */
+    struct ledger_salvaged salvaged; /* ... and what the damaged file still had beyond it. */
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
     atomic_int edit_error; /* errno of the last graph that was refused; 0: the last went well. */
     atomic_uint refused;  /* Writes that failed, retries among them. */

@@ -103,7 +103,10 @@ static int make_new(struct storage *storage)
     const int code = ledger_file_open(&file, fresh, NULL);
     if (code == SQLITE_OK) {
         storage->from_backup = file.content.memory.ledger.last_id;
-        storage->salvaged = has_bytes(storage->path) ? ledger_salvage(storage->path, &file) : 0;
+        storage->salvaged = (struct ledger_salvaged){ 0 };
+        if (has_bytes(storage->path)) {
+            storage->salvaged = ledger_salvage(storage->path, &file);
+        }
         ledger_file_close(&file);
     }
     return code;

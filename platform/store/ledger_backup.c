@@ -115,40 +115,88 @@ int ledger_backup_make(struct ledger_file *from, const char *path)
 
 /* ---- What a damaged file still says --------------------------------------------------------- */
 
-/* How many were written; fewer than `max` when the rest cannot be believed. */
-static uint32_t salvage_batch(struct ledger_file *from, sqlite3_stmt *ids, struct ledger_file *to,
-                              uint32_t max)
-{
+/* An id more than a file has after any cleaning: what lies beyond is no id of this list. */
+#define SALVAGE_MAX (LEDGER_FILE_ENTRIES + 512u)
+
+struct salvage {
+    struct ledger_file from;
+    struct ledger_file *to;
     struct ledger_entry entries[BATCH];
-    uint32_t count = 0;
-    while (count < max && sqlite3_step(ids) == SQLITE_ROW) {
-        const uint32_t id = sql_uint(ids, 0, UINT32_MAX);
-        if (ledger_file_entry(from, id, &entries[count]) != SQLITE_OK) {
-            break;
-        }
-        count++;
-    }
-    return count > 0 && ledger_file_write(to, entries, count) == SQLITE_OK ? count : 0;
+    uint32_t count;       /* Of these, not yet written. */
+    uint32_t first, last; /* Ids to ask for. */
+    bool knows_last;
+    struct ledger_salvaged done;
+};
+
+static bool reads_well(struct salvage *salvage, int64_t id)
+{
+    struct ledger_entry entry;
+    return id > 0 && id <= UINT32_MAX &&
+           ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
 }
 
-uint32_t ledger_salvage(const char *path, struct ledger_file *to)
+/* What the damaged file says about its ends is believed as far as it can be true. */
+static void find_ends(struct salvage *salvage)
 {
-    struct ledger_file from = { .is_read_only = true };
-    sqlite3_stmt *ids = NULL;
-    uint32_t total = 0, count = BATCH;
-    int64_t version = 0;
-    int code = sqlite3_open_v2(path, &from.db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
-    code = code == SQLITE_OK ? sql_number(from.db, "PRAGMA user_version", &version) : code;
-    if (code == SQLITE_OK && version == LEDGER_FILE_VERSION) {
-        code = sqlite3_prepare_v2(from.db, "SELECT id FROM entries WHERE id > ?1 ORDER BY id", -1,
-                                  &ids, NULL);
-        sqlite3_bind_int64(ids, 1, to->content.memory.ledger.last_id);
+    int64_t min = 0, max = 0;
+    sqlite3 *db = salvage->from.db;
+    const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
+                         reads_well(salvage, min);
+    const bool has_max = sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK;
+    salvage->first = salvage->to->content.memory.ledger.last_id + 1u;
+    if (has_min && min > salvage->first) {
+        salvage->first = (uint32_t)min;
     }
-    while (code == SQLITE_OK && ids && count == BATCH) {
-        count = salvage_batch(&from, ids, to, BATCH);
-        total += count;
+    if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && reads_well(salvage, max)) {
+        salvage->first = (uint32_t)max - SALVAGE_MAX;
     }
-    sqlite3_finalize(ids);
-    ledger_file_close(&from);
-    return total;
+    salvage->knows_last = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;
+    salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
+}
+
+static int write_salvaged(struct salvage *salvage)
+{
+    const int code = salvage->count > 0
+                         ? ledger_file_write(salvage->to, salvage->entries, salvage->count)
+                         : SQLITE_OK;
+    salvage->done.entries += code == SQLITE_OK ? salvage->count : 0u;
+    salvage->count = 0;
+    return code;
+}
+
+/* Each is asked for by its id, so that what is in the way of one is not in the way of the next. */
+static void salvage_entries(struct salvage *salvage)
+{
+    uint32_t missing = 0;
+    int code = SQLITE_OK;
+    for (uint32_t id = salvage->first; code == SQLITE_OK && id <= salvage->last; id++) {
+        if (ledger_file_entry(&salvage->from, id, &salvage->entries[salvage->count]) !=
+            SQLITE_OK) {
+            missing++;
+            continue;
+        }
+        salvage->done.lost += missing;
+        missing = 0;
+        if (++salvage->count == BATCH) {
+            code = write_salvaged(salvage);
+        }
+    }
+    write_salvaged(salvage);
+    salvage->done.lost += salvage->knows_last ? missing : 0u;
+}
+
+struct ledger_salvaged ledger_salvage(const char *path, struct ledger_file *to)
+{
+    static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'";
+    struct salvage salvage = { .from = { .is_read_only = true }, .to = to };
+    int64_t has_entries = 0;
+    int code = sqlite3_open_v2(path, &salvage.from.db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX,
+                               NULL);
+    code = code == SQLITE_OK ? sql_number(salvage.from.db, any, &has_entries) : code;
+    if (code == SQLITE_OK && has_entries) {
+        find_ends(&salvage);
+        salvage_entries(&salvage);
+    }
+    ledger_file_close(&salvage.from);
+    return salvage.done;
 }

@@ -34,9 +34,13 @@ void ledger_backup_drop(struct ledger_backup *backup);
 int ledger_backup_make(struct ledger_file *from, const char *path);
 
 /* Reads from the file at `path`, which may be damaged anywhere, all entries beyond those of `to`
- * that are as they were written, and writes them to `to`, up to the first that is not. Returns how
- * many. */
-uint32_t ledger_salvage(const char *path, struct ledger_file *to);
+ * that are as they were written, and writes them to `to`. One that is not is passed over: the purse
+ * of the newest good one is the purse. */
+struct ledger_salvaged {
+    uint32_t entries; /* Written to `to`. */
+    uint32_t lost;    /* Ids among and behind these that cannot be read, as far as that is known. */
+};
+struct ledger_salvaged ledger_salvage(const char *path, struct ledger_file *to);
 
 /* Makes a rename, a new name or a removed one in this file's folder durable. 0 or -1. */
 int ledger_sync_folder(const char *path);

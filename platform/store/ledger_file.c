@@ -80,6 +80,7 @@ int ledger_check(sqlite3 *db)
     code = code == SQLITE_OK ? sql_number(db, "PRAGMA user_version", &version) : code;
     if (code == SQLITE_OK && version == LEDGER_FILE_VERSION) {
         code = ledger_schema_check(db);
+        code = code == SQLITE_OK ? ledger_tally_check(db) : code;
     }
     return as_damage(code);
 }

@@ -30,4 +30,9 @@ int ledger_sums_put(struct ledger_file *file, const struct ledger_content *befor
                     const struct ledger_content *after);
 int ledger_sums_read(struct ledger_file *file, struct ledger_content *out);
 
+/* ledger_tally.c: within the caller's transaction, after what it changed. */
+int ledger_tally_put(struct sqlite3 *db);
+/* SQLITE_CORRUPT: settings, audits or ranking are not as they were written. */
+int ledger_tally_check(struct sqlite3 *db);
+
 #endif

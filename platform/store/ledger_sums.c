@@ -153,8 +153,9 @@ int ledger_sums_put(struct ledger_file *file, const struct ledger_content *befor
     int code = put_settings(file, before, after);
     code = code == SQLITE_OK ? put_audits(file, &before->memory.audits, &after->memory.audits)
                              : code;
-    return code == SQLITE_OK ? put_ranks(file, &before->memory.ranking, &after->memory.ranking)
+    code = code == SQLITE_OK ? put_ranks(file, &before->memory.ranking, &after->memory.ranking)
                              : code;
+    return code == SQLITE_OK ? ledger_tally_put(file->db) : code;
 }
 
 /* ---- In: what has no place in this version stays in the file, unread ------------------------- */

@@ -205,6 +205,49 @@ static void test_a_flipped_bit_in_the_purse_is_found(void **state)
 
 /* ---- What they add up to -------------------------------------------------------------------- */
 
+static void test_a_flipped_bit_in_what_entries_add_up_to_is_found(void **state)
+{
+    (void)state;
+    static const char *const flips[] = {
+        "UPDATE settings SET value = value + 4",
+        "UPDATE audits SET count = count - 8 WHERE name = 'caught'",
+        "UPDATE ranking SET caught = caught + 16",
+        "UPDATE ranking SET name = 'b'",
+        "UPDATE state SET value = value + 1 WHERE name = 'ranking-boot'",
+        "DELETE FROM settings",
+    };
+    const struct ledger_entry round = round_entry(2, MODE_FESTIVAL, 11, 6);
+    const struct ledger_entry volume = { .id = 1, .boot = 3, .kind = LEDGER_SETTING,
+                                         .detail = SET_VOLUME, .value = 40 };
+    for (size_t i = 0; i < sizeof flips / sizeof flips[0]; i++) {
+        open_file();
+        write_entry(&volume);
+        write_entry(&round);
+        reopen();
+        ledger_file_close(&file);
+        do_sql(flips[i]);
+        assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
+        assert_int_equal(truncate(path, 0), 0);
+    }
+}
+
+static void test_a_file_from_before_there_were_tallies_is_read(void **state)
+{
+    (void)state;
+    const struct ledger_entry first = round_entry(1, MODE_FESTIVAL, 5, 6);
+    const struct ledger_entry next = round_entry(2, MODE_FESTIVAL, 5, 6);
+    open_file();
+    write_entry(&first);
+    ledger_file_close(&file);
+    do_sql("DELETE FROM state WHERE name LIKE 'tally-%';"
+           "DELETE FROM audits WHERE name = 'tally'");
+    open_file();
+    write_entry(&next);
+    ledger_file_close(&file);
+    do_sql("UPDATE audits SET count = 1 WHERE name = 'caught'");
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
+}
+
 static void test_the_sums_on_disk_are_those_of_the_core(void **state)
 {
     (void)state;
@@ -289,7 +332,8 @@ static void test_what_is_no_setting_of_ours_does_no_harm(void **state)
     (void)state;
     open_file();
     ledger_file_close(&file);
-    do_sql("INSERT INTO settings VALUES ('volume', 1000), ('of-tomorrow', 1), ('price', 2);"
+    do_sql("DELETE FROM state; DELETE FROM audits;"
+           "INSERT INTO settings VALUES ('volume', 1000), ('of-tomorrow', 1), ('price', 2);"
            "INSERT INTO audits VALUES ('of-tomorrow', 7);"
            "INSERT INTO ranking VALUES (0, 0, 999, 1, 1, 1, 1, ''), (9, 0, 0, 1, 1, 1, 1, '')");
     open_file();
@@ -414,7 +458,7 @@ static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **st
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][1].round_id, 4);
     assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][2].caught, 2);
     assert_in_range(first.day, 9460, 9461); /* 2025-11-25, wherever on Earth. */
-    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 9 + 5);
+    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5); /* 9: a bot's. */
 }
 
 static void test_a_file_of_this_version_is_read_as_it_is(void **state)
@@ -498,6 +542,8 @@ int main(void)
         TEST(test_entries_that_are_there_already_are_passed_over),
         TEST(test_a_batch_is_written_whole_or_not_at_all),
         TEST(test_a_flipped_bit_in_the_purse_is_found),
+        TEST(test_a_flipped_bit_in_what_entries_add_up_to_is_found),
+        TEST(test_a_file_from_before_there_were_tallies_is_read),
         TEST(test_the_sums_on_disk_are_those_of_the_core),
         TEST(test_a_name_is_kept_with_the_round_and_can_be_taken_back),
         TEST(test_only_settings_that_were_turned_are_kept),

@@ -352,6 +352,64 @@ static void test_of_a_damaged_file_nothing_is_lost_that_can_be_read(void **state
     work_rounds(stall, 9, 9);
 }
 
+static void do_sql(const struct stall *stall, const char *text)
+{
+    sqlite3 *db;
+    sqlite3_open(stall->file, &db);
+    assert_int_equal(sqlite3_exec(db, text, 0, 0, 0), SQLITE_OK);
+    sqlite3_close(db);
+}
+
+static void test_a_bad_entry_hides_none_that_came_later(void **state)
+{
+    struct stall *stall = *state;
+    fill_and_close(stall);
+    do_sql(stall, "UPDATE entries SET tick = tick + 64 WHERE id = 6;"
+                  "UPDATE audits SET count = 0 WHERE name = 'caught'");
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "4 entries from the backup, 3 from itself, 1 lost"));
+    assert_int_equal(remember(stall)->ledger.last_id, 8);
+    assert_int_equal(remember(stall)->audits.count[AUDIT_CAUGHT], 36 - 6);
+    work_rounds(stall, 9, 9);
+}
+
+static void test_a_bad_newest_entry_leaves_the_one_before(void **state)
+{
+    struct stall *stall = *state;
+    fill_and_close(stall);
+    do_sql(stall, "UPDATE entries SET paid = paid + 64 WHERE id = 8");
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "4 entries from the backup, 3 from itself, 1 lost"));
+    assert_int_equal(remember(stall)->ledger.last_id, 7);
+    work_rounds(stall, 8, 8);
+}
+
+/* 300 coins lie on several pages: one of them, and the way to its neighbour, is gone. */
+static void test_a_bad_page_hides_no_other(void **state)
+{
+    struct stall *stall = *state;
+    open_by_hand(stall);
+    for (uint32_t id = 1; id <= 300; id++) {
+        const struct ledger_entry coin = { .id = id, .boot = 1, .tick = 100 * id,
+                                           .kind = LEDGER_COINS, .count = 1, .value = 1,
+                                           .purse = { .paid = id } };
+        assert_int_equal(stall->device.ops->keep(stall->device.self, &coin), HAL_OK);
+        storage_work(&stall->storage);
+    }
+    stall->device.ops->close(stall->device.self);
+    const long page = ask(stall, "SELECT pageno FROM dbstat WHERE name = 'entries' AND"
+                                 " pagetype = 'leaf' ORDER BY path LIMIT 1 OFFSET 1");
+    spoil(stall, 4096L * (page - 1));
+    open_by_hand(stall);
+    assert_int_equal(remember(stall)->ledger.last_id, 300);
+    assert_int_equal(remember(stall)->ledger.purse.paid, 300);
+    const struct storage *storage = &stall->storage;
+    assert_int_equal(storage->from_backup + storage->salvaged.entries + storage->salvaged.lost,
+                     300);
+    assert_in_range(storage->salvaged.lost, 1, 150);
+    assert_int_equal(ask(stall, "SELECT count(*) FROM entries"), 300 - storage->salvaged.lost);
+}
+
 static void test_a_file_that_cannot_be_read_at_all_gives_way_to_its_backup(void **state)
 {
     struct stall *stall = *state;
@@ -439,10 +497,7 @@ static void test_a_file_with_less_than_its_backup_is_damage(void **state)
 {
     struct stall *stall = *state;
     fill_and_close(stall);
-    sqlite3 *db;
-    sqlite3_open(stall->file, &db);
-    assert_int_equal(sqlite3_exec(db, "DELETE FROM entries WHERE id > 3", 0, 0, 0), 0);
-    sqlite3_close(db);
+    do_sql(stall, "DELETE FROM entries WHERE id > 3");
     goes_on_from_the_backup(stall);
 }
 
@@ -652,6 +707,9 @@ int main(void)
         IN_A_FOLDER(test_no_folder_at_all_is_said),
         IN_A_FOLDER(test_a_file_that_is_no_database_is_set_aside),
         IN_A_FOLDER(test_of_a_damaged_file_nothing_is_lost_that_can_be_read),
+        IN_A_FOLDER(test_a_bad_entry_hides_none_that_came_later),
+        IN_A_FOLDER(test_a_bad_newest_entry_leaves_the_one_before),
+        IN_A_FOLDER(test_a_bad_page_hides_no_other),
         IN_A_FOLDER(test_a_file_that_cannot_be_read_at_all_gives_way_to_its_backup),
         IN_A_FOLDER(test_without_a_backup_a_fresh_file_begins),
         IN_A_FOLDER(test_a_damaged_backup_is_not_believed),
