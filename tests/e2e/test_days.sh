@@ -1,6 +1,6 @@
 #!/bin/bash
-# test_days.sh -- what a stall meets from morning to night: it is killed in a round that was paid, a frame hangs, the
-# sound card comes late. A service manager's place is taken by tests/e2e/manager.
+# test_days.sh -- what a stall meets from morning to night: it is killed in a round that was paid, a frame hangs, the card
+# is full for a while, the sound card comes late. A service manager's place is taken by tests/e2e/manager.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 told=$work/told status=$work/run/status.json
@@ -32,6 +32,7 @@ opens() { # Starts it, and waits for its first picture, as it tells the manager.
     local before
     before=$(grep -c READY=1 "$told")
     start_ms=$(date +%s%3N)
+    trap '' XFSZ # What it inherits: a file that may not grow is an error, not its end.
     "$BUILD/kingyo" --window 640x360 --lang en --data "$work/data" --keyboard on --mode festival --coins 1 --fish 12 \
         --seed 5 >"$work/out" 2>"$work/err" &
     kiosk_pid=$!
@@ -84,9 +85,19 @@ kill -CONT "$screen_pid"
 within 60 has_more_beats "$seen"
 ok $? 'and one that goes on is not' "$told"
 
+# ---- The card is full
+# No file may grow beyond 8 KiB: the database cannot be written, the status can.
+prlimit --pid "$kiosk_pid" --fsize=8192:
+xdotool key 5
+within 60 says '"well": false'
+ok $? 'a card that takes nothing more is told to whoever watches over the stall'
+prlimit --pid "$kiosk_pid" --fsize=unlimited:
+within 60 says '"well": true' && within 60 says '"paid": 2' && within 60 says '"waiting": 0'
+ok $? 'with room again it has the coin that fell meanwhile'
+
 # ---- Closing time
 kill -TERM "$kiosk_pid"
 end_of_kiosk 30
-[ "$code" -eq 0 ] && audited coins-1 1
-ok $? 'and closed in peace its coin is in the books' "$work/err"
+[ "$code" -eq 0 ] && audited coins-1 2
+ok $? 'and closed in peace both coins are in the books' "$work/err"
 done_testing
