@@ -24,13 +24,14 @@ static void test_fish_count_only_while_the_round_runs(void **state)
     assert_int_equal(core.game.player[0].caught, 3);
 }
 
-static void test_a_round_leaves_a_record_with_the_next_id(void **state)
+static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
 {
     (void)state;
     play_into_round();
     land(4);
     steps(ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(output.record.id, 1);
+    const uint32_t first_id = output.record.id;
+    assert_true(purse_keeps_record(&output));
     assert_int_equal(output.record.seed, 7);
     assert_int_equal(output.record.caught, 4);
     assert_int_equal(output.record.by_bot, 0);
@@ -38,7 +39,9 @@ static void test_a_round_leaves_a_record_with_the_next_id(void **state)
     steps(GAME_AGAIN_TICKS);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(output.record.id, 2);
+    assert_true(output.record.id > first_id);
+    assert_true(purse_keeps_record(&output));
+    assert_int_equal(purse_count(&output, LEDGER_ROUND), 2);
     assert_int_equal(output.record.caught, 0);
     /* A worse round takes nothing away. */
     assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
@@ -52,7 +55,10 @@ static void test_record_ids_go_on_from_what_the_store_has(void **state)
     assert_int_equal(core_init(&core, &config), CORE_OK);
     input.record_saved_id = 41;
     play_into_result();
-    assert_int_equal(output.record.id, 42);
+    assert_true(output.record.id > 41);
+    assert_true(purse_keeps_record(&output));
+    assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
+    assert_int_equal(purse_entry(&output, 42)->id, 42); /* None is left out. */
 }
 
 static void test_a_bots_round_is_marked_and_is_no_best(void **state)
@@ -158,7 +164,8 @@ static void test_a_round_that_nobody_played_ends_without_a_record(void **state)
     steps(4);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(output.record.id, 0);
-    assert_int_equal(core.game.ledger.last_id, 0);
+    assert_int_equal(purse_count(&output, LEDGER_ROUND), 0);
+    assert_int_equal(purse_count(&output, LEDGER_LEFT), 1);
 }
 
 static void test_a_round_that_was_left_after_a_while_keeps_its_record(void **state)
@@ -192,7 +199,7 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup(name, setup)
     const struct CMUnitTest tests[] = {
         TEST(test_fish_count_only_while_the_round_runs),
-        TEST(test_a_round_leaves_a_record_with_the_next_id),
+        TEST(test_a_round_leaves_a_record_with_the_id_of_its_entry),
         TEST(test_record_ids_go_on_from_what_the_store_has),
         TEST(test_a_bots_round_is_marked_and_is_no_best),
         TEST(test_the_best_of_the_day_is_a_round_that_beats_it),
