@@ -99,10 +99,15 @@ static void point_by_buttons(struct core *core, const struct input *input, struc
     }
 }
 
-/* What is pointed at, or all that there is. */
+/* What is pointed at, or all that there is. While somebody chose, the store may have stopped: then
+ * the choice stands, and he may ask again. */
 static void take(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
+    if (!credit_can_play(core)) {
+        credit_ask(core, output);
+        return;
+    }
     const int is_lab = game->lab_chosen || keeper_modes(&core->config) == 1u << CHOICE_LAB;
     game->lab_chosen = 0;
     credit_take(core, is_lab ? CHOICE_LAB : game->mode, output);
@@ -116,12 +121,12 @@ static void take(struct core *core, struct output *output)
 void choose_begin(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
-    if (!credit_can_play(core)) {
-        credit_ask(core, output);
-        return;
-    }
     if (mode_count(keeper_modes(&core->config)) == 1u) {
         take(core, output);
+        return;
+    }
+    if (!credit_can_play(core)) {
+        credit_ask(core, output);
         return;
     }
     phase_enter(core, PHASE_CHOOSE);

@@ -21,6 +21,17 @@ static uint32_t waiting(const struct ledger *ledger)
     return ledger->last_id - ledger->saved_id;
 }
 
+/* Where there was no store what was written is nowhere; one that is found at last owes none of it.
+ * The purse as it is by then is told it (upkeep.c), and counts as kept when that is on disk. */
+static void note_store(struct ledger *ledger, int is_well)
+{
+    if (ledger->boot == 0 && is_well && !ledger->is_well) {
+        ledger->saved_id = ledger->last_id;
+        ledger->wait_ticks = 0;
+    }
+    ledger->is_well = is_well != 0;
+}
+
 /* What is on disk stays there: an older answer that comes late says nothing new. */
 static void note_saved(struct ledger *ledger, uint32_t saved_id)
 {
@@ -38,12 +49,12 @@ static void note_saved(struct ledger *ledger, uint32_t saved_id)
 void ledger_tick(struct core *core, const struct input *input)
 {
     struct ledger *ledger = &core->game.ledger;
+    note_store(ledger, input->store_well);
     note_saved(ledger, input->record_saved_id);
     ledger->wait_ticks = ledger_is_settled(ledger) ? 0u
                          : ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX
                              ? ledger->wait_ticks + 1u
                              : ledger->wait_ticks;
-    ledger->is_well = input->store_well != 0;
     ledger->day = input->day;
     ledger->minute = input->minute;
 }
@@ -102,6 +113,16 @@ int ledger_is_safe(const struct ledger *ledger)
 {
     return ledger->is_well && ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX &&
            ledger_has_room(ledger, LEDGER_COINS);
+}
+
+static int same_purse(const struct purse *a, const struct purse *b)
+{
+    return purse_hash(HASH_START, a) == purse_hash(HASH_START, b);
+}
+
+int ledger_owes_purse(const struct ledger *ledger)
+{
+    return ledger->is_well && waiting(ledger) == 0 && !same_purse(&ledger->purse, &ledger->kept);
 }
 
 /* What is left of `sure` when a count went from `before` to `after`. */

@@ -57,6 +57,10 @@ int ledger_is_settled(const struct ledger *ledger);
 /* Whether what is paid now will soon be on disk: the store is well, answers, and has room. */
 int ledger_is_safe(const struct ledger *ledger);
 
+/* Whether the purse is another than the one on disk and no entry that carries it is on its way: a
+ * store was found at last, or had no room when it changed. */
+int ledger_owes_purse(const struct ledger *ledger);
+
 /* The credits that are on disk and not spent: these, and no others, may be played. */
 struct ledger_credits {
     uint32_t paid, service;

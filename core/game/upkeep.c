@@ -58,7 +58,8 @@ void upkeep_tick(struct core *core, const struct input *input, struct output *ou
             tell_boot(core, output);
         }
     }
-    if (core->tick - upkeep->told_tick >= UPKEEP_TICKS &&
+    const int is_due = core->tick - upkeep->told_tick >= UPKEEP_TICKS;
+    if ((is_due || ledger_owes_purse(&core->game.ledger)) &&
         ledger_may_write(&core->game.ledger, LEDGER_HEALTH)) {
         upkeep_tell(core, input, output);
     }

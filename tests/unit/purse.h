@@ -16,26 +16,26 @@ static inline uint32_t purse_audit(const struct core *core, enum audit_id id)
 }
 
 /* Of what was written the entry `id`, one of the newest LEDGER_RING. */
-static inline const struct ledger_entry *purse_entry(const struct output *output, uint32_t id)
+static inline const struct ledger_entry *purse_entry(const struct output *out, uint32_t id)
 {
-    return &output->entries[id % LEDGER_RING];
+    return &out->entries[id % LEDGER_RING];
 }
 
 /* How many of the newest LEDGER_RING entries are of this kind. */
-static inline uint32_t purse_count(const struct output *output, enum ledger_kind kind)
+static inline uint32_t purse_count(const struct output *out, enum ledger_kind kind)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < LEDGER_RING; i++) {
-        count += output->entries[i].id != 0 && output->entries[i].kind == kind;
+        count += out->entries[i].id != 0 && out->entries[i].kind == kind;
     }
     return count;
 }
 
 /* Whether the newest record is what the entry with its id, a round's, has on disk. */
-static inline int purse_keeps_record(const struct output *output)
+static inline int purse_keeps_record(const struct output *out)
 {
-    const struct round_record *record = &output->record;
-    const struct ledger_entry *entry = purse_entry(output, record->id);
+    const struct round_record *record = &out->record;
+    const struct ledger_entry *entry = purse_entry(out, record->id);
     return record->id != 0 && entry->id == record->id && entry->kind == LEDGER_ROUND &&
            entry->round.seed == record->seed && entry->round.end_tick == record->end_tick &&
            entry->round.mode == record->mode && entry->round.caught == record->caught;

@@ -1,9 +1,9 @@
 /* test_championship.c -- a championship from START to the result, played by a live hand: the tank,
  * the clock, the calls, the count, the record, and the same again from the same inputs. */
+#include "purse.h"
 #include "stall_stand.h"
 
 #include "core/game/bot.h"
-#include "purse.h"
 
 #define ROUND_TICKS (180u * CORE_TICK_HZ)
 #define CALLS_MAX 16u
