@@ -23,7 +23,7 @@ took=$(opens_again "$starts" "$hung" 260)
 kill $holder 2>/dev/null
 follow
 await 30 reads ticks -gt 60
-[ "$took" -gt 0 ] && reads credits -eq "$credits"
-found $? hang "its next picture $took ms after its thread stood still (WatchdogSec=$(asked WatchdogUSec)); $(read_count credits) credits"
 journalctl -b --no-pager -u kingyo.service | grep -qi 'watchdog timeout'
 found $? hang 'systemd says: watchdog timeout'
+[ "$took" -gt 0 ] && reads credits -eq "$credits"
+found $? hang "its next picture $took ms after its thread stood still (WatchdogSec=$(asked WatchdogUSec)); $(read_count credits) credits"

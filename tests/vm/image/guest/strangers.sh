@@ -2,14 +2,24 @@
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources it
 usb_gadget=/sys/kernel/config/usb_gadget/stranger
 
-# The stall as it was: the same process, the same console, no coin and no press that was not ours, as many disks and nets.
+# What the stall's machine has: its process, its console, disks, nets and serial lines. The other end of the cable is
+# this machine's only in the test: a gadget's own net is left out.
+belongings() {
+    echo "$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block | tr '\n' ' ')"
+    for net in /sys/class/net/*; do
+        case $(readlink -f "$net") in */gadget*) ;; *) echo "${net##*/}" ;; esac
+    done
+    ls /dev | grep -E 'ttyACM|ttyUSB'
+}
+
+# The stall as it was: it has what it had, and no coin and no press that was not ours.
 unmoved() {
-    [ "$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block /sys/class/net | tr '\n' ' ')" = "$before" ] &&
+    [ "$(belongings)" = "$before" ] &&
         reads coins -eq "$coins_before" && reads test -eq "$tests_before" && reads start -eq "$presses_before"
 }
 
 remember() {
-    before="$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block /sys/class/net | tr '\n' ' ')"
+    before=$(belongings)
     coins_before=$(read_count coins)
     tests_before=$(read_count test)
     presses_before=$(read_count start)
@@ -107,14 +117,10 @@ stranger_out
 for function in ecm.usb0 acm.0; do
     stranger_begin 0x0525 0xa4a2
     stranger_has $function
-    nets=$(ls /sys/class/net | wc -l)
-    ttys=$(ls /dev/ttyACM* 2>/dev/null | wc -l)
-    before="$(asked MainPID) $(cat /sys/class/tty/tty0/active) $(ls /sys/block /sys/class/net | tr '\n' ' ')" # Its own end is a net, too.
     stranger_in
-    tried usb-net "${function%.*}: nets and terminals as before"
+    tried usb-net "${function%.*}: nets and serial lines as before: $(belongings | tail -n +2 | tr '\n' ' ')"
     stranger_out
 done
-remember
 
 # Descriptions that no honest device has: noise, one that never ends its collections, a field of 2^32 bits, 4 KiB of both.
 for words in noise endless huge long; do

@@ -1,9 +1,6 @@
-# wires.sh -- before the stall opens: what it kept until now is shown outside; then its lines, and our poi on a cable.
+# wires.sh -- before the stall opens: its lines, our poi on a cable, and shaders that a machine before this one compiled.
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # it sources what it uses
 . /run/host/guest/common.sh
-mkdir -p $host/out/kept
-cp /var/lib/kingyo/kingyo.db* $host/out/kept/ 2>/dev/null
-cat /run/kingyo-data >$host/out/kept/data 2>/dev/null
 if [ -d $host/mesa ]; then
     mkdir -p /var/cache/kingyo
     cp -r $host/mesa /var/cache/kingyo/mesa_shader_cache
