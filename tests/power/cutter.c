@@ -11,8 +11,10 @@
 
 #include "platform/storage.h"
 #include "tests/power/disk.h"
+#include "tests/power/go_on.h"
 
 #define SECOND_EACH 40u
+#define GO_ON_EACH 100u
 #define PATH_SIZE 300u
 
 /* What the frame loop knew when the power went. */
@@ -87,6 +89,11 @@ static void look(const struct cutter *cutter, struct tally *tally, const char *f
     } else if (promise->replay != 0 && !file.has_replay &&
                is_ranked(&memory.ranking, promise->replay)) {
         complain(tally, &tally->replays_lost, where, "a replay that was promised is not there");
+    } else if (tally->cuts % GO_ON_EACH == 0) {
+        tally->mornings++;
+        if (go_on(folder, &cutter->books[last], last, why) != 0) {
+            complain(tally, &tally->differing, where, why);
+        }
     }
 }
 
@@ -193,6 +200,7 @@ static void add_tally(struct tally *sum, const struct tally *part)
     sum->differing += part->differing;
     sum->replays_lost += part->replays_lost;
     sum->ahead += part->ahead;
+    sum->mornings += part->mornings;
     sum->done += part->done;
     if (!sum->first[0]) {
         memcpy(sum->first, part->first, sizeof sum->first);

@@ -13,6 +13,7 @@ struct tally {
     uint64_t cuts, second_cuts;
     uint64_t by_luck[DISK_LUCK_COUNT];
     uint64_t unopenable, lost, ghosts, differing, replays_lost;
+    uint64_t mornings; /* In which it was played on (go_on.h). */
     uint64_t ahead; /* More was on disk than had been promised. */
     uint64_t done;  /* Of the tape. */
     char first[BOOKS_WHY_SIZE + 100];

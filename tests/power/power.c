@@ -7,7 +7,8 @@
  * written down (tape.h). Then the power goes after each of them, in as many ways as N cuts allow
  * (disk.h); the store is opened on what is left, and must remember the sum of all entries up to
  * some one that was handed over, none older than it had promised (books.h). One opening in
- * forty is itself cut at each of its file operations. Exit 1 when anything is not so.
+ * forty is itself cut at each of its file operations, and after one cut in a hundred the stall
+ * plays on (go_on.h). Exit 1 when anything is not so.
  * With --deaf no sync reaches the disk, so that the losses which this must find are there. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -140,6 +141,8 @@ static int tell(const struct tally *sum, double seconds)
            (unsigned long long)sum->lost, (unsigned long long)sum->ghosts,
            (unsigned long long)sum->differing, (unsigned long long)sum->unopenable,
            (unsigned long long)sum->replays_lost, (unsigned long long)sum->ahead);
+    printf("  after %llu of them the stall played on for half a minute, and was opened once more\n",
+           (unsigned long long)sum->mornings);
     if (sum->first[0]) {
         printf("  the first: %s\n", sum->first);
     }

@@ -8,7 +8,7 @@ test-power:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(POWER)
 	@$(POWER) --cuts $(CUTS)
 
-$(POWER): $(addprefix $(BUILD)/tests/power/,power.o cutter.o tape.o disk.o disk_cut.o hour.o books.o) \
+$(POWER): $(addprefix $(BUILD)/tests/power/,power.o cutter.o go_on.o tape.o disk.o disk_cut.o hour.o books.o) \
     $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)

@@ -132,7 +132,9 @@ void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_
 void tape_mark(enum tape_kind kind, uint32_t id)
 {
     pthread_mutex_lock(&pencil);
-    add(kind, 0)->offset = id;
+    if (running) {
+        add(kind, 0)->offset = id;
+    }
     pthread_mutex_unlock(&pencil);
 }
 

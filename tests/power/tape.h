@@ -45,6 +45,7 @@ struct tape {
  * are there already are numbered first, in the order of `first`. One tape at a time. */
 void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_NAME_SIZE],
                 uint32_t first_count);
+/* Where no tape runs, nothing is noted. */
 void tape_mark(enum tape_kind kind, uint32_t id);
 void tape_end(void);
 void tape_free(struct tape *tape);
