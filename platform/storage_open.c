@@ -96,7 +96,7 @@ static int make_new(struct storage *storage)
     remove_new(storage);
     if (is_there(backup) && ledger_file_look(&file, backup) == SQLITE_OK) {
         if (ledger_check(file.db) == SQLITE_OK) {
-            ledger_backup_make(&file, fresh);
+            ledger_backup_make(&file, fresh, false);
         }
         ledger_file_close(&file);
     }
@@ -181,11 +181,30 @@ bool storage_is_behind_backup(struct storage *storage)
     return is_behind;
 }
 
+/* The operator put a copy there: that the backup has more is as he wants it. It is kept beside. */
+static int take_copy(struct storage *storage)
+{
+    char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    beside(storage, STORAGE_BEFORE_SUFFIX, "", before);
+    if (storage_is_behind_backup(storage) &&
+        (rename(backup, before) != 0 || ledger_sync_folder(before) != 0)) {
+        return SQLITE_IOERR;
+    }
+    return ledger_unmark(&storage->file);
+}
+
 static int open_whole(struct storage *storage)
 {
     int code = is_emptied(storage)
                    ? SQLITE_CORRUPT
                    : ledger_file_open(&storage->file, storage->path, &storage->how);
+    if (code == SQLITE_OK && ledger_is_marked(&storage->file) && !storage->file.is_read_only) {
+        code = take_copy(storage);
+        if (code != SQLITE_OK) {
+            ledger_file_close(&storage->file);
+        }
+    }
     if (code == SQLITE_OK && storage_is_behind_backup(storage)) {
         ledger_file_close(&storage->file);
         code = SQLITE_CORRUPT;

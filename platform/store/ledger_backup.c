@@ -69,6 +69,25 @@ int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, 
     return code;
 }
 
+static int mark(sqlite3 *db, bool is_marked)
+{
+    char text[64];
+    snprintf(text, sizeof text, "PRAGMA application_id = %d", is_marked ? LEDGER_COPY_MARK : 0);
+    return sql_run(db, text);
+}
+
+bool ledger_is_marked(struct ledger_file *file)
+{
+    int64_t id = 0;
+    return sql_number(file->db, "PRAGMA application_id", &id) == SQLITE_OK &&
+           id == LEDGER_COPY_MARK;
+}
+
+int ledger_unmark(struct ledger_file *file)
+{
+    return mark(file->db, false);
+}
+
 /* The copy stands alone: no other file beside it is needed to read it. It is looked through by the
  * same eyes as the file itself, for what is damaged is no backup. */
 static int end_copy(struct ledger_backup *backup)
@@ -78,6 +97,7 @@ static int end_copy(struct ledger_backup *backup)
     int code = sqlite3_backup_finish(backup->copy);
     backup->copy = NULL;
     code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA journal_mode = DELETE") : code;
+    code = code == SQLITE_OK ? mark(backup->to, backup->is_marked) : code;
     code = code == SQLITE_OK ? ledger_check(backup->to) : code;
     if (code == SQLITE_OK) {
         sqlite3_close(backup->to);
@@ -100,10 +120,11 @@ int ledger_backup_step(struct ledger_backup *backup)
     return code;
 }
 
-int ledger_backup_make(struct ledger_file *from, const char *path)
+int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marked)
 {
     struct ledger_backup backup;
     int code = ledger_backup_begin(&backup, from, path);
+    backup.is_marked = is_marked;
     while (code == SQLITE_OK) {
         code = ledger_backup_step(&backup);
     }

@@ -11,6 +11,10 @@
 #define LEDGER_PATH_SIZE 600u
 #define LEDGER_PART_SUFFIX "-part"
 
+/* A copy that is made to be put back says so (its `application_id`): it is meant to have less than
+ * the stall's own backup, and is not taken for a file that lost something. */
+#define LEDGER_COPY_MARK 0x6b6e6779
+
 struct sqlite3_backup;
 
 /* The caller owns it; zero is idle. */
@@ -18,6 +22,7 @@ struct ledger_backup {
     struct sqlite3 *to;
     struct sqlite3_backup *copy;
     char path[LEDGER_PATH_SIZE];
+    bool is_marked; /* To be set behind begin(): see LEDGER_COPY_MARK. */
 };
 
 /* Begins a copy of an open file to `path`. On an error it is idle. */
@@ -31,7 +36,11 @@ int ledger_backup_step(struct ledger_backup *backup);
 void ledger_backup_drop(struct ledger_backup *backup);
 
 /* All of it at once. */
-int ledger_backup_make(struct ledger_file *from, const char *path);
+int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marked);
+
+/* Whether an open file is such a copy; and makes it the stall's own. */
+bool ledger_is_marked(struct ledger_file *file);
+int ledger_unmark(struct ledger_file *file);
 
 /* Reads from the file at `path`, which may be damaged anywhere, all entries beyond those of `to`
  * that are as they were written, and writes them to `to`. One that is not is passed over: the purse

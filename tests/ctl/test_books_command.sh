@@ -78,6 +78,20 @@ check 'a backup may take the place of an older one' is_copy
 mkdir "$work/of-copy" && mv "$work/copy.db" "$work/of-copy/kingyo.db"
 check 'a backup can be read like the file' ends 0 'きんぎょ' scores --data "$work/of-copy"
 check 'a backup never goes onto the file itself' ends 2 'own file' backup "$data/kingyo.db" --data "$data"
+log_is_safe() {
+    echo log >"$data/kingyo.db-x"
+    ends 2 'own file' backup "$data/kingyo.db-x" --data "$data" && [ "$(cat "$data/kingyo.db-x")" = log ]
+    local result=$?
+    rm "$data/kingyo.db-x"
+    return $result
+}
+precious_is_safe() {
+    echo precious >"$work/precious"
+    ends 2 'no copy' backup "$work/precious" --data "$data" && [ "$(cat "$work/precious")" = precious ]
+}
+check 'nor onto what lies beside it under its name' log_is_safe
+check 'nor onto what is no copy' precious_is_safe
+check 'a folder is no place for a copy' ends 2 'no copy' backup "$work" --data "$data"
 check 'a place that cannot be written is told' ends 74 'cannot be written' backup /proc/none --data "$data"
 check 'no file at all is told' ends 74 'is not there' scores --data "$work/nowhere"
 check 'of a folder that is shut to you sudo is advised' is_shut_to_others

@@ -501,6 +501,39 @@ static void test_a_file_with_less_than_its_backup_is_damage(void **state)
     goes_on_from_the_backup(stall);
 }
 
+/* As `kingyoctl backup` makes it, and as its words say how to go back to it. */
+static void test_a_copy_that_is_put_back_is_gone_on_from(void **state)
+{
+    struct stall *stall = *state;
+    char copy[160], backup[160], before[160];
+    path_beside(stall, "-copy", copy);
+    path_beside(stall, STORAGE_BACKUP_SUFFIX, backup);
+    path_beside(stall, STORAGE_BEFORE_SUFFIX, before);
+    open_by_hand(stall);
+    work_rounds(stall, 1, 2);
+    assert_int_equal(ledger_backup_make(&stall->storage.file, copy, true), SQLITE_OK);
+    work_rounds(stall, 3, 4);
+    stall->storage.backup_due_s = 0;
+    storage_work(&stall->storage);
+    stall->device.ops->close(stall->device.self);
+    assert_int_equal(last_id_of(backup), 4);
+    assert_int_equal(rename(copy, stall->file), 0);
+    open_by_hand(stall);
+    assert_null(strstr(text(stall), "damaged"));
+    assert_int_equal(remember(stall)->ledger.last_id, 2);
+    storage_work(&stall->storage);
+    assert_int_equal(last_id_of(backup), 2);
+    assert_int_equal(last_id_of(before), 4);
+    work_rounds(stall, 3, 5);
+    stall->storage.backup_due_s = 0;
+    storage_work(&stall->storage);
+    stall->device.ops->close(stall->device.self);
+    do_sql(stall, "DELETE FROM entries WHERE id > 3"); /* It is no copy any more. */
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "damaged-1"));
+    assert_int_equal(remember(stall)->ledger.last_id, 5);
+}
+
 static void test_a_log_without_its_file_is_set_aside(void **state)
 {
     struct stall *stall = *state;
@@ -716,6 +749,7 @@ int main(void)
         IN_A_FOLDER(test_a_file_that_is_away_comes_back_from_its_backup),
         IN_A_FOLDER(test_a_file_of_no_bytes_is_damage_where_there_is_a_backup),
         IN_A_FOLDER(test_a_file_with_less_than_its_backup_is_damage),
+        IN_A_FOLDER(test_a_copy_that_is_put_back_is_gone_on_from),
         IN_A_FOLDER(test_a_log_without_its_file_is_set_aside),
         IN_A_FOLDER(test_a_backup_is_not_written_over_by_a_file_that_has_less),
         IN_A_FOLDER(test_tables_that_are_not_as_they_were_made_are_damage),
