@@ -308,6 +308,7 @@ struct hal_storage null_storage(const char *line)
         .kept_edit_id = null_none,
         .refuses_edits = null_refuses_edits,
         .is_well = null_is_well,
+        .wants_restart = null_is_well,
         .refused_count = null_none,
         .describe = null_describe,
         .close = null_none,

@@ -150,6 +150,12 @@ static uint32_t storage_sim_close(void *self)
     return 0;
 }
 
+static int storage_sim_wants_restart(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->wants_restart;
+}
+
 struct hal_storage storage_sim_device(struct storage_sim *sim)
 {
     static const struct hal_storage_ops ops = {
@@ -167,6 +173,7 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
         .refuses_edits = storage_sim_refuses_edits,
         .refused_count = storage_sim_refused_count,
         .is_well = storage_sim_is_well,
+        .wants_restart = storage_sim_wants_restart,
         .describe = storage_sim_describe,
         .close = storage_sim_close,
     };

@@ -24,6 +24,7 @@ struct storage_sim {
     uint32_t replay_polls_left; /* Calls of replay_kept_id, or replay_fetched, until it is done. */
     uint32_t replay_asked_id;   /* As fetch_replay() was last asked for. */
     struct memory memory;       /* What earlier evenings left. */
+    int wants_restart;          /* 1: it came late, and is not empty. */
 };
 
 struct hal_storage storage_sim_device(struct storage_sim *sim);

@@ -193,6 +193,9 @@ struct hal_storage_ops {
     int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */
     uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
     int (*is_well)(void *self); /* 1: entries and edits are kept, and the last writes went well. */
+    /* 1: there was no store at the start, and there is one now that only another start can go on
+     * from. */
+    int (*wants_restart)(void *self);
     const char *(*describe)(void *self);
     /* Writes what keep() and keep_edit() took, which may wait a few seconds; returns how many of
      * them it could not. */

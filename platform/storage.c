@@ -259,6 +259,12 @@ static int storage_is_well(void *self)
            stuck_ms(storage) == 0 && !storage_refuses_edits(storage);
 }
 
+static int storage_wants_restart(void *self)
+{
+    struct storage *storage = self;
+    return !storage->start.has_read && atomic_load(&storage->error) == LEDGER_FILE_ANOTHERS;
+}
+
 static uint32_t storage_refused_count(void *self)
 {
     struct storage *storage = self;
@@ -298,7 +304,7 @@ static const char *storage_describe(void *self)
     if (!atomic_load(&storage->has_file)) {
         if (error == LEDGER_FILE_ANOTHERS) {
             say(storage, "no store", "the card is there now, and not empty",
-                "restart, to go on from it");
+                "a restart, once nobody plays");
         }
         return storage->text[0] ? storage->text : "no store: not opened";
     }
@@ -374,6 +380,7 @@ struct hal_storage storage_device(struct storage *storage)
         .kept_edit_id = storage_kept_edit_id,
         .refuses_edits = storage_refuses_edits,
         .is_well = storage_is_well,
+        .wants_restart = storage_wants_restart,
         .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,

@@ -4,6 +4,7 @@
  * good backup and all that the damaged one still says beyond that, is made under a name of its own.
  * Only when that is whole and on disk is the damaged one renamed, and then the new one. A power cut
  * anywhere leaves files from which the next start does the same again, or the rest of it. */
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -25,9 +26,10 @@ static void beside(const struct storage *storage, const char *suffix, const char
     snprintf(out, LEDGER_PATH_SIZE, "%.520s%.40s%.20s", storage->path, suffix, more);
 }
 
+/* A card that cannot say is no reason to put something in a file's place. */
 static bool is_there(const char *path)
 {
-    return access(path, F_OK) == 0;
+    return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
 }
 
 static bool has_bytes(const char *path)

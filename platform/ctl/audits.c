@@ -75,7 +75,8 @@ static void print_times(const struct audits *audits)
 static void print_text(const struct memory *memory)
 {
     const struct audits *audits = &memory->audits;
-    printf("%u entries, start %u; in the machine: %u credits paid, %u of service, %u units\n",
+    printf("%u entries, start %u; in the machine: paid credits %u, service credits %u,"
+           " units %u\n",
            memory->ledger.last_id, memory->ledger.boots, memory->ledger.purse.paid,
            memory->ledger.purse.service, memory->ledger.purse.units);
     puts("\nmoney");

@@ -305,9 +305,24 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+/* Another start would go on from a store that came late: with its settings, and with coins. Nobody
+ * plays, nobody's money lies only in this memory, and no recording would be written over. */
+static int is_called_back(const struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct purse *purse = &kiosk->core.game.ledger.purse;
+    return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
+           !kiosk->config.tap.tick && purse->units == 0 && purse->paid == 0 &&
+           purse->service == 0 && purse->untold == 0 && purse->open == OPEN_NONE &&
+           hal->storage.ops->wants_restart(hal->storage.self);
+}
+
 /* The operator wants a restart: once the store has every entry, or will not take them. */
 static void end_for_restart(struct kiosk *kiosk, const struct hal *hal)
 {
+    if (is_called_back(kiosk, hal)) {
+        kiosk->end = KIOSK_RESTART;
+        return;
+    }
     const int is_kept = kiosk->accepted_id == kiosk->output.entry_id;
     if (kiosk->restart_ns > 0 && (is_kept || clock_ns(hal->clock) >= kiosk->restart_ns)) {
         kiosk->end = KIOSK_RESTART;

@@ -52,7 +52,7 @@ enum kiosk_end {
     KIOSK_QUIT,         /* A quit key, a closed window, the session's end. */
     KIOSK_DISPLAY_LOST, /* Nothing can be shown any more. */
     KIOSK_SOURCE_END,   /* The replay is over. */
-    KIOSK_RESTART,      /* The operator wants it to begin anew. */
+    KIOSK_RESTART,      /* It is to begin anew: the operator wants it, or a store that came late. */
 };
 
 /* What went wrong and was survived, since the start. */

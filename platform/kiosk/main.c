@@ -179,6 +179,9 @@ int main(int argc, char **argv)
         code = run(&evening);
     }
     if (evening.kiosk.end == KIOSK_RESTART) {
+        if (evening.kiosk.restart_ns == 0) {
+            warn("the store is there at last: beginning anew, to go on from it");
+        }
         begin_anew(&evening, argv);
     }
     return (int)code;

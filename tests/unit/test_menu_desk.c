@@ -203,6 +203,32 @@ static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_ord
     assert_int_equal(rig.roster.choose_count + rig.roster.release_count, 0);
 }
 
+/* A card that came late is gone on from, but not while somebody plays or has paid. */
+static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays(void **state)
+{
+    (void)state;
+    rig.storage.wants_restart = 1;
+    rig.kiosk.core.game.ledger.purse.paid = 1;
+    frames(10);
+    rig.kiosk.core.game.ledger.purse.paid = 0;
+    rig.kiosk.core.game.ledger.purse.untold = 1;
+    frames(10);
+    rig.storage.wants_restart = 0;
+    rig.kiosk.core.game.ledger.purse.untold = 0;
+    push(INPUT_TEST);
+    assert_int_equal(rig.display.scene.phase, PHASE_MENU);
+    rig.storage.wants_restart = 1;
+    frames(10);
+    rig.buttons.quit = 1;
+    rig.clock.now_ns += FRAME_NS;
+    enum kiosk_end end = kiosk_frame(&rig.kiosk, &rig.hal);
+    for (uint32_t i = 0; i < 10u && end == KIOSK_RUNS; i++) {
+        rig.clock.now_ns += FRAME_NS;
+        end = kiosk_frame(&rig.kiosk, &rig.hal);
+    }
+    assert_int_equal(end, KIOSK_RESTART);
+}
+
 /* ---- Names ---------------------------------------------------------------------------------- */
 
 static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state)
@@ -391,6 +417,8 @@ int main(void)
         IN_CABINET(test_controllers_and_lines_have_names_in_the_menu_alone),
         IN_CABINET(
             test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order),
+        IN_CABINET(
+            test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays),
         IN_CABINET(test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest),
         IN_CABINET(test_what_is_chosen_plays_and_what_is_released_does_not),
         IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),

@@ -224,11 +224,13 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     assert_int_equal(keep(1), HAL_ERR_NONE);
     assert_false(is_well());
     assert_non_null(strstr(text(), "restart"));
+    assert_int_equal(device.ops->wants_restart(device.self), 1);
     device.ops->close(device.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 9);
+    assert_int_equal(device.ops->wants_restart(device.self), 0);
 }
 
 static void test_somebody_elses_card_is_not_written_on(void **state)
@@ -249,6 +251,7 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     assert_non_null(strstr(text(), "not the card that it began with"));
     assert_int_equal(count_entries(), 9);
     assert_int_equal(saved_id(), 1);
+    assert_int_equal(device.ops->wants_restart(device.self), 0); /* Here it would change purses. */
 }
 
 /* ---- Replays -------------------------------------------------------------------------------- */
