@@ -38,7 +38,7 @@ specimen: $(BUILD)/tests/render/specimen
 
 PICTURE := out/pictures
 ## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
-pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures
+pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures stall-picture
 
 # The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
 # play, so the moments move with the physics; look before you keep them.
@@ -91,6 +91,13 @@ menu-picture: $(BUILD)/tests/render/shot
 	@convert $(PICTURE)/learn.png $(PICTURE)/lines.png -resize 800x +append -quality 86 assets/pictures/menu.jpg
 	@echo 'assets/pictures/menu.jpg'
 
+# A stall of one's own: the money page, a name that is written, the ranking on the wall.
+stall-picture: $(BUILD)/tests/render/shot ui-shots
+	@$< --menu money --en -o $(PICTURE)/money.png
+	@convert $(PICTURE)/money.png out/ui/name_ja_1280x720.png out/ui/wall_ja_1280x720.png -resize 640x +append \
+	    -quality 86 assets/pictures/stall.jpg
+	@echo 'assets/pictures/stall.jpg'
+
 # Of the operator's manual: two pages of the menu side by side, PAGE or PAGE@STEP.
 MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score books:earnings:hours \
     lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6 \
@@ -106,4 +113,4 @@ manual-pictures: $(BUILD)/tests/render/shot
 	        assets/pictures/manual-$$name.jpg; \
 	    echo "assets/pictures/manual-$$name.jpg"; done
 
-.PHONY: manual-pictures menu-picture lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures
+.PHONY: stall-picture manual-pictures menu-picture lab-pictures growth-picture shot film specimen pictures fish-pictures game-pictures
