@@ -244,12 +244,14 @@ static int null_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes,
     return HAL_ERR_NONE;
 }
 
-static int null_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+static int null_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
+                             struct ledger_entry *round)
 {
     (void)self;
     (void)round_id;
     (void)bytes;
     (void)size;
+    (void)round;
     return HAL_ERR_NONE;
 }
 

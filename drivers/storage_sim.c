@@ -43,13 +43,15 @@ static uint32_t storage_sim_replay_kept_id(void *self)
     return is_replay_done(sim) ? sim->replay_id : 0;
 }
 
-static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
+                                    struct ledger_entry *round)
 {
     struct storage_sim *sim = self;
     if (sim->replay == NULL) {
         return HAL_ERR_NONE;
     }
     sim->replay_asked_id = round_id;
+    *round = round_id == sim->round.id ? sim->round : (struct ledger_entry){ 0 };
     if (round_id == sim->replay_id && size >= sim->replay_size) {
         memcpy(bytes, sim->replay, sim->replay_size);
     }
@@ -79,6 +81,7 @@ static int storage_sim_keep(void *self, const struct ledger_entry *entry)
     sim->entry = *entry;
     if (entry->kind == LEDGER_ROUND) {
         sim->record = entry->round;
+        sim->round = *entry;
     }
     sim->accepted_count++;
     sim->polls_since = 0;

@@ -7,7 +7,8 @@
 
 struct storage_sim {
     struct ledger_entry entry;  /* As last accepted, */
-    struct round_record record; /* and the last round's. */
+    struct round_record record; /* and the last round's, ... */
+    struct ledger_entry round;  /* ... and its entry. */
     struct edit_record edit;    /* As last accepted. */
     uint32_t accepted_count;
     uint32_t refused_count;

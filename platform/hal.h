@@ -183,9 +183,11 @@ struct hal_storage_ops {
      * written. */
     int (*keep_replay)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
     uint32_t (*replay_kept_id)(void *self); /* Newest that was written, or given up. */
-    /* Asks for the replay of a round; `bytes`, `size` of them, are lent until replay_fetched() is
-     * no longer BUSY: the replay's size, or HAL_ERR_NONE where there is none. */
-    int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size);
+    /* Asks for the replay of a round, and for the ledger's entry of it; `bytes`, `size` of them,
+     * and `round` are lent until replay_fetched() is no longer BUSY: the replay's size, or
+     * HAL_ERR_NONE where there is none. The entry's id is 0 where the ledger has it no more. */
+    int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
+                        struct ledger_entry *round);
     int (*replay_fetched)(void *self);
     int (*has_replay)(void *self, uint32_t round_id); /* 1: a ranked round's is on disk. */
     int (*keep_edit)(void *self, const struct edit_record *edit); /* As keep(). */

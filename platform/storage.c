@@ -207,7 +207,8 @@ static uint32_t storage_replay_kept_id(void *self)
     return atomic_load(&storage->put_id);
 }
 
-static int storage_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size)
+static int storage_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
+                                struct ledger_entry *round)
 {
     struct storage *storage = self;
     if (!atomic_load(&storage->has_file)) {
@@ -219,6 +220,7 @@ static int storage_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, s
     storage->get.round_id = round_id;
     storage->get.room = bytes;
     storage->get.size = size;
+    storage->get.round = round;
     atomic_store(&storage->get.state, STORAGE_REPLAY_WAITS);
     sem_post(&storage->wake);
     return HAL_OK;

@@ -53,6 +53,7 @@ struct storage_replay {
     const uint8_t *bytes;  /* Lent while it waits: to be written, ... */
     uint8_t *room;         /* ... or to be filled. */
     size_t size;
+    struct ledger_entry *round; /* The round's, to be filled. */
     atomic_int state;      /* enum storage_replay_state */
 };
 

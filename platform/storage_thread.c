@@ -252,6 +252,10 @@ static void get_replay(struct storage *storage)
     const int code = storage->file.db ? ledger_file_get_replay(&storage->file, get->round_id,
                                                                get->room, get->size, &size)
                                       : SQLITE_NOTFOUND;
+    *get->round = (struct ledger_entry){ 0 };
+    if (code == SQLITE_OK) {
+        ledger_file_round(&storage->file, get->round_id, get->round);
+    }
     atomic_store(&storage->got, code == SQLITE_OK ? (int)size : HAL_ERR_NONE);
     atomic_store(&get->state, STORAGE_REPLAY_IDLE);
 }

@@ -26,11 +26,11 @@ static void tell_boot(struct core *core, struct output *output)
     }
 }
 
-void upkeep_tell(struct core *core, const struct input *input, struct output *output)
+static struct ledger_entry health_of(const struct core *core, const struct input *input)
 {
-    struct upkeep *upkeep = &core->game.upkeep;
+    const struct upkeep *upkeep = &core->game.upkeep;
     const uint32_t shakes = core->game.credit.shakes;
-    const struct ledger_entry entry = {
+    return (struct ledger_entry){
         .kind = LEDGER_HEALTH,
         .count = shakes - upkeep->told_shakes,
         .value = (int32_t)((core->tick - upkeep->told_tick) / CORE_TICK_HZ),
@@ -40,12 +40,31 @@ void upkeep_tell(struct core *core, const struct input *input, struct output *ou
             .device_faults = input->device_faults - upkeep->device_faults,
         },
     };
+}
+
+void upkeep_tell(struct core *core, const struct input *input, struct output *output)
+{
+    struct upkeep *upkeep = &core->game.upkeep;
+    const struct ledger_entry entry = health_of(core, input);
     if (ledger_write(core, &entry, output) != 0) {
         upkeep->told_tick += (uint32_t)entry.value * CORE_TICK_HZ;
         upkeep->dropped_ticks = input->dropped_ticks;
         upkeep->device_faults = input->device_faults;
-        upkeep->told_shakes = shakes;
+        upkeep->told_shakes = core->game.credit.shakes;
     }
+}
+
+int upkeep_last_word(const struct core *core, const struct input *input, struct ledger_entry *out)
+{
+    const struct ledger *ledger = &core->game.ledger;
+    *out = health_of(core, input);
+    out->id = ledger->last_id + 1u;
+    out->boot = ledger->boot;
+    out->tick = core->tick;
+    out->day = ledger->day;
+    out->minute = ledger->minute;
+    out->purse = ledger->purse;
+    return ledger->boot > 0;
 }
 
 /* Where there is no room it is told as soon as there is some. */

@@ -1,7 +1,7 @@
 /* upkeep.h -- what the machine says of itself: that it began, what that ended, and how it fares.
  *
  * The first entry of each start is LEDGER_BOOT. A round that was open then was cut off by a crash
- * or the plug: its credit comes back. Every ten minutes, and whenever the operator opens the menu,
+ * or the plug: its credit comes back. Every two minutes, and whenever the operator opens the menu,
  * a LEDGER_HEALTH tells how long the machine has been up and what went wrong meanwhile. */
 #ifndef KINGYO_CORE_GAME_UPKEEP_H
 #define KINGYO_CORE_GAME_UPKEEP_H
@@ -12,7 +12,7 @@
 #include "core/ledger.h"
 #include "core/output.h"
 
-#define UPKEEP_TICKS (600u * CORE_TICK_HZ) /* What a pulled plug takes from the books at most. */
+#define UPKEEP_TICKS (120u * CORE_TICK_HZ) /* What a pulled plug takes from the books at most. */
 
 struct upkeep {
     uint8_t is_told;       /* This start's LEDGER_BOOT is written. */
@@ -28,6 +28,10 @@ void upkeep_tick(struct core *core, const struct input *input, struct output *ou
 
 /* Tells now. */
 void upkeep_tell(struct core *core, const struct input *input, struct output *output);
+
+/* What would be told now, as the entry that comes next, for an orderly end after the last tick: the
+ * core is left as a recording of it knows it. 0: there is no store to keep it. */
+int upkeep_last_word(const struct core *core, const struct input *input, struct ledger_entry *out);
 
 uint64_t upkeep_hash(uint64_t hash, const struct upkeep *upkeep);
 

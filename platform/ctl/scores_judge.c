@@ -76,6 +76,7 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
 {
     struct finding found = { .round_id = round_id, .verdict = VERDICT_DAMAGED };
     const double begin_s = now_s();
+    struct ledger_entry kept;
     found.has_replay =
         ledger_file_get_replay(file, round_id, bytes, sizeof bytes, &found.size) == 0;
     if (!found.has_replay) {
@@ -86,7 +87,8 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
         }
         found.play_s = (double)judge.replayer.totals.ticks / CORE_TICK_HZ;
     }
-    found.verdict = judge_say(&judge, &file->content.memory.ranking, round_id);
+    ledger_file_round(file, round_id, &kept);
+    found.verdict = judge_say(&judge, &file->content.memory.ranking, round_id, &kept);
     found.took_s = now_s() - begin_s;
     return found;
 }
@@ -97,8 +99,10 @@ static void tell(const struct finding *found)
     if (!found->has_replay) {
         printf("round %u: no replay\n", found->round_id);
     } else if (found->verdict == VERDICT_GENUINE) {
-        printf("round %u: genuine: %.1f s in %.0f kB, played again in %.1f s\n", found->round_id,
-               found->play_s, 1e-3 * (double)found->size, found->took_s);
+        printf("round %u: genuine: %.1f s in %.0f kB, played again in %.1f s; a round of %u s "
+               "among %u fish\n",
+               found->round_id, found->play_s, 1e-3 * (double)found->size, found->took_s,
+               judge.core.game.round_s, judge.core.tank.fish_count);
     } else if (found->verdict == VERDICT_DAMAGED) {
         printf("round %u: damaged: byte %llu: %s\n", found->round_id,
                (unsigned long long)problem->offset, problem->text);

@@ -11,7 +11,7 @@ void encore_ask(struct encore *encore, uint32_t round_id)
         return; /* The store still fills `bytes`. */
     }
     encore->state = ENCORE_SEEKS;
-    encore->has_play = 0;
+    encore->is_open = encore->has_play = 0;
     encore->round_id = round_id;
     encore->end_ticks = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -22,7 +22,7 @@ void encore_ask(struct encore *encore, uint32_t round_id)
 void encore_end(struct encore *encore)
 {
     encore->state = ENCORE_OFF;
-    encore->has_play = 0;
+    encore->is_open = encore->has_play = 0;
 }
 
 int encore_heeds(struct encore *encore, uint32_t pressed, const struct poi_input poi[POI_MAX])
@@ -44,7 +44,8 @@ int encore_heeds(struct encore *encore, uint32_t pressed, const struct poi_input
 
 static void conclude(struct encore *encore, const struct ranking *ranking)
 {
-    const enum verdict verdict = judge_say(&encore->judge, ranking, encore->round_id);
+    const enum verdict verdict = judge_say(&encore->judge, ranking, encore->round_id,
+                                           &encore->kept);
     encore->state = verdict == VERDICT_GENUINE ? ENCORE_GENUINE : ENCORE_OTHER;
 }
 
@@ -54,7 +55,8 @@ static void fetch(struct encore *encore, const struct hal_storage *storage,
 {
     if (!encore->is_asked) {
         const int result = storage->ops->fetch_replay(storage->self, encore->round_id,
-                                                      encore->bytes, sizeof encore->bytes);
+                                                      encore->bytes, sizeof encore->bytes,
+                                                      &encore->kept);
         encore->is_asked = result == HAL_OK;
         encore->state = result == HAL_OK || result == HAL_ERR_BUSY ? ENCORE_SEEKS : ENCORE_NONE;
         return;
@@ -69,29 +71,48 @@ static void fetch(struct encore *encore, const struct hal_storage *storage,
     }
     if (size <= 0) {
         encore->state = ENCORE_NONE;
-    } else if (judge_begin(&encore->judge, encore->bytes, (size_t)size)) {
+    } else if (judge_open(&encore->judge, encore->bytes, (size_t)size)) {
         conclude(encore, ranking);
     } else {
-        encore->has_play = 1;
+        encore->is_open = 1;
     }
 }
 
-/* As many ticks as a frame has time for, without falling behind with the stall's own. */
+static uint64_t now_ns(const struct hal_clock *stopwatch)
+{
+    return stopwatch->ops ? stopwatch->ops->now_ns(stopwatch->self) : 0;
+}
+
+/* A second of the replay at a time. */
+static void read_on(struct encore *encore, const struct ranking *ranking)
+{
+    const int more = judge_read(&encore->judge);
+    encore->has_play = more == 0;
+    if (more < 0) {
+        conclude(encore, ranking);
+    }
+}
+
+static void seek_on(struct encore *encore, const struct ranking *ranking)
+{
+    if (judge_is_at_round(&encore->judge)) {
+        encore->state = ENCORE_PLAYS;
+    } else if (!judge_tick(&encore->judge)) {
+        conclude(encore, ranking);
+    }
+}
+
+/* As many seconds read, and then ticks played, as a frame has time for, without falling behind with
+ * the stall's own. */
 static void seek(struct encore *encore, const struct hal_clock *stopwatch,
                  const struct ranking *ranking)
 {
-    const uint64_t begin_ns = stopwatch->ops ? stopwatch->ops->now_ns(stopwatch->self) : 0;
+    const uint64_t begin_ns = now_ns(stopwatch);
     uint64_t spent_ns = 0;
-    for (uint32_t i = 0; i < ENCORE_SEEK_TICKS && spent_ns < ENCORE_SEEK_NS; i++) {
-        if (judge_is_at_round(&encore->judge)) {
-            encore->state = ENCORE_PLAYS;
-            return;
-        }
-        if (!judge_tick(&encore->judge)) {
-            conclude(encore, ranking);
-            return;
-        }
-        spent_ns = stopwatch->ops ? stopwatch->ops->now_ns(stopwatch->self) - begin_ns : 0;
+    for (uint32_t i = 0; i < ENCORE_SEEK_TICKS && spent_ns < ENCORE_SEEK_NS &&
+                         encore->state == ENCORE_SEEKS; i++) {
+        (encore->has_play ? seek_on : read_on)(encore, ranking);
+        spent_ns = now_ns(stopwatch) - begin_ns;
     }
 }
 
@@ -107,7 +128,7 @@ static void play(struct encore *encore, const struct ranking *ranking, uint32_t 
 void encore_frame(struct encore *encore, const struct hal *hal, const struct hal_clock *stopwatch,
                   const struct ranking *ranking, uint32_t tick_count)
 {
-    const int waits = encore->state == ENCORE_SEEKS && !encore->has_play;
+    const int waits = encore->state == ENCORE_SEEKS && !encore->is_open;
     if (waits || encore->is_asked) {
         fetch(encore, &hal->storage, ranking);
     } else if (encore->state == ENCORE_SEEKS) {

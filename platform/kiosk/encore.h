@@ -13,15 +13,17 @@
 
 #define ENCORE_END_TICKS (10u * CORE_TICK_HZ) /* The verdict stands so long. */
 #define ENCORE_SEEK_NS 10000000ull /* Of a frame, while it seeks: 40 ticks and more of a desktop. */
-#define ENCORE_SEEK_TICKS 240u     /* And at most so many: a clock may stand still. */
+#define ENCORE_SEEK_TICKS 240u     /* And at most so many, or seconds read: a clock may stop. */
 
 struct encore {
     uint8_t state;       /* enum scene_encore */
     uint8_t is_asked;    /* The store is looking for it. */
-    uint8_t has_play;    /* The judge holds one. */
+    uint8_t is_open;     /* The judge reads it, ... */
+    uint8_t has_play;    /* ... and has read it: there is something to see. */
     uint32_t round_id;
     uint32_t end_ticks;  /* Since the verdict. */
     float hand_y_m[POI_MAX]; /* To see a dip. */
+    struct ledger_entry kept; /* The round's, as it is on disk. */
     struct judge judge;
     uint8_t bytes[CHAPTERS_SIZE];
 };

@@ -15,33 +15,25 @@ static int no_such_stall(struct judge *judge)
     return -1;
 }
 
-/* Reads all of what is open, to know how long it is and when its last round begins. */
-static int scan(struct judge *judge)
-{
-    struct replay_reader *reader = &judge->replayer.reader;
-    uint32_t rounds = 0;
-    int more;
-    judge->round_tick = 0;
-    while ((more = replay_next(reader, &judge->input)) == 1) {
-        if (reader->totals.rounds != rounds) {
-            rounds = reader->totals.rounds;
-            judge->round_tick = reader->tick;
-        }
-    }
-    judge->said = reader->totals;
-    replay_close(reader);
-    return more;
-}
-
-int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size)
+int judge_open(struct judge *judge, const uint8_t *bytes, size_t size)
 {
     struct core_config config;
-    struct replay_reader *reader = &judge->replayer.reader;
     judge->round = (struct ledger_entry){ 0 };
-    judge->is_damaged = 0;
+    judge->said = (struct replay_totals){ 0 };
+    judge->round_tick = 0;
+    judge->is_read = 0;
+    judge->bytes = bytes;
+    judge->size = size;
     memset(&judge->output, 0, sizeof judge->output);
-    if (replay_open_in(reader, bytes, size) || scan(judge) ||
-        replayer_begin_in(&judge->replayer, bytes, size, &config)) {
+    judge->is_damaged = replayer_begin_in(&judge->replayer, bytes, size, &config) != 0;
+    return judge->is_damaged ? -1 : 0;
+}
+
+/* The stall that the replay begins with. */
+static int make_stall(struct judge *judge)
+{
+    struct core_config config;
+    if (replayer_begin_in(&judge->replayer, judge->bytes, judge->size, &config)) {
         judge->is_damaged = 1;
         return -1;
     }
@@ -51,7 +43,37 @@ int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size)
         return no_such_stall(judge);
     }
     judge->seen_id = judge->core.game.ledger.last_id;
+    judge->is_read = 1;
     return 0;
+}
+
+int judge_read(struct judge *judge)
+{
+    struct replay_reader *reader = &judge->replayer.reader;
+    int more = judge->is_damaged ? -1 : 1;
+    for (uint32_t tick = 0; more == 1 && tick < REPLAY_CHUNK_TICKS; tick++) {
+        more = replay_next(reader, &judge->input);
+        if (more == 1 && reader->totals.rounds != judge->said.rounds) {
+            judge->said.rounds = reader->totals.rounds;
+            judge->round_tick = reader->tick;
+        }
+    }
+    if (more == 0) {
+        judge->said = reader->totals;
+        replay_close(reader);
+        return make_stall(judge);
+    }
+    judge->is_damaged = more < 0;
+    return more;
+}
+
+int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size)
+{
+    int more = judge_open(judge, bytes, size) ? -1 : 1;
+    while (more == 1) {
+        more = judge_read(judge);
+    }
+    return more;
 }
 
 static void note_entries(struct judge *judge)
@@ -69,7 +91,7 @@ int judge_tick(struct judge *judge)
     struct replayer *replayer = &judge->replayer;
     const struct kiosk_source source = replayer_source(replayer);
     const struct kiosk_tap tap = replayer_tap(replayer);
-    if (judge->is_damaged || replayer->difference.found ||
+    if (judge->is_damaged || !judge->is_read || replayer->difference.found ||
         !source.next(source.self, &judge->input)) {
         return 0;
     }
@@ -115,15 +137,42 @@ static int agrees_with(const struct judge *judge, const struct ranking *ranking,
     return found > 0;
 }
 
-enum verdict judge_say(const struct judge *judge, const struct ranking *ranking, uint32_t round_id)
+static int same_players(const struct round_record *a, const struct round_record *b)
+{
+    int same = 1;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player_record *one = &a->player[i], *other = &b->player[i];
+        same &= one->caught == other->caught && one->scoops == other->scoops &&
+                one->hole_area_mm2 == other->hole_area_mm2 &&
+                one->torn_tick == other->torn_tick && one->sheets == other->sheets &&
+                one->fouls == other->fouls;
+    }
+    return same;
+}
+
+/* The play's own entry and the ledger's: the same start of the kiosk, tank, ticks and papers. */
+static int is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
+{
+    const struct round_record *a = &played->round, *b = &kept->round;
+    return kept->kind == LEDGER_ROUND && played->id == kept->id && played->boot == kept->boot &&
+           played->tick == kept->tick && played->value == kept->value && a->seed == b->seed &&
+           a->start_tick == b->start_tick && a->end_tick == b->end_tick &&
+           a->caught == b->caught && a->by_bot == b->by_bot && a->mode == b->mode &&
+           a->grade == b->grade && a->players == b->players && a->unscored == b->unscored &&
+           same_players(a, b);
+}
+
+enum verdict judge_say(const struct judge *judge, const struct ranking *ranking, uint32_t round_id,
+                       const struct ledger_entry *kept)
 {
     const struct replayer *replayer = &judge->replayer;
-    if (judge->is_damaged || replayer->damaged) {
+    if (judge->is_damaged || !judge->is_read || replayer->damaged) {
         return VERDICT_DAMAGED;
     }
     if (replayer->difference.found || replayer->totals.ticks != judge->said.ticks ||
         judge->round.id != round_id || judge->round.round.by_bot ||
-        judge->round.round.unscored || !agrees_with(judge, ranking, round_id)) {
+        judge->round.round.unscored || !agrees_with(judge, ranking, round_id) ||
+        (kept->id != 0 && !is_entry(&judge->round, kept))) {
         return VERDICT_OTHER;
     }
     return VERDICT_GENUINE;

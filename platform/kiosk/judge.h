@@ -1,8 +1,14 @@
 /* judge.h -- plays a score's replay again and says whether the score is genuine.
  *
- * It is when every digest and every second's state agree with what was recorded, and the ledger's
- * entry that this play ends with says what the ranking says of that round. The caller owns it (1.3
- * MB: static storage). */
+ * It is when every digest and every second's state agree with what was recorded, and the entry
+ * that this play ends with says what the ranking says of that round and what the ledger has on
+ * disk of it: boot, ticks, the tank's seed, mode, grade, who played, and each player's catch,
+ * papers and fouls. So it proves that these inputs make that very score in this program, in a tank of that
+ * seed, for so many ticks. It does not prove whose hand it was, nor how many fish the stall had (no
+ * entry says it: `kingyoctl scores verify` tells what the replay says), nor that nobody who can
+ * write the disk changed entry, ranking and replay together: there is no secret in it. An entry
+ * that is so old that the ledger dropped it is not asked; one that is not as it was written
+ * disproves. The caller owns it (1.3 MB: static storage). */
 #ifndef KINGYO_PLATFORM_KIOSK_JUDGE_H
 #define KINGYO_PLATFORM_KIOSK_JUDGE_H
 
@@ -29,10 +35,20 @@ struct judge {
     struct ledger_entry round;  /* The newest that this play wrote; id 0: none yet. */
     uint32_t seen_id;
     uint8_t is_damaged;
+    uint8_t is_read;            /* All of it was, and nothing is damaged. */
+    const uint8_t *bytes;
+    size_t size;
 };
 
-/* Reads `bytes` wholly, and makes the stall that the replay begins with; they must outlive the
- * judge's work. 0, or -1 when nothing can be played: the verdict is VERDICT_DAMAGED. */
+/* Opens a replay; its bytes must outlive the judge's work. 0, or -1 when nothing can be played: the
+ * verdict is VERDICT_DAMAGED. */
+int judge_open(struct judge *judge, const uint8_t *bytes, size_t size);
+
+/* Reads on in what is open, a second of play at most: what is decoded in one go is a frame's. 1:
+ * there is more; 0: it is wholly read, and the stall that it begins with is made; -1 as above. */
+int judge_read(struct judge *judge);
+
+/* All of that at once, for who has no frames to keep. 0 or -1. */
 int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size);
 
 /* One tick. 1, or 0 at the end: of the replay, or of its agreement with this play. */
@@ -41,9 +57,10 @@ int judge_tick(struct judge *judge);
 /* Whether the last round, the score's own, has begun. */
 int judge_is_at_round(const struct judge *judge);
 
-/* After the end. Every row that `ranking` has of the round `round_id` must be this play's, and
- * there must be one. */
-enum verdict judge_say(const struct judge *judge, const struct ranking *ranking,
-                       uint32_t round_id);
+/* After the end. Every row that `ranking` has of the round `round_id` must be this play's, there
+ * must be one, and the ledger's entry of the round must be the play's, where the ledger still has
+ * it: `kept`, with id 0 where it has not. */
+enum verdict judge_say(const struct judge *judge, const struct ranking *ranking, uint32_t round_id,
+                       const struct ledger_entry *kept);
 
 #endif

@@ -429,10 +429,21 @@ static void present(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_co
     present_picture(kiosk, hal);
 }
 
+/* An orderly end tells how long the machine was up, when nothing else waits to be told. */
+static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct ledger_entry entry;
+    if (!kiosk->config.source.next && kiosk->accepted_id == kiosk->output.entry_id &&
+        upkeep_last_word(&kiosk->core, &kiosk->input, &entry)) {
+        hal->storage.ops->keep(hal->storage.self, &entry);
+    }
+}
+
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
 {
     const int is_replay = kiosk->config.source.next != NULL;
     const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->accepted_id;
+    tell_last_word(kiosk, hal);
     const uint32_t unwritten = hal->storage.ops->close(hal->storage.self);
     count_refused_writes(kiosk, &hal->storage);
     return unwritten + waiting;

@@ -90,6 +90,10 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
  * it was. */
 int ledger_file_entry(struct ledger_file *file, uint32_t id, struct ledger_entry *out);
 
+/* The same for who judges a round by it. Its id is 0 where the ledger has it no more; one that is
+ * not as it was written comes back as no round. */
+void ledger_file_round(struct ledger_file *file, uint32_t id, struct ledger_entry *out);
+
 /* What a file says goes over what `out` says: a setting that nobody turned is left as it is. */
 void ledger_content_remember(const struct ledger_content *content, struct memory *out);
 

@@ -263,3 +263,12 @@ int ledger_file_entry(struct ledger_file *file, uint32_t id, struct ledger_entry
 {
     return find_entry(file, ENTRY_COLUMNS "WHERE id = ?1", id, out);
 }
+
+void ledger_file_round(struct ledger_file *file, uint32_t id, struct ledger_entry *out)
+{
+    *out = (struct ledger_entry){ 0 };
+    const int code = ledger_file_entry(file, id, out);
+    if (code != SQLITE_OK) {
+        *out = (struct ledger_entry){ .id = code == SQLITE_NOTFOUND ? 0u : id };
+    }
+}

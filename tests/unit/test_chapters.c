@@ -105,7 +105,7 @@ static enum verdict judged(const uint8_t *bytes, size_t size, uint32_t round_id)
         while (judge_tick(&judge)) {
         }
     }
-    return judge_say(&judge, &core.game.ranking, round_id);
+    return judge_say(&judge, &core.game.ranking, round_id, &sim.round);
 }
 
 static void test_a_ranked_round_has_its_replay_and_is_genuine(void **state)
@@ -134,6 +134,33 @@ static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
     memset(&core.game.ranking, 0, sizeof core.game.ranking);
     assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_OTHER);
+}
+
+/* Each of these alone is another round than the one that was written down when it was played. */
+static void test_a_replay_of_another_round_than_the_ledgers_is_not_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    const struct ledger_entry kept = sim.round;
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    for (uint32_t i = 0; i < 10; i++) {
+        struct round_record *round = &sim.round.round;
+        uint32_t *const words[] = { &sim.round.boot,   &sim.round.tick,    &round->seed,
+                                    &round->start_tick, &round->end_tick,
+                                    &round->player[0].scoops, &round->player[0].hole_area_mm2 };
+        uint8_t *const bytes[] = { &round->grade, &round->players, &sim.round.kind };
+        if (i < 7) {
+            ++*words[i];
+        } else {
+            ++*bytes[i - 7u];
+        }
+        assert_int_equal(judge_say(&judge, &core.game.ranking, round_id, &sim.round),
+                         VERDICT_OTHER);
+        sim.round = kept;
+    }
+    sim.round = (struct ledger_entry){ 0 }; /* So old that the ledger dropped it. */
+    assert_int_equal(judge_say(&judge, &core.game.ranking, round_id, &sim.round),
+                     VERDICT_GENUINE);
 }
 
 static void test_a_replay_that_was_altered_is_damaged(void **state)
@@ -190,7 +217,16 @@ static void test_a_store_without_replays_loses_nothing_else(void **state)
 
 static struct encore encore;
 static struct scene scene;
-static const struct hal_clock no_stopwatch;
+static uint64_t watch_ns; /* Each look at the stopwatch takes a third of what a frame may seek. */
+
+static uint64_t look_at_watch(void *self)
+{
+    (void)self;
+    return watch_ns += ENCORE_SEEK_NS / 3u + 1u;
+}
+
+static const struct hal_clock_ops slow_ops = { .now_ns = look_at_watch };
+static const struct hal_clock no_stopwatch, slow_stopwatch = { .ops = &slow_ops };
 
 static void frame(void)
 {
@@ -229,6 +265,29 @@ static void test_a_score_is_shown_again_and_told_to_be_genuine(void **state)
     assert_int_equal(scene.caught[0], sim.record.caught);
     assert_int_equal(frames_while(ENCORE_GENUINE), ENCORE_END_TICKS / 2u);
     assert_int_equal(scene.encore, ENCORE_OFF);
+}
+
+static void test_a_long_replay_is_read_in_slices_that_a_frame_can_bear(void **state)
+{
+    (void)state;
+    static struct hal hal;
+    const uint32_t round_id = play();
+    uint32_t frames = 0;
+    hal.storage = storage;
+    sim.replay_polls_left = 0;
+    encore_ask(&encore, round_id);
+    encore_frame(&encore, &hal, &slow_stopwatch, &core.game.ranking, 2);
+    encore_frame(&encore, &hal, &slow_stopwatch, &core.game.ranking, 2);
+    for (; !encore.has_play && frames < 1000u; frames++) {
+        const uint32_t before = encore.judge.replayer.reader.tick;
+        encore_frame(&encore, &hal, &slow_stopwatch, &core.game.ranking, 2);
+        assert_true(encore.judge.replayer.reader.tick <= before + 3u * CORE_TICK_HZ);
+        encore_show(&encore, &scene, &output);
+        assert_int_equal(scene.encore, ENCORE_SEEKS);
+    }
+    assert_in_range(frames, encore.judge.said.ticks / (3u * CORE_TICK_HZ) - 1u, 100);
+    assert_true(frames >= 3u);
+    encore_end(&encore);
 }
 
 static void test_a_button_or_a_dip_ends_it(void **state)
@@ -276,11 +335,13 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_a_ranked_round_has_its_replay_and_is_genuine),
         TEST(test_a_score_that_was_written_by_hand_is_not_genuine),
+        TEST(test_a_replay_of_another_round_than_the_ledgers_is_not_genuine),
         TEST(test_a_replay_that_was_altered_is_damaged),
         TEST(test_the_next_chapters_round_needs_nothing_of_the_first),
         TEST(test_a_replay_waits_until_its_score_is_on_disk),
         TEST(test_a_store_without_replays_loses_nothing_else),
         TEST(test_a_score_is_shown_again_and_told_to_be_genuine),
+        TEST(test_a_long_replay_is_read_in_slices_that_a_frame_can_bear),
         TEST(test_a_button_or_a_dip_ends_it),
         TEST(test_a_score_without_a_replay_says_so),
     };

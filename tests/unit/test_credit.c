@@ -434,6 +434,28 @@ static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
                      purse()->units + PRICE * (credits() + played - audit(AUDIT_REFUNDS)));
 }
 
+/* ---- Hours ---------------------------------------------------------------------------------- */
+
+static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state)
+{
+    (void)state;
+    struct ledger_entry last;
+    steps(130u * CORE_TICK_HZ);
+    assert_in_range(audit(AUDIT_UP_S), 120, 130);
+    assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
+    assert_int_equal(upkeep_last_word(&core, &input, &last), 0); /* It has no store. */
+    core.game.ledger.boot = 3;
+    const uint64_t hash = core_hash(&core);
+    const uint32_t told = audit(AUDIT_UP_S);
+    assert_int_equal(upkeep_last_word(&core, &input, &last), 1);
+    assert_int_equal(last.kind, LEDGER_HEALTH);
+    assert_int_equal(last.id, core.game.ledger.last_id + 1u);
+    assert_int_equal(last.boot, 3);
+    assert_int_equal(told + (uint32_t)last.value, 130); /* All of them, in order. */
+    assert_int_equal(last.health.up_s, 130);
+    assert_true(core_hash(&core) == hash);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -469,6 +491,7 @@ int main(void)
         cmocka_unit_test_setup(test_a_shake_loses_no_coin_that_fell, setup_paid),
         cmocka_unit_test(test_prices_and_tickets_out_of_range_are_refused),
         cmocka_unit_test_setup(test_over_a_wild_day_every_coin_is_accounted_for, setup_paid),
+        cmocka_unit_test_setup(test_a_night_by_the_plug_loses_two_minutes_of_its_hours, setup_paid),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -269,9 +269,12 @@ static void play_round(uint32_t id, uint32_t caught)
     assert_int_equal(device.ops->keep(device.self, &round), HAL_OK);
 }
 
+static struct ledger_entry fetched;
+
 static int fetch(uint32_t round_id, uint8_t *bytes, size_t size)
 {
-    assert_int_equal(device.ops->fetch_replay(device.self, round_id, bytes, size), HAL_OK);
+    assert_int_equal(device.ops->fetch_replay(device.self, round_id, bytes, size, &fetched),
+                     HAL_OK);
     assert_int_equal(device.ops->replay_fetched(device.self), HAL_ERR_BUSY);
     storage_work(&storage);
     return device.ops->replay_fetched(device.self);
@@ -290,6 +293,8 @@ static void test_a_ranked_rounds_replay_is_kept_and_comes_back(void **state)
     assert_int_equal(device.ops->replay_kept_id(device.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
     assert_memory_equal(found, replay, sizeof replay);
+    assert_int_equal(fetched.id, 1); /* And the round's own entry with it. */
+    assert_int_equal(fetched.round.caught, 5);
     assert_int_equal(fetch(1, found, 4), HAL_ERR_NONE);
     assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_NONE);
 }
