@@ -9,7 +9,7 @@ belongings() {
     for net in /sys/class/net/*; do
         case $(readlink -f "$net") in */gadget*) ;; *) echo "${net##*/}" ;; esac
     done
-    ls /dev | grep -E 'ttyACM|ttyUSB'
+    ls /dev/ttyACM* /dev/ttyUSB* 2>/dev/null
 }
 
 # The stall as it was: it has what it had, and no coin and no press that was not ours.
