@@ -16,7 +16,12 @@ kiosk_start() { # LOG SECONDS of the watchdog, OPTIONS...
         --usb $poi_ids $wired "$@" \
         >$log.out 2>$log.err &
     kiosk=$!
-    await 150 grep -q 'keeper: ready' $log.err
+    await 600 has_begun # Shaders that nobody compiled before take minutes where others have the processors, too.
+    grep -q 'keeper: ready' $log.err
+}
+
+has_begun() { # Or will not
+    grep -q 'keeper: ready' $log.err || ! kill -0 $kiosk
 }
 
 tell_logs() {
@@ -56,7 +61,7 @@ is_kingyo "$(pidof kingyo)"
 found $? user "kingyo, in $(groups_of "$(pidof kingyo)")"
 await 20 is_held START && await 20 is_held COIN
 found $? lines "$(gpioinfo | grep -c kingyo) lines held by name"
-await 30 reads ticks -gt 240
+await 120 reads ticks -gt 240
 shot attract
 cp -r /tmp/mesa $host/out/ # The next guest's first picture comes the sooner.
 
