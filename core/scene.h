@@ -274,6 +274,7 @@ struct scene_menu {
     uint8_t chosen;          /* The row of settings that was turned last. */
     uint8_t turns_down;      /* A take turns its value down, not up. */
     uint8_t is_saved;        /* All that was turned is on disk. */
+    uint8_t has_turned;      /* Something was, a moment ago. */
     uint32_t fish_max;       /* As many as the stall's tank has room for. */
     struct settings settings;
     struct scene_self_test self;

@@ -82,8 +82,8 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
 static const char *buttons_keyboard_describe(void *self)
 {
     (void)self;
-    return "keyboard: Space starts, arrows choose, 5 6 7 are coins, F2 the operator's menu, F3 a "
-           "service credit, L language, F11 full screen, Esc quits";
+    return "keyboard: Space starts, arrows choose, 5 6 7 coins, F2 menu, F3 service, L language, "
+           "F11 full screen, Esc quits";
 }
 
 struct hal_buttons buttons_keyboard_device(struct buttons_keyboard *keyboard)

@@ -79,10 +79,11 @@ int32_t thermal_read(const char *root)
 
 /* ---- The thread ----------------------------------------------------------------------------- */
 
+/* By the clock that nobody sets: one that jumps back by years would let it wait for years. */
 static void wait_a_while(struct thermal *thermal)
 {
     struct timespec until;
-    clock_gettime(CLOCK_REALTIME, &until);
+    clock_gettime(CLOCK_MONOTONIC, &until);
     until.tv_sec += THERMAL_LOOK_S;
     pthread_cond_timedwait(&thermal->bell, &thermal->lock, &until);
 }
@@ -113,7 +114,11 @@ void thermal_start(struct thermal *thermal)
     thermal->ends = false;
     atomic_store(&thermal->margin_mdeg, THERMAL_UNKNOWN_MDEG);
     pthread_mutex_init(&thermal->lock, NULL);
-    pthread_cond_init(&thermal->bell, NULL);
+    pthread_condattr_t monotonic;
+    pthread_condattr_init(&monotonic);
+    pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC);
+    pthread_cond_init(&thermal->bell, &monotonic);
+    pthread_condattr_destroy(&monotonic);
     thermal->runs = pthread_create(&thermal->thread, NULL, look, thermal) == 0;
 }
 

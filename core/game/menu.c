@@ -31,6 +31,15 @@ int menu_is_asking(const struct core *core)
     return is_played(core) && ask_tick != 0 && core->tick - ask_tick < MENU_ASK_TICKS;
 }
 
+/* A hand that rests where it was as the menu opens has pointed at nothing yet. */
+static void note_hands(struct core *core, const struct input *input)
+{
+    struct menu *menu = &core->game.menu;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        menu->rest[i] = overlay_hand_of(core, input, menu->upright, i).at;
+    }
+}
+
 static void open_menu(struct core *core, const struct input *input, struct output *output)
 {
     struct menu *menu = &core->game.menu;
@@ -44,6 +53,7 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
         .use_tick = core->tick,
     };
     check(&input->desk);
+    note_hands(core, input);
     credit_give_back(core, REFUND_OPERATOR, output);
     upkeep_tell(core, input, output); /* What is looked at in there is of now. */
     core->game.paused = 0;
@@ -93,7 +103,7 @@ void menu_turn(struct core *core, enum menu_page page)
 {
     struct menu *menu = &core->game.menu;
     menu->page = (uint8_t)page;
-    menu->points = 0;
+    menu->points = 0; /* Whatever lies under a hand that rests was not pointed at. */
     if (menu_sheet_of(menu->page)->enter) {
         menu_sheet_of(menu->page)->enter(core);
     }
@@ -193,11 +203,12 @@ static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
 }
 
 /* Whoever moves leads, with a bowl at the tank or without: what is tried here may be a controller
- * that nobody played with yet. */
-static struct overlay_hand leading_hand(struct core *core, const struct input *input)
+ * that nobody played with yet. `*stirs`: it has just moved. */
+static struct overlay_hand leading_hand(struct core *core, const struct input *input, int *stirs)
 {
     struct menu *menu = &core->game.menu;
     struct overlay_hand lead = overlay_hand_of(core, input, menu->upright, menu->hand);
+    *stirs = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct overlay_hand hand = overlay_hand_of(core, input, menu->upright, i);
         const float x = hand.at.x - menu->rest[i].x, y = hand.at.y - menu->rest[i].y;
@@ -205,16 +216,19 @@ static struct overlay_hand leading_hand(struct core *core, const struct input *i
             menu->rest[i] = hand.at;
             menu->act_tick = core->tick;
             lead = hand;
+            *stirs = 1;
         }
     }
     return lead;
 }
 
-/* It points as it comes over a tag; where it rests the buttons have their way. */
+/* It points as it comes over a tag; where it rests, also on a page that opens under it, the buttons
+ * have their way. */
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    const struct overlay_hand hand = leading_hand(core, input);
+    int stirs;
+    const struct overlay_hand hand = leading_hand(core, input, &stirs);
     if (!hand.present || is_learning(menu)) {
         menu->has_hand = menu->points = 0;
         menu->presses = 1; /* Whoever comes next takes nothing until it has come up. */
@@ -226,12 +240,13 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     menu->x = hand.at.x;
     menu->y = hand.at.y;
     const uint8_t points = tag_under(menu, hand.at);
-    if (points != menu->points && points > 0) {
+    if (stirs && points != menu->points && points > 0) {
         point_at(menu, points - 1u, output);
     }
-    menu->points = points;
+    menu->points = stirs ? points : menu->points;
     menu->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
     if (menu->presses && !was_down && points > 0) {
+        menu->points = points;
         point_at(menu, points - 1u, output); /* Whatever the buttons said since it came there. */
         take(core, output);
     }

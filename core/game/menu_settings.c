@@ -20,10 +20,23 @@ static int is_settings(const struct menu *menu)
     return menu_sheet_of(menu->page)->body == BODY_SETTINGS;
 }
 
+/* The first row that is not at its standard; MENU_TAG_MAX: all are. */
+static uint8_t first_changed(const struct core *core, uint8_t page)
+{
+    for (uint32_t tag = 0; tag < menu_body_count(page); tag++) {
+        const uint32_t id = menu_setting_at(page, tag);
+        if (id < SETTING_COUNT &&
+            core->config.memory.settings.value[id] != setting_of(id)->standard) {
+            return (uint8_t)tag;
+        }
+    }
+    return MENU_TAG_MAX;
+}
+
 void menu_settings_enter(struct core *core)
 {
     struct menu *menu = &core->game.menu;
-    menu->chosen = MENU_TAG_MAX;
+    menu->chosen = is_settings(menu) ? first_changed(core, menu->page) : MENU_TAG_MAX;
     menu->turns_down = menu->turning = 0;
     menu->tag[menu->page] = 0;
 }
@@ -47,7 +60,8 @@ static void turn(struct core *core, uint32_t id)
     menu->turning = !is_at_end;
 }
 
-/* Back to its standard goes what was turned last: SERVICE has passed other rows since. */
+/* Back to its standard goes what was turned last: SERVICE has passed other rows since. Before
+ * anything was turned, the first that was found changed. */
 uint16_t menu_settings_offers(const struct menu *menu)
 {
     const uint32_t standard = menu_body_count(menu->page) + SETTINGS_STANDARD;
@@ -69,6 +83,7 @@ void menu_settings_take(struct core *core, uint32_t tag, struct output *output)
     } else {
         const uint32_t id = menu_setting_at(menu->page, menu->chosen);
         adjust_set(core, id, setting_of(id)->standard);
+        menu->turn_tick = core->tick;
     }
 }
 
@@ -80,6 +95,7 @@ void menu_bits_take(struct core *core, uint32_t tag, struct output *output)
     (void)output;
     if (setting_allows(id, value)) {
         adjust_set(core, id, value);
+        core->game.menu.turn_tick = core->tick;
     }
 }
 

@@ -6,6 +6,7 @@
 
 _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
 
+#define SAVED_TICKS (10u * CORE_TICK_HZ) /* So long what was turned is said to be on disk. */
 #define NEVER_S 1e6f /* Eleven days. */
 
 void menu_show(const struct core *core, struct scene_menu *out)
@@ -32,6 +33,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->test_coins = menu->test_coins;
     out->chosen = menu->chosen;
     out->turns_down = menu->turns_down;
+    out->has_turned = menu->turn_tick != 0 && core->tick - menu->turn_tick < SAVED_TICKS;
     out->is_saved = (uint8_t)adjust_is_saved(core);
     out->fish_max = (uint32_t)adjust_max(core, SET_FISH);
     out->from = menu->from;

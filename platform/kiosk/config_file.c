@@ -188,11 +188,20 @@ struct warnings {
     unsigned count;
 };
 
+/* A file may hold anything: nothing of it moves a terminal's cursor or breaks a line of the log. */
+static void blank_controls(char *text)
+{
+    for (; *text; text++) {
+        *text = (unsigned char)*text < 0x20 || *text == 0x7F ? '?' : *text;
+    }
+}
+
 static void tell(struct warnings *warnings, unsigned line, const char *why)
 {
     char text[OPTIONS_PATH_MAX + WHY_MAX];
     if (++warnings->count <= CONFIG_WARNINGS_MAX && warnings->warn) {
         snprintf(text, sizeof text, "%.200s:%u: %s", warnings->path, line, why);
+        blank_controls(text);
         warnings->warn(text);
     }
 }

@@ -3,12 +3,22 @@
 
 #include <string.h>
 
+/* What is too long ends after a whole word. */
 static void copy_line(char *out, size_t out_size, const char *line)
 {
+    static const char more[] = " ...";
     size_t length = line ? strlen(line) : 0;
-    length = length < out_size ? length : out_size - 1u;
-    memcpy(out, line ? line : "", length);
-    out[length] = 0;
+    if (length < out_size) {
+        memcpy(out, line ? line : "", length);
+        out[length] = 0;
+        return;
+    }
+    length = out_size - sizeof more;
+    while (length > 0 && line[length] != ' ') {
+        length--;
+    }
+    memcpy(out, line, length);
+    memcpy(out + length, more, sizeof more);
 }
 
 static void name_devices(struct scene_devices *devices, const struct hal *hal)

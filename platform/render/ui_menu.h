@@ -35,7 +35,7 @@ const struct menu_words *menu_words_of(uint8_t page);
 /* What a setting is called, and its values. A key of 0 is none: nothing here is the title. */
 struct setting_words {
     enum text_key name, help;
-    enum text_key unit, zero; /* "{} min"; and what 0 means. */
+    enum text_key unit, zero, one; /* "{} min"; and what 0 and 1 mean where that has a word. */
     enum text_key choices[SETTING_CHOICES_MAX];
 };
 const struct setting_words *menu_setting_words_of(uint32_t id);
@@ -43,6 +43,9 @@ const struct setting_words *menu_setting_words_of(uint32_t id);
 /* "5 min", "never", "18:30": what a value of a setting is. */
 void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, char *out,
                       size_t out_size);
+
+/* "free / paid / event    standard free": what a value may be, and what it was. */
+void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size);
 
 /* A box of the canvas on the screen. */
 struct ui_box menu_place(const struct menu_view *view, struct overlay_box box);

@@ -57,7 +57,8 @@ static void device(const struct menu_view *view, const struct places *places, st
     const float top = box.y + (places->head + (float)index * places->pitch) * u;
     const float left = box.x + (22.0f + places->name_width) * u;
     const float room = box.x + box.width - 22.0f * u - left;
-    const char *words = view->devices->about[index];
+    const char *says = view->devices->about[index];
+    const char *words = *says ? says : menu_text(view, TEXT_DEVICE_NONE);
     char row[SCENE_LINE_SIZE];
     menu_words_at(view, box.x + 22.0f * u, top + 0.5f * places->line * u,
                   is_beside ? (places->name_width - 12.0f) * u : room, 0.0f, &name,

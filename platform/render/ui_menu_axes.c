@@ -52,9 +52,9 @@ static void bar(const struct menu_view *view, const struct scene_axes *seat, str
     const float part = fmaxf(-1.0f, fminf(value / axes[axis].full, 1.0f)) * 0.5f * width;
     char words[24];
     const int is_angle = axis >= 3u;
-    snprintf(words, sizeof words, "%+.0f %s",
-             (double)fmaxf(-9999.0f, fminf(is_angle ? value / F_DEG : value * 1000.0f, 9999.0f)),
-             is_angle ? "°" : "mm");
+    const float shown = fmaxf(-9999.0f, fminf(is_angle ? value / F_DEG : value * 1000.0f, 9999.0f));
+    const int whole = (int)roundf(shown); /* A number that has no -0. */
+    snprintf(words, sizeof words, "%s%d %s", whole > 0 ? "+" : "", whole, is_angle ? "°" : "mm");
     menu_words_at(view, box.x, y, 40.0f * u, 0.0f, &name, axes[axis].name);
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { track, y - 5.0f * u, width, 10.0f * u },

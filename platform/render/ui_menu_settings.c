@@ -4,7 +4,7 @@
 
 #include "platform/render/ui_menu.h"
 
-#define CHANGED_PAINT 0xc23a22ffu
+#define CHANGED_PAINT 0x94140cffu /* Dark enough to be read on the board's wood. */
 
 /* Where the parts of a board are, in canvas units from its left and right edge. */
 struct places {
@@ -18,14 +18,14 @@ struct places {
 
 static const struct places wide = {
     .name_size = 28.0f, .value_size = 30.0f, .range_size = 22.0f,
-    .inset = 22.0f, .name_width = 330.0f, .value_width = 236.0f,
-    .range_x = 366.0f, .range_width = 350.0f,
+    .inset = 22.0f, .name_width = 312.0f, .value_width = 222.0f,
+    .range_x = 346.0f, .range_width = 396.0f,
     .help = { 60.0f, 556.0f, 1160.0f, 44.0f }, .help_lines = 1,
     .saved = { 24.0f, 48.0f, 280.0f, 40.0f },
 };
 static const struct places upright_places = {
     .name_size = 30.0f, .value_size = 34.0f, .range_size = 22.0f,
-    .inset = 22.0f, .name_width = 480.0f, .value_width = 236.0f,
+    .inset = 22.0f, .name_width = 480.0f, .value_width = 222.0f,
     .range_x = 22.0f, .range_width = 480.0f, .two_lines = 1,
     .help = { 27.0f, 1126.0f, 800.0f, 100.0f }, .help_lines = 3,
     .saved = { 27.0f, 152.0f, 300.0f, 40.0f },
@@ -62,9 +62,12 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
     default:
         break;
     }
-    const int is_zero = value == 0 && words->zero;
-    text_number(out, out_size, menu_text(view, is_zero ? words->zero : words->unit),
-                (uint32_t)value);
+    if (words->unit == TEXT_VAL_PER_MILLE) { /* As people say it: per cent, with a decimal. */
+        snprintf(out, out_size, "%d.%d %%", (int)value / 10, (int)value % 10);
+        return;
+    }
+    const enum text_key special = value == 0 ? words->zero : value == 1 ? words->one : 0;
+    text_number(out, out_size, menu_text(view, special ? special : words->unit), (uint32_t)value);
 }
 
 static int32_t max_of(const struct menu_view *view, uint32_t id)
@@ -72,22 +75,51 @@ static int32_t max_of(const struct menu_view *view, uint32_t id)
     return id == SET_FISH ? (int32_t)view->menu->fish_max : setting_of(id)->max;
 }
 
-/* "1 - 20", and of choices how many there are. */
-static void range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
+/* "free / paid / event". */
+static void choice_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
+{
+    size_t used = 0;
+    out[0] = 0;
+    for (int32_t value = 0; value <= setting_of(id)->max && used < out_size; value++) {
+        char word[TEXT_LINE_MAX / 2u];
+        menu_value_words(view, id, value, word, sizeof word);
+        used += (size_t)snprintf(out + used, out_size - used, "%s%s", value ? " / " : "", word);
+    }
+}
+
+/* "5 - 240 min", "0.0 - 10.0 %"; a 0 that has a word of its own is told as such, where the standard
+ * beside it does not tell it already: "silent / 1 - 10". */
+static void span_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
+{
+    const struct setting_words *words = menu_setting_words_of(id);
+    const int has_zero = setting_of(id)->min == 0 && words->zero != 0;
+    const char *unit = words->one ? "{}" : menu_text(view, words->unit);
+    const char *hole = strstr(unit, "{}");
+    const int max = (int)max_of(view, id);
+    int32_t min = setting_of(id)->min;
+    char span[48];
+    while (has_zero && (min == 0 || !setting_allows(id, min))) {
+        min += setting_of(id)->step;
+    }
+    if (words->unit == TEXT_VAL_PER_MILLE) {
+        snprintf(out, out_size, "0.0 - %d.%d %%", max / 10, max % 10);
+        return;
+    }
+    snprintf(span, sizeof span, "%d - %d", (int)min, max);
+    snprintf(out, out_size, "%s%s%.*s%s%s",
+             has_zero && setting_of(id)->standard != 0 ? menu_text(view, words->zero) : "",
+             has_zero && setting_of(id)->standard != 0 ? " / " : "",
+             hole ? (int)(hole - unit) : 0, unit, span, hole ? hole + 2 : "");
+}
+
+void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     const struct setting *setting = setting_of(id);
-    char standard[TEXT_LINE_MAX / 2u], range[48];
-    if (setting->kind == KIND_MINUTE) {
-        snprintf(range, sizeof range, "00:00 - %02d:%02d", (int)setting->max / 60,
-                 (int)setting->max % 60);
-    } else if (setting->kind == KIND_BITS) {
-        range[0] = 0;
-    } else {
-        snprintf(range, sizeof range, "%d - %d", (int)setting->min, (int)max_of(view, id));
-    }
+    char standard[TEXT_LINE_MAX / 2u], range[TEXT_LINE_MAX] = "";
     if (setting->kind == KIND_CHOICE && menu_setting_words_of(id)->choices[0]) {
-        snprintf(range, sizeof range, "%d / %d", (int)view->menu->settings.value[id] + 1,
-                 (int)setting->max + 1);
+        choice_words(view, id, range, sizeof range);
+    } else if (setting->kind != KIND_BITS) {
+        span_words(view, id, range, sizeof range);
     }
     menu_value_words(view, id, setting->standard, standard, sizeof standard);
     snprintf(out, out_size, "%s%s%s %s", range, range[0] ? "    " : "",
@@ -130,13 +162,13 @@ static void setting_board(const struct menu_view *view, const struct places *pla
     char words[TEXT_LINE_MAX];
     menu_words_at(view, box.x + places->inset * u, name_y, places->name_width * u, 0.0f, &name,
              menu_text(view, menu_setting_words_of(id)->name));
-    range_words(view, id, words, sizeof words);
+    menu_range_words(view, id, words, sizeof words);
     menu_words_at(view, box.x + places->range_x * u, range_y, places->range_width * u, 0.0f, &range,
              words);
     menu_value_words(view, id, value, words, sizeof words);
     menu_words_at(view, right, middle, places->value_width * u, 1.0f, &number, words);
     if (is_changed) {
-        seal(view, right - (places->value_width + 20.0f) * u, middle);
+        seal(view, right - (places->value_width + 8.0f) * u, middle);
     }
 }
 
@@ -166,10 +198,14 @@ static void help(const struct menu_view *view, const struct places *places, cons
     }
 }
 
+/* Of what was just turned, whether it is on disk; of what was not, nothing. */
 static void saved(const struct menu_view *view, const struct places *places)
 {
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     const int is_saved = view->menu->is_saved;
+    if (is_saved && !view->menu->has_turned) {
+        return;
+    }
     ui_words_in(&view->frame, menu_place(view, places->saved), &style,
                 menu_text(view, is_saved ? TEXT_SET_SAVED : TEXT_SET_SAVING));
 }

@@ -58,6 +58,19 @@ static int32_t asked(uint32_t id)
     return options.file.value[id];
 }
 
+static void test_no_control_character_of_a_file_comes_into_a_warning(void **state)
+{
+    (void)state;
+    read_text("[money]\nplay = pa\x1b[2Jid\rx\x7f\n\x01key = 1\n");
+    assert_int_equal(warning_count, 2);
+    for (int i = 0; i < warning_count; i++) {
+        for (const char *c = warnings[i]; *c; c++) {
+            assert_true((unsigned char)*c >= 0x20 && *c != 0x7F);
+        }
+    }
+    assert_non_null(strstr(warnings[0], "pa?[2Jid?x?"));
+}
+
 static void test_each_section_has_its_keys(void **state)
 {
     (void)state;
@@ -314,6 +327,7 @@ static void test_a_file_that_cannot_be_read_is_an_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_control_character_of_a_file_comes_into_a_warning),
         cmocka_unit_test(test_each_section_has_its_keys),
         cmocka_unit_test(test_a_file_without_sections_goes_on_to_be_read),
         cmocka_unit_test(test_a_key_belongs_to_its_section),

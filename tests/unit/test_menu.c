@@ -579,6 +579,9 @@ static void hold_over(uint32_t tag, float y_m)
 static void tap(uint32_t tag)
 {
     hold_over(tag, ABOVE_M);
+    input.poi[0].target.position_m.x += 0.02f; /* From elsewhere, or it points at nothing. */
+    step();
+    hold_over(tag, ABOVE_M);
     steps(MENU_TAKE_TICKS);
     assert_int_equal(pointed(), tag);
     input.poi[0].target.position_m.y = BELOW_M;
@@ -680,6 +683,41 @@ static void test_whoever_moves_points_also_without_a_bowl(void **state)
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
+/* The page opens under it: what lies there was not meant. */
+static void test_a_hand_that_rests_chooses_nothing_where_a_page_opens(void **state)
+{
+    (void)state;
+    hold_over(0, ABOVE_M);
+    steps(2);
+    go_to(MENU_DEVICES);
+    hold_over(0, ABOVE_M);
+    steps(2);
+    for (uint32_t i = 0; i < 2u; i++) { /* Also as it comes back from where it was. */
+        go_to(MENU_AXES);
+        const uint8_t left = (uint8_t)menu_tag_of(MENU_AXES);
+        push(INPUT_TEST);
+        assert_int_equal(menu()->page, MENU_DEVICES);
+        steps(MENU_TAKE_TICKS);
+        assert_int_equal(pointed(), left);
+    }
+    hold_over(0, ABOVE_M);
+    input.poi[0].target.position_m.x += 0.02f;
+    steps(2);
+    assert_int_equal(pointed(), 0); /* It stirs, and means what lies under it. */
+}
+
+static void test_a_hand_that_rests_as_the_menu_opens_chooses_nothing(void **state)
+{
+    hold_over(2, ABOVE_M);
+    const struct poi_input rests = input.poi[0];
+    setup(state);
+    input.poi[0] = rests;
+    steps(2);
+    push(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_int_equal(pointed(), 0);
+}
+
 /* ---- Places --------------------------------------------------------------------------------- */
 
 static void expect_apart(int upright, uint8_t page, uint16_t offered)
@@ -770,6 +808,8 @@ int main(void)
         cmocka_unit_test_setup(test_who_opens_it_with_a_poi_in_the_water_takes_nothing, setup),
         IN_MENU(test_a_controller_that_is_being_learned_points_at_nothing),
         IN_MENU(test_whoever_moves_points_also_without_a_bowl),
+        IN_MENU(test_a_hand_that_rests_chooses_nothing_where_a_page_opens),
+        IN_MENU(test_a_hand_that_rests_as_the_menu_opens_chooses_nothing),
         cmocka_unit_test(test_no_two_tags_overlap_and_all_are_on_the_canvas),
         IN_MENU(test_a_desk_that_is_out_of_range_is_a_bug),
     };

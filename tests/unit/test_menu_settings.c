@@ -118,6 +118,35 @@ static void test_the_foot_turns_down_and_back_to_the_standard(void **state)
     assert_int_equal(value(SET_VOLUME), 85);
 }
 
+/* By the configuration file or the command line: the menu offers its standard at once. */
+static void test_what_was_changed_elsewhere_has_its_standard_offered(void **state)
+{
+    (void)state;
+    core.config.memory.settings.value[SET_CREDIT_MAX] = 5;
+    go_to(MENU_MONEY);
+    assert_true(menu_offers(menu()) >> foot(SETTINGS_STANDARD) & 1u);
+    take(foot(SETTINGS_STANDARD));
+    assert_int_equal(value(SET_CREDIT_MAX), setting_of(SET_CREDIT_MAX)->standard);
+}
+
+static void test_nothing_is_called_saved_that_was_not_turned(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    go_to(MENU_SOUND);
+    save_all();
+    core_scene(&core, &scene);
+    assert_true(scene.menu.is_saved && !scene.menu.has_turned);
+    push(INPUT_TEST);
+    steps(3u * CORE_TICK_HZ); /* A value that rests is told. */
+    save_all();
+    core_scene(&core, &scene);
+    assert_true(scene.menu.is_saved && scene.menu.has_turned);
+    steps(10u * CORE_TICK_HZ);
+    core_scene(&core, &scene);
+    assert_false(scene.menu.has_turned);
+}
+
 /* Up from its lowest value through the whole range and round, and down again: each value that it
  * may have is met, and no other. */
 static void test_every_setting_can_have_every_value_that_it_may(void **state)
@@ -505,6 +534,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_MENU(test_a_take_turns_a_value_on_and_round),
         IN_MENU(test_the_foot_turns_down_and_back_to_the_standard),
+        IN_MENU(test_what_was_changed_elsewhere_has_its_standard_offered),
+        IN_MENU(test_nothing_is_called_saved_that_was_not_turned),
         IN_MENU(test_every_setting_can_have_every_value_that_it_may),
         IN_MENU(test_every_setting_hangs_on_exactly_one_page),
         IN_MENU(test_held_it_turns_on_in_haste_and_stops_at_the_end),

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -14,6 +16,15 @@
 #include "platform/thermal.h"
 
 static char root[64];
+static time_t calendar_is_ahead_s;
+
+/* In the place of the C library's: the test's own calendar. */
+int clock_gettime(clockid_t clock, struct timespec *out)
+{
+    const int result = (int)syscall(SYS_clock_gettime, clock, out);
+    out->tv_sec += clock == CLOCK_REALTIME ? calendar_is_ahead_s : 0;
+    return result;
+}
 
 static int set_up(void **state)
 {
@@ -102,6 +113,23 @@ static void test_the_thread_looks_and_ends_at_once(void **state)
     assert_false(thermal.runs);
 }
 
+/* A board without a battery begins in 2036, and the network sets it back. */
+static void test_a_calendar_that_is_set_back_hides_no_heat(void **state)
+{
+    (void)state;
+    static struct thermal thermal;
+    calendar_is_ahead_s = 1000000000;
+    zone(0, "temp", "30000\n");
+    thermal.root = root;
+    thermal_start(&thermal);
+    for (uint32_t i = 0; i < 1000 && atomic_load(&thermal.looks) < 2u; i++) {
+        usleep(10000);
+    }
+    thermal_stop(&thermal);
+    calendar_is_ahead_s = 0;
+    assert_true(atomic_load(&thermal.looks) >= 2u);
+}
+
 #define TEST(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
 
 int main(void)
@@ -112,6 +140,7 @@ int main(void)
         TEST(test_the_hottest_zone_counts),
         TEST(test_sensors_that_talk_nonsense_are_none),
         TEST(test_the_thread_looks_and_ends_at_once),
+        TEST(test_a_calendar_that_is_set_back_hides_no_heat),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,7 @@
 
 #include "core/game/menu_pages.h"
 #include "glyphs.h"
+#include "platform/render/ui_menu.h"
 #include "platform/render/ui_screens.h"
 
 #define ROUNDING_PX 0.6f
@@ -376,11 +377,32 @@ static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **
     }
 }
 
+static void expect_range(uint32_t id, const char *expected)
+{
+    char words[TEXT_LINE_MAX];
+    const struct menu_view view = { .frame = { .language = LANGUAGE_EN }, .scene = &scene,
+                                    .menu = &scene.menu, .devices = &scene.devices };
+    menu_range_words(&view, id, words, sizeof words);
+    assert_string_equal(words, expected);
+}
+
+static void test_a_range_says_what_there_is_to_choose_and_its_unit(void **state)
+{
+    (void)state;
+    set_page(MENU_MONEY, 0x7ffu, LANGUAGE_EN, 0);
+    expect_range(SET_PLAY, "free / paid / event    standard free");
+    expect_range(SET_CREDIT_EXPIRY_MIN, "5 - 240 min    standard never");
+    expect_range(SET_GRADE, "No. 4 - 7    standard the mode's own");
+    expect_range(SET_OVERSCAN_X, "0.0 - 10.0 %    standard 0.0 %");
+    expect_range(SET_ATTRACT_SOUND, "silent / 1 - 10    standard every loop");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_nothing_leaves_the_screen_on_any_page),
         cmocka_unit_test(test_every_word_is_read_from_a_metre),
+        cmocka_unit_test(test_a_range_says_what_there_is_to_choose_and_its_unit),
         cmocka_unit_test(test_a_board_is_drawn_for_each_controller_that_is_there),
         cmocka_unit_test(test_with_none_plugged_in_the_reason_is_shown),
         cmocka_unit_test(test_the_longest_reason_is_read_whole_however_the_screen_stands),
