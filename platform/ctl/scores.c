@@ -145,7 +145,7 @@ const struct ctl_command ctl_scores = {
     .usage = "  kingyoctl scores [--mode MODE] [--period PERIOD] [--data DIR] [--json]\n"
              "  kingyoctl scores verify ROUND|--all [--data DIR] [--json]\n"
              "                   plays their replays again: is it genuine? (exit 1: it is not)\n"
-             "  kingyoctl scores replay ROUND -o FILE [--data DIR]\n"
+             "  kingyoctl scores replay ROUND -o FILE [--with-pin] [--data DIR]\n"
              "                   takes a replay out, for 'kingyoctl replay' and 'kingyo --replay'\n"
              "\n"
              "  --mode MODE      festival, championship or practice\n"

@@ -19,6 +19,7 @@ struct request {
     struct books_words books;
     uint32_t round_id; /* 0: all. */
     const char *out;   /* Null: verify. */
+    int with_pin;      /* What is taken out may hold the menu's PIN. */
 };
 
 static struct judge judge;
@@ -39,6 +40,8 @@ static enum exit_code read_words(struct request *request, int argc, const char *
             is_all = 1;
         } else if (takes_out && strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
             request->out = argv[++i];
+        } else if (takes_out && strcmp(argv[i], "--with-pin") == 0) {
+            request->with_pin = 1;
         } else if (request->round_id != 0 ||
                    !number_parse(argv[i], 1, UINT32_MAX, &request->round_id)) {
             return ctl_usage(name, "%s: '%.60s' is not understood; --help says more", argv[0],
@@ -170,12 +173,32 @@ static enum exit_code verify(const struct request *request, struct ledger_file *
 
 /* ---- Replay --------------------------------------------------------------------------------- */
 
+/* A recording begins with all that the stall then knew, so that it can be played again: its
+ * settings and books, and the PIN of its menu among them. */
+static int holds_pin(const uint8_t *replay, size_t size)
+{
+    static struct replay_reader reader;
+    int holds = 0;
+    if (replay_open_in(&reader, replay, size) == 0) {
+        holds = reader.header.config.memory.settings.value[SET_PIN] !=
+                setting_of(SET_PIN)->standard;
+        replay_close(&reader);
+    }
+    return holds;
+}
+
 static enum exit_code take_out(const struct request *request, struct ledger_file *file)
 {
     struct out_file out;
     size_t size;
     if (ledger_file_get_replay(file, request->round_id, bytes, sizeof bytes, &size) != 0) {
         fprintf(stderr, "kingyoctl scores: round %u has no replay\n", request->round_id);
+        return EXIT_NOT_SO;
+    }
+    if (!request->with_pin && holds_pin(bytes, size)) {
+        fprintf(stderr, "kingyoctl scores: the replay of round %u holds the PIN of the menu: "
+                        "--with-pin takes it out all the same; change the PIN then\n",
+                request->round_id);
         return EXIT_NOT_SO;
     }
     int error = out_open(&out, request->out);

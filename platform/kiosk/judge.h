@@ -3,11 +3,11 @@
  * It is when every digest and every second's state agree with what was recorded, and the entry
  * that this play ends with says what the ranking says of that round and what the ledger has on
  * disk of it: boot, ticks, the tank's seed, mode, grade, who played, and each player's catch,
- * papers and fouls. So it proves that these inputs make that very score in this program, in a tank of that
- * seed, for so many ticks. It does not prove whose hand it was, nor how many fish the stall had (no
- * entry says it: `kingyoctl scores verify` tells what the replay says), nor that nobody who can
- * write the disk changed entry, ranking and replay together: there is no secret in it. An entry
- * that is so old that the ledger dropped it is not asked; one that is not as it was written
+ * papers and fouls. So it proves that these inputs make that very score in this program, in a tank
+ * of that seed, for so many ticks. It does not prove whose hand it was, nor how many fish the
+ * stall had (no entry says it: `kingyoctl scores verify` tells the replay's), nor that nobody
+ * who can write the disk changed entry, ranking and replay together: there is no secret in it. An
+ * entry that is so old that the ledger dropped it is not asked; one that is not as it was written
  * disproves. The caller owns it (1.3 MB: static storage). */
 #ifndef KINGYO_PLATFORM_KIOSK_JUDGE_H
 #define KINGYO_PLATFORM_KIOSK_JUDGE_H
