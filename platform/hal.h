@@ -194,7 +194,7 @@ struct hal_storage_ops {
     uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
     int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */
     uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
-    int (*is_well)(void *self); /* 1: entries and edits are kept, and the last writes went well. */
+    int (*is_well)(void *self); /* 1: entries are kept, and the last went well. */
     /* 1: there was no store at the start, and there is one now that only another start can go on
      * from. */
     int (*wants_restart)(void *self);

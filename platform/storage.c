@@ -258,7 +258,7 @@ static int storage_is_well(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
-           stuck_ms(storage) == 0 && !storage_refuses_edits(storage);
+           stuck_ms(storage) == 0;
 }
 
 static int storage_wants_restart(void *self)

@@ -70,7 +70,7 @@ check 'a board can be asked for by mode and period' query \
     scores --period week
 check 'a board where nobody stands is empty' query "json_array_length(j) = 0" scores --mode championship
 check 'the books are a table' says '^  caught +7$' audits
-check 'the table has what is in the machine' says '^9 entries, start 2; in the machine: 2 credits paid, 1 of serv' audits
+check 'the table has what is in the machine' says '^9 entries, start 2; in the machine: paid credits 2, service credits 1, units' audits
 check 'the books are one object' query \
     "json_extract(j, '\$.audits.caught') = 7 and json_extract(j, '\$.entries') = 9" audits
 check 'a backup is a whole file of its own' is_copy
