@@ -285,7 +285,7 @@ static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
         usleep(10000);
     }
     assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
-    assert_non_null(strstr(device.ops->describe(device.self), "rounds are not kept"));
+    assert_non_null(strstr(device.ops->describe(device.self), "nothing is kept"));
     assert_int_equal(device.ops->close(device.self), 0);
     assert_int_equal(device.ops->refuses_edits(device.self), 1);
     edit_file_fill(folder, &book, warn);
