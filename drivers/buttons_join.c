@@ -50,24 +50,19 @@ static int join_poll(void *self, struct button_sample *out)
     return result;
 }
 
-/* Four controllers' own buttons are told of once; what has no room is not cut in mid-word. */
+/* Four controllers' own buttons are told of once. */
 static const char *join_describe(void *self)
 {
     struct buttons_join *join = self;
     const char *before = "";
     size_t length = 0;
     join->text[0] = '\0';
-    for (uint32_t i = 0; i < join->part_count; i++) {
+    for (uint32_t i = 0; i < join->part_count && length + 1 < sizeof join->text; i++) {
         const char *line = join->part[i].ops->describe(join->part[i].self);
         if (line[0] && strcmp(line, before) != 0) {
-            const size_t room = sizeof join->text - length - sizeof "; ; ...";
-            const int fits = strlen(line) < room;
             before = line;
             snprintf(join->text + length, sizeof join->text - length, "%s%s", length ? "; " : "",
-                     fits ? line : "...");
-            if (!fits) {
-                break;
-            }
+                     line);
             length = strlen(join->text);
         }
     }

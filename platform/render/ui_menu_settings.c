@@ -118,6 +118,9 @@ void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size
     char standard[TEXT_LINE_MAX / 2u], range[TEXT_LINE_MAX] = "";
     if (setting->kind == KIND_CHOICE && menu_setting_words_of(id)->choices[0]) {
         choice_words(view, id, range, sizeof range);
+    } else if (setting->kind == KIND_MINUTE) {
+        snprintf(range, sizeof range, "00:00 - %02d:%02d", (int)setting->max / 60,
+                 (int)setting->max % 60);
     } else if (setting->kind != KIND_BITS) {
         span_words(view, id, range, sizeof range);
     }
