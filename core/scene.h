@@ -279,7 +279,7 @@ struct scene_menu {
     struct settings settings;
     struct scene_self_test self;
     uint8_t seat;            /* Whose poi is calibrated, ... */
-    uint8_t calibrated;      /* ... which have a calibration, a bit each, ... */
+    uint8_t calibrated;      /* ... which have one, even a torn one, a bit each, */
     uint8_t calibrate_step;  /* ... enum calibrate_step, ... */
     uint8_t calibrate_fault; /* ... enum calibration_fault, ... */
     float calibrate_progress; /* ... [0, 1] of being still, ... */

@@ -46,6 +46,8 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_NIGHT_TO_MIN] = { "night-to", GROUP_PICTURE, KIND_MINUTE, 0, 1425, 15, 0 },
     [SET_PIN] = { "pin", GROUP_OPERATOR, KIND_NUMBER, 0, 9999, 1, 0 },
     [SET_CALIBRATION] = SEAT(1), SEAT(2), SEAT(3), SEAT(4),
+    [SET_CALIBRATION_CHECK] = CALIBRATION(1, "check"), CALIBRATION(2, "check"),
+    CALIBRATION(3, "check"), CALIBRATION(4, "check"),
 };
 
 const struct setting *setting_of(uint32_t id)

@@ -48,7 +48,9 @@ enum setting_id {
     /* What is right for one controller's seat: see core/game/calibrate.h. Not shown as numbers. */
     SET_CALIBRATION,
     SET_CALIBRATION_END = SET_CALIBRATION + 9 * (int)POI_MAX,
-    SETTING_COUNT = SET_CALIBRATION_END,
+    /* One a seat, written after its nine: only where it agrees with them are they whole. */
+    SET_CALIBRATION_CHECK = SET_CALIBRATION_END,
+    SETTING_COUNT = SET_CALIBRATION_CHECK + (int)POI_MAX,
 };
 
 enum play_kind {

@@ -2,6 +2,7 @@
 #include "core/game/calibrate.h"
 
 #include "core/base/fmath.h"
+#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/game/trust.h"
 
@@ -168,15 +169,35 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
 
 /* ---- What it makes of a pose ---------------------------------------------------------------- */
 
-int calibration_is_set(const struct settings *settings, uint32_t seat)
+/* Of a map that is part old and part new one in ten million agrees by chance. */
+int32_t calibration_check(const int32_t value[CALIBRATION_VALUES])
 {
-    CORE_ASSERT(seat < POI_MAX);
-    const int32_t *value = &settings->value[calibration_setting(seat)];
+    const uint64_t most = (uint64_t)setting_of(SET_CALIBRATION_CHECK)->max;
+    uint64_t hash = HASH_START;
     int32_t any = 0;
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
+        hash = hash_u32(hash, (uint32_t)value[i]);
         any |= value[i];
     }
-    return any != 0;
+    return any != 0 ? 1 + (int32_t)(hash % most) : 0;
+}
+
+static int32_t check_of(const struct settings *settings, uint32_t seat)
+{
+    CORE_ASSERT(seat < POI_MAX);
+    return calibration_check(&settings->value[calibration_setting(seat)]);
+}
+
+int calibration_is_set(const struct settings *settings, uint32_t seat)
+{
+    const int32_t check = check_of(settings, seat);
+    return check != 0 && check == settings->value[calibration_check_setting(seat)];
+}
+
+int calibration_is_torn(const struct settings *settings, uint32_t seat)
+{
+    const int32_t check = check_of(settings, seat);
+    return check != 0 && check != settings->value[calibration_check_setting(seat)];
 }
 
 static float whole(const int32_t *value, enum calibration_value which)

@@ -8,6 +8,10 @@
  *   x' = (1 + xx) x + xz z + x0      y' = y + y0      pitch' = pitch + p
  *   z' = zx x + (1 + zz) z + z0                       roll'  = roll + r
  *
+ * Each of them is an entry of the ledger, and a power cut may come between two. A tenth that agrees
+ * with the nine is written last (SET_CALIBRATION_CHECK): where it does not, what is there is part
+ * of one map and part of another, and nothing is set right by it.
+ *
  * The handle's yaw turns with x and z. Recordings hold what the controller said: it is set right
  * within the core, each tick anew. */
 #ifndef KINGYO_CORE_GAME_CALIBRATE_H
@@ -70,8 +74,19 @@ static inline uint32_t calibration_setting(uint32_t seat)
     return SET_CALIBRATION + seat * CALIBRATION_VALUES;
 }
 
-/* Whether a seat has anything to set right. */
+static inline uint32_t calibration_check_setting(uint32_t seat)
+{
+    return SET_CALIBRATION_CHECK + seat;
+}
+
+/* What a seat's check must be beside these; 0 for none, and for no others. */
+int32_t calibration_check(const int32_t value[CALIBRATION_VALUES]);
+
+/* Whether a seat has anything to set right, and all of it. */
 int calibration_is_set(const struct settings *settings, uint32_t seat);
+
+/* Whether it has values that were not all written. */
+int calibration_is_torn(const struct settings *settings, uint32_t seat);
 
 /* Sets right what a live controller says. What cannot be read stays as it is, and so does, to the
  * bit, all that a seat without a calibration says. */

@@ -42,16 +42,20 @@ void menu_calibrate_enter(struct core *core)
     }
 }
 
-/* Becomes the seat's calibration; what it was is kept in its place. */
+/* Becomes the seat's calibration; what it was, if it was whole, is kept in its place. */
 static void swap_with(struct core *core, int32_t value[CALIBRATION_VALUES])
 {
     struct calibrate *calibrate = &core->game.menu.calibrate;
     const uint32_t first = calibration_setting(calibrate->seat);
-    int32_t before[CALIBRATION_VALUES];
-    memcpy(before, &core->config.memory.settings.value[first], sizeof before);
+    const struct settings *settings = &core->config.memory.settings;
+    int32_t before[CALIBRATION_VALUES] = { 0 };
+    if (calibration_is_set(settings, calibrate->seat)) {
+        memcpy(before, &settings->value[first], sizeof before);
+    }
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
         adjust_set(core, first + i, value[i]);
     }
+    adjust_set(core, calibration_check_setting(calibrate->seat), calibration_check(value));
     memcpy(calibrate->before[calibrate->seat], before, sizeof before);
     calibrate->has_before |= (uint8_t)(1u << calibrate->seat);
 }
@@ -177,7 +181,8 @@ static void look_round(struct core *core, const struct input *said)
     calibrate->present = calibrate->is_set = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const int is_there = said->poi[i].link == POI_LINK_LIVE;
-        const int is_set = calibration_is_set(&core->config.memory.settings, i);
+        const struct settings *settings = &core->config.memory.settings;
+        const int is_set = calibration_is_set(settings, i) || calibration_is_torn(settings, i);
         calibrate->present |= (uint8_t)((uint32_t)is_there << i);
         calibrate->is_set |= (uint8_t)((uint32_t)is_set << i);
     }

@@ -31,7 +31,7 @@ struct calibrate {
     uint8_t step;       /* enum calibrate_step */
     uint8_t fault;      /* enum calibration_fault */
     uint8_t present;    /* Seats that have a controller, a bit each; */
-    uint8_t is_set;     /* those that have a calibration, */
+    uint8_t is_set;     /* those that have a calibration, be it a torn one, */
     uint8_t has_before; /* and those that had another in this menu: */
     int32_t before[POI_MAX][CALIBRATION_VALUES];
     uint8_t has_anchor, must_move;

@@ -188,12 +188,14 @@ static void state_line(const struct menu_view *view, struct ui_box box)
     const float u = view->frame.unit;
     const struct scene_menu *menu = view->menu;
     const struct ui_text style = menu_style(view, 24.0f, MENU_CREAM);
-    const int is_set = menu->calibrated >> menu->seat & 1u;
+    const enum text_key words = calibration_is_torn(&menu->settings, menu->seat)
+                                    ? TEXT_CALIBRATE_IS_TORN
+                                : menu->calibrated >> menu->seat & 1u ? TEXT_CALIBRATE_IS_SET
+                                                                      : TEXT_CALIBRATE_IS_NOT_SET;
     ui_player_mark(&view->frame, box.x + 24.0f * u, box.y + 0.5f * box.height, 16.0f * u,
                    menu->seat);
     menu_words_at(view, box.x + 56.0f * u, box.y + 0.5f * box.height, box.width - 60.0f * u, 0.0f,
-                  &style,
-                  menu_text(view, is_set ? TEXT_CALIBRATE_IS_SET : TEXT_CALIBRATE_IS_NOT_SET));
+                  &style, menu_text(view, words));
 }
 
 void menu_calibration(const struct menu_view *view)

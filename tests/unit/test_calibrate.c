@@ -77,6 +77,7 @@ static void set_values(struct settings *settings, uint32_t seat, const int32_t *
 {
     memcpy(&settings->value[calibration_setting(seat)], value,
            CALIBRATION_VALUES * sizeof *value);
+    settings->value[calibration_check_setting(seat)] = calibration_check(value);
 }
 
 /* ---- The map -------------------------------------------------------------------------------- */
@@ -147,7 +148,7 @@ static void test_who_is_not_calibrated_is_believed_to_the_bit(void **state)
     (void)state;
     static const struct settings none = { { 0 } };
     struct settings other = { { 0 } };
-    other.value[calibration_setting(1) + CALIBRATION_X0] = 100000;
+    set_values(&other, 1, (int32_t[CALIBRATION_VALUES]){ [CALIBRATION_X0] = 100000 });
     struct poi_input poi = { .link = POI_LINK_LIVE, .has_wrist = 1,
                              .target = { { 0.1f, -0.0f, 3e-9f }, { 900.1f, -0.2f, 0.3f } } };
     const struct poi_input before = poi;
@@ -335,7 +336,7 @@ static void test_each_value_is_an_entry_of_the_ledger(void **state)
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ 0 });
     hold_true((struct poi_target){ .position_m = v3(0.2f, 0.1f, 0.0f) }, CORE_TICK_HZ);
-    assert_int_equal(stall.output.entry_id, before + CALIBRATION_VALUES);
+    assert_int_equal(stall.output.entry_id, before + CALIBRATION_VALUES + 1u);
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
         const struct ledger_entry *entry = &stall.output.entries[(before + 1u + i) % LEDGER_RING];
         assert_int_equal(entry->kind, LEDGER_SETTING);
@@ -343,7 +344,94 @@ static void test_each_value_is_an_entry_of_the_ledger(void **state)
         assert_int_equal(entry->value,
                          stall.core.config.memory.settings.value[calibration_setting(0) + i]);
     }
+    const struct ledger_entry *check =
+        &stall.output.entries[stall.output.entry_id % LEDGER_RING]; /* After all of them. */
+    assert_int_equal(check->detail | check->count << 8, calibration_check_setting(0));
     assert_true(adjust_is_saved(&stall.core));
+}
+
+/* What is on disk after so many of the entries from `before` on. */
+static struct settings settings_cut_after(const struct settings *before, uint32_t before_id,
+                                          uint32_t count)
+{
+    struct settings left = *before;
+    for (uint32_t i = 1; i <= count; i++) {
+        const struct ledger_entry *entry = &stall.output.entries[(before_id + i) % LEDGER_RING];
+        assert_int_equal(entry->kind, LEDGER_SETTING);
+        left.value[entry->detail | entry->count << 8] = entry->value;
+    }
+    settings_mend(&left);
+    return left;
+}
+
+/* With the plug pulled before the first entry, after the last and between each two: all of the old
+ * map, all of the new one, or none. */
+static void expect_no_patchwork(const struct settings *before, uint32_t before_id)
+{
+    const struct settings now = stall.core.config.memory.settings;
+    const uint32_t count = stall.output.entry_id - before_id;
+    uint32_t torn = 0;
+    assert_true(count >= 2u && count < LEDGER_RING);
+    for (uint32_t i = 0; i <= count; i++) {
+        const struct settings left = settings_cut_after(before, before_id, i);
+        const struct settings *whole = i < count ? before : &now;
+        const struct poi_input said = { .link = POI_LINK_LIVE, .has_wrist = 1,
+                                        .target = { { 0.1f, 0.2f, 0.3f }, { 0.4f, 0.5f, 0.6f } } };
+        struct poi_input poi = said, wanted = said;
+        calibration_apply(&left, 0, &poi);
+        if (i == 0 || i == count) {
+            calibration_apply(whole, 0, &wanted);
+        }
+        assert_memory_equal(&poi, &wanted, sizeof poi);
+        torn += (uint32_t)calibration_is_torn(&left, 0);
+        assert_false(calibration_is_torn(&left, 0) && (i == 0 || i == count));
+    }
+    assert_true(torn >= count - 2u); /* All in between, save where no value is left. */
+}
+
+static void test_a_map_that_was_cut_off_between_two_entries_is_none(void **state)
+{
+    (void)state;
+    struct settings before = stall.core.config.memory.settings;
+    const struct poi_target aside = { .position_m = v3(0.2f, 0.1f, 0.0f) };
+    open_page();
+    uint32_t before_id = stall.output.entry_id;
+    take(CALIBRATE_BEGIN);
+    lead_through((struct poi_target){ 0 });
+    hold_true(aside, CORE_TICK_HZ);
+    expect_no_patchwork(&before, before_id); /* The first one, */
+
+    before = stall.core.config.memory.settings;
+    before_id = stall.output.entry_id;
+    take(CALIBRATE_BEGIN);
+    lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
+    hold_true(aside, CORE_TICK_HZ);
+    expect_no_patchwork(&before, before_id); /* another after it, */
+
+    before = stall.core.config.memory.settings;
+    before_id = stall.output.entry_id;
+    take(CALIBRATE_NONE);
+    hold_true(aside, CORE_TICK_HZ);
+    expect_no_patchwork(&before, before_id); /* and none any more. */
+}
+
+/* The page tells of it, and offers to take it away; undone is what was whole. */
+static void test_a_torn_map_is_told_and_taken_away(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    calibrate_all();
+    stall.core.config.memory.settings.value[calibration_setting(0) + CALIBRATION_Z0] += 1;
+    step();
+    core_scene(&stall.core, &scene);
+    assert_true(calibration_is_torn(&scene.menu.settings, 0));
+    assert_false(is_set());
+    assert_true(menu_offers(menu()) >> CALIBRATE_NONE & 1u);
+    take(CALIBRATE_NONE);
+    assert_false(calibration_is_torn(&stall.core.config.memory.settings, 0));
+    take(CALIBRATE_UNDO);
+    assert_false(calibration_is_torn(&stall.core.config.memory.settings, 0));
+    assert_false(is_set());
 }
 
 static void test_it_is_undone_redone_and_taken_away(void **state)
@@ -455,6 +543,8 @@ int main(void)
         cmocka_unit_test(test_nonsense_is_refused_and_named),
         cmocka_unit_test_setup(test_a_poi_is_led_from_mark_to_mark_and_counts_at_once, setup),
         cmocka_unit_test_setup(test_each_value_is_an_entry_of_the_ledger, setup),
+        cmocka_unit_test_setup(test_a_map_that_was_cut_off_between_two_entries_is_none, setup),
+        cmocka_unit_test_setup(test_a_torn_map_is_told_and_taken_away, setup),
         cmocka_unit_test_setup(test_it_is_undone_redone_and_taken_away, setup),
         cmocka_unit_test_setup(test_a_refused_one_changes_nothing, setup),
         cmocka_unit_test_setup(test_only_stillness_after_a_way_is_a_mark, setup),
