@@ -99,6 +99,13 @@ static void rest(void)
     bots = core;
 }
 
+/* Where the ledger has dropped the round's entry: replay and ranking alone. */
+static enum verdict says(uint32_t round_id)
+{
+    static const struct ledger_entry dropped;
+    return judge_say(&judge, &core.game.ranking, round_id, &dropped);
+}
+
 static enum verdict judged(const uint8_t *bytes, size_t size, uint32_t round_id)
 {
     if (judge_begin(&judge, bytes, size) == 0) {
@@ -161,6 +168,50 @@ static void test_a_replay_of_another_round_than_the_ledgers_is_not_genuine(void 
     sim.round = (struct ledger_entry){ 0 }; /* So old that the ledger dropped it. */
     assert_int_equal(judge_say(&judge, &core.game.ranking, round_id, &sim.round),
                      VERDICT_GENUINE);
+}
+
+/* What the judge found is turned by hand, one thing at a time: each alone is enough. */
+static void test_each_thing_that_does_not_agree_is_enough(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    struct rank_row *row = &core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
+    const struct rank_row ranked = *row;
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    static struct judge found;
+    found = judge;
+
+    judge.round.round.players = 2; /* The seat did not play, whatever stands beside it. */
+    assert_int_equal(says(round_id), VERDICT_OTHER);
+    judge = found;
+    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    *row = ranked;
+    row->round_id = round_id + 1u; /* The ranking's is another, with the same catch. */
+    assert_int_equal(says(round_id + 1u), VERDICT_OTHER);
+    *row = ranked;
+    assert_int_equal(says(round_id), VERDICT_GENUINE);
+    judge.said.ticks++; /* It ended before its end. */
+    assert_int_equal(says(round_id), VERDICT_OTHER);
+    judge = found;
+    judge.round.round.by_bot = 1;
+    assert_int_equal(says(round_id), VERDICT_OTHER);
+    judge = found;
+    judge.round.round.unscored = 1;
+    assert_int_equal(says(round_id), VERDICT_OTHER);
+    judge = found;
+    judge.replayer.difference.found = 1;
+    assert_int_equal(says(round_id), VERDICT_OTHER);
+    judge = found;
+    judge.replayer.damaged = 1;
+    assert_int_equal(says(round_id), VERDICT_DAMAGED);
+    judge = found;
+    judge.is_damaged = 1;
+    assert_int_equal(says(round_id), VERDICT_DAMAGED);
+    judge = found;
+    row->caught--;
+    assert_int_equal(says(round_id), VERDICT_OTHER);
+    row->caught++;
+    assert_int_equal(says(round_id), VERDICT_GENUINE);
 }
 
 static void test_a_replay_that_was_altered_is_damaged(void **state)
@@ -336,6 +387,7 @@ int main(void)
         TEST(test_a_ranked_round_has_its_replay_and_is_genuine),
         TEST(test_a_score_that_was_written_by_hand_is_not_genuine),
         TEST(test_a_replay_of_another_round_than_the_ledgers_is_not_genuine),
+        TEST(test_each_thing_that_does_not_agree_is_enough),
         TEST(test_a_replay_that_was_altered_is_damaged),
         TEST(test_the_next_chapters_round_needs_nothing_of_the_first),
         TEST(test_a_replay_waits_until_its_score_is_on_disk),

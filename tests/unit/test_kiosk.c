@@ -490,6 +490,46 @@ static void test_a_round_that_the_store_never_took_is_lost(void **state)
     assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), ENTRIES);
 }
 
+/* As the menu's page orders it. */
+static void order_restart(void)
+{
+    struct output *output = &rig.kiosk.output;
+    output->orders[output->order_count++ % DESK_ORDER_MAX] =
+        (struct desk_order){ .kind = DESK_RESTART };
+}
+
+static void test_a_restart_waits_for_the_store_and_not_for_ever(void **state)
+{
+    (void)state;
+    rig.storage.busy_left = 100000;
+    play_a_round();
+    order_restart();
+    frames(5u * 60u - 2u); /* Five seconds, in which the store may yet take what it is offered. */
+    assert_true(rig.kiosk.accepted_id < rig.kiosk.output.entry_id);
+    enum kiosk_end end = KIOSK_RUNS;
+    for (uint32_t i = 0; i < 6 && end == KIOSK_RUNS; i++) {
+        end = frame_after(FRAME_NS);
+    }
+    assert_int_equal(end, KIOSK_RESTART);
+    assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), ENTRIES);
+}
+
+static void test_a_restart_comes_as_soon_as_the_store_has_all(void **state)
+{
+    (void)state;
+    rig.storage.busy_left = 100000;
+    play_a_round();
+    order_restart();
+    frames(30);
+    rig.storage.busy_left = 0;
+    enum kiosk_end end = KIOSK_RUNS;
+    for (uint32_t i = 0; i < 3 && end == KIOSK_RUNS; i++) {
+        end = frame_after(FRAME_NS);
+    }
+    assert_int_equal(end, KIOSK_RESTART);
+    assert_int_equal(rig.storage.accepted_count, ENTRIES);
+}
+
 static void test_the_core_is_told_only_what_is_on_disk(void **state)
 {
     (void)state;
@@ -611,6 +651,8 @@ int main(void)
         TEST(test_what_the_stores_thread_could_not_write_is_a_fault),
         TEST(test_the_core_is_told_while_the_store_keeps_no_graph),
         TEST(test_a_round_that_the_store_never_took_is_lost),
+        TEST(test_a_restart_waits_for_the_store_and_not_for_ever),
+        TEST(test_a_restart_comes_as_soon_as_the_store_has_all),
         TEST(test_the_core_is_told_only_what_is_on_disk),
         TEST(test_a_dead_sound_card_is_counted_and_the_round_goes_on),
         TEST(test_a_sound_card_that_went_is_one_fault_and_is_looked_for_each_second),

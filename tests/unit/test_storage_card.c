@@ -313,6 +313,27 @@ static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
     assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_NONE);
 }
 
+/* A round that is not on disk is not among the best there: its replay would be dropped. */
+static void test_a_replay_is_written_after_its_round_and_never_before(void **state)
+{
+    (void)state;
+    uint8_t found[64];
+    device.ops->open(device.self);
+    tape_refuse(ENOSPC);
+    play_round(1, 5);
+    assert_int_equal(device.ops->keep_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    for (int i = 0; i < 3; i++) {
+        storage_work(&storage);
+        assert_int_equal(saved_id(), 0);
+        assert_int_equal(device.ops->replay_kept_id(device.self), 0);
+    }
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+    assert_int_equal(device.ops->replay_kept_id(device.self), 1);
+    assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
+}
+
 static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
 {
     (void)state;
@@ -345,6 +366,7 @@ int main(void)
         TEST(test_somebody_elses_card_is_not_written_on),
         TEST(test_a_ranked_rounds_replay_is_kept_and_comes_back),
         TEST(test_a_round_that_is_not_ranked_keeps_no_replay),
+        TEST(test_a_replay_is_written_after_its_round_and_never_before),
         TEST(test_a_replay_that_the_card_refuses_is_given_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
