@@ -5,7 +5,8 @@
 
 release=$(cat "$kernel_root/release")
 # The root is a partition that cannot be written, nobody may type a line for the kernel, and a crash is over in 5 s.
-words="quiet loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
+# fsck answers its own questions with yes: nobody else will.
+words="quiet fsck.repair=yes loglevel=3 panic=5 oops=panic systemd.getty_auto=0 systemd.gpt_auto=0 vt.global_cursor_default=0 $kernel_words"
 
 make_initrd() {
     local image=$IMAGE/initrd
