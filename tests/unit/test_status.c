@@ -129,6 +129,27 @@ static void test_a_devices_name_cannot_break_it(void **state)
     check_json(text, "$.devices[0].text", "a\"b\\c\n\x01\x7F 金魚");
 }
 
+static void test_what_is_no_utf8_is_marked(void **state)
+{
+    static const char *const rows[][2] = {
+        { "a\xFF" "b", "a\uFFFD" "b" },
+        { "\xC3", "\uFFFD" },
+        { "\xE9\x87", "\uFFFD\uFFFD" }, /* Cut off in a character. */
+        { "\xC0\xAF", "\uFFFD\uFFFD" },
+        { "\xED\xA0\x80", "\uFFFD\uFFFD\uFFFD" },
+        { "\xF4\x90\x80\x80", "\uFFFD\uFFFD\uFFFD\uFFFD" },
+        { "\u00E9\u91D1\U0001F41F", "\u00E9\u91D1\U0001F41F" },
+    };
+    static char text[STATUS_TEXT_MAX];
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct status_report report = { .device_count = 1, .device = { { "usb", "" } } };
+        snprintf(report.device[0].text, HAL_TEXT_SIZE, "%s", rows[i][0]);
+        status_format(&report, text);
+        check_json(text, "$.devices[0].text", rows[i][1]);
+    }
+}
+
 static void test_the_longest_report_fits(void **state)
 {
     static char text[STATUS_TEXT_MAX];
@@ -236,6 +257,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_figure_is_in_it),
         cmocka_unit_test(test_a_devices_name_cannot_break_it),
+        cmocka_unit_test(test_what_is_no_utf8_is_marked),
         cmocka_unit_test(test_the_longest_report_fits),
         cmocka_unit_test_setup_teardown(
             test_a_running_stall_has_a_file_and_a_closed_one_has_none, set_up, tear_down),
