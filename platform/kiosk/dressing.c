@@ -38,7 +38,9 @@ static void name_devices(struct scene_devices *devices, const struct hal *hal)
 static struct scene_file store_row(const struct hal_storage *store)
 {
     struct scene_file row = {
-        .state = store->ops->is_well(store->self) ? FILE_USED : FILE_REFUSED,
+        .state = store->ops->is_well(store->self) && !store->ops->refuses_edits(store->self)
+                     ? FILE_USED
+                     : FILE_REFUSED,
     };
     copy_line(row.words, sizeof row.words, store->ops->describe(store->self));
     return row;

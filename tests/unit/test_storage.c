@@ -457,6 +457,23 @@ static void test_a_file_that_is_away_comes_back_from_its_backup(void **state)
     assert_int_equal(remember(stall)->ledger.last_id, 4);
 }
 
+/* A link to itself stands for a card that answers, but not with the file. */
+static void test_a_name_that_cannot_be_looked_at_is_not_taken_for_none(void **state)
+{
+    struct stall *stall = *state;
+    char hidden[160];
+    path_beside(stall, "-hidden", hidden);
+    fill_and_close(stall);
+    assert_int_equal(rename(stall->file, hidden), 0);
+    assert_int_equal(symlink(strrchr(stall->file, '/') + 1, stall->file), 0);
+    open_by_hand(stall);
+    assert_int_equal(stall->device.ops->is_well(stall->device.self), 0);
+    assert_int_equal(rename(hidden, stall->file), 0); /* Over the link, which is still there. */
+    stall->device.ops->close(stall->device.self);
+    open_by_hand(stall);
+    assert_int_equal(remember(stall)->ledger.last_id, 8);
+}
+
 static int last_id_of(const char *path)
 {
     sqlite3 *db;
@@ -747,6 +764,7 @@ int main(void)
         IN_A_FOLDER(test_without_a_backup_a_fresh_file_begins),
         IN_A_FOLDER(test_a_damaged_backup_is_not_believed),
         IN_A_FOLDER(test_a_file_that_is_away_comes_back_from_its_backup),
+        IN_A_FOLDER(test_a_name_that_cannot_be_looked_at_is_not_taken_for_none),
         IN_A_FOLDER(test_a_file_of_no_bytes_is_damage_where_there_is_a_backup),
         IN_A_FOLDER(test_a_file_with_less_than_its_backup_is_damage),
         IN_A_FOLDER(test_a_copy_that_is_put_back_is_gone_on_from),
