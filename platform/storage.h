@@ -30,6 +30,7 @@
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_NEW_SUFFIX ".new"       /* What takes a damaged file's place, until it does. */
 #define STORAGE_BEFORE_SUFFIX ".before-restore" /* The backup of what a copy was put in place of. */
+#define STORAGE_REPLACED_SUFFIX ".before-" /* And a number: what a copy was put in place of. */
 #define STORAGE_ASIDE_SUFFIX ".damaged-" /* And a number. */
 #define STORAGE_STUCK_MS 3000 /* A card that writes for so long is not well: the best ones' worst
                                  pause to tidy up is a second. */

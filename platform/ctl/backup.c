@@ -1,5 +1,5 @@
-/* backup.c -- `kingyoctl backup`: a copy of all that the stall keeps, while it runs. */
-#include <errno.h>
+/* backup.c -- `kingyoctl backup`: a copy of all that the stall keeps, while it runs; restore.c goes
+ * back to one. */
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -7,52 +7,49 @@
 #include <sqlite3.h>
 
 #include "platform/ctl/books.h"
+#include "platform/ctl/restore.h"
+#include "platform/storage.h"
 #include "platform/store/ledger_backup.h"
 
 static const char name[] = "backup";
 
-static int is_same(const char *one, const char *other)
+/* A copy onto the file itself would be one of nothing, onto its log the loss of that; all that
+ * bears its name in its folder is the stall's. */
+static int is_stalls_own(const struct books_words *words, const char *path)
 {
-    struct stat a, b;
-    return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_dev == b.st_dev &&
-           a.st_ino == b.st_ino;
-}
-
-/* A copy onto the file itself would be one of nothing, and so with its log and its backup. */
-static int is_stalls_own(struct ledger_file *file, const char *path)
-{
-    const char *own = sqlite3_db_filename(file->db, "main"), *own_name = strrchr(own, '/');
+    char own[BOOKS_PATH_SIZE], folder[BOOKS_PATH_SIZE];
     const char *slash = strrchr(path, '/'), *last = slash ? slash + 1 : path;
-    char folder[LEDGER_PATH_SIZE], own_folder[LEDGER_PATH_SIZE];
+    books_path(words, own);
     snprintf(folder, sizeof folder, "%.*s.", (int)(last - path), path);
-    snprintf(own_folder, sizeof own_folder, "%.*s.", own_name ? (int)(own_name + 1 - own) : 0, own);
-    own_name = own_name ? own_name + 1 : own;
-    return is_same(own, path) ||
-           (is_same(folder, own_folder) && strncmp(last, own_name, strlen(own_name)) == 0);
+    if (books_is_same(own, path)) {
+        return 1;
+    }
+    *(strrchr(own, '/') + 1) = '\0';
+    return strncmp(last, STORAGE_FILE, strlen(STORAGE_FILE)) == 0 && books_is_same(own, folder);
 }
 
-/* What is there already may only be an older copy. */
-static int is_foreign(const char *path)
+/* What is there already may only be an older copy, or nothing yet. Null: it may be written. */
+static const char *why_not(const char *path)
 {
-    struct ledger_file older;
+    struct ledger_start older;
     struct stat about;
     if (stat(path, &about) != 0 || (S_ISREG(about.st_mode) && about.st_size == 0)) {
-        return 0;
+        return NULL;
     }
-    const int code = S_ISREG(about.st_mode) ? ledger_file_look(&older, path) : SQLITE_CANTOPEN;
-    if (code == SQLITE_OK) {
-        ledger_file_close(&older);
+    if (!S_ISREG(about.st_mode)) {
+        return S_ISDIR(about.st_mode) ? "is a folder" : "is no file";
     }
-    return code != SQLITE_OK && code != SQLITE_SCHEMA;
+    return books_look_at_copy(path, &older) == SQLITE_OK
+               ? NULL
+               : "is there, and is no copy of a stall's file";
 }
 
-static enum exit_code copy(struct ledger_file *file, const char *path, int as_json)
+static enum exit_code copy(struct ledger_file *file, const char *path,
+                           const struct books_words *words)
 {
-    if (is_stalls_own(file, path)) {
-        return ctl_usage(name, "%.200s: is the stall's own file", path);
-    }
-    if (is_foreign(path)) {
-        return ctl_usage(name, "%.200s: is there, and is no copy of a stall's file", path);
+    const char *why = is_stalls_own(words, path) ? "is the stall's own file" : why_not(path);
+    if (why) {
+        return ctl_usage(name, "%.200s: %s", path, why);
     }
     const int code = ledger_backup_make(file, path, true);
     if (code != SQLITE_OK) {
@@ -62,7 +59,7 @@ static enum exit_code copy(struct ledger_file *file, const char *path, int as_js
         return code == SQLITE_CORRUPT ? EXIT_BAD_DATA : EXIT_IO;
     }
     const struct ledger_start *ledger = &file->content.memory.ledger;
-    if (as_json) {
+    if (words->as_json) {
         fputs("{\"file\": ", stdout);
         books_print_json(path);
         printf(", \"entries\": %u, \"start\": %u}\n", ledger->last_id, ledger->boots);
@@ -77,8 +74,13 @@ static enum exit_code run(int argc, const char *const *argv)
     struct books_words words = { 0 };
     struct ledger_file file;
     const char *path = NULL;
+    int goes_back = 0;
     for (int i = 0; i < argc; i++) {
         if (books_take(&words, argc, argv, &i)) {
+            continue;
+        }
+        if (strcmp(argv[i], "--restore") == 0 && !goes_back) {
+            goes_back = 1;
             continue;
         }
         if (path || argv[i][0] == '-') {
@@ -87,11 +89,14 @@ static enum exit_code run(int argc, const char *const *argv)
         path = argv[i];
     }
     if (!path || strlen(path) + 32u > LEDGER_PATH_SIZE) {
-        return ctl_usage(name, path ? "the name is too long" : "wants a file to write to");
+        return ctl_usage(name, path ? "the name is too long" : "wants a file");
+    }
+    if (goes_back) {
+        return restore(&words, path);
     }
     enum exit_code code = books_open(name, &words, &file);
     if (code == EXIT_OK) {
-        code = copy(&file, path, words.as_json);
+        code = copy(&file, path, &words);
         ledger_file_close(&file);
     }
     return code;
@@ -100,10 +105,11 @@ static enum exit_code run(int argc, const char *const *argv)
 const struct ctl_command ctl_backup = {
     .name = name,
     .summary = "a copy of all that the stall keeps, while it runs",
-    .usage = "  kingyoctl backup FILE [--data DIR] [--json]\n\n" BOOKS_USAGE
-             "\nFILE is checked before it gets its name. To go back to it: stop the stall, remove\n"
-             "kingyo.db, kingyo.db-wal and kingyo.db-shm, put FILE there as kingyo.db, give it\n"
-             "to the stall's user (chown kingyo:kingyo), start it. A copy that was made otherwise\n"
-             "and has less than kingyo.db.backup is taken for a damaged file: remove that, too.\n",
+    .usage = "  kingyoctl backup FILE [--data DIR] [--json]\n"
+             "  kingyoctl backup --restore FILE [--data DIR] [--json]\n\n" BOOKS_USAGE
+             "  --restore    goes back to FILE, or begins with it on another machine\n"
+             "\nFILE is checked before it gets its name, and takes the place of an older copy only.\n"
+             "To go back: stop the stall, --restore, start it. What was there is kept beside it as\n"
+             "kingyo.db.before-N, and so is its own backup; FILE is checked before.\n",
     .run = run,
 };

@@ -9,6 +9,7 @@
 #include <sqlite3.h>
 
 #include "platform/storage.h"
+#include "platform/store/sql.h"
 
 static const char service_folder[] = "/var/lib/kingyo";
 
@@ -32,7 +33,7 @@ static int look_for(const char *path)
     return stat(path, &about) ? errno : 0;
 }
 
-static void find(const struct books_words *words, char path[BOOKS_PATH_SIZE])
+void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
 {
     char own[FOLDER_PATH_MAX];
     const char *folder = words->data ? words->data : service_folder;
@@ -41,6 +42,38 @@ static void find(const struct books_words *words, char path[BOOKS_PATH_SIZE])
     if (!words->data && look_for(path) == ENOENT && own[0]) {
         snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, own);
     }
+}
+
+int books_is_same(const char *one, const char *other)
+{
+    struct stat a, b;
+    return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_dev == b.st_dev &&
+           a.st_ino == b.st_ino;
+}
+
+/* Any program's database may bear a low number: the first Kingyo's has its own table. */
+static int look_at_old(const char *path)
+{
+    static const char ours[] =
+        "SELECT count(*) = 2 FROM pragma_table_info('rounds') WHERE name IN ('number', 'id')";
+    sqlite3 *db = NULL;
+    int64_t is_ours = 0;
+    int code = sqlite3_open_v2(path, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
+    code = code == SQLITE_OK ? sql_number(db, ours, &is_ours) : code;
+    sqlite3_close(db);
+    return code == SQLITE_OK && !is_ours ? SQLITE_NOTFOUND : code;
+}
+
+int books_look_at_copy(const char *path, struct ledger_start *out)
+{
+    struct ledger_file file;
+    *out = (struct ledger_start){ 0 };
+    const int code = ledger_file_look(&file, path);
+    if (code == SQLITE_OK) {
+        *out = file.content.memory.ledger;
+        ledger_file_close(&file);
+    }
+    return code == SQLITE_SCHEMA ? look_at_old(path) : code;
 }
 
 static enum exit_code tell(const char *command, const char *path, int code)
@@ -60,7 +93,7 @@ enum exit_code books_open(const char *command, const struct books_words *words,
                           struct ledger_file *out)
 {
     char path[BOOKS_PATH_SIZE];
-    find(words, path);
+    books_path(words, path);
     const int error = look_for(path);
     if (error) {
         fprintf(stderr, "kingyoctl %s: %s: %s\n", command, path,

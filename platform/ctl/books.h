@@ -20,6 +20,16 @@ struct books_words {
 /* Takes the word at argv[*at], and its value, when it is one of BOOKS_USAGE; 0: it is not. */
 int books_take(struct books_words *words, int argc, const char *const *argv, int *at);
 
+/* Where the stall's file lies, or would. */
+void books_path(const struct books_words *words, char out[BOOKS_PATH_SIZE]);
+
+/* Whether both names lead to the same file. */
+int books_is_same(const char *one, const char *other);
+
+/* Whether the file at `path` is one that a Kingyo wrote: SQLITE_OK, and `out` is how far it came,
+ * zero where that was an earlier version. SQLITE_NOTFOUND: a database, but none of ours. */
+int books_look_at_copy(const char *path, struct ledger_start *out);
+
 /* Opens the file for reading; it may be a stall's that runs. Tells, as `command`, what is wrong:
  * EXIT_IO where there is none, EXIT_BAD_DATA where it is none that we can read. */
 enum exit_code books_open(const char *command, const struct books_words *words,

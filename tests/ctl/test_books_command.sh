@@ -31,6 +31,57 @@ is_copy() {
     "$ctl" backup "$work/copy.db" --data "$data" && [ "$(echo "$work/copy.db"*)" = "$work/copy.db" ] &&
         [ "$(sqlite3 "$work/copy.db" 'pragma integrity_check; select count(*) from entries')" = $'ok\n9' ]
 }
+keeps() { # FILE PATTERN: a backup to FILE is refused, and FILE is as it was.
+    echo precious >"$1"
+    ends 2 "$2" backup "$1" --data "$data" && [ "$(cat "$1")" = precious ]
+    local result=$?
+    [ "$1" = "$work/precious" ] || rm "$1"
+    return $result
+}
+last_id() { # FILE
+    sqlite3 "$1" 'select max(id) from entries'
+}
+# The stall has gone on to entry 10 since the copy, and its backup too.
+goes_back() {
+    mkdir "$work/back" && cp $old/version-3.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
+        chmod 640 "$work/back/kingyo.db" &&
+        sqlite3 "$work/back/kingyo.db" 'update entries set id = 10 where id = 9' &&
+        cp "$work/back/kingyo.db" "$work/back/kingyo.db.backup" && echo log >"$work/back/kingyo.db-wal" || return 1
+    ends 0 'before-1' backup --restore "$work/copy-9.db" --data "$work/back" || return 1
+    ls "$work/back"
+    [ "$(last_id "$work/back/kingyo.db")" = 9 ] && [ "$(stat -c %a "$work/back/kingyo.db")" = 640 ] &&
+        [ "$(cat "$work/back/kingyo.db.before-1-wal")" = log ] && rm "$work/back/kingyo.db.before-1-wal" &&
+        [ "$(last_id "$work/back/kingyo.db.before-1")" = 10 ] &&
+        [ "$(last_id "$work/back/kingyo.db.before-1.backup")" = 10 ] &&
+        [ "$(cd "$work/back" && echo *)" = 'kingyo.db kingyo.db.before-1 kingyo.db.before-1.backup' ]
+}
+goes_back_again() {
+    ends 0 'before-2' backup --restore "$work/copy-9.db" --data "$work/back" --json &&
+        [ "$(last_id "$work/back/kingyo.db.before-1")$(last_id "$work/back/kingyo.db.before-2")" = 109 ]
+}
+refuses_while_it_runs() {
+    local result
+    coproc sqlite3 "$work/back/kingyo.db"
+    echo 'pragma journal_mode = wal; select count(*) from entries;' >&"${COPROC[1]}"
+    read -r _ <&"${COPROC[0]}" && read -r _ <&"${COPROC[0]}"
+    ends 74 'stop it first' backup --restore "$work/copy-9.db" --data "$work/back" &&
+        [ ! -e "$work/back/kingyo.db.before-3" ] && [ ! -e "$work/back/kingyo.db.new" ]
+    result=$?
+    echo .quit >&"${COPROC[1]}"
+    wait "$COPROC_PID"
+    return $result
+}
+begins_elsewhere() {
+    mkdir "$work/other" && ends 0 '9 entries' backup --restore "$work/copy-9.db" --data "$work/other" &&
+        [ "$(ls "$work/other")" = kingyo.db ] && [ "$(stat -c %a "$work/other/kingyo.db")" = 600 ]
+}
+keeps_its_file() { # FILE PATTERN
+    head -c 6000 "$work/copy-9.db" >"$work/torn.db"
+    "$ctl" backup --restore "$1" --data "$work/back" >"$work/out" 2>&1 && return 1
+    cat "$work/out"
+    grep -q -- "$2" "$work/out" && [ "$(last_id "$work/back/kingyo.db")" = 9 ] &&
+        [ ! -e "$work/back/kingyo.db.before-3" ] && [ ! -e "$work/back/kingyo.db.new" ]
+}
 leaves_no_half_copy() {
     ends 65 'damaged' backup "$work/none.db" --data "$work/broken" && ! ls "$work"/none.db* 2>/dev/null
 }
@@ -78,20 +129,21 @@ check 'a backup may take the place of an older one' is_copy
 mkdir "$work/of-copy" && mv "$work/copy.db" "$work/of-copy/kingyo.db"
 check 'a backup can be read like the file' ends 0 'きんぎょ' scores --data "$work/of-copy"
 check 'a backup never goes onto the file itself' ends 2 'own file' backup "$data/kingyo.db" --data "$data"
-log_is_safe() {
-    echo log >"$data/kingyo.db-x"
-    ends 2 'own file' backup "$data/kingyo.db-x" --data "$data" && [ "$(cat "$data/kingyo.db-x")" = log ]
-    local result=$?
-    rm "$data/kingyo.db-x"
-    return $result
-}
-precious_is_safe() {
-    echo precious >"$work/precious"
-    ends 2 'no copy' backup "$work/precious" --data "$data" && [ "$(cat "$work/precious")" = precious ]
-}
-check 'nor onto what lies beside it under its name' log_is_safe
-check 'nor onto what is no copy' precious_is_safe
-check 'a folder is no place for a copy' ends 2 'no copy' backup "$work" --data "$data"
+for name in kingyo.db-wal kingyo.db-journal kingyo.db.backup kingyo.db.new; do
+    check "nor onto $name" keeps "$data/$name" 'own file'
+done
+check 'a file that is none of ours is not written over' keeps "$work/precious" 'no copy'
+sqlite3 "$work/foreign.db" 'create table rounds (number)'
+check 'nor is another program'"'"'s database' ends 2 'no copy' backup "$work/foreign.db" --data "$data"
+check 'a folder is told' ends 2 'is a folder' backup "$work" --data "$data"
+check 'the stall goes back to a copy, and what was there is kept' goes_back
+check 'with the second nothing of the first is lost' goes_back_again
+check 'a stall that runs keeps its file' refuses_while_it_runs
+check 'another machine begins with a copy' begins_elsewhere
+check 'what is no copy takes no place' keeps_its_file "$work/foreign.db" 'is no copy'
+check 'nor does what is no database' keeps_its_file "$work/precious" 'not a database'
+check 'nor does a damaged one' keeps_its_file "$work/torn.db" '.'
+check 'nor the file itself' keeps_its_file "$work/back/kingyo.db" 'own file'
 check 'a place that cannot be written is told' ends 74 'cannot be written' backup /proc/none --data "$data"
 check 'no file at all is told' ends 74 'is not there' scores --data "$work/nowhere"
 check 'of a folder that is shut to you sudo is advised' is_shut_to_others

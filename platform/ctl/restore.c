@@ -1,0 +1,193 @@
+/* restore.c -- `kingyoctl backup --restore`: a copy takes the place of what the stall keeps.
+ *
+ * The copy is written under the name from which a start goes on by itself where there is no file
+ * (storage_open.c). So a power cut anywhere leaves either all as it was, or a stall that begins at
+ * the copy. The backup goes aside too: it has more than an older copy, and the start would take
+ * the copy for a file that lost something. */
+#include "platform/ctl/restore.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "platform/storage.h"
+#include "platform/store/ledger_backup.h"
+
+#define PATH_MAX_BYTES 520u /* Of the stall's file: as much as a start knows it by. */
+#define BEFORE_MAX 1000u    /* Files of earlier times that may lie beside it. */
+
+static const char command[] = "backup --restore";
+
+/* A restore under way. */
+struct swap {
+    char own[BOOKS_PATH_SIZE];     /* The stall's file, ... */
+    char fresh[LEDGER_PATH_SIZE];  /* what takes its place, ... */
+    char before[LEDGER_PATH_SIZE]; /* and what it is called from then on. */
+    struct ledger_start copied;    /* Zero where an earlier Kingyo wrote the copy. */
+};
+
+static enum exit_code fails(const char *path, const char *why)
+{
+    fprintf(stderr, "kingyoctl %s: %s: %s\n", command, path, why);
+    return EXIT_IO;
+}
+
+static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffix)
+{
+    snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
+}
+
+/* SQLite locks parts of the file, or of its shared memory, for as long as it is open. */
+static int is_locked(const char *path)
+{
+    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+    const int handle = open(path, O_RDONLY | O_CLOEXEC);
+    const int is_held =
+        handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    if (handle >= 0) {
+        close(handle);
+    }
+    return is_held;
+}
+
+static int is_held(const struct swap *swap)
+{
+    char shared[LEDGER_PATH_SIZE];
+    join(shared, swap->own, "-shm");
+    return is_locked(swap->own) || is_locked(shared);
+}
+
+/* ---- The copy -------------------------------------------------------------------------------- */
+
+/* The stall's user must be able to write it: whoever has the file now, else the folder. */
+static int give_to_its_user(const struct swap *swap)
+{
+    struct stat about;
+    char folder[BOOKS_PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s", swap->own);
+    *strrchr(folder, '/') = '\0';
+    const int has_file = stat(swap->own, &about) == 0;
+    if (!has_file && stat(folder, &about) != 0) {
+        return -1;
+    }
+    const mode_t mode = has_file ? about.st_mode & 0666 : S_IRUSR | S_IWUSR;
+    return chown(swap->fresh, about.st_uid, about.st_gid) == 0 ? chmod(swap->fresh, mode) : -1;
+}
+
+static enum exit_code make_copy(struct swap *swap, const char *from)
+{
+    struct ledger_file file = { .is_read_only = true };
+    struct stat about;
+    if (stat(from, &about) != 0) {
+        return fails(from, strerror(errno));
+    }
+    if (!S_ISREG(about.st_mode)) {
+        return fails(from, "is no file");
+    }
+    int code = books_look_at_copy(from, &swap->copied);
+    code = code == SQLITE_OK ? sqlite3_open_v2(from, &file.db, SQLITE_OPEN_READONLY, NULL) : code;
+    code = code == SQLITE_OK ? ledger_check(file.db) : code;
+    if (code != SQLITE_OK) {
+        ledger_file_close(&file);
+        fails(from, code == SQLITE_NOTFOUND ? "is no copy of a stall's file"
+                                            : ledger_file_error(code));
+        return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
+    }
+    code = ledger_backup_make(&file, swap->fresh, false);
+    ledger_file_close(&file);
+    if (code != SQLITE_OK || give_to_its_user(swap) != 0) {
+        fails(swap->fresh, code != SQLITE_OK ? ledger_file_error(code) : strerror(errno));
+        unlink(swap->fresh);
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+/* ---- Its place ------------------------------------------------------------------------------- */
+
+static int name_before(struct swap *swap)
+{
+    char suffix[40], backup[LEDGER_PATH_SIZE];
+    for (unsigned number = 1; number <= BEFORE_MAX; number++) {
+        snprintf(suffix, sizeof suffix, STORAGE_REPLACED_SUFFIX "%u", number);
+        join(swap->before, swap->own, suffix);
+        join(backup, swap->before, STORAGE_BACKUP_SUFFIX);
+        if (access(swap->before, F_OK) != 0 && access(backup, F_OK) != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* 0: it has the other name now, or is not there. */
+static int move_one(const struct swap *swap, const char *suffix)
+{
+    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
+    join(from, swap->own, suffix);
+    join(to, swap->before, suffix);
+    return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
+}
+
+/* The backup first: up to the next rename the start goes on from the file that is there. */
+static int put_in_place(const struct swap *swap)
+{
+    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || ledger_sync_folder(swap->own) != 0 ||
+        move_one(swap, "") != 0 || ledger_sync_folder(swap->own) != 0) {
+        return -1;
+    }
+    return move_one(swap, "-wal") == 0 && move_one(swap, "-journal") == 0 &&
+                   move_one(swap, "-shm") == 0 && rename(swap->fresh, swap->own) == 0
+               ? ledger_sync_folder(swap->own)
+               : -1;
+}
+
+static void tell(const struct swap *swap, const struct books_words *words, const char *from)
+{
+    const int has_before = access(swap->before, F_OK) == 0;
+    if (words->as_json) {
+        fputs("{\"file\": ", stdout);
+        books_print_json(from);
+        fputs(", \"before\": ", stdout);
+        books_print_json(has_before ? swap->before : "");
+        printf(", \"entries\": %u, \"start\": %u}\n", swap->copied.last_id, swap->copied.boots);
+        return;
+    }
+    printf("%s: is %s now, %u entries\n", from, swap->own, swap->copied.last_id);
+    if (has_before) {
+        printf("what was there: %s\n", swap->before);
+    }
+}
+
+enum exit_code restore(const struct books_words *words, const char *from)
+{
+    struct swap swap = { 0 };
+    books_path(words, swap.own);
+    if (strlen(swap.own) > PATH_MAX_BYTES) {
+        return ctl_usage("backup", "the name is too long");
+    }
+    if (books_is_same(from, swap.own)) {
+        return ctl_usage("backup", "%.200s: is the stall's own file", from);
+    }
+    join(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
+    if (is_held(&swap)) {
+        return fails(swap.own, "the stall runs, or another program reads it: stop it first");
+    }
+    const enum exit_code code = make_copy(&swap, from);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (is_held(&swap) || !name_before(&swap)) {
+        unlink(swap.fresh);
+        return fails(swap.own, "the stall was started, or too many files lie beside it");
+    }
+    if (put_in_place(&swap) != 0) {
+        return fails(swap.own, strerror(errno));
+    }
+    tell(&swap, words, from);
+    return EXIT_OK;
+}
