@@ -108,8 +108,8 @@ const struct ctl_command ctl_backup = {
     .usage = "  kingyoctl backup FILE [--data DIR] [--json]\n"
              "  kingyoctl backup --restore FILE [--data DIR] [--json]\n\n" BOOKS_USAGE
              "  --restore    goes back to FILE, or begins with it on another machine\n"
-             "\nFILE is checked before it gets its name, and takes the place of an older copy only.\n"
-             "To go back: stop the stall, --restore, start it. What was there is kept beside it as\n"
-             "kingyo.db.before-N, and so is its own backup; FILE is checked before.\n",
+             "\nFILE is checked before it gets its name, and replaces nothing but an older copy.\n"
+             "To go back: stop the stall, --restore, start it. FILE is checked then, too, and\n"
+             "what was there is kept beside it as kingyo.db.before-N, with its own backup.\n",
     .run = run,
 };
