@@ -164,7 +164,8 @@ static bool is_emptied(const struct storage *storage)
     char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
     storage_backup_path(storage, backup);
     beside(storage, suffixes[0], "", log);
-    return is_there(storage->path) && !has_bytes(storage->path) &&
+    struct stat about;
+    return stat(storage->path, &about) == 0 && about.st_size == 0 &&
            (has_bytes(backup) || has_bytes(log));
 }
 
