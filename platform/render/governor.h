@@ -32,7 +32,8 @@ struct governor {
 void governor_begin(struct governor *governor, uint32_t refresh_hz);
 
 /* After each frame; `may_refine` between two games. One that took longer than a quarter of a second
- * was a stall and says nothing of drawing, but the third in a row. Returns the step of quality_lower() to draw with. */
+ * was a stall and says nothing of drawing, but the third in a row. Returns the step of
+ * quality_lower() to draw with. */
 uint32_t governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine);
 
 /* Every few seconds: how far the machine is from the heat at which it would slow itself down. */

@@ -1,4 +1,4 @@
-/* week.c -- a week of a festival on the real frame loop, core and store: nothing may grow in memory.
+/* week.c -- a week of a festival on the real frame loop, core and store: nothing may grow.
  *
  *   week [HOURS]
  *

@@ -133,8 +133,8 @@ static void test_nothing_leaves_the_screen_on_any_page(void **state)
 }
 
 /* A 24 inch screen is 30 cm high: 2.4 % of it is a letter of 7 mm, 25 minutes of arc from a metre.
- * The lines that name devices shrink to their room, and are for who stands before it; the letters of
- * the test card are looked at from near, and not read. */
+ * The lines that name devices shrink to their room, and are for who stands before it; the letters
+ * of the test card are looked at from near, and not read. */
 static void test_every_word_is_read_from_a_metre(void **state)
 {
     (void)state;
