@@ -67,6 +67,7 @@ static void stage(float phase_rad, float amplitude, float bend_rad)
     scene.view.aspect_min = 1.0f;
     scene.phase = PHASE_ROUND;
     scene.phase_s = 30.0f;
+    scene.veil = 0.0f; /* A stall begins in the dark. */
     scene.poi[0].present = 0;
     scene.hint = HINT_NONE;
     fish->place = SCENE_ON_POI;
