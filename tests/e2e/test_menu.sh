@@ -55,7 +55,7 @@ shows() { # CONDITION WxH+X+Y: within 30 s
 }
 wood='r > 110 && r > b + 40' night='r < 40 && b < 70' green='g > r + 40' red='r > 120 && g < 70 && b < 70'
 tank=400x200+400+250          # The middle of the water; in the menu, under the tags.
-tags='60x14+115+254 60x14+730+254 60x14+300+486' # Bare wood between a tag's name and its words.
+tags='60x14+115+254 60x14+730+254 60x14+460+486' # Bare wood between a tag's name and its words.
 plate=8x12+562+484            # Left of the word "Credits".
 start=12x12+318+607           # The long start ribbon; the call for coins is shorter.
 store=8x20+1085+126 refused=8x20+1085+221 # The first two slips of the files' page.
@@ -99,8 +99,8 @@ ok $? 'which is metered, and no credit nor a part of one' "$mind"
 picture lines
 tap F2 test && becomes on_devices 1
 ok $? 'TEST leads back' "$mind"
-tap 5 coins && becomes fallen 1 && [ "$(knows test_coins)" -eq 1 ] && [ "$(knows metered)" -eq 2 ]
-ok $? 'on any other page one that falls is money' "$mind"
+tap 5 coins && becomes metered 2 && [ "$(knows fallen)" -eq 0 ] && [ "$(knows credits)" -eq 0 ]
+ok $? 'on any other page one that falls is a test as well' "$mind"
 
 point_to back && tap F2 test && becomes on_top 1 && go_to upkeep files
 ok $? 'SERVICE points at the files, TEST takes them' "$mind"
@@ -117,7 +117,7 @@ shows 'b > r + 40 && b > 120' $tank
 ok $? 'the tank lies in the light again'
 
 # ---- Coins --------------------------------------------------------------------------------------
-[ "$(knows fallen)" -eq 1 ] && [ "$(knows credits)" -eq 0 ]
+tap 5 coins && becomes fallen 1 && [ "$(knows credits)" -eq 0 ]
 ok $? 'of two coins the first is half a credit' "$mind"
 tap space start && sleep 2 && becomes phase $attract && [ "$(knows taken)" -eq 0 ]
 ok $? 'for which START begins nothing' "$mind"
@@ -125,8 +125,8 @@ shows "!($green)" $plate && shows "!($red)" $start
 ok $? 'and the plate of credits is dark'
 tap 5 coins && becomes credits 1 && [ "$(knows fallen)" -eq 0 ]
 ok $? 'the second makes it whole' "$mind"
-[ "$(knows metered)" -eq 3 ]
-ok $? 'both are metered, as the test was' "$mind"
+[ "$(knows metered)" -eq 4 ]
+ok $? 'both are metered, as the tests were' "$mind"
 shows "$green" $plate && shows "$red" $start
 ok $? 'the plate is lit, and START is called for'
 picture paid
