@@ -8,7 +8,7 @@ good=tests/hid/good/descriptors
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }
 
 doctor() { "$ctl" doctor --root "$root" --user nobody --data /data "$@" >"$work/out" 2>"$work/err"; }
-# LEVEL PART WHAT STATE [TODO]: extended patterns; exactly one finding fits all of them.
+# LEVEL PART WHAT STATE [ADVICE]: extended patterns; exactly one finding fits all of them.
 finds() {
     doctor --json "${with[@]}"
     sqlite3 :memory: "select * from (select json_extract(value,'\$.level') as level, json_extract(value,'\$.part'),
