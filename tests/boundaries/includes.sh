@@ -16,7 +16,7 @@ own_include=$($CC -print-file-name=include)
 [ -d "$own_include" ] || own_include=$($CC -print-resource-dir)/include # clang calls it so
 freestanding='(float|iso646|limits|stdalign|stdarg|stdbool|stddef|stdint|stdint-gcc|stdnoreturn|__stddef_[a-z_]+|__stdarg_[a-z_]+)\.h'
 # A species is plain data: what scenes and saved graphs are made of. So is what the store remembers.
-contracts='core/(input|output|scene|view|placing|edit|ledger|memory|settings)\.h|core/game/(audits|ranking)\.h'
+contracts='core/(input|output|scene|scene_[a-z]+|view|placing|edit|ledger|memory|settings)\.h|core/game/(audits|ranking)\.h'
 contracts+='|core/poi/sheet\.h|core/morph/species\.h|core/base/[a-z_0-9]+\.h'
 
 # Prints `file included` pairs, paths relative to the top, for the sources on standard input.
