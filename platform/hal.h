@@ -1,6 +1,6 @@
 /* hal.h -- one small table of functions per device, written for whoever writes the next driver.
  *
- * The frame loop (platform/kiosk/kiosk.c) is the only caller, from one thread. No call ever waits.
+ * The frame loop (platform/kiosk/kiosk.h) is the only caller, from one thread. No call ever waits.
  * A driver exports one constructor that pairs its ops with its state. 0 or a count is success; a
  * negative enum hal_error is an event to count and survive, never a bug. A device that is not there
  * has a null driver (drivers/null.c), so no pointer here is ever null. */
@@ -220,6 +220,12 @@ struct hal_controllers { const struct hal_controllers_ops *ops; void *self; };
 struct hal_audio { const struct hal_audio_ops *ops; void *self; };
 struct hal_storage { const struct hal_storage_ops *ops; void *self; };
 struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
+
+/* By that clock; 0 where there is none. */
+static inline uint64_t hal_now_ns(struct hal_clock clock)
+{
+    return clock.ops ? clock.ops->now_ns(clock.self) : 0;
+}
 
 struct hal {
     struct hal_clock clock;

@@ -78,11 +78,6 @@ static void fetch(struct encore *encore, const struct hal_storage *storage,
     }
 }
 
-static uint64_t now_ns(const struct hal_clock *stopwatch)
-{
-    return stopwatch->ops ? stopwatch->ops->now_ns(stopwatch->self) : 0;
-}
-
 /* A second of the replay at a time. */
 static void read_on(struct encore *encore, const struct ranking *ranking)
 {
@@ -107,12 +102,12 @@ static void seek_on(struct encore *encore, const struct ranking *ranking)
 static void seek(struct encore *encore, const struct hal_clock *stopwatch,
                  const struct ranking *ranking)
 {
-    const uint64_t begin_ns = now_ns(stopwatch);
+    const uint64_t begin_ns = hal_now_ns(*stopwatch);
     uint64_t spent_ns = 0;
     for (uint32_t i = 0; i < ENCORE_SEEK_TICKS && spent_ns < ENCORE_SEEK_NS &&
                          encore->state == ENCORE_SEEKS; i++) {
         (encore->has_play ? seek_on : read_on)(encore, ranking);
-        spent_ns = now_ns(stopwatch) - begin_ns;
+        spent_ns = hal_now_ns(*stopwatch) - begin_ns;
     }
 }
 

@@ -14,6 +14,7 @@
 #include "platform/kiosk/hands.h"
 #include "platform/kiosk/lighting.h"
 #include "platform/kiosk/pace.h"
+#include "platform/kiosk/saving.h"
 #include "platform/kiosk/shades.h"
 #include "platform/kiosk/switches.h"
 #include "platform/kiosk/timing.h"
@@ -78,11 +79,8 @@ struct kiosk {
     struct lighting lighting;
     struct view view;      /* Of the tank, ... */
     struct showing showing; /* ... and on the screen, as display and pois were told last. */
-    uint32_t accepted_id;  /* Newest ledger entry that the store took, or will never take. */
-    uint32_t accepted_edit_id; /* The same of graphs. */
-    uint64_t save_retry_ns;
+    struct saving saving;
     struct voice voice;
-    uint32_t refused_seen; /* Of the store's failed writes, those already among the faults. */
     struct switches switches;
     uint64_t restart_ns;       /* When a restart waits no longer for the store; 0: none is asked
                                   for. */

@@ -505,7 +505,7 @@ static void test_a_restart_waits_for_the_store_and_not_for_ever(void **state)
     play_a_round();
     order_restart();
     frames(5u * 60u - 2u); /* Five seconds, in which the store may yet take what it is offered. */
-    assert_true(rig.kiosk.accepted_id < rig.kiosk.output.entry_id);
+    assert_true(rig.kiosk.saving.accepted_id < rig.kiosk.output.entry_id);
     enum kiosk_end end = KIOSK_RUNS;
     for (uint32_t i = 0; i < 6 && end == KIOSK_RUNS; i++) {
         end = frame_after(FRAME_NS);

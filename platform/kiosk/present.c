@@ -1,0 +1,148 @@
+/* present.c -- see present.h. */
+#include "platform/kiosk/present.h"
+
+#include <string.h>
+
+#include "core/game/menu_pages.h"
+#include "platform/kiosk/chapters.h"
+
+#define RESTART_WAIT_NS 5000000000ull /* A card that takes longer than this for an entry is full. */
+#define RETRY_NS 1000000000ull /* A lost display: once a second is often enough. */
+
+void present_view(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct showing showing =
+        lighting_step(&kiosk->lighting, &kiosk->core.config.memory.settings, &kiosk->input,
+                      kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
+    if (memcmp(&kiosk->showing, &showing, sizeof showing) == 0 &&
+        memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
+        return;
+    }
+    kiosk->view = kiosk->scene.view;
+    kiosk->showing = showing;
+    hal->display.ops->place(hal->display.self, &showing);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hal->poi[i].ops->look(hal->poi[i].self, &kiosk->view, &showing);
+    }
+}
+
+static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
+{
+    kiosk->faults.audio += voice_put(&kiosk->voice, &hal->audio, &kiosk->output,
+                                     &kiosk->core.config.memory.settings,
+                                     kiosk->core.game.phase == PHASE_ATTRACT,
+                                     hal_now_ns(hal->clock));
+}
+
+/* A replay's coins were metered when they fell, and those that fall now would be nobody's: the slot
+ * stays closed, as it begins. */
+static void present_switches(struct kiosk *kiosk, const struct hal *hal)
+{
+    if (!kiosk->config.source.next) {
+        kiosk->faults.switches += switches_put(&kiosk->switches, &hal->switches, &kiosk->output,
+                                               hal_now_ns(hal->clock));
+    }
+}
+
+_Static_assert(PACE_TICKS_MAX / MENU_TAKE_TICKS + 2u <= DESK_ORDER_MAX,
+               "a take in the first tick, one after each pause, and the menu that closes itself");
+
+/* All of the frame's, in the order in which they were given. */
+static void present_orders(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct output *output = &kiosk->output;
+    while (!kiosk->config.source.next && kiosk->told_orders != output->order_count) {
+        const struct desk_order *order = &output->orders[kiosk->told_orders++ % DESK_ORDER_MAX];
+        if (order->kind == DESK_RESTART) {
+            kiosk->restart_ns = hal_now_ns(hal->clock) + RESTART_WAIT_NS;
+        } else if (order->kind == DESK_REPLAY) {
+            kiosk->wanted_replay_id = order->round_id;
+        } else {
+            hal->controllers.ops->order(hal->controllers.self, order);
+        }
+    }
+}
+
+/* Another start would go on from a store that came late: with its settings, and with coins. Nobody
+ * plays, nobody's money lies only in this memory, and no recording would be written over. */
+static int is_called_back(const struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct purse *purse = &kiosk->core.game.ledger.purse;
+    return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
+           !kiosk->config.tap.tick && purse->units == 0 && purse->paid == 0 &&
+           purse->service == 0 && purse->untold == 0 && purse->open == OPEN_NONE &&
+           hal->storage.ops->wants_restart(hal->storage.self);
+}
+
+/* The operator wants a restart: once the store has every entry, or will not take them. */
+static void end_for_restart(struct kiosk *kiosk, const struct hal *hal)
+{
+    if (is_called_back(kiosk, hal)) {
+        kiosk->end = KIOSK_RESTART;
+        return;
+    }
+    const int is_kept = saving_is_done(&kiosk->saving, &kiosk->output);
+    if (kiosk->restart_ns > 0 && (is_kept || hal_now_ns(hal->clock) >= kiosk->restart_ns)) {
+        kiosk->end = KIOSK_RESTART;
+    }
+}
+
+static void present_forces(struct kiosk *kiosk, const struct hal *hal)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (kiosk->hands[i].link == POI_LINK_LIVE) {
+            const int result = hal->poi[i].ops->feel(hal->poi[i].self, &kiosk->felt[i]);
+            kiosk->faults.poi += (uint32_t)hal_is_fault(result);
+        }
+    }
+}
+
+/* What must outlive a power cut. A replay's was kept when it was played; a score's replay follows
+ * once the score is on disk. */
+static void present_savings(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct hal_storage *storage = &hal->storage;
+    const uint64_t now_ns = hal_now_ns(hal->clock);
+    uint32_t faults = 0;
+    if (!kiosk->config.source.next) {
+        faults += saving_put_entries(&kiosk->saving, storage, &kiosk->output, now_ns);
+        faults += saving_put_edit(&kiosk->saving, storage, &kiosk->output, now_ns);
+    }
+    if (kiosk->config.chapters) {
+        faults += (uint32_t)chapters_offer(kiosk->config.chapters, storage);
+    }
+    kiosk->faults.storage += faults;
+}
+
+/* Without a picture the game goes on, and the store with it: a display that went, or that never
+ * was there, is looked for once a second. */
+static void present_picture(struct kiosk *kiosk, const struct hal *hal)
+{
+    const struct hal_display *display = &hal->display;
+    const uint64_t now_ns = hal_now_ns(hal->clock);
+    if (kiosk->display_retry_ns > 0 && now_ns >= kiosk->display_retry_ns) {
+        const int is_back = display->ops->open(display->self) == HAL_OK;
+        kiosk->display_retry_ns = is_back ? 0 : hal_now_ns(hal->clock) + RETRY_NS;
+    }
+    if (kiosk->display_retry_ns > 0) {
+        return;
+    }
+    const int result = display->ops->present(display->self, &kiosk->scene);
+    kiosk->faults.display += (uint32_t)hal_is_fault(result);
+    if (result == HAL_ERR_GONE) {
+        kiosk->display_retry_ns = now_ns + RETRY_NS;
+    }
+}
+
+void present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
+{
+    if (tick_count > 0) {
+        present_sounds(kiosk, hal);
+        present_switches(kiosk, hal);
+        present_orders(kiosk, hal);
+        present_forces(kiosk, hal);
+        present_savings(kiosk, hal);
+        end_for_restart(kiosk, hal);
+    }
+    present_picture(kiosk, hal); /* Last: it may wait for the screen, and no sound waits with it. */
+}

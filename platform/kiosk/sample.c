@@ -1,0 +1,107 @@
+/* sample.c -- see sample.h. */
+#include "platform/kiosk/sample.h"
+
+#include "core/game/menu_pages.h"
+
+static void read_wall(struct kiosk *kiosk, const struct hal *hal)
+{
+    if (hal->clock.ops->civil) {
+        hal->clock.ops->civil(hal->clock.self, &kiosk->input.day, &kiosk->input.minute);
+    }
+}
+
+static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat, uint64_t now_ns)
+{
+    kiosk->faults.poi += poi_hand_open(&kiosk->hands[seat], &hal->poi[seat], now_ns);
+    if (seat < SHADE_MAX) {
+        kiosk->faults.shade += shade_hand_open(&kiosk->shades[seat], &hal->shade[seat], now_ns);
+    }
+}
+
+/* Between two games, and while the operator looks at what plays, a seat may go to a better
+ * controller; nobody loses his in the middle of a game. */
+static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
+{
+    const uint8_t phase = kiosk->core.game.phase;
+    const int may_move = phase == PHASE_ATTRACT || phase == PHASE_MENU;
+    const uint32_t moved = hal->seats.ops->arrange(hal->seats.self, may_move);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (moved & (1u << i)) {
+            open_seat(kiosk, hal, i, kiosk->sampled_ns);
+        }
+    }
+}
+
+void sample_open(struct kiosk *kiosk, const struct hal *hal)
+{
+    read_wall(kiosk, hal); /* The C library reads the time zone once, here: it allocates. */
+    hal->seats.ops->arrange(hal->seats.self, 1);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        open_seat(kiosk, hal, i, hal_now_ns(hal->clock));
+    }
+}
+
+static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct button_sample buttons = { 0 };
+    hal->buttons.ops->poll(hal->buttons.self, &buttons);
+    kiosk->input.held = buttons.held & (uint32_t)INPUT_BUTTON_ALL;
+    kiosk->input.pressed |= buttons.pressed & (uint32_t)INPUT_BUTTON_ALL;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        kiosk->input.coin_count[line] += buttons.coin_count[line];
+    }
+    kiosk->faults.buttons += buttons.faults;
+    line_book_note(&kiosk->lines, &buttons);
+    if (buttons.full_screen) {
+        hal->display.ops->toggle_full_screen(hal->display.self);
+    }
+    if (buttons.quit && kiosk->core.game.phase == PHASE_MENU) {
+        kiosk->input.pressed |= MENU_WAY_BACK;
+    } else if (buttons.quit) {
+        kiosk->end = KIOSK_QUIT;
+    }
+}
+
+static void sample_display(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct display_events events = { 0 };
+    if (hal->display.ops->poll(hal->display.self, &events) == HAL_OK) {
+        kiosk->input.upright = events.upright;
+    }
+    if (events.quit) {
+        kiosk->end = KIOSK_QUIT;
+    }
+    if (events.lost) {
+        kiosk->end = KIOSK_DISPLAY_LOST;
+    }
+}
+
+static void sample_store(struct kiosk *kiosk, const struct hal_storage *storage)
+{
+    kiosk->input.record_saved_id = storage->ops->saved_id(storage->self);
+    kiosk->input.edit_saved_id = storage->ops->kept_edit_id(storage->self);
+    kiosk->input.edit_refused = storage->ops->refuses_edits(storage->self) != 0;
+    kiosk->input.store_well = storage->ops->is_well(storage->self) != 0;
+    kiosk->faults.storage += saving_refused(&kiosk->saving, storage);
+}
+
+void sample_devices(struct kiosk *kiosk, const struct hal *hal)
+{
+    sample_display(kiosk, hal); /* First: it pumps the queue that a desktop's mouse and keyboard
+                                   take their events from. */
+    hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.desk);
+    kiosk->input.desk.file_count = dressing_file_count(kiosk->config.notes);
+    const uint64_t now_ns = kiosk->sampled_ns = hal_now_ns(hal->clock);
+    arrange_seats(kiosk, hal);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        kiosk->faults.poi += poi_hand_sample(&kiosk->hands[i], &hal->poi[i], now_ns);
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        kiosk->faults.shade += shade_hand_sample(&kiosk->shades[i], &hal->shade[i], now_ns);
+    }
+    sample_buttons(kiosk, hal); /* After the pois: a controller's own buttons came with it. */
+    sample_store(kiosk, &hal->storage);
+    read_wall(kiosk, hal);
+    kiosk->input.dropped_ticks = (uint32_t)kiosk->pace.dropped;
+    kiosk->input.device_faults = kiosk_fault_count(&kiosk->faults);
+}
