@@ -5,8 +5,10 @@
  * A frame never waits for a card: keep() puts an entry into one of STORAGE_QUEUE_MAX slots and
  * comes back, the thread writes and syncs all that wait in one transaction, and saved_id() then
  * names the newest. A card that is slow, full, busy, read-only or away is tried again each second
- * while the slots fill; when they are full, keep() says HAL_ERR_BUSY and the core's entries wait in
- * its output. Each try that fails is counted. close() tries once more and says how many entries are
+ * while the slots fill (one whose file has to be read from end to end to see that nothing changed,
+ * less often: storage_card.c); when they are full, keep() says HAL_ERR_BUSY and the core's entries
+ * wait in its output. A card that is full at the start is read all the same, and written when it
+ * has room. Each try that fails is counted. close() tries once more and says how many entries are
  * lost for good.
  *
  * At the start and each hour the file is copied to a backup beside it, which is checked before it
@@ -34,6 +36,10 @@
 #define STORAGE_ASIDE_SUFFIX ".damaged-" /* And a number. */
 #define STORAGE_STUCK_MS 3000 /* A card that writes for so long is not well: the best ones' worst
                                  pause to tidy up is a second. */
+/* From one look through a file that is of no use to the next: it doubles from the first to the
+ * second. */
+#define STORAGE_LOOK_MS 1000
+#define STORAGE_LOOK_MS_MAX 60000
 #define STORAGE_BACKUP_S 3600 /* From one backup to the next. */
 #define STORAGE_PATH_SIZE 512u
 /* What the core may have unwritten, twice: it never waits for a slot where a card answers. */
@@ -96,6 +102,9 @@ struct storage {
     uint32_t accepted_id; /* Newest id that keep() took, so that asking twice keeps one. */
     atomic_uint saved_id;
     uint32_t saved_boot, saved_tick; /* Of that entry; the thread's. */
+    uint64_t sight;          /* What was seen from outside at the last look; the thread's, ... */
+    int64_t look_due_ms;     /* ... as when the next is due, 0: at once, ... */
+    int64_t look_wait_ms;    /* ... and how long it waits. */
     bool prunes;                     /* Something may have fallen out; the thread's. */
     struct ledger_backup backup;     /* Under way; the thread's. */
     int64_t backup_due_s;            /* On the monotonic clock. */

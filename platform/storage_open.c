@@ -197,12 +197,20 @@ static int take_copy(struct storage *storage)
     return ledger_unmark(&storage->file);
 }
 
+/* A folder, or what else is no file but has its name, is no database either. */
+static bool is_no_file(const struct storage *storage)
+{
+    struct stat about;
+    return stat(storage->path, &about) == 0 && !S_ISREG(about.st_mode);
+}
+
 static int open_whole(struct storage *storage)
 {
-    int code = is_emptied(storage)
-                   ? SQLITE_CORRUPT
-                   : ledger_file_open(&storage->file, storage->path, &storage->how);
-    if (code == SQLITE_OK && ledger_is_marked(&storage->file) && !storage->file.is_read_only) {
+    int code = is_no_file(storage)   ? SQLITE_NOTADB
+               : is_emptied(storage) ? SQLITE_CORRUPT
+                                     : ledger_file_open(&storage->file, storage->path,
+                                                        &storage->how);
+    if (code == SQLITE_OK && ledger_is_marked(&storage->file) && !storage->file.refusal) {
         code = take_copy(storage);
         if (code != SQLITE_OK) {
             ledger_file_close(&storage->file);

@@ -10,13 +10,40 @@ void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZ
 /* Whether the backup has newer entries than the open file: then it is the file that lost some. */
 bool storage_is_behind_backup(struct storage *storage);
 
+/* storage_card.c: whether there is a file that can be written; one that went is looked for. */
+bool storage_has_card(struct storage *storage);
+void storage_note_result(struct storage *storage, int code);
+/* Whether a code says that the file as it was opened is of no use any more; others pass. */
+bool storage_needs_reopening(int code);
+
+/* storage_say.c: into storage->text. */
+void storage_say(struct storage *storage, const char *what, const char *why, const char *advice);
+void storage_say_no_file(struct storage *storage, const char *why);
+void storage_say_refused(struct storage *storage, int error, const char *advice);
+const char *storage_describe(void *storage);
+
+/* storage.c: how long the card has not answered; 0 while that is nothing to tell. */
+int64_t storage_stuck_ms(const struct storage *storage);
+
 /* storage_thread.c: the file, and a backup of it that is under way. */
 void storage_close_file(struct storage *storage);
+/* Closes a file that nobody else could read as long as it is open. */
+void storage_let_others_read(struct storage *storage);
 /* Until storage->stop. */
 void *storage_thread(void *storage);
 
 int64_t storage_now_ms(void); /* Monotonic, never 0. */
 
+/* storage_replays.c: hal_storage's own, ... */
+int storage_keep_replay(void *storage, uint32_t round_id, const uint8_t *bytes, size_t size);
+uint32_t storage_replay_kept_id(void *storage);
+int storage_fetch_replay(void *storage, uint32_t round_id, uint8_t *bytes, size_t size,
+                         struct ledger_entry *round);
+int storage_replay_fetched(void *storage);
+int storage_has_replay(void *storage, uint32_t round_id);
+/* ... and the thread's: what waits is written, or read. */
+void storage_put_replay(struct storage *storage);
+void storage_get_replay(struct storage *storage);
 /* Looks which of the ranked rounds have a replay; by whoever has the file. */
 void storage_note_seals(struct storage *storage);
 

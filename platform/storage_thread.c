@@ -25,71 +25,18 @@ void storage_close_file(struct storage *storage)
     ledger_file_close(&storage->file);
 }
 
+void storage_let_others_read(struct storage *storage)
+{
+    if (storage->file.refusal == SQLITE_FULL) {
+        storage_close_file(storage);
+    }
+}
+
 int64_t storage_now_ms(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
-}
-
-static void note_result(struct storage *storage, int code)
-{
-    atomic_store(&storage->error, code);
-    if (code != SQLITE_OK) {
-        atomic_fetch_add(&storage->refused, 1);
-    }
-}
-
-/* ---- A card that went ----------------------------------------------------------------------- */
-
-/* These say that the file as it was opened is of no use any more; others pass. */
-static bool needs_reopening(int code)
-{
-    return code == SQLITE_IOERR || code == SQLITE_CANTOPEN || code == SQLITE_READONLY ||
-           code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
-}
-
-/* Whether the list in the file is not the one that was left there: somebody else's card, or the
- * kiosk began without this one. A fresh card has fewer entries, and so has a backup; and one more
- * batch may have come through than the kiosk was told. */
-static bool is_anothers(struct storage *storage)
-{
-    const unsigned pushed = atomic_load(&storage->pushed);
-    const uint32_t saved_id = atomic_load(&storage->saved_id);
-    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    const uint32_t newest_id = storage_unwritten(storage) > 0
-                                   ? storage->queue[(pushed - 1u) % STORAGE_QUEUE_MAX].id
-                                   : saved_id;
-    struct ledger_entry entry;
-    if (last_id < saved_id || last_id == 0) {
-        return false;
-    }
-    return last_id > newest_id ||
-           (saved_id > 0 && (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
-                             entry.boot != storage->saved_boot ||
-                             entry.tick != storage->saved_tick));
-}
-
-static bool has_card(struct storage *storage)
-{
-    if (storage->file.db && !storage->file.is_read_only) {
-        return true;
-    }
-    storage_close_file(storage);
-    if (!storage->path[0]) {
-        return false;
-    }
-    int code = storage_open_file(storage);
-    if (code == SQLITE_OK && is_anothers(storage)) {
-        storage_close_file(storage);
-        code = LEDGER_FILE_ANOTHERS;
-    }
-    if (code == SQLITE_OK) {
-        atomic_store(&storage->has_file, true);
-        code = storage->file.is_read_only ? SQLITE_READONLY : SQLITE_OK;
-    }
-    note_result(storage, code);
-    return code == SQLITE_OK;
 }
 
 /* ---- Entries -------------------------------------------------------------------------------- */
@@ -112,9 +59,9 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     atomic_store(&storage->busy_since_ms, storage_now_ms());
     const int code = ledger_file_write(&storage->file, entries, count);
     atomic_store(&storage->busy_since_ms, 0);
-    note_result(storage, code);
+    storage_note_result(storage, code);
     if (code != SQLITE_OK) {
-        if (needs_reopening(code)) {
+        if (storage_needs_reopening(code)) {
             storage_close_file(storage);
         }
         return 0;
@@ -151,7 +98,7 @@ static int64_t now_s(void)
 
 static bool may_back_up(const struct storage *storage)
 {
-    return storage->file.db && !storage->file.is_read_only && !storage->how.vfs &&
+    return storage->file.db && !storage->file.refusal && !storage->how.vfs &&
            atomic_load(&storage->error) == SQLITE_OK;
 }
 
@@ -180,86 +127,6 @@ static void back_up(struct storage *storage)
     }
 }
 
-/* ---- Replays -------------------------------------------------------------------------------- */
-
-/* Only of a round that is on disk and still among the best. */
-static bool is_ranked(const struct storage *storage, uint32_t round_id)
-{
-    const struct ranking *ranking = &storage->file.content.memory.ranking;
-    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-        const struct rank_row *row = &ranking->row[i / RANK_ROWS / RANK_PERIOD_COUNT]
-                                                  [i / RANK_ROWS % RANK_PERIOD_COUNT]
-                                                  [i % RANK_ROWS];
-        if (row->caught > 0 && row->round_id == round_id) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void end_put(struct storage *storage)
-{
-    storage->put_since_ms = 0;
-    atomic_store(&storage->put_id, storage->put.round_id);
-    atomic_store(&storage->put.state, STORAGE_REPLAY_IDLE);
-}
-
-/* Whether a refusal was the last straw. */
-static bool gives_up(struct storage *storage)
-{
-    const int64_t now_ms = storage_now_ms();
-    storage->put_since_ms = storage->put_since_ms > 0 ? storage->put_since_ms : now_ms;
-    return now_ms - storage->put_since_ms >= STORAGE_REPLAY_MS;
-}
-
-void storage_note_seals(struct storage *storage)
-{
-    const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
-    for (uint32_t i = 0; i < STORAGE_RANKS; i++) {
-        const uint32_t id = rows[i].caught > 0 ? rows[i].round_id : 0u;
-        const int has = id != 0 && ledger_file_has_replay(&storage->file, id);
-        atomic_store_explicit(&storage->sealed[i], has ? id : 0u, memory_order_relaxed);
-    }
-}
-
-/* Its round is written first; it is given up when the card goes on refusing. */
-static void put_replay(struct storage *storage)
-{
-    const struct storage_replay *put = &storage->put;
-    if (atomic_load(&put->state) != STORAGE_REPLAY_WAITS) {
-        return;
-    }
-    int code = SQLITE_BUSY;
-    if (storage->file.db && storage_unwritten(storage) == 0) {
-        code = is_ranked(storage, put->round_id)
-                   ? ledger_file_put_replay(&storage->file, put->round_id, put->bytes, put->size)
-                   : SQLITE_OK;
-        note_result(storage, code);
-        storage_note_seals(storage);
-    }
-    if (code == SQLITE_OK || gives_up(storage)) {
-        end_put(storage);
-    }
-}
-
-static void get_replay(struct storage *storage)
-{
-    struct storage_replay *get = &storage->get;
-    if (atomic_load(&get->state) != STORAGE_REPLAY_WAITS) {
-        return;
-    }
-    size_t size = 0;
-    const int code = storage->file.db ? ledger_file_get_replay(&storage->file, get->round_id,
-                                                               get->room, get->size, &size)
-                                      : SQLITE_NOTFOUND;
-    *get->round = (struct ledger_entry){ 0 };
-    if (code == SQLITE_OK) {
-        ledger_file_round(&storage->file, get->round_id, get->round);
-    }
-    atomic_store(&storage->got, code == SQLITE_OK ? (int)size : HAL_ERR_NONE);
-    atomic_store(&get->state, STORAGE_REPLAY_IDLE);
-}
-
 /* ---- Graphs, which need no database --------------------------------------------------------- */
 
 static void drain_edits(struct storage *storage)
@@ -282,11 +149,11 @@ static void drain_edits(struct storage *storage)
 
 void storage_work(struct storage *storage)
 {
-    if (has_card(storage)) {
+    if (storage_has_card(storage)) {
         drain(storage);
     }
-    put_replay(storage);
-    get_replay(storage);
+    storage_put_replay(storage);
+    storage_get_replay(storage);
     drain_edits(storage);
     back_up(storage);
 }
@@ -294,7 +161,7 @@ void storage_work(struct storage *storage)
 static bool has_work(const struct storage *storage)
 {
     return storage_unwritten(storage) > 0 || storage_unwritten_edits(storage) > 0 ||
-           (storage->path[0] && !storage->file.db) || storage->file.is_read_only ||
+           (storage->path[0] && !storage->file.db) || storage->file.refusal ||
            atomic_load(&storage->put.state) == STORAGE_REPLAY_WAITS || storage->backup.copy;
 }
 

@@ -81,7 +81,7 @@ static int give_to_its_user(const struct swap *swap)
 
 static enum exit_code make_copy(struct swap *swap, const char *from)
 {
-    struct ledger_file file = { .is_read_only = true };
+    struct ledger_file file = { .refusal = SQLITE_READONLY };
     struct stat about;
     if (stat(from, &about) != 0) {
         return fails(from, strerror(errno));

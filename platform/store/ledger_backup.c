@@ -209,7 +209,7 @@ static void salvage_entries(struct salvage *salvage)
 struct ledger_salvaged ledger_salvage(const char *path, struct ledger_file *to)
 {
     static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'";
-    struct salvage salvage = { .from = { .is_read_only = true }, .to = to };
+    struct salvage salvage = { .from = { .refusal = SQLITE_READONLY }, .to = to };
     int64_t has_entries = 0;
     int code = sqlite3_open_v2(path, &salvage.from.db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX,
                                NULL);

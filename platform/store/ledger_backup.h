@@ -9,7 +9,7 @@
 #include "platform/store/ledger_file.h"
 
 #define LEDGER_PATH_SIZE 600u
-#define LEDGER_PART_SUFFIX "-part"
+#define LEDGER_PART_SUFFIX ".kingyo-part" /* What ends so is ours to remove. */
 
 /* A copy that is made to be put back says so (its `application_id`): it is meant to have less than
  * the stall's own backup, and is not taken for a file that lost something. */

@@ -129,7 +129,7 @@ static int raise_version(struct ledger_file *file, int64_t version)
     if (version == LEDGER_FILE_VERSION) {
         return SQLITE_OK;
     }
-    return file->is_read_only ? SQLITE_READONLY : bring_up_to_date(file);
+    return file->refusal ? file->refusal : bring_up_to_date(file);
 }
 
 /* Whoever opened the connection; what is damaged or newer was not changed by then. */
@@ -138,11 +138,13 @@ static int begin(struct ledger_file *file, const struct ledger_file_how *how)
     int64_t version = 0;
     sqlite3_extended_result_codes(file->db, 0);
     sqlite3_busy_timeout(file->db, BUSY_MS);
-    file->is_read_only = sqlite3_db_readonly(file->db, "main") == 1;
+    if (sqlite3_db_readonly(file->db, "main") == 1) {
+        file->refusal = SQLITE_READONLY;
+    }
     int code = ledger_check(file->db);
     code = code == SQLITE_OK ? read_version(file, &version) : code;
     code = code == SQLITE_OK && version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : code;
-    if (code == SQLITE_OK && !file->is_read_only) {
+    if (code == SQLITE_OK && !file->refusal) {
         code = set_up(file->db, how);
     }
     if (code != SQLITE_OK) {
@@ -178,6 +180,24 @@ static bool is_unwritable(int code)
     return code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 }
 
+/* SQLite says no more than that something went wrong where it can make no index of the log. */
+static bool is_full(struct ledger_file *file, int code)
+{
+    return code == SQLITE_FULL ||
+           (code == SQLITE_IOERR && sqlite3_extended_errcode(file->db) == SQLITE_IOERR_SHMSIZE);
+}
+
+/* The index is then kept in memory, which only one program at a time may do: who looks on has to
+ * wait until this is closed. */
+static int open_full(struct ledger_file *file, const char *path, const struct ledger_file_how *how)
+{
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
+    int code = sqlite3_open_v2(path, &file->db, flags, how ? how->vfs : NULL);
+    code = code == SQLITE_OK ? sql_run(file->db, "PRAGMA locking_mode = EXCLUSIVE") : code;
+    file->refusal = SQLITE_FULL;
+    return code == SQLITE_OK ? begin(file, how) : code;
+}
+
 int ledger_file_open(struct ledger_file *file, const char *path,
                      const struct ledger_file_how *how)
 {
@@ -190,6 +210,9 @@ int ledger_file_open(struct ledger_file *file, const char *path,
         ledger_file_close(file);
         code = open_unwritable(file, path);
         code = code == SQLITE_OK ? begin(file, how) : code;
+    } else if (is_full(file, code)) {
+        ledger_file_close(file);
+        code = open_full(file, path, how);
     }
     if (code != SQLITE_OK) {
         ledger_file_close(file);
@@ -200,7 +223,7 @@ int ledger_file_open(struct ledger_file *file, const char *path,
 int ledger_file_look(struct ledger_file *file, const char *path)
 {
     int64_t version = 0;
-    *file = (struct ledger_file){ .is_read_only = true };
+    *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
     int code = sqlite3_open_v2(path, &file->db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
     if (code == SQLITE_OK) {
         sqlite3_busy_timeout(file->db, BUSY_MS);

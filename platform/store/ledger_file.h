@@ -61,7 +61,8 @@ struct ledger_file {
     struct sqlite3 *db;
     struct sqlite3_stmt *statement[LEDGER_STATEMENT_COUNT];
     struct ledger_content content;
-    bool is_read_only; /* The card is: it can be read, and every write fails. */
+    int refusal; /* Why it can only be read: SQLITE_READONLY, or SQLITE_FULL where the card has no
+                    room for the index of its log; 0: it can be written. */
 };
 
 /* How it is opened, where that is not as usual. Both may be null. */

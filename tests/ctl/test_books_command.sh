@@ -31,6 +31,13 @@ is_copy() {
     "$ctl" backup "$work/copy.db" --data "$data" && [ "$(echo "$work/copy.db"*)" = "$work/copy.db" ] &&
         [ "$(sqlite3 "$work/copy.db" 'pragma integrity_check; select count(*) from entries')" = $'ok\n9' ]
 }
+spares_a_name() { # What is somebody else's in that folder stays there.
+    echo precious >"$work/own.db-part" && echo precious >"$work/own.db.part"
+    "$ctl" backup "$work/own.db" --data "$data" && [ "$(cat "$work/own.db-part" "$work/own.db.part")" = $'precious\nprecious' ]
+    local result=$?
+    rm -f "$work"/own.db*
+    return $result
+}
 keeps() { # FILE PATTERN: a backup to FILE is refused, and FILE is as it was.
     echo precious >"$1"
     ends 2 "$2" backup "$1" --data "$data" && [ "$(cat "$1")" = precious ]
@@ -125,6 +132,7 @@ check 'the table has what is in the machine' says '^9 entries, start 2; in the m
 check 'the books are one object' query \
     "json_extract(j, '\$.audits.caught') = 7 and json_extract(j, '\$.entries') = 9" audits
 check 'a backup is a whole file of its own' is_copy
+check 'a backup removes nothing but what it made itself' spares_a_name
 check 'a backup may take the place of an older one' is_copy
 mkdir "$work/of-copy" && mv "$work/copy.db" "$work/of-copy/kingyo.db"
 check 'a backup can be read like the file' ends 0 'きんぎょ' scores --data "$work/of-copy"

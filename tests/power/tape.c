@@ -29,6 +29,8 @@ static int is_deaf;
 static atomic_int refusal;
 static uint32_t file_of_fd[FD_MAX]; /* 0: not one of ours. */
 static uint8_t is_folder[FD_MAX];
+static uint8_t is_index[FD_MAX]; /* A log's: not noted, for no power cut leaves it, but it takes
+                                    room. */
 static struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[NAMES_MAX];
 
 /* ---- The tape ------------------------------------------------------------------------------- */
@@ -119,6 +121,7 @@ void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_
     memset(names, 0, sizeof names);
     memset(file_of_fd, 0, sizeof file_of_fd);
     memset(is_folder, 0, sizeof is_folder);
+    memset(is_index, 0, sizeof is_index);
     tape->count = tape->used = 0;
     tape->files = first_count;
     snprintf(watched, sizeof watched, "%s", folder);
@@ -175,6 +178,7 @@ static int open_file(const char *path, int flags, mode_t mode)
         const int writes = (flags & (O_RDWR | O_WRONLY)) != 0;
         file_of_fd[fd] = name && writes ? note_file(name, !was_there) : 0;
         is_folder[fd] = strcmp(path, watched) == 0;
+        is_index[fd] = strncmp(path, watched, watched_size) == 0 && strstr(path, "-shm") != NULL;
         if (file_of_fd[fd] && was_there && flags & O_TRUNC) {
             add(TAPE_TRUNCATE, file_of_fd[fd]);
         }
@@ -211,7 +215,9 @@ static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
 
 static int is_refused(int fd)
 {
-    const int error = file_of(fd) ? atomic_load(&refusal) : 0;
+    const int mood = atomic_load(&refusal);
+    const int takes_room = running && fd >= 0 && fd < FD_MAX && is_index[fd] && mood == ENOSPC;
+    const int error = file_of(fd) || takes_room ? mood : 0;
     errno = error ? error : errno;
     return error != 0;
 }

@@ -53,7 +53,8 @@ void tape_free(struct tape *tape);
 /* While a tape runs, each sync takes so long: a card. 0 at first. */
 void tape_sync_us(uint32_t us);
 
-/* While a tape runs, each write of the watched folder fails so (ENOSPC, EROFS); 0: none. */
+/* While a tape runs, each write of the watched folder fails so (ENOSPC, EROFS); 0: none. A log's
+ * index lies in memory: only ENOSPC concerns it. */
 void tape_refuse(int error);
 
 /* From now on syncs are not noted: a card that lies, or a store that never asks. */

@@ -457,6 +457,26 @@ static void test_a_file_that_is_away_comes_back_from_its_backup(void **state)
     assert_int_equal(remember(stall)->ledger.last_id, 4);
 }
 
+/* What a card in disorder, or a slip of the hand, has put there. */
+static void test_a_folder_in_the_files_place_is_set_aside(void **state)
+{
+    struct stall *stall = *state;
+    char aside[160], inside[200];
+    struct stat info;
+    fill_and_close(stall);
+    assert_int_equal(unlink(stall->file), 0);
+    assert_int_equal(mkdir(stall->file, 0755), 0);
+    snprintf(inside, sizeof inside, "%s/somebody's", stall->file);
+    write_file(inside, "words", 5);
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "damaged-1: 4 entries from the backup"));
+    assert_int_equal(remember(stall)->ledger.last_id, 4);
+    path_beside(stall, ".damaged-1/somebody's", aside);
+    assert_int_equal(stat(aside, &info), 0);
+    assert_int_equal(info.st_size, 5);
+    work_rounds(stall, 5, 6);
+}
+
 /* A link to itself stands for a card that answers, but not with the file. */
 static void test_a_name_that_cannot_be_looked_at_is_not_taken_for_none(void **state)
 {
@@ -768,6 +788,7 @@ int main(void)
         IN_A_FOLDER(test_without_a_backup_a_fresh_file_begins),
         IN_A_FOLDER(test_a_damaged_backup_is_not_believed),
         IN_A_FOLDER(test_a_file_that_is_away_comes_back_from_its_backup),
+        IN_A_FOLDER(test_a_folder_in_the_files_place_is_set_aside),
         IN_A_FOLDER(test_a_name_that_cannot_be_looked_at_is_not_taken_for_none),
         IN_A_FOLDER(test_a_file_of_no_bytes_is_damage_where_there_is_a_backup),
         IN_A_FOLDER(test_a_file_with_less_than_its_backup_is_damage),

@@ -192,16 +192,30 @@ static void test_a_card_that_does_not_come_back_is_told(void **state)
     assert_true(is_well());
 }
 
+/* A name that leads nowhere yet: nothing that could be opened. */
+static void take_card_away(void)
+{
+    assert_int_equal(symlink("/tmp/kingyo-no-such-card/kingyo.db", file), 0);
+}
+
+/* By another program: nothing of that is on the tape. */
+static void put_away(void)
+{
+    char command[128];
+    snprintf(command, sizeof command, "rm %s", file);
+    assert_int_equal(system(command), 0);
+}
+
 static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
 {
     (void)state;
     static struct memory memory;
-    assert_int_equal(mkdir(file, 0755), 0); /* Nothing that could be opened. */
+    take_card_away();
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
     assert_int_equal(device.ops->remember(device.self, &memory), HAL_ERR_NONE);
     assert_int_equal(keep(1), HAL_ERR_NONE);
     assert_false(is_well());
-    assert_int_equal(rmdir(file), 0);
+    put_away();
     storage_work(&storage);
     assert_true(is_well());
     assert_int_equal(keep(2), HAL_OK);
@@ -215,9 +229,9 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     (void)state;
     static struct memory memory;
     char command[256];
-    assert_int_equal(mkdir(file, 0755), 0);
+    take_card_away();
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
-    assert_int_equal(rmdir(file), 0);
+    put_away();
     snprintf(command, sizeof command, "cp tests/unit/store/version-3.db %s", file);
     assert_int_equal(system(command), 0);
     storage_work(&storage);
@@ -252,6 +266,134 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     assert_int_equal(count_entries(), 9);
     assert_int_equal(saved_id(), 1);
     assert_int_equal(device.ops->wants_restart(device.self), 0); /* Here it would change purses. */
+}
+
+/* ---- A card that is full when the kiosk starts ----------------------------------------------- */
+
+/* As a kill leaves it: five entries, some of them in the log alone, and no index of it. */
+static void leave_five_entries_in_the_log(void)
+{
+    char command[400];
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    for (uint32_t id = 1; id <= 5; id++) {
+        keep(id);
+        storage_work(&storage);
+    }
+    snprintf(command, sizeof command, "cd %s && mkdir left && cp -a " STORAGE_FILE " " STORAGE_FILE
+             "-wal left", dir);
+    assert_int_equal(system(command), 0);
+    device.ops->close(device.self);
+    snprintf(command, sizeof command, "cd %s && rm -f " STORAGE_FILE "* && mv left/* . && "
+             "rmdir left", dir);
+    assert_int_equal(system(command), 0);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+}
+
+static void remembers_and_goes_on(void)
+{
+    static struct memory memory;
+    tape_refuse(ENOSPC);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 5);
+    assert_int_equal(memory.ledger.purse.paid, 5);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "full; free some space"));
+    assert_int_equal(keep(6), HAL_OK); /* It waits. */
+    storage_work(&storage);
+    assert_false(is_well());
+    assert_int_equal(saved_id(), 5);
+    tape_refuse(0);
+    storage.look_due_ms = 0; /* As if a second were over; nothing here tells of the room. */
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(saved_id(), 6);
+    assert_int_equal(count_entries(), 6);
+}
+
+static void test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room(void **state)
+{
+    (void)state;
+    leave_five_entries_in_the_log();
+    remembers_and_goes_on();
+}
+
+static void test_so_is_one_that_was_closed_in_good_order(void **state)
+{
+    (void)state;
+    device.ops->open(device.self);
+    for (uint32_t id = 1; id <= 5; id++) {
+        keep(id);
+    }
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    remembers_and_goes_on();
+}
+
+static void test_others_may_read_a_full_card_meanwhile(void **state)
+{
+    (void)state;
+    leave_five_entries_in_the_log();
+    tape_refuse(ENOSPC);
+    device.ops->open(device.self);
+    tape_refuse(0);
+    assert_int_equal(count_entries(), 5);
+}
+
+/* ---- A card that is of no use, as long as it lasts ------------------------------------------- */
+
+static void put_a_later_kingyos_file(void)
+{
+    char command[256];
+    snprintf(command, sizeof command, "cp tests/unit/store/version-3.db %s", file);
+    assert_int_equal(system(command), 0);
+    sqlite3 *db;
+    assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(db, "PRAGMA user_version = 99", NULL, NULL, NULL), SQLITE_OK);
+    sqlite3_close(db);
+}
+
+/* How often it was looked through. */
+static uint32_t looks(void)
+{
+    return device.ops->refused_count(device.self);
+}
+
+static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **state)
+{
+    (void)state;
+    put_a_later_kingyos_file();
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    storage_work(&storage);
+    assert_int_equal(looks(), 1);
+    for (int64_t wait_ms = STORAGE_LOOK_MS, i = 0; i < 8; i++) {
+        storage_work(&storage);
+        assert_int_equal(looks(), 1 + i); /* Not before its time ... */
+        assert_int_equal(storage.look_wait_ms, wait_ms);
+        storage.look_due_ms -= wait_ms;
+        storage_work(&storage);
+        assert_int_equal(looks(), 2 + i); /* ... and then once. */
+        wait_ms = 2 * wait_ms < STORAGE_LOOK_MS_MAX ? 2 * wait_ms : STORAGE_LOOK_MS_MAX;
+    }
+    assert_int_equal(storage.look_wait_ms, STORAGE_LOOK_MS_MAX);
+}
+
+static void test_a_file_that_changes_is_looked_at_at_once(void **state)
+{
+    (void)state;
+    put_a_later_kingyos_file();
+    device.ops->open(device.self);
+    for (int i = 0; i < 8; i++) {
+        storage.look_due_ms = 0;
+        storage_work(&storage);
+    }
+    assert_int_equal(storage.look_wait_ms, STORAGE_LOOK_MS_MAX);
+    put_away(); /* That card is pulled, and a fresh one put in. */
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(keep(1), HAL_OK);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
 }
 
 /* ---- Replays -------------------------------------------------------------------------------- */
@@ -364,6 +506,11 @@ int main(void)
         TEST(test_a_card_that_comes_late_and_is_fresh_is_used),
         TEST(test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart),
         TEST(test_somebody_elses_card_is_not_written_on),
+        TEST(test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room),
+        TEST(test_so_is_one_that_was_closed_in_good_order),
+        TEST(test_others_may_read_a_full_card_meanwhile),
+        TEST(test_a_file_that_is_of_no_use_is_looked_at_ever_less_often),
+        TEST(test_a_file_that_changes_is_looked_at_at_once),
         TEST(test_a_ranked_rounds_replay_is_kept_and_comes_back),
         TEST(test_a_round_that_is_not_ranked_keeps_no_replay),
         TEST(test_a_replay_is_written_after_its_round_and_never_before),

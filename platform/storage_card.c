@@ -1,0 +1,135 @@
+/* storage_card.c -- a card that went, and the one that is there now.
+ *
+ * A card that is away is asked for each second: that costs nothing. A file that is there and of no
+ * use is looked through from end to end each time, so it is left alone for one second, then two, up
+ * to a minute, unless something about it or its card is seen to change. */
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "core/base/hash.h"
+#include "platform/storage_parts.h"
+
+void storage_note_result(struct storage *storage, int code)
+{
+    atomic_store(&storage->error, code);
+    if (code != SQLITE_OK) {
+        atomic_fetch_add(&storage->refused, 1);
+    }
+}
+
+bool storage_needs_reopening(int code)
+{
+    return code == SQLITE_IOERR || code == SQLITE_CANTOPEN || code == SQLITE_READONLY ||
+           code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
+}
+
+/* ---- Whether it is worth a look ------------------------------------------------------------- */
+
+/* Another file, a write to it, its rights, a card that may be written, room: any of them changes
+ * this. Of a file system of the caller's own nothing is seen. */
+static uint64_t sight_of(const struct storage *storage)
+{
+    struct stat file = { 0 };
+    struct statvfs card = { 0 };
+    if (storage->how.vfs) {
+        return 0;
+    }
+    stat(storage->path, &file);
+    statvfs(storage->dir, &card);
+    const uint64_t words[] = {
+        (uint64_t)file.st_dev,         (uint64_t)file.st_ino,
+        (uint64_t)file.st_size,        (uint64_t)file.st_ctim.tv_sec,
+        (uint64_t)file.st_ctim.tv_nsec, (uint64_t)card.f_bavail,
+        (uint64_t)card.f_flag,         (uint64_t)access(storage->path, W_OK),
+        (uint64_t)access(storage->dir, W_OK),
+    };
+    uint64_t hash = HASH_START;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u64(hash, words[i]);
+    }
+    return hash;
+}
+
+static bool is_worth_a_look(const struct storage *storage)
+{
+    return storage_now_ms() >= storage->look_due_ms || sight_of(storage) != storage->sight;
+}
+
+/* Whether whoever says this has read the whole file to find out. */
+static bool was_dear(int code)
+{
+    return code == LEDGER_FILE_ANOTHERS || code == LEDGER_FILE_NEWER || code == SQLITE_READONLY ||
+           code == SQLITE_FULL || code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
+}
+
+static void note_look(struct storage *storage, int code)
+{
+    const uint64_t sight = sight_of(storage);
+    const int64_t longer_ms = 2 * storage->look_wait_ms;
+    if (!was_dear(code)) {
+        storage->look_wait_ms = 0;
+    } else if (storage->look_wait_ms == 0 || sight != storage->sight) {
+        storage->look_wait_ms = STORAGE_LOOK_MS;
+    } else {
+        storage->look_wait_ms = longer_ms < STORAGE_LOOK_MS_MAX ? longer_ms : STORAGE_LOOK_MS_MAX;
+    }
+    storage->sight = sight;
+    storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
+}
+
+/* ---- Whose it is ---------------------------------------------------------------------------- */
+
+/* Whether the list in the file is not the one that was left there: somebody else's card, or the
+ * kiosk began without this one. A fresh card has fewer entries, and so has a backup; and one more
+ * batch may have come through than the kiosk was told. */
+static bool is_anothers(struct storage *storage)
+{
+    const unsigned pushed = atomic_load(&storage->pushed);
+    const uint32_t saved_id = atomic_load(&storage->saved_id);
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    const uint32_t newest_id = storage_unwritten(storage) > 0
+                                   ? storage->queue[(pushed - 1u) % STORAGE_QUEUE_MAX].id
+                                   : saved_id;
+    struct ledger_entry entry;
+    if (last_id < saved_id || last_id == 0) {
+        return false;
+    }
+    return last_id > newest_id ||
+           (saved_id > 0 && (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
+                             entry.boot != storage->saved_boot ||
+                             entry.tick != storage->saved_tick));
+}
+
+static int look(struct storage *storage)
+{
+    int code = storage_open_file(storage);
+    if (code == SQLITE_OK && is_anothers(storage)) {
+        storage_close_file(storage);
+        return LEDGER_FILE_ANOTHERS;
+    }
+    if (code == SQLITE_OK) {
+        atomic_store(&storage->has_file, true);
+        code = storage->file.refusal;
+    }
+    storage_let_others_read(storage);
+    return code;
+}
+
+bool storage_has_card(struct storage *storage)
+{
+    if (storage->file.db && !storage->file.refusal) {
+        return true;
+    }
+    if (!storage->path[0] || !is_worth_a_look(storage)) {
+        return false;
+    }
+    storage_close_file(storage);
+    const int code = look(storage);
+    note_look(storage, code);
+    storage_note_result(storage, code);
+    return code == SQLITE_OK;
+}

@@ -1,0 +1,76 @@
+/* storage_say.c -- the store in a line of words, for the menu, the status and the log. */
+#include <stdio.h>
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "platform/storage_parts.h"
+
+void storage_say(struct storage *storage, const char *what, const char *why, const char *advice)
+{
+    snprintf(storage->text, sizeof storage->text, "%.68s: %.44s; %.40s", what, why, advice);
+}
+
+void storage_say_no_file(struct storage *storage, const char *why)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "no store: %.56s", storage->path);
+    storage_say(storage, what, why, "nothing is kept");
+}
+
+void storage_say_refused(struct storage *storage, int error, const char *advice)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "store: %u entries not written", storage_unwritten(storage));
+    storage_say(storage, what, ledger_file_error(error), advice);
+}
+
+static const char *advice_for(int error)
+{
+    switch (error) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+        return "another program holds it; it is retried";
+    case SQLITE_FULL:
+        return "free some space; it is retried";
+    case SQLITE_READONLY:
+        return "the card is read-only; it is retried";
+    case LEDGER_FILE_ANOTHERS:
+        return "restart to use this one";
+    default:
+        return "it is retried each second";
+    }
+}
+
+const char *storage_describe(void *self)
+{
+    struct storage *storage = self;
+    const int error = atomic_load(&storage->error);
+    const int edit_error = atomic_load(&storage->edit_error);
+    const unsigned aside = atomic_load(&storage->aside);
+    if (!atomic_load(&storage->has_file)) {
+        if (error == LEDGER_FILE_ANOTHERS) {
+            storage_say(storage, "no store", "the card is there now, and not empty",
+                "a restart, once nobody plays");
+        }
+        return storage->text[0] ? storage->text : "no store: not opened";
+    }
+    if (storage_stuck_ms(storage) > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 "store: the card has not answered for %u s; %u entries wait",
+                 (unsigned)(storage_stuck_ms(storage) / 1000), storage_unwritten(storage));
+    } else if (error != SQLITE_OK) {
+        storage_say_refused(storage, error, advice_for(error));
+    } else if (edit_error != 0) {
+        storage_say(storage, "store: a graph was not written", strerror(edit_error),
+                    "it is retried");
+    } else if (aside > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 STORAGE_FILE " was damaged and is now " STORAGE_FILE STORAGE_ASIDE_SUFFIX
+                              "%u: %u entries from the backup, %u from itself, %u lost",
+                 aside, storage->from_backup, storage->salvaged.entries, storage->salvaged.lost);
+    } else {
+        snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
+    }
+    return storage->text;
+}
