@@ -1,9 +1,10 @@
 /* font.h -- a font as the bake leaves it: a table of glyphs over one shared distance field.
  *
  * The atlas (asset_font, R8) holds each glyph's signed distance to its outline: ASSET_FONT_EDGE is
- * on the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. Lengths are
- * in ems, +y down from the baseline, so a size in pixels is the only thing a caller multiplies
- * by. */
+ * on the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. It is
+ * ASSET_FONT_PAGES pages of ASSET_FONT_ROWS rows, one below the other; no glyph lies on two.
+ * Lengths are in ems, +y down from the baseline, so a size in pixels is the only thing a caller
+ * multiplies by. */
 #ifndef KINGYO_ASSETS_FONT_H
 #define KINGYO_ASSETS_FONT_H
 

@@ -90,7 +90,7 @@ void bake_header(const char *path)
         { "ENVIRONMENT_SIZE", ENVIRONMENT_SIZE, "RGB8; uv = .5 + .5 dir.xz / (1 + dir.y)." },
         { "WOOD_SIZE", WOOD_SIZE, "R8; tiles; grain runs along x." },
         { "PAPER_SIZE", PAPER_SIZE, "R8; tiles; 128 is plain paper." },
-        { "FONT_WIDTH", FONT_ATLAS_WIDTH, "R8; ASSET_FONT_HEIGHT is in fonts.h." },
+        { "FONT_WIDTH", FONT_ATLAS_WIDTH, "R8; ASSET_FONT_ROWS and _PAGES are in fonts.h." },
         { "FONT_EDGE", FONT_EDGE, "Value on an outline." },
         { "FONT_STEP", FONT_STEP, "Value per atlas pixel of distance." },
     };

@@ -19,7 +19,9 @@
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u
-#define FONT_ATLAS_WIDTH 2048u
+#define FONT_ATLAS_WIDTH 2048u    /* As wide as OpenGL ES 3.0 promises a texture, ... */
+#define FONT_PAGE_ROWS_MAX 2048u  /* ... and as high; */
+#define FONT_PAGES_MAX 2u         /* 8 MiB of texture are enough for words. */
 #define FONT_EDGE 160u            /* Distance value on the outline: most of the range is outside. */
 #define FONT_STEP 16u             /* Value per atlas pixel: reaches 10 px out and 6 px in. */
 #define FONT_MAX 8u

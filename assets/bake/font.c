@@ -1,8 +1,8 @@
-/* font.c -- packs the glyphs that the stall's words need into one signed distance field.
+/* font.c -- draws the glyphs that the stall's words need, each as a signed distance field.
  *
  * assets/text/fonts.txt says which font draws which keys. A font gets its base set and every
  * character of those keys in every language, so a new word brings its own glyphs. */
-#include "assets/bake/bake.h"
+#include "assets/bake/atlas.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -12,14 +12,6 @@
 #define GLYPHS_MAX 2048u
 #define FONT_PADDING 10 /* Atlas pixels around a glyph: as far as FONT_EDGE / FONT_STEP reaches. */
 #define KEY_PATTERNS_MAX 192u
-
-struct glyph {
-    uint32_t code;
-    int index;      /* In the font file. */
-    uint8_t *field; /* width x height distances. */
-    int width, height, left_px, top_px;
-    uint32_t x, y;  /* In the atlas. */
-};
 
 struct face {
     char name[32], path[512], base[16];
@@ -182,62 +174,36 @@ static int by_code(const void *a, const void *b)
     return left->code < right->code ? -1 : left->code > right->code;
 }
 
-static void draw_face(struct face *face)
+/* Orders the glyphs and finds the size of each, as draw_face() will draw it: what has too many is
+ * refused before the slow part. */
+static void measure_face(struct face *face)
 {
     qsort(face->glyphs, face->glyph_count, sizeof *face->glyphs, by_code);
     for (uint32_t i = 0; i < face->glyph_count; i++) {
         struct glyph *glyph = &face->glyphs[i];
+        int left, top, right, bottom;
+        stbtt_GetGlyphBitmapBox(&face->info, glyph->index, face->scale, face->scale, &left, &top,
+                                &right, &bottom);
+        if (left < right && top < bottom) {
+            glyph->width = right - left + 2 * FONT_PADDING;
+            glyph->height = bottom - top + 2 * FONT_PADDING;
+        }
+    }
+}
+
+static void draw_face(struct face *face)
+{
+    for (uint32_t i = 0; i < face->glyph_count; i++) {
+        struct glyph *glyph = &face->glyphs[i];
+        int width = 0, height = 0;
         glyph->field = stbtt_GetGlyphSDF(&face->info, face->scale, glyph->index, FONT_PADDING,
-                                         FONT_EDGE, (float)FONT_STEP, &glyph->width, &glyph->height,
+                                         FONT_EDGE, (float)FONT_STEP, &width, &height,
                                          &glyph->left_px, &glyph->top_px);
-        if (glyph->field == NULL) {
-            glyph->width = glyph->height = 0;
+        if (width != glyph->width || height != glyph->height) {
+            bake_fail("font %s: U+%04X was measured %dx%d and drawn %dx%d", face->name,
+                      (unsigned)glyph->code, glyph->width, glyph->height, width, height);
         }
     }
-}
-
-static int by_height(const void *a, const void *b)
-{
-    const struct glyph *left = *(struct glyph *const *)a, *right = *(struct glyph *const *)b;
-    if (left->height != right->height) {
-        return right->height - left->height;
-    }
-    return left->code < right->code ? -1 : left->code > right->code;
-}
-
-/* Rows of falling height, filled left to right. Returns the atlas height, a multiple of 4. */
-static uint32_t pack(struct glyph **glyphs, uint32_t count)
-{
-    qsort(glyphs, count, sizeof *glyphs, by_height);
-    uint32_t x = 0, y = 0, row_height = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t width = (uint32_t)glyphs[i]->width, height = (uint32_t)glyphs[i]->height;
-        if (x + width > FONT_ATLAS_WIDTH) {
-            x = 0;
-            y += row_height;
-            row_height = 0;
-        }
-        glyphs[i]->x = x;
-        glyphs[i]->y = y;
-        x += width;
-        row_height = height > row_height ? height : row_height;
-    }
-    return (y + row_height + 3u) & ~3u;
-}
-
-static void write_atlas(struct glyph **glyphs, uint32_t count, uint32_t atlas_height,
-                        const char *path)
-{
-    uint8_t *atlas = bake_alloc((size_t)FONT_ATLAS_WIDTH * atlas_height);
-    for (uint32_t i = 0; i < count; i++) {
-        const struct glyph *glyph = glyphs[i];
-        for (int row = 0; row < glyph->height; row++) {
-            memcpy(atlas + (size_t)(glyph->y + (uint32_t)row) * FONT_ATLAS_WIDTH + glyph->x,
-                   glyph->field + row * glyph->width, (size_t)glyph->width);
-        }
-    }
-    bake_write(path, atlas, (size_t)FONT_ATLAS_WIDTH * atlas_height);
-    free(atlas);
 }
 
 static void write_glyph(FILE *file, const struct face *face, const struct glyph *glyph)
@@ -286,7 +252,7 @@ static void write_tables(struct face *faces, uint32_t count, const char *path)
     bake_close(file, path);
 }
 
-static void write_ids(const struct face *faces, uint32_t count, uint32_t atlas_height,
+static void write_ids(const struct face *faces, uint32_t count, const struct atlas *atlas,
                       const char *path)
 {
     FILE *file = bake_open(path);
@@ -302,9 +268,11 @@ static void write_ids(const struct face *faces, uint32_t count, uint32_t atlas_h
         fputs(",\n", file);
     }
     fprintf(file,
-            "    FONT_COUNT,\n};\n\n#define ASSET_FONT_HEIGHT %uu\n"
+            "    FONT_COUNT,\n};\n\n"
+            "#define ASSET_FONT_ROWS %uu /* Of a page; */\n"
+            "#define ASSET_FONT_PAGES %uu /* one lies below the other. */\n"
             "extern const struct font asset_fonts[FONT_COUNT];\n\n#endif\n",
-            atlas_height);
+            atlas->page_rows, atlas->page_count);
     bake_close(file, path);
 }
 
@@ -323,13 +291,16 @@ void font_bake(const struct text_file files[TEXT_LANGUAGES], const char *directo
         for (uint32_t k = 0; k < TEXT_LANGUAGES; k++) {
             add_words(&faces[i], &files[k]);
         }
-        draw_face(&faces[i]);
+        measure_face(&faces[i]);
         for (uint32_t k = 0; k < faces[i].glyph_count; k++) {
             all[glyph_count++] = &faces[i].glyphs[k];
         }
     }
-    const uint32_t atlas_height = pack(all, glyph_count);
-    write_atlas(all, glyph_count, atlas_height, output->atlas_path);
+    const struct atlas atlas = atlas_pack(all, glyph_count, path);
+    for (uint32_t i = 0; i < count; i++) {
+        draw_face(&faces[i]);
+    }
+    atlas_write(&atlas, all, glyph_count, output->atlas_path);
     write_tables(faces, count, output->table_path);
-    write_ids(faces, count, atlas_height, output->header_path);
+    write_ids(faces, count, &atlas, output->header_path);
 }

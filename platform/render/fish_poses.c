@@ -49,6 +49,9 @@ void pose_defines(char *out, size_t size, const struct species *species, bool fi
              species->card.key_count, species->card.curve_count, near > far ? near : far);
 }
 
+_Static_assert(SCENE_FISH_MAX <= GL_TEXTURE_SURE && POSE_TEXELS_MAX <= GL_TEXTURE_SURE,
+               "a row for each fish, on every driver");
+
 void fish_poses_open(struct gl_status *status, struct fish_poses *poses,
                      const struct species *species, uint32_t lod)
 {

@@ -153,17 +153,31 @@ static void set_sampling(GLenum kind, const struct gl_texture_desc *desc)
     glTexParameteri(kind, GL_TEXTURE_WRAP_T, edge);
 }
 
-GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
+static bool fits(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
 {
-    const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    GLint side_max = 0, layers_max = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers_max);
+    if (desc->width > (uint32_t)side_max || desc->height > (uint32_t)side_max) {
+        gl_fail(status, "texture %s is %ux%u, and this OpenGL driver takes %dx%d", name,
+                desc->width, desc->height, side_max, side_max);
+        return false;
+    }
+    if (desc->layers > (uint32_t)layers_max) {
+        gl_fail(status, "texture %s has %u layers, and this OpenGL driver takes %d", name,
+                desc->layers, layers_max);
+        return false;
+    }
+    return true;
+}
+
+/* Of the texture that is bound. */
+static void allocate(GLenum kind, const struct gl_texture_desc *desc)
+{
     const GLsizei width = (GLsizei)desc->width;
     const GLsizei height = (GLsizei)desc->height;
     const GLsizei layers = (GLsizei)desc->layers;
     const GLsizei levels = desc->mipmaps ? (GLsizei)mipmap_levels(desc->width, desc->height) : 1;
-    GLuint texture = 0;
-    glGenTextures(1, &texture);
-    gl_bind_texture(0, kind, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (layers) {
         glTexStorage3D(kind, levels, desc->internal_format, width, height, layers);
     } else {
@@ -175,6 +189,19 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
     } else if (desc->pixels) {
         glTexSubImage2D(kind, 0, 0, 0, width, height, desc->format, GL_UNSIGNED_BYTE, desc->pixels);
     }
+}
+
+GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
+{
+    const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    GLuint texture = 0;
+    if (!fits(status, name, desc)) {
+        return 0;
+    }
+    glGenTextures(1, &texture);
+    gl_bind_texture(0, kind, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    allocate(kind, desc);
     if (desc->mipmaps) {
         glGenerateMipmap(kind);
     }

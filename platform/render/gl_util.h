@@ -14,6 +14,8 @@
 
 #define GL_RING 3u     /* Textures in turn, where each frame brings new texels. */
 #define GL_UNIT_MAX 5u /* Texture units that any one program reads. */
+#define GL_TEXTURE_SURE 2048u /* Texels a side, ... */
+#define GL_LAYERS_SURE 256u   /* ... and layers of an array: what OpenGL ES 3.0 promises. */
 
 /* The first failure, in one line that says what and where; empty while all is well. */
 struct gl_status {
@@ -53,6 +55,7 @@ struct gl_texture_desc {
     GLenum wrap; /* 0: GL_CLAMP_TO_EDGE. */
 };
 
+/* One that is larger than this driver takes is refused with both sizes. */
 GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc);
 
 /* A buffer of `size` bytes; `data` may be null for one that is filled every frame. */

@@ -50,6 +50,19 @@ static float scale_for(const struct machine *machine, uint32_t width, uint32_t h
     return f_clamp(f_sqrt(share), SCALE_MIN, 1.0f);
 }
 
+/* A screen may be larger than any texture of its driver: the scene is then drawn as large as fits,
+ * and the screen straight, without samples. */
+static void fit_textures(struct quality *quality, const struct quality_wish *wish)
+{
+    const uint32_t side = wish->width > wish->height ? wish->width : wish->height;
+    const float scale_max = (float)wish->side_max / (float)side;
+    quality->scene_scale = f_min(quality->scene_scale, scale_max);
+    quality->floor_scale = f_min(quality->floor_scale, scale_max);
+    if (side > wish->side_max) {
+        quality->samples = 1;
+    }
+}
+
 struct quality quality_choose(const struct quality_wish *wish)
 {
     const struct machine *const machine = machine_of(wish->renderer);
@@ -69,6 +82,7 @@ struct quality quality_choose(const struct quality_wish *wish)
     if (quality.samples > wish->samples_max) {
         quality.samples = wish->samples_max ? wish->samples_max : 1u;
     }
+    fit_textures(&quality, wish);
     return quality;
 }
 

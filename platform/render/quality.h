@@ -19,6 +19,7 @@ struct quality_wish {
     float scene_scale;      /* 0: automatic; else taken, clamped to [0.25, 2]. */
     uint32_t samples;       /* 0: automatic; else taken, up to ... */
     uint32_t samples_max;   /* ... what the context offers. */
+    uint32_t side_max;      /* Pixels a side of what it draws on, beside the screen; > 0. */
 };
 
 struct quality quality_choose(const struct quality_wish *wish);

@@ -47,6 +47,7 @@ static void open_targets(struct renderer *renderer)
         .scene_scale = renderer->config.scene_scale,
         .samples = renderer->config.samples,
         .samples_max = renderer->samples_max,
+        .side_max = renderer->side_max,
     });
     renderer->quality = quality_lower(&best, renderer->step);
     const struct quality *const quality = &renderer->quality;
@@ -101,12 +102,14 @@ static void open_passes(struct renderer *renderer)
 
 int renderer_open(struct renderer *renderer, const struct renderer_config *config)
 {
-    GLint samples_max = 1;
+    GLint samples_max = 1, side_max = GL_TEXTURE_SURE;
     memset(renderer, 0, sizeof *renderer);
     renderer->config = *config;
     renderer_place(renderer, &(struct showing){ .light = 1.0f });
     glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
     renderer->samples_max = (uint32_t)samples_max;
+    renderer->side_max = (uint32_t)side_max;
     name_context(renderer);
     open_passes(renderer);
     open_targets(renderer);

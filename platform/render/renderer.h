@@ -50,7 +50,7 @@ struct renderer {
     struct placing placing;        /* Of the picture, on a screen of that size. */
     struct quality quality;
     uint32_t step;                 /* Of quality_lower(). */
-    uint32_t samples_max;
+    uint32_t samples_max, side_max; /* Of this context. */
     char gl_name[HAL_TEXT_SIZE / 2];
     struct frame frame;
     struct textures textures;

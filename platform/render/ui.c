@@ -15,20 +15,17 @@ _Static_assert(UI_QUADS_MAX * 4u <= 65536u, "indices are 16 bits wide");
 
 static GLuint make_program(struct gl_status *status, GLuint vertex, const char *body)
 {
-    char numbers[128];
+    char numbers[160];
     snprintf(numbers, sizeof numbers,
-             "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n", ASSET_FONT_EDGE,
-             ASSET_FONT_STEP);
+             "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n"
+             "#define FONT_SIZE vec2(%u.0, %u.0)\n",
+             ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH, ASSET_FONT_ROWS);
     const char *const parts[3] = { numbers, ui_fragment_head, body };
     const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 3);
     const GLuint program = gl_link(status, "words", vertex, fragment);
     glDeleteShader(fragment); /* Name 0 is ignored; the program keeps what it uses. */
     if (program != 0) {
-        glUseProgram(program);
-        glUniform1i(glGetUniformLocation(program, "font"), 0);
-        glUniform1i(glGetUniformLocation(program, "paper"), 1);
-        glUniform2f(glGetUniformLocation(program, "font_texel"), 1.0f / (float)ASSET_FONT_WIDTH,
-                    1.0f / (float)ASSET_FONT_HEIGHT);
+        gl_program_bind(program, "font paper");
     }
     return program;
 }
@@ -46,20 +43,22 @@ static void make_programs(struct ui *ui, struct gl_status *status)
     glDeleteShader(vertex);
 }
 
-static GLuint make_texture(const uint8_t *texels, uint32_t width, uint32_t height, GLint wrap)
+static void make_textures(struct ui *ui, struct gl_status *status)
 {
-    GLuint texture = 0;
-    glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexStorage2D(GL_TEXTURE_2D, 1, GL_R8, (GLsizei)width, (GLsizei)height);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, (GLsizei)width, (GLsizei)height, GL_RED,
-                    GL_UNSIGNED_BYTE, texels);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
-    return texture;
+    ui->font_texture = gl_texture(status, "font",
+                                  &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                             .format = GL_RED,
+                                                             .width = ASSET_FONT_WIDTH,
+                                                             .height = ASSET_FONT_ROWS,
+                                                             .layers = ASSET_FONT_PAGES,
+                                                             .pixels = asset_font });
+    ui->paper_texture = gl_texture(status, "paper",
+                                   &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                              .format = GL_RED,
+                                                              .width = ASSET_PAPER_SIZE,
+                                                              .height = ASSET_PAPER_SIZE,
+                                                              .pixels = asset_paper,
+                                                              .wrap = GL_REPEAT });
 }
 
 static void add_attribute(GLuint location, GLint count, GLenum type, size_t offset)
@@ -99,15 +98,12 @@ int ui_init(struct ui *ui, char *why, size_t why_size)
     *ui = (struct ui){ 0 };
     struct gl_status status = { 0 };
     make_programs(ui, &status);
+    make_textures(ui, &status);
     if (!gl_is_well(&status)) {
         snprintf(why, why_size, "%s", status.text);
         ui_close(ui);
         return 0;
     }
-    glActiveTexture(GL_TEXTURE0);
-    ui->font_texture =
-        make_texture(asset_font, ASSET_FONT_WIDTH, ASSET_FONT_HEIGHT, GL_CLAMP_TO_EDGE);
-    ui->paper_texture = make_texture(asset_paper, ASSET_PAPER_SIZE, ASSET_PAPER_SIZE, GL_REPEAT);
     make_buffers(ui);
     return 1;
 }
@@ -121,10 +117,8 @@ static void set_state(const struct ui *ui, const struct placing *placing)
     glDisable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, ui->paper_texture);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, ui->font_texture);
+    gl_bind_texture(1, GL_TEXTURE_2D, ui->paper_texture);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, ui->font_texture);
     glBindVertexArray(ui->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
 }

@@ -28,8 +28,8 @@ const char *const ui_vertex_source =
 
 const char *const ui_fragment_head =
     "precision highp float;\n"
-    "uniform sampler2D font, paper;\n"
-    "uniform vec2 font_texel;\n"
+    "uniform lowp sampler2DArray font;\n"
+    "uniform sampler2D paper;\n"
     "in highp vec2 at;\n"
     "flat in highp vec4 s;\n"
     "flat in mediump vec4 inner, outer;\n"
@@ -50,7 +50,9 @@ const char *const ui_fragment_head =
 
 #define GLYPH                                                                                      \
     "void main() {\n"                                                                              \
-    "    float d = (texture(font, at * font_texel).r * 255.0 - FONT_EDGE) / FONT_STEP + s.x;\n"    \
+    "    float page = floor(at.y / FONT_SIZE.y);\n"                                                \
+    "    vec3 place = vec3(at / FONT_SIZE - vec2(0.0, page), page);\n"                             \
+    "    float d = (texture(font, place).r * 255.0 - FONT_EDGE) / FONT_STEP + s.x;\n"              \
     "    if (outer.a == 0.0) {\n"                                                                  \
     "        colour = paint(inner, cover(-d * s.w));\n"                                            \
     "        return;\n"                                                                            \

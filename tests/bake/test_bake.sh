@@ -64,6 +64,11 @@ fresh
 sed -i "s|/usr[^ ]*ReggaeOne[^ ]*|$work/text/en.txt|" "$work/text/fonts.txt"
 refuses 'font stall: .*en.txt is not a TrueType font' 'a file that is no font is named'
 
+fresh
+sed -i -E 's/^brush 128/brush 256/' "$work/text/fonts.txt"
+refuses 'fonts.txt: [0-9]+ glyphs fill 3 pages of 2048x2048 texels, and FONT_PAGES_MAX is 2' \
+    'more glyphs than fit a texture that every driver takes are refused'
+
 for asset in caustics patterns environment wood paper; do
     "$bake" $asset "$work/$asset" >/dev/null && cmp -s "$work/$asset" "$BUILD/generated/$asset.bin"
     ok $? "$asset comes out the same, byte for byte"

@@ -11,7 +11,11 @@
 static struct quality_wish wish(const char *renderer, uint32_t width, uint32_t height)
 {
     return (struct quality_wish){
-        .renderer = renderer, .width = width, .height = height, .samples_max = 8
+        .renderer = renderer,
+        .width = width,
+        .height = height,
+        .samples_max = 8,
+        .side_max = 16384,
     };
 }
 
@@ -38,6 +42,20 @@ static void test_a_desktop_gpu_draws_every_pixel_four_times(void **state)
     assert_float_equal(quality.scene_scale, 1.0f, 1e-6f);
     assert_float_equal(quality.floor_scale, 1.0f, 1e-6f);
     assert_int_equal(quality.samples, 4);
+}
+
+static void test_a_screen_larger_than_any_texture_is_drawn_as_large_as_fits(void **state)
+{
+    (void)state;
+    struct quality_wish upright = wish("some GPU of OpenGL ES 3.0", 2160, 3840);
+    upright.side_max = 2048;
+    upright.scene_scale = 2.0f;
+    const struct quality quality = quality_choose(&upright);
+    assert_float_equal(3840.0f * quality.scene_scale, 2048.0f, 1e-3f);
+    assert_float_equal(3840.0f * quality.floor_scale, 2048.0f, 1e-3f);
+    assert_int_equal(quality.samples, 1);
+    upright.side_max = 3840;
+    assert_int_equal(quality_choose(&upright).samples, 4);
 }
 
 static void test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser(void **state)
@@ -108,6 +126,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_cpu_keeps_every_pixel_up_to_720p_and_no_more_pixels_beyond),
         cmocka_unit_test(test_a_desktop_gpu_draws_every_pixel_four_times),
+        cmocka_unit_test(test_a_screen_larger_than_any_texture_is_drawn_as_large_as_fits),
         cmocka_unit_test(test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser),
         cmocka_unit_test(test_every_software_renderer_is_known_as_one),
         cmocka_unit_test(test_each_step_is_cheaper_than_the_one_before),

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "assets.h"
+#include "platform/render/gl_util.h"
 #include "platform/render/text.h"
 
 static uint32_t first(const char *bytes)
@@ -92,7 +93,15 @@ static void test_the_title_can_be_brushed(void **state)
     }
 }
 
-static void test_glyphs_are_in_order_and_inside_the_atlas(void **state)
+static void test_no_page_of_glyphs_is_larger_than_every_driver_takes(void **state)
+{
+    (void)state;
+    assert_in_range(ASSET_FONT_WIDTH, 1, GL_TEXTURE_SURE);
+    assert_in_range(ASSET_FONT_ROWS, 1, GL_TEXTURE_SURE);
+    assert_in_range(ASSET_FONT_PAGES, 1, GL_LAYERS_SURE);
+}
+
+static void test_glyphs_are_in_order_and_each_on_one_page(void **state)
 {
     (void)state;
     for (uint32_t font = 0; font < FONT_COUNT; font++) {
@@ -101,7 +110,8 @@ static void test_glyphs_are_in_order_and_inside_the_atlas(void **state)
             const struct font_glyph *glyph = &face->glyphs[i];
             assert_true(i == 0 || face->glyphs[i - 1].code < glyph->code);
             assert_true(glyph->x + glyph->width <= ASSET_FONT_WIDTH);
-            assert_true(glyph->y + glyph->height <= ASSET_FONT_HEIGHT);
+            assert_true(glyph->y % ASSET_FONT_ROWS + glyph->height <= ASSET_FONT_ROWS);
+            assert_true(glyph->y / ASSET_FONT_ROWS < ASSET_FONT_PAGES);
             assert_ptr_equal(text_glyph((enum font_id)font, glyph->code), glyph);
         }
     }
@@ -170,7 +180,8 @@ int main(void)
         cmocka_unit_test(test_every_byte_string_comes_to_its_end),
         cmocka_unit_test(test_every_word_has_its_glyphs_in_the_font_for_small_text),
         cmocka_unit_test(test_the_title_can_be_brushed),
-        cmocka_unit_test(test_glyphs_are_in_order_and_inside_the_atlas),
+        cmocka_unit_test(test_no_page_of_glyphs_is_larger_than_every_driver_takes),
+        cmocka_unit_test(test_glyphs_are_in_order_and_each_on_one_page),
         cmocka_unit_test(test_a_missing_character_is_shown_as_a_question_mark),
         cmocka_unit_test(test_spacing_stands_between_letters_only),
         cmocka_unit_test(test_a_number_takes_the_place_of_the_braces),
