@@ -33,6 +33,7 @@
 #include "core/core.h"
 #include "core/input.h"
 #include "platform/replay_book.h"
+#include "platform/replay_hands.h"
 #include "platform/replay_start.h"
 
 #define REPLAY_VERSION 6u /* 1 knew no shadows, 2 no modes, 3 no growth lab, 4 neither credits nor
@@ -50,11 +51,10 @@
 #define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 2u * 4u)
 
 /* One tick at most: mask, buttons, edges, coins of each line, the machine, a mask of the desk and
- * the desk, a mask of hands, each poi with a mask, a link, six floats and an age, each shade with a
- * mask, its presence and three floats, and the digest. */
+ * the desk, hands and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
-    (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES + 1u +       \
-     POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u) + 4u)
+    (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES +            \
+     REPLAY_HANDS_BYTES + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
 /* The largest chunk, or the header with the largest start and book; with an end mark behind. */
@@ -78,11 +78,6 @@ struct replay_totals {
 };
 
 /* ---- Codec (replay_codec.c), pure ---- */
-
-uint32_t replay_get_u32(const uint8_t *bytes);
-uint64_t replay_get_u64(const uint8_t *bytes);
-void replay_put_u32(uint8_t *bytes, uint32_t value);
-void replay_put_u64(uint8_t *bytes, uint64_t value);
 
 /* Writes `input` as what changed since `before`, at most REPLAY_TICK_SIZE_MAX - 4 bytes; returns
  * how many. */

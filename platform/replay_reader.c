@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/hash.h"
+#include "platform/replay_bytes.h"
 #include "platform/replay_format.h"
 
 #define TICK_SIZE_MIN 1u /* A mask that says 'as before'. */

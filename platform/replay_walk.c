@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "platform/replay.h"
+#include "platform/replay_bytes.h"
 
 void walk_bytes(struct replay_walk *walk, void *bytes, size_t count)
 {

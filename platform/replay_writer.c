@@ -9,6 +9,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
+#include "platform/replay_bytes.h"
 #include "platform/replay_format.h"
 
 static int write_file(int fd, const uint8_t *bytes, size_t size, uint64_t offset)

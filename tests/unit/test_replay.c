@@ -20,6 +20,7 @@
 #include "platform/kiosk/recorder.h"
 #include "platform/kiosk/replayer.h"
 #include "platform/replay.h"
+#include "platform/replay_bytes.h"
 #include "platform/replay_format.h"
 
 #define FILE_MAX (1u << 20)
