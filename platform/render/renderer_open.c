@@ -1,0 +1,216 @@
+/* renderer_open.c -- a renderer from its opening to its end: targets, passes, and what the context
+ * says of itself. */
+#include "platform/render/renderer.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#ifndef GL_CONTEXT_LOST_KHR
+#define GL_CONTEXT_LOST_KHR 0x0507 /* GL_KHR_robustness; drivers without it never say so. */
+#endif
+
+static const char *gl_string(GLenum name)
+{
+    const char *const text = (const char *)glGetString(name);
+    return text ? text : "unknown";
+}
+
+/* "OpenGL ES 3.2 Mesa 22.3.6" and "llvmpipe (LLVM 15.0.6, 256 bits)" become one short name. */
+static void name_context(struct renderer *renderer)
+{
+    const char *const version = gl_string(GL_VERSION);
+    const char *const device = gl_string(GL_RENDERER);
+    const size_t prefix = strlen("OpenGL ES ");
+    const int version_length =
+        (int)(strlen(version) > prefix ? prefix + strcspn(version + prefix, " ") : strlen(version));
+    snprintf(renderer->gl_name, sizeof renderer->gl_name, "%.*s %.*s", version_length, version,
+             (int)strcspn(device, "("), device);
+    const size_t length = strlen(renderer->gl_name);
+    if (length && renderer->gl_name[length - 1] == ' ') {
+        renderer->gl_name[length - 1] = '\0';
+    }
+}
+
+static uint32_t scaled(uint32_t size, float scale)
+{
+    const float pixels = (float)size * scale + 0.5f;
+    return pixels < 1.0f ? 1u : (uint32_t)pixels;
+}
+
+static void open_targets(struct renderer *renderer)
+{
+    const uint32_t width = renderer->config.width;
+    const uint32_t height = renderer->config.height;
+    const struct quality best = quality_choose(&(struct quality_wish){
+        .renderer = gl_string(GL_RENDERER),
+        .width = width,
+        .height = height,
+        .scene_scale = renderer->config.scene_scale,
+        .samples = renderer->config.samples,
+        .samples_max = renderer->samples_max,
+        .side_max = renderer->side_max,
+    });
+    renderer->quality = quality_lower(&best, renderer->step);
+    const struct quality *const quality = &renderer->quality;
+    gl_target_open(&renderer->status, "ground", &renderer->ground,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = scaled(width, quality->floor_scale),
+                                             .height = scaled(height, quality->floor_scale) });
+    gl_target_open(&renderer->status, "life", &renderer->life,
+                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                             .width = scaled(width, quality->scene_scale),
+                                             .height = scaled(height, quality->scene_scale),
+                                             .samples = quality->samples,
+                                             .depth = true });
+    if (quality->samples > 1) {
+        gl_target_open(&renderer->status, "screen", &renderer->screen,
+                       &(struct gl_target_desc){ .internal_format = GL_RGBA8,
+                                                 .width = width,
+                                                 .height = height,
+                                                 .samples = quality->samples,
+                                                 .depth = true });
+    }
+}
+
+static void close_targets(struct renderer *renderer)
+{
+    gl_target_close(&renderer->ground);
+    gl_target_close(&renderer->life);
+    gl_target_close(&renderer->screen);
+}
+
+static void open_passes(struct renderer *renderer)
+{
+    struct gl_status *const status = &renderer->status;
+    frame_open(&renderer->frame);
+    textures_open(status, &renderer->textures);
+    light_pass_open(status, &renderer->light);
+    basin_pass_open(status, &renderer->basin);
+    specimen_pass_open(status, &renderer->specimens, &renderer->textures);
+    fish_pass_open(status, &renderer->fish, &renderer->specimens.memory);
+    poi_pass_open(status, &renderer->poi);
+    bowl_pass_open(status, &renderer->bowl);
+    fan_pass_open(status, &renderer->fan);
+    air_pass_open(status, &renderer->air);
+    drip_pass_open(status, &renderer->drip);
+    edge_pass_open(status, &renderer->edge);
+    char why[HAL_TEXT_SIZE] = "";
+    if (!ui_init(&renderer->ui, why, sizeof why)) {
+        gl_fail(status, "words: %s", why);
+    }
+    renderer->ui.memory.shelf = renderer->config.shelf;
+}
+
+int renderer_open(struct renderer *renderer, const struct renderer_config *config)
+{
+    GLint samples_max = 1, side_max = GL_TEXTURE_SURE;
+    memset(renderer, 0, sizeof *renderer);
+    renderer->config = *config;
+    renderer_place(renderer, &(struct showing){ .light = 1.0f });
+    glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
+    renderer->samples_max = (uint32_t)samples_max;
+    renderer->side_max = (uint32_t)side_max;
+    name_context(renderer);
+    open_passes(renderer);
+    open_targets(renderer);
+    return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
+}
+
+void renderer_close(struct renderer *renderer)
+{
+    close_targets(renderer);
+    ui_close(&renderer->ui);
+    edge_pass_close(&renderer->edge);
+    drip_pass_close(&renderer->drip);
+    air_pass_close(&renderer->air);
+    fan_pass_close(&renderer->fan);
+    bowl_pass_close(&renderer->bowl);
+    poi_pass_close(&renderer->poi);
+    fish_pass_close(&renderer->fish);
+    specimen_pass_close(&renderer->specimens);
+    basin_pass_close(&renderer->basin);
+    light_pass_close(&renderer->light);
+    textures_close(&renderer->textures);
+    frame_close(&renderer->frame);
+}
+
+void renderer_place(struct renderer *renderer, const struct showing *showing)
+{
+    renderer->showing = *showing;
+    renderer->placing = placing_of(showing, (float)renderer->config.width,
+                                   (float)renderer->config.height);
+}
+
+int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
+{
+    if (width == renderer->config.width && height == renderer->config.height) {
+        return HAL_OK;
+    }
+    renderer->config.width = width;
+    renderer->config.height = height;
+    renderer_place(renderer, &renderer->showing);
+    close_targets(renderer);
+    open_targets(renderer);
+    return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
+}
+
+int renderer_lower(struct renderer *renderer, uint32_t step)
+{
+    if (step == renderer->step) {
+        return HAL_OK;
+    }
+    renderer->step = step;
+    close_targets(renderer);
+    open_targets(renderer);
+    return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
+}
+
+int renderer_read(struct renderer *renderer, struct hal_image *image)
+{
+    const uint32_t width = renderer->config.width;
+    const uint32_t height = renderer->config.height;
+    const size_t row = (size_t)width * 3u;
+    image->width = width;
+    image->height = height;
+    if (image->size < row * height || width > RENDERER_WIDTH_MAX) {
+        return HAL_ERR_IO;
+    }
+    /* OpenGL's first row is the lowest, and RGBA is the one layout that every ES 3 driver reads. */
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (uint32_t y = 0; y < height; y++) {
+        uint8_t *out = image->rgb + row * (height - 1u - y);
+        glReadPixels(0, (GLint)y, (GLsizei)width, 1, GL_RGBA, GL_UNSIGNED_BYTE, renderer->row);
+        for (uint32_t x = 0; x < width; x++, out += 3) {
+            memcpy(out, renderer->row + x * 4u, 3);
+        }
+    }
+    return HAL_OK;
+}
+
+bool renderer_is_alive(struct renderer *renderer)
+{
+    const GLenum error = glGetError();
+    if (error == GL_OUT_OF_MEMORY) {
+        gl_fail(&renderer->status, "OpenGL is out of memory");
+    } else if (error == GL_CONTEXT_LOST_KHR) {
+        gl_fail(&renderer->status, "the graphics driver has reset");
+    }
+    return gl_is_well(&renderer->status);
+}
+
+const char *renderer_error(const struct renderer *renderer)
+{
+    return renderer->status.text;
+}
+
+void renderer_describe(const struct renderer *renderer, char *out, size_t size)
+{
+    const struct quality *const quality = &renderer->quality;
+    const int length = snprintf(out, size, "%s, %ux%u, scene %.2gx, floor %.2gx", renderer->gl_name,
+                                renderer->config.width, renderer->config.height,
+                                (double)quality->scene_scale, (double)quality->floor_scale);
+    if (quality->samples > 1 && length > 0 && (size_t)length < size) {
+        snprintf(out + length, size - (size_t)length, ", %u samples", quality->samples);
+    }
+}
