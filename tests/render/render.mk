@@ -1,7 +1,8 @@
 # render.mk -- a look at the picture without playing.
 
-$(BUILD)/tests/render/shot: $(BUILD)/tests/render/shot.o $(BUILD)/tests/render/shot_menu.o \
-    $(BUILD)/shell.a $(BUILD)/core.a
+SHOT_PARTS := shot shot_options shot_scene shot_menu
+$(BUILD)/tests/render/shot: $(SHOT_PARTS:%=$(BUILD)/tests/render/%.o) $(BUILD)/shell.a \
+    $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 

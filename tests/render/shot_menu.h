@@ -1,6 +1,6 @@
 /* shot_menu.h -- the operator's menu with a desk full of controllers, for its picture. */
-#ifndef KINGYO_TESTS_SHOT_MENU_H
-#define KINGYO_TESTS_SHOT_MENU_H
+#ifndef KINGYO_TESTS_RENDER_SHOT_MENU_H
+#define KINGYO_TESTS_RENDER_SHOT_MENU_H
 
 #include "core/core.h"
 
