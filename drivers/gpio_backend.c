@@ -194,7 +194,12 @@ static int backend_list(void *self,
                         void *context)
 {
     const struct gpio_backend *backend = self;
-    return backend->ops->list(tell, context);
+    struct gpio_dev_walk walk = { 0 };
+    uint32_t count = 0;
+    while (gpio_dev_next(&walk)) {
+        count += backend->ops->tell_chip(walk.path, tell, context);
+    }
+    return walk.count > 0 ? (int)count : HAL_ERR_NONE;
 }
 
 static const char *backend_describe(void *self)

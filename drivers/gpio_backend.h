@@ -22,7 +22,10 @@ struct gpio_backend_ops {
     int (*debounces)(enum gpio_role role);
     /* The line and its chip, as far as they were had. */
     void (*release)(enum gpio_role role);
-    int (*list)(void (*tell)(void *context, const struct gpio_line_info *line), void *context);
+    /* As gpio_chips_tell(). */
+    uint32_t (*tell_chip)(const char *path,
+                          void (*tell)(void *context, const struct gpio_line_info *line),
+                          void *context);
     const char *(*version)(void);
 };
 

@@ -2,18 +2,12 @@
 #include "drivers/gpio_chips.h"
 
 #include <gpiod.h>
-#include <stdio.h>
 
 #include "drivers/gpio_dev.h"
 
-static void copy_text(char out[GPIO_TEXT_SIZE], const char *text)
-{
-    snprintf(out, GPIO_TEXT_SIZE, "%s", text ? text : "");
-}
-
-static uint32_t list_chip(struct gpiod_chip *chip,
-                          void (*tell)(void *context, const struct gpio_line_info *line),
-                          void *context)
+static uint32_t tell_lines(struct gpiod_chip *chip,
+                           void (*tell)(void *context, const struct gpio_line_info *line),
+                           void *context)
 {
     uint32_t count = 0;
     for (uint32_t offset = 0; offset < gpiod_chip_num_lines(chip); offset++) {
@@ -27,26 +21,25 @@ static uint32_t list_chip(struct gpiod_chip *chip,
             .is_output = gpiod_line_direction(line) == GPIOD_LINE_DIRECTION_OUTPUT,
             .active_low = gpiod_line_active_state(line) == GPIOD_LINE_ACTIVE_STATE_LOW,
         };
-        copy_text(info.device, gpiod_chip_name(chip));
-        copy_text(info.chip, gpiod_chip_label(chip));
-        copy_text(info.name, gpiod_line_name(line));
-        copy_text(info.consumer, gpiod_line_consumer(line));
+        gpio_dev_text(info.device, gpiod_chip_name(chip));
+        gpio_dev_text(info.chip, gpiod_chip_label(chip));
+        gpio_dev_text(info.name, gpiod_line_name(line));
+        gpio_dev_text(info.consumer, gpiod_line_consumer(line));
         tell(context, &info);
         count++;
     }
     return count;
 }
 
-int gpio_chips_list(void (*tell)(void *context, const struct gpio_line_info *line), void *context)
+uint32_t gpio_chips_tell(const char *path,
+                         void (*tell)(void *context, const struct gpio_line_info *line),
+                         void *context)
 {
-    struct gpio_dev_walk walk = { 0 };
-    uint32_t count = 0;
-    while (gpio_dev_next(&walk)) {
-        struct gpiod_chip *chip = gpiod_chip_open(walk.path);
-        if (chip) {
-            count += list_chip(chip, tell, context);
-            gpiod_chip_close(chip);
-        }
+    struct gpiod_chip *chip = gpiod_chip_open(path);
+    if (!chip) {
+        return 0;
     }
-    return walk.count > 0 ? (int)count : HAL_ERR_NONE;
+    const uint32_t count = tell_lines(chip, tell, context);
+    gpiod_chip_close(chip);
+    return count;
 }

@@ -2,18 +2,12 @@
 #include "drivers/gpio_chips.h"
 
 #include <gpiod.h>
-#include <stdio.h>
 
 #include "drivers/gpio_dev.h"
 
-static void copy_text(char out[GPIO_TEXT_SIZE], const char *text)
-{
-    snprintf(out, GPIO_TEXT_SIZE, "%s", text ? text : "");
-}
-
-static uint32_t list_chip(struct gpiod_chip *chip, struct gpiod_chip_info *chip_info,
-                          void (*tell)(void *context, const struct gpio_line_info *line),
-                          void *context)
+static uint32_t tell_lines(struct gpiod_chip *chip, struct gpiod_chip_info *chip_info,
+                           void (*tell)(void *context, const struct gpio_line_info *line),
+                           void *context)
 {
     const size_t line_count = gpiod_chip_info_get_num_lines(chip_info);
     uint32_t count = 0;
@@ -28,10 +22,10 @@ static uint32_t list_chip(struct gpiod_chip *chip, struct gpiod_chip_info *chip_
             .is_output = gpiod_line_info_get_direction(line) == GPIOD_LINE_DIRECTION_OUTPUT,
             .active_low = gpiod_line_info_is_active_low(line),
         };
-        copy_text(info.device, gpiod_chip_info_get_name(chip_info));
-        copy_text(info.chip, gpiod_chip_info_get_label(chip_info));
-        copy_text(info.name, gpiod_line_info_get_name(line));
-        copy_text(info.consumer, gpiod_line_info_get_consumer(line));
+        gpio_dev_text(info.device, gpiod_chip_info_get_name(chip_info));
+        gpio_dev_text(info.chip, gpiod_chip_info_get_label(chip_info));
+        gpio_dev_text(info.name, gpiod_line_info_get_name(line));
+        gpio_dev_text(info.consumer, gpiod_line_info_get_consumer(line));
         gpiod_line_info_free(line);
         tell(context, &info);
         count++;
@@ -39,20 +33,18 @@ static uint32_t list_chip(struct gpiod_chip *chip, struct gpiod_chip_info *chip_
     return count;
 }
 
-int gpio_chips_list(void (*tell)(void *context, const struct gpio_line_info *line), void *context)
+uint32_t gpio_chips_tell(const char *path,
+                         void (*tell)(void *context, const struct gpio_line_info *line),
+                         void *context)
 {
-    struct gpio_dev_walk walk = { 0 };
-    uint32_t count = 0;
-    while (gpio_dev_next(&walk)) {
-        struct gpiod_chip *chip = gpiod_chip_open(walk.path);
-        struct gpiod_chip_info *info = chip ? gpiod_chip_get_info(chip) : NULL;
-        count += info ? list_chip(chip, info, tell, context) : 0u;
-        if (info) {
-            gpiod_chip_info_free(info);
-        }
-        if (chip) {
-            gpiod_chip_close(chip);
-        }
+    struct gpiod_chip *chip = gpiod_chip_open(path);
+    struct gpiod_chip_info *info = chip ? gpiod_chip_get_info(chip) : NULL;
+    const uint32_t count = info ? tell_lines(chip, info, tell, context) : 0u;
+    if (info) {
+        gpiod_chip_info_free(info);
     }
-    return walk.count > 0 ? (int)count : HAL_ERR_NONE;
+    if (chip) {
+        gpiod_chip_close(chip);
+    }
+    return count;
 }

@@ -52,6 +52,11 @@ void gpio_dev_end(struct gpio_dev_walk *walk)
     }
 }
 
+void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text)
+{
+    snprintf(out, GPIO_TEXT_SIZE, "%s", text ? text : "");
+}
+
 struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms)
 {
     struct gpio_dev_ready ready = { 0 };

@@ -19,6 +19,9 @@ struct gpio_dev_walk {
 bool gpio_dev_next(struct gpio_dev_walk *walk);
 void gpio_dev_end(struct gpio_dev_walk *walk);
 
+/* What a library calls something; null becomes "". */
+void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text);
+
 /* Waits at most `timeout_ms` for the descriptors of input lines; -1 is none. Sets a bit for each
  * that has something to read, and one for each whose chip went away. */
 struct gpio_dev_ready {

@@ -4,7 +4,6 @@
  * is full is dropped without a word. No edge has a number, so that a loss is inferred: a queue that
  * was found full, and behind it an edge in the direction that the line already had. */
 #include <gpiod.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "drivers/gpio_backend.h"
@@ -73,7 +72,7 @@ static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_e
 static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
 {
     const char *name = gpiod_line_consumer(lines[role].line);
-    snprintf(out, GPIO_TEXT_SIZE, "%s", name ? name : "");
+    gpio_dev_text(out, name);
 }
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
@@ -143,7 +142,7 @@ struct gpio_lines gpio_lines_device(void)
         .set = set,
         .debounces = debounces,
         .release = release,
-        .list = gpio_chips_list,
+        .tell_chip = gpio_chips_tell,
         .version = gpiod_version_string,
     };
     static struct gpio_backend backend;

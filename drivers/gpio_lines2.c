@@ -4,7 +4,6 @@
  * starves none. Edges are numbered: what the queue dropped is known. The kernel debounces. */
 #include <errno.h>
 #include <gpiod.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "drivers/gpio_backend.h"
@@ -138,7 +137,7 @@ static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
 {
     struct gpiod_line_info *info = gpiod_chip_get_line_info(lines[role].chip, lines[role].offset);
     const char *name = info ? gpiod_line_info_get_consumer(info) : NULL;
-    snprintf(out, GPIO_TEXT_SIZE, "%s", name ? name : "");
+    gpio_dev_text(out, name);
     gpiod_line_info_free(info);
 }
 
@@ -208,7 +207,7 @@ struct gpio_lines gpio_lines_device(void)
         .set = set,
         .debounces = debounces,
         .release = release,
-        .list = gpio_chips_list,
+        .tell_chip = gpio_chips_tell,
         .version = gpiod_api_version,
     };
     static struct gpio_backend backend;

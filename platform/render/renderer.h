@@ -1,5 +1,5 @@
-/* renderer.h -- draws one scene; the order of a frame is in renderer.c and nowhere else, what it needs
- * is made in renderer_open.c.
+/* renderer.h -- draws one scene; the order of a frame is in renderer.c and nowhere else, what it
+ * needs is made in renderer_open.c.
  *
  * Needs a current OpenGL ES 3.0 context and nothing of SDL. The picture is a function of the scene
  * and the size alone: drawing a scene twice gives the same pixels on the same machine. */
