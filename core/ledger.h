@@ -41,6 +41,7 @@ enum ledger_kind {
     LEDGER_CREDITS,   /* Units became `count` credits, `value` of them the bonus. */
     LEDGER_LEFT,      /* What had begun is over and there is nothing to tell of it: the growth lab,
                          or a round that nobody came to. */
+    LEDGER_PIN,       /* Somebody typed one: `detail` 1, the right one after others; 0, another. */
     LEDGER_KIND_COUNT,
 };
 
@@ -82,8 +83,13 @@ struct health {
 struct round_record {
     uint32_t id;   /* Its entry's; 0: there is none. */
     uint32_t seed; /* Of the tank it was played in. */
-    uint32_t start_tick, end_tick;
-    uint32_t caught;  /* Of all players together. */
+    uint32_t start_tick;
+    uint32_t end_tick; /* start_tick and what was played: pauses are not in it. */
+    uint32_t caught;   /* Of all players together. */
+    uint16_t fish_count; /* In the tank, caught ones among them; 0: unknown, of an earlier Kingyo,
+                            as are the next two. */
+    uint16_t round_s; /* Its length, with which it began. */
+    uint8_t preset;   /* enum tank_preset_id */
     uint8_t by_bot;   /* A demonstration is not a score. */
     uint8_t mode;     /* enum game_mode */
     uint8_t grade;    /* Of the paper, 4 .. 7. */
@@ -93,7 +99,8 @@ struct round_record {
         uint32_t caught;
         uint32_t scoops;        /* Times the ring went in. */
         uint32_t hole_area_mm2; /* Of the paper that it held at the end. */
-        uint32_t torn_tick;     /* When its first paper could hold nothing more; 0: it lasted. */
+        uint32_t torn_tick;     /* When its first paper could hold nothing more, as end_tick is
+                                   counted; 0: it lasted. */
         uint32_t sheets;        /* Papers that it got: 1 where nobody renews them. */
         uint8_t fouls;
     } player[POI_MAX];

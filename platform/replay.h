@@ -36,8 +36,8 @@
 #include "platform/replay_hands.h"
 #include "platform/replay_start.h"
 
-#define REPLAY_VERSION 6u /* 1 knew no shadows, 2 no modes, 3 no growth lab, 4 neither credits nor
-                             the operator's desk, 5 no ledger: all are refused. */
+#define REPLAY_VERSION 7u /* 1 knew no shadows, 2 no modes, 3 no growth lab, 4 neither credits nor
+                             the operator's desk, 5 no ledger, 6 no wrong PINs: all are refused. */
 #define REPLAY_HEADER_SIZE 52u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u

@@ -88,6 +88,18 @@ static void remove_new(const struct storage *storage)
     }
 }
 
+/* One of an earlier version, too: it is brought up to date as it is opened. */
+static void begin_with_backup(const char *backup, const char *fresh)
+{
+    struct ledger_file file = { .refusal = SQLITE_READONLY };
+    if (is_there(backup) &&
+        sqlite3_open_v2(backup, &file.db, SQLITE_OPEN_READONLY, NULL) == SQLITE_OK &&
+        ledger_check(file.db) == SQLITE_OK) {
+        ledger_backup_make(&file, fresh, false);
+    }
+    ledger_file_close(&file);
+}
+
 /* Makes the new file: what the backup has, or an empty one; then what the old one still says. */
 static int make_new(struct storage *storage)
 {
@@ -96,12 +108,7 @@ static int make_new(struct storage *storage)
     storage_backup_path(storage, backup);
     beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
     remove_new(storage);
-    if (is_there(backup) && ledger_file_look(&file, backup) == SQLITE_OK) {
-        if (ledger_check(file.db) == SQLITE_OK) {
-            ledger_backup_make(&file, fresh, false);
-        }
-        ledger_file_close(&file);
-    }
+    begin_with_backup(backup, fresh);
     const int code = ledger_file_open(&file, fresh, NULL);
     if (code == SQLITE_OK) {
         storage->from_backup = file.content.memory.ledger.last_id;

@@ -14,7 +14,11 @@ static struct settings *live(struct core *core)
 
 void adjust_init(struct adjust *adjust, const struct core_config *config)
 {
-    *adjust = (struct adjust){ .told = config->memory.settings };
+    const uint32_t wrong = config->memory.audits.count[AUDIT_WRONG_PINS];
+    *adjust = (struct adjust){
+        .told = config->memory.settings,
+        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* Typed just now, for all it knows. */
+    };
     settings_mend(&adjust->told);
 }
 

@@ -20,7 +20,8 @@ struct adjust {
     uint32_t turn_tick;   /* When one was turned last. */
     uint32_t entry_id;    /* The newest entry that told of one; 0: none in this run. */
     uint32_t pin_wrong;   /* PINs in a row that were none, .. 255, and ... */
-    uint32_t pin_tick;    /* ... when the last was typed: here, since a closed menu forgets. */
+    uint32_t pin_tick;    /* ... when the last was typed, or the kiosk began with some: here, since
+                             a closed menu forgets. */
 };
 
 struct core;

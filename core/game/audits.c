@@ -34,7 +34,7 @@ static const char *const names[AUDIT_PLAYS] = {
 
 static const char *const machine_names[AUDIT_COUNT - AUDIT_BOOTS] = {
     "boots", "crashed-rounds", "dropped-ticks", "device-faults", "up-seconds", "up-seconds-longest",
-    "resets",
+    "resets", "wrong-pins",
 };
 
 static void append(char out[AUDIT_NAME_SIZE], const char *text)
@@ -190,52 +190,58 @@ static void note_reset(struct audits *audits, const struct ledger_entry *entry)
     add(audits, AUDIT_RESETS, 1);
 }
 
+static void note_pin(struct audits *audits, const struct ledger_entry *entry)
+{
+    if (entry->detail) {
+        audits->count[AUDIT_WRONG_PINS] = 0;
+    } else {
+        add(audits, AUDIT_WRONG_PINS, 1);
+    }
+}
+
+/* ---- All kinds ------------------------------------------------------------------------------ */
+
+static void note_boot(struct audits *audits, const struct ledger_entry *entry)
+{
+    add(audits, AUDIT_BOOTS, 1);
+    add(audits, AUDIT_UNITS, (uint32_t)entry->value);
+}
+
+static void note_credits(struct audits *audits, const struct ledger_entry *entry)
+{
+    add(audits, AUDIT_CREDITS_PAID, entry->count);
+    add(audits, AUDIT_CREDITS_BONUS, (uint32_t)entry->value);
+}
+
+static void note_service(struct audits *audits, const struct ledger_entry *entry)
+{
+    (void)entry;
+    add(audits, AUDIT_CREDITS_SERVICE, 1);
+}
+
+static void note_expired(struct audits *audits, const struct ledger_entry *entry)
+{
+    add(audits, AUDIT_EXPIRED, entry->count);
+}
+
+static void note_test_coin(struct audits *audits, const struct ledger_entry *entry)
+{
+    add(audits, AUDIT_TEST_COINS, entry->count);
+}
+
 /* A name, a setting and what was left are no figures of these books. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry)
 {
-    switch ((enum ledger_kind)entry->kind) {
-    case LEDGER_BOOT:
-        add(audits, AUDIT_BOOTS, 1);
-        add(audits, AUDIT_UNITS, (uint32_t)entry->value);
-        break;
-    case LEDGER_COINS:
-        note_coins(audits, entry);
-        break;
-    case LEDGER_CREDITS:
-        add(audits, AUDIT_CREDITS_PAID, entry->count);
-        add(audits, AUDIT_CREDITS_BONUS, (uint32_t)entry->value);
-        break;
-    case LEDGER_SERVICE:
-        add(audits, AUDIT_CREDITS_SERVICE, 1);
-        break;
-    case LEDGER_BEGIN:
-        note_begin(audits, entry);
-        break;
-    case LEDGER_ROUND:
-        note_round(audits, entry);
-        break;
-    case LEDGER_REFUND:
-        note_refund(audits, entry);
-        break;
-    case LEDGER_EXPIRED:
-        add(audits, AUDIT_EXPIRED, entry->count);
-        break;
-    case LEDGER_TEST_COIN:
-        add(audits, AUDIT_TEST_COINS, entry->count);
-        break;
-    case LEDGER_RESET:
-        note_reset(audits, entry);
-        break;
-    case LEDGER_HEALTH:
-        note_health(audits, entry);
-        break;
-    case LEDGER_NOTHING:
-    case LEDGER_LEFT:
-    case LEDGER_SETTING:
-    case LEDGER_NAME:
-    case LEDGER_FACTORY:
-    case LEDGER_KIND_COUNT:
-        break;
+    static void (*const note[LEDGER_KIND_COUNT])(struct audits *, const struct ledger_entry *) = {
+        [LEDGER_BOOT] = note_boot,       [LEDGER_COINS] = note_coins,
+        [LEDGER_CREDITS] = note_credits, [LEDGER_SERVICE] = note_service,
+        [LEDGER_BEGIN] = note_begin,     [LEDGER_ROUND] = note_round,
+        [LEDGER_REFUND] = note_refund,   [LEDGER_EXPIRED] = note_expired,
+        [LEDGER_RESET] = note_reset,     [LEDGER_TEST_COIN] = note_test_coin,
+        [LEDGER_HEALTH] = note_health,   [LEDGER_PIN] = note_pin,
+    };
+    if (entry->kind < LEDGER_KIND_COUNT && note[entry->kind]) {
+        note[entry->kind](audits, entry);
     }
 }
 

@@ -184,7 +184,7 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
                                game->call,       game->call_tick,  game->phase_tick,
                                game->round_tick, game->point_tick, game->lost_ticks,
                                game->gone_tick,  game->round_s,    game->round_count,
-                               game->waited_ticks, game->turn_tick };
+                               game->waited_ticks, game->turn_tick,  game->paused_ticks };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

@@ -59,6 +59,7 @@ struct game {
     uint32_t call_tick;  /* ... and when. */
     uint32_t phase_tick; /* When the phase began; shifted while the round's clock waits ... */
     uint32_t round_tick; /* When the round began, never shifted. */
+    uint32_t paused_ticks; /* How long its clock has waited, for whatever reason. */
     uint32_t point_tick; /* In CHOOSE: when somebody last pointed at a mode. */
     uint32_t lost_ticks; /* How long the clock has waited for anybody, without a break, ... */
     uint32_t waited_ticks; /* ... and in all of this round. */

@@ -6,6 +6,19 @@
 #define WAIT_TICKS (5u * CORE_TICK_HZ)
 #define DOUBLINGS_MAX 5u
 
+/* Told to the ledger, so that who pulls the plug waits as long as who does not. Where it has no
+ * room the wait stands all the same, as long as the power does. */
+static void note_typed(struct core *core, int is_right, struct output *output)
+{
+    struct adjust *adjust = &core->game.adjust;
+    if (!is_right || adjust->pin_wrong > 0) {
+        const struct ledger_entry entry = { .kind = LEDGER_PIN, .detail = (uint8_t)is_right };
+        ledger_write(core, &entry, output);
+    }
+    adjust->pin_wrong = is_right ? 0u : adjust->pin_wrong + (adjust->pin_wrong < UINT8_MAX);
+    adjust->pin_tick = core->tick;
+}
+
 uint32_t menu_pin_wait_ticks(const struct core *core)
 {
     const struct adjust *adjust = &core->game.adjust;
@@ -42,18 +55,16 @@ static int type(struct core *core, uint32_t tag)
 
 void menu_pin_take(struct core *core, uint32_t tag, struct output *output)
 {
-    struct adjust *adjust = &core->game.adjust;
     if (menu_pin_wait_ticks(core) > 0 || !type(core, tag)) {
         return;
     }
-    if (core->game.menu.pin == core->config.memory.settings.value[SET_PIN]) {
-        adjust->pin_wrong = 0;
+    const int is_right = core->game.menu.pin == core->config.memory.settings.value[SET_PIN];
+    note_typed(core, is_right, output);
+    if (is_right) {
         menu_turn(core, MENU_TOP);
         return;
     }
     output_sound(output, SOUND_FOUL, 0.5f, 0.0f);
-    adjust->pin_wrong += adjust->pin_wrong < UINT8_MAX;
-    adjust->pin_tick = core->tick;
     menu_pin_enter(core);
 }
 

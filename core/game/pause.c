@@ -60,6 +60,7 @@ void pause_tick(struct core *core)
     if (game->paused) {
         game->waited_ticks += busy == 0 ? 1u : 0u;
         game->phase_tick++;
+        game->paused_ticks++;
         game->gone_tick += game->gone_tick != 0 ? 1u : 0u;
     }
 }

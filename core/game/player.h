@@ -24,7 +24,8 @@ struct player {
     uint32_t caught;
     uint32_t scoops;     /* With papers before the one in hand. */
     uint32_t torn_tick;  /* Since when the paper in hand can hold no fish; 0: it can. */
-    uint32_t first_torn_tick; /* Since when the first of its papers could not; 0: it lasts. */
+    uint32_t first_torn_tick; /* The same of the first of its papers, without the round's
+                                 pauses before. */
     uint32_t sheets_before;   /* Papers before the one in hand. */
     uint32_t lost_ticks; /* How long others have waited for its hand without a break, ... */
     uint32_t waited_ticks; /* ... and in all of this round. */

@@ -15,6 +15,7 @@ void round_begin(struct core *core, struct output *output)
     keeper_pour_back(core); /* What fell off an old poi meanwhile would lie there uncounted. */
     phase_enter(core, PHASE_ROUND);
     core->game.round_tick = core->tick;
+    core->game.paused_ticks = 0;
     output_sound(output, SOUND_START, 0.8f, 0.0f);
 }
 
@@ -43,8 +44,9 @@ static void watch_paper(struct core *core, struct output *output)
         }
         if (player->torn_tick == 0) {
             player->torn_tick = core->tick;
-            player->first_torn_tick =
-                player->first_torn_tick ? player->first_torn_tick : core->tick;
+            player->first_torn_tick = player->first_torn_tick
+                                          ? player->first_torn_tick
+                                          : core->tick - core->game.paused_ticks;
             output_sound(output, SOUND_GONE, 1.0f, 0.0f);
         }
         if (renews) {

@@ -40,7 +40,11 @@ struct round_record game_record(const struct core *core)
     struct round_record record = {
         .seed = core->config.seed,
         .start_tick = game->round_tick,
-        .end_tick = game->phase == PHASE_RESULT ? game->phase_tick : core->tick,
+        .end_tick = (game->phase == PHASE_RESULT ? game->phase_tick : core->tick) -
+                    game->paused_ticks,
+        .fish_count = (uint16_t)core->tank.fish_count,
+        .round_s = (uint16_t)game->round_s,
+        .preset = core->tank.preset,
         .by_bot = game->bot_played,
         .mode = game->mode,
         .grade = keeper_grade(&core->config, game->mode),

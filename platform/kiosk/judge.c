@@ -150,6 +150,13 @@ static int same_players(const struct round_record *a, const struct round_record 
     return same;
 }
 
+/* What a round is played in; an earlier Kingyo kept nothing of it. */
+static int same_stall(const struct round_record *a, const struct round_record *kept)
+{
+    return kept->fish_count == 0 || (a->fish_count == kept->fish_count &&
+                                     a->round_s == kept->round_s && a->preset == kept->preset);
+}
+
 /* The play's own entry and the ledger's: the same start of the kiosk, tank, ticks and papers. */
 static int is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
 {
@@ -159,7 +166,7 @@ static int is_entry(const struct ledger_entry *played, const struct ledger_entry
            a->start_tick == b->start_tick && a->end_tick == b->end_tick &&
            a->caught == b->caught && a->by_bot == b->by_bot && a->mode == b->mode &&
            a->grade == b->grade && a->players == b->players && a->unscored == b->unscored &&
-           same_players(a, b);
+           same_players(a, b) && same_stall(a, b);
 }
 
 enum verdict judge_say(const struct judge *judge, const struct ranking *ranking, uint32_t round_id,

@@ -19,8 +19,8 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 /* The file's `user_version`. 1 (written as 0): a row a round. 2: modes, grades, players. 3: the
- * ledger. */
-#define LEDGER_FILE_VERSION 3
+ * ledger. 4: what a round was played in. */
+#define LEDGER_FILE_VERSION 4
 
 /* Entries that are kept, at about 60 bytes: a month of 500 coins and 300 rounds a day. What they
  * add up to, and their rounds, stay. */

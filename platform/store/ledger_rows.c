@@ -29,7 +29,9 @@ static uint64_t round_sum(uint64_t sum, const struct round_record *round)
     const uint32_t words[] = { round->seed,  round->start_tick, round->end_tick, round->caught,
                                round->by_bot, round->mode,      round->grade,    round->players,
                                round->unscored };
+    const uint32_t stall[] = { round->fish_count, round->round_s, round->preset };
     sum = hash_words(sum, words, COUNT(words));
+    sum = round->fish_count > 0 ? hash_words(sum, stall, COUNT(stall)) : sum;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player_record *player = &round->player[i];
         const uint32_t own[] = { player->caught,    player->scoops, player->hole_area_mm2,
@@ -86,7 +88,8 @@ static int put_round(struct ledger_file *file, const struct ledger_entry *entry)
     const int64_t values[] = { entry->id,         entry->boot,     entry->day,    entry->minute,
                                round->seed,       round->start_tick, round->end_tick,
                                round->caught,     round->by_bot,   round->mode,   round->grade,
-                               round->players,    round->unscored };
+                               round->players,    round->unscored, round->fish_count,
+                               round->round_s,    round->preset };
     sqlite3_stmt *put = NULL;
     const int code = ledger_statement(file, PUT_ROUND, &put);
     return code == SQLITE_OK ? sql_put(put, values, COUNT(values)) : code;
@@ -200,7 +203,8 @@ static int read_round(struct ledger_file *file, uint32_t id, struct round_record
     sqlite3_stmt *row = NULL;
     int code = sqlite3_prepare_v2(file->db,
                                   "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade,"
-                                  " players, unscored FROM rounds WHERE entry = ?",
+                                  " players, unscored, fish_count, round_s, preset FROM rounds"
+                                  " WHERE entry = ?",
                                   -1, &row, NULL);
     sqlite3_bind_int64(row, 1, id);
     code = code == SQLITE_OK ? sqlite3_step(row) : code;
@@ -216,6 +220,9 @@ static int read_round(struct ledger_file *file, uint32_t id, struct round_record
             .grade = byte(row, 6),
             .players = byte(row, 7),
             .unscored = byte(row, 8),
+            .fish_count = (uint16_t)sql_uint(row, 9, UINT16_MAX),
+            .round_s = (uint16_t)sql_uint(row, 10, UINT16_MAX),
+            .preset = byte(row, 11),
         };
         code = SQLITE_DONE;
     }

@@ -41,7 +41,17 @@ static const char version_2[] =
     " SELECT number, 0, caught, 0 FROM rounds;";
 
 /* The ledger. Columns are named as in core/ledger.h, and a zero takes no byte. */
-static const char version_3[] =
+#define TABLE_ROUNDS                                                                               \
+    "CREATE TABLE rounds ("                                                                        \
+    " entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,"                     \
+    " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"                \
+    " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"                \
+    " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"                                              \
+    " players INTEGER NOT NULL," /* A bit each. */                                                 \
+    " unscored INTEGER NOT NULL,"                                                                  \
+    " fish_count INTEGER NOT NULL," /* 0: it and the next two are unknown. */                      \
+    " round_s INTEGER NOT NULL, preset INTEGER NOT NULL);"
+static const char version_4[] =
     "CREATE TABLE entries ("
     " id INTEGER PRIMARY KEY, boot INTEGER NOT NULL, tick INTEGER NOT NULL,"
     " day INTEGER NOT NULL, minute INTEGER NOT NULL, kind INTEGER NOT NULL,"
@@ -51,13 +61,7 @@ static const char version_3[] =
     " up_s INTEGER NOT NULL, dropped_ticks INTEGER NOT NULL, device_faults INTEGER NOT NULL,"
     " name TEXT NOT NULL,"
     " sum INTEGER NOT NULL);" /* Of all but the name, which may be taken back. */
-    "CREATE TABLE rounds ("
-    " entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,"
-    " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
-    " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
-    " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
-    " players INTEGER NOT NULL," /* A bit each. */
-    " unscored INTEGER NOT NULL);"
+    TABLE_ROUNDS
     "CREATE TABLE round_players ("
     " round INTEGER NOT NULL, seat INTEGER NOT NULL, caught INTEGER NOT NULL,"
     " scoops INTEGER, hole_area_mm2 INTEGER, torn_tick INTEGER, sheets INTEGER," /* Null: unknown */
@@ -72,7 +76,13 @@ static const char version_3[] =
     " PRIMARY KEY (mode, period, place)) WITHOUT ROWID;"
     "CREATE TABLE state (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID;"
     "CREATE TABLE replays (round INTEGER PRIMARY KEY, bytes BLOB NOT NULL);"
-    "PRAGMA user_version = 3;";
+    "PRAGMA user_version = 4;";
+
+/* What the third version's rounds were played in is not known. */
+static const char from_3[] = "ALTER TABLE rounds RENAME TO old_rounds;" TABLE_ROUNDS
+                             "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_rounds;"
+                             "DROP TABLE old_rounds;"
+                             "PRAGMA user_version = 4;";
 
 static const char set_old_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;"
                                     "ALTER TABLE round_players RENAME TO old_round_players;";
@@ -93,7 +103,8 @@ static const char forget_unknown[] =
 static const char *const texts[LEDGER_STATEMENT_COUNT] = {
     [PUT_ENTRY] = "INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12,"
                   " ?13, ?14, ?15, ?16, ?17, ?18, ?20, ?19)",
-    [PUT_ROUND] = "INSERT INTO rounds VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+    [PUT_ROUND] = "INSERT INTO rounds VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?,"
+                  " ?, ?)",
     [PUT_PLAYER] = "INSERT INTO round_players (round, seat, caught, scoops, hole_area_mm2,"
                    " torn_tick, sheets, fouls) VALUES (?, ?, ?, ?, ?, nullif(?, 0), ?, ?)",
     [PUT_NAME] = "UPDATE round_players SET name = ?3 WHERE round = ?1 AND seat = ?2",
@@ -116,7 +127,7 @@ const char *ledger_statement_text(enum ledger_statement which)
     return texts[which];
 }
 
-/* ---- From 2 to 3 ---------------------------------------------------------------------------- */
+/* ---- From 1 and 2: rounds become entries ----------------------------------------------------- */
 
 static const char select_old[] =
     "SELECT number, seed, start_tick, end_tick, caught, by_bot, ended_at, mode, grade"
@@ -208,7 +219,7 @@ int ledger_schema_check(sqlite3 *db)
     sqlite3_stmt *find = NULL;
     int code = sqlite3_prepare_v2(db, "SELECT 1 FROM sqlite_schema WHERE sql = ?1", -1, &find,
                                   NULL);
-    const char *table = version_3, *end;
+    const char *table = version_4, *end;
     while (code == SQLITE_OK && strncmp(table, "CREATE TABLE", 12) == 0) {
         end = strchr(table, ';');
         sqlite3_bind_text(find, 1, table, (int)(end - table), SQLITE_STATIC);
@@ -223,18 +234,21 @@ int ledger_schema_check(sqlite3 *db)
 
 int ledger_schema_raise(struct ledger_file *file, int version)
 {
+    if (version == 3) {
+        return sql_run(file->db, from_3);
+    }
     int64_t has_rounds = 0;
     int code = sql_number(file->db, "SELECT count(*) FROM sqlite_schema WHERE name = 'rounds'",
                           &has_rounds);
     if (code != SQLITE_OK || !has_rounds) {
-        return code != SQLITE_OK ? code : sql_run(file->db, version_3);
+        return code != SQLITE_OK ? code : sql_run(file->db, version_4);
     }
     if (version < 2) {
         code = sql_run(file->db, version_1);
         code = code == SQLITE_OK ? sql_run(file->db, version_2) : code;
     }
     code = code == SQLITE_OK ? sql_run(file->db, set_old_aside) : code;
-    code = code == SQLITE_OK ? sql_run(file->db, version_3) : code;
+    code = code == SQLITE_OK ? sql_run(file->db, version_4) : code;
     code = code == SQLITE_OK ? carry_all_over(file) : code;
     return code == SQLITE_OK ? sql_run(file->db, forget_unknown) : code;
 }

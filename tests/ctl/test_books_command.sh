@@ -5,7 +5,7 @@
 old=tests/unit/store
 data=$work/data
 mkdir "$data"
-cp $old/version-3.db "$data/kingyo.db"
+cp $old/version-4.db "$data/kingyo.db"
 
 says() { # PATTERN WORDS...
     local pattern=$1
@@ -50,7 +50,7 @@ last_id() { # FILE
 }
 # The stall has gone on to entry 10 since the copy, and its backup too.
 goes_back() {
-    mkdir "$work/back" && cp $old/version-3.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
+    mkdir "$work/back" && cp $old/version-4.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
         chmod 640 "$work/back/kingyo.db" &&
         sqlite3 "$work/back/kingyo.db" 'update entries set id = 10 where id = 9' &&
         cp "$work/back/kingyo.db" "$work/back/kingyo.db.backup" && echo log >"$work/back/kingyo.db-wal" || return 1
@@ -164,7 +164,7 @@ cp $old/version-2.db "$work/old/kingyo.db"
 check 'a file of an earlier version is not changed by who only looks' ends 65 'start the stall once' audits \
     --data "$work/old"
 check 'it is as it was' cmp $old/version-2.db "$work/old/kingyo.db"
-cp $old/version-3.db "$work/broken/kingyo.db"
+cp $old/version-4.db "$work/broken/kingyo.db"
 printf 'x%.0s' {1..4000} | dd of="$work/broken/kingyo.db" bs=1 seek=4096 conv=notrunc status=none
 check 'of a damaged file no backup is made' leaves_no_half_copy
 check 'an unknown word is told' ends 2 "'--nonesuch' is not understood" audits --nonesuch

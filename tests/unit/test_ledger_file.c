@@ -99,6 +99,9 @@ static struct ledger_entry round_entry(uint32_t id, uint8_t mode, uint32_t first
         .start_tick = 600,
         .end_tick = 22200,
         .caught = first + third,
+        .fish_count = 70,
+        .round_s = 180,
+        .preset = 2,
         .mode = mode,
         .grade = 5,
         .players = 1u << 0 | 1u << 2,
@@ -461,14 +464,12 @@ static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **st
     assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5); /* 9: a bot's. */
 }
 
-static void test_a_file_of_this_version_is_read_as_it_is(void **state)
+/* What version-3.db has, and version-4.db, which is the same file brought up to date. */
+static void holds_nine_entries_and_a_replay(void)
 {
-    (void)state;
     struct ledger_entry round;
     size_t size = 0;
     char replay[8] = "";
-    take("version-3.db");
-    open_file();
     const struct memory *memory = &file.content.memory;
     assert_int_equal(memory->ledger.last_id, 9);
     assert_int_equal(memory->ledger.boots, 2);
@@ -480,6 +481,37 @@ static void test_a_file_of_this_version_is_read_as_it_is(void **state)
     assert_int_equal(round.round.player[1].torn_tick, 7000);
     assert_int_equal(ledger_file_get_replay(&file, 6, replay, sizeof replay, &size), SQLITE_OK);
     assert_string_equal(replay, "replay");
+    assert_int_equal(round.round.fish_count, 0); /* What it was played in was not kept. */
+    for (uint32_t id = 1; id <= 9; id++) {
+        assert_int_equal(ledger_file_entry(&file, id, &round), SQLITE_OK); /* Its sum is right. */
+    }
+}
+
+static void test_a_file_of_the_third_version_keeps_all_and_goes_on(void **state)
+{
+    (void)state;
+    struct ledger_entry found, next = round_entry(10, MODE_FESTIVAL, 6, 0);
+    take("version-3.db");
+    assert_int_equal(ask("PRAGMA user_version"), 3);
+    open_file();
+    holds_nine_entries_and_a_replay();
+    write_entry(&next);
+    reopen();
+    assert_int_equal(ledger_file_entry(&file, 10, &found), SQLITE_OK);
+    assert_int_equal(found.round.fish_count, 70);
+    assert_int_equal(found.round.round_s, 180);
+    assert_int_equal(found.round.preset, 2);
+    assert_int_equal(ask("PRAGMA user_version"), 4);
+    assert_int_equal(ask("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
+}
+
+static void test_a_file_of_this_version_is_read_as_it_is(void **state)
+{
+    (void)state;
+    take("version-4.db");
+    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    open_file();
+    holds_nine_entries_and_a_replay();
 }
 
 static void test_a_file_is_brought_up_to_date_once(void **state)
@@ -507,11 +539,11 @@ static void test_a_file_of_a_later_version_is_left_alone(void **state)
 {
     (void)state;
     take("version-2.db");
-    do_sql("PRAGMA user_version = 4; PRAGMA journal_mode = WAL"); /* As that one likes it. */
+    do_sql("PRAGMA user_version = 5; PRAGMA journal_mode = WAL"); /* As that one likes it. */
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);
     assert_string_equal(ledger_file_error(LEDGER_FILE_NEWER), "a later Kingyo wrote it");
-    assert_int_equal(ask("PRAGMA user_version"), 4);
+    assert_int_equal(ask("PRAGMA user_version"), 5);
     assert_int_equal(ask("SELECT journal_mode = 'wal' FROM pragma_journal_mode"), 1);
 }
 
@@ -554,6 +586,7 @@ int main(void)
         TEST(test_old_entries_go_and_the_newest_stay),
         TEST(test_a_file_of_the_first_version_keeps_its_rounds),
         TEST(test_a_file_of_the_second_version_keeps_rounds_and_players),
+        TEST(test_a_file_of_the_third_version_keeps_all_and_goes_on),
         TEST(test_a_file_of_this_version_is_read_as_it_is),
         TEST(test_a_file_is_brought_up_to_date_once),
         TEST(test_what_cannot_be_brought_up_to_date_stays_as_it_was),

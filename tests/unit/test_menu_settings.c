@@ -484,6 +484,48 @@ static void test_who_leaves_and_comes_back_waits_none_the_less(void **state)
     assert_true(menu_pin_wait_ticks(&core) > 0);
 }
 
+/* What the ledger has is all that the next start knows. */
+static void test_who_pulls_the_plug_waits_as_long(void **state)
+{
+    (void)state;
+    for (uint32_t tries = 0; tries < 3u; tries++) {
+        core.game.adjust.pin_tick = core.tick - 160u * CORE_TICK_HZ;
+        type(408);
+        assert_int_equal(newest()->kind, LEDGER_PIN);
+        assert_int_equal(newest()->detail, 0);
+    }
+    static struct core_config config;
+    config = core.config;
+    config.chapter = (struct chapter){ 0 };
+    config.memory.audits = core.game.audits;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_PIN);
+    assert_in_range(menu_pin_wait_ticks(&core), 18u * CORE_TICK_HZ, 20u * CORE_TICK_HZ);
+    type(407);
+    assert_int_equal(menu()->page, MENU_PIN);
+    core.game.adjust.pin_tick = core.tick - 20u * CORE_TICK_HZ;
+    take(PIN_ERASE);
+    type(407);
+    assert_int_equal(menu()->page, MENU_TOP);
+    assert_int_equal(newest()->kind, LEDGER_PIN);
+    assert_int_equal(newest()->detail, 1);
+    assert_int_equal(core.game.audits.count[AUDIT_WRONG_PINS], 0);
+}
+
+/* 160 s, whatever a file says that somebody has written. */
+static void test_no_number_of_wrong_pins_locks_the_menu_for_good(void **state)
+{
+    (void)state;
+    static struct core_config config;
+    config = core.config;
+    config.memory.audits.count[AUDIT_WRONG_PINS] = UINT32_MAX;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(menu_pin_wait_ticks(&core), 160u * CORE_TICK_HZ);
+    core.tick += 160u * CORE_TICK_HZ;
+    assert_int_equal(menu_pin_wait_ticks(&core), 0);
+}
+
 static void test_digits_are_nobodys_to_read_but_where_they_are_chosen(void **state)
 {
     (void)state;
@@ -550,6 +592,8 @@ int main(void)
         IN_MENU(test_a_reset_of_the_books_is_an_entry_with_what_was_counted),
         IN_MENU(test_a_restart_is_ordered_once_and_not_in_haste),
         LOCKED(test_the_menu_opens_for_its_pin_alone),
+        LOCKED(test_who_pulls_the_plug_waits_as_long),
+        LOCKED(test_no_number_of_wrong_pins_locks_the_menu_for_good),
         LOCKED(test_a_wrong_pin_waits_and_the_next_one_twice_as_long),
         LOCKED(test_who_leaves_and_comes_back_waits_none_the_less),
         LOCKED(test_digits_are_nobodys_to_read_but_where_they_are_chosen),

@@ -175,6 +175,30 @@ static void test_each_round_has_patience_of_its_own(void **state)
     assert_int_equal(core.game.player[OTHER].waited_ticks, 0);
 }
 
+/* Twenty seconds are played in thirty, and the paper's one and a half before the wait are with its
+ * one and a half after it. */
+static void test_waiting_is_no_play_in_the_books(void **state)
+{
+    (void)state;
+    const uint32_t *books = core.game.audits.count;
+    ticks(CORE_TICK_HZ / 2u);
+    lose(OTHER);
+    ticks(9u * CORE_TICK_HZ);
+    return_hand(OTHER);
+    while (look()->paused) {
+        tick();
+    }
+    ticks(3u * CORE_TICK_HZ / 2u);
+    tear_all(MINE);
+    wait_for_phase(PHASE_RESULT, 30u * CORE_TICK_HZ);
+    ticks(2);
+    assert_int_equal(books[AUDIT_ROUNDS], 1);
+    assert_int_equal(books[AUDIT_PLAY_S], ROUND_S);
+    assert_int_equal(books[AUDIT_PAPERS_TORN], 1);
+    assert_int_equal(books[AUDIT_PAPER_LIFE_S], 3);
+    assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_S * CORE_TICK_HZ);
+}
+
 static void test_who_is_out_and_puts_the_poi_away_is_not_waited_for(void **state)
 {
     (void)state;
@@ -283,6 +307,7 @@ int main(void)
         cmocka_unit_test_setup(test_a_flaky_plug_does_not_stop_the_table_for_ever, two),
         cmocka_unit_test_setup(test_alone_a_flaky_plug_ends_the_round_too, alone),
         cmocka_unit_test_setup(test_each_round_has_patience_of_its_own, two),
+        cmocka_unit_test_setup(test_waiting_is_no_play_in_the_books, two),
         cmocka_unit_test_setup(test_who_is_out_and_puts_the_poi_away_is_not_waited_for, alone),
         cmocka_unit_test_setup(test_after_time_was_called_nobody_is_waited_for, alone),
         cmocka_unit_test(test_nobody_waits_for_who_never_held_a_poi),

@@ -421,6 +421,19 @@ static void test_a_file_that_cannot_be_read_at_all_gives_way_to_its_backup(void 
     work_rounds(stall, 5, 6);
 }
 
+static void test_a_backup_of_an_earlier_version_is_brought_up_to_date(void **state)
+{
+    struct stall *stall = *state;
+    char command[256];
+    snprintf(command, sizeof command, "cp tests/unit/store/version-3.db %s" STORAGE_BACKUP_SUFFIX,
+             stall->file);
+    assert_int_equal(system(command), 0);
+    write_file(stall->file, "no database, whatever it says", 29);
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "9 entries from the backup"));
+    assert_int_equal(remember(stall)->ledger.purse.paid, 2);
+}
+
 static void test_without_a_backup_a_fresh_file_begins(void **state)
 {
     struct stall *stall = *state;
@@ -785,6 +798,7 @@ int main(void)
         IN_A_FOLDER(test_a_bad_newest_entry_leaves_the_one_before),
         IN_A_FOLDER(test_a_bad_page_hides_no_other),
         IN_A_FOLDER(test_a_file_that_cannot_be_read_at_all_gives_way_to_its_backup),
+        IN_A_FOLDER(test_a_backup_of_an_earlier_version_is_brought_up_to_date),
         IN_A_FOLDER(test_without_a_backup_a_fresh_file_begins),
         IN_A_FOLDER(test_a_damaged_backup_is_not_believed),
         IN_A_FOLDER(test_a_file_that_is_away_comes_back_from_its_backup),
