@@ -61,6 +61,7 @@ enum desk_order_kind {
     DESK_LEARN_END,  /* Forget it, and give back who was not chosen before. */
     DESK_RESTART,    /* Of no controller: the kiosk ends and begins anew. */
     DESK_REPLAY,     /* No controller's: show the replay of the round `round_id`. */
+    DESK_SEEN,       /* Nor this: the operator has seen which databases were set aside. */
 };
 
 struct desk_order {

@@ -6,6 +6,7 @@
 
 #include "core/base/vec.h"
 #include "core/input.h"
+#include "core/scene_machine.h"
 #include "core/settings.h"
 
 #define SCENE_AUDIT_MAX 96u /* As many as core/game/audits.h counts, and room for more. */
@@ -15,6 +16,8 @@ struct scene_self_test {
     uint8_t heard, moved;       /* What the operator said. */
     uint8_t present, players;   /* Seats with a controller, a bit each; seats that play. */
     uint8_t store, clock;       /* enum self_state */
+    uint8_t seconds_left;       /* Until what has not answered is bad; 0: the test is over. */
+    uint16_t day, minute;       /* What the clock says, as struct input's. */
     uint8_t ways[POI_MAX], worst_age[POI_MAX];
 };
 
@@ -59,7 +62,14 @@ struct scene_menu {
 #define SCENE_FILE_MAX 8u   /* Rows of the files' page on a screen that stands. */
 #define SCENE_FILE_SIZE 64u
 
-enum scene_file_state { FILE_UNKNOWN = 0, FILE_USED, FILE_REFUSED, FILE_STATE_COUNT };
+enum scene_file_state {
+    FILE_UNKNOWN = 0,
+    FILE_USED,
+    FILE_REFUSED,
+    FILE_ASIDE, /* A database that was damaged and set aside; nobody has acknowledged that yet. */
+    FILE_SEEN,  /* The same, and somebody has. */
+    FILE_STATE_COUNT,
+};
 
 /* What tells of itself on the page about this machine. */
 enum scene_about {
@@ -89,6 +99,7 @@ struct scene_devices {
     } axes[POI_MAX];
     uint32_t frames_a_second;          /* As the last of them came; 0: not known yet. */
     uint32_t files_refused;            /* Files and lines of the configuration, at the start. */
+    struct scene_machine machine;
     uint32_t line_raw;                 /* Levels before they count: bits as buttons_missing's. */
     struct scene_line {                /* By those bits, since the start: */
         uint32_t edges;                /* changes of its level, bounces too, */

@@ -318,9 +318,19 @@ struct hal_storage null_storage(const char *line)
     return (struct hal_storage){ .ops = &ops, .self = line_self(line) };
 }
 
+static uint8_t null_watches(void *self)
+{
+    (void)self;
+    return WATCH_NONE;
+}
+
 struct hal_watchdog null_watchdog(const char *line)
 {
-    static const struct hal_watchdog_ops ops = { .kick = null_close, .describe = null_describe };
+    static const struct hal_watchdog_ops ops = {
+        .kick = null_close,
+        .watches = null_watches,
+        .describe = null_describe,
+    };
     return (struct hal_watchdog){ .ops = &ops, .self = line_self(line) };
 }
 

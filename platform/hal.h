@@ -206,6 +206,7 @@ struct hal_storage_ops {
 
 struct hal_watchdog_ops {
     void (*kick)(void *self);
+    uint8_t (*watches)(void *self); /* enum scene_watch: whether anybody would miss a kick. */
     const char *(*describe)(void *self);
 };
 

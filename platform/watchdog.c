@@ -44,6 +44,7 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
         watchdog->socket_fd = -1;
         return HAL_ERR_NONE;
     }
+    watchdog->has_limit = usec > 0;
     watchdog->period_ns = usec > 0 ? usec * 1000u / KICKS_PER_DEADLINE : PERIOD_DEFAULT_NS;
     snprintf(watchdog->text, sizeof watchdog->text, "watchdog: service manager at %.100s",
              notify_socket);
@@ -63,12 +64,21 @@ static void watchdog_kick(void *self)
     const uint64_t now_ns = watchdog->clock.ops->now_ns(watchdog->clock.self);
     if (!watchdog->told_ready) {
         watchdog->told_ready = (uint8_t)watchdog_say(watchdog, "READY=1");
+        watchdog->is_deaf = !watchdog->told_ready;
     } else if (now_ns - watchdog->last_kick_ns < watchdog->period_ns) {
         return;
     } else {
-        watchdog_say(watchdog, "WATCHDOG=1");
+        watchdog->is_deaf = !watchdog_say(watchdog, "WATCHDOG=1");
     }
     watchdog->last_kick_ns = now_ns;
+}
+
+static uint8_t watchdog_watches(void *self)
+{
+    const struct watchdog *watchdog = self;
+    return watchdog->is_deaf     ? (uint8_t)WATCH_DEAF
+           : watchdog->has_limit ? (uint8_t)WATCH_FED
+                                 : (uint8_t)WATCH_NO_LIMIT;
 }
 
 static const char *watchdog_describe(void *self)
@@ -81,6 +91,7 @@ struct hal_watchdog watchdog_device(struct watchdog *watchdog)
 {
     static const struct hal_watchdog_ops ops = {
         .kick = watchdog_kick,
+        .watches = watchdog_watches,
         .describe = watchdog_describe,
     };
     return (struct hal_watchdog){ .ops = &ops, .self = watchdog };

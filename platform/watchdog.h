@@ -13,6 +13,8 @@ struct watchdog {
     uint64_t period_ns;    /* Between two kicks that are really sent. */
     uint64_t last_kick_ns;
     uint8_t told_ready;
+    uint8_t has_limit;     /* The manager restarts who is silent for too long. */
+    uint8_t is_deaf;       /* It did not take the last sign. */
     char text[HAL_TEXT_SIZE];
 };
 

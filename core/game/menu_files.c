@@ -9,23 +9,34 @@ uint32_t menu_files_shown(int upright)
     return upright ? SCENE_FILE_MAX : FILES_SHOWN;
 }
 
+static int is_long(const struct menu *menu)
+{
+    return menu->desk.file_count > menu_files_shown(menu->upright);
+}
+
 uint16_t menu_files_offers(const struct menu *menu)
 {
-    const int is_long = menu->desk.file_count > menu_files_shown(menu->upright);
-    return (uint16_t)((is_long ? MENU_TAG(FILES_MORE) : 0u) | MENU_TAG(FILES_BACK));
+    return (uint16_t)((is_long(menu) ? MENU_TAG(FILES_MORE) : 0u) | MENU_TAG(FILES_SEEN) |
+                      MENU_TAG(FILES_BACK));
 }
 
+/* Nobody acknowledges by a press too many. */
 void menu_files_enter(struct core *core)
 {
-    core->game.menu.file_first = 0;
+    struct menu *menu = &core->game.menu;
+    menu->file_first = 0;
+    menu->tag[MENU_FILES] = is_long(menu) ? FILES_MORE : FILES_BACK;
 }
 
-/* Behind the last row comes the first again. */
+/* Behind the last row comes the first again. What was set aside is the shell's to know, and to
+ * mark. */
 void menu_files_take(struct core *core, uint32_t tag, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    (void)tag;
-    (void)output;
+    if (tag == FILES_SEEN) {
+        menu_order(core, output, DESK_SEEN);
+        return;
+    }
     const uint32_t next = menu->file_first + menu_files_shown(menu->upright);
     menu->file_first = (uint8_t)(next < menu->desk.file_count ? next : 0u);
 }

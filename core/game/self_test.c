@@ -114,7 +114,9 @@ void self_test_show(const struct core *core, struct scene_self_test *out)
 {
     const struct self_test *self = &core->game.menu.self;
     const struct ledger *ledger = &core->game.ledger;
-    const int is_late = core->tick - self->begin_tick > SELF_TEST_STORE_TICKS;
+    const uint32_t age = core->tick - self->begin_tick;
+    const int is_late = age > SELF_TEST_STORE_TICKS;
+    const uint32_t left = age < SELF_TEST_TICKS ? SELF_TEST_TICKS - age : 0u;
     const int is_saved = self->entry_id != 0 && ledger_is_saved(ledger, self->entry_id);
     *out = (struct scene_self_test){
         .heard = self->heard,
@@ -124,7 +126,10 @@ void self_test_show(const struct core *core, struct scene_self_test *out)
         .store = (uint8_t)(is_saved && ledger->is_well ? SELF_GOOD
                            : is_late                   ? SELF_BAD
                                                        : SELF_WAITS),
-        .clock = (uint8_t)(ledger->day != 0 ? SELF_GOOD : SELF_BAD),
+        .clock = (uint8_t)(ledger->day != 0 ? SELF_GOOD : SELF_LOOK),
+        .seconds_left = (uint8_t)((left + CORE_TICK_HZ - 1u) / CORE_TICK_HZ),
+        .day = ledger->day,
+        .minute = ledger->minute,
     };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         out->ways[i] = self->ways[i];
@@ -169,6 +174,44 @@ static uint8_t judge_display(uint32_t frames)
     return frames == 0 ? SELF_WAITS : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD : SELF_BAD;
 }
 
+static uint8_t judge_data(uint8_t keeps)
+{
+    return keeps == KEEPS_UNKNOWN                            ? SELF_WAITS
+           : keeps == KEEPS_PROVEN || keeps == KEEPS_FOLDER ? SELF_GOOD
+                                                            : SELF_BAD;
+}
+
+static uint8_t judge_heat(const struct scene_machine *machine)
+{
+    return !machine->has_heat || machine->heat_margin_c >= SELF_HEAT_NEAR_C ? SELF_GOOD
+           : machine->heat_margin_c > 0                                     ? SELF_LOOK
+                                                                            : SELF_BAD;
+}
+
+static uint8_t judge_room(uint32_t room_mib)
+{
+    return room_mib >= SELF_ROOM_LOW_MIB   ? SELF_GOOD
+           : room_mib >= SELF_ROOM_BAD_MIB ? SELF_LOOK
+                                           : SELF_BAD;
+}
+
+/* What nobody has looked at yet waits; what has not answered in time is bad. */
+static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
+{
+    const int is_fresh =
+        machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
+    state[SELF_WATCHDOG] = machine->watch == WATCH_FED    ? SELF_GOOD
+                           : machine->watch == WATCH_DEAF ? SELF_BAD
+                                                          : SELF_LOOK;
+    state[SELF_BACKUP] = state[SELF_DATA] = state[SELF_ROOM] = state[SELF_HEAT] = SELF_WAITS;
+    if (machine->has_looked) {
+        state[SELF_BACKUP] = is_fresh ? SELF_GOOD : SELF_LOOK;
+        state[SELF_DATA] = judge_data(machine->keeps);
+        state[SELF_ROOM] = judge_room(machine->room_mib);
+        state[SELF_HEAT] = judge_heat(machine);
+    }
+}
+
 static uint32_t first_in(const uint8_t state[SELF_CHECKS], uint8_t wanted)
 {
     uint32_t check = 0;
@@ -180,9 +223,12 @@ static uint32_t first_in(const uint8_t state[SELF_CHECKS], uint8_t wanted)
 
 uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
 {
+    static const uint8_t order[] = { SELF_ASKS, SELF_BAD, SELF_LOOK, SELF_WAITS };
     const struct scene_self_test *self = &scene->menu.self;
-    state[SELF_STORE] = self->store;
-    state[SELF_CLOCK] = self->clock;
+    const struct scene_machine *machine = &scene->devices.machine;
+    judge_machine(machine, state);
+    state[SELF_STORE] = self->store == SELF_GOOD && machine->aside > 0 ? SELF_LOOK : self->store;
+    state[SELF_CLOCK] = machine->is_clock_back ? SELF_LOOK : self->clock;
     state[SELF_DISPLAY] = judge_display(scene->devices.frames_a_second);
     state[SELF_FILES] = scene->devices.files_refused == 0 ? SELF_GOOD : SELF_BAD;
     state[SELF_SOUND] = said(self->heard);
@@ -190,8 +236,23 @@ uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
     state[SELF_BUTTONS] = judge_buttons(scene);
     state[SELF_COINS] = scene->menu.test_coins > 0 ? SELF_GOOD : SELF_ASKS;
     state[SELF_POIS] = judge_pois(self);
-    const uint32_t bad = first_in(state, SELF_BAD), asks = first_in(state, SELF_ASKS);
-    return asks < SELF_CHECKS ? asks : bad < SELF_CHECKS ? bad : first_in(state, SELF_WAITS);
+    uint32_t next = SELF_CHECKS;
+    for (uint32_t i = 0; i < SELF_CHECKS; i++) {
+        state[i] = state[i] == SELF_WAITS && self->seconds_left == 0 ? (uint8_t)SELF_BAD : state[i];
+    }
+    for (uint32_t i = 0; i < sizeof order && next == SELF_CHECKS; i++) {
+        next = first_in(state, order[i]);
+    }
+    return next;
+}
+
+uint32_t self_test_left(const uint8_t state[SELF_CHECKS])
+{
+    uint32_t left = 0;
+    for (uint32_t i = 0; i < SELF_CHECKS; i++) {
+        left += state[i] != SELF_GOOD;
+    }
+    return left;
 }
 
 uint64_t self_test_hash(uint64_t hash, const struct self_test *self)

@@ -12,6 +12,7 @@
 
 #include "drivers/hid_book_text.h"
 #include "platform/ctl/doctor.h"
+#include "platform/machine.h"
 #include "platform/storage.h"
 #include "platform/store/sql.h"
 
@@ -151,15 +152,15 @@ static void look_at_backup(struct doctor *doctor, const char *folder)
 /* What the stall could not read once lies there until somebody has looked at it. */
 static void look_at_damaged(struct doctor *doctor, const char *folder)
 {
-    static const char start[] = STORAGE_FILE STORAGE_ASIDE_SUFFIX;
     DIR *list = opendir(folder);
     const struct dirent *entry;
     while (list && (entry = readdir(list))) {
-        if (strncmp(entry->d_name, start, sizeof start - 1u) == 0 &&
-            !strchr(entry->d_name + sizeof start - 1u, '-')) { /* Not its journals. */
+        if (machine_is_aside(entry->d_name)) {
             struct doctor_finding *finding =
                 doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, entry->d_name);
-            doctor_state(finding, "was damaged, and set aside");
+            doctor_state(finding, "was damaged, and set aside%s",
+                         machine_is_seen(folder, entry->d_name) ? "; the operator has seen that"
+                                                                : "");
             doctor_todo(finding, "compare the books (kingyoctl audits) with the meter; then remove "
                                  "it. If there are several, replace the card");
         }

@@ -70,6 +70,17 @@ static const char sql_figures[] =
     "  json_extract(?1, '$.credits.units')),"
     " printf('%s; %d entries, %d not on disk yet', iif(json_extract(?1, '$.store.well'), 'well',"
     "  'NOT WELL'), json_extract(?1, '$.store.entry_id'), json_extract(?1, '$.store.waiting')),"
+    " printf('data %s; backup %s; %s MiB free; heat %s; watchdog %s%s',"
+    "  coalesce(json_extract(?1, '$.machine.data'), '?'),"
+    "  coalesce(json_extract(?1, '$.machine.backup_min') || ' min old', 'none'),"
+    "  coalesce(json_extract(?1, '$.machine.free_mib'), '?'),"
+    "  coalesce(json_extract(?1, '$.machine.heat_margin_c') || ' degrees below slowing down',"
+    "   'not measured'), coalesce(json_extract(?1, '$.machine.watchdog'), '?'),"
+    "  iif(json_extract(?1, '$.machine.clock_day') IS NULL, '; CLOCK NOT SET',"
+    "   iif(json_extract(?1, '$.machine.clock_went_back'), '; CLOCK WENT BACK', ''))),"
+    " printf('%d refused; %d databases set aside and not seen; %d scores without their replay',"
+    "  json_extract(?1, '$.files.refused'), json_extract(?1, '$.files.set_aside'),"
+    "  json_extract(?1, '$.files.replays_missed')),"
     " printf('%d, median %.1f ms, p99 %.1f ms; %d ticks dropped',"
     "  json_extract(?1, '$.frames.count'), json_extract(?1, '$.frames.median_ms'),"
     "  json_extract(?1, '$.frames.p99_ms'), json_extract(?1, '$.ticks.dropped'))";
@@ -104,9 +115,9 @@ static void print_devices(sqlite3 *database, const char *text)
 
 static void print_text(sqlite3 *database, sqlite3_stmt *figures, const char *text)
 {
-    static const char *const parts[] = { "credits", "ledger", "frames" };
+    static const char *const parts[] = { "credits", "ledger", "machine", "files", "frames" };
     printf("%s\n", (const char *)sqlite3_column_text(figures, 2));
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 5; i++) {
         printf("  %-9s %s\n", parts[i], (const char *)sqlite3_column_text(figures, 3 + i));
     }
     print_faults(database, text);
@@ -179,10 +190,11 @@ static enum exit_code run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_status = {
     .name = name,
-    .summary = "the stall that runs: phase, credits, store, devices, faults, frames",
+    .summary = "the stall that runs: phase, credits, store, machine, devices, faults, frames",
     .usage = "  kingyoctl status [--json] [--file FILE]\n\n"
              "Reads what the service writes each second (" DEFAULT_FILE "). --json prints it\n"
-             "as it is. Exit code: 0 it runs and keeps what it earns; 1 it has ended, stands\n"
+             "as it is. 'machine' and 'files' are what the menu's page Ready? says.\n"
+             "Exit code: 0 it runs and keeps what it earns; 1 it has ended, stands\n"
              "still or cannot keep it; 65 FILE is something else; 74 there is none.\n",
     .run = run,
 };

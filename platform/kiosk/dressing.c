@@ -48,11 +48,16 @@ static struct scene_file store_row(const struct hal_storage *store)
 
 static void name_files(struct scene *scene, const struct hal *hal, const struct file_notes *notes)
 {
+    const struct scene_machine *machine = &scene->devices.machine;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
         const uint32_t row = scene->menu.file_first + i;
-        scene->devices.file[i] = row == 0 ? store_row(&hal->storage)
-                                 : notes  ? file_notes_row(notes, row - 1u)
-                                          : (struct scene_file){ .state = FILE_UNKNOWN };
+        struct scene_file *file = &scene->devices.file[i];
+        *file = row == 0 ? store_row(&hal->storage)
+                : notes  ? file_notes_row(notes, row - 1u)
+                         : (struct scene_file){ .state = FILE_UNKNOWN };
+        if (file->state == FILE_ASIDE && machine->has_looked && machine->aside == 0) {
+            file->state = FILE_SEEN;
+        }
     }
 }
 
@@ -132,6 +137,7 @@ void dressing_put(struct scene *scene, const struct hal *hal, const struct dress
     if (scene->phase != PHASE_MENU) {
         return;
     }
+    devices->machine = *dressing->machine;
     name_devices(devices, hal);
     name_files(scene, hal, dressing->notes);
     tell_about(devices, hal);

@@ -26,6 +26,7 @@ struct dressing {
     const struct poi_hand *hands;   /* POI_MAX of them. */
     const struct line_book *lines;
     uint32_t button_faults;
+    const struct scene_machine *machine;
     uint64_t frame_ns; /* The median frame's; 0: none yet. */
 };
 

@@ -1,4 +1,4 @@
-/* file_notes.c -- lines in two runs: refused, and behind them used. */
+/* file_notes.c -- lines in two runs: not used, and behind them used. */
 #include "platform/kiosk/file_notes.h"
 
 #include <assert.h>
@@ -21,12 +21,13 @@ static void set_name(struct scene_file *note, const char *name)
 void file_notes_add(struct file_notes *notes, enum scene_file_state state, const char *name,
                     const char *words)
 {
-    assert(state == FILE_USED || state == FILE_REFUSED);
+    assert(state == FILE_USED || state == FILE_REFUSED || state == FILE_ASIDE);
     if (notes->count == FILE_NOTES_MAX) {
         notes->beyond++;
         return;
     }
-    const uint32_t at = state == FILE_REFUSED ? notes->refused_count++ : notes->count;
+    const uint32_t at = state == FILE_USED ? notes->count : notes->first_count++;
+    notes->refused_count += state == FILE_REFUSED;
     struct scene_file *note = &notes->note[at];
     memmove(note + 1, note, (notes->count - at) * sizeof *note);
     notes->count++;

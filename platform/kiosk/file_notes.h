@@ -1,7 +1,7 @@
 /* file_notes.h -- what the kiosk thought of the files that it found as it began. Pure.
  *
- * A line each for the operator's screen: those that were refused first, for they are what he looks
- * for, and each kind in the order in which it was met. */
+ * A line each for the operator's screen: those that were refused or set aside first, for they are
+ * what he looks for, and both kinds in the order in which they were met. */
 #ifndef KINGYO_PLATFORM_KIOSK_FILE_NOTES_H
 #define KINGYO_PLATFORM_KIOSK_FILE_NOTES_H
 
@@ -16,7 +16,8 @@
 
 struct file_notes {
     uint32_t count;
-    uint32_t refused_count; /* Of them, the first. */
+    uint32_t first_count;   /* Of them, those that were not used: they come first. */
+    uint32_t refused_count; /* Of these, those that are FILE_REFUSED. */
     uint32_t beyond;        /* Had no room. */
     struct scene_file note[FILE_NOTES_MAX];
 };

@@ -9,6 +9,7 @@
 #include "platform/kiosk/encore.h"
 #include "platform/kiosk/present.h"
 #include "platform/kiosk/sample.h"
+#include "platform/machine.h"
 
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config)
@@ -171,13 +172,30 @@ static void begin_frame(struct kiosk *kiosk)
     kiosk->frames++;
 }
 
+/* What is known of the machine, and what it is told; neither waits. */
+static void meet_machine(struct kiosk *kiosk, const struct hal *hal)
+{
+    struct machine *machine = kiosk->config.machine;
+    kiosk->machine.watch = hal->watchdog.ops->watches(hal->watchdog.self);
+    kiosk->machine.missed = kiosk->config.chapters ? kiosk->config.chapters->missed : 0u;
+    if (!machine) {
+        return;
+    }
+    if (kiosk->has_acknowledged) {
+        kiosk->has_acknowledged = !machine_acknowledge(machine);
+    }
+    machine_read(machine, &kiosk->machine);
+}
+
 static void dress_scene(struct kiosk *kiosk, const struct hal *hal)
 {
+    meet_machine(kiosk, hal);
     const struct dressing dressing = { .notes = kiosk->config.notes,
                                        .input = &kiosk->input,
                                        .hands = kiosk->hands,
                                        .lines = &kiosk->lines,
                                        .button_faults = kiosk->faults.buttons,
+                                       .machine = &kiosk->machine,
                                        .frame_ns = timing_quantile_ns(&kiosk->frame_time, 0.5) };
     dressing_put(&kiosk->scene, hal, &dressing);
 }

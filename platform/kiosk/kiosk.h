@@ -22,6 +22,7 @@
 
 struct chapters;
 struct encore;
+struct machine;
 
 /* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
  * Must not change either. */
@@ -42,6 +43,7 @@ struct kiosk_config {
     uint8_t bot[POI_MAX];       /* These are the core's bot's, whatever device there is. */
     struct hal_clock stopwatch; /* Real time, for the figures only; never reaches the core. */
     const struct file_notes *notes; /* For the operator's menu; outlives the kiosk. Null: none. */
+    struct machine *machine;    /* That is looked after; outlives the kiosk. Null: nobody does. */
     struct chapters *chapters;  /* For the replays of scores; outlives the kiosk. Null: none. */
     struct encore *encore;      /* To show scores again; outlives the kiosk. Null: none can be. */
     struct kiosk_tap tap;       /* Null function: none. */
@@ -86,6 +88,8 @@ struct kiosk {
                                   for. */
     uint32_t told_orders;      /* Of output.order_count, those that were told. */
     uint32_t wanted_replay_id; /* The operator wants to see this round; 0: none. */
+    uint8_t has_acknowledged;  /* He has seen what was set aside, and the machine is to be told. */
+    struct scene_machine machine; /* As it was looked at last. */
     uint8_t end;           /* enum kiosk_end */
 
     uint64_t frames;

@@ -57,6 +57,8 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
             kiosk->restart_ns = hal_now_ns(hal->clock) + RESTART_WAIT_NS;
         } else if (order->kind == DESK_REPLAY) {
             kiosk->wanted_replay_id = order->round_id;
+        } else if (order->kind == DESK_SEEN) {
+            kiosk->has_acknowledged = 1;
         } else {
             hal->controllers.ops->order(hal->controllers.self, order);
         }

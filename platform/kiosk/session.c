@@ -71,17 +71,19 @@ static void note_species(struct session *session)
     }
 }
 
-/* Databases that were found damaged lie there until somebody has looked at them. */
+/* Databases that were found damaged stay on the page for good; the mark on "ready for opening" goes
+ * once somebody has acknowledged them. */
 static void note_damaged(struct session *session)
 {
-    static const char start[] = STORAGE_FILE STORAGE_ASIDE_SUFFIX;
     DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
     const struct dirent *entry;
     while (folder && (entry = readdir(folder))) {
-        const char *end = entry->d_name + strlen(entry->d_name);
-        if (strncmp(entry->d_name, start, sizeof start - 1u) == 0 &&
-            end[-1] >= '0' && end[-1] <= '9') { /* Not its journals. */
-            file_notes_add(&session->notes, FILE_REFUSED, entry->d_name,
+        if (machine_is_aside(entry->d_name)) {
+            if (!machine_is_seen(session->options.data, entry->d_name)) {
+                say(SAY_WARNING, "%s/%s: was damaged, and set aside; the backup took its place",
+                    session->options.data, entry->d_name);
+            }
+            file_notes_add(&session->notes, FILE_ASIDE, entry->d_name,
                            "damaged, and set aside: the backup took its place");
         }
     }
@@ -121,6 +123,7 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     note_species(session);
     note_damaged(session);
     config->notes = &session->notes;
+    config->machine = &session->machine;
     if (!replay[0]) {
         config->chapters = &session->chapters;
         config->encore = &session->encore;
@@ -140,6 +143,8 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
         say(SAY_ERROR, "%s: cannot record: %s", record, strerror(-error));
         return EXIT_IO;
     }
+    session->machine.data = session->options.data;
+    machine_start(&session->machine);
     return EXIT_OK;
 }
 
@@ -197,6 +202,7 @@ static enum exit_code end_replay(struct session *session)
 
 enum exit_code session_end(struct session *session)
 {
+    machine_stop(&session->machine);
     free(session->rgb);
     session->rgb = NULL;
     return session->options.record[0]   ? end_recording(session)

@@ -12,6 +12,7 @@
 #include "platform/kiosk/recorder.h"
 #include "platform/kiosk/replayer.h"
 #include "platform/kiosk/status.h"
+#include "platform/machine.h"
 #include "platform/species/shelf.h"
 
 struct session {
@@ -25,6 +26,7 @@ struct session {
     struct shelf shelf;                  /* Makers' species, read as the kiosk begins. */
     struct file_notes notes;             /* What became of these, and of all other files. */
     struct replay_totals replayed;       /* What session_check found in the file to replay. */
+    struct machine machine;              /* What the stall stands on. */
     struct status status;                /* For who watches over the machine. */
     uint8_t *rgb;                        /* For pictures; grows with the window. */
     size_t rgb_size;

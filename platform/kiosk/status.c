@@ -120,12 +120,58 @@ static void put_figures(struct text_out *text, const struct status_report *repor
         faults->buttons, faults->switches, (unsigned)__builtin_popcount(report->buttons_missing));
 }
 
+static const char *keeps_name(uint8_t keeps)
+{
+    static const char *const names[] = {
+        [KEEPS_UNKNOWN] = "unknown", [KEEPS_PROVEN] = "proven",   [KEEPS_FOLDER] = "folder",
+        [KEEPS_MEMORY] = "memory",   [KEEPS_NOT] = "not",         [KEEPS_NOWHERE] = "nowhere",
+    };
+    return keeps < sizeof names / sizeof names[0] ? names[keeps] : "unknown";
+}
+
+static const char *watch_name(uint8_t watch)
+{
+    static const char *const names[] = { [WATCH_NONE] = "none", [WATCH_NO_LIMIT] = "no-limit",
+                                         [WATCH_FED] = "fed", [WATCH_DEAF] = "deaf" };
+    return watch < sizeof names / sizeof names[0] ? names[watch] : "none";
+}
+
+/* What is not known is null: a figure that nobody measured would be believed. */
+static void put_known(struct text_out *text, const char *name, int is_known, int64_t value)
+{
+    if (is_known) {
+        put(text, "\"%s\": %lld", name, (long long)value);
+    } else {
+        put(text, "\"%s\": null", name);
+    }
+}
+
+/* The figures of the page "ready for opening". */
+static void put_machine(struct text_out *text, const struct status_report *report)
+{
+    const struct scene_machine *machine = &report->machine;
+    put(text, "  \"machine\": {\"data\": \"%s\", ", keeps_name(machine->keeps));
+    put_known(text, "backup_min", machine->has_backup, machine->backup_min);
+    put(text, ", ");
+    put_known(text, "free_mib", machine->has_looked, machine->room_mib);
+    put(text, ", ");
+    put_known(text, "heat_margin_c", machine->has_heat, machine->heat_margin_c);
+    put(text, ", \"watchdog\": \"%s\", ", watch_name(machine->watch));
+    put_known(text, "clock_day", report->day != 0, report->day);
+    put(text, ", ");
+    put_known(text, "clock_minute", report->day != 0, report->minute);
+    put(text, ", \"clock_went_back\": %s},\n", boolean(machine->is_clock_back));
+    put(text, "  \"files\": {\"refused\": %u, \"set_aside\": %u, \"replays_missed\": %u},\n",
+        report->files_refused, machine->aside, machine->missed);
+}
+
 size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])
 {
     struct text_out text = { .out = out };
     put(&text, "{\n");
     put_stall(&text, report);
     put_figures(&text, report);
+    put_machine(&text, report);
     put(&text, "  \"devices\": [");
     for (uint32_t i = 0; i < report->device_count; i++) {
         put(&text, "%s\n    {\"part\": \"%s\", \"text\": ", i ? "," : "", report->device[i].part);
@@ -183,6 +229,10 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
     report->frame_p99_ns = timing_quantile_ns(&kiosk->frame_time, 0.99);
     report->faults = kiosk->faults;
     report->buttons_missing = kiosk->lines.missing;
+    report->day = kiosk->input.day;
+    report->minute = kiosk->input.minute;
+    report->files_refused = kiosk->config.notes ? kiosk->config.notes->refused_count : 0u;
+    report->machine = kiosk->machine;
     take_devices(report, hal);
 }
 

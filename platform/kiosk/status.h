@@ -37,6 +37,9 @@ struct status_report {
     uint64_t frame_median_ns, frame_p99_ns;
     struct kiosk_faults faults;
     uint32_t buttons_missing;
+    uint16_t day, minute;  /* What the clock says, as struct input's; day 0: it was never set. */
+    uint32_t files_refused; /* As struct scene_devices has it. */
+    struct scene_machine machine;
     uint32_t device_count;
     struct {
         const char *part;  /* "display", "poi", ...; static. */

@@ -29,6 +29,8 @@ struct state_look {
 static const struct state_look looks[FILE_STATE_COUNT] = {
     [FILE_USED] = { TEXT_FILE_USED, 0x17754effu },
     [FILE_REFUSED] = { TEXT_FILE_REFUSED, 0xb3261effu },
+    [FILE_ASIDE] = { TEXT_FILE_ASIDE, 0xb3261effu },
+    [FILE_SEEN] = { TEXT_FILE_SEEN, 0x5b6172ffu },
 };
 
 /* ---- Words ---------------------------------------------------------------------------------- */
@@ -55,7 +57,7 @@ static void wrap(const struct menu_view *view, const struct ui_box *box, const c
 {
     const struct ui_text style = menu_style(view, 22.0f, UI_INK_SOFT);
     const float pitch = places->line_height * view->frame.unit;
-    char line[SCENE_LINE_SIZE];
+    char line[SCENE_LINE_SIZE + TEXT_LINE_MAX];
     for (uint32_t i = 0; i < places->line_count && *words; i++) {
         const int is_last = i + 1u == places->line_count;
         const size_t size = is_last ? strlen(words) : menu_fill_line(&style, words, box->width);
@@ -95,6 +97,20 @@ static void name_of(const struct menu_view *view, uint32_t row, const struct sce
     }
 }
 
+/* Beside how the store is: the scores that nobody will ever see again. */
+static const char *words_of(const struct menu_view *view, uint32_t row,
+                            const struct scene_file *file, char *out, size_t out_size)
+{
+    char missed[TEXT_LINE_MAX];
+    if (row != 0 || view->devices->machine.missed == 0) {
+        return file->words;
+    }
+    text_number(missed, sizeof missed, menu_text(view, TEXT_FILE_MISSED),
+                view->devices->machine.missed);
+    snprintf(out, out_size, "%s  %s", missed, file->words);
+    return out;
+}
+
 static void slip(const struct menu_view *view, const struct places *places, uint32_t index)
 {
     const struct scene_file *file = &view->devices->file[index];
@@ -106,7 +122,7 @@ static void slip(const struct menu_view *view, const struct places *places, uint
     const struct ui_box reason = { box.x + 16.0f * u, box.y + places->name_height * u,
                                    box.width - 32.0f * u, box.height };
     struct ui_text name = menu_style(view, 26.0f, UI_INK);
-    char words[SCENE_NAME_SIZE + SCENE_FILE_SIZE];
+    char words[SCENE_NAME_SIZE + SCENE_FILE_SIZE], said[SCENE_LINE_SIZE + TEXT_LINE_MAX];
     name_of(view, row, file, words, sizeof words);
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
@@ -114,7 +130,7 @@ static void slip(const struct menu_view *view, const struct places *places, uint
     name.fit_px = box.width - slip_width - 48.0f * u;
     ui_text(view->frame.batch, &name, reason.x,
             ui_text_middle(&name, box.y + 0.5f * places->name_height * u + 2.0f * u), words);
-    wrap(view, &reason, file->words, places);
+    wrap(view, &reason, words_of(view, row, file, said, sizeof said), places);
     if (file->state != FILE_UNKNOWN) {
         state_slip(view, (struct ui_box){ box.x + box.width - slip_width - 10.0f * u,
                                           box.y + 5.0f * u, slip_width, slip_height },

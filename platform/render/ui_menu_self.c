@@ -1,48 +1,195 @@
-/* ui_menu_self.c -- ready for opening: a mark for each thing that is tried, and what to do next. */
+/* ui_menu_self.c -- ready for opening: a row for each thing that is tried, what it says or what to
+ * do about it, and one plain line at the end. */
+#include <stdio.h>
+#include <string.h>
+
 #include "core/game/self_test.h"
 #include "platform/render/ui_menu.h"
 
 #define GOOD_PAINT 0x17754effu
 #define BAD_PAINT 0xb3261effu
 #define ASK_PAINT 0xa85a12ffu
-#define COLUMNS 3u
+#define ROW_LINES 2u
 
-static const struct check_words {
-    enum text_key name, bad, asks;
-} checks[SELF_CHECKS] = {
-    [SELF_STORE] = { TEXT_CHECK_STORE, TEXT_CHECK_STORE_BAD, TEXT_CHECK_WAITS },
-    [SELF_CLOCK] = { TEXT_CHECK_CLOCK, TEXT_CHECK_CLOCK_BAD, TEXT_CHECK_WAITS },
-    [SELF_DISPLAY] = { TEXT_CHECK_DISPLAY, TEXT_CHECK_DISPLAY_BAD, TEXT_CHECK_WAITS },
-    [SELF_FILES] = { TEXT_CHECK_FILES, TEXT_CHECK_FILES_BAD, TEXT_CHECK_WAITS },
-    [SELF_SOUND] = { TEXT_CHECK_SOUND, TEXT_CHECK_SOUND_BAD, TEXT_CHECK_SOUND_ASK },
-    [SELF_LAMP] = { TEXT_CHECK_LAMP, TEXT_CHECK_LAMP_BAD, TEXT_CHECK_LAMP_ASK },
-    [SELF_BUTTONS] = { TEXT_CHECK_BUTTONS, TEXT_CHECK_WAITS, TEXT_CHECK_BUTTONS_ASK },
-    [SELF_COINS] = { TEXT_CHECK_COINS, TEXT_CHECK_WAITS, TEXT_CHECK_COINS_ASK },
-    [SELF_POIS] = { TEXT_CHECK_POIS, TEXT_CHECK_POIS_BAD, TEXT_CHECK_POIS_ASK },
+struct places {
+    uint32_t columns, rows; /* Filled from above, column by column. */
+    float x, y, width, height, gap, pitch;
+    float name_width;
+    struct overlay_box verdict;
 };
+
+static const struct places wide = {
+    .columns = 2, .rows = 7, .x = 40.0f, .y = 116.0f, .width = 592.0f, .height = 51.0f,
+    .gap = 16.0f, .pitch = 54.0f, .name_width = 160.0f,
+    .verdict = { 40.0f, 498.0f, 1200.0f, 96.0f },
+};
+static const struct places upright_places = {
+    .columns = 1, .rows = 14, .x = 27.0f, .y = 176.0f, .width = 800.0f, .height = 62.0f,
+    .gap = 0.0f, .pitch = 67.0f, .name_width = 200.0f,
+    .verdict = { 27.0f, 1122.0f, 800.0f, 118.0f },
+};
+_Static_assert(SELF_CHECKS == 14u, "both sheets have a row for each check");
+
+/* A number goes where the words have room for one. */
+struct said {
+    enum text_key key;
+    uint32_t number;
+};
+
+/* ---- Words ----------------------------------------------------------------------------------- */
+
+static const enum text_key names[SELF_CHECKS] = {
+    [SELF_STORE] = TEXT_CHECK_STORE,     [SELF_BACKUP] = TEXT_CHECK_BACKUP,
+    [SELF_DATA] = TEXT_CHECK_DATA,       [SELF_ROOM] = TEXT_CHECK_ROOM,
+    [SELF_FILES] = TEXT_CHECK_FILES,     [SELF_CLOCK] = TEXT_CHECK_CLOCK,
+    [SELF_HEAT] = TEXT_CHECK_HEAT,       [SELF_WATCHDOG] = TEXT_CHECK_WATCHDOG,
+    [SELF_DISPLAY] = TEXT_CHECK_DISPLAY, [SELF_SOUND] = TEXT_CHECK_SOUND,
+    [SELF_LAMP] = TEXT_CHECK_LAMP,       [SELF_BUTTONS] = TEXT_CHECK_BUTTONS,
+    [SELF_COINS] = TEXT_CHECK_COINS,     [SELF_POIS] = TEXT_CHECK_POIS,
+};
+
+/* What a row says in each state, where that needs no figure; 0: it does, or it is never so. */
+static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
+    [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD, [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
+                     [SELF_BAD] = TEXT_CHECK_STORE_BAD },
+    [SELF_FILES] = { [SELF_GOOD] = TEXT_CHECK_FILES_GOOD, [SELF_BAD] = TEXT_CHECK_FILES_BAD },
+    [SELF_WATCHDOG] = { [SELF_GOOD] = TEXT_CHECK_WATCHDOG_GOOD,
+                        [SELF_LOOK] = TEXT_CHECK_WATCHDOG_LOOK,
+                        [SELF_BAD] = TEXT_CHECK_WATCHDOG_BAD },
+    [SELF_SOUND] = { [SELF_GOOD] = TEXT_CHECK_SOUND_GOOD, [SELF_ASKS] = TEXT_CHECK_SOUND_ASK,
+                     [SELF_BAD] = TEXT_CHECK_SOUND_BAD },
+    [SELF_LAMP] = { [SELF_GOOD] = TEXT_CHECK_LAMP_GOOD, [SELF_ASKS] = TEXT_CHECK_LAMP_ASK,
+                    [SELF_BAD] = TEXT_CHECK_LAMP_BAD },
+    [SELF_BUTTONS] = { [SELF_GOOD] = TEXT_CHECK_BUTTONS_GOOD,
+                       [SELF_ASKS] = TEXT_CHECK_BUTTONS_ASK },
+    [SELF_COINS] = { [SELF_ASKS] = TEXT_CHECK_COINS_ASK },
+    [SELF_POIS] = { [SELF_GOOD] = TEXT_CHECK_POIS_GOOD, [SELF_ASKS] = TEXT_CHECK_POIS_ASK,
+                    [SELF_BAD] = TEXT_CHECK_POIS_BAD },
+};
+
+static struct said backup_says(const struct scene_machine *machine, uint8_t state)
+{
+    const uint32_t minutes = machine->backup_min;
+    return state == SELF_GOOD    ? (struct said){ TEXT_CHECK_BACKUP_GOOD, minutes }
+           : machine->has_backup ? (struct said){ TEXT_CHECK_BACKUP_LOOK, minutes / 60u }
+                                 : (struct said){ TEXT_CHECK_BACKUP_NONE, 0 };
+}
+
+static struct said data_says(uint8_t keeps)
+{
+    static const enum text_key keys[] = {
+        [KEEPS_UNKNOWN] = TEXT_CHECK_SILENT,     [KEEPS_PROVEN] = TEXT_CHECK_DATA_GOOD,
+        [KEEPS_FOLDER] = TEXT_CHECK_DATA_FOLDER, [KEEPS_MEMORY] = TEXT_CHECK_DATA_MEMORY,
+        [KEEPS_NOT] = TEXT_CHECK_DATA_BAD,       [KEEPS_NOWHERE] = TEXT_CHECK_DATA_NOWHERE,
+    };
+    return (struct said){ keys[keeps <= KEEPS_NOWHERE ? keeps : (uint8_t)KEEPS_UNKNOWN], 0 };
+}
+
+static struct said room_says(uint32_t mib, uint8_t state)
+{
+    return state != SELF_GOOD ? (struct said){ TEXT_CHECK_ROOM_LOOK, mib }
+           : mib < 10240u     ? (struct said){ TEXT_CHECK_ROOM_GOOD, mib }
+                              : (struct said){ TEXT_CHECK_ROOM_AMPLE, mib / 1024u };
+}
+
+static struct said heat_says(const struct scene_machine *machine, uint8_t state)
+{
+    const uint32_t margin_c = machine->heat_margin_c > 0 ? (uint32_t)machine->heat_margin_c : 0u;
+    return !machine->has_heat   ? (struct said){ TEXT_CHECK_HEAT_NONE, 0 }
+           : state == SELF_GOOD ? (struct said){ TEXT_CHECK_HEAT_GOOD, margin_c }
+           : state == SELF_LOOK ? (struct said){ TEXT_CHECK_HEAT_LOOK, margin_c }
+                                : (struct said){ TEXT_CHECK_HEAT_BAD, 0 };
+}
+
+/* Rows that have figures. */
+static struct said figures_say(const struct menu_view *view, uint32_t check, uint8_t state)
+{
+    const struct scene_machine *machine = &view->devices->machine;
+    switch (check) {
+    case SELF_BACKUP:
+        return backup_says(machine, state);
+    case SELF_DATA:
+        return data_says(machine->keeps);
+    case SELF_ROOM:
+        return room_says(machine->room_mib, state);
+    case SELF_HEAT:
+        return heat_says(machine, state);
+    case SELF_CLOCK:
+        return (struct said){ machine->is_clock_back ? TEXT_CHECK_CLOCK_BACK
+                                                     : TEXT_CHECK_CLOCK_LOOK, 0 };
+    case SELF_DISPLAY:
+        return (struct said){ state == SELF_GOOD ? TEXT_CHECK_DISPLAY_GOOD
+                                                 : TEXT_CHECK_DISPLAY_BAD,
+                              view->devices->frames_a_second };
+    default:
+        return (struct said){ TEXT_CHECK_COINS_GOOD, view->menu->test_coins };
+    }
+}
+
+/* "2026-08-15 18:30": what the clock says is for the operator to judge. */
+static void clock_words(const struct scene_self_test *self, char *out, size_t out_size)
+{
+    static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+    uint32_t year = 2000, month = 0, day = self->day, length = 366;
+    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) { /* 2100 is far away. */
+        day -= length;
+        year++;
+    }
+    const uint32_t is_leap = length == 366u;
+    while (day >= months[month] + (month == 1u ? is_leap : 0u)) {
+        day -= months[month] + (month == 1u ? is_leap : 0u);
+        month++;
+    }
+    snprintf(out, out_size, "%u-%02u-%02u %02u:%02u", year, month + 1u, day + 1u,
+             self->minute / 60u, self->minute % 60u);
+}
+
+static void row_words(const struct menu_view *view, uint32_t check, uint8_t state, char *out,
+                      size_t out_size)
+{
+    const enum text_key key = plain[check][state];
+    const int is_asked_of_the_machine = check >= SELF_BACKUP && check <= SELF_HEAT &&
+                                        check != SELF_FILES && check != SELF_CLOCK;
+    const int is_silent = is_asked_of_the_machine && !view->devices->machine.has_looked;
+    if (state == SELF_WAITS || is_silent) {
+        snprintf(out, out_size, "%s",
+                 menu_text(view, state == SELF_WAITS ? TEXT_CHECK_WAITS : TEXT_CHECK_SILENT));
+    } else if (check == SELF_CLOCK && state == SELF_GOOD) {
+        clock_words(&view->menu->self, out, out_size);
+    } else if (key) {
+        snprintf(out, out_size, "%s", menu_text(view, key));
+    } else {
+        const struct said said = figures_say(view, check, state);
+        text_number(out, out_size, menu_text(view, said.key), said.number);
+    }
+}
+
+/* ---- Rows ------------------------------------------------------------------------------------ */
 
 static uint32_t paint_of(uint8_t state)
 {
     return state == SELF_GOOD ? GOOD_PAINT : state == SELF_BAD ? BAD_PAINT : ASK_PAINT;
 }
 
-/* A tick, a cross; what is still to be tried has a question mark. */
+/* A tick, a cross, an exclamation mark; what is still to be tried has a question mark, and what has
+ * not answered yet three dots. */
 static void mark(const struct menu_view *view, float x, float y, uint8_t state)
 {
-    const float u = view->frame.unit, r = 15.0f * u;
+    const float u = view->frame.unit, r = 13.0f * u;
     const float low[2] = { x - 0.3f * r, y + 0.8f * r };
     const float left[2] = { x - r, y + (state == SELF_GOOD ? 0.1f : -0.9f) * r };
     const float right[2] = { x + r, y - 0.9f * r }, down[2] = { x - r, y + 0.9f * r };
     const float end[2] = { x + r, y + 0.9f * r };
-    const struct ui_text asks = menu_style(view, 40.0f, ASK_PAINT);
+    const struct ui_text sign = menu_style(view, 36.0f, ASK_PAINT);
     if (state == SELF_GOOD) {
-        ui_segment(view->frame.batch, left, low, 6.0f * u, GOOD_PAINT);
-        ui_segment(view->frame.batch, low, right, 6.0f * u, GOOD_PAINT);
+        ui_segment(view->frame.batch, left, low, 5.0f * u, GOOD_PAINT);
+        ui_segment(view->frame.batch, low, right, 5.0f * u, GOOD_PAINT);
     } else if (state == SELF_BAD) {
-        ui_segment(view->frame.batch, left, end, 6.0f * u, BAD_PAINT);
-        ui_segment(view->frame.batch, down, right, 6.0f * u, BAD_PAINT);
+        ui_segment(view->frame.batch, left, end, 5.0f * u, BAD_PAINT);
+        ui_segment(view->frame.batch, down, right, 5.0f * u, BAD_PAINT);
     } else {
-        menu_words_at(view, x, y, 3.0f * r, 0.5f, &asks, "?");
+        menu_words_at(view, x, y, 3.0f * r, 0.5f, &sign,
+                      state == SELF_LOOK ? "!" : state == SELF_ASKS ? "?" : "...");
     }
 }
 
@@ -51,47 +198,108 @@ static void sheet(const struct menu_view *view, struct ui_box box, uint32_t edge
     const float u = view->frame.unit;
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE, .line = edge,
-                                 .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+                                 .shape = { 0, 0, 8.0f * u, 2.0f * u } });
 }
 
-static void check(const struct menu_view *view, uint32_t index, uint8_t state)
+/* Where Japanese breaks best: behind the last comma or full stop that leaves no more than a line
+ * behind it; 0: nowhere. */
+static size_t sentence_end(const struct ui_text *style, const char *words, float room_px)
 {
-    const int upright = view->menu->upright;
+    const char *at = words;
+    size_t end = 0;
+    for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
+        const int ends = code == 0x3001u || code == 0x3002u;
+        end = ends && *at && menu_fill_line(style, at, room_px) == strlen(at)
+                  ? (size_t)(at - words)
+                  : end;
+    }
+    return end;
+}
+
+/* In one line where it fits, else in two, of which the last shrinks to what is left. */
+static void wrap(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
+                 const char *words)
+{
+    char line[2u * TEXT_LINE_MAX];
+    const size_t fits = menu_fill_line(style, words, box.width);
+    const size_t end = sentence_end(style, words, box.width);
+    const size_t first = end > 0 && end < fits ? end : fits;
+    const uint32_t lines = words[fits] ? ROW_LINES : 1u;
+    for (uint32_t i = 0; i < lines; i++) {
+        const size_t size = i + 1u < lines ? first : strlen(words);
+        snprintf(line, sizeof line, "%.*s", (int)size, words);
+        menu_words_at(view, box.x,
+                      box.y + box.height * ((float)i + 0.5f) / (float)lines, box.width, 0.0f,
+                      style, line);
+        words += size;
+    }
+}
+
+static void check(const struct menu_view *view, const struct places *places, uint32_t index,
+                  uint8_t state)
+{
     const float u = view->frame.unit;
-    const float width = upright ? 256.0f : 330.0f, height = upright ? 130.0f : 96.0f;
-    const float x = (upright ? 27.0f : 125.0f) + (float)(index % COLUMNS) * (width + 16.0f);
-    const float y = (upright ? 240.0f : 130.0f) + (float)(index / COLUMNS) * (height + 18.0f);
-    const struct ui_box box = menu_place(view, (struct overlay_box){ x, y, width, height });
-    const struct ui_text name = menu_style(view, 30.0f, UI_INK);
+    const float x = places->x + (float)(index / places->rows) * (places->width + places->gap);
+    const float y = places->y + (float)(index % places->rows) * places->pitch;
+    const struct ui_box box =
+        menu_place(view, (struct overlay_box){ x, y, places->width, places->height });
+    const struct ui_text name = menu_style(view, 26.0f, UI_INK);
+    const struct ui_text line =
+        menu_style(view, 22.0f, state == SELF_GOOD ? UI_INK_SOFT : paint_of(state));
+    const float left = box.x + (52.0f + places->name_width) * u;
+    char words[2u * TEXT_LINE_MAX];
+    row_words(view, index, state, words, sizeof words);
     sheet(view, box, paint_of(state));
-    mark(view, box.x + 40.0f * u, box.y + 0.5f * box.height, state);
-    menu_words_at(view, box.x + 76.0f * u, box.y + 0.5f * box.height, box.width - 92.0f * u, 0.0f,
-                  &name, menu_text(view, checks[index].name));
+    mark(view, box.x + 28.0f * u, box.y + 0.5f * box.height, state);
+    menu_words_at(view, box.x + 52.0f * u, box.y + 0.5f * box.height,
+                  (places->name_width - 8.0f) * u, 0.0f, &name, menu_text(view, names[index]));
+    wrap(view, (struct ui_box){ left, box.y + 4.0f * u, box.x + box.width - 10.0f * u - left,
+                                box.height - 8.0f * u },
+         &line, words);
 }
 
-static enum text_key verdict(uint32_t first, const uint8_t state[SELF_CHECKS])
+/* ---- The verdict ----------------------------------------------------------------------------- */
+
+static void verdict_words(const struct menu_view *view, uint32_t next,
+                          const uint8_t state[SELF_CHECKS], char *out, size_t out_size)
 {
-    return first == SELF_CHECKS           ? TEXT_CHECK_READY
-           : state[first] == SELF_BAD     ? checks[first].bad
-           : state[first] == SELF_ASKS    ? checks[first].asks
-                                          : TEXT_CHECK_WAITS;
+    const uint32_t seconds = view->menu->self.seconds_left;
+    const uint32_t number = seconds > 0 ? seconds : self_test_left(state);
+    const enum text_key key = next == SELF_CHECKS ? TEXT_CHECK_READY
+                              : seconds > 0       ? TEXT_CHECK_RUNNING
+                                                  : TEXT_CHECK_LEFT;
+    text_number(out, out_size, menu_text(view, key), number);
+}
+
+/* What it comes to, and under that what to do next. */
+static void verdict(const struct menu_view *view, const struct places *places, uint32_t next,
+                    const uint8_t state[SELF_CHECKS])
+{
+    const float u = view->frame.unit;
+    const uint8_t kind = next < SELF_CHECKS ? state[next] : (uint8_t)SELF_GOOD;
+    const struct ui_box box = menu_place(view, places->verdict);
+    const struct ui_text large = menu_style(view, 40.0f, paint_of(kind));
+    const struct ui_text small = menu_style(view, 28.0f, UI_INK);
+    char words[2u * TEXT_LINE_MAX], line[3u * TEXT_LINE_MAX];
+    const float x = box.x + 0.5f * box.width, room = box.width - 40.0f * u;
+    sheet(view, box, paint_of(kind));
+    verdict_words(view, next, state, words, sizeof words);
+    menu_words_at(view, x, box.y + (next < SELF_CHECKS ? 0.3f : 0.5f) * box.height, room, 0.5f,
+                  &large, words);
+    if (next < SELF_CHECKS) {
+        row_words(view, next, kind, words, sizeof words);
+        snprintf(line, sizeof line, "%s  %s", menu_text(view, names[next]), words);
+        menu_words_at(view, x, box.y + 0.75f * box.height, room, 0.5f, &small, line);
+    }
 }
 
 void menu_self_test(const struct menu_view *view)
 {
     uint8_t state[SELF_CHECKS];
-    const uint32_t first = self_test_judge(view->scene, state);
-    const int upright = view->menu->upright;
-    const uint8_t kind = first < SELF_CHECKS ? state[first] : (uint8_t)SELF_GOOD;
-    const struct ui_box box =
-        menu_place(view, upright ? (struct overlay_box){ 27.0f, 760.0f, 800.0f, 120.0f }
-                                 : (struct overlay_box){ 125.0f, 486.0f, 1022.0f, 96.0f });
-    const struct ui_text words = menu_style(view, 36.0f, paint_of(kind));
+    const struct places *places = view->menu->upright ? &upright_places : &wide;
+    const uint32_t next = self_test_judge(view->scene, state);
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
-        check(view, i, state[i]);
+        check(view, places, i, state[i]);
     }
-    sheet(view, box, paint_of(kind));
-    menu_words_at(view, box.x + 0.5f * box.width, box.y + 0.5f * box.height,
-                  box.width - 40.0f * view->frame.unit, 0.5f, &words,
-                  menu_text(view, verdict(first, state)));
+    verdict(view, places, next, state);
 }

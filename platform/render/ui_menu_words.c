@@ -69,7 +69,7 @@ static const struct menu_words pages[MENU_PAGE_COUNT] = {
                          .draw = menu_self_test },
     [MENU_UPKEEP] = { .title = TEXT_PAGE_UPKEEP, .about = TEXT_ABOUT_UPKEEP, .foot = { BACK } },
     [MENU_FILES] = { .title = TEXT_PAGE_FILES, .about = TEXT_ABOUT_FILES,
-                     .foot = { TEXT_FILES_MORE, BACK }, .draw = menu_files },
+                     .foot = { TEXT_FILES_MORE, TEXT_FILES_SEEN, BACK }, .draw = menu_files },
     [MENU_ABOUT] = { .title = TEXT_PAGE_ABOUT, .about = TEXT_ABOUT_ABOUT, .foot = { BACK },
                      .draw = menu_about },
     [MENU_NEW_PIN] = { .title = TEXT_PAGE_PIN, .about = TEXT_ABOUT_PIN, .foot = KEYS,

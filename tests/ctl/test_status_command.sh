@@ -24,6 +24,9 @@ writes() { # AGE_S WELL: as the service does.
   "store": {"well": $2, "entry_id": 120, "saved_id": 118, "waiting": 2},
   "frames": {"count": 443040, "median_ms": 16.7, "p99_ms": 17.1}, "ticks": {"count": 886080, "dropped": 4},
   "faults": {"poi": 2, "fan": 0, "display": 0, "sound": 1, "store": 0, "buttons": 0, "switches": 0, "buttons_missing": 0},
+  "machine": {"data": "proven", "backup_min": 12, "free_mib": 345, "heat_margin_c": ${3:-21}, "watchdog": "fed",
+    "clock_day": ${4:-9726}, "clock_minute": 1110, "clock_went_back": false},
+  "files": {"refused": 1, "set_aside": 2, "replays_missed": 3},
   "devices": [{"part": "display", "text": "OpenGL ES 3.1 V3D, 1920x1080"}, {"part": "sound", "text": "none"}] }
 JSON
 }
@@ -41,10 +44,16 @@ check 'a stall that runs is told' ends 0 '^kingyo 0.1.0, start 12, open for 2 h 
 check 'with its credits' ends 0 '^  credits   3 paid, 1 of service, 2 units towards the next$'
 check 'its ledger' ends 0 '^  ledger    well; 120 entries, 2 not on disk yet$'
 check 'its frames' ends 0 '^  frames    443040, median 16.7 ms, p99 17.1 ms; 4 ticks dropped$'
+check 'the machine below it' ends 0 \
+    '^  machine   data proven; backup 12 min old; 345 MiB free; heat 21 degrees below slowing down; watchdog fed$'
+check 'what was refused, set aside or not kept' ends 0 \
+    '^  files     1 refused; 2 databases set aside and not seen; 3 scores without their replay$'
 check 'those faults that there were' ends 0 '^  faults    poi 2, sound 1$'
 check 'and its devices' ends 0 '^  display   OpenGL ES 3.1 V3D, 1920x1080$'
 as_it_is() { status --json && cmp "$file" "$work/out"; }
 check '--json prints it as it is' as_it_is
+writes 1 true null null
+check 'what nobody measures is not made up' ends 0 'heat not measured; watchdog fed; CLOCK NOT SET$'
 writes 60 true
 check 'one that stood still for a minute is not well' ends 1 'has said nothing for 6[0-9]\.[0-9] s'
 writes 1 false

@@ -28,6 +28,8 @@ static const struct scene_file files[] = {
     { FILE_REFUSED, "usb.txt:4", "expected VVVV:PPPP[:SERIAL] and plays or rests" },
     { FILE_REFUSED, "pois/046d-c626.poi:2", "unknown field 'wobble'" },
     { FILE_REFUSED, "/etc/kingyo/kingyo.conf:7", "grade = 9: wrong value; expected 4 to 7" },
+    { FILE_ASIDE, "kingyo.db.damaged-1", "damaged, and set aside: the backup took its place" },
+    { FILE_SEEN, "kingyo.db.damaged-2", "damaged, and set aside: the backup took its place" },
     { FILE_USED, "species/funa.kfish", "funa" },
     { FILE_USED, "graphs/hirame.graph", "hirame" },
 };
@@ -189,6 +191,13 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     devices->axes[1] = (struct scene_axes){ POI_LINK_LIVE, { -0.55f, 0.11f, 0.22f },
                                             { -2.1f, 0.9f, -0.4f }, 125, 214.0f };
     devices->axes[2].link = POI_LINK_LOST;
+    devices->frames_a_second = 60;
+    devices->files_refused = 6;
+    devices->machine = (struct scene_machine){
+        .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_NO_LIMIT, .has_backup = 1,
+        .backup_min = 7, .room_mib = 40, .has_heat = 1, .heat_margin_c = 21, .aside = 1,
+        .missed = 2,
+    };
     devices->line_raw = INPUT_LEFT | INPUT_DOOR | INPUT_TILT;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT + COIN_LINE_COUNT; i++) {
         devices->line[i] = (struct scene_line){ 4u + i * i * 41u, i % 4u == 3u ? i : 0u };

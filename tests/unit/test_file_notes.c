@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -160,6 +161,7 @@ static int tear_down(void **state)
 {
     char command[96];
     (void)state;
+    machine_stop(&rig.session.machine);
     snprintf(command, sizeof command, "rm -rf '%s'", rig.data);
     return system(command);
 }
@@ -284,6 +286,44 @@ static void test_further_rows_follow_when_more_is_taken(void **state)
     assert_int_equal(file[3].state, FILE_UNKNOWN);
 }
 
+static void until_first_is(const struct scene_file *file, uint8_t state)
+{
+    for (uint32_t i = 0; i < 300u && file[1].state != state; i++) {
+        usleep(10000);
+        push(0);
+    }
+    assert_int_equal(file[1].state, state);
+}
+
+/* On the page for good; but whoever has seen it is not told of it again, not even at the next
+ * start. */
+static void test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so(void **state)
+{
+    (void)state;
+    put(".", "kingyo.db.damaged-1", "nonsense");
+    put(".", "kingyo.db.damaged-1-wal", "its journal");
+    const struct scene_file *file = look();
+    const struct scene_devices *devices = &rig.display.scene.devices;
+    for (uint32_t i = 0; i < 300u && devices->machine.aside == 0; i++) {
+        usleep(10000);
+        push(0);
+    }
+    assert_int_equal(devices->machine.aside, 1);
+    assert_int_equal(devices->files_refused, 0);
+    assert_int_equal(file[1].state, FILE_ASIDE);
+    assert_string_equal(file[1].name, "kingyo.db.damaged-1");
+    assert_int_equal(file[2].state, FILE_UNKNOWN);
+    push(INPUT_SERVICE);
+    assert_int_equal(rig.display.scene.menu.tag, FILES_SEEN);
+    push(INPUT_TEST);
+    until_first_is(file, FILE_SEEN);
+    machine_stop(&rig.session.machine);
+    rig.session.notes = (struct file_notes){ 0 };
+    look();
+    until_first_is(file, FILE_SEEN);
+    assert_int_equal(devices->machine.aside, 0);
+}
+
 #define ON_THE_SCREEN(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
 
 int main(void)
@@ -301,6 +341,7 @@ int main(void)
         ON_THE_SCREEN(test_the_first_row_is_the_store_as_it_is_now),
         ON_THE_SCREEN(test_what_was_complained_of_before_the_stall_opened_is_there),
         ON_THE_SCREEN(test_further_rows_follow_when_more_is_taken),
+        ON_THE_SCREEN(test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

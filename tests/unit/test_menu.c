@@ -390,7 +390,8 @@ static void test_more_is_offered_where_more_is_than_fits(void **state)
             step();
             core_scene(&core, &scene);
             assert_int_equal(scene.menu.tags,
-                             1u << FILES_BACK | (count > shown ? 1u << FILES_MORE : 0u));
+                             1u << FILES_BACK | 1u << FILES_SEEN |
+                                 (count > shown ? 1u << FILES_MORE : 0u));
             assert_int_equal(scene.menu.desk.file_count, count);
         }
     }
@@ -428,9 +429,26 @@ static void test_files_are_shown_from_the_first_whenever_they_are_looked_at(void
     push(INPUT_TEST);
     assert_int_equal(menu()->file_first, menu_files_shown(0));
     push(INPUT_SERVICE);
+    push(INPUT_SERVICE);
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_UPKEEP);
     push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_FILES);
+    assert_int_equal(menu()->file_first, 0);
+}
+
+/* What was set aside is acknowledged by who means to: a short page points at the way back. */
+static void test_what_was_set_aside_is_acknowledged_by_a_tag_of_its_own(void **state)
+{
+    (void)state;
+    go_to_files(2);
+    assert_int_equal(pointed(), FILES_BACK);
+    const uint32_t orders = output.order_count;
+    push(INPUT_SERVICE);
+    assert_int_equal(pointed(), FILES_SEEN);
+    push(INPUT_TEST);
+    assert_int_equal(output.order_count, orders + 1u);
+    assert_int_equal(output.orders[orders % DESK_ORDER_MAX].kind, DESK_SEEN);
     assert_int_equal(menu()->page, MENU_FILES);
     assert_int_equal(menu()->file_first, 0);
 }
@@ -783,6 +801,7 @@ int main(void)
         IN_MENU(test_more_is_offered_where_more_is_than_fits),
         IN_MENU(test_more_leads_past_every_row_and_to_the_first_again),
         IN_MENU(test_files_are_shown_from_the_first_whenever_they_are_looked_at),
+        IN_MENU(test_what_was_set_aside_is_acknowledged_by_a_tag_of_its_own),
         IN_MENU(test_left_open_and_forgotten_the_stall_opens_again),
         IN_MENU(test_start_in_the_menu_begins_no_round),
         IN_MENU(test_service_points_round_and_passes_over_empty_rows),

@@ -8,6 +8,12 @@
 static struct scene scene;
 static uint8_t state_of[SELF_CHECKS];
 
+/* A machine that nothing is to be said of. */
+static const struct scene_machine well = {
+    .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1, .backup_min = 12,
+    .room_mib = 4096, .has_heat = 1, .heat_margin_c = 25,
+};
+
 static const struct menu *menu(void)
 {
     return &core.game.menu;
@@ -35,6 +41,7 @@ static int setup_page(void **state)
     adjust_init(&core.game.adjust, &core.config);
     memset(&scene, 0, sizeof scene);
     scene.devices.frames_a_second = 60;
+    scene.devices.machine = well;
     input.store_well = 1;
     input.day = 9000;
     push(INPUT_TEST);
@@ -146,10 +153,12 @@ static void test_each_thing_that_fails_is_named(void **state)
     input.day = 0;
     step();
     assert_int_equal(judge(), SELF_CLOCK);
+    assert_int_equal(state_of[SELF_CLOCK], SELF_LOOK); /* Dates are a hint. */
     input.day = 9000;
     step();
     scene.devices.frames_a_second = 12;
     assert_int_equal(judge(), SELF_DISPLAY);
+    assert_int_equal(state_of[SELF_DISPLAY], SELF_BAD);
     scene.devices.frames_a_second = 0;
     assert_int_equal(judge(), SELF_DISPLAY);
     assert_int_equal(state_of[SELF_DISPLAY], SELF_WAITS);
@@ -194,6 +203,111 @@ static void test_the_operator_says_what_he_heard_and_saw(void **state)
     assert_int_equal(state_of[SELF_SOUND], SELF_ASKS);
 }
 
+/* A figure of the machine, what that row is then, and the wrong side of each bound. */
+static void test_every_row_of_the_machine_in_every_state(void **state)
+{
+    static const struct row {
+        uint8_t check, wanted;
+        struct scene_machine but;
+    } rows[] = {
+        { SELF_BACKUP, SELF_LOOK, { .has_backup = 0 } },
+        { SELF_BACKUP, SELF_LOOK, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN } },
+        { SELF_BACKUP, SELF_GOOD, { .has_backup = 1, .backup_min = SELF_BACKUP_OLD_MIN - 1u } },
+        { SELF_DATA, SELF_WAITS, { .keeps = KEEPS_UNKNOWN } },
+        { SELF_DATA, SELF_GOOD, { .keeps = KEEPS_PROVEN } },
+        { SELF_DATA, SELF_GOOD, { .keeps = KEEPS_FOLDER } },
+        { SELF_DATA, SELF_BAD, { .keeps = KEEPS_MEMORY } },
+        { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOT } },
+        { SELF_DATA, SELF_BAD, { .keeps = KEEPS_NOWHERE } },
+        { SELF_ROOM, SELF_GOOD, { .room_mib = SELF_ROOM_LOW_MIB } },
+        { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_LOW_MIB - 1u } },
+        { SELF_ROOM, SELF_LOOK, { .room_mib = SELF_ROOM_BAD_MIB } },
+        { SELF_ROOM, SELF_BAD, { .room_mib = SELF_ROOM_BAD_MIB - 1u } },
+        { SELF_HEAT, SELF_GOOD, { .has_heat = 0, .heat_margin_c = -5 } }, /* No sensor. */
+        { SELF_HEAT, SELF_GOOD, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C } },
+        { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = SELF_HEAT_NEAR_C - 1 } },
+        { SELF_HEAT, SELF_LOOK, { .has_heat = 1, .heat_margin_c = 1 } },
+        { SELF_HEAT, SELF_BAD, { .has_heat = 1, .heat_margin_c = 0 } },
+        { SELF_WATCHDOG, SELF_GOOD, { .watch = WATCH_FED } },
+        { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NONE } },
+        { SELF_WATCHDOG, SELF_LOOK, { .watch = WATCH_NO_LIMIT } },
+        { SELF_WATCHDOG, SELF_BAD, { .watch = WATCH_DEAF } },
+        { SELF_STORE, SELF_LOOK, { .aside = 1 } },
+        { SELF_CLOCK, SELF_LOOK, { .is_clock_back = 1 } },
+    };
+    (void)state;
+    try_all();
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct scene_machine *but = &rows[i].but;
+        struct scene_machine *machine = &scene.devices.machine;
+        *machine = well;
+        switch (rows[i].check) {
+        case SELF_BACKUP:
+            machine->has_backup = but->has_backup;
+            machine->backup_min = but->backup_min;
+            break;
+        case SELF_DATA:
+            machine->keeps = but->keeps;
+            break;
+        case SELF_ROOM:
+            machine->room_mib = but->room_mib;
+            break;
+        case SELF_HEAT:
+            machine->has_heat = but->has_heat;
+            machine->heat_margin_c = but->heat_margin_c;
+            break;
+        case SELF_WATCHDOG:
+            machine->watch = but->watch;
+            break;
+        default:
+            machine->aside = but->aside;
+            machine->is_clock_back = but->is_clock_back;
+        }
+        const uint32_t next = judge();
+        assert_int_equal(state_of[rows[i].check], rows[i].wanted);
+        assert_int_equal(next, rows[i].wanted == SELF_GOOD ? (uint32_t)SELF_CHECKS : rows[i].check);
+        assert_int_equal(self_test_left(state_of), rows[i].wanted != SELF_GOOD);
+    }
+}
+
+/* A machine that nobody can ask, a card that never answers, a screen that shows nothing. */
+static void test_after_twenty_seconds_nothing_waits_any_more(void **state)
+{
+    (void)state;
+    store_is_late = 1;
+    take(SELF_AGAIN);
+    const uint32_t begin_tick = menu()->self.begin_tick;
+    scene.devices.frames_a_second = 0;
+    scene.devices.machine = (struct scene_machine){ 0 };
+    steps(SELF_TEST_TICKS - 1u - (core.tick - begin_tick));
+    judge();
+    assert_int_equal(scene.menu.self.seconds_left, 1);
+    assert_int_equal(state_of[SELF_DATA], SELF_WAITS);
+    step();
+    judge();
+    assert_int_equal(core.tick - begin_tick, 20u * CORE_TICK_HZ);
+    assert_int_equal(scene.menu.self.seconds_left, 0);
+    static const uint8_t silent[] = { SELF_STORE, SELF_BACKUP, SELF_DATA, SELF_ROOM, SELF_HEAT,
+                                      SELF_DISPLAY };
+    for (size_t i = 0; i < sizeof silent; i++) {
+        assert_int_equal(state_of[silent[i]], SELF_BAD);
+    }
+    assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u); /* But files and clock. */
+}
+
+/* What is to be done comes before what is only to be looked at. */
+static void test_the_worst_is_named_first(void **state)
+{
+    (void)state;
+    scene.devices.machine.aside = 1;
+    scene.devices.files_refused = 1;
+    assert_int_equal(judge(), SELF_SOUND);
+    try_all();
+    assert_int_equal(judge(), SELF_FILES);
+    scene.devices.files_refused = 0;
+    assert_int_equal(judge(), SELF_STORE);
+}
+
 /* Without a line there is no button to press. */
 static void test_a_button_that_is_not_wired_is_not_asked_for(void **state)
 {
@@ -230,6 +344,9 @@ int main(void)
         cmocka_unit_test_setup(test_a_card_that_keeps_nothing_is_named_within_twenty_seconds,
                                setup_page),
         cmocka_unit_test_setup(test_each_thing_that_fails_is_named, setup_page),
+        cmocka_unit_test_setup(test_every_row_of_the_machine_in_every_state, setup_page),
+        cmocka_unit_test_setup(test_after_twenty_seconds_nothing_waits_any_more, setup_page),
+        cmocka_unit_test_setup(test_the_worst_is_named_first, setup_page),
         cmocka_unit_test_setup(test_the_operator_says_what_he_heard_and_saw, setup_page),
         cmocka_unit_test_setup(test_a_button_that_is_not_wired_is_not_asked_for, setup_page),
         cmocka_unit_test_setup(test_the_entry_that_tries_the_store_says_what_was_so, setup_page),

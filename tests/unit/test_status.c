@@ -98,6 +98,17 @@ static void test_every_figure_is_in_it(void **state)
         { "$.faults.buttons", "6" },
         { "$.faults.switches", "7" },
         { "$.faults.buttons_missing", "2" },
+        { "$.machine.data", "proven" },
+        { "$.machine.backup_min", "12" },
+        { "$.machine.free_mib", "345" },
+        { "$.machine.heat_margin_c", "-2" },
+        { "$.machine.watchdog", "fed" },
+        { "$.machine.clock_day", "9000" },
+        { "$.machine.clock_minute", "61" },
+        { "$.machine.clock_went_back", "1" },
+        { "$.files.refused", "3" },
+        { "$.files.set_aside", "2" },
+        { "$.files.replays_missed", "5" },
         { "$.devices[0].part", "poi" },
         { "$.devices[0].text", "mouse" },
     };
@@ -109,6 +120,10 @@ static void test_every_figure_is_in_it(void **state)
         .ticks = 7200, .frame_median_ns = 16700000, .frame_p99_ns = 18000000,
         .faults = { .poi = 1, .shade = 2, .display = 3, .audio = 4, .storage = 5, .buttons = 6,
                     .switches = 7 },
+        .day = 9000, .minute = 61, .files_refused = 3,
+        .machine = { .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
+                     .backup_min = 12, .room_mib = 345, .has_heat = 1, .heat_margin_c = -2,
+                     .is_clock_back = 1, .aside = 2, .missed = 5 },
         .buttons_missing = 5, .device_count = 1, .device = { { "poi", "mouse" } },
     };
     (void)state;
@@ -117,6 +132,23 @@ static void test_every_figure_is_in_it(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         check_json(text, rows[i].where, rows[i].wanted);
     }
+}
+
+static void test_what_nobody_measured_is_null(void **state)
+{
+    static char text[STATUS_TEXT_MAX];
+    static const struct status_report report;
+    static const char *const unknown[] = { "backup_min", "free_mib", "heat_margin_c", "clock_day",
+                                           "clock_minute" };
+    (void)state;
+    status_format(&report, text);
+    for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
+        char words[64];
+        snprintf(words, sizeof words, "\"%s\": null", unknown[i]);
+        assert_non_null(strstr(text, words));
+    }
+    check_json(text, "$.machine.data", "unknown");
+    check_json(text, "$.machine.watchdog", "none");
 }
 
 static void test_a_devices_name_cannot_break_it(void **state)
@@ -256,6 +288,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_figure_is_in_it),
+        cmocka_unit_test(test_what_nobody_measured_is_null),
         cmocka_unit_test(test_a_devices_name_cannot_break_it),
         cmocka_unit_test(test_what_is_no_utf8_is_marked),
         cmocka_unit_test(test_the_longest_report_fits),

@@ -48,6 +48,7 @@ static void test_it_says_ready_once_and_then_a_few_times_a_deadline(void **state
     const struct hal_watchdog device = watchdog_device(&watchdog);
     device.ops->kick(device.self);
     assert_string_equal(heard(fd), "READY=1");
+    assert_int_equal(device.ops->watches(device.self), WATCH_FED);
     uint32_t kicks = 0;
     for (uint32_t i = 0; i < 600; i++) { /* Ten seconds of frames, a deadline of two. */
         clock.now_ns += 16666667;
@@ -59,6 +60,7 @@ static void test_it_says_ready_once_and_then_a_few_times_a_deadline(void **state
     device.ops->kick(device.self); /* A manager that went away is no harm. */
     clock.now_ns += 10000 * MS;
     device.ops->kick(device.self);
+    assert_int_equal(device.ops->watches(device.self), WATCH_DEAF);
     assert_true(device.ops->describe(device.self)[0] != '\0');
     close(watchdog.socket_fd);
 }

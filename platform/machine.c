@@ -1,0 +1,306 @@
+/* machine.c -- see machine.h. */
+#include "platform/machine.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/magic.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/statfs.h>
+#include <sys/statvfs.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "platform/storage.h"
+#include "platform/thermal.h"
+
+#define PATH_SIZE 1200u
+#define MIB 1048576u
+
+/* ---- The folder ----------------------------------------------------------------------------- */
+
+static bool has_folder(const struct machine *machine)
+{
+    return machine->data && machine->data[0];
+}
+
+static bool path_in(const struct machine *machine, const char *name, char out[PATH_SIZE])
+{
+    const int length = snprintf(out, PATH_SIZE, "%s/%s", machine->data, name);
+    return length > 0 && (unsigned)length < PATH_SIZE;
+}
+
+/* What check-data said of this start; KEEPS_UNKNOWN where nobody asked it. */
+static uint8_t keeps_as_checked(const struct machine *machine)
+{
+    char line[16] = "";
+    FILE *const file = fopen(machine->checked ? machine->checked : MACHINE_CHECKED, "re");
+    if (file && !fgets(line, sizeof line, file)) {
+        line[0] = '\0';
+    }
+    if (file) {
+        fclose(file);
+    }
+    return strncmp(line, "kept:", 5) == 0       ? KEEPS_PROVEN
+           : strncmp(line, "not kept:", 9) == 0 ? KEEPS_NOT
+                                                : KEEPS_UNKNOWN;
+}
+
+static uint8_t keeps_of(const struct machine *machine)
+{
+    struct statfs about;
+    if (!has_folder(machine) || statfs(machine->data, &about) != 0) {
+        return KEEPS_NOWHERE;
+    }
+    if (about.f_type == TMPFS_MAGIC || about.f_type == RAMFS_MAGIC) {
+        return KEEPS_MEMORY;
+    }
+    const uint8_t checked = keeps_as_checked(machine);
+    return checked != KEEPS_UNKNOWN ? checked : (uint8_t)KEEPS_FOLDER;
+}
+
+static uint32_t room_of(const struct machine *machine)
+{
+    struct statvfs about;
+    if (!has_folder(machine) || statvfs(machine->data, &about) != 0) {
+        return 0;
+    }
+    const uint64_t mib = (uint64_t)about.f_bavail * about.f_frsize / MIB;
+    return mib < UINT32_MAX ? (uint32_t)mib : UINT32_MAX;
+}
+
+/* ---- The backup, and the clock --------------------------------------------------------------- */
+
+static int64_t seconds_on(clockid_t clock)
+{
+    struct timespec now;
+    clock_gettime(clock, &now);
+    return (int64_t)now.tv_sec;
+}
+
+/* The clock that may jump is asked of a file once, when it is first seen; from there on it ages by
+ * the one that does not. A clock that was set in between says nothing of a backup that this very
+ * start has made. */
+static void look_at_backup(struct machine *machine, struct scene_machine *out)
+{
+    char path[PATH_SIZE];
+    struct stat about;
+    out->has_backup = has_folder(machine) &&
+                      path_in(machine, STORAGE_FILE STORAGE_BACKUP_SUFFIX, path) &&
+                      stat(path, &about) == 0;
+    if (!out->has_backup) {
+        machine->backup.inode = 0;
+        return;
+    }
+    const int64_t now_s = seconds_on(CLOCK_MONOTONIC);
+    if (machine->backup.inode != about.st_ino ||
+        machine->backup.mtime_s != (int64_t)about.st_mtim.tv_sec ||
+        machine->backup.mtime_ns != about.st_mtim.tv_nsec) {
+        const int64_t age_s = seconds_on(CLOCK_REALTIME) - (int64_t)about.st_mtim.tv_sec;
+        machine->backup.inode = about.st_ino;
+        machine->backup.mtime_s = (int64_t)about.st_mtim.tv_sec;
+        machine->backup.mtime_ns = about.st_mtim.tv_nsec;
+        machine->backup_s = now_s - (machine->has_begun || age_s < 0 ? 0 : age_s);
+    }
+    const int64_t age_min = (now_s - machine->backup_s) / 60;
+    out->backup_min = age_min < UINT32_MAX ? (uint32_t)age_min : UINT32_MAX;
+}
+
+/* What was written before this start was written in the past. */
+static int64_t newest_file_s(const struct machine *machine)
+{
+    static const char *const names[] = { STORAGE_FILE, STORAGE_FILE STORAGE_BACKUP_SUFFIX };
+    char path[PATH_SIZE];
+    struct stat about;
+    int64_t newest_s = 0;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (path_in(machine, names[i], path) && stat(path, &about) == 0 &&
+            about.st_mtim.tv_sec > newest_s) {
+            newest_s = (int64_t)about.st_mtim.tv_sec;
+        }
+    }
+    return newest_s;
+}
+
+/* ---- What was set aside ---------------------------------------------------------------------- */
+
+bool machine_is_aside(const char *file)
+{
+    static const char start[] = STORAGE_FILE STORAGE_ASIDE_SUFFIX;
+    const char *number = file + sizeof start - 1u;
+    return strncmp(file, start, sizeof start - 1u) == 0 && number[0] != '\0' &&
+           number[strspn(number, "0123456789")] == '\0';
+}
+
+static bool seen_path(const char *folder, const char *file, char out[PATH_SIZE])
+{
+    const int length = snprintf(out, PATH_SIZE, "%s/%s" MACHINE_SEEN_SUFFIX, folder, file);
+    return length > 0 && (unsigned)length < PATH_SIZE;
+}
+
+bool machine_is_seen(const char *folder, const char *file)
+{
+    char path[PATH_SIZE];
+    return seen_path(folder, file, path) && access(path, F_OK) == 0;
+}
+
+/* An empty file; it may be lost with the power, and then is asked for once more. */
+static int mark(const char *folder, const char *file)
+{
+    char path[PATH_SIZE];
+    const int fd = seen_path(folder, file, path)
+                       ? open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0644)
+                       : -1;
+    return fd < 0 ? -errno : close(fd) != 0 ? -errno : 0;
+}
+
+/* Counts those that nobody has acknowledged, and with `marks` marks them. */
+static uint32_t walk_aside(const struct machine *machine, bool marks, int *error)
+{
+    DIR *const folder = has_folder(machine) ? opendir(machine->data) : NULL;
+    const struct dirent *entry;
+    uint32_t count = 0;
+    while (folder && count < MACHINE_ASIDE_MAX && (entry = readdir(folder)) != NULL) {
+        if (!machine_is_aside(entry->d_name) || machine_is_seen(machine->data, entry->d_name)) {
+            continue;
+        }
+        const int result = marks ? mark(machine->data, entry->d_name) : 0;
+        *error = result != 0 ? result : *error;
+        count++;
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    return count;
+}
+
+int machine_mark_seen(const struct machine *machine)
+{
+    int error = 0;
+    walk_aside(machine, true, &error);
+    return error;
+}
+
+/* ---- A look ---------------------------------------------------------------------------------- */
+
+void machine_look(struct machine *machine, struct scene_machine *out)
+{
+    const char *heat = machine->heat ? machine->heat : "/sys/class/thermal";
+    int ignored = 0;
+    if (!machine->has_begun) {
+        machine->written_s = has_folder(machine) ? newest_file_s(machine) : 0;
+    }
+    out->keeps = keeps_of(machine);
+    out->room_mib = room_of(machine);
+    look_at_backup(machine, out);
+    out->is_clock_back =
+        machine->written_s > seconds_on(CLOCK_REALTIME) + MACHINE_CLOCK_SLACK_S;
+    const int32_t margin_mdeg = thermal_read(heat);
+    out->has_heat = margin_mdeg != THERMAL_UNKNOWN_MDEG;
+    out->heat_margin_c = out->has_heat ? margin_mdeg / 1000 : 0;
+    out->aside = walk_aside(machine, false, &ignored);
+    out->has_looked = 1;
+    machine->has_begun = true;
+}
+
+/* ---- The thread ------------------------------------------------------------------------------ */
+
+/* By the clock that nobody sets: one that jumps back by years would let it wait for years. */
+static void wait_a_while(struct machine *machine)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_sec += MACHINE_LOOK_S;
+    while (!machine->ends && !machine->acknowledges &&
+           pthread_cond_timedwait(&machine->bell, &machine->lock, &until) == 0) {
+    }
+}
+
+static void *run(void *self)
+{
+    struct machine *machine = self;
+    struct scene_machine look = { 0 };
+    pthread_mutex_lock(&machine->lock);
+    while (!machine->ends) {
+        const bool marks = machine->acknowledges;
+        machine->acknowledges = false;
+        pthread_mutex_unlock(&machine->lock);
+        if (marks) {
+            machine_mark_seen(machine);
+        }
+        machine_look(machine, &look);
+        pthread_mutex_lock(&machine->lock);
+        machine->newest = look;
+        wait_a_while(machine);
+    }
+    pthread_mutex_unlock(&machine->lock);
+    return NULL;
+}
+
+/* Signals that end the kiosk are the main thread's to see. */
+static bool start_thread(struct machine *machine)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    const bool runs = pthread_create(&machine->thread, NULL, run, machine) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return runs;
+}
+
+void machine_start(struct machine *machine)
+{
+    if (machine->runs) {
+        return;
+    }
+    pthread_condattr_t monotonic;
+    pthread_condattr_init(&monotonic);
+    pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC);
+    pthread_mutex_init(&machine->lock, NULL);
+    pthread_cond_init(&machine->bell, &monotonic);
+    pthread_condattr_destroy(&monotonic);
+    machine->ends = machine->acknowledges = false;
+    machine->runs = start_thread(machine);
+}
+
+void machine_stop(struct machine *machine)
+{
+    if (!machine->runs) {
+        return;
+    }
+    pthread_mutex_lock(&machine->lock);
+    machine->ends = true;
+    pthread_cond_signal(&machine->bell);
+    pthread_mutex_unlock(&machine->lock);
+    pthread_join(machine->thread, NULL);
+    pthread_mutex_destroy(&machine->lock);
+    pthread_cond_destroy(&machine->bell);
+    machine->runs = false;
+}
+
+/* ---- The frame loop's side ------------------------------------------------------------------- */
+
+void machine_read(struct machine *machine, struct scene_machine *out)
+{
+    if (machine->runs && pthread_mutex_trylock(&machine->lock) == 0) {
+        const struct scene_machine before = *out;
+        *out = machine->newest;
+        out->watch = before.watch;
+        out->missed = before.missed;
+        pthread_mutex_unlock(&machine->lock);
+    }
+}
+
+bool machine_acknowledge(struct machine *machine)
+{
+    if (!machine->runs || pthread_mutex_trylock(&machine->lock) != 0) {
+        return !machine->runs;
+    }
+    machine->acknowledges = true;
+    pthread_cond_signal(&machine->bell);
+    pthread_mutex_unlock(&machine->lock);
+    return true;
+}
