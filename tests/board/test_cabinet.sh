@@ -2,7 +2,7 @@
 # test_cabinet.sh -- the cabinet's pins are the same wherever they are written: page, picture, overlays, lines,
 # boot files. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/../ctl/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 cabinet=board/cabinet
 
 # The header of 40 pins: which GPIO is on which pin (Raspberry Pi documentation).

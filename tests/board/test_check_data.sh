@@ -2,7 +2,7 @@
 # test_check_data.sh -- what the data partition's check makes of its own mark; mount and disk are stood in for.
 # Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/../ctl/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 data=$work/data bin=$work/bin
 mkdir "$data" "$bin"
 stand_in() { # NAME LINES...

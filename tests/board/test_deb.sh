@@ -3,26 +3,14 @@
 #
 # Their scripts run here with commands that only write down that they were called; tests/fresh/deb.sh
 # installs, upgrades, removes and purges them in a Debian root.
-set -u
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
 cd "$(dirname "$0")/../.." || exit 1
-build=$(realpath "${BUILD:-build}")
+build=$(realpath "$build")
 if ! command -v dpkg-shlibdeps >/dev/null; then
     echo '1..0 # skip no dpkg-shlibdeps (package dpkg-dev)'
     exit 0
 fi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
-skip() { count=$((count + 1)); echo "ok $count - $1 # skip $2"; }
 # A build folder of its own: only the programs are taken from the real one.
 mkdir "$work/build"
 ln -s "$build/kingyo" "$build/kingyoctl" "$work/build/"

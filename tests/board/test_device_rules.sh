@@ -1,20 +1,8 @@
 #!/bin/bash
 # test_device_rules.sh -- whom board/udev gives devices to, and whom board/sysusers makes. Speaks TAP.
-set -u
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
 cd "$(dirname "$0")/../.." || exit 1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
-skip() { count=$((count + 1)); echo "ok $count - $1 # skip $2"; }
 
 rules=board/udev/70-kingyo.rules gpio=board/udev/71-kingyo-gpio.rules
 gets() { # RULES DEVICE WHAT

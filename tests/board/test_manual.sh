@@ -2,7 +2,7 @@
 # test_manual.sh -- the operator's manual says what the stall says: its Japanese words are the menu's, its links lead
 # somewhere, its commands and files exist. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/../ctl/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 export LC_ALL=C.UTF-8
 manual=board/MANUAL.md words=assets/text/ja.txt
 

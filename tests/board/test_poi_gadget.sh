@@ -4,22 +4,10 @@
 # The folder stands for the kernel's own: attributes vanish with their directory, and a directory with
 # directories or links in it stays (Documentation/filesystems/configfs.rst). tests/vm has the real one.
 # Speaks TAP.
-set -u
-build=$(realpath "${BUILD:-build}")
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
+build=$(realpath "$build")
 gadget_script=$(realpath board/poi-gadget/kingyo-poi-gadget)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
 
 # A machine with one USB device controller, and commands in place of the system's: as functions, because
 # busybox looks for its own before it looks for programs. Nothing here touches this machine's kernel.

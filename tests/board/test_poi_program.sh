@@ -1,22 +1,9 @@
 #!/bin/bash
 # test_poi_program.sh -- kingyo-poi as a maker meets it: scripts, simulation, self-test, calibration, exit
 # codes; a folder stands for its board. Speaks TAP.
-set -u
-build=${BUILD:-build}
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
 poi=$build/kingyo-poi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
 
 ends() { # CODE PATTERN ARGUMENTS...: standard input is the caller's.
     local code=$1 pattern=$2 status

@@ -1,21 +1,8 @@
 #!/bin/bash
 # test_service.sh -- what `make install` puts where, what the service may do, what an uninstall leaves. Speaks TAP.
-set -u
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
 cd "$(dirname "$0")/../.." || exit 1
-build=${BUILD:-build}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
-skip() { count=$((count + 1)); echo "ok $count - $1 # skip $2"; }
 root=$work/root
 installer() { DESTDIR=$root PREFIX=${prefix:-/usr} BUILD=$build board/install.sh "$@"; }
 unit=$root/usr/lib/systemd/system/kingyo.service

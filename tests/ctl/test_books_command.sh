@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_books_command.sh -- kingyoctl scores, audits and backup: what the stall keeps, told. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 old=tests/unit/store
 data=$work/data
 mkdir "$data"

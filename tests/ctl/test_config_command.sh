@@ -1,19 +1,8 @@
 #!/bin/bash
 # test_config_command.sh -- kingyoctl config, and what `kingyo` makes of a file. Speaks TAP.
-set -u
-build=$(realpath "${BUILD:-build}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
+build=$(realpath "$build")
 config() { "$build/kingyoctl" config "$@" >"$work/out" 2>"$work/err"; }
 ends() { # CODE PATTERN ARGUMENTS...: the pattern is looked for in both outputs.
     local code=$1 pattern=$2 status

@@ -2,7 +2,7 @@
 # test_doctor_command.sh -- `kingyoctl doctor` on a machine made of files: who may play, who is in the way, what to
 # do. The user it asks for is nobody, so that the test says the same to root. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 root=$work/root
 good=tests/hid/good/descriptors
 unhex() { tr -d ' \n' | tr a-f A-F | basenc --base16 -d; }

@@ -2,7 +2,7 @@
 # test_hid_command.sh -- `kingyoctl hid` as its users see it: what it takes for a file, one line and an exit code
 # for each mistake, rows on a pipe and a picture on a terminal. tests/hid reads the corpus. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 good=tests/hid/good
 joypad=006-blaze-joypad
 descriptor=$good/descriptors/$joypad.hid

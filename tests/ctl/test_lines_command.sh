@@ -2,7 +2,7 @@
 # test_lines_command.sh -- kingyoctl lines where there may be no GPIO chip at all: what it asks for, and what it
 # says of what it cannot have. What it does on true lines is proven in a virtual machine.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 
 refuses() { # CODE WORDS ARGUMENTS...: exits with CODE, one line on standard error that has WORDS.
     local wanted=$1 words=$2 code

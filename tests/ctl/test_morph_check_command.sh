@@ -2,7 +2,7 @@
 # test_morph_check_command.sh -- `kingyoctl morph check` as its users see it: every species is judged good, a
 # spoiled one is not, and the same figures stand in text and JSON. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 morph() { "$ctl" morph "$@"; }
 query() { sqlite3 :memory: "with r as (select readfile('$work/check.json') as j) select $1 from r"; }

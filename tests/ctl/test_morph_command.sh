@@ -2,7 +2,7 @@
 # test_morph_command.sh -- `kingyoctl morph` list, weights, growth, path and graph as their users see them:
 # tables that another program judges, for every species and every template. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 morph() { "$ctl" morph "$@"; }
 query() { sqlite3 :memory: "with r as (select readfile('$work/list.json') as j) select $1 from r"; }

@@ -2,7 +2,7 @@
 # test_morph_export_command.sh -- `kingyoctl morph export` as makers see it: meshes and pictures that other
 # programs read, the moments that its options say, and one line for each mistake. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 export_of() { "$ctl" morph export "$@"; }
 mapfile -t species < <("$ctl" morph list | awk '{ print $1 }')

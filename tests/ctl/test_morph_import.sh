@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_morph_import.sh -- what makers bring: packed, refused in one line, and found by a kiosk. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 morph() { "$ctl" morph "$@"; }
 corpus=$root/tests/fuzz/corpus

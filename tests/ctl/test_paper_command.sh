@@ -2,7 +2,7 @@
 # test_paper_command.sh -- `kingyoctl paper` as its users see it: the figures that it is held to, read by
 # another program, by bisection where it must be; one line for each mistake. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 holds() { # SQL expression over j, the JSON that the options print
     local sql=$1
     shift

@@ -3,7 +3,7 @@
 # round again for the same seed, recordings that are true, bots from files, one line for each mistake.
 # Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 here=$(dirname "$0")
 holds() { # FILE EXPRESSION: SQL over j, the JSON of FILE
     [ "$(sqlite3 :memory: "with r as (select readfile('$1') as j) select $2 from r")" = 1 ]

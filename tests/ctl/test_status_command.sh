@@ -1,19 +1,8 @@
 #!/bin/bash
 # test_status_command.sh -- kingyoctl status: reads the file, and says whether the stall is well. Speaks TAP.
-set -u
-build=$(realpath "${BUILD:-build}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-check() { # TITLE COMMAND...
-    local title=$1
-    shift
-    count=$((count + 1))
-    if "$@" >"$work/said" 2>&1; then echo "ok $count - $title"; else
-        echo "not ok $count - $title"
-        sed 's/^/# /' "$work/said"
-    fi
-}
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
+build=$(realpath "$build")
 file=$work/status.json
 writes() { # AGE_S WELL: as the service does.
     local now

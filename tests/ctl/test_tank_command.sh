@@ -2,7 +2,7 @@
 # test_tank_command.sh -- `kingyoctl tank` as its users see it: JSON that another program reads, a trace
 # that another program judges, the same again for the same seed, one line for each mistake. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 judge=$build/tests/ctl/judge_trace
 json() { # FILE PATH: a value of it, as SQLite reads JSON.
     sqlite3 :memory: "select json_extract(readfile('$1'), '\$.$2')"

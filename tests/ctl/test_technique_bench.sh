@@ -3,7 +3,7 @@
 # experiments differ in one key, can anybody play an arm again, and does it refuse what proves nothing?
 # Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 bench=$build/tests/bench/technique
 bots=$(dirname "$0")/../bench/technique
 

@@ -2,7 +2,7 @@
 # test_hid_corpus.sh -- what kingyoctl hid reads out of real and of hostile report descriptors, row by row.
 # README.md says where they are from. Speaks TAP; a line that begins with "# figure:" is shown by run.sh.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/../ctl/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 good=tests/hid/good malformed=tests/hid/malformed
 
 # FILES -> one file of rows; the header line must come first, of each, and once.

@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_hid_map.sh -- kingyoctl hid map says by what the kiosk would play a device.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/../ctl/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 good=tests/hid/good/descriptors
 
 says() { # WANTED COMMAND...: what it prints begins so

@@ -2,7 +2,7 @@
 # test_power.sh -- the plug is pulled some thousand times; and a card whose syncs are lies is found out.
 # Speaks TAP; a line that begins with "# figure:" is shown by run.sh.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
-. "$(dirname "$0")/../ctl/lib.sh"
+. "$(dirname "$0")/../lib.sh"
 power=$build/tests/power/power
 
 nothing_is_lost() {
