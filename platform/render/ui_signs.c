@@ -75,7 +75,8 @@ static struct hint_paint paint_of(uint8_t hint)
 void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory)
 {
-    if (scene->hint == HINT_NONE || scene->hint >= HINT_COUNT) {
+    if (scene->hint == HINT_NONE || scene->hint >= HINT_COUNT ||
+        (scene->hint == HINT_COIN && ui_refuses_coins(scene))) {
         return;
     }
     const float u = frame->unit, age_s = (float)(scene->tick - memory->hint_tick) * CORE_TICK_S;
@@ -104,6 +105,9 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
     const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
                                  128.0f * u };
     char coins[TEXT_LINE_MAX];
+    if (ui_refuses_coins(scene)) {
+        return;
+    }
     ui_coin_words(scene, coins, sizeof coins);
     const enum text_key asks = ui_lacks_poi(scene) ? TEXT_START_NO_POI : key;
     const int is_coin = scene->credit.unpaid && !ui_lacks_poi(scene);

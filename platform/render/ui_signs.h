@@ -37,6 +37,10 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
 /* Nobody could play: no seat has a controller. */
 int ui_lacks_poi(const struct scene *scene);
 
+/* A coin would come back while nothing is paid: then nobody is asked for one, and the sign that
+ * says why stands alone. */
+int ui_refuses_coins(const struct scene *scene);
+
 /* How many coins a round still costs. */
 void ui_coin_words(const struct scene *scene, char *out, size_t out_size);
 

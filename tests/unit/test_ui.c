@@ -237,6 +237,28 @@ static void test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_pla
     assert_true(glyph_quads() > free_play + 6u); /* "Credits 0" */
 }
 
+/* Over "coins are not taken just now" no ribbon calls for one; whoever has paid may still begin. */
+static void test_while_coins_come_back_none_is_asked_for(void **state)
+{
+    static const uint8_t why[] = { WARN_STORE, WARN_DOOR, WARN_TILT };
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_RESULT, PHASE_ALBUM };
+    (void)state;
+    for (uint32_t k = 0; k < sizeof why * sizeof phases; k++) {
+        uint32_t letters[2];
+        for (uint8_t unpaid = 0; unpaid < 2u; unpaid++) {
+            set_scene(phases[k % sizeof phases], LANGUAGE_EN, unpaid ? HINT_COIN : HINT_START,
+                      6.0f);
+            scene.credit.price = 1;
+            scene.credit.unpaid = unpaid;
+            scene.credit.asked_s = 1e6f;
+            scene.credit.warnings = why[k / sizeof phases];
+            lay_out(sizes[0]);
+            letters[unpaid] = glyph_quads();
+        }
+        assert_true(letters[1] + 10u < letters[0]);
+    }
+}
+
 static void test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse(void **state)
 {
     (void)state;
@@ -795,6 +817,7 @@ int main(void)
         cmocka_unit_test(test_every_count_of_fish_fits),
         cmocka_unit_test(test_what_is_paid_and_what_is_wrong_fits_in_every_phase),
         cmocka_unit_test(test_a_round_that_was_given_back_is_told_without_a_count),
+        cmocka_unit_test(test_while_coins_come_back_none_is_asked_for),
         cmocka_unit_test(test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse),
         cmocka_unit_test(
             test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole),
