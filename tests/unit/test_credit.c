@@ -1,56 +1,6 @@
 /* test_credit.c -- money: no coin is lost, none counts twice, and nobody plays for nothing. */
 #include "core/game/pause.h"
-#include "game_stand.h"
-
-#define PRICE 3u
-#define CREDITS_MAX 99u /* SET_CREDIT_MAX's standard. */
-
-static int setup_paid(void **state)
-{
-    (void)state;
-    const struct core_config config = {
-        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .credit_coins = PRICE, .ticket_fish = 5
-    };
-    assert_int_equal(core_init(&core, &config), CORE_OK);
-    memset(&input, 0, sizeof input);
-    memset(&output, 0, sizeof output);
-    clear_sounds();
-    hold_at(ABOVE_M);
-    input.store_well = 1;
-    step();
-    return 0;
-}
-
-static void drop(uint32_t coins)
-{
-    input.coin_count[0] = coins;
-    step();
-    input.coin_count[0] = 0;
-}
-
-static const struct purse *purse(void)
-{
-    return &core.game.ledger.purse;
-}
-
-static uint32_t credits(void)
-{
-    return purse_credits(&core);
-}
-
-static uint32_t audit(enum audit_id id)
-{
-    return purse_audit(&core, id);
-}
-
-static void play_a_paid_round(void)
-{
-    drop(PRICE);
-    press(INPUT_START);
-    steps(GAME_READY_TICKS);
-    assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_int_equal(credits(), 0);
-}
+#include "paid_stand.h"
 
 /* ---- Coins ---------------------------------------------------------------------------------- */
 
@@ -312,91 +262,6 @@ static void test_a_free_round_whose_poi_is_lost_is_a_score(void **state)
     assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 14);
 }
 
-/* ---- Tickets -------------------------------------------------------------------------------- */
-
-static void test_tickets_are_for_whole_handfuls_of_each_players_own(void **state)
-{
-    (void)state;
-    play_a_paid_round();
-    core.game.player[0].caught = 14; /* Two and four fifths of a ticket. */
-    core.game.player[1].plays = core.game.player[1].out = 1;
-    core.game.player[1].caught = 4;
-    steps(ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(output.tickets, 2);
-    steps(GAME_RESULT_TICKS);
-    assert_int_equal(output.tickets, 2);
-}
-
-static void test_a_bot_wins_no_tickets(void **state)
-{
-    (void)state;
-    play_a_paid_round();
-    core.game.player[0].caught = 14;
-    core.game.bot_played = 1;
-    steps(ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(output.tickets, 0);
-}
-
-/* ---- The cabinet ---------------------------------------------------------------------------- */
-
-static void test_coins_are_sent_back_while_nobody_could_play(void **state)
-{
-    (void)state;
-    assert_int_equal(output.coin_lockout, 0);
-    input.poi[0].link = POI_LINK_ABSENT;
-    step();
-    assert_int_equal(output.coin_lockout, 1);
-    assert_int_equal(core.game.credit.warnings, WARN_NO_POI);
-    input.poi[1].link = POI_LINK_LIVE; /* There is no second seat. */
-    step();
-    assert_int_equal(output.coin_lockout, 1);
-    input.poi[0].link = POI_LINK_LIVE;
-    step();
-    assert_int_equal(output.coin_lockout, 0);
-}
-
-static void test_an_open_door_warns_and_sends_coins_back_and_ends_no_round(void **state)
-{
-    (void)state;
-    play_a_paid_round();
-    input.held = INPUT_DOOR;
-    step();
-    assert_int_equal(core.game.credit.warnings, WARN_DOOR);
-    assert_int_equal(output.coin_lockout, 1);
-    steps(CORE_TICK_HZ);
-    assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_int_equal(core.game.paused, 0);
-    input.held = 0;
-    step();
-    assert_int_equal(core.game.credit.warnings, 0);
-}
-
-static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
-{
-    (void)state;
-    press(INPUT_TILT); /* An edge shorter than a tick. */
-    for (uint32_t i = 0; i < 3; i++) {
-        assert_int_equal(core.game.credit.warnings, WARN_TILT);
-        assert_int_equal(output.coin_lockout, 1);
-        press(INPUT_TILT); /* It goes on shaking. */
-    }
-    assert_int_equal(core.game.credit.shakes, 1);
-    assert_int_equal(sounds[SOUND_FOUL], 1);
-    steps(CREDIT_TILT_TICKS);
-    assert_int_equal(core.game.credit.warnings, 0);
-    press(INPUT_TILT);
-    assert_int_equal(core.game.credit.shakes, 2);
-}
-
-static void test_a_shake_loses_no_coin_that_fell(void **state)
-{
-    (void)state;
-    input.held = INPUT_TILT;
-    drop(PRICE);
-    assert_int_equal(credits(), 1);
-}
-
 static void test_prices_and_tickets_out_of_range_are_refused(void **state)
 {
     (void)state;
@@ -434,28 +299,6 @@ static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
                      purse()->units + PRICE * (credits() + played - audit(AUDIT_REFUNDS)));
 }
 
-/* ---- Hours ---------------------------------------------------------------------------------- */
-
-static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state)
-{
-    (void)state;
-    struct ledger_entry last;
-    steps(130u * CORE_TICK_HZ);
-    assert_in_range(audit(AUDIT_UP_S), 120, 130);
-    assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
-    assert_int_equal(upkeep_last_word(&core, &input, &last), 0); /* It has no store. */
-    core.game.ledger.boot = 3;
-    const uint64_t hash = core_hash(&core);
-    const uint32_t told = audit(AUDIT_UP_S);
-    assert_int_equal(upkeep_last_word(&core, &input, &last), 1);
-    assert_int_equal(last.kind, LEDGER_HEALTH);
-    assert_int_equal(last.id, core.game.ledger.last_id + 1u);
-    assert_int_equal(last.boot, 3);
-    assert_int_equal(told + (uint32_t)last.value, 130); /* All of them, in order. */
-    assert_int_equal(last.health.up_s, 130);
-    assert_true(core_hash(&core) == hash);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -481,17 +324,8 @@ int main(void)
         cmocka_unit_test(test_a_free_round_has_nothing_to_give_back),
         cmocka_unit_test_setup(test_a_round_that_was_given_back_counts_for_nothing, setup_paid),
         cmocka_unit_test(test_a_free_round_whose_poi_is_lost_is_a_score),
-        cmocka_unit_test_setup(test_tickets_are_for_whole_handfuls_of_each_players_own,
-                               setup_paid),
-        cmocka_unit_test_setup(test_a_bot_wins_no_tickets, setup_paid),
-        cmocka_unit_test_setup(test_coins_are_sent_back_while_nobody_could_play, setup_paid),
-        cmocka_unit_test_setup(test_an_open_door_warns_and_sends_coins_back_and_ends_no_round,
-                               setup_paid),
-        cmocka_unit_test_setup(test_a_shake_warns_for_a_while_and_counts_once, setup_paid),
-        cmocka_unit_test_setup(test_a_shake_loses_no_coin_that_fell, setup_paid),
         cmocka_unit_test(test_prices_and_tickets_out_of_range_are_refused),
         cmocka_unit_test_setup(test_over_a_wild_day_every_coin_is_accounted_for, setup_paid),
-        cmocka_unit_test_setup(test_a_night_by_the_plug_loses_two_minutes_of_its_hours, setup_paid),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

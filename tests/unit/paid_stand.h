@@ -1,0 +1,57 @@
+/* paid_stand.h -- game_stand.h's stall where a round costs three coins. */
+#ifndef KINGYO_TESTS_PAID_STAND_H
+#define KINGYO_TESTS_PAID_STAND_H
+
+#include "game_stand.h"
+
+#define PRICE 3u
+#define CREDITS_MAX 99u /* SET_CREDIT_MAX's standard. */
+
+static inline int setup_paid(void **state)
+{
+    (void)state;
+    const struct core_config config = {
+        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .credit_coins = PRICE, .ticket_fish = 5
+    };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    clear_sounds();
+    hold_at(ABOVE_M);
+    input.store_well = 1;
+    step();
+    return 0;
+}
+
+static inline void drop(uint32_t coins)
+{
+    input.coin_count[0] = coins;
+    step();
+    input.coin_count[0] = 0;
+}
+
+static inline const struct purse *purse(void)
+{
+    return &core.game.ledger.purse;
+}
+
+static inline uint32_t credits(void)
+{
+    return purse_credits(&core);
+}
+
+static inline uint32_t audit(enum audit_id id)
+{
+    return purse_audit(&core, id);
+}
+
+static inline void play_a_paid_round(void)
+{
+    drop(PRICE);
+    press(INPUT_START);
+    steps(GAME_READY_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_int_equal(credits(), 0);
+}
+
+#endif

@@ -1,0 +1,39 @@
+/* skewed_twin.h -- a twin of a poi that sees the tank from a frame of its own. */
+#ifndef KINGYO_TESTS_SKEWED_TWIN_H
+#define KINGYO_TESTS_SKEWED_TWIN_H
+
+#include <string.h>
+
+#include "core/game/calibrate.h"
+
+/* Where a twin's sensors see what is truly there. */
+struct twin {
+    float xx, xz, zx, zz;
+    vec3 shift_m;
+    float pitch_rad, roll_rad;
+};
+
+static inline vec3 seen_point(const struct twin *twin, vec3 at_m)
+{
+    return v3(twin->xx * at_m.x + twin->xz * at_m.z + twin->shift_m.x, at_m.y + twin->shift_m.y,
+              twin->zx * at_m.x + twin->zz * at_m.z + twin->shift_m.z);
+}
+
+static inline struct poi_target seen(const struct twin *twin, struct poi_target at)
+{
+    const float x = -f_sin(at.angles.yaw_rad), z = -f_cos(at.angles.yaw_rad);
+    return (struct poi_target){
+        .position_m = seen_point(twin, at.position_m),
+        .angles = { f_atan2(-(twin->xx * x + twin->xz * z), -(twin->zx * x + twin->zz * z)),
+                    at.angles.pitch_rad + twin->pitch_rad, at.angles.roll_rad + twin->roll_rad },
+    };
+}
+
+static inline void set_values(struct settings *settings, uint32_t seat, const int32_t *value)
+{
+    memcpy(&settings->value[calibration_setting(seat)], value,
+           CALIBRATION_VALUES * sizeof *value);
+    settings->value[calibration_check_setting(seat)] = calibration_check(value);
+}
+
+#endif
