@@ -3,7 +3,21 @@
 
 #include <string.h>
 
-/* What is too long ends after a whole word. */
+/* What is too long ends after a whole remark of several, so that it is known in every language, or
+ * after a whole word. */
+static size_t end_before(const char *line, size_t limit)
+{
+    for (size_t at = limit; at > 1u; at--) {
+        if (line[at - 1u] == ';' && line[at] == ' ') {
+            return at;
+        }
+    }
+    while (limit > 0 && line[limit] != ' ') {
+        limit--;
+    }
+    return limit;
+}
+
 static void copy_line(char *out, size_t out_size, const char *line)
 {
     static const char more[] = " ...";
@@ -13,10 +27,7 @@ static void copy_line(char *out, size_t out_size, const char *line)
         out[length] = 0;
         return;
     }
-    length = out_size - sizeof more;
-    while (length > 0 && line[length] != ' ') {
-        length--;
-    }
+    length = end_before(line, out_size - sizeof more);
     memcpy(out, line, length);
     memcpy(out + length, more, sizeof more);
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/core.h"
+#include "platform/render/says.h"
 #include "platform/render/ui_menu.h"
 
 struct places {
@@ -57,9 +58,9 @@ static void device(const struct menu_view *view, const struct places *places, st
     const float top = box.y + (places->head + (float)index * places->pitch) * u;
     const float left = box.x + (22.0f + places->name_width) * u;
     const float room = box.x + box.width - 22.0f * u - left;
-    const char *says = view->devices->about[index];
-    const char *words = *says ? says : menu_text(view, TEXT_DEVICE_NONE);
-    char row[SCENE_LINE_SIZE];
+    char row[SAYS_SIZE], said[SAYS_SIZE];
+    says(said, sizeof said, view->frame.language, view->devices->about[index]);
+    const char *words = *said ? said : menu_text(view, TEXT_DEVICE_NONE);
     menu_words_at(view, box.x + 22.0f * u, top + 0.5f * places->line * u,
                   is_beside ? (places->name_width - 12.0f) * u : room, 0.0f, &name,
                   menu_text(view, names[index]));

@@ -1,6 +1,7 @@
 /* ui_menu_controllers.c -- the boards of all controllers, and what is to be said of one. */
 #include <stdio.h>
 
+#include "platform/render/says.h"
 #include "platform/render/ui_menu.h"
 
 struct state_words {
@@ -76,6 +77,8 @@ static void row(const struct menu_view *view, uint32_t index)
 /* What looks for controllers says itself why there is none. */
 static void nothing_there(const struct menu_view *view)
 {
+    char said[SAYS_SIZE];
+    says(said, sizeof said, view->frame.language, view->devices->controllers);
     const int upright = view->menu->upright;
     const struct ui_text words = menu_style(view, 32.0f, MENU_CREAM);
     const struct ui_text line = menu_style(view, 24.0f, 0xf0c089ffu);
@@ -84,7 +87,7 @@ static void nothing_there(const struct menu_view *view)
     ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y, width, 60.0f }), &words,
                 menu_text(view, TEXT_MENU_NONE));
     ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y + 64.0f, width, 50.0f }),
-                &line, view->devices->controllers);
+                &line, said);
 }
 
 void menu_rows(const struct menu_view *view)

@@ -2,7 +2,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "platform/render/says.h"
 #include "platform/render/ui_menu.h"
+
+#define WORDS_SIZE (SAYS_SIZE + TEXT_LINE_MAX + 4u)
 
 struct places {
     float x, y, width, pitch, height;
@@ -57,7 +60,7 @@ static void wrap(const struct menu_view *view, const struct ui_box *box, const c
 {
     const struct ui_text style = menu_style(view, 22.0f, UI_INK_SOFT);
     const float pitch = places->line_height * view->frame.unit;
-    char line[SCENE_LINE_SIZE + TEXT_LINE_MAX];
+    char line[WORDS_SIZE];
     for (uint32_t i = 0; i < places->line_count && *words; i++) {
         const int is_last = i + 1u == places->line_count;
         const size_t size = is_last ? strlen(words) : menu_fill_line(&style, words, box->width);
@@ -102,12 +105,13 @@ static const char *words_of(const struct menu_view *view, uint32_t row,
                             const struct scene_file *file, char *out, size_t out_size)
 {
     char missed[TEXT_LINE_MAX];
-    if (row != 0 || view->devices->machine.missed == 0) {
-        return file->words;
+    size_t length = 0;
+    if (row == 0 && view->devices->machine.missed > 0) {
+        text_number(missed, sizeof missed, menu_text(view, TEXT_FILE_MISSED),
+                    view->devices->machine.missed);
+        length = (size_t)snprintf(out, out_size, "%s  ", missed);
     }
-    text_number(missed, sizeof missed, menu_text(view, TEXT_FILE_MISSED),
-                view->devices->machine.missed);
-    snprintf(out, out_size, "%s  %s", missed, file->words);
+    says(out + length, out_size - length, view->frame.language, file->words);
     return out;
 }
 
@@ -122,7 +126,7 @@ static void slip(const struct menu_view *view, const struct places *places, uint
     const struct ui_box reason = { box.x + 16.0f * u, box.y + places->name_height * u,
                                    box.width - 32.0f * u, box.height };
     struct ui_text name = menu_style(view, 26.0f, UI_INK);
-    char words[SCENE_NAME_SIZE + SCENE_FILE_SIZE], said[SCENE_LINE_SIZE + TEXT_LINE_MAX];
+    char words[SCENE_NAME_SIZE + SCENE_FILE_SIZE], said[WORDS_SIZE];
     name_of(view, row, file, words, sizeof words);
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,

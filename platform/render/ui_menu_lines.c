@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "platform/render/says.h"
 #include "platform/render/ui_menu.h"
 
 #define CLINK_S 0.5f
@@ -139,8 +140,9 @@ static void state_of_lines(const struct menu_view *view, float x, float y, float
 {
     const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
     const struct ui_text style = menu_style(view, 22.0f, paint);
-    const char *words = view->devices->lines;
-    char row[SCENE_LINE_SIZE];
+    char row[SAYS_SIZE], said[SAYS_SIZE];
+    says(said, sizeof said, view->frame.language, view->devices->lines);
+    const char *words = said;
     for (uint32_t i = 0; i < STATE_ROWS && *words; i++) {
         const size_t size = i + 1u == STATE_ROWS
                                 ? strlen(words)

@@ -170,18 +170,19 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
             snprintf(devices->controller[i], SCENE_NAME_SIZE, "%s", found[i].name);
         }
     }
-    snprintf(devices->controllers, SCENE_LINE_SIZE, "libusb 1.0.26: 5 controllers");
+    snprintf(devices->controllers, SCENE_LINE_SIZE, "libusb: 5 controllers, 1 of them play");
     snprintf(devices->lines, SCENE_LINE_SIZE,
              "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by 'another')");
     static const char *const about[ABOUT_COUNT] = {
-        [ABOUT_DISPLAY] = "1920x1080 (SDL kmsdrm), OpenGL ES 3.1 Mesa 23.2.1, V3D 7.1",
-        [ABOUT_SOUND] = "SDL alsa, 48000 Hz, 512 frames",
-        [ABOUT_STORE] = "/var/lib/kingyo/kingyo.db, SQLite 3.40.1",
-        [ABOUT_CONTROLLERS] = "libusb 1.0.26: 5 controllers",
-        [ABOUT_BUTTONS] = "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by "
-                          "'another')",
-        [ABOUT_SWITCHES] = "start lamp, lockout, meter",
-        [ABOUT_WATCHDOG] = "systemd, every 5 s",
+        [ABOUT_DISPLAY] = "OpenGL ES 3.1 V3D 7.1, 1920x1080, scene 1x, floor 0.6x, 4 samples",
+        [ABOUT_SOUND] = "sound through SDL alsa",
+        [ABOUT_STORE] = "/var/lib/kingyo/kingyo.db",
+        [ABOUT_CONTROLLERS] = "libusb: 5 controllers, 1 of them play",
+        [ABOUT_BUTTONS] = "keyboard: Space starts, arrows choose, 5 6 7 coins, F2 menu, F3 "
+                          "service, L language, F11 full screen, Esc quits; three fingers start",
+        [ABOUT_SWITCHES] = "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by "
+                           "'another')",
+        [ABOUT_WATCHDOG] = "watchdog: service manager at /run/systemd/notify",
     };
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         snprintf(devices->about[i], SCENE_LINE_SIZE, "%s", about[i]);
