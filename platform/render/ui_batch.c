@@ -110,11 +110,12 @@ float ui_text_middle(const struct ui_text *style, float y)
     return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
 }
 
-/* The atlas leaves REACH_PX around each letter; a quad takes of that only what it will paint. */
+/* The atlas leaves REACH_PX around each letter; a quad takes of that only what it will paint, and
+ * never the outer half of a texel: filtering would mix in the letter beside it. */
 static float trim_px(const float shape[4])
 {
     const float painted = shape[0] + shape[1] + shape[2] + 0.5f / shape[3] + 0.5f;
-    return painted < REACH_PX ? REACH_PX - painted : 0.0f;
+    return f_max(REACH_PX - painted, 0.5f);
 }
 
 static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,

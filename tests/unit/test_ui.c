@@ -784,31 +784,6 @@ static void test_the_longest_screen_leaves_room_for_a_language_with_longer_words
     assert_in_range(longest, 200, UI_QUADS_MAX * 2u / 3u);
 }
 
-static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **state)
-{
-    (void)state;
-    ui_batch_clear(&batch);
-    const struct ui_shape shape = { .box = { 0, 0, 9, 9 }, .kind = UI_PANEL, .fill = 0xffffffffu };
-    for (uint32_t i = 0; i < UI_QUADS_MAX + 5u; i++) {
-        ui_shape(&batch, &shape);
-    }
-    assert_int_equal(batch.quad_count, UI_QUADS_MAX);
-    assert_int_equal(batch.dropped_count, 5);
-}
-
-static void test_text_shrinks_to_its_room_and_aligns(void **state)
-{
-    (void)state;
-    const struct ui_text style = { .font = FONT_BODY, .size_px = 40.0f, .align = 0.5f,
-                                   .fill = 0xffffffffu, .fit_px = 100.0f };
-    ui_batch_clear(&batch);
-    assert_float_equal(ui_text(&batch, &style, 200.0f, 50.0f, "WWWWWWWW"), 100.0f, 0.01f);
-    assert_true(ui_text_size(&style, "WWWWWWWW") < 40.0f);
-    assert_float_equal(ui_text_size(&style, "W"), 40.0f, 0.001f);
-    const struct bounds first = bounds_of(0), last = bounds_of(batch.quad_count - 1u);
-    assert_true(first.left >= 148.0f && last.right <= 252.0f);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -840,8 +815,6 @@ int main(void)
         cmocka_unit_test(test_a_call_is_seen_once_and_leaves_the_water_free),
         cmocka_unit_test(test_a_pause_is_told_over_the_water),
         cmocka_unit_test(test_the_longest_screen_leaves_room_for_a_language_with_longer_words),
-        cmocka_unit_test(test_a_full_batch_drops_and_counts_instead_of_overrunning),
-        cmocka_unit_test(test_text_shrinks_to_its_room_and_aligns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
