@@ -40,18 +40,6 @@ float ui_board_in(const struct scene_board *board)
                         : 0.0f;
 }
 
-static void sheet(const struct ui_frame *frame, struct ui_box box)
-{
-    const float u = frame->unit;
-    const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
-                                  box.width + 4.0f * u, 38.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c80u,
-                                               .shape = { 0, 0, 16.0f * u } });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
-                                               .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
-                                               .shape = { 0, 0, 14.0f * u, 3.0f * u } });
-}
-
 /* "Festival: today's best", white on a band of dyed cloth. */
 static void heading(const struct ui_frame *frame, const struct scene_board *board,
                     struct ui_box box)
@@ -166,7 +154,7 @@ void ui_board(const struct ui_frame *frame, const struct scene_board *board, flo
                                 0.5f * (top + bottom - height) + 30.0f * u * (1.0f - in), width,
                                 height };
     frame->batch->opacity = in;
-    sheet(frame, box);
+    ui_card(frame, box);
     heading(frame, board, box);
     for (uint32_t i = 0; i < rows; i++) {
         const float since_s = board->shown_s - ROW_COMES_S * (float)(rows - i);

@@ -143,6 +143,19 @@ void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct u
             ui_text_middle(&fitted, box.y + 0.5f * box.height), words);
 }
 
+void ui_card(const struct ui_frame *frame, struct ui_box box)
+{
+    const float u = frame->unit;
+    /* Its shadow only where it shows, for a card covers many pixels. */
+    const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
+                                  box.width + 4.0f * u, 38.0f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c80u,
+                                               .shape = { 0, 0, 16.0f * u } });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
+                                               .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
+                                               .shape = { 0, 0, 14.0f * u, 3.0f * u } });
+}
+
 float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words)
 {
     const float pad = 0.95f * ribbon->size_px, height = 1.95f * ribbon->size_px;

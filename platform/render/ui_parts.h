@@ -39,6 +39,9 @@ void ui_pole(const struct ui_frame *frame, float x, float y, float width);
 void ui_cords(const struct ui_frame *frame, struct ui_box box, float pole_y);
 void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed);
 
+/* A large card of paper, and its shadow. */
+void ui_card(const struct ui_frame *frame, struct ui_box box);
+
 /* A line of words in the middle of a box, shrunk to its width. */
 void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
                  const char *words);

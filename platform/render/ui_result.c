@@ -79,19 +79,6 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, left + fish + number_width + 2.0f * gap, baseline, words);
 }
 
-/* A paper card; its shadow is drawn only where it shows, for a card covers many pixels. */
-static void card(const struct ui_frame *frame, struct ui_box box)
-{
-    const float u = frame->unit;
-    const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
-                                  box.width + 4.0f * u, 38.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c80u,
-                                               .shape = { 0, 0, 16.0f * u } });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
-                                               .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
-                                               .shape = { 0, 0, 14.0f * u, 3.0f * u } });
-}
-
 /* "Championship: that's all!" */
 static void heading(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
@@ -307,7 +294,7 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
         return;
     }
     frame->batch->opacity = in;
-    card(frame, box);
+    ui_card(frame, box);
     heading(frame, scene, box);
     frame->batch->opacity = 1.0f;
     if (scene->credit.came_back) {
