@@ -1,6 +1,7 @@
 /* air_pass.c -- see air_pass.h. */
 #include "platform/render/air_pass.h"
 
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 
 #define STONE_COUNT 1

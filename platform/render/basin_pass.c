@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 
 /* Corners are in steps that the vertex shaders stretch to the tank: see tank.vert.glsl and

@@ -1,6 +1,7 @@
 /* bowl_pass.c -- see bowl_pass.h. The shell is lathed in mouth radii and depths. */
 #include "platform/render/bowl_pass.h"
 
+#include "platform/render/gl_program.h"
 #include "platform/render/poi_pass.h"
 #include "shaders.h"
 

@@ -1,6 +1,7 @@
 /* drip_pass.c -- see drip_pass.h. */
 #include "platform/render/drip_pass.h"
 
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 
 #define DROPS_MAX 5

@@ -1,6 +1,7 @@
 /* edge_pass.c -- see edge_pass.h. */
 #include "platform/render/edge_pass.h"
 
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 
 void edge_pass_open(struct gl_status *status, struct edge_pass *pass)

@@ -1,6 +1,7 @@
 /* fan_pass.c -- see fan_pass.h. */
 #include "platform/render/fan_pass.h"
 
+#include "platform/render/gl_program.h"
 #include "platform/render/poi_pass.h"
 #include "shaders.h"
 

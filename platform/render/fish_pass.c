@@ -6,6 +6,7 @@
 
 #include "assets.h"
 #include "core/base/panic.h"
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 
 #define SORT_LEVELS 256u

@@ -13,7 +13,6 @@
 #include "platform/hal.h"
 
 #define GL_RING 3u     /* Textures in turn, where each frame brings new texels. */
-#define GL_UNIT_MAX 5u /* Texture units that any one program reads. */
 #define GL_TEXTURE_SURE 2048u /* Texels a side, ... */
 #define GL_LAYERS_SURE 256u   /* ... and layers of an array: what OpenGL ES 3.0 promises. */
 
@@ -26,24 +25,6 @@ struct gl_status {
 void gl_fail(struct gl_status *status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 bool gl_is_well(const struct gl_status *status);
-
-/* One stage, of `count` pieces of source in a row. Delete it when its programs are linked. */
-GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
-                  const char *const *parts, GLsizei count);
-GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment);
-
-/* Compiles and links. `defines` (may be "") is put in front of both sources, after the version line
- * and before the common block. `samplers` names up to GL_UNIT_MAX samplers, separated by spaces,
- * that get units 0, 1, .. in that order. Binds the block `Frame` to point 0 and `Pose` to 1. */
-GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
-                  const char *vertex, const char *fragment, const char *samplers);
-
-/* The same with assets/shaders/morph.glsl in front of the vertex shader. */
-GLuint gl_morph_program(struct gl_status *status, const char *name, const char *defines,
-                        const char *vertex, const char *fragment, const char *samplers);
-
-/* What a linked program needs besides: blocks and samplers bound as above. */
-void gl_program_bind(GLuint program, const char *samplers);
 
 struct gl_texture_desc {
     GLenum internal_format, format; /* Of 8-bit components where there are pixels. */

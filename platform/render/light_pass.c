@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "assets.h"
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 
 #define SHADOW_WIDTH 512u /* 1.7 mm a texel: finer than any shadow's edge. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "platform/render/gl_program.h"
 #include "platform/render/poi_pool.h"
 #include "shaders.h"
 

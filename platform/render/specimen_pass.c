@@ -5,6 +5,7 @@
 
 #include "core/base/panic.h"
 #include "platform/clock.h"
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"

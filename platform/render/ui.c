@@ -6,6 +6,7 @@
 
 #include "assets.h"
 #include "fonts.h"
+#include "platform/render/gl_program.h"
 #include "platform/render/gl_util.h"
 #include "platform/render/ui_shader.h"
 

@@ -16,6 +16,7 @@
 
 #include "platform/render/fish_mesh.h"
 #include "platform/render/fish_poses.h"
+#include "platform/render/gl_program.h"
 #include "shaders.h"
 #include "tests/unit/gl_context.h"
 
