@@ -72,6 +72,30 @@ static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key 
     *line = page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
 }
 
+/* What leads to something that the operator is to look at. */
+static int calls_for_a_look(const struct menu_view *view, uint8_t page)
+{
+    const struct scene_machine *machine = &view->devices->machine;
+    return (page == MENU_UPKEEP || page == MENU_FILES) &&
+           (machine->aside > 0 || machine->missed > 0 || view->devices->files_refused > 0);
+}
+
+/* In a tag's upper corner: an exclamation mark on red, or the seal of what is not as it came. */
+static void corner(const struct menu_view *view, struct ui_box box, uint8_t page)
+{
+    const float u = view->frame.unit, r = 17.0f * u;
+    const float x = box.x + box.width - 26.0f * u, y = box.y + 26.0f * u;
+    const struct ui_text sign = menu_style(view, 26.0f, MENU_CREAM);
+    if (calls_for_a_look(view, page)) {
+        ui_shape(view->frame.batch,
+                 &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r }, .kind = UI_PANEL,
+                                     .fill = 0xb3261effu, .shape = { 0, 0, r } });
+        menu_words_at(view, x, y, 2.0f * r, 0.5f, &sign, "!");
+    } else if (page == MENU_NEW_PIN && view->menu->settings.value[SET_PIN] != 0) {
+        menu_seal(view, x, y);
+    }
+}
+
 static void hung_tag(const struct menu_view *view, uint32_t tag)
 {
     enum text_key name_key, line_key;
@@ -88,6 +112,7 @@ static void hung_tag(const struct menu_view *view, uint32_t tag)
     ui_words_in(&view->frame,
                 (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height }, &line,
                 menu_text(view, line_key));
+    corner(view, box, menu_page_at(view->menu->page, tag));
 }
 
 static enum text_key foot_name(const struct menu_view *view, uint32_t foot)

@@ -71,6 +71,9 @@ struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fil
 void menu_words_at(const struct menu_view *view, float x, float y, float room, float align,
                    const struct ui_text *style, const char *words);
 
+/* The keeper's seal, in vermilion: what stands beside it is not as it came. */
+void menu_seal(const struct menu_view *view, float x, float y);
+
 /* How many bytes of `words` fill a line of `room_px`: up to its last gap, or to its last whole
  * character where there is none. At least one character. */
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);

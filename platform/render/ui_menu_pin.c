@@ -63,10 +63,12 @@ void menu_pin(const struct menu_view *view)
     const struct scene_menu *menu = view->menu;
     const int upright = menu->upright, waits = menu->page == MENU_PIN && menu->pin_wait_s > 0.0f;
     const struct ui_text style = menu_style(view, 26.0f, waits ? 0xff9c86ffu : MENU_CREAM);
+    const enum text_key new_pin =
+        menu->settings.value[SET_PIN] != 0 ? TEXT_PIN_CHANGE : TEXT_PIN_NEW;
     char words[TEXT_LINE_MAX];
     text_number(words, sizeof words,
                 menu_text(view, waits                        ? TEXT_PIN_WAIT
-                                : menu->page == MENU_NEW_PIN ? TEXT_PIN_NEW
+                                : menu->page == MENU_NEW_PIN ? new_pin
                                                              : TEXT_PIN_ASK),
                 (uint32_t)ceilf(menu->pin_wait_s));
     slots(view);

@@ -138,8 +138,7 @@ static struct ui_text sized(const struct menu_view *view, const struct ui_box *b
     return menu_style(view, size < room ? size : room, fill);
 }
 
-/* The keeper's seal, in vermilion: it is not as it came. */
-static void seal(const struct menu_view *view, float x, float y)
+void menu_seal(const struct menu_view *view, float x, float y)
 {
     const float radius = 8.0f * view->frame.unit;
     ui_shape(view->frame.batch,
@@ -171,7 +170,7 @@ static void setting_board(const struct menu_view *view, const struct places *pla
     menu_value_words(view, id, value, words, sizeof words);
     menu_words_at(view, right, middle, places->value_width * u, 1.0f, &number, words);
     if (is_changed) {
-        seal(view, right - (places->value_width + 8.0f) * u, middle);
+        menu_seal(view, right - (places->value_width + 8.0f) * u, middle);
     }
 }
 
@@ -266,6 +265,37 @@ void menu_settings(const struct menu_view *view)
     saved(view, places);
 }
 
+/* A bit has a range, a standard and a seal as any setting has. */
+static void bit_board(const struct menu_view *view, const struct places *places, uint32_t id,
+                      uint32_t bit)
+{
+    const struct ui_box box = menu_tag_board(view, bit);
+    const float u = view->frame.unit, middle = box.y + 0.47f * box.height;
+    const float name_y = places->two_lines ? box.y + 0.30f * box.height : middle;
+    const float range_y = places->two_lines ? box.y + 0.70f * box.height : middle;
+    const float right = box.x + box.width - places->inset * u;
+    const int is_on = (view->menu->settings.value[id] >> bit & 1) != 0;
+    const int is_standard = (setting_of(id)->standard >> bit & 1) != 0;
+    const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
+    const struct ui_text range = sized(view, &box, places->range_size, MENU_INK_SOFT);
+    const struct ui_text state =
+        sized(view, &box, places->value_size,
+              is_on != is_standard ? CHANGED_PAINT : is_on ? 0x17754effu : MENU_INK_SOFT);
+    char words[TEXT_LINE_MAX];
+    snprintf(words, sizeof words, "%.60s / %.60s    %.60s %.60s", menu_text(view, TEXT_BIT_ON),
+             menu_text(view, TEXT_BIT_OFF), menu_text(view, TEXT_SET_STANDARD),
+             menu_text(view, is_standard ? TEXT_BIT_ON : TEXT_BIT_OFF));
+    menu_words_at(view, box.x + places->inset * u, name_y, places->name_width * u, 0.0f, &name,
+                  menu_text(view, menu_setting_words_of(id)->choices[bit]));
+    menu_words_at(view, box.x + places->range_x * u, range_y, places->range_width * u, 0.0f, &range,
+                  words);
+    menu_words_at(view, right, middle, places->value_width * u, 1.0f, &state,
+                  menu_text(view, is_on ? TEXT_BIT_ON : TEXT_BIT_OFF));
+    if (is_on != is_standard) {
+        menu_seal(view, right - (places->value_width + 8.0f) * u, middle);
+    }
+}
+
 void menu_bits(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
@@ -273,19 +303,9 @@ void menu_bits(const struct menu_view *view)
     const uint32_t id = menu_sheet_of(menu->page)->about;
     const struct setting_words *words = menu_setting_words_of(id);
     for (uint32_t bit = 0; bit < menu_body_count(menu->page); bit++) {
-        if (!(menu->tags >> bit & 1u)) {
-            continue;
+        if (menu->tags >> bit & 1u) {
+            bit_board(view, places, id, bit);
         }
-        const struct ui_box box = menu_tag_board(view, bit);
-        const float u = view->frame.unit, middle = box.y + 0.47f * box.height;
-        const int is_on = (menu->settings.value[id] >> bit & 1) != 0;
-        const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
-        const struct ui_text state =
-            sized(view, &box, places->value_size, is_on ? 0x17754effu : MENU_INK_SOFT);
-        menu_words_at(view, box.x + places->inset * u, middle, places->name_width * u, 0.0f, &name,
-                 menu_text(view, words->choices[bit]));
-        menu_words_at(view, box.x + box.width - places->inset * u, middle, places->value_width * u,
-                 1.0f, &state, menu_text(view, is_on ? TEXT_BIT_ON : TEXT_BIT_OFF));
     }
     help(view, places, menu_text(view, words->help));
     saved(view, places);

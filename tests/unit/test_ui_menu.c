@@ -398,9 +398,90 @@ static void test_a_range_says_what_there_is_to_choose_and_its_unit(void **state)
     expect_range(SET_ATTRACT_SOUND, "silent / 1 - 10    standard every loop");
 }
 
+static uint32_t quads_of(uint8_t page)
+{
+    scene.menu.page = page;
+    scene.menu.tags = (uint16_t)((1u << menu_tag_count(page)) - 1u);
+    lay_out(0);
+    expect_inside(0);
+    return batch.quad_count;
+}
+
+/* From the first page on, whoever opens the menu. */
+static void test_what_is_to_be_looked_at_marks_the_way_to_it(void **state)
+{
+    static const uint8_t pages[] = { MENU_TOP, MENU_UPKEEP };
+    (void)state;
+    for (size_t i = 0; i < sizeof pages; i++) {
+        set_page(pages[i], 0, LANGUAGE_EN, 0);
+        const uint32_t bare = quads_of(pages[i]);
+        scene.devices.files_refused = 1;
+        assert_int_equal(quads_of(pages[i]), bare + 2u); /* A disc, and its "!". */
+        scene.devices.files_refused = 0;
+        scene.devices.machine.aside = 1;
+        assert_int_equal(quads_of(pages[i]), bare + 2u);
+        scene.devices.machine.aside = 0;
+        scene.devices.machine.missed = 1;
+        assert_int_equal(quads_of(pages[i]), bare + 2u);
+    }
+}
+
+static void test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too(void **state)
+{
+    (void)state;
+    set_page(MENU_MODES, 0, LANGUAGE_JA, 0);
+    const int32_t standard = setting_of(SET_MODES)->standard;
+    const uint32_t bare = quads_of(MENU_MODES);
+    scene.menu.settings.value[SET_MODES] = standard ^ 1;
+    /* Its seal, and 出さない has two letters more than 出す. */
+    assert_int_equal(standard & 1, 1);
+    assert_int_equal(quads_of(MENU_MODES), bare + 1u + 2u);
+    set_page(MENU_UPKEEP, 0, LANGUAGE_EN, 0);
+    const uint32_t without = quads_of(MENU_UPKEEP);
+    scene.menu.settings.value[SET_PIN] = 407;
+    assert_int_equal(quads_of(MENU_UPKEEP), without + 1u);
+}
+
+/* Every row in every state that it can be in, with the longest figures, on every screen. */
+static void test_ready_for_opening_stays_on_its_page_whatever_it_says(void **state)
+{
+    static const struct scene_machine machines[] = {
+        { 0 },
+        { .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
+          .backup_min = 179, .room_mib = 4294967295u, .has_heat = 1, .heat_margin_c = 2147483647 },
+        { .has_looked = 1, .keeps = KEEPS_FOLDER, .watch = WATCH_NO_LIMIT, .has_backup = 1,
+          .backup_min = 4294967295u, .room_mib = 63, .has_heat = 1, .heat_margin_c = 9,
+          .aside = 4294967295u },
+        { .has_looked = 1, .keeps = KEEPS_MEMORY, .watch = WATCH_DEAF, .room_mib = 7,
+          .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
+        { .has_looked = 1, .keeps = KEEPS_NOT }, { .has_looked = 1, .keeps = KEEPS_NOWHERE },
+        { .has_looked = 255, .keeps = 255, .watch = 255 },
+    };
+    const uint32_t count = sizeof machines / sizeof machines[0];
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * count * 4u; k++) {
+        const uint32_t size = k % SIZE_COUNT, way = k / (SIZE_COUNT * LANGUAGE_COUNT * count);
+        set_page(MENU_SELF_TEST, (1u << SELF_TAGS) - 1u,
+                 (uint8_t)(k / SIZE_COUNT % LANGUAGE_COUNT), is_upright(size));
+        scene.devices.machine = machines[k / (SIZE_COUNT * LANGUAGE_COUNT) % count];
+        scene.devices.frames_a_second = way & 1u ? 4294967295u : 0u;
+        scene.devices.files_refused = way & 1u;
+        scene.menu.self = (struct scene_self_test){
+            .heard = (uint8_t)(way % 3u), .moved = (uint8_t)(way % 3u), .players = 4,
+            .store = (uint8_t)(way % SELF_STATES), .clock = way & 1u ? SELF_GOOD : SELF_LOOK,
+            .seconds_left = way & 2u ? 20u : 0u, .day = 65535u, .minute = 1439u,
+        };
+        lay_out(size);
+        expect_inside(size);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_is_to_be_looked_at_marks_the_way_to_it),
+        cmocka_unit_test(test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too),
+        cmocka_unit_test(test_ready_for_opening_stays_on_its_page_whatever_it_says),
         cmocka_unit_test(test_nothing_leaves_the_screen_on_any_page),
         cmocka_unit_test(test_every_word_is_read_from_a_metre),
         cmocka_unit_test(test_a_range_says_what_there_is_to_choose_and_its_unit),
