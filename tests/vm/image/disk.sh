@@ -14,8 +14,9 @@ cache=$(cd "$cache" && pwd)
 image=$(cd "$BUILD/image/vm" && pwd)
 . "$here/qemu.sh"
 . "$here/judge.sh"
+processors=2
 width=160 height=120 # So small a picture is drawn several times a second, mostly.
-disk=$run/disk.img
+disk=$run/disk.img initrd=$cache/initrd.zst
 test_modules='virtio_pci virtio_blk squashfs 9p 9pnet_virtio configfs gpio-sim dummy_hcd libcomposite usb_f_hid usb_f_mass_storage
     usb_f_ecm usb_f_acm'
 
@@ -35,7 +36,7 @@ make_test_initrd() {
     {
         zstd -dc "$image/initrd.zst"
         (cd "$folder" && find . | cpio -o -H newc --quiet)
-    } | zstd -q -f -3 -o "$cache/initrd.zst"
+    } | zstd -q -f -3 -o "$initrd"
     rm -rf "$folder"
 }
 
@@ -68,8 +69,8 @@ disk_words() { # Overridden by who cuts its power.
 }
 
 qemu_words() { # The machine: 2 processors and 1 GiB, as tests/vm/qemu.sh has it.
-    printf '%s\n' -nodefaults -no-user-config -display none -smp 2 -m 1024 -machine q35 \
-        -cpu qemu64,+ssse3,+sse4.1,+sse4.2,+popcnt -kernel "$modules_cache/kernel/image" -initrd "$cache/initrd.zst" \
+    printf '%s\n' -nodefaults -no-user-config -display none -smp "$processors" -m 1024 -machine q35 \
+        -cpu qemu64,+ssse3,+sse4.1,+sse4.2,+popcnt -kernel "$modules_cache/kernel/image" -initrd "$initrd" \
         -append "$(cat "$image/kernel_words") rdinit=/rdinit loglevel=4 mitigations=off" \
         -fsdev "local,id=host,path=$share,security_model=none" -device virtio-9p-pci,fsdev=host,mount_tag=host \
         -device "virtio-gpu-pci,xres=$width,yres=$height,edid=off" -device i6300esb -action watchdog=reset -no-reboot \

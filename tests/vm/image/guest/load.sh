@@ -1,10 +1,8 @@
 # load.sh -- coins fall and rounds run until the machine is no more.
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # it sources what it uses
 . /run/host/guest/common.sh
-say "booted $(uname -rm)"
 poi_hold
-await 900 is_open || say 'bad open'
-say "recording play-$(asked MainPID).kgr"
+systemctl start kingyo.service || say 'bad open' # It is on its way: this waits until it says that it is ready.
 await 100 is_lit LOCKOUT || say 'bad lockout'
 [ -d $host/mesa ] || keep_shaders
 say 'load'

@@ -1,0 +1,127 @@
+#!/bin/bash
+# chain.sh JOB KILLS -- one machine, whose plug is pulled KILLS times; each start finds the disk that the kill before left.
+#
+# kills.sh starts it, with a photo of the machine in build/vm/image-kills/, and adds up what it leaves in
+# build/vm/image-kills/JOB/sums. The first start and the last are whole, with their picture (COLD=1: all are). Of the
+# others each fourth, by lot, loses its power while it starts: at any moment from the check of the disk until coins fall.
+# The rest lose it within a second after a coin that is drawn, too; a round is on then, mostly. It ends at the first thing
+# that is not as it must be, and leaves disk, log and recording as they were. Exit code 0: nothing was.
+# shellcheck disable=SC2154,SC1091,SC2034  # what it sources sets and uses them
+export BUILD=${BUILD:-build}
+job=$1 kills=$2
+. "$(dirname "$0")/plug.sh" "image-kills/$job"
+. "$(dirname "$0")/books.sh"
+photo=$cache/../photo initrd=$cache/../initrd.zst
+seed=$((${SEED:-1} * 100 + job)) limit_s=${VM_SECONDS:-600} coins_max=${COINS:-40} cold=${COLD:-0} lies=${LIES:+lies}
+start_ms=${START_MS:-20000} # From the check of the disk until coins fall; then as it was measured.
+processors=${PROCESSORS:-2}
+failures=0 kill=0 starts_hit=0 rounds_hit=0 refunds=0 told_all=0 looks=0
+RANDOM=$seed
+
+leave() {
+    pull_plug
+    guest_stop
+}
+trap leave EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
+
+bad() { # WORDS
+    failures=$((failures + 1))
+    printf '       FAIL %s.%d: %s\n' "$job" "$kill" "$*"
+}
+
+now_ms() { date +%s%3N; }
+
+heard() { # A line of the guest's (guest/load.sh)
+    set -- $1
+    case ${2-} in
+        load)
+            loading=1
+            [ "$begins" = whole ] || start_ms=$(($(now_ms) - switched_on))
+            ;;
+        coin)
+            fallen=$3
+            [ "$fallen" -ne "$pull_at" ] || pull_in "$pull_ms" &
+            ;;
+        bad) bad "${*:3}" ;;
+    esac
+}
+
+pull_in() { # MS
+    sleep "$(($1 / 1000)).$(printf %03d $(($1 % 1000)))"
+    pull_plug
+}
+
+choose_moment() {
+    begins=photo pull_at=$((1 + RANDOM % coins_max)) pull_ms=$((RANDOM % 1000))
+    if [ "$cold" != 0 ] || [ "$kill" -eq 1 ] || [ "$kill" -gt "$kills" ]; then
+        begins=whole pull_at=$((pull_at + 20)) # Pictures are slow: so many coins fall until the first is safe.
+        [ "$kill" -le "$kills" ] || pull_at=1  # Nobody will look at what this one did.
+    elif [ $((RANDOM % 4)) -eq 0 ]; then
+        pull_at=0 pull_ms=$((RANDOM * start_ms / 32768))
+    fi
+}
+
+start_once() {
+    choose_moment
+    make_machine load
+    loading=0 fallen=0 puller=''
+    guest_start "$limit_s" || true
+    [ "$begins" = whole ] || begin_from_photo
+    switched_on=$(now_ms)
+    [ "$pull_at" -ne 0 ] || { pull_in "$pull_ms" & puller=$!; }
+    guest_listen
+    [ -z "$puller" ] || kill "$puller" 2>/dev/null || true
+    keep_shaders
+}
+
+# What this start found, what it said, and what became of its disk when the plug was pulled.
+judge_start() {
+    found='was pulled before it looked' refunded=0 told_count=0
+    if books_found; then
+        looks=$((looks + 1))
+        found="found entries up to $found_to"
+        [ "$found_open" = 0 ] || { found+=', a round was open'; rounds_hit=$((rounds_hit + 1)); }
+    fi
+    [ "$failures" -eq 0 ] || return 0
+    books_told "$fallen" || true
+    refunds=$((refunds + refunded)) told_all=$((told_all + told_count))
+    [ "$failures" -eq 0 ] || return 0
+    lost=$("$BUILD/tests/vm/image/cut" "$log" "$base" "$((seed * 1000 + kill))" $lies)
+    [ "$kill" -gt "$kills" ] || echo "$lost" | tr -dc '0-9 \n' >>"$cache/writes.txt"
+}
+
+when() {
+    if [ "$loading" = 1 ]; then echo "at coin $fallen"; else echo 'as it started'; fi
+}
+
+tell() {
+    printf '       kill %s.%d, %s: %d more entries acknowledged; %s. %d.%d s, this start %s\n' "$job" "$kill" "$(when)" \
+        "$told_count" "$lost" $((lived_ms / 1000)) $((lived_ms / 100 % 10)) "$found"
+}
+
+cp --sparse=always "$image/kingyo.img" "$base"
+: >"$cache/writes.txt"
+for ((kill = 1; kill <= kills + 1; kill++)); do
+    start_once
+    lived_ms=$(($(now_ms) - switched_on))
+    [ "$qemu_status" -eq 137 ] || bad "the machine ended by itself, with $qemu_status"
+    [ "$loading" = 1 ] || [ -n "$puller" ] || bad 'it never opened'
+    judge_start
+    [ "$failures" -eq 0 ] || break
+    if [ "$kill" -le "$kills" ]; then
+        [ "$loading" = 1 ] || starts_hit=$((starts_hit + 1))
+        tell
+    else
+        printf '       the last start of %s %s, and opened\n' "$job" "$found"
+    fi
+done
+
+# kills, looks, as it started, rounds open, rounds given back, entries, coins; writes flushed, there, torn, lost; failures
+made=$((kill - 1 < kills ? kill - 1 : kills))
+coins=$(awk '$4 == 2 { sum += $6 } END { print sum + 0 }' "$cache/sure.txt")
+awk -v said="$made $looks $starts_hit $rounds_hit $refunds $told_all $coins" -v failures="$failures" \
+    '{ for (i = 1; i <= 5; i++) sum[i] += $i } END { print said, sum[1] + 0, sum[3] + 0, sum[4] + 0, sum[5] + 0, failures }' \
+    "$cache/writes.txt" >"$cache/sums"
+[ "$failures" -eq 0 ]
