@@ -20,7 +20,13 @@ mmdebstrap --quiet --mode=root --format=tar --variant=essential --architectures=
         apt-get -qq download "$(apt-cache depends "$kernel" | sed -n "s/.*Depends: \(linux-image-[^ ]*\)$/\1/p" | head -1)" \
             systemd-boot-efi busybox-static' \
     "$suite" "$cache/root.tar.new" "${lines[@]}" >"$cache/root.log" 2>&1 || {
-    tail -5 "$cache/root.log" >&2
+    why=$(grep -E '^(E|W): ' "$cache/root.log" | head -1)
+    why="Debian's packages could not be had: ${why:-$(tail -1 "$cache/root.log")} (all of it: $cache/root.log)"
+    if [ "$(cat "$cache/root.tar.of" 2>/dev/null)" = "$made_of" ]; then
+        echo "image: $why; those of $(date -r "$cache/root.tar" +%F) are taken again" >&2
+        exit 0
+    fi
+    echo "image: $why" >&2
     exit 1
 }
 rm -rf "$kernel_root"

@@ -3,7 +3,7 @@
 declare -A verdict words
 shots=$cache/shots
 
-judge() { # ok|bad ID WORDS
+judge() { # ok|bad|out ID WORDS; out: this run does not try it
     [ "${verdict[$2]-ok}" = ok ] || return 0 # Once bad is bad.
     verdict[$2]=$1 words[$2]=${*:3}
 }
@@ -38,15 +38,17 @@ first() { # PATTERN FILES...: the first line of them that has it; none is no mis
 }
 
 table() { # CHECKS TITLE: the verdict, a line each, and the count of both
-    local id text passed=0 failed=0
+    local id text passed=0 failed=0 left_out=0
     printf '\n%s, %d s\n' "$2" "$SECONDS"
     while read -r id text; do
         case ${verdict[$id]-} in
             ok) passed=$((passed + 1)); printf '  pass  %-10s %s: %s\n' "$id" "$text" "${words[$id]}" ;;
             bad) failed=$((failed + 1)); printf '  FAIL  %-10s %s: %s\n' "$id" "$text" "${words[$id]}" ;;
+            out) left_out=$((left_out + 1)); printf '   --   %-10s %s: not run\n' "$id" "$text" ;;
             *) failed=$((failed + 1)); printf '  FAIL  %-10s %s: not reached\n' "$id" "$text" ;;
         esac
     done < <(grep -v '^#' "$1")
-    printf '%d passed, %d failed; pictures in %s\n' "$passed" "$failed" "${shots#"$top"/}"
+    printf '%d passed, %d failed%s; pictures in %s\n' "$passed" "$failed" \
+        "$([ "$left_out" -eq 0 ] || echo ", $left_out not run")" "${shots#"$top"/}"
     [ "$failed" -eq 0 ]
 }

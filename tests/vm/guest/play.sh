@@ -136,11 +136,9 @@ found $? door "door $(read_count door), tilt $(read_count tilt)"
 before=$(read_count coins)
 pulses=$(coins 200)
 await 20 reads coins -ge $((before + 200))
-# A guest that stands still while the line is up makes a true coin of the short one: panel saw it.
-case $(panel pulse "$(wire COIN)" 5 300 1 0 14) in
-    *' 1 longer'*) due=201 ;;
-    *) due=200 ;;
-esac
+# A guest that stands still while the line is up makes a true coin of the short one: panel saw how often.
+longer=$(panel pulse "$(wire COIN)" 5 300 1 0 14 | sed 's/.*, \([0-9]*\) longer$/\1/')
+due=$((200 + longer))
 panel pulse "$(wire COIN)" 400 300 1 251 5000 >/dev/null
 sleep 2
 counted=$(($(read_count coins) - before))

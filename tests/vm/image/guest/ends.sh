@@ -5,6 +5,9 @@ coins 4 >/dev/null
 await 30 reads credits -ge 2
 sleep 2 # By now they are saved, and the recording says so.
 credits=$(read_count credits)
+# From its next start on its watchdog is as it ships: by now all shaders are compiled.
+rm /run/systemd/system/kingyo.service.d/patience.conf
+systemctl daemon-reload
 starts=$(asked NRestarts)
 killed=$(now_ms)
 kill -9 "$(asked MainPID)"
