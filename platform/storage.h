@@ -12,9 +12,9 @@
  * lost for good.
  *
  * At the start and each hour the file is copied to a backup beside it, which is checked before it
- * takes the place of the last. A damaged file is set aside under a new name, never repaired in
- * place and never deleted; the backup takes its place, with all entries that the damaged file still
- * has beyond it. */
+ * takes the place of the last; entries since then are kept twice (store/ledger_tail.h). A damaged
+ * file is set aside under a new name, never repaired in place and never deleted; the backup takes
+ * its place, with all entries beyond it that the damaged file or the tail still has. */
 #ifndef KINGYO_PLATFORM_STORAGE_H
 #define KINGYO_PLATFORM_STORAGE_H
 
@@ -30,6 +30,7 @@
 
 #define STORAGE_FILE "kingyo.db"
 #define STORAGE_BACKUP_SUFFIX ".backup"
+#define STORAGE_TAIL_SUFFIX ".tail"
 #define STORAGE_NEW_SUFFIX ".new"       /* What takes a damaged file's place, until it does. */
 #define STORAGE_BEFORE_SUFFIX ".before-restore" /* The backup of what a copy was put in place of. */
 #define STORAGE_REPLACED_SUFFIX ".before-" /* And a number: what a copy was put in place of. */
@@ -40,7 +41,8 @@
  * second. */
 #define STORAGE_LOOK_MS 1000
 #define STORAGE_LOOK_MS_MAX 60000
-#define STORAGE_BACKUP_S 3600 /* From one backup to the next. */
+#define STORAGE_BACKUP_S 3600 /* From one backup to the next, ... */
+#define STORAGE_BACKUP_ENTRIES (LEDGER_TAIL_SLOTS / 2u) /* ... or sooner, after so many entries. */
 #define STORAGE_PATH_SIZE 512u
 /* What the core may have unwritten, twice: it never waits for a slot where a card answers. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
@@ -84,7 +86,7 @@ struct storage {
     atomic_bool has_file; /* The database was opened: entries are taken. */
     atomic_uint aside;    /* The damaged file's number; 0: none was set aside. */
     uint32_t from_backup; /* Then: the newest entry of the backup, ... */
-    struct ledger_salvaged salvaged; /* ... and what the damaged file still had beyond it. */
+    struct ledger_salvaged salvaged; /* ... and what came later and was found. */
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
     atomic_int edit_error; /* errno of the last graph that was refused; 0: the last went well. */
     atomic_uint refused;  /* Writes that failed, retries among them. */
@@ -106,7 +108,9 @@ struct storage {
     int64_t look_due_ms;     /* ... as when the next is due, 0: at once, ... */
     int64_t look_wait_ms;    /* ... and how long it waits. */
     bool prunes;                     /* Something may have fallen out; the thread's. */
+    struct ledger_tail tail;         /* The newest entries once more; the thread's. */
     struct ledger_backup backup;     /* Under way; the thread's. */
+    uint32_t backup_id;              /* The newest entry when it began. */
     int64_t backup_due_s;            /* On the monotonic clock. */
 
     struct storage_replay put, get;

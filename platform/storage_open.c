@@ -43,6 +43,26 @@ void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZ
     beside(storage, STORAGE_BACKUP_SUFFIX, "", out);
 }
 
+void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
+{
+    beside(storage, STORAGE_TAIL_SUFFIX, "", out);
+}
+
+static struct ledger_tail look_at_tail(const struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE];
+    storage_tail_path(storage, path);
+    return ledger_tail_look(path);
+}
+
+static uint32_t tails_last_id(const struct storage *storage)
+{
+    struct ledger_tail tail = look_at_tail(storage);
+    const uint32_t last_id = ledger_tail_last_id(&tail);
+    ledger_tail_close(&tail);
+    return last_id;
+}
+
 /* The first free number; 0 when all are taken. */
 static unsigned free_number(const struct storage *storage)
 {
@@ -100,7 +120,8 @@ static void begin_with_backup(const char *backup, const char *fresh)
     ledger_file_close(&file);
 }
 
-/* Makes the new file: what the backup has, or an empty one; then what the old one still says. */
+/* Makes the new file: what the backup has, or an empty one; then what the old one and the tail
+ * still say. */
 static int make_new(struct storage *storage)
 {
     struct ledger_file file;
@@ -112,10 +133,10 @@ static int make_new(struct storage *storage)
     const int code = ledger_file_open(&file, fresh, NULL);
     if (code == SQLITE_OK) {
         storage->from_backup = file.content.memory.ledger.last_id;
-        storage->salvaged = (struct ledger_salvaged){ 0 };
-        if (has_bytes(storage->path)) {
-            storage->salvaged = ledger_salvage(storage->path, &file);
-        }
+        struct ledger_tail tail = look_at_tail(storage);
+        storage->salvaged =
+            ledger_salvage(has_bytes(storage->path) ? storage->path : NULL, &tail, &file);
+        ledger_tail_close(&tail);
         ledger_file_close(&file);
     }
     return code;
@@ -153,7 +174,8 @@ static void look_for_new(struct storage *storage)
         remove_new(storage);
         return;
     }
-    if (!is_there(fresh) && (!is_there(backup) || make_new(storage) != SQLITE_OK)) {
+    const bool has_source = is_there(backup) || tails_last_id(storage) > 0;
+    if (!is_there(fresh) && (!has_source || make_new(storage) != SQLITE_OK)) {
         return;
     }
     const unsigned number = free_number(storage);
@@ -165,7 +187,8 @@ static void look_for_new(struct storage *storage)
 /* ---- A file that has lost what it had -------------------------------------------------------- */
 
 /* A file without a byte is what a power cut or a repaired card often leaves. SQLite takes it for a
- * new one, and forgets its log; but where there are a log or a backup there was something. */
+ * new one, and forgets its log; but where there are a log, a backup or a tail there was
+ * something. */
 static bool is_emptied(const struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
@@ -173,7 +196,7 @@ static bool is_emptied(const struct storage *storage)
     beside(storage, suffixes[0], "", log);
     struct stat about;
     return stat(storage->path, &about) == 0 && about.st_size == 0 &&
-           (has_bytes(backup) || has_bytes(log));
+           (has_bytes(backup) || has_bytes(log) || tails_last_id(storage) > 0);
 }
 
 bool storage_is_behind_backup(struct storage *storage)
@@ -191,10 +214,15 @@ bool storage_is_behind_backup(struct storage *storage)
     return is_behind;
 }
 
-/* The operator put a copy there: that the backup has more is as he wants it. It is kept beside. */
+/* The operator put a copy there: that the backup has more is as he wants it. It is kept beside. The
+ * tail is of what was there before. */
 static int take_copy(struct storage *storage)
 {
-    char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE];
+    char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE], tail[LEDGER_PATH_SIZE];
+    storage_tail_path(storage, tail);
+    if (unlink(tail) != 0 && errno != ENOENT) {
+        return SQLITE_IOERR;
+    }
     storage_backup_path(storage, backup);
     beside(storage, STORAGE_BEFORE_SUFFIX, "", before);
     if (storage_is_behind_backup(storage) &&
@@ -223,7 +251,9 @@ static int open_whole(struct storage *storage)
             ledger_file_close(&storage->file);
         }
     }
-    if (code == SQLITE_OK && storage_is_behind_backup(storage)) {
+    if (code == SQLITE_OK && (storage_is_behind_backup(storage) ||
+                              storage->file.content.memory.ledger.last_id <
+                                  tails_last_id(storage))) {
         ledger_file_close(&storage->file);
         code = SQLITE_CORRUPT;
     }

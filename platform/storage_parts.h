@@ -7,6 +7,7 @@
 /* storage_open.c: opens storage->path; a damaged file is replaced first. SQLite's code. */
 int storage_open_file(struct storage *storage);
 void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
+void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
 /* Whether the backup has newer entries than the open file: then it is the file that lost some. */
 bool storage_is_behind_backup(struct storage *storage);
 
@@ -24,6 +25,11 @@ const char *storage_describe(void *storage);
 
 /* storage.c: how long the card has not answered; 0 while that is nothing to tell. */
 int64_t storage_stuck_ms(const struct storage *storage);
+
+/* storage_tail.c: the newest entries once more, in a file beside it. A card that refuses only that
+ * is counted, and tried again with the next ones. */
+void storage_write_tail(struct storage *storage, const struct ledger_entry *entries,
+                        uint32_t count);
 
 /* storage_thread.c: the file, and a backup of it that is under way. */
 void storage_close_file(struct storage *storage);

@@ -67,7 +67,7 @@ const char *storage_describe(void *self)
     } else if (aside > 0) {
         snprintf(storage->text, sizeof storage->text,
                  STORAGE_FILE " was damaged and is now " STORAGE_FILE STORAGE_ASIDE_SUFFIX
-                              "%u: %u entries from the backup, %u from itself, %u lost",
+                              "%u: %u entries from the backup, %u later ones, %u lost",
                  aside, storage->from_backup, storage->salvaged.entries, storage->salvaged.lost);
     } else {
         snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);

@@ -22,6 +22,7 @@ uint32_t storage_unwritten_edits(const struct storage *storage)
 void storage_close_file(struct storage *storage)
 {
     ledger_backup_drop(&storage->backup);
+    ledger_tail_close(&storage->tail);
     ledger_file_close(&storage->file);
 }
 
@@ -58,6 +59,9 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     const struct ledger_entry *entries = &storage->queue[first];
     atomic_store(&storage->busy_since_ms, storage_now_ms());
     const int code = ledger_file_write(&storage->file, entries, count);
+    if (code == SQLITE_OK) {
+        storage_write_tail(storage, entries, count);
+    }
     atomic_store(&storage->busy_since_ms, 0);
     storage_note_result(storage, code);
     if (code != SQLITE_OK) {
@@ -111,8 +115,11 @@ static void back_up(struct storage *storage)
         ledger_backup_drop(&storage->backup);
         return;
     }
-    if (!storage->backup.copy && now_s() >= storage->backup_due_s) {
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    if (!storage->backup.copy && (now_s() >= storage->backup_due_s ||
+                                  last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES)) {
         storage->backup_due_s = now_s() + STORAGE_BACKUP_S;
+        storage->backup_id = last_id;
         storage_backup_path(storage, path);
         code = storage_is_behind_backup(storage)
                    ? SQLITE_CORRUPT /* What has more is not written over with what has less. */

@@ -133,10 +133,12 @@ static int move_one(const struct swap *swap, const char *suffix)
     return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
 }
 
-/* The backup first: up to the next rename the start goes on from the file that is there. */
+/* The backup and the tail first: up to the next rename the start goes on from the file that is
+ * there. */
 static int put_in_place(const struct swap *swap)
 {
-    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || ledger_sync_folder(swap->own) != 0 ||
+    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_TAIL_SUFFIX) != 0 ||
+        ledger_sync_folder(swap->own) != 0 ||
         move_one(swap, "") != 0 || ledger_sync_folder(swap->own) != 0) {
         return -1;
     }

@@ -142,6 +142,7 @@ int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marke
 struct salvage {
     struct ledger_file from;
     struct ledger_file *to;
+    const struct ledger_tail *tail;
     struct ledger_entry entries[BATCH];
     uint32_t count;       /* Of these, not yet written. */
     uint32_t first, last; /* Ids to ask for. */
@@ -175,6 +176,26 @@ static void find_ends(struct salvage *salvage)
     salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
 }
 
+/* The tail goes on where the file ends, or is all that there is. */
+static void reach_to_tail(struct salvage *salvage)
+{
+    const uint32_t last_id = ledger_tail_last_id(salvage->tail);
+    if (salvage->knows_last && last_id > salvage->last) {
+        const bool is_empty = salvage->last < salvage->first;
+        const uint32_t span = is_empty ? LEDGER_TAIL_SLOTS : SALVAGE_MAX;
+        salvage->last = last_id;
+        if (last_id >= span && salvage->first < last_id - span + 1u) {
+            salvage->first = last_id - span + 1u;
+        }
+    }
+}
+
+static bool read_either(struct salvage *salvage, uint32_t id, struct ledger_entry *out)
+{
+    return (salvage->from.db && ledger_file_entry(&salvage->from, id, out) == SQLITE_OK) ||
+           ledger_tail_entry(salvage->tail, id, out);
+}
+
 static int write_salvaged(struct salvage *salvage)
 {
     const int code = salvage->count > 0
@@ -191,8 +212,7 @@ static void salvage_entries(struct salvage *salvage)
     uint32_t missing = 0;
     int code = SQLITE_OK;
     for (uint32_t id = salvage->first; code == SQLITE_OK && id <= salvage->last; id++) {
-        if (ledger_file_entry(&salvage->from, id, &salvage->entries[salvage->count]) !=
-            SQLITE_OK) {
+        if (!read_either(salvage, id, &salvage->entries[salvage->count])) {
             missing++;
             continue;
         }
@@ -206,18 +226,21 @@ static void salvage_entries(struct salvage *salvage)
     salvage->done.lost += salvage->knows_last ? missing : 0u;
 }
 
-struct ledger_salvaged ledger_salvage(const char *path, struct ledger_file *to)
+struct ledger_salvaged ledger_salvage(const char *path, const struct ledger_tail *tail,
+                                      struct ledger_file *to)
 {
     static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'";
-    struct salvage salvage = { .from = { .refusal = SQLITE_READONLY }, .to = to };
+    const uint32_t newest_id = to->content.memory.ledger.last_id;
+    struct salvage salvage = { .from = { .refusal = SQLITE_READONLY }, .to = to, .tail = tail,
+                               .first = newest_id + 1u, .last = newest_id, .knows_last = true };
     int64_t has_entries = 0;
-    int code = sqlite3_open_v2(path, &salvage.from.db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX,
-                               NULL);
-    code = code == SQLITE_OK ? sql_number(salvage.from.db, any, &has_entries) : code;
-    if (code == SQLITE_OK && has_entries) {
+    const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX;
+    if (path && sqlite3_open_v2(path, &salvage.from.db, flags, NULL) == SQLITE_OK &&
+        sql_number(salvage.from.db, any, &has_entries) == SQLITE_OK && has_entries) {
         find_ends(&salvage);
-        salvage_entries(&salvage);
     }
+    reach_to_tail(&salvage);
+    salvage_entries(&salvage);
     ledger_file_close(&salvage.from);
     return salvage.done;
 }

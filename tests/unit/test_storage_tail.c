@@ -1,0 +1,311 @@
+/* test_storage_tail.c -- the newest entries once more: whatever single thing happens to the
+ * database, nothing that was acknowledged is lost with it. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "platform/storage.h"
+
+#define PAGE_SIZE 4096
+
+static char dir[64], whole[64], file[128], backup[128], tail_path[128];
+static struct storage storage;
+static struct hal_storage device;
+
+static void run(const char *command)
+{
+    assert_int_equal(system(command), 0);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(dir, "/tmp/kingyo-tail-XXXXXX");
+    strcpy(whole, "/tmp/kingyo-whole-XXXXXX");
+    if (!mkdtemp(dir) || !mkdtemp(whole)) {
+        return -1;
+    }
+    snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
+    snprintf(backup, sizeof backup, "%s/" STORAGE_FILE STORAGE_BACKUP_SUFFIX, dir);
+    snprintf(tail_path, sizeof tail_path, "%s/" STORAGE_FILE STORAGE_TAIL_SUFFIX, dir);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    device = storage_device(&storage);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    char command[160];
+    device.ops->close(device.self);
+    snprintf(command, sizeof command, "rm -rf %s %s", dir, whole);
+    return system(command);
+}
+
+static void reopen(void)
+{
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+}
+
+/* Each round catches as many fish as its id. */
+static void play_rounds(uint32_t first, uint32_t last)
+{
+    for (uint32_t id = first; id <= last; id++) {
+        const struct ledger_entry round = {
+            .id = id,
+            .boot = 1,
+            .tick = 100 * id,
+            .kind = LEDGER_ROUND,
+            .purse = { .paid = id },
+            .round = { .id = id, .caught = id, .players = 1, .player = { { .caught = id } } },
+        };
+        assert_int_equal(device.ops->keep(device.self, &round), HAL_OK);
+    }
+    storage_work(&storage);
+    assert_int_equal(device.ops->saved_id(device.self), last);
+}
+
+/* The backup has the first four. */
+static void play_eight_and_close(void)
+{
+    reopen();
+    play_rounds(1, 4);
+    play_rounds(5, 8);
+    device.ops->close(device.self);
+}
+
+static int ask(const char *path, const char *question)
+{
+    sqlite3 *db;
+    sqlite3_stmt *statement;
+    assert_int_equal(sqlite3_open_v2(path, &db, SQLITE_OPEN_READONLY, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_prepare_v2(db, question, -1, &statement, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
+    const int answer = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    sqlite3_close(db);
+    return answer;
+}
+
+static void has_all_eight(void)
+{
+    static struct memory memory;
+    reopen();
+    memset(&memory, 0, sizeof memory);
+    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 8);
+    assert_int_equal(memory.ledger.purse.paid, 8);
+    assert_int_equal(memory.audits.count[AUDIT_CAUGHT], 36);
+    assert_int_equal(ask(file, "SELECT count(*) FROM rounds"), 8);
+    assert_int_equal(storage.salvaged.lost, 0);
+    play_rounds(9, 9);
+}
+
+static void spoil_page(long page)
+{
+    static const uint8_t dirt[PAGE_SIZE] = { 0xff, 0x5a, 0xff };
+    FILE *out = fopen(file, "r+b");
+    assert_non_null(out);
+    assert_int_equal(fseek(out, page * PAGE_SIZE, SEEK_SET), 0);
+    assert_int_equal(fwrite(dirt, sizeof dirt, 1, out), 1);
+    fclose(out);
+}
+
+/* ---- What happens to the database ------------------------------------------------------------ */
+
+static void test_whichever_page_is_damaged_nothing_is_lost(void **state)
+{
+    (void)state;
+    char command[256];
+    struct stat about;
+    play_eight_and_close();
+    snprintf(command, sizeof command, "cp %s/* %s/", dir, whole);
+    run(command);
+    assert_int_equal(stat(file, &about), 0);
+    assert_true(about.st_size > 8 * PAGE_SIZE);
+    for (long page = 0; page < about.st_size / PAGE_SIZE; page++) {
+        snprintf(command, sizeof command, "rm -f %s/* && cp %s/* %s/", dir, whole, dir);
+        run(command);
+        spoil_page(page);
+        has_all_eight();
+        device.ops->close(device.self);
+    }
+}
+
+static void test_of_a_file_that_was_removed_nothing_is_lost(void **state)
+{
+    (void)state;
+    play_eight_and_close();
+    assert_int_equal(unlink(file), 0);
+    has_all_eight();
+}
+
+static void test_nor_of_one_without_a_byte(void **state)
+{
+    (void)state;
+    play_eight_and_close();
+    assert_int_equal(truncate(file, 0), 0);
+    has_all_eight();
+}
+
+static void test_without_file_and_backup_the_tail_is_what_there_is(void **state)
+{
+    (void)state;
+    play_eight_and_close();
+    assert_int_equal(unlink(file), 0);
+    assert_int_equal(unlink(backup), 0);
+    has_all_eight();
+}
+
+static void test_a_file_with_less_than_its_tail_is_damage(void **state)
+{
+    (void)state;
+    sqlite3 *db;
+    play_eight_and_close();
+    assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);
+    sqlite3_exec(db, "DELETE FROM entries WHERE id > 6", NULL, NULL, NULL); /* The backup has 4. */
+    sqlite3_close(db);
+    has_all_eight();
+    assert_int_equal(atomic_load(&storage.aside), 1);
+}
+
+/* ---- What happens to the tail ---------------------------------------------------------------- */
+
+static void test_a_slot_that_is_not_as_it_was_written_is_no_entry(void **state)
+{
+    (void)state;
+    struct ledger_tail tail;
+    struct ledger_entry found;
+    const struct ledger_entry coins[] = { { .id = 7, .kind = LEDGER_COINS },
+                                          { .id = 8, .kind = LEDGER_COINS } };
+    assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
+    assert_int_equal(ledger_tail_write(&tail, coins, 2), 0);
+    assert_int_equal(ledger_tail_last_id(&tail), 8);
+    assert_true(ledger_tail_entry(&tail, 8, &found));
+    assert_false(ledger_tail_entry(&tail, 8 + LEDGER_TAIL_SLOTS, &found));
+    assert_false(ledger_tail_entry(&tail, 9, &found));
+    ledger_tail_close(&tail);
+    for (long byte = 0; byte < (long)sizeof coins[1] + 16; byte++) {
+        FILE *out = fopen(tail_path, "r+b");
+        assert_non_null(out);
+        fseek(out, 8L * LEDGER_TAIL_SLOT_SIZE + byte, SEEK_SET);
+        const int was = fgetc(out);
+        fseek(out, -1, SEEK_CUR);
+        fputc(was ^ 4, out);
+        fflush(out);
+        tail = ledger_tail_look(tail_path);
+        assert_int_equal(ledger_tail_last_id(&tail), 7);
+        ledger_tail_close(&tail);
+        fseek(out, -1, SEEK_CUR);
+        fputc(was, out);
+        fclose(out);
+    }
+}
+
+static void test_a_newer_entry_takes_the_oldest_ones_slot(void **state)
+{
+    (void)state;
+    struct ledger_tail tail;
+    struct ledger_entry found;
+    assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
+    for (uint32_t id = 1; id <= LEDGER_TAIL_SLOTS + 1u; id++) {
+        const struct ledger_entry coin = { .id = id, .kind = LEDGER_COINS, .count = id };
+        assert_int_equal(ledger_tail_write(&tail, &coin, 1), 0);
+    }
+    assert_false(ledger_tail_entry(&tail, 1, &found));
+    assert_true(ledger_tail_entry(&tail, 2, &found));
+    assert_true(ledger_tail_entry(&tail, LEDGER_TAIL_SLOTS + 1u, &found));
+    assert_int_equal(found.count, LEDGER_TAIL_SLOTS + 1u);
+    ledger_tail_close(&tail);
+}
+
+/* As where a database was copied there by hand: what is not of its list must not get into it. */
+static void test_a_tail_of_another_list_is_begun_anew(void **state)
+{
+    (void)state;
+    struct ledger_tail tail;
+    struct ledger_entry found;
+    const struct ledger_entry others[] = { { .id = 7, .boot = 77 }, { .id = 8, .boot = 77 } };
+    play_eight_and_close();
+    assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
+    assert_int_equal(ledger_tail_write(&tail, others, 2), 0);
+    ledger_tail_close(&tail);
+    reopen();
+    play_rounds(9, 9);
+    assert_false(ledger_tail_entry(&storage.tail, 7, &found));
+    assert_true(ledger_tail_entry(&storage.tail, 9, &found));
+}
+
+static void test_a_copy_that_is_put_back_has_a_tail_of_its_own(void **state)
+{
+    (void)state;
+    char copy[160];
+    snprintf(copy, sizeof copy, "%s/copy", whole);
+    reopen();
+    play_rounds(1, 2);
+    assert_int_equal(ledger_backup_make(&storage.file, copy, true), SQLITE_OK);
+    play_rounds(3, 8);
+    device.ops->close(device.self);
+    assert_int_equal(rename(copy, file), 0);
+    reopen();
+    assert_int_equal(atomic_load(&storage.aside), 0);
+    assert_int_equal(device.ops->saved_id(device.self), 2);
+    play_rounds(3, 3);
+    assert_int_equal(ledger_tail_last_id(&storage.tail), 3);
+}
+
+static void test_a_card_that_refuses_the_tail_alone_keeps_the_entries(void **state)
+{
+    (void)state;
+    struct ledger_entry found;
+    assert_int_equal(mkdir(tail_path, 0755), 0);
+    reopen();
+    play_rounds(1, 3);
+    assert_true(device.ops->is_well(device.self));
+    assert_int_equal(device.ops->refused_count(device.self), 1);
+    assert_int_equal(rmdir(tail_path), 0);
+    play_rounds(4, 4);
+    assert_true(ledger_tail_entry(&storage.tail, 4, &found));
+    assert_int_equal(found.round.caught, 4);
+}
+
+static void test_a_backup_comes_before_the_tail_bites_itself(void **state)
+{
+    (void)state;
+    reopen();
+    play_rounds(1, 1);
+    for (uint32_t id = 2; id < 2u + STORAGE_BACKUP_ENTRIES; id += LEDGER_RING) {
+        play_rounds(id, id + LEDGER_RING - 1u);
+    }
+    assert_int_equal(ask(backup, "SELECT max(id) FROM entries"), 1 + (int)STORAGE_BACKUP_ENTRIES);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_whichever_page_is_damaged_nothing_is_lost),
+        TEST(test_of_a_file_that_was_removed_nothing_is_lost),
+        TEST(test_nor_of_one_without_a_byte),
+        TEST(test_without_file_and_backup_the_tail_is_what_there_is),
+        TEST(test_a_file_with_less_than_its_tail_is_damage),
+        TEST(test_a_slot_that_is_not_as_it_was_written_is_no_entry),
+        TEST(test_a_newer_entry_takes_the_oldest_ones_slot),
+        TEST(test_a_tail_of_another_list_is_begun_anew),
+        TEST(test_a_copy_that_is_put_back_has_a_tail_of_its_own),
+        TEST(test_a_card_that_refuses_the_tail_alone_keeps_the_entries),
+        TEST(test_a_backup_comes_before_the_tail_bites_itself),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
