@@ -76,6 +76,9 @@ struct crowd_search {
 /* Counts as way what has moved bodies since their fish moved, and moves the fish there. */
 void crowd_follow(struct crowd *crowd, struct fish *fish);
 
+/* How far a fish will come before the next look, by what it does now. */
+float crowd_reach_m(const struct fish *fish);
+
 /* Whether the last look no longer tells all pairs that could touch: somebody came farther than its
  * reach, or was not there. */
 int crowd_is_stale(const struct crowd *crowd);
