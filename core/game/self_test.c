@@ -169,6 +169,21 @@ static uint8_t judge_pois(const struct scene_self_test *self)
     return state;
 }
 
+/* A stall without a single line has neither lamp nor slot, unless somebody misses them. */
+static uint8_t judge_lamp(const struct scene *scene)
+{
+    const int is_wired = scene->devices.lines[0] != '\0';
+    const uint8_t moved = scene->menu.self.moved;
+    return moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD : said(moved);
+}
+
+/* Where nothing is sold coins are sent back. */
+static uint8_t judge_coins(const struct scene *scene)
+{
+    const int is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
+    return scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
+}
+
 static uint8_t judge_display(uint32_t frames)
 {
     return frames == 0 ? SELF_WAITS : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD : SELF_BAD;
@@ -232,9 +247,9 @@ uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
     state[SELF_DISPLAY] = judge_display(scene->devices.frames_a_second);
     state[SELF_FILES] = scene->devices.files_refused == 0 ? SELF_GOOD : SELF_BAD;
     state[SELF_SOUND] = said(self->heard);
-    state[SELF_LAMP] = said(self->moved);
+    state[SELF_LAMP] = judge_lamp(scene);
     state[SELF_BUTTONS] = judge_buttons(scene);
-    state[SELF_COINS] = scene->menu.test_coins > 0 ? SELF_GOOD : SELF_ASKS;
+    state[SELF_COINS] = judge_coins(scene);
     state[SELF_POIS] = judge_pois(self);
     uint32_t next = SELF_CHECKS;
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {

@@ -6,7 +6,8 @@
  * the machine (struct scene_machine), which never reaches the core's state. What has not answered
  * by then is bad. What only a person knows is asked: whether the note was heard, whether lamp and
  * slot moved, each button, a coin, each poi in all three directions. Nothing is ready that was not
- * tried. */
+ * tried, but for what this stall does not have: lamp and slot without lines, coins without a
+ * price. */
 #ifndef KINGYO_CORE_GAME_SELF_TEST_H
 #define KINGYO_CORE_GAME_SELF_TEST_H
 

@@ -58,8 +58,7 @@ static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
                         [SELF_BAD] = TEXT_CHECK_WATCHDOG_BAD },
     [SELF_SOUND] = { [SELF_GOOD] = TEXT_CHECK_SOUND_GOOD, [SELF_ASKS] = TEXT_CHECK_SOUND_ASK,
                      [SELF_BAD] = TEXT_CHECK_SOUND_BAD },
-    [SELF_LAMP] = { [SELF_GOOD] = TEXT_CHECK_LAMP_GOOD, [SELF_ASKS] = TEXT_CHECK_LAMP_ASK,
-                    [SELF_BAD] = TEXT_CHECK_LAMP_BAD },
+    [SELF_LAMP] = { [SELF_ASKS] = TEXT_CHECK_LAMP_ASK, [SELF_BAD] = TEXT_CHECK_LAMP_BAD },
     [SELF_BUTTONS] = { [SELF_GOOD] = TEXT_CHECK_BUTTONS_GOOD,
                        [SELF_ASKS] = TEXT_CHECK_BUTTONS_ASK },
     [SELF_COINS] = { [SELF_ASKS] = TEXT_CHECK_COINS_ASK },
@@ -121,8 +120,13 @@ static struct said figures_say(const struct menu_view *view, uint32_t check, uin
         return (struct said){ state == SELF_GOOD ? TEXT_CHECK_DISPLAY_GOOD
                                                  : TEXT_CHECK_DISPLAY_BAD,
                               view->devices->frames_a_second };
+    case SELF_LAMP:
+        return (struct said){ view->menu->self.moved == SELF_UNSAID ? TEXT_CHECK_LAMP_NONE
+                                                                    : TEXT_CHECK_LAMP_GOOD, 0 };
     default:
-        return (struct said){ TEXT_CHECK_COINS_GOOD, view->menu->test_coins };
+        return (struct said){ view->menu->test_coins > 0 ? TEXT_CHECK_COINS_GOOD
+                                                         : TEXT_CHECK_COINS_FREE,
+                              view->menu->test_coins };
     }
 }
 

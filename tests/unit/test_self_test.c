@@ -42,6 +42,9 @@ static int setup_page(void **state)
     memset(&scene, 0, sizeof scene);
     scene.devices.frames_a_second = 60;
     scene.devices.machine = well;
+    scene.devices.lines[0] = 'x';
+    core.config.memory.settings.value[SET_PLAY] = PLAY_PAID;
+    adjust_init(&core.game.adjust, &core.config);
     input.store_well = 1;
     input.day = 9000;
     push(INPUT_TEST);
@@ -295,6 +298,24 @@ static void test_after_twenty_seconds_nothing_waits_any_more(void **state)
     assert_int_equal(self_test_left(state_of), SELF_CHECKS - 2u); /* But files and clock. */
 }
 
+/* Nobody drops a coin where none is taken, or looks for a lamp that no wire leads to. */
+static void test_what_this_stall_does_not_have_is_not_asked_for(void **state)
+{
+    (void)state;
+    judge();
+    assert_int_equal(state_of[SELF_COINS], SELF_ASKS);
+    assert_int_equal(state_of[SELF_LAMP], SELF_ASKS);
+    core.config.memory.settings.value[SET_PLAY] = PLAY_FREE;
+    scene.devices.lines[0] = '\0';
+    judge();
+    assert_int_equal(state_of[SELF_COINS], SELF_GOOD);
+    assert_int_equal(state_of[SELF_LAMP], SELF_GOOD);
+    take(SELF_YES); /* The bell. */
+    take(SELF_NO);  /* Somebody misses them all the same. */
+    judge();
+    assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
+}
+
 /* What is to be done comes before what is only to be looked at. */
 static void test_the_worst_is_named_first(void **state)
 {
@@ -347,6 +368,7 @@ int main(void)
         cmocka_unit_test_setup(test_every_row_of_the_machine_in_every_state, setup_page),
         cmocka_unit_test_setup(test_after_twenty_seconds_nothing_waits_any_more, setup_page),
         cmocka_unit_test_setup(test_the_worst_is_named_first, setup_page),
+        cmocka_unit_test_setup(test_what_this_stall_does_not_have_is_not_asked_for, setup_page),
         cmocka_unit_test_setup(test_the_operator_says_what_he_heard_and_saw, setup_page),
         cmocka_unit_test_setup(test_a_button_that_is_not_wired_is_not_asked_for, setup_page),
         cmocka_unit_test_setup(test_the_entry_that_tries_the_store_says_what_was_so, setup_page),
