@@ -8,6 +8,7 @@
 
 #include "platform/ctl/books.h"
 #include "platform/ctl/restore.h"
+#include "platform/json_char.h"
 #include "platform/storage.h"
 #include "platform/store/ledger_backup.h"
 
@@ -61,7 +62,7 @@ static enum exit_code copy(struct ledger_file *file, const char *path,
     const struct ledger_start *ledger = &file->content.memory.ledger;
     if (words->as_json) {
         fputs("{\"file\": ", stdout);
-        books_print_json(path);
+        json_print(path);
         printf(", \"entries\": %u, \"start\": %u}\n", ledger->last_id, ledger->boots);
     } else {
         printf("%s: whole, %u entries\n", path, ledger->last_id);

@@ -105,18 +105,3 @@ enum exit_code books_open(const char *command, const struct books_words *words,
     const int code = ledger_file_look(out, path);
     return code == SQLITE_OK ? EXIT_OK : tell(command, path, code);
 }
-
-void books_print_json(const char *text)
-{
-    putchar('"');
-    for (const char *c = text; *c; c++) {
-        if (*c == '"' || *c == '\\') {
-            printf("\\%c", *c);
-        } else if ((unsigned char)*c < 0x20u) {
-            printf("\\u%04x", (unsigned)*c);
-        } else {
-            putchar(*c);
-        }
-    }
-    putchar('"');
-}

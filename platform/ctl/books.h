@@ -35,7 +35,4 @@ int books_look_at_copy(const char *path, struct ledger_start *out);
 enum exit_code books_open(const char *command, const struct books_words *words,
                           struct ledger_file *out);
 
-/* In quotes, escaped. */
-void books_print_json(const char *text);
-
 #endif

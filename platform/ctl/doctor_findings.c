@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "platform/ctl/doctor.h"
+#include "platform/json_char.h"
 
 static const char *const level_words[] = { "fine", "look", "WRONG" };
 
@@ -71,17 +72,8 @@ void doctor_report_text(const struct doctor *doctor)
 /* Texts of devices are printable already (doctor_line); paths of people may be anything. */
 static void put_string(const char *key, const char *text)
 {
-    printf("\"%s\":\"", key);
-    for (const unsigned char *at = (const unsigned char *)text; *at; at++) {
-        if (*at == '"' || *at == '\\') {
-            printf("\\%c", *at);
-        } else if (*at < 0x20) {
-            printf("\\u%04x", *at);
-        } else {
-            putchar(*at);
-        }
-    }
-    putchar('"');
+    printf("\"%s\":", key);
+    json_print(text);
 }
 
 void doctor_report_json(const struct doctor *doctor)

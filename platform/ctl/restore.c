@@ -15,6 +15,7 @@
 
 #include <sqlite3.h>
 
+#include "platform/json_char.h"
 #include "platform/storage.h"
 #include "platform/store/ledger_backup.h"
 
@@ -153,9 +154,9 @@ static void tell(const struct swap *swap, const struct books_words *words, const
     const int has_before = access(swap->before, F_OK) == 0;
     if (words->as_json) {
         fputs("{\"file\": ", stdout);
-        books_print_json(from);
+        json_print(from);
         fputs(", \"before\": ", stdout);
-        books_print_json(has_before ? swap->before : "");
+        json_print(has_before ? swap->before : "");
         printf(", \"entries\": %u, \"start\": %u}\n", swap->copied.last_id, swap->copied.boots);
         return;
     }

@@ -5,6 +5,7 @@
 #include "core/game/rules.h"
 #include "platform/ctl/books.h"
 #include "platform/ctl/scores_judge.h"
+#include "platform/json_char.h"
 #include "platform/store/day.h"
 
 static const char name[] = "scores";
@@ -89,7 +90,7 @@ static void print_json(const struct place *at, int is_first)
     printf("\"round\": %u, \"seat\": %u, \"day\": \"%s\", \"replay\": %s, \"name\": ",
            at->row->round_id, at->row->seat + 1u, at->row->day ? day : "",
            at->has_replay ? "true" : "false");
-    books_print_json(at->row->name);
+    json_print(at->row->name);
     putchar('}');
 }
 

@@ -1,6 +1,5 @@
 /* status.c -- the report's text, and the thread that writes it. */
 #include "platform/kiosk/status.h"
-#include "platform/say.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -11,6 +10,9 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
+
+#include "platform/json_char.h"
+#include "platform/say.h"
 
 #define NS_PER_MS 1000000ull
 
@@ -33,42 +35,13 @@ static void put(struct text_out *text, const char *format, ...)
     assert(text->used < STATUS_TEXT_MAX);
 }
 
-/* How many bytes the character at `c` has in UTF-8; 0: it is none (RFC 3629: no overlong form, no
- * surrogate, nothing behind U+10FFFF). Text ends with 0, which continues nothing. */
-static unsigned utf8_size(const unsigned char *c)
-{
-    const unsigned size = c[0] < 0x80 ? 1 : c[0] < 0xC2 ? 0 : c[0] < 0xE0 ? 2 : c[0] < 0xF0 ? 3 : 4;
-    const unsigned char low = c[0] == 0xE0 ? 0xA0 : c[0] == 0xF0 ? 0x90 : 0x80;
-    const unsigned char high = c[0] == 0xED ? 0x9F : c[0] == 0xF4 ? 0x8F : 0xBF;
-    if (c[0] > 0xF4 || (size > 1 && (c[1] < low || c[1] > high))) {
-        return 0;
-    }
-    for (unsigned i = 2; i < size; i++) {
-        if (c[i] < 0x80 || c[i] > 0xBF) {
-            return 0;
-        }
-    }
-    return size;
-}
-
-/* A driver's words may hold a device's own name: anything at all, or cut off in a character. Quotes
- * and control characters would break the file, and so would what is no UTF-8: U+FFFD stands there
- * instead. */
 static void put_string(struct text_out *text, const char *words)
 {
+    char one[JSON_CHAR_SIZE];
     put(text, "\"");
-    unsigned size = 0;
-    for (const char *c = words; *c; c += size > 0 ? size : 1u) {
-        size = utf8_size((const unsigned char *)c);
-        if (*c == '"' || *c == '\\') {
-            put(text, "\\%c", *c);
-        } else if ((unsigned char)*c < 0x20 || *c == 0x7F) {
-            put(text, "\\u%04x", (unsigned)(unsigned char)*c);
-        } else if (size == 0) {
-            put(text, "\xEF\xBF\xBD");
-        } else {
-            put(text, "%.*s", (int)size, c);
-        }
+    while (*words) {
+        words = json_char(words, one);
+        put(text, "%s", one);
     }
     put(text, "\"");
 }

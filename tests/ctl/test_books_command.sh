@@ -38,6 +38,11 @@ spares_a_name() { # What is somebody else's in that folder stays there.
     rm -f "$work"/own.db*
     return $result
 }
+is_utf8() { # Whatever the file is called.
+    "$ctl" backup "$work/"$'a\xff\x7f.db' --data "$data" --json >"$work/json" || return 1
+    rm "$work/"$'a\xff\x7f.db'
+    iconv -f UTF-8 -t UTF-8 "$work/json" >"$work/out" && grep -qF $'a\xef\xbf\xbd\\u007f.db"' "$work/out"
+}
 keeps() { # FILE PATTERN: a backup to FILE is refused, and FILE is as it was.
     echo precious >"$1"
     ends 2 "$2" backup "$1" --data "$data" && [ "$(cat "$1")" = precious ]
@@ -133,6 +138,7 @@ check 'the books are one object' query \
     "json_extract(j, '\$.audits.caught') = 7 and json_extract(j, '\$.entries') = 9" audits
 check 'a backup is a whole file of its own' is_copy
 check 'a backup removes nothing but what it made itself' spares_a_name
+check 'a name that is no UTF-8 is none in JSON' is_utf8
 check 'a backup may take the place of an older one' is_copy
 mkdir "$work/of-copy" && mv "$work/copy.db" "$work/of-copy/kingyo.db"
 check 'a backup can be read like the file' ends 0 'きんぎょ' scores --data "$work/of-copy"
