@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "calm_fish.h"
 #include "core/game/hand.h"
 #include "core/tank/preset.h"
 #include "drivers/null.h"
@@ -214,24 +215,9 @@ static void begin_round(uint32_t seed)
     }
 }
 
-/* The calmest fish near the ring that swims above where it will be. */
 static const struct fish *choose(void)
 {
-    const struct tank *tank = &player.kiosk.core.tank;
-    const struct fish *best = NULL;
-    float least = 1e9f;
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        const struct fish *fish = &tank->fish[i];
-        const vec3 at = fish->position_m;
-        const vec3 way = v3_sub(v3(at.x, 0.0f, at.z), v3(ring_m().x, 0.0f, ring_m().z));
-        const float effort = v3_length(fish->velocity_m_s) + 0.3f * v3_length(way);
-        if (fish->gait < GAIT_HELD && f_abs(at.x) < 0.25f && f_abs(at.z) < 0.17f &&
-            at.y > DIP_DEPTH_M && effort < least) {
-            least = effort;
-            best = fish;
-        }
-    }
-    return best;
+    return calmest_fish(&player.kiosk.core.tank, ring_m(), DIP_DEPTH_M);
 }
 
 static int goes_to(vec3 over_m, float near_m, uint32_t reports_max)
