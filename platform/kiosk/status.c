@@ -1,159 +1,18 @@
-/* status.c -- the report's text, and the thread that writes it. */
+/* status.c -- what there is to report, and the thread that writes it. */
 #include "platform/kiosk/status.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/json_char.h"
 #include "platform/say.h"
 
 #define NS_PER_MS 1000000ull
-
-/* ---- Text ----------------------------------------------------------------------------------- */
-
-struct text_out {
-    char *out;
-    size_t used;
-};
-
-__attribute__((format(printf, 2, 3)))
-static void put(struct text_out *text, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    const int length =
-        vsnprintf(text->out + text->used, STATUS_TEXT_MAX - text->used, format, arguments);
-    va_end(arguments);
-    text->used += (size_t)length;
-    assert(text->used < STATUS_TEXT_MAX);
-}
-
-static void put_string(struct text_out *text, const char *words)
-{
-    char one[JSON_CHAR_SIZE];
-    put(text, "\"");
-    while (*words) {
-        words = json_char(words, one);
-        put(text, "%s", one);
-    }
-    put(text, "\"");
-}
-
-static const char *phase_name(uint8_t phase)
-{
-    static const char *const names[] = {
-        [PHASE_ATTRACT] = "attract", [PHASE_READY] = "ready",   [PHASE_ROUND] = "round",
-        [PHASE_RESULT] = "result",   [PHASE_CHOOSE] = "choose", [PHASE_LAB] = "lab",
-        [PHASE_ALBUM] = "album",     [PHASE_MENU] = "menu",     [PHASE_NAME] = "name",
-        [PHASE_BOARD] = "board",
-    };
-    const int is_known = phase < sizeof names / sizeof names[0] && names[phase];
-    return is_known ? names[phase] : "other";
-}
-
-static const char *boolean(int is_so)
-{
-    return is_so ? "true" : "false";
-}
-
-static void put_stall(struct text_out *text, const struct status_report *report)
-{
-    const struct purse *purse = &report->purse;
-    put(text, "  \"version\": \"" KINGYO_VERSION "\",\n  \"pid\": %u,\n  \"written_ms\": %llu,\n"
-              "  \"up_s\": %u,\n  \"boot\": %u,\n  \"phase\": \"%s\",\n  \"players\": %u,\n",
-        report->pid, (unsigned long long)report->written_ms, report->up_s, report->boot,
-        phase_name(report->phase), report->players);
-    put(text, "  \"credits\": {\"paid\": %u, \"service\": %u, \"units\": %u, \"untold\": %u, "
-              "\"round_open\": %s},\n",
-        purse->paid, purse->service, purse->units, purse->untold,
-        boolean(purse->open != OPEN_NONE));
-    put(text, "  \"store\": {\"well\": %s, \"entry_id\": %u, \"saved_id\": %u, \"waiting\": %u},\n",
-        boolean(report->store_well), report->entry_id, report->saved_id,
-        report->entry_id - report->saved_id);
-}
-
-static void put_figures(struct text_out *text, const struct status_report *report)
-{
-    const struct kiosk_faults *faults = &report->faults;
-    put(text, "  \"frames\": {\"count\": %llu, \"median_ms\": %.1f, \"p99_ms\": %.1f},\n"
-              "  \"ticks\": {\"count\": %u, \"dropped\": %llu},\n",
-        (unsigned long long)report->frames, (double)report->frame_median_ns * 1e-6,
-        (double)report->frame_p99_ns * 1e-6, report->ticks,
-        (unsigned long long)report->dropped_ticks);
-    put(text, "  \"faults\": {\"poi\": %u, \"fan\": %u, \"display\": %u, \"sound\": %u, "
-              "\"store\": %u, \"buttons\": %u, \"switches\": %u, \"buttons_missing\": %u},\n",
-        faults->poi, faults->shade, faults->display, faults->audio, faults->storage,
-        faults->buttons, faults->switches, (unsigned)__builtin_popcount(report->buttons_missing));
-}
-
-static const char *keeps_name(uint8_t keeps)
-{
-    static const char *const names[] = {
-        [KEEPS_UNKNOWN] = "unknown", [KEEPS_PROVEN] = "proven",   [KEEPS_FOLDER] = "folder",
-        [KEEPS_MEMORY] = "memory",   [KEEPS_NOT] = "not",         [KEEPS_NOWHERE] = "nowhere",
-    };
-    return keeps < sizeof names / sizeof names[0] ? names[keeps] : "unknown";
-}
-
-static const char *watch_name(uint8_t watch)
-{
-    static const char *const names[] = { [WATCH_NONE] = "none", [WATCH_NO_LIMIT] = "no-limit",
-                                         [WATCH_FED] = "fed", [WATCH_DEAF] = "deaf" };
-    return watch < sizeof names / sizeof names[0] ? names[watch] : "none";
-}
-
-/* What is not known is null: a figure that nobody measured would be believed. */
-static void put_known(struct text_out *text, const char *name, int is_known, int64_t value)
-{
-    if (is_known) {
-        put(text, "\"%s\": %lld", name, (long long)value);
-    } else {
-        put(text, "\"%s\": null", name);
-    }
-}
-
-/* The figures of the page "ready for opening". */
-static void put_machine(struct text_out *text, const struct status_report *report)
-{
-    const struct scene_machine *machine = &report->machine;
-    put(text, "  \"machine\": {\"data\": \"%s\", ", keeps_name(machine->keeps));
-    put_known(text, "backup_min", machine->has_backup, machine->backup_min);
-    put(text, ", ");
-    put_known(text, "free_mib", machine->has_looked, machine->room_mib);
-    put(text, ", ");
-    put_known(text, "heat_margin_c", machine->has_heat, machine->heat_margin_c);
-    put(text, ", \"watchdog\": \"%s\", ", watch_name(machine->watch));
-    put_known(text, "clock_day", report->day != 0, report->day);
-    put(text, ", ");
-    put_known(text, "clock_minute", report->day != 0, report->minute);
-    put(text, ", \"clock_went_back\": %s},\n", boolean(machine->is_clock_back));
-    put(text, "  \"files\": {\"refused\": %u, \"set_aside\": %u, \"replays_missed\": %u},\n",
-        report->files_refused, machine->aside, machine->missed);
-}
-
-size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])
-{
-    struct text_out text = { .out = out };
-    put(&text, "{\n");
-    put_stall(&text, report);
-    put_figures(&text, report);
-    put_machine(&text, report);
-    put(&text, "  \"devices\": [");
-    for (uint32_t i = 0; i < report->device_count; i++) {
-        put(&text, "%s\n    {\"part\": \"%s\", \"text\": ", i ? "," : "", report->device[i].part);
-        put_string(&text, report->device[i].text);
-        put(&text, "}");
-    }
-    put(&text, "\n  ]\n}\n");
-    return text.used;
-}
 
 /* ---- What there is to say ------------------------------------------------------------------- */
 
