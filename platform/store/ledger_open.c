@@ -1,0 +1,236 @@
+/* ledger_open.c -- a path becomes a file that is whole, up to date and read, as far as its card
+ * lets it. */
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/ledger_parts.h"
+#include "platform/store/sql.h"
+
+#define BUSY_MS 2000 /* Another program (kingyoctl, a backup) may hold the file this long. */
+
+/* A write-ahead log: of the journals that lose nothing when the plug is pulled (`make
+ * bench-journals`) it syncs least, a third as often as a rollback journal at EXTRA, and writes
+ * least. It is folded into the file each 128 pages, so that no transaction meets more than half a
+ * MiB of that. The cache is what a transaction needs, in KiB. */
+#define JOURNAL "WAL FULL"
+static const char settings[] = "PRAGMA wal_autocheckpoint = 128;"
+                               "PRAGMA cache_size = -1024;";
+
+static int set_up(sqlite3 *db, const struct ledger_file_how *how)
+{
+    char mode[16] = "", sync[16] = "", text[120];
+    const char *journal = how && how->journal ? how->journal : JOURNAL;
+    if (sscanf(journal, "%15s %15s", mode, sync) != 2) {
+        return SQLITE_MISUSE;
+    }
+    snprintf(text, sizeof text, "PRAGMA journal_mode = %s; PRAGMA synchronous = %s", mode, sync);
+    const int code = sql_run(db, text);
+    return code == SQLITE_OK ? sql_run(db, settings) : code;
+}
+
+/* ---- Whether it is whole -------------------------------------------------------------------- */
+
+/* Of a file that has no such excuse as a full card, these say that its tables are not ours any
+ * more: a flipped bit in their words is good SQL that fails. */
+static int as_damage(int code)
+{
+    return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||
+                   code == SQLITE_CONSTRAINT
+               ? SQLITE_CORRUPT
+               : code;
+}
+
+/* SQLite finds most damage only when asked to look. */
+static int check_pages(sqlite3 *db)
+{
+    sqlite3_stmt *check = NULL;
+    int code = sqlite3_prepare_v2(db, "PRAGMA quick_check(1)", -1, &check, NULL);
+    if (code == SQLITE_OK) {
+        code = sqlite3_step(check);
+        if (code == SQLITE_ROW) {
+            const unsigned char *verdict = sqlite3_column_text(check, 0);
+            const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
+            code = good ? SQLITE_OK : SQLITE_CORRUPT;
+        }
+    }
+    sqlite3_finalize(check);
+    return code;
+}
+
+int ledger_check(sqlite3 *db)
+{
+    int64_t version = 0;
+    int code = check_pages(db);
+    code = code == SQLITE_OK ? sql_number(db, "PRAGMA user_version", &version) : code;
+    if (code == SQLITE_OK && version == LEDGER_FILE_VERSION) {
+        code = ledger_schema_check(db);
+        code = code == SQLITE_OK ? ledger_tally_check(db) : code;
+    }
+    return as_damage(code);
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+/* All at once, so that a file in which one of them would fail is found when it is opened. */
+static int prepare_all(struct ledger_file *file)
+{
+    sqlite3_stmt *statement;
+    int code = SQLITE_OK;
+    for (uint32_t i = 0; code == SQLITE_OK && i < LEDGER_STATEMENT_COUNT; i++) {
+        code = ledger_statement(file, (enum ledger_statement)i, &statement);
+    }
+    return code;
+}
+
+static int read_version(struct ledger_file *file, int64_t *version)
+{
+    *version = 0;
+    return sql_number(file->db, "PRAGMA user_version", version);
+}
+
+/* Within one transaction, so that of two programs that open an old file one finds it done. */
+static int bring_up_to_date(struct ledger_file *file)
+{
+    int64_t version;
+    int code = sql_run(file->db, "BEGIN IMMEDIATE");
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = read_version(file, &version);
+    if (code == SQLITE_OK && version < LEDGER_FILE_VERSION) {
+        code = ledger_schema_raise(file, (int)version);
+    }
+    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return code;
+}
+
+static int raise_version(struct ledger_file *file, int64_t version)
+{
+    if (version > LEDGER_FILE_VERSION) {
+        return LEDGER_FILE_NEWER;
+    }
+    if (version == LEDGER_FILE_VERSION) {
+        return SQLITE_OK;
+    }
+    return file->refusal ? file->refusal : bring_up_to_date(file);
+}
+
+/* Whoever opened the connection; what is damaged or newer was not changed by then. */
+static int begin(struct ledger_file *file, const struct ledger_file_how *how)
+{
+    int64_t version = 0;
+    sqlite3_extended_result_codes(file->db, 0);
+    sqlite3_busy_timeout(file->db, BUSY_MS);
+    if (sqlite3_db_readonly(file->db, "main") == 1) {
+        file->refusal = SQLITE_READONLY;
+    }
+    int code = ledger_check(file->db);
+    code = code == SQLITE_OK ? read_version(file, &version) : code;
+    code = code == SQLITE_OK && version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : code;
+    if (code == SQLITE_OK && !file->refusal) {
+        code = set_up(file->db, how);
+    }
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = raise_version(file, version);
+    code = code == SQLITE_OK ? prepare_all(file) : code;
+    return as_damage(code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code);
+}
+
+/* A log can be read only where its index may be written. But the file of a kiosk that was closed
+ * has no log, and where nobody can write it nobody does: such a file is read as it stands. */
+static int open_unwritable(struct ledger_file *file, const char *path)
+{
+    char uri[3 * PATH_MAX + 32] = "file:", log[PATH_MAX + 8];
+    size_t at = strlen(uri);
+    struct stat about;
+    snprintf(log, sizeof log, "%s-wal", path);
+    if (strlen(path) >= PATH_MAX || (stat(log, &about) == 0 && about.st_size > 0)) {
+        return SQLITE_CANTOPEN;
+    }
+    for (const char *c = path; *c; c++) {
+        at += (size_t)snprintf(uri + at, sizeof uri - at, strchr("%?#", *c) ? "%%%02X" : "%c", *c);
+    }
+    snprintf(uri + at, sizeof uri - at, "?immutable=1");
+    const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
+    return sqlite3_open_v2(uri, &file->db, flags, NULL);
+}
+
+/* Whether it is the file's surroundings that do not let it be read as it is. */
+static bool is_unwritable(int code)
+{
+    return code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
+}
+
+/* SQLite says no more than that something went wrong where it can make no index of the log. */
+static bool is_full(struct ledger_file *file, int code)
+{
+    return code == SQLITE_FULL ||
+           (code == SQLITE_IOERR && sqlite3_extended_errcode(file->db) == SQLITE_IOERR_SHMSIZE);
+}
+
+/* The index is then kept in memory, which only one program at a time may do: who looks on has to
+ * wait until this is closed. */
+static int open_full(struct ledger_file *file, const char *path, const struct ledger_file_how *how)
+{
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
+    int code = sqlite3_open_v2(path, &file->db, flags, how ? how->vfs : NULL);
+    code = code == SQLITE_OK ? sql_run(file->db, "PRAGMA locking_mode = EXCLUSIVE") : code;
+    file->refusal = SQLITE_FULL;
+    return code == SQLITE_OK ? begin(file, how) : code;
+}
+
+int ledger_file_open(struct ledger_file *file, const char *path,
+                     const struct ledger_file_how *how)
+{
+    const char *vfs = how ? how->vfs : NULL;
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+    *file = (struct ledger_file){ 0 };
+    int code = sqlite3_open_v2(path, &file->db, flags, vfs);
+    code = code == SQLITE_OK ? begin(file, how) : code;
+    if (is_unwritable(code) && !vfs) {
+        ledger_file_close(file);
+        code = open_unwritable(file, path);
+        code = code == SQLITE_OK ? begin(file, how) : code;
+    } else if (is_full(file, code)) {
+        ledger_file_close(file);
+        code = open_full(file, path, how);
+    }
+    if (code != SQLITE_OK) {
+        ledger_file_close(file);
+    }
+    return code;
+}
+
+int ledger_file_look(struct ledger_file *file, const char *path)
+{
+    int64_t version = 0;
+    *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
+    int code = sqlite3_open_v2(path, &file->db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
+    if (code == SQLITE_OK) {
+        sqlite3_busy_timeout(file->db, BUSY_MS);
+        code = read_version(file, &version);
+    }
+    if (is_unwritable(code)) {
+        ledger_file_close(file);
+        code = open_unwritable(file, path);
+        code = code == SQLITE_OK ? read_version(file, &version) : code;
+    }
+    code = code != SQLITE_OK && is_full(file, code) ? SQLITE_FULL : code;
+    if (code == SQLITE_OK && version != LEDGER_FILE_VERSION) {
+        code = version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : SQLITE_SCHEMA;
+    }
+    code = code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code;
+    if (code != SQLITE_OK) {
+        ledger_file_close(file);
+    }
+    return code;
+}
