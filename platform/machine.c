@@ -137,7 +137,7 @@ bool machine_is_aside(const char *file)
 
 static bool seen_path(const char *folder, const char *file, char out[PATH_SIZE])
 {
-    const int length = snprintf(out, PATH_SIZE, "%s/%s" MACHINE_SEEN_SUFFIX, folder, file);
+    const int length = snprintf(out, PATH_SIZE, "%s/%s" STORAGE_SEEN_SUFFIX, folder, file);
     return length > 0 && (unsigned)length < PATH_SIZE;
 }
 

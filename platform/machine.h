@@ -14,7 +14,6 @@
 
 #define MACHINE_LOOK_S 5u
 #define MACHINE_CHECKED "/run/kingyo-data" /* Where board/kiosk/check-data says what it found. */
-#define MACHINE_SEEN_SUFFIX ".seen" /* Beside a file that was set aside: it was acknowledged. */
 #define MACHINE_CLOCK_SLACK_S 7200  /* A file of the future by less than this is summer time. */
 #define MACHINE_ASIDE_MAX 64u       /* Of a folder with more the rest is not counted. */
 

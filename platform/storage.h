@@ -35,6 +35,7 @@
 #define STORAGE_BEFORE_SUFFIX ".before-restore" /* The backup of what a copy was put in place of. */
 #define STORAGE_REPLACED_SUFFIX ".before-" /* And a number: what a copy was put in place of. */
 #define STORAGE_ASIDE_SUFFIX ".damaged-" /* And a number. */
+#define STORAGE_SEEN_SUFFIX ".seen"     /* Behind that: the operator has acknowledged it. */
 #define STORAGE_STUCK_MS 3000 /* A card that writes for so long is not well: the best ones' worst
                                  pause to tidy up is a second. */
 /* From one look through a file that is of no use to the next: it doubles from the first to the

@@ -63,14 +63,16 @@ static uint32_t tails_last_id(const struct storage *storage)
     return last_id;
 }
 
-/* The first free number; 0 when all are taken. */
+/* The first free number; 0 when all are taken. One that was looked at and removed has left a mark,
+ * which would hide the next of that number. */
 static unsigned free_number(const struct storage *storage)
 {
-    char path[LEDGER_PATH_SIZE], suffix[40];
+    char path[LEDGER_PATH_SIZE], seen[LEDGER_PATH_SIZE], suffix[40];
     for (unsigned number = 1; number <= ASIDE_MAX; number++) {
         snprintf(suffix, sizeof suffix, STORAGE_ASIDE_SUFFIX "%u", number);
         beside(storage, suffix, "", path);
-        if (!is_there(path)) {
+        beside(storage, suffix, STORAGE_SEEN_SUFFIX, seen);
+        if (!is_there(path) && !is_there(seen)) {
             return number;
         }
     }

@@ -1,5 +1,6 @@
 /* test_says.c -- every line of a device is known in Japanese, with its names and figures in it; and
  * nothing is lost of one that is not. */
+#include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +9,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include <sqlite3.h>
 
 #include "drivers/buttons_keyboard.h"
 #include "platform/render/says.h"
@@ -103,6 +105,44 @@ static void test_the_drivers_own_words_are_known(void **state)
     assert_null(strstr(out, "folder"));
 }
 
+/* English is left where two words of it stand side by side. */
+static void expect_japanese(const char *line)
+{
+    in_japanese(line);
+    for (const char *c = out; *c; c++) {
+        if (c[0] >= 'a' && c[0] <= 'z' && c[1] == ' ' && c[2] >= 'a' && c[2] <= 'z') {
+            fail_msg("'%s' became '%s'", line, out);
+        }
+    }
+}
+
+/* All that a store can be like, in the words that it has for it today. */
+static void test_whatever_the_store_says_is_known(void **state)
+{
+    static const int errors[] = { SQLITE_BUSY,  SQLITE_LOCKED,  SQLITE_FULL,    SQLITE_READONLY,
+                                  SQLITE_IOERR, SQLITE_CORRUPT, SQLITE_CANTOPEN, SQLITE_NOTADB,
+                                  LEDGER_FILE_ANOTHERS, LEDGER_FILE_NEWER };
+    static struct storage storage;
+    const struct hal_storage store = storage_device(&storage);
+    (void)state;
+    for (uint32_t has_file = 0; has_file < 2u; has_file++) {
+        for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
+            storage = (struct storage){ .path = "/kingyo.db" };
+            atomic_store(&storage.has_file, has_file != 0);
+            atomic_store(&storage.error, errors[i]);
+            expect_japanese(store.ops->describe(store.self));
+        }
+    }
+    atomic_store(&storage.error, SQLITE_OK);
+    atomic_store(&storage.edit_error, ENOSPC);
+    expect_japanese(store.ops->describe(store.self));
+    atomic_store(&storage.edit_error, 0);
+    atomic_store(&storage.aside, 2);
+    expect_japanese(store.ops->describe(store.self));
+    atomic_store(&storage.busy_since_ms, 1);
+    expect_japanese(store.ops->describe(store.self));
+}
+
 static void test_what_is_too_long_ends_after_a_whole_character(void **state)
 {
     (void)state;
@@ -127,6 +167,7 @@ int main(void)
         cmocka_unit_test(test_every_pattern_is_its_own),
         cmocka_unit_test(test_lines_as_they_are_said),
         cmocka_unit_test(test_the_drivers_own_words_are_known),
+        cmocka_unit_test(test_whatever_the_store_says_is_known),
         cmocka_unit_test(test_what_is_too_long_ends_after_a_whole_character),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

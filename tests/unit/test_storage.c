@@ -366,6 +366,19 @@ static void test_of_a_damaged_file_nothing_is_lost_that_can_be_read(void **state
     work_rounds(stall, 9, 9);
 }
 
+/* What somebody has looked at and removed says nothing of the next one: that has a number of its
+ * own, and is told of. */
+static void test_a_mark_of_an_earlier_damage_hides_no_later_one(void **state)
+{
+    struct stall *stall = *state;
+    char seen[160];
+    path_beside(stall, ".damaged-1.seen", seen);
+    write_file(seen, "", 0);
+    write_file(stall->file, "nonsense", 8);
+    open_by_hand(stall);
+    assert_non_null(strstr(text(stall), "damaged-2"));
+}
+
 static void do_sql(const struct stall *stall, const char *text)
 {
     sqlite3 *db;
@@ -809,6 +822,7 @@ int main(void)
         IN_A_FOLDER(test_no_folder_at_all_is_said),
         IN_A_FOLDER(test_a_file_that_is_no_database_is_set_aside),
         IN_A_FOLDER(test_of_a_damaged_file_nothing_is_lost_that_can_be_read),
+        IN_A_FOLDER(test_a_mark_of_an_earlier_damage_hides_no_later_one),
         IN_A_FOLDER(test_a_bad_entry_hides_none_that_came_later),
         IN_A_FOLDER(test_a_bad_newest_entry_leaves_the_one_before),
         IN_A_FOLDER(test_a_bad_page_hides_no_other),

@@ -426,6 +426,22 @@ static void test_what_is_to_be_looked_at_marks_the_way_to_it(void **state)
     }
 }
 
+/* Scores that nobody will see again are told of where the store is. */
+static void test_replays_that_could_not_be_kept_are_told_on_the_stores_slip(void **state)
+{
+    (void)state;
+    for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+        set_page(MENU_FILES, 0, language, 0);
+        memset(scene.devices.file, 0, sizeof scene.devices.file);
+        scene.menu.desk.file_count = 1;
+        scene.menu.file_first = 0;
+        snprintf(scene.devices.file[0].words, SCENE_LINE_SIZE, "/data/kingyo.db");
+        const uint32_t bare = quads_of(MENU_FILES);
+        scene.devices.machine.missed = 3;
+        assert_in_range(quads_of(MENU_FILES) - bare, 15, 60);
+    }
+}
+
 static void test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too(void **state)
 {
     (void)state;
@@ -480,6 +496,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_what_is_to_be_looked_at_marks_the_way_to_it),
+        cmocka_unit_test(test_replays_that_could_not_be_kept_are_told_on_the_stores_slip),
         cmocka_unit_test(test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too),
         cmocka_unit_test(test_ready_for_opening_stays_on_its_page_whatever_it_says),
         cmocka_unit_test(test_nothing_leaves_the_screen_on_any_page),
