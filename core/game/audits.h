@@ -52,7 +52,7 @@ enum audit_id {
     AUDIT_UP_S,        /* In all; */
     AUDIT_UP_S_MAX,    /* the longest without a restart. */
     AUDIT_RESETS,      /* Of any group; never reset. */
-    AUDIT_WRONG_PINS,  /* In a row, up to now: the right one makes it 0. */
+    AUDIT_WRONG_PINS,  /* In a row, up to now: the right one makes it 0, so no page shows it. */
     AUDIT_COUNT,
 };
 

@@ -126,7 +126,6 @@ void menu_machine(const struct menu_view *view)
         { TEXT_AUD_DROPPED, AUDIT_DROPPED_TICKS, 0, 0 },
         { TEXT_AUD_FAULTS, AUDIT_DEVICE_FAULTS, 0, 0 },
         { TEXT_AUD_RESETS, AUDIT_RESETS, 0, 0 },
-        { TEXT_AUD_WRONG_PINS, AUDIT_WRONG_PINS, 0, 0 },
     };
     lines(view, sheet(view, whole(view)), view->menu->upright ? 1u : 2u, book,
           sizeof book / sizeof book[0]);
