@@ -2,9 +2,11 @@
 #include "platform/folder.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,6 +44,17 @@ int folder_make(const char *path)
         return -ENOTDIR;
     }
     return access(path, W_OK | X_OK) != 0 ? -errno : 0;
+}
+
+int folder_hold(const char *path)
+{
+    const int handle = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle >= 0 && flock(handle, LOCK_EX | LOCK_NB) != 0) {
+        const int error = errno;
+        close(handle);
+        return -error;
+    }
+    return handle >= 0 ? handle : -errno;
 }
 
 void folder_default_data(char out[FOLDER_PATH_MAX])

@@ -9,6 +9,10 @@
  * FOLDER_PATH_MAX bytes on. */
 int folder_make(const char *path);
 
+/* Takes the folder for this process alone, for as long as the handle that it gives is open; whoever
+ * ends, ends it. -EWOULDBLOCK: another process has it; else a negative errno. */
+int folder_hold(const char *path);
+
 /* Where scores live when nobody says: the user's data folder. "" when there is none. */
 void folder_default_data(char out[FOLDER_PATH_MAX]);
 

@@ -78,7 +78,7 @@ static int storage_open(void *self)
         return storage->dir ? HAL_ERR_IO : HAL_ERR_NONE;
     }
     sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
-    const int code = storage_open_file(storage);
+    const int code = storage_open_alone(storage);
     atomic_store(&storage->error, code == SQLITE_OK ? storage->file.refusal : code);
     if (code == SQLITE_OK) {
         note_start(storage);
@@ -91,6 +91,7 @@ static int storage_open(void *self)
     if (!storage->by_hand && !start_thread(storage)) {
         storage_say_no_file(storage, "no thread to be had");
         storage_close_file(storage);
+        storage_leave(storage);
         atomic_store(&storage->has_file, false);
         storage->running = false;
         return HAL_ERR_IO;
@@ -231,6 +232,7 @@ static uint32_t storage_close(void *self)
     }
     sem_destroy(&storage->wake);
     storage_close_file(storage);
+    storage_leave(storage);
     storage->running = false;
     atomic_store(&storage->has_file, false);
     return lost + lost_edits;

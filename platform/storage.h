@@ -102,6 +102,7 @@ struct storage {
     uint32_t accepted_edit_id;
     atomic_uint kept_edit_id;
 
+    int hold;             /* The folder's handle + 1, which keeps other stalls out; 0: none. */
     uint32_t accepted_id; /* Newest id that keep() took, so that asking twice keeps one. */
     atomic_uint saved_id;
     uint32_t saved_boot, saved_tick; /* Of that entry; the thread's. */

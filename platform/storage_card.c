@@ -3,6 +3,7 @@
  * A card that is away is asked for each second: that costs nothing. A file that is there and of no
  * use is looked through from end to end each time, so it is left alone for one second, then two, up
  * to a minute, unless something about it or its card is seen to change. */
+#include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
@@ -11,6 +12,7 @@
 #include <sqlite3.h>
 
 #include "core/base/hash.h"
+#include "platform/folder.h"
 #include "platform/storage_parts.h"
 
 void storage_note_result(struct storage *storage, int code)
@@ -104,9 +106,34 @@ static bool is_anothers(struct storage *storage)
                              entry.tick != storage->saved_tick));
 }
 
+/* Two stalls at one list would give out each number twice. A folder that cannot be held at all, as
+ * on some cards, is as good as alone. */
+static bool is_alone(struct storage *storage)
+{
+    if (storage->hold == 0 && !storage->how.vfs) {
+        const int handle = folder_hold(storage->dir);
+        storage->hold = handle >= 0 ? handle + 1 : 0;
+        return handle != -EWOULDBLOCK;
+    }
+    return true;
+}
+
+int storage_open_alone(struct storage *storage)
+{
+    return is_alone(storage) ? storage_open_file(storage) : LEDGER_FILE_HELD;
+}
+
+void storage_leave(struct storage *storage)
+{
+    if (storage->hold > 0) {
+        close(storage->hold - 1);
+        storage->hold = 0;
+    }
+}
+
 static int look(struct storage *storage)
 {
-    int code = storage_open_file(storage);
+    int code = storage_open_alone(storage);
     if (code == SQLITE_OK && is_anothers(storage)) {
         storage_close_file(storage);
         return LEDGER_FILE_ANOTHERS;

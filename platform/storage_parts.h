@@ -11,7 +11,10 @@ void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]
 /* Whether the backup has newer entries than the open file: then it is the file that lost some. */
 bool storage_is_behind_backup(struct storage *storage);
 
-/* storage_card.c: whether there is a file that can be written; one that went is looked for. */
+/* storage_card.c: as storage_open_file(), once no other stall writes in the folder. */
+int storage_open_alone(struct storage *storage);
+void storage_leave(struct storage *storage); /* Lets others in. */
+/* Whether there is a file that can be written; one that went is looked for. */
 bool storage_has_card(struct storage *storage);
 void storage_note_result(struct storage *storage, int code);
 /* Whether a code says that the file as it was opened is of no use any more; others pass. */

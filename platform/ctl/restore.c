@@ -15,6 +15,7 @@
 
 #include <sqlite3.h>
 
+#include "platform/folder.h"
 #include "platform/json_char.h"
 #include "platform/storage.h"
 #include "platform/store/ledger_backup.h"
@@ -56,11 +57,24 @@ static int is_locked(const char *path)
     return is_held;
 }
 
+/* A stall holds its folder, whatever of its file it has open at the moment. */
+static int has_stall(const struct swap *swap)
+{
+    char folder[BOOKS_PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s", swap->own);
+    *strrchr(folder, '/') = '\0';
+    const int handle = folder_hold(folder[0] ? folder : "/");
+    if (handle >= 0) {
+        close(handle);
+    }
+    return handle == -EWOULDBLOCK;
+}
+
 static int is_held(const struct swap *swap)
 {
     char shared[LEDGER_PATH_SIZE];
     join(shared, swap->own, "-shm");
-    return is_locked(swap->own) || is_locked(shared);
+    return has_stall(swap) || is_locked(swap->own) || is_locked(shared);
 }
 
 /* ---- The copy -------------------------------------------------------------------------------- */

@@ -86,6 +86,7 @@ void ledger_content_remember(const struct ledger_content *content, struct memory
 const char *ledger_file_error(int code)
 {
     return code == LEDGER_FILE_NEWER      ? "a later Kingyo wrote it"
+           : code == LEDGER_FILE_HELD     ? "another Kingyo has it open"
            : code == LEDGER_FILE_ANOTHERS ? "not the card that it began with"
                                           : sqlite3_errstr(code);
 }

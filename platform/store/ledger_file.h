@@ -31,6 +31,7 @@ struct sqlite3_stmt;
 /* All else that is returned here is SQLite's result code, SQLITE_OK (0) for success. */
 #define LEDGER_FILE_NEWER (-1) /* A later Kingyo wrote it: it is left as it is. */
 #define LEDGER_FILE_ANOTHERS (-2) /* It is whole, but its entries are not this kiosk's. */
+#define LEDGER_FILE_HELD (-3) /* Another stall writes in its folder. */
 
 enum ledger_statement {
     PUT_ENTRY = 0,

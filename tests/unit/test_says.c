@@ -121,7 +121,8 @@ static void test_whatever_the_store_says_is_known(void **state)
 {
     static const int errors[] = { SQLITE_BUSY,  SQLITE_LOCKED,  SQLITE_FULL,    SQLITE_READONLY,
                                   SQLITE_IOERR, SQLITE_CORRUPT, SQLITE_CANTOPEN, SQLITE_NOTADB,
-                                  LEDGER_FILE_ANOTHERS, LEDGER_FILE_NEWER };
+                                  LEDGER_FILE_ANOTHERS, LEDGER_FILE_NEWER,
+                                  LEDGER_FILE_HELD };
     static struct storage storage;
     const struct hal_storage store = storage_device(&storage);
     (void)state;

@@ -359,6 +359,28 @@ static uint32_t looks(void)
     return device.ops->refused_count(device.self);
 }
 
+/* Both would give out the same numbers, and each take the other's coins for its own. */
+static void test_a_second_stall_at_one_folder_waits_until_the_first_has_ended(void **state)
+{
+    (void)state;
+    static struct storage second;
+    second = (struct storage){ .dir = dir, .by_hand = 1 };
+    const struct hal_storage other = storage_device(&second);
+    const struct ledger_entry coin = { .id = 1, .boot = 1, .kind = LEDGER_COINS, .count = 1 };
+    device.ops->open(device.self);
+    keep(1);
+    storage_work(&storage);
+    assert_int_equal(other.ops->open(other.self), HAL_ERR_IO);
+    assert_int_equal(other.ops->keep(other.self, &coin), HAL_ERR_NONE);
+    assert_non_null(strstr(other.ops->describe(other.self), "another Kingyo has it open"));
+    storage_work(&second);
+    assert_false(other.ops->is_well(other.self));
+    device.ops->close(device.self);
+    storage_work(&second);
+    assert_true(other.ops->wants_restart(other.self)); /* The first stall's list lies there. */
+    other.ops->close(other.self);
+}
+
 static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **state)
 {
     (void)state;
@@ -509,6 +531,7 @@ int main(void)
         TEST(test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room),
         TEST(test_so_is_one_that_was_closed_in_good_order),
         TEST(test_others_may_read_a_full_card_meanwhile),
+        TEST(test_a_second_stall_at_one_folder_waits_until_the_first_has_ended),
         TEST(test_a_file_that_is_of_no_use_is_looked_at_ever_less_often),
         TEST(test_a_file_that_changes_is_looked_at_at_once),
         TEST(test_a_ranked_rounds_replay_is_kept_and_comes_back),
