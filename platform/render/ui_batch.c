@@ -11,6 +11,7 @@ void ui_batch_clear(struct ui_batch *batch)
 {
     batch->quad_count = 0;
     batch->dropped_count = 0;
+    batch->unbaked_count = 0;
     batch->specimen_count = 0;
     batch->opacity = 1.0f;
 }
@@ -146,7 +147,11 @@ static void add_line(struct ui_batch *batch, const struct ui_text *style, float 
                      float y, const char *words)
 {
     for (uint32_t code = text_next(&words); code != 0; code = text_next(&words)) {
-        const struct font_glyph *glyph = text_glyph_or_mark(style->font, code);
+        const struct font_glyph *glyph = text_glyph(style->font, code);
+        if (glyph == NULL) {
+            batch->unbaked_count++;
+            glyph = text_glyph_or_mark(style->font, code);
+        }
         if (glyph == NULL) {
             continue;
         }

@@ -42,7 +42,8 @@ struct ui_batch {
     struct ui_vertex vertices[UI_QUADS_MAX * 4u]; /* Top left, top right, bottom left, b. right. */
     uint8_t kinds[UI_QUADS_MAX];  /* enum ui_kind of each quad. */
     uint32_t quad_count;
-    uint32_t dropped_count; /* Quads that found no room: a test holds this at 0. */
+    uint32_t dropped_count; /* Quads that found no room: a test holds this at 0, ... */
+    uint32_t unbaked_count; /* ... and this: letters that their font was baked without. */
     float opacity;          /* [0, 1], of everything added from now on. */
     struct specimen specimens[SPECIMEN_MAX];
     uint16_t specimen_quad[SPECIMEN_MAX]; /* Each is drawn over so many quads. */

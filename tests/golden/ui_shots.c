@@ -323,6 +323,11 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     draw_backdrop(canvas->backdrop, canvas->back_width, canvas->back_height, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
     ui_draw(ui, &specimens, &scene, &placing);
+    if (ui->batch.unbaked_count > 0) {
+        fprintf(stderr, "ui_shots: %s draws %u letters that their font was baked without\n",
+                shot->name, ui->batch.unbaked_count);
+        return 0;
+    }
     snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", out, shot->name,
              language == 0 ? "ja" : "en", width, height);
     if (!write_picture(path, width, height)) {
@@ -332,7 +337,8 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     return 1;
 }
 
-/* Every screen in every size and language; returns whether all were written. */
+/* Every screen in every size and language; returns whether all were
+ * whole and written. */
 static int shoot_all(struct ui *ui, const char *out, struct canvas canvas)
 {
     int all = 1;

@@ -94,6 +94,7 @@ static void set_match(uint8_t mode, uint32_t players, uint8_t variant)
 static void lay_out(struct size size)
 {
     ui_screens(&batch, &memory, &scene, size.width, size.height);
+    assert_int_equal(batch.unbaked_count, 0); /* Its font has every letter that it draws. */
 }
 
 /* The curtain is outside while it is raised or lowered; lights may spill over the edge. */

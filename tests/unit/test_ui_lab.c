@@ -46,6 +46,7 @@ static void lay_out(float width, float height)
 static void check_inside(float width, float height)
 {
     assert_int_equal(batch.dropped_count, 0);
+    assert_int_equal(batch.unbaked_count, 0);
     for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
         const struct ui_vertex *v = &batch.vertices[i];
         const int lights = batch.kinds[i / 4u] == UI_GLOW;

@@ -87,6 +87,7 @@ static void lay_out(uint32_t size)
     memory = (struct ui_memory){ 0 };
     ui_screens(&batch, &memory, &scene, sizes[size].width, sizes[size].height);
     assert_int_equal(batch.dropped_count, 0);
+    assert_int_equal(batch.unbaked_count, 0);
     assert_true(batch.quad_count > 0);
 }
 
