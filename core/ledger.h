@@ -37,7 +37,8 @@ enum ledger_kind {
     LEDGER_NAME,      /* Who played in seat `detail` of the round whose entry is `count`: `name`. */
     LEDGER_HEALTH,    /* What the machine went through since the last of its kind: `health`;
                          `count`: shakes; `value`: seconds that it was up. */
-    LEDGER_FACTORY,   /* Settings, purse and calibration as on the first day. */
+    LEDGER_FACTORY,   /* Settings, purse and calibration as on the first day; `count` credits were
+                         in the purse. */
     LEDGER_CREDITS,   /* Units became `count` credits, `value` of them the bonus. */
     LEDGER_LEFT,      /* What had begun is over and there is nothing to tell of it: the growth lab,
                          or a round that nobody came to. */

@@ -82,8 +82,10 @@ int adjust_factory(struct core *core, struct output *output)
 {
     struct ledger *ledger = &core->game.ledger;
     const struct purse purse = ledger->purse;
+    const struct ledger_entry entry = { .kind = LEDGER_FACTORY,
+                                        .count = purse.paid + purse.service };
     ledger->purse = (struct purse){ 0 };
-    if (!ledger_write(core, &(struct ledger_entry){ .kind = LEDGER_FACTORY }, output)) {
+    if (!ledger_write(core, &entry, output)) {
         ledger->purse = purse;
         return 0;
     }

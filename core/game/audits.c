@@ -239,6 +239,7 @@ void audits_note(struct audits *audits, const struct ledger_entry *entry)
         [LEDGER_REFUND] = note_refund,   [LEDGER_EXPIRED] = note_expired,
         [LEDGER_RESET] = note_reset,     [LEDGER_TEST_COIN] = note_test_coin,
         [LEDGER_HEALTH] = note_health,   [LEDGER_PIN] = note_pin,
+        [LEDGER_FACTORY] = note_expired,
     };
     if (entry->kind < LEDGER_KIND_COUNT && note[entry->kind]) {
         note[entry->kind](audits, entry);

@@ -68,6 +68,14 @@ void coins_test(struct core *core, const struct input *input, struct output *out
     core->game.credit.metered += coin_pulses(input);
 }
 
+/* Where there is no bonus nothing counts towards one that is switched on later. */
+static void note_for_bonus(struct core *core, uint32_t units)
+{
+    struct purse *purse = &core->game.ledger.purse;
+    const uint64_t sum = (uint64_t)purse->bonus_units + units;
+    purse->bonus_units = setting(core, SET_BONUS_UNITS) > 0 ? capped(sum) : 0u;
+}
+
 static void tell(struct core *core, uint32_t line, struct output *output)
 {
     struct untold *untold = &core->game.credit.untold[line];
@@ -78,7 +86,7 @@ static void tell(struct core *core, uint32_t line, struct output *output)
                                         .value = (int32_t)untold->units };
     purse->untold = less(purse->untold, untold->owed);
     add(&purse->units, untold->owed);
-    add(&purse->bonus_units, untold->owed);
+    note_for_bonus(core, untold->owed);
     *untold = (struct untold){ 0 };
     ledger_write(core, &entry, output);
 }

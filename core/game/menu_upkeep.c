@@ -20,6 +20,7 @@ void menu_factory_take(struct core *core, uint32_t tag, struct output *output)
 {
     (void)tag;
     if (adjust_factory(core, output)) {
+        menu_order(core, output, DESK_RESTART); /* What the machine and its files say holds again. */
         menu_turn(core, MENU_UPKEEP);
     }
 }

@@ -343,6 +343,9 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
+    assert_int_equal(newest()->count, 3); /* The books say what became of them. */
+    assert_int_equal(core.game.audits.count[AUDIT_EXPIRED], 3);
+    assert_int_equal(output.orders[(output.order_count - 1u) % DESK_ORDER_MAX].kind, DESK_RESTART);
     assert_int_equal(newest()->purse.paid, 0);
     assert_int_equal(core.game.ledger.purse.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);

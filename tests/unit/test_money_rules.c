@@ -75,6 +75,18 @@ static void test_a_round_between_two_coins_ends_the_way_to_a_bonus(void **state)
     assert_int_equal(purse_credits(&core), 3);
 }
 
+static void test_what_fell_before_there_was_a_bonus_earns_none(void **state)
+{
+    (void)state;
+    core.config.memory.settings.value[SET_BONUS_UNITS] = 0;
+    drop(3u * PRICE);
+    core.config.memory.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
+    steps(3);
+    assert_int_equal(purse_credits(&core), 3);
+    drop(2u * PRICE);
+    assert_true(purse_credits(&core) > 5);
+}
+
 static void test_a_coin_of_free_play_is_no_credit_when_there_is_a_price_again(void **state)
 {
     (void)state;
@@ -230,6 +242,7 @@ int main(void)
 {
 #define TEST(test) cmocka_unit_test_setup_teardown(test, open_paid, close_stand)
     const struct CMUnitTest tests[] = {
+        TEST(test_what_fell_before_there_was_a_bonus_earns_none),
         TEST(test_a_round_between_two_coins_ends_the_way_to_a_bonus),
         TEST(test_a_coin_of_free_play_is_no_credit_when_there_is_a_price_again),
         TEST(test_nothing_lapses_while_the_card_has_not_all_of_it),
