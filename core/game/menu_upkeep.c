@@ -20,7 +20,8 @@ void menu_factory_take(struct core *core, uint32_t tag, struct output *output)
 {
     (void)tag;
     if (adjust_factory(core, output)) {
-        menu_order(core, output, DESK_RESTART); /* What the machine and its files say holds again. */
+        /* What the machine and its files say holds again. */
+        menu_order(core, output, DESK_RESTART);
         menu_turn(core, MENU_UPKEEP);
     }
 }
