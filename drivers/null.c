@@ -294,6 +294,22 @@ static uint32_t null_none(void *self)
     return 0;
 }
 
+static int null_hand_over(void *self, const struct purse_step *step, const struct ledger_entry *entries,
+                          uint32_t count)
+{
+    (void)self;
+    (void)step;
+    (void)entries;
+    (void)count;
+    return HAL_ERR_NONE;
+}
+
+static int null_handed_over(void *self)
+{
+    (void)self;
+    return HAL_ERR_NONE;
+}
+
 struct hal_storage null_storage(const char *line)
 {
     static const struct hal_storage_ops ops = {
@@ -311,6 +327,8 @@ struct hal_storage null_storage(const char *line)
         .refuses_edits = null_refuses_edits,
         .is_well = null_is_well,
         .wants_restart = null_is_well,
+        .hand_over = null_hand_over,
+        .handed_over = null_handed_over,
         .refused_count = null_none,
         .describe = null_describe,
         .close = null_none,

@@ -159,6 +159,32 @@ static int storage_sim_wants_restart(void *self)
     return sim->wants_restart;
 }
 
+static int storage_sim_hand_over(void *self, const struct purse_step *step,
+                                 const struct ledger_entry *entries, uint32_t count)
+{
+    struct storage_sim *sim = self;
+    if (sim->late_polls_left > 0) {
+        return HAL_ERR_BUSY;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        audits_note(&sim->late, &entries[i]);
+    }
+    sim->late_purse.units += step->to.units - step->from.units;
+    sim->late_purse.bonus_units += step->to.bonus_units - step->from.bonus_units;
+    sim->late_purse.paid += step->to.paid - step->from.paid;
+    sim->late_purse.service += step->to.service - step->from.service;
+    sim->late_purse.untold += step->to.untold - step->from.untold;
+    sim->late_polls_left = sim->late_polls;
+    return HAL_OK;
+}
+
+static int storage_sim_handed_over(void *self)
+{
+    struct storage_sim *sim = self;
+    sim->late_polls_left -= sim->late_polls_left > 0;
+    return sim->late_polls_left == 0 ? HAL_OK : HAL_ERR_BUSY;
+}
+
 struct hal_storage storage_sim_device(struct storage_sim *sim)
 {
     static const struct hal_storage_ops ops = {
@@ -177,6 +203,8 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
         .refused_count = storage_sim_refused_count,
         .is_well = storage_sim_is_well,
         .wants_restart = storage_sim_wants_restart,
+        .hand_over = storage_sim_hand_over,
+        .handed_over = storage_sim_handed_over,
         .describe = storage_sim_describe,
         .close = storage_sim_close,
     };

@@ -26,6 +26,10 @@ struct storage_sim {
     uint32_t replay_asked_id;   /* As fetch_replay() was last asked for. */
     struct memory memory;       /* What earlier evenings left. */
     int wants_restart;          /* 1: it came late, and is not empty. */
+    struct audits late;         /* What was handed over to that one adds to its books, ... */
+    struct purse late_purse;    /* ... and to its purse. */
+    uint32_t late_polls;        /* Calls of handed_over() until it is on disk, ... */
+    uint32_t late_polls_left;   /* ... and those that are left. */
 };
 
 struct hal_storage storage_sim_device(struct storage_sim *sim);

@@ -170,6 +170,11 @@ struct hal_audio_ops {
 
 struct memory; /* core/memory.h */
 
+/* What became of a purse: units that were owed may be credits by now. */
+struct purse_step {
+    struct purse from, to;
+};
+
 struct hal_storage_ops {
     int (*open)(void *self);
     /* At start: what earlier evenings left, with ledger.boots of this start. A setting that the
@@ -198,6 +203,11 @@ struct hal_storage_ops {
     /* 1: there was no store at the start, and there is one now that only another start can go on
      * from. */
     int (*wants_restart)(void *self);
+    /* For that one: what people paid meanwhile, 1 .. 16 entries and what its purse changes by.
+     * Ids, boot and purse of the entries are filled in there. Copies; BUSY: others are on their way. */
+    int (*hand_over)(void *self, const struct purse_step *step, const struct ledger_entry *entries,
+                     uint32_t count);
+    int (*handed_over)(void *self); /* OK: all that hand_over() took is on disk; else BUSY. */
     const char *(*describe)(void *self);
     /* Writes what keep() and keep_edit() took, which may wait a few seconds; returns how many of
      * them it could not. */

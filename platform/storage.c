@@ -255,6 +255,8 @@ struct hal_storage storage_device(struct storage *storage)
         .refuses_edits = storage_refuses_edits,
         .is_well = storage_is_well,
         .wants_restart = storage_wants_restart,
+        .hand_over = storage_hand_over,
+        .handed_over = storage_handed_over,
         .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,

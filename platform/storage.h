@@ -67,6 +67,18 @@ struct storage_replay {
     atomic_int state;      /* enum storage_replay_state */
 };
 
+#define STORAGE_LATE_MAX 16u /* A coin's line each, and what became of them. */
+
+/* What a stall that began without a store was given: for a file that comes late. */
+enum storage_late_state { STORAGE_LATE_NONE = 0, STORAGE_LATE_NEW, STORAGE_LATE_WAITS };
+struct storage_late {
+    struct ledger_entry entries[STORAGE_LATE_MAX];
+    uint32_t count;
+    uint32_t boot;       /* Under which that file has them; 0: it has none yet. */
+    struct purse_step step; /* What its purse changes by. */
+    atomic_int state;    /* enum storage_late_state: NEW is looked at at once. */
+};
+
 /* The caller owns it, sets the first three and leaves the rest zero. It stays at its address while
  * open. */
 struct storage {
@@ -115,6 +127,7 @@ struct storage {
     uint32_t backup_id;              /* The newest entry when it began. */
     int64_t backup_due_s;            /* On the monotonic clock. */
 
+    struct storage_late late;
     struct storage_replay put, get;
     int64_t put_since_ms; /* When it was first refused; 0: it was not. */
     atomic_uint put_id;   /* The newest replay that was written, or given up. */

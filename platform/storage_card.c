@@ -58,7 +58,8 @@ static uint64_t sight_of(const struct storage *storage)
 
 static bool is_worth_a_look(const struct storage *storage)
 {
-    return storage_now_ms() >= storage->look_due_ms || sight_of(storage) != storage->sight;
+    return storage_now_ms() >= storage->look_due_ms ||
+           atomic_load(&storage->late.state) == STORAGE_LATE_NEW || sight_of(storage) != storage->sight;
 }
 
 /* Whether whoever says this has read the whole file to find out. */
@@ -135,6 +136,7 @@ static int look(struct storage *storage)
 {
     int code = storage_open_alone(storage);
     if (code == SQLITE_OK && is_anothers(storage)) {
+        storage_take_over(storage);
         storage_close_file(storage);
         return LEDGER_FILE_ANOTHERS;
     }

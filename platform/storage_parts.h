@@ -20,6 +20,13 @@ void storage_note_result(struct storage *storage, int code);
 /* Whether a code says that the file as it was opened is of no use any more; others pass. */
 bool storage_needs_reopening(int code);
 
+/* storage_late.c: hal_storage's own, and the thread's: what was handed over goes into the open
+ * file, which is not the one that the stall began with. */
+int storage_hand_over(void *storage, const struct purse_step *step, const struct ledger_entry *entries,
+                      uint32_t count);
+int storage_handed_over(void *storage);
+void storage_take_over(struct storage *storage);
+
 /* storage_say.c: into storage->text. */
 void storage_say(struct storage *storage, const char *what, const char *why, const char *advice);
 void storage_say_no_file(struct storage *storage, const char *why);

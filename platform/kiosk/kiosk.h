@@ -12,6 +12,7 @@
 #include "platform/kiosk/dressing.h"
 #include "platform/kiosk/file_notes.h"
 #include "platform/kiosk/hands.h"
+#include "platform/kiosk/late.h"
 #include "platform/kiosk/lighting.h"
 #include "platform/kiosk/pace.h"
 #include "platform/kiosk/saving.h"
@@ -82,6 +83,7 @@ struct kiosk {
     struct view view;      /* Of the tank, ... */
     struct showing showing; /* ... and on the screen, as display and pois were told last. */
     struct saving saving;
+    struct late late;
     struct voice voice;
     struct switches switches;
     uint64_t restart_ns;       /* When a restart waits no longer for the store; 0: none is asked

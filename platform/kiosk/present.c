@@ -66,14 +66,15 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 }
 
 /* Another start would go on from a store that came late: with its settings, and with coins. Nobody
- * plays, nobody's money lies only in this memory, and no recording would be written over. */
-static int is_called_back(const struct kiosk *kiosk, const struct hal *hal)
+ * plays, no recording would be written over, and that store has all money that lay only in this
+ * memory: a credit that nobody could keep cannot be played either, so waiting until it is would be
+ * waiting for ever. */
+static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
-    const struct purse *purse = &kiosk->core.game.ledger.purse;
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
-           !kiosk->config.tap.tick && purse->units == 0 && purse->paid == 0 &&
-           purse->service == 0 && purse->untold == 0 && purse->open == OPEN_NONE &&
-           hal->storage.ops->wants_restart(hal->storage.self);
+           !kiosk->config.tap.tick && kiosk->core.game.ledger.purse.open == OPEN_NONE &&
+           hal->storage.ops->wants_restart(hal->storage.self) &&
+           late_is_told(&kiosk->late, &hal->storage, &kiosk->core);
 }
 
 /* The operator wants a restart: once the store has every entry, or will not take them. */

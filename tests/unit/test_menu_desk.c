@@ -203,30 +203,33 @@ static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_ord
     assert_int_equal(rig.roster.choose_count + rig.roster.release_count, 0);
 }
 
-/* A card that came late is gone on from, but not while somebody plays or has paid. */
+/* A card that came late is gone on from, but not while somebody plays, and not before it has what
+ * was paid: here it takes its time. */
 static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays(void **state)
 {
     (void)state;
-    rig.storage.wants_restart = 1;
-    rig.kiosk.core.game.ledger.purse.paid = 1;
-    frames(10);
-    rig.kiosk.core.game.ledger.purse.paid = 0;
-    rig.kiosk.core.game.ledger.purse.untold = 1;
-    frames(10);
-    rig.storage.wants_restart = 0;
-    rig.kiosk.core.game.ledger.purse.untold = 0;
+    struct purse *purse = &rig.kiosk.core.game.ledger.purse;
     push(INPUT_TEST);
     assert_int_equal(rig.display.scene.phase, PHASE_MENU);
     rig.storage.wants_restart = 1;
+    rig.storage.late_polls = 30;
+    purse->paid = 1;
+    purse->untold = 3;
     frames(10);
+    assert_int_equal(rig.storage.late_purse.paid, 0);
     rig.buttons.quit = 1;
-    rig.clock.now_ns += FRAME_NS;
-    enum kiosk_end end = kiosk_frame(&rig.kiosk, &rig.hal);
-    for (uint32_t i = 0; i < 10u && end == KIOSK_RUNS; i++) {
+    frames(10);
+    assert_int_equal(rig.storage.late_purse.paid, 1);
+    assert_int_equal(rig.storage.late_purse.untold, 3);
+    purse->untold = 4;
+    enum kiosk_end end = KIOSK_RUNS;
+    for (uint32_t i = 0; i < 100u && end == KIOSK_RUNS; i++) {
         rig.clock.now_ns += FRAME_NS;
         end = kiosk_frame(&rig.kiosk, &rig.hal);
     }
     assert_int_equal(end, KIOSK_RESTART);
+    assert_int_equal(rig.storage.late_purse.paid, 1);
+    assert_int_equal(rig.storage.late_purse.untold, 4);
 }
 
 /* ---- Names ---------------------------------------------------------------------------------- */

@@ -1,0 +1,90 @@
+/* storage_late.c -- what fell while there was no store, told to the file that came late.
+ *
+ * That file has a list of its own: what is handed over goes behind its newest entry, in one
+ * transaction, as a start of the kiosk between that entry's and the next. */
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "platform/storage_parts.h"
+
+int storage_hand_over(void *self, const struct purse_step *step, const struct ledger_entry *entries,
+                      uint32_t count)
+{
+    struct storage *storage = self;
+    struct storage_late *late = &storage->late;
+    if (!storage->running || atomic_load(&late->state) != STORAGE_LATE_NONE) {
+        return storage->running ? HAL_ERR_BUSY : HAL_ERR_NONE;
+    }
+    late->count = count < STORAGE_LATE_MAX ? count : STORAGE_LATE_MAX;
+    memcpy(late->entries, entries, late->count * sizeof *entries);
+    late->entries[0].id = 0; /* It has no place yet. */
+    late->step = *step;
+    atomic_store(&late->state, STORAGE_LATE_NEW);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+int storage_handed_over(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->late.state) == STORAGE_LATE_NONE ? HAL_OK : HAL_ERR_BUSY;
+}
+
+static void change(uint32_t *count, uint32_t from, uint32_t to)
+{
+    const int64_t sum = (int64_t)*count + to - from;
+    *count = sum < 0 ? 0u : sum < PURSE_MAX ? (uint32_t)sum : PURSE_MAX;
+}
+
+/* `open` stays: a round that was open when that file was left is given back at the next start. */
+static struct purse after(struct purse purse, const struct purse_step *step)
+{
+    change(&purse.units, step->from.units, step->to.units);
+    change(&purse.bonus_units, step->from.bonus_units, step->to.bonus_units);
+    change(&purse.paid, step->from.paid, step->to.paid);
+    change(&purse.service, step->from.service, step->to.service);
+    change(&purse.untold, step->from.untold, step->to.untold);
+    return purse;
+}
+
+static void put_behind(struct storage_late *late, const struct ledger_start *list)
+{
+    const struct purse purse = after(list->purse, &late->step);
+    late->boot = late->boot > 0 ? late->boot : list->boots + 1u; /* One start, however many times. */
+    for (uint32_t i = 0; i < late->count; i++) {
+        late->entries[i].id = list->last_id + 1u + i;
+        late->entries[i].boot = late->boot;
+        late->entries[i].purse = purse;
+    }
+}
+
+/* A commit that failed may have come through all the same. */
+static bool has_them(struct storage *storage)
+{
+    const struct ledger_entry *first = &storage->late.entries[0];
+    struct ledger_entry there;
+    return first->id > 0 && ledger_file_entry(&storage->file, first->id, &there) == SQLITE_OK &&
+           there.boot == first->boot && there.tick == first->tick && there.kind == first->kind;
+}
+
+void storage_take_over(struct storage *storage)
+{
+    struct storage_late *late = &storage->late;
+    if (atomic_load(&late->state) == STORAGE_LATE_NONE || storage->start.has_read) {
+        return;
+    }
+    atomic_store(&late->state, STORAGE_LATE_WAITS);
+    if (!has_them(storage)) {
+        put_behind(late, &storage->file.content.memory.ledger);
+        const int code = storage->file.refusal
+                             ? storage->file.refusal
+                             : ledger_file_write(&storage->file, late->entries, late->count);
+        if (code != SQLITE_OK) {
+            atomic_fetch_add(&storage->refused, 1);
+            return;
+        }
+        storage_write_tail(storage, late->entries, late->count);
+    }
+    atomic_store(&late->state, STORAGE_LATE_NONE);
+}
