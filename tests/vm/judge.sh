@@ -27,10 +27,10 @@ shows_tank() { # COLOURS BLUE RED
     [ $# -eq 3 ] && [ "$1" -gt 800 ] && [ "$2" -gt 100 ] && [ "$3" -ge 3 ]
 }
 
-judge_tank() { # NAME of a picture
+judge_tank() { # NAME of a picture, ID
     local it
     read -ra it < <(picture "$1") || true
-    passes picture "${it[0]-0} colours, ${it[1]-0} / 1000 blue, ${it[2]-0} / 1000 red" -- shows_tank "${it[@]}"
+    passes "$2" "${it[0]-0} colours, ${it[1]-0} / 1000 blue, ${it[2]-0} / 1000 red" -- shows_tank "${it[@]}"
 }
 
 first() { # PATTERN FILES...: the first line of them that has it; none is no mistake

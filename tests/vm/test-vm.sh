@@ -65,7 +65,7 @@ heard() { # A line of the guest's (guest/lib.sh).
 }
 
 judge_pictures() {
-    judge_tank attract
+    judge_tank attract picture
     if [ -f "$shots/paused.png" ] && [ -f "$shots/resumed.png" ]; then
         local dark light
         dark=$(middle "$shots/paused.png")

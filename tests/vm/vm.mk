@@ -14,7 +14,7 @@ test-vm:
 	BUILD=$(BUILD) GUEST=$(GUEST) tests/vm/test-vm.sh && \
 	{ [ $(GUEST) != bookworm ] || $(MAKE) --no-print-directory PARTS=round test-image; }
 
-## test-image: the disk of make image BOARD=vm, as it ships: a round, kill -9, a hang, strangers; PARTS='round strangers ends'
+## test-image: the disk of make image BOARD=vm, as it ships: a round, a screen pulled, kill -9, a hang, strangers; PARTS='round screen strangers ends'
 test-image:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && \

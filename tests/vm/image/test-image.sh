@@ -1,7 +1,7 @@
 #!/bin/bash
 # test-image.sh -- boots the disk of `make image BOARD=vm` as it ships, drives the stall on it from outside, judges.
 #
-# PARTS ("round strangers ends") says what is tried; the lines of other parts are told as not run. Logs and pictures lie in BUILD/vm/image. Exit code 0 when
+# PARTS ("round screen strangers ends") says what is tried; the lines of other parts are told as not run. Logs and pictures lie in BUILD/vm/image. Exit code 0 when
 # every line of checks.txt passed, else 1.
 # shellcheck disable=SC2154,SC1091,SC2034  # what it sources sets and uses them
 export BUILD=${BUILD:-build}
@@ -69,7 +69,7 @@ judge_logs() {
     passes off "qemu ended with $qemu_status" -- [ "$qemu_status" -eq 0 ]
 }
 
-parts=${PARTS-round strangers ends} checks=$run/checks.txt
+parts=${PARTS-round screen strangers ends} checks=$run/checks.txt
 for part in $parts; do
     grep -q "^[^#][^ ]*  *$part " "$here/image/checks.txt" || {
         echo "test-image: there is no part '$part'" >&2
@@ -89,7 +89,8 @@ guest_start "$limit_s"
 guest_listen
 step "the machine is off (qemu ended with $qemu_status)"
 keep_shaders
-judge_tank attract
+judge_tank attract picture
+[ ! -f "$shots/again.png" ] || judge_tank again screen-in
 judge_logs
 table "$checks" "the disk of make image BOARD=vm" | tee "$cache/table.txt"
 exit "${PIPESTATUS[0]}"

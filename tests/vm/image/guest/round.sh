@@ -1,6 +1,5 @@
 # round.sh -- coins, START, a cable that is pulled and put back under the sandbox, the round's end.
 # shellcheck shell=dash disable=SC2154,SC2034,SC1091  # stall.sh sources it
-poi_hold
 await 60 is_held START && await 20 is_held COIN
 found $? lines "$(grep -c kingyo /sys/kernel/debug/gpio) lines held by name"
 await 60 is_lit LOCKOUT

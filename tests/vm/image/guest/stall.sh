@@ -43,6 +43,7 @@ exposure=$(sed -n 's/.*Overall exposure level for kingyo.service: \([0-9.]*\).*/
 found $? exposure "$exposure"
 is_kingyo "$(asked MainPID)"
 found $? user "kingyo, in $(groups_of "$(asked MainPID)")"
+poi_hold
 for name in $(cat $host/parts); do
     part "$name"
 done
