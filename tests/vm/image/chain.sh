@@ -12,7 +12,7 @@ job=$1 kills=$2
 . "$(dirname "$0")/plug.sh" "image-kills/$job"
 . "$(dirname "$0")/books.sh"
 photo=$cache/../photo initrd=$cache/../initrd.zst
-seed=$((${SEED:-1} * 100 + job)) limit_s=${VM_SECONDS:-600} coins_max=${COINS:-40} cold=${COLD:-0} lies=${LIES:+lies}
+seed=$((${SEED:-1} * 100 + job)) limit_s=${VM_SECONDS:-600} coins_max=${COINS:-25} cold=${COLD:-0} lies=${LIES:+lies}
 start_ms=${START_MS:-20000} # From the check of the disk until coins fall; then as it was measured.
 processors=${PROCESSORS:-2}
 failures=0 kill=0 starts_hit=0 rounds_hit=0 refunds=0 told_all=0 looks=0

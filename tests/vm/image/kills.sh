@@ -3,7 +3,7 @@
 # and looks at what the stall still knows when it is switched on again.
 #
 # JOBS machines side by side, each with a disk of its own (chain.sh), a line for each kill, then the sums. SEED=N chooses
-# the moments and what is lost; COINS=N: at most so many fall before a kill (40); COLD=1: each start is whole; LIES=1 makes
+# the moments and what is lost; COINS=N: at most so many fall before a kill (25); COLD=1: each start is whole; LIES=1 makes
 # the disk keep nothing of what it flushed, and then this must fail. Exit code 0: nothing that was acknowledged was ever
 # lost or doubled, and each start opened.
 # shellcheck disable=SC2154,SC1091,SC2034,SC2086  # what it sources sets and uses them

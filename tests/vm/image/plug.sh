@@ -21,10 +21,11 @@ disk_words() {
     [ "$begins" != photo ] || printf '%s\n' -incoming "exec:cat $photo"
 }
 
-# Few fish, and where there is a picture one by softpipe, whose shaders need no compiler.
+# Few fish, and where there is a picture one by softpipe, whose shaders need no compiler. Of a credit for two coins more
+# would be given back than played, until the stall has the 99 that it may and sends coins back.
 make_machine() { # SCRIPT of guest/
     make_share "$1"
-    sed -i 's/ --fish [0-9]*/ --fish 3/' "$share/units/kingyo.service.d/test.conf"
+    sed -i 's/ --fish [0-9]*/ --fish 3/; s/ --coins 2/ --coins 5/' "$share/units/kingyo.service.d/test.conf"
     echo 'Environment=GALLIUM_DRIVER=softpipe' >>"$share/units/kingyo.service.d/test.conf"
     cp --sparse=always "$base" "$disk"
     : >"$log"
