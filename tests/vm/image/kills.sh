@@ -52,8 +52,8 @@ chains=''
 cat "$cache"/[0-9]*/sums | awk -v jobs="$jobs" -v failed="$failed" -v seconds="$SECONDS" -v due="$kills" '
     { for (i = 1; i <= 12; i++) sum[i] += $i }
     END {
-        printf "kills: %d of %d, %d of them as it started, %d in an open round (%d given back); seen after %d starts\n",
-            sum[1], due, sum[3], sum[4], sum[5], sum[2]
+        printf "kills: %d of %d, %d of them as it started; %d starts looked at what was there\n", sum[1], due, sum[3], sum[2]
+        printf "kills: %d of these found an open round, and all that lived to tell, %d, gave it back once\n", sum[4], sum[5]
         printf "kills: %d entries acknowledged, %d coins; %d writes flushed, of the others %d there, %d torn, %d lost\n",
             sum[6], sum[7], sum[8], sum[9], sum[10], sum[11]
         printf "kills: %d failures, %d s\n", sum[12], seconds
