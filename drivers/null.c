@@ -294,8 +294,8 @@ static uint32_t null_none(void *self)
     return 0;
 }
 
-static int null_hand_over(void *self, const struct purse_step *step, const struct ledger_entry *entries,
-                          uint32_t count)
+static int null_hand_over(void *self, const struct purse_step *step,
+                          const struct ledger_entry *entries, uint32_t count)
 {
     (void)self;
     (void)step;

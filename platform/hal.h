@@ -204,9 +204,10 @@ struct hal_storage_ops {
      * from. */
     int (*wants_restart)(void *self);
     /* For that one: what people paid meanwhile, 1 .. 16 entries and what its purse changes by.
-     * Ids, boot and purse of the entries are filled in there. Copies; BUSY: others are on their way. */
-    int (*hand_over)(void *self, const struct purse_step *step, const struct ledger_entry *entries,
-                     uint32_t count);
+     * Ids, boot and purse of the entries are filled in there. Copies; BUSY: others are on their
+     * way. */
+    int (*hand_over)(void *self, const struct purse_step *step,
+                     const struct ledger_entry *entries, uint32_t count);
     int (*handed_over)(void *self); /* OK: all that hand_over() took is on disk; else BUSY. */
     const char *(*describe)(void *self);
     /* Writes what keep() and keep_edit() took, which may wait a few seconds; returns how many of

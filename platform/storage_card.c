@@ -59,7 +59,8 @@ static uint64_t sight_of(const struct storage *storage)
 static bool is_worth_a_look(const struct storage *storage)
 {
     return storage_now_ms() >= storage->look_due_ms ||
-           atomic_load(&storage->late.state) == STORAGE_LATE_NEW || sight_of(storage) != storage->sight;
+           atomic_load(&storage->late.state) == STORAGE_LATE_NEW ||
+           sight_of(storage) != storage->sight;
 }
 
 /* Whether whoever says this has read the whole file to find out. */

@@ -8,8 +8,8 @@
 
 #include "platform/storage_parts.h"
 
-int storage_hand_over(void *self, const struct purse_step *step, const struct ledger_entry *entries,
-                      uint32_t count)
+int storage_hand_over(void *self, const struct purse_step *step,
+                      const struct ledger_entry *entries, uint32_t count)
 {
     struct storage *storage = self;
     struct storage_late *late = &storage->late;
@@ -51,7 +51,7 @@ static struct purse after(struct purse purse, const struct purse_step *step)
 static void put_behind(struct storage_late *late, const struct ledger_start *list)
 {
     const struct purse purse = after(list->purse, &late->step);
-    late->boot = late->boot > 0 ? late->boot : list->boots + 1u; /* One start, however many times. */
+    late->boot = late->boot > 0 ? late->boot : list->boots + 1u; /* One start, told in parts. */
     for (uint32_t i = 0; i < late->count; i++) {
         late->entries[i].id = list->last_id + 1u + i;
         late->entries[i].boot = late->boot;

@@ -22,8 +22,8 @@ bool storage_needs_reopening(int code);
 
 /* storage_late.c: hal_storage's own, and the thread's: what was handed over goes into the open
  * file, which is not the one that the stall began with. */
-int storage_hand_over(void *storage, const struct purse_step *step, const struct ledger_entry *entries,
-                      uint32_t count);
+int storage_hand_over(void *storage, const struct purse_step *step,
+                      const struct ledger_entry *entries, uint32_t count);
 int storage_handed_over(void *storage);
 void storage_take_over(struct storage *storage);
 
