@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include <sqlite3.h>
 
@@ -12,15 +13,19 @@
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
+/* One that is there and cannot be written is a matter for whoever opens the file: the card may be
+ * mounted anew at any time. */
 static bool folder_is_there(struct storage *storage)
 {
     const int error = folder_make(storage->dir);
-    if (error) {
+    struct stat about;
+    const bool is_there = stat(storage->dir, &about) == 0 && S_ISDIR(about.st_mode);
+    if (error && !is_there) {
         char what[HAL_TEXT_SIZE / 2];
         snprintf(what, sizeof what, "no store: %.56s", storage->dir);
         storage_say(storage, what, strerror(-error), "make that folder and restart");
     }
-    return error == 0;
+    return is_there;
 }
 
 /* Whether the path of the file is known; when not, `text` says why. */

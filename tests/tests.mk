@@ -71,6 +71,7 @@ $(BUILD)/tests/unit/test_statistics: $(BUILD)/tests/bench/statistics.o
 
 # A card with moods.
 $(BUILD)/tests/unit/test_storage_card: $(BUILD)/tests/power/tape.o
+$(BUILD)/tests/unit/test_storage_card: TRAP := -Wl,--wrap=access
 
 # What allocates, as our objects ask for it; libraries' own asking is not turned aside.
 $(BUILD)/tests/unit/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \

@@ -24,6 +24,19 @@ static struct tape tape;
 static struct storage storage;
 static struct hal_storage device;
 
+/* A file system that is mounted read-only says so to root, too. */
+static bool is_read_only;
+int __real_access(const char *path, int mode);
+int __wrap_access(const char *path, int mode);
+int __wrap_access(const char *path, int mode)
+{
+    if (is_read_only && (mode & W_OK)) {
+        errno = EROFS;
+        return -1;
+    }
+    return __real_access(path, mode);
+}
+
 static int set_up(void **state)
 {
     (void)state;
@@ -44,6 +57,7 @@ static int tear_down(void **state)
 {
     (void)state;
     char command[96];
+    is_read_only = false;
     tape_sync_us(0);
     tape_refuse(0);
     device.ops->close(device.self);
@@ -245,6 +259,31 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 9);
     assert_int_equal(device.ops->wants_restart(device.self), 0);
+}
+
+/* Its credits are there, and coins are taken as soon as it can be written: no start is needed. */
+static void test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not(void **state)
+{
+    (void)state;
+    static struct memory memory;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    keep(1);
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    is_read_only = true;
+    tape_refuse(EROFS);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.purse.paid, 1);
+    keep(2);
+    storage_work(&storage);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "not written"));
+    is_read_only = false;
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(saved_id(), 2);
 }
 
 static void test_somebody_elses_card_is_not_written_on(void **state)
@@ -527,6 +566,7 @@ int main(void)
         TEST(test_a_card_that_does_not_come_back_is_told),
         TEST(test_a_card_that_comes_late_and_is_fresh_is_used),
         TEST(test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart),
+        TEST(test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not),
         TEST(test_somebody_elses_card_is_not_written_on),
         TEST(test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room),
         TEST(test_so_is_one_that_was_closed_in_good_order),
