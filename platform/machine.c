@@ -127,12 +127,26 @@ static int64_t newest_file_s(const struct machine *machine)
 
 /* ---- What was set aside ---------------------------------------------------------------------- */
 
-bool machine_is_aside(const char *file)
+enum machine_aside machine_aside_of(const char *file)
 {
-    static const char start[] = STORAGE_FILE STORAGE_ASIDE_SUFFIX;
-    const char *number = file + sizeof start - 1u;
-    return strncmp(file, start, sizeof start - 1u) == 0 && number[0] != '\0' &&
-           number[strspn(number, "0123456789")] == '\0';
+    static const struct {
+        const char *start;
+        enum machine_aside aside;
+    } names[] = {
+        { STORAGE_FILE STORAGE_ASIDE_SUFFIX, MACHINE_ASIDE_DAMAGED },
+        { STORAGE_FILE STORAGE_MISSING_SUFFIX, MACHINE_ASIDE_MISSING },
+        { STORAGE_FILE STORAGE_TAIL_SUFFIX STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
+        { STORAGE_FILE STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
+    };
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        const size_t length = strlen(names[i].start);
+        const char *number = file + length;
+        if (strncmp(file, names[i].start, length) == 0 && number[0] != '\0' &&
+            number[strspn(number, "0123456789")] == '\0') {
+            return names[i].aside;
+        }
+    }
+    return MACHINE_ASIDE_NOT;
 }
 
 static bool seen_path(const char *folder, const char *file, char out[PATH_SIZE])
@@ -164,7 +178,8 @@ static uint32_t walk_aside(const struct machine *machine, bool marks, int *error
     const struct dirent *entry;
     uint32_t count = 0;
     while (folder && count < MACHINE_ASIDE_MAX && (entry = readdir(folder)) != NULL) {
-        if (!machine_is_aside(entry->d_name) || machine_is_seen(machine->data, entry->d_name)) {
+        if (machine_aside_of(entry->d_name) == MACHINE_ASIDE_NOT ||
+            machine_is_seen(machine->data, entry->d_name)) {
             continue;
         }
         const int result = marks ? mark(machine->data, entry->d_name) : 0;

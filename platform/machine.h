@@ -45,9 +45,14 @@ void machine_look(struct machine *machine, struct scene_machine *out);
  * not be. */
 int machine_mark_seen(const struct machine *machine);
 
-/* Whether `file` names a database that was set aside, "kingyo.db.damaged-3", and not its journals
- * or marks. */
-bool machine_is_aside(const char *file);
+/* What the store has set aside, and an operator should know of. */
+enum machine_aside {
+    MACHINE_ASIDE_NOT = 0, /* Something else: a journal of one, a mark, somebody's file. */
+    MACHINE_ASIDE_DAMAGED, /* "kingyo.db.damaged-3": a database, */
+    MACHINE_ASIDE_MISSING, /* "kingyo.db.missing-3": the note that there was none, */
+    MACHINE_ASIDE_OTHER,   /* "kingyo.db.tail.other-3": what was of another list. */
+};
+enum machine_aside machine_aside_of(const char *file);
 
 /* Whether it was acknowledged. */
 bool machine_is_seen(const char *folder, const char *file);

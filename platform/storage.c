@@ -59,16 +59,15 @@ static bool start_thread(struct storage *storage)
 /* What the core goes on from, before the thread has the file. */
 static void note_start(struct storage *storage)
 {
-    struct ledger_entry newest;
     storage->start = storage->file.content;
     storage->accepted_id = storage->start.memory.ledger.last_id;
     atomic_store(&storage->saved_id, storage->accepted_id);
-    if (ledger_file_entry(&storage->file, storage->accepted_id, &newest) == SQLITE_OK) {
-        storage->saved_boot = newest.boot;
-        storage->saved_tick = newest.tick;
-    }
+    storage->saved_boot = storage->start.memory.ledger.boots;
+    storage->saved_tick = storage->start.tick;
     storage->prunes = true;
-    storage_note_seals(storage);
+    if (storage->file.db) {
+        storage_note_seals(storage);
+    }
     atomic_store(&storage->has_file, true);
 }
 
@@ -83,7 +82,10 @@ static int storage_open(void *self)
         return storage->dir ? HAL_ERR_IO : HAL_ERR_NONE;
     }
     sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
-    const int code = storage_open_alone(storage);
+    int code = storage_open_alone(storage);
+    if (code != SQLITE_OK && storage->has_to_rebuild && storage_read_remains(storage, code)) {
+        code = SQLITE_OK;
+    }
     atomic_store(&storage->error, code == SQLITE_OK ? storage->file.refusal : code);
     if (code == SQLITE_OK) {
         note_start(storage);
@@ -225,7 +227,7 @@ static uint32_t storage_close(void *self)
         return 0;
     }
     stop_thread(storage);
-    storage->backup_due_s = INT64_MAX; /* Whoever pulls the plug now has the last one. */
+    storage->closes = true; /* Whoever pulls the plug now has the last backup. */
     ledger_backup_drop(&storage->backup);
     storage_work(storage); /* What came while it was leaving, and one last try for the rest. */
     const uint32_t lost = storage_unwritten(storage), lost_edits = storage_unwritten_edits(storage);
@@ -233,12 +235,12 @@ static uint32_t storage_close(void *self)
         storage_say_refused(storage, atomic_load(&storage->error), "they are lost");
     } else if (lost_edits > 0) {
         storage_say(storage, "store: a graph was not written",
-            strerror(atomic_load(&storage->edit_error)), "it is lost");
+                    strerror(atomic_load(&storage->edit_error)), "it is lost");
     }
     sem_destroy(&storage->wake);
     storage_close_file(storage);
     storage_leave(storage);
-    storage->running = false;
+    storage->running = storage->closes = false;
     atomic_store(&storage->has_file, false);
     return lost + lost_edits;
 }

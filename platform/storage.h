@@ -11,10 +11,12 @@
  * has room. Each try that fails is counted. close() tries once more and says how many entries are
  * lost for good.
  *
- * At the start and each hour the file is copied to a backup beside it, which is checked before it
- * takes the place of the last; entries since then are kept twice (store/ledger_tail.h). A damaged
- * file is set aside under a new name, never repaired in place and never deleted; the backup takes
- * its place, with all entries beyond it that the damaged file or the tail still has. */
+ * At the start, each hour and each STORAGE_BACKUP_ENTRIES entries the file is copied to a backup
+ * beside it, which is checked before it takes the place of the last; entries since then are kept
+ * twice (store/ledger_tail.h). A damaged file is set aside under a new name, never repaired in
+ * place and never deleted; the backup takes its place, with all entries beyond it that the damaged
+ * file or the tail still has. So it does where the file is gone, and a note says so. Where the card
+ * has no room for that, all is left as it is and only read. */
 #ifndef KINGYO_PLATFORM_STORAGE_H
 #define KINGYO_PLATFORM_STORAGE_H
 
@@ -27,6 +29,7 @@
 #include "core/memory.h"
 #include "platform/hal.h"
 #include "platform/store/ledger_backup.h"
+#include "platform/store/ledger_salvage.h"
 
 #define STORAGE_FILE "kingyo.db"
 #define STORAGE_BACKUP_SUFFIX ".backup"
@@ -35,6 +38,8 @@
 #define STORAGE_BEFORE_SUFFIX ".before-restore" /* The backup of what a copy was put in place of. */
 #define STORAGE_REPLACED_SUFFIX ".before-" /* And a number: what a copy was put in place of. */
 #define STORAGE_ASIDE_SUFFIX ".damaged-" /* And a number. */
+#define STORAGE_MISSING_SUFFIX ".missing-" /* And a number: an empty note that it was not there. */
+#define STORAGE_OTHER_SUFFIX ".other-"  /* Behind a backup or tail of another list; and a number. */
 #define STORAGE_SEEN_SUFFIX ".seen"     /* Behind that: the operator has acknowledged it. */
 #define STORAGE_STUCK_MS 3000 /* A card that writes for so long is not well: the best ones' worst
                                  pause to tidy up is a second. */
@@ -42,8 +47,13 @@
  * second. */
 #define STORAGE_LOOK_MS 1000
 #define STORAGE_LOOK_MS_MAX 60000
+/* Bytes by which a full card's room has to grow to be worth a look before its time: others write
+ * there, too. */
+#define STORAGE_ROOM_MORE (256u * 1024u)
 #define STORAGE_BACKUP_S 3600 /* From one backup to the next, ... */
-#define STORAGE_BACKUP_ENTRIES (LEDGER_TAIL_SLOTS / 2u) /* ... or sooner, after so many entries. */
+#define STORAGE_BACKUP_ENTRIES (LEDGER_TAIL_SLOTS / 2u) /* ... or sooner, after so many entries, */
+#define STORAGE_BACKUP_LONE_S 10 /* ... or with each, where no tail has them: but a card is not worn
+                                    out by that. */
 #define STORAGE_PATH_SIZE 512u
 /* What the core may have unwritten, twice: it never waits for a slot where a card answers. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
@@ -95,10 +105,13 @@ struct storage {
     sem_t wake;
     bool running;         /* open() was called, and close() was not. */
     bool has_thread;
+    bool closes;          /* No backup is begun any more. */
     atomic_bool stop;
     atomic_bool has_file; /* The database was opened: entries are taken. */
-    atomic_uint aside;    /* The damaged file's number; 0: none was set aside. */
-    uint32_t from_backup; /* Then: the newest entry of the backup, ... */
+    bool has_to_rebuild;  /* The file is damaged or gone, and nothing took its place yet. */
+    atomic_uint aside;    /* The number of a file that was replaced; 0: none was. */
+    bool was_missing;     /* Then: it was not damaged but gone; */
+    uint32_t from_backup; /* the newest entry of the backup, ... */
     struct ledger_salvaged salvaged; /* ... and what came later and was found. */
     atomic_int error;     /* SQLite's last refusal to write; 0: the last write went well. */
     atomic_int edit_error; /* errno of the last graph that was refused; 0: the last went well. */
@@ -119,10 +132,13 @@ struct storage {
     atomic_uint saved_id;
     uint32_t saved_boot, saved_tick; /* Of that entry; the thread's. */
     uint64_t sight;          /* What was seen from outside at the last look; the thread's, ... */
+    uint64_t room;           /* ... as the bytes that were free, ... */
     int64_t look_due_ms;     /* ... as when the next is due, 0: at once, ... */
     int64_t look_wait_ms;    /* ... and how long it waits. */
     bool prunes;                     /* Something may have fallen out; the thread's. */
-    struct ledger_tail tail;         /* The newest entries once more; the thread's. */
+    struct ledger_tail tail;         /* The newest entries once more; the thread's, ... */
+    uint32_t tail_from;              /* ... as the first of them that it lacks; 0: none. */
+    atomic_int tail_error;           /* errno of its last write; 0: that went well. */
     struct ledger_backup backup;     /* Under way; the thread's. */
     uint32_t backup_id;              /* The newest entry when it began. */
     int64_t backup_due_s;            /* On the monotonic clock. */

@@ -31,8 +31,8 @@ bool storage_needs_reopening(int code)
 
 /* ---- Whether it is worth a look ------------------------------------------------------------- */
 
-/* Another file, a write to it, its rights, a card that may be written, room: any of them changes
- * this. Of a file system of the caller's own nothing is seen. */
+/* Another file, a write to it, its rights, a card that may be written: any of them changes this.
+ * Of a file system of the caller's own nothing is seen. */
 static uint64_t sight_of(const struct storage *storage)
 {
     struct stat file = { 0 };
@@ -45,9 +45,8 @@ static uint64_t sight_of(const struct storage *storage)
     const uint64_t words[] = {
         (uint64_t)file.st_dev,         (uint64_t)file.st_ino,
         (uint64_t)file.st_size,        (uint64_t)file.st_ctim.tv_sec,
-        (uint64_t)file.st_ctim.tv_nsec, (uint64_t)card.f_bavail,
-        (uint64_t)card.f_flag,         (uint64_t)access(storage->path, W_OK),
-        (uint64_t)access(storage->dir, W_OK),
+        (uint64_t)file.st_ctim.tv_nsec, (uint64_t)card.f_flag,
+        (uint64_t)access(storage->path, W_OK), (uint64_t)access(storage->dir, W_OK),
     };
     uint64_t hash = HASH_START;
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
@@ -56,11 +55,26 @@ static uint64_t sight_of(const struct storage *storage)
     return hash;
 }
 
+static uint64_t room_of(const struct storage *storage)
+{
+    struct statvfs card;
+    return !storage->how.vfs && statvfs(storage->dir, &card) == 0
+               ? (uint64_t)card.f_bavail * card.f_frsize
+               : 0u;
+}
+
+/* Of a card that is full. */
+static bool has_more_room(const struct storage *storage)
+{
+    return atomic_load(&storage->error) == SQLITE_FULL &&
+           room_of(storage) >= storage->room + STORAGE_ROOM_MORE;
+}
+
 static bool is_worth_a_look(const struct storage *storage)
 {
     return storage_now_ms() >= storage->look_due_ms ||
            atomic_load(&storage->late.state) == STORAGE_LATE_NEW ||
-           sight_of(storage) != storage->sight;
+           sight_of(storage) != storage->sight || has_more_room(storage);
 }
 
 /* Whether whoever says this has read the whole file to find out. */
@@ -82,6 +96,7 @@ static void note_look(struct storage *storage, int code)
         storage->look_wait_ms = longer_ms < STORAGE_LOOK_MS_MAX ? longer_ms : STORAGE_LOOK_MS_MAX;
     }
     storage->sight = sight;
+    storage->room = room_of(storage);
     storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
 }
 

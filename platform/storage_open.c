@@ -1,9 +1,8 @@
 /* storage_open.c -- from a path to a file that can be written, whatever has happened to it.
  *
- * A damaged file is never lost sight of and never repaired in place. What takes its place, the last
- * good backup and all that the damaged one still says beyond that, is made under a name of its own.
- * Only when that is whole and on disk is the damaged one renamed, and then the new one. A power cut
- * anywhere leaves files from which the next start does the same again, or the rest of it. */
+ * A damaged file is never lost sight of and never repaired in place: storage_rebuild.c makes what
+ * takes its place. Which of the files here are of one list their newest common entry says; one of
+ * another list is set aside, and read by nobody. */
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -15,19 +14,31 @@
 #include "platform/storage_parts.h"
 #include "platform/store/ledger_backup.h"
 
-#define ASIDE_MAX 1000u /* Damaged files that may lie beside the good one. */
-
-static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
-#define SUFFIX_COUNT (sizeof suffixes / sizeof suffixes[0])
-
-static void beside(const struct storage *storage, const char *suffix, const char *more,
-                   char out[LEDGER_PATH_SIZE])
+void storage_beside(const struct storage *storage, const char *suffix, const char *more,
+                    char out[LEDGER_PATH_SIZE])
 {
     snprintf(out, LEDGER_PATH_SIZE, "%.520s%.40s%.20s", storage->path, suffix, more);
 }
 
+void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
+{
+    storage_beside(storage, STORAGE_BACKUP_SUFFIX, "", out);
+}
+
+void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
+{
+    storage_beside(storage, STORAGE_TAIL_SUFFIX, "", out);
+}
+
+struct ledger_tail storage_look_at_tail(const struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE];
+    storage_tail_path(storage, path);
+    return ledger_tail_look(path);
+}
+
 /* A card that cannot say is no reason to put something in a file's place. */
-static bool is_there(const char *path)
+bool storage_has_path(const char *path)
 {
     return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
 }
@@ -38,152 +49,67 @@ static bool has_bytes(const char *path)
     return stat(path, &about) == 0 && about.st_size > 0;
 }
 
-void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
+static bool has_tail(const struct storage *storage)
 {
-    beside(storage, STORAGE_BACKUP_SUFFIX, "", out);
-}
-
-void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
-{
-    beside(storage, STORAGE_TAIL_SUFFIX, "", out);
-}
-
-static struct ledger_tail look_at_tail(const struct storage *storage)
-{
-    char path[LEDGER_PATH_SIZE];
-    storage_tail_path(storage, path);
-    return ledger_tail_look(path);
-}
-
-static uint32_t tails_last_id(const struct storage *storage)
-{
-    struct ledger_tail tail = look_at_tail(storage);
+    struct ledger_tail tail = storage_look_at_tail(storage);
     const uint32_t last_id = ledger_tail_last_id(&tail);
     ledger_tail_close(&tail);
-    return last_id;
+    return last_id > 0;
 }
 
-/* The first free number; 0 when all are taken. One that was looked at and removed has left a mark,
- * which would hide the next of that number. */
-static unsigned free_number(const struct storage *storage)
+static bool has_backup(const struct storage *storage)
 {
-    char path[LEDGER_PATH_SIZE], seen[LEDGER_PATH_SIZE], suffix[40];
-    for (unsigned number = 1; number <= ASIDE_MAX; number++) {
-        snprintf(suffix, sizeof suffix, STORAGE_ASIDE_SUFFIX "%u", number);
-        beside(storage, suffix, "", path);
-        beside(storage, suffix, STORAGE_SEEN_SUFFIX, seen);
-        if (!is_there(path) && !is_there(seen)) {
-            return number;
-        }
-    }
-    return 0;
+    char backup[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    return storage_has_path(backup);
 }
 
-/* Renames the file, and then what belongs to it: left behind, a journal would be played into the
- * fresh one. */
-static bool set_aside(struct storage *storage, unsigned number)
-{
-    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
-    snprintf(suffix, sizeof suffix, STORAGE_ASIDE_SUFFIX "%u", number);
-    beside(storage, suffix, "", to);
-    if (is_there(storage->path) && rename(storage->path, to) != 0) {
-        return false;
-    }
-    for (size_t i = 0; i < SUFFIX_COUNT; i++) {
-        beside(storage, suffixes[i], "", from);
-        beside(storage, suffix, suffixes[i], to);
-        rename(from, to);
-    }
-    return true;
-}
+/* ---- Whether the others are of this list ---------------------------------------------------- */
 
-/* ---- What takes a file's place -------------------------------------------------------------- */
+enum others {
+    OTHERS_NOT = 0, /* There is nothing, or it has no more than the file. */
+    OTHERS_NEWER,   /* Of this list, and it has more: the file has lost what it had. */
+    OTHERS_STRANGE, /* Of another list. */
+};
 
-static void remove_new(const struct storage *storage)
+static enum others backup_is(struct storage *storage)
 {
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    struct ledger_file backup;
     char path[LEDGER_PATH_SIZE];
-    beside(storage, STORAGE_NEW_SUFFIX, "", path);
-    unlink(path);
-    for (size_t i = 0; i < SUFFIX_COUNT; i++) {
-        beside(storage, STORAGE_NEW_SUFFIX, suffixes[i], path);
-        unlink(path);
+    storage_backup_path(storage, path);
+    if (!storage_has_path(path) || ledger_file_look(&backup, path) != SQLITE_OK) {
+        return OTHERS_NOT;
     }
+    enum others result = OTHERS_NOT;
+    if (ledger_kin_of_file(&storage->file, last_id, &backup) == LEDGER_KIN_OTHER) {
+        result = OTHERS_STRANGE;
+    } else if (last_id < backup.content.memory.ledger.last_id &&
+               ledger_check(backup.db) == SQLITE_OK) {
+        result = OTHERS_NEWER;
+    }
+    ledger_file_close(&backup);
+    return result;
 }
 
-/* One of an earlier version, too: it is brought up to date as it is opened. */
-static void begin_with_backup(const char *backup, const char *fresh)
+/* One that begins behind the end of a file that is whole is of what was there before it. */
+static enum others tail_is(struct storage *storage)
 {
-    struct ledger_file file = { .refusal = SQLITE_READONLY };
-    if (is_there(backup) &&
-        sqlite3_open_v2(backup, &file.db, SQLITE_OPEN_READONLY, NULL) == SQLITE_OK &&
-        ledger_check(file.db) == SQLITE_OK) {
-        ledger_backup_make(&file, fresh, false);
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    struct ledger_tail tail = storage_look_at_tail(storage);
+    const uint32_t tails_last_id = ledger_tail_last_id(&tail);
+    const enum ledger_kin kin = ledger_kin_of_tail(&storage->file, last_id, &tail);
+    ledger_tail_close(&tail);
+    if (kin == LEDGER_KIN_OTHER ||
+        (kin == LEDGER_KIN_UNKNOWN && last_id > 0 && tails_last_id > last_id)) {
+        return OTHERS_STRANGE;
     }
-    ledger_file_close(&file);
+    return tails_last_id > last_id ? OTHERS_NEWER : OTHERS_NOT;
 }
 
-/* Makes the new file: what the backup has, or an empty one; then what the old one and the tail
- * still say. */
-static int make_new(struct storage *storage)
+bool storage_is_behind_backup(struct storage *storage)
 {
-    struct ledger_file file;
-    char backup[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, backup);
-    beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
-    remove_new(storage);
-    begin_with_backup(backup, fresh);
-    const int code = ledger_file_open(&file, fresh, NULL);
-    if (code == SQLITE_OK) {
-        storage->from_backup = file.content.memory.ledger.last_id;
-        struct ledger_tail tail = look_at_tail(storage);
-        storage->salvaged =
-            ledger_salvage(has_bytes(storage->path) ? storage->path : NULL, &tail, &file);
-        ledger_tail_close(&tail);
-        ledger_file_close(&file);
-    }
-    return code;
-}
-
-/* The last step, and all that is left to do where the power went before it. */
-static bool put_new(struct storage *storage)
-{
-    char fresh[LEDGER_PATH_SIZE];
-    beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
-    return rename(fresh, storage->path) == 0 && ledger_sync_folder(storage->path) == 0;
-}
-
-static bool replace(struct storage *storage)
-{
-    const unsigned number = free_number(storage);
-    if (number == 0 || make_new(storage) != SQLITE_OK) {
-        return false;
-    }
-    if (!set_aside(storage, number) || ledger_sync_folder(storage->path) != 0 ||
-        !put_new(storage)) {
-        return false;
-    }
-    atomic_store(&storage->aside, number);
-    return true;
-}
-
-/* Where there is no file: perhaps one is half replaced, or it was lost and there is a backup. */
-static void look_for_new(struct storage *storage)
-{
-    char backup[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, backup);
-    beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
-    if (is_there(storage->path)) {
-        remove_new(storage);
-        return;
-    }
-    const bool has_source = is_there(backup) || tails_last_id(storage) > 0;
-    if (!is_there(fresh) && (!has_source || make_new(storage) != SQLITE_OK)) {
-        return;
-    }
-    const unsigned number = free_number(storage);
-    if (number > 0 && set_aside(storage, number)) {
-        put_new(storage);
-    }
+    return backup_is(storage) == OTHERS_NEWER;
 }
 
 /* ---- A file that has lost what it had -------------------------------------------------------- */
@@ -195,25 +121,10 @@ static bool is_emptied(const struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
     storage_backup_path(storage, backup);
-    beside(storage, suffixes[0], "", log);
+    storage_beside(storage, "-wal", "", log);
     struct stat about;
     return stat(storage->path, &about) == 0 && about.st_size == 0 &&
-           (has_bytes(backup) || has_bytes(log) || tails_last_id(storage) > 0);
-}
-
-bool storage_is_behind_backup(struct storage *storage)
-{
-    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    struct ledger_file backup;
-    char path[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, path);
-    if (!is_there(path) || ledger_file_look(&backup, path) != SQLITE_OK) {
-        return false;
-    }
-    const bool is_behind = last_id < backup.content.memory.ledger.last_id &&
-                           ledger_check(backup.db) == SQLITE_OK;
-    ledger_file_close(&backup);
-    return is_behind;
+           (has_bytes(backup) || has_bytes(log) || has_tail(storage));
 }
 
 /* The operator put a copy there: that the backup has more is as he wants it. It is kept beside. The
@@ -226,8 +137,8 @@ static int take_copy(struct storage *storage)
         return SQLITE_IOERR;
     }
     storage_backup_path(storage, backup);
-    beside(storage, STORAGE_BEFORE_SUFFIX, "", before);
-    if (storage_is_behind_backup(storage) &&
+    storage_beside(storage, STORAGE_BEFORE_SUFFIX, "", before);
+    if (backup_is(storage) != OTHERS_NOT &&
         (rename(backup, before) != 0 || ledger_sync_folder(before) != 0)) {
         return SQLITE_IOERR;
     }
@@ -241,37 +152,60 @@ static bool is_no_file(const struct storage *storage)
     return stat(storage->path, &about) == 0 && !S_ISREG(about.st_mode);
 }
 
+/* Against what lies beside it. One that can only be read cannot be followed by anything either. */
+static int compare(struct storage *storage)
+{
+    const enum others backup = backup_is(storage), tail = tail_is(storage);
+    if (backup == OTHERS_NEWER || tail == OTHERS_NEWER) {
+        return SQLITE_CORRUPT;
+    }
+    if (!storage->file.refusal && backup == OTHERS_STRANGE) {
+        storage_set_other_aside(storage, STORAGE_BACKUP_SUFFIX);
+    }
+    if (!storage->file.refusal && tail == OTHERS_STRANGE) {
+        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX);
+    }
+    return SQLITE_OK;
+}
+
 static int open_whole(struct storage *storage)
 {
     int code = is_no_file(storage)   ? SQLITE_NOTADB
                : is_emptied(storage) ? SQLITE_CORRUPT
                                      : ledger_file_open(&storage->file, storage->path,
                                                         &storage->how);
-    if (code == SQLITE_OK && ledger_is_marked(&storage->file) && !storage->file.refusal) {
-        code = take_copy(storage);
-        if (code != SQLITE_OK) {
-            ledger_file_close(&storage->file);
-        }
+    if (code != SQLITE_OK) {
+        return code;
     }
-    if (code == SQLITE_OK && (storage_is_behind_backup(storage) ||
-                              storage->file.content.memory.ledger.last_id <
-                                  tails_last_id(storage))) {
+    if (ledger_is_marked(&storage->file) && !storage->file.refusal) {
+        code = take_copy(storage);
+    }
+    code = code == SQLITE_OK ? compare(storage) : code;
+    if (code != SQLITE_OK) {
         ledger_file_close(&storage->file);
-        code = SQLITE_CORRUPT;
     }
     return code;
 }
 
-/* A file system of the caller's own has only the one file. */
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+/* Where there is no file and no word of one a new one is begun. A file system of the caller's own
+ * has only the one file. */
 int storage_open_file(struct storage *storage)
 {
     if (storage->how.vfs) {
         return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
-    look_for_new(storage);
-    int code = open_whole(storage);
-    if ((code == SQLITE_CORRUPT || code == SQLITE_NOTADB) && replace(storage)) {
-        code = ledger_file_open(&storage->file, storage->path, &storage->how);
+    storage->has_to_rebuild = false;
+    storage_end_rebuilding(storage);
+    const bool is_missing =
+        !storage_has_path(storage->path) && (has_backup(storage) || has_tail(storage));
+    int code = is_missing ? SQLITE_CORRUPT : open_whole(storage);
+    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
+        storage->has_to_rebuild = true;
+        code = storage_rebuild(storage, is_missing);
+        code = code == SQLITE_OK ? ledger_file_open(&storage->file, storage->path, &storage->how)
+                                 : code;
     }
     return code;
 }

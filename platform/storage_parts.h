@@ -6,10 +6,26 @@
 
 /* storage_open.c: opens storage->path; a damaged file is replaced first. SQLite's code. */
 int storage_open_file(struct storage *storage);
+/* A path: the file's own with these two behind it. */
+void storage_beside(const struct storage *storage, const char *suffix, const char *more,
+                    char out[LEDGER_PATH_SIZE]);
+bool storage_has_path(const char *path);
+struct ledger_tail storage_look_at_tail(const struct storage *storage);
 void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
 void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
-/* Whether the backup has newer entries than the open file: then it is the file that lost some. */
+/* Whether the backup is of the open file's list and has more: it is the file that lost some. */
 bool storage_is_behind_backup(struct storage *storage);
+
+/* storage_rebuild.c: puts a new file in the place of one that is damaged, or `is_missing`. SQLite's
+ * code; after an error all is as it was. */
+int storage_rebuild(struct storage *storage, bool is_missing);
+/* What was left of that when the power went. */
+void storage_end_rebuilding(struct storage *storage);
+/* Sets the backup or the tail aside, which is of another list. */
+void storage_set_other_aside(struct storage *storage, const char *suffix);
+/* Where nothing can be put in its place because of `refusal`: reads what would have been in it, to
+ * be shown and not to be written. Whether there is anything. */
+bool storage_read_remains(struct storage *storage, int refusal);
 
 /* storage_card.c: as storage_open_file(), once no other stall writes in the folder. */
 int storage_open_alone(struct storage *storage);
@@ -37,9 +53,10 @@ const char *storage_describe(void *storage);
 int64_t storage_stuck_ms(const struct storage *storage);
 
 /* storage_tail.c: the newest entries once more, in a file beside it. A card that refuses only that
- * is counted, and tried again with the next ones. */
+ * is counted, told, and asked again: with the next ones, and by the second. */
 void storage_write_tail(struct storage *storage, const struct ledger_entry *entries,
                         uint32_t count);
+void storage_mend_tail(struct storage *storage);
 
 /* storage_thread.c: the file, and a backup of it that is under way. */
 void storage_close_file(struct storage *storage);

@@ -42,6 +42,21 @@ static const char *advice_for(int error)
     }
 }
 
+static void say_rebuilt(struct storage *storage, unsigned number)
+{
+    char what[80] = "missing", lost[24] = "unknown how many";
+    if (!storage->was_missing) {
+        snprintf(what, sizeof what,
+                 "damaged and is now " STORAGE_FILE STORAGE_ASIDE_SUFFIX "%u", number);
+    }
+    if (!storage->salvaged.is_open_ended) {
+        snprintf(lost, sizeof lost, "%u", storage->salvaged.lost);
+    }
+    snprintf(storage->text, sizeof storage->text,
+             STORAGE_FILE " was %s: %u entries from the backup, %u later ones, %s lost", what,
+             storage->from_backup, storage->salvaged.entries, lost);
+}
+
 const char *storage_describe(void *self)
 {
     struct storage *storage = self;
@@ -64,11 +79,11 @@ const char *storage_describe(void *self)
     } else if (edit_error != 0) {
         storage_say(storage, "store: a graph was not written", strerror(edit_error),
                     "it is retried");
+    } else if (atomic_load(&storage->tail_error) != 0) {
+        storage_say(storage, "store: the second copy is not written",
+                    strerror(atomic_load(&storage->tail_error)), "it is retried");
     } else if (aside > 0) {
-        snprintf(storage->text, sizeof storage->text,
-                 STORAGE_FILE " was damaged and is now " STORAGE_FILE STORAGE_ASIDE_SUFFIX
-                              "%u: %u entries from the backup, %u later ones, %u lost",
-                 aside, storage->from_backup, storage->salvaged.entries, storage->salvaged.lost);
+        say_rebuilt(storage, aside);
     } else {
         snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
     }

@@ -1,7 +1,16 @@
-/* storage_tail.c -- what was just written, written once more, before the kiosk is told of it. */
+/* storage_tail.c -- what was just written, written once more, before the kiosk is told of it.
+ *
+ * The tail has no hole: when it could not be written, nothing newer goes into it before what it
+ * lacks has come from the database. Until then backups are made at once (storage_thread.c). */
+#include <errno.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <sqlite3.h>
+
 #include "platform/storage_parts.h"
+
+#define BATCH 64u /* Entries from one sync to the next. */
 
 /* One of another list, as after a card was copied by hand: it must not be read into this one. */
 static bool is_of_another_list(const struct storage *storage)
@@ -11,6 +20,16 @@ static bool is_of_another_list(const struct storage *storage)
            (entry.boot != storage->saved_boot || entry.tick != storage->saved_tick);
 }
 
+/* From where on it lacks what was saved; 0: nothing. */
+static void note_lack(struct storage *storage)
+{
+    const uint32_t saved_id = atomic_load(&storage->saved_id);
+    const uint32_t last_id = ledger_tail_last_id(&storage->tail);
+    if (last_id < saved_id && (storage->tail_from == 0 || storage->tail_from > last_id + 1u)) {
+        storage->tail_from = last_id + 1u;
+    }
+}
+
 static int open_tail(struct storage *storage)
 {
     char path[LEDGER_PATH_SIZE];
@@ -18,8 +37,73 @@ static int open_tail(struct storage *storage)
     int result = ledger_tail_open(&storage->tail, path);
     if (result == 0 && is_of_another_list(storage)) {
         ledger_tail_close(&storage->tail);
-        unlink(path);
+        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX);
         result = ledger_tail_open(&storage->tail, path);
+    }
+    if (result == 0) {
+        note_lack(storage);
+    }
+    return result;
+}
+
+/* Whoever removes the file takes it from the folder, not from who has it open. */
+static bool is_removed(const struct storage *storage)
+{
+    struct stat about;
+    return storage->tail.handle > 0 && fstat(storage->tail.handle, &about) == 0 &&
+           about.st_nlink == 0;
+}
+
+/* What it lacks of the entries up to `last_id`, from the database. */
+static int fill(struct storage *storage, uint32_t last_id)
+{
+    struct ledger_entry entries[BATCH];
+    uint32_t count = 0;
+    int result = 0;
+    uint32_t id = storage->tail_from;
+    if (last_id >= LEDGER_TAIL_SLOTS && id < last_id - LEDGER_TAIL_SLOTS + 1u) {
+        id = last_id - LEDGER_TAIL_SLOTS + 1u;
+    }
+    for (; result == 0 && storage->tail_from > 0 && id <= last_id; id++) {
+        count += ledger_file_entry(&storage->file, id, &entries[count]) == SQLITE_OK;
+        if (count == BATCH || (count > 0 && id == last_id)) {
+            result = ledger_tail_write(&storage->tail, entries, count);
+            count = 0;
+        }
+    }
+    storage->tail_from = result == 0 ? 0u : storage->tail_from;
+    return result;
+}
+
+/* Opens it and brings it up to `last_id`. 0 or -1. */
+static int make_ready(struct storage *storage, uint32_t last_id)
+{
+    if (is_removed(storage)) {
+        ledger_tail_close(&storage->tail);
+    }
+    const int result = storage->tail.handle > 0 ? 0 : open_tail(storage);
+    return result == 0 ? fill(storage, last_id) : result;
+}
+
+static void note_result(struct storage *storage, int result, uint32_t first_id)
+{
+    const int error = errno > 0 ? errno : EIO;
+    atomic_store(&storage->tail_error, result == 0 ? 0 : error);
+    if (result != 0) {
+        ledger_tail_close(&storage->tail);
+        storage->tail_from = storage->tail_from > 0 ? storage->tail_from : first_id;
+        atomic_fetch_add(&storage->refused, 1);
+    }
+}
+
+/* A name that was taken back is not left in it. */
+static int forget_names(struct storage *storage, const struct ledger_entry *entries, uint32_t count)
+{
+    int result = 0;
+    for (uint32_t i = 0; result == 0 && i < count; i++) {
+        if (entries[i].kind == LEDGER_NAME && !entries[i].name[0]) {
+            result = ledger_tail_forget_name(&storage->tail, entries[i].count, entries[i].detail);
+        }
     }
     return result;
 }
@@ -29,10 +113,15 @@ void storage_write_tail(struct storage *storage, const struct ledger_entry *entr
     if (storage->how.vfs) {
         return;
     }
-    int result = storage->tail.handle > 0 ? 0 : open_tail(storage);
+    int result = make_ready(storage, entries[0].id - 1u);
+    result = result == 0 ? forget_names(storage, entries, count) : result;
     result = result == 0 ? ledger_tail_write(&storage->tail, entries, count) : result;
-    if (result != 0) {
-        ledger_tail_close(&storage->tail);
-        atomic_fetch_add(&storage->refused, 1);
+    note_result(storage, result, entries[0].id);
+}
+
+void storage_mend_tail(struct storage *storage)
+{
+    if (storage->tail_from > 0 && storage->file.db && !storage->file.refusal) {
+        note_result(storage, make_ready(storage, atomic_load(&storage->saved_id)), 0);
     }
 }

@@ -102,8 +102,17 @@ static int64_t now_s(void)
 
 static bool may_back_up(const struct storage *storage)
 {
-    return storage->file.db && !storage->file.refusal && !storage->how.vfs &&
+    return storage->file.db && !storage->file.refusal && !storage->how.vfs && !storage->closes &&
            atomic_load(&storage->error) == SQLITE_OK;
+}
+
+static bool is_backup_due(const struct storage *storage, uint32_t last_id)
+{
+    const int64_t since_s = now_s() - (storage->backup_due_s - STORAGE_BACKUP_S);
+    return now_s() >= storage->backup_due_s ||
+           last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES ||
+           (storage->tail_from > 0 && last_id > storage->backup_id &&
+            since_s >= STORAGE_BACKUP_LONE_S);
 }
 
 /* A piece at a time, and only while no entry waits; one that fails is made again in an hour. */
@@ -116,8 +125,7 @@ static void back_up(struct storage *storage)
         return;
     }
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    if (!storage->backup.copy && (now_s() >= storage->backup_due_s ||
-                                  last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES)) {
+    if (!storage->backup.copy && is_backup_due(storage, last_id)) {
         storage->backup_due_s = now_s() + STORAGE_BACKUP_S;
         storage->backup_id = last_id;
         storage_backup_path(storage, path);
@@ -158,6 +166,7 @@ void storage_work(struct storage *storage)
 {
     if (storage_has_card(storage)) {
         drain(storage);
+        storage_mend_tail(storage);
     }
     storage_put_replay(storage);
     storage_get_replay(storage);
@@ -169,7 +178,8 @@ static bool has_work(const struct storage *storage)
 {
     return storage_unwritten(storage) > 0 || storage_unwritten_edits(storage) > 0 ||
            (storage->path[0] && !storage->file.db) || storage->file.refusal ||
-           atomic_load(&storage->put.state) == STORAGE_REPLAY_WAITS || storage->backup.copy;
+           atomic_load(&storage->put.state) == STORAGE_REPLAY_WAITS || storage->backup.copy ||
+           storage->tail_from > 0;
 }
 
 /* Until something comes, or a card that refused may be asked again, or a backup is due. */

@@ -149,20 +149,33 @@ static void look_at_backup(struct doctor *doctor, const char *folder)
     }
 }
 
+static const struct {
+    const char *state, *todo;
+} asides[] = {
+    [MACHINE_ASIDE_DAMAGED] = { "was damaged, and set aside",
+                                "compare the books (kingyoctl audits) with the meter; then remove "
+                                "it. If there are several, replace the card" },
+    [MACHINE_ASIDE_MISSING] = { "kingyo.db was missing, and made anew of what could be read",
+                                "compare the books (kingyoctl audits) with the meter; then remove "
+                                "this note" },
+    [MACHINE_ASIDE_OTHER] = { "is of another list, and set aside",
+                              "remove it, or put it back beside the kingyo.db it belongs to" },
+};
+
 /* What the stall could not read once lies there until somebody has looked at it. */
 static void look_at_damaged(struct doctor *doctor, const char *folder)
 {
     DIR *list = opendir(folder);
     const struct dirent *entry;
     while (list && (entry = readdir(list))) {
-        if (machine_is_aside(entry->d_name)) {
+        const enum machine_aside aside = machine_aside_of(entry->d_name);
+        if (aside != MACHINE_ASIDE_NOT) {
             struct doctor_finding *finding =
                 doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, entry->d_name);
-            doctor_state(finding, "was damaged, and set aside%s",
+            doctor_state(finding, "%s%s", asides[aside].state,
                          machine_is_seen(folder, entry->d_name) ? "; the operator has seen that"
                                                                 : "");
-            doctor_todo(finding, "compare the books (kingyoctl audits) with the meter; then remove "
-                                 "it. If there are several, replace the card");
+            doctor_todo(finding, "%s", asides[aside].todo);
         }
     }
     if (list) {

@@ -71,20 +71,24 @@ static void note_species(struct session *session)
     }
 }
 
-/* Databases that were found damaged stay on the page for good; the mark on "ready for opening" goes
- * once somebody has acknowledged them. */
+/* What was damaged, gone or another's stays on the page for good; the mark on "ready for opening"
+ * goes once somebody has acknowledged it. */
 static void note_damaged(struct session *session)
 {
+    static const char *const words[] = {
+        [MACHINE_ASIDE_DAMAGED] = "damaged, and set aside: what could be read took its place",
+        [MACHINE_ASIDE_MISSING] = "was missing: what could be read took its place",
+        [MACHINE_ASIDE_OTHER] = "of another list, and set aside: nothing was read from it",
+    };
     DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
     const struct dirent *entry;
     while (folder && (entry = readdir(folder))) {
-        if (machine_is_aside(entry->d_name)) {
+        const enum machine_aside aside = machine_aside_of(entry->d_name);
+        if (aside != MACHINE_ASIDE_NOT) {
             if (!machine_is_seen(session->options.data, entry->d_name)) {
-                say(SAY_WARNING, "%s/%s: was damaged, and set aside; the backup took its place",
-                    session->options.data, entry->d_name);
+                say(SAY_WARNING, "%s/%s: %s", session->options.data, entry->d_name, words[aside]);
             }
-            file_notes_add(&session->notes, FILE_ASIDE, entry->d_name,
-                           "damaged, and set aside: the backup took its place");
+            file_notes_add(&session->notes, FILE_ASIDE, entry->d_name, words[aside]);
         }
     }
     if (folder) {

@@ -1,5 +1,4 @@
-/* ledger_backup.h -- a copy of the ledger's file, made piece by piece while the file is written to,
- * and what a damaged file still says.
+/* ledger_backup.h -- a copy of the ledger's file, made piece by piece while the file is written to.
  *
  * A copy grows under a name of its own, is checked, and takes the place of the one before by a
  * rename: there is always a whole one. */
@@ -7,7 +6,6 @@
 #define KINGYO_PLATFORM_STORE_LEDGER_BACKUP_H
 
 #include "platform/store/ledger_file.h"
-#include "platform/store/ledger_tail.h"
 
 #define LEDGER_PATH_SIZE 600u
 #define LEDGER_PART_SUFFIX ".kingyo-part" /* What ends so is ours to remove. */
@@ -42,17 +40,6 @@ int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marke
 /* Whether an open file is such a copy; and makes it the stall's own. */
 bool ledger_is_marked(struct ledger_file *file);
 int ledger_unmark(struct ledger_file *file);
-
-/* Reads from the file at `path`, which may be damaged anywhere, all entries beyond those of `to`
- * that are as they were written, those that are not from `tail`, and writes them to `to`. What
- * neither has is passed over: the purse of the newest good one is the purse. `path` is null where
- * there is no file, or one without a byte: SQLite would remove the log of that. */
-struct ledger_salvaged {
-    uint32_t entries; /* Written to `to`. */
-    uint32_t lost;    /* Ids among and behind these that cannot be read, as far as that is known. */
-};
-struct ledger_salvaged ledger_salvage(const char *path, const struct ledger_tail *tail,
-                                      struct ledger_file *to);
 
 /* Makes a rename, a new name or a removed one in this file's folder durable. 0 or -1. */
 int ledger_sync_folder(const char *path);

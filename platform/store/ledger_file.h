@@ -52,7 +52,8 @@ enum ledger_statement {
 
 /* What the file says, as far as it is on disk. */
 struct ledger_content {
-    struct memory memory;             /* ledger.boots: of the newest entry. */
+    struct memory memory;             /* ledger.boots: of the newest entry, ... */
+    uint32_t tick;                    /* ... as this is. */
     uint8_t has_setting[SETTING_COUNT]; /* 0: the operator never turned it. */
     bool has_read;                    /* A file was. */
 };
@@ -63,7 +64,8 @@ struct ledger_file {
     struct sqlite3_stmt *statement[LEDGER_STATEMENT_COUNT];
     struct ledger_content content;
     int refusal; /* Why it can only be read: SQLITE_READONLY, or SQLITE_FULL where the card has no
-                    room for the index of its log; 0: it can be written. */
+                    room for the index of its log, or what kept a damaged one from being replaced;
+                    0: it can be written. */
 };
 
 /* How it is opened, where that is not as usual. Both may be null. */

@@ -198,14 +198,19 @@ static int read_players(struct ledger_file *file, uint32_t id, struct round_reco
     return sql_end(row, code);
 }
 
+#define ROUND_COLUMNS                                                                              \
+    "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored, "
+#define ROUND_OF " FROM rounds WHERE entry = ?"
+
+/* What is salvaged may be of the third version, which did not know the last three. */
 static int read_round(struct ledger_file *file, uint32_t id, struct round_record *round)
 {
     sqlite3_stmt *row = NULL;
-    int code = sqlite3_prepare_v2(file->db,
-                                  "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade,"
-                                  " players, unscored, fish_count, round_s, preset FROM rounds"
-                                  " WHERE entry = ?",
-                                  -1, &row, NULL);
+    int code = sqlite3_prepare_v2(
+        file->db, ROUND_COLUMNS "fish_count, round_s, preset" ROUND_OF, -1, &row, NULL);
+    if (code == SQLITE_ERROR) {
+        code = sqlite3_prepare_v2(file->db, ROUND_COLUMNS "0, 0, 0" ROUND_OF, -1, &row, NULL);
+    }
     sqlite3_bind_int64(row, 1, id);
     code = code == SQLITE_OK ? sqlite3_step(row) : code;
     if (code == SQLITE_ROW) {

@@ -32,6 +32,7 @@ void ledger_sums_note(struct ledger_content *content, const struct ledger_entry 
     struct memory *memory = &content->memory;
     memory->ledger =
         (struct ledger_start){ .last_id = entry->id, .boots = entry->boot, .purse = entry->purse };
+    content->tick = entry->tick;
     if (entry->kind == LEDGER_SETTING) {
         note_setting(content, entry);
     } else if (entry->kind == LEDGER_FACTORY) {
@@ -229,14 +230,15 @@ static void take_state(struct ledger_content *content, sqlite3_stmt *row)
     }
 }
 
-static int read_start(struct ledger_file *file, struct ledger_start *out)
+static int read_start(struct ledger_file *file, struct ledger_content *out)
 {
     struct ledger_entry newest;
     const int code = ledger_rows_newest(file, &newest);
     if (code == SQLITE_OK) {
-        *out = (struct ledger_start){
+        out->memory.ledger = (struct ledger_start){
             .last_id = newest.id, .boots = newest.boot, .purse = newest.purse
         };
+        out->tick = newest.tick;
     }
     return code == SQLITE_NOTFOUND ? SQLITE_OK : code;
 }
@@ -253,7 +255,7 @@ int ledger_sums_read(struct ledger_file *file, struct ledger_content *out)
         { "SELECT name, value FROM state", take_state },
     };
     *out = (struct ledger_content){ .has_read = true };
-    int code = read_start(file, &out->memory.ledger);
+    int code = read_start(file, out);
     for (size_t i = 0; code == SQLITE_OK && i < sizeof tables / sizeof tables[0]; i++) {
         code = read_rows(file, tables[i].text, tables[i].take, out);
     }

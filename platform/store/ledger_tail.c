@@ -111,6 +111,21 @@ int ledger_tail_write(struct ledger_tail *tail, const struct ledger_entry *entri
     return result == 0 ? fdatasync(tail->handle) : result;
 }
 
+int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_t seat)
+{
+    struct slot slot;
+    int result = 0;
+    for (uint32_t i = 0; result == 0 && i < LEDGER_TAIL_SLOTS; i++) {
+        struct ledger_entry *entry = &slot.entry;
+        if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
+            entry->detail == seat && entry->name[0]) {
+            memset(entry->name, 0, sizeof entry->name);
+            result = write_slot(tail, entry);
+        }
+    }
+    return result;
+}
+
 bool ledger_tail_entry(const struct ledger_tail *tail, uint32_t id, struct ledger_entry *out)
 {
     struct slot slot;

@@ -2,9 +2,11 @@
  *
  * Between two backups the database alone would have what was acknowledged since; a damaged first
  * page, or a file that somebody removed, would take an hour along. So each entry is written here as
- * well before the kiosk is told that it is safe: a slot of 512 bytes (one sector: a power cut tears
- * no neighbour) in a ring that has its full size from the start, so that a sync writes that sector
- * and no word of the file system's. It is read only where the database has lost something. */
+ * well before the kiosk is told that it is safe: a slot of 512 bytes with a sum of its own, in a
+ * ring that has its full size from the start, so that a sync writes blocks that are there and no
+ * word of the file system's. A power cut that tears a block may take neighbours along: those the
+ * database has, which is synced first. What it says is taken only where the database has lost
+ * something. */
 #ifndef KINGYO_PLATFORM_STORE_LEDGER_TAIL_H
 #define KINGYO_PLATFORM_STORE_LEDGER_TAIL_H
 
@@ -30,6 +32,10 @@ struct ledger_tail ledger_tail_look(const char *path);
 
 /* Entries by rising ids; on disk when it comes back with 0. -1: errno. */
 int ledger_tail_write(struct ledger_tail *tail, const struct ledger_entry *entries, uint32_t count);
+
+/* Takes the names back that were given to who played in `seat` of that round. 0 or -1: errno; the
+ * next write makes it durable. */
+int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_t seat);
 
 /* Whether entry `id` is there as it was written. False for a closed one. */
 bool ledger_tail_entry(const struct ledger_tail *tail, uint32_t id, struct ledger_entry *out);

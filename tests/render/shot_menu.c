@@ -28,8 +28,9 @@ static const struct scene_file files[] = {
     { FILE_REFUSED, "usb.txt:4", "expected VVVV:PPPP[:SERIAL] and plays or rests" },
     { FILE_REFUSED, "pois/046d-c626.poi:2", "unknown field 'wobble'" },
     { FILE_REFUSED, "/etc/kingyo/kingyo.conf:7", "grade = 9: wrong value; expected 4 to 7" },
-    { FILE_ASIDE, "kingyo.db.damaged-1", "damaged, and set aside: the backup took its place" },
-    { FILE_SEEN, "kingyo.db.damaged-2", "damaged, and set aside: the backup took its place" },
+    { FILE_ASIDE, "kingyo.db.damaged-1",
+      "damaged, and set aside: what could be read took its place" },
+    { FILE_SEEN, "kingyo.db.missing-2", "was missing: what could be read took its place" },
     { FILE_USED, "species/funa.kfish", "funa" },
     { FILE_USED, "graphs/hirame.graph", "hirame" },
 };

@@ -169,7 +169,11 @@ static void test_what_was_set_aside_counts_until_it_is_acknowledged(void **state
     assert_int_equal(look(&restarted).aside, 0);
     write_file("kingyo.db.damaged-3", "x");
     assert_int_equal(look(&restarted).aside, 1);
-    assert_false(machine_is_aside("kingyo.db.damaged-1.seen"));
+    assert_int_equal(machine_aside_of("kingyo.db.damaged-1.seen"), MACHINE_ASIDE_NOT);
+    write_file("kingyo.db.missing-4", "");
+    write_file("kingyo.db.tail.other-5", "");
+    write_file("kingyo.db.backup.other-6", "");
+    assert_int_equal(look(&restarted).aside, 4);
 }
 
 static int is_told(struct machine *machine, uint32_t aside)

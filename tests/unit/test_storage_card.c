@@ -439,6 +439,84 @@ static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **st
     assert_int_equal(storage.look_wait_ms, STORAGE_LOOK_MS_MAX);
 }
 
+static bool is_beside(const char *suffix)
+{
+    char path[160];
+    snprintf(path, sizeof path, "%s%s", file, suffix);
+    return access(path, F_OK) == 0;
+}
+
+static void keep_eight_and_close(void)
+{
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    for (uint32_t id = 1; id <= 8; id++) {
+        assert_int_equal(keep(id), HAL_OK);
+        storage_work(&storage); /* The backup has the first. */
+    }
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+}
+
+/* All that there is is shown, nothing of it is replaced by less, and the slot stays shut. */
+static void is_read_and_left(void)
+{
+    static struct memory memory;
+    tape_refuse(ENOSPC);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 8);
+    assert_int_equal(memory.ledger.purse.paid, 8);
+    assert_int_equal(memory.audits.count[AUDIT_UNITS], 8);
+    assert_false(is_well());
+    assert_int_equal(keep(9), HAL_OK);
+    for (int i = 0; i < 4; i++) {
+        storage.look_due_ms = 0;
+        storage_work(&storage);
+        assert_false(is_beside(".damaged-1") || is_beside(".missing-1") || is_beside(".new"));
+        assert_false(is_well());
+    }
+    tape_refuse(0);
+    storage.look_due_ms = 0;
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(saved_id(), 9);
+    assert_int_equal(count_entries(), 9);
+}
+
+static void test_a_damaged_file_on_a_full_card_is_read_and_left(void **state)
+{
+    static const char dirt[4096] = { 1, 2, 3 };
+    (void)state;
+    keep_eight_and_close();
+    FILE *out = fopen(file, "r+b");
+    assert_non_null(out);
+    fseek(out, 3 * (long)sizeof dirt, SEEK_SET);
+    assert_int_equal(fwrite(dirt, sizeof dirt, 1, out), 1);
+    fclose(out);
+    is_read_and_left();
+    assert_true(is_beside(".damaged-1"));
+}
+
+static void test_so_is_what_is_there_without_the_file(void **state)
+{
+    (void)state;
+    keep_eight_and_close();
+    assert_int_equal(unlink(file), 0);
+    is_read_and_left();
+    assert_true(is_beside(".missing-1"));
+}
+
+static void test_room_that_others_take_and_give_is_no_reason_to_look(void **state)
+{
+    (void)state;
+    put_a_later_kingyos_file();
+    device.ops->open(device.self);
+    storage_work(&storage);
+    storage.room = 0; /* A gigabyte was freed since. */
+    storage_work(&storage);
+    assert_int_equal(looks(), 1);
+}
+
 static void test_a_file_that_changes_is_looked_at_at_once(void **state)
 {
     (void)state;
@@ -573,6 +651,9 @@ int main(void)
         TEST(test_others_may_read_a_full_card_meanwhile),
         TEST(test_a_second_stall_at_one_folder_waits_until_the_first_has_ended),
         TEST(test_a_file_that_is_of_no_use_is_looked_at_ever_less_often),
+        TEST(test_a_damaged_file_on_a_full_card_is_read_and_left),
+        TEST(test_so_is_what_is_there_without_the_file),
+        TEST(test_room_that_others_take_and_give_is_no_reason_to_look),
         TEST(test_a_file_that_changes_is_looked_at_at_once),
         TEST(test_a_ranked_rounds_replay_is_kept_and_comes_back),
         TEST(test_a_round_that_is_not_ranked_keeps_no_replay),

@@ -17,6 +17,7 @@
 
 #define PAGE_SIZE 4096
 
+static uint32_t boot;
 static char dir[64], whole[64], file[128], backup[128], tail_path[128];
 static struct storage storage;
 static struct hal_storage device;
@@ -37,6 +38,7 @@ static int set_up(void **state)
     snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
     snprintf(backup, sizeof backup, "%s/" STORAGE_FILE STORAGE_BACKUP_SUFFIX, dir);
     snprintf(tail_path, sizeof tail_path, "%s/" STORAGE_FILE STORAGE_TAIL_SUFFIX, dir);
+    boot = 1;
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     device = storage_device(&storage);
     return 0;
@@ -64,7 +66,7 @@ static void play_rounds(uint32_t first, uint32_t last)
     for (uint32_t id = first; id <= last; id++) {
         const struct ledger_entry round = {
             .id = id,
-            .boot = 1,
+            .boot = boot,
             .tick = 100 * id,
             .kind = LEDGER_ROUND,
             .purse = { .paid = id },
@@ -122,6 +124,13 @@ static void spoil_page(long page)
     fclose(out);
 }
 
+static bool is_beside(const char *suffix)
+{
+    char path[160];
+    snprintf(path, sizeof path, "%s%s", file, suffix);
+    return access(path, F_OK) == 0;
+}
+
 /* ---- What happens to the database ------------------------------------------------------------ */
 
 static void test_whichever_page_is_damaged_nothing_is_lost(void **state)
@@ -149,6 +158,94 @@ static void test_of_a_file_that_was_removed_nothing_is_lost(void **state)
     play_eight_and_close();
     assert_int_equal(unlink(file), 0);
     has_all_eight();
+    assert_string_equal(device.ops->describe(device.self),
+                        "kingyo.db was missing: 4 entries from the backup, 4 later ones, 0 lost");
+    assert_true(is_beside(".missing-1"));
+}
+
+static void test_without_file_and_tail_nobody_knows_what_is_lost(void **state)
+{
+    (void)state;
+    play_eight_and_close();
+    assert_int_equal(unlink(file), 0);
+    assert_int_equal(unlink(tail_path), 0);
+    reopen();
+    assert_non_null(strstr(device.ops->describe(device.self),
+                           "4 entries from the backup, 0 later ones, unknown how many lost"));
+}
+
+static void test_nor_where_all_of_it_is_dirt(void **state)
+{
+    (void)state;
+    play_eight_and_close();
+    spoil_page(0);
+    assert_int_equal(unlink(backup), 0);
+    assert_int_equal(unlink(tail_path), 0);
+    reopen();
+    assert_non_null(strstr(device.ops->describe(device.self),
+                           "damaged-1: 0 entries from the backup, 0 later ones, unknown how many"));
+}
+
+/* As where an update first reads a card from end to end. */
+static void test_of_one_of_the_third_version_its_rounds_are_read_too(void **state)
+{
+    static const char old[] = "tests/unit/store/version-3.db";
+    (void)state;
+    char command[256];
+    for (long page = 4; page < 8; page++) {
+        snprintf(command, sizeof command, "rm -f %s/* && cp %s %s", dir, old, file);
+        run(command);
+        spoil_page(page);
+        reopen();
+        assert_int_equal(atomic_load(&storage.aside), 1);
+        assert_int_equal(storage.salvaged.lost, 0);
+        assert_int_equal(storage.salvaged.entries, ask(old, "SELECT max(id) FROM entries"));
+        device.ops->close(device.self);
+    }
+}
+
+/* No backup could be made for long. */
+static void test_what_neither_has_is_counted(void **state)
+{
+    (void)state;
+    play_eight_and_close();
+    reopen();
+    for (uint32_t id = 9; id < 1401; id += 24) {
+        storage.backup_due_s = INT64_MAX;
+        storage.backup_id = id;
+        play_rounds(id, id + 23u);
+    }
+    device.ops->close(device.self);
+    assert_int_equal(ask(backup, "SELECT max(id) FROM entries"), 4);
+    assert_int_equal(unlink(file), 0);
+    reopen();
+    assert_int_equal(storage.from_backup, 4);
+    assert_int_equal(storage.salvaged.entries, LEDGER_TAIL_SLOTS);
+    assert_int_equal(storage.salvaged.lost, 1400 - 4 - (int)LEDGER_TAIL_SLOTS);
+}
+
+/* Another stall's card, put in by hand: nothing of the tail that lay there gets into it. */
+static void test_a_database_of_another_list_is_not_followed_by_this_tail(void **state)
+{
+    (void)state;
+    char other[160], command[400];
+    snprintf(other, sizeof other, "%s/other", whole);
+    reopen();
+    play_rounds(1, 3);
+    device.ops->close(device.self);
+    assert_int_equal(rename(file, other), 0);
+    snprintf(command, sizeof command, "rm -f %s/*", dir);
+    run(command);
+    boot = 77;
+    play_eight_and_close();
+    boot = 1;
+    assert_int_equal(rename(other, file), 0);
+    reopen();
+    assert_int_equal(device.ops->saved_id(device.self), 3);
+    assert_int_equal(atomic_load(&storage.aside), 0);
+    assert_true(is_beside(".backup.other-1"));
+    assert_true(is_beside(".tail.other-2"));
+    play_rounds(4, 4);
 }
 
 static void test_nor_of_one_without_a_byte(void **state)
@@ -243,8 +340,10 @@ static void test_a_tail_of_another_list_is_begun_anew(void **state)
     ledger_tail_close(&tail);
     reopen();
     play_rounds(9, 9);
-    assert_false(ledger_tail_entry(&storage.tail, 7, &found));
+    assert_true(ledger_tail_entry(&storage.tail, 7, &found));
+    assert_int_equal(found.boot, 1);
     assert_true(ledger_tail_entry(&storage.tail, 9, &found));
+    assert_true(is_beside(".tail.other-1"));
 }
 
 static void test_a_copy_that_is_put_back_has_a_tail_of_its_own(void **state)
@@ -273,11 +372,49 @@ static void test_a_card_that_refuses_the_tail_alone_keeps_the_entries(void **sta
     reopen();
     play_rounds(1, 3);
     assert_true(device.ops->is_well(device.self));
-    assert_int_equal(device.ops->refused_count(device.self), 1);
-    assert_int_equal(rmdir(tail_path), 0);
+    assert_non_null(strstr(device.ops->describe(device.self), "second copy is not written"));
+    assert_int_equal(ask(backup, "SELECT max(id) FROM entries"), 3);
+    storage.backup_due_s -= STORAGE_BACKUP_LONE_S;
     play_rounds(4, 4);
-    assert_true(ledger_tail_entry(&storage.tail, 4, &found));
-    assert_int_equal(found.round.caught, 4);
+    assert_int_equal(ask(backup, "SELECT max(id) FROM entries"), 4); /* At once, for want of it. */
+    assert_int_equal(rmdir(tail_path), 0);
+    play_rounds(5, 5);
+    assert_null(strstr(device.ops->describe(device.self), "second copy"));
+    for (uint32_t id = 1; id <= 5; id++) {
+        assert_true(ledger_tail_entry(&storage.tail, id, &found));
+        assert_int_equal(found.round.caught, id);
+    }
+}
+
+static void test_a_tail_that_is_removed_is_written_whole_anew(void **state)
+{
+    (void)state;
+    struct ledger_entry found;
+    reopen();
+    play_rounds(1, 4);
+    assert_int_equal(unlink(tail_path), 0);
+    play_rounds(5, 5);
+    struct ledger_tail tail = ledger_tail_look(tail_path);
+    assert_true(ledger_tail_entry(&tail, 1, &found));
+    assert_int_equal(ledger_tail_last_id(&tail), 5);
+    ledger_tail_close(&tail);
+}
+
+static void test_a_name_that_is_taken_back_is_not_left_in_it(void **state)
+{
+    (void)state;
+    struct ledger_entry found;
+    struct ledger_entry name = { .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1,
+                                 .name = "A WORD" };
+    reopen();
+    device.ops->keep(device.self, &name);
+    storage_work(&storage);
+    memset(name.name, 0, sizeof name.name);
+    name.id = 2;
+    device.ops->keep(device.self, &name);
+    storage_work(&storage);
+    assert_true(ledger_tail_entry(&storage.tail, 1, &found));
+    assert_string_equal(found.name, "");
 }
 
 static void test_a_backup_comes_before_the_tail_bites_itself(void **state)
@@ -297,6 +434,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_whichever_page_is_damaged_nothing_is_lost),
         TEST(test_of_a_file_that_was_removed_nothing_is_lost),
+        TEST(test_without_file_and_tail_nobody_knows_what_is_lost),
+        TEST(test_nor_where_all_of_it_is_dirt),
+        TEST(test_of_one_of_the_third_version_its_rounds_are_read_too),
+        TEST(test_what_neither_has_is_counted),
+        TEST(test_a_database_of_another_list_is_not_followed_by_this_tail),
         TEST(test_nor_of_one_without_a_byte),
         TEST(test_without_file_and_backup_the_tail_is_what_there_is),
         TEST(test_a_file_with_less_than_its_tail_is_damage),
@@ -305,6 +447,8 @@ int main(void)
         TEST(test_a_tail_of_another_list_is_begun_anew),
         TEST(test_a_copy_that_is_put_back_has_a_tail_of_its_own),
         TEST(test_a_card_that_refuses_the_tail_alone_keeps_the_entries),
+        TEST(test_a_tail_that_is_removed_is_written_whole_anew),
+        TEST(test_a_name_that_is_taken_back_is_not_left_in_it),
         TEST(test_a_backup_comes_before_the_tail_bites_itself),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

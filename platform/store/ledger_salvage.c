@@ -1,0 +1,206 @@
+/* ledger_salvage.c -- each entry is asked for by its id, so that what is in the way of one is not
+ * in the way of the next. */
+#include "platform/store/ledger_salvage.h"
+
+#include <sqlite3.h>
+
+#include "platform/store/ledger_parts.h"
+#include "platform/store/sql.h"
+
+#define BATCH 64u /* Entries in one transaction. */
+
+/* An id more than a file has after any cleaning: what lies beyond is no id of this list. */
+#define SALVAGE_MAX (LEDGER_FILE_ENTRIES + 512u)
+
+struct salvage {
+    struct ledger_file from;
+    struct ledger_file *to;
+    const struct ledger_tail *tail;
+    struct ledger_entry entries[BATCH];
+    uint32_t count;       /* Of these, not yet written. */
+    uint32_t first, last; /* Ids to ask for. */
+    uint32_t newest_id;   /* The newest that is known to have been. */
+    bool has_from;        /* The damaged file has a list, ... */
+    bool knows_last;      /* ... and `last` is its end. */
+    struct ledger_salvaged done;
+};
+
+/* ---- Kin ------------------------------------------------------------------------------------ */
+
+static enum ledger_kin kin_of(const struct ledger_entry *one, const struct ledger_entry *other)
+{
+    return one->boot == other->boot && one->tick == other->tick && one->kind == other->kind &&
+                   one->day == other->day && one->minute == other->minute
+               ? LEDGER_KIN_SAME
+               : LEDGER_KIN_OTHER;
+}
+
+static enum ledger_kin find_kin(struct ledger_file *file, uint32_t last_id,
+                                const struct ledger_tail *tail, struct ledger_file *other)
+{
+    struct ledger_entry ours, theirs;
+    for (uint32_t i = 0; i < LEDGER_TAIL_SLOTS && i < last_id; i++) {
+        const uint32_t id = last_id - i;
+        const bool has = tail ? ledger_tail_entry(tail, id, &theirs)
+                              : ledger_file_entry(other, id, &theirs) == SQLITE_OK;
+        if (has && ledger_file_entry(file, id, &ours) == SQLITE_OK) {
+            return kin_of(&ours, &theirs);
+        }
+    }
+    return LEDGER_KIN_UNKNOWN;
+}
+
+enum ledger_kin ledger_kin_of_tail(struct ledger_file *file, uint32_t last_id,
+                                   const struct ledger_tail *tail)
+{
+    return find_kin(file, last_id, tail, NULL);
+}
+
+enum ledger_kin ledger_kin_of_file(struct ledger_file *file, uint32_t last_id,
+                                   struct ledger_file *other)
+{
+    return find_kin(file, last_id, NULL, other);
+}
+
+/* Where they have no entry in common, it must at least come later. */
+static bool comes_later(const struct ledger_content *content, const struct ledger_tail *tail)
+{
+    struct ledger_entry newest;
+    return !ledger_tail_entry(tail, ledger_tail_last_id(tail), &newest) ||
+           newest.boot > content->memory.ledger.boots ||
+           (newest.boot == content->memory.ledger.boots && newest.tick >= content->tick);
+}
+
+static bool has_others_tail(struct salvage *salvage)
+{
+    const struct ledger_content *content = &salvage->to->content;
+    const uint32_t last_id = content->memory.ledger.last_id;
+    enum ledger_kin kin = LEDGER_KIN_UNKNOWN;
+    if (salvage->has_from) {
+        kin = ledger_kin_of_tail(&salvage->from, salvage->knows_last ? salvage->last : last_id,
+                                 salvage->tail);
+    }
+    if (kin == LEDGER_KIN_UNKNOWN && salvage->to->db) {
+        kin = ledger_kin_of_tail(salvage->to, last_id, salvage->tail);
+    }
+    return kin == LEDGER_KIN_OTHER ||
+           (kin == LEDGER_KIN_UNKNOWN && !comes_later(content, salvage->tail));
+}
+
+/* ---- From where to where --------------------------------------------------------------------- */
+
+static bool reads_well(struct salvage *salvage, int64_t id)
+{
+    struct ledger_entry entry;
+    return id > 0 && id <= UINT32_MAX &&
+           ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
+}
+
+/* What the damaged file says about its ends is believed as far as it can be true. */
+static void find_ends(struct salvage *salvage)
+{
+    int64_t min = 0, max = 0;
+    sqlite3 *db = salvage->from.db;
+    const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
+                         reads_well(salvage, min);
+    const bool has_max = sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK;
+    if (has_min && min > salvage->first) {
+        salvage->first = (uint32_t)min;
+    }
+    if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && reads_well(salvage, max)) {
+        salvage->first = (uint32_t)max - SALVAGE_MAX;
+    }
+    salvage->knows_last = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;
+    salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
+}
+
+/* The tail goes on where the file ends, or is all that there is. It is written before the kiosk is
+ * told, so that one that reaches as far as the backup names the newest entry that there was; one
+ * that does not was not written to the end. */
+static void reach_to_tail(struct salvage *salvage)
+{
+    const uint32_t last_id = ledger_tail_last_id(salvage->tail);
+    const bool is_empty = salvage->knows_last && salvage->last < salvage->first;
+    const bool is_newest = last_id > 0 && last_id >= salvage->to->content.memory.ledger.last_id;
+    salvage->done.is_open_ended = !is_newest && (is_empty || !salvage->knows_last);
+    if (salvage->knows_last && last_id > salvage->last) {
+        const uint32_t span = is_empty ? LEDGER_TAIL_SLOTS : SALVAGE_MAX;
+        salvage->last = last_id;
+        if (last_id >= span && salvage->first < last_id - span + 1u) {
+            salvage->first = last_id - span + 1u;
+        }
+    }
+    salvage->newest_id = salvage->knows_last ? salvage->last : last_id;
+}
+
+/* ---- Entries -------------------------------------------------------------------------------- */
+
+static bool read_either(struct salvage *salvage, uint32_t id, struct ledger_entry *out)
+{
+    return (salvage->has_from && ledger_file_entry(&salvage->from, id, out) == SQLITE_OK) ||
+           ledger_tail_entry(salvage->tail, id, out);
+}
+
+static int write_salvaged(struct salvage *salvage)
+{
+    struct ledger_file *to = salvage->to;
+    int code = SQLITE_OK;
+    if (to->refusal) {
+        for (uint32_t i = 0; i < salvage->count; i++) {
+            ledger_sums_note(&to->content, &salvage->entries[i]);
+        }
+    } else if (salvage->count > 0) {
+        code = ledger_file_write(to, salvage->entries, salvage->count);
+    }
+    salvage->done.entries += code == SQLITE_OK ? salvage->count : 0u;
+    salvage->count = 0;
+    return code;
+}
+
+static int salvage_entries(struct salvage *salvage)
+{
+    int code = SQLITE_OK;
+    for (uint32_t id = salvage->first; code == SQLITE_OK && id <= salvage->last; id++) {
+        if (read_either(salvage, id, &salvage->entries[salvage->count]) &&
+            ++salvage->count == BATCH) {
+            code = write_salvaged(salvage);
+        }
+    }
+    return code == SQLITE_OK ? write_salvaged(salvage) : code;
+}
+
+static void open_from(struct salvage *salvage, const char *path)
+{
+    static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'";
+    int64_t has_entries = 0;
+    const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX;
+    salvage->has_from = path &&
+                        sqlite3_open_v2(path, &salvage->from.db, flags, NULL) == SQLITE_OK &&
+                        sql_number(salvage->from.db, any, &has_entries) == SQLITE_OK &&
+                        has_entries;
+}
+
+int ledger_salvage(const char *path, const struct ledger_tail *tail, struct ledger_file *to,
+                   struct ledger_salvaged *out)
+{
+    static const struct ledger_tail none;
+    const uint32_t before_id = to->content.memory.ledger.last_id;
+    struct salvage salvage = { .from = { .refusal = SQLITE_READONLY }, .to = to, .tail = tail,
+                               .first = before_id + 1u, .last = before_id, .knows_last = true };
+    open_from(&salvage, path);
+    if (salvage.has_from) {
+        find_ends(&salvage);
+    }
+    if (has_others_tail(&salvage)) {
+        salvage.done.has_others_tail = true;
+        salvage.tail = &none;
+    }
+    reach_to_tail(&salvage);
+    const int code = salvage_entries(&salvage);
+    const uint32_t last_id = to->content.memory.ledger.last_id;
+    const uint32_t newest_id = salvage.newest_id > last_id ? salvage.newest_id : last_id;
+    salvage.done.lost = newest_id - before_id - salvage.done.entries;
+    ledger_file_close(&salvage.from);
+    *out = salvage.done;
+    return code;
+}
