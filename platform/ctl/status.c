@@ -7,6 +7,7 @@
 
 #include "platform/ctl/ctl.h"
 #include "platform/kiosk/status.h"
+#include "platform/plain_file.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE
 #define STALE_MS 10000 /* As long as its service lets a stall stand still. */
@@ -35,7 +36,7 @@ static enum exit_code read_words(struct request *request, int argc, const char *
 
 static enum exit_code read_file(const char *path, char text[STATUS_TEXT_MAX])
 {
-    FILE *file = fopen(path, "re");
+    FILE *file = plain_file_open(path);
     const size_t size = file ? fread(text, 1, STATUS_TEXT_MAX - 1u, file) : 0;
     const int error = !file || ferror(file) ? errno : 0;
     text[size] = '\0';

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "platform/kiosk/option_table.h"
+#include "platform/plain_file.h"
 #include "platform/setting_text.h"
 
 #define WHY_MAX 320u
@@ -254,7 +255,7 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
 {
     struct reading reading = { .options = options, .section = "" };
     struct warnings warnings = { .path = path, .warn = warn };
-    FILE *file = fopen(path, "re");
+    FILE *file = plain_file_open(path);
     if (!file) {
         return -errno;
     }
@@ -262,7 +263,7 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
     options->is_file = 1;
     read_lines(&reading, file, &warnings);
     options->is_file = 0;
-    const int error = ferror(file) ? (errno ? -errno : -EIO) : 0; /* A folder. */
+    const int error = ferror(file) ? (errno ? -errno : -EIO) : 0;
     fclose(file);
     return error;
 }

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -185,6 +186,22 @@ static void test_windows_editors_are_welcome(void **state)
     assert_int_equal(asked(SET_PRICE), 4);
 }
 
+/* Nobody writes into that pipe; whoever waited for it would wait for ever. */
+static void test_what_is_no_file_is_refused_at_once(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/kingyo-conf-XXXXXX", pipe_path[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(pipe_path, sizeof pipe_path, "%s/pipe", folder);
+    assert_int_equal(mkfifo(pipe_path, 0600), 0);
+    alarm(10);
+    assert_int_equal(options_read_config(&options, pipe_path, keep_warning), -ENOTSUP);
+    alarm(0);
+    assert_int_equal(options_read_config(&options, folder, keep_warning), -EISDIR);
+    unlink(pipe_path);
+    rmdir(folder);
+}
+
 static void test_a_line_too_long_for_any_key_is_one_warning(void **state)
 {
     static char text[3u * CONFIG_LINE_MAX];
@@ -335,6 +352,7 @@ int main(void)
         cmocka_unit_test(test_every_value_beyond_its_range_is_told_with_it),
         cmocka_unit_test(test_calibration_is_the_menus_alone),
         cmocka_unit_test(test_windows_editors_are_welcome),
+        cmocka_unit_test(test_what_is_no_file_is_refused_at_once),
         cmocka_unit_test(test_a_line_too_long_for_any_key_is_one_warning),
         cmocka_unit_test(test_noise_sets_nothing_that_may_not_be),
         cmocka_unit_test(test_the_example_says_what_holds_without_it),
