@@ -1,4 +1,4 @@
-/* plain_file.h -- opens what is read to its end: a file, nothing that keeps its reader waiting.
+/* plain_file.h -- opens what is read to its end: no pipe, which keeps its reader waiting. */
 #ifndef KINGYO_PLATFORM_PLAIN_FILE_H
 #define KINGYO_PLATFORM_PLAIN_FILE_H
 
