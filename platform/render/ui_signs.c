@@ -76,7 +76,7 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory)
 {
     if (scene->hint == HINT_NONE || scene->hint >= HINT_COUNT ||
-        (scene->hint == HINT_COIN && ui_refuses_coins(scene))) {
+        (scene->hint == HINT_COIN && scene->credit.warnings != 0)) {
         return;
     }
     const float u = frame->unit, age_s = (float)(scene->tick - memory->hint_tick) * CORE_TICK_S;

@@ -260,6 +260,28 @@ static void test_while_coins_come_back_none_is_asked_for(void **state)
     }
 }
 
+/* Without a poi the slot is shut as well: a result's foot does not ask for what comes back. */
+static void test_without_a_poi_no_hint_calls_for_a_coin(void **state)
+{
+    static const uint8_t with[] = { 0, WARN_STORE, WARN_DOOR, WARN_TILT };
+    (void)state;
+    for (uint32_t k = 0; k < sizeof with; k++) {
+        uint32_t letters[2];
+        for (uint32_t asks = 0; asks < 2u; asks++) {
+            set_scene(PHASE_RESULT, LANGUAGE_EN, asks ? HINT_COIN : HINT_NONE, 6.0f);
+            scene.credit.price = 1;
+            scene.credit.unpaid = 1;
+            scene.credit.asked_s = 1e6f;
+            scene.credit.warnings = (uint8_t)(WARN_NO_POI | with[k]);
+            lay_out(sizes[0]);
+            scene.tick += CORE_TICK_HZ; /* A new hint fades in. */
+            lay_out(sizes[0]);
+            letters[asks] = glyph_quads();
+        }
+        assert_int_equal(letters[1], letters[0]);
+    }
+}
+
 static void test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse(void **state)
 {
     (void)state;
@@ -794,6 +816,7 @@ int main(void)
         cmocka_unit_test(test_what_is_paid_and_what_is_wrong_fits_in_every_phase),
         cmocka_unit_test(test_a_round_that_was_given_back_is_told_without_a_count),
         cmocka_unit_test(test_while_coins_come_back_none_is_asked_for),
+        cmocka_unit_test(test_without_a_poi_no_hint_calls_for_a_coin),
         cmocka_unit_test(test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse),
         cmocka_unit_test(
             test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole),
