@@ -78,7 +78,7 @@ static void tell_reports(const struct kiosk *kiosk)
 }
 
 /* Closes the store before the figures are told: what it could not keep is one of them. EXIT_IO when
- * rounds are lost. */
+ * coins, rounds or graphs are lost. */
 static enum exit_code tell_end(struct session *session, enum kiosk_end end)
 {
     struct kiosk *kiosk = &session->kiosk;
@@ -97,7 +97,7 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     tell_reports(kiosk);
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
-        say(SAY_ERROR, "%u rounds or graphs could not be written (%s)", lost,
+        say(SAY_ERROR, "%u entries or graphs could not be written (%s)", lost,
             storage->ops->describe(storage->self));
     }
     return lost > 0 ? EXIT_IO : EXIT_OK;
@@ -247,10 +247,7 @@ static enum kiosk_end run(struct session *session)
 
 enum exit_code play_run(struct session *session)
 {
-    enum exit_code code = EXIT_OK;
-    if (code == EXIT_OK) {
-        code = begin(session);
-    }
+    enum exit_code code = begin(session);
     if (code != EXIT_OK) {
         board_close(&session->hal);
         return code;
