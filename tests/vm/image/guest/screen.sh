@@ -32,4 +32,5 @@ ticks=$(read_count ticks)
 await 60 reads ticks -gt $((ticks + 60))
 [ $? -eq 0 ] && [ $back -eq 0 ] && [ "$(asked MainPID)" = "$pid" ]
 found $? screen-in "its picture again $took ms after the plug, and no other process"
+await 90 reads phase -eq 0 # The last round's result lies over the tank until it is attract again.
 shot again
