@@ -53,16 +53,19 @@ keeps() { # FILE PATTERN: a backup to FILE is refused, and FILE is as it was.
 last_id() { # FILE
     sqlite3 "$1" 'select max(id) from entries'
 }
-# The stall has gone on to entry 10 since the copy, and its backup too.
+# The stall has gone on to entry 10 since the copy, and its backup and its second list too: left there, either would
+# make of the copy a file that lost something, and the next start would undo it all.
 goes_back() {
     mkdir "$work/back" && cp $old/version-4.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
         chmod 640 "$work/back/kingyo.db" &&
         sqlite3 "$work/back/kingyo.db" 'update entries set id = 10 where id = 9' &&
-        cp "$work/back/kingyo.db" "$work/back/kingyo.db.backup" && echo log >"$work/back/kingyo.db-wal" || return 1
+        cp "$work/back/kingyo.db" "$work/back/kingyo.db.backup" && echo log >"$work/back/kingyo.db-wal" &&
+        echo newest >"$work/back/kingyo.db.tail" || return 1
     ends 0 'before-1' backup --restore "$work/copy-9.db" --data "$work/back" || return 1
     ls "$work/back"
     [ "$(last_id "$work/back/kingyo.db")" = 9 ] && [ "$(stat -c %a "$work/back/kingyo.db")" = 640 ] &&
         [ "$(cat "$work/back/kingyo.db.before-1-wal")" = log ] && rm "$work/back/kingyo.db.before-1-wal" &&
+        [ "$(cat "$work/back/kingyo.db.before-1.tail")" = newest ] && rm "$work/back/kingyo.db.before-1.tail" &&
         [ "$(last_id "$work/back/kingyo.db.before-1")" = 10 ] &&
         [ "$(last_id "$work/back/kingyo.db.before-1.backup")" = 10 ] &&
         [ "$(cd "$work/back" && echo *)" = 'kingyo.db kingyo.db.before-1 kingyo.db.before-1.backup' ]
