@@ -153,7 +153,9 @@ static int close_stall(void **state)
     rig.hal.display.ops->close(rig.hal.display.self);
     recorder_end(&rig.recorder);
     static const char *const files[] = { "play.kgr", STORAGE_FILE, STORAGE_FILE "-wal",
-                                         STORAGE_FILE "-shm", STORAGE_FILE ".backup" };
+                                         STORAGE_FILE "-shm",
+                                         STORAGE_FILE STORAGE_BACKUP_SUFFIX,
+                                         STORAGE_FILE STORAGE_TAIL_SUFFIX };
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         snprintf(path, sizeof path, "%s/%s", rig.folder, files[i]);
         unlink(path);
