@@ -257,10 +257,10 @@ void menu_hours(const struct menu_view *view)
     const int upright = view->menu->upright;
     const struct ui_box hours =
         sheet(view, upright ? (struct overlay_box){ 27.0f, 200.0f, 800.0f, 490.0f }
-                            : (struct overlay_box){ 40.0f, 124.0f, 780.0f, 424.0f });
+                            : (struct overlay_box){ 40.0f, 124.0f, 720.0f, 424.0f });
     const struct ui_box days =
         sheet(view, upright ? (struct overlay_box){ 27.0f, 710.0f, 800.0f, 440.0f }
-                            : (struct overlay_box){ 840.0f, 124.0f, 400.0f, 424.0f });
+                            : (struct overlay_box){ 780.0f, 124.0f, 460.0f, 424.0f });
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     bars(view, hours, TEXT_AUD_BY_HOUR, AUDIT_HOUR, 24, name_hour);
     bars(view, days, TEXT_AUD_BY_WEEKDAY, AUDIT_WEEKDAY, 7, name_day);

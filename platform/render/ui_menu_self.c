@@ -1,5 +1,7 @@
 /* ui_menu_self.c -- ready for opening: a row for each thing that is tried, what it says or what to
  * do about it, and one plain line at the end. */
+#include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,6 +12,7 @@
 #define BAD_PAINT 0xb3261effu
 #define ASK_PAINT 0xa85a12ffu
 #define ROW_LINES 2u
+#define ROW_FILL 0.88f /* Of a line's height are letters. */
 
 struct places {
     uint32_t columns, rows; /* Filled from above, column by column. */
@@ -220,21 +223,27 @@ static size_t sentence_end(const struct ui_text *style, const char *words, float
     return end;
 }
 
-/* In one line where it fits, else in two, of which the last shrinks to what is left. */
+/* In one line where it fits, else in two as small as their height asks, of which the last shrinks to
+ * what is left. */
 static void wrap(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
                  const char *words)
 {
     char line[2u * TEXT_LINE_MAX];
-    const size_t fits = menu_fill_line(style, words, box.width);
-    const size_t end = sentence_end(style, words, box.width);
+    struct ui_text each = *style;
+    const bool is_long = words[menu_fill_line(style, words, box.width)] != '\0';
+    if (is_long) {
+        each.size_px = fminf(style->size_px, ROW_FILL * box.height / (float)ROW_LINES);
+    }
+    const size_t fits = menu_fill_line(&each, words, box.width);
+    const size_t end = is_long ? sentence_end(&each, words, box.width) : 0;
     const size_t first = end > 0 && end < fits ? end : fits;
-    const uint32_t lines = words[fits] ? ROW_LINES : 1u;
+    const uint32_t lines = words[first] ? ROW_LINES : 1u;
     for (uint32_t i = 0; i < lines; i++) {
         const size_t size = i + 1u < lines ? first : strlen(words);
         snprintf(line, sizeof line, "%.*s", (int)size, words);
         menu_words_at(view, box.x,
                       box.y + box.height * ((float)i + 0.5f) / (float)lines, box.width, 0.0f,
-                      style, line);
+                      &each, line);
         words += size;
     }
 }
