@@ -223,8 +223,8 @@ static size_t sentence_end(const struct ui_text *style, const char *words, float
     return end;
 }
 
-/* In one line where it fits, else in two as small as their height asks, of which the last shrinks to
- * what is left. */
+/* In one line where it fits, else in two as small as their height asks, of which the last shrinks
+ * to what is left. */
 static void wrap(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
                  const char *words)
 {

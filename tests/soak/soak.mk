@@ -18,7 +18,7 @@ tests: $(SOAK_BIN)
 
 WEEK_BIN := $(BUILD)/tests/soak/week
 
-## soak-week: a week of a festival, simulated (half an hour; HOURS=n for less): nothing grows in memory, no coin is lost
+## soak-week: a week of a festival, simulated (about an hour; HOURS=n for less): nothing grows in memory, no coin is lost
 soak-week:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(WEEK_BIN)
 	@$(WEEK_BIN) $(or $(HOURS),168)
