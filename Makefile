@@ -33,7 +33,7 @@ CORE_CFLAGS := $(BASE_CFLAGS) -ffreestanding -fno-math-errno -fno-stack-protecto
     -Wno-psabi
 # What the programs around the core are hardened with; the core calls nothing that this could check.
 HARDEN_CFLAGS = $(if $(filter -O0,$(OPT)),,-D_FORTIFY_SOURCE=2) -fstack-protector-strong
-HOST_CFLAGS = $(BASE_CFLAGS) $(HARDEN_CFLAGS) -D_GNU_SOURCE $(LIB_CFLAGS) -DKINGYO_BOARD=\"$(BOARD)\"
+HOST_CFLAGS = $(BASE_CFLAGS) $(HARDEN_CFLAGS) -D_GNU_SOURCE $(LIB_CFLAGS) $(ASSIMP) -DKINGYO_BOARD=\"$(BOARD)\"
 HOST_LIBS = $(LIB_LIBS) -lm -lpthread -Wl,-z,now
 TEST_CFLAGS = $(HOST_CFLAGS)
 
@@ -43,7 +43,19 @@ PACKAGES = sdl2 glesv2 egl sqlite3 libusb-1.0 $(if $(filter-out 0,$(GPIOD)),libg
 # Lines of buttons and coins: libgpiod 1.x or 2.x as the machine has it, or none (0).
 GPIOD = $(eval GPIOD := $$(or $$(firstword $$(subst ., ,$$(shell pkg-config --modversion libgpiod 2>/dev/null))),0))$(GPIOD)
 LIB_CFLAGS = $(eval LIB_CFLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags $(PACKAGES))))$(LIB_CFLAGS)
+# Scenes are read by assimp where its headers are. A macro, because a compiler cache does not notice a
+# header that __has_include finds later.
+ASSIMP = $(eval ASSIMP := $$(shell printf '\043include <assimp/cimport.h>\n' | $$(CC) -E -x c - >/dev/null 2>&1 && echo -DHAS_ASSIMP))$(ASSIMP)
 LIB_LIBS = $(eval LIB_LIBS := $$(shell pkg-config --libs $(PACKAGES)))$(LIB_LIBS)
+
+# What the build finds on this machine. Objects depend on these files, which are rewritten only when
+# their text changes: commands may come in any order, and packages may come and go between them.
+# FOUND has all of it; what links no library (core, kingyo-poi) depends on the compilers and flags.
+FOUND := $(BUILD)/found.txt
+FOUND_TOOLS := $(BUILD)/found-tools.txt
+# Taken here, because a target of its own flags passes them to what it depends on.
+FOUND_FLAGS := $(CORE_CFLAGS)
+replace_if_other = { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 
 CORE_SRC := $(wildcard core/*.c core/*/*.c)
 PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c platform/species/*.c \
@@ -73,6 +85,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 # What each part adds of its own: board files and set-up, baked assets, tests, figures.
 -include board/board.mk
 -include $(wildcard assets/bake/*.mk)
+-include platform/ctl/tank.mk
 -include tests/tests.mk
 -include tests/bench/bench.mk
 -include tests/soak/soak.mk
@@ -80,7 +93,8 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/thesis/thesis.mk
 -include tests/paper/paper.mk
 -include tests/fuzz/fuzz.mk
--include tests/vm/vm.mk tests/fuzz/devices.mk tests/power/power.mk
+-include tests/monkey/monkey.mk
+-include tests/vm/vm.mk tests/fuzz/devices.mk tests/fuzz/files.mk tests/power/power.mk tests/mutants/mutants.mk
 
 ## help: this list
 help:
@@ -99,7 +113,7 @@ $(BUILD)/kingyo: $(BUILD)/platform/kiosk/main.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-$(BUILD)/kingyoctl: $(BUILD)/platform/ctl/main.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+$(BUILD)/kingyoctl: $(BUILD)/platform/ctl/main.o $(BUILD)/many/tank.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
@@ -111,17 +125,32 @@ $(BUILD)/%.a:
 	@rm -f $@
 	$(Q)ar rcs $@ $^
 
-$(BUILD)/core/%.o: core/%.c | generated
+$(FOUND_TOOLS): always
+	@mkdir -p $(@D)
+	@{ echo 'compiler $(CC)'; $(CC) --version | head -1; echo 'flags $(FOUND_FLAGS)'; } >$@.new
+	@$(replace_if_other)
+
+$(FOUND): $(FOUND_TOOLS) always
+	@{ cat $(FOUND_TOOLS); \
+	    echo 'libraries $(LIB_CFLAGS) $(LIB_LIBS)'; \
+	    for name in $(PACKAGES); do echo "$$name $$(pkg-config --modversion $$name 2>/dev/null)"; done; \
+	    echo 'libgpiod major version $(GPIOD)'; \
+	    echo 'assimp $(or $(ASSIMP),no)'; echo 'board $(BOARD)'; } >$@.new
+	@$(replace_if_other)
+
+always:
+
+$(BUILD)/core/%.o: core/%.c $(FOUND_TOOLS) | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-$(BUILD)/core/%_8.o: core/%.c | generated
+$(BUILD)/core/%_8.o: core/%.c $(FOUND_TOOLS) | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$< (8 lanes))
 	$(Q)$(CC) $(CORE_CFLAGS) $(WIDE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-$(BUILD)/%.o: %.c | generated
+$(BUILD)/%.o: %.c $(FOUND) | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(HOST_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
@@ -135,4 +164,4 @@ clean:
 
 -include $(shell [ -d $(BUILD) ] && find $(BUILD) \( -path $(BUILD)/vm -o -path $(BUILD)/image \) -prune -o -type f -name '*.d' -print)
 
-.PHONY: help build clang generated clean
+.PHONY: help build clang generated clean always

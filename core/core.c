@@ -1,11 +1,13 @@
 /* core.c -- the order of a tick, written down in one place. */
 #include "core/core.h"
 
+#include "core/base/float_env.h"
 #include "core/base/hash.h"
 #include "core/base/lanes.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/game/hand.h"
+#include "core/game/ledger_range.h"
 #include "core/game/let_go.h"
 #include "core/game/rest.h"
 #include "core/poi/afloat.h"
@@ -15,6 +17,16 @@
 #include "core/poi/rings.h"
 #include "core/poi/wake.h"
 #include "core/poi/yield.h"
+
+/* The budgets of the kiosk: the tank takes 1 MiB at most; game, pois and bowls a sixteenth of that,
+ * and the growth lab half as much: eight makers' species with all their curves (19 KiB), and a
+ * graph for each of 15, as it was at start and as it is (8 KiB each). The smallest board keeps so
+ * much for them, and as much again for the scene. `kingyoctl tank` allocates a larger tank of its
+ * own (platform/ctl/tank.mk). */
+_Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
+_Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
+_Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
+_Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its budget");
 
 #define FAN_REACH_M 1.0f
 
@@ -40,14 +52,19 @@ enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
         config->fish_count > tank_preset_fish_max(tank_preset(config->preset), 1.0f) ||
-        config->language >= LANGUAGE_COUNT || !lanes_built(config->lanes) ||
+        config->language >= LANGUAGE_COUNT ||
+        config->chapter.language.chosen >= LANGUAGE_COUNT || !lanes_built(config->lanes) ||
         (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600)) ||
         config->modes >= 1u << CHOICE_COUNT || config->players > POI_MAX ||
         (config->grade != 0 &&
          (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX)) ||
         config->credit_coins > CREDIT_COINS_MAX || config->ticket_fish > CREDIT_TICKET_FISH_MAX ||
-        !lab_book_is_good(&config->book)) {
+        !lab_book_is_good(&config->book) || !ledger_memory_is_good(&config->memory) ||
+        !ledger_chapter_is_good(&config->chapter)) {
         return CORE_ERR_RANGE;
+    }
+    if (!float_env_is_standard()) {
+        return CORE_ERR_FLOAT;
     }
     memset(core, 0, sizeof *core);
     core->config = *config;
@@ -223,8 +240,11 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
     }
 }
 
-void core_tick(struct core *core, const struct input *input, struct output *output)
+enum core_error core_tick(struct core *core, const struct input *input, struct output *output)
 {
+    if (core->tick % CORE_TICK_HZ == 0 && !float_env_is_standard()) {
+        return CORE_ERR_FLOAT;
+    }
     struct poi_target targets[POI_MAX];
     uint8_t live[POI_MAX];
     struct catch_result caught[POI_MAX] = { 0 };
@@ -241,6 +261,7 @@ void core_tick(struct core *core, const struct input *input, struct output *outp
         chapter_turn(core);
         open_stall(core);
     }
+    return CORE_OK;
 }
 
 int core_is_fresh(const struct core *core)
@@ -274,10 +295,8 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     hash = ledger_start_hash(hash, &config->memory.ledger);
     hash = audits_hash(hash, &config->memory.audits);
     hash = ranking_hash(hash, &config->memory.ranking);
-    for (uint32_t i = 0; i < SETTING_COUNT; i++) {
-        hash = hash_u32(hash, (uint32_t)config->memory.settings.value[i]);
-    }
-    hash = chapter_hash(hash, &config->chapter);
+    hash = settings_hash(hash, &config->memory.settings, config->rules_7);
+    hash = chapter_hash(hash, &config->chapter, config->rules_7);
     return lab_book_hash(hash, &config->book);
 }
 
@@ -286,7 +305,7 @@ uint64_t core_hash(const struct core *core)
     uint64_t hash = config_hash(core_hash_quick(core), &core->config);
     hash = audits_hash(hash, &core->game.audits);
     hash = ranking_hash(hash, &core->game.ranking);
-    hash = adjust_hash(hash, &core->game.adjust);
+    hash = adjust_hash(hash, &core->game.adjust, core->config.rules_7);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = poi_hash(hash, &core->poi[i]);
         hash = bowl_hash(hash, &core->bowl[i]);

@@ -24,6 +24,8 @@
 enum core_error {
     CORE_OK = 0,
     CORE_ERR_RANGE = -1, /* A config field lies outside its documented range. */
+    CORE_ERR_FLOAT = -2, /* The calling thread flushes denormal numbers to zero or does not round
+                            to nearest (core/base/float_env.h): every result would be wrong. */
 };
 
 struct core_config {
@@ -40,6 +42,8 @@ struct core_config {
     uint8_t credit_coins; /* Units that a round costs, .. CREDIT_COINS_MAX; 0: free play. */
     uint8_t ticket_fish; /* Fish that a player has a ticket for, .. CREDIT_TICKET_FISH_MAX; 0: there
                             are none. */
+    uint8_t rules_7;     /* 1: a recording of format 7, which keeps the rules of its time
+                            (replay_start_decode()); hashes leave it out, as that time did. */
     uint8_t lanes;       /* 4 or, on x86-64 with AVX2, 8 floats at once; 0: 4. Changes no result, so
                             neither hashes nor recordings know of it. */
     struct memory memory; /* What outlived the last power cut; its settings overrule nothing here:
@@ -57,20 +61,13 @@ struct core {
     struct tank tank;
 };
 
-/* The tank takes 1 MiB at most, whatever swims in it; game, pois and bowls a sixteenth of that, and
- * the growth lab half as much: eight makers' species with all their curves (19 KiB), and a graph
- * for each of 15, as it was at start and as it is (8 KiB each). The smallest board keeps so much
- * for them, and as much again for the scene. */
-_Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
-_Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
-_Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
-_Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its budget");
-
 /* Fills `core` with a fresh stall in attract mode. On an error it is untouched. */
 enum core_error core_init(struct core *core, const struct core_config *config);
 
-/* Advances one tick, in this order and no other: game -> poi -> water -> fish -> catch -> score. */
-void core_tick(struct core *core, const struct input *input, struct output *output);
+/* Advances one tick, in this order and no other: game -> poi -> water -> fish -> catch -> score.
+ * Returns CORE_OK, or CORE_ERR_FLOAT: then `core` and `output` are unchanged. The first tick of
+ * each second checks the thread's floating point; the caller sets it up (platform/cpu.h). */
+enum core_error core_tick(struct core *core, const struct input *input, struct output *output);
 
 /* Whether a chapter begins here: core_init() of `core->config` makes this very state. */
 int core_is_fresh(const struct core *core);

@@ -120,6 +120,9 @@ struct input {
     uint16_t minute;          /* Of that day, 0 .. 1439. */
     uint32_t dropped_ticks;   /* Since the start; */
     uint32_t device_faults;   /* likewise. */
+    uint32_t tickets_done;    /* Pulses of the ticket dispenser that have ended, since the start.
+                                 Each is one of output.tickets; a cabinet without a dispenser ends
+                                 them at once. */
     uint32_t edit_saved_id;   /* The same of output.edit. */
     uint8_t edit_refused;     /* 1: the store keeps no edit, or its last try to failed. */
     uint8_t upright;          /* The screen stands: narrower than OVERLAY_UPRIGHT_ASPECT. */

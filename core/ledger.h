@@ -19,6 +19,11 @@
 #define LEDGER_SPARE 4u /* Of them only for rounds that begin and end: what was begun can end. */
 #define LEDGER_NAME_SIZE 32u /* Ten kana of three bytes each, and a zero. */
 
+/* Ids and starts end here, so that neither wraps: at an entry a second a kiosk would need 126
+ * years. A record beyond is damage, and the core writes none. */
+#define LEDGER_ID_MAX 4000000000u
+#define LEDGER_BOOTS_MAX LEDGER_ID_MAX
+
 enum ledger_kind {
     LEDGER_NOTHING = 0,
     LEDGER_BOOT,      /* The kiosk began; `count`: its boots so far; `value`: units of coins that
@@ -27,7 +32,8 @@ enum ledger_kind {
     LEDGER_SERVICE,   /* A credit that nobody paid for. */
     LEDGER_BEGIN,     /* A round began, for what purse.open says; `detail`: its mode, or CHOICE_LAB;
                          `count`: the grade of its paper, of the lab 0. */
-    LEDGER_ROUND,     /* It is over: `round`; `value`: the tickets that it won. */
+    LEDGER_ROUND,     /* It is over: `round`; `value`: the tickets that it won; `detail`:
+                         ROUND_CUT_OFF where a power cut ended it, else 0. */
     LEDGER_REFUND,    /* It will never be: `count` credits came back, 0 of a free one; `detail`:
                          enum refund_cause; `value`: enum purse_open, as it was. */
     LEDGER_EXPIRED,   /* `count` credits lapsed, and the units towards the next. */
@@ -38,11 +44,15 @@ enum ledger_kind {
     LEDGER_HEALTH,    /* What the machine went through since the last of its kind: `health`;
                          `count`: shakes; `value`: seconds that it was up. */
     LEDGER_FACTORY,   /* Settings, purse and calibration as on the first day; `count` credits were
-                         in the purse. */
+                         in the purse, and `value` tickets were owed. */
     LEDGER_CREDITS,   /* Units became `count` credits, `value` of them the bonus. */
     LEDGER_LEFT,      /* What had begun is over and there is nothing to tell of it: the growth lab,
                          or a round that nobody came to. */
     LEDGER_PIN,       /* Somebody typed one: `detail` 1, the right one after others; 0, another. */
+    LEDGER_STAND,     /* How an open round stands whose credit cannot come back any more
+                         (core/game/stand.c packs `detail`, `count` and `value`). */
+    LEDGER_LOSS,      /* The controller of seat `detail` was lost in a round again. */
+    LEDGER_TICKET,    /* `count` tickets, always 1, left the purse for the dispenser. */
     LEDGER_KIND_COUNT,
 };
 
@@ -54,12 +64,17 @@ enum refund_cause {
     REFUND_CAUSE_COUNT,
 };
 
+#define ROUND_CUT_OFF 1u
+
 /* What the round that is open was paid with. */
 enum purse_open {
     OPEN_NONE = 0,
     OPEN_FREE,
     OPEN_PAID,    /* One of purse.paid. */
     OPEN_SERVICE, /* One of purse.service. */
+    OPEN_KIND = 3, /* Mask of the values above. */
+    OPEN_SPENT = 4, /* Flag: the credit cannot come back. Two thirds of the round were played, or
+                       the credit came back from an earlier round. */
 };
 
 struct purse {
@@ -69,8 +84,12 @@ struct purse {
     uint32_t service;     /* and those that SERVICE gave. */
     uint32_t untold;      /* Units that fell while the ring was full. */
     uint8_t open;         /* enum purse_open */
+    uint8_t returned;     /* OPEN_PAID or OPEN_SERVICE: one credit of that kind came back and is
+                             played next, without a second refund. OPEN_NONE: no credit did. */
+    uint16_t tickets;     /* Owed and not yet given to the dispenser, .. PURSE_TICKETS_MAX. */
 };
 
+#define PURSE_TICKETS_MAX 60000u /* Fits its 16 bits; tickets beyond this are not owed. */
 #define PURSE_MAX 1000000u /* Each of its counts stops there: no box holds so many coins. */
 
 /* What the machine went through since the entry of its kind before. */
@@ -123,11 +142,19 @@ struct ledger_entry {
     char name[LEDGER_NAME_SIZE]; /* UTF-8, zero-filled. */
 };
 
+/* The fields of the newest LEDGER_STAND of an open round. Zero: there is none. */
+struct ledger_stand {
+    uint32_t count;
+    int32_t value;
+    uint8_t detail;
+};
+
 /* What the store remembers when the kiosk starts. Zero: nothing was ever kept. */
 struct ledger_start {
     uint32_t last_id; /* The newest entry's. */
     uint32_t boots;   /* Starts so far, this one among them; 0: there is no store. */
     struct purse purse;
+    struct ledger_stand stand; /* Of the open round, if purse.open has OPEN_SPENT. */
 };
 
 #endif

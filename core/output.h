@@ -80,7 +80,8 @@ struct output {
     uint8_t start_lamp;     /* Level. */
     uint8_t coin_lockout;   /* Level: coins fall through to the return. */
     uint32_t coins_counted; /* Since the start: the meter in the cabinet gets a pulse for each. */
-    uint32_t tickets;       /* Since the start: the dispenser gets a pulse for each. */
+    uint32_t tickets;       /* Since the start: the dispenser gets a pulse for each. The next is
+                               asked for once input.tickets_done has reached this number. */
     uint32_t order_count;   /* Since the start; order n, from 0, lies at n % DESK_ORDER_MAX. */
     struct desk_order orders[DESK_ORDER_MAX];
     uint32_t entry_id;      /* The newest entry's; entry n lies at n % LEDGER_RING. */

@@ -76,6 +76,8 @@ struct scene {
 
     struct scene_credit credit;
     uint8_t asks_menu;       /* TEST was pressed in a round: once more, and it ends. */
+    uint8_t asks_quit; /* The quit key was pressed at a desk: once more, and the kiosk ends. The
+                          shell fills it in. */
     struct scene_menu menu;
     struct scene_devices devices;
     struct scene_lab lab;

@@ -34,6 +34,9 @@ struct scene_machine {
     uint32_t room_mib;      /* Free in the data folder, for us. */
     int32_t heat_margin_c;  /* To the heat at which it slows down; where it has a sensor. */
     uint32_t aside;         /* Databases that were set aside, and not acknowledged. */
+    uint32_t panics;        /* Programs that ended by a panic, since they are counted. */
+    uint8_t left_out;       /* What was left out because of them since the machine was switched on:
+                               0 nothing, 1 settings, 2 replays too, 3 names too. */
     uint32_t missed;        /* Ranked rounds since the start whose replay could not be kept. */
 };
 

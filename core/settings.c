@@ -1,8 +1,10 @@
 /* settings.c -- the table, and how the core is told. */
 #include "core/settings.h"
 
+#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/core.h"
+#include "core/pin.h"
 
 #define MICRO 10000000 /* 10 m, or ten times a whole: calibration counts in millionths. */
 
@@ -65,6 +67,9 @@ static int is_grade(int32_t value)
 int setting_allows(uint32_t id, int32_t value)
 {
     const struct setting *setting = setting_of(id);
+    if (id == SET_PIN && value < 0) {
+        return 1;
+    }
     return value >= setting->min && value <= setting->max &&
            (value - setting->min) % setting->step == 0 && (id != SET_GRADE || is_grade(value));
 }
@@ -95,6 +100,21 @@ void settings_mend(struct settings *settings)
             settings->value[id] = table[id].standard;
         }
     }
+}
+
+uint64_t settings_hash(uint64_t hash, const struct settings *settings, int rules_7)
+{
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const int counts = id != SET_PIN || rules_7;
+        hash = hash_u32(hash, counts ? (uint32_t)settings->value[id] : 0u);
+    }
+    return hash;
+}
+
+void settings_hide_pin(struct settings *settings, uint32_t salt)
+{
+    const int32_t kept = settings->value[SET_PIN];
+    settings->value[SET_PIN] = pin_is_plain(kept) ? pin_hide((uint32_t)kept, salt) : kept;
 }
 
 /* A card that was in a greater tank's stall, or a file that was written for one. */

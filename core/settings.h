@@ -44,7 +44,7 @@ enum setting_id {
     SET_NIGHT_FROM_MIN, /* Minute of the day from which the picture is dark ... */
     SET_NIGHT_TO_MIN,   /* ... to which; equal: never. */
     /* The operator's own. */
-    SET_PIN,            /* Four digits; 0: none is asked for. */
+    SET_PIN,            /* As core/pin.h keeps it; 0: none is asked for. */
     /* What is right for one controller's seat: see core/game/calibrate.h. Not shown as numbers. */
     SET_CALIBRATION,
     SET_CALIBRATION_END = SET_CALIBRATION + 9 * (int)POI_MAX,
@@ -92,7 +92,8 @@ struct settings {
 /* `id` < SETTING_COUNT, else it asserts. */
 const struct setting *setting_of(uint32_t id);
 
-/* Whether it may have this value: in range, on a step, and at least one bit of KIND_BITS. */
+/* Whether it may have this value: in range, on a step, and at least one bit of KIND_BITS. A hidden
+ * PIN (core/pin.h) is allowed although it is out of the range, which is that of its digits. */
 int setting_allows(uint32_t id, int32_t value);
 
 /* Every setting at its standard. */
@@ -101,6 +102,12 @@ void settings_reset(struct settings *settings);
 /* Every one that has a value which it may not have, at its standard; and all of them where all are
  * 0, since those were never set: there is no price of 0. */
 void settings_mend(struct settings *settings);
+
+/* The PIN counts as 0 unless `rules_7` (core/core.h): the replay of a score verifies without it. */
+uint64_t settings_hash(uint64_t hash, const struct settings *settings, int rules_7);
+
+/* Hides a PIN that is kept in plain digits (core/pin.h). */
+void settings_hide_pin(struct settings *settings, uint32_t salt);
 
 struct core_config;
 

@@ -112,6 +112,14 @@ static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
+/* What was asked for is read first: the reader adds it to `pending` before it is taken off. */
+static uint32_t buttons_gpio_pending(void *self, enum hal_switch which)
+{
+    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    const uint32_t asked = atomic_load(&reader->pulses[which]);
+    return asked + atomic_load(&reader->pending[which]);
+}
+
 int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
                        const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
 {
@@ -142,6 +150,7 @@ struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio)
     static const struct hal_switches_ops ops = {
         .set = buttons_gpio_set,
         .pulse = buttons_gpio_pulse,
+        .pending = buttons_gpio_pending,
         .describe = buttons_gpio_describe,
     };
     return (struct hal_switches){ .ops = &ops, .self = gpio };

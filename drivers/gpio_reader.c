@@ -161,6 +161,7 @@ static void drive_outputs(struct gpio_reader *reader)
         taken[role - GPIO_INPUT_COUNT] = atomic_load(&reader->pulses[role - GPIO_INPUT_COUNT]);
         pulse_train_add(train, taken[role - GPIO_INPUT_COUNT]);
         drive_output(reader, role);
+        atomic_store(&reader->pending[role - GPIO_INPUT_COUNT], train->left + train->on);
         owed += reader->had & gpio_role_bit(role) ? train->left + train->on : 0u;
     }
     atomic_store(&reader->owed, owed);
@@ -258,11 +259,17 @@ static void *read_lines(void *context)
     return NULL;
 }
 
+/* Signals of a fault in the thread itself. */
+static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+
 /* The thread takes no signals: those that end the kiosk are the main thread's to see. */
 int gpio_reader_start(struct gpio_reader *reader)
 {
     sigset_t all, before;
     sigfillset(&all);
+    for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
+        sigdelset(&all, panics[i]); /* A blocked one would end the process without evidence. */
+    }
     pthread_sigmask(SIG_SETMASK, &all, &before);
     reader->runs = pthread_create(&reader->thread, NULL, read_lines, reader) == 0;
     pthread_sigmask(SIG_SETMASK, &before, NULL);

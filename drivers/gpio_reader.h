@@ -52,7 +52,8 @@ struct gpio_reader {
     _Atomic uint32_t missing;                /* Lines wired and not held, a bit each role. */
     _Atomic uint32_t wanted;                 /* Outputs that are to be active. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT]; /* Asked for since the reader last looked. */
-    _Atomic uint32_t owed;                   /* Pulses that have not ended, of all outputs. */
+    _Atomic uint32_t owed;                   /* Pulses that have not ended, of all held outputs. */
+    _Atomic uint32_t pending[GPIO_OUTPUT_COUNT]; /* Of each output, held or missing. */
     _Atomic int stop;
     pthread_t thread;
     int runs;

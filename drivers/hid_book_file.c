@@ -5,11 +5,24 @@
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+int hid_book_file_open(const char *path)
+{
+    struct stat about;
+    const int fd = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (fd >= 0 && (fstat(fd, &about) != 0 || !S_ISREG(about.st_mode))) {
+        close(fd);
+        errno = ENOTSUP;
+        return -1;
+    }
+    return fd;
+}
 
 int hid_book_file_read(const char *path, char text[HID_BOOK_TEXT_SIZE])
 {
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const int fd = hid_book_file_open(path);
     size_t used = 0;
     ssize_t got = 0;
     if (fd < 0) {
@@ -54,7 +67,8 @@ int hid_book_file_replace(const char *path, const char *text)
 {
     char beside[HID_BOOK_PATH_SIZE + 8u];
     snprintf(beside, sizeof beside, "%s.new", path);
-    const int fd = open(beside, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    unlink(beside); /* What an earlier loss of power, or somebody else, left there. */
+    const int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (fd < 0) {
         return errno;
     }

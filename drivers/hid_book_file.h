@@ -5,6 +5,10 @@
 
 #include "drivers/hid_book.h"
 
+/* Opens a file in the data folder for reading, without blocking. Returns the descriptor, or -1 and
+ * sets errno: ELOOP for a symbolic link, ENOTSUP for anything else that is not a regular file. */
+int hid_book_file_open(const char *path);
+
 /* EFBIG: longer than any file of ours. A pipe that has such a name is not waited for. */
 int hid_book_file_read(const char *path, char text[HID_BOOK_TEXT_SIZE]);
 

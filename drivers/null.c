@@ -161,11 +161,19 @@ static int null_pulse(void *self, enum hal_switch which, uint32_t count)
     return HAL_ERR_NONE;
 }
 
+static uint32_t null_pending(void *self, enum hal_switch which)
+{
+    (void)self;
+    (void)which;
+    return 0;
+}
+
 struct hal_switches null_switches(const char *line)
 {
     static const struct hal_switches_ops ops = {
         .set = null_set,
         .pulse = null_pulse,
+        .pending = null_pending,
         .describe = null_describe,
     };
     return (struct hal_switches){ .ops = &ops, .self = line_self(line) };

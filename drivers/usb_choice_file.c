@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "drivers/hid_book_file.h"
+
 static int read_lines(struct usb_choice *choice, const char *path, FILE *file,
                       char why[HAL_TEXT_SIZE])
 {
@@ -26,10 +28,13 @@ static int read_lines(struct usb_choice *choice, const char *path, FILE *file,
 
 int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
 {
-    FILE *file = path[0] ? fopen(path, "re") : NULL;
+    const int handle = path[0] ? hid_book_file_open(path) : -1;
+    FILE *file = handle >= 0 ? fdopen(handle, "r") : NULL;
     const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
     const int result = file ? read_lines(choice, path, file, why) : error;
-    if (result < 0) {
+    if (result == -ENOTSUP || result == -ELOOP || result == -ENXIO) { /* ENXIO: a socket. */
+        snprintf(why, HAL_TEXT_SIZE, "%.60s: is not a regular file", path);
+    } else if (result < 0) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: cannot read: %.40s", path, strerror(-result));
     }
     if (file) {
@@ -50,17 +55,18 @@ static int write_lines(const struct usb_choice *choice, FILE *file)
     return fclose(file) != 0 && !error ? -errno : error;
 }
 
-/* So that the new name outlives a loss of power, too. */
-static void sync_folder(const char *path)
+/* Makes the new name outlive a loss of power. 0 or a negative errno. */
+static int sync_folder(const char *path)
 {
     char folder[PATH_MAX];
     const char *slash = strrchr(path, '/');
     snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
     const int fd = open(folder[0] ? folder : "/", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int error = fd < 0 || fsync(fd) != 0 ? -errno : 0;
     if (fd >= 0) {
-        fsync(fd);
         close(fd);
     }
+    return error;
 }
 
 int usb_choice_save(const struct usb_choice *choice, const char *path)
@@ -72,7 +78,8 @@ int usb_choice_save(const struct usb_choice *choice, const char *path)
     if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
         return -ENAMETOOLONG;
     }
-    FILE *file = fopen(part, "we");
+    unlink(part); /* What an earlier loss of power, or somebody else, left there. */
+    FILE *file = fopen(part, "wxe");
     int error = file ? write_lines(choice, file) : -errno;
     if (!error && rename(part, path) != 0) {
         error = -errno;
@@ -80,8 +87,5 @@ int usb_choice_save(const struct usb_choice *choice, const char *path)
     if (error && file) {
         unlink(part);
     }
-    if (!error) {
-        sync_folder(path);
-    }
-    return error;
+    return error ? error : sync_folder(path);
 }

@@ -216,11 +216,17 @@ static void init(struct usb_pump *pump)
     pump->rows_changed = 1;
 }
 
+/* Signals of a fault in the thread itself. */
+static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+
 /* Signals are the main thread's. */
 static int start_thread(struct usb_pump *pump)
 {
     sigset_t all, before;
     sigfillset(&all);
+    for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
+        sigdelset(&all, panics[i]); /* A blocked one would end the process without evidence. */
+    }
     pthread_sigmask(SIG_SETMASK, &all, &before);
     const int error = pthread_create(&pump->thread, NULL, run, pump);
     pthread_sigmask(SIG_SETMASK, &before, NULL);

@@ -9,6 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/printable.h"
+
 #define PATH_SIZE 512u
 
 /* At most `size` bytes of a file; how many, or 0 where it cannot be read. */
@@ -30,49 +32,28 @@ static uint32_t read_file(const char *path, void *out, uint32_t size)
     return count;
 }
 
-/* How many bytes of a character of UTF-8 begin at `text`; 0: it is none that we print. */
-static uint32_t character_size(const unsigned char *text)
+/* Removes the last character if the end of the text cut it in two. */
+static void drop_cut_character(char *text, size_t length)
 {
-    const unsigned char c = text[0];
-    const uint32_t size = c < 0x80u                  ? 1u
-                          : c >= 0xc2u && c < 0xe0u ? 2u
-                          : c >= 0xe0u && c < 0xf0u ? 3u
-                          : c >= 0xf0u && c < 0xf5u ? 4u
-                                                     : 0u;
-    if (size == 1u) {
-        return c >= 0x20u && c != 0x7fu;
+    size_t lead = length;
+    while (lead > 0 && length - lead < 3u && ((unsigned char)text[lead - 1u] & 0xc0u) == 0x80u) {
+        lead--;
     }
-    for (uint32_t i = 1; i < size; i++) {
-        if ((text[i] & 0xc0u) != 0x80u) {
-            return 0u;
-        }
+    if (lead > 0 && (unsigned char)text[lead - 1u] >= 0xc2u &&
+        printable_utf8_size(text + lead - 1u) == 0u) {
+        text[lead - 1u] = '\0';
     }
-    if (c == 0xc2u && text[1] < 0xa0u) {
-        return 0u; /* U+0080 .. U+009F: control characters, too. */
-    }
-    return size;
 }
 
 void usb_clean_text(char text[HID_TEXT_SIZE])
 {
-    unsigned char *c = (unsigned char *)text;
     size_t length = strnlen(text, HID_TEXT_SIZE - 1u);
     text[length] = '\0';
     while (length > 0 && (text[length - 1u] == ' ' || text[length - 1u] == '\n')) {
         text[--length] = '\0';
     }
-    while (*c) {
-        const uint32_t size = character_size(c);
-        const size_t left = length - (size_t)(c - (unsigned char *)text);
-        if (size == 0u && *c >= 0xc2u && left < 4u) {
-            *c = '\0'; /* The last one was cut in two. */
-            return;
-        }
-        if (size == 0u) {
-            *c = '?';
-        }
-        c += size ? size : 1u;
-    }
+    drop_cut_character(text, length);
+    printable(text);
 }
 
 void usb_sysfs_text(const char *root, const char *port, const char *name,

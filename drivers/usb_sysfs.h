@@ -22,7 +22,8 @@ uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t config
  * none, or is not on USB. */
 void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE]);
 
-/* In place: text from a device as we keep it, without what could break a line or a terminal. */
+/* Trims the text of a device in place, drops a character that was cut in two at the end, and passes
+ * the rest through printable(). */
 void usb_clean_text(char text[HID_TEXT_SIZE]);
 
 #endif

@@ -36,6 +36,7 @@ struct board_options {
     const char (*line)[BOARD_LINE_SIZE];
     uint8_t keyboard;          /* enum board_keyboard, but AUTO, which the caller decides. */
     uint8_t off_screen;        /* Render without a screen, for pictures. */
+    uint8_t on_demand;         /* Off screen, draw only the frames that become pictures. */
     uint8_t full_screen;
     uint8_t waits_for_screen;  /* One that is not there at the start may come later: the display
                                   answers HAL_ERR_GONE until then. */

@@ -1,5 +1,107 @@
-/* cpu.c -- asked once at the start; the core itself never looks at the machine. */
+/* cpu.c -- the machine's own instructions; the core itself never looks at the machine. This file
+ * includes no header of a C library, so that a test can compile it for machines that it has not. */
 #include "platform/cpu.h"
+
+#if defined(__x86_64__)
+
+/* Intel SDM volume 1, 10.2.3: all exceptions masked, to nearest, neither FZ nor DAZ. The low six
+ * bits are flags that only report. */
+#define CONTROL_STANDARD 0x1f80u
+#define CONTROL_MASK 0xffc0u
+
+static uint32_t control_get(void)
+{
+    return __builtin_ia32_stmxcsr();
+}
+
+static void control_set(uint32_t word)
+{
+    __builtin_ia32_ldmxcsr(word);
+}
+
+#elif defined(__aarch64__)
+
+/* Arm ARM, FPCR: zero is to nearest, no FZ (24), no FZ16 (19), no DN (25), no trap. FPCR has no
+ * flags. */
+#define CONTROL_STANDARD 0u
+#define CONTROL_MASK 0xffffffffu
+
+static uint32_t control_get(void)
+{
+    uint64_t word;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(word));
+    return (uint32_t)word;
+}
+
+static void control_set(uint32_t word)
+{
+    __asm__ volatile("msr fpcr, %0" : : "r"((uint64_t)word));
+}
+
+#elif defined(__arm__) && defined(__ARM_FP)
+
+/* Arm ARM, FPSCR: modes and traps are bits 8 to 12, 15 and 16 to 26; the others are flags that only
+ * report. */
+#define CONTROL_STANDARD 0u
+#define CONTROL_MASK 0x07ff9f00u
+
+static uint32_t control_get(void)
+{
+    uint32_t word;
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(word));
+    return word;
+}
+
+static void control_set(uint32_t word)
+{
+    __asm__ volatile("vmsr fpscr, %0" : : "r"(word));
+}
+
+#elif defined(__riscv) && defined(__riscv_flen)
+
+/* RISC-V unprivileged ISA, fcsr: the rounding mode is bits 5 to 7, zero is to nearest; the low five
+ * bits are flags that only report. There is no flush-to-zero. */
+#define CONTROL_STANDARD 0u
+#define CONTROL_MASK 0xe0u
+
+static uint32_t control_get(void)
+{
+    unsigned long word;
+    __asm__ volatile("frcsr %0" : "=r"(word));
+    return (uint32_t)word;
+}
+
+static void control_set(uint32_t word)
+{
+    __asm__ volatile("fscsr %0" : : "r"((unsigned long)word));
+}
+
+#else
+
+/* No word is known here: the core's check (core/base/float_env.h) is all there is. */
+#define CONTROL_STANDARD 0u
+#define CONTROL_MASK 0u
+
+static uint32_t control_get(void)
+{
+    return 0;
+}
+
+static void control_set(uint32_t word)
+{
+    (void)word;
+}
+
+#endif
+
+int cpu_set_float(void)
+{
+    const int was_other = (control_get() & CONTROL_MASK) != CONTROL_STANDARD;
+    if (was_other) {
+        control_set(CONTROL_STANDARD);
+    }
+    return was_other;
+}
 
 uint8_t cpu_lanes(void)
 {

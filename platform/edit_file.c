@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "platform/folder.h"
+#include "platform/plain_file.h"
 
 #define PATH_SIZE 1200u
 
@@ -56,7 +57,8 @@ static int replace(const char *path, const char *text, size_t size)
 {
     char beside[PATH_SIZE + SPECIES_NAME_SIZE + 32u];
     snprintf(beside, sizeof beside, "%s.new", path);
-    const int fd = open(beside, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    unlink(beside); /* What an earlier loss of power, or somebody else, left there. */
+    const int fd = plain_file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
     if (fd < 0) {
         return -errno;
     }
@@ -107,10 +109,10 @@ static void fill_one(const char *path, const struct species_card *card, uint8_t 
                      struct lab_edit *edit, struct edit_warn warn)
 {
     char text[EDIT_TEXT_MAX + 1u], why[EDIT_WHY_SIZE];
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const int fd = plain_file_handle(path, O_RDONLY, 0);
     if (fd < 0) {
         if (errno != ENOENT && errno != ENOTDIR) {
-            snprintf(why, sizeof why, " cannot open: %.80s", strerror(errno));
+            snprintf(why, sizeof why, " cannot open: %.80s", plain_file_error(errno));
             tell(warn, path, why);
         }
         return;

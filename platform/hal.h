@@ -55,6 +55,12 @@ struct display_events {
     uint8_t upright;     /* Level: it is narrower than OVERLAY_UPRIGHT_ASPECT of its height. */
 };
 
+/* The smallest window, in points: below it no word can be read. A window manager may ignore the
+ * limit, so that a display draws into a window of any size. */
+#define HAL_WINDOW_WIDTH_MIN 320u
+#define HAL_WINDOW_HEIGHT_MIN 240u
+#define HAL_WINDOW_SIDE_MAX 8192u
+
 struct hal_display_ops {
     /* Also reopens after HAL_ERR_GONE: the one call that may take long. */
     int (*open)(void *self);
@@ -148,6 +154,9 @@ struct hal_switches_ops {
     /* `count` more pulses, which the driver makes one after the other, in its own time. */
     int (*pulse)(void *self, enum hal_switch which, uint32_t count);
     const char *(*describe)(void *self);
+    /* Returns how many of the pulses that pulse() took have not ended. One whose line is missing
+     * has not. */
+    uint32_t (*pending)(void *self, enum hal_switch which);
 };
 
 /* Controllers of which the operator may choose those that play: one row each. */

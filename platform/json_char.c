@@ -1,40 +1,35 @@
-/* json_char.c -- RFC 8259's escapes and RFC 3629's characters. */
+/* json_char.c -- RFC 8259's escapes. */
 #include "platform/json_char.h"
 
+#include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
-/* How many bytes the character at `c` has in UTF-8; 0: it is none (RFC 3629: no overlong form, no
- * surrogate, nothing behind U+10FFFF). Text ends with 0, which continues nothing. */
-static unsigned utf8_size(const unsigned char *c)
+#include "core/base/printable.h"
+
+#define MALFORMED "\xEF\xBF\xBD" /* U+FFFD */
+
+/* Writes a character that is not `"` or `\` and returns its size. */
+static uint32_t put_char(const char *words, char out[JSON_CHAR_SIZE])
 {
-    const unsigned size = c[0] < 0x80 ? 1 : c[0] < 0xC2 ? 0 : c[0] < 0xE0 ? 2 : c[0] < 0xF0 ? 3 : 4;
-    const unsigned char low = c[0] == 0xE0 ? 0xA0 : c[0] == 0xF0 ? 0x90 : 0x80;
-    const unsigned char high = c[0] == 0xED ? 0x9F : c[0] == 0xF4 ? 0x8F : 0xBF;
-    if (c[0] > 0xF4 || (size > 1 && (c[1] < low || c[1] > high))) {
-        return 0;
+    const uint32_t size = printable_utf8_size(words);
+    if (size == 0) {
+        snprintf(out, JSON_CHAR_SIZE, MALFORMED);
+    } else if (printable_size(words) == 0) {
+        snprintf(out, JSON_CHAR_SIZE, "\\u%04x", printable_code_point(words));
+    } else {
+        snprintf(out, JSON_CHAR_SIZE, "%.*s", (int)size, words);
     }
-    for (unsigned i = 2; i < size; i++) {
-        if (c[i] < 0x80 || c[i] > 0xBF) {
-            return 0;
-        }
-    }
-    return size;
+    return size > 0 ? size : 1u;
 }
 
 const char *json_char(const char *words, char out[JSON_CHAR_SIZE])
 {
-    const unsigned char first = (unsigned char)words[0];
-    const unsigned size = utf8_size((const unsigned char *)words);
-    if (first == '"' || first == '\\') {
-        snprintf(out, JSON_CHAR_SIZE, "\\%c", first);
-    } else if (first < 0x20 || first == 0x7F) {
-        snprintf(out, JSON_CHAR_SIZE, "\\u%04x", (unsigned)first);
-    } else if (size == 0) {
-        snprintf(out, JSON_CHAR_SIZE, "\xEF\xBF\xBD");
-    } else {
-        snprintf(out, JSON_CHAR_SIZE, "%.*s", (int)size, words);
+    if (words[0] == '"' || words[0] == '\\') {
+        snprintf(out, JSON_CHAR_SIZE, "\\%c", words[0]);
+        return words + 1;
     }
-    return words + (size > 0 ? size : 1u);
+    return words + put_char(words, out);
 }
 
 void json_print(const char *words)
@@ -46,4 +41,17 @@ void json_print(const char *words)
         fputs(one, stdout);
     }
     putchar('"');
+}
+
+void json_print_text(const char *json)
+{
+    char one[JSON_CHAR_SIZE];
+    while (*json) {
+        if (strchr("\n\r\t", *json)) {
+            putchar(*json++);
+        } else {
+            json += put_char(json, one);
+            fputs(one, stdout);
+        }
+    }
 }

@@ -1,16 +1,22 @@
-/* json_char.h -- words that others wrote, as they may stand in JSON.
+/* json_char.h -- text from outside the program as JSON.
  *
- * A file's or a device's name may be anything at all, or cut off in a character. Quotes and control
- * characters would break the text, and so would what is no UTF-8: U+FFFD stands there instead. */
+ * The name of a file or a device may hold any byte. Quotes, backslashes and every character that
+ * core/base/printable.h refuses are escaped. U+FFFD takes the place of a byte that is not UTF-8. */
 #ifndef KINGYO_PLATFORM_JSON_CHAR_H
 #define KINGYO_PLATFORM_JSON_CHAR_H
 
 #define JSON_CHAR_SIZE 7u /* Six bytes at most, and a zero. */
 
-/* Writes the first character of `words`, which are not empty, as text, and returns the rest. */
+/* Writes the first character of `words`, which must not be empty, as it stands in a JSON string.
+ * Returns the rest of `words`. */
 const char *json_char(const char *words, char out[JSON_CHAR_SIZE]);
 
-/* All of them on standard output, in quotes. */
+/* Writes `words` as a JSON string, with its quotes, to standard output. */
 void json_print(const char *words);
+
+/* Writes whole JSON text to standard output as it is, but for characters that printable.h refuses:
+ * they are escaped, because such a character in JSON can only stand in a string. Line breaks and
+ * tabs between tokens stay. */
+void json_print_text(const char *json);
 
 #endif

@@ -14,6 +14,9 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "platform/panic.h"
+#include "platform/panics.h"
+#include "platform/plain_file.h"
 #include "platform/storage.h"
 #include "platform/thermal.h"
 
@@ -135,6 +138,10 @@ enum machine_aside machine_aside_of(const char *file)
     } names[] = {
         { STORAGE_FILE STORAGE_ASIDE_SUFFIX, MACHINE_ASIDE_DAMAGED },
         { STORAGE_FILE STORAGE_MISSING_SUFFIX, MACHINE_ASIDE_MISSING },
+        { STORAGE_FILE STORAGE_LEFT_SUFFIX, MACHINE_ASIDE_LEFT },
+        { STORAGE_FILE "-wal" STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
+        { STORAGE_FILE "-shm" STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
+        { STORAGE_FILE "-journal" STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
         { STORAGE_FILE STORAGE_TAIL_SUFFIX STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
         { STORAGE_FILE STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
     };
@@ -166,7 +173,7 @@ static int mark(const char *folder, const char *file)
 {
     char path[PATH_SIZE];
     const int fd = seen_path(folder, file, path)
-                       ? open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0644)
+                       ? plain_file_handle(path, O_WRONLY | O_CREAT, 0644)
                        : -1;
     return fd < 0 ? -errno : close(fd) != 0 ? -errno : 0;
 }
@@ -199,6 +206,21 @@ int machine_mark_seen(const struct machine *machine)
     return error;
 }
 
+/* ---- Panics ---------------------------------------------------------------------------------- */
+
+static void look_at_panics(const struct machine *machine, struct scene_machine *out)
+{
+    struct panics panics = { 0 };
+    const int folder =
+        has_folder(machine) ? open(machine->data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
+    if (folder >= 0) {
+        panics_read(&panics, folder);
+        close(folder);
+    }
+    out->panics = panics.total;
+    out->left_out = panics.left_boot == panics_boot() ? (uint8_t)panics.left : LEFT_NOTHING;
+}
+
 /* ---- A look ---------------------------------------------------------------------------------- */
 
 void machine_look(struct machine *machine, struct scene_machine *out)
@@ -217,6 +239,7 @@ void machine_look(struct machine *machine, struct scene_machine *out)
     out->has_heat = margin_mdeg != THERMAL_UNKNOWN_MDEG;
     out->heat_margin_c = out->has_heat ? margin_mdeg / 1000 : 0;
     out->aside = walk_aside(machine, false, &ignored);
+    look_at_panics(machine, out);
     out->has_looked = 1;
     machine->has_begun = true;
 }
@@ -260,6 +283,7 @@ static bool start_thread(struct machine *machine)
 {
     sigset_t all, before;
     sigfillset(&all);
+    panic_leave_open(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     const bool runs = pthread_create(&machine->thread, NULL, run, machine) == 0;
     pthread_sigmask(SIG_SETMASK, &before, NULL);

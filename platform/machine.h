@@ -50,6 +50,7 @@ enum machine_aside {
     MACHINE_ASIDE_NOT = 0, /* Something else: a journal of one, a mark, somebody's file. */
     MACHINE_ASIDE_DAMAGED, /* "kingyo.db.damaged-3": a database, */
     MACHINE_ASIDE_MISSING, /* "kingyo.db.missing-3": the note that there was none, */
+    MACHINE_ASIDE_LEFT,    /* "kingyo.db.left-out-3": a copy from before a part was left out, */
     MACHINE_ASIDE_OTHER,   /* "kingyo.db.tail.other-3": what was of another list. */
 };
 enum machine_aside machine_aside_of(const char *file);

@@ -1,28 +1,79 @@
-/* panic.c -- one line, the recording, and out. Not through exit(): trust nothing else. */
+/* panic.c -- Calls the registered panic handler once, then ends the process without exit(). */
 #include "platform/panic.h"
 
-#include <stdio.h>
-#include <stdlib.h>
+#include <poll.h>
+#include <stdatomic.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <unistd.h>
 
-#include "core/base/panic.h"
+#include "platform/panic_text.h"
 #include "platform/say.h"
 
-static void (*wish)(void *self);
-static void *wish_self;
+/* core_hash() and the file's writer need less than 4 KiB; a library's handler may be below. */
+#define STACK_SIZE (64u * 1024u)
+#define OTHER_WAIT_MS 5000 /* For the evidence of another thread's panic: a slow card's sync. */
 
-void panic_prepare(void (*last_wish)(void *self), void *self)
+typedef void (*wish_function)(void *self, const char *reason);
+
+static const struct {
+    int number;
+    const char *name;
+} fatal[] = { { SIGSEGV, "SIGSEGV" }, { SIGBUS, "SIGBUS" }, { SIGFPE, "SIGFPE" },
+              { SIGILL, "SIGILL" }, { SIGABRT, "SIGABRT" } };
+#define FATAL_COUNT (sizeof fatal / sizeof fatal[0])
+
+static uint8_t stack[STACK_SIZE];
+static wish_function wish;
+static void *wish_self;
+static atomic_int panicking; /* The thread that panicked first; 0: none did. */
+
+/* Only the first panic is told. A second thread waits while the first writes its evidence; a panic
+ * inside the last wish ends the process. */
+void panic_tell(const char *reason)
 {
-    wish = last_wish;
-    wish_self = self;
+    int first = 0;
+    if (atomic_compare_exchange_strong(&panicking, &first, (int)gettid())) {
+        if (wish) {
+            wish(wish_self, reason);
+        } else {
+            struct panic_text text = { 0 };
+            panic_put(&text, "panic: ");
+            panic_put(&text, reason);
+            say_plain(SAY_CRITICAL, text.out);
+        }
+    } else if (first != (int)gettid()) {
+        poll(NULL, 0, OTHER_WAIT_MS);
+    }
 }
 
-_Noreturn void core_panic(const char *condition, const char *file, int line)
+static void on_fatal(int number)
 {
-    say(SAY_CRITICAL, "panic: %s:%d: not so: %s", file, line, condition);
-    if (wish) {
-        void (*const last_wish)(void *self) = wish;
-        wish = NULL; /* A panic in here must not come back. */
-        last_wish(wish_self);
+    const char *name = "signal";
+    for (size_t i = 0; i < FATAL_COUNT; i++) {
+        name = fatal[i].number == number ? fatal[i].name : name;
     }
-    abort();
+    panic_tell(name);
+    signal(number, SIG_DFL);
+    raise(number); /* Blocked until this handler returns. */
+}
+
+void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self)
+{
+    const stack_t own = { .ss_sp = stack, .ss_size = sizeof stack };
+    struct sigaction action = { .sa_handler = on_fatal, .sa_flags = SA_ONSTACK };
+    wish = last_wish;
+    wish_self = self;
+    sigaltstack(&own, NULL);
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < FATAL_COUNT; i++) {
+        sigaction(fatal[i].number, &action, NULL);
+    }
+}
+
+void panic_leave_open(sigset_t *set)
+{
+    for (size_t i = 0; i < FATAL_COUNT; i++) {
+        sigdelset(set, fatal[i].number);
+    }
 }

@@ -36,8 +36,10 @@
 #include "platform/replay_hands.h"
 #include "platform/replay_start.h"
 
-#define REPLAY_VERSION 7u /* 1 knew no shadows, 2 no modes, 3 no growth lab, 4 neither credits nor
-                             the operator's desk, 5 no ledger, 6 no wrong PINs: all are refused. */
+#define REPLAY_VERSION 8u /* Written. Version 8 adds the rules of tickets and refunds. */
+#define REPLAY_VERSION_MIN 7u /* The oldest that is read, played by the rules of its time. Refused:
+                                 1 has no shadows, 2 no modes, 3 no growth lab, 4 neither credits
+                                 nor the operator's desk, 5 no ledger, 6 no wrong PINs. */
 #define REPLAY_HEADER_SIZE 52u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
@@ -47,8 +49,9 @@
 
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
 
-/* What the machine says: a mask, two saved ids, levels, day and minute, dropped ticks, faults. */
-#define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 2u * 4u)
+/* What the machine says: a mask, two saved ids, levels, day and minute, dropped ticks, faults and
+ * ended tickets. */
+#define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 3u * 4u)
 
 /* One tick at most: mask, buttons, edges, coins of each line, the machine, a mask of the desk and
  * the desk, hands and the digest. */
@@ -66,8 +69,13 @@
 /* What the header says. */
 struct replay_header {
     struct core_config config;
+    uint32_t version; /* REPLAY_VERSION_MIN .. REPLAY_VERSION */
     char program[REPLAY_PROGRAM_SIZE]; /* KINGYO_VERSION of the recorder; zero-terminated. */
 };
+
+/* In place of a hash after a tick that a panic interrupted: there is no state to compare. Only a
+ * reader that reads as is takes it for that. */
+#define REPLAY_HASH_NONE 0u
 
 /* What a part's end says of everything up to there. */
 struct replay_totals {
@@ -86,6 +94,9 @@ size_t replay_encode_input(const struct input *before, const struct input *input
 /* Reads one input into `input`, which holds the tick before. Returns the bytes used, or 0 when
  * they end early or say what no recorder writes: then `input` is as it was. */
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size);
+
+/* The same, and with `as_is` also shades that are no finite numbers, for which the core panics. */
+size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t size, int as_is);
 
 /* Whether two agree in everything but ticks and hash. */
 int replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b);
@@ -134,9 +145,23 @@ int replay_wants_hash(const struct replay_writer *writer);
  * recording ended with. */
 int replay_finish(struct replay_writer *writer, uint64_t hash);
 
+/* Writes a recording in memory to `fd` as if it had ended with the newest tick. `memory` is that of
+ * replay_create_in(), because a recording that is full has given it up. `hash` is core_hash now;
+ * `is_torn`: a change of the writer was interrupted, so that only its whole seconds are written.
+ * The writer is of no use afterwards. Async-signal-safe. Returns 0 or a negative errno, -ENODATA if
+ * nothing was ever recorded. */
+int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, int is_torn,
+                int fd);
+
 /* A recording in memory as if it had ended with the newest tick, while it goes on. `hash` is
  * core_hash now. Returns its size in `out`, or 0 when it is not open or `size` is too small. */
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size);
+
+/* Replaces the start of a complete recording in memory, as replay_copy() makes it, and renews every
+ * checksum. Returns the new size, or 0 if that is more than `size_max`: then nothing has changed.
+ */
+size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
+                            const struct core_config *config);
 
 /* ---- Reader (replay_reader.c) ---- */
 
@@ -166,6 +191,8 @@ struct replay_reader {
     uint32_t chunk_left;     /* Ticks of the chunk still to give. */
     size_t payload_size, payload_used;
     uint8_t ended;
+    uint8_t as_is; /* Set behind replay_open(): ticks are read by replay_decode_as_is(). Only
+                      for a caller that bears a panic. */
     struct replay_problem problem;
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };

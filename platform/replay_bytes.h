@@ -19,6 +19,7 @@ struct replay_rest {
     const uint8_t *at;
     size_t size;
     int bad;
+    int as_is; /* Floats that the core's contract forbids are read: the evidence of a panic. */
 };
 
 uint8_t replay_take_u8(struct replay_rest *rest);

@@ -3,10 +3,10 @@
  * First a mask: which of held, pressed, coins, of what the machine says, of the operator's desk and
  * of what hands hold follow. Then those in this order: the numbers as u32; of the machine, a mask
  * of the saved ids (u32 each), levels (a byte: the screen stands, the store keeps no edits, the
- * store is well), day and minute (u16 each), dropped ticks and faults (u32 each), and those of them
- * that changed; of the desk, a u16 mask of its bytes (each controller's state, then step, row and
- * progress of learning, then how many files there are) and those that changed; of what hands hold,
- * what replay_hands.c says. */
+ * store is well), day and minute (u16 each), dropped ticks, faults and ended tickets (u32 each),
+ * and those of them that changed; of the desk, a u16 mask of its bytes (each controller's state,
+ * then step, row and progress of learning, then how many files there are) and those that changed;
+ * of what hands hold, what replay_hands.c says. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -31,7 +31,7 @@ enum {
     MACHINE_MINUTE = 1u << 4,
     MACHINE_DROPPED = 1u << 5,
     MACHINE_FAULTS = 1u << 6,
-    MACHINE_ALL = 127u,
+    MACHINE_TICKETS = 1u << 7, /* From format 8 on. */
 };
 
 enum {
@@ -71,7 +71,8 @@ static uint32_t machine_mask(const struct input *before, const struct input *inp
            (levels ? MACHINE_LEVELS : 0u) |
            (input->day != before->day ? MACHINE_DAY : 0u) |
            (input->minute != before->minute ? MACHINE_MINUTE : 0u) |
-           (dropped ? MACHINE_DROPPED : 0u) | (faults ? MACHINE_FAULTS : 0u);
+           (dropped ? MACHINE_DROPPED : 0u) | (faults ? MACHINE_FAULTS : 0u) |
+           (input->tickets_done != before->tickets_done ? MACHINE_TICKETS : 0u);
 }
 
 /* 0 bytes when nothing changed. */
@@ -93,6 +94,7 @@ static size_t encode_machine(const struct input *before, const struct input *inp
     }
     size += replay_put_if((mask & MACHINE_DROPPED) != 0, input->dropped_ticks, out + size);
     size += replay_put_if((mask & MACHINE_FAULTS) != 0, input->device_faults, out + size);
+    size += replay_put_if((mask & MACHINE_TICKETS) != 0, input->tickets_done, out + size);
     return mask ? size : 0;
 }
 
@@ -161,7 +163,7 @@ static void decode_levels(struct input *input, struct replay_rest *rest)
 static void decode_machine(struct input *input, struct replay_rest *rest)
 {
     const uint8_t mask = replay_take_u8(rest);
-    rest->bad |= mask == 0 || mask > MACHINE_ALL;
+    rest->bad |= mask == 0;
     if (mask & MACHINE_SAVED_ID) {
         input->record_saved_id = replay_take_u32(rest);
     }
@@ -183,6 +185,9 @@ static void decode_machine(struct input *input, struct replay_rest *rest)
     }
     if (mask & MACHINE_FAULTS) {
         input->device_faults = replay_take_u32(rest);
+    }
+    if (mask & MACHINE_TICKETS) {
+        input->tickets_done = replay_take_u32(rest);
     }
 }
 
@@ -206,7 +211,12 @@ static void decode_desk(struct desk_input *desk, struct replay_rest *rest)
 
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size)
 {
-    struct replay_rest rest = { .at = bytes, .size = size };
+    return replay_decode_as_is(input, bytes, size, 0);
+}
+
+size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t size, int as_is)
+{
+    struct replay_rest rest = { .at = bytes, .size = size, .as_is = as_is };
     struct input next = *input;
     const uint8_t mask = replay_take_u8(&rest);
     if (mask & HAS_HELD) {

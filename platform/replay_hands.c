@@ -135,7 +135,7 @@ static void decode_shade(struct shade_input *shade, struct replay_rest *rest)
     decode_held(&held, 1, rest);
     memcpy(floats, held.bits, sizeof floats);
     for (unsigned i = 0; i < SHADE_FLOATS; i++) {
-        rest->bad |= !f_is_finite(floats[i]);
+        rest->bad |= !f_is_finite(floats[i]) && !rest->as_is;
     }
     *shade = (struct shade_input){ held.byte, floats[0], floats[1], floats[2] };
 }

@@ -99,7 +99,8 @@ static int read_start(struct replay_reader *reader, size_t size)
     if (read_part_of_header(reader, size, "its start")) {
         return -1;
     }
-    if (!replay_start_decode(&reader->header.config, reader->bytes, size)) {
+    if (!replay_start_decode(&reader->header.config, reader->bytes, size,
+                             reader->header.version)) {
         return refuse(reader, 0, reader->offset, "the start says what this program never writes");
     }
     reader->offset += size + REPLAY_SUM_SIZE;
@@ -144,10 +145,12 @@ static int read_header(struct replay_reader *reader)
         return refuse(reader, 0, 0, "not a recording of Kingyo");
     }
     const uint32_t version = replay_get_u32(bytes + HEADER_VERSION) & 0xffffu;
-    if (version != REPLAY_VERSION) {
-        return refuse(reader, 0, HEADER_VERSION, "format version %u; this program reads version %u",
-                      version, REPLAY_VERSION);
+    if (version < REPLAY_VERSION_MIN || version > REPLAY_VERSION) {
+        return refuse(reader, 0, HEADER_VERSION,
+                      "format version %u; this program reads versions %u to %u", version,
+                      REPLAY_VERSION_MIN, REPLAY_VERSION);
     }
+    reader->header.version = version;
     reader->sum = hash_bytes(HASH_START, bytes, HEADER_SUM);
     if (reader->sum != replay_get_u64(bytes + HEADER_SUM)) {
         return refuse(reader, 0, HEADER_SUM, "the header was altered");
@@ -302,7 +305,8 @@ int replay_next(struct replay_reader *reader, struct input *input)
     }
     const uint8_t *payload = reader->bytes + REPLAY_CHUNK_HEAD_SIZE;
     const size_t left = reader->payload_size - reader->payload_used;
-    const size_t used = replay_decode_input(&reader->input, payload + reader->payload_used, left);
+    const size_t used = replay_decode_as_is(&reader->input, payload + reader->payload_used,
+                                            left, reader->as_is);
     const size_t digest_size = (reader->tick + 1u) % reader->digest_ticks == 0 ? 4 : 0;
     const uint64_t at = reader->offset + REPLAY_CHUNK_HEAD_SIZE + reader->payload_used;
     if (used == 0 || left - used < digest_size) {

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "core/game/ledger_range.h"
+#include "platform/replay.h"
 #include "platform/replay_walk.h"
 
 #define PLAIN_MAX 128u
@@ -27,6 +29,10 @@ static void walk_purse(struct replay_walk *walk, struct purse *purse)
     walk_u32(walk, &purse->service);
     walk_u32(walk, &purse->untold);
     walk_u8(walk, &purse->open);
+    if (walk->version > 7u) {
+        walk_u8(walk, &purse->returned);
+        walk_u16(walk, &purse->tickets);
+    }
 }
 _Static_assert(sizeof(struct purse) == 24, "the walk knows all of a purse");
 
@@ -35,8 +41,15 @@ static void walk_ledger(struct replay_walk *walk, struct ledger_start *ledger)
     walk_u32(walk, &ledger->last_id);
     walk_u32(walk, &ledger->boots);
     walk_purse(walk, &ledger->purse);
+    if (walk->version > 7u) {
+        uint32_t value = (uint32_t)ledger->stand.value;
+        walk_u32(walk, &ledger->stand.count);
+        walk_u32(walk, &value);
+        walk_u8(walk, &ledger->stand.detail);
+        ledger->stand.value = (int32_t)value;
+    }
 }
-_Static_assert(sizeof(struct ledger_start) == 32, "the walk knows all of it");
+_Static_assert(sizeof(struct ledger_start) == 44, "the walk knows all of it");
 
 /* As what is not the standard. */
 static void walk_settings(struct replay_walk *walk, struct settings *settings)
@@ -77,10 +90,22 @@ static void walk_memory(struct replay_walk *walk, struct memory *memory)
 {
     walk_ledger(walk, &memory->ledger);
     walk_settings(walk, &memory->settings);
-    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+    const uint32_t audit_count = walk->version > 7u ? AUDIT_COUNT : AUDIT_FORMAT_7_COUNT;
+    for (uint32_t id = 0; id < audit_count; id++) {
         walk_u32(walk, &memory->audits.count[id]);
     }
     walk_ranking(walk, &memory->ranking);
+}
+
+/* What is padding in the purses of format 7. */
+static void clear_later_fields(struct ledger *ledger)
+{
+    struct purse *const purses[] = { &ledger->purse, &ledger->kept };
+    for (uint32_t i = 0; i < LEDGER_RING + 2u; i++) {
+        struct purse *purse = i < LEDGER_RING ? &ledger->after[i] : purses[i - LEDGER_RING];
+        purse->returned = 0;
+        purse->tickets = 0;
+    }
 }
 
 /* Ledger, credit and knobs as they lie in memory: integers alone, which lie alike on every board
@@ -91,12 +116,35 @@ static void walk_chapter(struct replay_walk *walk, struct chapter *chapter)
     walk_u32(walk, &chapter->order_count);
     walk_u32(walk, &chapter->edit_save_id);
     walk_u32(walk, &chapter->edit_saved_id);
+    const int is_7 = walk->version == 7u;
     walk_bytes(walk, &chapter->ledger, sizeof chapter->ledger);
-    walk_bytes(walk, &chapter->credit, sizeof chapter->credit);
-    walk_bytes(walk, &chapter->upkeep, sizeof chapter->upkeep);
+    walk_bytes(walk, &chapter->credit,
+               is_7 ? offsetof(struct credit, stand_id) : sizeof chapter->credit);
+    walk_bytes(walk, &chapter->upkeep,
+               is_7 ? offsetof(struct upkeep, away_ticks) : sizeof chapter->upkeep);
+    if (is_7) {
+        clear_later_fields(&chapter->ledger);
+    }
     walk_bytes(walk, &chapter->adjust, sizeof chapter->adjust);
+    if (walk->version == 7u) {
+        chapter->language = (struct language_choice){ 0 };
+        return;
+    }
+    walk_u32(walk, &chapter->language.chosen);
+    walk_u32(walk, &chapter->language.until_tick);
 }
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes of a board are those of a file");
+
+/* The rules of format 7 stay with whatever began under them. */
+static void walk_rules(struct replay_walk *walk, uint8_t *rules_7)
+{
+    if (walk->version == 7u) {
+        *rules_7 = 1;
+        return;
+    }
+    walk_u8(walk, rules_7);
+    walk->bad |= *rules_7 > 1u;
+}
 
 static void walk_config(struct replay_walk *walk, struct core_config *config)
 {
@@ -112,6 +160,7 @@ static void walk_config(struct replay_walk *walk, struct core_config *config)
     walk_u8(walk, &config->ticket_fish);
     walk_memory(walk, &config->memory);
     walk_chapter(walk, &config->chapter);
+    walk_rules(walk, &config->rules_7);
 }
 
 /* ---- Packing -------------------------------------------------------------------------------- */
@@ -178,16 +227,22 @@ size_t replay_start_encode(const struct core_config *config, uint8_t out[REPLAY_
 {
     struct core_config copy = *config; /* The walk may write; into this. */
     uint8_t fields[FIELDS_MAX];
-    struct replay_walk walk = { .out = fields, .size = sizeof fields };
+    struct replay_walk walk = { .out = fields, .size = sizeof fields, .version = REPLAY_VERSION };
     walk_config(&walk, &copy);
     CORE_ASSERT(!walk.bad);
     return pack(fields, walk.at, out);
 }
 
-int replay_start_decode(struct core_config *config, const uint8_t *bytes, size_t size)
+int replay_start_decode(struct core_config *config, const uint8_t *bytes, size_t size,
+                        uint32_t version)
 {
     uint8_t fields[FIELDS_MAX];
-    struct replay_walk walk = { .in = fields, .size = unpack(bytes, size, fields, FIELDS_MAX) };
+    config->memory = (struct memory){ 0 };
+    config->chapter = (struct chapter){ 0 };
+    struct replay_walk walk = { .in = fields,
+                                .size = unpack(bytes, size, fields, FIELDS_MAX),
+                                .version = version };
     walk_config(&walk, config);
-    return !walk.bad && walk.at == walk.size;
+    return !walk.bad && ledger_memory_is_good(&config->memory) &&
+           ledger_chapter_is_good(&config->chapter) && walk.at == walk.size;
 }

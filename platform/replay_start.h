@@ -13,8 +13,11 @@
 /* Returns how many bytes it took, never 0. */
 size_t replay_start_encode(const struct core_config *config, uint8_t out[REPLAY_START_MAX]);
 
-/* Reads exactly `size` bytes of any content; the book and the lanes of `config` stay as they are.
- * 1, or 0 when no recorder writes this: `config` is then of no use. */
-int replay_start_decode(struct core_config *config, const uint8_t *bytes, size_t size);
+/* Reads exactly `size` bytes of any content, written in format `version` (REPLAY_VERSION_MIN ..
+ * REPLAY_VERSION of replay.h). The book and the lanes of `config` stay as they are. Fields that
+ * `version` lacks become 0, and version 7 sets rules_7. Returns 1, or 0 when no recorder writes
+ * these bytes: `config` is then invalid. */
+int replay_start_decode(struct core_config *config, const uint8_t *bytes, size_t size,
+                        uint32_t version);
 
 #endif

@@ -10,6 +10,7 @@ struct replay_walk {
     uint8_t *out;      /* Written to, or null: ... */
     const uint8_t *in; /* ... read from. */
     size_t size, at;   /* Of either. */
+    uint32_t version;  /* REPLAY_VERSION_MIN .. REPLAY_VERSION of the bytes; 0 in a book. */
     int bad;           /* There was no room, or no more; nothing was written or read since. */
 };
 

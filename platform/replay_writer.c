@@ -9,6 +9,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
+#include "platform/panic_text.h"
 #include "platform/replay_bytes.h"
 #include "platform/replay_format.h"
 
@@ -106,16 +107,20 @@ static void give_up(struct replay_writer *writer, int error)
     writer->error = -error;
 }
 
-/* A descriptor, or a negative errno. What was played once cannot be played again: a file that holds
- * anything is left as it is. */
+/* Returns a descriptor, or a negative errno. A recording begins with the stall's settings and
+ * books, therefore only its owner may read it. What was played once cannot be played again: a file
+ * that holds anything is left as it is. */
 static int open_empty(const char *path)
 {
     struct stat status;
-    const int fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    const int fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (fd < 0) {
         return -errno;
     }
-    const int error = fstat(fd, &status) != 0 ? errno : status.st_size > 0 ? EEXIST : 0;
+    const int error = fstat(fd, &status) != 0     ? errno
+                      : !S_ISREG(status.st_mode)  ? ENOTSUP
+                      : status.st_size > 0        ? EEXIST
+                                                  : 0;
     if (error) {
         close(fd);
         return -error;
@@ -262,6 +267,27 @@ int replay_finish(struct replay_writer *writer, uint64_t hash)
     return -writer->error;
 }
 
+int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, int is_torn,
+                int fd)
+{
+    uint8_t end[REPLAY_END_SIZE];
+    if (writer->offset == 0) {
+        return -ENODATA;
+    }
+    const int error = panic_write(fd, memory, (size_t)writer->offset);
+    if (error) {
+        return error;
+    }
+    if (is_torn || writer->memory == NULL || writer->chunk_ticks == 0) {
+        put_end(end, &writer->saved, writer->sum);
+        return panic_write(fd, end, sizeof end);
+    }
+    writer->totals.hash = hash;
+    const size_t size = close_chunk(writer->bytes, writer->payload_size, writer->chunk_ticks,
+                                    &writer->totals, &writer->sum);
+    return panic_write(fd, writer->bytes, size + REPLAY_END_SIZE);
+}
+
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size)
 {
     struct replay_totals totals = writer->totals;
@@ -281,4 +307,31 @@ size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *o
     uint8_t *chunk = out + writer->offset;
     memcpy(chunk, writer->bytes, begun);
     return whole + close_chunk(chunk, writer->payload_size, writer->chunk_ticks, &totals, &sum);
+}
+
+size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
+                            const struct core_config *config)
+{
+    uint8_t start[REPLAY_START_MAX];
+    const size_t old_size = replay_get_u32(recording + HEADER_START);
+    const size_t book_size = replay_get_u32(recording + HEADER_BOOK);
+    const size_t new_size = replay_start_encode(config, start);
+    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* The first byte behind the start. */
+    if (size - old_size + new_size > size_max) {
+        return 0;
+    }
+    memmove(recording + REPLAY_HEADER_SIZE + new_size, recording + behind, size - behind);
+    memcpy(recording + REPLAY_HEADER_SIZE, start, new_size);
+    replay_put_u32(recording + HEADER_START, (uint32_t)new_size);
+    uint64_t sum = HASH_START;
+    uint8_t *part = recording;
+    part += seal(part, HEADER_SUM, &sum);
+    part += seal(part, new_size, &sum);
+    part += seal(part, book_size, &sum);
+    while (memcmp(part, REPLAY_CHUNK_TAG, 4) == 0) {
+        part +=
+            seal(part, REPLAY_CHUNK_HEAD_SIZE + replay_get_u32(part + CHUNK_PAYLOAD_SIZE), &sum);
+    }
+    replay_put_u64(part + END_SUM, hash_bytes(sum, part, END_SUM));
+    return size - old_size + new_size;
 }

@@ -6,6 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/printable.h"
+#include "platform/panic_text.h"
 
 static int has_journal; /* Set once, before there are threads. */
 
@@ -26,6 +30,20 @@ void say_prepare(void)
     has_journal = say_is_journal(getenv("JOURNAL_STREAM"), fileno(stderr));
 }
 
+void say_plain(enum say_level level, const char *words)
+{
+    struct panic_text line = { 0 };
+    if (has_journal) {
+        panic_put(&line, "<");
+        panic_put_number(&line, (uint32_t)level);
+        panic_put(&line, ">");
+    }
+    panic_put(&line, "kingyo: ");
+    panic_put(&line, words);
+    panic_put_end(&line);
+    panic_write(STDERR_FILENO, line.out, line.used);
+}
+
 void say(enum say_level level, const char *format, ...)
 {
     char line[SAY_LINE_MAX], words[SAY_LINE_MAX - 32u];
@@ -33,6 +51,7 @@ void say(enum say_level level, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
+    printable(words);
     if (has_journal) {
         snprintf(line, sizeof line, "<%d>kingyo: %s\n", (int)level, words);
     } else {

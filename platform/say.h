@@ -28,4 +28,7 @@ void say_prepare(void);
 __attribute__((format(printf, 2, 3)))
 void say(enum say_level level, const char *format, ...);
 
+/* The same words without a format, by async-signal-safe calls alone. */
+void say_plain(enum say_level level, const char *words);
+
 #endif

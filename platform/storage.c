@@ -9,6 +9,7 @@
 #include <sqlite3.h>
 
 #include "platform/folder.h"
+#include "platform/panic.h"
 #include "platform/storage_parts.h"
 
 /* ---- Opening -------------------------------------------------------------------------------- */
@@ -50,6 +51,7 @@ static bool start_thread(struct storage *storage)
 {
     sigset_t all, before;
     sigfillset(&all);
+    panic_leave_open(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     storage->has_thread = pthread_create(&storage->thread, NULL, storage_thread, storage) == 0;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
@@ -62,6 +64,7 @@ static void note_start(struct storage *storage)
     storage->start = storage->file.content;
     storage->accepted_id = storage->start.memory.ledger.last_id;
     atomic_store(&storage->saved_id, storage->accepted_id);
+    atomic_store(&storage->is_unproven, storage->file.is_suspect && !storage->file.refusal);
     storage->saved_boot = storage->start.memory.ledger.boots;
     storage->saved_tick = storage->start.tick;
     storage->prunes = true;
@@ -113,7 +116,8 @@ static int storage_remember(void *self, struct memory *out)
         return HAL_ERR_NONE;
     }
     ledger_content_remember(&storage->start, out);
-    out->ledger.boots++; /* This start; it is on disk with the first entry that says so. */
+    /* This start; it is on disk with the first entry that says so. */
+    out->ledger.boots += out->ledger.boots < LEDGER_BOOTS_MAX;
     return HAL_OK;
 }
 
@@ -142,7 +146,7 @@ static int storage_keep(void *self, const struct ledger_entry *entry)
 static uint32_t storage_saved_id(void *self)
 {
     struct storage *storage = self;
-    return atomic_load(&storage->saved_id);
+    return atomic_load(&storage->is_unproven) ? 0u : atomic_load(&storage->saved_id);
 }
 
 static int storage_keep_edit(void *self, const struct edit_record *edit)
@@ -192,6 +196,7 @@ static int storage_is_well(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
+           !atomic_load(&storage->is_unproven) && atomic_load(&storage->tail_error) == 0 &&
            storage_stuck_ms(storage) == 0;
 }
 
@@ -220,6 +225,19 @@ static void stop_thread(struct storage *storage)
     }
 }
 
+/* An entry that only waits for the second copy is in the database and not lost. */
+static uint32_t lost_entries(const struct storage *storage)
+{
+    const unsigned pushed = atomic_load(&storage->pushed);
+    uint32_t lost = 0;
+    for (unsigned i = atomic_load(&storage->written); i != pushed; i++) {
+        lost += !storage->file.db || storage->file.refusal || storage->moved ||
+                storage->queue[i % STORAGE_QUEUE_MAX].id >
+                    storage->file.content.memory.ledger.last_id;
+    }
+    return lost;
+}
+
 static uint32_t storage_close(void *self)
 {
     struct storage *storage = self;
@@ -230,7 +248,8 @@ static uint32_t storage_close(void *self)
     storage->closes = true; /* Whoever pulls the plug now has the last backup. */
     ledger_backup_drop(&storage->backup);
     storage_work(storage); /* What came while it was leaving, and one last try for the rest. */
-    const uint32_t lost = storage_unwritten(storage), lost_edits = storage_unwritten_edits(storage);
+    storage_rescue(storage);
+    const uint32_t lost = lost_entries(storage), lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {
         storage_say_refused(storage, atomic_load(&storage->error), "they are lost");
     } else if (lost_edits > 0) {

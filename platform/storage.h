@@ -4,19 +4,23 @@
  *
  * A frame never waits for a card: keep() puts an entry into one of STORAGE_QUEUE_MAX slots and
  * comes back, the thread writes and syncs all that wait in one transaction, and saved_id() then
- * names the newest. A card that is slow, full, busy, read-only or away is tried again each second
- * while the slots fill (one whose file has to be read from end to end to see that nothing changed,
- * less often: storage_card.c); when they are full, keep() says HAL_ERR_BUSY and the core's entries
- * wait in its output. A card that is full at the start is read all the same, and written when it
- * has room. Each try that fails is counted. close() tries once more and says how many entries are
- * lost for good.
+ * names the newest. After a failed sync an entry is acknowledged only when its bytes were written
+ * again and synced (store/ledger_log.c), in the database and in the tail. A card that is slow,
+ * full, busy, read-only or away is tried again each second while the slots fill (one whose file has
+ * to be read from end to end to see that nothing changed, less often: storage_card.c); when they
+ * are full, keep() says HAL_ERR_BUSY and the core's entries wait in its output. A card that is full
+ * at the start is read all the same, and written when it has room. Each try that fails is counted.
+ * close() tries once more and says how many entries are lost for good.
  *
  * At the start, each hour and each STORAGE_BACKUP_ENTRIES entries the file is copied to a backup
  * beside it, which is checked before it takes the place of the last; entries since then are kept
  * twice (store/ledger_tail.h). A damaged file is set aside under a new name, never repaired in
  * place and never deleted; the backup takes its place, with all entries beyond it that the damaged
  * file or the tail still has. So it does where the file is gone, and a note says so. Where the card
- * has no room for that, all is left as it is and only read. */
+ * has no room for that, all is left as it is and only read.
+ *
+ * A file or folder that is removed, renamed, replaced or mounted over while it is open is detected
+ * within a second (storage_moved.c). Nothing is acknowledged until it is back. */
 #ifndef KINGYO_PLATFORM_STORAGE_H
 #define KINGYO_PLATFORM_STORAGE_H
 
@@ -40,6 +44,7 @@
 #define STORAGE_ASIDE_SUFFIX ".damaged-" /* And a number. */
 #define STORAGE_MISSING_SUFFIX ".missing-" /* And a number: an empty note that it was not there. */
 #define STORAGE_OTHER_SUFFIX ".other-"  /* Behind a backup or tail of another list; and a number. */
+#define STORAGE_LEFT_SUFFIX ".left-out-" /* And a number: a copy made by ledger_leave_out(). */
 #define STORAGE_SEEN_SUFFIX ".seen"     /* Behind that: the operator has acknowledged it. */
 #define STORAGE_STUCK_MS 3000 /* A card that writes for so long is not well: the best ones' worst
                                  pause to tidy up is a second. */
@@ -51,9 +56,7 @@
  * there, too. */
 #define STORAGE_ROOM_MORE (256u * 1024u)
 #define STORAGE_BACKUP_S 3600 /* From one backup to the next, ... */
-#define STORAGE_BACKUP_ENTRIES (LEDGER_TAIL_SLOTS / 2u) /* ... or sooner, after so many entries, */
-#define STORAGE_BACKUP_LONE_S 10 /* ... or with each, where no tail has them: but a card is not worn
-                                    out by that. */
+#define STORAGE_BACKUP_ENTRIES (LEDGER_TAIL_SLOTS / 2u) /* ... or sooner, after so many entries. */
 #define STORAGE_PATH_SIZE 512u
 /* What the core may have unwritten, twice: it never waits for a slot where a card answers. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
@@ -78,6 +81,13 @@ struct storage_replay {
 };
 
 #define STORAGE_LATE_MAX 16u /* A coin's line each, and what became of them. */
+
+#define STORAGE_PLACES 3u /* The file, its log, and the log's index. */
+
+/* Where a file was first seen. Zero: it was not there yet. */
+struct storage_place {
+    uint64_t device, inode;
+};
 
 /* What a stall that began without a store was given: for a file that comes late. */
 enum storage_late_state { STORAGE_LATE_NONE = 0, STORAGE_LATE_NEW, STORAGE_LATE_WAITS };
@@ -110,6 +120,8 @@ struct storage {
     atomic_bool has_file; /* The database was opened: entries are taken. */
     bool has_to_rebuild;  /* The file is damaged or gone, and nothing took its place yet. */
     atomic_uint aside;    /* The number of a file that was replaced; 0: none was. */
+    atomic_uint strange;  /* What was set aside since it was no regular file: the index among
+                             storage_suffixes + 1; 0: nothing. */
     bool was_missing;     /* Then: it was not damaged but gone; */
     uint32_t from_backup; /* the newest entry of the backup, ... */
     struct ledger_salvaged salvaged; /* ... and what came later and was found. */
@@ -130,11 +142,15 @@ struct storage {
     int hold;             /* The folder's handle + 1, which keeps other stalls out; 0: none. */
     uint32_t accepted_id; /* Newest id that keep() took, so that asking twice keeps one. */
     atomic_uint saved_id;
+    atomic_bool is_unproven; /* The log that was read may not be on disk: nothing counts as saved,
+                                and the store is not well. */
     uint32_t saved_boot, saved_tick; /* Of that entry; the thread's. */
     uint64_t sight;          /* What was seen from outside at the last look; the thread's, ... */
     uint64_t room;           /* ... as the bytes that were free, ... */
     int64_t look_due_ms;     /* ... as when the next is due, 0: at once, ... */
     int64_t look_wait_ms;    /* ... and how long it waits. */
+    struct storage_place places[STORAGE_PLACES]; /* The thread's. */
+    bool moved;              /* The open file is not at its path any more; the thread's. */
     bool prunes;                     /* Something may have fallen out; the thread's. */
     struct ledger_tail tail;         /* The newest entries once more; the thread's, ... */
     uint32_t tail_from;              /* ... as the first of them that it lacks; 0: none. */

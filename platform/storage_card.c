@@ -23,6 +23,14 @@ void storage_note_result(struct storage *storage, int code)
     }
 }
 
+void storage_note_write(struct storage *storage, int code)
+{
+    storage_note_result(storage, code);
+    if (storage_needs_reopening(code)) {
+        storage_close_file(storage);
+    }
+}
+
 bool storage_needs_reopening(int code)
 {
     return code == SQLITE_IOERR || code == SQLITE_CANTOPEN || code == SQLITE_READONLY ||
@@ -80,7 +88,8 @@ static bool is_worth_a_look(const struct storage *storage)
 /* Whether whoever says this has read the whole file to find out. */
 static bool was_dear(int code)
 {
-    return code == LEDGER_FILE_ANOTHERS || code == LEDGER_FILE_NEWER || code == SQLITE_READONLY ||
+    return code == LEDGER_FILE_ANOTHERS || code == LEDGER_FILE_NEWER ||
+           code == LEDGER_FILE_MOVED || code == SQLITE_READONLY ||
            code == SQLITE_FULL || code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
 }
 
@@ -137,7 +146,11 @@ static bool is_alone(struct storage *storage)
 
 int storage_open_alone(struct storage *storage)
 {
-    return is_alone(storage) ? storage_open_file(storage) : LEDGER_FILE_HELD;
+    const int code = is_alone(storage) ? storage_open_file(storage) : LEDGER_FILE_HELD;
+    if (code == SQLITE_OK && !storage->moved) {
+        storage_note_place(storage);
+    }
+    return code;
 }
 
 void storage_leave(struct storage *storage)
@@ -148,9 +161,20 @@ void storage_leave(struct storage *storage)
     }
 }
 
+/* Whether a file that took the place of one that moved has less than was acknowledged. */
+static bool lacks_entries(const struct storage *storage)
+{
+    return storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id);
+}
+
 static int look(struct storage *storage)
 {
     int code = storage_open_alone(storage);
+    if (code == SQLITE_OK && storage->moved && lacks_entries(storage)) {
+        storage_close_file(storage);
+        storage_leave(storage);
+        return LEDGER_FILE_MOVED;
+    }
     if (code == SQLITE_OK && is_anothers(storage)) {
         storage_take_over(storage);
         storage_close_file(storage);
@@ -158,16 +182,52 @@ static int look(struct storage *storage)
     }
     if (code == SQLITE_OK) {
         atomic_store(&storage->has_file, true);
+        atomic_store(&storage->is_unproven,
+                     storage->file.is_suspect && !storage->file.refusal);
+        if (storage->moved) {
+            storage_log_back(storage);
+        }
+        storage_note_place(storage);
         code = storage->file.refusal;
     }
     storage_let_others_read(storage);
     return code;
 }
 
+/* Returns whether the file at the path, if any, is to be opened in place of the one that moved. The
+ * first call only raises the alarm, so that the status shows even a loss that the next call
+ * repairs. At the end there is no next call. */
+static bool leave_moved(struct storage *storage)
+{
+    const bool is_first = !storage->moved;
+    if (is_first) {
+        storage_log_left(storage);
+    }
+    storage->moved = true;
+    if ((is_first && !storage->closes) || !storage_may_follow(storage)) {
+        storage_note_result(storage, LEDGER_FILE_MOVED);
+        return false;
+    }
+    if (storage->file.db) {
+        storage_close_file(storage);
+        storage_leave(storage);
+    }
+    return true;
+}
+
 bool storage_has_card(struct storage *storage)
 {
-    if (storage->file.db && !storage->file.refusal) {
+    if (storage->file.db && !storage->file.refusal && !storage_has_moved(storage)) {
+        if (storage->moved) { /* It was put back. */
+            storage->moved = false;
+            storage_note_result(storage, SQLITE_OK);
+            storage_log_back(storage);
+        }
         return true;
+    }
+    const bool has_left = storage->moved || (storage->file.db && storage_has_moved(storage));
+    if (has_left && !leave_moved(storage)) {
+        return false;
     }
     if (!storage->path[0] || !is_worth_a_look(storage)) {
         return false;
@@ -175,6 +235,8 @@ bool storage_has_card(struct storage *storage)
     storage_close_file(storage);
     const int code = look(storage);
     note_look(storage, code);
-    storage_note_result(storage, code);
+    if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
+        storage_note_result(storage, code); /* Else the next write decides whether it is well. */
+    }
     return code == SQLITE_OK;
 }

@@ -45,13 +45,17 @@ static struct purse after(struct purse purse, const struct purse_step *step)
     change(&purse.paid, step->from.paid, step->to.paid);
     change(&purse.service, step->from.service, step->to.service);
     change(&purse.untold, step->from.untold, step->to.untold);
+    uint32_t tickets = purse.tickets;
+    change(&tickets, step->from.tickets, step->to.tickets);
+    purse.tickets = (uint16_t)(tickets < PURSE_TICKETS_MAX ? tickets : PURSE_TICKETS_MAX);
     return purse;
 }
 
 static void put_behind(struct storage_late *late, const struct ledger_start *list)
 {
     const struct purse purse = after(list->purse, &late->step);
-    late->boot = late->boot > 0 ? late->boot : list->boots + 1u; /* One start, told in parts. */
+    const uint32_t next = list->boots + (list->boots < LEDGER_BOOTS_MAX);
+    late->boot = late->boot > 0 ? late->boot : next; /* One start, told in parts. */
     for (uint32_t i = 0; i < late->count; i++) {
         late->entries[i].id = list->last_id + 1u + i;
         late->entries[i].boot = late->boot;
@@ -59,7 +63,8 @@ static void put_behind(struct storage_late *late, const struct ledger_start *lis
     }
 }
 
-/* A commit that failed may have come through all the same. */
+/* A commit that failed may have come through all the same; what the file was opened with is on
+ * disk. */
 static bool has_them(struct storage *storage)
 {
     const struct ledger_entry *first = &storage->late.entries[0];
@@ -75,16 +80,16 @@ void storage_take_over(struct storage *storage)
         return;
     }
     atomic_store(&late->state, STORAGE_LATE_WAITS);
-    if (!has_them(storage)) {
-        put_behind(late, &storage->file.content.memory.ledger);
-        const int code = storage->file.refusal
-                             ? storage->file.refusal
-                             : ledger_file_write(&storage->file, late->entries, late->count);
-        if (code != SQLITE_OK) {
-            atomic_fetch_add(&storage->refused, 1);
-            return;
-        }
-        storage_write_tail(storage, late->entries, late->count);
+    const struct ledger_start *list = &storage->file.content.memory.ledger;
+    const bool has_ids = list->last_id <= LEDGER_ID_MAX - STORAGE_LATE_MAX;
+    int code = storage->file.refusal ? storage->file.refusal : has_ids ? SQLITE_OK : SQLITE_FULL;
+    if (code == SQLITE_OK && !has_them(storage)) {
+        put_behind(late, list);
+        code = ledger_file_write(&storage->file, late->entries, late->count);
     }
-    atomic_store(&late->state, STORAGE_LATE_NONE);
+    if (code != SQLITE_OK) {
+        atomic_fetch_add(&storage->refused, 1);
+    } else if (storage_write_tail(storage, late->entries, late->count) == 0) {
+        atomic_store(&late->state, STORAGE_LATE_NONE);
+    }
 }

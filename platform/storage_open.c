@@ -11,6 +11,7 @@
 
 #include <sqlite3.h>
 
+#include "platform/plain_file.h"
 #include "platform/storage_parts.h"
 #include "platform/store/ledger_backup.h"
 
@@ -42,6 +43,10 @@ bool storage_has_path(const char *path)
 {
     return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
 }
+
+const char *const storage_suffixes[STORAGE_BESIDE_COUNT] = {
+    "-wal", "-shm", "-journal", STORAGE_BACKUP_SUFFIX, STORAGE_TAIL_SUFFIX,
+};
 
 static bool has_bytes(const char *path)
 {
@@ -145,11 +150,25 @@ static int take_copy(struct storage *storage)
     return ledger_unmark(&storage->file);
 }
 
-/* A folder, or what else is no file but has its name, is no database either. */
-static bool is_no_file(const struct storage *storage)
+/* A symbolic link may lead to a card that is not mounted yet: it stays, and is not followed. */
+static bool is_link(const struct storage *storage)
 {
     struct stat about;
-    return stat(storage->path, &about) == 0 && !S_ISREG(about.st_mode);
+    return lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode);
+}
+
+/* A FIFO, a device, a link or a folder in place of what belongs to the file is set aside, so that
+ * the start goes on without it. On a card that cannot be written it stays and is not opened. */
+static void set_strange_aside(struct storage *storage)
+{
+    for (unsigned i = 0; i < STORAGE_BESIDE_COUNT; i++) {
+        char path[LEDGER_PATH_SIZE];
+        storage_beside(storage, storage_suffixes[i], "", path);
+        if (plain_file_is_other(path) &&
+            storage_set_other_aside(storage, storage_suffixes[i]) == 0) {
+            atomic_store(&storage->strange, i + 1u);
+        }
+    }
 }
 
 /* Against what lies beside it. One that can only be read cannot be followed by anything either. */
@@ -159,18 +178,20 @@ static int compare(struct storage *storage)
     if (backup == OTHERS_NEWER || tail == OTHERS_NEWER) {
         return SQLITE_CORRUPT;
     }
-    if (!storage->file.refusal && backup == OTHERS_STRANGE) {
-        storage_set_other_aside(storage, STORAGE_BACKUP_SUFFIX);
+    if (!storage->file.refusal && backup == OTHERS_STRANGE &&
+        storage_set_other_aside(storage, STORAGE_BACKUP_SUFFIX) != 0) {
+        return SQLITE_IOERR;
     }
-    if (!storage->file.refusal && tail == OTHERS_STRANGE) {
-        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX);
+    if (!storage->file.refusal && tail == OTHERS_STRANGE &&
+        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX) != 0) {
+        return SQLITE_IOERR;
     }
     return SQLITE_OK;
 }
 
 static int open_whole(struct storage *storage)
 {
-    int code = is_no_file(storage)   ? SQLITE_NOTADB
+    int code = plain_file_is_other(storage->path) ? SQLITE_NOTADB
                : is_emptied(storage) ? SQLITE_CORRUPT
                                      : ledger_file_open(&storage->file, storage->path,
                                                         &storage->how);
@@ -197,10 +218,17 @@ int storage_open_file(struct storage *storage)
         return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     storage->has_to_rebuild = false;
-    storage_end_rebuilding(storage);
+    if (is_link(storage)) {
+        return LEDGER_FILE_LINK;
+    }
+    set_strange_aside(storage);
+    int code = storage_end_rebuilding(storage);
+    if (code != SQLITE_OK) {
+        return code;
+    }
     const bool is_missing =
         !storage_has_path(storage->path) && (has_backup(storage) || has_tail(storage));
-    int code = is_missing ? SQLITE_CORRUPT : open_whole(storage);
+    code = is_missing ? SQLITE_CORRUPT : open_whole(storage);
     if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
         storage->has_to_rebuild = true;
         code = storage_rebuild(storage, is_missing);

@@ -9,6 +9,9 @@ int storage_open_file(struct storage *storage);
 /* A path: the file's own with these two behind it. */
 void storage_beside(const struct storage *storage, const char *suffix, const char *more,
                     char out[LEDGER_PATH_SIZE]);
+/* What lies beside the file and belongs to it. */
+#define STORAGE_BESIDE_COUNT 5u
+extern const char *const storage_suffixes[STORAGE_BESIDE_COUNT];
 bool storage_has_path(const char *path);
 struct ledger_tail storage_look_at_tail(const struct storage *storage);
 void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
@@ -19,10 +22,10 @@ bool storage_is_behind_backup(struct storage *storage);
 /* storage_rebuild.c: puts a new file in the place of one that is damaged, or `is_missing`. SQLite's
  * code; after an error all is as it was. */
 int storage_rebuild(struct storage *storage, bool is_missing);
-/* What was left of that when the power went. */
-void storage_end_rebuilding(struct storage *storage);
-/* Sets the backup or the tail aside, which is of another list. */
-void storage_set_other_aside(struct storage *storage, const char *suffix);
+/* Does what was left of that when the power went. SQLite's code. */
+int storage_end_rebuilding(struct storage *storage);
+/* Sets the backup or the tail aside, which is of another list. 0 or -1: errno. */
+int storage_set_other_aside(struct storage *storage, const char *suffix);
 /* Where nothing can be put in its place because of `refusal`: reads what would have been in it, to
  * be shown and not to be written. Whether there is anything. */
 bool storage_read_remains(struct storage *storage, int refusal);
@@ -33,8 +36,26 @@ void storage_leave(struct storage *storage); /* Lets others in. */
 /* Whether there is a file that can be written; one that went is looked for. */
 bool storage_has_card(struct storage *storage);
 void storage_note_result(struct storage *storage, int code);
+/* The same of a write; closes a file that has to be opened again. */
+void storage_note_write(struct storage *storage, int code);
 /* Whether a code says that the file as it was opened is of no use any more; others pass. */
 bool storage_needs_reopening(int code);
+
+/* storage_moved.c: forgets where the files were seen, after a file was opened. */
+void storage_note_place(struct storage *storage);
+/* Returns whether the open file, its log or its folder is not at its path any more. */
+bool storage_has_moved(struct storage *storage);
+/* Writes entries to the open file. Returns LEDGER_FILE_MOVED if the file has moved by then. */
+int storage_write_entries(struct storage *storage, const struct ledger_entry *entries,
+                          uint32_t count);
+/* Returns whether the file at the path may be opened in place of the one that moved. */
+bool storage_may_follow(struct storage *storage);
+/* Logs which file or folder has moved, and that a file is in use again. */
+void storage_log_left(const struct storage *storage);
+void storage_log_back(const struct storage *storage);
+/* Saves a deleted file and all that waits as a backup, if nothing is at its path. Returns whether
+ * that was done. */
+bool storage_rescue(struct storage *storage);
 
 /* storage_late.c: hal_storage's own, and the thread's: what was handed over goes into the open
  * file, which is not the one that the stall began with. */
@@ -52,10 +73,10 @@ const char *storage_describe(void *storage);
 /* storage.c: how long the card has not answered; 0 while that is nothing to tell. */
 int64_t storage_stuck_ms(const struct storage *storage);
 
-/* storage_tail.c: the newest entries once more, in a file beside it. A card that refuses only that
- * is counted, told, and asked again: with the next ones, and by the second. */
-void storage_write_tail(struct storage *storage, const struct ledger_entry *entries,
-                        uint32_t count);
+/* storage_tail.c: the newest entries once more, in a file beside it. A failed write or sync is
+ * counted and reported, and is retried each second. 0, or -1 where these entries are not on disk in
+ * that file: then they must not be acknowledged. */
+int storage_write_tail(struct storage *storage, const struct ledger_entry *entries, uint32_t count);
 void storage_mend_tail(struct storage *storage);
 
 /* storage_thread.c: the file, and a backup of it that is under way. */

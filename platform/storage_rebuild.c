@@ -9,6 +9,7 @@
  * Where the newest entry is not known its id may be given once more: ids rise by one
  * (core/ledger.h), and what is set aside is told apart by its boots. */
 #include <dirent.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,8 +19,10 @@
 
 #include <sqlite3.h>
 
+#include "platform/plain_file.h"
 #include "platform/storage_parts.h"
 #include "platform/store/ledger_backup.h"
+#include "platform/store/sql.h"
 
 #define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX /* Until it is whole. */
 
@@ -57,14 +60,13 @@ static unsigned next_number(const struct storage *storage)
     return newest + 1u;
 }
 
-void storage_set_other_aside(struct storage *storage, const char *suffix)
+int storage_set_other_aside(struct storage *storage, const char *suffix)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], number[40];
     snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
     storage_beside(storage, suffix, "", from);
     storage_beside(storage, suffix, number, to);
-    rename(from, to);
-    ledger_sync_folder(to);
+    return rename(from, to) == 0 ? ledger_sync_folder(to) : -1;
 }
 
 /* Renames the file, and then what belongs to it: left behind, a journal would be played into the
@@ -80,7 +82,9 @@ static bool set_aside(struct storage *storage, unsigned number)
     for (size_t i = 0; i < SUFFIX_COUNT; i++) {
         storage_beside(storage, suffixes[i], "", from);
         storage_beside(storage, suffix, suffixes[i], to);
-        rename(from, to);
+        if (rename(from, to) != 0 && errno != ENOENT) {
+            return false;
+        }
     }
     return true;
 }
@@ -92,7 +96,7 @@ static bool leave_note(struct storage *storage, unsigned number)
     char path[LEDGER_PATH_SIZE], suffix[40];
     snprintf(suffix, sizeof suffix, STORAGE_MISSING_SUFFIX "%u", number);
     storage_beside(storage, suffix, "", path);
-    const int handle = open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+    const int handle = plain_file_handle(path, O_WRONLY | O_CREAT, 0600);
     return handle >= 0 && close(handle) == 0 && ledger_sync_folder(path) == 0;
 }
 
@@ -115,7 +119,7 @@ static bool open_backup(struct ledger_file *file, const char *backup)
     *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
     const bool is_good =
         storage_has_path(backup) &&
-        sqlite3_open_v2(backup, &file->db, SQLITE_OPEN_READONLY, NULL) == SQLITE_OK &&
+        sql_open(backup, SQLITE_OPEN_READONLY, NULL, &file->db) == SQLITE_OK &&
         ledger_check(file->db) == SQLITE_OK;
     if (!is_good) {
         ledger_file_close(file);
@@ -138,7 +142,7 @@ static int salvage_into(struct storage *storage, struct ledger_file *to)
 
 static int sync_file(const char *path)
 {
-    const int handle = open(path, O_RDWR | O_CLOEXEC);
+    const int handle = plain_file_handle(path, O_RDWR, 0);
     const int result = handle < 0 ? -1 : fsync(handle);
     if (handle >= 0) {
         close(handle);
@@ -160,6 +164,10 @@ static int make_part(struct storage *storage, const char *part)
         ledger_file_close(&file);
     }
     code = code == SQLITE_OK ? ledger_file_open(&file, part, &unsynced) : code;
+    if (code == SQLITE_CORRUPT) { /* The backup is whole, but its sums are out of range. */
+        remove_all(storage, PART_SUFFIX);
+        code = ledger_file_open(&file, part, &unsynced);
+    }
     if (code != SQLITE_OK) {
         return code;
     }
@@ -202,8 +210,9 @@ int storage_rebuild(struct storage *storage, bool is_missing)
     if (code != SQLITE_OK) {
         return code;
     }
-    if (storage->salvaged.has_others_tail) {
-        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX);
+    if (storage->salvaged.has_others_tail &&
+        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX) != 0) {
+        return SQLITE_IOERR;
     }
     if (!set_aside(storage, number) || ledger_sync_folder(storage->path) != 0 ||
         !put_new(storage)) {
@@ -216,15 +225,17 @@ int storage_rebuild(struct storage *storage, bool is_missing)
 
 /* Where there is no file one may be half replaced. What was made for one that is there again is of
  * yesterday. */
-void storage_end_rebuilding(struct storage *storage)
+int storage_end_rebuilding(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
     storage_beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
     if (storage_has_path(storage->path)) {
         remove_all(storage, STORAGE_NEW_SUFFIX);
-    } else if (storage_has_path(fresh) && set_aside(storage, next_number(storage))) {
-        put_new(storage);
+    } else if (storage_has_path(fresh) &&
+               !(set_aside(storage, next_number(storage)) && put_new(storage))) {
+        return SQLITE_IOERR; /* Without the new file nothing else may take the place. */
     }
+    return SQLITE_OK;
 }
 
 /* ---- Where none can be made ----------------------------------------------------------------- */

@@ -99,6 +99,9 @@ static bool gives_up(struct storage *storage)
 
 void storage_note_seals(struct storage *storage)
 {
+    if (!storage->file.db) {
+        return; /* A failed write has just closed the file. */
+    }
     const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
     for (uint32_t i = 0; i < STORAGE_RANKS; i++) {
         const uint32_t id = rows[i].caught > 0 ? rows[i].round_id : 0u;
@@ -115,11 +118,11 @@ void storage_put_replay(struct storage *storage)
         return;
     }
     int code = SQLITE_BUSY;
-    if (storage->file.db && storage_unwritten(storage) == 0) {
+    if (storage->file.db && !storage->moved && storage_unwritten(storage) == 0) {
         code = is_ranked(storage, put->round_id)
                    ? ledger_file_put_replay(&storage->file, put->round_id, put->bytes, put->size)
                    : SQLITE_OK;
-        storage_note_result(storage, code);
+        storage_note_write(storage, code);
         storage_note_seals(storage);
     }
     if (code == SQLITE_OK || gives_up(storage)) {

@@ -74,6 +74,9 @@ const char *storage_describe(void *self)
         snprintf(storage->text, sizeof storage->text,
                  "store: the card has not answered for %u s; %u entries wait",
                  (unsigned)(storage_stuck_ms(storage) / 1000), storage_unwritten(storage));
+    } else if (error == LEDGER_FILE_MOVED) {
+        storage_say(storage, "store: the data folder or " STORAGE_FILE " was removed or replaced",
+                    "nothing is kept", "put it back, or restart the kiosk");
     } else if (error != SQLITE_OK) {
         storage_say_refused(storage, error, advice_for(error));
     } else if (edit_error != 0) {
@@ -84,6 +87,10 @@ const char *storage_describe(void *self)
                     strerror(atomic_load(&storage->tail_error)), "it is retried");
     } else if (aside > 0) {
         say_rebuilt(storage, aside);
+    } else if (atomic_load(&storage->strange) > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 STORAGE_FILE "%s was not a regular file and was set aside",
+                 storage_suffixes[atomic_load(&storage->strange) - 1u]);
     } else {
         snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
     }

@@ -1,7 +1,7 @@
 /* storage_tail.c -- what was just written, written once more, before the kiosk is told of it.
  *
  * The tail has no hole: when it could not be written, nothing newer goes into it before what it
- * lacks has come from the database. Until then backups are made at once (storage_thread.c). */
+ * lacks has come from the database. Until then no entry is acknowledged. */
 #include <errno.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -37,8 +37,8 @@ static int open_tail(struct storage *storage)
     int result = ledger_tail_open(&storage->tail, path);
     if (result == 0 && is_of_another_list(storage)) {
         ledger_tail_close(&storage->tail);
-        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX);
-        result = ledger_tail_open(&storage->tail, path);
+        result = storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX);
+        result = result == 0 ? ledger_tail_open(&storage->tail, path) : result;
     }
     if (result == 0) {
         note_lack(storage);
@@ -108,20 +108,23 @@ static int forget_names(struct storage *storage, const struct ledger_entry *entr
     return result;
 }
 
-void storage_write_tail(struct storage *storage, const struct ledger_entry *entries, uint32_t count)
+int storage_write_tail(struct storage *storage, const struct ledger_entry *entries, uint32_t count)
 {
     if (storage->how.vfs) {
-        return;
+        return 0;
     }
     int result = make_ready(storage, entries[0].id - 1u);
     result = result == 0 ? forget_names(storage, entries, count) : result;
     result = result == 0 ? ledger_tail_write(&storage->tail, entries, count) : result;
     note_result(storage, result, entries[0].id);
+    return result;
 }
 
+/* While entries wait, the next batch does it: until then the store must not look well. */
 void storage_mend_tail(struct storage *storage)
 {
-    if (storage->tail_from > 0 && storage->file.db && !storage->file.refusal) {
+    if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&
+        !storage->file.refusal) {
         note_result(storage, make_ready(storage, atomic_load(&storage->saved_id)), 0);
     }
 }

@@ -7,7 +7,10 @@
 #include "platform/edit_file.h"
 #include "platform/storage_parts.h"
 
-#define RETRY_S 1 /* Between two tries at a card that refused. */
+#define RETRY_MS 1000 /* Between two attempts to write to a card that refused. */
+/* Between two checks that the open file is still at its path. With the status file, which is
+ * written at once after such a change, a loss is reported within a second. */
+#define CHECK_MS 200
 
 uint32_t storage_unwritten(const struct storage *storage)
 {
@@ -49,7 +52,8 @@ static void note_saved(struct storage *storage, const struct ledger_entry *newes
     atomic_store(&storage->saved_id, newest->id);
 }
 
-/* All that lie side by side in the queue, in one transaction. 0 when it was refused. */
+/* Writes the entries that lie side by side in the queue, in one transaction. Returns 0, and
+ * acknowledges nothing, unless both the database and the tail have synced them. */
 static int write_batch(struct storage *storage, unsigned written, unsigned pushed)
 {
     const unsigned first = written % STORAGE_QUEUE_MAX;
@@ -58,16 +62,11 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     const unsigned count = waiting < beside ? waiting : beside;
     const struct ledger_entry *entries = &storage->queue[first];
     atomic_store(&storage->busy_since_ms, storage_now_ms());
-    const int code = ledger_file_write(&storage->file, entries, count);
-    if (code == SQLITE_OK) {
-        storage_write_tail(storage, entries, count);
-    }
+    const int code = storage_write_entries(storage, entries, count);
+    const int tail = code == SQLITE_OK ? storage_write_tail(storage, entries, count) : -1;
     atomic_store(&storage->busy_since_ms, 0);
-    storage_note_result(storage, code);
-    if (code != SQLITE_OK) {
-        if (storage_needs_reopening(code)) {
-            storage_close_file(storage);
-        }
+    storage_note_write(storage, code);
+    if (code != SQLITE_OK || tail != 0) {
         return 0;
     }
     for (unsigned i = 0; i < count; i++) {
@@ -88,7 +87,11 @@ static void drain(struct storage *storage)
         pushed = atomic_load(&storage->pushed);
     }
     if (storage->prunes && storage->file.db && written == pushed) {
-        storage->prunes = ledger_file_prune(&storage->file) != SQLITE_OK;
+        const int code = ledger_file_prune(&storage->file);
+        storage->prunes = code != SQLITE_OK;
+        if (storage_needs_reopening(code)) {
+            storage_note_write(storage, code);
+        }
         storage_note_seals(storage);
     }
 }
@@ -108,11 +111,8 @@ static bool may_back_up(const struct storage *storage)
 
 static bool is_backup_due(const struct storage *storage, uint32_t last_id)
 {
-    const int64_t since_s = now_s() - (storage->backup_due_s - STORAGE_BACKUP_S);
     return now_s() >= storage->backup_due_s ||
-           last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES ||
-           (storage->tail_from > 0 && last_id > storage->backup_id &&
-            since_s >= STORAGE_BACKUP_LONE_S);
+           last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES;
 }
 
 /* A piece at a time, and only while no entry waits; one that fails is made again in an hour. */
@@ -160,10 +160,27 @@ static void drain_edits(struct storage *storage)
     }
 }
 
+/* ---- The log -------------------------------------------------------------------------------- */
+
+/* Makes a log durable that another program's lock kept from being written again at the opening. A
+ * lock that lasts is tried again at the next call. */
+static void prove_log(struct storage *storage)
+{
+    if (!atomic_load(&storage->is_unproven) || !storage_has_card(storage)) {
+        return;
+    }
+    const int code = storage->file.is_suspect ? ledger_log_secure(&storage->file) : SQLITE_OK;
+    storage_note_write(storage, code);
+    if (code == SQLITE_OK) {
+        atomic_store(&storage->is_unproven, false);
+    }
+}
+
 /* ---- The thread ----------------------------------------------------------------------------- */
 
 void storage_work(struct storage *storage)
 {
+    prove_log(storage);
     if (storage_has_card(storage)) {
         drain(storage);
         storage_mend_tail(storage);
@@ -174,31 +191,36 @@ void storage_work(struct storage *storage)
     back_up(storage);
 }
 
-static bool has_work(const struct storage *storage)
+/* Waits for new work, at most CHECK_MS. Returns whether there is some. */
+static bool wait_for_work(struct storage *storage)
 {
-    return storage_unwritten(storage) > 0 || storage_unwritten_edits(storage) > 0 ||
-           (storage->path[0] && !storage->file.db) || storage->file.refusal ||
-           atomic_load(&storage->put.state) == STORAGE_REPLAY_WAITS || storage->backup.copy ||
-           storage->tail_from > 0;
-}
-
-/* Until something comes, or a card that refused may be asked again, or a backup is due. */
-static void wait_for_work(struct storage *storage)
-{
-    const int64_t due_s = storage->backup_due_s - now_s();
-    const int64_t idle_s = due_s > RETRY_S ? due_s : RETRY_S;
     struct timespec until;
     clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_sec += has_work(storage) ? RETRY_S : idle_s;
-    sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until);
+    until.tv_nsec += CHECK_MS * 1000000L;
+    until.tv_sec += until.tv_nsec / 1000000000L;
+    until.tv_nsec %= 1000000000L;
+    return sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0;
 }
 
+/* Returns whether the open file went from its path or came back to it since the last call of
+ * storage_has_card(). */
+static bool has_place_changed(struct storage *storage)
+{
+    return storage->file.db && !storage->file.refusal &&
+           storage_has_moved(storage) != storage->moved;
+}
+
+/* Without new work, storage_work() is called once a second: a card that refused may be asked again,
+ * and a backup may be due. */
 void *storage_thread(void *context)
 {
     struct storage *storage = context;
+    int64_t due_ms = 0;
     while (!atomic_load(&storage->stop)) {
-        wait_for_work(storage);
-        storage_work(storage);
+        if (wait_for_work(storage) || storage_now_ms() >= due_ms || has_place_changed(storage)) {
+            storage_work(storage);
+            due_ms = storage_now_ms() + RETRY_MS;
+        }
     }
     return NULL;
 }

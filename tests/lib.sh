@@ -5,6 +5,8 @@ set -u
 build=${BUILD:-build}
 ctl=$build/kingyoctl
 work=$(mktemp -d)
+# No test depends on what the user's own stall has stored.
+export XDG_DATA_HOME=$work/share
 trap 'rm -rf "$work"' EXIT
 count=0
 

@@ -44,10 +44,10 @@ $(GENERATED)/font.bin $(GENERATED)/fonts.c $(GENERATED)/fonts.h &: \
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/bake font assets/text $(GENERATED)/font.bin $(GENERATED)/fonts.c $(GENERATED)/fonts.h
 
-$(GENERATED)/blobs.o: assets/bake/blobs.S $(BLOBS)
+$(GENERATED)/blobs.o: assets/bake/blobs.S $(BLOBS) $(FOUND_TOOLS)
 	$(call step,AS,$<)
 	$(Q)$(CC) -Wa,-I$(GENERATED) -c -o $@ $<
 
-$(GENERATED)/%.o: $(GENERATED)/%.c | generated
+$(GENERATED)/%.o: $(GENERATED)/%.c $(FOUND) | generated
 	$(call step,CC,$<)
 	$(Q)$(CC) $(HOST_CFLAGS) $(DEP_FLAGS) -c -o $@ $<

@@ -19,6 +19,6 @@ $(SHADER_DIR)/shaders.c: $(SHADERS) assets/bake/shaders.mk
 	  $(foreach s,$(SHADERS),echo 'const char $(call SHADER_NAME,$(s))[] ='; \
 	    sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/    "/' -e 's/$$/\\n"/' $(s); echo '    ;';) } > $@
 
-$(SHADER_DIR)/shaders.o: $(SHADER_DIR)/shaders.c $(SHADER_DIR)/shaders.h
+$(SHADER_DIR)/shaders.o: $(SHADER_DIR)/shaders.c $(SHADER_DIR)/shaders.h $(FOUND)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(HOST_CFLAGS) -c -o $@ $<

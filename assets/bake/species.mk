@@ -6,7 +6,8 @@ SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
 SPECIES_PARTS := assets/bake/species assets/bake/species_write \
     $(patsubst %.c,%,$(filter-out %/shelf.c,$(wildcard platform/species/*.c))) \
     $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \
-    core/base/fmath core/base/vec platform/out_file
+    core/base/fmath core/base/printable core/base/vec platform/out_file platform/plain_file \
+    platform/print
 # Compiled for the building machine, apart from what is compiled for the kiosk.
 SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/bake_host/%.o)
 GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o) $(BUILD)/generated/species_table.o
@@ -37,7 +38,7 @@ $(BUILD)/generated/species_table.c: assets/bake/species.mk
 	    $(foreach s,$(SPECIES),echo '    &species_$(s),';) echo '};'; \
 	    echo 'const uint32_t species_table_count = $(words $(SPECIES));'; } > $@
 
-$(BUILD)/generated/species_%.o: $(BUILD)/generated/species_%.c
+$(BUILD)/generated/species_%.o: $(BUILD)/generated/species_%.c $(FOUND_TOOLS)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 

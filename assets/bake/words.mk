@@ -20,6 +20,6 @@ $(BUILD)/generated/refused_words.c: assets/words/refused.txt $(BUILD)/bake_words
 	$(call step,BAKE,$<)
 	$(Q)$(BUILD)/bake_words $< $@
 
-$(BUILD)/generated/refused_words.o: $(BUILD)/generated/refused_words.c
+$(BUILD)/generated/refused_words.o: $(BUILD)/generated/refused_words.c $(FOUND_TOOLS)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<

@@ -21,6 +21,11 @@ uint64_t hash_u32(uint64_t hash, uint32_t value)
     return (hash << 29) | (hash >> 35);
 }
 
+uint64_t hash_later(uint64_t hash, uint32_t tag, uint32_t value)
+{
+    return value != 0 ? hash_u32(hash_u32(hash, tag), value) : hash;
+}
+
 uint64_t hash_u64(uint64_t hash, uint64_t value)
 {
     return hash_u32(hash_u32(hash, (uint32_t)value), (uint32_t)(value >> 32));

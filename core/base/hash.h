@@ -15,6 +15,9 @@
 uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size);
 uint64_t hash_u32(uint64_t hash, uint32_t value);
 uint64_t hash_u64(uint64_t hash, uint64_t value);
+/* Folds a field that older recordings lack: a value of 0 leaves `hash` as it was. `tag` is another
+ * one for each such field of a struct. */
+uint64_t hash_later(uint64_t hash, uint32_t tag, uint32_t value);
 uint64_t hash_float(uint64_t hash, float value); /* By bits: -0 and 0 differ. */
 uint64_t hash_vec3(uint64_t hash, vec3 value);
 uint64_t hash_floats(uint64_t hash, const float *values, size_t count);

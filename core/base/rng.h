@@ -60,6 +60,7 @@ enum rng_purpose {
     RNG_CONTACT_LOT,      /* Which pairs a full list keeps. */
     RNG_TANK_SEED,        /* Of a tank that a mode opens. */
     RNG_CHAPTER,          /* The seed of the next. */
+    RNG_PIN,              /* The salt of a new PIN. */
 };
 
 #endif

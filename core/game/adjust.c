@@ -83,7 +83,8 @@ int adjust_factory(struct core *core, struct output *output)
     struct ledger *ledger = &core->game.ledger;
     const struct purse purse = ledger->purse;
     const struct ledger_entry entry = { .kind = LEDGER_FACTORY,
-                                        .count = purse.paid + purse.service };
+                                        .count = purse.paid + purse.service,
+                                        .value = purse.tickets };
     ledger->purse = (struct purse){ 0 };
     if (!ledger_write(core, &entry, output)) {
         ledger->purse = purse;
@@ -135,11 +136,9 @@ int adjust_is_saved(const struct core *core)
            ledger_is_saved(&core->game.ledger, adjust->entry_id);
 }
 
-uint64_t adjust_hash(uint64_t hash, const struct adjust *adjust)
+uint64_t adjust_hash(uint64_t hash, const struct adjust *adjust, int rules_7)
 {
-    for (uint32_t i = 0; i < SETTING_COUNT; i++) {
-        hash = hash_u32(hash, (uint32_t)adjust->told.value[i]);
-    }
+    hash = settings_hash(hash, &adjust->told, rules_7);
     hash = hash_u32(hash_u32(hash, adjust->turn_tick), adjust->entry_id);
     return hash_u32(hash_u32(hash, adjust->pin_wrong), adjust->pin_tick);
 }

@@ -51,6 +51,7 @@ void adjust_tick(struct core *core, struct output *output);
 /* Whether all that was turned is on disk. */
 int adjust_is_saved(const struct core *core);
 
-uint64_t adjust_hash(uint64_t hash, const struct adjust *adjust);
+/* `rules_7` as in struct core_config: only then the PIN counts, as in recordings of format 7. */
+uint64_t adjust_hash(uint64_t hash, const struct adjust *adjust, int rules_7);
 
 #endif

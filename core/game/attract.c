@@ -11,6 +11,7 @@ void attract_begin(struct core *core)
 {
     core->game.mode = keeper_first_mode(&core->config);
     core->game.gone_tick = 0;
+    language_return(core);
     phase_enter(core, PHASE_ATTRACT);
     keeper_pour_back(core);
     keeper_set_up(core, core->config.preset);

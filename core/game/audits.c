@@ -34,8 +34,10 @@ static const char *const names[AUDIT_PLAYS] = {
 
 static const char *const machine_names[AUDIT_COUNT - AUDIT_BOOTS] = {
     "boots", "crashed-rounds", "dropped-ticks", "device-faults", "up-seconds", "up-seconds-longest",
-    "resets", "wrong-pins",
+    "resets", "wrong-pins", "lost-again-1", "lost-again-2", "lost-again-3", "lost-again-4",
+    "tickets-dispensed",
 };
+_Static_assert(POI_MAX == 4u, "each seat has its counter of losses");
 
 static void append(char out[AUDIT_NAME_SIZE], const char *text)
 {
@@ -80,7 +82,7 @@ void audit_name(uint32_t id, char out[AUDIT_NAME_SIZE])
 enum audit_group audit_group_of(uint32_t id)
 {
     CORE_ASSERT(id < AUDIT_COUNT);
-    return id < AUDIT_PLAYS_PAID ? AUDIT_GROUP_MONEY
+    return id < AUDIT_PLAYS_PAID || id == AUDIT_TICKETS_OUT ? AUDIT_GROUP_MONEY
            : id < AUDIT_BOOTS    ? AUDIT_GROUP_PLAY
                                  : AUDIT_GROUP_MACHINE;
 }
@@ -117,9 +119,10 @@ static uint32_t weekday_of(uint16_t day)
 
 static void note_begin(struct audits *audits, const struct ledger_entry *entry)
 {
-    add(audits, entry->purse.open == OPEN_PAID      ? AUDIT_PLAYS_PAID
-                : entry->purse.open == OPEN_SERVICE ? AUDIT_PLAYS_SERVICE
-                                                    : AUDIT_PLAYS_FREE, 1);
+    const uint8_t kind = entry->purse.open & OPEN_KIND;
+    add(audits, kind == OPEN_PAID      ? AUDIT_PLAYS_PAID
+                : kind == OPEN_SERVICE ? AUDIT_PLAYS_SERVICE
+                                       : AUDIT_PLAYS_FREE, 1);
     const uint32_t grade = entry->count - SHEET_GRADE_MIN;
     if (entry->detail < MODE_COUNT && grade < AUDIT_GRADES) {
         add(audits, AUDIT_PLAYS + entry->detail * AUDIT_GRADES + grade, 1);
@@ -154,6 +157,7 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
 {
     const struct round_record *round = &entry->round;
     add(audits, AUDIT_TICKETS, (uint32_t)entry->value);
+    add(audits, AUDIT_CRASHED_ROUNDS, entry->detail == ROUND_CUT_OFF);
     if (round->by_bot || round->unscored) {
         return;
     }
@@ -177,6 +181,18 @@ static void note_health(struct audits *audits, const struct ledger_entry *entry)
     add(audits, AUDIT_DROPPED_TICKS, entry->health.dropped_ticks);
     add(audits, AUDIT_DEVICE_FAULTS, entry->health.device_faults);
     *longest = *longest < entry->health.up_s ? entry->health.up_s : *longest;
+}
+
+static void note_ticket(struct audits *audits, const struct ledger_entry *entry)
+{
+    add(audits, AUDIT_TICKETS_OUT, entry->count);
+}
+
+static void note_loss(struct audits *audits, const struct ledger_entry *entry)
+{
+    if (entry->detail < POI_MAX) {
+        add(audits, AUDIT_LOST_AGAIN + entry->detail, entry->count);
+    }
 }
 
 /* Whoever sets books to zero is in the books. */
@@ -239,7 +255,8 @@ void audits_note(struct audits *audits, const struct ledger_entry *entry)
         [LEDGER_REFUND] = note_refund,   [LEDGER_EXPIRED] = note_expired,
         [LEDGER_RESET] = note_reset,     [LEDGER_TEST_COIN] = note_test_coin,
         [LEDGER_HEALTH] = note_health,   [LEDGER_PIN] = note_pin,
-        [LEDGER_FACTORY] = note_expired,
+        [LEDGER_FACTORY] = note_expired, [LEDGER_LOSS] = note_loss,
+        [LEDGER_TICKET] = note_ticket,
     };
     if (entry->kind < LEDGER_KIND_COUNT && note[entry->kind]) {
         note[entry->kind](audits, entry);
@@ -248,8 +265,11 @@ void audits_note(struct audits *audits, const struct ledger_entry *entry)
 
 uint64_t audits_hash(uint64_t hash, const struct audits *audits)
 {
-    for (uint32_t i = 0; i < AUDIT_COUNT; i++) {
+    for (uint32_t i = 0; i < AUDIT_FORMAT_7_COUNT; i++) {
         hash = hash_u32(hash, audits->count[i]);
+    }
+    for (uint32_t i = AUDIT_FORMAT_7_COUNT; i < AUDIT_COUNT; i++) {
+        hash = hash_later(hash, i, audits->count[i]);
     }
     return hash;
 }

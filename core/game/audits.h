@@ -53,6 +53,10 @@ enum audit_id {
     AUDIT_UP_S_MAX,    /* the longest without a restart. */
     AUDIT_RESETS,      /* Of any group; never reset. */
     AUDIT_WRONG_PINS,  /* In a row, up to now: the right one makes it 0, so no page shows it. */
+    AUDIT_FORMAT_7_COUNT, /* Recordings of format 7 have the counters above, and no others. */
+    AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* Repeated losses of each seat's controller. */
+    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Money: begun by the dispenser, of
+                                                            AUDIT_TICKETS. */
     AUDIT_COUNT,
 };
 

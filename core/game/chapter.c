@@ -34,9 +34,11 @@ void chapter_turn(struct core *core)
         .credit = game->credit,
         .upkeep = game->upkeep,
         .adjust = game->adjust,
+        .language = language_kept(core),
     };
     config->memory.ledger.last_id = game->ledger.last_id;
     config->memory.ledger.purse = game->ledger.purse;
+    config->memory.ledger.stand = (struct ledger_stand){ 0 }; /* No round is open in attract. */
     config->memory.audits = game->audits;
     config->memory.ranking = game->ranking;
     memcpy(config->book.has_edit, game->lab.has_edit, sizeof config->book.has_edit);
@@ -55,6 +57,10 @@ void chapter_go_on(struct game *game, const struct chapter *chapter)
     game->credit = chapter->credit;
     game->upkeep = chapter->upkeep;
     game->adjust = chapter->adjust;
+    if (chapter->language.until_tick != 0) {
+        game->language = (uint8_t)chapter->language.chosen;
+        game->language_until = chapter->language.until_tick;
+    }
 }
 
 float chapter_veil(const struct core *core)
@@ -69,7 +75,7 @@ float chapter_veil(const struct core *core)
     return game->phase == PHASE_ATTRACT ? (float)dark / (float)CHAPTER_FADE_TICKS : 0.0f;
 }
 
-uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter)
+uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter, int rules_7)
 {
     hash = hash_u32(hash, chapter->tick);
     hash = hash_u32(hash, chapter->order_count);
@@ -78,5 +84,5 @@ uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter)
     hash = ledger_hash(hash, &chapter->ledger);
     hash = credit_hash(hash, &chapter->credit);
     hash = upkeep_hash(hash, &chapter->upkeep);
-    return adjust_hash(hash, &chapter->adjust);
+    return language_hash(adjust_hash(hash, &chapter->adjust, rules_7), &chapter->language);
 }

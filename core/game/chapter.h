@@ -13,6 +13,7 @@
 
 #include "core/game/adjust.h"
 #include "core/game/credit.h"
+#include "core/game/language.h"
 #include "core/game/ledger.h"
 #include "core/game/upkeep.h"
 #include "core/input.h"
@@ -28,6 +29,7 @@ struct chapter {
     struct credit credit;
     struct upkeep upkeep;
     struct adjust adjust;
+    struct language_choice language;
 };
 
 struct core;
@@ -49,6 +51,6 @@ void chapter_go_on(struct game *game, const struct chapter *chapter);
 /* How dark it is, [0, 1]: 1 at the cut. */
 float chapter_veil(const struct core *core);
 
-uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter);
+uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter, int rules_7);
 
 #endif

@@ -76,6 +76,20 @@ static void note_for_bonus(struct core *core, uint32_t units)
     purse->bonus_units = setting(core, SET_BONUS_UNITS) > 0 ? capped(sum) : 0u;
 }
 
+/* Recordings of format 7 count these units toward a bonus even where none is configured. */
+void coins_fold_untold(struct core *core)
+{
+    struct purse *purse = &core->game.ledger.purse;
+    const uint32_t units = purse->untold;
+    purse->untold = 0;
+    add(&purse->units, units);
+    if (core->config.rules_7) {
+        add(&purse->bonus_units, units);
+    } else {
+        note_for_bonus(core, units);
+    }
+}
+
 static void tell(struct core *core, uint32_t line, struct output *output)
 {
     struct untold *untold = &core->game.credit.untold[line];
@@ -163,6 +177,6 @@ void coins_expire(struct core *core, struct output *output)
         return;
     }
     const struct ledger_entry entry = { .kind = LEDGER_EXPIRED, .count = credits };
-    *purse = (struct purse){ .open = purse->open };
+    *purse = (struct purse){ .open = purse->open, .tickets = purse->tickets };
     ledger_write(core, &entry, output);
 }

@@ -18,6 +18,9 @@ void coins_fall(struct core *core, const struct input *input, struct output *out
 /* The same in the operator's menu: metered, and nobody's money. */
 void coins_test(struct core *core, const struct input *input, struct output *output);
 
+/* Moves the units of coins that no entry reported before the last power cut into the purse. */
+void coins_fold_untold(struct core *core);
+
 /* Writes down what waits, and makes credits of units while there are fewer than SET_CREDIT_MAX; the
  * bonus comes on top of that. */
 void coins_settle(struct core *core, struct output *output);

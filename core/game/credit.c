@@ -5,6 +5,8 @@
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/coins.h"
+#include "core/game/stand.h"
+#include "core/game/tickets.h"
 
 #define NEVER_S 1e6f /* Eleven days. */
 
@@ -116,6 +118,7 @@ void credit_tick(struct core *core, const struct input *input, struct output *ou
     }
     coins_settle(core, output);
     coins_expire(core, output);
+    tickets_tick(core, input, output);
     credit->warnings = warnings(core, input);
 }
 
@@ -140,11 +143,28 @@ void credit_show_outputs(const struct core *core, struct output *output)
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
 
+/* Which credit is played next (enum purse_open), or OPEN_NONE. One that came back goes first: it
+ * has had its refund. Then what the operator gave: whoever tries the machine leaves what was
+ * paid. */
+static uint8_t next_credit(const struct core *core)
+{
+    const struct ledger *ledger = &core->game.ledger;
+    const struct ledger_credits sure = ledger_sure(ledger);
+    const struct purse *purse = &ledger->purse;
+    if (purse->returned == OPEN_PAID && purse->paid > 0) {
+        return sure.paid > 0 ? OPEN_PAID : OPEN_NONE;
+    }
+    if (purse->returned == OPEN_SERVICE && purse->service > 0) {
+        return sure.service > 0 ? OPEN_SERVICE : OPEN_NONE;
+    }
+    return sure.service > 0 ? OPEN_SERVICE : sure.paid > 0 ? OPEN_PAID : OPEN_NONE;
+}
+
 /* Where nothing can be written at all nothing is sold: its end would not be told either. */
 int credit_can_play(const struct core *core)
 {
     return credit_price(core) == 0 ||
-           (sure_credits(core) > 0 && ledger_has_room(&core->game.ledger, LEDGER_COINS));
+           (next_credit(core) != OPEN_NONE && ledger_has_room(&core->game.ledger, LEDGER_COINS));
 }
 
 void credit_ask(struct core *core, struct output *output)
@@ -165,20 +185,19 @@ int credit_is_awaited(const struct core *core)
            credit_can_play(core);
 }
 
-/* What the operator gave is played first: whoever tries the machine leaves what was paid. */
-static enum purse_open pay(struct core *core)
+static uint8_t pay(struct core *core)
 {
     struct purse *purse = &core->game.ledger.purse;
     if (credit_price(core) == 0) {
         return OPEN_FREE;
     }
+    const uint8_t kind = next_credit(core);
+    const uint8_t spent = purse->returned != OPEN_NONE ? OPEN_SPENT : 0u;
     purse->bonus_units = 0;
-    if (ledger_sure(&core->game.ledger).service > 0) {
-        purse->service--;
-        return OPEN_SERVICE;
-    }
-    purse->paid--;
-    return OPEN_PAID;
+    purse->service -= kind == OPEN_SERVICE;
+    purse->paid -= kind == OPEN_PAID;
+    purse->returned = OPEN_NONE;
+    return kind | spent;
 }
 
 void credit_take(struct core *core, uint8_t what, struct output *output)
@@ -195,30 +214,37 @@ void credit_take(struct core *core, uint8_t what, struct output *output)
     credit->came_back = 0;
     credit->await_tick = 0;
     credit->act_tick = core->tick;
-    core->game.ledger.purse.open = (uint8_t)pay(core);
+    credit->stand_id = 0;
+    credit->stand = (struct ledger_stand){ 0 };
+    core->game.ledger.purse.open = pay(core);
     ledger_write(core, &entry, output);
 }
 
-/* There may be more than SET_CREDIT_MAX now, by the one that was taken: it is a person's. */
+/* There may be more than SET_CREDIT_MAX now, by the one that was taken: it is a person's. What
+ * cannot come back is still open at a restart if nobody had played: that entry refunds nothing. */
 void credit_give_back(struct core *core, enum refund_cause cause, struct output *output)
 {
     struct purse *purse = &core->game.ledger.purse;
-    const uint8_t open = purse->open;
-    const uint32_t count = open == OPEN_PAID || open == OPEN_SERVICE;
+    const uint8_t open = purse->open, kind = open & OPEN_KIND;
+    const int is_spent = stand_is_spent(core);
+    const int is_credit = kind == OPEN_PAID || kind == OPEN_SERVICE;
+    const uint32_t count = is_credit && !is_spent;
     core->game.credit.came_back = (uint8_t)count;
-    if (open == OPEN_NONE || (open == OPEN_FREE && cause == REFUND_NO_POI)) {
+    if (kind == OPEN_NONE || (kind == OPEN_FREE && cause == REFUND_NO_POI) ||
+        (is_spent && cause != REFUND_RESTART)) {
         return;
     }
     const struct ledger_entry entry = {
         .kind = LEDGER_REFUND, .detail = (uint8_t)cause, .count = count, .value = open
     };
-    purse->paid += open == OPEN_PAID;
-    purse->service += open == OPEN_SERVICE;
+    purse->paid += kind == OPEN_PAID ? count : 0u;
+    purse->service += kind == OPEN_SERVICE ? count : 0u;
+    purse->returned = count > 0 && !core->config.rules_7 ? kind : purse->returned;
     purse->open = OPEN_NONE;
     ledger_write(core, &entry, output);
 }
 
-uint32_t credit_hand_out_tickets(struct core *core)
+uint32_t credit_tickets_won(const struct core *core)
 {
     const struct game *game = &core->game;
     const uint32_t price = core->config.ticket_fish;
@@ -229,7 +255,13 @@ uint32_t credit_hand_out_tickets(struct core *core)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         won += game->player[i].plays ? game->player[i].caught / price : 0u;
     }
-    core->game.credit.tickets += won;
+    return won;
+}
+
+uint32_t credit_hand_out_tickets(struct core *core)
+{
+    const uint32_t won = credit_tickets_won(core);
+    tickets_owe(core, won);
     return won;
 }
 
@@ -274,5 +306,6 @@ uint64_t credit_hash(uint64_t hash, const struct credit *credit)
         const struct untold *untold = &credit->untold[line];
         hash = hash_u32(hash_u32(hash_u32(hash, untold->pulses), untold->units), untold->owed);
     }
-    return hash;
+    hash = hash_later(hash_later(hash, 1, credit->stand_id), 2, credit->ticket_id);
+    return stand_hash(hash, &credit->stand);
 }

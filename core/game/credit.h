@@ -4,7 +4,10 @@
  * when what was chosen begins, not when START is pressed: who only looks at the choice and leaves
  * has paid nothing. It comes back when that round ends because the pois' controllers went and
  * nobody came again, because the operator opened the menu, or because the kiosk itself stopped in
- * it; such a round wins no tickets and is neither a score nor a record.
+ * it; such a round wins no tickets and is neither a score nor a record. No credit comes back after
+ * two thirds of the round, and none comes back twice: such a round keeps its score and its tickets
+ * (core/game/stand.h). A credit that came back is played before all others, so that one flag in the
+ * purse tells it apart, across power cuts too.
  * The purse is the ledger's (core/ledger.h) and outlives the plug. A credit that is not on disk yet
  * is on its way: it is shown, and may not be played. While nothing can be written the slot is
  * closed; a coin that falls all the same waits (coins.h). */
@@ -45,12 +48,15 @@ struct credit {
     struct untold untold[COIN_LINE_COUNT];
     uint32_t metered;    /* Coins since the start, */
     uint32_t shakes;     /* how often it was shaken, */
-    uint32_t tickets;    /* and what was won. */
+    uint32_t tickets;    /* and the pulses that the dispenser was asked for. */
     uint32_t coin_tick;  /* When the last coin fell; */
     uint32_t tilt_tick;  /* when it was shaken last; 0: never. */
     uint32_t asked_tick; /* When somebody wanted to play and had not paid; 0: never. */
     uint32_t await_tick; /* When somebody wanted to play whose credit was on its way; 0: never. */
     uint32_t act_tick;   /* When anybody last had to do with the purse. */
+    uint32_t stand_id;   /* Entry of the newest LEDGER_STAND of the open round; 0: none yet. */
+    struct ledger_stand stand; /* What that entry reports. */
+    uint32_t ticket_id;  /* LEDGER_TICKET whose pulse waits for the disk; 0: none does. */
 };
 
 struct core;
@@ -82,12 +88,16 @@ int credit_is_awaited(const struct core *core);
  * credit_can_play(). */
 void credit_take(struct core *core, uint8_t what, struct output *output);
 
-/* What runs now ends, and not as it should: its credit comes back, if it took one. A free round
+/* What runs now ends, and not as it should: its credit comes back, if it took one and
+ * stand_is_spent() does not hold; else the purse stays open for the caller to close. A free round
  * whose pois went is a round all the same. */
 void credit_give_back(struct core *core, enum refund_cause cause, struct output *output);
 
-/* The round is over and was not given back: tickets for what each player caught, none for a bot.
- * Returns how many. */
+/* Returns the tickets that the round has won so far: for what each player caught, none for a
+ * bot. */
+uint32_t credit_tickets_won(const struct core *core);
+
+/* The round is over and was not given back: its tickets are owed from now on. Returns how many. */
 uint32_t credit_hand_out_tickets(struct core *core);
 
 /* What there is to see of it. */

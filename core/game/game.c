@@ -101,9 +101,7 @@ void game_tick(struct core *core, const struct input *said, struct output *outpu
     struct game *game = &core->game;
     const struct input own = hand_set_right(core, said), *input = &own;
     calibrate_tick(core, said, output);
-    if (input->pressed & INPUT_LANGUAGE) {
-        game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
-    }
+    language_tick(core, input);
     ledger_tick(core, input);
     upkeep_tick(core, input, output);
     hand_read(core, input);
@@ -209,5 +207,6 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
     hash = menu_hash(hash, &game->menu);
     hash = album_hash(hash, &game->album);
     hash = lab_hash_quick(hash, &game->lab);
+    hash = language_hash(hash, &(struct language_choice){ .until_tick = game->language_until });
     return hints_hash(hash, &game->hints);
 }

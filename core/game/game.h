@@ -17,6 +17,7 @@
 #include "core/game/hints.h"
 #include "core/game/keeper.h"
 #include "core/game/lab.h"
+#include "core/game/language.h"
 #include "core/game/ledger.h"
 #include "core/game/menu.h"
 #include "core/game/name.h"
@@ -65,6 +66,8 @@ struct game {
     uint32_t waited_ticks; /* ... and in all of this round. */
     uint32_t gone_tick;  /* ... as is when the last one who played was out; 0 while some are not.
                             In attract: since when the bot's paper is gone or its bowl full. */
+    uint32_t language_until; /* Tick at which attract ends a visitor's choice of language; 0: there
+                                is no choice. */
     uint32_t turn_tick;   /* When the stall begins anew (chapter.h); 0: nobody asked for it. */
     uint32_t round_s;     /* Of this round. */
     uint32_t round_count; /* Rounds begun; seeds the next poi's paper. */

@@ -3,6 +3,7 @@
 
 #include "core/base/hash.h"
 #include "core/core.h"
+#include "core/game/stand.h"
 
 void ledger_init(struct ledger *ledger, const struct core_config *config)
 {
@@ -67,14 +68,16 @@ static int is_of_a_round(uint8_t kind)
 
 int ledger_has_room(const struct ledger *ledger, uint8_t kind)
 {
-    return waiting(ledger) < LEDGER_RING - (is_of_a_round(kind) ? 0u : LEDGER_SPARE);
+    return ledger->last_id < LEDGER_ID_MAX &&
+           waiting(ledger) < LEDGER_RING - (is_of_a_round(kind) ? 0u : LEDGER_SPARE);
 }
 
 /* A stall that never had a store keeps nothing and was never told that anything is safe: there the
  * oldest entry gives way. */
 int ledger_may_write(const struct ledger *ledger, uint8_t kind)
 {
-    return ledger_has_room(ledger, kind) || (ledger->boot == 0 && !ledger->is_well);
+    return ledger_has_room(ledger, kind) ||
+           (ledger->last_id < LEDGER_ID_MAX && ledger->boot == 0 && !ledger->is_well);
 }
 
 uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct output *output)
@@ -160,13 +163,14 @@ uint64_t purse_hash(uint64_t hash, const struct purse *purse)
 {
     const uint32_t words[] = { purse->units,   purse->bonus_units, purse->paid,
                                purse->service, purse->untold,      purse->open };
-    return hash_words(hash, words, sizeof words / sizeof words[0]);
+    hash = hash_words(hash, words, sizeof words / sizeof words[0]);
+    return hash_later(hash_later(hash, 1, purse->returned), 2, purse->tickets);
 }
 
 uint64_t ledger_start_hash(uint64_t hash, const struct ledger_start *start)
 {
     hash = hash_u32(hash_u32(hash, start->last_id), start->boots);
-    return purse_hash(hash, &start->purse);
+    return stand_hash(purse_hash(hash, &start->purse), &start->stand);
 }
 
 uint64_t ledger_hash(uint64_t hash, const struct ledger *ledger)

@@ -4,6 +4,7 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/core.h"
+#include "core/game/stand.h"
 #include "core/game/keeper.h"
 #include "core/game/menu_parts.h"
 #include "core/game/phases.h"
@@ -54,7 +55,11 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
     };
     check(&input->desk);
     note_hands(core, input);
-    credit_give_back(core, REFUND_OPERATOR, output);
+    if (core->game.phase == PHASE_ROUND && stand_is_spent(core)) {
+        result_skip(core, output);
+    } else {
+        credit_give_back(core, REFUND_OPERATOR, output);
+    }
     upkeep_tell(core, input, output); /* What is looked at in there is of now. */
     core->game.paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {

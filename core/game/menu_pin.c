@@ -1,7 +1,9 @@
 /* menu_pin.c -- four digits before the menu opens, and how they are chosen. */
 #include "core/base/panic.h"
+#include "core/base/rng.h"
 #include "core/core.h"
 #include "core/game/menu_parts.h"
+#include "core/pin.h"
 
 #define WAIT_TICKS (5u * CORE_TICK_HZ)
 #define DOUBLINGS_MAX 5u
@@ -58,7 +60,8 @@ void menu_pin_take(struct core *core, uint32_t tag, struct output *output)
     if (menu_pin_wait_ticks(core) > 0 || !type(core, tag)) {
         return;
     }
-    const int is_right = core->game.menu.pin == core->config.memory.settings.value[SET_PIN];
+    const int is_right =
+        pin_matches(core->config.memory.settings.value[SET_PIN], core->game.menu.pin);
     note_typed(core, is_right, output);
     if (is_right) {
         menu_turn(core, MENU_TOP);
@@ -68,12 +71,20 @@ void menu_pin_take(struct core *core, uint32_t tag, struct output *output)
     menu_pin_enter(core);
 }
 
+/* The digits of a recording of format 7 were kept as they are. */
+static int32_t kept_pin(const struct core *core)
+{
+    const uint32_t salt = rng_u32((struct rng_key){ core->config.seed, core->tick, 0, RNG_PIN });
+    const uint32_t pin = core->game.menu.pin;
+    return core->config.rules_7 ? (int32_t)pin : pin_hide(pin, salt);
+}
+
 /* 0000 asks for none from now on. */
 void menu_new_pin_take(struct core *core, uint32_t tag, struct output *output)
 {
     (void)output;
     if (type(core, tag)) {
-        adjust_set(core, SET_PIN, core->game.menu.pin);
+        adjust_set(core, SET_PIN, kept_pin(core));
         menu_turn(core, MENU_UPKEEP);
     }
 }

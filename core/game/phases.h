@@ -36,6 +36,8 @@ void round_tick(struct core *core, struct output *output);
 
 /* The round is over: it is weighed and told. */
 void result_begin(struct core *core, struct output *output);
+/* Ends a round that counts without showing its result: the operator's menu opens. */
+void result_skip(struct core *core, struct output *output);
 void result_tick(struct core *core, const struct input *input, struct output *output);
 
 #endif

@@ -18,6 +18,13 @@ void result_begin(struct core *core, struct output *output)
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
 
+void result_skip(struct core *core, struct output *output)
+{
+    core->game.credit.came_back = 0;
+    score_keep(core, credit_hand_out_tickets(core), output);
+    name_note_round(core, 0);
+}
+
 /* The same players go on: they know what they have learned. */
 void result_tick(struct core *core, const struct input *input, struct output *output)
 {

@@ -7,6 +7,7 @@
 #include "core/game/pause.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
+#include "core/game/stand.h"
 
 #define RENEW_TICKS CORE_TICK_HZ /* To see the hole before the poi is changed. */
 
@@ -125,6 +126,8 @@ void round_tick(struct core *core, struct output *output)
     struct game *game = &core->game;
     pause_tick(core);
     note_who_plays(core);
+    upkeep_note_losses(core, output);
+    stand_tick(core, output);
     if (pause_is_over(core)) {
         credit_give_back(core, REFUND_NO_POI, output);
         result_begin(core, output);

@@ -3,14 +3,9 @@
 
 #include "core/base/hash.h"
 #include "core/core.h"
-
-/* What fell while there was no room for an entry is in the purse that came after it. */
-static void fold_untold(struct purse *purse)
-{
-    purse->units += purse->untold;
-    purse->bonus_units += purse->untold;
-    purse->untold = 0;
-}
+#include "core/game/coins.h"
+#include "core/game/pause.h"
+#include "core/game/stand.h"
 
 static void tell_boot(struct core *core, struct output *output)
 {
@@ -18,9 +13,10 @@ static void tell_boot(struct core *core, struct output *output)
     const struct ledger_entry entry = { .kind = LEDGER_BOOT,
                                         .count = ledger->boot,
                                         .value = (int32_t)ledger->purse.untold };
-    fold_untold(&ledger->purse);
+    coins_fold_untold(core);
     ledger_write(core, &entry, output);
-    if (ledger->purse.open != OPEN_NONE) {
+    const int counts = (ledger->purse.open & OPEN_SPENT) && stand_finish(core, output);
+    if (!counts && ledger->purse.open != OPEN_NONE) {
         credit_give_back(core, REFUND_RESTART, output);
         core->game.credit.came_back = 0; /* Of another evening: nobody waits for that news. */
     }
@@ -84,12 +80,41 @@ void upkeep_tick(struct core *core, const struct input *input, struct output *ou
     }
 }
 
+/* ---- Controllers ---------------------------------------------------------------------------- */
+
+static void note_loss(struct core *core, uint32_t seat, struct output *output)
+{
+    uint32_t *last_tick = &core->game.upkeep.loss_tick[seat];
+    const struct ledger_entry entry = { .kind = LEDGER_LOSS, .detail = (uint8_t)seat, .count = 1 };
+    if (*last_tick != 0 && core->tick - *last_tick < UPKEEP_LOSS_AGAIN_TICKS) {
+        ledger_write(core, &entry, output);
+    }
+    *last_tick = core->tick;
+}
+
+void upkeep_note_losses(struct core *core, struct output *output)
+{
+    struct upkeep *upkeep = &core->game.upkeep;
+    for (uint32_t i = 0; i < POI_MAX && !core->config.rules_7; i++) {
+        const struct player *player = &core->game.player[i];
+        const int is_away = player->plays && !player->out && !pause_holds(core, i);
+        upkeep->away_ticks[i] = is_away ? upkeep->away_ticks[i] + 1u : 0u;
+        if (upkeep->away_ticks[i] == UPKEEP_LOSS_TICKS) {
+            note_loss(core, i, output);
+        }
+    }
+}
+
 uint64_t upkeep_hash(uint64_t hash, const struct upkeep *upkeep)
 {
     const uint32_t words[] = { upkeep->is_told, upkeep->told_tick, upkeep->dropped_ticks,
                                upkeep->device_faults, upkeep->told_shakes };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hash = hash_later(hash, 2u * i + 1u, upkeep->away_ticks[i]);
+        hash = hash_later(hash, 2u * i + 2u, upkeep->loss_tick[i]);
     }
     return hash;
 }

@@ -19,9 +19,20 @@ struct upkeep {
     uint32_t told_tick;    /* When a LEDGER_HEALTH was written last, ... */
     uint32_t dropped_ticks, device_faults; /* ... and what it found in the input. */
     uint32_t told_shakes;
+    uint32_t away_ticks[POI_MAX]; /* How long a seat that plays has been without its controller. */
+    uint32_t loss_tick[POI_MAX];  /* When a seat last lost its controller in a round; 0: never. */
 };
 
+/* A controller that is away so long in a round was lost; a shorter gap is a glitch. */
+#define UPKEEP_LOSS_TICKS CORE_TICK_HZ
+/* A loss within this time of the same seat's last one is a repeated loss: LEDGER_LOSS. */
+#define UPKEEP_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
+
 struct core;
+
+/* Counts repeated losses of each seat's controller. Once a tick of the round, after
+ * pause_tick(). */
+void upkeep_note_losses(struct core *core, struct output *output);
 
 /* Once a tick, before anything else is written in it. */
 void upkeep_tick(struct core *core, const struct input *input, struct output *output);

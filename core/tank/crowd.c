@@ -95,7 +95,7 @@ static int is_beyond(const struct crowd *crowd, uint32_t i)
 
 int crowd_is_stale(const struct crowd *crowd)
 {
-    int farther = crowd->touch_count > CROWD_CONTACT_MAX;
+    int farther = crowd->touch_count > crowd_contact_max(crowd);
     for (uint32_t i = 0; i < crowd->count; i++) {
         farther |= is_beyond(crowd, i);
     }
@@ -130,7 +130,7 @@ static void meet_again(struct crowd *crowd, uint32_t fish, uint32_t other)
     const struct box box_a = body_box(a), box_b = body_box(b);
     const struct box_gap gap = box_gap(&box_a, crowd->reach_m[fish], &box_b, left_m);
     if (gap.space_m <= 0.0f && gap.body_m < crowd->reach_m[fish] + left_m) {
-        CORE_ASSERT(crowd->near_count < CROWD_CONTACT_MAX);
+        CORE_ASSERT(crowd->near_count < crowd_contact_max(crowd));
         crowd->contact[crowd->near_count++] =
             (struct contact){ (fish_index)fish, (fish_index)other, gap.body_m + way_m };
         crowd->touch_count = crowd->near_count;
@@ -161,7 +161,7 @@ int crowd_look_again(struct crowd *crowd, const struct fish *fish)
             beyond[count++] = (fish_index)i;
         }
     }
-    if (crowd->touch_count + count * crowd->count > CROWD_CONTACT_MAX) {
+    if (crowd->touch_count + count * crowd->count > crowd_contact_max(crowd)) {
         return 0;
     }
     for (uint32_t k = 0; k < count; k++) {

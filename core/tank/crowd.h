@@ -59,6 +59,12 @@ struct crowd {
     struct found found[PAIRS_BATCH + LANES_MAX];
 };
 
+/* Returns how many contacts the list of this crowd holds, at most CROWD_CONTACT_MAX. */
+static inline uint32_t crowd_contact_max(const struct crowd *crowd)
+{
+    return CROWD_CONTACT_MAX / TANK_FISH_MAX * fish_capacity(crowd->count);
+}
+
 /* Sets `count` and `flags` anew from fish whose bodies are in place. */
 void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_count);
 

@@ -57,15 +57,15 @@ static void leave_out(struct crowd *crowd, const struct contact *contact)
  * same chance and none waits for long (a reservoir). */
 static void list_contact(struct crowd *crowd, struct contact contact, uint32_t seed, uint32_t tick)
 {
+    const uint32_t most = crowd_contact_max(crowd);
     uint32_t place = crowd->touch_count++;
-    if (place >= CROWD_CONTACT_MAX) {
+    if (place >= most) {
         place = rng_u32((struct rng_key){ seed, tick, place, RNG_CONTACT_LOT }) % (place + 1u);
-        leave_out(crowd, place < CROWD_CONTACT_MAX ? &crowd->contact[place] : &contact);
+        leave_out(crowd, place < most ? &crowd->contact[place] : &contact);
     }
-    if (place < CROWD_CONTACT_MAX) {
+    if (place < most) {
         crowd->contact[place] = contact;
-        crowd->near_count =
-            crowd->touch_count < CROWD_CONTACT_MAX ? crowd->touch_count : CROWD_CONTACT_MAX;
+        crowd->near_count = crowd->touch_count < most ? crowd->touch_count : most;
     }
 }
 
@@ -206,7 +206,7 @@ void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_searc
         .breadth_m = around->size_m.z,
     };
     seek(&look, &of, 1);
-    if (crowd->touch_count > CROWD_CONTACT_MAX) { /* Rather the nearest of them, and look soon. */
+    if (crowd->touch_count > crowd_contact_max(crowd)) { /* List the nearest; look again soon. */
         seek(&look, &of, 0);
     }
     if (around->ball_spaces && !how.contacts_only) {

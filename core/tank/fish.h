@@ -7,15 +7,25 @@
 #include "core/tank/box.h"
 #include "core/tank/law.h"
 
+#define TANK_FISH_KIOSK 2048u /* Room for the deepest tank; preset.h has the limit of each. */
+/* `kingyoctl tank` and the bench compile a tank with more room (platform/ctl/tank.mk). */
 #ifndef TANK_FISH_MAX
-#define TANK_FISH_MAX 2048u /* Room for the deepest tank; what each holds is in preset.h. The bench
-                               builds with more. */
+#define TANK_FISH_MAX TANK_FISH_KIOSK
 #endif
+_Static_assert(TANK_FISH_MAX >= TANK_FISH_KIOSK, "the kiosk's tank fits in every tank");
 #if TANK_FISH_MAX < 65536u
 typedef uint16_t fish_index; /* Counts of fish are held in it, too: up to all of them. */
 #else
 typedef uint32_t fish_index;
 #endif
+
+/* Returns the number of fish that the limits of a tank with `fish_count` fish are made for. Up to
+ * TANK_FISH_KIOSK fish every build has the limits of the kiosk, so that they swim to the same hash.
+ */
+static inline uint32_t fish_capacity(uint32_t fish_count)
+{
+    return fish_count <= TANK_FISH_KIOSK ? TANK_FISH_KIOSK : TANK_FISH_MAX;
+}
 
 /* A body whose top stands so far out of the water is in the air; a ripple is not. */
 #define FISH_AIRBORNE_M 0.003f

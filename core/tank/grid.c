@@ -10,16 +10,18 @@ static uint32_t cells_along(float length_m, float cell_m)
     return (float)whole * cell_m < length_m ? whole + 1u : whole;
 }
 
-void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m)
+void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m,
+                 uint32_t fish_count)
 {
+    const uint32_t cell_max = fish_capacity(fish_count) / (TANK_FISH_MAX / GRID_CELL_MAX);
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
-    /* No cell smaller than what a square plan of GRID_CELL_MAX cells would need. */
+    /* No cell smaller than what a square plan of cell_max cells would need. */
     /* A little more than asked for: no rounding may put two that are near two cells apart. */
-    grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)GRID_CELL_MAX);
+    grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)cell_max);
     grid->columns = cells_along(width_m, grid->cell_m);
     grid->rows = cells_along(breadth_m, grid->cell_m);
-    while (grid->columns * grid->rows > GRID_CELL_MAX) {
+    while (grid->columns * grid->rows > cell_max) {
         grid->cell_m *= 1.1f;
         grid->columns = cells_along(width_m, grid->cell_m);
         grid->rows = cells_along(breadth_m, grid->cell_m);

@@ -27,8 +27,10 @@ struct grid {
     fish_index cell_of[TANK_FISH_MAX + LANES_MAX]; /* Of each that is to be sorted. */
 };
 
-/* Lays cells of side >= `reach_m` over a floor plan; larger where GRID_CELL_MAX would not do. */
-void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m);
+/* Lays cells of side >= `reach_m` over a floor plan for `fish_count` fish. The cells are larger
+ * where the plan would need more than half of fish_capacity() cells. */
+void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m,
+                 uint32_t fish_count);
 
 /* The cell of a point, clamped to the plan. */
 uint32_t grid_cell(const struct grid *grid, vec3 point_m);

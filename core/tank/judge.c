@@ -55,7 +55,7 @@ static void put_back(const struct parting *all, uint32_t index, uint32_t round)
 static uint32_t hold_unlisted(const struct parting *all)
 {
     const struct crowd *crowd = all->crowd;
-    const int is_full = crowd->touch_count > CROWD_CONTACT_MAX;
+    const int is_full = crowd->touch_count > crowd_contact_max(crowd);
     uint32_t held = 0;
     for (uint32_t i = 0; i < crowd->count && is_full; i++) {
         if (crowd->flags[i] & CROWD_UNLISTED && crowd->overlap_count <= PILE * crowd->count) {

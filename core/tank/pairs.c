@@ -34,7 +34,7 @@ void pairs_begin(struct pairs *pairs, const struct pairs_of *of)
         return;
     }
     const float ball_m = LANES_PICK(of->lanes, pairs_measure)(pairs, of, pairs->member, count);
-    grid_layout(grid, of->width_m, of->breadth_m, 2.0f * ball_m);
+    grid_layout(grid, of->width_m, of->breadth_m, 2.0f * ball_m, of->count);
     LANES_PICK(of->lanes, pairs_cells)(pairs, count);
     grid_sort(grid, pairs->member, count);
     for (uint32_t lane = 0; lane < LANES_MAX; lane++) {

@@ -69,7 +69,7 @@ struct tank_config {
 #define TANK_DEPTH_MAX_M 0.50f
 
 #define TANK_AREA_SCALE_MIN 0.05f
-#define TANK_AREA_SCALE_MAX 200.0f
+#define TANK_AREA_SCALE_MAX 250.0f
 
 /* The preset as it stands: its own values for all. */
 struct tank_config tank_config_of(uint8_t preset);

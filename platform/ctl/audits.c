@@ -76,18 +76,20 @@ static void print_text(const struct memory *memory)
 {
     const struct audits *audits = &memory->audits;
     printf("%u entries, start %u; in the machine: paid credits %u, service credits %u,"
-           " units %u\n",
+           " units %u, tickets owed %u\n",
            memory->ledger.last_id, memory->ledger.boots, memory->ledger.purse.paid,
-           memory->ledger.purse.service, memory->ledger.purse.units);
+           memory->ledger.purse.service, memory->ledger.purse.units,
+           memory->ledger.purse.tickets);
     puts("\nmoney");
     print_named(audits, 0, AUDIT_PLAYS_PAID);
+    print_named(audits, AUDIT_TICKETS_OUT, AUDIT_TICKETS_OUT + 1u);
     puts("\nplay");
     print_named(audits, AUDIT_PLAYS_PAID, AUDIT_PLAYS);
     print_means(audits);
     print_plays(audits);
     print_times(audits);
     puts("\nmachine");
-    print_named(audits, AUDIT_BOOTS, AUDIT_COUNT);
+    print_named(audits, AUDIT_BOOTS, AUDIT_TICKETS_OUT);
 }
 
 /* ---- For programs --------------------------------------------------------------------------- */
@@ -96,10 +98,11 @@ static void print_json(const struct memory *memory)
 {
     const struct ledger_start *ledger = &memory->ledger;
     char key[AUDIT_NAME_SIZE];
-    printf("{\"entries\": %u, \"start\": %u, \"paid\": %u, \"service\": %u, \"units\": %u,\n"
+    printf("{\"entries\": %u, \"start\": %u, \"paid\": %u, \"service\": %u, \"units\": %u,"
+           " \"tickets_owed\": %u,\n"
            " \"audits\": {",
            ledger->last_id, ledger->boots, ledger->purse.paid, ledger->purse.service,
-           ledger->purse.units);
+           ledger->purse.units, ledger->purse.tickets);
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
         audit_name(id, key);
         printf("%s\n  \"%s\": %u", id == 0 ? "" : ",", key, memory->audits.count[id]);

@@ -9,6 +9,7 @@
 #include "platform/ctl/books.h"
 #include "platform/ctl/restore.h"
 #include "platform/json_char.h"
+#include "platform/print.h"
 #include "platform/storage.h"
 #include "platform/store/ledger_backup.h"
 
@@ -54,9 +55,9 @@ static enum exit_code copy(struct ledger_file *file, const char *path,
     }
     const int code = ledger_backup_make(file, path, true);
     if (code != SQLITE_OK) {
-        fprintf(stderr, "kingyoctl backup: %s: cannot be written: %s\n", path,
-                code == SQLITE_CORRUPT ? "the stall's own file is damaged"
-                                       : ledger_file_error(code));
+        print_error("kingyoctl backup: %s: cannot be written: %s", path,
+                    code == SQLITE_CORRUPT ? "the stall's own file is damaged"
+                                           : ledger_file_error(code));
         return code == SQLITE_CORRUPT ? EXIT_BAD_DATA : EXIT_IO;
     }
     const struct ledger_start *ledger = &file->content.memory.ledger;
@@ -65,7 +66,7 @@ static enum exit_code copy(struct ledger_file *file, const char *path,
         json_print(path);
         printf(", \"entries\": %u, \"start\": %u}\n", ledger->last_id, ledger->boots);
     } else {
-        printf("%s: whole, %u entries\n", path, ledger->last_id);
+        print_line(stdout, "%s: whole, %u entries", path, ledger->last_id);
     }
     return EXIT_OK;
 }

@@ -8,6 +8,7 @@
 
 #include <sqlite3.h>
 
+#include "platform/print.h"
 #include "platform/storage.h"
 #include "platform/store/sql.h"
 
@@ -58,7 +59,7 @@ static int look_at_old(const char *path)
         "SELECT count(*) = 2 FROM pragma_table_info('rounds') WHERE name IN ('number', 'id')";
     sqlite3 *db = NULL;
     int64_t is_ours = 0;
-    int code = sqlite3_open_v2(path, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
+    int code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db);
     code = code == SQLITE_OK ? sql_number(db, ours, &is_ours) : code;
     sqlite3_close(db);
     return code == SQLITE_OK && !is_ours ? SQLITE_NOTFOUND : code;
@@ -82,7 +83,7 @@ static enum exit_code tell(const char *command, const char *path, int code)
                       : code == SQLITE_NOTADB  ? "is no database"
                       : code == SQLITE_CORRUPT ? "is damaged: the stall replaces it when it starts"
                                                : ledger_file_error(code);
-    fprintf(stderr, "kingyoctl %s: %s: %s\n", command, path, why);
+    print_error("kingyoctl %s: %s: %s", command, path, why);
     return code == SQLITE_SCHEMA || code == SQLITE_NOTADB || code == SQLITE_CORRUPT ||
                    code == LEDGER_FILE_NEWER
                ? EXIT_BAD_DATA
@@ -96,10 +97,10 @@ enum exit_code books_open(const char *command, const struct books_words *words,
     books_path(words, path);
     const int error = look_for(path);
     if (error) {
-        fprintf(stderr, "kingyoctl %s: %s: %s\n", command, path,
-                error == ENOENT   ? "is not there; --data says where else"
-                : error == EACCES ? "you may not look there: ask with sudo"
-                                  : strerror(error));
+        print_error("kingyoctl %s: %s: %s", command, path,
+                    error == ENOENT   ? "is not there; --data says where else"
+                    : error == EACCES ? "you may not look there: ask with sudo"
+                                      : strerror(error));
         return EXIT_IO;
     }
     const int code = ledger_file_look(out, path);

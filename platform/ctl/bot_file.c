@@ -5,8 +5,12 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "core/base/printable.h"
 #include "platform/ctl/bot_keys.h"
+#include "platform/ctl/user_file.h"
+#include "platform/print.h"
 
 #define LINE_MAX_CHARS 200u
 #define SHOWN 40 /* Characters of a wrong word that are told again. */
@@ -21,14 +25,6 @@ struct parser {
     struct bot_file_problem *problem;
 };
 
-/* What a file holds must not steer the terminal that shows it. */
-static void calm(char *text)
-{
-    for (; *text; text++) {
-        *text = (unsigned char)*text < ' ' || *text == 0x7f ? '?' : *text;
-    }
-}
-
 __attribute__((format(printf, 2, 3)))
 static int refuse(struct parser *parser, const char *format, ...)
 {
@@ -36,7 +32,7 @@ static int refuse(struct parser *parser, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(parser->problem->text, sizeof parser->problem->text, format, arguments);
     va_end(arguments);
-    calm(parser->problem->text);
+    printable(parser->problem->text);
     parser->problem->line = parser->line;
     return -1;
 }
@@ -203,41 +199,32 @@ int bot_file_parse(const char *text, size_t size, struct technique *out,
     return 0;
 }
 
-static enum exit_code tell_io(const char *speaker, const char *path, int error)
-{
-    fprintf(stderr, "%s: %s: %s\n", speaker, path, strerror(error));
-    return EXIT_IO;
-}
-
 enum exit_code bot_file_read(const char *speaker, const char *path, struct technique *out)
 {
     char text[BOT_FILE_SIZE_MAX];
     struct bot_file_problem problem = { 0 };
-    FILE *file = fopen(path, "rb");
-    if (!file && errno == ENOENT) { /* As likely a name misspelt. */
-        fprintf(stderr, "%s: %s: %s; novice, expert or a FILE is a bot\n", speaker, path,
-                strerror(errno));
+    FILE *file;
+    if (access(path, F_OK) != 0 && errno == ENOENT) { /* As likely a name misspelt. */
+        print_error("%s: %s: %s; novice, expert or a FILE is a bot", speaker, path,
+                    strerror(errno));
         return EXIT_IO;
     }
-    if (!file) {
-        return tell_io(speaker, path, errno);
+    const enum exit_code code = user_file_open(speaker, path, sizeof text, &file);
+    if (code != EXIT_OK) {
+        return code;
     }
     errno = 0;
     const size_t size = fread(text, 1, sizeof text, file);
     const int error = ferror(file) ? errno : 0;
     fclose(file);
     if (error) {
-        return tell_io(speaker, path, error);
-    }
-    if (size == sizeof text) {
-        fprintf(stderr, "%s: %s: is longer than any bot\n", speaker, path);
-        return EXIT_BAD_DATA;
+        return user_file_refuse(speaker, path, sizeof text, error);
     }
     if (bot_file_parse(text, size, out, &problem)) {
         if (problem.line) {
-            fprintf(stderr, "%s: %s:%u: %s\n", speaker, path, problem.line, problem.text);
+            print_error("%s: %s:%u: %s", speaker, path, problem.line, problem.text);
         } else {
-            fprintf(stderr, "%s: %s: %s\n", speaker, path, problem.text);
+            print_error("%s: %s: %s", speaker, path, problem.text);
         }
         return EXIT_BAD_DATA;
     }

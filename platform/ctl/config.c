@@ -6,13 +6,15 @@
 #include <string.h>
 
 #include "platform/ctl/ctl.h"
+#include "platform/plain_file.h"
+#include "platform/print.h"
 
 static const char name[] = "config";
 static uint32_t warning_count;
 
 static void warn(const char *line)
 {
-    fprintf(stderr, "%s\n", line); /* FILE:LINE: what, as editors and compilers know it. */
+    print_error("%s", line); /* FILE:LINE: what, as editors and compilers know it. */
     warning_count++;
 }
 
@@ -23,23 +25,19 @@ static enum exit_code check(const char *path)
     warning_count = 0;
     const int failed = options_read_config(&options, path, warn);
     if (failed) {
-        fprintf(stderr, "kingyoctl config: %s: %s\n", path, strerror(-failed));
-        return EXIT_IO;
+        print_error("kingyoctl config: %s: %s", path, plain_file_error(-failed));
+        return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
     }
     if (warning_count > 0) {
         return EXIT_NOT_SO;
     }
-    printf("%s: every line is used\n", path);
+    print_line(stdout, "%s: every line is used", path);
     return EXIT_OK;
 }
 
 static enum exit_code print_defaults(void)
 {
     config_file_print_defaults(stdout);
-    if (fflush(stdout)) {
-        fprintf(stderr, "kingyoctl config: standard output: %s\n", strerror(errno));
-        return EXIT_IO;
-    }
     return EXIT_OK;
 }
 

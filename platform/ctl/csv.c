@@ -5,7 +5,9 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "platform/ctl/user_file.h"
 #include "platform/number.h"
+#include "platform/print.h"
 
 #define FIELD_SHOWN 40 /* Characters of a wrong value that are told again. */
 #define LIST_MAX 256u
@@ -14,19 +16,19 @@ static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* U+FEFF in UTF-8. */
 
 static enum exit_code refuse_line(const struct csv *csv, const char *what)
 {
-    fprintf(stderr, "%s: %s: line %u: %s\n", csv->speaker, csv->path, csv->line, what);
+    print_error("%s: %s: line %u: %s", csv->speaker, csv->path, csv->line, what);
     return EXIT_BAD_DATA;
 }
 
 enum exit_code csv_refuse(const struct csv *csv, uint32_t index, const char *format, ...)
 {
+    char words[PRINT_LINE_MAX];
     va_list arguments;
-    fprintf(stderr, "%s: %s: line %u, column %u (%s): ", csv->speaker, csv->path, csv->line,
-            csv->field_of[index], csv->columns[index].name);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
+    print_error("%s: %s: line %u, column %u (%s): %s", csv->speaker, csv->path, csv->line,
+                csv->field_of[index], csv->columns[index].name, words);
     return EXIT_BAD_DATA;
 }
 
@@ -53,8 +55,7 @@ static enum exit_code next_line(struct csv *csv, int *is_end)
         if (!fgets(csv->text, sizeof csv->text, csv->file)) {
             *is_end = 1;
             if (ferror(csv->file)) {
-                fprintf(stderr, "%s: %s: %s\n", csv->speaker, csv->path, strerror(errno));
-                return EXIT_IO;
+                return user_file_refuse(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
             }
             return EXIT_OK;
         }
@@ -108,8 +109,8 @@ static enum exit_code refuse_name(const struct csv *csv, const char *name, uint3
     for (uint32_t i = 0; i < csv->column_count; i++) {
         list_word(list, csv->columns[i].name);
     }
-    fprintf(stderr, "%s: %s: line %u, column %u: '%.*s' is none of %s\n", csv->speaker, csv->path,
-            csv->line, number, FIELD_SHOWN, name, list);
+    print_error("%s: %s: line %u, column %u: '%.*s' is none of %s", csv->speaker, csv->path,
+                csv->line, number, FIELD_SHOWN, name, list);
     return EXIT_BAD_DATA;
 }
 
@@ -143,8 +144,8 @@ static enum exit_code read_head(struct csv *csv)
     }
     for (uint32_t i = 0; i < csv->column_count; i++) {
         if (!csv->field_of[i] && !csv->columns[i].may_miss) {
-            fprintf(stderr, "%s: %s: line %u: the column %s is missing\n", csv->speaker, csv->path,
-                    csv->line, csv->columns[i].name);
+            print_error("%s: %s: line %u: the column %s is missing", csv->speaker, csv->path,
+                        csv->line, csv->columns[i].name);
             return EXIT_BAD_DATA;
         }
     }
@@ -157,12 +158,8 @@ enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
     *csv = (struct csv){
         .speaker = speaker, .path = path, .columns = columns, .column_count = column_count
     };
-    csv->file = fopen(path, "r");
-    if (!csv->file) {
-        fprintf(stderr, "%s: %s: %s\n", speaker, path, strerror(errno));
-        return EXIT_IO;
-    }
-    return read_head(csv);
+    const enum exit_code code = user_file_open(speaker, path, CSV_SIZE_MAX, &csv->file);
+    return code == EXIT_OK ? read_head(csv) : code;
 }
 
 int csv_has(const struct csv *csv, uint32_t index)
@@ -214,9 +211,9 @@ static uint32_t column_at(const struct csv *csv, uint32_t number)
 
 static enum exit_code refuse_surplus(const struct csv *csv, const char *text)
 {
-    fprintf(stderr, "%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns\n",
-            csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, text,
-            csv->field_count);
+    print_error("%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns",
+                csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, text,
+                csv->field_count);
     return EXIT_BAD_DATA;
 }
 

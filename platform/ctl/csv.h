@@ -14,6 +14,7 @@
 
 #define CSV_COLUMN_MAX 16u
 #define CSV_LINE_MAX 1024u
+#define CSV_SIZE_MAX (64u << 20) /* Bytes; 131,072 fish of --place are about 16 MiB. */
 
 /* A column that is known. */
 struct csv_column {

@@ -24,4 +24,7 @@ extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_pap
 __attribute__((format(printf, 2, 3)))
 enum exit_code ctl_usage(const char *command, const char *format, ...);
 
+/* For a core that returned CORE_ERR_FLOAT: one line on standard error, and EXIT_NOT_SO. */
+enum exit_code ctl_float(const char *command);
+
 #endif

@@ -13,6 +13,8 @@
 #include "platform/ctl/ctl.h"
 #include "platform/folder.h"
 #include "platform/kiosk/config_file.h"
+#include "platform/plain_file.h"
+#include "platform/print.h"
 
 #define WORDS_MAX 160 /* Every wire and controller that the kiosk takes, and more. */
 
@@ -39,8 +41,8 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     const struct passwd *entry = wanted ? getpwnam(wanted) : getpwuid(geteuid());
     int count = DOCTOR_GROUPS_MAX;
     if (!entry && wanted) {
-        fprintf(stderr, "kingyoctl doctor: --user %s: there is no such user; board/sysusers makes "
-                        "'kingyo'\n", wanted);
+        print_error("kingyoctl doctor: --user %s: there is no such user; board/sysusers makes "
+                            "'kingyo'", wanted);
         return EXIT_BAD_DATA;
     }
     user->id = entry ? entry->pw_uid : geteuid();
@@ -78,8 +80,8 @@ static enum exit_code read_config(int argc, const char *const *argv)
     memcpy(doctor.options.config, path, sizeof path);
     const int failed = options_read_config(&doctor.options, path, warn);
     if (failed) {
-        fprintf(stderr, "kingyoctl doctor: %s: %s\n", path, strerror(-failed));
-        return EXIT_IO;
+        print_error("kingyoctl doctor: %s: %s", path, plain_file_error(-failed));
+        return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
     }
     if (options_parse(&doctor.options, argc, argv, error)) {
         return ctl_usage(name, "%s", error);
@@ -150,7 +152,7 @@ static enum exit_code take_root(const char *root)
                        : S_ISDIR(about.st_mode) ? 0
                                                 : ENOTDIR;
     if (failed) {
-        fprintf(stderr, "kingyoctl doctor: --root %s: %s\n", root, strerror(failed));
+        print_error("kingyoctl doctor: --root %s: %s", root, strerror(failed));
         return EXIT_IO;
     }
     doctor.root = root ? root : "";
@@ -182,10 +184,6 @@ static enum exit_code run(int argc, const char *const *argv)
     }
     look();
     (words.as_json ? doctor_report_json : doctor_report_text)(&doctor);
-    if (fflush(stdout)) {
-        fprintf(stderr, "kingyoctl doctor: standard output: %s\n", strerror(errno));
-        return EXIT_IO;
-    }
     return doctor_count(&doctor, DOCTOR_WRONG) > 0 ? EXIT_NOT_SO : EXIT_OK;
 }
 

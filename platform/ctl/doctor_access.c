@@ -9,7 +9,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/printable.h"
+
 #include "platform/ctl/doctor.h"
+#include "platform/plain_file.h"
 
 static bool is_in(const struct doctor_user *user, gid_t group)
 {
@@ -73,7 +76,7 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
     va_start(arguments, path);
     vsnprintf(whole + used, sizeof whole - (size_t)used, path, arguments);
     va_end(arguments);
-    FILE *file = fopen(whole, "r");
+    FILE *file = plain_file_open(whole, PLAIN_KERNEL_SIZE_MAX);
     if (!file || !fgets(out, (int)size, file)) {
         out[0] = '\0';
     }
@@ -81,9 +84,7 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
         fclose(file);
     }
     out[strcspn(out, "\n")] = '\0';
-    for (char *at = out; *at; at++) {
-        *at = (unsigned char)*at < 0x20 || *at == 0x7f ? '.' : *at;
-    }
+    printable(out);
 }
 
 bool doctor_kiosk_runs(const struct doctor *doctor)

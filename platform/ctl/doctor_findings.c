@@ -5,6 +5,7 @@
 
 #include "platform/ctl/doctor.h"
 #include "platform/json_char.h"
+#include "platform/print.h"
 
 static const char *const level_words[] = { "fine", "look", "WRONG" };
 
@@ -54,10 +55,11 @@ void doctor_report_text(const struct doctor *doctor)
 {
     for (uint32_t i = 0; i < doctor->count; i++) {
         const struct doctor_finding *finding = &doctor->finding[i];
-        printf("%-5s  %-10s  %s: %s\n", level_words[finding->level], finding->part, finding->what,
+        print_line(stdout, "%-5s  %-10s  %s: %s", level_words[finding->level], finding->part,
+                   finding->what,
                finding->state);
         if (finding->todo[0]) {
-            printf("       %-10s  -> %s\n", "", finding->todo);
+            print_line(stdout, "       %-10s  -> %s", "", finding->todo);
         }
     }
     if (doctor->more > 0) {

@@ -13,6 +13,7 @@
 #include "drivers/hid_book_text.h"
 #include "platform/ctl/doctor.h"
 #include "platform/machine.h"
+#include "platform/plain_file.h"
 #include "platform/storage.h"
 #include "platform/store/sql.h"
 
@@ -158,7 +159,11 @@ static const struct {
     [MACHINE_ASIDE_MISSING] = { "kingyo.db was missing, and made anew of what could be read",
                                 "compare the books (kingyoctl audits) with the meter; then remove "
                                 "this note" },
-    [MACHINE_ASIDE_OTHER] = { "is of another list, and set aside",
+    [MACHINE_ASIDE_LEFT] = { "is the database from before a start that left a part out, because of "
+                             "panics",
+                             "send the log and panic-*.kgr; kingyoctl backup --restore goes back "
+                             "to it. Then remove it" },
+    [MACHINE_ASIDE_OTHER] = { "is of another list or not a regular file, and was set aside",
                               "remove it, or put it back beside the kingyo.db it belongs to" },
 };
 
@@ -190,9 +195,9 @@ static void look_at_poi(struct doctor *doctor, const char *path)
     static char text[HID_BOOK_TEXT_SIZE];
     static struct hid_book_entry entry;
     char why[HAL_TEXT_SIZE] = "";
-    FILE *file = fopen(path, "r");
+    FILE *file = plain_file_open(path, sizeof text - 1u);
     const size_t size = file ? fread(text, 1, sizeof text - 1u, file) : 0;
-    const int error = file ? 0 : errno;
+    const int error = !file || ferror(file) ? errno : 0;
     if (file) {
         fclose(file);
     }
@@ -206,7 +211,7 @@ static void look_at_poi(struct doctor *doctor, const char *path)
     }
     struct doctor_finding *finding = doctor_find(doctor, "learned", DOCTOR_LOOK, "%s", path);
     if (error) {
-        doctor_state(finding, "%s", strerror(error));
+        doctor_state(finding, "%s", plain_file_error(error));
     } else {
         doctor_state(finding, "line %d: %s", line, why);
     }

@@ -1,5 +1,4 @@
 /* hid.c -- `kingyoctl hid`: what a report descriptor says, and what reports then mean. */
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,18 +9,11 @@
 #include "platform/ctl/hid_file.h"
 #include "platform/ctl/hid_rows.h"
 #include "platform/ctl/hid_watch.h"
+#include "platform/ctl/user_file.h"
+#include "platform/print.h"
 
 static const char name[] = "hid";
 static struct hid_descriptor descriptor;
-
-/* What was printed may not have arrived: a full disk is told, a reader that left is not. */
-static enum exit_code end_of_rows(enum exit_code code)
-{
-    if ((fflush(stdout) || ferror(stdout)) && errno != EPIPE && code == EXIT_OK) {
-        return hid_tell_io("standard output");
-    }
-    return code;
-}
 
 static enum exit_code describe(const char *path)
 {
@@ -32,7 +24,7 @@ static enum exit_code describe(const char *path)
     }
     hid_file_id(path, id);
     hid_rows_describe(&descriptor, id);
-    return end_of_rows(EXIT_OK);
+    return EXIT_OK;
 }
 
 static enum exit_code decode(const char *descriptor_path, const char *reports_path)
@@ -42,14 +34,15 @@ static enum exit_code decode(const char *descriptor_path, const char *reports_pa
     if (code != EXIT_OK) {
         return code;
     }
-    FILE *file = fopen(reports_path, "r");
-    if (!file) {
-        return hid_tell_io(reports_path);
+    FILE *file;
+    code = user_file_open("kingyoctl hid", reports_path, HID_REPORTS_SIZE_MAX, &file);
+    if (code != EXIT_OK) {
+        return code;
     }
     hid_file_id(descriptor_path, id);
     code = hid_rows_decode(&descriptor, id, file, reports_path);
     fclose(file);
-    return end_of_rows(code);
+    return code;
 }
 
 /* By what the kiosk would play it; `ids` null: a device of no known vendor. */
@@ -70,12 +63,12 @@ static enum exit_code map(const char *path, const char *ids)
     who.product = key.product;
     hid_map_choose(&chosen, &who, &descriptor);
     if (chosen.source == HID_MAP_NONE || hid_map_write(&chosen, text) != 0) {
-        fprintf(stderr, "kingyoctl hid: %s: cannot be a poi as it is: %s\n", path,
-                hid_map_why_none(&descriptor));
+        print_error("kingyoctl hid: %s: cannot be a poi as it is: %s", path,
+                    hid_map_why_none(&descriptor));
         return EXIT_NOT_SO;
     }
     puts(text);
-    return end_of_rows(EXIT_OK);
+    return EXIT_OK;
 }
 
 static enum exit_code run(int argc, const char *const *argv)
@@ -95,7 +88,7 @@ static enum exit_code run(int argc, const char *const *argv)
         return map(argv[1], argc == 3 ? argv[2] : NULL);
     }
     if (argc >= 1 && strcmp(argv[0], "watch") == 0) {
-        return end_of_rows(hid_watch(argc - 1, argv + 1));
+        return hid_watch(argc - 1, argv + 1);
     }
     return ctl_usage(name, "describe FILE, decode DESCRIPTOR REPORTS.tsv, map FILE, or "
                            "watch [DEVICE]; --help says more");

@@ -6,6 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "platform/ctl/user_file.h"
+#include "platform/plain_file.h"
+#include "platform/print.h"
+
 static int hex_digit(int letter)
 {
     return isdigit(letter)                  ? letter - '0'
@@ -56,7 +60,7 @@ long hid_from_hex(uint8_t *bytes, size_t size)
 
 enum exit_code hid_tell_io(const char *path)
 {
-    fprintf(stderr, "kingyoctl hid: %s: %s\n", path, strerror(errno));
+    print_error("kingyoctl hid: %s: %s", path, plain_file_error(errno));
     return EXIT_IO;
 }
 
@@ -79,26 +83,28 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
     const size_t lone = lone_digit(bytes, size); /* Before bytes take the place of letters. */
     const long count = hid_from_hex(bytes, size);
     if (count == HID_HALF_HEX) {
-        fprintf(stderr, "kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu\n",
-                path, lone + 1u);
+        print_error("kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu",
+                    path, lone + 1u);
         return EXIT_BAD_DATA;
     }
     const size_t byte_count = count >= 0 ? (size_t)count : size;
     if (byte_count == 0) {
-        fprintf(stderr, "kingyoctl hid: %s: byte 0: empty\n", path);
+        print_error("kingyoctl hid: %s: byte 0: empty", path);
         return EXIT_BAD_DATA;
     }
     const enum hid_error error = hid_descriptor_read(out, bytes, byte_count);
     if (error || out->group_count == 0) {
         const size_t letter = count >= 0 ? size : first_odd_letter(bytes, size);
-        fprintf(stderr, "kingyoctl hid: %s: byte %zu: %s", path,
-                error ? out->error_offset : byte_count,
-                error ? hid_error_text(error) : "no input field that is used for anything");
+        char binary[80] = "";
         if (letter < size) {
-            fprintf(stderr, " (read as binary, for its letter %zu, '%c', is no hex)", letter + 1u,
-                    bytes[letter]);
+            snprintf(binary, sizeof binary,
+                     " (read as binary, for its letter %zu, '%c', is no hex)", letter + 1u,
+                     bytes[letter]);
         }
-        fputc('\n', stderr);
+        print_error("kingyoctl hid: %s: byte %zu: %s%s", path,
+                    error ? out->error_offset : byte_count,
+                    error ? hid_error_text(error) : "no input field that is used for anything",
+                    binary);
         return EXIT_BAD_DATA;
     }
     return EXIT_OK;
@@ -107,12 +113,13 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
 enum exit_code hid_file_read(struct hid_descriptor *out, const char *path)
 {
     static uint8_t bytes[HID_FILE_SIZE];
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        return hid_tell_io(path);
+    FILE *file;
+    enum exit_code code = user_file_open("kingyoctl hid", path, sizeof bytes, &file);
+    if (code != EXIT_OK) {
+        return code;
     }
     const size_t size = fread(bytes, 1, sizeof bytes, file);
-    const enum exit_code code = ferror(file) ? hid_tell_io(path) : EXIT_OK;
+    code = ferror(file) ? hid_tell_io(path) : EXIT_OK;
     fclose(file);
     return code == EXIT_OK ? hid_file_take(out, bytes, size, path) : code;
 }

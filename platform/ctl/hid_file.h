@@ -14,6 +14,8 @@
  * among them, and one byte more than there may be, so that the reader sees that it is too long. */
 #define HID_FILE_SIZE (4u * (HID_DESCRIPTOR_SIZE_MAX + 1u))
 
+#define HID_REPORTS_SIZE_MAX (1u << 30) /* Bytes; 2 h of 64-byte reports at 1 kHz. */
+
 #define HID_NOT_HEX (-1)  /* Something else than hex digits and blanks is among them. */
 #define HID_HALF_HEX (-2) /* It is hex, but a byte has one digit. */
 

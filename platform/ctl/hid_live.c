@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/printable.h"
 #include "platform/ctl/hid_names.h"
 
 #define SECOND_NS 1000000000u
@@ -32,6 +33,7 @@ void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descript
 {
     *live = (struct hid_live){ .descriptor = descriptor };
     snprintf(live->title, sizeof live->title, "%s", title);
+    printable(live->title);
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
         const int is_set = !(group->flags & HID_VARIABLE) || group->bit_size == 1u;

@@ -9,20 +9,17 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/printable.h"
 #include "platform/ctl/hid_file.h"
 #include "platform/number.h"
+#include "platform/plain_file.h"
 
 #define LINE_SIZE 512
 
-/* A device's own words may hold anything, also what a terminal obeys. */
 static void take_text(char *out, size_t room, const char *text)
 {
-    size_t length = 0;
-    for (; text[length] && text[length] != '\n' && length + 1u < room; length++) {
-        const unsigned char letter = (unsigned char)text[length];
-        out[length] = letter < 0x20 || letter == 0x7f ? '.' : text[length];
-    }
-    out[length] = '\0';
+    snprintf(out, room, "%.*s", (int)strcspn(text, "\n"), text);
+    printable(out);
 }
 
 static void take_line(struct hid_node *node, const char *line)
@@ -47,7 +44,7 @@ static void read_node(const char *root, struct hid_node *node)
 {
     char path[HID_NODE_PATH], line[LINE_SIZE];
     snprintf(path, sizeof path, "%s/sys/class/hidraw/hidraw%u/device/uevent", root, node->number);
-    FILE *file = fopen(path, "r");
+    FILE *file = plain_file_open(path, PLAIN_KERNEL_SIZE_MAX);
     while (file && fgets(line, sizeof line, file)) {
         take_line(node, line);
     }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "platform/ctl/hid_file.h"
+#include "platform/print.h"
 
 #define LINE_SIZE 65536      /* A report of 8 KiB is 16 KiB of hex. */
 #define REPORT_SIZE_MAX 16384u
@@ -33,7 +34,8 @@ static void describe_field(const struct hid_descriptor *descriptor, const char *
                            const struct hid_group *group, uint32_t index)
 {
     const int is_variable = (group->flags & HID_VARIABLE) != 0;
-    printf("%s\t", id);
+    print_part(stdout, "%s", id);
+    putchar('\t');
     print_usage(group->application);
     printf("\t%u\t%u\t%u\t%03x\t%s\t%s\t%s\t%s\t", group->report_id,
            group->bit_offset + index * group->bit_size, group->bit_size, group->flags,
@@ -96,7 +98,8 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
         const int is_shown = group->report_id == report_id && !(group->flags & HID_CONSTANT) &&
                              group->bit_size <= 32u;
         for (uint32_t index = 0; is_shown && index < group->count; index++) {
-            printf("%s\t%s", id, seq);
+            print_part(stdout, "%s", id);
+            printf("\t%s", seq);
             print_value(descriptor, group, index, report);
             fputs(tail, stdout);
         }
@@ -107,7 +110,7 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
 
 static enum exit_code refuse(const char *path, unsigned row, const char *what)
 {
-    fprintf(stderr, "kingyoctl hid: %s: line %u: %s\n", path, row, what);
+    print_error("kingyoctl hid: %s: line %u: %s", path, row, what);
     return EXIT_BAD_DATA;
 }
 
@@ -151,13 +154,13 @@ static enum exit_code judge(const struct decoded *of)
 {
     if (of->reports == 0) {
         puts(HID_VALUE_HEADER);
-        fprintf(stderr, "kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
-                        "name\n", of->path, of->id);
+        print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
+                            "name", of->path, of->id);
         return EXIT_NOT_SO;
     }
     if (of->whole == 0) {
-        fprintf(stderr, "kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
-                        "declares\n", of->path, of->id, of->reports);
+        print_error("kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
+                            "declares", of->path, of->id, of->reports);
         return EXIT_NOT_SO;
     }
     return EXIT_OK;

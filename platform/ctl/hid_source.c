@@ -8,17 +8,22 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "platform/ctl/hid_file.h"
+#include "platform/ctl/user_file.h"
+#include "platform/print.h"
+
+#define WRITER_WAIT_MS 2000 /* A shell starts the other end of a pipe in less. */
+#define WRITER_STEP_MS 20
 
 static enum exit_code tell_open(const char *path)
 {
     if (errno == EACCES || errno == EPERM) {
-        fprintf(stderr,
-                "kingyoctl hid: %s: %s; a udev rule as board/udev's gives it to your group, "
-                "'kingyoctl doctor' says which\n",
-                path, strerror(errno));
+        print_error("kingyoctl hid: %s: %s; a udev rule as board/udev's gives it to your group, "
+                    "'kingyoctl doctor' says which",
+                    path, strerror(errno));
         return EXIT_IO;
     }
     return hid_tell_io(path);
@@ -39,8 +44,8 @@ static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, cons
     }
     const enum hid_error error = hid_descriptor_read(descriptor, said.value, said.size);
     if (error) {
-        fprintf(stderr, "kingyoctl hid: %s: byte %zu of its descriptor: %s\n", path,
-                descriptor->error_offset, hid_error_text(error));
+        print_error("kingyoctl hid: %s: byte %zu of its descriptor: %s", path,
+                    descriptor->error_offset, hid_error_text(error));
         return EXIT_BAD_DATA;
     }
     return EXIT_OK;
@@ -53,11 +58,46 @@ static enum exit_code get_descriptor(struct hid_source *source, struct hid_descr
         return hid_file_read(descriptor, descriptor_path);
     }
     if (!source->is_node) {
-        fprintf(stderr, "kingyoctl hid: %s: no device's node; --descriptor FILE says what it is\n",
-                source->path);
+        print_error("kingyoctl hid: %s: no device's node; --descriptor FILE says what it is",
+                    source->path);
         return EXIT_USAGE;
     }
     return ask_node(source->file, descriptor, source->path);
+}
+
+/* Waits a while for a process that writes into the pipe: it may have been started just now. The
+ * first bytes are read on the way. */
+static int wait_for_writer(struct hid_source *source)
+{
+    const ssize_t none = 0;
+    ssize_t size = none;
+    for (int ms = 0; size == none && ms < WRITER_WAIT_MS; ms += WRITER_STEP_MS) {
+        poll(NULL, 0, ms > 0 ? WRITER_STEP_MS : 0);
+        size = read(source->file, source->bytes, sizeof source->bytes);
+    }
+    source->size = size > 0 ? (size_t)size : 0;
+    return size == none ? 0 : 1; /* Less than 0: a process has the pipe open and is silent. */
+}
+
+/* What is no node must be a file of limited size, or a pipe. */
+static enum exit_code check_type(struct hid_source *source)
+{
+    struct stat about;
+    if (fstat(source->file, &about) != 0) {
+        return hid_tell_io(source->path);
+    }
+    if (S_ISREG(about.st_mode) && about.st_size > (off_t)HID_REPORTS_SIZE_MAX) {
+        return user_file_refuse("kingyoctl hid", source->path, HID_REPORTS_SIZE_MAX, EFBIG);
+    }
+    if (S_ISFIFO(about.st_mode) && !wait_for_writer(source)) {
+        print_error("kingyoctl hid: %s: no process writes into this pipe", source->path);
+        return EXIT_IO;
+    }
+    if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
+        print_error("kingyoctl hid: %s: is no HID device, regular file or pipe", source->path);
+        return EXIT_IO;
+    }
+    return EXIT_OK;
 }
 
 enum exit_code hid_source_open(struct hid_source *source, const char *path,
@@ -69,13 +109,14 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
     source->size = 0;
     source->given = 0;
     source->taken = 0;
-    source->file = open(path, O_RDONLY | O_CLOEXEC);
+    source->file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (source->file < 0) {
         return tell_open(path);
     }
     int size = 0;
     source->is_node = ioctl(source->file, HIDIOCGRDESCSIZE, &size) == 0;
-    const enum exit_code code = get_descriptor(source, descriptor, descriptor_path);
+    enum exit_code code = get_descriptor(source, descriptor, descriptor_path);
+    code = code == EXIT_OK && !source->is_node ? check_type(source) : code;
     if (code != EXIT_OK) {
         hid_source_close(source);
     }
@@ -98,8 +139,8 @@ static enum hid_pull end_with(enum exit_code *code, enum exit_code how)
 
 static enum hid_pull refuse(const struct hid_source *source, const char *what, enum exit_code *code)
 {
-    fprintf(stderr, "kingyoctl hid: %s: byte %llu: %s\n", source->path,
-            (unsigned long long)source->taken, what);
+    print_error("kingyoctl hid: %s: byte %llu: %s", source->path,
+                (unsigned long long)source->taken, what);
     return end_with(code, EXIT_BAD_DATA);
 }
 
@@ -138,7 +179,7 @@ static enum hid_pull fill(struct hid_source *source, int timeout_ms, enum exit_c
     const ssize_t size =
         read(source->file, source->bytes + source->size, sizeof source->bytes - source->size);
     if (size < 0 && (errno == ENODEV || errno == EIO) && source->is_node) {
-        fprintf(stderr, "kingyoctl hid: %s: was pulled out\n", source->path);
+        print_error("kingyoctl hid: %s: was pulled out", source->path);
         return end_with(code, EXIT_IO);
     }
     if (size < 0 && errno != EINTR && errno != EAGAIN) {

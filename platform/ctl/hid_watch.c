@@ -16,6 +16,7 @@
 #include "platform/ctl/hid_rows.h"
 #include "platform/ctl/hid_source.h"
 #include "platform/number.h"
+#include "platform/print.h"
 
 #define WAIT_MS 50             /* So soon Ctrl-C is answered, and a silent second passes. */
 #define PICTURE_NS 50000000ull /* 20 pictures a second are as many as a terminal likes. */
@@ -71,7 +72,7 @@ static enum exit_code list(void)
                node->open_errno ? strerror(node->open_errno) : "ok", node->name);
     }
     if (count == 0) {
-        fputs("kingyoctl hid: no HID device is plugged in that has a /dev/hidraw node\n", stderr);
+        print_error("kingyoctl hid: no HID device is plugged in that has a /dev/hidraw node");
     }
     return EXIT_OK;
 }

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#if __has_include(<assimp/cimport.h>)
+#ifdef HAS_ASSIMP
 
 #include <assimp/cimport.h>
 #include <assimp/metadata.h>

@@ -1,7 +1,7 @@
 /* import_keys.c -- which shapes of a scene are its keys, in which order, by which graph. */
-#include <stddef.h> /* For __has_include alone, where there is no assimp. */
+#include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
 
-#if __has_include(<assimp/cimport.h>)
+#ifdef HAS_ASSIMP
 
 #include <math.h>
 #include <stdio.h>

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/printable.h"
 #include "platform/species/plain.h"
 
 #define LINE_SIZE 4096 /* A face of 300 corners fits. */
@@ -34,7 +35,7 @@ __attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const ch
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    plain_quote(text); /* It quotes the file, and goes to a terminal. */
+    printable(text);
     snprintf(o->why, IMPORT_WHY_SIZE, "%.80s:%u: %s", o->path, o->line, text);
     return false;
 }

@@ -16,6 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/base/printable.h"
 #include "platform/ctl/import_flat.h"
 #include "platform/species/plain.h"
 
@@ -176,7 +177,7 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
         return EXIT_BAD_DATA;
     }
     shared->why[IMPORT_WHY_SIZE - 1] = '\0';
-    plain_quote(shared->why);
+    printable(shared->why);
     if (!WIFEXITED(status) || !shared->done) {
         const bool told = WIFEXITED(status) && shared->why[0];
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %.110s", path,
@@ -190,26 +191,21 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
         return EXIT_BAD_DATA;
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
-        plain_quote(mesh->key_names[key]); /* What is wrong with a key is told by its name. */
+        printable(mesh->key_names[key]); /* Error messages quote the name of a key. */
     }
     return EXIT_OK;
 }
 
 static enum exit_code check_file(const char *path, char why[IMPORT_WHY_SIZE])
 {
-    struct stat status;
-    if (stat(path, &status) != 0 || access(path, R_OK) != 0) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, strerror(errno));
-        return EXIT_IO;
+    char cannot[PLAIN_WHY_SIZE];
+    FILE *file;
+    const enum plain_open opened = plain_open(path, IMPORT_FILE_MAX, &file, cannot);
+    if (opened != PLAIN_OPEN) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
+        return opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO;
     }
-    if (!S_ISREG(status.st_mode)) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: no plain file", path);
-        return EXIT_IO;
-    }
-    if (status.st_size > (off_t)IMPORT_FILE_MAX) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: larger than %u MiB", path, IMPORT_FILE_MAX >> 20);
-        return EXIT_BAD_DATA;
-    }
+    fclose(file);
     return EXIT_OK;
 }
 

@@ -1,7 +1,7 @@
 /* import_shapes.c -- the meshes of a scene, each in every key, where nodes and joints carry it. */
-#include <stddef.h> /* For __has_include alone, where there is no assimp. */
+#include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
 
-#if __has_include(<assimp/cimport.h>)
+#ifdef HAS_ASSIMP
 
 #include <math.h>
 #include <stdio.h>

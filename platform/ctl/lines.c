@@ -8,6 +8,7 @@
 #include "platform/ctl/ctl.h"
 #include "platform/ctl/lines_show.h"
 #include "platform/number.h"
+#include "platform/print.h"
 
 #define SECONDS_MAX 86400u
 #define SET_SECONDS 3u     /* A lamp that is looked at, without --seconds. */
@@ -82,8 +83,8 @@ static int has_all(const struct gpio_reader *reader)
 {
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
         if (reader->why[i][0]) {
-            fprintf(stderr, "kingyoctl lines: %s: %s\n", gpio_role_name((enum gpio_role)i),
-                    reader->why[i]);
+            print_error("kingyoctl lines: %s: %s", gpio_role_name((enum gpio_role)i),
+                        reader->why[i]);
         }
     }
     return (uint32_t)__builtin_popcount(reader->had) == gpio_wires_count(reader->wires);
@@ -106,10 +107,10 @@ static uint64_t now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Steps the lines until it is `until_ns` or somebody ends it. */
+/* Steps the lines until `until_ns`, a signal, or output that cannot be written. */
 static void step_until(uint64_t until_ns, struct lines_show *show)
 {
-    while (!is_stopped && now_ns() < until_ns) {
+    while (!is_stopped && !ferror(stdout) && now_ns() < until_ns) {
         gpio_reader_step(&gpio.reader);
         if (show) {
             lines_show_rows(show, stdout);

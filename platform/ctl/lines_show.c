@@ -1,7 +1,9 @@
 /* lines_show.c -- rows of lines, and of what happens on them. */
 #include "platform/ctl/lines_show.h"
 
+#include "core/base/printable.h"
 #include "drivers/gpio_wires.h"
+#include "platform/print.h"
 
 static const char *or_dash(const char *text)
 {
@@ -11,10 +13,15 @@ static const char *or_dash(const char *text)
 static void tell_line(void *context, const struct gpio_line_info *line)
 {
     FILE *out = context;
-    fprintf(out, "%s\t%s\t%u\t%s\t%s\t%s\t%s\n", line->device, or_dash(line->chip), line->offset,
-            or_dash(line->name), line->is_output ? "out" : "in",
+    struct gpio_line_info shown = *line; /* Each program that holds a line names itself. */
+    printable(shown.device);
+    printable(shown.chip);
+    printable(shown.name);
+    printable(shown.consumer);
+    fprintf(out, "%s\t%s\t%u\t%s\t%s\t%s\t%s\n", shown.device, or_dash(shown.chip), line->offset,
+            or_dash(shown.name), line->is_output ? "out" : "in",
             line->active_low ? "low" : "high",
-            line->consumer[0] ? line->consumer : line->used ? "somebody" : "-");
+            shown.consumer[0] ? shown.consumer : line->used ? "somebody" : "-");
 }
 
 enum exit_code lines_list(struct gpio_lines lines, FILE *out)
@@ -22,13 +29,13 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, tell_line, out);
     if (count == HAL_ERR_NONE) {
-        fprintf(stderr, "kingyoctl lines: no GPIO chip in /dev (%s)\n",
-                lines.ops->describe(lines.self));
+        print_error("kingyoctl lines: no GPIO chip in /dev (%s)",
+                    lines.ops->describe(lines.self));
         return EXIT_NOT_SO;
     }
     if (count == 0) {
-        fputs("kingyoctl lines: there are chips, but none that may be opened; a user in the group "
-              "of /dev/gpiochip* may\n", stderr);
+        print_error("kingyoctl lines: there are chips, but none that may be opened; a user in the "
+                    "group of /dev/gpiochip* may");
         return EXIT_NOT_SO;
     }
     return EXIT_OK;

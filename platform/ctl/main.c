@@ -2,8 +2,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/float_env.h"
 #include "core/core.h"
+#include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
+#include "platform/print.h"
+#include "platform/standard_streams.h"
 
 static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_paper, &ctl_play,
                                                       &ctl_morph, &ctl_replay, &ctl_hid,
@@ -18,8 +22,10 @@ static void print_help(void)
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         printf("  %-8s %s\n", commands[i]->name, commands[i]->summary);
     }
-    puts("\n'kingyoctl COMMAND --help' says more. Exit code: 0 fine; 1 checked, and not so;\n"
-         "2 wrong usage; 65 bad data; 74 a path that cannot be read or written.");
+    puts(
+        "\n'kingyoctl COMMAND --help' says more. Exit code: 0 fine; 1 checked, and not so;\n"
+        "2 wrong usage; 65 bad data; 74 a path that cannot be read or written, or standard output\n"
+        "that is full or closed.");
 }
 
 static int is_help(const char *word)
@@ -39,13 +45,14 @@ static enum exit_code run_command(const struct ctl_command *command, int argc,
             return EXIT_OK;
         }
     }
-    return command->run(argc, argv);
+    cpu_set_float();
+    return float_env_is_standard() ? command->run(argc, argv) : ctl_float(command->name);
 }
 
-int main(int argc, char **argv)
+static enum exit_code run_words(int argc, char **argv)
 {
     if (argc < 2) {
-        fputs("kingyoctl: a command is missing; --help lists them\n", stderr);
+        print_error("kingyoctl: a command is missing; --help lists them");
         return EXIT_USAGE;
     }
     if (is_help(argv[1])) {
@@ -58,9 +65,28 @@ int main(int argc, char **argv)
     }
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         if (strcmp(commands[i]->name, argv[1]) == 0) {
-            return (int)run_command(commands[i], argc - 2, (const char *const *)argv + 2);
+            return run_command(commands[i], argc - 2, (const char *const *)argv + 2);
         }
     }
-    fprintf(stderr, "kingyoctl: unknown command '%.100s'; --help lists them\n", argv[1]);
+    print_error("kingyoctl: unknown command '%.100s'; --help lists them", argv[1]);
     return EXIT_USAGE;
+}
+
+/* Commands print and do not look whether it arrived: lost output is found here, for all of them. A
+ * command that failed has already printed its one line. */
+int main(int argc, char **argv)
+{
+    const int closed = standard_streams_open();
+    if (closed) {
+        print_error("kingyoctl: /dev/null: %s", strerror(-closed));
+        return EXIT_IO;
+    }
+    const enum exit_code code = run_words(argc, argv);
+    const int lost = standard_output_finish();
+    if (lost && (code == EXIT_OK || code == EXIT_NOT_SO)) {
+        print_error("kingyoctl%s%s: standard output: %s", argv[1][0] == '-' ? "" : " ",
+                    argv[1][0] == '-' ? "" : argv[1], strerror(-lost));
+        return EXIT_IO;
+    }
+    return (int)code;
 }

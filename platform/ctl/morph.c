@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "platform/print.h"
+
 static const char name[] = "morph";
 
 static const struct morph_command *const table[] = {
@@ -23,9 +25,9 @@ static const struct morph_command *const table[] = {
 
 static void say(const char *command, const char *format, va_list arguments)
 {
-    fprintf(stderr, "kingyoctl %s %s: ", name, command);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    char words[PRINT_LINE_MAX];
+    vsnprintf(words, sizeof words, format, arguments);
+    print_error("kingyoctl %s %s: %s", name, command, words);
 }
 
 enum exit_code morph_usage(const char *command, const char *format, ...)
@@ -46,14 +48,6 @@ enum exit_code morph_fail(enum exit_code code, const char *command, const char *
     return code;
 }
 
-enum exit_code morph_end(const char *command)
-{
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        return morph_fail(EXIT_IO, command, "standard output: %s", strerror(errno));
-    }
-    return EXIT_OK;
-}
-
 static enum exit_code help(void)
 {
     printf("kingyoctl %s: %s\n\n", name, ctl_morph.summary);
@@ -69,7 +63,7 @@ static enum exit_code help(void)
          "                middle key exaggerated where it is never whole; at the same ages as\n"
          "                long as the shifted growth curve makes them (section 3.2)\n\n"
          "'kingyoctl morph SUBCOMMAND --help' says more.");
-    return morph_end("--help");
+    return EXIT_OK;
 }
 
 static int is_help(const char *word)
@@ -84,7 +78,7 @@ static enum exit_code run_one(const struct morph_command *command, int argc,
         if (is_help(argv[i])) {
             printf("kingyoctl %s %s %s\n%s\n\n%s", name, command->name, command->words,
                    command->summary, command->usage);
-            return morph_end(command->name);
+            return EXIT_OK;
         }
     }
     return command->run(argc, argv);

@@ -31,7 +31,4 @@ enum exit_code morph_usage(const char *command, const char *format, ...);
 __attribute__((format(printf, 3, 4)))
 enum exit_code morph_fail(enum exit_code code, const char *command, const char *format, ...);
 
-/* Whether all of standard output was written: EXIT_OK, or EXIT_IO, told. */
-enum exit_code morph_end(const char *command);
-
 #endif

@@ -96,10 +96,10 @@ static void draw_lengths(struct svg *svg, const struct graph_lengths *lengths)
 {
     const double step = round_step(lengths->high_mm), most = lengths->high_mm * 1.0001;
     svg_line(svg, GRAPH_RIGHT, GRAPH_TOP, GRAPH_RIGHT, GRAPH_BOTTOM, MORPH_SCALE_COLOUR, 1.5, NULL);
-    for (double mm = 0.0; !lengths->is_log && mm <= most; mm += step) {
+    for (double mm = 0.0; !lengths->is_log && step > 0.0 && mm <= most; mm += step) {
         draw_length(svg, lengths, mm);
     }
-    for (double mm = round_below(2.5 * lengths->low_mm); lengths->is_log && mm <= most;
+    for (double mm = round_below(2.5 * lengths->low_mm); lengths->is_log && mm > 0.0 && mm <= most;
          mm = round_below(2.51 * mm)) { /* 1, 2, 5, 10 .. */
         draw_length(svg, lengths, mm);
     }

@@ -6,6 +6,7 @@
 #include "platform/ctl/morph_import_words.h"
 #include "platform/ctl/morph_pick.h"
 #include "platform/ctl/refit.h"
+#include "platform/print.h"
 
 static const char name[] = "import";
 
@@ -41,7 +42,7 @@ static enum exit_code read_meshes(const struct import_words *words, struct impor
                    ? import_scene(mesh, words->files[0], why)
                    : morph_usage(name, "several files are .obj files, a shape each");
         if (code != EXIT_OK && code != EXIT_USAGE) {
-            fprintf(stderr, "%s\n", why);
+            print_error("%s", why);
         }
         return code;
     }
@@ -51,14 +52,14 @@ static enum exit_code read_meshes(const struct import_words *words, struct impor
         name_of_file(words->files[key], mesh->key_names[key]);
     }
     if (code != EXIT_OK) {
-        fprintf(stderr, "%s\n", why);
+        print_error("%s", why);
     }
     return code;
 }
 
 static enum exit_code refuse(const char *path, const char *why)
 {
-    fprintf(stderr, "%s: %s\n", path, why);
+    print_error("%s: %s", path, why);
     return EXIT_BAD_DATA;
 }
 
@@ -80,9 +81,11 @@ static void tell(const struct import_words *words, const struct import_mesh *mes
                  const struct species_slot *slot, const struct import_report *report)
 {
     const struct species_card *card = &slot->species.card;
-    printf("%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s\n", words->out,
-           card->id, card->key_count, slot->species.lod[0].vertex_count, report->joined_count,
-           slot->species.lod[0].index_count / 3u, import_axis_names[report->front]);
+    print_line(stdout,
+               "%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s",
+               words->out, card->id, card->key_count, slot->species.lod[0].vertex_count,
+               report->joined_count, slot->species.lod[0].index_count / 3u,
+               import_axis_names[report->front]);
     for (uint32_t key = 0; key < card->key_count; key++) {
         printf("  %-12s %8.1f days %10.2f mm\n", card->key_names[key],
                (double)card->key_age_days[key], 1e3 * (double)card->key_length_m[key]);
@@ -181,7 +184,7 @@ static enum exit_code make_by_fit(struct import_words *words, struct species_slo
     const enum exit_code code =
         refit_files(slot, files, marks, words->file_count, &words->plan, why);
     if (code != EXIT_OK) {
-        fprintf(stderr, "%s\n", why);
+        print_error("%s", why);
         return code;
     }
     if (import_fitted_life(&words->plan, &slot->species.card, why) != EXIT_OK) {
@@ -233,7 +236,7 @@ static enum exit_code run(int argc, const char *const *argv)
     if (pack_write(words.out, &slot, why) != PACK_OK) {
         return morph_fail(EXIT_IO, name, "%.200s: %s", words.out, why);
     }
-    return morph_end(name);
+    return EXIT_OK;
 }
 
 const struct morph_command ctl_morph_import = {

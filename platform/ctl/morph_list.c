@@ -62,7 +62,7 @@ static enum exit_code run(int argc, const char *const *argv)
         (as_json ? list_json : list_text)(species_table[i]);
     }
     fputs(as_json ? "]\n" : "", stdout);
-    return morph_end(name);
+    return EXIT_OK;
 }
 
 const struct morph_command ctl_morph_list = {

@@ -55,7 +55,7 @@ static enum exit_code print_table(const struct path_plan *plan)
     for (uint32_t i = 0; i <= plan->steps; i++) {
         print_row(plan, (float)i / (float)plan->steps);
     }
-    return morph_end(name);
+    return EXIT_OK;
 }
 
 static enum exit_code run(int argc, const char *const *argv)

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "platform/ctl/morph_pick.h"
+#include "platform/print.h"
 #include "platform/species/plain.h"
 
 #define TEXT_SIZE_MAX (1u << 20) /* Fifty times the longest that is built in. */
@@ -42,7 +43,7 @@ static enum exit_code read_text(const char *path, const char *command, struct sp
     }
     pack_text(&text, slot);
     if (!species_vet(&slot->species, why)) {
-        fprintf(stderr, "%s: %s\n", path, why);
+        print_error("%s: %s", path, why);
         return EXIT_BAD_DATA;
     }
     return EXIT_OK;
@@ -56,7 +57,7 @@ enum exit_code morph_pick_file(const char *path, const char *command, struct spe
     }
     const enum pack_result result = pack_read(path, slot, why);
     if (result != PACK_OK) {
-        fprintf(stderr, "%s: %s\n", path, why);
+        print_error("%s: %s", path, why);
     }
     return result == PACK_OK ? EXIT_OK : result == PACK_BAD ? EXIT_BAD_DATA : EXIT_IO;
 }

@@ -143,10 +143,6 @@ static enum exit_code run(int argc, const char *const *argv)
         return code;
     }
     (plan.weight_count > 0 ? calibrate : measure)(&plan);
-    if (fflush(stdout) != 0) {
-        fprintf(stderr, "kingyoctl %s: standard output: %s\n", name, strerror(errno));
-        return EXIT_IO;
-    }
     return EXIT_OK;
 }
 

@@ -13,6 +13,7 @@
 #include "platform/ctl/summary.h"
 #include "platform/folder.h"
 #include "platform/number.h"
+#include "platform/print.h"
 
 static const char name[] = "play";
 static const char speaker[] = "kingyoctl play";
@@ -74,8 +75,8 @@ static void tell_all(struct evening *evening)
         return;
     }
     play_report_summary(&summary);
-    printf("; %s, %u rounds of %s\n", options->bot, options->rounds,
-           rules_of(options->mode)->name);
+    print_line(stdout, "; %s, %u rounds of %s", options->bot, options->rounds,
+               rules_of(options->mode)->name);
 }
 
 static enum exit_code tell_failure(const struct evening *evening)
@@ -83,12 +84,15 @@ static enum exit_code tell_failure(const struct evening *evening)
     for (uint32_t i = 0; i < evening->options->rounds; i++) {
         const struct round_result *result = &evening->results[i];
         if (result->code == EXIT_IO) {
-            fprintf(stderr, "%s: %s: cannot record: %s\n", speaker, evening->paths[i],
-                    strerror(result->error));
+            print_error("%s: %s: cannot record: %s", speaker, evening->paths[i],
+                        strerror(result->error));
             return EXIT_IO;
         }
+        if (result->is_refused) {
+            return ctl_float(name);
+        }
     }
-    fprintf(stderr, "%s: a round did not come to its end\n", speaker);
+    print_error("%s: a round did not come to its end", speaker);
     return EXIT_NOT_SO;
 }
 
@@ -114,15 +118,6 @@ static void plan_rounds(struct evening *evening, const struct technique *techniq
     }
 }
 
-static enum exit_code end_output(void)
-{
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, "%s: standard output cannot be written\n", speaker);
-        return EXIT_IO;
-    }
-    return EXIT_OK;
-}
-
 static enum exit_code play(struct evening *evening)
 {
     const struct play_options *options = evening->options;
@@ -138,7 +133,7 @@ static enum exit_code play(struct evening *evening)
         return tell_failure(evening);
     }
     tell_all(evening);
-    return end_output();
+    return EXIT_OK;
 }
 
 static enum exit_code hold_evening(const struct play_options *options,
@@ -157,7 +152,7 @@ static enum exit_code hold_evening(const struct play_options *options,
         plan_rounds(&evening, technique);
         code = play(&evening);
     } else {
-        fprintf(stderr, "%s: no memory for %u rounds\n", speaker, options->rounds);
+        print_error("%s: no memory for %u rounds", speaker, options->rounds);
     }
     free(evening.plans);
     free(evening.results);
@@ -254,7 +249,7 @@ static enum exit_code open_folder(const struct play_options *options)
 {
     const int error = options->record ? folder_make(options->record) : 0;
     if (error) {
-        fprintf(stderr, "%s: %s: cannot record: %s\n", speaker, options->record, strerror(-error));
+        print_error("%s: %s: cannot record: %s", speaker, options->record, strerror(-error));
         return EXIT_IO;
     }
     return EXIT_OK;

@@ -5,6 +5,7 @@
 
 #include "platform/ctl/import_plan.h"
 #include "platform/ctl/refit.h"
+#include "platform/print.h"
 
 #define STRAY_MAX 0.1f /* Of the length: a landmark may lie in the flesh, and no farther off. */
 
@@ -70,9 +71,10 @@ static bool orient(struct import_mesh *mesh, struct mark_list *marks,
 
 static void tell(const char *file, const struct refit_result *result)
 {
-    printf("  %-24s fit to mesh: mean %.3f, RMS %.3f, max %.2f %% of length;"
-           " mesh to fit: %.3f, %.3f, %.2f %%; landmarks within %.2f %%\n",
-           file, 100.0 * (double)result->to_mesh.mean, 100.0 * (double)result->to_mesh.rms,
+    print_line(stdout,
+               "  %-24s fit to mesh: mean %.3f, RMS %.3f, max %.2f %% of length;"
+               " mesh to fit: %.3f, %.3f, %.2f %%; landmarks within %.2f %%",
+               file, 100.0 * (double)result->to_mesh.mean, 100.0 * (double)result->to_mesh.rms,
            100.0 * (double)result->to_mesh.max, 100.0 * (double)result->from_mesh.mean,
            100.0 * (double)result->from_mesh.rms, 100.0 * (double)result->from_mesh.max,
            100.0 * (double)result->mark_max);

@@ -8,9 +8,23 @@
 #include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
 #include "platform/kiosk/replayer.h"
+#include "platform/panic.h"
+#include "platform/panic_text.h"
+#include "platform/print.h"
 
 static const char name[] = "replay";
 static const char speaker[] = "kingyoctl replay";
+
+/* As replay_scan(), but a panic's recording may end with an input that the core's contract
+ * forbids. */
+static int scan(struct replay_reader *reader, const char *path, struct replay_totals *totals)
+{
+    if (replay_open(reader, path)) {
+        return -1;
+    }
+    reader->as_is = 1;
+    return replay_scan_on(reader, totals);
+}
 
 /* ---- info ----------------------------------------------------------------------------------- */
 
@@ -40,7 +54,7 @@ static void info_json(const struct replay_header *header, const struct replay_to
     const struct core_config *config = &header->config;
     printf("{\"format\": %u, \"program\": \"%s\", \"seed\": %u, \"fish\": %u, \"round_s\": %u, "
            "\"ticks\": %u, \"seconds\": %.3f, \"modes\": [",
-           REPLAY_VERSION, header->program, config->seed, config->fish_count, config->round_s,
+           header->version, header->program, config->seed, config->fish_count, config->round_s,
            totals->ticks, (double)totals->ticks / CORE_TICK_HZ);
     print_modes(config, totals->modes, 1);
     printf("], \"players\": %u, \"rounds\": %u, \"caught\": %u, \"fouls\": %u, "
@@ -53,7 +67,7 @@ static void info_text(const struct replay_header *header, const struct replay_to
 {
     printf("recorded by  Kingyo %s, format %u\nseed         %u\nlength       %.1f s, %u ticks\n"
            "played       ",
-           header->program, REPLAY_VERSION, header->config.seed,
+           header->program, header->version, header->config.seed,
            (double)totals->ticks / CORE_TICK_HZ, totals->ticks);
     print_modes(&header->config, totals->modes, 0);
     printf("%s\nplayers      %u\nrounds       %u\ncaught       %u\nfouls        %u\n"
@@ -66,7 +80,7 @@ static enum exit_code info(const char *path, int as_json)
 {
     static struct replay_reader reader;
     struct replay_totals totals;
-    if (replay_scan(&reader, path, &totals)) {
+    if (scan(&reader, path, &totals)) {
         return replayer_tell_problem(speaker, path, &reader.problem);
     }
     (as_json ? info_json : info_text)(&reader.header, &totals);
@@ -83,7 +97,8 @@ static void tell_progress(uint32_t ticks, uint32_t total)
     }
 }
 
-static void recompute(struct replayer *replayer, struct core *core, uint32_t total)
+/* Returns CORE_OK, or CORE_ERR_FLOAT if the core refused a tick. */
+static enum core_error recompute(struct replayer *replayer, struct core *core, uint32_t total)
 {
     static struct input input;
     static struct output output;
@@ -91,10 +106,37 @@ static void recompute(struct replayer *replayer, struct core *core, uint32_t tot
     const struct kiosk_tap tap = replayer_tap(replayer);
     while (!replayer->difference.found && source.next(source.self, &input)) {
         output.sound_count = 0;
-        core_tick(core, &input, &output);
+        if (core_tick(core, &input, &output) != CORE_OK) {
+            return CORE_ERR_FLOAT;
+        }
         tap.tick(tap.self, &input, core);
         tell_progress(replayer->totals.ticks, total);
     }
+    return CORE_OK;
+}
+
+/* What is verified now, for a panic. */
+static struct {
+    const char *path;
+    const struct core *core;
+    uint32_t first_tick, total;
+} verified;
+
+/* A recording of a panic comes to the same panic again. Async-signal-safe. */
+static void tell_panic(void *self, const char *reason)
+{
+    struct panic_text text = { 0 };
+    (void)self;
+    panic_put(&text, verified.path);
+    panic_put(&text, ": panic in tick ");
+    panic_put_number(&text, verified.core->tick - verified.first_tick);
+    panic_put(&text, " of ");
+    panic_put_number(&text, verified.total);
+    panic_put(&text, ": ");
+    panic_put(&text, reason);
+    panic_put_end(&text);
+    panic_write(STDOUT_FILENO, text.out, text.used);
+    _exit(EXIT_NOT_SO);
 }
 
 static enum exit_code tell_verdict(const char *path, const struct replayer *replayer, double took_s)
@@ -105,19 +147,27 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
         return replayer_tell_problem(speaker, path, &replayer->reader.problem);
     }
     if (difference->found) {
-        printf("%s: tick %u (second %.3f) is the first that differs: "
-               "recorded %s %0*llx, computed %0*llx\n",
-               path, difference->tick, (double)difference->tick / CORE_TICK_HZ,
-               difference->is_full ? "state" : "digest", difference->is_full ? 16 : 8,
-               (unsigned long long)difference->recorded, difference->is_full ? 16 : 8,
-               (unsigned long long)difference->computed);
+        print_line(stdout,
+                   "%s: tick %u (second %.3f) is the first that differs: "
+                   "recorded %s %0*llx, computed %0*llx",
+                   path, difference->tick, (double)difference->tick / CORE_TICK_HZ,
+                   difference->is_full ? "state" : "digest", difference->is_full ? 16 : 8,
+                   (unsigned long long)difference->recorded, difference->is_full ? 16 : 8,
+                   (unsigned long long)difference->computed);
         return EXIT_NOT_SO;
     }
-    printf("%s: true: %u ticks, %u rounds, %u caught, %u fouls, hash %016llx, "
-           "%.0f times real time\n",
-           path, totals->ticks, totals->rounds, totals->caught, totals->fouls,
-           (unsigned long long)replayer->reader.totals.hash,
-           took_s > 0.0 ? (double)totals->ticks / CORE_TICK_HZ / took_s : 0.0);
+    if (replayer_is_interrupted(replayer)) {
+        print_line(stdout,
+                   "%s: true up to tick %u, in which a signal ended it; no panic comes there", path,
+                   totals->ticks - 1u);
+        return EXIT_OK;
+    }
+    print_line(stdout,
+               "%s: true: %u ticks, %u rounds, %u caught, %u fouls, hash %016llx, "
+               "%.0f times real time",
+               path, totals->ticks, totals->rounds, totals->caught, totals->fouls,
+               (unsigned long long)replayer->reader.totals.hash,
+               took_s > 0.0 ? (double)totals->ticks / CORE_TICK_HZ / took_s : 0.0);
     return EXIT_OK;
 }
 
@@ -135,20 +185,31 @@ static enum exit_code verify(const char *path)
     struct core_config config;
     struct replay_totals totals;
     const double begin_s = now_s();
-    if (replay_scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
+    if (scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
         return replayer_tell_problem(speaker, path, &replayer.reader.problem);
     }
+    replayer.reader.as_is = 1;
     config.lanes = cpu_lanes();
-    if (core_init(&core, &config) != CORE_OK) {
-        fprintf(stderr, "kingyoctl replay: %s: byte 32: this program has no such stall\n", path);
+    const enum core_error error = core_init(&core, &config);
+    if (error == CORE_ERR_RANGE) {
+        print_error("kingyoctl replay: %s: byte 32: this program has no such stall", path);
         return EXIT_BAD_DATA;
     }
     if (strcmp(replayer.reader.header.program, KINGYO_VERSION) != 0) {
-        fprintf(stderr, "kingyoctl replay: %s: recorded by version %s, recomputed by %s\n", path,
-                replayer.reader.header.program, KINGYO_VERSION);
+        print_error("kingyoctl replay: %s: recorded by version %s, recomputed by %s", path,
+                    replayer.reader.header.program, KINGYO_VERSION);
     }
-    recompute(&replayer, &core, totals.ticks);
+    verified.path = path;
+    verified.core = &core;
+    verified.first_tick = core.tick;
+    verified.total = totals.ticks;
+    panic_prepare(tell_panic, NULL);
+    const enum core_error refused =
+        error == CORE_OK ? recompute(&replayer, &core, totals.ticks) : error;
     replayer_end(&replayer);
+    if (refused != CORE_OK) {
+        return ctl_float(name);
+    }
     return tell_verdict(path, &replayer, now_s() - begin_s);
 }
 
@@ -182,6 +243,7 @@ const struct ctl_command ctl_replay = {
         "  kingyoctl replay info FILE [--json]   length, modes with their paper, players, rounds,\n"
         "                                        catch, fouls and hash, without a play\n"
         "  kingyoctl replay verify FILE          plays it again at full speed, without a screen;\n"
-        "                                        names the first tick that differs (exit 1)\n",
+        "                                        names the first tick that differs, or in which\n"
+        "                                        the core panics (exit 1)\n",
     .run = run,
 };

@@ -8,7 +8,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,8 +19,11 @@
 
 #include "platform/folder.h"
 #include "platform/json_char.h"
+#include "platform/plain_file.h"
+#include "platform/print.h"
 #include "platform/storage.h"
 #include "platform/store/ledger_backup.h"
+#include "platform/store/sql.h"
 
 #define PATH_MAX_BYTES 520u /* Of the stall's file: as much as a start knows it by. */
 #define BEFORE_MAX 1000u    /* Files of earlier times that may lie beside it. */
@@ -35,7 +40,7 @@ struct swap {
 
 static enum exit_code fails(const char *path, const char *why)
 {
-    fprintf(stderr, "kingyoctl %s: %s: %s\n", command, path, why);
+    print_error("kingyoctl %s: %s: %s", command, path, why);
     return EXIT_IO;
 }
 
@@ -48,7 +53,7 @@ static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffi
 static int is_locked(const char *path)
 {
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
-    const int handle = open(path, O_RDONLY | O_CLOEXEC);
+    const int handle = plain_file_handle(path, O_RDONLY, 0);
     const int is_held =
         handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
     if (handle >= 0) {
@@ -90,8 +95,34 @@ static int give_to_its_user(const struct swap *swap)
     if (!has_file && stat(folder, &about) != 0) {
         return -1;
     }
-    const mode_t mode = has_file ? about.st_mode & 0666 : S_IRUSR | S_IWUSR;
+    const mode_t mode = has_file ? about.st_mode & 0660 : S_IRUSR | S_IWUSR;
     return chown(swap->fresh, about.st_uid, about.st_gid) == 0 ? chmod(swap->fresh, mode) : -1;
+}
+
+/* Names the object because of which ledger_check() takes a copy for damaged, if there is one. */
+static bool tell_foreign(const char *path)
+{
+    struct ledger_foreign foreign;
+    sqlite3 *db = NULL;
+    const bool has_foreign = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db) == SQLITE_OK &&
+                             ledger_schema_foreign(db, &foreign);
+    sqlite3_close(db);
+    if (has_foreign) {
+        print_error("kingyoctl %s: %s: holds the %s '%s', %s; use another copy", command, path,
+                    foreign.type, foreign.name,
+                    foreign.is_changed ? "whose definition is not Kingyo's"
+                                       : "which is not Kingyo's");
+    }
+    return has_foreign;
+}
+
+static enum exit_code refuse_copy(const char *from, int code)
+{
+    if (code != SQLITE_CORRUPT || !tell_foreign(from)) {
+        fails(from, code == SQLITE_NOTFOUND ? "is no copy of a stall's file"
+                                            : ledger_file_error(code));
+    }
+    return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
 }
 
 static enum exit_code make_copy(struct swap *swap, const char *from)
@@ -105,13 +136,11 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
         return fails(from, "is no file");
     }
     int code = books_look_at_copy(from, &swap->copied);
-    code = code == SQLITE_OK ? sqlite3_open_v2(from, &file.db, SQLITE_OPEN_READONLY, NULL) : code;
+    code = code == SQLITE_OK ? sql_open(from, SQLITE_OPEN_READONLY, NULL, &file.db) : code;
     code = code == SQLITE_OK ? ledger_check(file.db) : code;
     if (code != SQLITE_OK) {
         ledger_file_close(&file);
-        fails(from, code == SQLITE_NOTFOUND ? "is no copy of a stall's file"
-                                            : ledger_file_error(code));
-        return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
+        return refuse_copy(from, code);
     }
     code = ledger_backup_make(&file, swap->fresh, false);
     ledger_file_close(&file);
@@ -174,15 +203,18 @@ static void tell(const struct swap *swap, const struct books_words *words, const
         printf(", \"entries\": %u, \"start\": %u}\n", swap->copied.last_id, swap->copied.boots);
         return;
     }
-    printf("%s: is %s now, %u entries\n", from, swap->own, swap->copied.last_id);
+    print_line(stdout, "%s: is %s now, %u entries", from, swap->own, swap->copied.last_id);
     if (has_before) {
-        printf("what was there: %s\n", swap->before);
+        print_line(stdout, "what was there: %s", swap->before);
     }
 }
 
-enum exit_code restore(const struct books_words *words, const char *from)
+enum exit_code restore(const struct books_words *words, const char *named)
 {
     struct swap swap = { 0 };
+    char resolved[PATH_MAX]; /* A link that the user named is followed. */
+    const char *from =
+        plain_file_is_other(named) && realpath(named, resolved) ? resolved : named;
     books_path(words, swap.own);
     if (strlen(swap.own) > PATH_MAX_BYTES) {
         return ctl_usage("backup", "the name is too long");
@@ -205,6 +237,6 @@ enum exit_code restore(const struct books_words *words, const char *from)
     if (put_in_place(&swap) != 0) {
         return fails(swap.own, strerror(errno));
     }
-    tell(&swap, words, from);
+    tell(&swap, words, named);
     return EXIT_OK;
 }

@@ -57,14 +57,16 @@ static void act(struct seat *seat)
     poi->target = bot_tick(&seat->bot, &(struct sight){ .core = &seat->core, .player = 0 });
 }
 
-static void tick(struct seat *seat)
+/* Returns core_tick()'s result. */
+static enum core_error tick(struct seat *seat)
 {
     seat->output.sound_count = 0;
     act(seat);
-    core_tick(&seat->core, &seat->input, &seat->output);
-    if (seat->tap.tick) {
+    const enum core_error error = core_tick(&seat->core, &seat->input, &seat->output);
+    if (error == CORE_OK && seat->tap.tick) {
         seat->tap.tick(seat->tap.self, &seat->input, &seat->core);
     }
+    return error;
 }
 
 static double seconds(uint32_t ticks)
@@ -93,7 +95,10 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
 {
     for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
         const uint8_t before = seat->core.game.phase;
-        tick(seat);
+        if (tick(seat) != CORE_OK) {
+            result->is_refused = 1;
+            return EXIT_NOT_SO;
+        }
         if (before == PHASE_ROUND && seat->core.game.phase != PHASE_ROUND) {
             read_result(seat, result);
             return EXIT_OK;
@@ -102,11 +107,14 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
     return EXIT_NOT_SO;
 }
 
-static enum exit_code begin(struct seat *seat, const struct round_plan *plan, int *error)
+static enum exit_code begin(struct seat *seat, const struct round_plan *plan,
+                            struct round_result *result)
 {
     const struct core_config config = config_of(plan);
-    if (core_init(&seat->core, &config) != CORE_OK) {
-        return EXIT_USAGE;
+    const enum core_error refused = core_init(&seat->core, &config);
+    if (refused != CORE_OK) {
+        result->is_refused = refused == CORE_ERR_FLOAT;
+        return result->is_refused ? EXIT_NOT_SO : EXIT_USAGE;
     }
     seat->input = (struct input){ 0 };
     seat->output = (struct output){ 0 };
@@ -114,16 +122,16 @@ static enum exit_code begin(struct seat *seat, const struct round_plan *plan, in
     bot_init(&seat->bot, &plan->technique, plan->seed);
     seat->bot.hand.pose = seat->core.game.hand[0];
     if (plan->record) {
-        *error = -recorder_begin(&seat->recorder, plan->record, &seat->core);
+        result->error = -recorder_begin(&seat->recorder, plan->record, &seat->core);
         seat->tap = recorder_tap(&seat->recorder);
     }
-    return *error ? EXIT_IO : EXIT_OK;
+    return result->error ? EXIT_IO : EXIT_OK;
 }
 
 static struct round_result play_one(struct seat *seat, const struct round_plan *plan)
 {
     struct round_result result = { 0 };
-    result.code = begin(seat, plan, &result.error);
+    result.code = begin(seat, plan, &result);
     if (result.code != EXIT_OK) {
         return result;
     }
@@ -177,6 +185,7 @@ static void give_up(struct hall *hall)
 static void *work(void *self)
 {
     struct hall *hall = self;
+    cpu_set_float();
     struct seat *seat = malloc(sizeof *seat);
     if (!seat) {
         give_up(hall);

@@ -29,6 +29,7 @@ struct round_plan {
 struct round_result {
     enum exit_code code;    /* EXIT_NOT_SO until it is over. Not EXIT_OK: only `error` holds. */
     int error;              /* EXIT_IO: the errno of the recording. */
+    uint8_t is_refused;     /* EXIT_NOT_SO: the core returned CORE_ERR_FLOAT. */
     uint32_t caught;        /* What counts of what came to the bowl. */
     uint32_t scoops;        /* Times the ring went in. */
     uint32_t fouls;

@@ -6,6 +6,7 @@
 #include "platform/ctl/books.h"
 #include "platform/ctl/scores_judge.h"
 #include "platform/json_char.h"
+#include "platform/print.h"
 #include "platform/store/day.h"
 
 static const char name[] = "scores";
@@ -75,9 +76,9 @@ static void print_text(const struct place *at)
     if (at->place == 0) {
         printf("%s, %s\n", rules_of((uint8_t)at->mode)->name, periods[at->period]);
     }
-    printf("  %2u  %4u fish  %-10s  round %-7u seat %u  %-6s  %s\n", at->place + 1u,
-           at->row->caught, day, at->row->round_id, at->row->seat + 1u,
-           at->has_replay ? "replay" : "", at->row->name[0] ? at->row->name : "-");
+    print_line(stdout, "  %2u  %4u fish  %-10s  round %-7u seat %u  %-6s  %s", at->place + 1u,
+               at->row->caught, day, at->row->round_id, at->row->seat + 1u,
+               at->has_replay ? "replay" : "", at->row->name[0] ? at->row->name : "-");
 }
 
 static void print_json(const struct place *at, int is_first)

@@ -3,13 +3,17 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 
+#include "core/pin.h"
+#include "platform/cpu.h"
 #include "platform/ctl/books.h"
 #include "platform/kiosk/chapters.h"
 #include "platform/kiosk/judge.h"
 #include "platform/number.h"
 #include "platform/out_file.h"
+#include "platform/print.h"
 
 #define ROUNDS_MAX (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
@@ -106,6 +110,8 @@ static void tell(const struct finding *found)
                "among %u fish\n",
                found->round_id, found->play_s, 1e-3 * (double)found->size, found->took_s,
                judge.core.game.round_s, judge.core.tank.fish_count);
+    } else if (found->verdict == VERDICT_UNCHECKED) {
+        printf("round %u: not checked: " CPU_FLOAT_WRONG "\n", found->round_id);
     } else if (found->verdict == VERDICT_DAMAGED) {
         printf("round %u: damaged: byte %llu: %s\n", found->round_id,
                (unsigned long long)problem->offset, problem->text);
@@ -119,7 +125,8 @@ static void tell(const struct finding *found)
 
 static void tell_json(const struct finding *found, int is_first)
 {
-    static const char *const verdicts[VERDICT_COUNT] = { "genuine", "not-genuine", "damaged" };
+    static const char *const verdicts[VERDICT_COUNT] = { "genuine", "not-genuine", "damaged",
+                                                          "not-checked" };
     printf("%s\n  {\"round\": %u, \"verdict\": \"%s\", \"seconds\": %.3f, \"bytes\": %zu, "
            "\"took_s\": %.3f}",
            is_first ? "" : ",", found->round_id,
@@ -173,15 +180,15 @@ static enum exit_code verify(const struct request *request, struct ledger_file *
 
 /* ---- Replay --------------------------------------------------------------------------------- */
 
-/* A recording begins with all that the stall then knew, so that it can be played again: its
- * settings and books, and the PIN of its menu among them. */
+/* A recording begins with settings and books. The replay of a score that an older Kingyo kept holds
+ * the PIN of the menu among them, because its hashes count the PIN. */
 static int holds_pin(const uint8_t *replay, size_t size)
 {
     static struct replay_reader reader;
     int holds = 0;
     if (replay_open_in(&reader, replay, size) == 0) {
-        holds = reader.header.config.memory.settings.value[SET_PIN] !=
-                setting_of(SET_PIN)->standard;
+        const int32_t kept = reader.header.config.memory.settings.value[SET_PIN];
+        holds = kept != 0 && kept != PIN_WITHHELD;
         replay_close(&reader);
     }
     return holds;
@@ -192,23 +199,26 @@ static enum exit_code take_out(const struct request *request, struct ledger_file
     struct out_file out;
     size_t size;
     if (ledger_file_get_replay(file, request->round_id, bytes, sizeof bytes, &size) != 0) {
-        fprintf(stderr, "kingyoctl scores: round %u has no replay\n", request->round_id);
+        print_error("kingyoctl scores: round %u has no replay", request->round_id);
         return EXIT_NOT_SO;
     }
     if (!request->with_pin && holds_pin(bytes, size)) {
-        fprintf(stderr, "kingyoctl scores: the replay of round %u holds the PIN of the menu: "
-                        "--with-pin takes it out all the same; change the PIN then\n",
-                request->round_id);
+        print_error("kingyoctl scores: the replay of round %u holds the PIN of the menu: "
+                            "--with-pin takes it out all the same; change the PIN then",
+                    request->round_id);
         return EXIT_NOT_SO;
     }
     int error = out_open(&out, request->out);
     if (error == 0) {
+        if (!out.is_stream) {
+            fchmod(fileno(out.file), S_IRUSR | S_IWUSR); /* It holds settings and books. */
+        }
         fwrite(bytes, 1, size, out.file);
         error = out_close(&out);
     }
     if (error) {
-        fprintf(stderr, "kingyoctl scores: %s: cannot be written: %s\n", request->out,
-                strerror(-error));
+        print_error("kingyoctl scores: %s: cannot be written: %s", request->out,
+                    strerror(-error));
         return EXIT_IO;
     }
     return EXIT_OK;

@@ -6,8 +6,10 @@
 #include <time.h>
 
 #include "platform/ctl/ctl.h"
+#include "platform/json_char.h"
 #include "platform/kiosk/status.h"
 #include "platform/plain_file.h"
+#include "platform/print.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE
 #define STALE_MS 10000 /* As long as its service lets a stall stand still. */
@@ -36,7 +38,7 @@ static enum exit_code read_words(struct request *request, int argc, const char *
 
 static enum exit_code read_file(const char *path, char text[STATUS_TEXT_MAX])
 {
-    FILE *file = plain_file_open(path);
+    FILE *file = plain_file_open(path, STATUS_TEXT_MAX - 1u);
     const size_t size = file ? fread(text, 1, STATUS_TEXT_MAX - 1u, file) : 0;
     const int error = !file || ferror(file) ? errno : 0;
     text[size] = '\0';
@@ -44,10 +46,10 @@ static enum exit_code read_file(const char *path, char text[STATUS_TEXT_MAX])
         fclose(file);
     }
     if (error) {
-        fprintf(stderr, "kingyoctl status: %s: %s%s\n", path, strerror(error),
-                error == ENOENT ? "; no stall runs as a service here" : "");
+        print_error("kingyoctl status: %s: %s%s", path, plain_file_error(error),
+                    error == ENOENT ? "; no stall runs as a service here" : "");
     }
-    return error ? EXIT_IO : EXIT_OK;
+    return error == EFBIG ? EXIT_BAD_DATA : error ? EXIT_IO : EXIT_OK;
 }
 
 /* ---- What it says: SQLite reads JSON --------------------------------------------------------- */
@@ -82,6 +84,8 @@ static const char sql_figures[] =
     " printf('%d refused; %d databases set aside and not seen; %d scores without their replay',"
     "  json_extract(?1, '$.files.refused'), json_extract(?1, '$.files.set_aside'),"
     "  json_extract(?1, '$.files.replays_missed')),"
+    " printf('%d; left out because of them: %s', json_extract(?1, '$.panics.count'),"
+    "  coalesce(json_extract(?1, '$.panics.left_out'), 'nothing')),"
     " printf('%d, median %.1f ms, p99 %.1f ms; %d ticks dropped',"
     "  json_extract(?1, '$.frames.count'), json_extract(?1, '$.frames.median_ms'),"
     "  json_extract(?1, '$.frames.p99_ms'), json_extract(?1, '$.ticks.dropped'))";
@@ -97,7 +101,7 @@ static void print_faults(sqlite3 *database, const char *text)
     const char *gap = "";
     printf("  %-9s ", "faults");
     while (sqlite3_step(statement) == SQLITE_ROW) {
-        printf("%s%s", gap, (const char *)sqlite3_column_text(statement, 0));
+        print_part(stdout, "%s%s", gap, (const char *)sqlite3_column_text(statement, 0));
         gap = ", ";
     }
     puts(gap[0] ? "" : "none");
@@ -108,18 +112,20 @@ static void print_devices(sqlite3 *database, const char *text)
 {
     sqlite3_stmt *statement = ask(database, sql_devices, text);
     while (sqlite3_step(statement) == SQLITE_ROW) {
-        printf("  %-9s %s\n", (const char *)sqlite3_column_text(statement, 0),
-               (const char *)sqlite3_column_text(statement, 1));
+        print_line(stdout, "  %-9s %s", (const char *)sqlite3_column_text(statement, 0),
+                   (const char *)sqlite3_column_text(statement, 1));
     }
     sqlite3_finalize(statement);
 }
 
 static void print_text(sqlite3 *database, sqlite3_stmt *figures, const char *text)
 {
-    static const char *const parts[] = { "credits", "ledger", "machine", "files", "frames" };
-    printf("%s\n", (const char *)sqlite3_column_text(figures, 2));
-    for (int i = 0; i < 5; i++) {
-        printf("  %-9s %s\n", parts[i], (const char *)sqlite3_column_text(figures, 3 + i));
+    static const char *const parts[] = { "credits", "ledger", "machine", "files", "panics",
+                                         "frames" };
+    print_line(stdout, "%s", (const char *)sqlite3_column_text(figures, 2));
+    for (int i = 0; i < 6; i++) {
+        print_line(stdout, "  %-9s %s", parts[i],
+                   (const char *)sqlite3_column_text(figures, 3 + i));
     }
     print_faults(database, text);
     print_devices(database, text);
@@ -134,12 +140,12 @@ static enum exit_code judge(sqlite3_stmt *figures)
     const int64_t age_ms = (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 -
                            sqlite3_column_int64(figures, 0);
     if (age_ms > STALE_MS || age_ms < 0) {
-        fprintf(stderr, "kingyoctl status: the stall has said nothing for %.1f s: it has ended, or "
-                        "stands still\n", (double)(age_ms < 0 ? STALE_MS : age_ms) * 1e-3);
+        print_error("kingyoctl status: the stall has said nothing for %.1f s: it has ended, or "
+                            "stands still", (double)(age_ms < 0 ? STALE_MS : age_ms) * 1e-3);
         return EXIT_NOT_SO;
     }
     if (!sqlite3_column_int(figures, 1)) {
-        fprintf(stderr, "kingyoctl status: what is earned is not kept now: look at 'store'\n");
+        print_error("kingyoctl status: what is earned is not kept now: look at 'store'");
         return EXIT_NOT_SO;
     }
     return EXIT_OK;
@@ -152,10 +158,10 @@ static enum exit_code tell(const struct request *request, sqlite3 *database, con
                          sqlite3_column_type(figures, 0) == SQLITE_INTEGER;
     enum exit_code code = EXIT_BAD_DATA;
     if (!is_sound) {
-        fprintf(stderr, "kingyoctl status: %s: is no stall's status\n", request->file);
+        print_error("kingyoctl status: %s: is no stall's status", request->file);
     } else {
         if (request->as_json) {
-            fputs(text, stdout);
+            json_print_text(text);
         } else {
             print_text(database, figures, text);
         }
@@ -176,16 +182,12 @@ static enum exit_code run(int argc, const char *const *argv)
         return code;
     }
     if (sqlite3_open(":memory:", &database) != SQLITE_OK) {
-        fprintf(stderr, "kingyoctl status: SQLite: %s\n", sqlite3_errmsg(database));
+        print_error("kingyoctl status: SQLite: %s", sqlite3_errmsg(database));
         sqlite3_close(database);
         return EXIT_IO;
     }
     code = tell(&request, database, text);
     sqlite3_close(database);
-    if (fflush(stdout)) {
-        fprintf(stderr, "kingyoctl status: standard output: %s\n", strerror(errno));
-        return EXIT_IO;
-    }
     return code;
 }
 

@@ -4,12 +4,14 @@
 #include <errno.h>
 #include <stdarg.h>
 
+#include "core/base/printable.h"
+
 #define TEXT_MAX 256
 
-/* The characters that mean something to XML, as words. */
-static void put_escaped(FILE *file, const char *text)
+/* The characters that mean something to XML, as entities. */
+static void put_escaped(FILE *file, char *text)
 {
-    for (; *text; text++) {
+    for (printable(text); *text; text++) {
         const char *word = *text == '<' ? "&lt;" : *text == '&' ? "&amp;" : NULL;
         if (word) {
             fputs(word, file);
@@ -32,7 +34,7 @@ bool svg_open(struct svg *svg, const char *path, double width, double height, co
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" "
             "viewBox=\"0 0 %g %g\" font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>",
             width, height, width, height);
-    put_escaped(svg->file, title);
+    fputs(title, svg->file); /* Our own words. */
     fprintf(svg->file, "</title>\n<rect width=\"%g\" height=\"%g\" fill=\"%s\"/>\n", width, height,
             SVG_PAPER);
     return true;

@@ -1,13 +1,16 @@
 /* tank.c -- `kingyoctl tank`: a tank without a screen, measured. */
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/float_env.h"
 #include "platform/ctl/ctl.h"
 #include "platform/ctl/tank_lab.h"
 #include "platform/ctl/tank_report.h"
 #include "platform/ctl/tank_trace.h"
+#include "platform/print.h"
 
 #define PROGRESS_TICKS (2u * CORE_TICK_HZ)
 
@@ -21,19 +24,24 @@ static void tell_progress(const struct tank_lab *lab)
     }
 }
 
-static void swim(struct tank_lab *lab, struct tank_trace *trace)
+/* EXIT_OK, or EXIT_NOT_SO and told if the floating point changed: checked once a second. */
+static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
 {
     const struct tank_plan *plan = lab->plan;
     if (trace->file) {
         tank_trace_add(trace, &lab->tank, 0);
     }
     while (lab->tick < plan->tick_count) {
+        if (lab->tick % CORE_TICK_HZ == 0 && !float_env_is_standard()) {
+            return ctl_float("tank");
+        }
         tank_lab_tick(lab);
         if (trace->file && lab->tick % plan->trace_every == 0) {
             tank_trace_add(trace, &lab->tank, lab->tick);
         }
         tell_progress(lab);
     }
+    return EXIT_OK;
 }
 
 static enum exit_code measure(struct tank_lab *lab)
@@ -44,32 +52,35 @@ static enum exit_code measure(struct tank_lab *lab)
     if (code != EXIT_OK) {
         return code;
     }
-    swim(lab, &trace);
+    const enum exit_code swum = swim(lab, &trace);
     code = trace.file ? tank_trace_close(&trace) : EXIT_OK;
+    code = swum != EXIT_OK ? swum : code;
     if (code != EXIT_OK) {
         return code;
     }
     const struct tank_figures figures = tank_figures_of(lab);
     (plan->as_json ? tank_report_json : tank_report_text)(lab, &figures);
-    if (fflush(stdout) != 0) {
-        fprintf(stderr, "kingyoctl tank: standard output: %s\n", strerror(errno));
-        return EXIT_IO;
-    }
     return EXIT_OK;
 }
 
 static enum exit_code run(int argc, const char *const *argv)
 {
-    static struct tank_lab lab;
     struct tank_plan plan;
     enum exit_code code = tank_plan_read(&plan, argc, argv);
-    if (code == EXIT_OK) {
-        code = tank_lab_open(&lab, &plan);
+    if (code != EXIT_OK) {
+        return code;
     }
-    if (code == EXIT_OK) {
-        code = measure(&lab);
-        tank_lab_close(&lab);
+    struct tank_lab *lab = calloc(1, sizeof *lab);
+    if (!lab) {
+        print_error("kingyoctl tank: out of memory");
+        return EXIT_IO;
     }
+    code = tank_lab_open(lab, &plan);
+    if (code == EXIT_OK) {
+        code = measure(lab);
+        tank_lab_close(lab);
+    }
+    free(lab);
     return code;
 }
 

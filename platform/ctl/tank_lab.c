@@ -14,6 +14,7 @@
 #include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
 #include "platform/ctl/tank_place.h"
+#include "platform/print.h"
 
 #define POI_GRADE 5u /* The championship's. */
 
@@ -176,41 +177,53 @@ uint64_t tank_lab_hash(const struct tank_lab *lab)
 static enum exit_code open_or_say(struct tank_lab *lab, const struct tank_config *config)
 {
     if (!tank_open(&lab->tank, config)) {
-        fprintf(stderr, "kingyoctl tank: %u fish find no room in this tank by seed %u\n",
-                config->fish_count, config->seed);
+        print_error("kingyoctl tank: %u fish find no room in this tank by seed %u",
+                    config->fish_count, config->seed);
         return EXIT_NOT_SO;
     }
     return EXIT_OK;
 }
 
-static enum exit_code open_tank(struct tank_lab *lab)
+static enum exit_code open_placed(struct tank_lab *lab, struct tank_config *config,
+                                  struct tank_place *place)
 {
-    static struct tank_place place;
     const struct tank_plan *plan = lab->plan;
-    struct tank_config config = plan->config;
-    config.lanes = cpu_lanes();
-    if (!plan->place) {
-        return open_or_say(lab, &config);
-    }
-    enum exit_code code = tank_place_read(&place, place_speaker, plan->place);
+    enum exit_code code = tank_place_read(place, place_speaker, plan->place);
     if (code != EXIT_OK) {
         return code;
     }
-    const uint32_t most = tank_config_fish_max(&config);
-    if (plan->has_fish && place.count != config.fish_count) {
-        return ctl_usage("tank", "--fish: %u, but %s places %u", config.fish_count, plan->place,
-                         place.count);
+    const uint32_t most = tank_config_fish_max(config);
+    if (plan->has_fish && place->count != config->fish_count) {
+        return ctl_usage("tank", "--fish: %u, but %s places %u", config->fish_count, plan->place,
+                         place->count);
     }
-    if (place.count > most) {
-        fprintf(stderr, "%s: %s: %u fish; this tank holds 1 to %u\n", place_speaker, plan->place,
-                place.count, most);
+    if (place->count > most) {
+        print_error("%s: %s: %u fish; this tank holds 1 to %u", place_speaker, plan->place,
+                    place->count, most);
         return EXIT_BAD_DATA;
     }
-    config.fish_count = place.count;
-    code = open_or_say(lab, &config);
+    config->fish_count = place->count;
+    code = open_or_say(lab, config);
     return code != EXIT_OK
                ? code
-               : tank_place_stage(&place, &lab->tank, place_speaker, plan->place);
+               : tank_place_stage(place, &lab->tank, place_speaker, plan->place);
+}
+
+static enum exit_code open_tank(struct tank_lab *lab)
+{
+    struct tank_config config = lab->plan->config;
+    config.lanes = cpu_lanes();
+    if (!lab->plan->place) {
+        return open_or_say(lab, &config);
+    }
+    struct tank_place *place = calloc(1, sizeof *place);
+    if (!place) {
+        print_error("kingyoctl tank: out of memory");
+        return EXIT_IO;
+    }
+    const enum exit_code code = open_placed(lab, &config, place);
+    free(place);
+    return code;
 }
 
 static enum exit_code open_poi(struct tank_lab *lab)
@@ -230,7 +243,6 @@ static enum exit_code open_poi(struct tank_lab *lab)
 
 enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan)
 {
-    memset(lab, 0, sizeof *lab);
     lab->plan = plan;
     enum exit_code code = open_tank(lab);
     code = code == EXIT_OK ? open_poi(lab) : code;
@@ -242,7 +254,7 @@ enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan)
     lab->shade_count = calloc(seconds, sizeof *lab->shade_count);
     lab->surfacing_count = calloc(seconds, sizeof *lab->surfacing_count);
     if (!lab->tick_ns || !lab->shade_count || !lab->surfacing_count) {
-        fputs("kingyoctl tank: out of memory\n", stderr);
+        print_error("kingyoctl tank: out of memory");
         tank_lab_close(lab);
         return EXIT_IO;
     }

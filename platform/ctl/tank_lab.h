@@ -47,8 +47,8 @@ struct tank_lab {
 /* How many whole seconds there are to count at, the start included. */
 uint32_t tank_lab_seconds(const struct tank_plan *plan);
 
-/* Opens the tank that the plan asks for, with its files read. EXIT_OK, or told. The plan must
- * outlive the lab. */
+/* Opens the tank that the plan asks for and reads the plan's files. `lab` must be zero. The plan
+ * must outlive the lab. Returns EXIT_OK; after an error one line is on standard error. */
 enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan);
 
 /* One tick, measured. */

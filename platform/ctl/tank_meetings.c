@@ -1,6 +1,8 @@
 /* tank_meetings.c -- who begins to give way to whom, and which pairs have parted. */
 #include "platform/ctl/tank_meetings.h"
 
+#include <string.h>
+
 static int overlap(const struct tank *tank, const struct meeting *pair)
 {
     struct box spaces[2];
@@ -13,23 +15,33 @@ static int overlap(const struct tank *tank, const struct meeting *pair)
     return box_depth_m(&spaces[0], &spaces[1]) > 0.0f;
 }
 
+/* Appends a pair to the open ones and links it to the older pairs of its lower fish. */
+static void open_pair(struct meetings *meetings, const struct meeting *pair)
+{
+    struct meeting *added = &meetings->open[meetings->open_count++];
+    *added = *pair;
+    added->older = meetings->newest[pair->low];
+    meetings->newest[pair->low] = meetings->open_count;
+}
+
 static void forget_the_parted(struct meetings *meetings, const struct tank *tank)
 {
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < meetings->open_count; i++) {
+    const uint32_t count = meetings->open_count;
+    meetings->open_count = 0;
+    memset(meetings->newest, 0, tank->fish_count * sizeof meetings->newest[0]);
+    for (uint32_t i = 0; i < count; i++) {
         struct meeting pair = meetings->open[i];
         pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + MEETINGS_LOOK_TICKS;
         if (pair.apart_ticks < MEETINGS_PART_TICKS) {
-            meetings->open[kept++] = pair;
+            open_pair(meetings, &pair); /* At or before index i, which has been read. */
         }
     }
-    meetings->open_count = kept;
 }
 
 static int is_open(const struct meetings *meetings, const struct meeting *pair)
 {
-    for (uint32_t i = 0; i < meetings->open_count; i++) {
-        if (meetings->open[i].low == pair->low && meetings->open[i].high == pair->high) {
+    for (uint32_t at = meetings->newest[pair->low]; at > 0; at = meetings->open[at - 1].older) {
+        if (meetings->open[at - 1].high == pair->high) {
             return 1;
         }
     }
@@ -39,12 +51,12 @@ static int is_open(const struct meetings *meetings, const struct meeting *pair)
 static void begin(struct meetings *meetings, const struct fish *fish, fish_index index)
 {
     const fish_index with = fish->avoid_with;
-    const struct meeting pair = { index < with ? index : with, index < with ? with : index, 0 };
+    const struct meeting pair = { index < with ? index : with, index < with ? with : index, 0, 0 };
     if (is_open(meetings, &pair)) {
         return;
     }
     if (meetings->open_count < MEETINGS_OPEN_MAX) {
-        meetings->open[meetings->open_count++] = pair;
+        open_pair(meetings, &pair);
     }
     meetings->head_on += fish->avoid_kind == MEET_HEAD_ON ? 1u : 0u;
     meetings->side +=

@@ -14,6 +14,7 @@
 struct meeting {
     fish_index low, high;
     uint32_t apart_ticks; /* Since their personal spaces overlapped. */
+    uint32_t older;       /* The next older open pair with the same `low`: index + 1, 0: no pair. */
 };
 
 struct meetings {
@@ -24,6 +25,8 @@ struct meetings {
 
     uint32_t ticks; /* Watched so far. */
     uint32_t open_count;
+    uint32_t newest[TANK_FISH_MAX]; /* The newest open pair with this fish as `low`: index + 1, 0:
+                                       no pair. */
     struct meeting open[MEETINGS_OPEN_MAX];
     uint8_t avoided[TANK_FISH_MAX]; /* enum fish_avoiding of the tick before. */
 };

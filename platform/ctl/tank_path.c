@@ -2,6 +2,7 @@
 #include "platform/ctl/tank_path.h"
 
 #include "platform/ctl/csv.h"
+#include "platform/print.h"
 
 enum { T_S, X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, COLUMN_COUNT };
 
@@ -66,7 +67,7 @@ enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const
         }
     }
     if (code == EXIT_OK && path->count == 0) {
-        fprintf(stderr, "%s: %s: line %u: a row of numbers is missing\n", speaker, file, csv.line);
+        print_error("%s: %s: line %u: a row of numbers is missing", speaker, file, csv.line);
         code = EXIT_BAD_DATA;
     }
     csv_close(&csv);

@@ -6,6 +6,7 @@
 
 #include "platform/ctl/csv.h"
 #include "platform/ctl/overlap.h"
+#include "platform/print.h"
 
 #define TOUCH_M 0.0001 /* What rounding to a trace's decimals may put into a wall. */
 
@@ -102,7 +103,7 @@ enum exit_code tank_place_read(struct tank_place *place, const char *speaker, co
         }
     }
     if (code == EXIT_OK && place->count == 0) {
-        fprintf(stderr, "%s: %s: line %u: a row with a fish is missing\n", speaker, file, csv.line);
+        print_error("%s: %s: line %u: a row with a fish is missing", speaker, file, csv.line);
         code = EXIT_BAD_DATA;
     }
     csv_close(&csv);
@@ -129,9 +130,9 @@ static int is_in_water(const struct overlap_box *box, vec3 size_m, double emerge
 static void tell_left_out(const struct tank_place *place, const char *speaker, const char *file)
 {
     if (place->rows_left_out > 0) {
-        fprintf(stderr, "%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
-                "others are left out\n", speaker, file, place->count, place->tick,
-                place->rows_left_out);
+        print_error("%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
+                    "others are left out", speaker, file, place->count, place->tick,
+                    place->rows_left_out);
     }
 }
 
@@ -145,17 +146,17 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
         const double emerges_m =
             place->stage[i].gait == GAIT_SURFACE ? (double)fish_emerges_m(fish) : 0.0;
         if (!is_in_water(&box, tank->size_m, emerges_m)) {
-            fprintf(stderr, "%s: %s: line %u: fish %u is not all in the water: %g x %g cm, %g cm "
-                    "deep\n", speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
-                    100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
+            print_error("%s: %s: line %u: fish %u is not all in the water: %g x %g cm, %g cm "
+                        "deep", speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
+                        100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
             return EXIT_BAD_DATA;
         }
         for (uint32_t j = 0; j < i; j++) {
             const struct overlap_box other = overlap_box_of(&tank->fish[j]);
             const double depth_mm = 1000.0 * overlap_depth_m(&box, &other);
             if (depth_mm > OVERLAP_DEEP_MM) {
-                fprintf(stderr, "%s: %s: line %u: fish %u and %u are %.1f mm in each other\n",
-                        speaker, file, place->line[i], j, i, depth_mm);
+                print_error("%s: %s: line %u: fish %u and %u are %.1f mm in each other",
+                            speaker, file, place->line[i], j, i, depth_mm);
                 return EXIT_BAD_DATA;
             }
         }

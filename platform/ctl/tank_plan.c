@@ -36,7 +36,7 @@ struct range {
 };
 
 static const struct range ranges[FIGURE_COUNT] = {
-    [FIGURE_AREA_SCALE] = { "--area-scale", 0.05, 200, 0 },
+    [FIGURE_AREA_SCALE] = { "--area-scale", 0.05, 250, 0 },
     [FIGURE_WALL_FOLLOW] = { "--wall-follow", 0, 1, 0 },
     [FIGURE_SECONDS] = { "--seconds", 0.1, PLAN_SECONDS_MAX, 0 },
     [FIGURE_SEED] = { "--seed", 0, UINT32_MAX, 1 },

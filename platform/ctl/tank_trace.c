@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "platform/number.h"
+#include "platform/print.h"
 
 #define DEG (180.0 / 3.14159265358979323846)
 #define ROW_MAX 512u
@@ -23,19 +24,20 @@ const char *tank_trace_gait(uint8_t gait)
     return gait_names[gait];
 }
 
-static enum exit_code tell(const struct tank_trace *trace)
+static enum exit_code tell(const struct tank_trace *trace, int error)
 {
-    fprintf(stderr, "kingyoctl tank: --trace: %s: %s\n", trace->path, strerror(errno));
+    print_error("kingyoctl tank: --trace: %s: %s", trace->path, strerror(error));
     return EXIT_IO;
 }
 
 enum exit_code tank_trace_open(struct tank_trace *trace, const char *path)
 {
     trace->path = path;
-    trace->file = fopen(path, "w");
-    if (!trace->file) {
-        return tell(trace);
+    const int error = out_open(&trace->out, path);
+    if (error) {
+        return tell(trace, -error);
     }
+    trace->file = trace->out.file;
     fputs("tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm,"
           "speed_cm_s,tail_hz,gait,stamina,avoiding\n", trace->file);
     return EXIT_OK;
@@ -83,9 +85,7 @@ void tank_trace_add(struct tank_trace *trace, const struct tank *tank, uint32_t 
 
 enum exit_code tank_trace_close(struct tank_trace *trace)
 {
-    const int spoilt = ferror(trace->file);
-    if (fclose(trace->file) != 0 || spoilt) {
-        return tell(trace);
-    }
-    return EXIT_OK;
+    const int error = out_close(&trace->out);
+    trace->file = NULL;
+    return error ? tell(trace, -error) : EXIT_OK;
 }

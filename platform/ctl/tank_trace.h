@@ -7,10 +7,12 @@
 
 #include "core/tank/tank.h"
 #include "platform/kiosk/options.h"
+#include "platform/out_file.h"
 
 struct tank_trace {
     const char *path;
-    FILE *file;
+    struct out_file out;
+    FILE *file; /* That of `out` while it is open. */
 };
 
 /* Makes the file with its head. EXIT_OK, or EXIT_IO, told. `path` must outlive `trace`. */

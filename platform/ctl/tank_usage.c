@@ -4,8 +4,9 @@
 const char tank_plan_usage[] =
     "The tank\n"
     "  --preset NAME          thesis, official or festival (thesis)\n"
-    "  --fish N               how many (the preset's own; in more or less water at its density)\n"
-    "  --area-scale K         of the preset's floor, 0.05 to 200 (1)\n"
+    "  --fish N               how many, up to 131,072 as far as the water holds them\n"
+    "                         (the preset's own; in more or less water at its density)\n"
+    "  --area-scale K         of the preset's floor, 0.05 to 250 (1)\n"
     "  --size-cm W,D,B        width, depth and breadth of the water (the preset's own)\n"
     "  --wall-follow K        how much walls draw its fish along, 0 to 1 (0)\n"
     "  --spaces box|ball      personal spaces: boxes, or for comparison the balls round them\n"

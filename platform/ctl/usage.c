@@ -1,16 +1,24 @@
-/* usage.c -- the one line that a wrong command line is answered with. */
+/* usage.c -- the lines of errors that all commands share. */
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "platform/cpu.h"
 #include "platform/ctl/ctl.h"
+#include "platform/print.h"
 
 enum exit_code ctl_usage(const char *command, const char *format, ...)
 {
+    char words[PRINT_LINE_MAX];
     va_list arguments;
-    fprintf(stderr, "kingyoctl %s: ", command);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
+    print_error("kingyoctl %s: %s", command, words);
     return EXIT_USAGE;
+}
+
+enum exit_code ctl_float(const char *command)
+{
+    print_error("kingyoctl %s: " CPU_FLOAT_WRONG, command);
+    return EXIT_NOT_SO;
 }

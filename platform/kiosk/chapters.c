@@ -1,9 +1,30 @@
 /* chapters.c -- a recording that begins anew with each chapter. */
 #include "platform/kiosk/chapters.h"
 
+#include <poll.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/base/panic.h"
+#include "core/pin.h"
+
+/* Withholds the PIN without a change of the replay: the state hash leaves the PIN out, and the two
+ * values stay equal or different, because the core writes an entry if they differ. */
+static void withhold_pin(struct core_config *config)
+{
+    int32_t *kept = &config->memory.settings.value[SET_PIN];
+    int32_t *told = &config->chapter.adjust.told.value[SET_PIN];
+    const int is_told = *told == *kept;
+    *kept = *kept != 0 ? PIN_WITHHELD : 0;
+    *told = is_told ? *kept : *kept == 0 ? PIN_WITHHELD : 0;
+}
+
+static int types_pin(const struct core *core)
+{
+    const struct menu *menu = &core->game.menu;
+    return core->game.phase == PHASE_MENU &&
+           (menu->page == MENU_PIN || menu->page == MENU_NEW_PIN) && menu->pin_count > 0;
+}
 
 void chapters_begin(struct chapters *chapters, const struct core *core)
 {
@@ -12,6 +33,9 @@ void chapters_begin(struct chapters *chapters, const struct core *core)
     memset(&chapters->tally, 0, sizeof chapters->tally);
     chapters->totals.hash = core_hash(core);
     chapters->seen_id = core->game.ledger.last_id;
+    chapters->has_pin = 0;
+    chapters->start = core->config;
+    withhold_pin(&chapters->start);
     replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &core->config,
                      chapters->totals.hash);
 }
@@ -46,23 +70,45 @@ static int is_ranked(const struct core *core, const struct ledger_entry *entry)
 
 static void keep_round(struct chapters *chapters, uint32_t round_id, const struct core *core)
 {
-    if (chapters->round_id != 0) {
+    if (chapters->round_id != 0 || chapters->has_pin) {
         chapters->missed++;
         return;
     }
     chapters->replay_size = replay_copy(&chapters->writer, core_hash(core), chapters->replay,
                                         sizeof chapters->replay);
+    if (chapters->replay_size > 0) {
+        chapters->replay_size = replay_replace_start(chapters->replay, chapters->replay_size,
+                                                     sizeof chapters->replay, &chapters->start);
+    }
     chapters->round_id = chapters->replay_size > 0 ? round_id : 0;
     chapters->missed += chapters->replay_size == 0;
 }
 
-void chapters_tick(struct chapters *chapters, const struct input *input, const struct core *core,
-                   const struct output *output)
+/* A thread that ticks while another one panics stops here for good. */
+static void stop_if_frozen(struct chapters *chapters)
+{
+    while (atomic_load(&chapters->is_frozen)) {
+        atomic_store(&chapters->is_busy, 0);
+        pause();
+    }
+}
+
+void chapters_before(struct chapters *chapters, const struct input *input)
+{
+    atomic_store(&chapters->is_busy, 1);
+    stop_if_frozen(chapters);
+    chapters->begun = *input;
+    atomic_store(&chapters->is_in_tick, 1);
+}
+
+static void note_tick(struct chapters *chapters, const struct input *input, const struct core *core,
+                      const struct output *output)
 {
     if (core_is_fresh(core)) { /* What this tick did is in its configuration. */
         chapters_begin(chapters, core);
         return;
     }
+    chapters->has_pin = chapters->has_pin || types_pin(core);
     add_tick(chapters, input, core);
     while (chapters->seen_id != core->game.ledger.last_id) {
         const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
@@ -70,6 +116,44 @@ void chapters_tick(struct chapters *chapters, const struct input *input, const s
             keep_round(chapters, entry->id, core);
         }
     }
+}
+
+void chapters_tick(struct chapters *chapters, const struct input *input, const struct core *core,
+                   const struct output *output)
+{
+    atomic_store(&chapters->is_in_tick, 0);
+    note_tick(chapters, input, core, output);
+    atomic_store(&chapters->is_busy, 0);
+}
+
+int chapters_freeze(struct chapters *chapters, int is_own)
+{
+    if (is_own) {
+        return !atomic_load(&chapters->is_busy) || atomic_load(&chapters->is_in_tick);
+    }
+    atomic_store(&chapters->is_frozen, 1);
+    for (int i = 0; i < CHAPTERS_FREEZE_MS && atomic_load(&chapters->is_busy); i++) {
+        poll(NULL, 0, 1);
+    }
+    return !atomic_load(&chapters->is_busy);
+}
+
+int chapters_has_begun(const struct chapters *chapters)
+{
+    return chapters->writer.offset > 0;
+}
+
+int chapters_dump(struct chapters *chapters, const struct core *core, int is_sound, int fd)
+{
+    uint64_t hash = chapters->totals.hash;
+    if (is_sound && atomic_load(&chapters->is_in_tick)) {
+        hash = chapters->totals.hash = REPLAY_HASH_NONE;
+        chapters->totals.ticks++;
+        replay_add(&chapters->writer, &chapters->begun, 0, &chapters->totals);
+    } else if (is_sound) {
+        hash = core_hash(core);
+    }
+    return replay_dump(&chapters->writer, chapters->memory, hash, !is_sound, fd);
 }
 
 /* The store drops replays of rounds that it does not know yet. */

@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "core/base/printable.h"
 #include "platform/kiosk/option_table.h"
 #include "platform/plain_file.h"
 #include "platform/setting_text.h"
@@ -189,20 +190,12 @@ struct warnings {
     unsigned count;
 };
 
-/* A file may hold anything: nothing of it moves a terminal's cursor or breaks a line of the log. */
-static void blank_controls(char *text)
-{
-    for (; *text; text++) {
-        *text = (unsigned char)*text < 0x20 || *text == 0x7F ? '?' : *text;
-    }
-}
-
 static void tell(struct warnings *warnings, unsigned line, const char *why)
 {
     char text[OPTIONS_PATH_MAX + WHY_MAX];
     if (++warnings->count <= CONFIG_WARNINGS_MAX && warnings->warn) {
         snprintf(text, sizeof text, "%.200s:%u: %s", warnings->path, line, why);
-        blank_controls(text);
+        printable(text);
         warnings->warn(text);
     }
 }
@@ -255,7 +248,7 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
 {
     struct reading reading = { .options = options, .section = "" };
     struct warnings warnings = { .path = path, .warn = warn };
-    FILE *file = plain_file_open(path);
+    FILE *file = plain_file_open(path, CONFIG_SIZE_MAX);
     if (!file) {
         return -errno;
     }

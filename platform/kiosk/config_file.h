@@ -15,11 +15,12 @@
 
 #define CONFIG_FILE_DEFAULT "/etc/kingyo/kingyo.conf"
 #define CONFIG_WARNINGS_MAX 20u /* Of one file; the others are only counted. */
+#define CONFIG_SIZE_MAX (1u << 20) /* Bytes; all keys with their comments are 5 KiB. */
 #define CONFIG_LINE_MAX (OPTIONS_PATH_MAX + 64u) /* A longer line is passed over, with a warning. */
 
 /* Reads `path` into `options`: settings into options->file, the others as the command line would.
- * `warn` (may be null) gets "FILE:LINE: what", with the range of a value. 0, or a negative errno
- * when the file cannot be read. */
+ * `warn` (may be null) gets "FILE:LINE: what", with the range of a value. Returns 0, or a negative
+ * errno of plain_file_open() when the file cannot be read. */
 int options_read_config(struct options *options, const char *path, void (*warn)(const char *line));
 
 /* A file that says what the kiosk does without one: every key, what it is for, its range and its

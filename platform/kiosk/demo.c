@@ -11,6 +11,7 @@
 #include "platform/clock.h"
 #include "platform/kiosk/contact_sheet.h"
 #include "platform/png.h"
+#include "platform/print.h"
 #include "platform/say.h"
 
 #define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
@@ -41,6 +42,7 @@ static void wire(struct demo *demo)
     const struct board_options board = {
         .width = options->width ? options->width : 1280,
         .height = options->height ? options->height : 720,
+        .on_demand = options->replay[0] != '\0', /* The demonstration measures its frames. */
         .view = tank_preset(options->tank)->view,
         .shelf = &demo->session->shelf,
     };
@@ -60,6 +62,7 @@ static enum exit_code begin(struct demo *demo)
     struct settings *settings = &config.core.memory.settings;
     options_first(options, settings);
     options_last(options, settings);
+    settings_hide_pin(settings, config.core.seed);
     settings->value[SET_PLAY] = PLAY_FREE; /* The bot has no money. */
     if (!options_ask(options, SET_MODES)) {
         settings->value[SET_MODES] = 1 << MODE_FESTIVAL;
@@ -152,7 +155,8 @@ static void tell_progress(const struct demo *demo)
     const int on_terminal = isatty(STDERR_FILENO);
     const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
     if (demo->now_ns % step_ns == 0 && demo->now_ns > 0) {
-        fprintf(stderr, "%sdemo: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
+        fprintf(stderr, "%s%s: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
+                demo->session->options.replay[0] ? "replay" : "demo",
                 (double)demo->now_ns / (double)NS_PER_S,
                 (double)demo->end_ns / (double)NS_PER_S, demo->shots, on_terminal ? "" : "\n");
     }
@@ -202,16 +206,18 @@ static void print_summary(const struct demo *demo)
     }
     printf("  ticks         %u, %llu dropped\n", kiosk->core.tick,
            (unsigned long long)kiosk->pace.dropped);
-    printf("  frames        %llu of %ux%u; frame time median %.1f ms, p99 %.1f ms\n",
+    printf("  frames        %llu of %ux%u%s; frame time median %.1f ms, p99 %.1f ms\n",
            (unsigned long long)kiosk->frames, demo->width, demo->height,
+           session->options.replay[0] ? ", drawn where pictures are" : "",
            ms(timing_quantile_ns(frame, 0.5)), ms(timing_quantile_ns(frame, 0.99)));
     printf("  core          %.1f %% of the frame; %.3f ms a tick\n", 100.0 * share,
            ms(kiosk->core_ns) / ticks);
     printf("  state hash    %016llx\n", (unsigned long long)core_hash(&kiosk->core));
-    printf("  drawn by      %s\n", session->hal.display.ops->describe(session->hal.display.self));
+    print_line(stdout, "  drawn by      %s",
+               session->hal.display.ops->describe(session->hal.display.self));
     if (demo->shots > 0) {
-        printf("  pictures      %s/contact-sheet.png and %u shots beside it\n", demo->folder,
-               demo->shots);
+        print_line(stdout, "  pictures      %s/contact-sheet.png and %u shots beside it",
+                   demo->folder, demo->shots);
     } else {
         printf("  pictures      none\n");
     }
@@ -247,6 +253,9 @@ enum exit_code demo_run(struct session *session)
     print_summary(&demo);
     code = session_end(session);
     session->hal.display.ops->close(session->hal.display.self);
+    if (end == KIOSK_FLOAT) {
+        return session_tell_float();
+    }
     if (code == EXIT_OK && (demo.failed || demo.shots == 0 || end == KIOSK_DISPLAY_LOST)) {
         code = EXIT_NOT_SO;
     }

@@ -46,7 +46,9 @@ static void conclude(struct encore *encore, const struct ranking *ranking)
 {
     const enum verdict verdict = judge_say(&encore->judge, ranking, encore->round_id,
                                            &encore->kept);
-    encore->state = verdict == VERDICT_GENUINE ? ENCORE_GENUINE : ENCORE_OTHER;
+    encore->state = verdict == VERDICT_GENUINE     ? ENCORE_GENUINE
+                    : verdict == VERDICT_UNCHECKED ? ENCORE_NONE
+                                                   : ENCORE_OTHER;
 }
 
 /* Asks the store, and begins the play when it has answered. */

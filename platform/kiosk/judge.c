@@ -21,10 +21,11 @@ int judge_open(struct judge *judge, const uint8_t *bytes, size_t size)
     judge->round = (struct ledger_entry){ 0 };
     judge->said = (struct replay_totals){ 0 };
     judge->round_tick = 0;
-    judge->is_read = 0;
+    judge->is_read = judge->is_refused = 0;
     judge->bytes = bytes;
     judge->size = size;
     memset(&judge->output, 0, sizeof judge->output);
+    cpu_set_float();
     judge->is_damaged = replayer_begin_in(&judge->replayer, bytes, size, &config) != 0;
     return judge->is_damaged ? -1 : 0;
 }
@@ -39,8 +40,10 @@ static int make_stall(struct judge *judge)
     }
     config.lanes = cpu_lanes();
     judge->input = (struct input){ 0 };
-    if (core_init(&judge->core, &config) != CORE_OK) {
-        return no_such_stall(judge);
+    const enum core_error error = core_init(&judge->core, &config);
+    judge->is_refused = error == CORE_ERR_FLOAT;
+    if (error != CORE_OK) {
+        return judge->is_refused ? -1 : no_such_stall(judge);
     }
     judge->seen_id = judge->core.game.ledger.last_id;
     judge->is_read = 1;
@@ -91,12 +94,16 @@ int judge_tick(struct judge *judge)
     struct replayer *replayer = &judge->replayer;
     const struct kiosk_source source = replayer_source(replayer);
     const struct kiosk_tap tap = replayer_tap(replayer);
-    if (judge->is_damaged || !judge->is_read || replayer->difference.found ||
-        !source.next(source.self, &judge->input)) {
+    if (judge->is_damaged || judge->is_refused || !judge->is_read ||
+        replayer->difference.found || !source.next(source.self, &judge->input)) {
         return 0;
     }
     judge->output.sound_count = 0;
-    core_tick(&judge->core, &judge->input, &judge->output);
+    judge->is_refused =
+        core_tick(&judge->core, &judge->input, &judge->output) == CORE_ERR_FLOAT;
+    if (judge->is_refused) {
+        return 0;
+    }
     tap.tick(tap.self, &judge->input, &judge->core);
     note_entries(judge);
     return 1;
@@ -173,6 +180,9 @@ enum verdict judge_say(const struct judge *judge, const struct ranking *ranking,
                        const struct ledger_entry *kept)
 {
     const struct replayer *replayer = &judge->replayer;
+    if (judge->is_refused) {
+        return VERDICT_UNCHECKED;
+    }
     if (judge->is_damaged || !judge->is_read || replayer->damaged) {
         return VERDICT_DAMAGED;
     }

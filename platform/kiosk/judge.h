@@ -22,6 +22,7 @@ enum verdict {
     VERDICT_OTHER,   /* This program makes another play of it: replayer.difference, or the play
                         gives another score than the ranking's. */
     VERDICT_DAMAGED, /* Its bytes are no recording: replayer.reader.problem. */
+    VERDICT_UNCHECKED, /* The core refused to run here with CORE_ERR_FLOAT. */
     VERDICT_COUNT,
 };
 
@@ -35,13 +36,14 @@ struct judge {
     struct ledger_entry round;  /* The newest that this play wrote; id 0: none yet. */
     uint32_t seen_id;
     uint8_t is_damaged;
+    uint8_t is_refused;         /* The core returned CORE_ERR_FLOAT. */
     uint8_t is_read;            /* All of it was, and nothing is damaged. */
     const uint8_t *bytes;
     size_t size;
 };
 
-/* Opens a replay; its bytes must outlive the judge's work. 0, or -1 when nothing can be played: the
- * verdict is VERDICT_DAMAGED. */
+/* Sets the calling thread's floating-point control and opens a replay; its bytes must outlive the
+ * judge's work. 0, or -1 when nothing can be played: the verdict is VERDICT_DAMAGED. */
 int judge_open(struct judge *judge, const uint8_t *bytes, size_t size);
 
 /* Reads on in what is open, a second of play at most: what is decoded in one go is a frame's. 1:
@@ -51,7 +53,8 @@ int judge_read(struct judge *judge);
 /* All of that at once, for who has no frames to keep. 0 or -1. */
 int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size);
 
-/* One tick. 1, or 0 at the end: of the replay, or of its agreement with this play. */
+/* One tick. 1, or 0 at the end: of the replay, of its agreement with this play, or because the core
+ * refused the tick. */
 int judge_tick(struct judge *judge);
 
 /* Whether the last round, the score's own, has begun. */

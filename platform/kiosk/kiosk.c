@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "platform/cpu.h"
 #include "platform/kiosk/chapters.h"
 #include "platform/kiosk/dressing.h"
 #include "platform/kiosk/encore.h"
@@ -15,6 +16,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config)
 {
     memset(kiosk, 0, sizeof *kiosk);
+    cpu_set_float();
     kiosk->config = *config;
     kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* As it begins. */
     kiosk->saving.accepted_id = kiosk->output.entry_id = config->core.memory.ledger.last_id;
@@ -30,6 +32,11 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     core_scene(&kiosk->core, &kiosk->scene);
     present_view(kiosk, hal);
     return CORE_OK;
+}
+
+int kiosk_asks_to_quit(const struct kiosk *kiosk)
+{
+    return kiosk->sampled_ns < kiosk->quit_until_ns;
 }
 
 uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
@@ -93,13 +100,21 @@ static void time_reports(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-static void run_tick(struct kiosk *kiosk)
+/* Returns 0 if the core refused the tick: then the kiosk has ended. chapters_before() comes before
+ * the tap because a panic of another thread stops this thread there. */
+static int run_tick(struct kiosk *kiosk)
 {
     const struct kiosk_tap *tap = &kiosk->config.tap;
+    if (kiosk->config.chapters) {
+        chapters_before(kiosk->config.chapters, &kiosk->input);
+    }
     if (tap->before) {
         tap->before(tap->self, &kiosk->input);
     }
-    core_tick(&kiosk->core, &kiosk->input, &kiosk->output);
+    if (core_tick(&kiosk->core, &kiosk->input, &kiosk->output) != CORE_OK) {
+        kiosk->end = KIOSK_FLOAT;
+        return 0;
+    }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output_feel(&kiosk->felt[i], &kiosk->output.poi[i]);
     }
@@ -111,6 +126,7 @@ static void run_tick(struct kiosk *kiosk)
     }
     kiosk->input.pressed = 0; /* One press, one tick. */
     memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
+    return 1;
 }
 
 static void end_ticks(struct kiosk *kiosk)
@@ -132,8 +148,8 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     if (tick_count > 0) { /* Else the hand goes on feeling what it felt. */
         memset(kiosk->felt, 0, sizeof kiosk->felt);
     }
-    while (done < tick_count && prepare_tick(kiosk, done, tick_count)) {
-        run_tick(kiosk);
+    kiosk->float_resets += (uint32_t)cpu_set_float(); /* Drivers' libraries ran before. */
+    while (done < tick_count && prepare_tick(kiosk, done, tick_count) && run_tick(kiosk)) {
         done++;
     }
     if (done > 0) {
@@ -189,6 +205,7 @@ static void meet_machine(struct kiosk *kiosk, const struct hal *hal)
 
 static void dress_scene(struct kiosk *kiosk, const struct hal *hal)
 {
+    kiosk->scene.asks_quit = (uint8_t)kiosk_asks_to_quit(kiosk);
     meet_machine(kiosk, hal);
     const struct dressing dressing = { .notes = kiosk->config.notes,
                                        .input = &kiosk->input,

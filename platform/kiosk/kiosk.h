@@ -53,9 +53,10 @@ struct kiosk_config {
 
 enum kiosk_end {
     KIOSK_RUNS = 0,
-    KIOSK_QUIT,         /* A quit key, a closed window, the session's end. */
+    KIOSK_QUIT,         /* A quit key pressed twice, a closed window, the session's end. */
     KIOSK_DISPLAY_LOST, /* Nothing can be shown any more. */
     KIOSK_SOURCE_END,   /* The replay is over. */
+    KIOSK_FLOAT,        /* The core refused a tick with CORE_ERR_FLOAT. */
     KIOSK_RESTART,      /* It is to begin anew: the operator wants it, or a store that came late. */
 };
 
@@ -88,6 +89,7 @@ struct kiosk {
     struct switches switches;
     uint64_t restart_ns;       /* When a restart waits no longer for the store; 0: none is asked
                                   for. */
+    uint64_t quit_until_ns;    /* Until then the quit key is asked for once more; 0: it is not. */
     uint32_t told_orders;      /* Of output.order_count, those that were told. */
     uint32_t wanted_replay_id; /* The operator wants to see this round; 0: none. */
     uint8_t has_acknowledged;  /* He has seen what was set aside, and the machine is to be told. */
@@ -96,6 +98,8 @@ struct kiosk {
 
     uint64_t frames;
     struct kiosk_faults faults;
+    uint32_t float_resets;    /* Frames before which the floating-point control had to be set back,
+                                 because a library had changed it. */
     struct line_book lines;   /* Of the buttons and coins. */
     struct timing frame_time; /* Begin to begin, on the stopwatch. */
     struct timing work_time;  /* Begin to end of kiosk_frame. */
@@ -104,12 +108,17 @@ struct kiosk {
     uint64_t frame_begin_ns;
 };
 
-/* A fresh stall. Opens the poi; the board has opened the rest. CORE_ERR_RANGE: a config field is
- * out of range, and `kiosk` is not to be used. */
+/* A fresh stall. Opens the poi; the board has opened the rest. Sets the calling thread's
+ * floating-point control. Returns CORE_OK or core_init()'s error: then `kiosk` is not to be used.
+ */
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config);
 
-/* One displayed frame. Returns enum kiosk_end; after anything but KIOSK_RUNS call it no more. */
+/* Whether the quit key was pressed, so that a second press ends the kiosk. */
+int kiosk_asks_to_quit(const struct kiosk *kiosk);
+
+/* One displayed frame. Sets the calling thread's floating-point control before the ticks. Returns
+ * enum kiosk_end; after anything but KIOSK_RUNS call it no more. */
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
 
 /* After the last frame: closes the store, which may wait for it, and counts its last faults.

@@ -70,10 +70,20 @@ static void add_credits(struct batch *batch, const struct late *late)
     }
 }
 
+/* A round without players: its tickets are in the purse, and the audits must count them. */
+static void add_tickets(struct batch *batch, const struct late *late)
+{
+    const uint32_t count = untold(late, batch->core, AUDIT_TICKETS);
+    if (count > 0 && batch->count < BATCH_MAX) {
+        add(batch, LEDGER_ROUND, 0, 0, count);
+        batch->entries[batch->count - 1u].round.unscored = 1;
+    }
+}
+
 static int is_same(const struct purse *a, const struct purse *b)
 {
     return a->units == b->units && a->bonus_units == b->bonus_units && a->paid == b->paid &&
-           a->service == b->service && a->untold == b->untold;
+           a->service == b->service && a->untold == b->untold && a->tickets == b->tickets;
 }
 
 /* Whether the store has what it was given, if it was given anything. */
@@ -96,6 +106,7 @@ int late_is_told(struct late *late, const struct hal_storage *storage, const str
     const struct purse_step step = { late->told_purse, core->game.ledger.purse };
     add_coins(&batch, late);
     add_credits(&batch, late);
+    add_tickets(&batch, late);
     if (batch.count == 0 && is_same(&step.from, &step.to)) {
         return 1;
     }

@@ -12,7 +12,10 @@
 #include "platform/kiosk/play.h"
 #include "platform/kiosk/session.h"
 #include "platform/panic.h"
+#include "platform/plain_file.h"
+#include "platform/print.h"
 #include "platform/say.h"
+#include "platform/standard_streams.h"
 
 static volatile sig_atomic_t stop;
 static struct session evening; /* Megabytes: not for the stack. */
@@ -78,7 +81,7 @@ static enum exit_code read_config(struct options *options, const char *path)
     *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
     const int failed = options_read_config(options, path, warn_of_config);
     if (failed) {
-        snprintf(line, sizeof line, "%s: cannot read: %s", path, strerror(-failed));
+        snprintf(line, sizeof line, "%s: cannot read: %s", path, plain_file_error(-failed));
         (is_named ? warn : warn_of_config)(line);
     }
     return failed && is_named ? EXIT_IO : EXIT_OK;
@@ -106,12 +109,23 @@ static enum exit_code read_options(struct options *options, int argc, char **arg
     return EXIT_OK;
 }
 
-static void last_wish(void *self)
+static void last_wish(void *self, const char *reason)
 {
     struct session *session = self;
-    if (session->options.record[0]) {
+    const int is_sound = evidence_write(&session->evidence, reason);
+    if (is_sound && session->options.record[0]) {
         recorder_end_in_panic(&session->recorder);
     }
+}
+
+static enum exit_code run_without_screen(struct session *session, const char *why)
+{
+    print_line(stdout, "No screen: %s. %s", why,
+               session->options.replay[0]
+                   ? "The replay is checked, and pictures of it are written."
+                   : "The bot plays, and pictures are written.");
+    fflush(stdout);
+    return demo_run(session);
 }
 
 static enum exit_code run(struct session *session)
@@ -122,19 +136,14 @@ static enum exit_code run(struct session *session)
         return demo_run(session);
     }
     if (!play_waits_for_screen() && !board_has_screen(why, sizeof why)) {
-        printf("No screen: %s. The bot plays, and pictures are written.\n", why);
-        fflush(stdout);
-        return demo_run(session);
+        return run_without_screen(session, why);
     }
     options->machine.is_set[SET_LANGUAGE] = 1;
     options->machine.value[SET_LANGUAGE] = machine_language();
     if (!play_open(session)) {
         const struct hal_display *display = &session->hal.display;
-        printf("No screen: %s. The bot plays, and pictures are written.\n",
-               display->ops->describe(display->self));
-        fflush(stdout);
         options->machine.is_set[SET_LANGUAGE] = 0;
-        return demo_run(session);
+        return run_without_screen(session, display->ops->describe(display->self));
     }
     return play_run(session);
 }
@@ -151,14 +160,11 @@ static void begin_anew(const struct session *session, char **argv)
     warn("cannot restart: start it again by hand");
 }
 
-int main(int argc, char **argv)
+static enum exit_code run_words(int argc, char **argv)
 {
-    say_prepare();
-    evening.stop = &stop;
-    evening.recorder.writer.fd = -1;
     enum exit_code code = read_options(&evening.options, argc, argv);
     if (code != EXIT_OK) {
-        return (int)code;
+        return code;
     }
     if (evening.options.help) {
         options_print_help();
@@ -183,6 +189,29 @@ int main(int argc, char **argv)
             warn("the store is there at last: beginning anew, to go on from it");
         }
         begin_anew(&evening, argv);
+    }
+    return code;
+}
+
+/* Lost output ends no game: the kiosk runs on, and its exit code says so at the end. */
+int main(int argc, char **argv)
+{
+    char line[128];
+    const int closed = standard_streams_open();
+    say_prepare();
+    if (closed) {
+        snprintf(line, sizeof line, "/dev/null: %s", strerror(-closed));
+        warn(line);
+        return EXIT_IO;
+    }
+    evening.stop = &stop;
+    evening.recorder.writer.fd = -1;
+    const enum exit_code code = run_words(argc, argv);
+    const int lost = standard_output_finish();
+    if (lost && code == EXIT_OK) {
+        snprintf(line, sizeof line, "standard output: %s", strerror(-lost));
+        warn(line);
+        return EXIT_IO;
     }
     return (int)code;
 }

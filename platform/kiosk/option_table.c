@@ -64,8 +64,8 @@ static int set_window(struct options *options, const char *value)
         return 0;
     }
     snprintf(width, sizeof width, "%.*s", (int)(cross - value), value);
-    return number_parse(width, 320, 8192, &options->width) &&
-           number_parse(cross + 1, 240, 8192, &options->height);
+    return number_parse(width, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_SIDE_MAX, &options->width) &&
+           number_parse(cross + 1, HAL_WINDOW_HEIGHT_MIN, HAL_WINDOW_SIDE_MAX, &options->height);
 }
 
 static int find_name(const char *const *names, uint8_t count, const char *value, uint8_t *out)

@@ -96,14 +96,15 @@ int options_parse(struct options *options, int argc, const char *const *argv,
 
 void options_print_help(void)
 {
-    puts("kingyo: a goldfish-scooping stall. The mouse is the poi: hold the left button to dip\n"
-         "it, let go to lift; the wheel tilts it, the right button levels it. While F is held\n"
-         "the mouse leads a fan over the water, whose still shade gathers fish. Space starts, the\n"
-         "arrows choose a mode, 5 is a coin, F2 opens the operator's menu, F3 is its service\n"
-         "button, L changes the language, F11 is full screen, Esc quits. On a touch screen one\n"
-         "finger leads the poi, a second one dips it, and three press START. On a pad the left\n"
-         "stick leads it, A or a trigger dips it, the right stick tilts it. Without a screen the\n"
-         "bot plays, and pictures of it are written.\n");
+    puts(
+        "kingyo: a goldfish-scooping stall. The mouse is the poi: hold the left button to dip\n"
+        "it, let go to lift; the wheel tilts it, the right button levels it. While F is held\n"
+        "the mouse leads a fan over the water, whose still shade gathers fish. Space starts, the\n"
+        "arrows choose a mode, 5 is a coin, F2 opens the operator's menu, F3 is its service\n"
+        "button, L changes the language, F11 is full screen, Esc pressed twice quits. On a\n"
+        "touch screen one finger leads the poi, a second one dips it, and three press START. On\n"
+        "a pad the left stick leads it, A or a trigger dips it, the right stick tilts it. Without\n"
+        "a screen the bot plays, or the replay is checked, and pictures of it are written.\n");
     const struct option *option;
     for (uint32_t i = 0; (option = option_at(i)) != NULL; i++) {
         char left[40], right[OPTION_TEXT_MAX];
@@ -118,8 +119,9 @@ void options_print_help(void)
          "\nA recording is never written over: --record refuses a file that holds anything. It is\n"
          "whole after each second: a kiosk that is killed loses one at most, a power cut more.\n"
          "\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay\n"
-         "differs; 2 wrong option; 65 a recording that is no whole recording; 74 a path that\n"
-         "cannot be read or written, or finished rounds that could not be kept.");
+         "differs; 2 wrong option; 65 a recording that is no whole recording; 74 a path or a\n"
+         "standard output that cannot be read or written, or finished rounds that could not be\n"
+         "kept.");
 }
 
 /* ---- What it means -------------------------------------------------------------------------- */

@@ -11,6 +11,7 @@
 #include "platform/board.h"
 #include "platform/clock.h"
 #include "platform/folder.h"
+#include "platform/print.h"
 #include "platform/say.h"
 
 #define SHOT_TICKS (5u * CORE_TICK_HZ)
@@ -18,7 +19,7 @@
 static void tell_device(const char *name, const char *line)
 {
     if (line && line[0]) {
-        printf("  %-9s %s\n", name, line);
+        print_line(stdout, "  %-9s %s", name, line);
     }
 }
 
@@ -103,15 +104,20 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     return lost > 0 ? EXIT_IO : EXIT_OK;
 }
 
+static enum exit_code code_of_end(enum kiosk_end end)
+{
+    return end == KIOSK_FLOAT          ? session_tell_float()
+           : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
+                                       : EXIT_OK;
+}
+
 /* The worse of what the store and the recording came to, then the display. */
 static enum exit_code end_play(struct session *session, enum kiosk_end end)
 {
     const enum exit_code told = tell_end(session, end);
     const enum exit_code code = session_end(session);
-    return told != EXIT_OK ? told
-           : code != EXIT_OK ? code
-           : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
-                                       : EXIT_OK;
+    const enum exit_code ended = code_of_end(end);
+    return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
 }
 
 /* Xlib and the software renderer's threads do not outlive their connection: nothing may go back
@@ -145,8 +151,9 @@ int play_open(struct session *session)
     struct display_events events;
     if (!options->data[0]) {
         folder_default_data(options->data);
-        folder_make(options->data); /* When it cannot be made, the store will say so. */
     }
+    folder_make(options->data); /* Before evidence_open(); the store reports a failure. */
+    evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
     const struct board_options board = {
         .poi = options->poi,
         .keyboard = keyboard_of(options),
@@ -190,6 +197,7 @@ static enum exit_code begin(struct session *session)
     options_first(options, settings);
     storage->ops->remember(storage->self, &config.core.memory);
     options_last(options, settings);
+    settings_hide_pin(settings, config.core.seed);
     settings_apply(settings, &config.core);
     for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = options->poi == BOARD_POI_BOT;
@@ -217,9 +225,19 @@ static void tell_picture(const struct session *session, int *was_away)
     const struct hal_display *display = &session->hal.display;
     const int is_away = session->kiosk.display_retry_ns > 0;
     if (is_away != *was_away) {
-        fprintf(stderr, "kingyo: %s%s\n", is_away ? "the stall goes on without a picture: " : "",
-                display->ops->describe(display->self));
+        print_error("kingyo: %s%s", is_away ? "the stall goes on without a picture: " : "",
+                    display->ops->describe(display->self));
         *was_away = is_away;
+    }
+}
+
+/* Once: a library that changes the control word changes it in each frame. */
+static void tell_float(const struct session *session, int *is_told)
+{
+    if (session->kiosk.float_resets > 0 && !*is_told) {
+        say(SAY_WARNING, "a library changed how this thread computes (denormal numbers or "
+                         "rounding): it is set back before each frame");
+        *is_told = 1;
     }
 }
 
@@ -229,11 +247,13 @@ static enum kiosk_end run(struct session *session)
     enum kiosk_end end = KIOSK_RUNS;
     struct pace_rest rest = { 0 };
     uint32_t shots = 0;
-    int was_away = 0;
+    int was_away = 0, is_float_told = 0;
     while (end == KIOSK_RUNS && !*session->stop) {
         const uint64_t begin_ns = clock.ops->now_ns(clock.self);
         end = kiosk_frame(&session->kiosk, &session->hal);
+        evidence_note_frame(&session->evidence);
         tell_picture(session, &was_away);
+        tell_float(session, &is_float_told);
         shoot_if_due(session, &shots);
         status_tell(&session->status, &session->kiosk, &session->hal, begin_ns);
         const uint64_t end_ns = clock.ops->now_ns(clock.self);

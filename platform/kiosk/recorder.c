@@ -1,6 +1,7 @@
 /* recorder.c -- a tap on the frame loop. */
 #include "platform/kiosk/recorder.h"
 
+#include <errno.h>
 #include <string.h>
 
 /* How much a count rose since `*before`. */
@@ -32,7 +33,7 @@ int recorder_begin(struct recorder *recorder, const char *path, const struct cor
     memset(&recorder->totals, 0, sizeof recorder->totals);
     memset(&recorder->tally, 0, sizeof recorder->tally);
     recorder->core = core;
-    recorder->is_in_tick = 0;
+    recorder->is_in_tick = recorder->is_adding = 0;
     recorder->totals.hash = core_hash(core);
     return replay_create(&recorder->writer, path, &core->config, recorder->totals.hash);
 }
@@ -41,13 +42,14 @@ static void recorder_before(void *self, const struct input *input)
 {
     struct recorder *recorder = self;
     recorder->begun = *input;
-    recorder->is_in_tick = 1;
+    atomic_store(&recorder->is_in_tick, 1);
 }
 
 static void recorder_tick(void *self, const struct input *input, const struct core *core)
 {
     struct recorder *recorder = self;
-    recorder->is_in_tick = 0;
+    atomic_store(&recorder->is_adding, 1);
+    atomic_store(&recorder->is_in_tick, 0);
     recorder_count(&recorder->totals, &recorder->tally, core);
     if (replay_wants_hash(&recorder->writer)) {
         recorder->totals.hash = core_hash(core);
@@ -55,6 +57,7 @@ static void recorder_tick(void *self, const struct input *input, const struct co
     const int wants_digest = replay_wants_digest(&recorder->writer);
     replay_add(&recorder->writer, input, wants_digest ? (uint32_t)core_hash_quick(core) : 0,
                &recorder->totals);
+    atomic_store(&recorder->is_adding, 0);
 }
 
 struct kiosk_tap recorder_tap(struct recorder *recorder)
@@ -70,10 +73,14 @@ int recorder_end(struct recorder *recorder)
 
 int recorder_end_in_panic(struct recorder *recorder)
 {
-    if (!recorder->is_in_tick) {
+    if (atomic_load(&recorder->is_adding)) {
+        return -EINTR;
+    }
+    if (!atomic_load(&recorder->is_in_tick)) {
         return recorder_end(recorder);
     }
+    recorder->totals.hash = REPLAY_HASH_NONE;
     recorder->totals.ticks++;
     replay_add(&recorder->writer, &recorder->begun, 0, &recorder->totals);
-    return replay_finish(&recorder->writer, recorder->totals.hash);
+    return replay_finish(&recorder->writer, REPLAY_HASH_NONE);
 }

@@ -5,6 +5,8 @@
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_H
 
+#include <stdatomic.h>
+
 #include "platform/kiosk/kiosk.h"
 #include "platform/replay.h"
 
@@ -18,8 +20,9 @@ struct recorder {
     struct replay_totals totals;
     struct recorder_tally tally;
     const struct core *core;  /* Hashed once more for the last, begun second. */
-    struct input begun;       /* Of the tick that runs now ... */
-    uint8_t is_in_tick;       /* ... if one does. */
+    struct input begun;       /* Input of the running tick; valid while is_in_tick is 1. */
+    atomic_uchar is_in_tick;  /* 1 while core_tick() runs. */
+    atomic_uchar is_adding;   /* 1 while the tap changes `totals` and `writer`. */
 };
 
 /* Counts rounds begun, fish caught and fouls up to and with this tick, and who played what. A count
@@ -36,9 +39,10 @@ struct kiosk_tap recorder_tap(struct recorder *recorder);
 /* Writes the begun second. 0 or the negative errno that the recording ended with, now or before. */
 int recorder_end(struct recorder *recorder);
 
-/* As recorder_end, but after a panic. One inside a tick leaves half a state: it is not looked
- * at, and the tick is written with its input, no digest, and the last full hash that was taken
- * before it. */
+/* Ends the recording in a panic, on the thread that ticks the core or while that thread stands
+ * still. A tick that was interrupted is written with its input and REPLAY_HASH_NONE, because its
+ * state is incomplete. Returns as recorder_end() does, or -EINTR if the panic interrupted a write:
+ * the file then ends with its last whole second. */
 int recorder_end_in_panic(struct recorder *recorder);
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "platform/kiosk/recorder.h"
+#include "platform/print.h"
 
 int replayer_begin(struct replayer *replayer, const char *path, struct core_config *config)
 {
@@ -40,6 +41,12 @@ struct kiosk_source replayer_source(struct replayer *replayer)
     return (struct kiosk_source){ .next = replayer_next, .self = replayer };
 }
 
+int replayer_is_interrupted(const struct replayer *replayer)
+{
+    const struct replay_reader *reader = &replayer->reader;
+    return reader->as_is && reader->chunk_left == 0 && reader->totals.hash == REPLAY_HASH_NONE;
+}
+
 static void compare(struct replayer *replayer, int is_full, uint64_t recorded, uint64_t computed)
 {
     if (recorded != computed && !replayer->difference.found) {
@@ -59,6 +66,9 @@ static void replayer_tick(void *self, const struct input *input, const struct co
     const struct replay_reader *reader = &replayer->reader;
     (void)input;
     recorder_count(&replayer->totals, &replayer->tally, core);
+    if (replayer_is_interrupted(replayer)) {
+        return;
+    }
     if (reader->has_digest) {
         compare(replayer, 0, reader->digest, (uint32_t)core_hash_quick(core));
     }
@@ -84,7 +94,7 @@ void replayer_end(struct replayer *replayer)
 enum exit_code replayer_tell_problem(const char *speaker, const char *path,
                                      const struct replay_problem *problem)
 {
-    fprintf(stderr, "%s: %s: byte %llu: %s\n", speaker, path, (unsigned long long)problem->offset,
-            problem->text);
+    print_error("%s: %s: byte %llu: %s", speaker, path, (unsigned long long)problem->offset,
+                problem->text);
     return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
 }

@@ -34,6 +34,9 @@ int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t si
 struct kiosk_source replayer_source(struct replayer *replayer);
 struct kiosk_tap replayer_tap(struct replayer *replayer);
 
+/* Returns whether a panic interrupted the newest tick, so that no state was recorded after it. */
+int replayer_is_interrupted(const struct replayer *replayer);
+
 void replayer_end(struct replayer *replayer);
 
 /* One line on standard error, "SPEAKER: PATH: byte N: ...". Returns the exit code that fits. */

@@ -3,6 +3,8 @@
 
 #include "core/game/menu_pages.h"
 
+#define QUIT_ASK_NS 5000000000ull /* As long as TEST asks in a round: MENU_ASK_TICKS. */
+
 static void read_wall(struct kiosk *kiosk, const struct hal *hal)
 {
     if (hal->clock.ops->civil) {
@@ -41,6 +43,27 @@ void sample_open(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
+/* At a desk the quit key asks, because Esc is soon pressed by accident: the second press within
+ * QUIT_ASK_NS ends the kiosk, and any other button withdraws the question. A replay that is shown
+ * ends at once. In the operator's menu the key leads back. */
+static void heed_quit(struct kiosk *kiosk, const struct button_sample *buttons)
+{
+    const int is_menu = kiosk->core.game.phase == PHASE_MENU;
+    if (buttons->pressed != 0 || is_menu) {
+        kiosk->quit_until_ns = 0;
+    }
+    if (!buttons->quit) {
+        return;
+    }
+    if (is_menu) {
+        kiosk->input.pressed |= MENU_WAY_BACK;
+    } else if (kiosk_asks_to_quit(kiosk) || kiosk->config.source.next) {
+        kiosk->end = KIOSK_QUIT;
+    } else {
+        kiosk->quit_until_ns = kiosk->sampled_ns + QUIT_ASK_NS;
+    }
+}
+
 static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
 {
     struct button_sample buttons = { 0 };
@@ -55,11 +78,7 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
     if (buttons.full_screen) {
         hal->display.ops->toggle_full_screen(hal->display.self);
     }
-    if (buttons.quit && kiosk->core.game.phase == PHASE_MENU) {
-        kiosk->input.pressed |= MENU_WAY_BACK;
-    } else if (buttons.quit) {
-        kiosk->end = KIOSK_QUIT;
-    }
+    heed_quit(kiosk, &buttons);
 }
 
 static void sample_display(struct kiosk *kiosk, const struct hal *hal)
@@ -101,6 +120,7 @@ void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     }
     sample_buttons(kiosk, hal); /* After the pois: a controller's own buttons came with it. */
     sample_store(kiosk, &hal->storage);
+    kiosk->input.tickets_done = switches_done(&kiosk->switches, &hal->switches, HAL_TICKET);
     read_wall(kiosk, hal);
     kiosk->input.dropped_ticks = (uint32_t)kiosk->pace.dropped;
     kiosk->input.device_faults = kiosk_fault_count(&kiosk->faults);

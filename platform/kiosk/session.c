@@ -2,6 +2,7 @@
 #include "platform/kiosk/session.h"
 
 #include <dirent.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,9 @@
 #include "platform/cpu.h"
 #include "platform/edit_file.h"
 #include "platform/folder.h"
+#include "platform/plain_file.h"
 #include "platform/png.h"
+#include "platform/print.h"
 #include "platform/say.h"
 #include "platform/storage.h"
 
@@ -71,24 +74,38 @@ static void note_species(struct session *session)
     }
 }
 
-/* What was damaged, gone or another's stays on the page for good; the mark on "ready for opening"
- * goes once somebody has acknowledged it. */
-static void note_damaged(struct session *session)
+/* Returns what the log and the operator's page say about a file that was set aside. */
+static const char *words_of_aside(const char *data, const char *name)
 {
     static const char *const words[] = {
         [MACHINE_ASIDE_DAMAGED] = "damaged, and set aside: what could be read took its place",
         [MACHINE_ASIDE_MISSING] = "was missing: what could be read took its place",
+        [MACHINE_ASIDE_LEFT] = "a copy from before a part was left out, because of panics",
         [MACHINE_ASIDE_OTHER] = "of another list, and set aside: nothing was read from it",
     };
+    char path[PATH_MAX + 1u];
+    const enum machine_aside aside = machine_aside_of(name);
+    const int length = snprintf(path, sizeof path, "%s/%s", data, name);
+    const int has_path = length > 0 && (size_t)length < sizeof path;
+    return aside == MACHINE_ASIDE_OTHER && has_path && plain_file_is_other(path)
+               ? "was not a regular file, and was set aside"
+               : words[aside];
+}
+
+/* What was damaged, gone or another's stays on the page for good; the mark on "ready for opening"
+ * goes once somebody has acknowledged it. */
+static void note_damaged(struct session *session)
+{
     DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
     const struct dirent *entry;
     while (folder && (entry = readdir(folder))) {
         const enum machine_aside aside = machine_aside_of(entry->d_name);
         if (aside != MACHINE_ASIDE_NOT) {
+            const char *words = words_of_aside(session->options.data, entry->d_name);
             if (!machine_is_seen(session->options.data, entry->d_name)) {
-                say(SAY_WARNING, "%s/%s: %s", session->options.data, entry->d_name, words[aside]);
+                say(SAY_WARNING, "%s/%s: %s", session->options.data, entry->d_name, words);
             }
-            file_notes_add(&session->notes, FILE_ASIDE, entry->d_name, words[aside]);
+            file_notes_add(&session->notes, FILE_ASIDE, entry->d_name, words);
         }
     }
     if (folder) {
@@ -136,7 +153,11 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
                        (struct edit_warn){ warn, session });
         note_graphs(session, &config->core.book);
     }
-    if (kiosk_init(&session->kiosk, &session->hal, config) != CORE_OK) {
+    const enum core_error refused = kiosk_init(&session->kiosk, &session->hal, config);
+    if (refused == CORE_ERR_FLOAT) {
+        return session_tell_float();
+    }
+    if (refused != CORE_OK) {
         say(SAY_ERROR, "%s: this program has no such stall (preset, fish or time)",
             replay[0] ? replay : "options");
         return replay[0] ? EXIT_BAD_DATA : EXIT_USAGE;
@@ -152,6 +173,12 @@ enum exit_code session_begin(struct session *session, struct kiosk_config *confi
     return EXIT_OK;
 }
 
+enum exit_code session_tell_float(void)
+{
+    say(SAY_CRITICAL, "the stall is closed: " CPU_FLOAT_WRONG);
+    return EXIT_NOT_SO;
+}
+
 void session_tell_shelf(const struct session *session)
 {
     const struct shelf *shelf = &session->shelf;
@@ -159,8 +186,8 @@ void session_tell_shelf(const struct session *session)
     for (uint32_t i = 0; i < shelf->line_count; i++) {
         const struct shelf_line *line = &shelf->lines[i];
         if (line->slot != SHELF_SLOT_NONE) {
-            printf("  %-9s %s: %s\n", "species", line->file,
-                   shelf->slots[line->slot].species.card.id);
+            print_line(stdout, "  %-9s %s: %s", "species", line->file,
+                       shelf->slots[line->slot].species.card.id);
         } else {
             say(SAY_WARNING, "%s/" SHELF_FOLDER "/%s: %s", data, line->file, line->why);
         }
@@ -181,7 +208,7 @@ static enum exit_code end_recording(struct session *session)
             saved->ticks / CORE_TICK_HZ, strerror(-error));
         return EXIT_IO;
     }
-    printf("recorded %.1f s to %s\n", (double)saved->ticks / CORE_TICK_HZ, path);
+    print_line(stdout, "recorded %.1f s to %s", (double)saved->ticks / CORE_TICK_HZ, path);
     return EXIT_OK;
 }
 
@@ -199,8 +226,9 @@ static enum exit_code end_replay(struct session *session)
             path, replayer->difference.tick);
         return EXIT_NOT_SO;
     }
-    printf("replayed %u of %u ticks (%.1f s) of %s, each as recorded\n", replayer->totals.ticks,
-           session->replayed.ticks, (double)replayer->totals.ticks / CORE_TICK_HZ, path);
+    print_line(stdout, "replayed %u of %u ticks (%.1f s) of %s, each as recorded",
+               replayer->totals.ticks, session->replayed.ticks,
+               (double)replayer->totals.ticks / CORE_TICK_HZ, path);
     return EXIT_OK;
 }
 

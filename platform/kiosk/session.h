@@ -7,6 +7,7 @@
 #include "platform/hal.h"
 #include "platform/kiosk/chapters.h"
 #include "platform/kiosk/encore.h"
+#include "platform/kiosk/evidence.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/kiosk/options.h"
 #include "platform/kiosk/recorder.h"
@@ -22,7 +23,8 @@ struct session {
     struct recorder recorder;
     struct replayer replayer;
     struct encore encore;                /* To show scores again. */
-    struct chapters chapters;            /* For the replays of scores. */
+    struct chapters chapters;            /* For the replays of scores, and of panics. */
+    struct evidence evidence;            /* Writes the replay and the count in a panic. */
     struct shelf shelf;                  /* Makers' species, read as the kiosk begins. */
     struct file_notes notes;             /* What became of these, and of all other files. */
     struct replay_totals replayed;       /* What session_check found in the file to replay. */
@@ -47,6 +49,9 @@ void session_note_refused(void *self, const char *line);
 /* Tells of each file on the shelf: what was loaded on standard output, what was not, and why, on
  * standard error. */
 void session_tell_shelf(const struct session *session);
+
+/* For a core that returned CORE_ERR_FLOAT: one line, and EXIT_NOT_SO. */
+enum exit_code session_tell_float(void);
 
 /* Ends the recording or the replay and tells how it went. Returns an exit code. */
 enum exit_code session_end(struct session *session);

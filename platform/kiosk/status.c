@@ -60,6 +60,7 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
     report->frame_median_ns = timing_quantile_ns(&kiosk->frame_time, 0.5);
     report->frame_p99_ns = timing_quantile_ns(&kiosk->frame_time, 0.99);
     report->faults = kiosk->faults;
+    report->float_resets = kiosk->float_resets;
     report->buttons_missing = kiosk->lines.missing;
     report->day = kiosk->input.day;
     report->minute = kiosk->input.minute;
@@ -152,7 +153,8 @@ void status_begin(struct status *status, const char *folder)
 void status_tell(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
                  uint64_t now_ns)
 {
-    if (!status->runs || now_ns < status->next_ns) {
+    const int has_changed = kiosk->input.store_well != status->told_well;
+    if (!status->runs || (now_ns < status->next_ns && !has_changed)) {
         return;
     }
     status->next_ns = now_ns + STATUS_PERIOD_NS;
@@ -160,6 +162,7 @@ void status_tell(struct status *status, const struct kiosk *kiosk, const struct 
     if (pthread_mutex_trylock(&status->mutex) == 0) {
         status->report = status->draft;
         status->is_fresh = 1;
+        status->told_well = status->draft.store_well;
         pthread_cond_signal(&status->changed);
         pthread_mutex_unlock(&status->mutex);
     }

@@ -1,6 +1,7 @@
 /* status.h -- how the stall is, as one JSON file for whoever watches over it.
  *
- * The frame loop gives a report once a second and never waits: it is copied, and a thread of its
+ * The frame loop gives a report once a second, and at once when the store fails or is well again.
+ * The frame loop never waits: it is copied, and a thread of its
  * own writes the file, whole or not at all (a part beside it is renamed). Where nobody names a
  * folder for it there is no file and no thread. */
 #ifndef KINGYO_PLATFORM_KIOSK_STATUS_H
@@ -36,6 +37,7 @@ struct status_report {
     uint32_t ticks;
     uint64_t frame_median_ns, frame_p99_ns;
     struct kiosk_faults faults;
+    uint32_t float_resets; /* As struct kiosk's. */
     uint32_t buttons_missing;
     uint16_t day, minute;  /* What the clock says, as struct input's; day 0: it was never set. */
     uint32_t files_refused; /* As struct scene_devices has it. */
@@ -64,6 +66,7 @@ struct status {
 
     uint8_t runs;
     uint64_t next_ns;      /* When the frame loop reports again. */
+    uint8_t told_well;     /* `store_well` of the last report that the thread was given. */
     struct status_report draft;
     char text[STATUS_TEXT_MAX];
     char path[PATH_MAX], part[PATH_MAX];
@@ -73,8 +76,8 @@ struct status {
  * not give: there is no file, and what follows does nothing. */
 void status_begin(struct status *status, const char *folder);
 
-/* Once a frame; `now_ns` is on the frame loop's own clock. Never waits: while the thread writes,
- * this second's report is left out. */
+/* Called once a frame; `now_ns` is on the frame loop's own clock. Never waits: while the thread
+ * writes, this second's report is left out. A change of `store_well` is reported at once. */
 void status_tell(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
                  uint64_t now_ns);
 

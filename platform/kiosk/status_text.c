@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "platform/json_char.h"
+#include "platform/panics.h"
 
 struct text_out {
     char *out;
@@ -78,9 +79,11 @@ static void put_figures(struct text_out *text, const struct status_report *repor
         (double)report->frame_p99_ns * 1e-6, report->ticks,
         (unsigned long long)report->dropped_ticks);
     put(text, "  \"faults\": {\"poi\": %u, \"fan\": %u, \"display\": %u, \"sound\": %u, "
-              "\"store\": %u, \"buttons\": %u, \"switches\": %u, \"buttons_missing\": %u},\n",
+              "\"store\": %u, \"buttons\": %u, \"switches\": %u, \"buttons_missing\": %u, "
+              "\"float\": %u},\n",
         faults->poi, faults->shade, faults->display, faults->audio, faults->storage,
-        faults->buttons, faults->switches, (unsigned)__builtin_popcount(report->buttons_missing));
+        faults->buttons, faults->switches, (unsigned)__builtin_popcount(report->buttons_missing),
+        report->float_resets);
 }
 
 static const char *keeps_name(uint8_t keeps)
@@ -126,6 +129,8 @@ static void put_machine(struct text_out *text, const struct status_report *repor
     put(text, ", \"clock_went_back\": %s},\n", boolean(machine->is_clock_back));
     put(text, "  \"files\": {\"refused\": %u, \"set_aside\": %u, \"replays_missed\": %u},\n",
         report->files_refused, machine->aside, machine->missed);
+    put(text, "  \"panics\": {\"count\": %u, \"left_out\": \"%s\"},\n", machine->panics,
+        panics_left_name(machine->left_out));
 }
 
 size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])

@@ -51,3 +51,9 @@ uint32_t switches_put(struct switches *switches, const struct hal_switches *devi
            pulse(switches, device, HAL_COIN_COUNTER, output->coins_counted, now_ns) +
            pulse(switches, device, HAL_TICKET, output->tickets, now_ns);
 }
+
+uint32_t switches_done(const struct switches *switches, const struct hal_switches *device,
+                       enum hal_switch which)
+{
+    return switches->given[which] - device->ops->pending(device->self, which);
+}

@@ -20,4 +20,9 @@ struct switches {
 uint32_t switches_put(struct switches *switches, const struct hal_switches *device,
                       const struct output *output, uint64_t now_ns);
 
+/* Returns how many pulses have ended, since the start. A switch that this cabinet lacks ends its
+ * pulses at once. */
+uint32_t switches_done(const struct switches *switches, const struct hal_switches *device,
+                       enum hal_switch which);
+
 #endif

@@ -14,6 +14,7 @@
 #define WINDOW_HEIGHT 720
 #define LOOK_NS 1000000000ull /* Plugs are looked at once a second: 40 microseconds. */
 #define LOOKS 2u
+#define PAINT_DRAWS 20u /* Frames in which a fish of lab or album is painted finely. */
 
 static int fail(struct display_gl *display, const char *what, const char *why)
 {
@@ -113,6 +114,9 @@ static int create_window(struct display_gl *display)
         const int error = fail(display, "SDL opens no window", SDL_GetError());
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return error;
+    }
+    if (!config->off_screen) { /* Off screen, pictures are as small as they are asked for. */
+        SDL_SetWindowMinimumSize(display->window, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_HEIGHT_MIN);
     }
     display->full_screen = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
     return HAL_OK;
@@ -288,6 +292,10 @@ static int display_present(void *self, const struct scene *scene)
     }
     display->shown = *scene;
     display->has_shown = true;
+    if (display->config.on_demand) {
+        ui_screens_notice(&display->renderer.ui.memory, scene);
+        return HAL_OK;
+    }
     renderer_draw(&display->renderer, scene);
     SDL_GL_SwapWindow(display->window);
     if (!display->lost && !renderer_is_alive(&display->renderer)) {
@@ -324,6 +332,16 @@ static int display_toggle_full_screen(void *self)
     return HAL_OK;
 }
 
+/* Where no frame was drawn before, the fish of lab and album are still to be painted. */
+static void draw_picture(struct display_gl *display)
+{
+    const uint8_t phase = display->shown.phase;
+    const int paints = display->config.on_demand && (phase == PHASE_LAB || phase == PHASE_ALBUM);
+    for (uint32_t i = 0; i < (paints ? PAINT_DRAWS : 1u); i++) {
+        renderer_draw(&display->renderer, &display->shown);
+    }
+}
+
 static int display_capture(void *self, struct hal_image *image)
 {
     struct display_gl *const display = self;
@@ -333,7 +351,7 @@ static int display_capture(void *self, struct hal_image *image)
     if (!display->has_shown) {
         return HAL_ERR_IO;
     }
-    renderer_draw(&display->renderer, &display->shown);
+    draw_picture(display);
     return renderer_read(&display->renderer, image);
 }
 

@@ -21,6 +21,7 @@ struct display_gl_config {
     uint32_t width, height; /* Of the window, in points; 0: 1280x720, or all when full. */
     bool full_screen;
     bool off_screen;   /* No window system at all: SDL's offscreen driver. */
+    bool on_demand;    /* Draws nothing until a picture is captured; for `off_screen`. */
     const char *title; /* 0: "Kingyo". */
     float scene_scale; /* [0.25, 2]; 0: by renderer (quality.h). */
     uint32_t samples;  /* Multisampling; 0: by renderer. */

@@ -131,6 +131,10 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
     float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
     const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
     const float room_px = frame->width - 2.0f * beside * frame->unit;
+    if (scene->asks_quit) {
+        warning(frame, y, room_px, TEXT_QUIT_ASK);
+        y += 58.0f * frame->unit;
+    }
     if (scene->asks_menu) {
         warning(frame, y, room_px, TEXT_MENU_ASK);
         y += 58.0f * frame->unit;

@@ -111,6 +111,7 @@ void menu_earnings(const struct menu_view *view)
         { TEXT_AUD_REFUNDS, AUDIT_REFUNDS, 0, 0 },
         { TEXT_AUD_EXPIRED, AUDIT_EXPIRED, 0, 0 },
         { TEXT_AUD_TICKETS, AUDIT_TICKETS, 0, 0 },
+        { TEXT_AUD_TICKETS_OUT, AUDIT_TICKETS_OUT, 0, 0 },
     };
     lines(view, sheet(view, whole(view)), view->menu->upright ? 1u : 2u, book,
           sizeof book / sizeof book[0]);
@@ -126,6 +127,10 @@ void menu_machine(const struct menu_view *view)
         { TEXT_AUD_DROPPED, AUDIT_DROPPED_TICKS, 0, 0 },
         { TEXT_AUD_FAULTS, AUDIT_DEVICE_FAULTS, 0, 0 },
         { TEXT_AUD_RESETS, AUDIT_RESETS, 0, 0 },
+        { TEXT_AUD_LOST_1, AUDIT_LOST_AGAIN, 0, 0 },
+        { TEXT_AUD_LOST_2, AUDIT_LOST_AGAIN + 1, 0, 0 },
+        { TEXT_AUD_LOST_3, AUDIT_LOST_AGAIN + 2, 0, 0 },
+        { TEXT_AUD_LOST_4, AUDIT_LOST_AGAIN + 3, 0, 0 },
     };
     lines(view, sheet(view, whole(view)), view->menu->upright ? 1u : 2u, book,
           sizeof book / sizeof book[0]);

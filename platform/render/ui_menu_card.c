@@ -14,6 +14,7 @@
 #define CARD_WHITE 0xffffffffu
 #define CARD_AMBER 0xffa800ffu
 #define GRID_ROWS 9.0f  /* Squares from the top to the bottom; upright, from side to side. */
+#define GRID_LINES_MAX 64u /* To each side of the middle: enough for a screen of 14 to 1. */
 #define SAFE 0.05f      /* Of each side. */
 #define COLOUR_COUNT 8u
 #define GREY_COUNT 11u
@@ -48,17 +49,26 @@ static void outline(const struct menu_view *view, struct ui_box box, float px, u
     line_down(view, right - px, box.y, bottom, px, colour);
 }
 
-/* From the middle outward, so that it is the same on all sides. */
+/* Returns how many lines lie within half of `length`, the middle's included; at most
+ * GRID_LINES_MAX. */
+static uint32_t grid_lines(float length, float side)
+{
+    const float lines = ceilf(0.5f * length / side);
+    return lines < (float)GRID_LINES_MAX ? (uint32_t)lines : GRID_LINES_MAX;
+}
+
+/* Draws from the middle outward, so that the grid is the same on all sides. Counts its lines: a
+ * side of less than a pixel must not keep the loop from its end. */
 static void grid(const struct menu_view *view, float side)
 {
     const float width = view->frame.width, height = view->frame.height;
-    for (float from = 0.0f; from < 0.5f * width; from += side) {
-        line_down(view, 0.5f * width + from, 0.0f, height, 1.0f, CARD_GREY);
-        line_down(view, 0.5f * width - from, 0.0f, height, 1.0f, CARD_GREY);
+    for (uint32_t i = 0; i < grid_lines(width, side); i++) {
+        line_down(view, 0.5f * width + (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
+        line_down(view, 0.5f * width - (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
     }
-    for (float from = 0.0f; from < 0.5f * height; from += side) {
-        line_across(view, 0.5f * height + from, 0.0f, width, 1.0f, CARD_GREY);
-        line_across(view, 0.5f * height - from, 0.0f, width, 1.0f, CARD_GREY);
+    for (uint32_t i = 0; i < grid_lines(height, side); i++) {
+        line_across(view, 0.5f * height + (float)i * side, 0.0f, width, 1.0f, CARD_GREY);
+        line_across(view, 0.5f * height - (float)i * side, 0.0f, width, 1.0f, CARD_GREY);
     }
 }
 
@@ -138,7 +148,7 @@ static void all_letters(const struct menu_view *view)
 void menu_card(const struct menu_view *view)
 {
     const float width = view->frame.width, height = view->frame.height;
-    const float least = fminf(width, height), side = floorf(least / GRID_ROWS);
+    const float least = fminf(width, height), side = fmaxf(floorf(least / GRID_ROWS), 1.0f);
     const float left = 0.5f * width - 3.0f * side, middle = 0.5f * height;
     const struct ui_box whole = { 0.0f, 0.0f, width, height };
     fill(view, whole, CARD_BLACK);

@@ -6,7 +6,7 @@
 #include "platform/render/ui_encore.h"
 #include "platform/render/ui_signs.h"
 
-static void remember(struct ui_memory *memory, const struct scene *scene)
+void ui_screens_notice(struct ui_memory *memory, const struct scene *scene)
 {
     if (scene->hint != memory->hint) {
         memory->hint = scene->hint;
@@ -77,7 +77,7 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
         .language = scene->language,
     };
     ui_batch_clear(batch);
-    remember(memory, scene);
+    ui_screens_notice(memory, scene);
     ui_chapter_veil(&frame, scene);
     phase_screen(&frame, memory, scene);
     ui_encore(&frame, scene);

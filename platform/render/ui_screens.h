@@ -21,6 +21,9 @@ struct ui_memory {
     struct ui_bench bench;     /* The growth lab's. */
 };
 
+/* Notes what `scene` shows without drawing it, so that the next picture is eased in from there. */
+void ui_screens_notice(struct ui_memory *memory, const struct scene *scene);
+
 /* Fills `batch` (cleared first) with the whole screen of `scene`. Both sizes > 0. */
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
                 float width_px, float height_px);

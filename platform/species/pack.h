@@ -44,6 +44,9 @@ size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX]);
 /* The same from and to a file; `why` is without the file's name. Writing is to a file beside it
  * that then takes its place, so that a kiosk never meets half a species. */
 enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
+/* As pack_read(), for a file in the data folder: a symbolic link is refused. */
+enum pack_result pack_read_data(const char *path, struct species_slot *slot,
+                                char why[VET_WHY_SIZE]);
 enum pack_result pack_write(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
 
 /* Lofts what a maker wrote. The text has been read without complaint; numbers that each are in

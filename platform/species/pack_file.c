@@ -2,10 +2,13 @@
 #include "platform/species/pack.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "platform/out_file.h"
+#include "platform/plain_file.h"
 #include "platform/species/plain.h"
 
 static enum pack_result cannot(int error, char why[VET_WHY_SIZE])
@@ -28,6 +31,28 @@ enum pack_result pack_read(const char *path, struct species_slot *slot, char why
     const int error = ferror(file) ? errno : 0;
     fclose(file);
     return error != 0 ? cannot(error, why) : pack_decode(bytes, size, slot, why);
+}
+
+enum pack_result pack_read_data(const char *path, struct species_slot *slot,
+                                char why[VET_WHY_SIZE])
+{
+    static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* One more tells that the file is too large. */
+    const int handle = plain_file_handle(path, O_RDONLY, 0);
+    size_t size = 0;
+    ssize_t got = handle < 0 ? -1 : 1;
+    while (got > 0 && size < sizeof bytes) {
+        got = read(handle, bytes + size, sizeof bytes - size);
+        size += got > 0 ? (size_t)got : 0u;
+    }
+    const int error = got < 0 ? errno : size > PACK_SIZE_MAX ? EFBIG : 0;
+    if (handle >= 0) {
+        close(handle);
+    }
+    if (error != 0) {
+        snprintf(why, VET_WHY_SIZE, "%s", plain_file_error(error));
+        return error == EFBIG ? PACK_BAD : PACK_IO;
+    }
+    return pack_decode(bytes, size, slot, why);
 }
 
 enum pack_result pack_write(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE])

@@ -1,5 +1,5 @@
-/* plain.h -- files that somebody else wrote: opened only where they are plain, read line by line,
- * and quoted without what a terminal would obey. */
+/* plain.h -- opens and reads text files from outside the program: regular files alone, line by
+ * line. */
 #ifndef KINGYO_PLATFORM_SPECIES_PLAIN_H
 #define KINGYO_PLATFORM_SPECIES_PLAIN_H
 
@@ -28,8 +28,4 @@ enum plain_line {
 
 /* The next line, without its line end. */
 enum plain_line plain_line(FILE *file, char *text, size_t size);
-
-/* Puts a '?' for all but printable ASCII. */
-void plain_quote(char *text);
-
 #endif

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/species/plain.h"
+#include "platform/print.h"
 
 #define COMPLAINT_SIZE 512
 
@@ -32,8 +32,7 @@ bool refuse(const struct reader *r, const char *format, ...)
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    plain_quote(text); /* It quotes the file, and goes to a terminal. */
-    fprintf(r->complaints, "%s:%u: %s\n", r->path, r->line, text);
+    print_line(r->complaints, "%s:%u: %s", r->path, r->line, text);
     return false;
 }
 

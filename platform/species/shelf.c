@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/species/plain.h"
+#include "core/base/printable.h"
 
 #define PATH_SIZE 1024u
 
@@ -74,7 +74,7 @@ static bool take(struct shelf *shelf, const char *path, char why[VET_WHY_SIZE])
         return false;
     }
     struct species_slot *slot = &shelf->slots[shelf->species_count];
-    if (pack_read(path, slot, why) != PACK_OK) {
+    if (pack_read_data(path, slot, why) != PACK_OK) {
         return false;
     }
     char id[SPECIES_NAME_SIZE];
@@ -93,7 +93,7 @@ static void read_one(struct shelf *shelf, const char *folder, const char *name)
     struct shelf_line *line = &shelf->lines[shelf->line_count++];
     *line = (struct shelf_line){ .slot = SHELF_SLOT_NONE };
     snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1, name);
-    plain_quote(line->file); /* The operator's terminal does not obey a file's name. */
+    printable(line->file);
     const int length = snprintf(path, sizeof path, "%s/%s", folder, name);
     if (length < 0 || (size_t)length >= sizeof path) {
         snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));

@@ -48,7 +48,6 @@ void ledger_backup_drop(struct ledger_backup *backup)
 
 int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path)
 {
-    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
     char part[LEDGER_PATH_SIZE], journal[LEDGER_PATH_SIZE];
     *backup = (struct ledger_backup){ 0 };
     snprintf(backup->path, sizeof backup->path, "%s", path);
@@ -56,7 +55,7 @@ int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, 
     snprintf(journal, sizeof journal, "%.580s-journal", part);
     unlink(journal);
     unlink(part);
-    int code = sqlite3_open_v2(part, &backup->to, flags, NULL);
+    int code = sql_open(part, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, NULL, &backup->to);
     code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA cache_size = -256") : code;
     if (code == SQLITE_OK) {
         backup->copy = sqlite3_backup_init(backup->to, "main", from->db, "main");

@@ -19,6 +19,7 @@ int ledger_statement(struct ledger_file *file, enum ledger_statement which, sqli
 
 void ledger_file_close(struct ledger_file *file)
 {
+    ledger_log_before_close(file);
     for (uint32_t i = 0; i < LEDGER_STATEMENT_COUNT; i++) {
         sqlite3_finalize(file->statement[i]);
     }
@@ -41,7 +42,8 @@ static int put_entries(struct ledger_file *file, const struct ledger_entry *entr
     return code == SQLITE_OK ? ledger_sums_put(file, &file->content, after) : code;
 }
 
-/* What could not be written may all the same be there, when it was the last sync that failed. */
+/* What could not be written may all the same be there, when another program wrote. In this
+ * connection the content never includes a transaction whose sync failed. */
 static int undo(struct ledger_file *file, int code)
 {
     sql_run(file->db, "ROLLBACK");
@@ -55,7 +57,8 @@ static int undo(struct ledger_file *file, int code)
 int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count)
 {
     struct ledger_content after = file->content;
-    int code = sql_run(file->db, "BEGIN IMMEDIATE");
+    int code = file->is_suspect ? ledger_log_secure(file) : SQLITE_OK;
+    code = code == SQLITE_OK ? sql_run(file->db, "BEGIN IMMEDIATE") : code;
     if (code != SQLITE_OK) {
         return code;
     }
@@ -65,7 +68,7 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
         return undo(file, code);
     }
     file->content = after;
-    return SQLITE_OK;
+    return ledger_log_result(file, SQLITE_OK);
 }
 
 /* ---- The rest ------------------------------------------------------------------------------- */
@@ -87,6 +90,8 @@ const char *ledger_file_error(int code)
 {
     return code == LEDGER_FILE_NEWER      ? "a later Kingyo wrote it"
            : code == LEDGER_FILE_HELD     ? "another Kingyo has it open"
+           : code == LEDGER_FILE_MOVED    ? "was removed or replaced while it was open"
+           : code == LEDGER_FILE_LINK     ? "is a symbolic link, not a file"
            : code == LEDGER_FILE_ANOTHERS ? "not the card that it began with"
                                           : sqlite3_errstr(code);
 }

@@ -19,8 +19,10 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 /* The file's `user_version`. 1 (written as 0): a row a round. 2: modes, grades, players. 3: the
- * ledger. 4: what a round was played in. */
-#define LEDGER_FILE_VERSION 4
+ * ledger. 4: what a round was played in. 5: the same tables; the column `open` also holds a
+ * returned credit and tickets, entries have the kinds 17 to 19, and a PIN is stored as a negative
+ * number. A Kingyo that knows version 4 alone would take such rows for damage. */
+#define LEDGER_FILE_VERSION 5
 
 /* Entries that are kept, at about 60 bytes: a month of 500 coins and 300 rounds a day. What they
  * add up to, and their rounds, stay. */
@@ -32,6 +34,8 @@ struct sqlite3_stmt;
 #define LEDGER_FILE_NEWER (-1) /* A later Kingyo wrote it: it is left as it is. */
 #define LEDGER_FILE_ANOTHERS (-2) /* It is whole, but its entries are not this kiosk's. */
 #define LEDGER_FILE_HELD (-3) /* Another stall writes in its folder. */
+#define LEDGER_FILE_MOVED (-4) /* The file or its folder was removed, renamed or replaced. */
+#define LEDGER_FILE_LINK (-5) /* A symbolic link is in the file's place. */
 
 enum ledger_statement {
     PUT_ENTRY = 0,
@@ -63,6 +67,8 @@ struct ledger_file {
     struct sqlite3 *db;
     struct sqlite3_stmt *statement[LEDGER_STATEMENT_COUNT];
     struct ledger_content content;
+    bool is_suspect; /* A sync may have failed: the log must be made durable (ledger_log.c) before
+                        it is copied into the database. */
     int refusal; /* Why it can only be read: SQLITE_READONLY, or SQLITE_FULL where the card has no
                     room for the index of its log, or what kept a damaged one from being replaced;
                     0: it can be written. */
@@ -84,6 +90,22 @@ int ledger_file_look(struct ledger_file *file, const char *path);
 
 /* Looks through a whole database: SQLITE_OK, or why it cannot be used. */
 int ledger_check(struct sqlite3 *db);
+
+/* An object in a database that Kingyo did not make. The texts are untrusted. */
+struct ledger_foreign {
+    char type[16];   /* "table", "index", "view" or "trigger". */
+    char name[64];   /* Longer names are cut. */
+    bool is_changed; /* A table of Kingyo's whose definition was changed. */
+};
+
+/* Returns whether the schema holds an object that Kingyo of that version does not make, and fills
+ * `out` with the first one. Returns false if the schema cannot be read. */
+bool ledger_schema_foreign(struct sqlite3 *db, struct ledger_foreign *out);
+
+/* ledger_log.c: writes the whole log again and syncs it and the folder, so that what is read from
+ * the log afterwards is on disk. Returns SQLITE_BUSY while another program holds the write lock.
+ * After an error `is_suspect` stays set. */
+int ledger_log_secure(struct ledger_file *file);
 
 /* Writes entries, by rising ids; those that the file has already are passed over. All of them or,
  * after an error, none: `content` is then read again, since a failed commit may have come

@@ -14,11 +14,9 @@
 
 /* A write-ahead log: of the journals that lose nothing when the plug is pulled (`make
  * bench-journals`) it syncs least, a third as often as a rollback journal at EXTRA, and writes
- * least. It is folded into the file each 128 pages, so that no transaction meets more than half a
- * MiB of that. The cache is what a transaction needs, in KiB. */
+ * least. ledger_log.c copies it into the file. The cache is what a transaction needs, in KiB. */
 #define JOURNAL "WAL FULL"
-static const char settings[] = "PRAGMA wal_autocheckpoint = 128;"
-                               "PRAGMA cache_size = -1024;";
+static const char settings[] = "PRAGMA cache_size = -1024";
 
 static int set_up(sqlite3 *db, const struct ledger_file_how *how)
 {
@@ -30,6 +28,26 @@ static int set_up(sqlite3 *db, const struct ledger_file_how *how)
     snprintf(text, sizeof text, "PRAGMA journal_mode = %s; PRAGMA synchronous = %s", mode, sync);
     const int code = sql_run(db, text);
     return code == SQLITE_OK ? sql_run(db, settings) : code;
+}
+
+/* SQLite keeps another journal without an error when it cannot make a write-ahead log. A caller
+ * that names a journal of its own gets no promise. */
+static int secure(struct ledger_file *file, const struct ledger_file_how *how)
+{
+    sqlite3_stmt *ask = NULL;
+    if (how && how->journal) {
+        file->is_suspect = false;
+        return SQLITE_OK;
+    }
+    int code = sqlite3_prepare_v2(file->db, "PRAGMA journal_mode", -1, &ask, NULL);
+    code = code == SQLITE_OK ? sqlite3_step(ask) : code;
+    if (code == SQLITE_ROW) {
+        const unsigned char *mode = sqlite3_column_text(ask, 0);
+        code = mode && strcmp((const char *)mode, "wal") == 0 ? SQLITE_OK : SQLITE_IOERR;
+    }
+    sqlite3_finalize(ask);
+    code = code == SQLITE_OK ? ledger_log_secure(file) : code;
+    return code == SQLITE_BUSY ? SQLITE_OK : code; /* `is_suspect` stays set for the caller. */
 }
 
 /* ---- Whether it is whole -------------------------------------------------------------------- */
@@ -61,14 +79,18 @@ static int check_pages(sqlite3 *db)
     return code;
 }
 
+/* The schema comes first: the page check evaluates expressions in it. */
 int ledger_check(sqlite3 *db)
 {
     int64_t version = 0;
-    int code = check_pages(db);
-    code = code == SQLITE_OK ? sql_number(db, "PRAGMA user_version", &version) : code;
-    if (code == SQLITE_OK && version == LEDGER_FILE_VERSION) {
-        code = ledger_schema_check(db);
-        code = code == SQLITE_OK ? ledger_tally_check(db) : code;
+    int code = sql_number(db, "PRAGMA user_version", &version);
+    if (code == SQLITE_OK && version > LEDGER_FILE_VERSION) {
+        return LEDGER_FILE_NEWER;
+    }
+    code = code == SQLITE_OK ? ledger_schema_check(db, version) : code;
+    code = code == SQLITE_OK ? check_pages(db) : code;
+    if (code == SQLITE_OK && version >= LEDGER_TALLY_VERSION) {
+        code = ledger_tally_check(db);
     }
     return as_damage(code);
 }
@@ -122,10 +144,19 @@ static int raise_version(struct ledger_file *file, int64_t version)
     return file->refusal ? file->refusal : bring_up_to_date(file);
 }
 
+/* A card that has no room for it now has room at another start. Until then the PIN opens the menu
+ * all the same. */
+static int hide_pin(struct ledger_file *file)
+{
+    const int code = file->refusal ? SQLITE_OK : ledger_pin_hide(file);
+    return code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
+}
+
 /* Whoever opened the connection; what is damaged or newer was not changed by then. */
 static int begin(struct ledger_file *file, const struct ledger_file_how *how)
 {
     int64_t version = 0;
+    ledger_log_distrust(file);
     sqlite3_extended_result_codes(file->db, 0);
     sqlite3_busy_timeout(file->db, BUSY_MS);
     if (sqlite3_db_readonly(file->db, "main") == 1) {
@@ -136,11 +167,13 @@ static int begin(struct ledger_file *file, const struct ledger_file_how *how)
     code = code == SQLITE_OK && version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : code;
     if (code == SQLITE_OK && !file->refusal) {
         code = set_up(file->db, how);
+        code = code == SQLITE_OK ? secure(file, how) : code;
     }
     if (code != SQLITE_OK) {
         return code;
     }
     code = raise_version(file, version);
+    code = code == SQLITE_OK ? hide_pin(file) : code;
     code = code == SQLITE_OK ? prepare_all(file) : code;
     return as_damage(code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code);
 }
@@ -149,19 +182,13 @@ static int begin(struct ledger_file *file, const struct ledger_file_how *how)
  * has no log, and where nobody can write it nobody does: such a file is read as it stands. */
 static int open_unwritable(struct ledger_file *file, const char *path)
 {
-    char uri[3 * PATH_MAX + 32] = "file:", log[PATH_MAX + 8];
-    size_t at = strlen(uri);
+    char log[PATH_MAX + 8];
     struct stat about;
     snprintf(log, sizeof log, "%s-wal", path);
     if (strlen(path) >= PATH_MAX || (stat(log, &about) == 0 && about.st_size > 0)) {
         return SQLITE_CANTOPEN;
     }
-    for (const char *c = path; *c; c++) {
-        at += (size_t)snprintf(uri + at, sizeof uri - at, strchr("%?#", *c) ? "%%%02X" : "%c", *c);
-    }
-    snprintf(uri + at, sizeof uri - at, "?immutable=1");
-    const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
-    return sqlite3_open_v2(uri, &file->db, flags, NULL);
+    return sql_open_unwritable(path, &file->db);
 }
 
 /* Whether it is the file's surroundings that do not let it be read as it is. */
@@ -181,8 +208,7 @@ static bool is_full(struct ledger_file *file, int code)
  * wait until this is closed. */
 static int open_full(struct ledger_file *file, const char *path, const struct ledger_file_how *how)
 {
-    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
-    int code = sqlite3_open_v2(path, &file->db, flags, how ? how->vfs : NULL);
+    int code = sql_open(path, SQLITE_OPEN_READWRITE, how ? how->vfs : NULL, &file->db);
     code = code == SQLITE_OK ? sql_run(file->db, "PRAGMA locking_mode = EXCLUSIVE") : code;
     file->refusal = SQLITE_FULL;
     return code == SQLITE_OK ? begin(file, how) : code;
@@ -192,9 +218,8 @@ int ledger_file_open(struct ledger_file *file, const char *path,
                      const struct ledger_file_how *how)
 {
     const char *vfs = how ? how->vfs : NULL;
-    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
     *file = (struct ledger_file){ 0 };
-    int code = sqlite3_open_v2(path, &file->db, flags, vfs);
+    int code = sql_open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, vfs, &file->db);
     code = code == SQLITE_OK ? begin(file, how) : code;
     if (is_unwritable(code) && !vfs) {
         ledger_file_close(file);
@@ -214,7 +239,7 @@ int ledger_file_look(struct ledger_file *file, const char *path)
 {
     int64_t version = 0;
     *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
-    int code = sqlite3_open_v2(path, &file->db, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, NULL);
+    int code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &file->db);
     if (code == SQLITE_OK) {
         sqlite3_busy_timeout(file->db, BUSY_MS);
         code = read_version(file, &version);
@@ -228,6 +253,7 @@ int ledger_file_look(struct ledger_file *file, const char *path)
     if (code == SQLITE_OK && version != LEDGER_FILE_VERSION) {
         code = version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : SQLITE_SCHEMA;
     }
+    code = code == SQLITE_OK ? ledger_schema_check(file->db, version) : code;
     code = code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code;
     if (code != SQLITE_OK) {
         ledger_file_close(file);

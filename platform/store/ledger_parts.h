@@ -10,25 +10,49 @@
 int ledger_statement(struct ledger_file *file, enum ledger_statement which,
                      struct sqlite3_stmt **out);
 
+/* ledger_log.c: between opening and ledger_log_secure() nothing copies the write-ahead log into the
+ * database, not even closing. */
+void ledger_log_distrust(struct ledger_file *file);
+void ledger_log_before_close(struct ledger_file *file);
+/* `code` of a write, or SQLITE_IOERR where the checkpoint behind its commit failed. */
+int ledger_log_result(const struct ledger_file *file, int code);
+
 /* ledger_schema.c: the statements, and the file's versions. */
 const char *ledger_statement_text(enum ledger_statement which);
 /* Within the transaction that the caller began. */
 int ledger_schema_raise(struct ledger_file *file, int version);
 
-/* Whether each table of a file of this version is as it was made: SQLITE_CORRUPT, where a bit of
- * its words has flipped. */
-int ledger_schema_check(struct sqlite3 *db);
+/* ledger_tables.c: makes the tables of a version, or `name` alone where that is not null. */
+int ledger_tables_make(struct sqlite3 *db, int version, const char *name);
+
+/* Compares the whole schema with that of `user_version`, text by text. Returns SQLITE_CORRUPT if a
+ * table differs or is missing, or if there is any other object, such as a trigger. */
+int ledger_schema_check(struct sqlite3 *db, int64_t user_version);
 
 /* ledger_rows.c: one entry in and out, without what it adds up to. */
 int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry);
+
+/* ledger_rows.c: writes the value of an entry that is there, and its new sum. */
+int ledger_rows_put_value(struct ledger_file *file, const struct ledger_entry *entry);
+
+/* ledger_pin.c: hides each PIN that settings or entries store in plain digits (core/pin.h), and
+ * removes the old bytes from free pages and from the log. After an error the next open tries again.
+ * A replay that an older Kingyo kept while a PIN was set still holds that PIN. */
+int ledger_pin_hide(struct ledger_file *file);
 int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out);
+/* The stand of the open round; zero where none is written. */
+int ledger_rows_stand(struct ledger_file *file, struct ledger_stand *out);
 
 /* ledger_sums.c: what entries add up to. */
 void ledger_sums_note(struct ledger_content *content, const struct ledger_entry *entry);
 /* Writes what differs between the two. */
 int ledger_sums_put(struct ledger_file *file, const struct ledger_content *before,
                     const struct ledger_content *after);
+/* Returns SQLITE_CORRUPT if the rows hold values that core_init() would reject. */
 int ledger_sums_read(struct ledger_file *file, struct ledger_content *out);
+
+/* The first version of the file whose tallies are checked. */
+#define LEDGER_TALLY_VERSION 4
 
 /* ledger_tally.c: within the caller's transaction, after what it changed. */
 int ledger_tally_put(struct sqlite3 *db);

@@ -29,7 +29,7 @@ int ledger_file_prune(struct ledger_file *file)
     if (code != SQLITE_OK) {
         sql_run(file->db, "ROLLBACK");
     }
-    return code;
+    return ledger_log_result(file, code);
 }
 
 int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
@@ -40,10 +40,10 @@ int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const vo
     int code = ledger_statement(file, PUT_REPLAY, &put);
     if (code == SQLITE_OK) {
         sqlite3_bind_blob64(put, 2, bytes, size, SQLITE_STATIC);
-        code = sql_put(put, &round, 1);
+        code = sql_put_one(put, &round, 1);
         sqlite3_clear_bindings(put);
     }
-    return code;
+    return ledger_log_result(file, code);
 }
 
 int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *bytes, size_t size,

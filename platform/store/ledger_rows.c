@@ -4,6 +4,8 @@
 #include <sqlite3.h>
 
 #include "core/base/hash.h"
+#include "core/game/ledger_range.h"
+#include "core/game/stand.h"
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
@@ -13,6 +15,17 @@ _Static_assert(sizeof(struct health) == 12, "a field of the health is not kept")
 _Static_assert(sizeof(struct player_record) == 24, "a field of the player's record is not kept");
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))
+
+/* The column `open` holds three fields of the purse: open | returned << 8 | tickets << 16. Files of
+ * before have 0 in the upper two, so that every row of theirs still reads and checks as it did. */
+#define RETURNED_SHIFT 8u
+#define TICKETS_SHIFT 16u
+
+static uint32_t pack_open(const struct purse *purse)
+{
+    return purse->open | (uint32_t)purse->returned << RETURNED_SHIFT |
+           (uint32_t)purse->tickets << TICKETS_SHIFT;
+}
 
 /* ---- The sum -------------------------------------------------------------------------------- */
 
@@ -50,7 +63,7 @@ static int64_t entry_sum(const struct ledger_entry *entry)
         entry->id,            entry->boot,           entry->tick,          entry->day,
         entry->minute,        entry->kind,           entry->detail,        entry->count,
         (uint32_t)entry->value, purse->units,        purse->bonus_units,   purse->paid,
-        purse->service,       purse->untold,         purse->open,          health->up_s,
+        purse->service,       purse->untold,         pack_open(purse),     health->up_s,
         health->dropped_ticks, health->device_faults,
     };
     const uint64_t sum = hash_words(HASH_START, words, COUNT(words));
@@ -68,7 +81,7 @@ static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
         entry->day,       entry->minute,        entry->kind,
         entry->detail,    entry->count,         entry->value,
         purse->units,     purse->bonus_units,   purse->paid,
-        purse->service,   purse->untold,        purse->open,
+        purse->service,   purse->untold,        pack_open(purse),
         health->up_s,     health->dropped_ticks, health->device_faults,
         entry_sum(entry),
     };
@@ -79,7 +92,7 @@ static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
     }
     const int name_size = (int)strnlen(entry->name, sizeof entry->name);
     sqlite3_bind_text(put, COUNT(values) + 1, entry->name, name_size, SQLITE_STATIC);
-    return sql_put(put, values, COUNT(values));
+    return sql_put_one(put, values, COUNT(values));
 }
 
 static int put_round(struct ledger_file *file, const struct ledger_entry *entry)
@@ -92,7 +105,7 @@ static int put_round(struct ledger_file *file, const struct ledger_entry *entry)
                                round->round_s,    round->preset };
     sqlite3_stmt *put = NULL;
     const int code = ledger_statement(file, PUT_ROUND, &put);
-    return code == SQLITE_OK ? sql_put(put, values, COUNT(values)) : code;
+    return code == SQLITE_OK ? sql_put_one(put, values, COUNT(values)) : code;
 }
 
 static int put_players(struct ledger_file *file, const struct ledger_entry *entry)
@@ -110,7 +123,7 @@ static int put_players(struct ledger_file *file, const struct ledger_entry *entr
                                    player->sheets,
                                    player->fouls };
         if (entry->round.players >> i & 1u) {
-            code = sql_put(put, values, COUNT(values));
+            code = sql_put_one(put, values, COUNT(values));
         }
     }
     return code;
@@ -131,6 +144,17 @@ static int put_name(struct ledger_file *file, const struct ledger_entry *entry)
         code = ledger_statement(file, FORGET_NAME, &forget);
         code = code == SQLITE_OK ? sql_put(forget, whose, 3) : code;
     }
+    return code;
+}
+
+int ledger_rows_put_value(struct ledger_file *file, const struct ledger_entry *entry)
+{
+    const int64_t values[] = { entry->value, entry_sum(entry), entry->id };
+    sqlite3_stmt *put = NULL;
+    int code = sqlite3_prepare_v2(file->db, "UPDATE entries SET value = ?1, sum = ?2 WHERE id = ?3",
+                                  -1, &put, NULL);
+    code = code == SQLITE_OK ? sql_put_one(put, values, COUNT(values)) : code;
+    sqlite3_finalize(put);
     return code;
 }
 
@@ -160,6 +184,7 @@ static uint8_t byte(sqlite3_stmt *row, int column)
 
 static struct ledger_entry entry_of(sqlite3_stmt *row)
 {
+    const uint32_t open = word(row, 14);
     struct ledger_entry entry = {
         .id = word(row, 0),
         .boot = word(row, 1),
@@ -171,7 +196,8 @@ static struct ledger_entry entry_of(sqlite3_stmt *row)
         .count = word(row, 7),
         .value = (int32_t)sqlite3_column_int64(row, 8),
         .purse = { word(row, 9), word(row, 10), word(row, 11), word(row, 12), word(row, 13),
-                   byte(row, 14) },
+                   (uint8_t)open, (uint8_t)(open >> RETURNED_SHIFT),
+                   (uint16_t)(open >> TICKETS_SHIFT) },
         .health = { word(row, 15), word(row, 16), word(row, 17) },
     };
     sql_text(row, 18, entry.name, sizeof entry.name);
@@ -247,7 +273,9 @@ static int read_entry(struct ledger_file *file, sqlite3_stmt *row, struct ledger
         code = read_round(file, out->id, &out->round);
         code = code == SQLITE_OK ? read_players(file, out->id, &out->round) : code;
     }
-    return code == SQLITE_OK && entry_sum(out) != sum ? SQLITE_CORRUPT : code;
+    return code == SQLITE_OK && (entry_sum(out) != sum || !ledger_entry_is_good(out))
+               ? SQLITE_CORRUPT
+               : code;
 }
 
 static int find_entry(struct ledger_file *file, const char *text, uint32_t id,
@@ -269,6 +297,19 @@ static int find_entry(struct ledger_file *file, const char *text, uint32_t id,
 int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out)
 {
     return find_entry(file, ENTRY_COLUMNS "WHERE id >= ?1 ORDER BY id DESC LIMIT 1", 0, out);
+}
+
+/* The newest of an open round's beginning and its stands decides. */
+int ledger_rows_stand(struct ledger_file *file, struct ledger_stand *out)
+{
+    _Static_assert(LEDGER_BEGIN == 4 && LEDGER_STAND == 17, "the kinds of the statement");
+    struct ledger_entry entry;
+    const int code = find_entry(
+        file, ENTRY_COLUMNS "WHERE id >= ?1 AND kind IN (4, 17) ORDER BY id DESC LIMIT 1", 0,
+        &entry);
+    *out = code == SQLITE_OK ? stand_after((struct ledger_stand){ 0 }, &entry)
+                             : (struct ledger_stand){ 0 };
+    return code == SQLITE_NOTFOUND ? SQLITE_OK : code;
 }
 
 int ledger_file_entry(struct ledger_file *file, uint32_t id, struct ledger_entry *out)

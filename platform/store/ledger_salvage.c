@@ -103,7 +103,8 @@ static void find_ends(struct salvage *salvage)
     sqlite3 *db = salvage->from.db;
     const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
                          reads_well(salvage, min);
-    const bool has_max = sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK;
+    const bool has_max =
+        sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK && max >= 0;
     if (has_min && min > salvage->first) {
         salvage->first = (uint32_t)min;
     }
@@ -171,11 +172,12 @@ static int salvage_entries(struct salvage *salvage)
 
 static void open_from(struct salvage *salvage, const char *path)
 {
-    static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'";
+    static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'"
+                              " AND type = 'table' AND sql LIKE 'CREATE TABLE%'";
     int64_t has_entries = 0;
-    const int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX;
     salvage->has_from = path &&
-                        sqlite3_open_v2(path, &salvage->from.db, flags, NULL) == SQLITE_OK &&
+                        sql_open(path, SQLITE_OPEN_READONLY, NULL, &salvage->from.db) ==
+                            SQLITE_OK &&
                         sql_number(salvage->from.db, any, &has_entries) == SQLITE_OK &&
                         has_entries;
 }

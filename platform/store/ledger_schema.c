@@ -1,7 +1,7 @@
-/* ledger_schema.c -- the tables, their statements, and how a file of an old version becomes one of
- * this. */
+/* ledger_schema.c -- the statements, and how a file of an old version becomes one of this. Its
+ * tables are in ledger_tables.c. */
 #include <stddef.h>
-#include <string.h>
+#include <stdio.h>
 
 #include <sqlite3.h>
 
@@ -11,78 +11,19 @@
 
 /* ---- The versions --------------------------------------------------------------------------- */
 
-/* What the first version made. */
-static const char version_1[] = "CREATE TABLE IF NOT EXISTS rounds ("
-                                " number INTEGER PRIMARY KEY," /* Over all runs of the kiosk. */
-                                " id INTEGER NOT NULL,"        /* Within one run. */
-                                " seed INTEGER NOT NULL,"
-                                " start_tick INTEGER NOT NULL,"
-                                " end_tick INTEGER NOT NULL,"
-                                " caught INTEGER NOT NULL," /* Of all players together. */
-                                " by_bot INTEGER NOT NULL,"
-                                " ended_at INTEGER NOT NULL);"; /* Unix time, seconds. */
-
-/* There was one mode, the festival with paper No. 6, and one player; how often it scooped and what
- * became of its paper was not kept. */
-static const char version_2[] =
+/* Version 1 had one mode, the festival with paper No. 6, and one player. The number of scoops and
+ * the paper's damage were not recorded. */
+static const char to_2[] =
     "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* enum game_mode */
     "ALTER TABLE rounds ADD COLUMN grade INTEGER NOT NULL DEFAULT 6;"
-    "ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1;" /* How many. */
-    "CREATE TABLE round_players ("
-    " round INTEGER NOT NULL REFERENCES rounds (number) ON DELETE CASCADE,"
-    " player INTEGER NOT NULL," /* From 0. */
-    " caught INTEGER NOT NULL,"
-    " scoops INTEGER,"        /* Null: not known. */
-    " hole_area_mm2 INTEGER," /* Null: not known. */
-    " torn_tick INTEGER,"     /* Null: the paper lasted, or it is not known. */
-    " fouls INTEGER NOT NULL,"
-    " PRIMARY KEY (round, player)) WITHOUT ROWID;"
-    "INSERT INTO round_players (round, player, caught, fouls)"
-    " SELECT number, 0, caught, 0 FROM rounds;";
+    "ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1;"; /* How many. */
+static const char fill_2[] = "INSERT INTO round_players (round, player, caught, fouls)"
+                             " SELECT number, 0, caught, 0 FROM rounds;";
 
-/* The ledger. Columns are named as in core/ledger.h, and a zero takes no byte. */
-#define TABLE_ROUNDS                                                                               \
-    "CREATE TABLE rounds ("                                                                        \
-    " entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,"                     \
-    " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"                \
-    " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"                \
-    " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"                                              \
-    " players INTEGER NOT NULL," /* A bit each. */                                                 \
-    " unscored INTEGER NOT NULL,"                                                                  \
-    " fish_count INTEGER NOT NULL," /* 0: it and the next two are unknown. */                      \
-    " round_s INTEGER NOT NULL, preset INTEGER NOT NULL);"
-static const char version_4[] =
-    "CREATE TABLE entries ("
-    " id INTEGER PRIMARY KEY, boot INTEGER NOT NULL, tick INTEGER NOT NULL,"
-    " day INTEGER NOT NULL, minute INTEGER NOT NULL, kind INTEGER NOT NULL,"
-    " detail INTEGER NOT NULL, count INTEGER NOT NULL, value INTEGER NOT NULL,"
-    " units INTEGER NOT NULL, bonus_units INTEGER NOT NULL, paid INTEGER NOT NULL,"
-    " service INTEGER NOT NULL, untold INTEGER NOT NULL, open INTEGER NOT NULL,"
-    " up_s INTEGER NOT NULL, dropped_ticks INTEGER NOT NULL, device_faults INTEGER NOT NULL,"
-    " name TEXT NOT NULL,"
-    " sum INTEGER NOT NULL);" /* Of all but the name, which may be taken back. */
-    TABLE_ROUNDS
-    "CREATE TABLE round_players ("
-    " round INTEGER NOT NULL, seat INTEGER NOT NULL, caught INTEGER NOT NULL,"
-    " scoops INTEGER, hole_area_mm2 INTEGER, torn_tick INTEGER, sheets INTEGER," /* Null: unknown */
-    " fouls INTEGER NOT NULL, name TEXT NOT NULL DEFAULT '',"
-    " PRIMARY KEY (round, seat)) WITHOUT ROWID;"
-    "CREATE TABLE settings (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID;"
-    "CREATE TABLE audits (name TEXT PRIMARY KEY, count INTEGER NOT NULL) WITHOUT ROWID;"
-    "CREATE TABLE ranking ("
-    " mode INTEGER NOT NULL, period INTEGER NOT NULL, place INTEGER NOT NULL,"
-    " caught INTEGER NOT NULL, round INTEGER NOT NULL, day INTEGER NOT NULL,"
-    " seat INTEGER NOT NULL, name TEXT NOT NULL,"
-    " PRIMARY KEY (mode, period, place)) WITHOUT ROWID;"
-    "CREATE TABLE state (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID;"
-    "CREATE TABLE replays (round INTEGER PRIMARY KEY, bytes BLOB NOT NULL);"
-    "PRAGMA user_version = 4;";
-
-/* What the third version's rounds were played in is not known. */
-static const char from_3[] = "ALTER TABLE rounds RENAME TO old_rounds;" TABLE_ROUNDS
-                             "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_rounds;"
-                             "DROP TABLE old_rounds;"
-                             "PRAGMA user_version = 4;";
+/* The tank of a round that version 3 recorded is unknown. */
+static const char set_rounds_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;";
+static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_rounds;"
+                             "DROP TABLE old_rounds;";
 
 static const char set_old_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;"
                                     "ALTER TABLE round_players RENAME TO old_round_players;";
@@ -175,7 +116,7 @@ static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
             .caught = sql_uint(old, 4, UINT32_MAX),
             .by_bot = (uint8_t)sql_uint(old, 5, 1),
             .mode = (uint8_t)(mode < MODE_COUNT ? mode : MODE_PRACTICE),
-            .grade = (uint8_t)sql_uint(old, 8, UINT8_MAX),
+            .grade = (uint8_t)sql_uint(old, 8, SHEET_GRADE_MAX),
             .unscored = mode >= MODE_PRACTICE,
         },
     };
@@ -214,41 +155,48 @@ static int carry_all_over(struct ledger_file *file)
     return code;
 }
 
-int ledger_schema_check(sqlite3 *db)
+static int put_version(sqlite3 *db)
 {
-    sqlite3_stmt *find = NULL;
-    int code = sqlite3_prepare_v2(db, "SELECT 1 FROM sqlite_schema WHERE sql = ?1", -1, &find,
-                                  NULL);
-    const char *table = version_4, *end;
-    while (code == SQLITE_OK && strncmp(table, "CREATE TABLE", 12) == 0) {
-        end = strchr(table, ';');
-        sqlite3_bind_text(find, 1, table, (int)(end - table), SQLITE_STATIC);
-        code = sqlite3_step(find);
-        code = code == SQLITE_ROW ? SQLITE_OK : code == SQLITE_DONE ? SQLITE_CORRUPT : code;
-        sqlite3_reset(find);
-        table = end + 1;
-    }
-    sqlite3_finalize(find);
-    return code;
+    char text[40];
+    snprintf(text, sizeof text, "PRAGMA user_version = %d", LEDGER_FILE_VERSION);
+    return sql_run(db, text);
+}
+
+static int make_now(sqlite3 *db)
+{
+    const int code = ledger_tables_make(db, LEDGER_FILE_VERSION, NULL);
+    return code == SQLITE_OK ? put_version(db) : code;
+}
+
+static int raise_1_to_2(sqlite3 *db)
+{
+    int code = sql_run(db, to_2);
+    code = code == SQLITE_OK ? ledger_tables_make(db, 2, "round_players") : code;
+    return code == SQLITE_OK ? sql_run(db, fill_2) : code;
+}
+
+static int raise_3_to_4(sqlite3 *db)
+{
+    int code = sql_run(db, set_rounds_aside);
+    code = code == SQLITE_OK ? ledger_tables_make(db, 4, "rounds") : code;
+    return code == SQLITE_OK ? sql_run(db, fill_4) : code;
 }
 
 int ledger_schema_raise(struct ledger_file *file, int version)
 {
-    if (version == 3) {
-        return sql_run(file->db, from_3);
+    if (version >= 3) { /* From 4 to 5 the tables stay as they are. */
+        const int raised = version == 3 ? raise_3_to_4(file->db) : SQLITE_OK;
+        return raised == SQLITE_OK ? put_version(file->db) : raised;
     }
     int64_t has_rounds = 0;
     int code = sql_number(file->db, "SELECT count(*) FROM sqlite_schema WHERE name = 'rounds'",
                           &has_rounds);
     if (code != SQLITE_OK || !has_rounds) {
-        return code != SQLITE_OK ? code : sql_run(file->db, version_4);
+        return code != SQLITE_OK ? code : make_now(file->db);
     }
-    if (version < 2) {
-        code = sql_run(file->db, version_1);
-        code = code == SQLITE_OK ? sql_run(file->db, version_2) : code;
-    }
+    code = version < 2 ? raise_1_to_2(file->db) : code;
     code = code == SQLITE_OK ? sql_run(file->db, set_old_aside) : code;
-    code = code == SQLITE_OK ? sql_run(file->db, version_4) : code;
+    code = code == SQLITE_OK ? make_now(file->db) : code;
     code = code == SQLITE_OK ? carry_all_over(file) : code;
     return code == SQLITE_OK ? sql_run(file->db, forget_unknown) : code;
 }

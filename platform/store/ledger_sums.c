@@ -4,6 +4,8 @@
 
 #include <sqlite3.h>
 
+#include "core/game/ledger_range.h"
+#include "core/game/stand.h"
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
@@ -31,7 +33,8 @@ void ledger_sums_note(struct ledger_content *content, const struct ledger_entry 
 {
     struct memory *memory = &content->memory;
     memory->ledger =
-        (struct ledger_start){ .last_id = entry->id, .boots = entry->boot, .purse = entry->purse };
+        (struct ledger_start){ .last_id = entry->id, .boots = entry->boot, .purse = entry->purse,
+                               .stand = stand_after(memory->ledger.stand, entry) };
     content->tick = entry->tick;
     if (entry->kind == LEDGER_SETTING) {
         note_setting(content, entry);
@@ -55,7 +58,7 @@ static int put_named(struct ledger_file *file, enum ledger_statement which, cons
         return code;
     }
     sqlite3_bind_text(put, 2, name, -1, SQLITE_TRANSIENT);
-    return sql_put(put, &value, 1);
+    return sql_put_one(put, &value, 1);
 }
 
 /* A setting is only ever forgotten with all others. */
@@ -120,7 +123,7 @@ static int put_rank(struct ledger_file *file, uint32_t index, const struct rank_
     }
     const int size = (int)strnlen(row->name, sizeof row->name);
     sqlite3_bind_text(put, count + 1, row->name, size, SQLITE_STATIC);
-    return sql_put(put, values, count);
+    return sql_put_one(put, values, count);
 }
 
 static int put_ranks(struct ledger_file *file, const struct ranking *before,
@@ -233,12 +236,15 @@ static void take_state(struct ledger_content *content, sqlite3_stmt *row)
 static int read_start(struct ledger_file *file, struct ledger_content *out)
 {
     struct ledger_entry newest;
-    const int code = ledger_rows_newest(file, &newest);
+    int code = ledger_rows_newest(file, &newest);
     if (code == SQLITE_OK) {
         out->memory.ledger = (struct ledger_start){
             .last_id = newest.id, .boots = newest.boot, .purse = newest.purse
         };
         out->tick = newest.tick;
+        if (newest.purse.open & OPEN_SPENT) {
+            code = ledger_rows_stand(file, &out->memory.ledger.stand);
+        }
     }
     return code == SQLITE_NOTFOUND ? SQLITE_OK : code;
 }
@@ -259,5 +265,5 @@ int ledger_sums_read(struct ledger_file *file, struct ledger_content *out)
     for (size_t i = 0; code == SQLITE_OK && i < sizeof tables / sizeof tables[0]; i++) {
         code = read_rows(file, tables[i].text, tables[i].take, out);
     }
-    return code;
+    return code == SQLITE_OK && !ledger_memory_is_good(&out->memory) ? SQLITE_CORRUPT : code;
 }

@@ -8,9 +8,18 @@
 #include <unistd.h>
 
 #include "core/base/hash.h"
+#include "core/game/ledger_range.h"
+#include "core/pin.h"
+#include "core/settings.h"
+#include "platform/plain_file.h"
 #include "platform/store/ledger_backup.h"
 
 #define FILE_SIZE ((off_t)LEDGER_TAIL_SLOTS * LEDGER_TAIL_SLOT_SIZE)
+
+/* Written into each slot. Slots of version 4 have padding where the purse now has `returned` and
+ * `tickets`: they are read with 0 there. The number leaves room for versions of the database. */
+#define SLOT_VERSION 100u
+#define SLOT_VERSION_4 4u
 
 /* An entry as it lies in memory: only this machine reads it again, and another program's is told by
  * its size and the version of the file beside it. */
@@ -31,11 +40,37 @@ static off_t offset_of(uint32_t id)
     return (off_t)(id % LEDGER_TAIL_SLOTS) * LEDGER_TAIL_SLOT_SIZE;
 }
 
+static bool read_slot_as_is(const struct ledger_tail *tail, uint32_t index, struct slot *slot)
+{
+    if (pread(tail->handle, slot, sizeof *slot, offset_of(index)) != (ssize_t)sizeof *slot ||
+        (slot->version != SLOT_VERSION && slot->version != SLOT_VERSION_4) ||
+        slot->size != sizeof slot->entry || slot->sum != sum_of(slot) ||
+        slot->entry.id % LEDGER_TAIL_SLOTS != index) {
+        return false;
+    }
+    if (slot->version == SLOT_VERSION_4) {
+        slot->entry.purse.returned = 0;
+        slot->entry.purse.tickets = 0;
+    }
+    return ledger_entry_is_good(&slot->entry);
+}
+
+/* An older Kingyo wrote a PIN in plain digits. Whether it did. */
+static bool hide_pin(struct ledger_entry *entry)
+{
+    const bool is_plain = entry->kind == LEDGER_SETTING && entry->detail == SET_PIN &&
+                          entry->count == 0 && pin_is_plain(entry->value);
+    entry->value = is_plain ? pin_hide((uint32_t)entry->value, entry->id) : entry->value;
+    return is_plain;
+}
+
 static bool read_slot(const struct ledger_tail *tail, uint32_t index, struct slot *slot)
 {
-    return pread(tail->handle, slot, sizeof *slot, offset_of(index)) == (ssize_t)sizeof *slot &&
-           slot->version == LEDGER_FILE_VERSION && slot->size == sizeof slot->entry &&
-           slot->sum == sum_of(slot) && slot->entry.id % LEDGER_TAIL_SLOTS == index;
+    const bool is_good = read_slot_as_is(tail, index, slot);
+    if (is_good) {
+        hide_pin(&slot->entry);
+    }
+    return is_good;
 }
 
 /* ---- Opening -------------------------------------------------------------------------------- */
@@ -53,20 +88,39 @@ static int fill(int handle)
     return fsync(handle);
 }
 
+/* Writes each byte again: after a failed sync, also one of a process that was killed, a slot may
+ * read back and not be on disk. */
+static int rewrite(int handle)
+{
+    uint8_t bytes[64 * LEDGER_TAIL_SLOT_SIZE];
+    for (off_t at = 0; at < FILE_SIZE; at += (off_t)sizeof bytes) {
+        if (pread(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes ||
+            pwrite(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes) {
+            return -1;
+        }
+    }
+    return fsync(handle);
+}
+
 static struct ledger_tail opened(int handle)
 {
     return (struct ledger_tail){ .handle = handle > 0 ? handle : 0 };
 }
 
+static int hide_pins(struct ledger_tail *tail);
+
 int ledger_tail_open(struct ledger_tail *tail, const char *path)
 {
     struct stat about;
-    *tail = opened(open(path, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+    *tail = opened(plain_file_handle(path, O_RDWR | O_CREAT, 0600));
     if (tail->handle == 0) {
         return -1;
     }
     const bool is_whole = fstat(tail->handle, &about) == 0 && about.st_size == FILE_SIZE;
-    if (!is_whole && (fill(tail->handle) != 0 || ledger_sync_folder(path) != 0)) {
+    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* An older Kingyo let everybody read it. */
+    int result = is_whole ? rewrite(tail->handle) : fill(tail->handle);
+    result = result == 0 && is_whole ? hide_pins(tail) : result;
+    if (result != 0 || ledger_sync_folder(path) != 0) {
         ledger_tail_close(tail);
         return -1;
     }
@@ -75,7 +129,7 @@ int ledger_tail_open(struct ledger_tail *tail, const char *path)
 
 struct ledger_tail ledger_tail_look(const char *path)
 {
-    return opened(open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    return opened(plain_file_handle(path, O_RDONLY, 0));
 }
 
 void ledger_tail_close(struct ledger_tail *tail)
@@ -93,13 +147,28 @@ static int write_slot(struct ledger_tail *tail, const struct ledger_entry *entry
     uint8_t sector[LEDGER_TAIL_SLOT_SIZE] = { 0 };
     struct slot slot;
     memset(&slot, 0, sizeof slot);
-    slot.version = LEDGER_FILE_VERSION;
+    slot.version = SLOT_VERSION;
     slot.size = sizeof slot.entry;
     memcpy(&slot.entry, entry, sizeof slot.entry);
     slot.sum = sum_of(&slot);
     memcpy(sector, &slot, sizeof slot);
     const ssize_t done = pwrite(tail->handle, sector, sizeof sector, offset_of(entry->id));
     return done == (ssize_t)sizeof sector ? 0 : -1;
+}
+
+/* Rewrites the slots that hold a PIN in plain digits. */
+static int hide_pins(struct ledger_tail *tail)
+{
+    struct slot slot;
+    int result = 0;
+    bool any = false;
+    for (uint32_t i = 0; result == 0 && i < LEDGER_TAIL_SLOTS; i++) {
+        if (read_slot_as_is(tail, i, &slot) && hide_pin(&slot.entry)) {
+            result = write_slot(tail, &slot.entry);
+            any = true;
+        }
+    }
+    return result == 0 && any ? fdatasync(tail->handle) : result;
 }
 
 int ledger_tail_write(struct ledger_tail *tail, const struct ledger_entry *entries, uint32_t count)
@@ -117,8 +186,9 @@ int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_
     int result = 0;
     for (uint32_t i = 0; result == 0 && i < LEDGER_TAIL_SLOTS; i++) {
         struct ledger_entry *entry = &slot.entry;
+        /* A slot without a name is written, too: an earlier sync of it may have failed. */
         if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
-            entry->detail == seat && entry->name[0]) {
+            entry->detail == seat) {
             memset(entry->name, 0, sizeof entry->name);
             result = write_slot(tail, entry);
         }

@@ -68,7 +68,7 @@ static int put(sqlite3 *db, const struct tally *tally, int64_t sum)
 {
     sqlite3_stmt *statement = NULL;
     int code = sqlite3_prepare_v2(db, tally->put, -1, &statement, NULL);
-    code = code == SQLITE_OK ? sql_put(statement, &sum, 1) : code;
+    code = code == SQLITE_OK ? sql_put_one(statement, &sum, 1) : code;
     sqlite3_finalize(statement);
     return code;
 }

@@ -1,6 +1,7 @@
 /* sql.c -- a thin glove over SQLite. */
 #include "platform/store/sql.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 #include <sqlite3.h>
@@ -33,6 +34,13 @@ int sql_put(sqlite3_stmt *statement, const int64_t *values, int count)
     const int code = sqlite3_step(statement);
     sqlite3_reset(statement);
     return code == SQLITE_DONE ? SQLITE_OK : code;
+}
+
+int sql_put_one(sqlite3_stmt *statement, const int64_t *values, int count)
+{
+    const int code = sql_put(statement, values, count);
+    const bool is_in = sqlite3_changes64(sqlite3_db_handle(statement)) == 1;
+    return code == SQLITE_OK && !is_in ? SQLITE_CORRUPT : code;
 }
 
 uint32_t sql_uint(sqlite3_stmt *statement, int column, uint32_t max)

@@ -13,11 +13,7 @@ $(BENCH_BIN): %: %.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-# The tank's bench swims more fish than the kiosk has room for: its own copy of the tank, in BUILD/many.
-MANY := $(BUILD)/many
-MANY_CFLAGS := -DTANK_FISH_MAX=131072u
-MANY_SRC := $(wildcard core/base/*.c core/tank/*.c core/morph/*.c)
-MANY_OBJ = $(MANY_SRC:%.c=$(MANY)/%.o) $(filter $(MANY_SRC:%.c=$(MANY)/%_8.o),$(WIDE_SRC:%.c=$(MANY)/%_8.o))
+# The tank's bench uses the tank that is compiled for 131,072 fish (platform/ctl/tank.mk).
 BENCH_TANK := $(BUILD)/tests/bench/bench_tank
 # Calls between modules that it times; tests/bench/bench_tank.c wraps each.
 BENCH_TANK_TIMED := swim_move_all crowd_mark crowd_follow crowd_is_stale crowd_touch crowd_look \
@@ -33,20 +29,10 @@ $(BENCH_TANK): $(MANY)/bench_tank.o $(MANY_OBJ) $(BUILD)/platform/cpu.o $(GENERA
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(BENCH_TANK_TIMED:%=-Wl,--wrap=%) -o $@ $^ -lm
 
-$(MANY)/bench_tank.o: tests/bench/bench_tank.c | generated
+$(MANY)/bench_tank.o: tests/bench/bench_tank.c $(FOUND_TOOLS) | generated
 	@mkdir -p $(@D)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(BASE_CFLAGS) -Wno-psabi -D_GNU_SOURCE $(MANY_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
-
-$(MANY)/core/%.o: core/%.c | generated
-	@mkdir -p $(@D)
-	$(call step,CC,$< (many fish))
-	$(Q)$(CC) $(CORE_CFLAGS) $(MANY_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
-
-$(MANY)/core/%_8.o: core/%.c | generated
-	@mkdir -p $(@D)
-	$(call step,CC,$< (many fish, 8 lanes))
-	$(Q)$(CC) $(CORE_CFLAGS) $(WIDE_CFLAGS) $(MANY_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
 BENCH_POI := $(BUILD)/tests/bench/bench_poi
 

@@ -39,7 +39,10 @@ static double tick_ms(uint32_t pressed)
 {
     const double began_ms = now_ms();
     input.pressed = pressed;
-    core_tick(&core, &input, &output);
+    if (core_tick(&core, &input, &output) != CORE_OK) {
+        fputs("bench_open: " CPU_FLOAT_WRONG "\n", stderr);
+        exit(70);
+    }
     return now_ms() - began_ms;
 }
 

@@ -5,7 +5,7 @@
 old=tests/unit/store
 data=$work/data
 mkdir "$data"
-cp $old/version-4.db "$data/kingyo.db"
+cp $old/version-5.db "$data/kingyo.db"
 
 says() { # PATTERN WORDS...
     local pattern=$1
@@ -26,6 +26,37 @@ query() { # EXPRESSION WORDS...: of the JSON, which is j.
     shift
     "$ctl" "$@" --data "$data" --json >"$work/json" && cat "$work/json"
     [ "$(sqlite3 :memory: "with file (j) as (select cast(readfile('$work/json') as text)) select $expression from file")" = 1 ]
+}
+refuses_a_trigger() { # A copy with any object that is not ours is no copy of a stall's file.
+    cp $old/version-5.db "$work/trap.db"
+    sqlite3 "$work/trap.db" 'create trigger t before insert on entries begin select raise(ignore); end'
+    mkdir -p "$work/trapped"
+    ends 65 "trap.db: holds the trigger 't', which is not Kingyo's; use another copy" \
+        backup --restore "$work/trap.db" --data "$work/trapped" &&
+        [ ! -e "$work/trapped/kingyo.db" ] && cp "$work/trap.db" "$work/trapped/kingyo.db" &&
+        ends 65 'damaged' audits --data "$work/trapped"
+}
+names_what_is_not_ours() { # Each kind of object by its type and name, an escape sequence made visible.
+    local sql said
+    mkdir -p "$work/named"
+    while IFS='|' read -r sql said; do
+        cp $old/version-5.db "$work/trap.db"
+        sqlite3 "$work/trap.db" "$(printf '%b' "$sql")" || return 1
+        ends 65 "trap.db: holds the $said; use another copy" \
+            backup --restore "$work/trap.db" --data "$work/named" || return 1
+        grep -q $'\e' "$work/out" && return 1
+    done <<'END'
+create view v as select 1|view 'v', which is not Kingyo's
+create index i on rounds (seed)|index 'i', which is not Kingyo's
+create table "a\033[31mb" (n)|table 'a.+\[31mb', which is not Kingyo's
+alter table rounds add column others text|table 'rounds', whose definition is not Kingyo's
+END
+    [ ! -e "$work/named/kingyo.db" ]
+}
+follows_a_named_link() {
+    ln -s "$PWD/$old/version-5.db" "$work/link.db"
+    mkdir -p "$work/linked"
+    ends 0 '9 entries' backup --restore "$work/link.db" --data "$work/linked" && [ ! -L "$work/linked/kingyo.db" ]
 }
 is_copy() {
     "$ctl" backup "$work/copy.db" --data "$data" && [ "$(echo "$work/copy.db"*)" = "$work/copy.db" ] &&
@@ -56,7 +87,7 @@ last_id() { # FILE
 # The stall has gone on to entry 10 since the copy, and its backup and its second list too: left there, either would
 # make of the copy a file that lost something, and the next start would undo it all.
 goes_back() {
-    mkdir "$work/back" && cp $old/version-4.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
+    mkdir "$work/back" && cp $old/version-5.db "$work/copy-9.db" && cp "$work/copy-9.db" "$work/back/kingyo.db" &&
         chmod 640 "$work/back/kingyo.db" &&
         sqlite3 "$work/back/kingyo.db" 'update entries set id = 10 where id = 9' &&
         cp "$work/back/kingyo.db" "$work/back/kingyo.db.backup" && echo log >"$work/back/kingyo.db-wal" &&
@@ -173,9 +204,21 @@ cp $old/version-2.db "$work/old/kingyo.db"
 check 'a file of an earlier version is not changed by who only looks' ends 65 'start the stall once' audits \
     --data "$work/old"
 check 'it is as it was' cmp $old/version-2.db "$work/old/kingyo.db"
-cp $old/version-4.db "$work/broken/kingyo.db"
+cp $old/version-5.db "$work/broken/kingyo.db"
 printf 'x%.0s' {1..4000} | dd of="$work/broken/kingyo.db" bs=1 seek=4096 conv=notrunc status=none
 check 'of a damaged file no backup is made' leaves_no_half_copy
 check 'an unknown word is told' ends 2 "'--nonesuch' is not understood" audits --nonesuch
 check 'a mode that there is not is told' ends 2 'festival, championship or practice' scores --mode tuna
+
+# ---- Nobody but the owner reads what holds the takings and the hash of the PIN
+mode_of() { stat -c %a "$1"; }
+private() { # FILE, made under a umask that lets everybody read
+    (umask 022; "$ctl" backup "$work/private.db" --data "$data") && [ "$(mode_of "$work/private.db")" = 600 ]
+}
+check 'a backup is its owner'\''s alone' private
+private_again() { chmod 644 "$work/private.db" && private; }
+check 'also where an older copy was everybody'\''s' private_again
+check 'a copy with a trigger is refused, and a file with one is called damaged' refuses_a_trigger
+check 'each kind of object that is not ours is named by its type and name' names_what_is_not_ours
+check 'a link that the user names is followed' follows_a_named_link
 echo "1..$count"

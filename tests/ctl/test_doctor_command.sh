@@ -180,8 +180,8 @@ chmod 777 "$root/data"
 check 'one that may is fine' finds fine store /data 'nobody may write there'
 check 'how much room there is, is said' finds '(fine|look)' store room '[0-9]+ MiB are free'
 check 'no database yet is fine' finds fine database kingyo.db 'nothing was kept'
-cp tests/unit/store/version-4.db "$root/data/kingyo.db"
-check 'a database is looked through' finds fine database kingyo.db 'whole, version 4: 9 entries of 2 starts, 1 rounds'
+cp tests/unit/store/version-5.db "$root/data/kingyo.db"
+check 'a database is looked through' finds fine database kingyo.db 'whole, version 5: 9 entries of 2 starts, 1 rounds'
 cp tests/unit/store/version-2.db "$root/data/kingyo.db"
 check 'an earlier one is brought up to date by the stall' finds fine database kingyo.db 'of an earlier version'
 touch "$root/data/kingyo.db.damaged-1" "$root/data/kingyo.db.damaged-1-wal"

@@ -33,7 +33,7 @@ check 'control characters of a text stay in it' mistake 65 "esc.txt:2: '?[31mred
 printf 'species x\nmeasure total\0 and more\n' >"$work/zero.txt"
 check 'a zero byte in a text' mistake 65 'zero.txt:2: a zero byte' "$work/x.kfish" "$work/zero.txt"
 ln -s /dev/zero "$work/endless.txt" && ln -s /dev/zero "$work/endless.obj"
-check 'a text without end' mistake 74 'endless.txt: no plain file' "$work/x.kfish" "$work/endless.txt"
+check 'a text without end' mistake 74 'endless.txt: is not a regular file' "$work/x.kfish" "$work/endless.txt"
 truncate -s 2M "$work/large.txt"
 check 'a text of 2 MiB' mistake 65 'large.txt: larger than 1 MiB' "$work/x.kfish" "$work/large.txt"
 mkfifo "$work/pipe.kfish"
@@ -70,7 +70,7 @@ check 'a text of a late key' mistake 65 'late.txt:175: key koaka is 45 mm at 200
 head -5 "$work/b.obj" >"$work/cut.obj"
 check 'a cut shape' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/cut.obj" "$work/b.obj" "$work/c.obj"
 check 'a shape of another topology' mistake 65 'cut.obj:5: no faces' "$work/x.kfish" "$work/a.obj" "$work/cut.obj" "$work/c.obj"
-check 'a shape without end' mistake 74 'endless.obj: no plain file' "$work/x.kfish" "$work/endless.obj" "$work/b.obj" "$work/c.obj"
+check 'a shape without end' mistake 74 'endless.obj: is not a regular file' "$work/x.kfish" "$work/endless.obj" "$work/b.obj" "$work/c.obj"
 truncate -s 65M "$work/large.obj"
 check 'a file of 65 MiB' mistake 65 'larger than 64 MiB' "$work/x.kfish" "$work/large.obj" "$work/b.obj" "$work/c.obj"
 

@@ -97,6 +97,23 @@ for option in '--temperature-c 8' '--pressure-hpa 900' '--oxygen-mg-l 3' '--time
     check "$option has its effect" differ "$first" "$(hash_of --fish 300 --seconds 3 --seed 5 $option)"
 done
 
+# ---- Many fish
+# The hashes were recorded when the command had room for 2,048 fish.
+while read -r recorded options; do
+    # shellcheck disable=SC2086
+    check "$options swims to the hash that was recorded" same "$recorded" "$(hash_of --seconds 3 --seed 5 $options)"
+done <<'END'
+79d6e21075ce3597 --preset official --fish 2048
+2da1629f35d80c74 --fish 600 --area-scale 5
+93169fcd3d7ee63e --preset festival --fish 613
+ec7579c5028b65b0 --fish 100 --area-scale 200
+END
+"$ctl" tank --fish 131072 --area-scale 250 --seconds 0.1 --json >"$work/many.json"
+check '131,072 fish swim' holds "$work/many.json" "json_extract(j,'\$.fish')=131072"
+check 'without touching' holds "$work/many.json" "json_extract(j,'\$.body_overlaps')=0"
+too_many() { "$ctl" tank --fish 131073 --area-scale 250 2>"$work/text"; [ $? -eq 2 ] && grep -q '1 to 131072 fish' "$work/text"; }
+check '131,073 fish are refused with the limit' too_many
+
 # ---- Files
 printf 't_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg\n0,-50,-8,0,0,0,0\n3,50,-8,0,0,20,0\n' >"$work/path.csv"
 printf 'x_cm,y_cm,z_cm,yaw_deg,speed_cm_s,gait\n-12,-10,0.2,-90,5.25,swim\n12,-10,0,90,5.25,swim\n' >"$work/place.csv"

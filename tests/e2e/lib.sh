@@ -66,6 +66,16 @@ start_kiosk() { # OPTIONS...
     return 1
 }
 
+# Presses Esc until the kiosk ends: the first press asks, and the second press within 5 s ends the kiosk. On a busy
+# machine both presses may fall into one frame, or 5 s may pass between the frames of two presses.
+quit_by_key() {
+    for _ in 1 2 3 4 5 6; do
+        xdotool key Escape
+        sleep 1
+        kill -0 "$kiosk_pid" 2>/dev/null || return 0
+    done
+}
+
 # Waits for the kiosk's end, up to SECONDS; sets `code` to its exit status, or to 124.
 end_of_kiosk() { # SECONDS
     for _ in $(seq $(($1 * 10))); do

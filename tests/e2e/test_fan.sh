@@ -36,9 +36,9 @@ xdotool keyup f
 wait_for 0 670 250
 ok $? 'and it goes when F is let go'
 
-xdotool key Escape
+quit_by_key
 end_of_kiosk 20
-ok "$code" 'Escape ends the kiosk with code 0' "$work/err"
+ok "$code" 'Escape twice ends the kiosk with code 0' "$work/err"
 [ ! -s "$work/err" ]
 ok $? 'and it had nothing to complain about' "$work/err"
 "$BUILD/kingyoctl" replay verify "$recording" >"$work/verify" 2>&1

@@ -39,6 +39,11 @@ good=$work/good.kgr
 ok $? 'a demonstration without a screen writes a recording' "$work/said"
 "$BUILD/kingyoctl" replay verify "$good" >"$work/said" 2>&1
 ok $? 'which verifies' "$work/said"
+"$BUILD/kingyo" --replay "$good" --window 320x240 --shots "$work/shown" >"$work/said" 2>&1 </dev/null
+ok $? 'without a screen the replay is shown in pictures' "$work/said"
+grep -q '^No screen: .* The replay is checked, and pictures of it are written\.$' "$work/said" &&
+    ! grep -q 'bot' "$work/said" && grep -q ' each as recorded$' "$work/said" && [ -s "$work/shown/contact-sheet.png" ]
+ok $? 'it says so, and checks every tick' "$work/said"
 size=$(stat -c %s "$good")
 head -c $((size / 2)) "$good" >"$work/short.kgr"
 refuses 65 short.kgr 'a recording cut in half' kingyoctl replay verify "$work/short.kgr"

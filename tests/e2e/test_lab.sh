@@ -55,16 +55,16 @@ grep -qx 'template pairwise' "$graph" && awk '$1 == "knot" && $2 > 0.2 && $2 < 0
     END { exit !(found && !bad) }' "$graph"
 ok $? 'and in it the knot is where it was dragged, its weights summing to 1' "$graph"
 cp "$graph" "$work/first.graph"
-xdotool key Escape
+quit_by_key
 end_of_kiosk 20
-ok "$code" 'Escape ends the kiosk with code 0' "$work/err"
+ok "$code" 'Escape twice ends the kiosk with code 0' "$work/err"
 "$BUILD/kingyoctl" replay verify "$recording" >"$work/verify" 2>&1
 ok $? 'the recording goes through the lab again, to the last bit' "$work/verify"
 
 start_kiosk --seed 5 --mode lab --record "$work/second.kgr"
 ok $? 'the kiosk opens again' "$work/err"
 press_at 899 675 # Save is idle: what is kept is what is shown.
-xdotool key Escape
+quit_by_key
 end_of_kiosk 20
 cmp -s "$graph" "$work/first.graph"
 ok $? 'and what was kept is on the table, unchanged' "$graph"
@@ -86,7 +86,7 @@ wait_for_file "$work/data/graphs/funa.graph"
 ok $? "it is on the lab's table: a graph of it is kept" "$work/err"
 sleep 2
 import -window root "$BUILD/results/lab_maker.png" 2>/dev/null
-xdotool key Escape
+quit_by_key
 end_of_kiosk 20
 grep -q 'funa.kfish: funa' "$work/out" && grep -q 'species/bad.kfish: magic' "$work/err" && one_line "$work/err"
 ok $? 'the log names the good one, and the bad one with its reason' "$work/err"
@@ -97,7 +97,7 @@ rm -r "$work/data/species" "$work/data/graphs/funa.graph"
 echo 'kingyo-graph 1' >"$graph"
 start_kiosk --seed 5 --mode lab
 ok $? 'a damaged graph keeps no stall closed' "$work/err"
-xdotool key Escape
+quit_by_key
 end_of_kiosk 20
 grep -q "graphs/wakin.graph:1: " "$work/err" && one_line "$work/err"
 ok $? 'it costs one line that names the file' "$work/err"

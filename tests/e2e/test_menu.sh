@@ -166,8 +166,13 @@ xdotool key Escape
 becomes phase $attract
 ok $? 'Escape in the menu goes back to the stall' "$mind"
 xdotool key Escape
+sleep 1
+import -window root "$BUILD/results/quit.png" 2>/dev/null
+kill -0 "$kiosk_pid"
+ok $? 'Escape on the attract screen asks first'
+quit_by_key
 end_of_kiosk 30
-ok "$code" 'Escape ends the kiosk with code 0' "$work/err"
+ok "$code" 'and Escape once more ends the kiosk with code 0' "$work/err"
 grep -q 'species/bad.kfish: magic' "$work/err" && one_line "$work/err"
 ok $? 'which had to complain of that species alone' "$work/err"
 [ "$(knows differs_at)" -eq 0 ] && [ ! -s "$work/look.log" ]

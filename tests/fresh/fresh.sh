@@ -3,7 +3,8 @@
 #
 # For each release (bookworm and trixie unless named), one after the other, it makes the smallest root
 # file system that apt can live in, puts a copy of the tree there and runs both commands inside, without
-# a screen; then both once more, to see that the second time costs nothing. The empty root is kept as
+# a screen, in either order; then both once more, to see that the second time costs nothing, and both
+# after libassimp-dev was removed, which make test adds again. The empty root is kept as
 # BUILD/fresh/RELEASE.tar and used again while it is less than a week old. Ends with a table. Needs root,
 # mmdebstrap and the mirror that this machine's own apt uses; FRESH_DIR says where the roots and the logs
 # go and stay (two to three GiB each; without it they go to /var/tmp and are removed).
@@ -96,12 +97,20 @@ inside() { # RELEASE COMMAND...
         ${http_proxy:+http_proxy="$http_proxy"} chroot "$top/$release" sh -c "cd /kingyo && $*"
 }
 
+# Both orders of both commands, each from nothing; then a package goes and comes again in the built tree.
 for release in "${releases[@]}"; do
     step "$release" 'minimal root' make_root "$release" || continue
+    step "$release" 'make test first' inside "$release" make test
+    step "$release" 'make run after it' inside "$release" make run
+    step "$release" 'minimal root again' make_root "$release" || continue
     step "$release" 'make run' inside "$release" make run
     step "$release" 'make run again' inside "$release" make run
     step "$release" 'make test' inside "$release" make test
     step "$release" 'make test again' inside "$release" make test
+    step "$release" 'a package removed' inside "$release" apt-get -qq remove -y libassimp-dev
+    step "$release" 'make run without it' inside "$release" make run
+    step "$release" 'make test adds it' inside "$release" make test
+    step "$release" 'make run with it' inside "$release" make run
     unmount "$release"
 done
 echo

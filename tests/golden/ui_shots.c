@@ -66,6 +66,7 @@ static const struct shot shots[] = {
     { "paid", PHASE_CHOOSE, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_FESTIVAL, 0, 0, 0, 0,
       0 },
     { "warned", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
+    { "quit", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
     { "ask", PHASE_ROUND, HINT_DIP, 20.0f, 40.0f, 3, 12, 0.8f, 1, 0, 0, 0, 0, 0, 0 },
     { "paidback", PHASE_RESULT, HINT_PAID_BACK, 6.2f, 0.0f, 4, 12, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
     { "result", PHASE_RESULT, HINT_NONE, 2.4f, 0.0f, 13, 13, 0.0f, 1, 0, 0, 0, 0, 0, 0 },
@@ -178,6 +179,7 @@ static void fill_encore(struct scene *scene, const char *name)
     for (uint8_t i = 0; i < ENCORE_COUNT; i++) {
         scene->encore = strcmp(names[i], name) == 0 ? i : scene->encore;
     }
+    scene->asks_quit = strcmp(name, "quit") == 0;
     scene->encore_progress = 0.4f;
     scene->veil = strcmp(name, "dusk") == 0 ? 0.7f : 0.0f;
 }

@@ -15,7 +15,7 @@ for sanitizers in address,undefined thread; do
     home=$build/hand-sanitizers/${sanitizers%%,*}
     mkdir -p "$home"
     objects=()
-    for source in $(ls "${sources[@]}"); do
+    for source in "${sources[@]}"; do
         object=$home/$(basename "$source" .c).o
         $cc "${cflags[@]}" -fsanitize="$sanitizers" -fno-sanitize-recover=all -c -o "$object" "$source"
         objects+=("$object")

@@ -7,6 +7,7 @@
 
 #include "core/core.h"
 #include "core/tank/fright.h"
+#include "platform/cpu.h"
 #include "platform/kiosk/contact_sheet.h"
 #include "platform/png.h"
 #include "platform/render/display_gl.h"
@@ -29,7 +30,11 @@ static void tick(void)
     static struct output output;
     const struct input input = { 0 };
     output.sound_count = 0;
-    core_tick(&core, &input, &output);
+    cpu_set_float(); /* The display's library ran before. */
+    if (core_tick(&core, &input, &output) != CORE_OK) {
+        fputs("film: " CPU_FLOAT_WRONG "\n", stderr);
+        exit(70);
+    }
 }
 
 /* A resting fish in mid-water that a blow on its left has just struck. */

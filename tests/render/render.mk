@@ -27,7 +27,7 @@ film: $(BUILD)/tests/render/film
 	@mkdir -p out
 	@$< $(ARGS)
 
-$(BUILD)/tests/render/specimen: $(BUILD)/tests/render/specimen.o $(BUILD)/platform/panic.o \
+$(BUILD)/tests/render/specimen: $(BUILD)/tests/render/specimen.o $(BUILD)/platform/panic_core.o \
     $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)

@@ -11,19 +11,19 @@ $(BUILD)/variants/$(1)/state_hash: $$(VARIANT_CORE:%.c=$(BUILD)/variants/$(1)/%.
                                    $(BUILD)/variants/$(1)/tests/replay/state_hash.o
 	$$(Q)$(2) -o $$@ $$^
 
-$(BUILD)/variants/$(1)/generated/%.o: $(BUILD)/generated/%.c | generated
+$(BUILD)/variants/$(1)/generated/%.o: $(BUILD)/generated/%.c $(FOUND_TOOLS) | generated
 	@mkdir -p $$(@D)
 	$$(Q)$(2) $$(VARIANT_FLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
 
-$(BUILD)/variants/$(1)/core/%.o: core/%.c | generated
+$(BUILD)/variants/$(1)/core/%.o: core/%.c $(FOUND_TOOLS) | generated
 	@mkdir -p $$(@D)
 	$$(Q)$(2) $$(VARIANT_FLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
 
-$(BUILD)/variants/$(1)/core/%_8.o: core/%.c | generated
+$(BUILD)/variants/$(1)/core/%_8.o: core/%.c $(FOUND_TOOLS) | generated
 	@mkdir -p $$(@D)
 	$$(Q)$(2) $$(VARIANT_FLAGS) $$(WIDE_CFLAGS) $$(DEP_FLAGS) -c -o $$@ $$<
 
-$(BUILD)/variants/$(1)/tests/replay/state_hash.o: tests/replay/state_hash.c | generated
+$(BUILD)/variants/$(1)/tests/replay/state_hash.o: tests/replay/state_hash.c $(FOUND_TOOLS) | generated
 	@mkdir -p $$(@D)
 	$$(call step,CC,the core with $(1))
 	$$(Q)$(2) -std=c17 -I. -I$(BUILD)/generated -ffp-contract=off $$(DEP_FLAGS) -c -o $$@ $$<

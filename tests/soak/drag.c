@@ -1,10 +1,12 @@
 /* drag.c -- strokes drawn by number, so that every run is the same. */
 #include "tests/soak/drag.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/rng.h"
+#include "platform/cpu.h"
 
 #define BOWL_FULL 12u
 
@@ -75,12 +77,16 @@ static void move_hand(struct drag *drag)
 static void tick_core(struct drag *drag)
 {
     drag->output.sound_count = 0;
-    core_tick(&drag->core, &drag->input, &drag->output);
+    if (core_tick(&drag->core, &drag->input, &drag->output) != CORE_OK) {
+        fputs("soak: " CPU_FLOAT_WRONG "\n", stderr);
+        exit(70);
+    }
     drag->input.pressed = 0;
 }
 
 void drag_begin(struct drag *drag)
 {
+    cpu_set_float();
     while (drag->core.game.phase != PHASE_ROUND) {
         drag->input.pressed = drag->core.tick % 60u == 0 ? INPUT_START : 0u;
         tick_core(drag);

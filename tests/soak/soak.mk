@@ -1,7 +1,7 @@
 # soak.mk -- minutes of full tanks in which nothing may pass through anything.
 
 SOAK_BIN := $(BUILD)/tests/soak/soak
-SOAK_OBJ := $(BUILD)/tests/soak/apart.o $(BUILD)/tests/soak/drag.o
+SOAK_OBJ := $(BUILD)/tests/soak/apart.o $(BUILD)/tests/soak/drag.o $(BUILD)/platform/cpu.o
 
 ## soak: 10 simulated minutes of each full tank, calm and dragged through; SECONDS=n for fewer
 soak: $(SOAK_BIN)

@@ -38,6 +38,7 @@ static void open_lab(const char *words)
     for (char *word = strtok(text, " "); word && argc < WORDS_MAX; word = strtok(NULL, " ")) {
         argv[argc++] = word;
     }
+    memset(&lab, 0, sizeof lab);
     if (tank_plan_read(&plan, argc, argv) != EXIT_OK || tank_lab_open(&lab, &plan) != EXIT_OK) {
         fail(words);
     }

@@ -17,7 +17,7 @@ thesis-figures-2005:
 	@BUILD=$(BUILD) tests/thesis/figures_2005.sh
 
 $(THESIS)/pictures $(THESIS)/table: $(THESIS)/easel.o
-$(THESIS)/curves $(THESIS)/gaps $(THESIS)/stages: $(BUILD)/platform/panic.o
+$(THESIS)/curves $(THESIS)/gaps $(THESIS)/stages: $(BUILD)/platform/panic_core.o
 
 $(THESIS_BIN): %: %.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)

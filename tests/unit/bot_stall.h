@@ -43,7 +43,7 @@ static inline void bot_stall_tick(struct bot_stall *stall)
         .target = bot_tick(&stall->bot, &sight),
     };
     stall->output.sound_count = 0;
-    core_tick(&stall->core, &stall->input, &stall->output);
+    assert_int_equal(core_tick(&stall->core, &stall->input, &stall->output), CORE_OK);
 }
 
 /* Until the round has begun. */

@@ -33,8 +33,8 @@ static inline void clear_sounds(void)
 /* 1: a test says itself what its store has written. */
 static int store_is_late;
 
-/* One tick of the game alone; edges are in one tick only. Its store has written an entry before the
- * next tick. */
+/* One tick of the game alone; edges are in one tick only. Its store has written an entry, and its
+ * dispenser has ended a ticket, before the next tick. */
 static inline void step(void)
 {
     struct poi_target targets[POI_MAX];
@@ -45,6 +45,7 @@ static inline void step(void)
     game_score(&core, caught, &output);
     core.tick++;
     input.pressed = 0;
+    input.tickets_done = output.tickets;
     if (!store_is_late) {
         input.store_well = 1;
         input.record_saved_id = output.entry_id;
@@ -135,7 +136,7 @@ static inline void expect_all_to_swim_soon(uint32_t count)
 {
     uint8_t swam[16] = { 0 };
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
-        core_tick(&core, &input, &output);
+        assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
         for (uint32_t i = 0; i < count; i++) {
             swam[i] |= core.tank.fish[i].gait < GAIT_HELD;
         }

@@ -30,7 +30,8 @@ static const struct field config_fields[] = {
     FIELD(core_config, language), FIELD(core_config, round_s),
     FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
     FIELD(core_config, credit_coins), FIELD(core_config, ticket_fish),
-    SKIP(core_config, lanes),     SKIP(core_config, memory), SKIP(core_config, chapter),
+    SKIP(core_config, rules_7),   SKIP(core_config, lanes),   SKIP(core_config, memory),
+    SKIP(core_config, chapter),
     SKIP(core_config, book),
 };
 
@@ -89,7 +90,8 @@ static const struct field game_fields[] = {
     FIELD(game, round_tick),  FIELD(game, paused_ticks),
     FIELD(game, point_tick), FIELD(game, lost_ticks),
     FIELD(game, waited_ticks),
-    FIELD(game, gone_tick),   FIELD(game, turn_tick),  FIELD(game, round_s),
+    FIELD(game, gone_tick),   FIELD(game, language_until),
+    FIELD(game, turn_tick),   FIELD(game, round_s),
     FIELD(game, round_count),
     SKIP(game, ledger),       SKIP(game, audits),
     SKIP(game, ranking),      SKIP(game, adjust),      SKIP(game, name),
@@ -146,17 +148,27 @@ static const struct field memory_fields[] = {
 
 static const struct field ledger_start_fields[] = {
     FIELD(ledger_start, last_id), FIELD(ledger_start, boots), SKIP(ledger_start, purse),
+    SKIP(ledger_start, stand),
+};
+
+static const struct field stand_fields[] = {
+    FIELD(ledger_stand, count), FIELD(ledger_stand, value), FIELD(ledger_stand, detail),
 };
 
 static const struct field chapter_fields[] = {
     FIELD(chapter, tick),          FIELD(chapter, order_count), FIELD(chapter, edit_save_id),
     FIELD(chapter, edit_saved_id), SKIP(chapter, ledger),       SKIP(chapter, credit),
-    SKIP(chapter, upkeep),         SKIP(chapter, adjust),
+    SKIP(chapter, upkeep),         SKIP(chapter, adjust),       SKIP(chapter, language),
+};
+
+static const struct field language_choice_fields[] = {
+    FIELD(language_choice, chosen), FIELD(language_choice, until_tick),
 };
 
 static const struct field purse_fields[] = {
     FIELD(purse, units),   FIELD(purse, bonus_units), FIELD(purse, paid),
     FIELD(purse, service), FIELD(purse, untold),      FIELD(purse, open),
+    FIELD(purse, returned), FIELD(purse, tickets),
 };
 
 static const struct field ledger_fields[] = {
@@ -189,7 +201,8 @@ static const struct field credit_fields[] = {
     FIELD(credit, came_back),  FIELD(credit, warnings),   SKIP(credit, untold),
     FIELD(credit, metered),    FIELD(credit, shakes),     FIELD(credit, tickets),
     FIELD(credit, coin_tick),  FIELD(credit, tilt_tick),  FIELD(credit, asked_tick),
-    FIELD(credit, await_tick), FIELD(credit, act_tick),
+    FIELD(credit, await_tick), FIELD(credit, act_tick),   FIELD(credit, stand_id),
+    SKIP(credit, stand),       FIELD(credit, ticket_id),
 };
 
 static const struct field untold_fields[] = {
@@ -199,6 +212,7 @@ static const struct field untold_fields[] = {
 static const struct field upkeep_fields[] = {
     FIELD(upkeep, is_told),       FIELD(upkeep, told_tick),
     FIELD(upkeep, dropped_ticks), FIELD(upkeep, device_faults), FIELD(upkeep, told_shakes),
+    FIELD(upkeep, away_ticks),    FIELD(upkeep, loss_tick),
 };
 
 static const struct field player_fields[] = {

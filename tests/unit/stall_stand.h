@@ -32,7 +32,7 @@ static inline void open_stall(const struct core_config *config)
 static inline void tick(void)
 {
     output.sound_count = 0;
-    core_tick(&core, &input, &output);
+    assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
     input.pressed = 0;
     for (uint32_t i = 0; i < output.sound_count; i++) {
         sounds[output.sounds[i].sound]++;

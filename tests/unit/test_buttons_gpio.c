@@ -108,6 +108,8 @@ static void test_pulses_that_are_owed_are_given_before_the_thread_ends(void **st
     for (uint32_t i = 0; i < 20; i++) {
         assert_int_equal(switches.ops->pulse(switches.self, HAL_COIN_COUNTER, 1), HAL_OK);
     }
+    assert_true(switches.ops->pending(switches.self, HAL_COIN_COUNTER) > 0);
+    assert_int_equal(switches.ops->pending(switches.self, HAL_TICKET), 0);
     buttons_gpio_stop(&gpio);
     uint32_t pulses = 0;
     assert_in_range(sim.set_count, 40, GPIO_SIM_SETS_MAX);

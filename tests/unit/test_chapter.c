@@ -105,6 +105,29 @@ static void test_a_chapter_is_what_its_configuration_makes(void **state)
     }
 }
 
+static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 12 };
+    struct input input = { .poi[0].link = POI_LINK_BOT };
+    begin(&config);
+    while (core.tick < CHAPTER_TICKS_MAX) {
+        tick(&core, &input, &output);
+    }
+    input.pressed = INPUT_LANGUAGE;
+    tick(&core, &input, &output);
+    input.pressed = 0;
+    const uint32_t until = core.game.language_until;
+    assert_in_range(run_to_chapter(&input, CHAPTER_TICKS_MAX), 1, CHAPTER_FADE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    while (core.tick < until) {
+        tick(&core, &input, &output);
+        assert_int_equal(core.game.language, LANGUAGE_EN);
+    }
+    tick(&core, &input, &output);
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+}
+
 static void test_a_chapter_takes_nothing_from_anybody(void **state)
 {
     (void)state;
@@ -179,6 +202,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ten_minutes_of_attract_are_a_chapter),
         cmocka_unit_test(test_a_chapter_is_what_its_configuration_makes),
+        cmocka_unit_test(test_a_language_that_was_just_chosen_outlives_the_chapter),
         cmocka_unit_test(test_a_chapter_takes_nothing_from_anybody),
         cmocka_unit_test(test_the_cut_is_dark_and_nothing_else_is),
         cmocka_unit_test(test_a_player_stops_the_turn),

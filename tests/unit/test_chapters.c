@@ -1,5 +1,6 @@
 /* test_chapters.c -- each score that is ranked has its replay, the replay is that of its round, and
  * the judge believes nothing else. */
+#include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,6 +10,8 @@
 
 #include <cmocka.h>
 
+#include "core/base/float_env.h"
+#include "core/pin.h"
 #include "drivers/storage_sim.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/chapters.h"
@@ -124,6 +127,130 @@ static void test_a_ranked_round_has_its_replay_and_is_genuine(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
     assert_int_equal(judge.round.round.caught, sim.record.caught);
     assert_int_equal(judged(room, sim.replay_size, round_id + 1u), VERDICT_OTHER);
+}
+
+/* Settings of the stall that the replay begins with. */
+static const struct settings *settings_of(const uint8_t *bytes, size_t size)
+{
+    static struct replay_reader reader;
+    assert_int_equal(replay_open_in(&reader, bytes, size), 0);
+    replay_close(&reader);
+    return &reader.header.config.memory.settings;
+}
+
+static void lock(uint32_t pin)
+{
+    core.config.memory.settings.value[SET_PIN] = pin_hide(pin, 5);
+    core.game.adjust.told = core.config.memory.settings;
+    static struct core_config config;
+    config = core.config;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    chapters_begin(&chapters, &core);
+}
+
+static void test_a_kept_replay_holds_no_pin_and_is_genuine(void **state)
+{
+    (void)state;
+    lock(4071);
+    const int32_t kept = core.config.memory.settings.value[SET_PIN];
+    const uint32_t first_id = play();
+    assert_int_equal(settings_of(room, sim.replay_size)->value[SET_PIN], PIN_WITHHELD);
+    assert_int_equal(judged(room, sim.replay_size, first_id), VERDICT_GENUINE);
+    rest(); /* The next chapter begins with a ledger that knows the PIN. */
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, round_id);
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    assert_int_equal(core.config.memory.settings.value[SET_PIN], kept);
+    static struct replay_reader reader;
+    assert_int_equal(replay_open_in(&reader, room, sim.replay_size), 0);
+    const struct core_config *config = &reader.header.config;
+    assert_int_equal(config->memory.settings.value[SET_PIN], PIN_WITHHELD);
+    assert_int_equal(config->chapter.adjust.told.value[SET_PIN], PIN_WITHHELD);
+    replay_close(&reader);
+}
+
+/* Begins a chapter whose ledger has `told` while the setting is already `kept`. */
+static void begin_with_pin(int32_t told, int32_t kept)
+{
+    static struct core_config config;
+    rest(); /* The next chapter carries `told` in its configuration. */
+    config = core.config;
+    config.memory.settings.value[SET_PIN] = kept;
+    config.chapter.adjust.told.value[SET_PIN] = told;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    chapters_begin(&chapters, &core);
+}
+
+static void test_a_replay_after_a_change_of_the_pin_is_genuine(void **state)
+{
+    const int32_t a = pin_hide(4071, 5), b = pin_hide(1234, 9);
+    const int32_t told_kept[][2] = { { a, 0 }, { 0, a }, { a, b } };
+    (void)state;
+    play();
+    for (uint32_t i = 0; i < sizeof told_kept / sizeof told_kept[0]; i++) {
+        begin_with_pin(told_kept[i][0], told_kept[i][1]);
+        assert_int_equal(core.game.adjust.told.value[SET_PIN], told_kept[i][0]);
+        const uint32_t round_id = play();
+        assert_int_equal(sim.replay_id, round_id);
+        const struct settings *start = settings_of(room, sim.replay_size);
+        assert_true(start->value[SET_PIN] == 0 || start->value[SET_PIN] == PIN_WITHHELD);
+        assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    }
+}
+
+static void test_the_chapter_in_memory_keeps_the_pin_that_a_panic_replays(void **state)
+{
+    (void)state;
+    lock(4071);
+    const int32_t kept = core.config.memory.settings.value[SET_PIN];
+    play();
+    assert_int_not_equal(kept, PIN_WITHHELD);
+    const size_t size = (size_t)chapters.writer.offset + REPLAY_END_SIZE;
+    assert_int_equal(settings_of(chapters.memory, size)->value[SET_PIN], kept);
+}
+
+static void test_a_chapter_in_which_a_pin_is_typed_holds_it(void **state)
+{
+    (void)state;
+    lock(4071);
+    tick(INPUT_TEST);
+    core.game.menu.pin_count = 1; /* As after the first digit. */
+    tick(0);
+    assert_true(chapters.has_pin);
+    lock(4071); /* Another chapter. */
+    assert_false(chapters.has_pin);
+}
+
+static void test_a_chapter_that_holds_a_pin_keeps_no_replay(void **state)
+{
+    (void)state;
+    lock(4071);
+    chapters.has_pin = 1;
+    play();
+    assert_int_equal(chapters.missed, 1);
+    assert_int_equal(sim.replay_id, 0);
+}
+
+static void test_a_judge_that_begins_in_a_wrong_float_mode_judges_the_same(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    fesetround(FE_UPWARD);
+    assert_int_equal(judged(room, sim.replay_size, round_id), VERDICT_GENUINE);
+    assert_true(float_env_is_standard());
+    fesetround(FE_TONEAREST);
+}
+
+static void test_a_judge_whose_core_is_refused_says_that_nothing_was_checked(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    assert_int_equal(judge_begin(&judge, room, sim.replay_size), 0);
+    fesetround(FE_UPWARD);
+    while (judge_tick(&judge)) {
+    }
+    fesetround(FE_TONEAREST);
+    assert_int_equal(says(round_id), VERDICT_UNCHECKED);
 }
 
 static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
@@ -389,6 +516,13 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup(name, set_up)
     const struct CMUnitTest tests[] = {
         TEST(test_a_ranked_round_has_its_replay_and_is_genuine),
+        TEST(test_a_kept_replay_holds_no_pin_and_is_genuine),
+        TEST(test_a_replay_after_a_change_of_the_pin_is_genuine),
+        TEST(test_the_chapter_in_memory_keeps_the_pin_that_a_panic_replays),
+        TEST(test_a_chapter_in_which_a_pin_is_typed_holds_it),
+        TEST(test_a_chapter_that_holds_a_pin_keeps_no_replay),
+        TEST(test_a_judge_that_begins_in_a_wrong_float_mode_judges_the_same),
+        TEST(test_a_judge_whose_core_is_refused_says_that_nothing_was_checked),
         TEST(test_a_score_that_was_written_by_hand_is_not_genuine),
         TEST(test_a_replay_of_another_round_than_the_ledgers_is_not_genuine),
         TEST(test_each_thing_that_does_not_agree_is_enough),

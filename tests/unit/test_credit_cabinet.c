@@ -13,9 +13,12 @@ static void test_tickets_are_for_whole_handfuls_of_each_players_own(void **state
     core.game.player[1].caught = 4;
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(output.tickets, 2);
+    assert_int_equal(purse()->tickets, 2);
+    assert_int_equal(audit(AUDIT_TICKETS), 2);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(output.tickets, 2);
+    assert_int_equal(purse()->tickets, 0);
+    assert_int_equal(audit(AUDIT_TICKETS_OUT), 2);
 }
 
 static void test_a_bot_wins_no_tickets(void **state)
@@ -24,8 +27,9 @@ static void test_a_bot_wins_no_tickets(void **state)
     play_a_paid_round();
     core.game.player[0].caught = 14;
     core.game.bot_played = 1;
-    steps(ROUND_S * CORE_TICK_HZ);
+    steps(ROUND_S * CORE_TICK_HZ + 10u);
     assert_int_equal(output.tickets, 0);
+    assert_int_equal(audit(AUDIT_TICKETS), 0);
 }
 
 /* ---- The cabinet ---------------------------------------------------------------------------- */

@@ -7,10 +7,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
 #include "core/game/album.h"
+#include "core/game/menu.h"
 #include "display_stand.h"
 #include "platform/render/display_gl.h"
 
@@ -83,6 +85,64 @@ static void test_the_picture_follows_the_size_of_the_window(void **state)
     assert_int_equal(image.width, 200);
     assert_int_equal(image.height, 160);
     assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
+}
+
+/* As a window manager does that ignores the smallest size. */
+static void test_a_window_of_a_few_pixels_is_drawn_into(void **state)
+{
+    (void)state;
+    static const int sides[][2] = { { 1, 1 }, { 3, 200 }, { 200, 3 }, { 8, 8 } };
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_ROUND, PHASE_MENU };
+    alarm(60);
+    for (uint32_t i = 0; i < 12u; i++) {
+        SDL_SetWindowSize(display.window, sides[i % 4u][0], sides[i % 4u][1]);
+        scene.phase = phases[i / 4u];
+        scene.menu.page = MENU_CARD;
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+        assert_int_equal(glGetError(), GL_NO_ERROR);
+    }
+    alarm(0);
+}
+
+static uint32_t steps_drawn;
+
+static void count_step(void *context, enum render_step step)
+{
+    (void)context;
+    (void)step;
+    steps_drawn++;
+}
+
+static void test_on_demand_only_what_becomes_a_picture_is_drawn(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    display.config.on_demand = true;
+    display.renderer.on_step = count_step;
+    for (uint32_t i = 0; i < 50u; i++) {
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    }
+    assert_int_equal(steps_drawn, 0);
+    picture(pixels[1]);
+    assert_true(steps_drawn > 0);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+/* A hint is faded in from the frame in which it appeared, drawn or not. */
+static void test_a_picture_on_demand_shows_the_hint_of_the_frames_before(void **state)
+{
+    (void)state;
+    scene.phase = PHASE_ROUND;
+    scene.hint = HINT_TORN;
+    for (uint32_t way = 0; way < 2u; way++) {
+        display.renderer.ui.memory.hint = HINT_NONE;
+        display.config.on_demand = way != 0;
+        scene.tick = 1000;
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+        scene.tick = 1000 + CORE_TICK_HZ;
+        picture(pixels[way]);
+    }
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
 }
 
 #define SIDE HEIGHT /* Of a square screen: SDL's offscreen surface keeps its first size. */
@@ -330,6 +390,9 @@ int main(void)
         WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),
         WITH_DISPLAY(test_it_takes_quit_and_leaves_other_devices_their_events),
         WITH_DISPLAY(test_the_picture_follows_the_size_of_the_window),
+        WITH_DISPLAY(test_a_window_of_a_few_pixels_is_drawn_into),
+        WITH_DISPLAY(test_on_demand_only_what_becomes_a_picture_is_drawn),
+        WITH_DISPLAY(test_a_picture_on_demand_shows_the_hint_of_the_frames_before),
         WITH_DISPLAY(test_a_turned_picture_is_the_same_picture_turned),
         WITH_DISPLAY(test_a_screen_is_upright_as_its_picture_is),
         WITH_DISPLAY(test_beside_the_picture_the_screen_is_black),

@@ -40,7 +40,7 @@ static void fill_at_random(uint32_t count, float width, float breadth)
 static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
 {
     (void)state;
-    grid_layout(&grid, 0.85f, 0.55f, 0.05f);
+    grid_layout(&grid, 0.85f, 0.55f, 0.05f, TANK_FISH_MAX);
     fill_at_random(1000, 0.85f, 0.55f);
     uint8_t seen[1000] = { 0 };
     const uint32_t cells = grid.columns * grid.rows;
@@ -61,7 +61,7 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
 {
     (void)state;
     const float reach = 0.0861f;
-    grid_layout(&grid, 1.36f, 0.65f, reach);
+    grid_layout(&grid, 1.36f, 0.65f, reach, TANK_FISH_MAX);
     fill_at_random(800, 1.36f, 0.65f);
     for (uint32_t i = 0; i < 800; i++) {
         for (uint32_t j = 0; j < i; j++) {
@@ -81,17 +81,17 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
 static void test_a_tiny_reach_makes_larger_cells_rather_than_too_many(void **state)
 {
     (void)state;
-    grid_layout(&grid, 2.0f, 2.0f, 0.001f);
+    grid_layout(&grid, 2.0f, 2.0f, 0.001f, TANK_FISH_MAX);
     assert_true(grid.columns * grid.rows <= GRID_CELL_MAX);
     assert_true(grid.cell_m >= 0.001f);
-    grid_layout(&grid, 2.0f, 2.0f, 5.0f);
+    grid_layout(&grid, 2.0f, 2.0f, 5.0f, TANK_FISH_MAX);
     assert_int_equal(grid.columns * grid.rows, 1);
 }
 
 static void test_no_points_at_all_leave_every_cell_empty(void **state)
 {
     (void)state;
-    grid_layout(&grid, 0.85f, 0.55f, 0.1f);
+    grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     fill(0);
     assert_int_equal(grid.start[grid.columns * grid.rows], 0);
 }
@@ -99,7 +99,7 @@ static void test_no_points_at_all_leave_every_cell_empty(void **state)
 static void test_members_of_a_cell_keep_their_order(void **state)
 {
     (void)state;
-    grid_layout(&grid, 0.85f, 0.55f, 0.1f);
+    grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     fill_at_random(500, 0.85f, 0.55f);
     for (uint32_t cell = 0; cell < grid.columns * grid.rows; cell++) {
         for (uint32_t k = grid.start[cell] + 1u; k < grid.start[cell + 1u]; k++) {
@@ -112,7 +112,7 @@ static void test_members_of_a_cell_keep_their_order(void **state)
 static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
 {
     (void)state;
-    grid_layout(&grid, 0.85f, 0.55f, 0.1f);
+    grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     fill_at_random(500, 0.85f, 0.55f);
     for (uint32_t i = 0; i < grid.count; i++) {
         const uint32_t a = grid_cell(&grid, points[grid.item[i]]);
@@ -134,7 +134,7 @@ static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
 static void test_more_points_than_the_grid_holds_are_a_bug(void **state)
 {
     (void)state;
-    grid_layout(&grid, 0.85f, 0.55f, 0.1f);
+    grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     expect_assert_failure(grid_sort(&grid, member, TANK_FISH_MAX + 1u));
 }
 

@@ -221,7 +221,7 @@ static void test_a_name_cannot_break_a_row_or_command_a_terminal(void **state)
     (void)state;
     static struct hid_node nodes[HID_NODES_MAX];
     hid_nodes_list(root, nodes);
-    assert_string_equal(nodes[1].name, "Sony.Dual.Sense");
+    assert_string_equal(nodes[1].name, "Sony?Dual?Sense");
 }
 
 static void test_a_nodes_descriptor_is_read_or_said_to_be_none(void **state)

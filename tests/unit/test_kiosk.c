@@ -17,6 +17,7 @@
 #include "drivers/null.h"
 #include "drivers/poi_sim.h"
 #include "drivers/storage_sim.h"
+#include "platform/kiosk/chapters.h"
 #include "platform/kiosk/encore.h"
 #include "platform/kiosk/kiosk.h"
 
@@ -101,6 +102,28 @@ static void script(const struct button_event *events, uint32_t count)
 {
     rig.buttons.events = events;
     rig.buttons.event_count = count;
+}
+
+static void expect_in_tick(void *self, const struct input *input)
+{
+    const struct chapters *chapters = self;
+    (void)input;
+    assert_true(atomic_load(&chapters->is_busy));
+    assert_true(atomic_load(&chapters->is_in_tick));
+    rig.seen_count++;
+}
+
+/* A panic of another thread stops the frame thread in chapters_before(). */
+static void test_a_frozen_thread_stops_before_its_tap_records_the_tick(void **state)
+{
+    static struct chapters chapters;
+    struct kiosk_config config = small;
+    (void)state;
+    config.chapters = &chapters;
+    config.tap = (struct kiosk_tap){ .before = expect_in_tick, .self = &chapters };
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
+    frames(2);
+    assert_int_equal(rig.seen_count, 4);
 }
 
 /* ---- Time ----------------------------------------------------------------------------------- */
@@ -202,14 +225,50 @@ static void test_no_coin_is_lost_or_doubled_at_any_frame_load(void **state)
     assert_int_equal(coins_seen(), 500);
 }
 
-static void test_quit_ends_the_loop_after_its_frame(void **state)
+static void test_a_second_press_of_quit_ends_the_loop_after_its_frame(void **state)
 {
-    static const struct button_event events[] = { { .time_ns = 1020 * MS, .quit = 1 } };
+    static const struct button_event events[] = { { .time_ns = 1020 * MS, .quit = 1 },
+                                                  { .time_ns = 5900 * MS, .quit = 1 } };
     (void)state;
-    script(events, 1);
+    script(events, 2);
     frames(1);
-    assert_int_equal(frame_after(FRAME_NS), KIOSK_QUIT);
-    assert_int_equal(rig.display.present_count, 2);
+    assert_int_equal(frame_after(FRAME_NS), KIOSK_RUNS);
+    assert_int_equal(rig.display.scene.asks_quit, 1);
+    uint32_t count = 0;
+    while (frame_after(FRAME_NS) == KIOSK_RUNS) {
+        assert_in_range(++count, 1, 400);
+    }
+    assert_int_equal(rig.kiosk.end, KIOSK_QUIT);
+    assert_in_range(count, 285, 300);
+}
+
+static void test_the_question_whether_to_quit_lapses_after_five_seconds(void **state)
+{
+    static const struct button_event events[] = { { .time_ns = 1020 * MS, .quit = 1 },
+                                                  { .time_ns = 6200 * MS, .quit = 1 } };
+    (void)state;
+    script(events, 2);
+    frames(305); /* To 6.1 s. */
+    assert_int_equal(rig.display.scene.asks_quit, 0);
+    frames(20);
+    assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
+    assert_int_equal(rig.display.scene.asks_quit, 1); /* Asked anew. */
+}
+
+static void test_any_other_button_withdraws_the_question_whether_to_quit(void **state)
+{
+    static const struct button_event events[] = {
+        { .time_ns = 1020 * MS, .quit = 1 },
+        { .time_ns = 1100 * MS, .pressed = INPUT_LEFT },
+        { .time_ns = 1200 * MS, .released = INPUT_LEFT, .quit = 1 },
+    };
+    (void)state;
+    script(events, 3);
+    frames(8);
+    assert_int_equal(rig.display.scene.asks_quit, 0);
+    frames(10);
+    assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
+    assert_int_equal(rig.display.scene.asks_quit, 1);
 }
 
 static void test_full_screen_is_the_displays_matter(void **state)
@@ -631,13 +690,16 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(test_what_ends_a_replay_is_not_heard_in_the_stall),
+        TEST(test_a_frozen_thread_stops_before_its_tap_records_the_tick),
         TEST(test_a_frame_is_two_ticks_one_picture_and_one_kick),
         TEST(test_a_frame_without_ticks_shows_the_picture_and_feeds_no_watchdog),
         TEST(test_a_stall_is_dropped_and_counted),
         TEST(test_a_press_is_seen_by_exactly_one_tick),
         TEST(test_a_press_in_a_frame_without_ticks_waits_for_one),
         TEST(test_no_coin_is_lost_or_doubled_at_any_frame_load),
-        TEST(test_quit_ends_the_loop_after_its_frame),
+        TEST(test_a_second_press_of_quit_ends_the_loop_after_its_frame),
+        TEST(test_the_question_whether_to_quit_lapses_after_five_seconds),
+        TEST(test_any_other_button_withdraws_the_question_whether_to_quit),
         TEST(test_full_screen_is_the_displays_matter),
         TEST(test_no_pose_is_used_twice_while_the_hand_moves),
         TEST(test_a_lost_poi_waits_where_it_is_and_is_found_again_within_a_second),

@@ -131,12 +131,19 @@ static void rest_at(vec3 at_m)
     }
 }
 
+static uint32_t pending(void *self, enum hal_switch which)
+{
+    (void)self;
+    (void)which;
+    return 0;
+}
+
 static int set_up(void **state)
 {
     static const struct hal_poi_ops poi = { open_hand, poll_hand, feel, look, describe };
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
     static const struct hal_controllers_ops desk = { poll_desk, name, take_order, describe };
-    static const struct hal_switches_ops switches = { set, pulse, describe };
+    static const struct hal_switches_ops switches = { set, pulse, describe, pending };
     static const struct kiosk_config config = {
         .core = { .seed = 5, .fish_count = 8, .round_s = 10, .credit_coins = 1, .ticket_fish = 1 },
     };

@@ -93,10 +93,17 @@ static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
 }
 
 /* As a start of the program: whatever the store remembers, and nothing else. */
+static uint32_t pending(void *self, enum hal_switch which)
+{
+    (void)self;
+    (void)which;
+    return 0;
+}
+
 static void begin(void)
 {
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
-    static const struct hal_switches_ops switches = { set_switch, pulse_switch, describe };
+    static const struct hal_switches_ops switches = { set_switch, pulse_switch, describe, pending };
     static const struct hal_poi_ops hand = { .open = open_hand, .poll = poll_hand, .feel = feel,
                                              .look = look, .describe = describe };
     static struct kiosk_config config;

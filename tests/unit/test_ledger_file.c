@@ -84,7 +84,7 @@ static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
         .kind = kind,
         .detail = 1,
         .count = 2,
-        .value = -5,
+        .value = kind == LEDGER_SETTING ? -5 : 5, /* Only a setting may be negative. */
         .purse = { .units = 1, .bonus_units = 7, .paid = 4, .service = 2, .untold = 6, .open = 2 },
         .health = { .up_s = 600, .dropped_ticks = 12, .device_faults = 9 },
     };
@@ -133,6 +133,10 @@ static void test_an_entry_comes_back_with_every_field(void **state)
     assert_int_equal(ledger_file_entry(&file, 1, &found), SQLITE_OK);
     assert_memory_equal(&found, &entry, sizeof entry);
     assert_int_equal(ledger_file_entry(&file, 2, &found), SQLITE_NOTFOUND);
+    entry = full_entry(2, LEDGER_SETTING);
+    write_entry(&entry);
+    assert_int_equal(ledger_file_entry(&file, 2, &found), SQLITE_OK);
+    assert_memory_equal(&found, &entry, sizeof entry);
 }
 
 static void test_a_round_comes_back_with_every_player(void **state)
@@ -184,12 +188,11 @@ static void test_a_batch_is_written_whole_or_not_at_all(void **state)
     struct ledger_entry entries[2] = { full_entry(1, LEDGER_COINS),
                                        round_entry(2, MODE_FESTIVAL, 1, 2) };
     open_file();
-    do_sql("CREATE TRIGGER full BEFORE INSERT ON round_players WHEN NEW.seat = 2"
-           " BEGIN SELECT raise(ABORT, 'no room'); END");
+    do_sql("INSERT INTO round_players VALUES (2, 2, 0, 0, 0, 0, 0, 0, '')");
     assert_int_not_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
     assert_int_equal(ask("SELECT count(*) FROM entries"), 0);
     assert_int_equal(file.content.memory.ledger.last_id, 0);
-    do_sql("DROP TRIGGER full");
+    do_sql("DELETE FROM round_players");
     assert_int_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
     assert_int_equal(ask("SELECT count(*) FROM entries"), 2);
     assert_int_equal(ask("SELECT count(*) FROM round_players"), 2);
@@ -464,7 +467,7 @@ static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **st
     assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5); /* 9: a bot's. */
 }
 
-/* What version-3.db has, and version-4.db, which is the same file brought up to date. */
+/* What version-3.db holds, and version-4.db and version-5.db: the same file, brought up to date. */
 static void holds_nine_entries_and_a_replay(void)
 {
     struct ledger_entry round;
@@ -501,14 +504,41 @@ static void test_a_file_of_the_third_version_keeps_all_and_goes_on(void **state)
     assert_int_equal(found.round.fish_count, 70);
     assert_int_equal(found.round.round_s, 180);
     assert_int_equal(found.round.preset, 2);
-    assert_int_equal(ask("PRAGMA user_version"), 4);
+    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
     assert_int_equal(ask("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
+}
+
+/* The tables are the same, but an older Kingyo would misread rows that this one writes. */
+static void test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_today(void **state)
+{
+    (void)state;
+    take("version-4.db");
+    assert_int_equal(ask("PRAGMA user_version"), 4);
+    assert_int_equal(ledger_file_look(&file, path), SQLITE_SCHEMA);
+    open_file();
+    holds_nine_entries_and_a_replay();
+    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    reopen();
+    holds_nine_entries_and_a_replay();
+}
+
+static void test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found(void **state)
+{
+    (void)state;
+    take("version-4.db");
+    open_file();
+    const struct ledger_entry next = round_entry(10, MODE_FESTIVAL, 6, 0);
+    write_entry(&next); /* The file of the fourth version had no tallies yet. */
+    ledger_file_close(&file);
+    do_sql("PRAGMA user_version = 4; UPDATE ranking SET caught = caught + 1");
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
+    assert_int_equal(ask("PRAGMA user_version"), 4);
 }
 
 static void test_a_file_of_this_version_is_read_as_it_is(void **state)
 {
     (void)state;
-    take("version-4.db");
+    take("version-5.db");
     assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
     open_file();
     holds_nine_entries_and_a_replay();
@@ -539,11 +569,11 @@ static void test_a_file_of_a_later_version_is_left_alone(void **state)
 {
     (void)state;
     take("version-2.db");
-    do_sql("PRAGMA user_version = 5; PRAGMA journal_mode = WAL"); /* As that one likes it. */
+    do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL"); /* As that one likes it. */
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);
     assert_string_equal(ledger_file_error(LEDGER_FILE_NEWER), "a later Kingyo wrote it");
-    assert_int_equal(ask("PRAGMA user_version"), 5);
+    assert_int_equal(ask("PRAGMA user_version"), 6);
     assert_int_equal(ask("SELECT journal_mode = 'wal' FROM pragma_journal_mode"), 1);
 }
 
@@ -587,6 +617,8 @@ int main(void)
         TEST(test_a_file_of_the_first_version_keeps_its_rounds),
         TEST(test_a_file_of_the_second_version_keeps_rounds_and_players),
         TEST(test_a_file_of_the_third_version_keeps_all_and_goes_on),
+        TEST(test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_today),
+        TEST(test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found),
         TEST(test_a_file_of_this_version_is_read_as_it_is),
         TEST(test_a_file_is_brought_up_to_date_once),
         TEST(test_what_cannot_be_brought_up_to_date_stays_as_it_was),

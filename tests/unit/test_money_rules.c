@@ -222,9 +222,51 @@ static void test_units_that_found_no_room_before_the_plug_was_pulled_are_there_a
     assert_int_equal(purse()->untold, 0);
     assert_int_equal(purse()->paid, 1);
     assert_int_equal(purse()->units, 1);
-    assert_int_equal(purse()->bonus_units, PRICE);
     assert_int_equal(purse_entry(&output, 6)->kind, LEDGER_BOOT);
     assert_int_equal(purse_entry(&output, 6)->value, PRICE);
+}
+
+static void open_with_untold(int32_t bonus_units, uint8_t rules_7)
+{
+    struct core_config config = {
+        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .credit_coins = PRICE,
+        .rules_7 = rules_7,
+        .memory.ledger = { .last_id = 5, .boots = 2, .purse = { .untold = PRICE } },
+    };
+    settings_reset(&config.memory.settings);
+    config.memory.settings.value[SET_BONUS_UNITS] = bonus_units;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    output.entry_id = input.record_saved_id = 5;
+    steps(3);
+}
+
+static void test_units_from_before_a_power_cut_count_toward_a_configured_bonus(void **state)
+{
+    (void)state;
+    open_with_untold(2 * (int)PRICE, 0);
+    assert_int_equal(purse()->bonus_units, PRICE);
+    drop(PRICE);
+    assert_int_equal(purse_credits(&core), 3);
+}
+
+static void test_units_from_before_a_power_cut_count_toward_no_bonus_where_none_is(void **state)
+{
+    (void)state;
+    open_with_untold(0, 0);
+    assert_int_equal(purse()->bonus_units, 0);
+    core.config.memory.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
+    drop(PRICE);
+    assert_int_equal(purse()->bonus_units, PRICE);
+    assert_int_equal(purse_credits(&core), 2);
+}
+
+static void test_a_recording_of_format_7_keeps_its_count_toward_a_bonus(void **state)
+{
+    (void)state;
+    open_with_untold(0, 1);
+    assert_int_equal(purse()->bonus_units, PRICE);
 }
 
 static void test_a_chapter_begins_with_the_purse_as_it_is(void **state)
@@ -253,6 +295,9 @@ int main(void)
         TEST(test_a_card_that_is_silent_for_two_seconds_closes_the_slot),
         TEST(test_an_entry_that_was_never_written_is_never_on_disk),
         TEST(test_units_that_found_no_room_before_the_plug_was_pulled_are_there_again),
+        TEST(test_units_from_before_a_power_cut_count_toward_a_configured_bonus),
+        TEST(test_units_from_before_a_power_cut_count_toward_no_bonus_where_none_is),
+        TEST(test_a_recording_of_format_7_keeps_its_count_toward_a_bonus),
         TEST(test_a_chapter_begins_with_the_purse_as_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -463,6 +463,14 @@ static void test_writing_leaves_devices_and_links_what_they_are(void **state)
     assert_int_equal(lstat(link, &status), 0);
     assert_true(S_ISLNK(status.st_mode));
     assert_int_equal(pack_read(path, &other, why), PACK_OK); /* What it leads to is new. */
+    assert_int_equal(pack_read(link, &other, why), PACK_OK);
+    assert_int_equal(pack_read_data(path, &other, why), PACK_OK);
+    assert_int_equal(pack_read_data(link, &other, why), PACK_IO);
+    assert_string_equal(why, "is a symbolic link");
+    assert_int_equal(truncate(path, PACK_SIZE_MAX + 1), 0);
+    assert_int_equal(pack_read_data(path, &other, why), PACK_BAD);
+    assert_string_equal(why, "is too large");
+    assert_int_equal(pack_read_data(folder, &other, why), PACK_IO);
     assert_int_equal(pack_write(folder, &slot, why), PACK_IO);
     assert_string_equal(why, "Is a directory");
     unlink(link);

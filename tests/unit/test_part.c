@@ -7,6 +7,7 @@
 #include <cmocka.h>
 
 #include "core/base/mem.h"
+#include "core/input.h"
 #include "core/tank/part.h"
 #include "tests/unit/throng.h"
 
@@ -137,6 +138,57 @@ static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **s
     assert_true(fish[2].angles.yaw_rad == 0.0f && fish[2].yaw_rate_rad_s == 0.0f);
     assert_true(fish[2].position_m.x == was[2].position_m.x);
     assert_true(depth_m(0, 1) <= PART_FREE_M && depth_m(1, 2) <= PART_FREE_M);
+}
+
+/* A disc that turned and went 12 mm to the right in one tick, which takes several steps. */
+static void take_all_steps(struct obstacle *disc, uint8_t gave)
+{
+    *disc = (struct obstacle){ .kind = OBSTACLE_DISC,
+                               .centre_m = { 0.112f, -0.05f, 0.0f },
+                               .velocity_m_s = { 0.012f * CORE_TICK_HZ, 0.0f, 0.0f },
+                               .step_m = { 0.012f, 0.0f, 0.0f },
+                               .turned = 1 };
+    fish[0] = (struct fish){ .position_m = { -0.3f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    place.obstacles = disc;
+    place.obstacle_count = 1;
+    place.fish = fish;
+    crowd_gather(&crowd, fish, 1, 0.2f);
+    part_begin(&part, fish, 1);
+    const uint32_t count = part_stations(&part, &place);
+    assert_true(count > 1);
+    for (uint32_t station = 0; station < count; station++) {
+        part_advance(&part, &crowd, &place, station);
+    }
+    if (gave & OBSTACLE_GAVE_PLACE) {
+        disc->centre_m.x -= 0.004f;
+    }
+    disc->gave = gave;
+    part_end(&part, &crowd, &place);
+    place.obstacles = NULL;
+    place.obstacle_count = 0;
+}
+
+static void
+test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick(void **state)
+{
+    (void)state;
+    struct obstacle disc;
+    take_all_steps(&disc, 0);
+    assert_float_equal(disc.centre_m.x, 0.112f, 1e-6f);
+    assert_float_equal(disc.step_m.x, 0.012f, 1e-6f);
+    assert_float_equal(disc.velocity_m_s.x, 0.012f * CORE_TICK_HZ, 0.0f);
+    assert_int_equal(disc.turned, 1);
+}
+
+static void
+test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use(void **state)
+{
+    (void)state;
+    struct obstacle disc;
+    take_all_steps(&disc, OBSTACLE_GAVE_PLACE | OBSTACLE_GAVE_TURN);
+    assert_float_equal(disc.step_m.x, 0.008f, 1e-6f);
+    assert_float_equal(disc.velocity_m_s.x, 0.008f * CORE_TICK_HZ, 1e-4f);
+    assert_int_equal(disc.turned, 0);
 }
 
 enum { MANY = 203 }; /* No multiple of any width. */
@@ -305,6 +357,10 @@ int main(void)
             test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time),
         cmocka_unit_test(
             test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps),
+        cmocka_unit_test(
+            test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick),
+        cmocka_unit_test(
+            test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use),
         cmocka_unit_test(test_what_was_free_stays_free_whatever_fish_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

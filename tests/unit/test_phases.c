@@ -235,6 +235,66 @@ static void test_language_changes_with_each_press_in_any_phase(void **state)
     assert_int_equal(core.game.language, LANGUAGE_JA);
 }
 
+/* The tank waits for the store and for nobody: the result, the boards, then attract. */
+static void steps_into_attract(void)
+{
+    for (uint32_t i = 0; i < 120u * CORE_TICK_HZ && core.game.phase != PHASE_ATTRACT; i++) {
+        step();
+    }
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_a_chosen_language_lasts_through_the_game_until_attract_begins(void **state)
+{
+    (void)state;
+    press(INPUT_LANGUAGE);
+    play_into_round();
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    steps_into_attract();
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+}
+
+static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
+{
+    (void)state;
+    steps(100);
+    press(INPUT_LANGUAGE);
+    steps(LANGUAGE_TICKS - 1u);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    step();
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+    press(INPUT_LANGUAGE);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    steps(LANGUAGE_TICKS / 2u);
+    press(INPUT_LANGUAGE); /* A visitor who chooses the operator's language ends the choice, too. */
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+    steps(2u * LANGUAGE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+}
+
+static void test_the_operators_language_is_the_one_that_attract_returns_to(void **state)
+{
+    (void)state;
+    adjust_set(&core, SET_LANGUAGE, LANGUAGE_EN);
+    press(INPUT_LANGUAGE);
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+    steps(LANGUAGE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+}
+
+static void test_under_the_rules_of_format_7_a_chosen_language_stays(void **state)
+{
+    (void)state;
+    core.config.rules_7 = 1;
+    const uint32_t until = core.game.language_until;
+    press(INPUT_LANGUAGE);
+    steps(3u * LANGUAGE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    assert_int_equal(core.game.language_until, until);
+}
+
 static void test_the_start_lamp_blinks_only_where_start_would_be_heard(void **state)
 {
     (void)state;
@@ -276,6 +336,10 @@ int main(void)
         TEST(test_in_attract_the_bot_has_the_poi_whatever_is_linked),
         TEST(test_what_the_bot_takes_over_is_on_its_way_back_to_nobody),
         TEST(test_language_changes_with_each_press_in_any_phase),
+        TEST(test_a_chosen_language_lasts_through_the_game_until_attract_begins),
+        TEST(test_a_language_chosen_in_attract_lasts_for_one_cycle),
+        TEST(test_the_operators_language_is_the_one_that_attract_returns_to),
+        TEST(test_under_the_rules_of_format_7_a_chosen_language_stays),
         TEST(test_the_start_lamp_blinks_only_where_start_would_be_heard),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

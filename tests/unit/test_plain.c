@@ -1,4 +1,5 @@
 /* test_plain.c -- files that others wrote: only regular ones of a bounded size, line by line. */
+#include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "platform/plain_file.h"
 #include "platform/species/plain.h"
 
 static char why[PLAIN_WHY_SIZE];
@@ -23,10 +25,10 @@ static void test_a_device_a_pipe_and_a_folder_are_no_files(void **state)
     snprintf(path, sizeof path, "/tmp/kingyo-plain-%d", (int)getpid());
     assert_int_equal(mkfifo(path, 0600), 0);
     assert_int_equal(plain_open(path, 1024, &file, why), PLAIN_NONE); /* Nobody writes there. */
-    assert_string_equal(why, "no plain file");
+    assert_string_equal(why, "is not a regular file");
     unlink(path);
     assert_int_equal(plain_open("/dev/zero", 1024, &file, why), PLAIN_NONE);
-    assert_string_equal(why, "no plain file");
+    assert_string_equal(why, "is not a regular file");
     assert_int_equal(plain_open("/tmp", 1024, &file, why), PLAIN_NONE);
     assert_string_equal(why, "Is a directory");
     assert_int_equal(plain_open("/nowhere/x", 1024, &file, why), PLAIN_NONE);
@@ -48,6 +50,29 @@ static void test_a_byte_too_many_is_too_many(void **state)
     assert_int_equal(ftruncate(fd, (1 << 20) + 1), 0);
     assert_int_equal(plain_open(path, 1u << 20, &file, why), PLAIN_LARGE);
     assert_string_equal(why, "larger than 1 MiB");
+    close(fd);
+    unlink(path);
+}
+
+static void test_a_file_that_grows_while_it_is_read_ends_at_the_limit(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/kingyo-plain-XXXXXX", bytes[64];
+    const int fd = mkstemp(path);
+    assert_int_equal(ftruncate(fd, 10), 0);
+    file = plain_file_open(path, 16);
+    assert_non_null(file);
+    assert_int_equal(ftruncate(fd, 16), 0);
+    assert_int_equal(fread(bytes, 1, sizeof bytes, file), 16);
+    assert_false(ferror(file));
+    assert_int_equal(ftruncate(fd, 17), 0);
+    clearerr(file);
+    errno = 0;
+    assert_int_equal(fread(bytes, 1, sizeof bytes, file), 0);
+    assert_true(ferror(file));
+    assert_int_equal(errno, EFBIG);
+    assert_string_equal(plain_file_error(errno), "is too large");
+    assert_int_equal(fclose(file), 0);
     close(fd);
     unlink(path);
 }
@@ -81,21 +106,13 @@ static void test_lines_are_as_long_as_there_is_room_and_hold_no_zero(void **stat
     fclose(in);
 }
 
-static void test_a_quote_is_nothing_that_a_terminal_obeys(void **state)
-{
-    (void)state;
-    char text[] = "a\033[31m\x9b" "\x7f\t~ z";
-    plain_quote(text);
-    assert_string_equal(text, "a?[31m???~ z");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_device_a_pipe_and_a_folder_are_no_files),
         cmocka_unit_test(test_a_byte_too_many_is_too_many),
+        cmocka_unit_test(test_a_file_that_grows_while_it_is_read_ends_at_the_limit),
         cmocka_unit_test(test_lines_are_as_long_as_there_is_room_and_hold_no_zero),
-        cmocka_unit_test(test_a_quote_is_nothing_that_a_terminal_obeys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -325,12 +325,12 @@ static void test_another_version_is_named(void **state)
     write_file(bytes, size);
     assert_int_equal(scan(&totals), -1);
     assert_non_null(strstr(reader.problem.text, "version 9"));
-    for (uint8_t old = 1; old < REPLAY_VERSION; old++) { /* replay.h says what each did not know. */
+    for (uint8_t old = 1; old < REPLAY_VERSION_MIN; old++) { /* replay.h lists what each lacks. */
         char says[REPLAY_PROBLEM_SIZE];
         bytes[8] = old;
         write_file(bytes, size);
-        snprintf(says, sizeof says, "format version %u; this program reads version %u", old,
-                 REPLAY_VERSION);
+        snprintf(says, sizeof says, "format version %u; this program reads versions %u to %u", old,
+                 REPLAY_VERSION_MIN, REPLAY_VERSION);
         assert_int_equal(scan(&totals), -1);
         assert_string_equal(reader.problem.text, says);
     }
@@ -395,7 +395,7 @@ static void test_a_path_that_cannot_be_written_is_told(void **state)
     (void)state;
     assert_int_equal(replay_create(&writer, "/nowhere/at/all", &config, 0), -ENOENT);
     assert_int_equal(replay_create(&writer, "/tmp", &config, 0), -EISDIR);
-    assert_int_equal(replay_create(&writer, "/dev/full", &config, 0), -ENOSPC);
+    assert_int_equal(replay_create(&writer, "/dev/full", &config, 0), -ENOTSUP);
 }
 
 /* ---- In memory ------------------------------------------------------------------------------ */
@@ -534,12 +534,13 @@ static void play_and_record(uint32_t seconds, uint32_t lie_at)
     assert_int_equal(recorder_end(&recorder), 0);
 }
 
-static void replay_all(void)
+static void replay_all_as(uint8_t as_is)
 {
     static struct output output;
     struct input input;
     struct core_config from_file;
     assert_int_equal(replayer_begin(&replayer, path, &from_file), 0);
+    replayer.reader.as_is = as_is;
     assert_int_equal(core_init(&core, &from_file), CORE_OK);
     const struct kiosk_source source = replayer_source(&replayer);
     const struct kiosk_tap tap = replayer_tap(&replayer);
@@ -549,6 +550,11 @@ static void replay_all(void)
         tap.tick(tap.self, &input, &core);
     }
     replayer_end(&replayer);
+}
+
+static void replay_all(void)
+{
+    replay_all_as(0);
 }
 
 static void test_a_true_recording_is_found_true(void **state)
@@ -676,6 +682,52 @@ static void test_a_recording_that_a_panic_ends_leads_to_the_panic(void **state)
     assert_int_equal(replayer.difference.tick, 150);
 }
 
+/* Records `count` ticks and the input of one more, in which a panic comes. */
+static void record_into_a_tick(uint32_t count)
+{
+    static struct output output;
+    const struct input input = { .poi[0].link = POI_LINK_BOT };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    empty_path();
+    assert_int_equal(recorder_begin(&recorder, path, &core), 0);
+    const struct kiosk_tap tap = recorder_tap(&recorder);
+    for (uint32_t tick = 0; tick < count; tick++) {
+        tap.before(tap.self, &input);
+        core_tick(&core, &input, &output);
+        tap.tick(tap.self, &input, &core);
+    }
+    tap.before(tap.self, &input);
+}
+
+static void test_a_recording_that_a_signal_ends_within_a_tick_verifies(void **state)
+{
+    static const uint32_t counts[] = { 0, 150, 2u * CORE_TICK_HZ - 1u, 2u * CORE_TICK_HZ };
+    (void)state;
+    for (uint32_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        record_into_a_tick(counts[i]);
+        assert_int_equal(recorder_end_in_panic(&recorder), 0);
+        replay_all_as(1);
+        assert_int_equal(core.tick, counts[i] + 1u);
+        assert_int_equal(replayer.damaged, 0);
+        assert_int_equal(replayer.difference.found, 0);
+        assert_true(replayer_is_interrupted(&replayer));
+    }
+}
+
+static void test_a_recording_whose_write_a_signal_interrupts_ends_with_a_whole_second(void **state)
+{
+    struct replay_totals totals;
+    (void)state;
+    record_into_a_tick(150);
+    recorder.is_in_tick = 0;
+    recorder.is_adding = 1; /* As within the tap's call after the tick. */
+    assert_int_equal(recorder_end_in_panic(&recorder), -EINTR);
+    assert_int_equal(scan(&totals), 0);
+    assert_int_equal(totals.ticks, CORE_TICK_HZ);
+    recorder.is_adding = 0;
+    recorder_end(&recorder);
+}
+
 static void test_a_panic_between_ticks_adds_none(void **state)
 {
     struct replay_totals totals;
@@ -715,6 +767,9 @@ int main(void)
         cmocka_unit_test(test_counts_rise_with_the_scores_and_begin_anew_with_a_round),
         cmocka_unit_test(test_the_first_tick_that_differs_is_named),
         cmocka_unit_test(test_a_recording_that_a_panic_ends_leads_to_the_panic),
+        cmocka_unit_test(test_a_recording_that_a_signal_ends_within_a_tick_verifies),
+        cmocka_unit_test(
+            test_a_recording_whose_write_a_signal_interrupts_ends_with_a_whole_second),
         cmocka_unit_test(test_a_panic_between_ticks_adds_none),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);

@@ -28,7 +28,8 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     const struct input before = { 0 };
     struct input all = { .held = 1, .pressed = 2, .coin_count[0] = 3, .record_saved_id = 4,
                          .edit_saved_id = 5, .edit_refused = 1, .upright = 1, .day = 6,
-                         .minute = 7, .dropped_ticks = 8, .device_faults = 9 };
+                         .minute = 7, .dropped_ticks = 8, .device_faults = 9,
+                         .tickets_done = 10 };
     memset(&all.desk, 1, sizeof all.desk);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         all.poi[i] = (struct poi_input){
@@ -142,7 +143,8 @@ static void test_what_the_machine_says_comes_back(void **state)
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input all = { .record_saved_id = 0x01020304, .edit_saved_id = 0xfffffffeu,
                                .edit_refused = 1, .store_well = 1, .upright = 1, .day = 9821,
-                               .minute = 1439, .dropped_ticks = 70000, .device_faults = 80000 };
+                               .minute = 1439, .dropped_ticks = 70000, .device_faults = 80000,
+                               .tickets_done = 90000 };
     for (uint32_t i = 0; i < 2; i++) {
         const struct input none = { 0 };
         const struct input *from = i == 0 ? &none : &all, *to = i == 0 ? &all : &none;
@@ -158,6 +160,7 @@ static void test_what_the_machine_says_comes_back(void **state)
         assert_int_equal(decoded.edit_refused, to->edit_refused);
         assert_int_equal(decoded.store_well, to->store_well);
         assert_int_equal(decoded.upright, to->upright);
+        assert_int_equal(decoded.tickets_done, to->tickets_done);
         assert_int_equal(decoded.day, to->day);
         assert_int_equal(decoded.minute, to->minute);
         assert_int_equal(decoded.dropped_ticks, to->dropped_ticks);

@@ -60,6 +60,13 @@ static void test_a_file_that_is_no_journal_gets_words_alone(void **state)
     assert_string_equal(said, "kingyo: a.conf:3: unknown key\n");
 }
 
+static void test_a_line_holds_no_control_character(void **state)
+{
+    (void)state;
+    say_into_file(1, "pad '\033[2J\xC2\x9B\xE2\x80\xAE\x9B\nkingyo: forged' is gone");
+    assert_string_equal(said, "kingyo: pad '?[2J????kingyo: forged' is gone\n");
+}
+
 static void test_a_long_line_is_cut_and_ends(void **state)
 {
     static char words[2u * SAY_LINE_MAX];
@@ -83,6 +90,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_journal_gets_the_priority),
         cmocka_unit_test(test_a_file_that_is_no_journal_gets_words_alone),
+        cmocka_unit_test(test_a_line_holds_no_control_character),
         cmocka_unit_test(test_a_long_line_is_cut_and_ends),
         cmocka_unit_test(test_no_variable_no_journal),
     };

@@ -117,6 +117,27 @@ static void test_paper_shows_wetness_damage_and_holes(void **state)
     assert_int_equal(scene.poi[0].integrity[middle + 2u], 0);
 }
 
+static void test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is_left(void **state)
+{
+    (void)state;
+    struct poi *poi = &core.poi[0];
+    poi->link = POI_LINK_BOT;
+    poi->position_m = v3(0.11f, -0.02f, 0.07f);
+    poi->angles = (struct angles){ .yaw_rad = 0.1f, .pitch_rad = 0.2f, .roll_rad = 0.3f };
+    poi->sheet.sag_m = 0.0021f;
+    core_scene(&core, &scene);
+    const struct scene_poi *shown = &scene.poi[0];
+    assert_int_equal(shown->present, 1);
+    assert_memory_equal(&shown->position_m, &poi->position_m, sizeof(vec3));
+    assert_memory_equal(&shown->angles, &poi->angles, sizeof poi->angles);
+    assert_float_equal(shown->ring_radius_m, POI_RADIUS_M, 0.0f);
+    assert_float_equal(shown->sag_m, 0.0021f, 0.0f);
+    assert_float_equal(shown->paper_left, 1.0f, 0.0f);
+    poi->sheet.sag_m = -0.0013f; /* Water from below bulges the paper upward. */
+    core_scene(&core, &scene);
+    assert_float_equal(shown->sag_m, -0.0013f, 0.0f);
+}
+
 static void test_cells_beyond_the_ring_continue_the_paper_inside(void **state)
 {
     (void)state;
@@ -271,6 +292,7 @@ int main(void)
         TEST(test_fish_are_where_the_tank_has_them),
         TEST(test_fish_redden_between_fifty_and_a_hundred_and_twenty_days),
         TEST(test_paper_shows_wetness_damage_and_holes),
+        TEST(test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is_left),
         TEST(test_cells_beyond_the_ring_continue_the_paper_inside),
         TEST(test_paper_shows_its_stress_and_has_none_where_it_has_gone),
         TEST(test_only_a_round_of_practice_colours_the_paper),

@@ -98,6 +98,7 @@ static void test_every_figure_is_in_it(void **state)
         { "$.faults.buttons", "6" },
         { "$.faults.switches", "7" },
         { "$.faults.buttons_missing", "2" },
+        { "$.faults.float", "11" },
         { "$.machine.data", "proven" },
         { "$.machine.backup_min", "12" },
         { "$.machine.free_mib", "345" },
@@ -109,6 +110,8 @@ static void test_every_figure_is_in_it(void **state)
         { "$.files.refused", "3" },
         { "$.files.set_aside", "2" },
         { "$.files.replays_missed", "5" },
+        { "$.panics.count", "8" },
+        { "$.panics.left_out", "settings and replays" },
         { "$.devices[0].part", "poi" },
         { "$.devices[0].text", "mouse" },
     };
@@ -123,8 +126,10 @@ static void test_every_figure_is_in_it(void **state)
         .day = 9000, .minute = 61, .files_refused = 3,
         .machine = { .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
                      .backup_min = 12, .room_mib = 345, .has_heat = 1, .heat_margin_c = -2,
-                     .is_clock_back = 1, .aside = 2, .missed = 5 },
-        .buttons_missing = 5, .device_count = 1, .device = { { "poi", "mouse" } },
+                     .is_clock_back = 1, .aside = 2, .missed = 5, .panics = 8,
+                     .left_out = 2 },
+        .buttons_missing = 5, .float_resets = 11, .device_count = 1,
+        .device = { { "poi", "mouse" } },
     };
     (void)state;
     const size_t size = status_format(&report, text);
@@ -245,6 +250,29 @@ static void test_it_is_told_once_a_second(void **state)
     status_end(&status);
 }
 
+static void test_a_store_that_fails_is_reported_at_once(void **state)
+{
+    static char text[STATUS_TEXT_MAX];
+    const struct hal hal = null_hal();
+    const uint8_t was_well = kiosk.input.store_well;
+    (void)state;
+    kiosk.input.store_well = 1;
+    status_begin(&status, folder);
+    status_tell(&status, &kiosk, &hal, 5);
+    assert_true(waits_for_file());
+    assert_int_equal(unlink(path), 0);
+    kiosk.input.store_well = 0;
+    pthread_mutex_lock(&status.mutex); /* The report is not lost while the thread writes. */
+    status_tell(&status, &kiosk, &hal, 6);
+    pthread_mutex_unlock(&status.mutex);
+    status_tell(&status, &kiosk, &hal, 7);
+    assert_true(waits_for_file());
+    read_text(text);
+    check_json(text, "$.store.well", "0");
+    status_end(&status);
+    kiosk.input.store_well = was_well;
+}
+
 static void test_no_frame_waits_while_it_is_written(void **state)
 {
     const struct hal hal = null_hal();
@@ -295,6 +323,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(
             test_a_running_stall_has_a_file_and_a_closed_one_has_none, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_it_is_told_once_a_second, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(
+            test_a_store_that_fails_is_reported_at_once, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_frame_waits_while_it_is_written, set_up, tear_down),
         cmocka_unit_test(test_without_a_folder_nothing_happens),
         cmocka_unit_test(test_a_folder_that_went_is_counted_and_survived),

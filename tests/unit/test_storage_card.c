@@ -246,7 +246,7 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     take_card_away();
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
     put_away();
-    snprintf(command, sizeof command, "cp tests/unit/store/version-4.db %s", file);
+    snprintf(command, sizeof command, "cp tests/unit/store/version-5.db %s", file);
     assert_int_equal(system(command), 0);
     storage_work(&storage);
     assert_int_equal(keep(1), HAL_ERR_NONE);
@@ -296,7 +296,7 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     tape_refuse(EIO);
     keep(2);
     storage_work(&storage); /* The card is pulled; another one is put in. */
-    snprintf(command, sizeof command, "rm %s*; cp tests/unit/store/version-4.db %s", file, file);
+    snprintf(command, sizeof command, "rm %s*; cp tests/unit/store/version-5.db %s", file, file);
     assert_int_equal(system(command), 0);
     tape_refuse(0);
     storage_work(&storage);
@@ -384,7 +384,7 @@ static void test_others_may_read_a_full_card_meanwhile(void **state)
 static void put_a_later_kingyos_file(void)
 {
     char command[256];
-    snprintf(command, sizeof command, "cp tests/unit/store/version-4.db %s", file);
+    snprintf(command, sizeof command, "cp tests/unit/store/version-5.db %s", file);
     assert_int_equal(system(command), 0);
     sqlite3 *db;
     assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);

@@ -61,7 +61,7 @@ static void reopen(void)
 }
 
 /* Each round catches as many fish as its id. */
-static void play_rounds(uint32_t first, uint32_t last)
+static void hand_over_rounds(uint32_t first, uint32_t last)
 {
     for (uint32_t id = first; id <= last; id++) {
         const struct ledger_entry round = {
@@ -75,6 +75,11 @@ static void play_rounds(uint32_t first, uint32_t last)
         assert_int_equal(device.ops->keep(device.self, &round), HAL_OK);
     }
     storage_work(&storage);
+}
+
+static void play_rounds(uint32_t first, uint32_t last)
+{
+    hand_over_rounds(first, last);
     assert_int_equal(device.ops->saved_id(device.self), last);
 }
 
@@ -131,6 +136,15 @@ static bool is_beside(const char *suffix)
     return access(path, F_OK) == 0;
 }
 
+static int mode_beside(const char *suffix)
+{
+    char path[160];
+    struct stat about = { 0 };
+    snprintf(path, sizeof path, "%s%s", file, suffix);
+    assert_int_equal(stat(path, &about), 0);
+    return about.st_mode & 0777;
+}
+
 /* ---- What happens to the database ------------------------------------------------------------ */
 
 static void test_whichever_page_is_damaged_nothing_is_lost(void **state)
@@ -161,6 +175,7 @@ static void test_of_a_file_that_was_removed_nothing_is_lost(void **state)
     assert_string_equal(device.ops->describe(device.self),
                         "kingyo.db was missing: 4 entries from the backup, 4 later ones, 0 lost");
     assert_true(is_beside(".missing-1"));
+    assert_int_equal(mode_beside(".missing-1"), 0600);
 }
 
 static void test_without_file_and_tail_nobody_knows_what_is_lost(void **state)
@@ -336,7 +351,9 @@ static void test_a_tail_of_another_list_is_begun_anew(void **state)
     (void)state;
     struct ledger_tail tail;
     struct ledger_entry found;
-    const struct ledger_entry others[] = { { .id = 7, .boot = 77 }, { .id = 8, .boot = 77 } };
+    const struct ledger_entry others[] = {
+        { .id = 7, .boot = 77, .kind = LEDGER_COINS }, { .id = 8, .boot = 77, .kind = LEDGER_COINS }
+    };
     play_eight_and_close();
     assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
     assert_int_equal(ledger_tail_write(&tail, others, 2), 0);
@@ -367,26 +384,36 @@ static void test_a_copy_that_is_put_back_has_a_tail_of_its_own(void **state)
     assert_int_equal(ledger_tail_last_id(&storage.tail), 3);
 }
 
-static void test_a_card_that_refuses_the_tail_alone_keeps_the_entries(void **state)
+static void test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged(void **state)
 {
     (void)state;
     struct ledger_entry found;
-    assert_int_equal(mkdir(tail_path, 0755), 0);
     reopen();
-    play_rounds(1, 3);
-    assert_true(device.ops->is_well(device.self));
+    assert_int_equal(mkdir(tail_path, 0755), 0); /* At the start it would be set aside. */
+    hand_over_rounds(1, 3);
+    assert_int_equal(device.ops->saved_id(device.self), 0);
+    assert_false(device.ops->is_well(device.self));
     assert_non_null(strstr(device.ops->describe(device.self), "second copy is not written"));
-    assert_int_equal(ask(backup, "SELECT max(id) FROM entries"), 3);
-    storage.backup_due_s -= STORAGE_BACKUP_LONE_S;
-    play_rounds(4, 4);
-    assert_int_equal(ask(backup, "SELECT max(id) FROM entries"), 4); /* At once, for want of it. */
+    hand_over_rounds(4, 4);
+    assert_int_equal(device.ops->saved_id(device.self), 0);
     assert_int_equal(rmdir(tail_path), 0);
     play_rounds(5, 5);
+    assert_true(device.ops->is_well(device.self));
     assert_null(strstr(device.ops->describe(device.self), "second copy"));
     for (uint32_t id = 1; id <= 5; id++) {
         assert_true(ledger_tail_entry(&storage.tail, id, &found));
         assert_int_equal(found.round.caught, id);
     }
+}
+
+static void test_entries_that_only_the_tail_lacks_are_not_lost_at_the_end(void **state)
+{
+    (void)state;
+    reopen();
+    assert_int_equal(mkdir(tail_path, 0755), 0); /* At the start it would be set aside. */
+    hand_over_rounds(1, 3);
+    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(ask(file, "SELECT max(id) FROM entries"), 3);
 }
 
 static void test_a_tail_that_is_removed_is_written_whole_anew(void **state)
@@ -449,7 +476,8 @@ int main(void)
         TEST(test_a_newer_entry_takes_the_oldest_ones_slot),
         TEST(test_a_tail_of_another_list_is_begun_anew),
         TEST(test_a_copy_that_is_put_back_has_a_tail_of_its_own),
-        TEST(test_a_card_that_refuses_the_tail_alone_keeps_the_entries),
+        TEST(test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged),
+        TEST(test_entries_that_only_the_tail_lacks_are_not_lost_at_the_end),
         TEST(test_a_tail_that_is_removed_is_written_whole_anew),
         TEST(test_a_name_that_is_taken_back_is_not_left_in_it),
         TEST(test_a_backup_comes_before_the_tail_bites_itself),

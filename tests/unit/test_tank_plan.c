@@ -81,8 +81,8 @@ static void test_more_floor_holds_more_fish_at_the_same_density(void **state)
     assert_int_equal(plan.config.fish_count, 300);
     assert_int_equal(read_plan("--area-scale 2"), EXIT_OK);
     assert_int_equal(plan.config.fish_count, 1200);
-    assert_int_equal(read_plan("--area-scale 200"), EXIT_USAGE);
-    assert_int_equal(read_plan("--area-scale 200 --fish 100"), EXIT_OK);
+    assert_int_equal(read_plan("--area-scale 250"), EXIT_USAGE);
+    assert_int_equal(read_plan("--area-scale 250 --fish 100"), EXIT_OK);
     assert_int_equal(plan.config.fish_count, 100);
 }
 
@@ -91,8 +91,8 @@ static void test_the_ends_of_each_range_and_what_lies_beyond(void **state)
     static const struct {
         const char *low, *high, *below, *above;
     } ends[] = {
-        { "--area-scale 0.05", "--area-scale 200 --fish 1", "--area-scale 0.049",
-          "--area-scale 200.1" },
+        { "--area-scale 0.05", "--area-scale 250 --fish 1", "--area-scale 0.049",
+          "--area-scale 250.1" },
         { "--seconds 0.1", "--seconds 36000", "--seconds 0.09", "--seconds 36001" },
         { "--seed 0", "--seed 4294967295", "--seed -1", "--seed 4294967296" },
         { "--stamina 0", "--stamina 100", "--stamina -0.1", "--stamina 100.1" },

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -330,6 +331,30 @@ static void test_the_state_of_the_lines_is_read_whole_from_a_metre(void **state)
     }
 }
 
+/* A window manager may ignore the smallest window. Its size may be no multiple of anything. */
+static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
+{
+    (void)state;
+    static const float sides[] = { 1.0f, 2.0f, 8.0f, 17.0f, 240.0f, 8192.0f };
+    const uint32_t count = sizeof sides / sizeof sides[0];
+    alarm(30); /* A step of 0 never ends. */
+    for (uint32_t k = 0; k < count * count * MENU_PAGE_COUNT; k++) {
+        const float width = sides[k % count], height = sides[k / count % count];
+        set_page((uint8_t)(k / (count * count)), 0xffffu, LANGUAGE_EN, width < height);
+        ui_screens(&batch, &memory, &scene, width, height);
+        assert_int_equal(batch.dropped_count, 0);
+    }
+    for (uint8_t phase = 0; phase <= PHASE_BOARD; phase++) {
+        /* The lab is left out because its screen needs a fish. */
+        for (uint32_t k = 0; k < count * count && phase != PHASE_LAB; k++) {
+            scene.phase = phase;
+            ui_screens(&batch, &memory, &scene, sides[k % count], sides[k / count]);
+            assert_int_equal(batch.dropped_count, 0);
+        }
+    }
+    alarm(0);
+}
+
 static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
 {
     (void)state;
@@ -339,7 +364,7 @@ static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
     scene.seconds_left = 30.0f;
     lay_out(0);
     const uint32_t without = count_kind(UI_GLYPH);
-    scene.asks_menu = 1;
+    scene.asks_menu = scene.asks_quit = 1;
     for (uint32_t size = 0; size < SIZE_COUNT; size++) {
         lay_out(size);
         expect_inside(size);
@@ -511,6 +536,7 @@ int main(void)
         cmocka_unit_test(test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp),
         cmocka_unit_test(test_the_state_of_the_lines_is_read_whole_from_a_metre),
         cmocka_unit_test(test_the_question_lies_beside_what_hangs_in_a_practice_round),
+        cmocka_unit_test(test_every_page_is_laid_out_in_a_window_of_any_size),
         cmocka_unit_test(test_in_a_round_the_question_is_read_over_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -442,7 +442,7 @@ static void test_texts_cannot_break_a_line_or_a_terminal(void **state)
         { "a\x1b[31mb\tc", "a?[31mb?c" },
         { "\xe9\x87\x91\xe9\xad\x9a", "\xe9\x87\x91\xe9\xad\x9a" }, /* Kingyo. */
         { "x\xff\xfey long", "x??y long" },
-        { "\xc2\x9b" "31m and more", "??31m and more" }, /* CSI in one character. */
+        { "\xc2\x9b" "31m and more", "?31m and more" }, /* CSI in one character. */
         { "cut \xe9\x87", "cut " },
     };
     for (uint32_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {

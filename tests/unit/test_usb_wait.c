@@ -129,7 +129,7 @@ static void test_a_file_that_cannot_be_opened_is_told_and_not_written_over(void 
     struct stat now;
     assert_int_equal(symlink(bench.choices, bench.choices), 0);
     begin();
-    assert_non_null(strstr(bench.why, "usb.txt: cannot read"));
+    assert_non_null(strstr(bench.why, "usb.txt: is not a regular file"));
     choose_the_joystick();
     assert_int_equal(bench_told(&bench, line), 1);
     assert_non_null(strstr(line, "not written over; the choice holds for today"));
@@ -144,7 +144,7 @@ static void test_a_file_that_cannot_be_read_to_its_end_is_told_and_not_written_o
     struct stat now;
     assert_int_equal(mkdir(bench.choices, 0755), 0); /* It opens, and then does not read. */
     begin();
-    assert_non_null(strstr(bench.why, "usb.txt: cannot read"));
+    assert_non_null(strstr(bench.why, "usb.txt: is not a regular file"));
     choose_the_joystick();
     assert_int_equal(bench_told(&bench, line), 1);
     assert_non_null(strstr(line, "not written over"));

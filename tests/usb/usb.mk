@@ -10,7 +10,7 @@ $(patsubst %,$(BUILD)/tests/unit/test_%,$(USB_TESTS) usb_play board_usb): $(USB_
 # The same again with everything they call compiled for address + undefined behaviour, and for threads.
 USB_SAN := $(BUILD)/usb
 USB_SAN_SRC := $(wildcard drivers/usb_*.c) $(addprefix drivers/,hid_descriptor.c hid_globals.c hid_item.c \
-    hid_report.c hid_map.c hid_map_known.c hid_offer.c hid_offer_map.c poi_descriptor.c) platform/clock.c $(USB_STAND:%=tests/unit/%.c) tests/unit/panic.c
+    hid_report.c hid_map.c hid_map_known.c hid_offer.c hid_offer_map.c poi_descriptor.c hid_book_file.c) core/base/printable.c platform/clock.c $(USB_STAND:%=tests/unit/%.c) tests/unit/panic.c
 USB_SAN_BIN := $(foreach t,$(USB_TESTS),$(USB_SAN)/address/test_$(t) $(USB_SAN)/thread/test_$(t))
 USB_SAN_CFLAGS := -std=c17 -O1 -g $(WARN) -D_GNU_SOURCE -I. -fno-sanitize-recover=all
 USB_FLAGS = $(eval USB_FLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags libusb-1.0)))$(USB_FLAGS)
@@ -28,11 +28,11 @@ $(USB_SAN)/address/test_%: $(USB_SAN)/address/tests/unit/test_%.o $(USB_SAN_SRC:
 $(USB_SAN)/thread/test_%: $(USB_SAN)/thread/tests/unit/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread
-$(USB_SAN)/address/%.o: %.c
+$(USB_SAN)/address/%.o: %.c $(FOUND)
 	@mkdir -p $(@D)
 	$(call step,CC,$< (address))
 	$(Q)$(CC) $(USB_SAN_CFLAGS) $(USB_FLAGS) $(SANITIZE) $(DEP_FLAGS) -c -o $@ $<
-$(USB_SAN)/thread/%.o: %.c
+$(USB_SAN)/thread/%.o: %.c $(FOUND)
 	@mkdir -p $(@D)
 	$(call step,CC,$< (thread))
 	$(Q)$(CC) $(USB_SAN_CFLAGS) $(USB_FLAGS) $(SANITIZE) $(DEP_FLAGS) -c -o $@ $<

@@ -39,7 +39,7 @@ test-kills:
 vm-guest: $(BUILD)/kingyo $(BUILD)/kingyoctl $(BUILD)/kingyo-poi $(VM_GUEST)
 
 $(VM_BIN): $(BUILD)/tests/vm/twin.o
-$(VM_BIN) $(BUILD)/tests/vm/lag: %: %.o $(BUILD)/platform/panic.o $(BUILD)/shell.a $(BUILD)/core.a
+$(VM_BIN) $(BUILD)/tests/vm/lag: %: %.o $(BUILD)/platform/panic_core.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $(filter %.o,$^) $(filter %.a,$^) $(HOST_LIBS)
 

@@ -67,9 +67,9 @@ keyboard_words() { # The description of HID 1.11, appendix B.1.
     printf '\225\006\165\010\025\000\045\145\005\007\031\000\051\145\201\000\300'
 }
 
-# Types 5 (a coin at a desk), F2 (the operator's menu) and Escape (the end) on the device's other end.
+# Types 5 (a coin at a desk), F2 (the operator's menu) and Escape twice (the end) on the device's other end.
 stranger_types() { # DEVICE
-    for key in 042 073 051; do
+    for key in 042 073 051 051; do
         printf '\000\000\'$key'\000\000\000\000\000' >"$1" &
         sleep 0.3
         printf '\000\000\000\000\000\000\000\000' >"$1" &
@@ -101,7 +101,7 @@ for kind in 1:1 0:0; do # As a boot keyboard, and as one that says it is none.
     keyboard_words | hid "${kind%:*}" "${kind#*:}" 8
     stranger_in
     stranger_types "$(hidg_of_stranger)"
-    tried usb-keys "a keyboard with protocol ${kind%:*}: 5, F2, Esc"
+    tried usb-keys "a keyboard with protocol ${kind%:*}: 5, F2, Esc, Esc"
     stranger_out
 done
 

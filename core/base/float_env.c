@@ -1,0 +1,64 @@
+/* float_env.c -- eight sums of products, read through volatile so that no compiler folds them. */
+#include "core/base/float_env.h"
+
+#include <stdint.h>
+
+#include "core/base/lanes.h"
+
+#define CASE_COUNT 8u
+
+/* Bits of floats: x * y + z must give `sum`. */
+static const volatile struct {
+    uint32_t x, y, z, sum;
+} cases[CASE_COUNT] = {
+    { 0x00000001, 0x4b800000, 0x00000000, 0x01000000 }, /* A denormal operand is not zero. */
+    { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* A denormal result is not zero. */
+    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* Likewise below zero. */
+    { 0x80800000, 0x3f000000, 0x80000000, 0x80400000 },
+    { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 }, /* 1 + half a unit: the tie goes to even. */
+    { 0x3f800000, 0x3f800000, 0x33c00000, 0x3f800001 }, /* 1 + three quarters of a unit: up. */
+    { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 }, /* The same two below zero. */
+    { 0xbf800000, 0x3f800000, 0xb3c00000, 0xbf800001 },
+};
+
+static float float_of(uint32_t bits)
+{
+    float value;
+    MEM_COPY(&value, &bits, sizeof value);
+    return value;
+}
+
+static uint32_t bits_of(float value)
+{
+    uint32_t bits;
+    MEM_COPY(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* Four cases at once. */
+static int quad_is_standard(uint32_t first)
+{
+    fquad x, y, z;
+    for (uint32_t i = 0; i < 4u; i++) {
+        x[i] = float_of(cases[first + i].x);
+        y[i] = float_of(cases[first + i].y);
+        z[i] = float_of(cases[first + i].z);
+    }
+    const fquad sum = x * y + z;
+    int is_standard = 1;
+    for (uint32_t i = 0; i < 4u; i++) {
+        is_standard &= bits_of(sum[i]) == cases[first + i].sum;
+    }
+    return is_standard;
+}
+
+int float_env_is_standard(void)
+{
+    int is_standard = 1;
+    for (uint32_t i = 0; i < CASE_COUNT; i++) {
+        const float sum =
+            float_of(cases[i].x) * float_of(cases[i].y) + float_of(cases[i].z);
+        is_standard &= bits_of(sum) == cases[i].sum;
+    }
+    return is_standard && quad_is_standard(0) && quad_is_standard(4);
+}

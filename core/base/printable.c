@@ -1,0 +1,75 @@
+/* printable.c -- RFC 3629's characters, and which of them may be shown. */
+#include "core/base/printable.h"
+
+struct span {
+    uint32_t first, last;
+};
+
+/* The code points that are refused (printable.h), both ends included. */
+static const struct span refused[] = {
+    { 0x0000, 0x001F }, { 0x007F, 0x009F }, { 0x061C, 0x061C }, { 0x200E, 0x200F },
+    { 0x2028, 0x202E }, { 0x2066, 0x2069 },
+};
+
+#define REFUSED_COUNT (sizeof refused / sizeof refused[0])
+
+/* RFC 3629: no overlong form, no surrogate, nothing above U+10FFFF. The zero byte at the end of the
+ * text continues no character, so no byte behind it is read. */
+uint32_t printable_utf8_size(const char *text)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    const uint32_t size = c[0] < 0x80 ? 1 : c[0] < 0xC2 ? 0 : c[0] < 0xE0 ? 2 : c[0] < 0xF0 ? 3 : 4;
+    const unsigned char low = c[0] == 0xE0 ? 0xA0 : c[0] == 0xF0 ? 0x90 : 0x80;
+    const unsigned char high = c[0] == 0xED ? 0x9F : c[0] == 0xF4 ? 0x8F : 0xBF;
+    if (c[0] > 0xF4 || (size > 1 && (c[1] < low || c[1] > high))) {
+        return 0;
+    }
+    for (uint32_t i = 2; i < size; i++) {
+        if (c[i] < 0x80 || c[i] > 0xBF) {
+            return 0;
+        }
+    }
+    return size;
+}
+
+uint32_t printable_code_point(const char *text)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    const uint32_t size = printable_utf8_size(text);
+    uint32_t point = size == 1 ? c[0] : c[0] & (0x7Fu >> size);
+    for (uint32_t i = 1; i < size; i++) {
+        point = point << 6 | (c[i] & 0x3Fu);
+    }
+    return point;
+}
+
+uint32_t printable_size(const char *text)
+{
+    const uint32_t size = printable_utf8_size(text);
+    const uint32_t point = size > 0 ? printable_code_point(text) : 0;
+    for (uint32_t i = 0; i < REFUSED_COUNT; i++) {
+        if (point >= refused[i].first && point <= refused[i].last) {
+            return 0;
+        }
+    }
+    return size;
+}
+
+char *printable(char *text)
+{
+    const char *from = text;
+    char *to = text;
+    while (*from) {
+        const uint32_t shown = printable_size(from);
+        const uint32_t size = printable_utf8_size(from);
+        if (shown == 0) {
+            *to++ = PRINTABLE_MARK;
+        }
+        for (uint32_t i = 0; i < shown; i++) {
+            *to++ = from[i];
+        }
+        from += size > 0 ? size : 1u;
+    }
+    *to = '\0';
+    return text;
+}

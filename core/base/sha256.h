@@ -1,0 +1,15 @@
+/* sha256.h -- SHA-256 of a short message, as FIPS 180-4 defines it. */
+#ifndef KINGYO_CORE_BASE_SHA256_H
+#define KINGYO_CORE_BASE_SHA256_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define SHA256_MESSAGE_MAX 55u /* Bytes that fit into one block beside the padding. */
+#define SHA256_WORDS 8u
+
+/* Writes the digest of `size` bytes, at most SHA256_MESSAGE_MAX (else it asserts), as big-endian
+ * words: the first word holds the first four bytes of the digest. */
+void sha256_short(const uint8_t *message, size_t size, uint32_t digest[SHA256_WORDS]);
+
+#endif

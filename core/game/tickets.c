@@ -1,0 +1,40 @@
+/* tickets.c -- first the ledger, then the pulse, then the next ticket. */
+#include "core/game/tickets.h"
+
+#include "core/core.h"
+
+void tickets_owe(struct core *core, uint32_t count)
+{
+    struct purse *purse = &core->game.ledger.purse;
+    if (core->config.rules_7) {
+        core->game.credit.tickets += count;
+        return;
+    }
+    const uint32_t room = PURSE_TICKETS_MAX - purse->tickets;
+    purse->tickets = (uint16_t)(purse->tickets + (count < room ? count : room));
+}
+
+/* Tickets that are owed and whose debt is on disk. */
+static uint32_t sure_tickets(const struct ledger *ledger)
+{
+    const uint16_t kept = ledger->kept.tickets, now = ledger->purse.tickets;
+    return kept < now ? kept : now;
+}
+
+void tickets_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct ledger *ledger = &core->game.ledger;
+    struct credit *credit = &core->game.credit;
+    const struct ledger_entry entry = { .kind = LEDGER_TICKET, .count = 1 };
+    if (credit->ticket_id != 0) {
+        if (ledger_is_saved(ledger, credit->ticket_id)) {
+            credit->tickets++;
+            credit->ticket_id = 0;
+        }
+    } else if (!core->config.rules_7 && sure_tickets(ledger) > 0 &&
+               input->tickets_done == credit->tickets &&
+               ledger_may_write(ledger, LEDGER_TICKET)) {
+        ledger->purse.tickets--;
+        credit->ticket_id = ledger_write(core, &entry, output);
+    }
+}

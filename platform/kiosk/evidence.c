@@ -1,0 +1,192 @@
+/* evidence.c -- see evidence.h. */
+#include "platform/kiosk/evidence.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "platform/folder.h"
+#include "platform/panic_text.h"
+#include "platform/say.h"
+#include "platform/store/ledger_leave.h"
+
+#define NAME_SIZE 16u
+
+/* ---- The start ------------------------------------------------------------------------------ */
+
+static int write_count(const struct evidence *evidence)
+{
+    const int error = panics_write(&evidence->panics, evidence->folder - 1);
+    if (error) {
+        say(SAY_ERROR, "%s/" PANICS_FILE ": cannot write: %s", evidence->data, strerror(-error));
+    }
+    return error;
+}
+
+/* The attempt is written first because leaving out may panic again. */
+static void leave_out(struct evidence *evidence)
+{
+    struct panics *panics = &evidence->panics;
+    char words[LEDGER_LEAVE_WORDS] = "nothing was changed, because the attempt cannot be noted";
+    const char *cause = panics->is_early ? "a panic before the first frame"
+                                         : "three panics within ten minutes";
+    const enum panics_left left = panics_try(panics);
+    const int result = write_count(evidence) ? -1 : ledger_leave_out(evidence->data, left, words);
+    if (result == 0) {
+        panics_leave(panics, evidence->boot);
+    } else if (result == LEDGER_LEAVE_NONE) {
+        panics_forget(panics);
+    }
+    panics->attempt = LEFT_NOTHING;
+    write_count(evidence);
+    say(SAY_ERROR, "after %s this start %s %s: %s", cause,
+        result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
+}
+
+/* A leave-out that ended its own start is not tried again at once. */
+static void skip_leave_out(struct evidence *evidence)
+{
+    say(SAY_ERROR, "the last start ended while it left out %s; this start leaves out nothing",
+        panics_left_name(evidence->panics.attempt));
+    panics_forget(&evidence->panics);
+    write_count(evidence);
+}
+
+static int has_work(const struct panics *panics)
+{
+    return panics->attempt != LEFT_NOTHING || panics_is_due(panics);
+}
+
+/* A folder that cannot be held at all, as on some cards, counts as held. The count is read again
+ * because another process may have changed it before the folder was held. */
+static void hold_and_leave_out(struct evidence *evidence)
+{
+    struct panics *panics = &evidence->panics;
+    const int hold = folder_hold(evidence->data);
+    if (hold == -EWOULDBLOCK) {
+        say(SAY_ERROR, "%s: another stall has the folder open; nothing is left out after panics",
+            evidence->data);
+        return;
+    }
+    const int is_read = panics_read(panics, evidence->folder - 1) == 0;
+    if (is_read && panics->attempt != LEFT_NOTHING) {
+        skip_leave_out(evidence);
+    } else if (is_read && panics_is_due(panics)) {
+        leave_out(evidence);
+    }
+    if (hold >= 0) {
+        close(hold);
+    }
+}
+
+void evidence_open(struct evidence *evidence, const char *data, struct chapters *chapters,
+                   const struct core *core)
+{
+    const int folder = data && data[0] ? open(data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
+    *evidence = (struct evidence){ .folder = folder + 1, .data = data, .chapters = chapters,
+                                   .core = core, .thread = gettid(), .boot = panics_boot(),
+                                   .begun_s = panics_up_s() };
+    if (folder < 0) {
+        return;
+    }
+    const int error = panics_read(&evidence->panics, folder);
+    if (error) {
+        say(SAY_WARNING, "%s/" PANICS_FILE ": %s; panics are counted from zero", data,
+            error == -EBADMSG ? "is not a count of panics" : strerror(-error));
+    }
+    if (has_work(&evidence->panics)) {
+        hold_and_leave_out(evidence);
+    }
+}
+
+void evidence_note_frame(struct evidence *evidence)
+{
+    atomic_store(&evidence->has_frame, 1);
+}
+
+/* ---- The panic: async-signal-safe calls alone ------------------------------------------------ */
+
+static void name_file(char out[NAME_SIZE], uint32_t number)
+{
+    static const char pattern[NAME_SIZE] = "panic-0.kgr";
+    _Static_assert(PANICS_FILES == 10u, "a digit is enough");
+    memcpy(out, pattern, NAME_SIZE);
+    out[6] = (char)('0' + number);
+}
+
+/* A descriptor of a new file, or a negative errno. */
+static int make_file(int folder, const char *name)
+{
+    if (unlinkat(folder, name, 0) != 0 && errno != ENOENT) {
+        return -errno;
+    }
+    const int file = openat(folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                            0600);
+    return file < 0 ? -errno : file;
+}
+
+/* Returns 0 or a negative errno. */
+static int write_replay(const struct evidence *evidence, const char *name, int is_sound)
+{
+    if (!evidence->chapters || !chapters_has_begun(evidence->chapters)) {
+        return -ENODATA;
+    }
+    const int file = make_file(evidence->folder - 1, name);
+    if (file < 0) {
+        return file;
+    }
+    int error = chapters_dump(evidence->chapters, evidence->core, is_sound, file);
+    if (!error && fsync(file) != 0) {
+        error = -errno;
+    }
+    close(file);
+    return error;
+}
+
+static void tell(const struct evidence *evidence, const char *reason, const char *name, int error)
+{
+    struct panic_text text = { 0 };
+    panic_put(&text, "panic: ");
+    panic_put(&text, reason);
+    if (!error) {
+        panic_put(&text, ": the game before tick ");
+        panic_put_number(&text, evidence->core->tick);
+        panic_put(&text, " is in ");
+        panic_put(&text, evidence->data);
+        panic_put(&text, "/");
+        panic_put(&text, name);
+    } else if (error == -ENODATA) {
+        panic_put(&text, ": no game was recorded");
+    } else {
+        panic_put(&text, ": the game could not be written, error ");
+        panic_put_number(&text, (uint32_t)-error);
+    }
+    say_plain(SAY_CRITICAL, text.out);
+}
+
+/* Without evidence_open() the main thread ticks the core. */
+static int freeze(const struct evidence *evidence)
+{
+    const int is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
+    return evidence->chapters ? chapters_freeze(evidence->chapters, is_own) : is_own;
+}
+
+int evidence_write(struct evidence *evidence, const char *reason)
+{
+    const int is_sound = freeze(evidence);
+    struct panics *panics = &evidence->panics;
+    char name[NAME_SIZE] = "";
+    int error = -ENODATA;
+    if (evidence->folder > 0) {
+        const uint32_t up_s = panics_up_s();
+        name_file(name, panics->total % PANICS_FILES);
+        panics_add(panics, evidence->boot, up_s, up_s - evidence->begun_s,
+                   atomic_load(&evidence->has_frame));
+        panics_write(panics, evidence->folder - 1);
+        error = write_replay(evidence, name, is_sound);
+    }
+    tell(evidence, reason, name, error);
+    return is_sound;
+}

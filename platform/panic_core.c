@@ -1,0 +1,18 @@
+/* panic_core.c -- the core's own panic, apart from the signals: unit tests bring another one. */
+#include <stdlib.h>
+
+#include "core/base/panic.h"
+#include "platform/panic.h"
+#include "platform/panic_text.h"
+
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    struct panic_text text = { 0 };
+    panic_put(&text, file);
+    panic_put(&text, ":");
+    panic_put_number(&text, (uint32_t)line);
+    panic_put(&text, ": not so: ");
+    panic_put(&text, condition);
+    panic_tell(text.out);
+    abort();
+}

@@ -1,0 +1,41 @@
+/* print.c -- see print.h. One call to the system a line, so that lines of threads do not mix. */
+#include "platform/print.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+#include "core/base/printable.h"
+
+__attribute__((format(printf, 3, 0)))
+static void put(FILE *file, const char *end, const char *format, va_list arguments)
+{
+    char line[PRINT_LINE_MAX];
+    vsnprintf(line, sizeof line - 1u, format, arguments);
+    printable(line);
+    strcat(line, end); /* One byte at most, for which there is room. */
+    fputs(line, file);
+}
+
+void print_part(FILE *file, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    put(file, "", format, arguments);
+    va_end(arguments);
+}
+
+void print_line(FILE *file, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    put(file, "\n", format, arguments);
+    va_end(arguments);
+}
+
+void print_error(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    put(stderr, "\n", format, arguments);
+    va_end(arguments);
+}

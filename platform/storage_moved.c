@@ -1,0 +1,165 @@
+/* storage_moved.c -- detects that the open file no longer has the name under which the next start
+ * would look for it: the file or its folder was removed, renamed, replaced or mounted over.
+ *
+ * Such a file can still be written and synced, but what it holds is lost or hidden. So nothing is
+ * acknowledged any more, which closes the coin slot. A folder that is put back is used again. A
+ * deleted file stays open, and close() copies it to where the next start looks for a backup. */
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "platform/folder.h"
+#include "platform/say.h"
+#include "platform/storage_parts.h"
+
+/* The log and its index have no handle of ours: they are known by their first sight. */
+static const char *const suffixes[STORAGE_PLACES] = { "", "-wal", "-shm" };
+
+static bool is_same(const struct stat *about, const struct storage_place *place)
+{
+    return (uint64_t)about->st_dev == place->device && (uint64_t)about->st_ino == place->inode;
+}
+
+void storage_note_place(struct storage *storage)
+{
+    memset(storage->places, 0, sizeof storage->places);
+    storage->moved = false;
+}
+
+/* A file that was not there yet is noted when it is first seen. */
+static bool has_left(struct storage *storage, size_t index)
+{
+    struct storage_place *place = &storage->places[index];
+    struct stat about;
+    char path[LEDGER_PATH_SIZE];
+    storage_beside(storage, suffixes[index], "", path);
+    const bool is_there = lstat(path, &about) == 0;
+    if (place->inode == 0 && is_there) {
+        *place = (struct storage_place){ (uint64_t)about.st_dev, (uint64_t)about.st_ino };
+    }
+    return place->inode != 0 && !(is_there && is_same(&about, place));
+}
+
+static bool has_folder_left(const struct storage *storage)
+{
+    struct stat held, named;
+    return storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 &&
+           (stat(storage->dir, &named) != 0 || held.st_dev != named.st_dev ||
+            held.st_ino != named.st_ino);
+}
+
+bool storage_has_moved(struct storage *storage)
+{
+    int has_moved = 0;
+    if (storage->how.vfs || !storage->file.db) {
+        return false;
+    }
+    sqlite3_file_control(storage->file.db, "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
+    bool result = has_moved != 0 || has_folder_left(storage);
+    for (size_t i = 0; i < STORAGE_PLACES; i++) {
+        result = has_left(storage, i) || result;
+    }
+    return result;
+}
+
+/* Looked at before the entries are acknowledged: a file that went during the write holds them
+ * where no start finds them. */
+int storage_write_entries(struct storage *storage, const struct ledger_entry *entries,
+                          uint32_t count)
+{
+    const int code = ledger_file_write(&storage->file, entries, count);
+    return code == SQLITE_OK && storage_has_moved(storage) ? LEDGER_FILE_MOVED : code;
+}
+
+/* ---- What is left to do ---------------------------------------------------------------------- */
+
+/* Whether the open file has no name anywhere, so that it ends when it is closed. */
+static bool is_deleted(const struct storage *storage)
+{
+    struct stat held, about;
+    const struct storage_place *place = &storage->places[0];
+    if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
+        return true;
+    }
+    /* In a folder that was renamed or mounted over the file still has its name. */
+    return !has_folder_left(storage) &&
+           !(lstat(storage->path, &about) == 0 && is_same(&about, place));
+}
+
+bool storage_may_follow(struct storage *storage)
+{
+    return storage_has_path(storage->path) && (!storage->file.db || !is_deleted(storage));
+}
+
+static bool has_any(const struct storage *storage)
+{
+    static const char *const names[] = { "", STORAGE_BACKUP_SUFFIX, STORAGE_TAIL_SUFFIX,
+                                         STORAGE_NEW_SUFFIX };
+    bool has = false;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        char path[LEDGER_PATH_SIZE];
+        storage_beside(storage, names[i], "", path);
+        has = has || storage_has_path(path);
+    }
+    return has;
+}
+
+void storage_log_left(const struct storage *storage)
+{
+    struct stat about;
+    if (has_folder_left(storage)) {
+        say(SAY_ERROR, "%s: the data folder was removed, renamed or replaced; nothing is stored"
+            " until it is back", storage->dir);
+    } else if (lstat(storage->path, &about) == 0 && is_same(&about, &storage->places[0])) {
+        say(SAY_ERROR, "%s: its log (-wal or -shm) was removed or replaced; the database is"
+            " opened again", storage->path);
+    } else {
+        say(SAY_ERROR, "%s: was removed or replaced; nothing is stored until it is back",
+            storage->path);
+    }
+}
+
+void storage_log_back(const struct storage *storage)
+{
+    say(SAY_WARNING, "%s: is in use again, with entries up to %u", storage->path,
+        storage->file.content.memory.ledger.last_id);
+}
+
+/* All that waits, at most two pieces of the ring. */
+static int write_queue(struct storage *storage)
+{
+    const unsigned pushed = atomic_load(&storage->pushed);
+    unsigned at = atomic_load(&storage->written);
+    int code = SQLITE_OK;
+    while (code == SQLITE_OK && at != pushed) {
+        const unsigned first = at % STORAGE_QUEUE_MAX;
+        const unsigned beside = STORAGE_QUEUE_MAX - first;
+        const unsigned count = pushed - at < beside ? pushed - at : beside;
+        code = ledger_file_write(&storage->file, &storage->queue[first], count);
+        at += count;
+    }
+    return code;
+}
+
+bool storage_rescue(struct storage *storage)
+{
+    char backup[LEDGER_PATH_SIZE];
+    if (!storage->moved || !storage->file.db || !is_deleted(storage) ||
+        folder_make(storage->dir) != 0 || has_any(storage)) {
+        return false;
+    }
+    storage_backup_path(storage, backup);
+    const bool is_saved = write_queue(storage) == SQLITE_OK &&
+                          ledger_backup_make(&storage->file, backup, false) == SQLITE_OK;
+    if (is_saved) {
+        atomic_store(&storage->written, atomic_load(&storage->pushed));
+        say(SAY_WARNING, "%s: was deleted while it was open; all entries are saved in %s",
+            storage->path, backup);
+    } else {
+        say(SAY_ERROR, "%s: was deleted while it was open, and %s could not be written",
+            storage->path, backup);
+    }
+    return is_saved;
+}

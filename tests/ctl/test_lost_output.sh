@@ -1,0 +1,134 @@
+#!/bin/bash
+# test_lost_output.sh -- every command of kingyoctl and the options of kingyo and kingyo-poi that print: with standard
+# output full or closed, each exits with 74 and one line, and writes the same files as ever. Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
+data=$work/data
+mkdir "$data" "$work/other" "$work/rounds" "$work/full" "$work/closed" "$work/loud"
+cp tests/unit/store/version-5.db "$data/kingyo.db"
+"$ctl" play --bot novice --rounds 1 --round-s 10 --record "$work/rounds" >/dev/null
+"$ctl" backup "$work/copy.db" --data "$data" >/dev/null
+"$ctl" config defaults >"$work/kingyo.conf"
+keys=tests/ctl/keyboard.hid
+pad=tests/hid/good/descriptors/006-blaze-joypad.hid
+printf 'id\tnumber\thex\nkeyboard\t1\t0000040000000000\n' >"$work/reports.tsv"
+head -c 64 /dev/zero >"$work/raw"
+cat >"$work/status.json" <<JSON
+{ "version": "0.1.0", "pid": 7, "written_ms": 1000, "up_s": 1, "boot": 1, "phase": "closed", "players": 1,
+  "credits": {"paid": 0, "service": 0, "units": 0, "untold": 0, "round_open": false},
+  "store": {"well": true, "entry_id": 1, "saved_id": 1, "waiting": 0}, "frames": {"count": 1, "median_ms": 1, "p99_ms": 1},
+  "ticks": {"count": 1, "dropped": 0}, "devices": [] }
+JSON
+
+# One command a line. DIR is a folder of its own for what the command writes beside its output.
+commands=$(cat <<END
+tank --fish 5 --seconds 1 --trace DIR/trace.csv
+tank --fish 5 --seconds 1 --json
+paper --grade 6 --seconds 1
+paper --grade 6 --speed-m-s 0.3 --json
+play --bot novice --rounds 1 --round-s 10 --record DIR
+play --bot novice --rounds 1 --round-s 10 --json
+morph list
+morph weights wakin --steps 4
+morph growth wakin --steps 4
+morph path wakin --part eye --steps 4 --svg DIR/path.svg
+morph graph wakin --svg DIR/graph.svg
+morph check hirame --steps 2
+morph export wakin --age-days 90 --obj DIR/wakin.obj
+morph import DIR/wakin.kfish assets/species/wakin.txt
+replay info $work/rounds/round-00001.kgr
+replay verify $work/rounds/round-00001.kgr
+hid describe $keys
+hid decode $keys $work/reports.tsv
+hid map $pad
+hid watch
+hid watch $work/raw --descriptor $keys
+lines list
+lines watch start=NOT_A_LINE
+lines set start-lamp=NOT_A_LINE on
+lines pulse ticket=NOT_A_LINE 1
+doctor --data $data
+doctor --json --data $data
+config check $work/kingyo.conf
+config defaults
+status --file $work/status.json
+status --json --file $work/status.json
+scores --data $data
+scores verify 6 --data $data
+scores replay 6 -o DIR/6.kgr --data $data
+audits --data $data
+backup DIR/copy.db --data $data
+backup --restore $work/copy.db --data $work/other
+--help
+--version
+END
+)
+mapfile -t names < <("$ctl" --help | sed -nE 's/^  ([a-z]+) .*/\1/p')
+mapfile -t parts < <("$ctl" morph --help | sed -nE 's/^  ([a-z]+) .*/morph \1/p'
+    for name in "${names[@]}"; do "$ctl" "$name" --help | sed -nE 's/^  kingyoctl ([a-z]+ [a-z]+)( .*|$)/\1/p'; done | sort -u)
+helps=$(for name in "${names[@]}" "${parts[@]}"; do echo "$name --help"; done)
+
+# A command that prints nothing has lost nothing; the table may hold few of those.
+silent=0
+is_told() { # FULL|CLOSED PROGRAM WORDS...: exits with 74, one line on standard error says why.
+    local how=$1 code words
+    shift
+    words=("${@//DIR/$work/$how}")
+    if [ "$how" = full ]; then
+        "${words[@]}" >/dev/full 2>"$work/err" </dev/null
+    else
+        "${words[@]}" >&- 2>"$work/err" </dev/null
+    fi
+    code=$?
+    cat "$work/err"
+    if [ $code -eq 0 ] && [ ! -s "$work/err" ]; then
+        silent=$((silent + 1))
+        words=("${@//DIR/$work/loud}")
+        [ -z "$("${words[@]}" 2>&1 </dev/null)" ]
+        return
+    fi
+    # Standard error may hold the command's own word on what it found, as ever.
+    [ $code -eq 74 ] && [ "$(grep -c 'standard output: ' "$work/err")" -le 1 ] && [ "$(wc -l <"$work/err")" -le 2 ]
+}
+all_told() { # FULL|CLOSED LIST: each command of the list; names those that fail.
+    local words bad=0
+    while IFS= read -r words; do
+        # shellcheck disable=SC2086
+        is_told "$1" "$ctl" $words || { echo "kingyoctl $words"; bad=1; }
+    done <<<"$2"
+    return $bad
+}
+covers() { # Every command and every subcommand that the help lists stands in the table.
+    local name bad=0
+    for name in "${names[@]}" "${parts[@]}"; do
+        grep -qE "^$name( |\$)" <<<"$commands" || { echo "not in the table: $name"; bad=1; }
+    done
+    [ ${#names[@]} -ge 13 ] && [ ${#parts[@]} -ge 20 ] && [ $bad -eq 0 ]
+}
+same_files() { # What the commands wrote beside their output is byte for byte the same, and free of printed words.
+    diff -r "$work/full" "$work/closed" && [ "$(ls "$work/closed" | wc -l)" -ge 7 ] &&
+        "$ctl" replay verify "$work/closed/round-00001.kgr" &&
+        [ "$(sqlite3 "$work/closed/copy.db" 'pragma integrity_check')" = ok ]
+}
+few_silent() { echo "$silent"; [ "$silent" -le 10 ]; }
+is_reason() { # WORDS FULL|CLOSED PROGRAM...
+    local wanted=$1
+    shift
+    is_told "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"
+}
+
+echo 1..14
+check 'the table of this test has every command and subcommand' covers
+check 'every command reports a full standard output' all_told full "$commands"
+check 'every command reports a closed standard output' all_told closed "$commands"
+check 'a closed standard output changes no file that a command writes' same_files
+check 'every --help reports a full standard output' all_told full "$helps"
+check 'every --help reports a closed standard output' all_told closed "$helps"
+check 'only five commands of the table print nothing' few_silent
+check 'a full disk is named' is_reason 'No space left' full "$ctl" audits --data "$data"
+check 'a closed descriptor is named' is_reason 'Bad file descriptor' closed "$ctl" audits --data "$data"
+for how in full closed; do
+    check "kingyo --help reports a $how standard output" is_reason '' $how "$build/kingyo" --help
+    check "kingyo --version reports a $how standard output" is_reason '' $how "$build/kingyo" --version
+done
+check 'kingyo-poi --help reports a full standard output' is_reason 'No space' full "$build/kingyo-poi" --help

@@ -1,0 +1,122 @@
+#!/bin/bash
+# test_odd_files.sh -- every option and word of a command line that names a file to read: a device, a FIFO without a
+# writer, a folder, an endless file of /proc and a huge sparse file each give one line and exit 65 or 74 at once.
+# Speaks TAP.
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
+limit_s=20 # A loaded machine may be slow; a command that hangs is killed.
+pad=tests/hid/good/descriptors/006-blaze-joypad.hid
+mkdir "$work/odd" "$work/plain"
+# Names end as the commands want them: a species by its suffix, an import by its format.
+for suffix in '' .txt .kfish .glb .obj .graph; do
+    ln -s /dev/zero "$work/odd/zero$suffix"
+    ln -s /proc/self/pagemap "$work/odd/endless$suffix"
+    mkfifo "$work/odd/pipe$suffix"
+    mkdir "$work/odd/folder$suffix"
+    truncate -s 1T "$work/odd/sparse$suffix" 2>/dev/null || truncate -s 4G "$work/odd/sparse$suffix"
+done
+
+# PROGRAM WORDS, with FILE in place of the odd file.
+readers=$(cat <<END
+$ctl config check FILE
+$ctl doctor --config FILE
+$ctl tank --place FILE --fish 1 --seconds 1
+$ctl tank --poi-path FILE --seconds 1
+$ctl play --bot FILE --round-s 10
+$ctl hid describe FILE
+$ctl hid map FILE
+$ctl hid decode FILE $work/plain/reports.tsv
+$ctl hid decode $pad FILE
+$ctl hid watch FILE --descriptor $pad --seconds 5
+$ctl hid watch $work/plain/raw --descriptor FILE
+$ctl status --file FILE
+$ctl replay info FILE
+$ctl replay verify FILE
+$ctl backup --restore FILE --data $work/plain
+$ctl morph growth FILE.txt
+$ctl morph weights FILE.kfish
+$ctl morph import $work/out.kfish FILE.txt
+$ctl morph import $work/out.kfish FILE.glb
+$ctl morph import $work/out.kfish FILE.obj FILE.obj FILE.obj
+$build/kingyo --config FILE --demo 5
+$build/kingyo --replay FILE
+$build/kingyo-poi watch --simulate --seconds 1 --config FILE
+END
+)
+printf 'id\tnumber\thex\n' >"$work/plain/reports.tsv"
+: >"$work/plain/raw"
+
+refused() { # WORDS...: one line on standard error, exit 65 or 74, in time.
+    local code
+    SDL_VIDEODRIVER=dummy timeout --kill-after=2 $limit_s "$@" >"$work/out" 2>"$work/err" </dev/null
+    code=$?
+    [ $code -eq 65 ] || [ $code -eq 74 ] || { echo "exit $code: $*"; head -3 "$work/err"; return 1; }
+    [ "$(wc -l <"$work/err")" -le "${lines:-1}" ] && [ -s "$work/err" ] || { echo "not one line: $*"; head -3 "$work/err"; return 1; }
+}
+all_refuse() { # KIND
+    local words bad=0
+    while IFS= read -r words; do
+        # shellcheck disable=SC2086
+        refused ${words//FILE/$work/odd/$1} || bad=1
+    done <<<"$readers"
+    return $bad
+}
+says() { # WORDS KIND PROGRAM...
+    local wanted=$1 kind=$2
+    shift 2
+    refused "${@//FILE/$work/odd/$kind}"
+    cat "$work/err"
+    grep -qF "$wanted" "$work/err"
+}
+database() { # A FIFO, a folder or a device in place of kingyo.db.
+    local kind bad=0
+    for kind in pipe folder zero; do
+        rm -rf "$work/data" && mkdir "$work/data" || return 1
+        case $kind in
+        pipe) mkfifo "$work/data/kingyo.db" ;;
+        folder) mkdir "$work/data/kingyo.db" ;;
+        zero) ln -s /dev/zero "$work/data/kingyo.db" ;;
+        esac
+        refused "$ctl" scores --data "$work/data" || bad=1
+        refused "$ctl" audits --data "$work/data" || bad=1
+        refused "$ctl" backup "$work/copy.db" --data "$work/data" || bad=1
+        timeout $limit_s "$ctl" doctor --data "$work/data" >/dev/null 2>&1 </dev/null
+        [ $? -le 1 ] || bad=1
+        # It sets aside what is there, as ever.
+        timeout $limit_s "$ctl" backup --restore tests/unit/store/version-5.db --data "$work/data" && [ -f "$work/data/kingyo.db" ] || bad=1
+    done
+    return $bad
+}
+learned() { # A FIFO among the learned controllers.
+    mkdir -p "$work/learned/pois" && mkfifo "$work/learned/pois/a.poi" &&
+        timeout $limit_s "$ctl" doctor --data "$work/learned" >"$work/out" 2>&1 </dev/null
+    [ $? -le 1 ] && grep -q 'a.poi' "$work/out"
+}
+links() { # A symbolic link to a regular file is as good as the file.
+    "$ctl" config defaults >"$work/plain/mine.conf" && ln -s mine.conf "$work/plain/link.conf" &&
+        "$ctl" config check "$work/plain/link.conf" &&
+        ln -s "$PWD/$pad" "$work/plain/link.hid" && "$ctl" hid describe "$work/plain/link.hid" >/dev/null
+}
+writes_nowhere() { # What is written is not kept waiting by a FIFO without a reader, either.
+    refused "$ctl" tank --fish 1 --seconds 1 --trace "$work/odd/pipe" && [ -p "$work/odd/pipe" ]
+}
+by_input() { # Standard input is read where it is a regular file.
+    "$ctl" config defaults >"$work/plain/in.conf" && "$ctl" config check /dev/stdin <"$work/plain/in.conf"
+}
+
+echo 1..13
+check 'a device without an end is refused everywhere' all_refuse zero
+check 'a FIFO without a writer is refused everywhere' all_refuse pipe
+check 'a folder is refused everywhere' all_refuse folder
+check 'a huge sparse file is refused everywhere' all_refuse sparse
+lines=2 # The configuration's own warning may come before the read fails.
+check 'a file of the kernel without an end is refused everywhere' all_refuse endless
+lines=1
+check 'the type is named' says 'is not a regular file' pipe "$ctl" config check FILE
+check 'the size is named' says 'is larger than 64 MiB' sparse "$ctl" tank --place FILE --fish 1
+check 'a pipe without a writer is named' says 'no process writes into this pipe' pipe "$ctl" hid watch FILE --descriptor $pad
+check 'a database of another type is refused everywhere' database
+check 'a FIFO among the learned controllers holds nobody' learned
+check 'a symbolic link is followed' links
+check 'a trace into a FIFO without a reader is refused' writes_nowhere
+check 'standard input that is a file is read' by_input
