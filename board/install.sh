@@ -22,8 +22,9 @@ put() { # KIND FROM TO
     local to=$DESTDIR$3
     case $1 in
     program) install -D -m 755 "$2" "$to" ;;
-    text) install -d "$(dirname "$to")" && sed "s#@PREFIX@#${PREFIX%/}#g" "$2" >"$to" && chmod 644 "$to" ;;
-    conf) [ -e "$to" ] || install -D -m 644 "$2" "$to" ;;
+    # install(1) removes what is there and makes a new file: a link in its place is never written through.
+    text) sed "s#@PREFIX@#${PREFIX%/}#g" "$2" | install -D -m 644 /dev/stdin "$to" ;;
+    conf) [ -e "$to" ] || [ -L "$to" ] || install -D -m 644 "$2" "$to" ;;
     *) echo "install: board/files.txt: unknown kind '$1'" >&2; return 1 ;;
     esac
 }
@@ -31,7 +32,8 @@ put() { # KIND FROM TO
 # A folder of our own goes when it is empty; what is shared with others stays.
 take() { # KIND FROM TO
     local to=$DESTDIR$3
-    [ "$1" = conf ] && ! cmp -s "$2" "$to" && return 0
+    # Anything but a regular file is the operator's; cmp would wait on a FIFO.
+    [ "$1" = conf ] && { [ -L "$to" ] || [ ! -f "$to" ] || ! cmp -s "$2" "$to"; } && return 0
     rm -f "$to" || return 1
     [[ $(dirname "$to") == */kingyo ]] && rmdir "$(dirname "$to")" 2>/dev/null
     return 0

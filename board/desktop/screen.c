@@ -43,6 +43,7 @@ void screen_open(struct hal *hal, const struct board_options *options)
         .height = options->height,
         .full_screen = options->full_screen != 0,
         .off_screen = options->off_screen != 0,
+        .on_demand = options->on_demand != 0,
         .title = "Kingyo",
         .shelf = options->shelf,
     };

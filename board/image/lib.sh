@@ -15,6 +15,20 @@ kernel_root=$cache/kernel
 days_max=7 # So old may be what was fetched: a mirror forgets it after that.
 made_s=$(git -C "$top" log -1 --format=%ct 2>/dev/null || date +%s)
 
+# Root works in these folders under names that are known before. Where another user may write, a link in place of such
+# a name would let that user overwrite any file.
+refuse_shared() { # FOLDER...
+    local folder owner
+    for folder; do
+        owner=$(stat -c %u "$folder")
+        if [ "$owner" -ne 0 ] && [ "$owner" -ne "${SUDO_UID:-0}" ] || [ -n "$(find "$folder" -maxdepth 0 -perm /002)" ]; then
+            echo "image: $folder: other users may write there; BUILD= names another folder" >&2
+            return 1
+        fi
+    done
+}
+refuse_shared "$BUILD/image" "$IMAGE" "$cache"
+
 step() { printf '[%4d s] image: %s\n' "$SECONDS" "$*"; }
 
 needs() {

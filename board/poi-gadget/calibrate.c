@@ -6,6 +6,7 @@
 
 #include "board/poi-gadget/sensors.h"
 #include "board/poi-gadget/wire_fit.h"
+#include "platform/print.h"
 
 #define READINGS 50u
 #define BETWEEN_NS 20000000
@@ -50,18 +51,18 @@ static int ask_mark(const struct poi_config *config, struct sensors *sensors, ui
     const vec3 at_m = config->mark_m[mark];
     float length_m[DRAW_WIRE_COUNT], spread[DRAW_WIRE_COUNT];
     for (;;) {
-        fprintf(stderr, "mark %u of %u: hold the eye still at %.0f %.0f %.0f mm, press Enter\n",
-                mark + 1, config->mark_count, (double)(at_m.x * 1000.0f),
-                (double)(at_m.y * 1000.0f), (double)(at_m.z * 1000.0f));
+        print_error("mark %u of %u: hold the eye still at %.0f %.0f %.0f mm, press Enter",
+                    mark + 1, config->mark_count, (double)(at_m.x * 1000.0f),
+                    (double)(at_m.y * 1000.0f), (double)(at_m.z * 1000.0f));
         if (!wait_for_enter() || !mean_readings(sensors, mean, spread)) {
-            fputs("kingyo-poi: standard input or a sensor ended\n", stderr);
+            print_error("kingyo-poi: standard input or a sensor ended");
             return 0;
         }
         const float most = f_max(spread[0], f_max(spread[1], spread[2]));
         if (most < STILL_STEPS) {
             break;
         }
-        fprintf(stderr, "  it moved by %.0f steps; once more\n", (double)most);
+        print_error("  it moved by %.0f steps; once more", (double)most);
     }
     draw_wires_lengths(config->spool_m, at_m, length_m);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
@@ -83,7 +84,7 @@ static enum exit_code tell(const struct poi_config *config,
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
         const char *why;
         if (!wire_fit_solve(&fits[i], &why)) {
-            fprintf(stderr, "wire%u: %s\n", i + 1, why);
+            print_error("wire%u: %s", i + 1, why);
             code = EXIT_NOT_SO;
             continue;
         }
@@ -107,14 +108,14 @@ enum exit_code calibrate(const struct poi_config *config, const char *root)
     float spread[DRAW_WIRE_COUNT];
     enum exit_code code = EXIT_IO;
     if (!sensors_open(&sensors, config, root, why)) {
-        fprintf(stderr, "kingyo-poi: %s\n", why);
+        print_error("kingyo-poi: %s", why);
     } else {
         uint32_t mark = 0;
         while (mark < config->mark_count && ask_mark(config, &sensors, mark, fits, &rest)) {
             mark++;
         }
         if (mark == config->mark_count) {
-            fputs("lay the poi down, press Enter\n", stderr);
+            print_error("lay the poi down, press Enter");
             code = wait_for_enter() && mean_readings(&sensors, &rest, spread)
                        ? tell(config, fits, &rest)
                        : EXIT_IO;

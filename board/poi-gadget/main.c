@@ -12,6 +12,8 @@
 #include "board/poi-gadget/self_test.h"
 #include "board/poi-gadget/sensor_source.h"
 #include "drivers/poi_descriptor.h"
+#include "platform/print.h"
+#include "platform/standard_streams.h"
 
 static const char usage[] =
     "kingyo-poi COMMAND [OPTION...]: the program of a poi's own board.\n\n"
@@ -111,7 +113,7 @@ static int read_option(struct arguments *out, const char *name, const char *valu
 
 static enum exit_code wrong(const char *what, const char *word)
 {
-    fprintf(stderr, "kingyo-poi: %s '%.100s'; --help lists what there is\n", what, word);
+    print_error("kingyo-poi: %s '%.100s'; --help lists what there is", what, word);
     return EXIT_USAGE;
 }
 
@@ -126,10 +128,6 @@ static enum exit_code descriptor(const struct arguments *arguments)
         putchar('\n');
     } else {
         fwrite(poi_descriptor, 1, sizeof poi_descriptor, stdout);
-    }
-    if (fflush(stdout) != 0) {
-        perror("kingyo-poi: standard output");
-        return EXIT_IO;
     }
     return EXIT_OK;
 }
@@ -151,18 +149,18 @@ static enum exit_code play_sensors(const struct poi_config *config,
     static struct sensor_source own;
     char why[SENSORS_WHY_SIZE];
     if (!poi_config_is_calibrated(config)) {
-        fputs("kingyo-poi: the wires are not calibrated: kingyo-poi calibrate\n", stderr);
+        print_error("kingyo-poi: the wires are not calibrated: kingyo-poi calibrate");
         return EXIT_NOT_SO;
     }
     if (!sensors_open(&own.sensors, config, arguments->root, why)) {
-        fprintf(stderr, "kingyo-poi: %s; kingyo-poi test says more\n", why);
+        print_error("kingyo-poi: %s; kingyo-poi test says more", why);
         sensors_close(&own.sensors);
         return EXIT_IO;
     }
     const struct pose_source source = sensor_source(&own, config);
     const enum exit_code code = prints ? watch(&arguments->run, source)
                                        : run(&arguments->run, source, sink);
-    fprintf(stderr, "kingyo-poi: %u readings missed\n", own.sensors.failed_count);
+    print_error("kingyo-poi: %u readings missed", own.sensors.failed_count);
     sensors_close(&own.sensors);
     return code;
 }
@@ -178,7 +176,7 @@ static enum exit_code play(struct poi_config *config, const struct arguments *ar
     char why[MOTOR_WHY_SIZE];
     if (!prints) {
         if (!motor_open(&motor, config, arguments->root, why)) {
-            fprintf(stderr, "kingyo-poi: %s\n", why); /* It plays on: only the hand misses it. */
+            print_error("kingyo-poi: %s", why); /* It plays on: only the hand misses it. */
         }
         sink = motor_sink(&motor);
     }
@@ -233,7 +231,7 @@ static int is_command(const char *word)
     return 0;
 }
 
-int main(int argc, char **argv)
+static enum exit_code run_words(int argc, char **argv)
 {
     struct arguments arguments = { .run = { .device = "/dev/hidg0", .rate_hz = 250 }, .root = "" };
     for (int i = 1; i < argc; i++) {
@@ -247,13 +245,29 @@ int main(int argc, char **argv)
         return EXIT_USAGE;
     }
     if (!is_command(argv[1])) {
-        return (int)wrong("unknown command", argv[1]);
+        return wrong("unknown command", argv[1]);
     }
     for (int i = 2, taken; i < argc; i += taken) {
         taken = read_option(&arguments, argv[i], i + 1 < argc ? argv[i + 1] : NULL);
         if (taken == 0) {
-            return (int)wrong("not an option, or not its value:", argv[i]);
+            return wrong("not an option, or not its value:", argv[i]);
         }
     }
-    return (int)command(argv[1], &arguments);
+    return command(argv[1], &arguments);
+}
+
+int main(int argc, char **argv)
+{
+    const int closed = standard_streams_open();
+    if (closed) {
+        print_error("kingyo-poi: /dev/null: %s", strerror(-closed));
+        return EXIT_IO;
+    }
+    const enum exit_code code = run_words(argc, argv);
+    const int lost = standard_output_finish();
+    if (lost && (code == EXIT_OK || code == EXIT_NOT_SO)) {
+        print_error("kingyo-poi: standard output: %s", strerror(-lost));
+        return EXIT_IO;
+    }
+    return (int)code;
 }

@@ -3,8 +3,9 @@
 
 GADGET_DIR := board/poi-gadget
 GADGET_SRC := $(wildcard $(GADGET_DIR)/*.c)
-GADGET_SHARED := core/base/fmath.c core/base/vec.c core/base/rng.c drivers/poi_descriptor.c \
-    drivers/poi_report.c
+GADGET_SHARED := core/base/fmath.c core/base/vec.c core/base/rng.c core/base/printable.c \
+    drivers/poi_descriptor.c drivers/poi_report.c platform/plain_file.c platform/print.c \
+    platform/standard_streams.c
 # Static: the board's Debian may be older than the one that compiles.
 GADGET_LDFLAGS ?= -static
 GADGET_OBJ := $(patsubst %.c,$(BUILD)/poi-gadget/%.o,$(GADGET_SRC) $(GADGET_SHARED))
@@ -19,7 +20,7 @@ $(BUILD)/kingyo-poi: $(GADGET_OBJ)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(GADGET_LDFLAGS) -o $@ $^ -lm
 
-$(BUILD)/poi-gadget/%.o: %.c
+$(BUILD)/poi-gadget/%.o: %.c $(FOUND_TOOLS)
 	@mkdir -p $(@D)
 	$(call step,CC,$< (poi))
 	$(Q)$(CC) $(BASE_CFLAGS) -D_GNU_SOURCE $(DEP_FLAGS) -c -o $@ $<

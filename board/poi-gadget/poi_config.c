@@ -7,6 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform/plain_file.h"
+#include "platform/print.h"
+
 #define MM 0.001f
 #define NUMBERS_MAX 4u
 
@@ -277,9 +280,9 @@ int poi_config_load(struct poi_config *config, const char *path)
     char line[POI_CONFIG_LINE_SIZE + 1];
     const char *why = NULL;
     uint32_t number = 0;
-    FILE *file = fopen(path, "r");
+    FILE *file = plain_file_open(path, POI_CONFIG_SIZE_MAX);
     if (!file) {
-        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        print_error("%s: %s", path, plain_file_error(errno));
         return 0;
     }
     int result = 0;
@@ -292,7 +295,7 @@ int poi_config_load(struct poi_config *config, const char *path)
         result = -1;
     }
     if (result < 0) {
-        fprintf(stderr, "%s:%u: %s\n", path, number, why);
+        print_error("%s:%u: %s", path, number, why);
     }
     return result >= 0;
 }

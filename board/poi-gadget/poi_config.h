@@ -11,6 +11,7 @@
 
 #define POI_CONFIG_NAME_SIZE 32u
 #define POI_CONFIG_LINE_SIZE 160u
+#define POI_CONFIG_SIZE_MAX (1u << 16) /* Bytes; poi.conf is 1 KiB. */
 #define POI_CONFIG_MARK_MAX 8u /* More marks than three wires need; a sheet of paper holds them. */
 #define POI_CONFIG_CHANNEL_MAX 31u
 

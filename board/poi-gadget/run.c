@@ -10,6 +10,7 @@
 
 #include "board/poi-gadget/hid_gadget.h"
 #include "board/poi-gadget/pose_line.h"
+#include "platform/print.h"
 
 #define REOPEN_BEATS 64u /* A function that is not there is asked for that seldom. */
 
@@ -81,11 +82,10 @@ static int is_over(const struct beat *beat, const struct run_options *options)
 static void tell_figures(const struct hid_gadget *gadget, const struct beat *beat)
 {
     const double seconds = (double)(beat->next_ns - beat->begin_ns) * 1e-9;
-    fprintf(stderr,
-            "kingyo-poi: %u reports sent in %.1f s, %u not fetched in time; %u of %" PRIu64
-            " beats late; felt %u, %u refused\n",
-            gadget->sent_count, seconds, gadget->skipped_count, beat->late, beat->count,
-            gadget->felt_count, gadget->refused_count);
+    print_error("kingyo-poi: %u reports sent in %.1f s, %u not fetched in time; %u of %" PRIu64
+                " beats late; felt %u, %u refused",
+                gadget->sent_count, seconds, gadget->skipped_count, beat->late, beat->count,
+                gadget->felt_count, gadget->refused_count);
 }
 
 static void one_beat(struct hid_gadget *gadget, struct feel_sink sink, float seconds,
@@ -110,8 +110,8 @@ enum exit_code run(const struct run_options *options, struct pose_source source,
     enum pose_result result = POSE_NONE;
     hid_gadget_init(&gadget, options->device);
     if (!hid_gadget_open(&gadget)) {
-        fprintf(stderr, "%s: %s; 'kingyo-poi-gadget start' makes it, or name it by --device\n",
-                options->device, strerror(errno));
+        print_error("%s: %s; 'kingyo-poi-gadget start' makes it, or name it by --device",
+                    options->device, strerror(errno));
         return EXIT_IO;
     }
     heed_signals();

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "platform/print.h"
+
 static void read_more(struct script_source *script)
 {
     struct pollfd ready = { .fd = script->fd, .events = POLLIN };
@@ -53,7 +55,7 @@ static enum pose_result script_step(void *self, float seconds, struct poi_report
     struct script_source *script = self;
     const int got = step_beats(script, seconds, out);
     if (got < 0) {
-        fprintf(stderr, "%s:%u: %s\n", script->name, script->tape.line, script->tape.why);
+        print_error("%s:%u: %s", script->name, script->tape.line, script->tape.why);
         return POSE_BAD;
     }
     if (got == 0) {

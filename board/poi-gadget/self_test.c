@@ -11,6 +11,7 @@
 #include "board/poi-gadget/board_pose.h"
 #include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/sensors.h"
+#include "platform/print.h"
 
 #define LOOKS 50u             /* Of the sensors, at rest. */
 #define LOOK_S 0.02f
@@ -26,13 +27,13 @@ struct verdicts {
 __attribute__((format(printf, 4, 5))) static void judge(struct verdicts *verdicts, int good,
                                                         const char *what, const char *format, ...)
 {
+    char why[PRINT_LINE_MAX];
     va_list arguments;
     va_start(arguments, format);
-    printf("%-4s  %-10s ", good ? "ok" : "FAIL", what);
-    vprintf(format, arguments);
-    putchar('\n');
-    fflush(stdout);
+    vsnprintf(why, sizeof why, format, arguments);
     va_end(arguments);
+    print_line(stdout, "%-4s  %-10s %s", good ? "ok" : "FAIL", what, why);
+    fflush(stdout);
     if (good) {
         verdicts->good++;
     } else {

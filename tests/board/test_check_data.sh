@@ -1,40 +1,114 @@
 #!/bin/bash
-# test_check_data.sh -- what the data partition's check makes of its own mark; mount and disk are stood in for.
-# Speaks TAP.
+# test_check_data.sh -- the check of the data partition and its read-only remount, in folders that are hostile: links,
+# FIFOs, devices, wild marks. The disk is stood in for; the mounts are real where this machine allows them. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/../lib.sh"
-data=$work/data bin=$work/bin
-mkdir "$data" "$bin"
+data=$work/data bin=$work/bin precious=$work/precious
+mkdir "$bin"
 stand_in() { # NAME LINES...
     printf '%s\n' '#!/bin/sh' "${@:2}" >"$bin/$1"
     chmod +x "$bin/$1"
 }
 stand_in mountpoint 'exit 0'
-stand_in findmnt '[ "$3" = SOURCE ] && echo /dev/sda3 || echo ext4'
-stand_in mount 'echo "$@" >>'"$work/mounts"
-stand_in dd 'cat "${1#if=}"' # A file system in memory may have no direct reads.
+stand_in findmnt 'case $* in *SOURCE*) echo /dev/sda3 ;; *FSROOT*) echo "${FSROOT-/}" ;; *) echo ext4 ;; esac'
+# A file system in memory may have no direct reads.
+stand_in dd 'for word; do shift; set -- "$@" "$(echo "$word" | sed "s/,direct$//")"; done' "exec $(command -v dd) \"\$@\""
 
-after() { # MARK WANTED: the folder keeps, and the mark is WANTED afterwards.
-    rm -f "$work/mounts"
-    printf "$1" >"$data/.persists"
-    PATH=$bin:$PATH sh board/kiosk/check-data "$data" "$work/told" || return 1
-    cat "$work/told"
-    [ ! -e "$work/mounts" ] && grep -q "^kept: /dev/sda3, ext4; start $2 of this disk" "$work/told" &&
-        [ "$(cut -d' ' -f1 "$data/.persists")" = "$2" ]
+fresh() { # An empty folder, and a file elsewhere that must stay as it is.
+    rm -rf "$data" && mkdir "$data" && echo precious >"$precious"
 }
-is_read_only_when() { # COMMAND...: makes the mark unreadable.
-    rm -rf "$work/mounts" "$data/.persists"
-    "$@" || return 1
-    PATH=$bin:$PATH sh board/kiosk/check-data "$data" "$work/told" && return 1
-    grep -q '^not kept: .*cannot be read' "$work/told" && grep -q 'remount,bind,ro' "$work/mounts"
+probe() { # Never waits: 10 s are for a loaded machine.
+    PATH=$bin:$PATH timeout 10 sh board/kiosk/check-data "$data" >"$work/told" 2>"$work/err"
+    local code=$?
+    cat "$work/told" "$work/err"
+    [ "$(cat "$precious")" = precious ] && [ ! -e "$work/owned" ] || { echo 'a file outside the folder changed'; return 99; }
+    [ "$(wc -l <"$work/told")" -eq 1 ] || { echo 'not one line'; return 98; }
+    return $code
+}
+keeps() { # COUNT: the folder keeps, and the mark is a regular file that counts COUNT.
+    probe && grep -q "^kept: /dev/sda3, ext4; start $1 of this disk" "$work/told" && [ ! -L "$data/.persists" ] &&
+        [ "$(cat "$data/.persists")" = "$1 $(cat /proc/sys/kernel/random/boot_id)" ] && [ ! -e "$data/.persists.new" ]
+}
+after() { # MARK COUNT
+    fresh && printf -- "$1" >"$data/.persists" && keeps "$2"
+}
+keeps_with() { # COMMAND...: hostile, but of no effect.
+    fresh && "$@" && keeps 1
+}
+fails_with() { # PATTERN COMMAND...
+    fresh && "${@:2}" || return 1
+    probe
+    [ $? -eq 1 ] && grep -q "^not kept: .*$1" "$work/told" && [ "$(cat "$precious")" = precious ]
 }
 
+# ---- The mark
+check 'no mark is the first start' keeps_with true
 check 'the next start is counted' after '7 b3c1\n' 8
-check 'the one before is named' grep -q 'the one before was b3c1' "$work/told"
+check 'the start before is named' grep -q 'the one before was b3c1' "$work/told"
 check 'a mark without a byte begins anew' after '' 1
 check 'a mark that was cut off counts' after '7' 8
-check 'a mark that says anything begins anew' after '\001\377x\n' 1
-check 'a mark that cannot be read shuts the folder' is_read_only_when mkdir "$data/.persists"
-rm -rf "$data/.persists"
-check 'no mark is the first start' bash -c "PATH=$bin:\$PATH sh board/kiosk/check-data $data $work/told && grep -q 'start 1 ' $work/told"
+for mark in '08 b3c1' '09' '0' '-1 x' '+7' '0x10' '12345678901234567890 b3c1' '9999999999' '1;id' '1+1' 'a[$(touch owned)] 1' \
+    '\001\377x' '7\033[2J' ' 7'; do
+    check "the mark '$mark' begins anew" after "$mark\n" 1
+done
+check 'a start before that is no id is not repeated' after '7 \033[2J;touch\n' 8
+check 'neither in the journal' grep -q 'the one before was never' "$work/err"
+long() { fresh && { printf '7 '; head -c 1000000 /dev/zero | tr '\0' a; } >"$data/.persists" && keeps 8; }
+check 'a mark of a megabyte is read in part' long
+
+# ---- What lies in the folder
+check 'a link in place of the new mark is not followed' keeps_with ln -s "$precious" "$data/.persists.new"
+check 'a link to nothing neither' keeps_with ln -s "$work/owned" "$data/.persists.new"
+check 'a FIFO in place of the new mark does not block' keeps_with mkfifo "$data/.persists.new"
+check 'a folder in place of the new mark is a failure' fails_with 'cannot be written' mkdir "$data/.persists.new"
+check 'a link in place of the mark is a failure' fails_with 'cannot be read' ln -s "$precious" "$data/.persists"
+check 'a link to nothing too' fails_with 'cannot be read' ln -s "$work/owned" "$data/.persists"
+check 'a FIFO in place of the mark is a failure, at once' fails_with 'cannot be read' mkfifo "$data/.persists"
+check 'a folder in place of the mark too' fails_with 'cannot be read' mkdir "$data/.persists"
+check 'a folder that is no mount of its own is a failure' env FSROOT=/kingyo bash -c "$(declare -f fresh probe fails_with)
+    work=$work data=$data bin=$bin precious=$precious; fails_with 'no partition of its own' true"
+stand_in dd 'exit 1'
+check 'a disk that gives nothing back is a failure' fails_with 'cannot be' true
+
+# ---- The remount
+protects() { # RESULT: as root in mounts of its own; every file of the folder is hostile.
+    fresh && ln -s "$precious" "$data/.persists" && mkfifo "$data/.persists.new" "$data/kingyo.db" || return 1
+    rm -f "$work/told"
+    SERVICE_RESULT=$1 unshare -m sh -c "timeout 10 sh board/kiosk/protect-data '$data' '$work/told' || exit 2
+        touch '$data/new' || exit 1"
+}
+shuts() { # RESULT
+    protects "$1"
+    [ $? -eq 1 ] && [ "$(cat "$precious")" = precious ] && grep -q "^not kept: .*$1" "$work/told"
+}
+opens() { protects success && [ -e "$data/new" ] && [ ! -e "$work/told" ]; }
+keeps_words() {
+    fresh && echo 'not kept: /dev/sda3 is gone' >"$work/told" || return 1
+    SERVICE_RESULT=exit-code unshare -m sh board/kiosk/protect-data "$data" "$work/told"
+    [ "$(cat "$work/told")" = 'not kept: /dev/sda3 is gone' ]
+}
+if [ "$(id -u)" -eq 0 ] && unshare -m true 2>/dev/null; then
+    for result in exit-code timeout signal core-dump resources ''; do
+        check "a check that ended with '$result' leaves the folder read-only" shuts "$result"
+    done
+    check 'a check that succeeded leaves it as it is' opens
+    check 'the reason that the check gave stays' keeps_words
+    cannot() { # A remount that fails: an empty folder covers this one.
+        stand_in mount 'case $* in *remount*) exit 32 ;; esac' "exec $(command -v mount) \"\$@\""
+        rm -f "$bin/findmnt" "$bin/mountpoint"
+        fresh && echo x >"$data/file"
+        PATH=$bin:$PATH SERVICE_RESULT=timeout unshare -m sh -c "sh board/kiosk/protect-data '$data' '$work/told' &&
+            [ ! -e '$data/file' ] && ! touch '$data/new'"
+    }
+    check 'where the remount fails, nothing can be written all the same' cannot
+else
+    skip 'a check that failed leaves the folder read-only' 'no root, or no mounts'
+fi
+
+# ---- The unit: only the remount is root's
+unit=board/systemd/kingyo-data.service
+as_user() { grep -qx 'User=kingyo' $unit && grep -q '^ExecStart=@PREFIX@/lib/kingyo/check-data ' $unit && ! grep -q '^ExecStart=[+!]' $unit; }
+check 'the check runs as the service user' as_user
+check 'the remount runs after every end of the check, as root' grep -q '^ExecStopPost=+@PREFIX@/lib/kingyo/protect-data ' $unit
+check 'the script of root opens no file in the folder' bash -c '! grep -nE "\\\$folder[\"'\'']?/|\\\$1/" board/kiosk/protect-data'
 echo "1..$count"

@@ -70,7 +70,7 @@ check 'a key with its range' has_range
 
 # ---- The service
 has() { grep -qxF "$1" "$unit" || { echo "no line '$1'"; return 1; }; }
-for line in Type=notify WatchdogSec=10s Restart=always StartLimitIntervalSec=0 User=kingyo LimitRTPRIO=1; do
+for line in Type=notify WatchdogSec=10s TimeoutAbortSec=10s Restart=always StartLimitIntervalSec=1h StartLimitBurst=40 User=kingyo LimitRTPRIO=1; do
     check "the service says $line" has "$line"
 done
 no_seat() { ! grep -E '^(PAMName|TTYPath|StandardInput)=' "$unit"; }
