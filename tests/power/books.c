@@ -6,6 +6,7 @@
 
 #include <sqlite3.h>
 
+#include "core/game/stand.h"
 #include "tests/power/hour.h"
 
 void books_open(struct books *books)
@@ -27,6 +28,7 @@ void books_add(struct books *books, const struct ledger_entry *entry)
         books->settings.value[entry->detail | entry->count << 8] = entry->value;
     }
     books->purse = entry->purse;
+    books->stand = stand_after(books->stand, entry);
     audits_note(&books->audits, entry);
     ranking_note(&books->ranking, entry);
 }
@@ -117,7 +119,17 @@ static int purse_differs(char why[BOOKS_WHY_SIZE], const struct purse *is,
            differs(why, "units", is->units, should->units) ||
            differs(why, "units towards the bonus", is->bonus_units, should->bonus_units) ||
            differs(why, "untold units", is->untold, should->untold) ||
+           differs(why, "the credit that came back", is->returned, should->returned) ||
+           differs(why, "tickets that are owed", is->tickets, should->tickets) ||
            differs(why, "the open round", is->open, should->open);
+}
+
+static int stand_differs(char why[BOOKS_WHY_SIZE], const struct ledger_stand *is,
+                         const struct ledger_stand *should)
+{
+    return differs(why, "the catch of the open round", is->count, should->count) ||
+           differs(why, "the tickets of the open round", is->value, should->value) ||
+           differs(why, "the mode of the open round", is->detail, should->detail);
 }
 
 static int sums_differ(char why[BOOKS_WHY_SIZE], const struct books *books,
@@ -175,6 +187,7 @@ int books_agree(const struct books *books, const struct memory *memory,
                 const struct books_file *file, char why[BOOKS_WHY_SIZE])
 {
     const int differ = purse_differs(why, &memory->ledger.purse, &books->purse) ||
+                       stand_differs(why, &memory->ledger.stand, &books->stand) ||
                        sums_differ(why, books, &memory->audits) ||
                        settings_differ(why, &memory->settings, &books->settings) ||
                        ranking_differs(why, &memory->ranking, &books->ranking) ||

@@ -15,6 +15,7 @@
 struct books {
     uint32_t coins, units_taken, services, rounds, caught, refunds; /* Counted here alone. */
     struct purse purse;
+    struct ledger_stand stand; /* Of the open round. */
     struct settings settings;
     struct audits audits;
     struct ranking ranking;

@@ -17,16 +17,11 @@
 #define GO_ON_EACH 100u
 #define PATH_SIZE 300u
 
-/* What the frame loop knew when the power went. */
-struct promise {
-    uint32_t acked, kept, replay;
-};
-
 static struct storage store;
 
 /* ---- One cut -------------------------------------------------------------------------------- */
 
-static void complain(struct tally *tally, uint64_t *count, const char *where, const char *why)
+void tally_complain(struct tally *tally, uint64_t *count, const char *where, const char *why)
 {
     (*count)++;
     if (!tally->first[0]) {
@@ -63,14 +58,25 @@ static int is_ranked(const struct ranking *ranking, uint32_t round_id)
     return 0;
 }
 
-static void look(const struct cutter *cutter, struct tally *tally, const char *folder,
+/* The ledger has each ticket that began to come out, and at most one whose pulse did not begin. */
+static int tickets_differ(const struct memory *memory, const struct promise *promise,
+                          struct tally *tally, char why[BOOKS_WHY_SIZE])
+{
+    const uint32_t out = memory->audits.count[AUDIT_TICKETS_OUT];
+    snprintf(why, BOOKS_WHY_SIZE, "%u tickets began to come out, and %u left the ledger",
+             promise->tickets, out);
+    tally->tickets_missing += out == promise->tickets + 1u;
+    return out == promise->tickets || out == promise->tickets + 1u ? 0 : -1;
+}
+
+void cutter_look(const struct cutter *cutter, struct tally *tally, const char *folder,
                  const struct promise *promise, const char *where)
 {
-    struct memory memory;
+    static struct memory memory;
     struct books_file file;
     char why[BOOKS_WHY_SIZE], path[PATH_SIZE];
     if (wake(folder, &memory, why) != 0) {
-        complain(tally, &tally->unopenable, where, why);
+        tally_complain(tally, &tally->unopenable, where, why);
         return;
     }
     const uint32_t last = memory.ledger.last_id;
@@ -79,20 +85,23 @@ static void look(const struct cutter *cutter, struct tally *tally, const char *f
              promise->acked, promise->kept);
     tally->ahead += last > promise->acked;
     if (last < promise->acked) {
-        complain(tally, &tally->lost, where, why);
+        tally_complain(tally, &tally->lost, where, why);
     } else if (last > promise->kept) {
-        complain(tally, &tally->ghosts, where, why);
+        tally_complain(tally, &tally->ghosts, where, why);
     } else if (books_read(path, promise->replay, &file) != 0) {
-        complain(tally, &tally->unopenable, where, "another program cannot read it");
+        tally_complain(tally, &tally->unopenable, where, "another program cannot read it");
     } else if (books_agree(&cutter->books[last], &memory, &file, why) != 0) {
-        complain(tally, &tally->differing, where, why);
+        tally_complain(tally, &tally->differing, where, why);
+    } else if (tickets_differ(&memory, promise, tally, why) != 0) {
+        tally_complain(tally, &tally->differing, where, why);
     } else if (promise->replay != 0 && !file.has_replay &&
                is_ranked(&memory.ranking, promise->replay)) {
-        complain(tally, &tally->replays_lost, where, "a replay that was promised is not there");
+        tally_complain(tally, &tally->replays_lost, where,
+                       "a replay that was promised is not there");
     } else if (tally->cuts % GO_ON_EACH == 0) {
         tally->mornings++;
         if (go_on(folder, &cutter->books[last], last, why) != 0) {
-            complain(tally, &tally->differing, where, why);
+            tally_complain(tally, &tally->differing, where, why);
         }
     }
 }
@@ -116,7 +125,7 @@ static void cut_again(const struct cutter *cutter, struct tally *tally, const ch
         disk_step(&disk, op);
         snprintf(place, sizeof place, "%.80s, and again at op %zu", where, op);
         disk_cut(&disk, (enum disk_luck)((op + tally->cuts) % DISK_LUCK_COUNT), op, folder_2);
-        look(cutter, tally, folder_2, promise, place);
+        cutter_look(cutter, tally, folder_2, promise, place);
         tally->second_cuts++;
     }
     disk_close(&disk);
@@ -129,7 +138,7 @@ int cutter_is_point(const struct tape_op *op)
     return op->kind < TAPE_KEPT;
 }
 
-static void heed(struct promise *promise, const struct tape_op *op)
+void cutter_heed(struct promise *promise, const struct tape_op *op)
 {
     if (op->kind == TAPE_KEPT) {
         promise->kept = (uint32_t)op->offset;
@@ -137,6 +146,12 @@ static void heed(struct promise *promise, const struct tape_op *op)
         promise->acked = (uint32_t)op->offset;
     } else if (op->kind == TAPE_REPLAY_ACKED) {
         promise->replay = (uint32_t)op->offset;
+    } else if (op->kind == TAPE_TICKET) {
+        promise->tickets = (uint32_t)op->offset;
+    } else if (op->kind == TAPE_EDIT_KEPT) {
+        promise->edit_kept = (uint32_t)op->offset;
+    } else if (op->kind == TAPE_EDIT_ACKED) {
+        promise->edit_acked = (uint32_t)op->offset;
     }
 }
 
@@ -159,7 +174,7 @@ static void cut_once(const struct cutter *cutter, const struct disk *disk, size_
         disk_cut(disk, luck, seed, bench->folder);
     }
     tally->by_luck[luck]++;
-    look(cutter, tally, bench->folder, promise, where);
+    cutter_look(cutter, tally, bench->folder, promise, where);
 }
 
 /* Every job goes through the whole tape, and cuts at its share. */
@@ -176,7 +191,7 @@ static void work(const struct cutter *cutter, uint32_t job, struct tally *tally)
     for (size_t op = 0; op < cutter->tape->count; op++) {
         const struct tape_op *what = &cutter->tape->ops[op];
         disk_step(&disk, op);
-        heed(&promise, what);
+        cutter_heed(&promise, what);
         for (uint32_t way = 0; way < cutter->ways; way++) {
             if (cutter_is_point(what) && (op + way) % cutter->jobs == job) {
                 cut_once(cutter, &disk, op, way, &promise, &bench, tally);
@@ -187,7 +202,7 @@ static void work(const struct cutter *cutter, uint32_t job, struct tally *tally)
     disk_close(&disk);
 }
 
-static void add_tally(struct tally *sum, const struct tally *part)
+void tally_add(struct tally *sum, const struct tally *part)
 {
     sum->cuts += part->cuts;
     sum->second_cuts += part->second_cuts;
@@ -199,8 +214,10 @@ static void add_tally(struct tally *sum, const struct tally *part)
     sum->ghosts += part->ghosts;
     sum->differing += part->differing;
     sum->replays_lost += part->replays_lost;
+    sum->edits_lost += part->edits_lost;
     sum->ahead += part->ahead;
     sum->mornings += part->mornings;
+    sum->tickets_missing += part->tickets_missing;
     sum->done += part->done;
     if (!sum->first[0]) {
         memcpy(sum->first, part->first, sizeof sum->first);
@@ -211,7 +228,7 @@ static void show_progress(const struct cutter *cutter, const struct tally *talli
 {
     struct tally sum = { 0 };
     for (uint32_t i = 0; i < cutter->jobs; i++) {
-        add_tally(&sum, &tallies[i]);
+        tally_add(&sum, &tallies[i]);
     }
     fprintf(stderr, "  %3.0f %%  %llu cuts, %llu of them in the opening after one\r",
             100.0 * (double)sum.done / ((double)cutter->tape->count * cutter->jobs),
@@ -243,7 +260,7 @@ int cutter_run(const struct cutter *cutter, struct tally *sum)
         }
     }
     for (uint32_t job = 0; job < cutter->jobs; job++) {
-        add_tally(sum, &tallies[job]);
+        tally_add(sum, &tallies[job]);
     }
     return failed ? -1 : 0;
 }

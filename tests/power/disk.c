@@ -9,7 +9,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/rng.h"
 #include "tests/power/disk_parts.h"
+
+static uint32_t disk_draw(size_t op, uint32_t what)
+{
+    return rng_u32((struct rng_key){ (uint32_t)op, what, 7u, RNG_TEST }) >> 8;
+}
 
 void disk_need(const void *got)
 {
@@ -159,13 +165,38 @@ uint32_t disk_put_folder(struct disk *disk, const char *folder,
     return count;
 }
 
+static int is_in(const struct tape_op *op, const char *folder)
+{
+    const char *slash = strchr(op->name, '/');
+    const size_t length = slash ? (size_t)(slash - op->name) : 0;
+    return strlen(folder) == length && strncmp(op->name, folder, length) == 0;
+}
+
+/* The disk keeps by luck what a failed sync was to write; nothing of it stays pending. */
+static void lose(struct disk *disk, size_t index)
+{
+    const struct tape_op *sync = &disk->tape->ops[index];
+    const uint32_t luck = disk_draw(index, 0) % 3u;
+    size_t left = 0;
+    for (size_t i = 0; i < disk->pending_count; i++) {
+        const size_t at = disk->pending[i];
+        const struct tape_op *op = &disk->tape->ops[at];
+        if (!disk_is_of_bytes(op) || op->file != sync->file) {
+            disk->pending[left++] = at;
+        } else if (luck == 2u || (luck == 1u && disk_draw(index, (uint32_t)at) % 2u)) {
+            disk_apply_bytes(disk->tape, op, file_at(disk, op->file));
+        }
+    }
+    disk->pending_count = left;
+}
+
 /* What a sync makes safe is no longer pending. */
 static void make_safe(struct disk *disk, const struct tape_op *sync)
 {
     size_t left = 0;
     for (size_t i = 0; i < disk->pending_count; i++) {
         const struct tape_op *op = &disk->tape->ops[disk->pending[i]];
-        if (sync->kind == TAPE_SYNC_FOLDER && disk_is_of_names(op)) {
+        if (sync->kind == TAPE_SYNC_FOLDER && disk_is_of_names(op) && is_in(op, sync->name)) {
             disk_apply_names(disk, op);
         } else if (sync->kind == TAPE_SYNC && disk_is_of_bytes(op) && op->file == sync->file) {
             disk_apply_bytes(disk->tape, op, file_at(disk, op->file));
@@ -182,6 +213,8 @@ void disk_step(struct disk *disk, size_t index)
     file_at(disk, op->file);
     if (op->kind == TAPE_SYNC || op->kind == TAPE_SYNC_FOLDER) {
         make_safe(disk, op);
+    } else if (op->kind == TAPE_SYNC_FAILED) {
+        lose(disk, index);
     } else if (disk_is_of_names(op) || disk_is_of_bytes(op)) {
         if (disk->pending_count == disk->pending_room) {
             disk->pending_room = disk->pending_room ? 2 * disk->pending_room : 256;

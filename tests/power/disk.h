@@ -4,7 +4,11 @@
  * A file's bytes are safe once it was synced after they were written. Until then each sector of 512
  * bytes is there or not, whatever came before or after it; where a file grew, what is not there is
  * zeros or old dirt. Names (new, changed, gone) are safe once the folder was synced; until then
- * those up to some moment are there, since journalling file systems keep them in their order. */
+ * those up to some moment are there, since journalling file systems keep them in their order.
+ *
+ * A sync that fails takes the page cache's side of Linux: what was written since the last sync
+ * counts as clean, reads back as long as the system runs, and no later sync writes it. None, half
+ * or all of its sectors have reached the disk. */
 #ifndef KINGYO_TESTS_POWER_DISK_H
 #define KINGYO_TESTS_POWER_DISK_H
 

@@ -4,9 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/base/rng.h"
+#include "platform/edit_file.h"
 #include "tests/power/disk_parts.h"
 
 struct cut {
@@ -112,11 +114,14 @@ static void cut_names(struct cut *cut, struct disk *names)
     }
 }
 
-static void empty(const char *folder)
+/* Removes the files in a folder; 0 where there is none. */
+static int empty(const char *folder)
 {
     char path[512];
     DIR *dir = opendir(folder);
-    disk_need(dir);
+    if (!dir) {
+        return 0;
+    }
     for (struct dirent *entry = readdir(dir); entry; entry = readdir(dir)) {
         snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
         if (entry->d_name[0] != '.') {
@@ -124,12 +129,25 @@ static void empty(const char *folder)
         }
     }
     closedir(dir);
+    return 1;
+}
+
+/* Where a name has a folder, it is made. */
+static void make_folder(const char *folder, const char *name)
+{
+    char path[512];
+    const char *slash = strchr(name, '/');
+    if (slash) {
+        snprintf(path, sizeof path, "%s/%.*s", folder, (int)(slash - name), name);
+        mkdir(path, 0755);
+    }
 }
 
 static void write_out(const char *folder, const char *name, const struct disk_file *file)
 {
     char path[512];
     snprintf(path, sizeof path, "%s/%s", folder, name);
+    make_folder(folder, name);
     const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (fd < 0 || write(fd, file->bytes, file->size) != (ssize_t)file->size) {
         fprintf(stderr, "power: %s: cannot write\n", path);
@@ -149,7 +167,10 @@ uint32_t disk_cut(const struct disk *disk, enum disk_luck luck, uint64_t seed, c
     }
     uint32_t count = 0;
     cut_names(&cut, &names);
-    empty(folder);
+    char graphs[512];
+    snprintf(graphs, sizeof graphs, "%s/" EDIT_FOLDER, folder);
+    empty(graphs);
+    disk_need(empty(folder) ? &cut : NULL);
     for (uint32_t i = 0; i < DISK_NAMES_MAX; i++) {
         if (names.names[i].file) {
             cut_file(&cut, names.names[i].file, &file);

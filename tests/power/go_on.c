@@ -23,28 +23,58 @@ static uint32_t credits(const struct purse *purse)
     return purse->paid + purse->service;
 }
 
-/* The start is the first entry; a round that was open comes back with the second, and its credit
- * with it. What was not open brings nothing back. */
+static int is_told_back(const struct books *before, const struct ledger_entry *entry)
+{
+    const uint8_t open = before->purse.open, kind = open & OPEN_KIND;
+    const uint32_t count = !(open & OPEN_SPENT) && (kind == OPEN_PAID || kind == OPEN_SERVICE);
+    return entry->kind == LEDGER_REFUND && entry->detail == REFUND_RESTART &&
+           entry->count == count && credits(&entry->purse) == credits(&before->purse) + count;
+}
+
+/* Nothing comes back of a round that counts: it has the catch and the tickets of its stand. */
+static int is_kept(const struct books *before, const struct ledger_entry *entry)
+{
+    return (before->purse.open & OPEN_SPENT) && before->stand.value >> 16 != 0 &&
+           entry->kind == LEDGER_ROUND && entry->detail == ROUND_CUT_OFF &&
+           entry->round.caught == (before->stand.count & 255u) &&
+           entry->value == (before->stand.value & 0xffff) &&
+           entry->purse.tickets == before->purse.tickets + entry->value &&
+           credits(&entry->purse) == credits(&before->purse);
+}
+
+/* The start is the first entry; the second ends a round that was open, if one was. */
 static int opens_well(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
-    const struct ledger_entry *boot = &morning.entries[last_id + 1u], *back = boot + 1;
-    const uint8_t open = before->purse.open;
-    const int was_paid = open == OPEN_PAID || open == OPEN_SERVICE;
+    const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
+    const int was_open = before->purse.open != OPEN_NONE;
     if (boot->kind != LEDGER_BOOT || credits(&boot->purse) != credits(&before->purse)) {
         return refuse(why, "the start is not the first entry, or changed the purse");
     }
-    if (open != OPEN_NONE && (back->kind != LEDGER_REFUND || back->detail != REFUND_RESTART ||
-                              back->purse.open != OPEN_NONE ||
-                              credits(&back->purse) !=
-                                  credits(&before->purse) + (uint32_t)was_paid)) {
-        return refuse(why, "the round that was open did not come back, or not once");
+    if (was_open && (end->purse.open != OPEN_NONE ||
+                     (!is_kept(before, end) && !is_told_back(before, end)))) {
+        return refuse(why, "the round that was open was neither refunded nor kept, or not once");
     }
-    uint32_t refunds = 0;
+    uint32_t ends = 0;
     for (uint32_t id = last_id + 1u; id <= morning.kept_id; id++) {
-        refunds += morning.entries[id].kind == LEDGER_REFUND &&
-                   morning.entries[id].detail == REFUND_RESTART;
+        const struct ledger_entry *entry = &morning.entries[id];
+        ends += (entry->kind == LEDGER_REFUND && entry->detail == REFUND_RESTART) ||
+                (entry->kind == LEDGER_ROUND && entry->detail == ROUND_CUT_OFF);
     }
-    return refunds == (open != OPEN_NONE) ? 0 : refuse(why, "what was open came back twice");
+    return ends == (uint32_t)was_open ? 0 : refuse(why, "what was open ended twice");
+}
+
+/* Half a minute is long enough for what was owed; rounds of the morning owe more. */
+static int pays_tickets(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
+{
+    uint32_t owed = before->purse.tickets, out = 0;
+    for (uint32_t id = last_id + 1u; id <= morning.kept_id; id++) {
+        const struct ledger_entry *entry = &morning.entries[id];
+        owed += entry->kind == LEDGER_ROUND ? (uint32_t)entry->value : 0u;
+        out += entry->kind == LEDGER_TICKET;
+    }
+    const uint32_t left = morning.core.game.ledger.purse.tickets;
+    const int agrees = out >= before->purse.tickets && out + left == owed;
+    return agrees ? 0 : refuse(why, "owed tickets did not come out, or more than were owed");
 }
 
 static int play(const char *folder, uint32_t last_id, char why[BOOKS_WHY_SIZE])
@@ -68,7 +98,8 @@ int go_on(const char *folder, const struct books *before, uint32_t last_id,
     struct memory memory;
     struct books_file file;
     char path[300];
-    if (play(folder, last_id, why) != 0 || opens_well(before, last_id, why) != 0) {
+    if (play(folder, last_id, why) != 0 || opens_well(before, last_id, why) != 0 ||
+        pays_tickets(before, last_id, why) != 0) {
         return -1;
     }
     for (uint32_t id = last_id + 1u; id <= morning.kept_id; id++) {

@@ -8,15 +8,18 @@
 #include "core/base/fmath.h"
 #include "core/base/rng.h"
 #include "core/game/score.h"
+#include "platform/cpu.h"
 #include "tests/power/tape.h"
 
 #define ROUND_S 20u /* Short ones, so that there are many. */
 #define TICKS_A_FRAME 2u
 
-enum { DRAW_COIN = 1, DRAW_COINS, DRAW_SERVICE, DRAW_START, DRAW_FISH, DRAW_VOLUME, DRAW_RESET };
+enum { DRAW_COIN = 1, DRAW_COINS, DRAW_SERVICE, DRAW_START, DRAW_FISH, DRAW_VOLUME, DRAW_RESET,
+       DRAW_EDIT };
 
 int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
 {
+    cpu_set_float();
     memset(hour, 0, sizeof *hour);
     hour->seed = seed;
     struct core_config config = { .seed = seed };
@@ -27,6 +30,7 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
     config.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
     config.memory.settings.value[SET_ROUND_S] = (int32_t)ROUND_S;
     config.memory.settings.value[SET_FISH] = 1; /* Swimming is not what is tried here. */
+    config.memory.settings.value[SET_TICKET_FISH] = 1;
     settings_apply(&config.memory.settings, &config);
     hour->kept_id = hour->acked_id = config.memory.ledger.last_id;
     hour->output.entry_id = hour->kept_id;
@@ -41,7 +45,8 @@ static uint32_t draw(const struct hour *hour, uint32_t what)
 /* Once in so many seconds. */
 static int happens(const struct hour *hour, uint32_t what, uint32_t seconds)
 {
-    return draw(hour, what) % (seconds * CORE_TICK_HZ) == 0;
+    const uint32_t ticks = seconds * CORE_TICK_HZ / (hour->haste ? hour->haste : 1u);
+    return draw(hour, what) % (ticks ? ticks : 1u) == 0;
 }
 
 /* A hand that circles over the water, so that somebody is there. */
@@ -145,6 +150,17 @@ static void note(struct hour *hour, const struct ledger_entry *entry)
     }
 }
 
+/* The pulse begins in this very tick: a power cut behind the mark finds it begun. */
+static void dispense(struct hour *hour, uint32_t asked_before)
+{
+    hour->pulse_ticks -= hour->pulse_ticks > 0;
+    if (hour->output.tickets != asked_before) {
+        hour->pulse_ticks = HOUR_PULSE_TICKS;
+        tape_mark(TAPE_TICKET, hour->output.tickets);
+    }
+    hour->input.tickets_done = hour->output.tickets - (hour->pulse_ticks > 0);
+}
+
 static void hand_over(struct hour *hour, struct hal_storage store)
 {
     while (hour->kept_id != hour->output.entry_id) {
@@ -161,12 +177,31 @@ static void hand_over(struct hour *hour, struct hal_storage store)
 
 static void hand_over_replay(struct hour *hour, struct hal_storage store)
 {
-    static uint32_t taken;
-    if (hour->replay_id != 0 && hour->replay_id != taken) {
+    if (hour->replay_id != 0 && hour->replay_id != hour->replay_taken_id) {
         const size_t size = hour_replay(hour->replay_id, hour->replay);
         if (store.ops->keep_replay(store.self, hour->replay_id, hour->replay, size) == HAL_OK) {
-            taken = hour->replay_id;
+            hour->replay_taken_id = hour->replay_id;
         }
+    }
+}
+
+struct edit_record hour_edit(uint32_t number)
+{
+    struct edit_record edit = { .id = number, .key_count = 1, .species = "wakin" };
+    edit.edit.graph.knot_count = 2;
+    edit.edit.graph.knots[1].progress = 1.0f;
+    edit.edit.graph.knots[1].weight[0] = (float)number;
+    return edit;
+}
+
+/* The store counts graphs from 1 at each opening. */
+static void save_graph(struct hour *hour, struct hal_storage store)
+{
+    if (hour->edit_each_s > 0 && draw(hour, DRAW_EDIT) % (hour->edit_each_s * 60u) == 0) {
+        struct edit_record edit = hour_edit(hour->edit_number + 1u);
+        edit.id -= hour->edit_first;
+        tape_mark(TAPE_EDIT_KEPT, hour->edit_number + 1u);
+        hour->edit_number += store.ops->keep_edit(store.self, &edit) == HAL_OK;
     }
 }
 
@@ -182,6 +217,11 @@ static void ask(struct hour *hour, struct hal_storage store)
         hour->replay_acked_id = replay_id;
         tape_mark(TAPE_REPLAY_ACKED, replay_id);
     }
+    const uint32_t edit = hour->edit_first + store.ops->kept_edit_id(store.self);
+    if (hour->edit_each_s > 0 && edit > hour->edit_acked) {
+        hour->edit_acked = edit;
+        tape_mark(TAPE_EDIT_ACKED, edit);
+    }
     hour->input.record_saved_id = hour->acked_id;
     hour->input.store_well = store.ops->is_well(store.self) != 0;
 }
@@ -191,11 +231,17 @@ void hour_frame(struct hour *hour, struct hal_storage store)
     ask(hour, store);
     hour->output.sound_count = 0;
     for (uint32_t i = 0; i < TICKS_A_FRAME; i++) {
+        const uint32_t asked = hour->output.tickets;
         live(hour);
-        core_tick(&hour->core, &hour->input, &hour->output);
+        if (core_tick(&hour->core, &hour->input, &hour->output) != CORE_OK) {
+            fputs("power: " CPU_FLOAT_WRONG "\n", stderr);
+            exit(70);
+        }
+        dispense(hour, asked);
         land_fish(hour);
         keep_books(hour);
     }
     hand_over(hour, store);
     hand_over_replay(hour, store);
+    save_graph(hour, store);
 }

@@ -8,6 +8,7 @@
 #include "core/core.h"
 #include "platform/hal.h"
 
+#define HOUR_PULSE_TICKS 30u /* A ticket takes a quarter of a second. */
 #define HOUR_ENTRIES_MAX 20000u
 #define HOUR_REPLAY_MAX 12288u
 
@@ -19,7 +20,13 @@ struct hour {
     uint32_t kept_id, acked_id;           /* Handed over, and known to be safe. */
     uint32_t replay_id, replay_acked_id;  /* Of rounds. */
     uint32_t named_id;                    /* The last round whose player has a name. */
+    uint32_t pulse_ticks;                 /* Left of the dispenser's pulse; 0: it rests. */
     uint32_t coins, services, rounds;     /* That the world gave, to be found again. */
+    uint32_t replay_taken_id;             /* That the store has. */
+    uint32_t haste;                       /* Coins, SERVICE, START so many times as often; 0: 1. */
+    uint32_t edit_each_s;                 /* A graph is saved once in so many seconds; 0: none. */
+    uint32_t edit_number, edit_acked;     /* Of graphs: number 1 and on. */
+    uint32_t edit_first;                  /* The number of the store's graph 1, less 1. */
     uint8_t replay[HOUR_REPLAY_MAX];
     struct ledger_entry entries[HOUR_ENTRIES_MAX]; /* By their id. */
 };
@@ -29,6 +36,9 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store);
 
 /* One frame: two ticks, and the store is told and asked. */
 void hour_frame(struct hour *hour, struct hal_storage store);
+
+/* Graph `number`, as it is saved. */
+struct edit_record hour_edit(uint32_t number);
 
 /* The bytes that stand for the replay of a round; returns how many. */
 size_t hour_replay(uint32_t round_id, uint8_t out[HOUR_REPLAY_MAX]);

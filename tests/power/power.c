@@ -1,6 +1,6 @@
 /* power.c -- pulls the plug at every write and sync of a busy hour, and looks at what is left.
  *
- *   power [--cuts N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
+ *   power [--cuts N] [--lives N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
  *         [--journal "MODE SYNC"]
  *
  * The hour is played once, with the real core and the real store, and its file operations are
@@ -9,6 +9,7 @@
  * some one that was handed over, none older than it had promised (books.h). One opening in
  * forty is itself cut at each of its file operations, and after one cut in a hundred the stall
  * plays on (go_on.h). Exit 1 when anything is not so.
+ * Then N lives (lives.h) are played in which file calls fail by seed, and are cut in the same way.
  * With --deaf no sync reaches the disk, so that the losses which this must find are there. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,6 +23,7 @@
 #include "platform/storage.h"
 #include "tests/power/cutter.h"
 #include "tests/power/hour.h"
+#include "tests/power/lives.h"
 #include "tests/power/tape.h"
 
 #define FRAMES_AN_HOUR (3600u * 60u)
@@ -30,7 +32,7 @@
 #define PATH_SIZE 300u
 
 struct plan {
-    uint32_t cuts, seed, frames, jobs, deaf;
+    uint32_t cuts, lives, seed, frames, jobs, deaf;
     char folder[200];
     const char *journal; /* Null: the store's own. */
 };
@@ -118,8 +120,10 @@ static void tell_hour(const struct plan *plan)
         syncs += tape.ops[i].kind == TAPE_SYNC || tape.ops[i].kind == TAPE_SYNC_FOLDER;
         points += (uint32_t)cutter_is_point(&tape.ops[i]);
     }
-    printf("power: %u minutes of a festival: %u coins, %u SERVICE, %u rounds, %u entries\n",
-           plan->frames / 3600u, hour.coins, hour.services, hour.rounds, hour.kept_id);
+    printf("power: %u minutes of a festival: %u coins, %u SERVICE, %u rounds, %u tickets, "
+           "%u entries\n",
+           plan->frames / 3600u, hour.coins, hour.services, hour.rounds, hour.output.tickets,
+           hour.kept_id);
     printf("       %u file operations, of them %u writes (%.1f MB) and %u syncs\n", points, writes,
            (double)tape.used / 1e6, syncs);
 }
@@ -143,11 +147,49 @@ static int tell(const struct tally *sum, double seconds)
            (unsigned long long)sum->replays_lost, (unsigned long long)sum->ahead);
     printf("  after %llu of them the stall played on for half a minute, and was opened once more\n",
            (unsigned long long)sum->mornings);
+    printf("  in %llu cuts one ticket had left the ledger and not begun to come out\n",
+           (unsigned long long)sum->tickets_missing);
     if (sum->first[0]) {
         printf("  the first: %s\n", sum->first);
     }
     return sum->lost || sum->ghosts || sum->differing || sum->unopenable ||
            sum->replays_lost || sum->cuts == 0;
+}
+
+static int tell_lives(const struct lives_tally *sum, double seconds)
+{
+    const struct tally *cuts = &sum->cuts;
+    printf("  in %llu lives of failing calls (%llu ended by SIGKILL, %llu starts refused)\n"
+           "  calls that failed:",
+           (unsigned long long)sum->lives, (unsigned long long)sum->kills,
+           (unsigned long long)sum->refused_starts);
+    for (uint32_t i = 0; i < FAULT_CALL_COUNT; i++) {
+        printf(" %llu %s%s", (unsigned long long)sum->failed[i], fault_names[i],
+               i + 1u < FAULT_CALL_COUNT ? "," : "\n");
+    }
+    printf("  %llu cuts in these lives in %.0f s: %llu lost, %llu doubled, %llu unopenable, "
+           "%llu with other sums, %llu replays lost, %llu graphs lost\n",
+           (unsigned long long)cuts->cuts, seconds, (unsigned long long)cuts->lost,
+           (unsigned long long)cuts->ghosts, (unsigned long long)cuts->unopenable,
+           (unsigned long long)cuts->differing, (unsigned long long)cuts->replays_lost,
+           (unsigned long long)cuts->edits_lost);
+    if (cuts->first[0]) {
+        printf("  the first: %s\n", cuts->first);
+    }
+    return cuts->lost || cuts->ghosts || cuts->unopenable || cuts->differing ||
+           cuts->replays_lost || cuts->edits_lost || cuts->cuts == 0;
+}
+
+static int run_lives(const struct plan *plan)
+{
+    const time_t begin = time(NULL);
+    struct lives_tally sum = { 0 };
+    const struct lives lives = { plan->folder, plan->lives, plan->seed, plan->jobs };
+    if (lives_run(&lives, &sum) != 0) {
+        fprintf(stderr, "power: a worker died\n");
+        return 1;
+    }
+    return tell_lives(&sum, difftime(time(NULL), begin));
 }
 
 static int read_plan(struct plan *plan, int argc, char **argv)
@@ -158,6 +200,7 @@ static int read_plan(struct plan *plan, int argc, char **argv)
     int good = 1;
     for (int i = 1; i + 1 < argc; i += 2) {
         uint32_t *out = strcmp(argv[i], "--cuts") == 0     ? &plan->cuts
+                        : strcmp(argv[i], "--lives") == 0  ? &plan->lives
                         : strcmp(argv[i], "--seed") == 0   ? &plan->seed
                         : strcmp(argv[i], "--frames") == 0 ? &plan->frames
                         : strcmp(argv[i], "--jobs") == 0   ? &plan->jobs
@@ -168,23 +211,18 @@ static int read_plan(struct plan *plan, int argc, char **argv)
         } else if (strcmp(argv[i], "--folder") == 0) {
             snprintf(plan->folder, sizeof plan->folder, "%s", argv[i + 1]);
         } else {
-            good &= out && number_parse(argv[i + 1], 1, UINT32_MAX / 2u, out);
+            const uint32_t least = out == &plan->cuts ? 0u : 1u;
+            good &= out && number_parse(argv[i + 1], least, UINT32_MAX / 2u, out);
         }
     }
     plan->jobs = plan->jobs > JOBS_MAX ? JOBS_MAX : plan->jobs;
     return good && argc % 2 == 1 ? 0 : -1;
 }
 
-static int run(struct plan *plan)
+static int run_hour(const struct plan *plan)
 {
     char folder[PATH_SIZE], copy[PATH_SIZE];
     const time_t begin = time(NULL);
-    snprintf(folder, sizeof folder, "%.180s/kingyo-power-XXXXXX", plan->folder);
-    if (!mkdtemp(folder)) {
-        fprintf(stderr, "power: %s: cannot make a folder there\n", plan->folder);
-        return 74;
-    }
-    snprintf(plan->folder, sizeof plan->folder, "%.190s", folder);
     snprintf(copy, sizeof copy, "%.280s/copy", plan->folder);
     snprintf(folder, sizeof folder, "%.280s/hour", plan->folder);
     mkdir(folder, 0755);
@@ -211,6 +249,19 @@ static int run(struct plan *plan)
     return tell(&sum, difftime(time(NULL), begin));
 }
 
+static int run(struct plan *plan)
+{
+    char folder[PATH_SIZE];
+    snprintf(folder, sizeof folder, "%.180s/kingyo-power-XXXXXX", plan->folder);
+    if (!mkdtemp(folder)) {
+        fprintf(stderr, "power: %s: cannot make a folder there\n", plan->folder);
+        return 74;
+    }
+    snprintf(plan->folder, sizeof plan->folder, "%.190s", folder);
+    const int code = plan->cuts > 0 ? run_hour(plan) : 0;
+    return code == 0 && plan->lives > 0 ? run_lives(plan) : code;
+}
+
 static void remove_folder(const char *folder)
 {
     char command[PATH_SIZE + 16];
@@ -224,8 +275,8 @@ int main(int argc, char **argv)
 {
     struct plan plan;
     if (read_plan(&plan, argc, argv) != 0) {
-        fprintf(stderr, "usage: power [--cuts N] [--seed N] [--frames N] [--folder DIR] "
-                        "[--jobs N] [--deaf 1] [--journal \"MODE SYNC\"]\n");
+        fprintf(stderr, "usage: power [--cuts N] [--lives N] [--seed N] [--frames N] "
+                        "[--folder DIR] [--jobs N] [--deaf 1] [--journal \"MODE SYNC\"]\n");
         return 2;
     }
     panic_prepare(NULL, NULL);

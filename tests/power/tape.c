@@ -18,7 +18,6 @@
 #include <unistd.h>
 
 #define FD_MAX 256
-#define NAMES_MAX 64u
 
 static pthread_mutex_t pencil = PTHREAD_MUTEX_INITIALIZER;
 static struct tape *running;
@@ -26,12 +25,14 @@ static char watched[256];
 static size_t watched_size;
 static atomic_uint sync_us;
 static int is_deaf;
+static atomic_int is_dead;
+int (*tape_other_write)(const void *bytes, size_t size);
 static atomic_int refusal;
 static uint32_t file_of_fd[FD_MAX]; /* 0: not one of ours. */
-static uint8_t is_folder[FD_MAX];
+static uint8_t is_folder[FD_MAX]; /* 1: the watched one; 2: one within. */
+static char folder_name[FD_MAX][TAPE_NAME_SIZE];
 static uint8_t is_index[FD_MAX]; /* A log's: not noted, for no power cut leaves it, but it takes
                                     room. */
-static struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[NAMES_MAX];
 
 /* ---- The tape ------------------------------------------------------------------------------- */
 
@@ -77,14 +78,15 @@ static const char *own_name(const char *path)
         return NULL;
     }
     const char *name = path + watched_size + 1;
-    return *name && !strchr(name, '/') && !strstr(name, "-shm") ? name : NULL;
+    const char *slash = strchr(name, '/');
+    return *name && !(slash && strchr(slash + 1, '/')) && !strstr(name, "-shm") ? name : NULL;
 }
 
 static uint32_t *find(const char *name)
 {
-    for (uint32_t i = 0; i < NAMES_MAX; i++) {
-        if (names[i].file && strcmp(names[i].name, name) == 0) {
-            return &names[i].file;
+    for (uint32_t i = 0; i < TAPE_NAMES_MAX; i++) {
+        if (running->names[i].file && strcmp(running->names[i].name, name) == 0) {
+            return &running->names[i].file;
         }
     }
     return NULL;
@@ -93,10 +95,10 @@ static uint32_t *find(const char *name)
 static void enter(const char *name, uint32_t file)
 {
     uint32_t *there = find(name);
-    for (uint32_t i = 0; !there && i < NAMES_MAX; i++) {
-        if (!names[i].file) {
-            snprintf(names[i].name, TAPE_NAME_SIZE, "%s", name);
-            there = &names[i].file;
+    for (uint32_t i = 0; !there && i < TAPE_NAMES_MAX; i++) {
+        if (!running->names[i].file) {
+            snprintf(running->names[i].name, TAPE_NAME_SIZE, "%s", name);
+            there = &running->names[i].file;
         }
     }
     need(there);
@@ -118,17 +120,22 @@ static uint32_t note_file(const char *name, int is_new)
 void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_NAME_SIZE],
                 uint32_t first_count)
 {
-    memset(names, 0, sizeof names);
-    memset(file_of_fd, 0, sizeof file_of_fd);
-    memset(is_folder, 0, sizeof is_folder);
-    memset(is_index, 0, sizeof is_index);
+    memset(tape->names, 0, sizeof tape->names);
     tape->count = tape->used = 0;
     tape->files = first_count;
-    snprintf(watched, sizeof watched, "%s", folder);
-    watched_size = strlen(watched);
+    tape_go_on(tape, folder);
     for (uint32_t i = 0; i < first_count; i++) {
         enter(first[i], i + 1u);
     }
+}
+
+void tape_go_on(struct tape *tape, const char *folder)
+{
+    memset(file_of_fd, 0, sizeof file_of_fd);
+    memset(is_folder, 0, sizeof is_folder);
+    memset(is_index, 0, sizeof is_index);
+    snprintf(watched, sizeof watched, "%s", folder);
+    watched_size = strlen(watched);
     running = tape;
 }
 
@@ -167,17 +174,29 @@ static uint32_t file_of(int fd)
     return running && fd >= 0 && fd < FD_MAX ? file_of_fd[fd] : 0;
 }
 
+/* A log's index belongs to the watched folder, though it is on no tape. */
+static int is_ours(int fd)
+{
+    return running && fd >= 0 && fd < FD_MAX && is_index[fd];
+}
+
 static int open_file(const char *path, int flags, mode_t mode)
 {
     struct stat before;
     pthread_mutex_lock(&pencil);
     const char *name = own_name(path);
     const int was_there = syscall(SYS_newfstatat, AT_FDCWD, path, &before, 0) == 0;
+    if (name && !was_there && flags & O_CREAT && atomic_load(&is_dead)) {
+        pthread_mutex_unlock(&pencil);
+        errno = EIO;
+        return -1;
+    }
     const int fd = (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
     if (running && fd >= 0 && fd < FD_MAX) {
         const int writes = (flags & (O_RDWR | O_WRONLY)) != 0;
         file_of_fd[fd] = name && writes ? note_file(name, !was_there) : 0;
-        is_folder[fd] = strcmp(path, watched) == 0;
+        is_folder[fd] = strcmp(path, watched) == 0 ? 1u : name && flags & O_DIRECTORY ? 2u : 0u;
+        snprintf(folder_name[fd], TAPE_NAME_SIZE, "%.63s", is_folder[fd] == 2u ? name : "");
         is_index[fd] = strncmp(path, watched, watched_size) == 0 && strstr(path, "-shm") != NULL;
         if (file_of_fd[fd] && was_there && flags & O_TRUNC) {
             add(TAPE_TRUNCATE, file_of_fd[fd]);
@@ -213,6 +232,16 @@ static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
     }
 }
 
+/* The errno of a call that has to fail: 0, or the program is dead or the plan says so. */
+int tape_strikes(enum fault_call call)
+{
+    pthread_mutex_lock(&pencil);
+    const int error = atomic_load(&is_dead) ? EIO : fault_strikes(call);
+    pthread_mutex_unlock(&pencil);
+    errno = error ? error : errno;
+    return error;
+}
+
 static int is_refused(int fd)
 {
     const int mood = atomic_load(&refusal);
@@ -227,11 +256,15 @@ static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
     if (is_refused(fd)) {
         return -1;
     }
+    /* The first sectors of a write that fails may be there. */
+    const int error = file_of(fd) || is_ours(fd) ? tape_strikes(FAULT_PWRITE) : 0;
+    const size_t reached = !error ? size : atomic_load(&is_dead) ? 0u : size / 1024u * 512u;
     pthread_mutex_lock(&pencil);
-    const ssize_t done = syscall(SYS_pwrite64, fd, bytes, size, offset);
+    const ssize_t done = reached || !error ? syscall(SYS_pwrite64, fd, bytes, reached, offset) : 0;
     note_write(fd, bytes, done, (uint64_t)offset);
     pthread_mutex_unlock(&pencil);
-    return done;
+    errno = error ? error : errno;
+    return error ? -1 : done;
 }
 
 ssize_t pwrite(int fd, const void *bytes, size_t size, off_t offset)
@@ -247,9 +280,11 @@ ssize_t pwrite64(int fd, const void *bytes, size_t size, off64_t offset)
 ssize_t write(int fd, const void *bytes, size_t size)
 {
     if (!file_of(fd)) {
-        return syscall(SYS_write, fd, bytes, size);
+        const int error = running && tape_other_write ? tape_other_write(bytes, size) : 0;
+        errno = error ? error : errno;
+        return error ? -1 : syscall(SYS_write, fd, bytes, size);
     }
-    if (is_refused(fd)) {
+    if (is_refused(fd) || tape_strikes(FAULT_WRITE)) {
         return -1;
     }
     pthread_mutex_lock(&pencil);
@@ -262,6 +297,9 @@ ssize_t write(int fd, const void *bytes, size_t size)
 
 static int cut_file(int fd, off_t size)
 {
+    if ((file_of(fd) || is_ours(fd)) && tape_strikes(FAULT_FTRUNCATE)) {
+        return -1;
+    }
     pthread_mutex_lock(&pencil);
     const int result = (int)syscall(SYS_ftruncate, fd, size);
     if (file_of(fd) && result == 0) {
@@ -291,43 +329,60 @@ void tape_be_deaf(void)
     is_deaf = 1;
 }
 
-static int note_sync(int fd)
+void tape_be_dead(int is_dead_now)
 {
+    atomic_store(&is_dead, is_dead_now);
+}
+
+/* A failed sync of a folder leaves its names pending: file systems keep them in a journal. */
+static int note_sync(int fd, enum fault_call call)
+{
+    int error = 0;
     if (running && !is_deaf && fd >= 0 && fd < FD_MAX && (file_of_fd[fd] || is_folder[fd])) {
         const struct timespec time = { .tv_nsec = 1000L * atomic_load(&sync_us) };
         nanosleep(&time, NULL);
+        error = tape_strikes(call);
         pthread_mutex_lock(&pencil);
-        add(is_folder[fd] ? TAPE_SYNC_FOLDER : TAPE_SYNC, file_of_fd[fd]);
+        if (!error && is_folder[fd]) {
+            memcpy(add(TAPE_SYNC_FOLDER, 0)->name, folder_name[fd], TAPE_NAME_SIZE);
+        } else if (!is_folder[fd] && !atomic_load(&is_dead)) {
+            add(error ? TAPE_SYNC_FAILED : TAPE_SYNC, file_of_fd[fd]);
+        }
         pthread_mutex_unlock(&pencil);
     }
-    return 0;
+    return error ? -1 : 0;
 }
 
 int fsync(int fd)
 {
-    return note_sync(fd);
+    return note_sync(fd, FAULT_FSYNC);
 }
 
 int fdatasync(int fd)
 {
-    return note_sync(fd);
+    return note_sync(fd, FAULT_FDATASYNC);
 }
 
 int unlink(const char *path)
 {
     pthread_mutex_lock(&pencil);
     const char *name = own_name(path);
-    const int result = (int)syscall(SYS_unlinkat, AT_FDCWD, path, 0);
+    const int is_refused_now = name && atomic_load(&is_dead);
+    const int result = is_refused_now ? -1 : (int)syscall(SYS_unlinkat, AT_FDCWD, path, 0);
     if (name && result == 0) {
         snprintf(add(TAPE_UNLINK, 0)->name, TAPE_NAME_SIZE, "%s", name);
         *find(name) = 0;
     }
     pthread_mutex_unlock(&pencil);
+    errno = is_refused_now ? EIO : errno;
     return result;
 }
 
 int rename(const char *from, const char *to)
 {
+    if (own_name(to) && tape_strikes(FAULT_RENAME)) {
+        return -1;
+    }
     pthread_mutex_lock(&pencil);
     const char *old = own_name(from), *new = own_name(to);
     const int result = (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);

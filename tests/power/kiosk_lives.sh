@@ -1,0 +1,67 @@
+#!/bin/bash
+# kiosk_lives.sh -- real kiosks whose file calls fail, and what a power cut leaves of them.
+#
+#   kiosk_lives.sh LIVES [SEED]
+#
+# Each life is a kiosk in a window of a virtual screen, under tests/power/preload.c: coins drop, calls fail by seed,
+# SIGKILL ends it; a second kiosk goes on from the same files and ends in the same way; tests/power/judge.c then cuts
+# the power at several places of both. JOBS lives run side by side. At last one kiosk has every sync fail: its status
+# must say so, and kingyoctl must exit 1. Exit 1 when anything was lost, doubled or unopenable.
+# shellcheck disable=SC2154,SC1091  # The sourced file sets `work`.
+set -u
+lives=$1 first_seed=${2:-1}
+BUILD=${BUILD:-build}
+jobs=${JOBS:-$(nproc)}
+. tests/e2e/lib.sh
+here=$PWD
+case $BUILD in /*) ;; *) BUILD=$here/$BUILD ;; esac
+
+# One kiosk under the library, up to its end; 137 is SIGKILL.
+run_kiosk() { # FOLDER SEED [VARIABLES...]
+    local folder=$1 seed=$2
+    shift 2
+    mkdir -p "$folder/data" "$folder/run"
+    timeout -s KILL 120 env "$@" KINGYO_FAULT_DIR="$folder/data" KINGYO_FAULT_TAPE="$folder/tape" \
+        KINGYO_FAULT_SEED="$seed" RUNTIME_DIRECTORY="$folder/run" LD_PRELOAD="$BUILD/tests/power/preload.so" \
+        "$BUILD/kingyo" --window 320x240 --lang en --coins 1 --poi bot --keyboard on \
+        --data "$folder/data" >"$folder/out" 2>&1
+}
+
+live() { # NUMBER
+    local folder=$work/life-$1
+    run_kiosk "$folder" $((2 * $1 + 1000 * first_seed))
+    run_kiosk "$folder" $((2 * $1 + 1 + 1000 * first_seed))
+    "$BUILD/tests/power/judge" "$folder/tape" "$folder/cut" "$1" >"$folder/verdict" 2>"$folder/why"
+    echo "$?" >"$folder/code"
+    rm -rf "$folder/tape" "$folder/data" "$folder/cut"
+}
+
+open_screen
+for ((life = 0; life < lives; life++)); do
+    while [ "$(jobs -rp | wc -l)" -ge "$jobs" ]; do wait -n; done
+    live $life 2>/dev/null & # Bash would report each SIGKILL.
+done
+while [ "$(jobs -rp | wc -l)" -gt 0 ]; do wait -n; done
+
+cat "$work"/life-*/why | head -5 >&2
+cat "$work"/life-*/verdict | awk -v lives="$lives" '
+    { judged++; cuts += $1; acked += $2; found += $3; lost += $4; doubled += $5; unopenable += $6; coins += $7; unwell += $8
+      for (i = 0; i < 6; i++) failed[i] += $(9 + i) }
+    END {
+        printf "  %d real kiosks, killed twice each: %d coins dropped, %d entries acknowledged, %d found at the end\n", judged, coins, acked, found
+        printf "  calls that failed: %d fsync, %d fdatasync, %d write, %d pwrite, %d ftruncate, %d rename; %d statuses said that the store is not well\n", \
+            failed[0], failed[1], failed[2], failed[3], failed[4], failed[5], unwell
+        printf "  %d cuts: %d lost, %d doubled, %d unopenable\n", cuts, lost, doubled, unopenable
+        exit !(judged == lives && acked > 0 && lost + doubled + unopenable == 0)
+    }'
+verdict=$?
+
+# Where every sync fails from the first on, nothing is ever acknowledged.
+never=$work/never
+{ run_kiosk "$never" 7 KINGYO_FAULT_SYNCS=1; } 2>/dev/null
+"$BUILD/kingyoctl" status --file "$never/run/status.json" >"$never/status"
+code=$?
+saved=$(sed -n 's/.*"saved_id": \([0-9]*\).*/\1/p' "$never/run/status.json")
+echo "  with every sync failing: $saved entries acknowledged, kingyoctl status exits $code"
+[ "$saved" = 0 ] && [ "$code" = 1 ] || { cat "$never/status" >&2; verdict=1; }
+exit $verdict

@@ -1,0 +1,268 @@
+/* lives.c -- plays with failing calls, and cuts. */
+#include "tests/power/lives.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/base/rng.h"
+#include "platform/edit_file.h"
+#include "platform/storage.h"
+#include "tests/power/disk.h"
+#include "tests/power/hour.h"
+
+#define PATH_SIZE 300u
+#define PARTS_MAX 3u
+#define FRAMES 600u      /* Of a part: ten seconds. */
+#define HASTE 16u        /* So that many entries fall into them. */
+#define STARTS_MAX 3u    /* How often a start that was refused is tried again. */
+#define CUTS_A_PART 6u
+#define BOOKS_MAX 1024u  /* Entries in a life. */
+
+static struct hour hour;
+static struct tape tape;
+static struct storage store;
+static struct books books[BOOKS_MAX];
+
+/* One life, and what its worker knows of it. */
+struct life {
+    const struct lives *lives;
+    struct lives_tally *tally;
+    uint64_t seed;
+    uint32_t draws;
+    char folder[PATH_SIZE], cut[PATH_SIZE];
+    struct disk disk;
+    size_t stepped;         /* Operations of the tape that the disk has seen. */
+    struct promise promise; /* At that place. */
+    uint32_t edit_number;
+};
+
+static uint32_t draw(struct life *life)
+{
+    return rng_u32((struct rng_key){ (uint32_t)life->seed, life->draws++,
+                                     (uint32_t)(life->seed >> 32), RNG_TEST }) >> 8;
+}
+
+/* ---- Playing -------------------------------------------------------------------------------- */
+
+static void plan_faults(struct life *life)
+{
+    struct fault_plan plans[FAULT_PLANS_MAX];
+    const uint32_t count = 1u + draw(life) % FAULT_PLANS_MAX;
+    for (uint32_t i = 0; i < count; i++) {
+        plans[i] = fault_draw(life->seed, life->draws++);
+    }
+    fault_begin(plans, count);
+}
+
+/* Entries up to `known` were added up before; an id that is given again begins anew from there. */
+static void add_up(uint32_t known)
+{
+    for (uint32_t id = known + 1u; id <= hour.kept_id && id < BOOKS_MAX; id++) {
+        books[id] = books[id - 1u];
+        books_add(&books[id], &hour.entries[id]);
+    }
+}
+
+/* What a start shows counts as reported: the player sees those credits. */
+static int begin_part(struct life *life, struct hal_storage device)
+{
+    if (device.ops->open(device.self) != HAL_OK ||
+        hour_open(&hour, (uint32_t)life->seed + life->draws, device) != 0) {
+        life->tally->refused_starts++;
+        return -1;
+    }
+    hour.haste = HASTE;
+    hour.edit_each_s = 1;
+    hour.edit_first = hour.edit_number = hour.edit_acked = life->edit_number;
+    if (device.ops->is_well(device.self)) {
+        tape_mark(TAPE_ACKED, hour.kept_id);
+    }
+    return 0;
+}
+
+/* Without a thread the store works when there is something new, and once a second. */
+static void play(struct life *life, struct hal_storage device)
+{
+    for (uint32_t i = 0; i < FRAMES && hour.kept_id < BOOKS_MAX - 64u; i++) {
+        const unsigned pushed = store.pushed + store.edits_pushed;
+        hour_frame(&hour, device);
+        if (i % 60u == 0 || pushed != store.pushed + store.edits_pushed) {
+            store.look_due_ms = 0;
+            storage_work(&store);
+        }
+    }
+    life->edit_number = hour.edit_number;
+}
+
+/* From a start to SIGKILL or to a close; the faults go on while it closes. */
+static void live_part(struct life *life)
+{
+    int plays = -1;
+    for (uint32_t i = 0; plays != 0 && i < STARTS_MAX; i++) {
+        store = (struct storage){ .dir = life->folder, .by_hand = 1 };
+        const struct hal_storage device = storage_device(&store);
+        plays = begin_part(life, device);
+        if (plays == 0) {
+            const uint32_t known = hour.kept_id;
+            play(life, device);
+            add_up(known);
+        }
+        const int is_killed = draw(life) % 2u == 0;
+        life->tally->kills += (uint64_t)is_killed;
+        tape_be_dead(is_killed);
+        device.ops->close(device.self);
+        tape_be_dead(0);
+    }
+}
+
+/* ---- Cutting -------------------------------------------------------------------------------- */
+
+/* A graph that was reported as safe is there, or a later one that was handed over. */
+static void look_at_graph(struct life *life, const char *where)
+{
+    char path[PATH_SIZE + 40u], text[EDIT_TEXT_MAX], why[80];
+    size_t size = 0;
+    int is_there = 0;
+    snprintf(path, sizeof path, "%s/" EDIT_FOLDER "/wakin" EDIT_SUFFIX, life->cut);
+    uint8_t *found = disk_read(path, &size);
+    const struct promise *promise = &life->promise;
+    for (uint32_t i = promise->edit_acked; found && i <= promise->edit_kept && !is_there; i++) {
+        const struct edit_record edit = hour_edit(i);
+        is_there = edit_file_format(&edit, text) == size && memcmp(text, found, size) == 0;
+    }
+    free(found);
+    if (!is_there && promise->edit_acked > 0) {
+        snprintf(why, sizeof why, "graph %u is not there, nor a later one", promise->edit_acked);
+        tally_complain(&life->tally->cuts, &life->tally->cuts.edits_lost, where, why);
+    }
+}
+
+static void step_to(struct life *life, size_t op)
+{
+    for (; life->stepped <= op; life->stepped++) {
+        disk_step(&life->disk, life->stepped);
+        cutter_heed(&life->promise, &tape.ops[life->stepped]);
+    }
+}
+
+static void cut_at(struct life *life, size_t op)
+{
+    const struct cutter cutter = { .tape = &tape, .books = books, .folder = life->folder };
+    struct tally *tally = &life->tally->cuts;
+    const enum disk_luck luck = (enum disk_luck)(draw(life) % DISK_LUCK_COUNT);
+    char where[120];
+    snprintf(where, sizeof where, "life %llu, op %zu of %zu, luck %u",
+             (unsigned long long)(life->seed & UINT32_MAX), op, tape.count, luck);
+    disk_cut(&life->disk, luck, draw(life), life->cut);
+    tally->cuts++;
+    tally->by_luck[luck]++;
+    look_at_graph(life, where);
+    cutter_look(&cutter, tally, life->cut, &life->promise, where);
+}
+
+/* At places by chance among the operations since the last part, in their order, and at the end. */
+static void cut_part(struct life *life)
+{
+    const size_t begin = life->stepped, count = tape.count - begin;
+    for (uint32_t i = 1; count > 0 && i <= CUTS_A_PART; i++) {
+        const size_t from = begin + count * (i - 1u) / CUTS_A_PART;
+        const size_t to = begin + count * i / CUTS_A_PART;
+        if (to > from) {
+            const size_t op = i == CUTS_A_PART ? to - 1u : from + draw(life) % (to - from);
+            step_to(life, op);
+            cut_at(life, op);
+        }
+    }
+}
+
+/* ---- All of them ---------------------------------------------------------------------------- */
+
+static void empty(const char *folder)
+{
+    static const struct tape nothing;
+    struct disk none;
+    disk_open(&none, &nothing);
+    disk_cut(&none, DISK_NONE, 0, folder);
+    disk_close(&none);
+}
+
+/* The tape stands still while cuts are looked at. */
+static void live(struct life *life)
+{
+    struct tape *const own = &tape;
+    empty(life->folder);
+    disk_open(&life->disk, own);
+    life->stepped = 0;
+    life->promise = (struct promise){ 0 };
+    books_open(&books[0]);
+    tape_begin(own, life->folder, NULL, 0);
+    const uint32_t parts = 1u + draw(life) % PARTS_MAX;
+    for (uint32_t part = 0; part < parts; part++) {
+        plan_faults(life);
+        live_part(life);
+        fault_begin(NULL, 0);
+        tape_end();
+        cut_part(life);
+        tape_go_on(own, life->folder);
+    }
+    tape_end();
+    disk_close(&life->disk);
+    life->tally->lives++;
+}
+
+static void work(const struct lives *lives, uint32_t job, struct lives_tally *tally)
+{
+    struct life life = { .lives = lives, .tally = tally };
+    snprintf(life.folder, PATH_SIZE, "%s/life-%u", lives->folder, job);
+    snprintf(life.cut, PATH_SIZE, "%s/life-%u-cut", lives->folder, job);
+    mkdir(life.folder, 0755);
+    mkdir(life.cut, 0755);
+    for (uint32_t number = job; number < lives->count; number += lives->jobs) {
+        life.seed = (uint64_t)lives->seed << 32 | number;
+        life.draws = life.edit_number = 0;
+        live(&life);
+    }
+    memcpy(tally->failed, fault_failed, sizeof tally->failed);
+}
+
+static void add(struct lives_tally *sum, const struct lives_tally *part)
+{
+    tally_add(&sum->cuts, &part->cuts);
+    sum->lives += part->lives;
+    sum->kills += part->kills;
+    sum->refused_starts += part->refused_starts;
+    for (uint32_t i = 0; i < FAULT_CALL_COUNT; i++) {
+        sum->failed[i] += part->failed[i];
+    }
+}
+
+int lives_run(const struct lives *lives, struct lives_tally *sum)
+{
+    struct lives_tally *tallies = mmap(NULL, lives->jobs * sizeof *tallies, PROT_READ | PROT_WRITE,
+                                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (tallies == MAP_FAILED) {
+        return -1;
+    }
+    int failed = 0, status = 0;
+    for (uint32_t job = 0; job < lives->jobs; job++) {
+        const pid_t pid = fork();
+        failed |= pid < 0;
+        if (pid == 0) {
+            work(lives, job, &tallies[job]);
+            _exit(0);
+        }
+    }
+    while (wait(&status) > 0) {
+        failed |= status != 0;
+    }
+    for (uint32_t job = 0; job < lives->jobs; job++) {
+        add(sum, &tallies[job]);
+    }
+    munmap(tallies, lives->jobs * sizeof *tallies);
+    return failed ? -1 : 0;
+}
