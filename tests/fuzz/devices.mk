@@ -10,13 +10,14 @@ DEVICE_SRC := $(wildcard drivers/hid_*.c drivers/pointer_*.c drivers/pose_*.c dr
     drivers/gpio_wires.c drivers/gpio_word.c drivers/gpio_input.c drivers/coin_mech.c drivers/debounce.c \
     drivers/usb_choice.c) $(patsubst %,platform/ctl/hid_%.c,file rows live names) \
     $(patsubst %,board/poi-gadget/%.c,pose_line pose_glide pose_tape poi_config draw_wires attitude steady \
-    board_pose sensor_twin feel_mix) core/view.c core/base/fmath.c core/base/vec.c core/base/rng.c
+    board_pose sensor_twin feel_mix) $(patsubst %,platform/%.c,plain_file print ctl/user_file) core/view.c \
+    $(patsubst %,core/base/%.c,fmath vec rng printable)
 
 ## fuzz-devices: hostile descriptors, reports, maps, wires, coins, pads and fingers, FUZZ_SECONDS (30) each; counts in build/fuzz/devices.tsv
 fuzz-devices:
 	@board/setup.sh dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(DEVICE_BIN)
-	@tests/fuzz/fuzz_devices.sh $(FUZZ) $(FUZZ_SECONDS) $(DEVICE_TARGETS)
+	@tests/fuzz/fuzz_targets.sh device $(FUZZ) $(FUZZ_SECONDS) $(DEVICE_TARGETS)
 
 $(FUZZ)/devices.a: $(DEVICE_SRC:%.c=$(FUZZ)/%.o)
 	$(call step,AR,$@)

@@ -6,10 +6,10 @@ FUZZ_SECONDS ?= 30
 FUZZ := $(BUILD)/fuzz
 FUZZ_TARGETS := text pack obj marks scene
 FUZZ_CC := clang
-FUZZ_CFLAGS := -std=c17 -O1 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I. \
+FUZZ_CFLAGS := -std=c17 -O1 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE $(ASSIMP) -I. \
     -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FUZZ_SRC := $(filter-out %/blend_pick.c,$(wildcard core/morph/*.c)) core/base/fmath.c core/base/vec.c \
-    platform/out_file.c \
+    core/base/printable.c platform/out_file.c platform/plain_file.c platform/print.c \
     $(filter-out %/shelf.c,$(wildcard platform/species/*.c)) \
     $(wildcard platform/ctl/import_*.c platform/ctl/refit*.c) tests/fuzz/exercise.c tests/fuzz/meshes.c
 FUZZ_OBJ := $(FUZZ_SRC:%.c=$(FUZZ)/%.o)
@@ -43,7 +43,7 @@ $(FUZZ_BIN):
 	$(call step,LINK,$@)
 	$(Q)$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -o $@ $^ -lm
 
-$(FUZZ)/%.o: %.c
+$(FUZZ)/%.o: %.c $(FOUND)
 	@mkdir -p $(@D)
 	$(call step,CC,$< (to be fuzzed))
 	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $(DEP_FLAGS) -c -o $@ $<

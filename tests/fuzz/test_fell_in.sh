@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_fell_in.sh -- a fall is a library's only where the library's frame is above all of ours. Speaks TAP.
 set -u
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../.." || exit 1
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 count=0

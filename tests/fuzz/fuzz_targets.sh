@@ -1,18 +1,25 @@
 #!/bin/bash
-# fuzz_devices.sh FOLDER SECONDS TARGET... -- runs each target so long, and counts.
+# fuzz_targets.sh KIND FOLDER SECONDS TARGET... -- runs each target of a KIND (device, file) so long, and counts.
 #
-# FOLDER (build/fuzz) holds the programs, what they found worth keeping (corpus/TARGET), findings, a log each,
-# and devices.tsv, to which every run adds a row: so that many runs have one sum. Exits 1 at a finding.
+# FOLDER (build/fuzz) holds the programs KIND_TARGET, the inputs that reached new code (corpus/TARGET), findings,
+# a log each, and KINDs.tsv, to which every run adds a row, so that many runs have one sum. Exits 1 at a finding.
+# MAX_LEN is the largest input in bytes (4096).
 set -u
-folder=$1 seconds=$2
-shift 2
-ledger=$folder/devices.tsv
+kind=$1 folder=$2 seconds=$3
+shift 3
+ledger=$folder/${kind}s.tsv
 mkdir -p "$folder/findings"
 [ -s "$ledger" ] || printf 'commit\ttarget\tseconds\texecutions\tedges\tfindings\n' >"$ledger"
 commit=$(git rev-parse --short HEAD 2>/dev/null || echo none)
 worst=0
+# Targets that need files make them in memory where the system has such a folder.
+TMPDIR=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
+export TMPDIR
+# Freed memory that waits to be checked would look like a leak to the limit below.
+export ASAN_OPTIONS=${ASAN_OPTIONS:-quarantine_size_mb=32}
+trap 'rm -rf "$TMPDIR"' EXIT
 
-tests/fuzz/device_seeds.sh "$folder/seeds"
+"tests/fuzz/${kind}_seeds.sh" "$folder/seeds" || exit 1
 stat_of() { sed -n "s/^stat::$2: *//p" "$1" | tail -1; }
 
 for target in "$@"; do
@@ -21,9 +28,9 @@ for target in "$@"; do
     for of in "tests/fuzz/corpus/$target" "$folder/seeds/$target"; do [ -d "$of" ] && seeds+=" $of"; done
     mkdir -p "$folder/corpus/$target"
     # shellcheck disable=SC2086
-    nice "$folder/device_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=1024 -max_len=4096 \
-        -close_fd_mask=1 -print_final_stats=1 -artifact_prefix="$folder/findings/$target-" "$folder/corpus/$target" \
-        $seeds >"$log" 2>&1
+    nice "$folder/${kind}_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=1024 \
+        -max_len="${MAX_LEN:-4096}" -close_fd_mask=1 -print_final_stats=1 \
+        -artifact_prefix="$folder/findings/$target-" "$folder/corpus/$target" $seeds >"$log" 2>&1
     code=$?
     executions=$(stat_of "$log" number_of_executed_units)
     edges=$(sed -nE 's/.* cov: ([0-9]+).*/\1/p' "$log" | tail -1)

@@ -1,0 +1,133 @@
+/* file_entries.c -- any rows in the tables of the ledger, with the checksums of entries and of the
+ * tally recomputed. The database is refused, or each entry reads back, and a stall begins with what
+ * the rows add up to. What can be read is salvaged into an empty database as well.
+ *
+ * Input: a count of cells, so many cells of 12 bytes (column, row, type, unused, value), and then
+ * images of struct ledger_entry. */
+#include <stdio.h>
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/ledger_parts.h"
+#include "platform/store/ledger_salvage.h"
+#include "platform/store/sql.h"
+#include "tests/fuzz/scratch.h"
+#include "tests/fuzz/stall.h"
+#include "tests/fuzz/trap.h"
+
+#define ENTRIES_MAX 12u
+#define CELLS_MAX 8u
+#define CELL_SIZE 12u
+#define IDS_MAX 1024u /* A salvage asks for each id up to the newest one. */
+#define TICKS 3u
+
+/* One row of a table without row ids, by its place in the order of names. */
+#define ROW_OF(table, column) \
+    table " SET " column " = ?1 WHERE name = (SELECT name FROM " table " LIMIT 1 OFFSET ?2)"
+#define SETTING_OF(column) ROW_OF("settings", column)
+#define AUDIT_OF(column) ROW_OF("audits", column)
+#define STATE_OF(column) ROW_OF("state", column)
+
+static const struct ledger_file_how how = { .journal = "MEMORY OFF" };
+static char path[SCRATCH_PATH_SIZE], salvaged_path[SCRATCH_PATH_SIZE];
+
+/* Writes one cell of any type over what stands there. */
+static void put_cell(sqlite3 *db, const uint8_t *cell)
+{
+    static const char *const places[] = {
+        "entries SET kind = ?1 WHERE id = ?2",       "entries SET detail = ?1 WHERE id = ?2",
+        "entries SET count = ?1 WHERE id = ?2",      "entries SET paid = ?1 WHERE id = ?2",
+        "entries SET name = ?1 WHERE id = ?2",       "entries SET sum = ?1 WHERE id = ?2",
+        "entries SET value = ?1 WHERE id = ?2",      "rounds SET mode = ?1 WHERE entry = ?2",
+        "rounds SET caught = ?1 WHERE entry = ?2",   "round_players SET seat = ?1 WHERE seat = ?2",
+        SETTING_OF("value"),                         SETTING_OF("name"),
+        AUDIT_OF("count"),                           "ranking SET caught = ?1 WHERE place = ?2",
+        "ranking SET seat = ?1 WHERE place = ?2",    "ranking SET name = ?1 WHERE place = ?2",
+        STATE_OF("value"),
+    };
+    char text[128];
+    sqlite3_stmt *put = NULL;
+    int64_t value;
+    memcpy(&value, cell + 4, sizeof value);
+    snprintf(text, sizeof text, "UPDATE OR IGNORE %s",
+             places[cell[0] % (sizeof places / sizeof places[0])]);
+    if (sqlite3_prepare_v2(db, text, -1, &put, NULL) != SQLITE_OK) {
+        return; /* A later schema has no such column. */
+    }
+    switch (cell[2] % 4u) {
+    case 0: sqlite3_bind_int64(put, 1, value); break;
+    case 1: sqlite3_bind_text(put, 1, (const char *)cell + 4, 8, SQLITE_TRANSIENT); break;
+    case 2: sqlite3_bind_blob(put, 1, cell + 4, 8, SQLITE_TRANSIENT); break;
+    default: sqlite3_bind_double(put, 1, (double)value / 256.0); break;
+    }
+    sqlite3_bind_int64(put, 2, cell[1]);
+    sqlite3_step(put);
+    sqlite3_finalize(put);
+}
+
+static void put_rows(struct ledger_file *file, const uint8_t *bytes, size_t size)
+{
+    const uint32_t cell_count = bytes[0] % (CELLS_MAX + 1u);
+    size_t at = 1u + cell_count * CELL_SIZE;
+    HOLD(sql_run(file->db, "BEGIN") == SQLITE_OK);
+    for (uint32_t i = 0; i < ENTRIES_MAX && at + sizeof(struct ledger_entry) <= size; i++) {
+        struct ledger_entry entry;
+        memcpy(&entry, bytes + at, sizeof entry);
+        at += sizeof entry;
+        entry.id %= IDS_MAX;
+        ledger_rows_put(file, &entry); /* The same id twice is refused. */
+    }
+    for (uint32_t i = 0; i < cell_count && 1u + (i + 1u) * CELL_SIZE <= size; i++) {
+        put_cell(file->db, bytes + 1 + i * CELL_SIZE);
+    }
+    HOLD(ledger_tally_put(file->db) == SQLITE_OK);
+    HOLD(sql_run(file->db, "COMMIT") == SQLITE_OK);
+}
+
+static void start_stall(const struct ledger_content *content)
+{
+    struct memory memory = { 0 };
+    ledger_content_remember(content, &memory);
+    stall_try_memory(&memory, TICKS);
+}
+
+/* Whatever the damaged file still has goes into a new one, which opens. */
+static void hold_salvage(void)
+{
+    static const struct ledger_tail none;
+    struct ledger_file to;
+    struct ledger_salvaged salvaged;
+    scratch_put(salvaged_path, "", 0);
+    HOLD(ledger_file_open(&to, salvaged_path, &how) == SQLITE_OK);
+    HOLD(ledger_salvage(path, &none, &to, &salvaged) == SQLITE_OK);
+    HOLD(ledger_check(to.db) == SQLITE_OK);
+    start_stall(&to.content);
+    ledger_file_close(&to);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    struct ledger_file file;
+    struct ledger_entry entry;
+    if (size == 0) {
+        return 0;
+    }
+    if (!path[0]) {
+        scratch_path(path, "kingyo.db");
+        scratch_path(salvaged_path, "salvaged.db");
+    }
+    scratch_put(path, "", 0);
+    HOLD(ledger_file_open(&file, path, &how) == SQLITE_OK);
+    put_rows(&file, bytes, size);
+    ledger_file_close(&file);
+    if (ledger_file_open(&file, path, &how) == SQLITE_OK) {
+        for (uint32_t id = 0; id < ENTRIES_MAX; id++) {
+            ledger_file_round(&file, id, &entry);
+        }
+        start_stall(&file.content);
+        ledger_file_close(&file);
+    }
+    hold_salvage();
+    return 0;
+}

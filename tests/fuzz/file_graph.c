@@ -1,0 +1,54 @@
+/* file_graph.c -- any text as a saved graph (DATA/graphs/SPECIES.graph). The parser refuses it with
+ * one line that begins with a line number, or the graph blends to finite weights and comes
+ * back to the last bit when it is written.
+ *
+ * Input: a byte that picks the species, then the text. */
+#include <string.h>
+
+#include "platform/edit_file.h"
+#include "tests/fuzz/trap.h"
+
+#define STEPS 8u
+
+static void hold_why(const char why[EDIT_WHY_SIZE])
+{
+    const size_t length = strnlen(why, EDIT_WHY_SIZE);
+    HOLD(length > 0 && length < EDIT_WHY_SIZE && why[0] >= '1' && why[0] <= '9');
+    HOLD(!memchr(why, '\n', length) && !memchr(why, '\x1b', length));
+}
+
+static void hold_weights(const struct lab_edit *edit, const struct species_card *card)
+{
+    static struct species_card edited;
+    lab_edit_apply(edit, card, &edited);
+    for (uint32_t i = 0; i <= STEPS; i++) {
+        float weights[MORPH_KEY_MAX];
+        graph_weights(&edit->graph, card->key_count, (float)i / (float)STEPS, weights);
+        for (uint32_t key = 0; key < card->key_count; key++) {
+            HOLD(f_is_finite(weights[key]));
+        }
+        HOLD(f_is_finite(life_length_m(&edited, (float)i / (float)STEPS)));
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static struct lab_edit again;
+    char why[EDIT_WHY_SIZE] = "", written[EDIT_TEXT_MAX];
+    if (size == 0) {
+        return 0;
+    }
+    const struct species_card *card = &species_table[bytes[0] % species_table_count]->card;
+    struct edit_record record = { .id = 1, .key_count = card->key_count };
+    if (!edit_file_parse((const char *)bytes + 1, size - 1u, card, &record.edit, why)) {
+        hold_why(why);
+        return 0;
+    }
+    HOLD(lab_edit_is_good(&record.edit, card));
+    hold_weights(&record.edit, card);
+    memcpy(record.species, card->id, sizeof record.species);
+    const size_t length = edit_file_format(&record, written);
+    HOLD(length < EDIT_TEXT_MAX && edit_file_parse(written, length, card, &again, why));
+    HOLD(memcmp(&again, &record.edit, sizeof again) == 0);
+    return 0;
+}

@@ -1,0 +1,82 @@
+/* file_tail.c -- any bytes as the tail file: entries with checksums recomputed, or raw slots. The
+ * entries that the reader accepts are salvaged into an empty database, and a stall begins with what
+ * that database holds.
+ *
+ * Input: a byte; when it is odd, the rest is raw slots; otherwise images of struct ledger_entry. */
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/ledger_salvage.h"
+#include "tests/fuzz/scratch.h"
+#include "tests/fuzz/stall.h"
+#include "tests/fuzz/trap.h"
+
+#define ENTRIES_MAX 16u
+#define TICKS 3u
+
+static const struct ledger_file_how how = { .journal = "MEMORY OFF" };
+static char path[SCRATCH_PATH_SIZE], salvaged_path[SCRATCH_PATH_SIZE];
+
+static void put_raw(const uint8_t *bytes, size_t size)
+{
+    const int file = open(path, O_WRONLY | O_CLOEXEC);
+    HOLD(file >= 0 && pwrite(file, bytes, size, LEDGER_TAIL_SLOT_SIZE) == (ssize_t)size);
+    close(file);
+}
+
+static void put_entries(const uint8_t *bytes, size_t size)
+{
+    static struct ledger_entry entries[ENTRIES_MAX];
+    struct ledger_tail tail;
+    uint32_t count = 0;
+    for (; count < ENTRIES_MAX && (count + 1u) * sizeof entries[0] <= size; count++) {
+        memcpy(&entries[count], bytes + count * sizeof entries[0], sizeof entries[0]);
+    }
+    HOLD(ledger_tail_open(&tail, path) == 0);
+    HOLD(ledger_tail_write(&tail, entries, count) == 0);
+    ledger_tail_close(&tail);
+}
+
+static void make_file(const uint8_t *bytes, size_t size)
+{
+    if (!path[0]) {
+        scratch_path(path, "kingyo.db.tail");
+        scratch_path(salvaged_path, "kingyo.db");
+    }
+    scratch_put(path, "", 0);
+    HOLD(truncate(path, (off_t)LEDGER_TAIL_SLOTS * LEDGER_TAIL_SLOT_SIZE) == 0);
+    if (bytes[0] & 1u) {
+        put_raw(bytes + 1, size - 1u);
+    } else {
+        put_entries(bytes + 1, size - 1u);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    struct ledger_file file;
+    struct ledger_salvaged salvaged;
+    struct ledger_entry entry;
+    struct memory memory = { 0 };
+    if (size == 0) {
+        return 0;
+    }
+    make_file(bytes, size);
+    struct ledger_tail tail = ledger_tail_look(path);
+    const uint32_t last_id = ledger_tail_last_id(&tail);
+    HOLD(tail.handle > 0);
+    HOLD(last_id == 0 || (ledger_tail_entry(&tail, last_id, &entry) && entry.id == last_id));
+    scratch_put(salvaged_path, "", 0);
+    HOLD(ledger_file_open(&file, salvaged_path, &how) == SQLITE_OK);
+    HOLD(ledger_salvage(NULL, &tail, &file, &salvaged) == SQLITE_OK);
+    HOLD(salvaged.entries <= LEDGER_TAIL_SLOTS && (salvaged.entries > 0) == (last_id > 0));
+    ledger_content_remember(&file.content, &memory);
+    HOLD(ledger_file_entry(&file, last_id, &entry) == (last_id ? SQLITE_OK : SQLITE_NOTFOUND));
+    ledger_file_close(&file);
+    ledger_tail_close(&tail);
+    stall_try_memory(&memory, TICKS);
+    return 0;
+}

@@ -1,0 +1,43 @@
+/* file_usb.c -- any bytes as usb.txt. Bad lines are counted, and the last one is named in one line.
+ * The choices that were read are the same again after they were saved and loaded. */
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/usb_choice_file.h"
+#include "tests/fuzz/scratch.h"
+#include "tests/fuzz/trap.h"
+
+static int same_kept(const struct usb_choice *a, const struct usb_choice *b)
+{
+    uint32_t index = 0;
+    char one[USB_CHOICE_LINE_SIZE], other[USB_CHOICE_LINE_SIZE];
+    for (; usb_choice_line(a, index, one); index++) {
+        if (!usb_choice_line(b, index, other) || strcmp(one, other) != 0) {
+            return 0;
+        }
+    }
+    return !usb_choice_line(b, index, other);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static char path[SCRATCH_PATH_SIZE], saved[SCRATCH_PATH_SIZE];
+    static struct usb_choice choice, again;
+    char why[HAL_TEXT_SIZE] = "";
+    struct usb_key wanted[USB_WISH_MAX];
+    if (!path[0]) {
+        scratch_path(path, "usb.txt");
+        scratch_path(saved, "usb-saved.txt");
+    }
+    scratch_put(path, bytes, size);
+    memset(&choice, 0, sizeof choice);
+    memset(&again, 0, sizeof again);
+    const int bad = usb_choice_load(&choice, path, why);
+    HOLD(bad >= 0 && (bad == 0) == (why[0] == '\0'));
+    HOLD(strnlen(why, sizeof why) < sizeof why && !strchr(why, '\n'));
+    HOLD(choice.wish_count <= USB_WISH_MAX);
+    HOLD(usb_choice_wanted(&choice, wanted) <= choice.wish_count);
+    HOLD(usb_choice_save(&choice, saved) == 0);
+    HOLD(usb_choice_load(&again, saved, why) == 0 && same_kept(&choice, &again));
+    return 0;
+}

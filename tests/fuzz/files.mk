@@ -1,0 +1,41 @@
+# files.mk -- what files in the data folder and the configuration may do to the kiosk, tried by libFuzzer under
+# the address and undefined-behaviour sanitizers. The core that the files start is instrumented as well.
+
+FILE_TARGETS := replay graph conf usb tail entries
+FILE_BIN := $(FILE_TARGETS:%=$(FUZZ)/file_%)
+FILE_SRC := $(CORE_SRC) $(wildcard platform/replay*.c platform/edit_*.c platform/store/*.c platform/kiosk/config_*.c \
+    platform/kiosk/option*.c) $(patsubst %,platform/%.c,folder number plain_file say setting_text) \
+    drivers/usb_choice.c drivers/usb_choice_file.c tests/fuzz/scratch.c tests/fuzz/stall.c
+FILE_GENERATED = $(GENERATED_CORE_OBJ:$(BUILD)/%=$(FUZZ)/%)
+
+## fuzz-files: hostile recordings, graphs, kingyo.conf, usb.txt, tail files and ledger rows, FUZZ_SECONDS (30) each; counts in build/fuzz/files.tsv
+fuzz-files:
+	@board/setup.sh dev
+	+@$(MAKE) --no-print-directory -j$(JOBS) $(FILE_BIN) $(FUZZ)/file_seeds
+	@MAX_LEN=8192 tests/fuzz/fuzz_targets.sh file $(FUZZ) $(FUZZ_SECONDS) $(FILE_TARGETS)
+
+$(FUZZ)/files.a: $(FILE_SRC:%.c=$(FUZZ)/%.o) $(WIDE_SRC:%.c=$(FUZZ)/%_8.o) $(FILE_GENERATED)
+	$(call step,AR,$@)
+	@rm -f $@
+	$(Q)ar rcs $@ $^
+
+$(FILE_BIN): $(FUZZ)/file_%: $(FUZZ)/tests/fuzz/file_%.o $(FUZZ)/files.a $(FUZZ)/devices.a
+	$(call step,LINK,$@)
+	$(Q)$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -o $@ $^ -lsqlite3 -lm
+
+# The seeds come from the kiosk's own writers, so that they are always of this version.
+$(FUZZ)/file_seeds: $(BUILD)/tests/fuzz/file_seeds.o $(BUILD)/platform/panic_core.o $(BUILD)/shell.a $(BUILD)/core.a
+	$(call step,LINK,$@)
+	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
+
+$(FUZZ)/core/%_8.o: core/%.c
+	@mkdir -p $(@D)
+	$(call step,CC,$< (8 lanes, to be fuzzed))
+	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $(WIDE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
+
+$(FUZZ)/generated/%.o: $(BUILD)/generated/%.c | generated
+	@mkdir -p $(@D)
+	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
+
+.PHONY: fuzz-files
+.SECONDARY: $(FILE_TARGETS:%=$(FUZZ)/tests/fuzz/file_%.o) $(BUILD)/tests/fuzz/file_seeds.o

@@ -1,0 +1,44 @@
+/* stall.c -- see stall.h. */
+#include "tests/fuzz/stall.h"
+
+#include "core/base/panic.h"
+#include "tests/fuzz/trap.h"
+
+#include <stdio.h>
+#include <string.h>
+
+struct core stall_core;
+
+/* A broken invariant of the core is a finding. */
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "panic: %s:%d: %s\n", file, line, condition);
+    __builtin_trap();
+}
+
+int stall_try(const struct core_config *config, uint32_t ticks)
+{
+    static struct output output;
+    static struct scene scene;
+    const struct input input = { 0 };
+    memset(&output, 0, sizeof output);
+    if (core_init(&stall_core, config) != CORE_OK) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < ticks; i++) {
+        output.sound_count = 0;
+        core_tick(&stall_core, &input, &output);
+    }
+    core_scene(&stall_core, &scene);
+    return 1;
+}
+
+void stall_try_memory(const struct memory *memory, uint32_t ticks)
+{
+    static struct core_config config;
+    memset(&config, 0, sizeof config);
+    config.memory = *memory;
+    config.fish_count = 1; /* The memory is under test, and fish cost time. */
+    settings_mend(&config.memory.settings);
+    HOLD(stall_try(&config, ticks));
+}
