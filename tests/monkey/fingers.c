@@ -1,0 +1,141 @@
+/* fingers.c -- random keys, pointer events and window sizes on the X screen that DISPLAY names.
+ *
+ * fingers SEED SECONDS. Works STEPS_A_SECOND steps (tests/monkey/whim.h) each second on the kiosk's
+ * window, found by its title. While no such window is visible, steps pass without an event. */
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <X11/Xlib.h>
+#include <X11/extensions/XTest.h>
+#include <X11/keysym.h>
+
+#include "core/base/panic.h"
+#include "tests/monkey/whim.h"
+
+#define STEPS_A_SECOND 30u
+#define TITLE "Kingyo"
+
+static Display *display;
+static uint32_t down, event_count;
+
+_Noreturn void core_panic(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "%s:%d: %s\n", file, line, condition);
+    exit(70);
+}
+
+/* The window may be destroyed between two requests: such an error is expected and ignored. */
+static int ignore_error(Display *from, XErrorEvent *error)
+{
+    (void)from;
+    (void)error;
+    return 0;
+}
+
+/* Returns the kiosk's visible window and its attributes, or None. */
+static Window find_window(XWindowAttributes *attributes)
+{
+    Window root, parent, *children = NULL, found = None;
+    unsigned count = 0;
+    XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count);
+    for (unsigned i = 0; i < count && found == None; i++) {
+        char *name = NULL;
+        if (XFetchName(display, children[i], &name) && name && strstr(name, TITLE) &&
+            XGetWindowAttributes(display, children[i], attributes) &&
+            attributes->map_state == IsViewable) {
+            found = children[i];
+        }
+        if (name) {
+            XFree(name);
+        }
+    }
+    if (children) {
+        XFree(children);
+    }
+    return found;
+}
+
+static void press_key(int key)
+{
+    static const KeySym symbols[WHIM_KEY_COUNT] = {
+        [WHIM_KEY_START] = XK_space,    [WHIM_KEY_LEFT] = XK_Left,
+        [WHIM_KEY_RIGHT] = XK_Right,    [WHIM_KEY_UP] = XK_Up,
+        [WHIM_KEY_DOWN] = XK_Down,      [WHIM_KEY_ENTER] = XK_Return,
+        [WHIM_KEY_COIN] = XK_5,         [WHIM_KEY_COIN_2] = XK_6,
+        [WHIM_KEY_LANGUAGE] = XK_l,     [WHIM_KEY_FULL_SCREEN] = XK_F11,
+        [WHIM_KEY_TILT] = XK_F4,        [WHIM_KEY_UNUSED] = XK_x,
+        [WHIM_KEY_TEST] = XK_F2,        [WHIM_KEY_SERVICE] = XK_F3,
+        [WHIM_KEY_ESCAPE] = XK_Escape,
+    };
+    const KeyCode code = XKeysymToKeycode(display, symbols[key]);
+    XTestFakeKeyEvent(display, code, True, 0);
+    XTestFakeKeyEvent(display, code, False, 0);
+    event_count++;
+}
+
+static void click(unsigned button)
+{
+    XTestFakeButtonEvent(display, button, True, 0);
+    XTestFakeButtonEvent(display, button, False, 0);
+    event_count++;
+}
+
+static void press_button(enum whim_press press)
+{
+    const unsigned button = press == WHIM_PRESS_LEFT ? 1 : 3;
+    down ^= 1u << button;
+    XTestFakeButtonEvent(display, button, (down & 1u << button) != 0, 0);
+    event_count++;
+}
+
+static void act(const struct whim *whim)
+{
+    XWindowAttributes at;
+    const Window window = find_window(&at);
+    if (window == None) {
+        return;
+    }
+    if (whim->key >= 0) {
+        press_key(whim->key);
+    }
+    if (whim->moves) {
+        XTestFakeMotionEvent(display, -1, at.x + whim->x_mille * at.width / 1000,
+                             at.y + whim->y_mille * at.height / 1000, 0);
+        event_count++;
+    }
+    if (whim->press != WHIM_PRESS_NONE) {
+        press_button((enum whim_press)whim->press);
+    }
+    if (whim->wheel != 0) {
+        click(whim->wheel > 0 ? 4 : 5);
+    }
+    if (whim->width > 0) {
+        XResizeWindow(display, window, (unsigned)whim->width, (unsigned)whim->height);
+        event_count++;
+    }
+    XSync(display, False);
+}
+
+int main(int argc, char **argv)
+{
+    display = XOpenDisplay(NULL);
+    if (argc != 3 || !display) {
+        fprintf(stderr, "usage: fingers SEED SECONDS, with a DISPLAY\n");
+        return 2;
+    }
+    XSetErrorHandler(ignore_error);
+    const uint32_t seed = (uint32_t)strtoul(argv[1], NULL, 10);
+    const uint32_t steps = STEPS_A_SECOND * (uint32_t)strtoul(argv[2], NULL, 10);
+    const struct timespec pause = { .tv_nsec = 1000000000 / STEPS_A_SECOND };
+    for (uint32_t step = 0; step < steps; step++) {
+        const struct whim whim = whim_at(seed, step);
+        act(&whim);
+        nanosleep(&pause, NULL);
+    }
+    printf("%u events\n", event_count);
+    XCloseDisplay(display);
+    return 0;
+}

@@ -1,0 +1,229 @@
+/* monkey.c -- random keys, pointer events, window sizes and plugs against the real frame loop.
+ *
+ * monkey SEED SECONDS  (of the simulated clock, 60 frames a second). Keys and pointer events pass
+ * through SDL's queue into the real drivers. The real renderer draws each frame off screen. A
+ * second poi (drivers/poi_sim.h) is plugged in and unplugged. A kiosk that ended is opened again.
+ * Equal seeds print the same state hash. Exits with 0 when every frame returned within FRAME_S,
+ * with 70 when a frame hung, and with 1 when the display was lost. */
+#include <SDL.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/tank/preset.h"
+#include "drivers/buttons_keyboard.h"
+#include "drivers/clock_sim.h"
+#include "drivers/null.h"
+#include "drivers/poi_mouse.h"
+#include "drivers/poi_sim.h"
+#include "drivers/storage_sim.h"
+#include "platform/clock.h"
+#include "platform/kiosk/kiosk.h"
+#include "platform/render/display_gl.h"
+#include "tests/monkey/whim.h"
+
+#define FRAME_NS 16666667ull
+#define FRAMES_A_SECOND 60u
+#define FRAME_S 30u /* A frame under the sanitizers on a busy machine takes about 0.1 s. */
+#define WIDTH 320
+#define HEIGHT 240
+
+static struct {
+    struct clock_sim clock;
+    struct display_gl display;
+    struct buttons_keyboard keyboard;
+    struct poi_mouse mouse;
+    struct poi_sim poi;
+    struct storage_sim storage;
+    struct hal hal;
+    struct kiosk kiosk;
+    uint32_t seed, frame, end_count;
+    uint64_t hash; /* Of the state at the end of each kiosk, in turn. */
+    uint32_t down; /* Bit 0: the left button; bit 1: the right button. */
+} rig;
+static char hang_words[96];
+static struct pointer_report report;
+
+static void on_hang(int number)
+{
+    (void)number;
+    const ssize_t written = write(STDERR_FILENO, hang_words, strlen(hang_words));
+    _exit(written < 0 ? 71 : 70);
+}
+
+static void push_key(SDL_Keycode code)
+{
+    SDL_Event event = { .key = { .type = SDL_KEYDOWN, .keysym.sym = code } };
+    SDL_PushEvent(&event);
+    event.key.type = SDL_KEYUP;
+    SDL_PushEvent(&event);
+}
+
+static void press_key(int key)
+{
+    static const SDL_Keycode codes[WHIM_KEY_COUNT] = {
+        [WHIM_KEY_START] = SDLK_SPACE,     [WHIM_KEY_LEFT] = SDLK_LEFT,
+        [WHIM_KEY_RIGHT] = SDLK_RIGHT,     [WHIM_KEY_UP] = SDLK_UP,
+        [WHIM_KEY_DOWN] = SDLK_DOWN,       [WHIM_KEY_ENTER] = SDLK_RETURN,
+        [WHIM_KEY_COIN] = SDLK_5,          [WHIM_KEY_COIN_2] = SDLK_6,
+        [WHIM_KEY_LANGUAGE] = SDLK_l,      [WHIM_KEY_FULL_SCREEN] = SDLK_F11,
+        [WHIM_KEY_TILT] = SDLK_F4,         [WHIM_KEY_UNUSED] = SDLK_x,
+        [WHIM_KEY_TEST] = SDLK_F2,         [WHIM_KEY_SERVICE] = SDLK_F3,
+        [WHIM_KEY_ESCAPE] = SDLK_ESCAPE,
+    };
+    push_key(codes[key]);
+}
+
+static void move_pointer(const struct whim *whim)
+{
+    SDL_Event event = { .motion = { .type = SDL_MOUSEMOTION,
+                                    .windowID = SDL_GetWindowID(rig.display.window),
+                                    .x = whim->x_mille * WIDTH / 1000,
+                                    .y = whim->y_mille * HEIGHT / 1000,
+                                    .xrel = 20,
+                                    .yrel = 20 } };
+    SDL_PushEvent(&event);
+}
+
+static void press_button(enum whim_press press)
+{
+    const uint32_t bit = press == WHIM_PRESS_LEFT ? 1u : 2u;
+    rig.down ^= bit;
+    SDL_Event event = { .button = {
+                            .type = rig.down & bit ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP,
+                            .button = bit == 1u ? SDL_BUTTON_LEFT : SDL_BUTTON_RIGHT,
+                        } };
+    SDL_PushEvent(&event);
+}
+
+static void turn_wheel(int steps)
+{
+    SDL_Event event = { .wheel = { .type = SDL_MOUSEWHEEL, .preciseY = (float)steps } };
+    SDL_PushEvent(&event);
+}
+
+/* Pulls the second poi's cable, until a time within 3 s, or lets the poi send one report. */
+static void plug_or_unplug(uint32_t chance)
+{
+    report = (struct pointer_report){ .time_ns = rig.clock.now_ns,
+                                      .x_px = (float)(chance % WIDTH),
+                                      .y_px = (float)(chance / 7u % HEIGHT),
+                                      .width_px = WIDTH,
+                                      .height_px = HEIGHT,
+                                      .buttons = (uint8_t)(chance / 3u % 8u) };
+    rig.poi.reports = &report;
+    rig.poi.report_count = 1;
+    rig.poi.next = 0;
+    rig.poi.unplug_at = chance & 1u ? 0 : POI_SIM_NEVER;
+    rig.poi.replug_ns = rig.clock.now_ns + (uint64_t)(chance / 11u % 3000u) * 1000000u;
+}
+
+static void act(void)
+{
+    const struct whim whim = whim_at(rig.seed, rig.frame);
+    if (whim.key >= 0) {
+        press_key(whim.key);
+    }
+    if (whim.moves) {
+        move_pointer(&whim);
+    }
+    if (whim.press != WHIM_PRESS_NONE) {
+        press_button((enum whim_press)whim.press);
+    }
+    if (whim.wheel != 0) {
+        turn_wheel(whim.wheel);
+    }
+    if (whim.width > 0) {
+        SDL_SetWindowSize(rig.display.window, whim.width, whim.height);
+    }
+    if (whim.plugs) {
+        plug_or_unplug(whim.chance);
+    }
+}
+
+static int open_kiosk(void)
+{
+    rig.storage = (struct storage_sim){ 0 };
+    rig.hal.storage = storage_sim_device(&rig.storage);
+    const struct kiosk_config config = { .core = { .seed = rig.seed,
+                                                   .fish_count = 40,
+                                                   .players = 2,
+                                                   .round_s = 10,
+                                                   .modes = 15 },
+                                         .stopwatch = clock_device() };
+    return kiosk_init(&rig.kiosk, &rig.hal, &config) == CORE_OK;
+}
+
+static void close_kiosk(void)
+{
+    rig.hash = rig.hash * 31u + core_hash(&rig.kiosk.core);
+    kiosk_close_store(&rig.kiosk, &rig.hal);
+}
+
+static int open_board(void)
+{
+    const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
+    rig.clock.now_ns = 1000000000u;
+    rig.hal = null_hal();
+    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.display.config =
+        (struct display_gl_config){ .width = WIDTH, .height = HEIGHT, .off_screen = true };
+    rig.hal.display = display_gl_device(&rig.display);
+    if (rig.hal.display.ops->open(&rig.display) != HAL_OK) {
+        return 0;
+    }
+    rig.hal.buttons = buttons_keyboard_device(&rig.keyboard);
+    poi_mouse_init(&rig.mouse, rig.hal.clock, view, WIDTH, HEIGHT, POINTER_HEEDS_MOUSE);
+    rig.hal.poi[0] = poi_mouse_device(&rig.mouse);
+    rig.hal.shade[0] = poi_mouse_fan(&rig.mouse);
+    poi_sim_init(&rig.poi, rig.hal.clock, view);
+    rig.hal.poi[1] = poi_sim_device(&rig.poi);
+    return 1;
+}
+
+/* Returns enum kiosk_end: KIOSK_RUNS when the kiosk goes on or was opened again. */
+static enum kiosk_end run_frame(uint32_t *phases)
+{
+    snprintf(hang_words, sizeof hang_words, "monkey: seed %u: frame %u hangs\n", rig.seed,
+             rig.frame);
+    alarm(FRAME_S);
+    act();
+    rig.clock.now_ns += FRAME_NS;
+    const enum kiosk_end end = kiosk_frame(&rig.kiosk, &rig.hal);
+    *phases |= 1u << rig.kiosk.core.game.phase;
+    if (end == KIOSK_QUIT || end == KIOSK_RESTART) {
+        close_kiosk();
+        rig.end_count++;
+        return open_kiosk() ? KIOSK_RUNS : end;
+    }
+    return end;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3) {
+        fprintf(stderr, "usage: monkey SEED SECONDS\n");
+        return 2;
+    }
+    uint32_t phases = 0, rounds = 0;
+    rig.seed = (uint32_t)strtoul(argv[1], NULL, 10);
+    const uint32_t frames = FRAMES_A_SECOND * (uint32_t)strtoul(argv[2], NULL, 10);
+    signal(SIGALRM, on_hang);
+    if (!open_board() || !open_kiosk()) {
+        fprintf(stderr, "monkey: %s\n", rig.hal.display.ops->describe(&rig.display));
+        return 1;
+    }
+    enum kiosk_end end = KIOSK_RUNS;
+    for (; rig.frame < frames && end == KIOSK_RUNS; rig.frame++) {
+        const uint32_t before = rig.kiosk.core.game.round_count;
+        end = run_frame(&phases);
+        rounds += rig.kiosk.core.game.round_count > before;
+    }
+    alarm(0);
+    close_kiosk();
+    printf("%u frames, %u rounds, phases %03x, ended and opened again %u times, hash %016llx\n",
+           rig.frame, rounds, phases, rig.end_count, (unsigned long long)rig.hash);
+    return end == KIOSK_RUNS ? 0 : 1;
+}
