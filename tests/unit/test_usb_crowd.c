@@ -185,7 +185,14 @@ static void test_a_storm_of_hot_plugs_ends_with_everybody_in_a_seat(void **state
     struct hid_raw raw;
     struct hid_row rows[CONTROLLER_MAX];
     const struct hid_roster roster = usb_seats_roster(bench.seats);
-    uint32_t order = 0;
+    uint32_t order = 0, device[POI_MAX];
+    for (uint8_t i = 0; i < POI_MAX; i++) { /* Each seat is then kept for its poi, not for another. */
+        device[i] = stand_plug(&kinds[i], (uint8_t)(i + 1u));
+        assert_true(sits(i, serials[i]));
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        stand_unplug(device[i], STAND_GONE);
+    }
     atomic_store(&storm_is_over, 0);
     stand_set_faults(&(struct stand_faults){ .close_ms = 1, .cancel_ms = 2 });
     assert_int_equal(pthread_create(&thread, NULL, storm, NULL), 0);
@@ -207,7 +214,7 @@ static void test_a_storm_of_hot_plugs_ends_with_everybody_in_a_seat(void **state
         stand_plug(&kinds[i], (uint8_t)(i + 1u));
     }
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
-        assert_true(bench_open(&bench, seat, &face));
+        assert_true(sits(seat, serials[seat]));
     }
 }
 
