@@ -1,10 +1,11 @@
-/* hid_bits.h -- numbers that lie anywhere in a report. */
+/* hid_bits.h -- bit fields at any offset of a report. */
 #ifndef KINGYO_DRIVERS_HID_BITS_H
 #define KINGYO_DRIVERS_HID_BITS_H
 
 #include <stdint.h>
 
-/* `size` bits, 1 .. 32, from bit `offset` of `bytes` on, lowest first: at most five bytes. */
+/* Returns the `size` bits (1 .. 32) that start at bit `offset` of `bytes`, least significant bit
+ * first. Reads at most five bytes, all inside the field. */
 static inline uint32_t hid_bits_at(const uint8_t *bytes, uint32_t offset, uint32_t size)
 {
     const uint32_t first = offset / 8u, last = (offset + size - 1u) / 8u;
@@ -15,7 +16,7 @@ static inline uint32_t hid_bits_at(const uint8_t *bytes, uint32_t offset, uint32
     return (uint32_t)(word >> offset % 8u & ((1ull << size) - 1u));
 }
 
-/* The same number, its highest bit a sign. */
+/* Returns the `size`-bit number `bits` as two's complement. */
 static inline int64_t hid_signed_bits(uint32_t bits, uint32_t size)
 {
     const int64_t half = (int64_t)1 << (size - 1u);

@@ -1,4 +1,4 @@
-/* hid_book.c -- the book in memory, and the thread that writes it down. */
+/* hid_book.c -- the mapping store in memory, and the thread that writes its files. */
 #include "drivers/hid_book.h"
 
 #include <dirent.h>
@@ -33,7 +33,7 @@ static void complain(struct complaints *to, const char *path, int line, const ch
     }
 }
 
-/* ---- Reading -------------------------------------------------------------------------------- */
+/* ---- Reading the files ---------------------------------------------------------------------- */
 
 static struct hid_book_entry *entry_of(struct hid_book *book, uint16_t vendor, uint16_t product,
                                        const char *serial)
@@ -94,7 +94,7 @@ static void read_folder(struct hid_book *book, struct complaints *to)
     closedir(folder);
 }
 
-/* ---- The thread ----------------------------------------------------------------------------- */
+/* ---- Writer thread -------------------------------------------------------------------------- */
 
 static int do_job(const char *folder, const struct hid_book_job *job)
 {
@@ -129,7 +129,8 @@ static void *write_down(void *self)
             pthread_cond_wait(&book->changed, &book->lock);
             continue;
         }
-        const struct hid_book_job job = book->job; /* Nobody changes it before it is done. */
+        /* `job` is not changed before has_job is cleared. */
+        const struct hid_book_job job = book->job;
         const struct complaints to = { .complain = book->tell, .self = book->tell_self };
         pthread_mutex_unlock(&book->lock);
         const int error = do_job(book->folder, &job);
@@ -164,7 +165,8 @@ void hid_book_tell(struct hid_book *book, void (*tell)(void *self, const char *l
     pthread_mutex_unlock(&book->lock);
 }
 
-/* `forget`: the file is to go. Only while it is not busy. */
+/* Passes a write, or with `forget` a deletion, to the writer thread. Must only be called while
+ * no job is pending. */
 static int give_job(struct hid_book *book, const struct hid_book_entry *entry, int forget)
 {
     char name[HID_BOOK_NAME_SIZE];
@@ -184,7 +186,7 @@ static int give_job(struct hid_book *book, const struct hid_book_entry *entry, i
     return error ? HAL_ERR_IO : HAL_OK;
 }
 
-/* ---- The book ------------------------------------------------------------------------------- */
+/* ---- Public functions ----------------------------------------------------------------------- */
 
 uint32_t hid_book_open(struct hid_book *book, const char *data,
                        void (*complain_to)(void *self, const char *line), void *self)

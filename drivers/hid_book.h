@@ -1,8 +1,11 @@
-/* hid_book.h -- what was learned of controllers, kept for each vendor:product:serial.
+/* hid_book.h -- the mapping store: learned controller mappings, one for each
+ * vendor:product:serial.
  *
- * A file each in the data folder's pois/, written whole or not at all, by a thread of its own: a
- * slow card stops no frame. What is in the book plays at once; that it is on the card follows. A
- * file that cannot be read is one line of complaint, and never the start. */
+ * Each mapping is a file in the folder pois/ of the data folder. A thread of the store replaces
+ * each file atomically, so a slow card never delays a frame. A mapping in memory is used at
+ * once, and its file follows. A file that cannot be read causes one complaint and never prevents
+ * the start. All functions except hid_book_open() and hid_book_close() return without waiting
+ * for the card. */
 #ifndef KINGYO_DRIVERS_HID_BOOK_H
 #define KINGYO_DRIVERS_HID_BOOK_H
 
@@ -12,57 +15,64 @@
 #include "drivers/hid_book_text.h"
 #include "drivers/poi_hid.h"
 
-#define HID_BOOK_MAX 64u         /* Controllers; a stall has four. When full, no more is learned. */
+/* Capacity in controllers; four play at most. When the store is full, no more are learned. */
+#define HID_BOOK_MAX 64u
 #define HID_BOOK_PATH_SIZE 1024u
 
-/* What the thread has to do. */
+/* The file operation that is pending for the writer thread. */
 struct hid_book_job {
     char path[HID_BOOK_PATH_SIZE];
-    char text[HID_BOOK_TEXT_SIZE]; /* "": the file is to go. */
+    char text[HID_BOOK_TEXT_SIZE]; /* New content; "" deletes the file. */
 };
 
 struct hid_book {
-    char folder[HID_BOOK_PATH_SIZE]; /* "": nothing is kept beyond this run. */
+    char folder[HID_BOOK_PATH_SIZE]; /* "": mappings are kept in memory only. */
     uint32_t count;
     struct hid_book_entry entry[HID_BOOK_MAX];
 
     pthread_t thread;
     pthread_mutex_t lock;
     pthread_cond_t changed;
-    uint8_t has_thread, has_job, stops; /* The rest is under `lock`. */
+    /* has_job and stops are protected by `lock`, as are the fields below. */
+    uint8_t has_thread, has_job, stops;
     struct hid_book_job job;
-    uint8_t last_failed;             /* The last job that was done; ... */
-    uint32_t written_count, failed_count; /* ... and all of them. */
+    uint8_t last_failed;             /* 1 if the last finished job failed. */
+    uint32_t written_count, failed_count; /* Jobs that succeeded and failed since the start. */
     void (*tell)(void *self, const char *line);
     void *tell_self;
 };
 
-/* Reads `data`/pois (null: nothing is kept) and starts the thread. Complaints go to `complain`, a
- * line each, "FILE:LINE: what"; null: to nobody. Returns how many there were. */
+/* Reads the folder pois/ of `data` and starts the writer thread. With `data` null nothing is
+ * stored. Each complaint goes to `complain` as one line "FILE:LINE: what"; `complain` may be
+ * null. Returns the number of complaints. */
 uint32_t hid_book_open(struct hid_book *book, const char *data,
                        void (*complain)(void *self, const char *line), void *self);
 
-/* What was learned of such a controller, or null. */
+/* Returns the learned mapping of this vendor:product:serial, or null. */
 const struct hid_map *hid_book_find(const struct hid_book *book,
                                     const struct hid_identity *identity);
 
-/* Keeps or forgets it. HAL_ERR_BUSY: the last one is still being written, ask again next frame;
- * HAL_ERR_IO: the book is full, or nobody is there to write. */
+/* Stores or deletes the mapping of a controller. Returns HAL_ERR_BUSY while the previous job is
+ * being written (retry in the next frame). Returns HAL_ERR_IO if the store is full or the writer
+ * thread did not start. */
 int hid_book_keep(struct hid_book *book, const struct hid_identity *identity,
                   const struct hid_map *map);
 int hid_book_forget(struct hid_book *book, const struct hid_identity *identity);
 
-/* A map for whoever asks: the learned one if it fits the descriptor, else hid_map_choose()'s. */
+/* Returns a mapper for the decoders. The mapper chooses the learned mapping if it fits the
+ * descriptor, and otherwise the mapping of hid_map_choose(). */
 struct hid_mapper hid_book_mapper(struct hid_book *book);
 
-/* What cannot be written is told from now on, one line, on the book's thread. Null: to nobody. */
+/* Sets the callback for write errors, one line each. The callback runs on the writer thread and
+ * may be null. */
 void hid_book_tell(struct hid_book *book, void (*tell)(void *self, const char *line), void *self);
 
-/* What became of the last keep() or forget(): HAL_ERR_BUSY while it is being written, HAL_OK,
- * HAL_ERR_IO when it could not be: it holds for this run alone. */
+/* Returns the result of the last keep() or forget(). HAL_ERR_BUSY means that the job is pending,
+ * HAL_OK that the file is on the card. HAL_ERR_IO means that writing failed and the change lasts
+ * only until the kiosk ends. */
 int hid_book_written(struct hid_book *book);
 
-/* Waits until all is on the card, and ends the thread. */
+/* Waits until the pending job is on the card, and ends the thread. */
 void hid_book_close(struct hid_book *book);
 
 #endif

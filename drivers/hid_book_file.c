@@ -1,4 +1,4 @@
-/* hid_book_file.c -- a small file, whole or not at all. */
+/* hid_book_file.c -- reads small files and replaces them atomically. */
 #include "drivers/hid_book_file.h"
 
 #include <errno.h>
@@ -67,7 +67,7 @@ int hid_book_file_replace(const char *path, const char *text)
 {
     char beside[HID_BOOK_PATH_SIZE + 8u];
     snprintf(beside, sizeof beside, "%s.new", path);
-    unlink(beside); /* What an earlier loss of power, or somebody else, left there. */
+    unlink(beside); /* An earlier power loss or another process can have left this file. */
     const int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (fd < 0) {
         return errno;

@@ -1,5 +1,7 @@
-/* hid_book_file.h -- the book's files: read whole, and written whole or not at all. All of it may
- * wait for a card, so it is for the start and for the book's thread. Each gives 0 or errno. */
+/* hid_book_file.h -- the files of the mapping store, read whole and replaced atomically.
+ *
+ * All functions may block on the card. Only the start and the writer thread call them. The
+ * functions except hid_book_file_open() return 0 or an errno value. */
 #ifndef KINGYO_DRIVERS_HID_BOOK_FILE_H
 #define KINGYO_DRIVERS_HID_BOOK_FILE_H
 
@@ -9,13 +11,15 @@
  * sets errno: ELOOP for a symbolic link, ENOTSUP for anything else that is not a regular file. */
 int hid_book_file_open(const char *path);
 
-/* EFBIG: longer than any file of ours. A pipe that has such a name is not waited for. */
+/* Reads a whole file into `text` and terminates the text. Returns EFBIG if the file has
+ * HID_BOOK_TEXT_SIZE bytes or more. Does not block on a pipe of that name. */
 int hid_book_file_read(const char *path, char text[HID_BOOK_TEXT_SIZE]);
 
-/* Written beside the file and put in its place, so that it is the old one or the new one. */
+/* Writes PATH.new, flushes it and renames it to `path`, so that a reader finds either the old or
+ * the new content. */
 int hid_book_file_replace(const char *path, const char *text);
 
-/* A name in a folder lasts once the folder is on the card. */
+/* Flushes the folder itself, so that a new, renamed or deleted name survives a power loss. */
 int hid_book_file_sync(const char *folder);
 
 #endif

@@ -1,4 +1,4 @@
-/* hid_book_text.c -- three lines of words. */
+/* hid_book_text.c -- the three-line text format of a mapping file. */
 #include "drivers/hid_book_text.h"
 
 #include <stdio.h>
@@ -12,7 +12,8 @@ static int is_plain(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/* Letters and figures as they are, anything else as %XX; always ends within `size`. */
+/* Copies letters, digits and '_', and writes any other byte as %XX. Stops before `size` is
+ * exceeded. */
 static void escape(const char *text, char *out, size_t size)
 {
     size_t used = 0;
@@ -32,7 +33,8 @@ static int hex_value(char c)
     return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/* 0: too long, or no text that escape() writes. */
+/* Reverses escape(). Returns 0 if the result is too long for `size` or if escape() cannot have
+ * written `text`. */
 static int unescape(const char *text, char *out, size_t size)
 {
     size_t used = 0;
@@ -75,7 +77,8 @@ int hid_book_write(const struct hid_book_entry *entry, char text[HID_BOOK_TEXT_S
     return (size_t)length < HID_BOOK_TEXT_SIZE ? 0 : -1;
 }
 
-/* The next line into `line`; 0: none, or longer than a line of ours. */
+/* Copies the next line into `line` and advances `*text`. Returns 0 if no complete line is left
+ * or if the line does not fit into `size`. */
 static int next_line(const char **text, char *line, size_t size)
 {
     const size_t length = strcspn(*text, "\n");

@@ -1,4 +1,6 @@
-/* hid_book_text.h -- an entry of the book as a file's name and as its text, and back. Pure. */
+/* hid_book_text.h -- the file name and the text of a mapping store entry, and their parser.
+ *
+ * All functions are pure. */
 #ifndef KINGYO_DRIVERS_HID_BOOK_TEXT_H
 #define KINGYO_DRIVERS_HID_BOOK_TEXT_H
 
@@ -8,19 +10,24 @@
 
 struct hid_book_entry {
     uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* "": all of this product that say none. */
+    /* "": every device of this product that reports no serial number. */
+    char serial[HID_TEXT_SIZE];
     struct hid_map map;
 };
 
-#define HID_BOOK_NAME_SIZE 224u /* Three letters for each byte of the longest serial number. */
+/* Fits the longest serial number with three characters for each byte. */
+#define HID_BOOK_NAME_SIZE 224u
 
-/* "054c-09cc-SERIAL.poi"; what could lead elsewhere in a path is written as %XX. */
+/* Writes the file name "054c-09cc-SERIAL.poi". Characters with a meaning in paths are written as
+ * %XX. */
 void hid_book_name(const struct hid_book_entry *entry, char name[HID_BOOK_NAME_SIZE]);
 
-/* Three lines: what the file is, vendor:product:serial, the map. -1: a map that none can write. */
+/* Writes three lines: the format version, vendor:product:serial, and the mapping. Returns 0, or
+ * -1 if the mapping cannot be written as text. */
 int hid_book_write(const struct hid_book_entry *entry, char text[HID_BOOK_TEXT_SIZE]);
 
-/* 0, or the number of the line (from 1) that is none of ours, and what is wrong in `error`. */
+/* Parses a mapping file. Returns 0, or the number (from 1) of the first invalid line and its
+ * fault in `error`. */
 int hid_book_read(struct hid_book_entry *out, const char *text, char error[HAL_TEXT_SIZE]);
 
 #endif

@@ -1,5 +1,7 @@
-/* hid_descriptor.c -- one pass over the items: globals and locals pile up, Input items cash them
- * in. */
+/* hid_descriptor.c -- parses a descriptor in one pass.
+ *
+ * Global and Local items set the parser's state, and each Input item adds a group from that
+ * state. */
 #include "drivers/hid_descriptor.h"
 
 #include <string.h>
@@ -16,17 +18,18 @@ enum local_tag { LOCAL_USAGE = 0, LOCAL_USAGE_MIN = 1, LOCAL_USAGE_MAX = 2, LOCA
 struct reader {
     struct hid_descriptor *out;
     struct hid_global_stack globals;
-    hid_usage application[HID_DEPTH_MAX + 1u]; /* In force at each depth of collections. */
+    /* Application collection in force at each nesting depth. */
+    hid_usage application[HID_DEPTH_MAX + 1u];
     uint32_t depth;
-    uint32_t range_first; /* This main item's usages so far are out->range[range_first ..]. */
+    uint32_t range_first; /* The usages of the current main item start here in out->range. */
     hid_usage usage_min;
     uint8_t has_usage_min;
-    uint8_t in_delimiter, alternatives; /* Only the first of a delimited set is heard. */
+    uint8_t in_delimiter, alternatives; /* Only the first usage of a delimited set is used. */
 };
 
 /* ---- Usages --------------------------------------------------------------------------------- */
 
-/* A usage of one or two bytes belongs to the page in force where it is named. */
+/* Combines a usage of one or two bytes with the usage page in force at that item. */
 static hid_usage whole_usage(const struct reader *reader, const struct hid_item *item)
 {
     const uint32_t page = reader->globals.now.usage_page;
@@ -67,7 +70,8 @@ static enum hid_error delimit(struct reader *reader, uint32_t opens)
 static enum hid_error end_usage_range(struct reader *reader, const struct hid_item *item)
 {
     const hid_usage last = whole_usage(reader, item);
-    /* A maximum of four bytes names the page of both; a lone maximum counts from 0. */
+    /* A maximum of four bytes contains the page of both ends. A maximum without a minimum counts
+     * from 0. */
     const hid_usage first = reader->has_usage_min ? reader->usage_min : last & 0xffff0000u;
     reader->has_usage_min = 0;
     return add_range(reader, first, last);
@@ -91,7 +95,7 @@ static enum hid_error read_local(struct reader *reader, const struct hid_item *i
         return HID_OK;
     case LOCAL_USAGE_MAX:
         return end_usage_range(reader, item);
-    default: /* Designators and strings describe, they do not mean. */
+    default: /* Designators and strings do not affect the layout. */
         return HID_OK;
     }
 }
@@ -155,7 +159,7 @@ static enum hid_error add_input(struct reader *reader, uint32_t flags)
     const struct hid_group group = group_of(reader, flags);
     out->report_bits[now->report_id] = used + (uint32_t)bits;
     if (bits == 0 || group.range_count == 0) {
-        return HID_OK; /* Nothing, or padding. */
+        return HID_OK; /* No bits, or padding. */
     }
     if (now->report_size > HID_FIELD_BITS_MAX) {
         return HID_ERR_FIELD_SIZE;
@@ -174,7 +178,7 @@ static enum hid_error add_input(struct reader *reader, uint32_t flags)
 static enum hid_error do_main(struct reader *reader, const struct hid_item *item)
 {
     if (reader->in_delimiter) {
-        return HID_ERR_DELIMITER; /* Which usages are alternatives to each other nobody can say. */
+        return HID_ERR_DELIMITER; /* Delimiters must be closed before the main item. */
     }
     switch (item->tag) {
     case MAIN_INPUT:
@@ -183,12 +187,12 @@ static enum hid_error do_main(struct reader *reader, const struct hid_item *item
         return open_collection(reader, item->data);
     case MAIN_END_COLLECTION:
         return close_collection(reader);
-    default: /* Output, Feature and what is reserved. */
+    default: /* Output, Feature and reserved tags are skipped. */
         return HID_OK;
     }
 }
 
-/* Locals end with their main item, whichever it is. Usages that no group keeps are given back. */
+/* Clears the Local state after any main item. Usages that no group uses are removed. */
 static void forget_locals(struct reader *reader)
 {
     struct hid_descriptor *out = reader->out;
@@ -240,7 +244,8 @@ static enum hid_error fail(struct hid_descriptor *out, enum hid_error error, siz
 enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *bytes, size_t size)
 {
     struct reader reader = { .out = out };
-    memset(out, 0, offsetof(struct hid_descriptor, group)); /* What is behind it is 61 KB. */
+    /* The lists behind it have 61 KB and need no clearing. */
+    memset(out, 0, offsetof(struct hid_descriptor, group));
     if (size > HID_DESCRIPTOR_SIZE_MAX) {
         return fail(out, HID_ERR_TOO_LONG, HID_DESCRIPTOR_SIZE_MAX);
     }

@@ -1,4 +1,4 @@
-/* hid_desk.c -- orders in, rows out. */
+/* hid_desk.c -- executes the operator's controller commands and reports the device list. */
 #include "drivers/hid_desk.h"
 
 #include <stdio.h>
@@ -49,8 +49,8 @@ static int is_kind(const struct hid_identity *one, const struct hid_identity *ot
            strcmp(one->serial, other->serial) == 0;
 }
 
-/* Learning chose it; where nothing came of that nobody chose it. Asked again while the roster is
- * busy. */
+/* Releases a controller that only learning had chosen and whose mapping was not kept. Repeated
+ * at the next poll while the device list is busy. */
 static void give_back(struct hid_desk *desk)
 {
     const struct hid_row *row = &desk->row[desk->learn_row];
@@ -59,7 +59,8 @@ static void give_back(struct hid_desk *desk)
         desk->roster.ops->release(desk->roster.self, desk->learn_row) == HAL_ERR_BUSY;
 }
 
-/* It plays on by `map`; null: by what it would have played by without. */
+/* Ends learning. The controller continues to play with `map`, or, if `map` is null, with the
+ * mapping that it has without learning. */
 static void stop_learning(struct hid_desk *desk, const struct hid_map *map)
 {
     struct poi_hid *seat = learning_seat(desk);
@@ -77,7 +78,8 @@ static void end_learning(struct hid_desk *desk)
     give_back(desk);
 }
 
-/* Begun again, what was free before is so still. */
+/* Ends a running learning procedure and starts one for `row`. Restarting the same row preserves
+ * gives_back. */
 static void begin_anew(struct hid_desk *desk, uint32_t row)
 {
     const int again = desk->learn.step != LEARN_NONE && desk->learn_row == row;
@@ -102,7 +104,8 @@ static int begin_learning(struct hid_desk *desk, uint32_t row)
         fail_learning(desk);
         return result;
     }
-    desk->learn.step = LEARN_REST; /* It is told to keep still while it sits down. */
+    /* The menu shows "keep still" while the controller is being attached. */
+    desk->learn.step = LEARN_REST;
     desk->learn.report_count = 0;
     desk->learn_waits = 1;
     return HAL_OK;
@@ -113,7 +116,8 @@ static int is_same(const struct hid_identity *one, const struct hid_identity *ot
     return is_kind(one, other) && strcmp(one->port, other->port) == 0;
 }
 
-/* The seat opens when the frame loop looks for it, within a second. */
+/* Continues learning when the frame loop has opened the controller's slot, which takes up to one
+ * second. */
 static void sit_down(struct hid_desk *desk)
 {
     const struct hid_row *row = &desk->row[desk->learn_row];
@@ -128,7 +132,8 @@ static void sit_down(struct hid_desk *desk)
     }
     desk->learn_waits = 0;
     desk->learn_seat = row->seat;
-    desk->learn_identity = row->identity; /* Some say their serial number only when opened. */
+    /* Some devices report their serial number only after they are opened. */
+    desk->learn_identity = row->identity;
     hid_learn_begin(&desk->learn, &seat->face);
     if (desk->learn.step == LEARN_FAILED) {
         leave_seat(desk);
@@ -141,7 +146,7 @@ static void go_on(struct hid_desk *desk)
 {
     struct poi_hid *seat = learning_seat(desk);
     if (!seat) {
-        return; /* It has not sat down: there is nothing to go on with. */
+        return; /* Not attached yet, so there is no step to finish. */
     }
     hid_learn_next(&desk->learn);
     if (desk->learn.step == LEARN_TRY) {
@@ -155,7 +160,8 @@ static void go_on(struct hid_desk *desk)
     }
 }
 
-/* It is kept once it is written: who switches off then may rely on it. */
+/* Ends learning only after the file is on the card, so that the operator may then switch the
+ * kiosk off safely. */
 static void watch_writing(struct hid_desk *desk)
 {
     const int result = hid_book_written(desk->book);
@@ -184,7 +190,7 @@ static int keep(struct hid_desk *desk)
     return result == HAL_ERR_BUSY ? HAL_OK : result;
 }
 
-/* ---- Orders --------------------------------------------------------------------------------- */
+/* ---- Commands ------------------------------------------------------------------------------- */
 
 static void forget(struct hid_desk *desk)
 {
@@ -195,7 +201,7 @@ static int release(struct hid_desk *desk, uint32_t row)
 {
     if (desk->learn.step != LEARN_NONE && desk->learn_row == row) {
         stop_learning(desk, NULL);
-        desk->gives_back = 0; /* It is released either way. */
+        desk->gives_back = 0; /* The row is released below in any case. */
     }
     if (desk->row[row].state != CONTROLLER_NONE) {
         desk->forget_identity = desk->row[row].identity;
@@ -231,9 +237,10 @@ static int hid_desk_order(void *self, const struct desk_order *order)
     }
 }
 
-/* ---- Rows ----------------------------------------------------------------------------------- */
+/* ---- Device list ---------------------------------------------------------------------------- */
 
-/* Pulled out while it is learned: what it was shown so far is of no use. */
+/* Advances learning once for each poll. Learning fails if the controller is unplugged, because
+ * an incomplete recording cannot be used. */
 static void watch_learning(struct hid_desk *desk)
 {
     const struct poi_hid *seat = learning_seat(desk);

@@ -1,5 +1,7 @@
-/* hid_desk.h -- the operator's desk: which controllers play, and learning one. hal_controllers over
- * a transport's roster, the seats that are played at, and the book of what was learned. */
+/* hid_desk.h -- the controller manager: which controllers play, and learning a new one.
+ *
+ * Implements hal_controllers for the operator's menu over the device list of a transport, the
+ * slots of the frame loop and the mapping store. One thread calls; no call blocks. */
 #ifndef KINGYO_DRIVERS_HID_DESK_H
 #define KINGYO_DRIVERS_HID_DESK_H
 
@@ -11,22 +13,24 @@
 
 struct hid_desk {
     struct hid_roster roster;
-    struct hid_book *book;             /* The caller's. */
-    struct poi_hid *seat[POI_MAX];     /* The caller's; null: the transport has fewer. */
-    struct hid_row row[CONTROLLER_MAX]; /* As of the last poll. */
+    struct hid_book *book;             /* Owned by the caller. */
+    struct poi_hid *seat[POI_MAX]; /* Owned by the caller; null if the transport has fewer slots. */
+    struct hid_row row[CONTROLLER_MAX]; /* State at the last poll. */
     struct hid_learn learn;
     uint8_t learn_row;
-    uint8_t learn_seat;                /* < POI_MAX once the controller sits there. */
-    uint8_t learn_waits;               /* It was chosen and has not sat down yet. */
-    uint8_t keeps, forgets;            /* The book was busy: asked again at the next poll. */
-    uint8_t writes;                    /* What was learned is being written. */
-    uint8_t gives_back;                /* It was free before: unless it is kept it is so again. */
-    struct hid_identity learn_identity; /* Who is learned, ... */
+    uint8_t learn_seat;                /* Slot of the attached controller, otherwise POI_MAX. */
+    uint8_t learn_waits;               /* 1 while the chosen controller is not attached yet. */
+    uint8_t keeps, forgets;            /* 1 while a busy store makes the next poll retry. */
+    uint8_t writes;                    /* 1 while the learned mapping is being written. */
+    /* 1 if the controller was free before learning; it is released again unless its mapping is
+     * kept. */
+    uint8_t gives_back;
+    struct hid_identity learn_identity; /* The controller that is being learned. */
     struct hid_identity forget_identity;
     char name[HAL_CONTROLLER_TEXT];
 };
 
-/* `seats` are POI_MAX pointers, copied. */
+/* Initializes `desk`. `seats` are POI_MAX pointers, which are copied. */
 void hid_desk_init(struct hid_desk *desk, struct hid_roster roster, struct hid_book *book,
                    struct poi_hid *const seats[POI_MAX]);
 

@@ -1,4 +1,4 @@
-/* hid_globals.c -- one switch over what a Global item may set. */
+/* hid_globals.c -- parses the Global items of a HID report descriptor. */
 #include "drivers/hid_globals.h"
 
 enum global_tag {
@@ -53,7 +53,8 @@ static enum hid_error take_report_id(struct hid_globals *now, uint32_t id)
     return HID_OK;
 }
 
-/* The specification's nibble, 8 .. 15 for -8 .. -1; real devices also write whole bytes. */
+/* Decodes the specification's nibble, where 8 .. 15 mean -8 .. -1. Real devices also write the
+ * exponent as a whole byte. */
 static int32_t unit_exponent(const struct hid_item *item)
 {
     const uint32_t nibble = item->data;
@@ -99,7 +100,7 @@ enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid
         return push(stack);
     case GLOBAL_POP:
         return pop(stack);
-    default: /* Reserved: skipped, as section 6.2.2.7 leaves room for more. */
+    default: /* Reserved tags are skipped because section 6.2.2.7 reserves them for extensions. */
         break;
     }
     return HID_OK;

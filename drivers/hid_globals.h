@@ -1,4 +1,5 @@
-/* hid_globals.h -- what Global items set, and Push and Pop keep: HID 1.11, section 6.2.2.7.
+/* hid_globals.h -- the state of Global items with its Push and Pop stack (HID 1.11, section
+ * 6.2.2.7).
  *
  * A private part of hid_descriptor.c. */
 #ifndef KINGYO_DRIVERS_HID_GLOBALS_H
@@ -7,8 +8,8 @@
 #include "drivers/hid_descriptor.h"
 #include "drivers/hid_item.h"
 
-/* Limits keep their raw data: a maximum is signed only if its minimum is negative, which is not
- * known before the Input item. */
+/* Raw data of a minimum or maximum. A maximum is signed only if its minimum is negative, which
+ * is not known before the Input item. */
 struct hid_limit {
     uint32_t data;
     uint8_t size;
@@ -19,7 +20,7 @@ struct hid_globals {
     struct hid_limit logical_min, logical_max, physical_min, physical_max;
     int32_t unit_exponent;
     uint32_t unit, report_size, report_count;
-    uint8_t report_id; /* 0: none was given yet. */
+    uint8_t report_id; /* 0: no report id has been declared yet. */
 };
 
 struct hid_global_stack {
@@ -27,12 +28,12 @@ struct hid_global_stack {
     uint32_t pushed_count;
 };
 
-/* Takes one Global item. */
+/* Applies one Global item. Returns HID_OK, or the error of Push, Pop or Report ID. */
 enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item);
 
 int64_t hid_limit_min(struct hid_limit limit);
 
-/* A maximum, beside the minimum that it belongs to. */
+/* Returns a maximum, which is signed only if its minimum `min` is negative. */
 int64_t hid_limit_max(struct hid_limit limit, int64_t min);
 
 #endif

@@ -1,4 +1,4 @@
-/* hid_hand.c -- shares to motions. */
+/* hid_hand.c -- turns the axis values of a controller into motion of the poi. */
 #include "drivers/hid_hand.h"
 
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "drivers/hid_value.h"
 #include "drivers/poi_report.h"
 
-/* A window that no mouse can see: a count is a pixel of it, as wide as a hand's way on a desk. */
+/* Virtual window in pixels for a relative mouse: one count is one pixel. */
 #define WINDOW_WIDTH 1920u
 #define WINDOW_HEIGHT 1080u
 
@@ -45,9 +45,9 @@ void hid_hand_look(struct hid_hand *hand, const struct view *view)
     fly_poi_look(&hand->fly, view);
 }
 
-/* ---- Shares to motions ---------------------------------------------------------------------- */
+/* ---- Axis values to motion ------------------------------------------------------------------ */
 
-/* All bindings of a role together; `manner` HID_MANNER_COUNT: of any manner. */
+/* Returns the sum of all bindings of a role. `manner` HID_MANNER_COUNT accepts every manner. */
 static float sum_of(const struct hid_hand *hand, enum hid_role role, enum hid_manner manner)
 {
     float sum = 0.0f;
@@ -88,7 +88,8 @@ static int is_in_range(const struct hid_hand *hand)
     return !has(hand, HID_ROLE_IN_RANGE, HID_MANNER_PRESS) || is_pressed(hand, HID_ROLE_IN_RANGE);
 }
 
-/* A place is kept while the pen is away, for then its axes say nothing. */
+/* Updates the pointer. While the pen is out of range the last position is kept, because its axes
+ * are then invalid. */
 static void point(struct hid_hand *hand)
 {
     struct pointer_report *report = &hand->report;
@@ -113,7 +114,8 @@ static void point(struct hid_hand *hand)
     }
 }
 
-/* What a stick of four switches pushes. */
+/* Returns the deflection [-1, 1] of a hat that is bound to an axis, such as a four-switch
+ * joystick. */
 static float hat_push(const struct hid_hand *hand, enum hid_role role)
 {
     static const int8_t right[] = { 0, 1, 1, 1, 0, -1, -1, -1 };
@@ -187,7 +189,8 @@ static int refuse(struct hid_hand *hand)
     return 0;
 }
 
-/* A report that comes twice is one; what is missing between two is counted. */
+/* Decodes a report of our own poi. A repeated sequence number is refused as a duplicate, and
+ * missing numbers are counted in gap_count. */
 static int pose(struct hid_hand *hand, const struct hid_raw *raw)
 {
     struct poi_report report;
@@ -213,7 +216,7 @@ static int lead(struct hid_hand *hand, const struct hid_raw *raw, struct hid_rep
         return 0;
     }
     if (!hid_hand_read(hand, id, report)) {
-        return 0; /* A battery's, a touch pad's: nothing of the hand. */
+        return 0; /* No bound field, for example a battery report. */
     }
     if (hand->map.style == HID_STYLE_POINTER) {
         point(hand);
@@ -239,12 +242,13 @@ int hid_hand_report(struct hid_hand *hand, const struct hid_raw *raw)
     return lead(hand, raw, report);
 }
 
-/* ---- What comes of it ----------------------------------------------------------------------- */
+/* ---- Output --------------------------------------------------------------------------------- */
 
 static struct poi_target pointed(struct hid_hand *hand, uint64_t time_ns)
 {
     struct poi_target target = pointer_poi_target(&hand->pointer, time_ns);
-    const vec3 twist = v3_scale(twist_of(hand), FLY_TILT_MAX_RAD); /* Of a pen. */
+    /* Rotation of a pen; zero for a mouse. */
+    const vec3 twist = v3_scale(twist_of(hand), FLY_TILT_MAX_RAD);
     target.angles.pitch_rad += twist.x;
     target.angles.yaw_rad += twist.y;
     target.angles.roll_rad += twist.z;

@@ -1,8 +1,9 @@
-/* hid_hand.h -- raw reports into a hand, by a map. Pure: no device, no clock, no library.
+/* hid_hand.h -- the pose decoder: turns raw HID reports into a pose by a mapping.
  *
- * Every real transport, every simulated twin and the fuzzer meet here. Any bytes may come: a report
- * that is too short, of another id, or garbage is refused and counted; what it cannot know it
- * leaves as it was. The core judges what is left (core/game/trust.h). */
+ * Pure: no device, no clock and no library. Every transport, every simulated twin and the fuzzer
+ * use this decoder. Any bytes are accepted as input. A report that is too short, has an
+ * undeclared id or is garbage is refused and counted, and the state stays unchanged. The core
+ * validates the resulting pose (core/game/trust.h). */
 #ifndef KINGYO_DRIVERS_HID_HAND_H
 #define KINGYO_DRIVERS_HID_HAND_H
 
@@ -15,54 +16,56 @@
 #include "drivers/pose_fan.h"
 #include "platform/hal.h"
 
-/* After so long out of range a pen lies beside its tablet, and nobody is there. */
+/* A pen out of range for longer than this time lies beside its tablet and counts as absent. */
 #define HID_PEN_AWAY_NS 3000000000ull
 
 struct hid_hand {
     struct hid_descriptor descriptor;
     struct hid_map map;
-    struct pointer_poi pointer; /* Of HID_STYLE_POINTER. */
+    struct pointer_poi pointer; /* Used by HID_STYLE_POINTER. */
     struct pointer_fan fan;
     struct pointer_report report;
-    struct fly_poi fly;         /* Of HID_STYLE_FLY. */
-    struct pose_fan pose;       /* Of HID_STYLE_POSE: the newest report's. */
-    /* Newest of each binding: [-1, 1]; of a STEP, steps; of a hat, its direction, -1 for none; of
-     * what is pressed, 0 or 1. */
+    struct fly_poi fly;         /* Used by HID_STYLE_FLY. */
+    struct pose_fan pose;       /* Pose of the newest report, used by HID_STYLE_POSE. */
+    /* Newest value of each binding. An axis has [-1, 1], a STEP has counts, a press has 0 or 1.
+     * A hat has its direction 0 .. 7, or -1 for none. */
     float value[HID_BINDING_MAX];
-    uint16_t array[HID_BINDING_MAX]; /* Groups that are arrays and bound. */
+    uint16_t array[HID_BINDING_MAX]; /* Indexes of the array groups that have bindings. */
     uint32_t array_count;
-    uint32_t awake;             /* Bindings of sticks that were seen near their rest, a bit each:
-                                   one that never was is not there, or broken. */
-    uint64_t time_ns;           /* Of the newest report. */
-    uint64_t range_ns;          /* When the pen was last in range. */
-    uint32_t held;              /* enum input_button levels ... */
-    uint32_t pressed;           /* ... and edges that nobody took yet. */
+    /* One bit for each binding of a stick that was seen near its rest. A stick that never was is
+     * missing or broken, and its value is ignored. */
+    uint32_t awake;
+    uint64_t time_ns;           /* Arrival of the newest report. */
+    uint64_t range_ns;          /* Last time the pen was in range. */
+    uint32_t held;              /* Buttons that are down, enum input_button. */
+    uint32_t pressed;           /* Press edges not read yet. */
     uint8_t sequence, has_sequence;
-    uint8_t present;            /* It said where it is. */
+    uint8_t present;            /* 1 after the first position. */
     uint32_t report_count, refused_count;
-    uint32_t gap_count;         /* Reports that the sequence number says were lost. */
+    uint32_t gap_count;         /* Reports lost according to the sequence number. */
 };
 
-/* `face` is read, `map` copied, `view` copied. -1: the descriptor cannot be read, or the map is not
- * sound for it. */
+/* Initializes the decoder. `face` is only read; `map` and `view` are copied. Returns 0, or -1 if
+ * the descriptor cannot be parsed or if the mapping is not valid for it. */
 int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const struct hid_map *map,
                   const struct view *view);
 
-/* The tank is looked at so from now on. */
+/* Sets the camera view that pointer motion and stick motion refer to. */
 void hid_hand_look(struct hid_hand *hand, const struct view *view);
 
-/* Takes one report. 1: the hand may have moved; 0: refused, or no report that the map knows. */
+/* Decodes one report. Returns 1 if the pose may have changed. Returns 0 if the report was
+ * refused or if the mapping uses no field of it. */
 int hid_hand_report(struct hid_hand *hand, const struct hid_raw *raw);
 
-/* Where the hand is at `time_ns`, which never goes back: of a RATE or a stroke that is farther on
- * than at the last report; a POSE is that of its report, whenever it is asked for. 0: it is not
- * there (no report yet, a pen that was put aside). */
+/* Writes the pose at `time_ns`, which must never decrease. For sticks and dips the pose is
+ * extrapolated to `time_ns`; for HID_STYLE_POSE it is the pose of the newest report. Returns 1,
+ * or 0 if the controller is absent (no report yet, or a pen put aside). */
 int hid_hand_sample(struct hid_hand *hand, uint64_t time_ns, struct poi_sample *out);
 
-/* Adds its buttons: levels, and the edges since the last call. */
+/* Adds the buttons that are down and the press edges since the last call. */
 void hid_hand_buttons(struct hid_hand *hand, struct button_sample *out);
 
-/* The fan that a FAN button holds up, if any. */
+/* Returns the fan that a FAN button holds up, or an inactive fan. */
 struct shade_input hid_hand_fan(struct hid_hand *hand, uint64_t time_ns);
 
 #endif

@@ -1,8 +1,8 @@
-/* hid_item.c -- a prefix byte says how long an item is and of what kind; its data follow, low byte
- * first. */
+/* hid_item.c -- parses one item: a prefix byte with the size and the type, then little-endian
+ * data. */
 #include "drivers/hid_item.h"
 
-#define LONG_ITEM 0xfeu   /* Then a byte of size, a byte of tag, the data: section 6.2.2.3. */
+#define LONG_ITEM 0xfeu   /* Followed by a size byte, a tag byte and data: section 6.2.2.3. */
 #define LONG_HEAD_SIZE 3u
 
 int32_t hid_item_signed(uint32_t data, uint8_t size)

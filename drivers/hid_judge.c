@@ -1,16 +1,16 @@
-/* hid_judge.c -- who went farthest? */
+/* hid_judge.c -- finds the fields that moved farthest and binds them. */
 #include "drivers/hid_judge.h"
 
 #include "core/base/fmath.h"
 #include "drivers/hid_offer.h"
 
-#define NOISE_MAX 0.20f        /* Of its range a field may tremble while all is still. */
-#define WAY_MIN 0.12f          /* Of its range a field must go to be an axis, ... */
-#define PRESS_MIN 0.30f        /* ... and to be what dips. */
-#define CLEAR_WAY 0.4f         /* Of its range: nobody asks for more than that. */
-#define VENDOR_WORTH 0.5f      /* A field that says nothing of itself must go twice as far. */
-#define STEP_WAY 100.0f        /* Of a mouse: counts that are a way. */
-#define MIDDLE_SHARE 0.2f      /* So near to its rest a stick comes back when it is let go. */
+#define NOISE_MAX 0.20f        /* Largest noise at rest as a share of a field's range. */
+#define WAY_MIN 0.12f          /* Smallest travel of an axis as a share of its range. */
+#define PRESS_MIN 0.30f        /* Smallest travel of the dip control as a share of its range. */
+#define CLEAR_WAY 0.4f         /* Travel that counts as fully clear, as a share of the range. */
+#define VENDOR_WORTH 0.5f      /* Weight of a vendor-defined field, which must move twice as far. */
+#define STEP_WAY 100.0f        /* Travel of a relative field that counts as its range, in counts. */
+#define MIDDLE_SHARE 0.2f /* A stick returns to within this share of its range around its rest. */
 #define DEAD_SHARE 0.08f
 #define PAGE_OF(usage) ((usage) >> 16)
 #define PAGE_VENDOR 0xff00u
@@ -39,14 +39,14 @@ static float span_of(const struct hid_group *group)
                                         : (float)(hid_judge_high(group) - group->logical_min);
 }
 
-/* ---- Judging -------------------------------------------------------------------------------- */
+/* ---- Evaluating the recording --------------------------------------------------------------- */
 
 static int64_t rest_of(const struct learn_field *field)
 {
     return (field->rest_low + field->rest_high) / 2;
 }
 
-/* The farther of both ways from where it rested, with its sign. */
+/* Returns the larger deflection from rest in a step, with its sign. */
 static int64_t way_in(const struct learn_field *field, enum learn_step step)
 {
     const int64_t down = field->low[step] - rest_of(field);
@@ -71,8 +71,9 @@ static float share_of(const struct hid_learn *learn, const struct learn_field *f
     return f_min(share, 1.0f) * worth_of(learn, field);
 }
 
-/* How far it went in one step, and the other way in the other; 0, 0 if it did not. Where a step
- * begins the hand may still be where the last one ended, which is no way of this step. */
+/* Deflections in one step and in the opposite direction in the other step; both are 0 if the
+ * field did not do this. At the start of a step the controller can still be where the last step
+ * ended, which must not count as travel of this step. */
 struct ways {
     int64_t there, back;
 };
@@ -159,7 +160,7 @@ float hid_judge_clearness(const struct hid_learn *learn)
     return best_key(learn) ? 1.0f : f_min(1.0f, best / CLEAR_WAY);
 }
 
-/* ---- The map -------------------------------------------------------------------------------- */
+/* ---- Building the mapping ------------------------------------------------------------------- */
 
 static struct hid_binding binding_of(const struct hid_learn *learn,
                                      const struct learn_field *field, enum hid_role role)
@@ -174,8 +175,8 @@ static struct hid_binding binding_of(const struct hid_learn *learn,
     };
 }
 
-/* A stick comes back by itself when it is let go; a pen stays where it is. What a device calls
- * itself says more than what it did. */
+/* Returns 1 if the field belongs to a stick, which returns to its center when released; a pen
+ * does not. The declared application takes precedence over the observed motion. */
 static int is_stick(const struct hid_learn *learn, const struct learn_field *field,
                     enum learn_step one, enum learn_step other)
 {
@@ -256,8 +257,8 @@ static int is_taken(const struct hid_map *map, const struct hid_binding *binding
     return 0;
 }
 
-/* Some pens never say that they are in range, or say it the other way round: whoever moved an axis
- * was there. */
+/* Returns 1 if an in-range bit was not set while axes moved. Some pens never report their range
+ * or report it inverted, although a pen that moved an axis was in range. */
 static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
 {
     for (uint32_t i = 0; i < learn->field_count; i++) {
@@ -271,7 +272,8 @@ static int never_said(const struct hid_learn *learn, const struct hid_binding *b
     return 1;
 }
 
-/* What was not shown stays as it was offered: the menu's buttons, the turns of a second stick. */
+/* Adds offered bindings that were not demonstrated, such as menu buttons and the rotations of a
+ * second stick. */
 static void keep_offered(struct hid_learn *learn)
 {
     for (uint32_t i = 0; i < learn->offered.count; i++) {

@@ -1,4 +1,4 @@
-/* hid_judge.h -- which field was shown as which way, and the map of them. A part of hid_learn. */
+/* hid_judge.h -- infers a mapping from recorded motion. A part of hid_learn. */
 #ifndef KINGYO_DRIVERS_HID_JUDGE_H
 #define KINGYO_DRIVERS_HID_JUDGE_H
 
@@ -7,16 +7,18 @@
 const struct hid_group *hid_judge_group(const struct hid_learn *learn,
                                         const struct learn_field *field);
 
-/* Whether it gives ways, not places; a puck that says so gives places all the same. */
+/* Returns 1 if the field reports relative motion. A puck (multi-axis controller) counts as
+ * absolute even if its descriptor declares relative axes. */
 int hid_judge_is_relative(const struct hid_group *group);
 
-/* Its highest value. Makers declare ranges that no bits of theirs can hold, or for buttons none. */
+/* Returns the highest possible value of a field. Some descriptors declare a maximum that does
+ * not fit into the field, and some declare none for buttons. */
 int64_t hid_judge_high(const struct hid_group *group);
 
-/* [0, 1]: how clearly the present step was seen: how far the farthest field went. */
+/* Returns how clearly the current step was demonstrated, [0, 1]. */
 float hid_judge_clearness(const struct hid_learn *learn);
 
-/* Fills learn->map from all steps; 0: what was shown cannot be a poi. */
+/* Fills learn->map from all steps. Returns 1, or 0 if the recording makes no usable mapping. */
 int hid_judge_map(struct hid_learn *learn);
 
 #endif

@@ -1,4 +1,4 @@
-/* hid_learn.c -- hears what every field did in every step. */
+/* hid_learn.c -- records the range of every field in every learning step. */
 #include "drivers/hid_learn.h"
 
 #include <string.h>
@@ -6,8 +6,8 @@
 #include "core/base/fmath.h"
 #include "drivers/hid_judge.h"
 
-#define REST_NS 1000000000ull  /* So long a hand keeps still before that is believed. */
-#define REST_REPORTS 8u        /* Or so many reports: those that only tell changes tell none. */
+#define REST_NS 1000000000ull  /* Duration without motion that completes the rest step. */
+#define REST_REPORTS 8u        /* Reports that complete the rest step together with REST_NS. */
 
 /* ---- Fields --------------------------------------------------------------------------------- */
 
@@ -56,7 +56,7 @@ void hid_learn_begin(struct hid_learn *learn, const struct hid_face *face)
     }
 }
 
-/* ---- Hearing -------------------------------------------------------------------------------- */
+/* ---- Recording ------------------------------------------------------------------------------ */
 
 static void hear_rest(struct learn_field *field, int64_t value)
 {
@@ -76,7 +76,8 @@ static void hear_field(struct hid_learn *learn, struct learn_field *field,
     const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);
     const int relative = hid_judge_is_relative(group);
     field->now = relative ? field->now + value : value;
-    if (!field->heard) { /* What only tells changes tells with its first where it rested. */
+    /* A field that is reported only when it changes has its first value as its rest value. */
+    if (!field->heard) {
         field->heard = 1;
         field->rest_low = field->rest_high = relative ? 0 : value;
         field->low[learn->step] = field->high[learn->step] = field->rest_low;
@@ -119,7 +120,7 @@ static void hear_arrays(struct hid_learn *learn, int report_id, struct hid_repor
         for (uint32_t j = 0; j < group->count; j++) {
             const hid_usage usage =
                 hid_selected(descriptor, group, hid_field_value(descriptor, group, j, report));
-            if (usage & 0xffffu) { /* Usage 0 of a page is "nothing". */
+            if (usage & 0xffffu) { /* Usage 0 of a page means that no key is pressed. */
                 hear_key(learn, i, usage);
             }
         }
@@ -145,7 +146,7 @@ void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw)
     hear_arrays(learn, id, report);
 }
 
-/* ---- Going on ------------------------------------------------------------------------------- */
+/* ---- Next step ------------------------------------------------------------------------------ */
 
 void hid_learn_next(struct hid_learn *learn)
 {

@@ -1,9 +1,9 @@
-/* hid_learn.h -- learns a controller by being shown: still, left, right, away, near, dip. Pure.
+/* hid_learn.h -- learns a mapping from demonstrated motion: still, left, right, away, near, dip.
  *
- * For what no table knows and no usage tells. It looks at every field of every report, and asks of
- * each how far it went in one direction and back the other way; whoever went farthest is the axis.
- * What trembles or counts while all is still is none. Steps go on when whoever holds it says that
- * he did as he was told (hid_learn_next()); all of it lies in the caller's memory. */
+ * For controllers that have no known mapping and no usable usages. Every field of every report
+ * is recorded. The field that moved farthest in one direction and then in the opposite one
+ * becomes the axis. A field that varies while the controller is at rest is excluded. The
+ * operator confirms each step (hid_learn_next()). Pure; all state is in the caller's memory. */
 #ifndef KINGYO_DRIVERS_HID_LEARN_H
 #define KINGYO_DRIVERS_HID_LEARN_H
 
@@ -11,52 +11,52 @@
 
 #include "drivers/hid_map.h"
 
-#define LEARN_FIELD_MAX 256u /* Of all reports; a pad has 90. Further ones are not heard. */
-#define LEARN_KEY_MAX 16u    /* Keys of arrays that went down in a step. */
+/* Fields recorded over all reports; a game pad has 90. Further fields are ignored. */
+#define LEARN_FIELD_MAX 256u
+#define LEARN_KEY_MAX 16u    /* Keys of array fields that are recorded. */
 
-/* What one field did. Ways are of the values from where it rested; of a relative field, of their
- * sum. */
+/* Recording of one field: absolute values, or for a relative field the sum of its values. */
 struct learn_field {
     uint16_t group, index;
-    uint8_t heard, rested;         /* It was in a report at all; ... while all was still. */
-    int64_t rest_low, rest_high;   /* While all was still. */
+    uint8_t heard, rested;         /* Seen in any report; seen in LEARN_REST. */
+    int64_t rest_low, rest_high;   /* Range of the values in LEARN_REST. */
     int64_t now;                   /* Newest value or sum. */
-    int64_t low[LEARN_STEP_COUNT]; /* The farthest of each step, both ways. */
+    int64_t low[LEARN_STEP_COUNT]; /* Extremes in each step. */
     int64_t high[LEARN_STEP_COUNT];
-    int64_t end[LEARN_STEP_COUNT]; /* Where it was when the step ended. */
+    int64_t end[LEARN_STEP_COUNT]; /* Value at the end of each step. */
 };
 
-/* A key of an array. */
+/* Recording of one key of an array field. */
 struct learn_key {
-    uint16_t group; /* Of at most HID_ARRAY_MAX elements. */
-    uint8_t rested; /* It was down while all was still: none. */
+    uint16_t group; /* Group of at most HID_ARRAY_MAX elements. */
+    uint8_t rested; /* Pressed before LEARN_DIP, so it is excluded. */
     hid_usage usage;
 };
 
 struct hid_learn {
     struct hid_descriptor descriptor;
-    struct hid_map offered; /* What would be played without: its buttons are kept. */
-    struct hid_map map;     /* As learned; of LEARN_TRY. */
+    struct hid_map offered; /* The mapping without learning; its buttons are kept. */
+    struct hid_map map;     /* The learned mapping, valid in LEARN_TRY. */
     uint8_t step;           /* enum learn_step */
-    uint32_t report_count;  /* In this step. */
-    uint64_t begun_ns, now_ns; /* Of this step's first and newest report. */
+    uint32_t report_count;  /* Reports in the current step. */
+    uint64_t begun_ns, now_ns; /* Time of the first and the newest report of the current step. */
     uint32_t field_count, key_count;
     struct learn_field field[LEARN_FIELD_MAX];
     struct learn_key key[LEARN_KEY_MAX];
 };
 
-/* Begins with LEARN_REST; LEARN_FAILED where there is nothing to be learned: a descriptor that
- * cannot be read, a keyboard, no fields. */
+/* Starts with LEARN_REST. The step is LEARN_FAILED if the descriptor cannot be parsed, belongs
+ * to a keyboard or has no usable fields. */
 void hid_learn_begin(struct hid_learn *learn, const struct hid_face *face);
 
-/* Whoever holds it moved it. What is no whole report is passed over. */
+/* Records one report. Incomplete and undeclared reports are ignored. */
 void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw);
 
-/* The step is done. After LEARN_DIP comes LEARN_TRY, or LEARN_FAILED if what was shown cannot be a
- * poi. */
+/* Finishes the current step. After LEARN_DIP the step is LEARN_TRY, or LEARN_FAILED if the
+ * recording does not make a usable mapping. */
 void hid_learn_next(struct hid_learn *learn);
 
-/* 0 .. 255: how clearly the present step was seen. */
+/* Returns how clearly the current step was demonstrated, 0 .. 255. */
 uint8_t hid_learn_progress(const struct hid_learn *learn);
 
 #endif

@@ -1,4 +1,4 @@
-/* hid_map.c -- which map a controller gets, and whether a map can be played with. */
+/* hid_map.c -- selects the mapping of a controller and validates mappings. */
 #include "drivers/hid_map.h"
 
 #include <string.h>
@@ -7,16 +7,16 @@
 #include "drivers/poi_report.h"
 
 #define KEYBOARD_PAGE 0x0007u
-#define WORTH_KNOWN 100u /* More than anything that is only offered. */
+#define WORTH_KNOWN 100u /* Rating above every offered mapping. */
 
-/* ---- Our own -------------------------------------------------------------------------------- */
+/* ---- Our own poi ---------------------------------------------------------------------------- */
 
 struct place {
     hid_usage usage;
     uint32_t bit_offset, bit_size;
 };
 
-/* Behind the sequence number, which has no usage of its own to be known by. */
+/* Axes of our own poi. The sequence number before them has no usage and so cannot be checked. */
 static const struct place own_places[] = {
     { USAGE_X, 8, 16 },   { USAGE_Y, 24, 16 },  { USAGE_Z, 40, 16 },
     { USAGE_RX, 56, 16 }, { USAGE_RY, 72, 16 }, { USAGE_RZ, 88, 16 },
@@ -46,7 +46,7 @@ int hid_map_is_own(const struct hid_descriptor *descriptor)
     return 1;
 }
 
-/* In the order of enum poi_button. */
+/* Binds the buttons in the order of enum poi_button. */
 static void bind_own_buttons(struct hid_map *map)
 {
     static const uint8_t roles[] = { HID_ROLE_OK, HID_ROLE_START, HID_ROLE_LEFT, HID_ROLE_RIGHT };
@@ -82,7 +82,7 @@ static void map_own(struct hid_map *map)
     bind_own_buttons(map);
 }
 
-/* ---- The choice ----------------------------------------------------------------------------- */
+/* ---- Selection ------------------------------------------------------------------------------ */
 
 int hid_map_has_keyboard(const struct hid_descriptor *descriptor)
 {
@@ -141,7 +141,7 @@ const char *hid_map_why_none(const struct hid_descriptor *of)
                : "its X and Y are no pair of axes with a button beside them; it may be learned";
 }
 
-/* ---- Soundness ------------------------------------------------------------------------------ */
+/* ---- Validation ----------------------------------------------------------------------------- */
 
 static int is_axis_role(uint8_t role)
 {

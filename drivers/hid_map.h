@@ -1,8 +1,9 @@
-/* hid_map.h -- which field of a controller's reports is which motion of a hand. Pure data.
+/* hid_map.h -- a mapping from the fields of a controller's reports to roles in the game. Pure
+ * data.
  *
- * Made by a table of known devices (hid_map_known.c), else from what the descriptor offers
- * (hid_offer.c), else by being shown (hid_learn.h); kept as a line of text for each
- * vendor:product:serial (hid_map_text.c). hid_hand.h plays with it. */
+ * The sources are a table of known devices (hid_map_known.c), the descriptor (hid_offer.c) and
+ * learning (hid_learn.h). A mapping is stored as one line of text for each vendor:product:serial
+ * (hid_map_text.c), and hid_hand.h decodes reports with it. */
 #ifndef KINGYO_DRIVERS_HID_MAP_H
 #define KINGYO_DRIVERS_HID_MAP_H
 
@@ -11,73 +12,74 @@
 #include "drivers/hid_descriptor.h"
 #include "drivers/hid_port.h"
 
-#define HID_BINDING_MAX 32u /* Six axes, hat, tip, pressure, sequence, and buttons enough. */
+#define HID_BINDING_MAX 32u /* Enough for six axes, hat, tip, pressure, sequence and buttons. */
 
-#define HID_VALUE_MAX 4294967295ll /* Of a field of 32 bits, whichever sign it has. */
+#define HID_VALUE_MAX 4294967295ll /* Largest magnitude of a signed or unsigned 32-bit field. */
 
-/* Elements of an array that keys may be bound to: a person has ten fingers, and real keyboards
- * name six keys at a time, one of them fourteen. Each costs time in every report, and whoever
- * writes a descriptor can ask for 65,536. */
+/* Largest array that keys may be bound to. Real keyboards report 6 keys at a time, one reports
+ * 14. Each element costs time in every report, and a hostile descriptor can declare 65,536. */
 #define HID_ARRAY_MAX 16u
 
-/* What a field moves. */
+/* The quantity that a field controls. */
 enum hid_role {
     HID_ROLE_NONE = 0,
-    HID_ROLE_X,        /* + is the player's right, also of a picture. */
-    HID_ROLE_Y,        /* + is up. */
-    HID_ROLE_Z,        /* + is toward the player: down in a picture. */
+    HID_ROLE_X,        /* Positive to the player's right and right in the image. */
+    HID_ROLE_Y,        /* Positive upward. */
+    HID_ROLE_Z,        /* Positive toward the player and down in the image. */
     HID_ROLE_PITCH,
     HID_ROLE_YAW,
     HID_ROLE_ROLL,
-    HID_ROLE_TILT,     /* Of a hand without a wrist: the slant of the ring, as a wheel gives it. */
-    HID_ROLE_DIP,      /* A button, a trigger, a pen's tip or its pressure: down while pressed. */
-    HID_ROLE_LEVEL,    /* A button: back to level. */
-    HID_ROLE_FAN,      /* A button: hold the fan instead. */
-    HID_ROLE_IN_RANGE, /* 0: the pen is away, its axes say nothing. */
-    HID_ROLE_SEQUENCE, /* One more with each report; a gap is reports that were lost. */
-    HID_ROLE_START,    /* Buttons of the cabinet that sit on the controller. */
+    HID_ROLE_TILT,     /* Slant of the ring from a wheel, for controllers without rotation. */
+    HID_ROLE_DIP,      /* Lowers the poi while pressed: button, trigger, pen tip or pressure. */
+    HID_ROLE_LEVEL,    /* Button that levels the poi. */
+    HID_ROLE_FAN,      /* Button that holds the fan instead of the poi. */
+    HID_ROLE_IN_RANGE, /* 0 while a pen is away and its axes are invalid. */
+    HID_ROLE_SEQUENCE, /* Report counter; a gap means lost reports. */
+    HID_ROLE_START,    /* Cabinet buttons on the controller. */
     HID_ROLE_LEFT,
     HID_ROLE_RIGHT,
     HID_ROLE_OK,
-    HID_ROLE_HAT,      /* Of a hat: its directions are LEFT, RIGHT, and OK for up and down. */
+    HID_ROLE_HAT,      /* Hat directions as buttons: LEFT, RIGHT, and OK for up and down. */
     HID_ROLE_COUNT,
 };
 
-/* How a field moves it. */
+/* How the value of a field is interpreted. */
 enum hid_manner {
-    HID_MANNER_PLACE = 0, /* The value is the place: tablets, tracked pois. */
-    HID_MANNER_RATE,      /* The value is a speed: sticks, pucks. */
-    HID_MANNER_STEP,      /* The value is a way since the last report: mice, wheels. */
-    HID_MANNER_PRESS,     /* Pressed from half way between `rest` and `full` on. */
-    HID_MANNER_HAT,       /* Eight directions from `rest`, clockwise from up; out of range: none. Of
-                             X and Z: a stick of four switches, which pushes fully or not at all. */
+    HID_MANNER_PLACE = 0, /* Value is a position: tablets, tracked pois. */
+    HID_MANNER_RATE,      /* Value is a velocity: sticks, pucks. */
+    HID_MANNER_STEP,      /* Value is a displacement since the last report: mice, wheels. */
+    HID_MANNER_PRESS,     /* Pressed from halfway between `rest` and `full`. */
+    /* Eight directions from `rest`, clockwise from up; values out of range mean released. Bound
+     * to X and Z, a hat is a four-switch joystick with full deflection only. */
+    HID_MANNER_HAT,
     HID_MANNER_COUNT,
 };
 
 struct hid_binding {
     uint8_t role, manner;   /* enum hid_role, enum hid_manner */
     uint8_t report_id;
-    uint32_t bit_offset;    /* Of the payload, behind the report id. */
+    uint32_t bit_offset;    /* Offset in the payload, behind the report id. */
     uint8_t bit_size;       /* 1 .. 32 */
-    uint8_t is_signed;      /* Two's complement; makers hide such numbers in vendors' bytes. */
-    hid_usage usage;        /* Of an array: pressed while some element selects it; else 0. */
-    int64_t rest;           /* Value of a stick let go, a key not pressed, an axis' low end. */
-    int64_t full;           /* Value at the positive end; below `rest` turns the axis round. */
-    int64_t dead;           /* Around `rest` a RATE says nothing, in the field's steps. All three
-                               within +-HID_VALUE_MAX. */
+    uint8_t is_signed;      /* 1 for two's complement; vendor fields may not declare the sign. */
+    hid_usage usage; /* Pressed while an element of the array selects it; 0 if not an array. */
+    int64_t rest;           /* Value of a released stick or key, or of the low end of a PLACE. */
+    int64_t full;           /* Value at the positive end; below `rest` the axis is reversed. */
+    /* Dead zone around the rest position, in counts. `rest`, `full` and `dead` are within
+     * +-HID_VALUE_MAX. */
+    int64_t dead;
 };
 
-/* How the hand as a whole is led. */
+/* The kind of control that the bindings make together. */
 enum hid_style {
     HID_STYLE_NONE = 0,
-    HID_STYLE_POSE,    /* Six true axes; our own poi. */
-    HID_STYLE_POINTER, /* Two axes of a picture, dip and tilt by buttons: mouse, tablet. */
-    HID_STYLE_FLY,     /* Sticks or a puck push it about; dip by button or by the axis of height. */
+    HID_STYLE_POSE,    /* Six absolute axes: our own poi. */
+    HID_STYLE_POINTER, /* Two axes in the image, with buttons to dip and tilt: mouse, tablet. */
+    HID_STYLE_FLY,     /* Velocity control by sticks or a puck; dip by button or by the Y axis. */
 };
 
 enum hid_map_source {
-    HID_MAP_NONE = 0, /* It cannot be a poi as it is. */
-    HID_MAP_OWN,      /* It reports as our own poi does. */
+    HID_MAP_NONE = 0, /* The controller has no usable mapping. */
+    HID_MAP_OWN,      /* The reports have the layout of our own poi. */
     HID_MAP_KNOWN,
     HID_MAP_OFFERED,
     HID_MAP_LEARNED,
@@ -85,45 +87,46 @@ enum hid_map_source {
 
 struct hid_map {
     uint8_t source, style; /* enum hid_map_source, enum hid_style */
-    uint8_t trembles;      /* As struct poi_input's. */
-    uint8_t feels;         /* It takes our haptic output report. */
+    uint8_t trembles;      /* 1 if the sensor has noise; see struct poi_input. */
+    uint8_t feels;         /* 1 if the device accepts our haptic output report. */
     uint32_t count;        /* <= HID_BINDING_MAX */
     struct hid_binding binding[HID_BINDING_MAX];
 };
 
-/* Whether it reports as our own poi does: every axis of drivers/poi_report.h in its place. Wider
- * than poi_descriptor_is(): a maker who adds a report of his own is played as ours once he was
- * chosen. */
+/* Returns 1 if the reports have the layout of our own poi: every axis of drivers/poi_report.h at
+ * its position. This test is wider than poi_descriptor_is(): a device with an additional report
+ * is also accepted after the operator chose it. */
 int hid_map_is_own(const struct hid_descriptor *descriptor);
 
-/* Whether keys that a person types with are in it: it is left alone then, whatever else is. */
+/* Returns 1 if the descriptor declares the keys of a keyboard. Such a device is never used. */
 int hid_map_has_keyboard(const struct hid_descriptor *descriptor);
 
-/* The best map for a controller: our own poi, a known device, what it offers. `out->source` says
- * which; HID_MAP_NONE when it can be none of them. A keyboard, a boot device's keys and what has
- * no axes give NONE. */
+/* Finds the best mapping for a controller: our own poi, a known device, or what the descriptor
+ * offers. `out->source` names the source. Source HID_MAP_NONE means that no mapping is possible,
+ * for example for a keyboard or a device without axes. */
 void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
                     const struct hid_descriptor *descriptor);
 
-/* Why hid_map_choose() finds none for it: part of a sentence; static. */
+/* Returns why hid_map_choose() finds no mapping, as part of a sentence in static memory. */
 const char *hid_map_why_none(const struct hid_descriptor *descriptor);
 
-/* How well a hand is led by the map that hid_map_choose() finds, to compare interfaces of a device;
- * 0: it finds none. */
+/* Returns a rating of the mapping that hid_map_choose() finds, to compare the interfaces of a
+ * device; 0 if there is no mapping. */
 uint32_t hid_map_worth(const struct hid_identity *identity,
                        const struct hid_descriptor *descriptor);
 
-/* Whether a group is the array that such a binding's usage is an element of; one of more than
- * HID_ARRAY_MAX elements is nobody's. */
+/* Returns 1 if `group` is the array that the binding's usage belongs to. An array of more than
+ * HID_ARRAY_MAX elements never is. */
 int hid_map_is_array_of(const struct hid_group *group, const struct hid_binding *binding);
 
-/* Whether it can be played with: style and axes go together, every binding lies in the
- * descriptor's report of its id, no number is out of range. What was read from a file is asked. */
+/* Validates a mapping, which can come from a file. Returns 1 if the style has its axes, every
+ * binding lies inside its declared report, and every number is in range. */
 int hid_map_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor);
 
-/* One line of text without a newline, and back; -1 and one sentence in `error` where it is none.
- * The key is written as vendor:product:serial by hid_book.h. */
-#define HID_MAP_TEXT_SIZE 3072u /* HID_BINDING_MAX of the longest. */
+/* Write a mapping as one line of text without a newline, and parse such a line. Both return 0 or
+ * -1; hid_map_read() then describes the fault in `error`. hid_book.h stores the line with its
+ * vendor:product:serial. */
+#define HID_MAP_TEXT_SIZE 3072u /* Fits HID_BINDING_MAX bindings of the longest text. */
 int hid_map_write(const struct hid_map *map, char text[HID_MAP_TEXT_SIZE]);
 int hid_map_read(struct hid_map *out, const char *text, char error[HAL_TEXT_SIZE]);
 

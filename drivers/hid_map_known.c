@@ -1,11 +1,11 @@
-/* hid_map_known.c -- controllers whose makers hide things, or name them in ways of their own.
+/* hid_map_known.c -- mappings of known controllers whose descriptors are incomplete or unusual.
  *
- * Layouts are those of the Linux kernel's drivers/hid/hid-playstation.c: struct
+ * The layouts are those of drivers/hid/hid-playstation.c of the Linux kernel: struct
  * dualshock4_input_report_common and struct dualsense_input_report. */
 #include "drivers/hid_offer.h"
 
 #define SONY 0x054cu
-#define STICK_DEAD 12 /* Of 127: worn ones come back no nearer to their middle. */
+#define STICK_DEAD 12 /* Dead zone out of 127; worn sticks return only this close to center. */
 
 struct known {
     uint16_t vendor, product;
@@ -39,7 +39,7 @@ struct known {
         .bit_size = 4, .rest = 0, .full = 7                                                       \
     }
 
-/* Square, cross, circle, triangle, L1, R1, L2, R2, share, options ... from bit 36 on. */
+/* Buttons from bit 36 on: square, cross, circle, triangle, L1, R1, L2, R2, share, options. */
 static const struct hid_binding dualshock4[] = {
     STICK(HID_ROLE_X, 0),         STICK(HID_ROLE_Z, 8),       TURN(HID_ROLE_ROLL, 16),
     TURN(HID_ROLE_PITCH, 24),     HAT(32),                    BUTTON(HID_ROLE_DIP, 37),
@@ -59,8 +59,8 @@ static const struct hid_binding dualsense[] = {
 
 static const struct known knowns[] = {
     ROW(0x05c4, dualshock4), /* DualShock 4 */
-    ROW(0x09cc, dualshock4), /* ... its second edition */
-    ROW(0x0ba0, dualshock4), /* ... its wireless adapter */
+    ROW(0x09cc, dualshock4), /* DualShock 4, second edition */
+    ROW(0x0ba0, dualshock4), /* DualShock 4 wireless adapter */
     ROW(0x0ce6, dualsense),  /* DualSense */
     ROW(0x0df2, dualsense),  /* DualSense Edge */
 };

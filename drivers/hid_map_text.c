@@ -1,9 +1,10 @@
-/* hid_map_text.c -- a map as one line of words, and back.
+/* hid_map_text.c -- writes a mapping as one line of text, and parses it.
  *
  *   learned fly x=rate:1:u8@0:128..255~12 dip=press:1:u1@37:0..1 ok=press:0:u8@16:0..1/00070028
  *
- * source, style, "trembles", "feels"; then a word for each binding:
- * role=manner:report:bits@offset:rest..full, ~dead if there is some, /usage of an array's. */
+ * The first words are the source, the style and the optional flags "trembles" and "feels". One
+ * word for each binding follows: role=manner:report:bits@offset:rest..full, then ~dead if there
+ * is a dead zone, and /usage for an element of an array. */
 #include "drivers/hid_map.h"
 
 #include <inttypes.h>
@@ -84,7 +85,8 @@ static int index_of(const char *const *words, uint32_t count, const char *word)
     return -1;
 }
 
-/* The next word into `word`; 0 at the end, -1: too long. `*text` moves behind it. */
+/* Copies the next word and advances `*text` behind it. Returns 1, 0 at the end, or -1 if the
+ * word is longer than `word`. */
 static int next_word(const char **text, char word[WORD_SIZE])
 {
     const char *at = *text + strspn(*text, " \t");
@@ -98,7 +100,8 @@ static int next_word(const char **text, char word[WORD_SIZE])
     return length > 0;
 }
 
-/* A number within its range, followed by `end`; `*at` moves behind that. */
+/* Parses a number of `low` .. `high` that is followed by `end`, and advances `*at` behind `end`.
+ * Returns 1, or 0 on a syntax or range error. */
 static int read_number(const char **at, int base, int64_t low, int64_t high, const char *end,
                        int64_t *out)
 {
@@ -118,7 +121,7 @@ static int read_number(const char **at, int base, int64_t low, int64_t high, con
     return 1;
 }
 
-/* "~dead" and "/usage", each or none, and then nothing. */
+/* Parses the optional parts "~dead" and "/usage", which must end the word. */
 static int read_tail(const char *at, struct hid_binding *out)
 {
     int64_t value;

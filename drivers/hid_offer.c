@@ -1,10 +1,11 @@
-/* hid_offer.c -- fields by their usages, and bindings of them. */
+/* hid_offer.c -- looks up fields by usage and sets the ends and dead zones of bindings. */
 #include "drivers/hid_offer.h"
 
-/* Fewer values than a hat's are no axis: "X" of one bit is a button with a name. */
+/* Smallest logical range of an axis, which is more than that of a hat. An "X" of one bit is a
+ * button. */
 #define AXIS_STEPS_MIN 14
-#define DEAD_SHARE_STICK 12 /* A stick that is let go stops within a twelfth of its middle, ... */
-#define DEAD_SHARE_PUCK 50  /* ... a puck, whose springs are stiffer, within a fiftieth. */
+#define DEAD_SHARE_STICK 12 /* A stick that is released stops within 1/12 of half its range. */
+#define DEAD_SHARE_PUCK 50  /* Divisor for a puck, which has stiffer springs. */
 
 int hid_offer_is_axis(const struct hid_group *group)
 {
@@ -63,7 +64,7 @@ int hid_offer_bits(struct hid_map *map, struct hid_binding binding)
     return 1;
 }
 
-/* Some declare buttons, and never what they may say. */
+/* Returns 1 for a one-bit button whose descriptor declares no logical range. */
 static int is_bare_button(const struct hid_group *group)
 {
     return group->bit_size == 1 && group->logical_min == 0 && group->logical_max == 0;
@@ -72,7 +73,7 @@ static int is_bare_button(const struct hid_group *group)
 static void set_ends(struct hid_binding *binding, const struct hid_group *group, int turned)
 {
     const uint32_t bits = group->bit_size - (group->logical_min < 0);
-    const int64_t most = ((int64_t)1 << bits) - 1; /* Some declare more than their bits hold. */
+    const int64_t most = ((int64_t)1 << bits) - 1; /* Some descriptors declare more than fits. */
     const int64_t low = group->logical_min;
     const int64_t high =
         group->logical_max < most && !is_bare_button(group) ? group->logical_max : most;

@@ -1,10 +1,10 @@
-/* hid_offer.h -- what a descriptor has to offer a hand; the pieces of which maps are made. Pure. */
+/* hid_offer.h -- finds fields by usage and makes bindings from them. Pure. */
 #ifndef KINGYO_DRIVERS_HID_OFFER_H
 #define KINGYO_DRIVERS_HID_OFFER_H
 
 #include "drivers/hid_map.h"
 
-/* Usage page << 16 | usage, of the HID Usage Tables 1.5. */
+/* Values are usage page << 16 | usage id, from the HID Usage Tables 1.5. */
 enum {
     USAGE_MOUSE = 0x00010002,
     USAGE_JOYSTICK = 0x00010004,
@@ -21,7 +21,7 @@ enum {
     USAGE_HAT = 0x00010039,
     USAGE_ACCELERATOR = 0x000200c4,
     USAGE_BRAKE = 0x000200c5,
-    USAGE_BUTTON = 0x00090000, /* + its number from 1. */
+    USAGE_BUTTON = 0x00090000, /* Plus the button's number from 1. */
     USAGE_DIGITIZER = 0x000d0001,
     USAGE_PEN = 0x000d0002,
     USAGE_TOUCH_SCREEN = 0x000d0004,
@@ -37,40 +37,45 @@ enum {
 
 /* One field of a report. */
 struct hid_spot {
-    const struct hid_group *group; /* Null: there is none. */
+    const struct hid_group *group; /* Null if no field was found. */
     uint32_t index;                /* < group->count */
     hid_usage usage;
 };
 
-/* Whether it says more than a hat does: "X" of one bit is a button with a name. */
+/* Returns 1 if a field has more values than a hat and so can be an axis. An "X" of one bit is a
+ * button, for example. */
 int hid_offer_is_axis(const struct hid_group *group);
 
-/* Where in a group such a usage stands; -1: nowhere. In an array the first element stands for all.
- */
+/* Returns the index of a usage in a group, or -1 if the group lacks it. In an array, index 0
+ * stands for all elements. */
 int32_t hid_offer_place(const struct hid_descriptor *descriptor, const struct hid_group *group,
                         hid_usage usage);
 
-/* The first field of such a usage in reports of the application `application` (0: any), in report
- * `report_id` if it is there, else (`report_only` 0) in another. Padding and constants do not
- * count; of an array the group's first element stands for all. */
+/* Returns the first field with this usage in reports of `application` (0: any). The report
+ * `report_id` is searched first, then, if `report_only` is 0, all others. Constant fields are
+ * skipped. In an array, the first element stands for all. */
 struct hid_spot hid_offer_find(const struct hid_descriptor *descriptor, hid_usage application,
                                int report_id, int report_only, hid_usage usage);
 
-/* Binds a field; 0 when there is none, or no room. An axis goes from its logical minimum to its
- * maximum, or from its middle if it is a RATE; `turned` swaps the ends. */
+/* Adds a binding of the field. Returns 1, or 0 if `spot` is empty or unsuitable or if the
+ * mapping is full. An axis ranges from its logical minimum to its maximum, or for a RATE from
+ * its middle. `turned` reverses the direction. */
 int hid_offer_bind(struct hid_map *map, struct hid_spot spot, enum hid_role role,
                    enum hid_manner manner, int turned);
 
-/* The same for bits that no usage names. */
+/* Adds a binding that refers to bits instead of a usage. Returns 1, or 0 if the mapping is full. */
 int hid_offer_bits(struct hid_map *map, struct hid_binding binding);
 
-/* Fills `out` with the best that a descriptor offers; source HID_MAP_NONE: nothing. */
+/* Fills `out` with the best mapping that the descriptor allows. The source is HID_MAP_NONE if
+ * there is none. */
 void hid_offer_map(struct hid_map *out, const struct hid_descriptor *descriptor);
 
-/* How well a hand would be led by that, 0 .. 60; 0: by nothing. */
+/* Returns how well the mapping of hid_offer_map() controls the poi: 0 .. 60, where 0 means no
+ * mapping. */
 uint32_t hid_offer_worth(const struct hid_descriptor *descriptor);
 
-/* Adds what a table of known devices says; 0: it knows none, `out` as it was. */
+/* Fills `out` from the table of known controllers. Returns 1, or 0 if the controller is not
+ * known; `out` is then unchanged. */
 int hid_known_map(struct hid_map *out, const struct hid_identity *identity,
                   const struct hid_descriptor *descriptor);
 

@@ -1,11 +1,12 @@
-/* hid_offer_map.c -- the map that a descriptor's best surface makes: pucks, pens, sticks, mice. */
+/* hid_offer_map.c -- makes a mapping from the best surface of a descriptor: puck, pen, stick,
+ * mouse. */
 #include <string.h>
 
 #include "drivers/hid_offer.h"
 
-/* ---- What a surface is ---------------------------------------------------------------------- */
+/* ---- Surfaces ------------------------------------------------------------------------------- */
 
-/* A report of an application, with an X in it. */
+/* A report of an application that has an X axis or a hat. */
 struct surface {
     const struct hid_descriptor *descriptor;
     hid_usage application;
@@ -23,11 +24,13 @@ static struct hid_spot here(const struct surface *surface, hid_usage usage)
     return hid_offer_find(surface->descriptor, surface->application, surface->report_id, 1, usage);
 }
 
-/* 0: no hand can be led with it. Pens know best where they are; a mouse is led by everyone. */
+/* Returns the rating of a surface; 0 means that the poi cannot be controlled with it. Multi-axis
+ * controllers and pens rate highest, and relative mice and touch pads rate lowest. */
 static uint32_t worth_of(const struct surface *surface)
 {
-    /* Less than the mouse that it says it is, too: until a host sets its Input Mode (usage 0d:52,
-     * a feature report), which none here does, it sends that mouse's reports and no finger's. */
+    /* A touch pad rates below the mouse in the same descriptor. Until a host sets its Input Mode
+     * (usage 0d:52, a feature report), which this project never does, the pad sends only mouse
+     * reports. */
     enum { TOUCH_PAD_WORTH = 5u };
     const int places = !surface->relative;
     switch (surface->application) {
@@ -50,7 +53,7 @@ static uint32_t worth_of(const struct surface *surface)
     }
 }
 
-/* A stick of four switches: a hat is all the way there is. */
+/* Returns 1 for a four-switch joystick, which has a hat and no X axis. */
 static int is_switch_stick(const struct surface *surface)
 {
     return (surface->application == USAGE_JOYSTICK || surface->application == USAGE_GAMEPAD) &&
@@ -75,7 +78,7 @@ static int is_surface(const struct hid_descriptor *descriptor, const struct hid_
     return (has_x && y.group && hid_offer_is_axis(y.group)) || (has_hat && is_switch_stick(out));
 }
 
-/* ---- Maps ----------------------------------------------------------------------------------- */
+/* ---- Mappings ------------------------------------------------------------------------------- */
 
 static struct hid_spot button(const struct surface *surface, uint32_t number)
 {
@@ -88,8 +91,8 @@ static void press(struct hid_map *map, const struct surface *surface, uint32_t n
     hid_offer_bind(map, button(surface, number), role, HID_MANNER_PRESS, 0);
 }
 
-/* X right, Y toward whoever sits before it, Z down, and turns about them; some makers call the way
- * of the puck relative, but what it says is how far it is pushed. */
+/* Maps a puck: X is right, Y is toward the user, Z is down, and RX, RY, RZ rotate about them.
+ * Some descriptors declare the axes relative although the values are deflections. */
 static void map_puck(struct hid_map *map, const struct surface *surface)
 {
     map->style = HID_STYLE_FLY;
@@ -105,8 +108,8 @@ static void map_puck(struct hid_map *map, const struct surface *surface)
     press(map, surface, 2, HID_ROLE_RIGHT);
 }
 
-/* Two sticks: X Y is the left one; the right one is Z Rz where there are both, else Rx Ry, for then
- * Z is what the triggers pull at. */
+/* Maps the right stick. X and Y are the left stick. The right stick is Z and RZ if both exist,
+ * and otherwise RX and RY, because Z then belongs to the triggers. */
 static void map_right_stick(struct hid_map *map, const struct surface *surface)
 {
     const int by_z = of(surface, USAGE_Z).group && of(surface, USAGE_RZ).group;
@@ -120,9 +123,10 @@ static void map_right_stick(struct hid_map *map, const struct surface *surface)
     }
 }
 
-/* Pads number their buttons in two ways. With twelve and more it is 1-4 for the thumb, 5-8 at the
- * shoulders, 9 and 10 in the middle; with fewer, the shoulders have 5 and 6 and the middle 7 and 8.
- * The trigger of a joystick is 1 in both. */
+/* Maps the buttons of a game pad, which has one of two numberings. With twelve or more buttons,
+ * 1-4 are face buttons, 5-8 shoulder buttons, and 9 and 10 are in the middle. With fewer, 5 and
+ * 6 are shoulder buttons and 7 and 8 are in the middle. Button 1 is the trigger of a joystick in
+ * both. */
 static void map_pad_buttons(struct hid_map *map, const struct surface *surface)
 {
     const int is_long = button(surface, 12).group != NULL;
@@ -210,7 +214,7 @@ static void map_surface(struct hid_map *map, const struct surface *surface)
     }
 }
 
-/* The surface that is worth most, and its worth; 0: there is none. */
+/* Finds the surface with the highest rating. Returns the rating, or 0 if there is no surface. */
 static uint32_t best_surface(const struct hid_descriptor *descriptor, struct surface *out)
 {
     uint32_t best_worth = 0;

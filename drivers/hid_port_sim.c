@@ -1,4 +1,4 @@
-/* hid_port_sim.c -- a wire of memory. */
+/* hid_port_sim.c -- a simulated HID connection in memory. */
 #include "drivers/hid_port_sim.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ static uint64_t sim_now_ns(const struct hid_port_sim *sim)
     return sim->clock.ops->now_ns(sim->clock.self);
 }
 
-/* ---- What befalls a report ------------------------------------------------------------------ */
+/* ---- Faults --------------------------------------------------------------------------------- */
 
 static uint32_t any(uint32_t number, uint32_t what)
 {
@@ -78,10 +78,10 @@ static int has_fault(const struct hid_port_sim *sim, uint8_t kind, uint32_t numb
     return 0;
 }
 
-/* ---- The wire ------------------------------------------------------------------------------- */
+/* ---- Connection ----------------------------------------------------------------------------- */
 
-/* When it is full the newest takes the place of the one before, as with a transport whose ring is.
- */
+/* Queues a report. When the queue is full, the newest report replaces the previous one, as in
+ * the queue of the real transport. */
 static void arrive(struct hid_port_sim *sim, const struct hid_raw *raw)
 {
     if (!sim->is_open) {
@@ -149,7 +149,7 @@ static int hid_port_sim_open(void *self, struct hid_face *out)
     if (sim->absent || (sim->gone && sim_now_ns(sim) < sim->replug_ns)) {
         return HAL_ERR_GONE;
     }
-    if (sim->gone) { /* Plugged in again: what it said meanwhile nobody heard. */
+    if (sim->gone) { /* Plugged in again; reports in between are lost. */
         sim->gone = 0;
         sim->unplug_at = HID_SIM_NEVER;
     }

@@ -1,9 +1,8 @@
-/* hid_port_sim.h -- the simulated twin of a HID transport: raw reports, below the decoder.
+/* hid_port_sim.h -- the simulated twin of a HID transport, which delivers raw reports.
  *
- * What a controller says is said to it (hid_port_sim_say(), or a script on the time of a clock);
- * cables and firmware do to it what they do, by the number of the report: unplug, garbage,
- * duplicates, jumps, silence, reports that are short, long, empty or of an id that nobody declared.
- * The caller owns the state. */
+ * A test sends reports with hid_port_sim_say() or by a script of timestamps. Faults are selected
+ * by report number: unplug, garbage, duplicates, jumps, silence, and reports that are short,
+ * long, empty or of an undeclared id. The caller owns the state. */
 #ifndef KINGYO_DRIVERS_HID_PORT_SIM_H
 #define KINGYO_DRIVERS_HID_PORT_SIM_H
 
@@ -11,19 +10,19 @@
 
 #define HID_SIM_NEVER UINT32_MAX
 
-/* What befalls reports `from` <= number < `to`; scripts of faults may hold several of a kind. */
+/* Fault of the reports `from` <= number < `to`. A list may contain several faults of one kind. */
 enum hid_sim_kind {
     HID_SIM_FINE = 0,
-    HID_SIM_SILENCE, /* It never arrives. */
-    HID_SIM_GARBAGE, /* Any bytes behind the id. */
-    HID_SIM_NOISE,   /* Any bytes at all, of any length. */
-    HID_SIM_TWICE,   /* It comes twice. */
-    HID_SIM_SHORT,   /* Half of it. */
-    HID_SIM_LONG,    /* With bytes behind it that nobody declared. */
-    HID_SIM_EMPTY,   /* A transfer of no bytes, which a transport should have swallowed. */
+    HID_SIM_SILENCE, /* The report is lost. */
+    HID_SIM_GARBAGE, /* Random bytes behind the id. */
+    HID_SIM_NOISE,   /* Random bytes and a random length. */
+    HID_SIM_TWICE,   /* The report arrives twice. */
+    HID_SIM_SHORT,   /* Half of the report. */
+    HID_SIM_LONG,    /* Undeclared bytes behind the report. */
+    HID_SIM_EMPTY,   /* An empty transfer, which a real transport must not pass on. */
     HID_SIM_WRONG_ID,
-    HID_SIM_JUMP,    /* Every byte behind the id at its end: all axes at once. */
-    HID_SIM_STUCK,   /* The bytes of the last one again. */
+    HID_SIM_JUMP,    /* Every byte behind the id at its extreme: all axes jump. */
+    HID_SIM_STUCK,   /* The bytes of the previous report. */
     HID_SIM_KIND_COUNT,
 };
 
@@ -34,19 +33,22 @@ struct hid_sim_fault {
 
 struct hid_port_sim {
     struct hal_clock clock;
-    const struct hid_face *face;       /* Who sits here; the caller's. Null: nobody ever. */
-    const struct hid_raw *script;      /* Said when their time comes; the caller's, by time. */
+    /* Attached device, owned by the caller; null for a slot that is never used. */
+    const struct hid_face *face;
+    /* Reports sorted by time and owned by the caller, sent when their time comes. */
+    const struct hid_raw *script;
     uint32_t script_count, script_next;
-    const struct hid_sim_fault *faults; /* The caller's. */
+    const struct hid_sim_fault *faults; /* Owned by the caller. */
     uint32_t fault_count;
-    uint32_t unplug_at;                /* Before the report of this number; HID_SIM_NEVER: never. */
-    uint64_t replug_ns;                /* From then on open() finds it again. */
-    uint8_t absent;                    /* Nobody sits here for now; the caller may change it. */
-    uint8_t busy;                      /* send() finds the last report on its way. */
+    /* Number of the report before which the device is unplugged, or HID_SIM_NEVER. */
+    uint32_t unplug_at;
+    uint64_t replug_ns;                /* Time from which open() finds the device again. */
+    uint8_t absent; /* 1 while no device is attached; the caller may change it. */
+    uint8_t busy;                      /* 1 makes send() return HAL_ERR_BUSY. */
 
-    uint32_t said_count;               /* Reports said so far: the number of the next. */
+    uint32_t said_count;               /* Reports sent so far, which is the number of the next. */
     uint8_t is_open, gone;
-    struct hid_raw last;               /* Said last. */
+    struct hid_raw last;               /* The report sent last. */
     struct hid_raw ring[HID_REPORTS_MAX];
     uint32_t ring_first, ring_count;
     uint32_t lost_count, open_count;
@@ -54,11 +56,11 @@ struct hid_port_sim {
     uint32_t sent_size, sent_count;
 };
 
-/* A fine port in which `face` sits; null: nobody. */
+/* Initializes a port without faults, to which `face` is attached (null: no device). */
 void hid_port_sim_init(struct hid_port_sim *sim, struct hal_clock clock,
                        const struct hid_face *face);
 
-/* Its controller sends a report now; what is said while nobody listens is lost. */
+/* Sends a report now. A report is lost while the port is not open. */
 void hid_port_sim_say(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size);
 
 struct hid_port hid_port_sim_port(struct hid_port_sim *sim);

@@ -1,4 +1,4 @@
-/* hid_report.c -- what was read, put to use: usages of groups, values of reports. */
+/* hid_report.c -- uses a parsed descriptor: usages of groups, values of reports. */
 #include "drivers/hid_bits.h"
 #include "drivers/hid_descriptor.h"
 
@@ -15,7 +15,7 @@ uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct h
 hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        uint32_t index)
 {
-    uint32_t low = 0, high = group->range_count; /* It is in a range of [low, high). */
+    uint32_t low = 0, high = group->range_count; /* The usage is in a range of [low, high). */
     if (high == 0) {
         return 0;
     }

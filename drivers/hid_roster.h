@@ -1,5 +1,7 @@
-/* hid_roster.h -- which controllers are plugged in, and which of them play: what a transport tells
- * the operator's desk (hid_desk.h), and is told by it. One thread calls; no call waits. */
+/* hid_roster.h -- the device list interface between a transport and the controller manager.
+ *
+ * The list contains the connected controllers and those that play. hid_desk.h calls it. One
+ * thread calls; no call blocks. */
 #ifndef KINGYO_DRIVERS_HID_ROSTER_H
 #define KINGYO_DRIVERS_HID_ROSTER_H
 
@@ -9,18 +11,19 @@
 struct hid_row {
     struct hid_identity identity;
     uint8_t state; /* enum controller_state */
-    uint8_t seat;  /* Where it sits, < POI_MAX; POI_MAX: nowhere. */
+    uint8_t seat;  /* Slot of the controller, or POI_MAX. */
 };
 
 struct hid_roster_ops {
-    /* A row keeps its place from the plugging in to the pulling out, and while it is LOST. */
+    /* Copies the list. A controller keeps its row from plugging in until unplugging, and while
+     * it is LOST. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
-    /* From now on it plays, also when it comes back: HAL_OK when the order was taken; what comes of
-     * it is seen in its row. HAL_ERR_BUSY: POI_MAX play already. HAL_ERR_NONE: no such row, or it
-     * is barred. */
+    /* Lets the controller play now and after each reconnection. HAL_OK means that the command
+     * was accepted; its result appears in the row. Returns HAL_ERR_BUSY if POI_MAX controllers
+     * play already, or HAL_ERR_NONE if there is no such row or the controller is barred. */
     int (*choose)(void *self, uint32_t row);
     int (*release)(void *self, uint32_t row);
-    /* One line: how many there are, or what is in the way and what to do about it. */
+    /* Returns one line with the number of controllers, or with a problem and its remedy. */
     const char *(*describe)(void *self);
 };
 

@@ -1,4 +1,4 @@
-/* hid_roster_sim.c -- rows of memory. */
+/* hid_roster_sim.c -- a simulated device list in memory. */
 #include "drivers/hid_roster_sim.h"
 
 #include <string.h>

@@ -1,5 +1,7 @@
-/* hid_roster_sim.h -- the simulated twin of a transport's roster: controllers that a test plugs in,
- * seats of memory at which they sit down when they are chosen. */
+/* hid_roster_sim.h -- the simulated twin of a transport's device list.
+ *
+ * A test plugs controllers in and pulls them out. A chosen controller is attached to a simulated
+ * slot. */
 #ifndef KINGYO_DRIVERS_HID_ROSTER_SIM_H
 #define KINGYO_DRIVERS_HID_ROSTER_SIM_H
 
@@ -7,21 +9,23 @@
 #include "drivers/hid_roster.h"
 
 struct hid_roster_sim {
-    struct hid_port_sim *seat[POI_MAX];       /* The caller's; null: fewer seats. */
-    const struct hid_face *face[CONTROLLER_MAX]; /* Plugged in, the caller's; null: an empty row. */
+    struct hid_port_sim *seat[POI_MAX]; /* Owned by the caller; null if there are fewer slots. */
+    /* Connected device, owned by the caller; null for an empty row. */
+    const struct hid_face *face[CONTROLLER_MAX];
     uint8_t chosen[CONTROLLER_MAX];
-    uint8_t barred[CONTROLLER_MAX];           /* A keyboard, say. */
-    struct hid_identity who[CONTROLLER_MAX];  /* Who was there last: one that is LOST has a name. */
-    uint8_t denied[CONTROLLER_MAX];           /* We may not open it. */
-    uint8_t taken[CONTROLLER_MAX];            /* Seat + 1; 0: it sits nowhere. */
+    uint8_t barred[CONTROLLER_MAX]; /* 1 if the device may not play, such as a keyboard. */
+    /* Last device of each row, which names a LOST controller. */
+    struct hid_identity who[CONTROLLER_MAX];
+    uint8_t denied[CONTROLLER_MAX];           /* 1 if opening fails for lack of permission. */
+    uint8_t taken[CONTROLLER_MAX];            /* Slot + 1, or 0 if not attached. */
     uint32_t choose_count, release_count;
 };
 
-/* `seats` are POI_MAX pointers, copied; all rows are empty. */
+/* Initializes the list with empty rows. `seats` are POI_MAX pointers, which are copied. */
 void hid_roster_sim_init(struct hid_roster_sim *sim, struct hid_port_sim *const seats[POI_MAX]);
 
-/* Plugs a controller into an empty row, or pulls out (`face` null) who is there. One that was
- * chosen sits down again when it comes back. */
+/* Plugs a controller into an empty row, or unplugs it if `face` is null. A chosen controller is
+ * attached again when it returns. */
 void hid_roster_sim_plug(struct hid_roster_sim *sim, uint32_t row, const struct hid_face *face);
 
 struct hid_roster hid_roster_sim_device(struct hid_roster_sim *sim);

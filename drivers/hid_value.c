@@ -1,11 +1,11 @@
-/* hid_value.c -- bits to shares. */
+/* hid_value.c -- converts the bits of a report to axis values. */
 #include "drivers/hid_value.h"
 
 #include "drivers/hid_bits.h"
 
-#define PRESS_AT 0.5f    /* Of the way of a trigger; ... */
-#define RELEASE_AT 0.4f  /* ... it trembles no more than this between. */
-#define AWAKE_WITHIN 0.3f /* Of its way to either end a stick is let go. */
+#define PRESS_AT 0.5f    /* Share of a trigger's travel that presses it. */
+#define RELEASE_AT 0.4f  /* Share that releases it; the difference is hysteresis. */
+#define AWAKE_WITHIN 0.3f /* Deflection below which a stick counts as released. */
 #define HAT_DIRECTIONS 8.0f
 
 static int64_t raw_of(const struct hid_binding *binding, const uint8_t *payload)
@@ -14,14 +14,14 @@ static int64_t raw_of(const struct hid_binding *binding, const uint8_t *payload)
     return binding->is_signed ? hid_signed_bits(bits, binding->bit_size) : (int64_t)bits;
 }
 
-/* How far it is from `rest` (0) to `full` (1), and beyond. */
+/* Returns 0 at `rest` and 1 at `full`; values beyond the ends are not clamped. */
 static float way_of(const struct hid_binding *binding, int64_t raw)
 {
     const int64_t span = binding->full - binding->rest;
     return (float)(raw - binding->rest) / (float)span;
 }
 
-/* 0 within `dead`, and as before at the ends. */
+/* Applies a dead zone: 0 within `dead`, then linear up to 1 at the end. */
 static float past_dead(float share, float dead)
 {
     const float size = f_abs(share);
@@ -54,7 +54,7 @@ static float hat_of(const struct hid_binding *binding, int64_t raw)
     return direction >= 0 && (float)direction < HAT_DIRECTIONS ? (float)direction : -1.0f;
 }
 
-/* Lets every binding of an array's go that a report of id `report_id` speaks of. */
+/* Releases every key binding of the arrays in report `report_id`. */
 static void let_keys_go(struct hid_hand *hand, uint8_t report_id)
 {
     for (uint32_t i = 0; i < hand->map.count; i++) {
@@ -75,7 +75,7 @@ static void press_key(struct hid_hand *hand, const struct hid_group *array, hid_
     }
 }
 
-/* Each array that is bound is looked through once a report, however many bindings it has. */
+/* Reads each bound array once for each report, independent of the number of bindings. */
 static void read_arrays(struct hid_hand *hand, uint8_t report_id, struct hid_report report)
 {
     const struct hid_descriptor *descriptor = &hand->descriptor;
@@ -113,7 +113,8 @@ void hid_hand_find_arrays(struct hid_hand *hand)
     }
 }
 
-/* Sticks that rest in the middle count once they were seen there. */
+/* Returns 1 for sticks that rest at the center. Their values count only after they were seen
+ * there. */
 static int has_rest(const struct hid_binding *binding)
 {
     return binding->manner == HID_MANNER_RATE ||

@@ -1,14 +1,15 @@
-/* hid_value.h -- what the bits of a report say of each binding of a map. A part of hid_hand. */
+/* hid_value.h -- decodes the bits of a report for each binding of a mapping. A part of hid_hand. */
 #ifndef KINGYO_DRIVERS_HID_VALUE_H
 #define KINGYO_DRIVERS_HID_VALUE_H
 
 #include "drivers/hid_hand.h"
 
-/* Once, when the map is there: which arrays of the descriptor it binds. */
+/* Finds the arrays that the mapping binds. Must be called once, after the mapping was set. */
 void hid_hand_find_arrays(struct hid_hand *hand);
 
-/* Reads a whole report of id `report_id` into hand->value. 0: the map knows no such report. Steps
- * are of one report only. */
+/* Decodes a complete report of id `report_id` into hand->value. Returns 1, or 0 if the mapping
+ * uses no field of this report. STEP values apply to one report only and are cleared by other
+ * reports. */
 int hid_hand_read(struct hid_hand *hand, uint8_t report_id, struct hid_report report);
 
 #endif
