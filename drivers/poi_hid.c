@@ -1,4 +1,4 @@
-/* poi_hid.c -- a port's reports, through a hand, to the frame loop. */
+/* poi_hid.c -- decodes the reports of a port for the frame loop. */
 #include "drivers/poi_hid.h"
 
 #include <stdio.h>
@@ -6,7 +6,7 @@
 
 #include "drivers/poi_report.h"
 
-#define HEARD_MAX (HID_REPORTS_MAX + 1u) /* In one frame: all that waited, and the newest. */
+#define HEARD_MAX (HID_REPORTS_MAX + 1u) /* Reports in one frame: a full queue and the newest. */
 
 void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
                   struct hid_mapper mapper, const struct view *view)
@@ -29,7 +29,7 @@ static uint64_t poi_now_ns(const struct poi_hid *poi)
     return poi->clock.ops->now_ns(poi->clock.self);
 }
 
-/* ---- Who sits here -------------------------------------------------------------------------- */
+/* ---- Attached controller -------------------------------------------------------------------- */
 
 static const char *source_text(uint8_t source)
 {
@@ -55,7 +55,8 @@ static void say_who(struct poi_hid *poi, uint8_t source)
 static void choose_map(struct poi_hid *poi, struct hid_map *out)
 {
     const struct hid_face *face = &poi->face;
-    struct hid_descriptor *descriptor = &poi->hand.descriptor; /* hid_hand_init() reads it again. */
+    /* Only scratch memory here, because hid_hand_init() parses it again. */
+    struct hid_descriptor *descriptor = &poi->hand.descriptor;
     const uint32_t size =
         face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
     hid_descriptor_read(descriptor, face->descriptor, size);
@@ -96,15 +97,16 @@ static int poi_hid_open(void *self)
     return HAL_OK;
 }
 
-/* ---- What it says --------------------------------------------------------------------------- */
+/* ---- Samples -------------------------------------------------------------------------------- */
 
-/* Samples on their way to who polls. */
+/* The caller's sample buffer for one poll. */
 struct basket {
     struct poi_sample *out;
     uint32_t count, max;
 };
 
-/* In a full one in place of the newest: where the hand is now must be told. */
+/* Appends a sample. In a full buffer the newest sample is replaced, because the last pose must
+ * arrive. */
 static void keep(struct basket *basket, const struct poi_sample *sample)
 {
     basket->count -= basket->count == basket->max;
@@ -124,16 +126,16 @@ static void hear(struct poi_hid *poi, const struct hid_raw *raw, struct basket *
     }
 }
 
-/* A hand that is led by place reports itself; any other goes on between two reports, and is a hand
- * still when its controller is at rest. */
+/* Returns 1 for pointers and sticks, whose pose changes between reports and is valid without
+ * reports. An absolute pose is sampled only by its reports. */
 static int goes_on(const struct poi_hid *poi)
 {
     return poi->is_open && poi->plays && poi->hand.map.style != HID_STYLE_POSE;
 }
 
-/* All that waits is heard, however many samples there is room for: what a slow frame left for the
- * next would come late, and the next after it again. What came before the plug was pulled is still
- * played; that it is gone is told then. */
+/* Decodes all queued reports even if there is room for fewer samples, since a remainder would
+ * delay the next frames too. Reports from before unplugging are still returned. HAL_ERR_GONE
+ * follows in the next poll. */
 static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct poi_hid *poi = self;
@@ -179,7 +181,7 @@ static int poi_hid_feel(void *self, const struct poi_force *force)
 static void poi_hid_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct poi_hid *poi = self;
-    (void)showing; /* It points at the water, not at the screen. */
+    (void)showing; /* The pose refers to the water, not to the screen. */
     poi->view = *view;
     hid_hand_look(&poi->hand, view);
 }
@@ -190,12 +192,12 @@ static const char *poi_hid_describe(void *self)
     return poi->text;
 }
 
-/* ---- Its fan and its buttons ---------------------------------------------------------------- */
+/* ---- Fan and buttons ------------------------------------------------------------------------ */
 
 static int fan_open(void *self)
 {
     (void)self;
-    return HAL_OK; /* Whoever sits here may have one; who has none never holds it up. */
+    return HAL_OK; /* A controller without a fan button never activates the fan. */
 }
 
 static int fan_poll(void *self, struct shade_input *out)

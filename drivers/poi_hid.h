@@ -1,7 +1,7 @@
-/* poi_hid.h -- any HID controller as a poi: a port's raw reports through a map into a hand.
+/* poi_hid.h -- any HID controller as a poi: decodes the raw reports of a port by a mapping.
  *
- * The device of struct hal for one seat. It neither knows nor asks whether the port is USB or
- * memory. */
+ * Implements the poi, fan and button devices of struct hal for one slot. It works with any port,
+ * USB or simulated. The frame loop is the only caller. */
 #ifndef KINGYO_DRIVERS_POI_HID_H
 #define KINGYO_DRIVERS_POI_HID_H
 
@@ -9,14 +9,15 @@
 #include "drivers/hid_port.h"
 #include "platform/hal.h"
 
-/* Where a controller's map comes from: learned ones first. Writes `out`; see hid_map_choose(). */
+/* Selects the mapping of a controller, learned mappings first. Writes `out` like
+ * hid_map_choose(). */
 struct hid_mapper {
     void (*choose)(void *self, const struct hid_face *face,
                    const struct hid_descriptor *descriptor, struct hid_map *out);
     void *self;
 };
 
-/* Who else wants to see what a seat's controller says: the operator's desk, while it learns. */
+/* Callback that receives a copy of each report; used by the controller manager while it learns. */
 struct hid_watch {
     void (*report)(void *self, const struct hid_raw *raw);
     void *self;
@@ -31,25 +32,26 @@ struct poi_hid {
     struct hid_face face;
     struct hid_hand hand;
     uint8_t is_open;
-    uint8_t plays;         /* There is a map that the hand can be led by. */
+    uint8_t plays;         /* 1 if the current mapping can control the poi. */
     uint8_t feel_sequence;
     char text[HAL_TEXT_SIZE];
 };
 
-/* `mapper.choose` null: hid_map_choose() alone. */
+/* Initializes `poi`. If `mapper.choose` is null, hid_map_choose() is used. */
 void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
                   struct hid_mapper mapper, const struct view *view);
 
-/* What it says from now on is shown to `watch`, too; `watch.report` null: to nobody. */
+/* Passes each further report to `watch`; `watch.report` null ends that. */
 void poi_hid_show(struct poi_hid *poi, struct hid_watch watch);
 
-/* From now on it plays by `map`; null: by the mapper's, asked anew. Returns whether it plays. */
+/* Changes the mapping to `map`, or, if `map` is null, to the mapper's choice. Returns 1 if the
+ * controller can play with it. */
 int poi_hid_remap(struct poi_hid *poi, const struct hid_map *map);
 
 struct hal_poi poi_hid_device(struct poi_hid *poi);
 struct hal_shade poi_hid_fan(struct poi_hid *poi);
 
-/* START, LEFT, RIGHT, OK on the controller itself; to be asked after the poi. */
+/* Returns START, LEFT, RIGHT and OK of the controller. Must be polled after the poi. */
 struct hal_buttons poi_hid_buttons(struct poi_hid *poi);
 
 #endif

@@ -1,4 +1,4 @@
-/* usb_choice.c -- wishes, verdicts and seats. */
+/* usb_choice.c -- rules, verdicts and slots of USB controllers. */
 #include "drivers/usb_choice.h"
 
 #include <ctype.h>
@@ -56,7 +56,7 @@ struct usb_key usb_key_of(const struct hid_identity *identity)
     return key;
 }
 
-/* ---- Wishes --------------------------------------------------------------------------------- */
+/* ---- Rules ---------------------------------------------------------------------------------- */
 
 static int is_same_key(const struct usb_key *a, const struct usb_key *b)
 {
@@ -140,7 +140,7 @@ uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[U
     return count;
 }
 
-/* The wish that speaks of it most exactly; null: nobody named it. */
+/* Returns the most specific rule for a controller, or null if there is none. */
 static const struct usb_wish *find_wish(const struct usb_choice *choice,
                                         const struct hid_identity *identity)
 {
@@ -161,9 +161,9 @@ static const struct usb_wish *find_wish(const struct usb_choice *choice,
 
 /* ---- Verdicts ------------------------------------------------------------------------------- */
 
-/* Keys by their application, HID Usage Tables: Generic Desktop's keyboard, keypad and system
- * control, media keys, telephones; and what no hand leads: monitors, power supplies, scanners of
- * codes, scales, cards, and the keys to somebody's accounts (FIDO). */
+/* Returns 1 for applications that cannot control a poi, by the HID Usage Tables. These are
+ * keyboards, keypads, system controls, media keys, telephones, monitors, power supplies, bar
+ * code scanners, scales, card readers, and FIDO security keys. */
 static int is_keys(hid_usage application)
 {
     const uint32_t page = application >> 16, id = application & 0xffffu;
@@ -171,7 +171,8 @@ static int is_keys(hid_usage application)
            page == 0x0cu || (page >= 0x80u && page <= 0x8eu) || page == 0xf1d0u;
 }
 
-/* Of fields that say something: whether all, or some, are of keys. */
+/* Returns LEARNABLE if any field belongs to another application than keys, KEYS if all belong to
+ * keys, or NOTHING if there are no fields. */
 static enum usb_kind kind_by_fields(const struct hid_descriptor *descriptor)
 {
     uint32_t keys = 0, others = 0;
@@ -249,7 +250,7 @@ int usb_choice_is_better(const struct usb_choice *choice, const struct usb_subje
                                   : a->identity->interface_number < b->identity->interface_number;
 }
 
-/* ---- Seats ---------------------------------------------------------------------------------- */
+/* ---- Slots ---------------------------------------------------------------------------------- */
 
 uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_identity *b)
 {
@@ -259,15 +260,16 @@ uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_iden
     const int same_port = !strcmp(a->port, b->port);
     const int same_serial = !strcmp(a->serial, b->serial);
     if (a->serial[0] && same_serial) {
-        return same_port ? 4u : 3u; /* Two of a cheap kind may share a number. */
+        return same_port ? 4u : 3u; /* Cheap devices can share a serial number. */
     }
     if (same_port) {
-        return 2u; /* A broken one was replaced where it was. */
+        return 2u; /* A replacement was plugged into the same port. */
     }
-    return same_serial ? 1u : 0u; /* Neither has a number, and it was plugged in elsewhere. */
+    return same_serial ? 1u : 0u; /* Same product without a serial number, at another port. */
 }
 
-/* The vacant seat of whoever is most like it; none where two are equally so by their kind alone. */
+/* Returns the vacant slot whose last controller is most similar to `identity`. Returns POI_MAX
+ * if only the product matches and several slots match equally. */
 static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
 {
     uint32_t best = POI_MAX, most = 0u, equals = 0u;

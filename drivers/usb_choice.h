@@ -1,10 +1,10 @@
-/* usb_choice.h -- which controllers on USB may be claimed, and at which seat they sit. Pure.
+/* usb_choice.h -- rules for which USB controllers are claimed and which slot they get. Pure.
  *
- * Claimed is what somebody named: the operator in the menu (kept in a file), whoever started the
- * kiosk (--usb), and our own poi: its makers have ids of their own, so it is known by its report
- * descriptor. Where that cannot be read without claiming, only a named id is asked, and the one
- * that pid.codes keeps for anybody's bench. What has keys to type with is never claimed, whoever
- * names it. */
+ * A controller is claimed if the operator chose it in the menu (stored in a file), if --usb
+ * names it, or if it is our own poi. Our own poi has no fixed vendor id and is recognized by its
+ * report descriptor. If the descriptor cannot be read without claiming, only chosen ids and the
+ * test id of pid.codes are claimed to read it. An interface with typing keys is never claimed,
+ * even if it was chosen. */
 #ifndef KINGYO_DRIVERS_USB_CHOICE_H
 #define KINGYO_DRIVERS_USB_CHOICE_H
 
@@ -15,102 +15,109 @@
 #include "drivers/hid_descriptor.h"
 #include "drivers/hid_port.h"
 
-#define USB_BENCH_VENDOR 0x1209u  /* pid.codes' id for tests: no product may be sold with it. */
+#define USB_BENCH_VENDOR 0x1209u  /* pid.codes' test id, which no product may be sold with. */
 #define USB_BENCH_PRODUCT 0x0001u
-#define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* "057e:2009:" and a serial number. */
-#define USB_WISH_MAX 32u /* A stall whose four pois were replaced seven times. */
+#define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* Fits "057e:2009:" and a serial number. */
+#define USB_WISH_MAX 32u /* Capacity of the rules: four pois, each replaced seven times. */
 #define USB_ERROR_SIZE 96u
 
-/* A controller, or every one of a kind. */
+/* One controller, or all controllers of one product. */
 struct usb_key {
     uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* "": whatever its serial number is. */
+    char serial[HID_TEXT_SIZE]; /* "": any serial number. */
 };
 
-/* Reads "VVVV:PPPP" or "VVVV:PPPP:SERIAL", four hexadecimal digits each. 0, or -1. */
+/* Parses "VVVV:PPPP" or "VVVV:PPPP:SERIAL" with four hexadecimal digits each. Returns 0, or -1
+ * if the text is invalid. */
 int usb_key_read(struct usb_key *out, const char *text);
 void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE]);
 struct usb_key usb_key_of(const struct hid_identity *identity);
 
 struct usb_wish {
     struct usb_key key;
-    uint8_t plays; /* 0: it rests, although it would play by itself. */
-    uint8_t kept;  /* It belongs into the file. */
+    uint8_t plays; /* 0: the controller must not play, even if it would without this rule. */
+    uint8_t kept;  /* 1 if the rule is stored in the file. */
 };
 
-/* Zero wants nothing but our own poi. */
+/* The list of rules. The zero value accepts only our own poi. */
 struct usb_choice {
     uint32_t wish_count;
     struct usb_wish wish[USB_WISH_MAX];
 };
 
-/* In place of an older wish for the same key. When full, the oldest is forgotten. */
+/* Adds a rule and removes an older rule for the same key. When the list is full, the oldest rule
+ * is dropped. */
 void usb_choice_wish(struct usb_choice *choice, const struct usb_key *key, int plays, int kept);
 
-/* The keys that play; how many. */
+/* Copies the keys of all rules that allow playing. Returns their number. */
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_WISH_MAX]);
 
-/* The file of choices: a line "plays KEY" or "rests KEY" each, '#' begins a comment line. Reads one
- * line: 0, or -1 and one sentence in `error`. */
+/* Parses one line of the choices file: "plays KEY", "rests KEY", or a comment that starts with
+ * '#'. Returns 0, or -1 and one sentence in `error`. */
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE]);
 
-/* The file's line `index` without a newline, or 0 when there are no more. */
+/* Writes line `index` of the choices file without a newline. Returns 1, or 0 if there are no
+ * more lines. */
 #define USB_CHOICE_LINE_SIZE (USB_KEY_TEXT_SIZE + 8u)
 int usb_choice_line(const struct usb_choice *choice, uint32_t index,
                     char line[USB_CHOICE_LINE_SIZE]);
 
-/* What an input report descriptor is good for. */
+/* Classes of input report descriptors. */
 enum usb_kind {
-    USB_KIND_UNKNOWN = 0, /* It was not read yet. */
-    USB_KIND_NOTHING,     /* No input fields, or it cannot be read. */
-    USB_KIND_KEYS,        /* Keys to type with, whatever is beside them; or nothing but media keys,
-                             a power supply and the like: no hand leads those. */
-    USB_KIND_LEARNABLE,   /* Fields that no map of ours knows: it must be learned. */
-    USB_KIND_HAND,        /* A hand can lead it as it is: hid_map_choose() finds a map. */
-    USB_KIND_OWN,         /* Our own poi, byte for byte. */
+    USB_KIND_UNKNOWN = 0, /* The descriptor was not read yet. */
+    USB_KIND_NOTHING,     /* No input fields, or the descriptor cannot be parsed. */
+    /* Typing keys in addition to any other fields, or only fields that cannot control a poi,
+     * such as media keys or a power supply. */
+    USB_KIND_KEYS,
+    USB_KIND_LEARNABLE,   /* Input fields without a mapping; the controller must be learned. */
+    USB_KIND_HAND,        /* hid_map_choose() finds a mapping. */
+    USB_KIND_OWN,         /* The exact descriptor of our own poi. */
 };
 
 /* One interface of a device. */
 struct usb_subject {
     const struct hid_identity *identity;
-    uint8_t is_boot_keyboard; /* By its interface descriptor, HID 1.11 section 4.2. */
+    uint8_t is_boot_keyboard; /* From the interface descriptor, HID 1.11 section 4.2. */
     uint8_t kind;             /* enum usb_kind */
     uint8_t worth;            /* hid_map_worth() */
 };
 
-/* Gives `subject` kind and worth by its report descriptor; size 0: that was not read yet. */
+/* Sets the kind and worth of `subject` from its report descriptor. Size 0 means that the
+ * descriptor was not read yet. */
 void usb_choice_read(struct usb_subject *subject, const uint8_t *bytes, uint32_t size,
                      struct hid_descriptor *scratch);
 
 enum usb_verdict {
-    USB_BARRED = 0, /* Never. */
-    USB_FREE,       /* Only if it is chosen. */
-    USB_ASK,        /* It may be claimed to read its report descriptor; then judge again. */
+    USB_BARRED = 0, /* Must never be claimed. */
+    USB_FREE,       /* Claimed only after it is chosen. */
+    USB_ASK,        /* May be claimed to read its report descriptor and then be classified again. */
     USB_PLAYS,
 };
 enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
                                   const struct usb_subject *subject);
 
-/* Of two interfaces of a device, whether `a` is the one to claim rather than `b`: one that can be
- * played as it is, then one that is yet to be asked, then one that must be learned; of equals the
- * one that leads a hand better, at last the one with the lower number. */
+/* Returns 1 if interface `a` of a device is to be claimed rather than `b`. A playable interface
+ * comes first, then one whose descriptor must be read, then one that must be learned. Ties are
+ * decided by kind, by hid_map_worth(), and then by the lower interface number. */
 int usb_choice_is_better(const struct usb_choice *choice, const struct usb_subject *a,
                          const struct usb_subject *b);
 
-/* Who sits, or sat, where. */
+/* The controller that has a slot, or that had it last. */
 struct usb_place {
-    uint8_t was_taken; /* `identity` sits there or did last. */
-    uint8_t is_taken;  /* It sits there now. */
-    uint8_t is_held;   /* It went only just now: a stranger does not get its seat. */
+    uint8_t was_taken; /* 1 if `identity` is valid. */
+    uint8_t is_taken;  /* 1 if the controller is attached now. */
+    /* 1 shortly after unplugging, when another controller must not get the slot. */
+    uint8_t is_held;
     struct hid_identity identity;
 };
 
-/* The seat for who comes: its own, as its serial number or else its port says; else one that nobody
- * ever had; else one that is not held. POI_MAX: none. */
+/* Returns the slot for a new controller, or POI_MAX if there is none. Its former slot comes
+ * first, found by serial number or port. A slot that was never used is next, then one that is
+ * not held. */
 uint32_t usb_choice_seat(const struct usb_place place[POI_MAX],
                          const struct hid_identity *identity);
 
-/* How much two look like the same controller: 0 not at all; more is more. */
+/* Returns how likely two identities are the same controller, 0 (different) .. 4 (certain). */
 uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_identity *b);
 
 #endif

@@ -1,4 +1,4 @@
-/* usb_choice_file.c -- a line a wish, written beside and put in place. */
+/* usb_choice_file.c -- one line for each rule; the file is replaced by a rename. */
 #include "drivers/usb_choice_file.h"
 
 #include <errno.h>
@@ -55,7 +55,8 @@ static int write_lines(const struct usb_choice *choice, FILE *file)
     return fclose(file) != 0 && !error ? -errno : error;
 }
 
-/* Makes the new name outlive a loss of power. 0 or a negative errno. */
+/* Flushes the folder, so that the renamed file survives a power loss. Returns 0 or a negative
+ * errno. */
 static int sync_folder(const char *path)
 {
     char folder[PATH_MAX];
@@ -78,7 +79,7 @@ int usb_choice_save(const struct usb_choice *choice, const char *path)
     if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
         return -ENAMETOOLONG;
     }
-    unlink(part); /* What an earlier loss of power, or somebody else, left there. */
+    unlink(part); /* An earlier power loss or another process can have left this file. */
     FILE *file = fopen(part, "wxe");
     int error = file ? write_lines(choice, file) : -errno;
     if (!error && rename(part, path) != 0) {

@@ -1,4 +1,4 @@
-/* usb_device.c -- looking without touching. */
+/* usb_device.c -- classifies a device without opening it. */
 #include "drivers/usb_device.h"
 
 #include <stdio.h>
@@ -6,13 +6,13 @@
 
 #include "drivers/usb_sysfs.h"
 
-#define HID_BOOT 1u              /* bInterfaceSubClass, HID 1.11 section 4.2 ... */
-#define HID_BOOT_KEYBOARD 1u     /* ... and bInterfaceProtocol, section 4.3. */
-#define HID_CLASS_DESCRIPTOR 0x21u /* Section 7.1. */
+#define HID_BOOT 1u              /* bInterfaceSubClass, HID 1.11 section 4.2. */
+#define HID_BOOT_KEYBOARD 1u     /* bInterfaceProtocol, section 4.3. */
+#define HID_CLASS_DESCRIPTOR 0x21u /* HID 1.11 section 7.1. */
 #define HID_REPORT_DESCRIPTOR 0x22u
-#define PORT_DEPTH_MAX 7         /* Hubs within hubs, USB 3.1 section 10.1 */
+#define PORT_DEPTH_MAX 7         /* Nested hubs, USB 3.1 section 10.1. */
 
-/* ---- Looking -------------------------------------------------------------------------------- */
+/* ---- Classification ------------------------------------------------------------------------- */
 
 static void name_port(libusb_device *device, char out[32])
 {
@@ -25,7 +25,8 @@ static void name_port(libusb_device *device, char out[32])
     }
 }
 
-/* The endpoints of an interface, as far as we need them. 0, or -1 where it never reports. */
+/* Reads the interrupt endpoints of an interface. Returns 0, or -1 if it has no usable input
+ * endpoint. */
 static int read_pipe(const struct libusb_interface_descriptor *interface, struct usb_pipe *out)
 {
     *out = (struct usb_pipe){ .interface_number = interface->bInterfaceNumber };
@@ -54,8 +55,8 @@ static int is_boot_keyboard(const struct libusb_interface_descriptor *interface)
            interface->bInterfaceProtocol == HID_BOOT_KEYBOARD;
 }
 
-/* wDescriptorLength of the report descriptor, from the class descriptor that follows that of the
- * interface (HID 1.11 section 6.2.1); as much as there may be where it does not say. */
+/* Returns wDescriptorLength of the report descriptor from the HID class descriptor (HID 1.11
+ * section 6.2.1). Returns HID_DESCRIPTOR_MAX if the class descriptor does not contain it. */
 static uint32_t declared_size(const struct libusb_interface_descriptor *interface)
 {
     const uint8_t *extra = interface->extra;
@@ -92,8 +93,9 @@ void usb_device_judge(struct usb_device *device, const struct usb_judge *judge)
     device->verdict = (uint8_t)usb_choice_judge(judge->choice, &subject);
 }
 
-/* What `device` is by this interface alone. What was read from it once, it keeps: while we have it
- * claimed no driver of the kernel shows it, and what one shows may be mended. */
+/* Classifies `device` by one interface. A descriptor that was read from the device is kept,
+ * because /sys shows none while the interface is claimed, and a kernel driver may show a
+ * corrected one. */
 static void look_at(struct usb_device *device, const struct usb_judge *judge,
                     const struct libusb_interface_descriptor *interface)
 {
@@ -122,8 +124,9 @@ static int is_better(const struct usb_device *a, const struct usb_device *b,
     return usb_choice_is_better(judge->choice, &first, &second);
 }
 
-/* Of its interfaces the best: the first alternate setting of each, which is the one in force (HID
- * devices have no other). 0, or -1 where none is HID's. */
+/* Selects the best HID interface of a device by the first alternate setting of each, which is
+ * the active one; HID devices have no other. Returns 0, or -1 if there is no usable HID
+ * interface. */
 static int pick_interface(struct usb_device *device, const struct usb_judge *judge,
                           const struct libusb_config_descriptor *config)
 {
@@ -163,7 +166,8 @@ static int look(struct usb_device *device, const struct usb_judge *judge)
 void usb_device_look(struct usb_device *device, const struct usb_judge *judge)
 {
     if (look(device, judge)) {
-        device->verdict = USB_BARRED; /* It changed its configuration, or is about to go. */
+        /* The configuration changed, or the device is being unplugged. */
+        device->verdict = USB_BARRED;
     }
 }
 

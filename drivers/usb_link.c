@@ -1,9 +1,9 @@
-/* usb_link.c -- transfers of one controller, in and out. */
+/* usb_link.c -- submits and completes the transfers of one controller. */
 #include "drivers/usb_link.h"
 
 #include <string.h>
 
-#define RETRY_NS 10000000ull /* After an error: a spark on the cable is over by then. */
+#define RETRY_NS 10000000ull /* Delay after an error, longer than a glitch on the cable. */
 
 static uint64_t now_ns(const struct usb_link *link)
 {
@@ -38,9 +38,10 @@ void usb_link_free(struct usb_link *link)
     }
 }
 
-/* ---- In ------------------------------------------------------------------------------------- */
+/* ---- Input reports -------------------------------------------------------------------------- */
 
-/* A device that is gone will say so in other transfers and by hot-plug, too: once is enough. */
+/* Records an error. NO_DEVICE sets is_gone instead, because other transfers and hot-plug report
+ * it too. */
 static void note_error(struct usb_link *link, int error)
 {
     if (error == LIBUSB_ERROR_NO_DEVICE) {
@@ -61,7 +62,7 @@ static void submit(struct usb_flight *flight)
     }
 }
 
-/* What a transfer that came back says of the device. 1: it may be submitted again at once. */
+/* Evaluates a returned transfer. Returns 1 if it may be submitted again at once. */
 static int read_status(struct usb_link *link, const struct libusb_transfer *transfer)
 {
     switch (transfer->status) {
@@ -70,7 +71,7 @@ static int read_status(struct usb_link *link, const struct libusb_transfer *tran
         usb_seat_report(link->seat, now_ns(link), transfer->buffer,
                         (uint32_t)transfer->actual_length);
         return 1;
-    case LIBUSB_TRANSFER_OVERFLOW: /* More than its descriptor declared: the report is lost. */
+    case LIBUSB_TRANSFER_OVERFLOW: /* More bytes than declared; the report is lost. */
         usb_seat_report(link->seat, now_ns(link), transfer->buffer, HID_REPORT_MAX + 1u);
         note_error(link, LIBUSB_ERROR_OVERFLOW);
         return 0;
@@ -81,15 +82,15 @@ static int read_status(struct usb_link *link, const struct libusb_transfer *tran
         link->has_halted = 1;
         note_error(link, LIBUSB_ERROR_PIPE);
         return 0;
-    case LIBUSB_TRANSFER_CANCELLED: /* By ourselves, because its endpoint halted. */
+    case LIBUSB_TRANSFER_CANCELLED: /* Cancelled by clear_halt(). */
         return 0;
-    default: /* An error on the wire, or the first sign of a cable that is being pulled out. */
+    default: /* A transmission error, or the first sign that the cable is being unplugged. */
         note_error(link, LIBUSB_ERROR_IO);
         return 0;
     }
 }
 
-/* What was said before the end counts; what was cancelled says nothing. */
+/* Accepts a report that was completed before the end. Cancelled transfers contain none. */
 static void take_last(struct usb_link *link, const struct libusb_transfer *transfer)
 {
     if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
@@ -114,7 +115,8 @@ static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
     }
 }
 
-/* Whole packets, so that none overflows; one report at most, so that none waits for another. */
+/* Returns the transfer size: whole packets, so that no packet overflows, and one report at most,
+ * so that no report is delayed until the next. */
 static int transfer_size(const struct usb_pipe *pipe)
 {
     const uint32_t packet = pipe->in_packet_size;
@@ -142,9 +144,10 @@ void usb_link_begin(struct usb_link *link, libusb_device_handle *handle,
     }
 }
 
-/* ---- The end -------------------------------------------------------------------------------- */
+/* ---- Closing -------------------------------------------------------------------------------- */
 
-/* Of a transfer that comes back by itself meanwhile, libusb says NOT_FOUND: that is no harm. */
+/* Cancels a transfer. libusb returns NOT_FOUND if the transfer has just completed, which needs
+ * no handling. */
 static void cancel(struct usb_flight *flight)
 {
     flight->is_due = 0;
@@ -184,7 +187,7 @@ static int is_flying(const struct usb_link *link)
     return flying;
 }
 
-/* Releasing gives the interface back to the kernel's driver, where there still is one. */
+/* Closes the device. Releasing the interface attaches the kernel driver again if there is one. */
 static void close_link(struct usb_link *link)
 {
     libusb_release_interface(link->handle, link->pipe.interface_number);
@@ -193,7 +196,7 @@ static void close_link(struct usb_link *link)
     link->state = USB_LINK_NONE;
 }
 
-/* A halt is cleared while nothing is queued behind it: 1 when it is. */
+/* Clears a halt after all transfers have returned. Returns 1 when the halt was cleared. */
 static int clear_halt(struct usb_link *link)
 {
     int flying = 0;
@@ -234,7 +237,7 @@ static int is_due(const struct usb_link *link)
     return due;
 }
 
-/* The seat is told first: closing may take its time. */
+/* Detaches the slot before closing, because closing can take a long time. */
 static void tend_draining(struct usb_link *link)
 {
     const int flying = is_flying(link);

@@ -1,8 +1,9 @@
-/* usb_link.h -- one open controller: transfers that are in flight until they are told not to be.
+/* usb_link.h -- the USB transfers of one open controller.
  *
- * Of the USB thread alone. Callbacks of libusb only note what happened and ask again; whatever
- * talks to the device, or closes it, is done by usb_link_tend(), outside of them. A link is closed
- * in this order: cancel, wait for every transfer to come back, release, close. */
+ * Used only by the event thread. libusb callbacks only record results and submit transfers
+ * again. All requests to the device, and closing it, happen in usb_link_tend(), outside of the
+ * callbacks. Closing has a fixed order: cancel all transfers, wait until each has returned,
+ * release the interface, close the handle. */
 #ifndef KINGYO_DRIVERS_USB_LINK_H
 #define KINGYO_DRIVERS_USB_LINK_H
 
@@ -12,26 +13,28 @@
 
 #include "drivers/usb_seat.h"
 
-#define USB_IN_FLIGHT 4u      /* At 1,000 Hz the thread may sleep 3 ms and lose nothing. */
-#define USB_TRANSFER_MAX 1024u /* No packet of an interrupt endpoint is longer, USB 2.0 5.7.3. */
-#define USB_ERRORS_MAX 8u     /* In a row, before it is opened anew. */
-#define USB_LEAVE_MS 50u      /* So long what is on its way back may still bring a report. */
-#define USB_OUT_TIMEOUT_MS 100u /* Who does not take a blow by then shall not feel it. */
+#define USB_IN_FLIGHT 4u      /* At 1,000 Hz the thread may be delayed by 3 ms without loss. */
+#define USB_TRANSFER_MAX 1024u /* Largest packet of an interrupt endpoint, USB 2.0 5.7.3. */
+#define USB_ERRORS_MAX 8u     /* Consecutive errors before the device is opened again. */
+/* Time after cancelling in which returning transfers still deliver reports. */
+#define USB_LEAVE_MS 50u
+/* Timeout of an output report, after which force feedback would be late. */
+#define USB_OUT_TIMEOUT_MS 100u
 
-/* What an endpoint descriptor says, and the report descriptor. */
+/* Endpoints of an interface and properties of its report descriptor. */
 struct usb_pipe {
     uint8_t interface_number;
     uint8_t in_endpoint;
     uint8_t has_report_ids;
-    uint8_t out_endpoint;     /* 0: output reports go by the control pipe, HID 1.11 7.2.2. */
+    uint8_t out_endpoint;     /* 0: output reports use the control pipe, HID 1.11 7.2.2. */
     uint16_t in_packet_size;
-    uint32_t report_size_max; /* Of the longest input report, its id included. */
+    uint32_t report_size_max; /* Bytes of the longest input report, including its id. */
 };
 
 enum usb_link_state {
     USB_LINK_NONE = 0,
     USB_LINK_LIVE,
-    USB_LINK_DRAINING, /* Cancelled; transfers are still to come back. */
+    USB_LINK_DRAINING, /* Cancelled; some transfers have not returned yet. */
 };
 
 struct usb_link;
@@ -40,18 +43,18 @@ struct usb_flight {
     struct usb_link *link;
     struct libusb_transfer *transfer;
     uint8_t is_flying;
-    uint8_t is_due; /* To be submitted again: it failed, or its endpoint halted. */
+    uint8_t is_due; /* To be submitted again after an error or a halt. */
     uint8_t buffer[USB_TRANSFER_MAX];
 };
 
 struct usb_link {
     uint8_t state;       /* enum usb_link_state */
-    uint8_t is_gone;     /* The device is unplugged: nothing can be asked of it. */
+    uint8_t is_gone;     /* Device unplugged; no further requests are allowed. */
     uint8_t has_halted;  /* The endpoint stalled. */
-    uint8_t has_left;    /* Its seat was told that it is gone. */
-    uint32_t error_count; /* In a row. */
-    uint64_t retry_ns;   /* When what is due may be submitted again. */
-    uint64_t leave_ns;   /* When its seat is told, although something still flies. */
+    uint8_t has_left;    /* 1 after the slot was detached. */
+    uint32_t error_count; /* Consecutive errors. */
+    uint64_t retry_ns;   /* Earliest time to submit transfers again. */
+    uint64_t leave_ns;   /* Deadline for detaching the slot, even if transfers are in flight. */
     struct hal_clock clock;
     libusb_device_handle *handle;
     struct usb_seat *seat;
@@ -60,30 +63,31 @@ struct usb_link {
     struct usb_flight out;
 };
 
-/* Takes memory for its transfers, once. 0, or -1 where there is none. */
+/* Allocates the transfers once. Returns 0, or -1 if there is no memory; usb_link_free() is then
+ * still needed. */
 int usb_link_init(struct usb_link *link, struct hal_clock clock);
 void usb_link_free(struct usb_link *link);
 
-/* Begins to read an open device, whose interface is claimed; `handle` is the link's from now on.
- * Who sits in `seat` was told to it before. */
+/* Starts reading an open device whose interface is claimed. The link owns `handle` from now on.
+ * `seat` must already be attached (usb_seat_sit()). */
 void usb_link_begin(struct usb_link *link, libusb_device_handle *handle,
                     const struct usb_pipe *pipe, struct usb_seat *seat);
 
-/* Sends what the seat wants sent, if the last one is done. */
+/* Sends the pending output report of the slot if the previous one is finished. */
 void usb_link_send(struct usb_link *link);
 
-/* Begins the end of it. `is_gone`: it was unplugged. Its seat is told when all that it reported has
- * arrived, or USB_LEAVE_MS later. */
+/* Starts closing. `is_gone` means that the device was unplugged. The slot is detached when all
+ * transfers have returned, or after USB_LEAVE_MS. */
 void usb_link_drain(struct usb_link *link, int is_gone);
 
-/* Tells its seat now, for somebody else wants to sit there. */
+/* Detaches the slot now, because another controller needs it. */
 void usb_link_leave(struct usb_link *link);
 
-/* Does what callbacks may not: submits again, clears a halt, closes what has drained. 0: it lives;
- * 1: it failed, and usb_link_drain() is right. */
+/* Performs the actions that callbacks must not: submits again, clears a halt, and closes a
+ * drained link. Returns 0, or 1 if the link failed and usb_link_drain() must follow. */
 int usb_link_tend(struct usb_link *link);
 
-/* When usb_link_tend() has something to do although nothing happens; UINT64_MAX: never. */
+/* Returns when usb_link_tend() must be called next, or UINT64_MAX if only an event requires it. */
 uint64_t usb_link_due_ns(const struct usb_link *link);
 
 #endif

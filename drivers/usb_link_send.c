@@ -1,10 +1,10 @@
-/* usb_link_send.c -- what the hand is to feel, on its way to the device. */
+/* usb_link_send.c -- sends the output reports of a controller, such as force feedback. */
 #include <string.h>
 
 #include "drivers/usb_link.h"
 
-#define HID_SET_REPORT 0x09u     /* HID 1.11 section 7.2.2 ... */
-#define HID_OUTPUT_REPORT 0x0200u /* ... and the upper byte of its value. */
+#define HID_SET_REPORT 0x09u     /* HID 1.11 section 7.2.2. */
+#define HID_OUTPUT_REPORT 0x0200u /* Report type in the upper byte of wValue. */
 
 static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
 {
@@ -13,10 +13,11 @@ static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
     if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
         flight->link->is_gone = 1;
     }
-    usb_seat_sent(flight->link->seat); /* Felt or not: the next blow will be newer. */
+    /* A lost report is not repeated, because the next one is newer. */
+    usb_seat_sent(flight->link->seat);
 }
 
-/* On the control pipe, for who has no other. */
+/* Fills a SET_REPORT request for devices without an output endpoint. */
 static void fill_set_report(struct usb_link *link, uint32_t size)
 {
     struct usb_flight *out = &link->out;

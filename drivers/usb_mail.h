@@ -1,7 +1,7 @@
-/* usb_mail.h -- the newest value of something large, from one thread to another, without a lock.
+/* usb_mail.h -- a lock-free triple buffer for the newest value from one thread to another.
  *
- * The owner keeps three of it: one is being written, one read, and one lies between them. What was
- * not fetched before the next was posted is never seen, which is what newest means. */
+ * The owner has three slots: one being written, one being read, and one between them. An unread
+ * value is overwritten. The reader only ever sees the newest value. */
 #ifndef KINGYO_DRIVERS_USB_MAIL_H
 #define KINGYO_DRIVERS_USB_MAIL_H
 
@@ -9,15 +9,17 @@
 #include <stdint.h>
 
 #define USB_MAIL_SLOTS 3u
-#define USB_MAIL_FRESH 4u /* Beside the index of the slot in the middle: nobody fetched it yet. */
+/* Flag beside the index of the middle slot: the value was not read yet. */
+#define USB_MAIL_FRESH 4u
 
 struct usb_mail {
-    uint32_t writing;   /* The writer's alone. */
-    uint32_t reading;   /* The reader's alone. */
+    uint32_t writing;   /* Slot index, used only by the writer. */
+    uint32_t reading;   /* Slot index, used only by the reader. */
     atomic_uint middle;
 };
 
-/* The reader sees slot 1, which the owner has filled, until something is posted. */
+/* Initializes the buffer. Until the first post the reader sees slot 1, which the owner has
+ * filled. */
 static inline void usb_mail_init(struct usb_mail *mail)
 {
     mail->writing = 0u;
@@ -25,8 +27,8 @@ static inline void usb_mail_init(struct usb_mail *mail)
     atomic_init(&mail->middle, 2u);
 }
 
-/* Writer: slot `mail->writing` is whole; it writes the next value into another one. 1: nobody
- * fetched the one before. */
+/* For the writer: publishes slot `mail->writing` and selects another slot for the next value.
+ * Returns 1 if the previous value was never read. */
 static inline int usb_mail_post(struct usb_mail *mail)
 {
     const unsigned old = atomic_exchange_explicit(&mail->middle, mail->writing | USB_MAIL_FRESH,
@@ -35,7 +37,7 @@ static inline int usb_mail_post(struct usb_mail *mail)
     return (old & USB_MAIL_FRESH) != 0;
 }
 
-/* Reader: from now on slot `mail->reading` is the newest. 1: it is another one than before. */
+/* For the reader: makes slot `mail->reading` the newest value. Returns 1 if the value is new. */
 static inline int usb_mail_fetch(struct usb_mail *mail)
 {
     if (!(atomic_load_explicit(&mail->middle, memory_order_relaxed) & USB_MAIL_FRESH)) {

@@ -1,4 +1,5 @@
-/* usb_open.c -- opening a controller: claimed, read, and made to speak in whole reports. */
+/* usb_open.c -- opens a controller: claims it, reads its descriptor, and selects the report
+ * protocol. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,7 +7,7 @@
 #include "drivers/usb_sysfs.h"
 
 #define HID_REPORT_DESCRIPTOR 0x22u /* HID 1.11 section 7.1. */
-#define HID_SET_IDLE 0x0au          /* Section 7.2. */
+#define HID_SET_IDLE 0x0au          /* HID 1.11 section 7.2. */
 #define HID_SET_PROTOCOL 0x0bu
 #define DESCRIPTOR_MS 1000u
 #define REQUEST_MS 250u
@@ -49,9 +50,9 @@ static int interface_request(libusb_device_handle *handle, const struct usb_devi
                                    device->pipe.interface_number, NULL, 0, REQUEST_MS);
 }
 
-/* GET_DESCRIPTOR of the interface, HID 1.11 section 7.1.1. What /sys showed may have been mended by
- * a driver of the kernel that mends the reports, too; ours come as the device sends them. It will
- * do where the device does not answer. */
+/* Reads the report descriptor with GET_DESCRIPTOR, HID 1.11 section 7.1.1. A kernel driver may
+ * show a corrected descriptor in /sys and correct the reports to match, but our reports come
+ * unmodified. The descriptor of /sys is used if the device does not respond. */
 static enum usb_trouble read_descriptor(libusb_device_handle *handle, struct usb_device *device)
 {
     const uint8_t type = LIBUSB_ENDPOINT_IN | LIBUSB_REQUEST_TYPE_STANDARD |
@@ -72,7 +73,7 @@ static enum usb_trouble read_descriptor(libusb_device_handle *handle, struct usb
     return size == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY : USB_BROKEN;
 }
 
-/* What the transfers must know. */
+/* Measures the largest input report for the transfers. */
 static void measure_reports(struct usb_device *device, struct hid_descriptor *scratch)
 {
     uint32_t most = 0;
@@ -85,8 +86,8 @@ static void measure_reports(struct usb_device *device, struct hid_descriptor *sc
     device->pipe.report_size_max = most + scratch->has_report_ids;
 }
 
-/* After it was claimed. What a device does not know of section 7.2 it refuses, which is no harm:
- * only its being gone is. */
+/* Sends the requests of section 7.2 to a claimed interface. A device may refuse requests that it
+ * does not support, so only its disconnection is an error. */
 static enum usb_trouble make_ready(libusb_device_handle *handle, struct usb_device *device)
 {
     if (device->is_boot &&

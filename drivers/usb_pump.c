@@ -1,4 +1,4 @@
-/* usb_pump.c -- the thread itself: wait, handle, tend. */
+/* usb_pump.c -- the main loop of the event thread. */
 #include "drivers/usb_pump.h"
 
 #include <errno.h>
@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #define NS_PER_MS 1000000ull
-#define IDLE_MS 1000         /* A thread with nothing to do looks up so often all the same. */
-#define BUSY_MS 50           /* While something is on its way that has a time limit. */
-#define LAST_WAIT_NS 2000000000ull /* For transfers to come back when the kiosk ends. */
+#define IDLE_MS 1000         /* Longest wait in ms of an idle thread. */
+#define BUSY_MS 50           /* Longest wait in ms while an output report is in flight. */
+#define LAST_WAIT_NS 2000000000ull /* Limit for transfers to return when the kiosk ends. */
 
 uint64_t usb_pump_now_ns(const struct usb_pump *pump)
 {
@@ -23,7 +23,7 @@ void usb_pump_wake(void *self)
 {
     const struct usb_pump *pump = self;
     const uint64_t one = 1;
-    /* The descriptor does not block; full, it is awake already. */
+    /* The descriptor is nonblocking; if it is full, the thread is already woken. */
     const ssize_t written = write(pump->wake_fd, &one, sizeof one);
     (void)written;
 }
@@ -73,9 +73,9 @@ static int wait_ms(const struct usb_pump *pump)
     return (int)(left_ms < most_ms ? left_ms : most_ms);
 }
 
-/* libusb's callbacks run in here; and within usb_device_open(), where libusb waits for the end of
- * each request by handling whatever happens meanwhile. So all they do is to note what happened and
- * to push reports: the table is not changed by them. */
+/* Waits for events and lets libusb handle them. libusb's callbacks run here, and also inside
+ * usb_device_open(), because libusb handles events while it waits for a request. Therefore
+ * callbacks only record results and queue reports, and never change the table. */
 static void wait_and_handle(struct usb_pump *pump)
 {
     struct timeval at_once = { 0, 0 };
@@ -90,9 +90,9 @@ static void wait_and_handle(struct usb_pump *pump)
     libusb_handle_events_timeout_completed(pump->context, &at_once, NULL);
 }
 
-/* ---- The thread ----------------------------------------------------------------------------- */
+/* ---- Thread --------------------------------------------------------------------------------- */
 
-/* Runs within libusb: it may neither talk to a device nor close one. */
+/* Called by libusb, where requests to a device and closing a device are forbidden. */
 static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device,
                                   libusb_hotplug_event event, void *self)
 {
@@ -103,7 +103,7 @@ static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device
     return 0;
 }
 
-/* Before the first comparison, so that nothing is plugged in between the two. */
+/* Registers for hot-plug before the first comparison, so that no device is missed between them. */
 static void watch_bus(struct usb_pump *pump)
 {
     const int events = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
@@ -134,7 +134,7 @@ static int is_open(const struct usb_pump *pump)
     return open;
 }
 
-/* Cancels all, waits for all, closes all. */
+/* Cancels all transfers, waits for them, and closes all devices. */
 static void close_all(struct usb_pump *pump)
 {
     pump->compare_ns = UINT64_MAX;
@@ -156,12 +156,13 @@ static void close_all(struct usb_pump *pump)
     }
 }
 
-/* A stamp is as good as the thread is prompt: before all that only computes, where we may (root, or
- * LimitRTPRIO= of the service). It sleeps but for some microseconds a report. */
+/* Raises the thread's priority for accurate time stamps, if the process may (root, or
+ * LimitRTPRIO= of the service). The thread needs only some microseconds for each report. */
 static void hurry(void)
 {
     const struct sched_param first = { .sched_priority = 1 };
-    pthread_setschedparam(pthread_self(), SCHED_RR, &first); /* Else as everybody. */
+    /* Without permission the normal priority remains. */
+    pthread_setschedparam(pthread_self(), SCHED_RR, &first);
 }
 
 static void *run(void *self)
@@ -182,7 +183,7 @@ static void *run(void *self)
     return NULL;
 }
 
-/* ---- Begin and end -------------------------------------------------------------------------- */
+/* ---- Start and stop ------------------------------------------------------------------------- */
 
 static int make_links(struct usb_pump *pump)
 {
@@ -212,20 +213,23 @@ static void init(struct usb_pump *pump)
     }
     pump->fds_changed = pump->rows_changed = 1;
     atomic_store(&pump->stop, 0);
-    usb_pump_tell(pump); /* Who is named is known from the first moment on: others look at it. */
+    /* Published before the thread starts, because other drivers read the chosen controllers
+     * first. */
+    usb_pump_tell(pump);
     pump->rows_changed = 1;
 }
 
-/* Signals of a fault in the thread itself. */
+/* Signals that a fault in the thread itself raises. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
-/* Signals are the main thread's. */
+/* Starts the thread with all other signals blocked, because the main thread handles them. */
 static int start_thread(struct usb_pump *pump)
 {
     sigset_t all, before;
     sigfillset(&all);
     for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
-        sigdelset(&all, panics[i]); /* A blocked one would end the process without evidence. */
+        /* A blocked fault signal would end the process without a trace. */
+        sigdelset(&all, panics[i]);
     }
     pthread_sigmask(SIG_SETMASK, &all, &before);
     const int error = pthread_create(&pump->thread, NULL, run, pump);
@@ -258,8 +262,8 @@ int usb_pump_begin(struct usb_pump *pump, char why[HAL_TEXT_SIZE])
     return 0;
 }
 
-/* A transfer that the kernel never gave back keeps its link's memory and libusb: to free either
- * under it would be worse than to leave them to the end of the process. */
+/* Stops the thread. If a transfer never returned from the kernel, libusb and the link's memory
+ * are leaked, because freeing memory under a transfer in flight would be worse. */
 void usb_pump_end(struct usb_pump *pump)
 {
     atomic_store(&pump->stop, 1);

@@ -1,7 +1,8 @@
-/* usb_pump.h -- the thread that has USB: it waits for transfers and hot-plugs.
+/* usb_pump.h -- the USB event thread, which waits for transfers and hot-plug events.
  *
- * Hot-plug callbacks only say that the bus changed; the thread then compares the list of devices
- * with its own (usb_pump_bus.c), opens who may play (usb_pump_table.c), and closes who is gone. */
+ * Hot-plug callbacks only record that the bus changed. The thread then compares libusb's device
+ * list with its own table (usb_pump_bus.c). It opens controllers that may play and closes those
+ * that are gone (usb_pump_table.c). */
 #ifndef KINGYO_DRIVERS_USB_PUMP_H
 #define KINGYO_DRIVERS_USB_PUMP_H
 
@@ -19,91 +20,93 @@
 #include "drivers/usb_rows.h"
 #include "drivers/usb_seat.h"
 
-#define USB_DEVICE_MAX 16u        /* HID devices we keep an eye on; keyboards give way to others. */
-#define USB_LINK_MAX (2u * POI_MAX) /* Four that play, and four that are still being closed. */
-#define USB_FD_MAX 16u            /* libusb's own two, one a link, and ours. */
+#define USB_DEVICE_MAX 16u        /* HID devices in the table; barred ones are replaced first. */
+#define USB_LINK_MAX (2u * POI_MAX) /* Four open links, and four that are being closed. */
+#define USB_FD_MAX 16u            /* Two of libusb, one for each link, and our wake descriptor. */
 #define USB_NOBODY UINT32_MAX
 
-/* A device, and what we do with it. */
+/* A device on the bus and its state. */
 struct usb_entry {
     struct usb_device device; /* .device null: the entry is empty. */
-    uint8_t trouble;          /* enum usb_trouble, and which of them was told. */
+    uint8_t trouble;          /* enum usb_trouble: current, and last reported. */
     uint8_t told_trouble;
-    uint8_t failures;         /* In a row, each of which took the thread some time. */
-    uint8_t is_seen;          /* By the comparison that goes on. */
-    uint32_t row, link, seat; /* USB_NOBODY: none; of rows CONTROLLER_MAX, too. */
-    uint32_t drains;          /* The link that it had, which may not be closed yet. */
+    uint8_t failures; /* Consecutive failures to respond, each of which blocked the thread. */
+    uint8_t is_seen;          /* 1 if the current comparison found the device. */
+    uint32_t row, link, seat; /* USB_NOBODY: none. CONTROLLER_MAX also means no row. */
+    uint32_t drains;          /* Index of its previous link, which may still be closing. */
     uint64_t met_ns;
-    uint64_t due_ns;          /* When to look at it again. */
+    uint64_t due_ns;          /* Next time to examine the device. */
 };
 
 struct usb_pump {
     struct hal_clock clock;
     const char *sysfs;
-    const char *choices_path; /* "": choices are not kept. */
-    uint8_t is_unread;        /* That file is there, but what it says is not known. */
-    void (*tell)(void *self, const char *line); /* May be null. */
+    const char *choices_path; /* "": choices are not stored. */
+    uint8_t is_unread;        /* 1 if the file exists but could not be read. */
+    /* Callback for error messages, one line each; may be null. */
+    void (*tell)(void *self, const char *line);
     void *tell_self;
     struct usb_choice choice;
 
-    /* Both threads'. */
+    /* Shared by both threads. */
     struct usb_seat seat[POI_MAX];
     struct usb_roster roster;
     atomic_int stop;
     int wake_fd;
 
-    /* The thread's. */
+    /* Used only by the event thread. */
     pthread_t thread;
     libusb_context *context;
     libusb_hotplug_callback_handle hotplug;
     uint8_t has_hotplug;
     uint8_t bus_changed, fds_changed, rows_changed;
-    uint64_t compare_ns;       /* When to compare again although nothing was said ... */
-    uint64_t settled_ns;       /* ... until then. */
+    uint64_t compare_ns;       /* Next comparison without a hot-plug event. */
+    uint64_t settled_ns;       /* Comparisons repeat quickly until this time. */
     uint32_t fd_count;
     struct pollfd fd[USB_FD_MAX];
     struct usb_entry entry[USB_DEVICE_MAX];
     struct usb_link link[USB_LINK_MAX];
     struct usb_place place[POI_MAX];
-    uint64_t lost_ns[POI_MAX]; /* When its seat became vacant. */
+    uint64_t lost_ns[POI_MAX]; /* Time at which each slot became vacant. */
     struct usb_rows rows;
     struct hid_descriptor scratch;
 };
 
-/* Begins. 0, or -1 and one line in `why`. The caller has filled what stands before the threads'
- * parts; it must outlive usb_pump_end(). */
+/* Starts the thread. Returns 0, or -1 and one line in `why`. The caller has filled the fields
+ * before the shared part, and `pump` must stay valid until usb_pump_end() returns. */
 int usb_pump_begin(struct usb_pump *pump, char why[HAL_TEXT_SIZE]);
 void usb_pump_end(struct usb_pump *pump);
 
-/* From any thread: there is something to do. Does not wait. */
+/* Wakes the event thread. May be called from any thread and does not block. */
 void usb_pump_wake(void *self);
 
-/* ---- Parts of the thread ---- */
+/* ---- Parts of the event thread ---- */
 
 uint64_t usb_pump_now_ns(const struct usb_pump *pump);
 
-/* Compares the bus with the table, if it is time to: who is new is met, who is gone forgotten. */
+/* Compares the bus with the table when it is time to. New devices are added and missing ones
+ * removed. */
 void usb_pump_compare(struct usb_pump *pump);
 
-/* Looks at whoever is due, opens who may play, closes what failed. */
+/* Examines devices that are due, opens those that may play, and closes links that failed. */
 void usb_pump_tend(struct usb_pump *pump);
 
-/* Takes the operator's orders. */
+/* Executes the operator's commands. */
 void usb_pump_obey(struct usb_pump *pump);
 
-/* What the menu shows of it. */
+/* Updates the device's row in the operator's menu. */
 void usb_pump_show(struct usb_pump *pump, struct usb_entry *entry, uint8_t state);
 
-/* Whoever sits there leaves; `is_gone`: unplugged. */
+/* Detaches a device from its slot. `is_gone` means that it was unplugged. */
 void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone);
 
-/* When the next of these is due; UINT64_MAX: never. */
+/* Returns the next time at which any of these functions is due. */
 uint64_t usb_pump_due_ns(const struct usb_pump *pump);
 
-/* Says once what is in an entry's way. */
+/* Reports the trouble of an entry once, through `tell`. */
 void usb_pump_tell_trouble(struct usb_pump *pump, struct usb_entry *entry);
 
-/* Posts the rows, and who was named, if they are others than before. */
+/* Publishes the rows and the chosen keys if they changed. */
 void usb_pump_tell(struct usb_pump *pump);
 
 #endif

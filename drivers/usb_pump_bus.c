@@ -1,4 +1,5 @@
-/* usb_pump_bus.c -- the bus against the table, the operator's orders, and what is told of both. */
+/* usb_pump_bus.c -- compares the bus with the table, executes commands, and publishes the
+ * result. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,11 +7,12 @@
 #include "drivers/usb_pump.h"
 
 #define NS_PER_MS 1000000ull
-#define SETTLE_NS (2000u * NS_PER_MS) /* The slowest hubs' devices have a configuration by then. */
+/* Time after which even devices on slow hubs are configured. */
+#define SETTLE_NS (2000u * NS_PER_MS)
 #define AGAIN_NS (100u * NS_PER_MS)
-#define NO_HOTPLUG_NS (1000u * NS_PER_MS) /* Where nobody says when the bus changes. */
+#define NO_HOTPLUG_NS (1000u * NS_PER_MS) /* Interval of comparisons without hot-plug support. */
 
-/* ---- Comparing ------------------------------------------------------------------------------ */
+/* ---- Comparison ----------------------------------------------------------------------------- */
 
 static struct usb_entry *find_entry(struct usb_pump *pump, const libusb_device *device)
 {
@@ -22,7 +24,7 @@ static struct usb_entry *find_entry(struct usb_pump *pump, const libusb_device *
     return NULL;
 }
 
-/* Its row stays while it is lost: while its seat waits for it. */
+/* Removes a device from the table. The row of a lost controller stays while its slot is held. */
 static void part(struct usb_pump *pump, struct usb_entry *entry)
 {
     usb_pump_unseat(pump, entry, 1);
@@ -33,7 +35,8 @@ static void part(struct usb_pump *pump, struct usb_entry *entry)
     usb_device_forget(&entry->device);
 }
 
-/* An empty entry; in a full house, for who might play, that of somebody who never will. */
+/* Returns an empty entry. If the table is full, a device that may play replaces a barred one.
+ * Returns null if there is no room. */
 static struct usb_entry *find_room(struct usb_pump *pump, enum usb_verdict verdict)
 {
     struct usb_entry *room = find_entry(pump, NULL);
@@ -46,7 +49,8 @@ static struct usb_entry *find_room(struct usb_pump *pump, enum usb_verdict verdi
     return room;
 }
 
-/* Who had its row, because it was lost for a moment, gets another one. */
+/* Assigns a row. If the row belonged to an entry whose device was lost, that entry gets a new
+ * row later. */
 static void give_row(struct usb_pump *pump, struct usb_entry *entry)
 {
     entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
@@ -80,13 +84,14 @@ static void meet(struct usb_pump *pump, libusb_device *device)
     give_row(pump, entry);
 }
 
-/* Departures first: who was pulled out and put in again finds its seat free. */
+/* Removes missing devices before it adds new ones, so that a replugged controller finds its slot
+ * vacant. */
 static void compare(struct usb_pump *pump)
 {
     libusb_device **list;
     const ssize_t count = libusb_get_device_list(pump->context, &list);
     if (count < 0) {
-        return; /* No memory: the next change is another chance. */
+        return; /* No memory; the next change triggers another attempt. */
     }
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         pump->entry[i].is_seen = 0;
@@ -110,9 +115,9 @@ static void compare(struct usb_pump *pump)
     libusb_free_device_list(list, 1);
 }
 
-/* A device is announced before the kernel has chosen its configuration, without which it has no
- * interfaces; nothing more is said when it has. So the bus is looked at until it must have settled.
- */
+/* Compares the bus with the table when that is due. A device is announced before the kernel has
+ * configured it, and it has no interfaces until then. No event reports the configuration.
+ * Therefore the comparison repeats until SETTLE_NS after the last change. */
 void usb_pump_compare(struct usb_pump *pump)
 {
     const uint64_t now_ns = usb_pump_now_ns(pump);
@@ -128,9 +133,9 @@ void usb_pump_compare(struct usb_pump *pump)
                                                  : now_ns + NO_HOTPLUG_NS;
 }
 
-/* ---- Orders --------------------------------------------------------------------------------- */
+/* ---- Commands ------------------------------------------------------------------------------- */
 
-/* It plays no more, nor is it waited for. */
+/* Releases the slot and the row that were held for a lost controller. */
 static void release(struct usb_pump *pump, const struct hid_identity *identity)
 {
     const uint32_t row = usb_rows_find(&pump->rows, identity);
@@ -145,7 +150,8 @@ static void release(struct usb_pump *pump, const struct hid_identity *identity)
     }
 }
 
-/* What nobody could read is not written over: the other choices are in it. */
+/* Stores the choices. A file that could not be read is not overwritten, because it contains
+ * other choices. */
 static void keep_choices(struct usb_pump *pump)
 {
     char text[HAL_TEXT_SIZE];
@@ -159,7 +165,8 @@ static void keep_choices(struct usb_pump *pump)
     }
 }
 
-/* Of a kind without serial numbers all are meant from now on, but those that sit go on sitting. */
+/* Executes a command. If the product has no serial numbers, the rule applies to all its devices,
+ * but devices that already play continue. */
 static void obey(struct usb_pump *pump, const struct usb_order *order)
 {
     const struct usb_key key = usb_key_of(&order->identity);
@@ -193,7 +200,7 @@ void usb_pump_obey(struct usb_pump *pump)
     }
 }
 
-/* ---- Telling -------------------------------------------------------------------------------- */
+/* ---- Messages ------------------------------------------------------------------------------- */
 
 static void write_trouble(const struct usb_entry *entry, char text[HAL_TEXT_SIZE])
 {
@@ -208,7 +215,7 @@ static void write_trouble(const struct usb_entry *entry, char text[HAL_TEXT_SIZE
              who->port, remedies[entry->trouble]);
 }
 
-/* That it was pulled out in the very moment is no trouble of anybody's. */
+/* Returns 1 if the trouble needs the operator. A device that was just unplugged does not. */
 static int is_in_the_way(const struct usb_entry *entry)
 {
     return entry->trouble != USB_FINE && entry->trouble != USB_AWAY;

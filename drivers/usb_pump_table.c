@@ -1,4 +1,4 @@
-/* usb_pump_table.c -- who is there, who sits where, and who has to go. */
+/* usb_pump_table.c -- the event thread's device table: opens, attaches and closes controllers. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,13 +6,13 @@
 
 #define NS_PER_S 1000000000ull
 #define SOON_NS (NS_PER_S / 10u)
-#define RETRY_NS (2u * NS_PER_S)   /* Rights and other programs change by hand. */
-/* Twice as long each time that one did not answer, for asking takes seconds in which the thread
- * tends to nobody else. */
+#define RETRY_NS (2u * NS_PER_S)   /* Permissions and other programs change at human speed. */
+/* Longest retry interval. The interval doubles with each failure, because an attempt blocks the
+ * thread for seconds and other devices wait. */
 #define RETRY_NS_MAX (60u * NS_PER_S)
-#define FAILURES_MAX 6u /* 2 s, 4, 8, 16, 32, and then the longest. */
-#define SETTLE_NS (2u * NS_PER_S)  /* A driver binds within that, udev's rule is done, too. */
-/* So long nobody else gets the seat of who was unplugged: a round may wait for it. */
+#define FAILURES_MAX 6u /* Intervals are 2, 4, 8, 16 and 32 s, and then the longest. */
+#define SETTLE_NS (2u * NS_PER_S)  /* Time in which a driver binds and the udev rules run. */
+/* Time for which the slot of an unplugged controller is held, since a session may wait for it. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
 
 static struct usb_judge judge_of(struct usb_pump *pump)
@@ -26,7 +26,7 @@ static struct usb_judge judge_of(struct usb_pump *pump)
 
 void usb_pump_show(struct usb_pump *pump, struct usb_entry *entry, uint8_t state)
 {
-    if (entry->row >= CONTROLLER_MAX) { /* There was none for it when it came. */
+    if (entry->row >= CONTROLLER_MAX) { /* No row was free when the device was added. */
         entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
                                     state == CONTROLLER_BARRED);
     }
@@ -39,7 +39,7 @@ void usb_pump_show(struct usb_pump *pump, struct usb_entry *entry, uint8_t state
     }
 }
 
-/* ---- Seats ---------------------------------------------------------------------------------- */
+/* ---- Slots ---------------------------------------------------------------------------------- */
 
 void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone)
 {
@@ -73,7 +73,7 @@ static uint32_t find_link(const struct usb_pump *pump)
     return USB_NOBODY;
 }
 
-/* A stranger who gets a lost one's seat ends the wait for it. */
+/* Clears the row of a lost controller whose slot a different controller gets. */
 static void forget_former(struct usb_pump *pump, const struct usb_entry *entry, uint32_t seat)
 {
     const struct usb_place *place = &pump->place[seat];
@@ -85,7 +85,7 @@ static void forget_former(struct usb_pump *pump, const struct usb_entry *entry, 
     }
 }
 
-/* Whoever still leaves it has to hurry. */
+/* Detaches links that are still closing from this slot. */
 static void clear_seat(struct usb_pump *pump, uint32_t seat)
 {
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
@@ -110,9 +110,9 @@ static void seat_it(struct usb_pump *pump, struct usb_entry *entry, libusb_devic
     usb_pump_show(pump, entry, CONTROLLER_PLAYS);
 }
 
-/* ---- Looking and opening -------------------------------------------------------------------- */
+/* ---- Examining and opening ------------------------------------------------------------------ */
 
-/* Whether it sat somewhere before and is only away. */
+/* Returns 1 if the controller had a slot and is only lost. */
 static int was_here(const struct usb_pump *pump, const struct usb_entry *entry)
 {
     return entry->row < CONTROLLER_MAX && pump->rows.row[entry->row].state == CONTROLLER_LOST;
@@ -157,11 +157,12 @@ static void open_it(struct usb_pump *pump, struct usb_entry *entry)
     } else if (entry->trouble != USB_FINE) {
         say_trouble(pump, entry);
     } else {
-        entry->due_ns = usb_pump_now_ns(pump); /* What it read changed the verdict. */
+        entry->due_ns = usb_pump_now_ns(pump); /* The descriptor changed the verdict. */
     }
 }
 
-/* Before a driver has bound it, /sys does not show its descriptor; a while later it never will. */
+/* Returns when to examine a device again. /sys shows no descriptor until a driver binds the
+ * device, and after SETTLE_NS none will bind. */
 static uint64_t next_look_ns(const struct usb_pump *pump, const struct usb_entry *entry)
 {
     const uint64_t now_ns = usb_pump_now_ns(pump);
@@ -190,13 +191,15 @@ static void look_at(struct usb_pump *pump, struct usb_entry *entry)
     }
 }
 
-/* Until its old handle is closed, its interface is ours and cannot be claimed anew. */
+/* Returns 1 while the old handle is open, since its interface cannot be claimed again until
+ * then. */
 static int is_draining(const struct usb_pump *pump, const struct usb_entry *entry)
 {
     return entry->drains != USB_NOBODY && pump->link[entry->drains].state == USB_LINK_DRAINING;
 }
 
-/* It failed: whose it is leaves, and what has come back already is closed at once. */
+/* Detaches the device of a failed link, and closes the link at once if all transfers have
+ * returned. */
 static void unseat_link(struct usb_pump *pump, uint32_t link)
 {
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {

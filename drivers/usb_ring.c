@@ -1,4 +1,4 @@
-/* usb_ring.c -- two counters that only grow, and the slots between them. */
+/* usb_ring.c -- a ring buffer with two counters that only increase. */
 #include "drivers/usb_ring.h"
 
 #include <string.h>
@@ -38,8 +38,8 @@ void usb_ring_lose(struct usb_ring *ring)
     atomic_fetch_add_explicit(&ring->lost, 1u, memory_order_relaxed);
 }
 
-/* Of both ways the older one first. What was pushed is looked at before the mail: whatever was
- * posted before that is seen then. */
+/* Returns the older report of the queue and the late buffer. The queue is read first, so that a
+ * late report posted before a push is seen. */
 const struct usb_ring_slot *usb_ring_peek(struct usb_ring *ring)
 {
     const uint32_t taken = atomic_load_explicit(&ring->taken, memory_order_relaxed);

@@ -1,8 +1,8 @@
-/* usb_ring.h -- reports on their way from the USB thread to the frame loop: one writes, one reads.
+/* usb_ring.h -- the lock-free report queue from the event thread to the frame loop.
  *
- * Neither ever waits for the other. Of what does not fit the newest is kept, beside the ring, and
- * comes out in its turn; those between are lost and counted. The generation of each report says who
- * sat in the seat when it came. */
+ * One thread writes and one reads; neither blocks. When the queue is full, the newest report is
+ * kept beside it and read in order. Reports in between are lost and counted. The generation of a
+ * report identifies the controller that sent it. */
 #ifndef KINGYO_DRIVERS_USB_RING_H
 #define KINGYO_DRIVERS_USB_RING_H
 
@@ -12,42 +12,44 @@
 #include "drivers/hid_port.h"
 #include "drivers/usb_mail.h"
 
-#define USB_LINE_SIZE 64u /* Of a cache: what two threads write lies on two of them. */
+#define USB_LINE_SIZE 64u /* Bytes of a cache line; each thread writes to its own lines. */
 
 struct usb_ring_slot {
     uint32_t generation;
-    uint32_t number; /* Of the reports since the start, kept or not; wraps. */
+    /* Sequence number of all reports since the start, including lost ones; wraps. */
+    uint32_t number;
     struct hid_raw raw;
 };
 
 struct usb_ring {
-    _Alignas(USB_LINE_SIZE) atomic_uint pushed; /* Both count for ever, and wrap together. */
+    _Alignas(USB_LINE_SIZE) atomic_uint pushed; /* Counts up like `taken`; both wrap at 2^32. */
     atomic_uint lost;
-    uint32_t next_number; /* The writer's. */
+    uint32_t next_number; /* Used only by the writer. */
     _Alignas(USB_LINE_SIZE) atomic_uint taken;
-    uint8_t has_late, is_late; /* The reader's: one of `late` waits; it is the one to drop. */
-    _Alignas(USB_LINE_SIZE) struct usb_mail mail; /* What came while the ring was full. */
+    /* Used only by the reader: `late` has a report, and the peeked report is that one. */
+    uint8_t has_late, is_late;
+    _Alignas(USB_LINE_SIZE) struct usb_mail mail; /* Newest report while the queue is full. */
     struct usb_ring_slot late[USB_MAIL_SLOTS];
     _Alignas(USB_LINE_SIZE) struct usb_ring_slot slot[HID_REPORTS_MAX];
 };
 
 void usb_ring_init(struct usb_ring *ring);
 
-/* The writer's: copies `size` bytes, 1 .. HID_REPORT_MAX. 0: the ring is full, and this one is kept
- * only until the next that does not fit either. */
+/* For the writer: copies `size` bytes, 1 .. HID_REPORT_MAX. Returns 1, or 0 if the queue is
+ * full. The report is then kept until the next report that does not fit replaces it. */
 int usb_ring_push(struct usb_ring *ring, uint32_t generation, uint64_t time_ns,
                   const uint8_t *bytes, uint32_t size);
 
-/* The writer's: one more that came to nothing. */
+/* For the writer: counts one more lost report. */
 void usb_ring_lose(struct usb_ring *ring);
 
-/* The reader's: the oldest, which stays valid until usb_ring_drop(); null: there is none. */
+/* For the reader: returns the oldest report, which stays valid until usb_ring_drop(), or null. */
 const struct usb_ring_slot *usb_ring_peek(struct usb_ring *ring);
 
-/* The reader's: the one that was peeked at last is done with. */
+/* For the reader: removes the report that usb_ring_peek() returned last. */
 void usb_ring_drop(struct usb_ring *ring);
 
-/* Either's: how many were lost since the start. */
+/* Returns the number of reports lost since the start. Callable from both threads. */
 uint32_t usb_ring_lost(const struct usb_ring *ring);
 
 #endif

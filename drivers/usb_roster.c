@@ -1,4 +1,4 @@
-/* usb_roster.c -- rows one way, orders the other. */
+/* usb_roster.c -- rows to the frame loop, commands to the event thread. */
 #include "drivers/usb_roster.h"
 
 #include <string.h>

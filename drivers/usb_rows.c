@@ -1,4 +1,4 @@
-/* usb_rows.c -- eight rows, and who gives way when there are more controllers than that. */
+/* usb_rows.c -- allocates the eight rows, and reuses rows when there are more controllers. */
 #include "drivers/usb_rows.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* usb_rows.h -- the rows of the operator's menu: who has which, and for how long. Pure. */
+/* usb_rows.h -- the rows of the operator's controller menu and their allocation. Pure. */
 #ifndef KINGYO_DRIVERS_USB_ROWS_H
 #define KINGYO_DRIVERS_USB_ROWS_H
 
@@ -9,22 +9,22 @@
 
 struct usb_rows {
     struct hid_row row[CONTROLLER_MAX];
-    char text[HAL_TEXT_SIZE]; /* What hid_roster_ops.describe() says. */
-    uint32_t wanted_count;    /* Who was named to play, whether it is here or not. */
+    char text[HAL_TEXT_SIZE]; /* Result of hid_roster_ops.describe(). */
+    uint32_t wanted_count;    /* Keys chosen to play, whether present or not. */
     struct usb_key wanted[USB_WISH_MAX];
 };
 
 void usb_rows_init(struct usb_rows *rows);
 
-/* A row for who was plugged in, FREE for now: the one that it was lost from, else an empty one. In
- * a full house it is one of who is barred, then of who is lost; CONTROLLER_MAX: there is none. Who
- * is barred gets one only while POI_MAX others stay empty. */
+/* Returns a row for a new controller, marked FREE or BARRED, or CONTROLLER_MAX if there is none.
+ * Its own LOST row comes first, then an empty row, then a BARRED row, then another LOST row. A
+ * barred controller gets a row only while more than POI_MAX rows are empty. */
 uint32_t usb_rows_enter(struct usb_rows *rows, const struct hid_identity *identity, int is_barred);
 
-/* The row of exactly this one, whether it is here or lost; CONTROLLER_MAX: it has none. */
+/* Returns the row of exactly this controller, present or lost, or CONTROLLER_MAX. */
 uint32_t usb_rows_find(const struct usb_rows *rows, const struct hid_identity *identity);
 
-/* Empties it. */
+/* Empties a row. */
 void usb_rows_clear(struct usb_rows *rows, uint32_t index);
 
 #endif

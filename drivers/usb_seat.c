@@ -1,4 +1,4 @@
-/* usb_seat.c -- who sits here, what it said, and what it is to feel. */
+/* usb_seat.c -- attaches controllers to a slot and passes reports in both directions. */
 #include "drivers/usb_seat.h"
 
 #include <stdio.h>
@@ -13,7 +13,7 @@ void usb_seat_init(struct usb_seat *seat, void (*wake)(void *self), void *wake_s
     seat->wake_self = wake_self;
 }
 
-/* ---- The thread's side ---------------------------------------------------------------------- */
+/* ---- Event thread --------------------------------------------------------------------------- */
 
 void usb_seat_sit(struct usb_seat *seat, const struct hid_face *face)
 {
@@ -33,7 +33,7 @@ void usb_seat_leave(struct usb_seat *seat)
 void usb_seat_report(struct usb_seat *seat, uint64_t now_ns, const uint8_t *bytes, uint32_t size)
 {
     if (size == 0u) {
-        return; /* A gadget's short packet, not a report. */
+        return; /* An empty packet of a USB gadget is not a report. */
     }
     if (size > HID_REPORT_MAX) {
         usb_ring_lose(&seat->ring);
@@ -50,7 +50,7 @@ uint32_t usb_seat_outgoing(struct usb_seat *seat)
         return 0u;
     }
     if (seat->out_generation != atomic_load_explicit(&seat->generation, memory_order_relaxed)) {
-        usb_seat_sent(seat); /* It was meant for who sat here before. */
+        usb_seat_sent(seat); /* The report was meant for the previous controller. */
         return 0u;
     }
     atomic_store_explicit(&seat->outgoing, USB_OUT_FLYING, memory_order_relaxed);
@@ -62,7 +62,7 @@ void usb_seat_sent(struct usb_seat *seat)
     atomic_store_explicit(&seat->outgoing, USB_OUT_NONE, memory_order_release);
 }
 
-/* ---- The frame loop's side ------------------------------------------------------------------ */
+/* ---- Frame loop ----------------------------------------------------------------------------- */
 
 static uint32_t generation_now(struct usb_seat *seat)
 {
@@ -79,7 +79,7 @@ static int port_open(void *self, struct hid_face *out)
     usb_mail_fetch(&seat->mail);
     const struct usb_sitting *sitting = &seat->sitting[seat->mail.reading];
     if (!(generation & 1u) || sitting->generation != generation) {
-        return HAL_ERR_GONE; /* Nobody, or they change places while we look. */
+        return HAL_ERR_GONE; /* No controller, or it changed during this call. */
     }
     *out = sitting->face;
     seat->opened = generation;
@@ -87,7 +87,8 @@ static int port_open(void *self, struct hid_face *out)
     return HAL_OK;
 }
 
-/* Drops what those left behind who sat here before; null: nothing came yet. */
+/* Drops reports of earlier controllers. Returns the oldest report of the current or a later one,
+ * or null. */
 static const struct usb_ring_slot *newest_sitting(struct usb_seat *seat)
 {
     const struct usb_ring_slot *slot = usb_ring_peek(&seat->ring);
@@ -104,7 +105,8 @@ static int port_take(void *self, struct hid_raw *out)
     if (seat->is_never) {
         return HAL_ERR_NONE;
     }
-    const uint32_t generation = generation_now(seat); /* First: all before it is in the ring. */
+    /* Read first, because all reports of earlier generations are then in the queue. */
+    const uint32_t generation = generation_now(seat);
     const struct usb_ring_slot *slot = newest_sitting(seat);
     if (slot && slot->generation == seat->opened) {
         out->time_ns = slot->raw.time_ns;

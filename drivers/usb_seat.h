@@ -1,8 +1,8 @@
-/* usb_seat.h -- one seat at the tank, as the USB thread and the frame loop share it.
+/* usb_seat.h -- one slot, shared between the event thread and the frame loop.
  *
- * The thread says who sits down, what it reports and when it is gone; the frame loop takes that as
- * a struct hid_port. Every sitting has a number, so that no report of one is taken for the next's.
- * No call here waits. */
+ * The event thread attaches a controller, delivers its reports and detaches it. The frame loop
+ * uses the slot as a struct hid_port. Each attachment has a generation number, so that no report
+ * is credited to the next controller. No call blocks. */
 #ifndef KINGYO_DRIVERS_USB_SEAT_H
 #define KINGYO_DRIVERS_USB_SEAT_H
 
@@ -13,10 +13,10 @@
 #include "drivers/usb_mail.h"
 #include "drivers/usb_ring.h"
 
-/* What a seat's output report is doing. */
+/* State of the slot's output report. */
 enum usb_outgoing {
-    USB_OUT_NONE = 0, /* The frame loop may write the next. */
-    USB_OUT_READY,    /* The thread may send it. */
+    USB_OUT_NONE = 0, /* The frame loop may write the next report. */
+    USB_OUT_READY,    /* The event thread may send the report. */
     USB_OUT_FLYING,
 };
 
@@ -26,44 +26,46 @@ struct usb_sitting {
 };
 
 struct usb_seat {
-    /* Either thread's. */
+    /* Shared by both threads. */
     struct usb_ring ring;
-    atomic_uint generation; /* Odd: somebody sits here. */
+    atomic_uint generation; /* Odd while a controller is attached. */
     struct usb_mail mail;
     struct usb_sitting sitting[USB_MAIL_SLOTS];
-    atomic_uint outgoing;   /* enum usb_outgoing; whose turn it is with what follows. */
+    /* enum usb_outgoing; selects the thread that owns the next three fields. */
+    atomic_uint outgoing;
     uint32_t out_size, out_generation;
     uint8_t out_bytes[HID_REPORT_MAX];
-    /* The thread's. */
-    uint64_t last_ns;       /* Stamp of the newest report. */
-    /* The frame loop's. */
-    uint32_t opened;        /* Generation that it took a face of; 0: none. */
-    uint8_t is_never;       /* There is no USB here: nobody ever will sit. */
+    /* Used only by the event thread. */
+    uint64_t last_ns;       /* Time stamp of the newest report. */
+    /* Used only by the frame loop. */
+    uint32_t opened;        /* Generation opened last; 0: none. */
+    uint8_t is_never;       /* 1 if USB is not available at all. */
     struct hid_identity identity;
-    void (*wake)(void *self); /* Tells the thread of an output report; does not wait. */
+    void (*wake)(void *self); /* Wakes the event thread for an output report; does not block. */
     void *wake_self;
     char text[HAL_TEXT_SIZE];
 };
 
 void usb_seat_init(struct usb_seat *seat, void (*wake)(void *self), void *wake_self);
 
-/* ---- The thread's side ---- */
+/* ---- Event thread --------- */
 
-/* Somebody sits down in an empty seat; `face` is copied. */
+/* Attaches a controller to an empty slot. `face` is copied. */
 void usb_seat_sit(struct usb_seat *seat, const struct hid_face *face);
 
-/* Whoever sat there is gone. All it reported before will still be taken. */
+/* Detaches the controller. Its queued reports can still be read. */
 void usb_seat_leave(struct usb_seat *seat);
 
-/* A report of whoever sits there, at `now_ns`: any size; 0 is none, too long ones are lost. */
+/* Queues a report of the attached controller, received at `now_ns`. Size 0 is ignored, and a
+ * report of more than HID_REPORT_MAX bytes counts as lost. */
 void usb_seat_report(struct usb_seat *seat, uint64_t now_ns, const uint8_t *bytes, uint32_t size);
 
-/* The output report to send now: its size, or 0. Its bytes are the thread's until
- * usb_seat_sent(). */
+/* Returns the size of the output report to send now, or 0. The event thread owns `out_bytes`
+ * until usb_seat_sent(). */
 uint32_t usb_seat_outgoing(struct usb_seat *seat);
 void usb_seat_sent(struct usb_seat *seat);
 
-/* ---- The frame loop's side ---- */
+/* ---- Frame loop --------------- */
 
 struct hid_port usb_seat_port(struct usb_seat *seat);
 

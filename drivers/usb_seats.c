@@ -1,4 +1,4 @@
-/* usb_seats.c -- the one USB of this process, started and stopped. */
+/* usb_seats.c -- starts and stops the USB transport of this process. */
 #include "drivers/usb_seats.h"
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include "drivers/usb_choice_file.h"
 #include "drivers/usb_pump.h"
 
-#define PATH_SIZE 1100u /* A data folder and a name in it. */
+#define PATH_SIZE 1100u /* Fits a data folder and a file name. */
 
 struct usb_seats {
     struct usb_pump pump;
@@ -17,7 +17,7 @@ struct usb_seats {
 
 static struct usb_seats one;
 
-/* Without USB the rows are empty, and say why. */
+/* Publishes an empty device list with the reason why there is no USB. */
 static void be_dead(struct usb_seats *seats, const char *why)
 {
     struct usb_rows *rows = &seats->pump.rows;
@@ -25,7 +25,7 @@ static void be_dead(struct usb_seats *seats, const char *why)
         seats->pump.seat[i].is_never = 1;
     }
     snprintf(rows->text, sizeof rows->text, "%s", why);
-    rows->wanted_count = 0; /* Whoever else can play them may. */
+    rows->wanted_count = 0; /* Other drivers may use these controllers. */
     usb_roster_post(&seats->pump.roster, rows);
 }
 

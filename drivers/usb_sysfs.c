@@ -1,4 +1,4 @@
-/* usb_sysfs.c -- two kinds of small files under /sys/bus/usb/devices. */
+/* usb_sysfs.c -- reads small files under /sys/bus/usb/devices. */
 #include "drivers/usb_sysfs.h"
 
 #include <dirent.h>
@@ -13,7 +13,8 @@
 
 #define PATH_SIZE 512u
 
-/* At most `size` bytes of a file; how many, or 0 where it cannot be read. */
+/* Reads at most `size` bytes of a file. Returns the number of bytes, or 0 if the file cannot be
+ * read. */
 static uint32_t read_file(const char *path, void *out, uint32_t size)
 {
     const int fd = open(path, O_RDONLY | O_CLOEXEC);
@@ -32,7 +33,7 @@ static uint32_t read_file(const char *path, void *out, uint32_t size)
     return count;
 }
 
-/* Removes the last character if the end of the text cut it in two. */
+/* Removes the last UTF-8 character if it is incomplete. */
 static void drop_cut_character(char *text, size_t length)
 {
     size_t lead = length;
@@ -66,7 +67,7 @@ void usb_sysfs_text(const char *root, const char *port, const char *name,
     usb_clean_text(out);
 }
 
-/* Cuts the last name off a path; 0: there is none left. */
+/* Removes the last component of a path. Returns 0 if there is none left. */
 static int climb(char *path)
 {
     char *slash = strrchr(path, '/');
@@ -77,7 +78,8 @@ static int climb(char *path)
     return 1;
 }
 
-/* A node's folder lies below that of its device, which is the first that has an idVendor. */
+/* Finds the device's folder, which is the first parent of the node's folder with a file
+ * idVendor. */
 void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE])
 {
     char link[PATH_SIZE], folder[PATH_MAX], path[PATH_MAX + 16u];
@@ -100,8 +102,8 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
     }
 }
 
-/* The HID driver's folder under an interface is called BUS:VENDOR:PRODUCT.NUMBER, bus 3 being
- * USB. */
+/* Returns 1 for a folder of the HID driver, which is named BUS:VENDOR:PRODUCT.NUMBER with bus 3
+ * for USB. */
 static int is_hid_folder(const char *name)
 {
     return strlen(name) == 19u && strncmp(name, "0003:", 5u) == 0 && name[9] == ':' &&

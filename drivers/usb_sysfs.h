@@ -1,7 +1,7 @@
-/* usb_sysfs.h -- what Linux knows of a USB device already: read from /sys, the device not touched.
+/* usb_sysfs.h -- reads what Linux has stored about a USB device in /sys, without opening it.
  *
- * So that a row can have a name, and a controller be judged by its report descriptor, while another
- * driver still has it. `root` is "/sys"; tests have their own. */
+ * A row gets its name, and a controller is classified by its report descriptor, while another
+ * driver is bound. `root` is "/sys", or a folder of a test. */
 #ifndef KINGYO_DRIVERS_USB_SYSFS_H
 #define KINGYO_DRIVERS_USB_SYSFS_H
 
@@ -9,21 +9,23 @@
 
 #include "drivers/hid_port.h"
 
-/* A text of the device at `port` ("3-1.4"): "serial", "product", "manufacturer". "" where it has
- * none. What is no printable UTF-8 becomes '?'; cut to fit between two characters. */
+/* Reads a text of the device at `port` ("3-1.4"): "serial", "product" or "manufacturer". The
+ * result is "" if there is none. Bytes that are not printable UTF-8 become '?', and the text is
+ * truncated between two characters. */
 void usb_sysfs_text(const char *root, const char *port, const char *name,
                     char out[HID_TEXT_SIZE]);
 
-/* The report descriptor of one interface; 0 where no HID driver has it bound, or it is too long. */
+/* Reads the report descriptor of one interface. Returns its size, or 0 if no HID driver is
+ * bound. At most HID_DESCRIPTOR_MAX bytes are read. */
 uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t configuration,
                               uint8_t interface_number, uint8_t out[HID_DESCRIPTOR_MAX]);
 
-/* The serial number of the USB device behind "/dev/input/event5" or "/dev/hidraw3"; "" where it has
- * none, or is not on USB. */
+/* Reads the serial number of the USB device of a node such as "/dev/input/event5" or
+ * "/dev/hidraw3". The result is "" if there is no serial number or if the device is not on USB. */
 void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE]);
 
-/* Trims the text of a device in place, drops a character that was cut in two at the end, and passes
- * the rest through printable(). */
+/* Trims a device's text in place, drops a truncated character at the end, and applies
+ * printable(). */
 void usb_clean_text(char text[HID_TEXT_SIZE]);
 
 #endif
