@@ -99,12 +99,24 @@ struct storage_late {
     atomic_int state;    /* enum storage_late_state: NEW is looked at at once. */
 };
 
-/* The caller owns it, sets the first three and leaves the rest zero. It stays at its address while
+/* Work on the open file that is not urgent. The thread calls `step` for at most STORAGE_CHORE_MS in
+ * a row, while no entry waits and the last write went well. `step` does a piece of at most a few
+ * milliseconds and returns SQLITE_OK, SQLITE_DONE if nothing is left, or the result of a write that
+ * failed, after which it goes on with another piece. Null: there is none. */
+struct storage_chore {
+    int (*step)(void *self, struct ledger_file *file);
+    void *self;
+};
+#define STORAGE_CHORE_MS 10
+#define STORAGE_CHORE_WAIT_MS 40 /* From one such row of steps to the next. */
+
+/* The caller owns it, sets the first four and leaves the rest zero. It stays at its address while
  * open. */
 struct storage {
     const char *dir;      /* Where the file lives; must outlive this. Null: nothing is kept. */
     struct ledger_file_how how; /* Zero: as usual. With a vfs there is no backup. */
     uint8_t by_hand;      /* 1: no thread; storage_work() does what it would do. */
+    struct storage_chore chore;
 
     struct ledger_file file; /* The thread's alone once it runs. */
     struct ledger_content start; /* As the file said at open(). */

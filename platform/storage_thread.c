@@ -176,6 +176,29 @@ static void prove_log(struct storage *storage)
     }
 }
 
+/* ---- The chore ------------------------------------------------------------------------------ */
+
+static bool has_chore(const struct storage *storage)
+{
+    return storage->chore.step && storage->file.db && !storage->file.refusal && !storage->moved &&
+           !atomic_load(&storage->is_unproven) && atomic_load(&storage->error) == SQLITE_OK;
+}
+
+static void do_chore(struct storage *storage)
+{
+    const int64_t until_ms = storage_now_ms() + STORAGE_CHORE_MS;
+    int code = SQLITE_OK;
+    while (code == SQLITE_OK && has_chore(storage) && storage_unwritten(storage) == 0 &&
+           storage_now_ms() < until_ms && !atomic_load(&storage->stop)) {
+        code = storage->chore.step(storage->chore.self, &storage->file);
+    }
+    if (code == SQLITE_DONE) {
+        storage->chore.step = NULL;
+    } else if (storage_needs_reopening(code)) {
+        storage_note_write(storage, code);
+    }
+}
+
 /* ---- The thread ----------------------------------------------------------------------------- */
 
 void storage_work(struct storage *storage)
@@ -189,6 +212,7 @@ void storage_work(struct storage *storage)
     storage_get_replay(storage);
     drain_edits(storage);
     back_up(storage);
+    do_chore(storage);
 }
 
 /* Waits for new work, at most CHECK_MS. Returns whether there is some. */
@@ -196,7 +220,7 @@ static bool wait_for_work(struct storage *storage)
 {
     struct timespec until;
     clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += CHECK_MS * 1000000L;
+    until.tv_nsec += (has_chore(storage) ? STORAGE_CHORE_WAIT_MS : CHECK_MS) * 1000000L;
     until.tv_sec += until.tv_nsec / 1000000000L;
     until.tv_nsec %= 1000000000L;
     return sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0;
@@ -220,6 +244,8 @@ void *storage_thread(void *context)
         if (wait_for_work(storage) || storage_now_ms() >= due_ms || has_place_changed(storage)) {
             storage_work(storage);
             due_ms = storage_now_ms() + RETRY_MS;
+        } else {
+            do_chore(storage);
         }
     }
     return NULL;

@@ -4,6 +4,7 @@
 #include "board/desktop/parts.h"
 #include "drivers/null.h"
 #include "platform/audio.h"
+#include "platform/kiosk/pin_sweep.h"
 #include "platform/storage.h"
 #include "platform/watchdog.h"
 
@@ -11,6 +12,7 @@ static struct {
     struct audio audio;
     struct storage storage;
     struct watchdog watchdog;
+    struct pin_sweep sweep;
 } devices;
 
 /* Both say in describe() what is missing, and then do nothing: a null driver could not say more. */
@@ -22,6 +24,7 @@ void store_open(struct hal *hal, const struct board_options *options)
     }
     if (options->data_dir) {
         devices.storage.dir = options->data_dir;
+        devices.storage.chore = pin_sweep_chore(&devices.sweep);
         hal->storage = storage_device(&devices.storage);
         hal->storage.ops->open(hal->storage.self);
     } else {

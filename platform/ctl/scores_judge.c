@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include "core/pin.h"
 #include "platform/cpu.h"
 #include "platform/ctl/books.h"
 #include "platform/kiosk/chapters.h"
@@ -187,8 +186,7 @@ static int holds_pin(const uint8_t *replay, size_t size)
     static struct replay_reader reader;
     int holds = 0;
     if (replay_open_in(&reader, replay, size) == 0) {
-        const int32_t kept = reader.header.config.memory.settings.value[SET_PIN];
-        holds = kept != 0 && kept != PIN_WITHHELD;
+        holds = chapters_start_has_pin(&reader.header.config);
         replay_close(&reader);
     }
     return holds;

@@ -8,18 +8,34 @@
 #include "core/base/panic.h"
 #include "core/pin.h"
 
-/* Withholds the PIN without a change of the replay: the state hash leaves the PIN out, and the two
- * values stay equal or different, because the core writes an entry if they differ. */
-static void withhold_pin(struct core_config *config)
+static int32_t withheld_told(int32_t told, int32_t kept)
 {
-    int32_t *kept = &config->memory.settings.value[SET_PIN];
-    int32_t *told = &config->chapter.adjust.told.value[SET_PIN];
-    const int is_told = *told == *kept;
-    *kept = *kept != 0 ? PIN_WITHHELD : 0;
-    *told = is_told ? *kept : *kept == 0 ? PIN_WITHHELD : 0;
+    return told == kept ? (kept != 0 ? PIN_WITHHELD : 0) : kept == 0 ? PIN_WITHHELD : 0;
 }
 
-static int types_pin(const struct core *core)
+void chapters_withhold_pin(struct core_config *config, int32_t *told)
+{
+    int32_t *kept = &config->memory.settings.value[SET_PIN];
+    int32_t *begun = &config->chapter.adjust.told.value[SET_PIN];
+    *begun = withheld_told(*begun, *kept);
+    if (told) {
+        *told = withheld_told(*told, *kept);
+    }
+    *kept = *kept != 0 ? PIN_WITHHELD : 0;
+}
+
+static int is_pin(int32_t value)
+{
+    return value != 0 && value != PIN_WITHHELD;
+}
+
+int chapters_start_has_pin(const struct core_config *config)
+{
+    return is_pin(config->memory.settings.value[SET_PIN]) ||
+           is_pin(config->chapter.adjust.told.value[SET_PIN]);
+}
+
+int chapters_types_pin(const struct core *core)
 {
     const struct menu *menu = &core->game.menu;
     return core->game.phase == PHASE_MENU &&
@@ -35,7 +51,7 @@ void chapters_begin(struct chapters *chapters, const struct core *core)
     chapters->seen_id = core->game.ledger.last_id;
     chapters->has_pin = 0;
     chapters->start = core->config;
-    withhold_pin(&chapters->start);
+    chapters_withhold_pin(&chapters->start, NULL);
     replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &core->config,
                      chapters->totals.hash);
 }
@@ -108,7 +124,7 @@ static void note_tick(struct chapters *chapters, const struct input *input, cons
         chapters_begin(chapters, core);
         return;
     }
-    chapters->has_pin = chapters->has_pin || types_pin(core);
+    chapters->has_pin = chapters->has_pin || chapters_types_pin(core);
     add_tick(chapters, input, core);
     while (chapters->seen_id != core->game.ledger.last_id) {
         const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];

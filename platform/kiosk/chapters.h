@@ -65,6 +65,19 @@ void chapters_tick(struct chapters *chapters, const struct input *input, const s
  * failed. */
 int chapters_offer(struct chapters *chapters, const struct hal_storage *storage);
 
+/* ---- The PIN in a recording ------------------------------------------------------------------ */
+
+/* Withholds the PIN (core/pin.h) in the start of a recording without a change of the play: each
+ * pair of setting and told value stays equal or different, because the core writes an entry if they
+ * differ. `told`: the told value of a running core, or null. */
+void chapters_withhold_pin(struct core_config *config, int32_t *told);
+
+/* Returns whether the start of a recording holds a PIN. */
+int chapters_start_has_pin(const struct core_config *config);
+
+/* Returns whether digits of a PIN are typed right now: the inputs of that recording hold them. */
+int chapters_types_pin(const struct core *core);
+
 /* ---- In a panic: async-signal-safe ---------------------------------------------------------- */
 
 /* Stops further changes. `is_own`: the caller is the thread that ticks; another waits for the end

@@ -132,6 +132,14 @@ int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const vo
 int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *bytes, size_t size,
                            size_t *size_out);
 
+/* Returns the first round behind `round_id` that has a replay. SQLITE_NOTFOUND: there is none. */
+int ledger_file_next_replay(struct ledger_file *file, uint32_t round_id, uint32_t *out);
+
+/* Replaces a replay that holds a PIN with one that does not, in one transaction, and overwrites the
+ * old bytes. The next open also writes the file anew, as after every PIN that was hidden. */
+int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
+                             size_t size);
+
 /* Whether there is one; 0, too, where the file cannot be read. */
 int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id);
 

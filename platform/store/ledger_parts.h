@@ -37,8 +37,13 @@ int ledger_rows_put_value(struct ledger_file *file, const struct ledger_entry *e
 
 /* ledger_pin.c: hides each PIN that settings or entries store in plain digits (core/pin.h), and
  * removes the old bytes from free pages and from the log. After an error the next open tries again.
- * A replay that an older Kingyo kept while a PIN was set still holds that PIN. */
+ * A replay that an older Kingyo kept while a PIN was set still holds that PIN until
+ * platform/kiosk/pin_sweep.h has played it. */
 int ledger_pin_hide(struct ledger_file *file);
+
+/* ledger_pin.c: within the caller's transaction, marks the file as one that may hold old bytes of a
+ * PIN: the next ledger_pin_hide() writes it anew. The caller renews the tallies. */
+int ledger_pin_mark(struct ledger_file *file);
 int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out);
 /* The stand of the open round; zero where none is written. */
 int ledger_rows_stand(struct ledger_file *file, struct ledger_stand *out);

@@ -71,13 +71,18 @@ static int end_transaction(struct ledger_file *file, int code)
     return code;
 }
 
+int ledger_pin_mark(struct ledger_file *file)
+{
+    return sql_run(file->db, "INSERT OR REPLACE INTO state VALUES (" MARK ", 1)");
+}
+
 static int hide_all(struct ledger_file *file, uint32_t salt)
 {
     int code = sql_run(file->db, "PRAGMA secure_delete = ON; BEGIN IMMEDIATE");
     if (code != SQLITE_OK) {
         return code;
     }
-    code = sql_run(file->db, "INSERT OR REPLACE INTO state VALUES (" MARK ", 1)");
+    code = ledger_pin_mark(file);
     code = code == SQLITE_OK ? hide_entries(file, salt) : code;
     code = code == SQLITE_OK ? hide_setting(file, salt) : code;
     return end_transaction(file, code);

@@ -1,4 +1,5 @@
 /* ledger_replays.c -- the replays of ranked rounds, and what is not kept for ever. */
+#include <stdio.h>
 #include <string.h>
 
 #include <sqlite3.h>
@@ -68,6 +69,35 @@ int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *by
     }
     sqlite3_reset(get);
     return code;
+}
+
+int ledger_file_next_replay(struct ledger_file *file, uint32_t round_id, uint32_t *out)
+{
+    char text[120];
+    int64_t next = 0;
+    snprintf(text, sizeof text,
+             "SELECT coalesce(min(round), 0) FROM replays WHERE round > %u AND round <= %u",
+             round_id, UINT32_MAX);
+    const int code = sql_number(file->db, text, &next);
+    *out = (uint32_t)next;
+    return code == SQLITE_OK && next == 0 ? SQLITE_NOTFOUND : code;
+}
+
+int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
+                             size_t size)
+{
+    int code = sql_run(file->db, "PRAGMA secure_delete = ON; BEGIN IMMEDIATE");
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = ledger_pin_mark(file);
+    code = code == SQLITE_OK ? ledger_file_put_replay(file, round_id, bytes, size) : code;
+    code = code == SQLITE_OK ? ledger_tally_put(file->db) : code;
+    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return ledger_log_result(file, code);
 }
 
 int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id)

@@ -1,0 +1,148 @@
+/* pin_sweep.c -- see pin_sweep.h. */
+#include "platform/kiosk/pin_sweep.h"
+
+#include <sqlite3.h>
+
+#include "platform/say.h"
+
+static void end_replay(struct pin_sweep *sweep, int is_cleaned)
+{
+    sweep->cleaned += is_cleaned != 0;
+    sweep->left += is_cleaned == 0;
+    sweep->stage = PIN_SWEEP_SEEK;
+}
+
+static void end_sweep(struct pin_sweep *sweep)
+{
+    sweep->stage = PIN_SWEEP_DONE;
+    if (sweep->cleaned + sweep->left > 0) {
+        say(SAY_WARNING, "kept replays of an older version: the PIN was removed from %u; %u still "
+                         "hold one, because they do not verify or a PIN is typed in them",
+            sweep->cleaned, sweep->left);
+    }
+}
+
+/* Reads the next replay and begins with it if it holds a PIN. One that cannot be read is passed
+ * over. */
+static void seek(struct pin_sweep *sweep, struct ledger_file *file)
+{
+    if (ledger_file_next_replay(file, sweep->round_id, &sweep->round_id) != SQLITE_OK) {
+        end_sweep(sweep);
+        return;
+    }
+    if (ledger_file_get_replay(file, sweep->round_id, sweep->replay, sizeof sweep->replay,
+                               &sweep->size) == SQLITE_OK &&
+        judge_open(&sweep->judge, sweep->replay, sweep->size) == 0 &&
+        chapters_start_has_pin(&sweep->judge.replayer.reader.header.config)) {
+        ledger_file_round(file, sweep->round_id, &sweep->kept);
+        sweep->is_check = 0;
+        sweep->stage = PIN_SWEEP_READ;
+    }
+}
+
+/* The hash, or the quick one, of the judge's core as if its PIN had been withheld from the start.
+ * The PIN has no other effect on the state until digits are typed. */
+static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struct core *core))
+{
+    int32_t *kept = &core->config.memory.settings.value[SET_PIN];
+    int32_t *begun = &core->config.chapter.adjust.told.value[SET_PIN];
+    int32_t *told = &core->game.adjust.told.value[SET_PIN];
+    const int32_t before[] = { *kept, *begun, *told };
+    chapters_withhold_pin(&core->config, told);
+    const uint64_t result = hash(core);
+    *kept = before[0];
+    *begun = before[1];
+    *told = before[2];
+    return result;
+}
+
+static int begin_recording(struct pin_sweep *sweep)
+{
+    struct judge *judge = &sweep->judge;
+    struct core_config *config = &judge->replayer.reader.header.config;
+    chapters_withhold_pin(config, NULL);
+    return replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made, config,
+                            hash_without_pin(&judge->core, core_hash));
+}
+
+static void read_on(struct pin_sweep *sweep)
+{
+    const int more = judge_read(&sweep->judge);
+    if (more < 0 || (more == 0 && !sweep->is_check && begin_recording(sweep) != 0)) {
+        end_replay(sweep, 0);
+    } else if (more == 0) {
+        sweep->stage = PIN_SWEEP_PLAY;
+    }
+}
+
+static void record_tick(struct pin_sweep *sweep)
+{
+    struct core *core = &sweep->judge.core;
+    struct replay_writer *writer = &sweep->writer;
+    struct replay_totals totals = sweep->judge.replayer.totals;
+    uint32_t digest = 0;
+    if (replay_wants_hash(writer)) {
+        totals.hash = hash_without_pin(core, core_hash);
+    }
+    if (replay_wants_digest(writer)) {
+        digest = (uint32_t)hash_without_pin(core, core_hash_quick);
+    }
+    replay_add(writer, &sweep->judge.input, digest, &totals);
+}
+
+/* The new recording takes the place of the old one when both have been verified. */
+static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
+{
+    struct judge *judge = &sweep->judge;
+    int code = SQLITE_OK;
+    if (judge_say(judge, &file->content.memory.ranking, sweep->round_id, &sweep->kept) !=
+        VERDICT_GENUINE) {
+        end_replay(sweep, 0);
+    } else if (sweep->is_check) {
+        code = ledger_file_renew_replay(file, sweep->round_id, sweep->made, judge->size);
+        end_replay(sweep, code == SQLITE_OK);
+    } else if (replay_finish(&sweep->writer, hash_without_pin(&judge->core, core_hash)) != 0 ||
+               judge_open(judge, sweep->made,
+                          (size_t)sweep->writer.offset + REPLAY_END_SIZE) != 0) {
+        end_replay(sweep, 0);
+    } else {
+        sweep->is_check = 1;
+        sweep->stage = PIN_SWEEP_READ;
+    }
+    return code;
+}
+
+static int play_on(struct pin_sweep *sweep, struct ledger_file *file)
+{
+    if (!judge_tick(&sweep->judge)) {
+        return end_play(sweep, file);
+    }
+    if (!sweep->is_check && chapters_types_pin(&sweep->judge.core)) {
+        end_replay(sweep, 0);
+    } else if (!sweep->is_check) {
+        record_tick(sweep);
+    }
+    return SQLITE_OK;
+}
+
+static int do_step(void *self, struct ledger_file *file)
+{
+    struct pin_sweep *sweep = self;
+    switch ((enum pin_sweep_stage)sweep->stage) {
+    case PIN_SWEEP_SEEK:
+        seek(sweep, file);
+        return SQLITE_OK;
+    case PIN_SWEEP_READ:
+        read_on(sweep);
+        return SQLITE_OK;
+    case PIN_SWEEP_PLAY:
+        return play_on(sweep, file);
+    default:
+        return SQLITE_DONE;
+    }
+}
+
+struct storage_chore pin_sweep_chore(struct pin_sweep *sweep)
+{
+    return (struct storage_chore){ .step = do_step, .self = sweep };
+}
